@@ -12,7 +12,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Bench;
 
 /// <summary>
-/// <c>damaged FOLDER FIRST COUNT OUT</c>: the closed meshes of a folder, damaged at random by so many seeds, mended and cut; seeds with layers below 90 % of
+/// <c>damaged FOLDER FIRST COUNT OUT</c>: the closed meshes of a folder, damaged at random by so many seeds, repaired and cut; seeds with layers below 90 % of
 /// their area are named, and their good and bad meshes are written into OUT for other programs. <c>lost GOOD.gcode BAD.gcode</c>: layers of solid prints with
 /// less than 90 % of the material of the undamaged mesh, whatever program wrote them.
 /// </summary>
@@ -36,7 +36,7 @@ internal static class DamagedMeshes
             var (damaged, what) = MeshDamage.Damage(good, seed);
             var heights = Enumerable.Range(0, (int)(good.Bounds.Max.Z / Thickness)).Select(i => (i + 0.5) * Thickness).ToArray();
             layers += heights.Length;
-            var (expected, actual) = (Areas(good, heights), Areas(Mended(damaged), heights));
+            var (expected, actual) = (Areas(good, heights), Areas(Repaired(damaged), heights));
             var lost = Enumerable.Range(0, heights.Length).Where(i => actual[i] < Enough * expected[i])
                 .Select(i => (heights[i], actual[i] / expected[i])).ToList();
             if (lost.Count == 0) continue;
@@ -55,7 +55,7 @@ internal static class DamagedMeshes
         Console.WriteLine($"  {Path.GetFileNameWithoutExtension(bad)}: {Described(lost)}");
     }
 
-    private static TriMesh Mended(TriMesh damaged)
+    private static TriMesh Repaired(TriMesh damaged)
         => MeshRepair.ToSolid(TriMesh.Merge(MeshReader.Read(StlWriter.ToBytes(damaged), "damaged.stl").Value!.Select(m => m.Mesh))).Mesh;
 
     private static double[] Areas(TriMesh mesh, double[] heights)

@@ -94,7 +94,7 @@ internal sealed class GuardTimes
         var blocks = 0;
         var options = new DecodeOptions
         {
-            Dialect = _setup.Printer.Dialect, FilamentDiameter = _setup.Material.FilamentDiameter, Threads = 1,
+            Flavor = _setup.Printer.Flavor, FilamentDiameter = _setup.Material.FilamentDiameter, Threads = 1,
             Take = block => Take(comparison, block, ref blocks),
         };
         comparison.End(GCodeDecoder.DecodeStream(new MemoryStream(_text), options).OrThrow().Toolpath, blocks);

@@ -3,7 +3,7 @@ using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using System.Linq;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -28,13 +28,13 @@ internal static class PrintTimes
     ];
 
     // No heating, no start and end code: motion alone. Travels as the peers make them, without a lift.
-    private static readonly Printer Printer = new() { NozzleHeating = 0, BedHeating = 0, RetractionDistance = 0.8, RetractionSpeed = 35 };
+    private static readonly Printer Printer = new() { NozzleHeating = 0, BedHeating = 0, RetractionLength = 0.8, RetractionSpeed = 35 };
 
     private static readonly PrintSettings Settings = new()
     {
-        LayerHeight = 0.2, FirstLayerHeight = 0.2, LineWidth = 0.45, WallCount = 2, InfillPercent = 20, TopLayers = 4, BottomLayers = 4,
-        TopThickness = 0, BottomThickness = 0, PrintSpeed = 60, OuterWallSpeed = 40, InfillSpeed = 80, SolidInfillSpeed = 60, TopSkinSpeed = 60,
-        BridgeSpeed = 60, InfillBridgeSpeed = 60, FirstLayerSpeed = 25, TravelSpeed = 150, RetractionMinTravel = 1.5, TravelLift = TravelLift.None,
+        LayerHeight = 0.2, FirstLayerHeight = 0.2, LineWidth = 0.45, WallCount = 2, InfillDensityPercent = 20, TopLayers = 4, BottomLayers = 4,
+        TopThickness = 0, BottomThickness = 0, PrintSpeed = 60, OuterWallSpeed = 40, InfillSpeed = 80, SolidInfillSpeed = 60, TopSurfaceSpeed = 60,
+        BridgeSpeed = 60, InfillBridgeSpeed = 60, FirstLayerSpeed = 25, TravelSpeed = 150, RetractionMinTravel = 1.5, ZHopType = ZHopType.None,
         MinLayerTime = 0, OverhangClasses = ValueList<OverhangClass>.Empty,
     };
 
@@ -81,7 +81,7 @@ internal static class PrintTimes
             return null;
         }
         if (!File.Exists(output)) return null;
-        var decoded = GCodeDecoder.Decode(File.ReadAllBytes(output), new DecodeOptions { Dialect = DialectTable.Marlin2, FilamentDiameter = 1.75 }).Value!;
+        var decoded = GCodeDecoder.Decode(File.ReadAllBytes(output), new DecodeOptions { Flavor = FlavorTable.Marlin2, FilamentDiameter = 1.75 }).Value!;
         return Row(name, program, decoded.Toolpath);
     }
 

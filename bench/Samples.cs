@@ -78,7 +78,7 @@ internal static class Samples
             var end = new Vec3(100 + radius * cos, 100 + radius * sin, 0.2 + i / 6000 * 0.2);
             if (i % 300 == 0) builder.Add(builder.Position, -0.8, 0, 35, MoveKind.Retract, Role.Unspecified, 0, 0, i);
             else if (i % 300 == 1) builder.Add(end, 0, 0, 150, MoveKind.Travel, Role.Unspecified, 0, 0, i);
-            else if (i % 300 == 2) builder.Add(builder.Position, 0.8, 0, 35, MoveKind.Restore, Role.Unspecified, 0, 0, i);
+            else if (i % 300 == 2) builder.Add(builder.Position, 0.8, 0, 35, MoveKind.Deretract, Role.Unspecified, 0, 0, i);
             else builder.Add(end, 0.03, 0.03, 60, MoveKind.Print, Role.OuterWall, 0, 0, i);
         }
         return builder.Build([new ToolpathTool(2.405)]);

@@ -16,14 +16,14 @@ public class SimulationBenchmarks
     private PrintSetup _setup = new();
     private Timeline? _timeline;
 
-    [Params(CornerRule.Jerk, CornerRule.JunctionDeviation, CornerRule.SquareCornerVelocity)]
-    public CornerRule Rule { get; set; }
+    [Params(Cornering.Jerk, Cornering.JunctionDeviation, Cornering.SquareCornerVelocity)]
+    public Cornering Rule { get; set; }
 
     [GlobalSetup]
     public void Prepare()
     {
         _toolpath = Samples.Print(2_500_000);
-        _setup = new PrintSetup { Printer = new Printer { CornerRule = Rule, PlannerQueue = Rule == CornerRule.SquareCornerVelocity ? 0 : 16 } };
+        _setup = new PrintSetup { Printer = new Printer { Cornering = Rule, LookaheadMoves = Rule == Cornering.SquareCornerVelocity ? 0 : 16 } };
         _timeline = Timeline.Of(_toolpath, _setup);
     }
 

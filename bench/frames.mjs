@@ -1,6 +1,6 @@
 // How long the viewer takes for a frame, in headless Chromium with software rendering:
 //   node --experimental-websocket bench/frames.mjs PAGE.html [PICTURE.png]
-// Prints how soon the page is ready, the quick frame that is shown while something moves (of every n-th strand), and the whole picture, which comes in pieces.
+// Prints how soon the page is ready, the quick frame that is shown while something moves (of every n-th extrusion), and the whole image, which comes in pieces.
 import { spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -37,7 +37,7 @@ await send("Page.enable");
 const start = Date.now();
 await send("Page.navigate", { url: `file://${page}` });
 await until("document.documentElement.dataset.state === 'ready'");
-console.log(`ready after ${Date.now() - start} ms, ${await value("measured.scene.lists.beads.count")} strands`);
+console.log(`ready after ${Date.now() - start} ms, ${await value("measured.scene.lists.beads.count")} extrusions`);
 await until("!measured.isFirst && !measured.isQueued && !measured.whole");
 const pixel = "const g = f.scene.gl; g.readPixels(0, 0, 1, 1, g.RGBA, g.UNSIGNED_BYTE, new Uint8Array(4));";
 for (const skip of new Set([1, 10, 100, await value("measured.skip")])) {

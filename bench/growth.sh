@@ -16,7 +16,7 @@ measure() {
   rm -f "$out/times"
   for _ in $(seq "${RUNS:-3}"); do
     command time -f "%U %S %e %M" -a -o "$out/times" "$caterpillar" slice "$out/sphere.stl" --set layer_height_mm="$1" --set first_layer_height_mm="$1" --set wall_count=2 \
-      --set infill_percent=20 --set top_layers=0 --set bottom_layers=0 --set skirt_loops=0 -o "$out/sphere.gcode" >/dev/null 2>&1 || { echo "failed" >&2; return 1; }
+      --set infill_density_percent=20 --set top_layers=0 --set bottom_layers=0 --set skirt_loops=0 -o "$out/sphere.gcode" >/dev/null 2>&1 || { echo "failed" >&2; return 1; }
   done
   sort -n "$out/times" | awk 'NR == 1 { printf "%.2f %.2f %d", $1 + $2, $3, $4 / 1024 }'
 }

@@ -3,7 +3,7 @@
 #   bench/peers.sh MESH... [-- JOB...]
 # Jobs: infill (2 walls and 20 % lines), walls (2 walls alone), vase, full (skins, bridges, supports, seams aligned); all of them by default.
 # Caterpillar is published as native code where a C compiler is found to link it; CATERPILLAR names another program. Needs GNU time; CuraEngine (CURA_ENGINE_SEARCH_PATH names its definitions and extruders) and prusa-slicer are used where found. RUNS sets how often (3).
-# Caterpillar has two rows: with all its checks, and with the peers' work alone (nothing looks for collisions or at strands, as in no peer; what is written is
+# Caterpillar has two rows: with all its checks, and with the peers' work alone (nothing looks for collisions or at extrusions, as in no peer; what is written is
 # still read back and compared with the plan). The settings are the same: 0.2 mm layers, width 0.4 mm, retraction 0.8 mm, no skirt. A comparison counts where printed length and filament agree within 2 %.
 # The programs take turns, so that a busy machine is as slow for all of them.
 set -eu
@@ -34,17 +34,17 @@ definition=$(IFS=:; for folder in $CURA_ENGINE_SEARCH_PATH; do [ -e "$folder/fdm
 
 slice() {
   case $2 in
-    infill) options=(wall_count=2 infill_percent=20 top_layers=0 bottom_layers=0 top_thickness_mm=0 bottom_thickness_mm=0);;
-    walls) options=(wall_count=2 infill_percent=0 top_layers=0 bottom_layers=0 top_thickness_mm=0 bottom_thickness_mm=0);;
-    vase) options=(vase=true bottom_layers=3 bottom_thickness_mm=0 wall_count=1 infill_percent=0 top_layers=0 top_thickness_mm=0);;
-    full) options=(wall_count=2 infill_percent=20 top_layers=4 bottom_layers=4 top_thickness_mm=0 bottom_thickness_mm=0 support=grid support_angle_deg=50 support_percent=15);;
+    infill) options=(wall_count=2 infill_density_percent=20 top_layers=0 bottom_layers=0 top_thickness_mm=0 bottom_thickness_mm=0);;
+    walls) options=(wall_count=2 infill_density_percent=0 top_layers=0 bottom_layers=0 top_thickness_mm=0 bottom_thickness_mm=0);;
+    vase) options=(spiral_vase=true bottom_layers=3 bottom_thickness_mm=0 wall_count=1 infill_density_percent=0 top_layers=0 top_thickness_mm=0);;
+    full) options=(wall_count=2 infill_density_percent=20 top_layers=4 bottom_layers=4 top_thickness_mm=0 bottom_thickness_mm=0 support=grid support_angle_deg=50 support_density_percent=15);;
   esac
   local set=()
-  for option in "${options[@]}" layer_height_mm=0.2 first_layer_height_mm=0.2 line_width_mm=0.4 bead_shape=rectangle skirt_loops=0 retraction_distance_mm=0.8; do set+=(--set "$option"); done
+  for option in "${options[@]}" layer_height_mm=0.2 first_layer_height_mm=0.2 line_width_mm=0.4 bead_shape=rectangle skirt_loops=0 retraction_length_mm=0.8; do set+=(--set "$option"); done
   "$caterpillar" slice "$1" "${set[@]}" "${@:3}" --override "bench" -o "$out/caterpillar.gcode"
 }
 unchecked() {
-  slice "$1" "$2" --set check_severities=strand.unsupported=off,strand.doubled=off,strand.squeezed=off,strand.width=off,strand.height=off,strand.gap=off,first_layer.area=off,\
+  slice "$1" "$2" --set check_severities=extrusion.unsupported=off,extrusion.duplicate=off,extrusion.squeezed=off,extrusion.width=off,extrusion.height=off,extrusion.gap=off,first_layer.area=off,\
 collision.nozzle=off,collision.travel=off,collision.head=off,collision.gantry=off,collision.clip=off,nozzle.digs_in=off
 }
 cura() {

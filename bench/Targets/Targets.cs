@@ -118,9 +118,9 @@ internal static class Targets
         var free = GC.GetTotalMemory(true);
         var toolpath = Samples.Print(2_500_000);
         yield return new Target("memory of a move of a toolpath", "bytes", double.NaN, (GC.GetTotalMemory(true) - free) / (double)toolpath.Count);
-        foreach (var rule in new[] { CornerRule.JunctionDeviation, CornerRule.Jerk, CornerRule.SquareCornerVelocity })
+        foreach (var rule in new[] { Cornering.JunctionDeviation, Cornering.Jerk, Cornering.SquareCornerVelocity })
         {
-            var setup = new PrintSetup { Printer = new Printer { CornerRule = rule } };
+            var setup = new PrintSetup { Printer = new Printer { Cornering = rule } };
             yield return new Target($"timeline of 2.5 million moves, {rule}", "s", 0.3, Time(() => Timeline.Of(toolpath, setup)));
         }
         var timeline = Timeline.Of(toolpath, new PrintSetup());
@@ -162,10 +162,10 @@ internal static class Targets
         var output = Path.Combine(work, "m.gcode");
         (string What, string[] Options)[] kinds =
         [
-            ("2 walls, 20 % infill", ["--set", "infill_percent=20", "--set", "top_layers=0", "--set", "bottom_layers=0"]),
+            ("2 walls, 20 % infill", ["--set", "infill_density_percent=20", "--set", "top_layers=0", "--set", "bottom_layers=0"]),
             ("skins, seams, bridges, supports", ["--set", "support=grid"]),
-            ("walls only", ["--set", "infill_percent=0", "--set", "top_layers=0", "--set", "bottom_layers=0"]),
-            ("spiral vase", ["--set", "vase=true"]),
+            ("walls only", ["--set", "infill_density_percent=0", "--set", "top_layers=0", "--set", "bottom_layers=0"]),
+            ("spiral vase", ["--set", "spiral_vase=true"]),
         ];
         foreach (var (what, options) in kinds)
         {
@@ -180,7 +180,7 @@ internal static class Targets
     {
         var mesh = Path.Combine(work, "sphere.stl");
         Samples.WriteSphere(500_000, mesh);
-        var runs = ProcessRuns.Of(program, ["slice", mesh, "--set", "infill_percent=20", "--set", "top_layers=0", "--set", "bottom_layers=0",
+        var runs = ProcessRuns.Of(program, ["slice", mesh, "--set", "infill_density_percent=20", "--set", "top_layers=0", "--set", "bottom_layers=0",
             "-o", Path.Combine(work, "sphere.gcode"), "--override", "benchmark"], 3);
         yield return new Target("`slice` of a sphere of 500,000 triangles: 2 walls, 20 % infill", "s", double.NaN, runs.Wall, runs.Remark);
     }

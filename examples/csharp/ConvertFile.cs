@@ -1,4 +1,4 @@
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Jobs;
 
@@ -10,7 +10,7 @@ public static class ConvertFile
     public static void Run(string input, string output)
     {
         var file = FileJob.Open(input).OrThrow();
-        var klipper = file with { Target = new ConvertOptions { Dialect = DialectTable.Klipper, RelativeE = true } };
+        var klipper = file with { Target = new ConvertOptions { Flavor = FlavorTable.Klipper, RelativeE = true } };
         klipper.WriteFile(output, setup: null).OrThrow();
     }
 }

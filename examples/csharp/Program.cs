@@ -30,7 +30,7 @@ internal static class Program
         foreach (var finding in SafeEdit.Run(In("sliced.gcode"), In("moved.gcode"))) Console.WriteLine(finding);
         foreach (var finding in CheckFile.Run(In("sliced.gcode"))) Console.WriteLine(finding);
         Console.WriteLine($"{FileStatistics.Run(In("sliced.gcode")).Duration:0} s");
-        DrawPicture.Run(In("vase.gcode"), In("vase.png"));
+        DrawImage.Run(In("vase.gcode"), In("vase.png"));
         return 0;
     }
 }

@@ -4,21 +4,21 @@ using System.IO;
 namespace Caterpillar.Examples;
 
 /// <summary>
-/// Writes the example models: <c>dotnet run --project examples/make [FOLDER]</c>; without a folder into examples/models of the repository. With <c>--pictures
+/// Writes the example models: <c>dotnet run --project examples/make [FOLDER]</c>; without a folder into examples/models of the repository. With <c>--images
 /// FOLDER</c> it draws the examples instead; with <c>--curved</c> it slices, checks and simulates the curved ones.
 /// </summary>
 internal static class Program
 {
     private static int Main(string[] arguments)
     {
-        if (arguments.Length == 2 && arguments[0] == "--pictures")
+        if (arguments.Length == 2 && arguments[0] == "--images")
         {
-            TracePictures.Write(arguments[1]);
-            SlicingPictures.Write(arguments[1]);
-            SeamPictures.Write(arguments[1]);
-            InfillPictures.Write(arguments[1]);
-            CurvedPictures.Write(arguments[1]);
-            if (ModelsFolder() is { } models) ModelPictures.Write(models, arguments[1]);
+            TraceImages.Write(arguments[1]);
+            SlicingImages.Write(arguments[1]);
+            SeamImages.Write(arguments[1]);
+            InfillImages.Write(arguments[1]);
+            CurvedImages.Write(arguments[1]);
+            if (ModelsFolder() is { } models) ModelImages.Write(models, arguments[1]);
             return 0;
         }
         if (arguments is ["--curved"]) return CurvedReport.WriteAll(Console.Out) ? 0 : 1;

@@ -182,7 +182,7 @@ public class BatchTests : CliFixture
     [TestCase("--resume needs --each or --table.", "slice", "models/a.stl", "--resume")]
     [TestCase("--resume needs the summary", "slice", "--each", "models/*.stl", "--resume")]
     [TestCase("Many results cannot go to standard output", "slice", "--each", "models/*.stl", "-o", "-")]
-    [TestCase("means a picture, but this writes G-code", "slice", "--each", "models/*.stl", "-o", "{name}.png")]
+    [TestCase("means an image, but this writes G-code", "slice", "--each", "models/*.stl", "-o", "{name}.png")]
     [TestCase("this would replace the input models/a.stl", "slice", "--each", "models/*.stl", "-o", "{folder}/{name}.stl")]
     [TestCase("--part 3/2: expected a part", "slice", "--each", "models/*.stl", "--part", "3/2")]
     [TestCase("--jobs needs a number from 1", "slice", "--each", "models/*.stl", "--jobs", "0")]

@@ -24,7 +24,7 @@ public class CheckCodeTests : CliFixture
     {
         var (name, text, printer) = Case(code);
         File.WriteAllText(name, text);
-        File.WriteAllText("own.json", "{ " + (code == CheckCodes.Flow ? "" : "\"max_flow_mm3_s\": 0, ") + "\"start_template\": [], \"end_template\": [], "
+        File.WriteAllText("own.json", "{ " + (code == CheckCodes.Flow ? "" : "\"max_flow_mm3_s\": 0, ") + "\"start_gcode\": [], \"end_gcode\": [], "
             + (printer.Length > 0 ? printer + ", " : "") + $"\"check_severities\": [{Severities(code)}] }}");
         string[] words = name.EndsWith(".turtle", StringComparison.Ordinal) ? ["turtle", name] : ["convert", name];
         string[] call = [.. words, "-o", "out.gcode", "--printer", "own.json"];
@@ -57,19 +57,19 @@ public class CheckCodeTests : CliFixture
         CheckCodes.FilePosition => ("a.turtle", "start 10 10 0.2\nforward 20\nraw \"G1 X40\"\nraw \"G92 X30\"\nforward 20\n", ""),
         CheckCodes.FileExtrusion => ("a.turtle", "start 10 10 0.2\nforward 20\nraw \"M221 S50\"\nforward 20\n", ""),
         CheckCodes.FileModes => ("a.turtle", "start 10 10 0.2\nforward 20\nraw \"G91\"\nforward 20\n", ""),
-        CheckCodes.NoHoming => ("a.gcode", Whole("M109 S200\n", Strand(30, 10)), ""),
-        CheckCodes.NoHeating => ("a.gcode", Whole("G28\n", Strand(30, 10)).Replace("M104 S0\n", ""), ""),
+        CheckCodes.NoHoming => ("a.gcode", Whole("M109 S200\n", Extrusion(30, 10)), ""),
+        CheckCodes.NoHeating => ("a.gcode", Whole("G28\n", Extrusion(30, 10)).Replace("M104 S0\n", ""), ""),
         CheckCodes.UnknownPosition => ("a.gcode", "G28 X Y\nM109 S200\nM83\nG1 X10 Y10 F3000\nG1 X20 E0.3\nM104 S0\n", ""),
-        CheckCodes.HeatLeftOn => ("a.gcode", Whole("G28\nM109 S200\n", Strand(30, 10)).Replace("M104 S0\n", ""), ""),
+        CheckCodes.HeatLeftOn => ("a.gcode", Whole("G28\nM109 S200\n", Extrusion(30, 10)).Replace("M104 S0\n", ""), ""),
         _ => ("a.gcode", Whole("G28\nM109 S200\n", Body(code)), Printer(code)),
     };
 
     private static string Printer(string code) => code switch
     {
-        CheckCodes.PrintArea => "\"excluded_areas_mm\": [[100, 50, 120, 70]]",
+        CheckCodes.PrintArea => "\"bed_exclude_areas_mm\": [[100, 50, 120, 70]]",
         CheckCodes.HeadHits => "\"head_boxes_mm\": [[-25, -45, 8, 50, 30, 60]]",
         CheckCodes.GantryHits => "\"gantry_mm\": [[20, 8, 60, 60]]",
-        CheckCodes.ClipHit => "\"clips_mm\": [[0, 100, 0, 12, 110, 5]]",
+        CheckCodes.ClipHit => "\"bed_clips_mm\": [[0, 100, 0, 12, 110, 5]]",
         CheckCodes.Flow => "\"max_flow_mm3_s\": 1",
         CheckCodes.Speed or CheckCodes.TravelSpeed => "\"max_speed_mm_s\": [40, 40, 40, 40]",
         _ => "",
@@ -79,42 +79,42 @@ public class CheckCodeTests : CliFixture
     {
         CheckCodes.Outside => "G1 X230\n",
         CheckCodes.Below => "G1 Z-1\n",
-        CheckCodes.PrintArea => To(80, 60, 0.2) + Strand(130, 60, 50),
-        CheckCodes.NozzleHits => Wall(4) + To(70, 30, 3) + Strand(70, 70, 40),
+        CheckCodes.PrintArea => To(80, 60, 0.2) + Extrusion(130, 60, 50),
+        CheckCodes.NozzleHits => Wall(4) + To(70, 30, 3) + Extrusion(70, 70, 40),
         CheckCodes.TravelHits => Wall(4) + To(70, 30, 3) + "G1 Y70\n",
         CheckCodes.HeadHits => Wall(12) + To(70, 30, 1),
         CheckCodes.GantryHits => Wall(12) + To(200, 10, 1),
         CheckCodes.ClipHit => To(50, 105, 3) + "G1 X5\n",
-        CheckCodes.DigsIn => string.Concat(Enumerable.Range(0, 5).Select(k => To(50, 50 + 0.4 * k, 5 - 0.2 * k) + Strand(60, 50 + 0.4 * k, 10))),
-        CheckCodes.Unsupported => To(50, 50, 4) + Strand(60, 50, 10),
-        CheckCodes.Doubled => To(50, 50, 0.2) + Strand(100, 50, 50) + To(50, 50, 0.2) + Strand(100, 50, 50),
-        CheckCodes.Squeezed => To(50, 50, 0.04) + Strand(70, 50, 20),
-        CheckCodes.Width => To(50, 50, 0.2) + Strand(70, 50, 80),
-        CheckCodes.Height => ";LAYER_CHANGE\n;Z:0.6\n;HEIGHT:0.6\n" + To(50, 50, 0.6) + Strand(60, 50, 50),
-        CheckCodes.Gap => To(50, 50, 0.2) + Strand(60, 50, 10) + "G1 X60.5\n" + Strand(70, 50, 10),
+        CheckCodes.DigsIn => string.Concat(Enumerable.Range(0, 5).Select(k => To(50, 50 + 0.4 * k, 5 - 0.2 * k) + Extrusion(60, 50 + 0.4 * k, 10))),
+        CheckCodes.Unsupported => To(50, 50, 4) + Extrusion(60, 50, 10),
+        CheckCodes.Doubled => To(50, 50, 0.2) + Extrusion(100, 50, 50) + To(50, 50, 0.2) + Extrusion(100, 50, 50),
+        CheckCodes.Squeezed => To(50, 50, 0.04) + Extrusion(70, 50, 20),
+        CheckCodes.Width => To(50, 50, 0.2) + Extrusion(70, 50, 80),
+        CheckCodes.Height => ";LAYER_CHANGE\n;Z:0.6\n;HEIGHT:0.6\n" + To(50, 50, 0.6) + Extrusion(60, 50, 50),
+        CheckCodes.Gap => To(50, 50, 0.2) + Extrusion(60, 50, 10) + "G1 X60.5\n" + Extrusion(70, 50, 10),
         CheckCodes.FirstLayer => Wall(25),
         CheckCodes.TravelSpeed => "G1 X40\n",
-        CheckCodes.Acceleration => "M204 S90000\n" + Strand(30, 10),
-        CheckCodes.Raised => "M203 X900\n" + Strand(30, 10),
-        CheckCodes.Tool => "T3\n" + Strand(30, 10),
+        CheckCodes.Acceleration => "M204 S90000\n" + Extrusion(30, 10),
+        CheckCodes.Raised => "M203 X900\n" + Extrusion(30, 10),
+        CheckCodes.Tool => "T3\n" + Extrusion(30, 10),
         CheckCodes.NozzleTemperature => "M104 S500\n",
         CheckCodes.BedTemperature => "M140 S300\nM140 S0\n",
         CheckCodes.Stationary => "G1 E300\n",
-        CheckCodes.ColdExtrusion => "M104 S50\n" + Strand(30, 10),
+        CheckCodes.ColdExtrusion => "M104 S50\n" + Extrusion(30, 10),
         CheckCodes.ExtrusionMode => string.Concat(Enumerable.Range(1, 20).Select(i => $"G1 X{10 + i} E{(i % 2 == 0 ? "-" : "")}0.1\n")),
-        _ => Strand(30, 10),
+        _ => Extrusion(30, 10),
     };
 
     private static string Whole(string begin, string body) => begin + "G90\nM83\nG1 X10 Y10 Z0.2 F3000\n" + body + "M104 S0\n";
 
-    private static string Strand(double x, double y, double length = 20) => Line($"G1 X{x:0.###} Y{y:0.###} E{length * PerMm:0.#####}\n");
+    private static string Extrusion(double x, double y, double length = 20) => Line($"G1 X{x:0.###} Y{y:0.###} E{length * PerMm:0.#####}\n");
 
     private static string To(double x, double y, double z) => Line($"G1 Z100\nG1 X{x:0.###} Y{y:0.###}\nG1 Z{z:0.###}\n");
 
     private static string Wall(double top)
     {
         var text = new StringBuilder(To(60, 50, 0.2));
-        for (var k = 1; k <= (int)Math.Round(top / 0.2); k++) text.Append(Line($"G1 Z{0.2 * k:0.###}\n")).Append(Strand(k % 2 == 1 ? 80 : 60, 50));
+        for (var k = 1; k <= (int)Math.Round(top / 0.2); k++) text.Append(Line($"G1 Z{0.2 * k:0.###}\n")).Append(Extrusion(k % 2 == 1 ? 80 : 60, 50));
         return text + "G1 Z100\n";
     }
 

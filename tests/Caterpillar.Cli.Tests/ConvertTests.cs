@@ -67,7 +67,7 @@ public class ConvertTests : CliFixture
             Square.Replace("X10 Y10 Z0.2", "X11 Y12 Z0.3").Replace("X10 Y10 Z0.4", "X11 Y12 Z0.5").Replace("X30", "X31").Replace("Y20", "Y22")));
         Assert.That(Run("convert", "a.gcode", "-o", "-", "--scale", "2").Text, Is.EqualTo(
             Square.Replace("X10 Y10 Z0.2", "X0 Y5 Z0.4").Replace("X10 Y10 Z0.4", "X0 Y5 Z0.8").Replace("X30 E2", "X40 E16").Replace("Y20 E1", "Y25 E8")));
-        Assert.That(Run("convert", "a.gcode", "-o", "-", "--turn", "180", "--last-layer", "0").Text, Is.EqualTo(
+        Assert.That(Run("convert", "a.gcode", "-o", "-", "--rotate", "180", "--last-layer", "0").Text, Is.EqualTo(
             Square.Replace("X10 Y10 Z0.2 F6000\nG1 X30 E2 F1200\nG1 Y20 E1", "X30 Y20 Z0.2 F6000\nG1 X10 E2 F1200\nG1 Y10 E1")));
     }
 
@@ -84,7 +84,7 @@ public class ConvertTests : CliFixture
     public void Tools_and_lines_are_put_before_layers()
     {
         File.WriteAllText("a.gcode", File1);
-        Assert.That(Run("convert", "a.gcode", "-o", "-", "--tool-at-layer", "1=1", "--line-at-layer", "0=M104 S210").Text, Is.EqualTo(
+        Assert.That(Run("convert", "a.gcode", "-o", "-", "--tool-at-layer", "1=1", "--gcode-at-layer", "0=M104 S210").Text, Is.EqualTo(
             File1.Replace("G1 X0 Y0 Z0.2", "M104 S210\nG1 X0 Y0 Z0.2").Replace("G1 Z0.4", "T1\nG1 Z0.4")));
         Assert.That(Run("convert", "a.gcode", "-o", "b.gcode", "--pause-at-layer", "7").Code, Is.EqualTo(2));
     }
@@ -95,7 +95,7 @@ public class ConvertTests : CliFixture
         File.WriteAllText("a.gcode", File1 + "M104 S0\n");
         File.WriteAllText("start.gcode", "; mine\nG28\nM83\n");
         File.WriteAllText("end.gcode", "M84\n");
-        var text = Run("convert", "a.gcode", "-o", "-", "--start-code", "start.gcode", "--end-code", "end.gcode").Text;
+        var text = Run("convert", "a.gcode", "-o", "-", "--start-gcode", "start.gcode", "--end-gcode", "end.gcode").Text;
         Assert.That(text, Does.StartWith("; mine\nG28\n").And.EndWith("G1 X0 E2 ; back\nM84\n").And.Not.Contain("head"));
     }
 
@@ -122,7 +122,7 @@ public class ConvertTests : CliFixture
     [TestCase("--tool-at-layer", "1")]
     [TestCase("--role", "Nose")]
     [TestCase("--move", "a,b")]
-    [TestCase("--dialect", "basic")]
+    [TestCase("--flavor", "basic")]
     [TestCase("--remove", "--mm")]
     [TestCase("--e", "sideways")]
     [TestCase("--decimals", "3,x")]

@@ -79,7 +79,8 @@ public class CurvedSliceTests : CliFixture
     {
         File.WriteAllText("part.stl", Box(20, 12, 3));
         File.WriteAllText("lines.csv", "x,y,z\n10,0,0\n10,12,0\n");
-        var run = Run("slice", "part.stl", "--surface", "x * x / 400", "--infill-along", along, "--set", "infill_percent=20", "--set", "layer_height_mm=0.3",
+        var run = Run("slice", "part.stl", "--surface", "x * x / 400", "--infill-along", along, "--set", "infill_density_percent=20", "--set",
+            "layer_height_mm=0.3",
             "--set", "top_layers=0", "--set", "bottom_layers=0", "--override", "a test");
         Assert.That(run.Code, Is.Zero, run.Messages);
         var rows = Run("decode", "part.gcode", "--csv").Text.Split('\n').Where(l => l.Length > 0).Select(l => l.Split(',')).ToArray();
@@ -147,9 +148,9 @@ public class CurvedSliceTests : CliFixture
         Assert.That(run.Code, Is.Zero, run.Messages);
         Assert.That(run.Messages, Does.Contain("curved.object_place"));
         Assert.That(File.ReadAllText("lines.gcode"), Does.Contain("Z8.15"));
-        Assert.That(run.Messages, Does.Not.Contain("strand.unsupported"), "the object is there");
-        Assert.That(Run("check", "lines.gcode").Text, Does.Contain("strand.unsupported"));
-        Assert.That(Run("check", "lines.gcode", "--onto", "scan.stl").Text, Does.Not.Contain("strand.unsupported"));
+        Assert.That(run.Messages, Does.Not.Contain("extrusion.unsupported"), "the object is there");
+        Assert.That(Run("check", "lines.gcode").Text, Does.Contain("extrusion.unsupported"));
+        Assert.That(Run("check", "lines.gcode", "--onto", "scan.stl").Text, Does.Not.Contain("extrusion.unsupported"));
         File.WriteAllText("higher.stl", BoxAt(180, 180, 9, 30));
         var blocked = Run("check", "lines.gcode", "--onto", "higher.stl");
         Assert.That(blocked.Code, Is.EqualTo(3));

@@ -26,10 +26,10 @@ public class CurvesTests : CliFixture
     }
 
     [Test]
-    public void Percentages_and_shapes_set_the_strand()
+    public void Percentages_and_shapes_set_the_extrusion()
     {
         File.WriteAllText("line.csv", "0,0,0.4\n100,0,0.4\n");
-        Run("curves", "line.csv", "--move", "10,10", "--width", "200%", "--height", "0.4", "--shape", "rectangle", "--multiplier", "101.7%", "--speed", "20",
+        Run("curves", "line.csv", "--move", "10,10", "--width", "200%", "--height", "0.4", "--shape", "rectangle", "--flow", "101.7%", "--speed", "20",
             "--set", "nozzle_diameter_mm=0.4");
         // The E per mm of the sample in the Caterpillar paper.
         var e = Prints("line.gcode").Single().Split(' ').Single(w => w[0] == 'E');
@@ -62,7 +62,7 @@ public class CurvesTests : CliFixture
     public void Pens_draw_arcs_without_extruding()
     {
         var svg = Encoding.ASCII.GetBytes("<svg width='100mm' height='100mm' viewBox='0 0 100 100'><circle cx='50' cy='50' r='20'/></svg>");
-        var run = Run(svg, ["curves", "-", "--printer", "pen_plotter", "--arcs", "--strokes"]);
+        var run = Run(svg, ["curves", "-", "--printer", "pen_plotter", "--arcs", "--pen"]);
         Assert.That(run.Code, Is.Zero, run.Messages);
         Assert.That(run.Text, Does.Contain("G2 X30 I-20 J0").Or.Contain("G3 X30 I-20 J0"));
         Assert.That(run.Text, Does.Not.Contain(" E"));

@@ -77,7 +77,7 @@ public class DecodeTests : CliFixture
         Assert.That((run.Code, run.Text), Is.EqualTo((1, "")));
         Assert.That(run.Messages, Does.Contain("b.gcode.gz"));
         Assert.That(Run("decode", "a.gcode", "none.gcode").Code, Is.EqualTo(1));
-        foreach (var verb in new[] { "picture", "convert", "check" }) Assert.That(Run(verb, "b.gcode.gz", "-o", "out").Code, Is.InRange(1, 2), verb);
+        foreach (var verb in new[] { "image", "convert", "check" }) Assert.That(Run(verb, "b.gcode.gz", "-o", "out").Code, Is.InRange(1, 2), verb);
         Assert.That(File.Exists("out"), Is.False);
     }
 
@@ -102,7 +102,7 @@ public class DecodeTests : CliFixture
         var truth = JsonDocument.Parse(File.ReadAllBytes(TestData.Shared("gcode/truth.json"))).RootElement;
         foreach (var name in new[] { "hand_g92_offsets.gcode", "ps_overlap_two_tools.gcode", "cu_overlap_bfb_M101.gcode", "hand_crlf_bom_noeol.gcode" })
         {
-            var run = Run("decode", TestData.Shared("gcode/" + name), "--json", "--dialect", "slicer", "--rule", "rising");
+            var run = Run("decode", TestData.Shared("gcode/" + name), "--json", "--flavor", "slicer", "--rule", "rising");
             var mine = JsonDocument.Parse(run.Output).RootElement[0];
             var expected = truth.GetProperty(name);
             Assert.That(Keys(mine), Is.EqualTo(Keys(expected)), name);

@@ -19,12 +19,12 @@ public class EditOptionTests : CliFixture
     [TestCase("--retraction", "-5")]
     [TestCase("--deform", "")]
     [TestCase("--deform", "  ")]
-    [TestCase("--line-at-layer", "1=M117 a\nG1 X500")]
-    [TestCase("--line-at-layer", "1=")]
+    [TestCase("--gcode-at-layer", "1=M117 a\nG1 X500")]
+    [TestCase("--gcode-at-layer", "1=")]
     [TestCase("--tool", "-1")]
     [TestCase("--speed", "-50%")]
     [TestCase("--speed", "fast")]
-    [TestCase("--start-code", "")]
+    [TestCase("--start-gcode", "")]
     public void What_makes_no_sense_is_wrong_usage(params string[] options)
     {
         var run = Run(["convert", "l.gcode", "-o", "m.gcode", .. options]);

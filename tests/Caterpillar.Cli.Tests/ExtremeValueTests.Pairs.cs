@@ -36,7 +36,7 @@ public partial class ExtremeValueTests
         "gap_bead min_gap = #, max_gap = 2 [ circle_trace 5 ]", "gap_bead width = # [ circle_trace 5 ]", "gap_bead bed = # [ circle_trace 5 ]",
         "cool_layers min_layer_time = # [ circle_trace 5 ]", "cool_layers min_layer_time = 5, min_speed = # [ circle_trace 5 ]",
         "cool_layers speed_by_length = # [ circle_trace 5 ]", "cool_layers max_segment_rate = # [ circle_trace 5 ]", "lsystem # \"F\" \"F -> F[+F]F\"",
-        "lsystem 2 \"F(#)\" \"F(n) -> F(n * #)\"", "lsystem 2 \"F\" \"# F -> FF\"", "use #", "include #", "image picture #", "image picture \"#\" smooth",
+        "lsystem 2 \"F(#)\" \"F(n) -> F(n * #)\"", "lsystem 2 \"F\" \"# F -> FF\"", "use #", "include #", "image image #", "image image \"#\" smooth",
     ];
 
     [TestCaseSource(nameof(Generating)), Explicit("all values, some minutes")]

@@ -33,7 +33,7 @@ public partial class ExtremeValueTests : CliFixture
         ["convert"] = ["convert", "l.gcode", "-o", "out.gcode"],
         ["sections"] = ["sections", "a.stl", "--heights", "1"],
         ["check"] = ["check", "l.gcode"],
-        ["picture"] = ["picture", "l.gcode", "-o", "out.png", "--width", "64"],
+        ["image"] = ["image", "l.gcode", "-o", "out.png", "--width", "64"],
         ["printers"] = ["printers", "ender3"],
         ["simulate"] = ["simulate", "l.gcode"],
     };

@@ -19,16 +19,16 @@ public class MessageTests : CliFixture
     [TestCase("There is no verb slcie. Did you mean 'slice'?", "slcie", "a.stl")]
     [TestCase("There is no option --matrial. Did you mean --material?", "slice", "a.stl", "--matrial", "pla")]
     [TestCase("There is no option --quite. Did you mean --quiet?", "slice", "a.stl", "--quite")]
-    [TestCase("There is no option --strokse. Did you mean --strokes?", "curves", "c.csv", "--strokse")]
+    [TestCase("There is no option --pne. Did you mean --pen?", "curves", "c.csv", "--pne")]
     [TestCase("There is no option --bogus-thing. For a file of this name write ./--bogus-thing", "slice", "a.stl", "--bogus-thing")]
     [TestCase("did you mean layer_height_mm?", "slice", "a.stl", "--set", "layer_hieght_mm=0.2")]
     [TestCase("Did you mean 'gyroid'?", "slice", "a.stl", "--set", "infill_pattern=gyrod")]
     [TestCase("did you mean ender3?", "slice", "a.stl", "--printer", "ender4")]
-    [TestCase("Did you mean 'marlin2'?", "decode", "l.gcode", "--dialect", "marln2")]
+    [TestCase("Did you mean 'marlin2'?", "decode", "l.gcode", "--flavor", "marln2")]
     [TestCase("Did you mean 'Outer wall'?", "convert", "l.gcode", "-o", "o.gcode", "--role", "outr-wall", "--speed", "2")]
-    [TestCase("\"Rol\" is none of Height, Layer, Progress, Role, Speed. Did you mean 'Role'?", "picture", "l.gcode", "--color", "Rol")]
+    [TestCase("\"Rol\" is none of Height, Layer, Progress, Role, Speed. Did you mean 'Role'?", "image", "l.gcode", "--color", "Rol")]
     [TestCase("--threads needs a whole number, not \"abc\".", "slice", "a.stl", "--threads", "abc")]
-    [TestCase("--turn needs a number, not \"abc\".", "convert", "l.gcode", "-o", "o.gcode", "--turn", "abc")]
+    [TestCase("--rotate needs a number, not \"abc\".", "convert", "l.gcode", "-o", "o.gcode", "--rotate", "abc")]
     [TestCase("--seed needs a whole number, not \"1.5\".", "turtle", "s.turtle", "--seed", "1.5")]
     public void A_misspelled_word_gets_a_hint(string hint, params string[] words)
     {
@@ -76,13 +76,13 @@ public class MessageTests : CliFixture
     [TestCase("pen_plotter")]
     public void Drawings_of_a_pen_are_seen_from_above(string printer)
     {
-        Assert.That(Run("curves", "c.csv", "--strokes", "--printer", printer, "-o", "pen.gcode").Code, Is.Zero);
-        Run("picture", "pen.gcode", "-o", "a.png", "--width", "64");
-        Run("picture", "pen.gcode", "-o", "b.png", "--width", "64", "--view", "top");
-        Run("picture", "pen.gcode", "-o", "c.png", "--width", "64", "--view", "-60,28");
+        Assert.That(Run("curves", "c.csv", "--pen", "--printer", printer, "-o", "pen.gcode").Code, Is.Zero);
+        Run("image", "pen.gcode", "-o", "a.png", "--width", "64");
+        Run("image", "pen.gcode", "-o", "b.png", "--width", "64", "--view", "top");
+        Run("image", "pen.gcode", "-o", "c.png", "--width", "64", "--view", "-60,28");
         Assert.That(File.ReadAllBytes("a.png"), Is.EqualTo(File.ReadAllBytes("b.png")).And.Not.EqualTo(File.ReadAllBytes("c.png")));
-        Run("picture", "l.gcode", "-o", "d.png", "--width", "64");
-        Run("picture", "l.gcode", "-o", "e.png", "--width", "64", "--view", "-60,28");
+        Run("image", "l.gcode", "-o", "d.png", "--width", "64");
+        Run("image", "l.gcode", "-o", "e.png", "--width", "64", "--view", "-60,28");
         Assert.That(File.ReadAllBytes("d.png"), Is.EqualTo(File.ReadAllBytes("e.png")));
     }
 
@@ -114,7 +114,7 @@ public class MessageTests : CliFixture
     [Test]
     public void Settings_that_print_nothing_are_named()
     {
-        string[] nothing = ["--set", "wall_count=0", "--set", "infill_percent=0", "--set", "top_layers=0", "--set", "bottom_layers=0"];
+        string[] nothing = ["--set", "wall_count=0", "--set", "infill_density_percent=0", "--set", "top_layers=0", "--set", "bottom_layers=0"];
         Assert.That(Run(["slice", "a.stl", .. nothing]).Messages, Does.Contain("the settings ask for no walls, no infill and no top or bottom layers"));
         File.WriteAllText("thin.stl", Box(6, 0.03, 1));
         Assert.That(Run("slice", "thin.stl").Messages, Does.Contain("no contour of the models is as wide as a line (0.45 mm)"));
@@ -122,10 +122,10 @@ public class MessageTests : CliFixture
     }
 
     [TestCase("print_speed_mm_s=50%", "print_speed_mm_s=30", "print_speed_mm_s=60")]
-    [TestCase("flow_multiplier=95%", "flow_multiplier=0.95")]
-    [TestCase("infill_percent=35%", "infill_percent=35")]
+    [TestCase("flow_ratio=95%", "flow_ratio=0.95")]
+    [TestCase("infill_density_percent=35%", "infill_density_percent=35")]
     [TestCase("line_width_mm=125%", "line_width_mm=0.5")]
-    [TestCase("bridge_flow=90%", "bridge_flow=0.9")]
+    [TestCase("bridge_flow_ratio=90%", "bridge_flow_ratio=0.9")]
     public void Percent_is_taken_where_a_speed_a_flow_or_a_width_is_asked(string percent, string value, string? first = null)
     {
         string[] Words(string set, string file)

@@ -8,7 +8,7 @@ public class ModelOptionTests : CliFixture
 {
     private static readonly string[] Walls =
     [
-        "--set", "start_template=", "--set", "end_template=", "--set", "wall_count=1", "--set", "infill_percent=0", "--set", "top_layers=0",
+        "--set", "start_gcode=", "--set", "end_gcode=", "--set", "wall_count=1", "--set", "infill_density_percent=0", "--set", "top_layers=0",
         "--set", "bottom_layers=0",
     ];
 
@@ -30,7 +30,7 @@ public class ModelOptionTests : CliFixture
     [TestCase("100.225 105.225", "119.775 114.775", "--arrange")]
     public void Options_place_the_model(string least, string most, params string[] options)
     {
-        // Strands go all around, up to the corners in which they begin.
+        // Extrusions go all around, up to the corners in which they begin.
         var run = Run(["slice", "part.stl", .. options, .. Walls, "--set", "seam_gap_mm=0"]);
         Assert.That(run.Code, Is.Zero, run.Messages);
         var numbers = File.ReadLines("part.gcode").Where(l => l.StartsWith("G1 ", System.StringComparison.Ordinal) && l.Contains('E')).ToArray();
@@ -54,8 +54,8 @@ public class ModelOptionTests : CliFixture
     [TestCase("--arrange", "--keep-position")]
     [TestCase("--center", "--place", "5,5")]
     [TestCase("--spacing", "-1")]
-    [TestCase("--arrange", "--for", "part.stl:model_use=modifier")]
-    [TestCase("--lay-flat", "--for", "part.stl:model_use=support_blocker")]
+    [TestCase("--arrange", "--for", "part.stl:model_type=modifier")]
+    [TestCase("--lay-flat", "--for", "part.stl:model_type=support_blocker")]
     [TestCase("--for", "part.stl")]
     [TestCase("--for", "lid.stl:wall_count=2")]
     [TestCase("--for", "part.stl:wall_count=many")]
@@ -103,7 +103,7 @@ public class ModelOptionTests : CliFixture
     public void Modifiers_move_along_with_the_part_and_are_not_printed()
     {
         File.WriteAllText("big.stl", Box(60, 60, 40));
-        var run = Run(["slice", "part.stl", "big.stl", "--place", "30,40", "--for", "big.stl:model_use=modifier,wall_count=3", .. Walls]);
+        var run = Run(["slice", "part.stl", "big.stl", "--place", "30,40", "--for", "big.stl:model_type=modifier,wall_count=3", .. Walls]);
         Assert.That(run.Code, Is.Zero, run.Messages);
         var lines = File.ReadAllLines("part.gcode");
         Assert.That(lines.Count(l => l.StartsWith(";LAYER_CHANGE", System.StringComparison.Ordinal)), Is.EqualTo(10), "only the part is printed");
@@ -115,7 +115,7 @@ public class ModelOptionTests : CliFixture
     public void Curves_of_a_file_are_the_infill_where_the_model_stands()
     {
         File.WriteAllText("web.csv", "x,y\n-100,3\n100,3\n");
-        var run = Run(["slice", "part.stl", "--infill-curves", "web.csv", "--place", "30,40", .. Walls, "--set", "infill_percent=20"]);
+        var run = Run(["slice", "part.stl", "--infill-curves", "web.csv", "--place", "30,40", .. Walls, "--set", "infill_density_percent=20"]);
         Assert.That(run.Code, Is.Zero, run.Messages);
         var lines = File.ReadAllLines("part.gcode");
         Assert.That(lines.Count(l => l == ";TYPE:Internal infill"), Is.EqualTo(10));

@@ -7,7 +7,7 @@ namespace Caterpillar.Cli.Tests;
 public class NotGCodeTests : CliFixture
 {
     [TestCase("decode", "m.stl")]
-    [TestCase("picture", "m.stl", "-o", "m.png")]
+    [TestCase("image", "m.stl", "-o", "m.png")]
     [TestCase("check", "m.stl")]
     [TestCase("simulate", "m.stl")]
     [TestCase("convert", "m.stl", "-o", "m.gcode", "--e", "relative")]

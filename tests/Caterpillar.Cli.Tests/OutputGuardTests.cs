@@ -11,7 +11,7 @@ public class OutputGuardTests : CliFixture
     [TestCase("slice", "a.stl", "-o", "a.stl")]
     [TestCase("slice", "a.stl", "-o", "./sub/../a.stl")]
     [TestCase("sections", "a.stl", "--heights", "1", "-o", "a.stl")]
-    [TestCase("picture", "l.gcode", "-o", "l.gcode")]
+    [TestCase("image", "l.gcode", "-o", "l.gcode")]
     [TestCase("convert", "l.gcode", "-o", "l.gcode")]
     [TestCase("turtle", "s.turtle", "-o", "s.turtle")]
     [TestCase("curves", "c.csv", "-o", "c.csv")]
@@ -36,7 +36,7 @@ public class OutputGuardTests : CliFixture
 
     [TestCase("slice", "a.stl", "-o", "a.png")]
     [TestCase("slice", "a.stl", "-o", "b.stl")]
-    [TestCase("picture", "l.gcode", "-o", "m.gcode")]
+    [TestCase("image", "l.gcode", "-o", "m.gcode")]
     [TestCase("convert", "l.gcode", "-o", "m.gcode.gz")]
     [TestCase("printers", "ender3", "-o", "p.gcode")]
     public void A_name_of_another_kind_of_file_is_wrong_usage(params string[] words)

@@ -23,7 +23,7 @@ public class PackedFileTests : CliFixture
         Assert.That(Run(Binary(), ["decode", "-", "--csv"]).Text, Is.EqualTo(Run("decode", "a.bgcode", "--csv").Text));
         Assert.That(Run("convert", "a.bgcode", "-o", "a.gcode").Code, Is.Zero);
         Assert.That(File.ReadAllText("a.gcode"), Does.StartWith("; printer_model = MK4\n\n;\n; thumbnail begin 16x8 4\n; AQID\n").And.Contain(Code));
-        foreach (var verb in new[] { "check", "picture" }) Assert.That(Run(verb, "a.bgcode").Code, Is.Zero, verb);
+        foreach (var verb in new[] { "check", "image" }) Assert.That(Run(verb, "a.bgcode").Code, Is.Zero, verb);
     }
 
     [Test]
@@ -42,7 +42,7 @@ public class PackedFileTests : CliFixture
             foreach (var missing in new[] { 1, 8, 9, 20, bytes.Length - 12 })
             {
                 File.WriteAllBytes(name, bytes.Take(bytes.Length - missing).ToArray());
-                var verbs = name.StartsWith('p') ? ["slice", "sections"] : new[] { "decode", "check", "convert", "picture" };
+                var verbs = name.StartsWith('p') ? ["slice", "sections"] : new[] { "decode", "check", "convert", "image" };
                 foreach (var verb in verbs)
                 {
                     var run = Run(verb == "sections" ? [verb, name, "--heights", "1", "--json"] : verb is "convert" or "slice" ? [verb, name, "-o", "out"]
@@ -89,5 +89,6 @@ public class PackedFileTests : CliFixture
     }
 
     private static byte[] Binary()
-        => new BinaryFile().Table(BinaryFile.Printer, 0, "printer_model=MK4\n").Picture(0, 16, 8, [1, 2, 3]).Picture(2, 2, 4, [1]).Code(1, 0, Code).ToArray();
+        => new BinaryFile().Table(BinaryFile.Printer, 0, "printer_model=MK4\n").ToolpathImage(0, 16, 8, [1, 2, 3]).ToolpathImage(2, 2, 4, [1]).Code(1, 0,
+            Code).ToArray();
 }

@@ -27,7 +27,7 @@ public class PrinterImportTests : CliFixture
     public void A_similar_printer_gives_what_the_files_do_not_state()
     {
         File.WriteAllText("start.gcode", "G28\nM83\n");
-        var run = Run("printers", "--import", "start.gcode", "-", "--like", "potter_super");
+        var run = Run("printers", "--import", "start.gcode", "-", "--base", "potter_super");
         Assert.That(run.Code, Is.Zero, run.Messages);
         Assert.That(run.Text, Does.Contain("\"nozzle_diameter_mm\": 3").And.Contain("\"title\": \"start\""));
     }
@@ -40,7 +40,7 @@ public class PrinterImportTests : CliFixture
         Assert.That(File.Exists("x.json"), Is.False);
         Assert.That(Run("printers", "--import", "nothing.gcode", "-").Code, Is.EqualTo(1));
         Assert.That(Run("printers", "--import", "start.gcode").Code, Is.EqualTo(2));
-        Assert.That(Run("printers", "--like", "generic").Code, Is.EqualTo(2));
-        Assert.That(Run("printers", "--import", "start.gcode", "-", "--like", "no_such").Code, Is.EqualTo(2));
+        Assert.That(Run("printers", "--base", "generic").Code, Is.EqualTo(2));
+        Assert.That(Run("printers", "--import", "start.gcode", "-", "--base", "no_such").Code, Is.EqualTo(2));
     }
 }

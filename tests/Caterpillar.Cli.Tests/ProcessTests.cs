@@ -44,7 +44,7 @@ public class ProcessTests : CliFixture
     {
         if (!RuntimeInformation.IsOSPlatform(OSPlatform.Linux)) Assert.Ignore("Signals are sent with kill.");
         File.WriteAllText("part.stl", Box(20, 10, 2));
-        File.WriteAllText("t.csv", "infill_percent\n" + string.Join("\n", Enumerable.Range(1, 90)) + "\n");
+        File.WriteAllText("t.csv", "infill_density_percent\n" + string.Join("\n", Enumerable.Range(1, 90)) + "\n");
         const string Command = "slice part.stl --table t.csv -o out/{row}.gcode --summary s.csv --resume --jobs 2";
         using var process = Process.Start(Info(Command))!;
         var first = process.StandardError.ReadLine();

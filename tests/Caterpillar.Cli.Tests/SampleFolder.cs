@@ -28,7 +28,7 @@ internal static class SampleFolder
         File.WriteAllText("models/b.stl", Box(6, 8, 1));
         File.WriteAllText("star.turtle", Star);
         File.WriteAllText("values.csv", "layers,side\n1,15\n2,20\n3,25\n");
-        File.WriteAllText("heights.csv", "name,layer_height_mm,infill_percent,--rotate\ncoarse,0.28,15,0\nfine,0.12,15,0\nturned,0.2,30,45\n");
+        File.WriteAllText("heights.csv", "name,layer_height_mm,infill_density_percent,--rotate\ncoarse,0.28,15,0\nfine,0.12,15,0\nturned,0.2,30,45\n");
         File.WriteAllText("curves.csv", "x,y,z\n10,10,0.2\n30,10,0.2\n30,50,0.2\n");
         File.WriteAllText("drawing.svg", Svg(40, 40, "M5 5L30 5L30 30"));
         File.WriteAllText("pattern.svg", Svg(200, 200, "M102 96L106 96L106 98"));

@@ -12,7 +12,7 @@ public class SimulateTests : CliFixture
     // Nothing jumps, 1000 mm/s² everywhere: 100 mm at 100 mm/s take 1.1 s each.
     private static readonly string[] Limits =
     [
-        "--set", "corner_rule=jerk", "--set", "jerk_mm_s=0.01,0.01,0.01,0.01", "--set", "print_acceleration_mm_s2=1000",
+        "--set", "cornering=jerk", "--set", "jerk_mm_s=0.01,0.01,0.01,0.01", "--set", "print_acceleration_mm_s2=1000",
         "--set", "max_acceleration_mm_s2=1000,1000,1000,100000",
     ];
 

@@ -109,9 +109,10 @@ public class SliceTests : CliFixture
     public void The_position_of_the_file_can_be_kept()
     {
         File.WriteAllText("part.stl", Box(20, 10, 1));
-        Run("slice", "part.stl", "--set", "start_template=", "--set", "end_template=", "--set", "wall_count=1", "--set", "infill_percent=0");
+        Run("slice", "part.stl", "--set", "start_gcode=", "--set", "end_gcode=", "--set", "wall_count=1", "--set", "infill_density_percent=0");
         Assert.That(Run("decode", "part.gcode").Text, Does.Match(@"Printed box +100\."));
-        Run("slice", "part.stl", "--keep-position", "--set", "start_template=", "--set", "end_template=", "--set", "wall_count=1", "--set", "infill_percent=0");
+        Run("slice", "part.stl", "--keep-position", "--set", "start_gcode=", "--set", "end_gcode=", "--set", "wall_count=1", "--set",
+            "infill_density_percent=0");
         Assert.That(Run("decode", "part.gcode").Text, Does.Match(@"Printed box +0\."));
     }
 
@@ -148,7 +149,7 @@ public class SliceTests : CliFixture
     {
         File.WriteAllText("a.turtle", "start 10 10 8\nspeed 900\nforward 80\nforward 80\n");
         var run = Run("turtle", "a.turtle");
-        Assert.That(run.Messages, Does.Contain("5 findings of 3 kinds: limit.flow 2, limit.speed 2, strand.unsupported 1."));
+        Assert.That(run.Messages, Does.Contain("5 findings of 3 kinds: limit.flow 2, limit.speed 2, extrusion.unsupported 1."));
         File.WriteAllText("b.turtle", "start 10 10 0.2\nforward 80\n");
         Assert.That(Run("turtle", "b.turtle").Messages, Does.Not.Contain("kinds"));
     }

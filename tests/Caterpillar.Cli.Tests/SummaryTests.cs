@@ -8,7 +8,7 @@ namespace Caterpillar.Cli.Tests;
 /// <summary>The lines that close the work: on standard error, and quiet when told.</summary>
 public class SummaryTests : CliFixture
 {
-    // 20 mm of a strand of 0.45 × 0.2 mm, E in mm of filament.
+    // 20 mm of an extrusion of 0.45 × 0.2 mm, E in mm of filament.
     private const string Code = "; filament_diameter = 1.75\n; filament_density = 1.24\nG28\nG90\nM83\nM84\n;LAYER_CHANGE\n;Z:0.2\n;HEIGHT:0.2\n"
         + "G1 X10 Y10 Z0.2 F3000\nG1 X20 E0.37 F1200\nG1 Y20 E0.37\nM84\n";
 
@@ -29,11 +29,11 @@ public class SummaryTests : CliFixture
     [TestCase("o.gcode: material of 2 moves changed; 1 layer, 10.9 × 10.9 × 0.2 mm, 1.5 mm of filament", "convert", "l.gcode", "-o", "o.gcode", "--flow",
         "200%")]
     [TestCase("o.gcode: 3 moves shifted; 1 layer", "convert", "l.gcode", "-o", "o.gcode", "--move", "1,1")]
-    [TestCase("o.gcode: 1 command inserted; ", "convert", "l.gcode", "-o", "o.gcode", "--line-at-layer", "0=M300")]
-    [TestCase("o.gcode: Marlin 2 became Klipper; ", "convert", "l.gcode", "-o", "o.gcode", "--dialect", "klipper")]
+    [TestCase("o.gcode: 1 command inserted; ", "convert", "l.gcode", "-o", "o.gcode", "--gcode-at-layer", "0=M300")]
+    [TestCase("o.gcode: Marlin 2 became Klipper; ", "convert", "l.gcode", "-o", "o.gcode", "--flavor", "klipper")]
     [TestCase("o.gcode: in another notation; ", "convert", "l.gcode", "-o", "o.gcode", "--e", "absolute")]
     [TestCase("o.gcode: nothing changed; 1 layer", "convert", "l.gcode", "-o", "o.gcode")]
-    [TestCase("l.png: 64 × 48 pixels; l.gcode: 1 layer, 10.5 × 10.5 × 0.2 mm", "picture", "l.gcode", "--width", "64")]
+    [TestCase("l.png: 64 × 48 pixels; l.gcode: 1 layer, 10.5 × 10.5 × 0.2 mm", "image", "l.gcode", "--width", "64")]
     [TestCase("l.html: ", "view", "l.gcode")]
     [TestCase("part.html: ", "view", "part.stl")]
     [TestCase("s.html: ", "view", "s.turtle")]
@@ -69,7 +69,7 @@ public class SummaryTests : CliFixture
         Assert.That((run.Code, run.Messages.Contains("models.too_large", StringComparison.Ordinal)), Is.EqualTo((3, true)));
     }
 
-    [TestCase("picture", "l.gcode")]
+    [TestCase("image", "l.gcode")]
     [TestCase("convert", "l.gcode", "-o", "o.gcode")]
     [TestCase("decode", "l.gcode")]
     [TestCase("simulate", "l.gcode")]

@@ -21,7 +21,7 @@ public class UsageTests : CliFixture
     [TestCase("slice", "part.stl", "--threads", "many")]
     [TestCase("slice", "part.stl", "--output", "")]
     [TestCase("decode", "part.gcode", "--rule", "falling")]
-    [TestCase("decode", "part.gcode", "--dialect", "marlin3")]
+    [TestCase("decode", "part.gcode", "--flavor", "marlin3")]
     [TestCase("decode", "part.gcode", "--json", "--csv")]
     [TestCase("decode", "part.gcode", "--filament-diameter", "-1")]
     [TestCase("printers", "ender4")]

@@ -106,9 +106,9 @@ public class ViewTests : CliFixture
     {
         File.WriteAllText("a.gcode", Code);
         Run("view", "a.gcode", "--printer", "generic");
-        var pictures = new[] { "#light", "#light&layers=0-0", "#light&at=0.5", "#light&color=speed", "#light&view=-90,90", "#dark", "#light&hide=bed" }
+        var images = new[] { "#light", "#light&layers=0-0", "#light&at=0.5", "#light&color=speed", "#light&view=-90,90", "#dark", "#light&hide=bed" }
             .Select(hash => Convert.ToBase64String(Screen(hash))).ToArray();
-        Assert.That(pictures, Is.Unique);
+        Assert.That(images, Is.Unique);
     }
 
     private static byte[] Screen(string hash)

@@ -18,7 +18,7 @@ internal readonly record struct Ink(byte R, byte G, byte B)
     public static Ink Blue { get; } = new(48, 122, 190);
 }
 
-/// <summary>A 24 × 24 picture drawn with shapes in pixel coordinates, smoothed by 8 × 8 samples, with the soft shadow of Grasshopper's icons.</summary>
+/// <summary>A 24 × 24 image drawn with shapes in pixel coordinates, smoothed by 8 × 8 samples, with the soft shadow of Grasshopper's icons.</summary>
 internal sealed class Canvas
 {
     public const int Size = 24;
@@ -94,7 +94,7 @@ internal sealed class Canvas
         return rgba;
     }
 
-    /// <summary>RGBA of the same picture with 64 × 64 pixels, without a shadow.</summary>
+    /// <summary>RGBA of the same image with 64 × 64 pixels, without a shadow.</summary>
     public byte[] FinishLarge()
     {
         const int Step = Fine / LargeSize;

@@ -6,7 +6,7 @@ using System.Text;
 
 namespace Caterpillar.Icons;
 
-/// <summary>Writes square RGBA pictures as PNG (ISO/IEC 15948).</summary>
+/// <summary>Writes square RGBA images as PNG (ISO/IEC 15948).</summary>
 internal static class Png
 {
     public static byte[] Encode(byte[] rgba, int size)

@@ -48,8 +48,8 @@ internal static class ProfileManual
             """
             ## Templates
 
-            `start_template` and `end_template` are the lines before and after the print, `layer_template` those before each layer except the first,
-            `tool_change_template` those for a tool change. Braces contain any key of
+            `start_gcode` and `end_gcode` are the lines before and after the print, `layer_change_gcode` those before each layer except the first,
+            `tool_change_gcode` those for a tool change. Braces contain any key of
             the three profiles, any name from the list below, or a formula of these (`{min(print_max_z_mm + 10, bed_max_z_mm)}`); `{{` and `}}` are literal
             braces. Numbers are written with up to five decimals.
 

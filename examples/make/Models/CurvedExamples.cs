@@ -14,7 +14,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Examples;
 
-/// <summary>Examples of curved printing: each ends in a toolpath that passed the checks of the writer. Coarse, so that pictures show the strands.</summary>
+/// <summary>Examples of curved printing: each ends in a toolpath that passed the checks of the writer. Coarse, so that images show the extrusions.</summary>
 internal static class CurvedExamples
 {
     private static readonly Vec3 Middle = new(110, 110);
@@ -81,7 +81,7 @@ internal static class CurvedExamples
     {
         var part = Welded(Branching.Make()).Moved(Middle);
         var setup = Plain with { Settings =
-            Plain.Settings with { LayerHeight = 0.8, FirstLayerHeight = 0.8, LineWidth = 1, CurvedMaxGap = 1.2, InfillPercent = 10 } };
+            Plain.Settings with { LayerHeight = 0.8, FirstLayerHeight = 0.8, LineWidth = 1, CurvedMaxGap = 1.2, InfillDensityPercent = 10 } };
         return Sliced(part, LayerField.Harmonic(MeshBoundaries.Find(part).OrThrow()), setup);
     }
 
@@ -93,7 +93,7 @@ internal static class CurvedExamples
         var surface = PlanSurface.Of(Saddle, 4);
         var part = CurvedPlate.Make(plan, Saddle, (x, y) => Saddle(x, y) + 3);
         var lines = SurfaceLines.AlongCurvature(surface, plan, 5).Concat(SurfaceLines.AlongCurvature(surface, plan, 5, across: true)).ToArray();
-        var setup = Plain with { Settings = Plain.Settings with { InfillPercent = 20, TopLayers = 0, BottomLayers = 2 } };
+        var setup = Plain with { Settings = Plain.Settings with { InfillDensityPercent = 20, TopLayers = 0, BottomLayers = 2 } };
         return Sliced(part, LayerField.Vertical(surface), setup, new CurvedOptions { InfillLines = _ => lines, Onto = surface },
             CurvedPlate.Make(plan, (_, _) => 0, Saddle));
     }
@@ -101,21 +101,21 @@ internal static class CurvedExamples
     /// <summary>A hat whose brim overhangs by 70 degrees, in layers that lean on what is printed before them.</summary>
     public static CurvedExample Overhang()
     {
-        var hat = SlicingPictures.Revolved((4, 0), (4, 6), (20, 12), (20, 14)).Moved(Middle);
-        // Thick layers would reach out by more than half of their strands.
+        var hat = SlicingImages.Revolved((4, 0), (4, 6), (20, 12), (20, 14)).Moved(Middle);
+        // Thick layers would reach out by more than half of their extrusions.
         var setup = Plain with { Settings = Plain.Settings with { LayerHeight = 0.25, FirstLayerHeight = 0.25 } };
         return Sliced(hat, LayerField.Vertical(PlanSurface.AgainstOverhangs([new NamedMesh("hat", hat)], setup).OrThrow()), setup);
     }
 
-    /// <summary>A vase of one spiral strand that stands on a saddle.</summary>
+    /// <summary>A vase of one spiral extrusion that stands on a saddle.</summary>
     public static CurvedExample VaseOnSaddle()
     {
         static double Saddle(double x, double y) => 5 + ((x - 110) * (x - 110) - (y - 110) * (y - 110)) / 90;
-        var vase = SlicingPictures.Revolved((2, 0), (5, 0), (8, 0), (11, 0), (14, 0), (16, 0), (18, 6), (20, 12), (17, 19), (14, 26), (16, 31),
+        var vase = SlicingImages.Revolved((2, 0), (5, 0), (8, 0), (11, 0), (14, 0), (16, 0), (18, 6), (20, 12), (17, 19), (14, 26), (16, 31),
             (18, 36), (15, 36), (12, 36), (9, 36), (6, 36), (3, 36)).Moved(Middle);
         var bent = TriMesh.Create(vase.Vertices.Select(p => p.WithZ(p.Z + Saddle(p.X, p.Y))).ToList(), vase.Indices);
         var surface = PlanSurface.Of(Saddle, 3);
-        var setup = Plain with { Settings = Plain.Settings with { Vase = true, BottomLayers = 1 } };
+        var setup = Plain with { Settings = Plain.Settings with { SpiralVase = true, BottomLayers = 1 } };
         var plan = new Bounds(Middle - new Vec3(24, 24), Middle + new Vec3(24, 24));
         return Sliced(bent, LayerField.Vertical(surface), setup, new CurvedOptions { Onto = surface }, CurvedPlate.Make(plan, (_, _) => 0, Saddle));
     }
@@ -128,7 +128,7 @@ internal static class CurvedExamples
     // What the writer refuses is no example.
     private static CurvedExample Checked(IReadOnlyList<Step> steps, PrintSetup setup, TriMesh? under)
     {
-        var over = setup with { Settings = setup.Settings with { TravelLift = TravelLift.Corridor }, PrintedOn = under };
+        var over = setup with { Settings = setup.Settings with { ZHopType = ZHopType.AbovePath }, PrintedOn = under };
         var toolpath = Planner.Plan(steps, over).OrThrow();
         SafeWriter.ToDocument(toolpath, over).OrThrow();
         return new CurvedExample(toolpath, over);

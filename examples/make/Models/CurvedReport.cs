@@ -14,7 +14,7 @@ namespace Caterpillar.Examples;
 /// <summary>A curved example after all checks, simulated to its end.</summary>
 internal sealed class CurvedReport
 {
-    // Speeds that the machine does not reach on slopes, the flat of the wide nozzle on slopes, lines of strands that miss each other a little.
+    // Speeds that the machine does not reach on slopes, the flat of the wide nozzle on slopes, lines of extrusions that miss each other a little.
     private static readonly string[] Usual = [CheckCodes.Speed, CheckCodes.DigsIn, CheckCodes.Gap];
 
     private static readonly Dictionary<string, string[]> Also = new(StringComparer.Ordinal)

@@ -14,7 +14,7 @@ namespace Caterpillar.Examples;
 /// </summary>
 public static class KanadaParts
 {
-    /// <summary>A strand of 0.5 mm, mm².</summary>
+    /// <summary>An extrusion of 0.5 mm, mm².</summary>
     private const double Area = 0.196;
 
     private const double Tolerance = 0.01;

@@ -1,5 +1,5 @@
 using System.CommandLine.Completions;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Expressions;
 
 namespace Caterpillar.Cli;
@@ -17,22 +17,22 @@ internal static class CommonOptions
         return option;
     }
 
-    public static Described<string?> Dialect() => Dialect("--dialect", "Firmware whose rules apply; detected from the file by default.", "NAME");
+    public static Described<string?> Flavor() => Flavor("--flavor", "Firmware whose rules apply; detected from the file by default.", "NAME");
 
-    /// <summary>An option for the name of a dialect, which shells complete.</summary>
-    public static Described<string?> Dialect(string name, string description, string value)
+    /// <summary>An option for the name of a flavor, which shells complete.</summary>
+    public static Described<string?> Flavor(string name, string description, string value)
     {
         var option = new Described<string?>(name, description, value);
-        option.CompletionSources.Add(_ => DialectTable.All.Select(d => new CompletionItem(d.Name)));
+        option.CompletionSources.Add(_ => FlavorTable.All.Select(d => new CompletionItem(d.Name)));
         return option;
     }
 
-    /// <exception cref="CliException">There is no such dialect.</exception>
-    public static DialectRules? DialectOf(string? name)
+    /// <exception cref="CliException">There is no such flavor.</exception>
+    public static FlavorRules? FlavorOf(string? name)
     {
         if (name is null) return null;
-        return DialectTable.Find(name) ?? throw new CliException(
-            ExitCode.Usage, $"There is no dialect \"{name}\"; there are " + string.Join(", ", DialectTable.All.Select(d => d.Name)) + "."
-                + SpellingSuggestion.Hint(name, DialectTable.All.Select(d => d.Name)));
+        return FlavorTable.Find(name) ?? throw new CliException(
+            ExitCode.Usage, $"There is no flavor \"{name}\"; there are " + string.Join(", ", FlavorTable.All.Select(d => d.Name)) + "."
+                + SpellingSuggestion.Hint(name, FlavorTable.All.Select(d => d.Name)));
     }
 }

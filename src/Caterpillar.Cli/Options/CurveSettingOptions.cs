@@ -2,21 +2,21 @@ using Caterpillar.Drawings;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Strand options for curves without settings of their own.</summary>
+/// <summary>Extrusion options for curves without settings of their own.</summary>
 internal sealed class CurveSettingOptions
 {
-    private readonly Described<string?> _width = new("--width", "Width of the strand: mm, or percent of the nozzle.", "MM|%");
+    private readonly Described<string?> _width = new("--width", "Width of the extrusion: mm, or percent of the nozzle.", "MM|%");
 
-    private readonly Described<string?> _height = new("--height", "Height of the strand: mm, or percent of the layer height.", "MM|%");
+    private readonly Described<string?> _height = new("--height", "Height of the extrusion: mm, or percent of the layer height.", "MM|%");
 
-    private readonly Described<string?> _multiplier = new("--multiplier", "Flow multiplier; 1 or 100% for the plain bead.", "NUMBER|%");
+    private readonly Described<string?> _multiplier = new("--flow", "Flow multiplier; 1 or 100% for the plain bead.", "NUMBER|%");
 
     private readonly Described<string?> _speed = new("--speed", "Print speed: mm/s, or percent of the speed in the settings.", "MM/S|%");
 
     private readonly Described<string?> _shape = new("--shape",
         "Cross-section of width and height: rectangle (the Caterpillar paper), stadium or circle.", "SHAPE");
 
-    private readonly Described<bool> _strokes = new("--strokes", "Draw without extruding: pen, brush, bare hot tool.");
+    private readonly Described<bool> _strokes = new("--pen", "Draw without extruding: pen, brush, bare hot tool.");
 
     private readonly Described<bool> _steps = new("--steps", "Values along a curve hold from their point to the next, instead of changing evenly.");
 
@@ -43,7 +43,7 @@ internal sealed class CurveSettingOptions
         {
             Width = OptionValues.OptionalAmount(arguments.GetValue(_width), "--width", setup.Printer.NozzleDiameter) ?? plain.Width,
             Height = OptionValues.OptionalAmount(arguments.GetValue(_height), "--height", setup.Settings.LayerHeight) ?? plain.Height,
-            Multiplier = OptionValues.OptionalAmount(arguments.GetValue(_multiplier), "--multiplier", 1) ?? plain.Multiplier,
+            Multiplier = OptionValues.OptionalAmount(arguments.GetValue(_multiplier), "--flow", 1) ?? plain.Multiplier,
             Speed = OptionValues.OptionalAmount(arguments.GetValue(_speed), "--speed", setup.Settings.PrintSpeed) ?? plain.Speed,
             Shape = arguments.GetValue(_shape) switch
             {

@@ -10,7 +10,7 @@ internal sealed class CurvedOptionValues
     private static readonly string[] MeshEndings = [".stl", ".obj", ".ply", ".3mf", ".gz"];
 
     private readonly Described<string[]> _surface = new("--surface",
-        "Slice along a surface: a mesh file, a formula for its height in x and y (10 + 2 * sin(9 * x)), or a picture (PNG, PGM) as a height map over the model "
+        "Slice along a surface: a mesh file, a formula for its height in x and y (10 + 2 * sin(9 * x)), or an image (PNG, PGM) as a height map over the model "
             + "with its heights: FILE:LOW,HIGH. Repeated with --field between, from below.", "PLAN");
 
     private readonly Described<string?> _field = new("--field",
@@ -163,24 +163,24 @@ internal sealed class CurvedOptionValues
 
     private static PlanSurface Surface(string text, IReadOnlyList<NamedMesh> models, Vec3 shift, Session session)
     {
-        if (text.LastIndexOf(':') is > 1 and var colon && IsPicture(text[..colon]))
+        if (text.LastIndexOf(':') is > 1 and var colon && IsImage(text[..colon]))
         {
             if (Numbers.List(text[(colon + 1)..], "--surface") is not [var low, var high]
                 || !(high >= low))
             {
                 throw Usage("A height map needs FILE:LOW,HIGH in mm.");
             }
-            var picture = session.ValueOrFail(ImageReader.Read(session.ReadBytes(text[..colon]), text[..colon]));
+            var image = session.ValueOrFail(ImageReader.Read(session.ReadBytes(text[..colon]), text[..colon]));
             var bounds = Bounds.Of(models.SelectMany(m => new[] { m.Mesh.Bounds.Min, m.Mesh.Bounds.Max }));
-            return PlanSurface.HeightMap(picture, new Bounds(bounds.Min.WithZ(low + shift.Z), bounds.Max.WithZ(high + shift.Z)));
+            return PlanSurface.HeightMap(image, new Bounds(bounds.Min.WithZ(low + shift.Z), bounds.Max.WithZ(high + shift.Z)));
         }
-        if (IsPicture(text)) throw Usage("A height map needs the heights of black and white: FILE:LOW,HIGH in mm.");
+        if (IsImage(text)) throw Usage("A height map needs the heights of black and white: FILE:LOW,HIGH in mm.");
         if (MeshEndings.Any(e => text.EndsWith(e, StringComparison.OrdinalIgnoreCase)) || File.Exists(text))
             return PlanSurface.Of(Meshes.ReadAsOne(text, session).Moved(shift));
         return session.ValueOrFail(PlanSurface.Formula(text, new SourceLocation(Key: "--surface")), ExitCode.Usage).Moved(shift);
     }
 
-    private static bool IsPicture(string file)
+    private static bool IsImage(string file)
         => file.EndsWith(".png", StringComparison.OrdinalIgnoreCase) || file.EndsWith(".pgm", StringComparison.OrdinalIgnoreCase);
 
     private static LayerBlend Blend(string text) => Numbers.List(text, "--blend") switch

@@ -8,7 +8,7 @@ internal sealed class GeneralOptions
 
     private static readonly (string Name, double Bytes)[] Units = [("KB", 1 << 10), ("MB", 1 << 20), ("GB", 1 << 30), ("TB", 1L << 40)];
 
-    private readonly Described<bool> _quiet = new("--quiet", "Say only what is wrong: no summary, no remarks.", null, "-q") { Recursive = true };
+    private readonly Described<bool> _quiet = new("--quiet", "Say only what is wrong: no summary, no notes.", null, "-q") { Recursive = true };
 
     private readonly Described<string?> _memory = new("--memory-limit",
         "How much memory the work may take, such as 500MB, 4GB or 75%; half of the machine's by default.", "SIZE") { Recursive = true };

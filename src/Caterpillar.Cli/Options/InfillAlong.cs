@@ -8,7 +8,8 @@ internal sealed class InfillAlong
 {
     private readonly Described<string?> _along = new("--infill-along",
         "With --surface: lines of the infill follow the principal curvature of the surface where it bends most (curvature), the other one (across), or both; a "
-            + "direction by two formulas in x and y: \"-y; x\"; or curves of a file (CSV, JSON, SVG, lines of OBJ). infill_percent gives their distance.",
+            + "direction by two formulas in x and y: \"-y; x\"; or curves of a file (CSV, JSON, SVG, lines of OBJ). infill_density_percent gives their "
+            + "distance.",
         "curvature|across|both|DX;DY|FILE");
 
     public Option[] All => [_along];
@@ -20,11 +21,12 @@ internal sealed class InfillAlong
         ParseResult arguments, PlanSurface surface, IReadOnlyList<NamedMesh> models, Vec3 shift, PrintSetup setup, Session session)
     {
         if (arguments.GetValue(_along) is not { } text) return null;
-        var percent = setup.Settings.InfillPercent;
+        var percent = setup.Settings.InfillDensityPercent;
         if (percent is <= 0 or >= 100)
         {
             session.Print([new Diagnostic(Severity.Warning, "curved.no_infill_lines",
-                $"--infill-along changes nothing: infill_percent is {NumberFormatter.Format(percent, 2)}, and lines have distances between 0 and 100 %.")]);
+                $"--infill-along changes nothing: infill_density_percent is {NumberFormatter.Format(percent, 2)}, and lines have distances between 0 and "
+                + "100 %.")]);
             return null;
         }
         var spacing = setup.Settings.LineWidth * 100 / percent;

@@ -1,10 +1,10 @@
 namespace Caterpillar.Cli;
 
-/// <summary>Settings of one of several models: <c>--for lid.stl:wall_count=3,infill_percent=50</c>.</summary>
+/// <summary>Settings of one of several models: <c>--for lid.stl:wall_count=3,infill_density_percent=50</c>.</summary>
 internal sealed class ModelSettingOptions
 {
     private readonly Described<string[]> _for = new("--for",
-        "Settings of one of several models (its file, or its name in the file), for example lid.stl:wall_count=3; may be repeated. With model_use=modifier "
+        "Settings of one of several models (its file, or its name in the file), for example lid.stl:wall_count=3; may be repeated. With model_type=modifier "
             + "they are those of what lies inside the model.", "MODEL:KEY=VALUE,...");
 
     public Option[] All => [_for];

@@ -12,7 +12,7 @@ internal sealed record MotionSetup(PrintSetup Setup, string Limits)
     {
         var setup = options.Resolve(arguments, session);
         if (options.IsGiven(arguments)) return new MotionSetup(setup, "printer " + setup.Printer.Name);
-        var own = setup.Printer with { Dialect = decoded.Dialect };
+        var own = setup.Printer with { Flavor = decoded.Flavor };
         return SlicerLimits.Of(decoded.Settings, own) is { } printer
             ? new MotionSetup(setup with { Printer = printer }, "the slicer's settings in the file")
             : new MotionSetup(setup with { Printer = own }, "printer " + setup.Printer.Name);

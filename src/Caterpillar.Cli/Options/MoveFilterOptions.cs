@@ -7,7 +7,7 @@ internal sealed class MoveFilterOptions
 {
     private readonly Described<int?> _first = new("--first-layer", "First layer to edit, by its number in the file, or counted from 0.", "N");
     private readonly Described<int?> _last = new("--last-layer", "Last layer to edit.", "N");
-    private readonly Described<string[]> _roles = new("--role", "Edit only strands of this role (\"outer wall\", infill …); may be repeated.", "ROLE");
+    private readonly Described<string[]> _roles = new("--role", "Edit only extrusions of this role (\"outer wall\", infill …); may be repeated.", "ROLE");
     private readonly Described<string[]> _objects = new("--object", "Edit only this object; may be repeated.", "NAME");
     private readonly Described<int?> _tool = new("--tool", "Edit only what this tool prints.", "N");
     private readonly Described<string?> _box = new("--box", "Edit only moves that end in this box: two corners in mm.", "X,Y,Z,X,Y,Z");
@@ -58,6 +58,6 @@ internal sealed class MoveFilterOptions
             : throw new CliException(ExitCode.Usage, $"There is no role \"{name}\"; there are {string.Join(", ", Shown)}."
                 + SpellingSuggestion.Hint(name, Shown));
 
-    // As tables and pictures show them; identifiers work as well.
+    // As tables and images show them; identifiers work as well.
     private static IEnumerable<string> Shown => Enum.GetNames<Role>().Select(Words.Spaced);
 }

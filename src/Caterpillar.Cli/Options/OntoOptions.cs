@@ -17,7 +17,7 @@ internal sealed class OntoOptions(string does, string leavesOut)
 
     private readonly Described<string?> _onto = new("--onto", does, "SCAN");
 
-    private readonly Described<double> _squeeze = new("--squeeze", "With --onto: how much the first strands are pressed onto the object, mm.", "MM");
+    private readonly Described<double> _squeeze = new("--squeeze", "With --onto: how much the first extrusions are pressed onto the object, mm.", "MM");
 
     private readonly Described<bool> _partial = new("--partial", leavesOut);
 
@@ -64,7 +64,7 @@ internal sealed class OntoOptions(string does, string leavesOut)
     private static Diagnostic Place(TriMesh mesh, string file)
     {
         var (low, high) = (mesh.Bounds.Min, mesh.Bounds.Max);
-        return new Diagnostic(Severity.Remark, "curved.object_place",
+        return new Diagnostic(Severity.Note, "curved.object_place",
             $"The object is expected at x {Text(low.X)} to {Text(high.X)}, y {Text(low.Y)} to {Text(high.Y)}, z {Text(low.Z)} to {Text(high.Z)} mm.",
             new SourceLocation(Session.NameOf(file)));
     }

@@ -8,11 +8,11 @@ namespace Caterpillar.Cli;
 internal sealed class ToolpathEditOptions
 {
     private readonly MoveFilterOptions _filter = new();
-    private readonly Described<string?> _speed = new("--speed", "Multiply the speed of the chosen strands.", "FACTOR|%");
-    private readonly Described<string?> _flow = new("--flow", "Multiply the material of the chosen strands.", "FACTOR|%");
+    private readonly Described<string?> _speed = new("--speed", "Multiply the speed of the chosen extrusions.", "FACTOR|%");
+    private readonly Described<string?> _flow = new("--flow", "Multiply the material of the chosen extrusions.", "FACTOR|%");
     private readonly Described<string?> _scale = new("--scale",
-        "Scale the selection about the middle of its base, strands and their amounts of E included.", "FACTOR|X,Y,Z");
-    private readonly Described<double?> _turn = new("--turn", "Turn the selection about its middle, counterclockwise seen from above.", "DEGREES");
+        "Scale the selection about the middle of its base, extrusions and their amounts of E included.", "FACTOR|X,Y,Z");
+    private readonly Described<double?> _turn = new("--rotate", "Turn the selection about its middle, counterclockwise seen from above.", "DEGREES");
     private readonly Described<string?> _move = new("--move", "Move the selection.", "X,Y,Z");
     private readonly Described<string?> _deform = new("--deform", "Deform the selection: the new x, y, z in mm as formulas of the old.", "FORMULAS");
     private readonly Described<string?> _axis = new("--axis", "Formulas in r, theta (degrees) and z about this vertical axis.", "X,Y|middle");
@@ -22,9 +22,9 @@ internal sealed class ToolpathEditOptions
 
     private readonly Described<bool> _plainPause = new("--plain-pause", "Pause on the spot, by the command alone.");
     private readonly Described<string[]> _tools = new("--tool-at-layer", "Change the tool before a layer; may be repeated.", "N=TOOL");
-    private readonly Described<string[]> _lines = new("--line-at-layer", "Insert a line of G-code before a layer; may be repeated.", "N=LINE");
-    private readonly Described<string?> _start = new("--start-code", "File with lines that replace everything before the first layer.", "FILE");
-    private readonly Described<string?> _end = new("--end-code", "File with lines that replace everything after the last layer.", "FILE");
+    private readonly Described<string[]> _lines = new("--gcode-at-layer", "Insert a line of G-code before a layer; may be repeated.", "N=LINE");
+    private readonly Described<string?> _start = new("--start-gcode", "File with lines that replace everything before the first layer.", "FILE");
+    private readonly Described<string?> _end = new("--end-gcode", "File with lines that replace everything after the last layer.", "FILE");
 
     public Option[] All =>
         [.. _filter.All, _speed, _flow, _scale, _turn, _move, _deform, _axis, _remove, _pauses, _plainPause, _tools, _lines, _start, _end];
@@ -41,7 +41,7 @@ internal sealed class ToolpathEditOptions
             Scale = arguments.GetValue(_scale) is { } scales ? Numbers.Scale(scales) : null,
             Move = arguments.GetValue(_move) is { } vector ? Numbers.Vector(vector, "--move") : null,
             Turn = arguments.GetValue(_turn) is not { } turn || double.IsFinite(turn) ? arguments.GetValue(_turn)
-                : throw new CliException(ExitCode.Usage, "--turn needs an angle in degrees."),
+                : throw new CliException(ExitCode.Usage, "--rotate needs an angle in degrees."),
             Deform = Deformation(arguments, session),
             PauseAtLayers = arguments.GetValue(_pauses) ?? [],
             Remove = arguments.GetValue(_remove),
@@ -57,7 +57,7 @@ internal sealed class ToolpathEditOptions
 
     /// <summary>New start and end code.</summary>
     public EditOptions Code(ParseResult arguments)
-        => new() { Start = Lines(arguments.GetValue(_start), "--start-code"), End = Lines(arguments.GetValue(_end), "--end-code") };
+        => new() { Start = Lines(arguments.GetValue(_start), "--start-gcode"), End = Lines(arguments.GetValue(_end), "--end-gcode") };
 
     private static string[]? Lines(string? file, string option)
     {
@@ -74,9 +74,9 @@ internal sealed class ToolpathEditOptions
 
     private static (int Layer, PrinterEvent What) Line(string text)
     {
-        var (layer, line) = Numbers.Pair(text, "--line-at-layer");
+        var (layer, line) = Numbers.Pair(text, "--gcode-at-layer");
         return line.Trim().Length > 0 && !line.AsSpan().ContainsAny('\r', '\n') ? (layer, new RawEvent(line))
-            : throw new CliException(ExitCode.Usage, "--line-at-layer needs one line of G-code: N=LINE.");
+            : throw new CliException(ExitCode.Usage, "--gcode-at-layer needs one line of G-code: N=LINE.");
     }
 
     // Null where nothing is deformed.

@@ -47,8 +47,8 @@ internal sealed class WriteOptions
             Result<WrittenGCode> Write(IProgress<double>? progress) => job.Write(stream, file, isDraft, reason, progress, session.Cancel);
             // A progress bar and the G-code would mix on a terminal.
             var result = file == "-" ? Write(null) : session.WithProgress("Writing", Write);
-            // What the checks merely remark on is for "caterpillar check".
-            session.Print(result.Diagnostics.Where(d => d.Severity != Severity.Remark || CheckCodes.Find(d.Code) is null));
+            // What the checks merely note on is for "caterpillar check".
+            session.Print(result.Diagnostics.Where(d => d.Severity != Severity.Note || CheckCodes.Find(d.Code) is null));
             if (FindingSummary.Of(result.Diagnostics) is { } summary) session.Say(() => summary);
             findings = result.Diagnostics.Where(d => CheckCodes.Find(d.Code) is not null).ToArray();
             written = session.WrittenOrFail(result);

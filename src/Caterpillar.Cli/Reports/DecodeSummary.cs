@@ -7,7 +7,7 @@ internal static class DecodeSummary
 {
     public static void Write(TextWriter text, DecodedGCode decoding, DecodeReport report)
     {
-        text.WriteLine($"{report.File}: {decoding.Dialect.Title}" + (decoding.Evidence.Count > 0 ? " (" + string.Join(" ", decoding.Evidence) + ")" : ""));
+        text.WriteLine($"{report.File}: {decoding.Flavor.Title}" + (decoding.Evidence.Count > 0 ? " (" + string.Join(" ", decoding.Evidence) + ")" : ""));
         var moves = decoding.Toolpath;
         var unit = moves.VolumePerE(0) == 1 ? "mm³" : "mm";
         var rows = new[]
@@ -19,8 +19,8 @@ internal static class DecodeSummary
             ["  Printed box", Box(report.PrintBounds)],
             new[] { "  All moves", Box(report.AllBounds) },
         };
-        string[][] pictures = report.Thumbnails.Count == 0 ? [] : [["  Pictures", string.Join(", ", report.Thumbnails)]];
-        TextTable.Write(text, [.. rows, .. Roles(moves), .. pictures]);
+        string[][] images = report.Thumbnails.Count == 0 ? [] : [["  Images", string.Join(", ", report.Thumbnails)]];
+        TextTable.Write(text, [.. rows, .. Roles(moves), .. images]);
         if (decoding.Ignored.Count > 0)
         {
             var ignored = decoding.Ignored.OrderByDescending(p => p.Value).ThenBy(p => p.Key, System.StringComparer.Ordinal).ToArray();
@@ -36,8 +36,8 @@ internal static class DecodeSummary
         if (totals.All(t => t.Role == Role.Unspecified)) yield break;
         foreach (var total in totals)
         {
-            var strand = total is { Width: { } width, Area: > 0 and var area } ? $", {Number(width)} mm wide, {Number(area)} mm² on average" : "";
-            yield return ["  " + Words.Spaced(total.Role.ToString()), Mm(total.Length) + strand];
+            var extrusion = total is { Width: { } width, Area: > 0 and var area } ? $", {Number(width)} mm wide, {Number(area)} mm² on average" : "";
+            yield return ["  " + Words.Spaced(total.Role.ToString()), Mm(total.Length) + extrusion];
         }
     }
 

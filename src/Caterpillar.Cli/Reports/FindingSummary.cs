@@ -11,7 +11,7 @@ internal static class FindingSummary
     /// <summary>The kinds of errors and warnings with their counts; null where there is one kind or none, which its own message says.</summary>
     public static string? Of(IEnumerable<Diagnostic> diagnostics)
     {
-        var kinds = diagnostics.Where(d => d.Severity != Severity.Remark && CheckCodes.Find(d.Code) is not null)
+        var kinds = diagnostics.Where(d => d.Severity != Severity.Note && CheckCodes.Find(d.Code) is not null)
             .OrderByDescending(d => d.Severity).ThenByDescending(d => d.Count).ToArray();
         if (kinds.Length < 2) return null;
         var names = string.Join(", ", kinds.Take(Named).Select(d => $"{d.Code} {NumberFormatter.Format(d.Count)}"));

@@ -5,7 +5,7 @@ namespace Caterpillar.Cli;
 /// <summary>What a print is, in numbers.</summary>
 /// <param name="Layers">Count of layers; 0 where there are none.</param>
 /// <param name="Size">From edge to edge in mm, without skirt and purge; null where nothing is laid down. Z is 0 for flat drawings.</param>
-/// <param name="Printed">Length of all strands and strokes in mm.</param>
+/// <param name="Printed">Length of all extrusions and strokes in mm.</param>
 /// <param name="E">What is deposited, in units of E.</param>
 /// <param name="Volume">What is deposited in mm³; null where the unit of E is not known.</param>
 /// <param name="Filament">Length of filament in mm; null where there is none or its diameter is not known.</param>
@@ -34,7 +34,7 @@ internal sealed record PrintFigures(
     // Diameter in mm and density in g/cm³ are 0 where they are not known.
     private static PrintFigures Of(Toolpath toolpath, double diameter, double density, double? seconds)
     {
-        var (length, e, volume, box) = StrandTotals.Of(toolpath);
+        var (length, e, volume, box) = ExtrusionTotals.Of(toolpath);
         var isVolume = volume is > 0;
         return new PrintFigures(
             toolpath.CountLayers(), box.IsEmpty ? null : SizeOf(box, toolpath, length > 0 ? volume / length : null), length, e, volume,
@@ -42,7 +42,7 @@ internal sealed record PrintFigures(
             isVolume && density > 0 ? volume / 1000 * density : null, seconds);
     }
 
-    // From edge to edge: the box of the moves, and a strand of the mean width and of the thickness of the layers around them.
+    // From edge to edge: the box of the moves, and an extrusion of the mean width and of the thickness of the layers around them.
     private static Vec3 SizeOf(Bounds box, Toolpath toolpath, double? area)
     {
         var thickness = toolpath.Layers.Count > 0 ? toolpath.Layers[^1].Thickness : 0;

@@ -32,7 +32,7 @@ internal static class PrintSummary
     private static string Amount(PrintFigures print)
     {
         if (print.E == 0) return $"{Meters(print.Printed)} of strokes";
-        if (print.Volume is not > 0) return $"{Meters(print.Printed)} of strands, E {Number(print.E, 1)}";
+        if (print.Volume is not > 0) return $"{Meters(print.Printed)} of extrusions, E {Number(print.E, 1)}";
         var mass = print.Mass is { } grams ? $" ({Grams(grams)})" : "";
         return print.Filament is { } filament ? $"{Meters(filament)} of filament{mass}" : $"{Number(print.Volume.Value / 1000, 2)} cm³{mass}";
     }

@@ -12,7 +12,7 @@ internal sealed class Session
     /// <summary>The advice after what took too much.</summary>
     public const string MoreMemory = "--memory-limit 8GB, or any other size, lets the work take more.";
 
-    /// <summary>Code of the remark about words of a file that do nothing here, such as M84.</summary>
+    /// <summary>Code of the note about words of a file that do nothing here, such as M84.</summary>
     public const string Harmless = "gcode.ignored";
 
     private readonly Func<Stream> _input;
@@ -129,10 +129,10 @@ internal sealed class Session
         if (!Quiet && !IsPart) Messages.WriteLine(line(figures));
     }
 
-    /// <summary>Remarks that a verb keeps for its end.</summary>
-    public void Say(IEnumerable<Diagnostic> remarks)
+    /// <summary>Notes that a verb keeps for its end.</summary>
+    public void Say(IEnumerable<Diagnostic> notes)
     {
-        foreach (var remark in remarks) Say(remark.ToString);
+        foreach (var note in notes) Say(note.ToString);
     }
 
     /// <summary>Keeps the first error of findings that are not printed as messages.</summary>
@@ -144,7 +144,7 @@ internal sealed class Session
         foreach (var diagnostic in diagnostics)
         {
             Found([diagnostic]);
-            if (diagnostic.Severity == Severity.Remark && (Quiet || diagnostic.Code == Harmless)) continue;
+            if (diagnostic.Severity == Severity.Note && (Quiet || diagnostic.Code == Harmless)) continue;
             Messages.WriteLine(diagnostic.ToString());
             if (diagnostic.Code == MemoryLimit.Code) Messages.WriteLine(MoreMemory);
         }

@@ -6,7 +6,7 @@ namespace Caterpillar.Cli;
 internal static class OutputGuard
 {
     // Options whose values are files that are read; all arguments are.
-    private static readonly string[] Inputs = ["--printer", "--material", "--settings", "--import", "--like"];
+    private static readonly string[] Inputs = ["--printer", "--material", "--settings", "--import", "--base"];
     private static readonly string[] Outputs = ["--output", "--material-output"];
 
     // Endings that people would take for something else than what a verb writes.
@@ -14,7 +14,7 @@ internal static class OutputGuard
     {
         [".stl"] = "a mesh", [".obj"] = "a mesh", [".ply"] = "a mesh", [".3mf"] = "a mesh", [".step"] = "a model", [".stp"] = "a model", [".3dm"] = "a model",
         [".gh"] = "a Grasshopper definition", [".ghx"] = "a Grasshopper definition", [".svg"] = "a drawing", [".csv"] = "a table", [".json"] = "JSON",
-        [".turtle"] = "a turtle program", [".png"] = "a picture", [".jpg"] = "a picture", [".jpeg"] = "a picture", [".pgm"] = "a picture",
+        [".turtle"] = "a turtle program", [".png"] = "an image", [".jpg"] = "an image", [".jpeg"] = "an image", [".pgm"] = "an image",
         [".pdf"] = "a document", [".html"] = "a page", [".gcode"] = "G-code", [".bgcode"] = "G-code", [".gco"] = "G-code", [".nc"] = "G-code",
         [".gz"] = "a packed file", [".zip"] = "a packed file",
     };

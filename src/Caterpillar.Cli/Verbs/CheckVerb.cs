@@ -13,19 +13,19 @@ internal sealed class CheckVerb : Verb
         Arity = ArgumentArity.OneOrMore,
     };
 
-    private readonly Option<string?> _dialect = CommonOptions.Dialect();
+    private readonly Option<string?> _flavor = CommonOptions.Flavor();
     private readonly Described<string?> _onto = new("--onto",
-        "An object that lies on the bed where its file says, and is printed on: strands may lie on it, and the head must not go through it.", "SCAN");
+        "An object that lies on the bed where its file says, and is printed on: extrusions may lie on it, and the head must not go through it.", "SCAN");
 
     private readonly SetupOptions _setup = new();
     private readonly Option<int> _threads = CommonOptions.Threads();
     private readonly Described<bool> _json = new("--json", "Print the findings as a JSON array.");
 
     public CheckVerb()
-        : base("check", "Check G-code files against a printer: where the head goes and what it would hit, strands, speeds, flow, temperatures.")
+        : base("check", "Check G-code files against a printer: where the head goes and what it would hit, extrusions, speeds, flow, temperatures.")
     {
         Arguments.Add(_files);
-        Add([.. _setup.All, _dialect, _onto, _threads, _json]);
+        Add([.. _setup.All, _flavor, _onto, _threads, _json]);
         AllowBatches();
     }
 
@@ -41,7 +41,7 @@ internal sealed class CheckVerb : Verb
         if (arguments.GetValue(_onto) is { } onto) setup = setup with { PrintedOn = Meshes.ReadAsOne(onto, session) };
         var options = new DecodeOptions
         {
-            Dialect = CommonOptions.DialectOf(arguments.GetValue(_dialect)),
+            Flavor = CommonOptions.FlavorOf(arguments.GetValue(_flavor)),
             FilamentDiameter = setup.Material.FilamentDiameter,
             Threads = arguments.GetValue(_threads),
             Memory = session.Memory,

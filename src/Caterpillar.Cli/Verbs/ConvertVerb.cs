@@ -1,5 +1,5 @@
 using Caterpillar.Checks;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Jobs;
 
@@ -13,13 +13,13 @@ internal sealed class ConvertVerb : Verb
 
     private readonly Described<bool> _inPlace = new("--in-place", "Replace the input itself, instead of --output.");
 
-    private readonly Described<string?> _from = CommonOptions.Dialect("--from",
-        "Firmware the file was made for; detected from the file by default.", "DIALECT");
-    private readonly Described<string?> _to = CommonOptions.Dialect("--dialect", "Firmware to write for.", "DIALECT");
+    private readonly Described<string?> _from = CommonOptions.Flavor("--from",
+        "Firmware the file was made for; detected from the file by default.", "FLAVOR");
+    private readonly Described<string?> _to = CommonOptions.Flavor("--flavor", "Firmware to write for.", "FLAVOR");
     private readonly Described<string?> _e = new("--e", "Relative (M83) or absolute (M82) E.", "relative|absolute");
     private readonly Described<string?> _unit = new("--e-unit", "E in mm of filament or in mm³.", "mm|mm3");
     private readonly Described<double?> _diameter = new("--filament-diameter", "Filament diameter, if the file does not state it.", "MM");
-    private readonly Described<string?> _arcs = new("--arcs", "Fit arcs to strands, or expand arcs into chords.", "fit|expand");
+    private readonly Described<string?> _arcs = new("--arcs", "Fit arcs to extrusions, or expand arcs into chords.", "fit|expand");
     private readonly Described<double> _tolerance = new("--tolerance",
         "Maximum deviation of fitted arcs and of chords.", "MM") { DefaultValueFactory = _ => 0.02 };
     private readonly Described<bool> _millimeters = new("--mm", "Convert inches to millimeters.");
@@ -47,7 +47,7 @@ internal sealed class ConvertVerb : Verb
     [
         ("convert part.gcode -o slow.gcode --speed 70% --role \"outer wall\"", "slower outer walls"),
         ("convert part.gcode -o nut.gcode --pause-at-layer 3", "a pause at a layer"),
-        ("convert part.gcode -o klipper.gcode --dialect klipper --e relative", "for other firmware"),
+        ("convert part.gcode -o klipper.gcode --flavor klipper --e relative", "for other firmware"),
         ("convert part.gcode -o twisted.gcode --deform \"r, theta + 2*z, z\" --axis middle", "twisted about its middle"),
     ];
 
@@ -62,7 +62,7 @@ internal sealed class ConvertVerb : Verb
         var target = Target(arguments);
         var reading = new DecodeOptions
         {
-            Dialect = CommonOptions.DialectOf(arguments.GetValue(_from)), Memory = session.Memory,
+            Flavor = CommonOptions.FlavorOf(arguments.GetValue(_from)), Memory = session.Memory,
             FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter"),
         };
         var document = Read(file, session);
@@ -85,7 +85,7 @@ internal sealed class ConvertVerb : Verb
         string[] parts =
         [
             edits, job.Code.Start is null ? "" : "start code replaced", job.Code.End is null ? "" : "end code replaced",
-            job.Dialect != job.File.Dialect ? $"{job.File.Dialect.Title} became {job.Dialect.Title}" : job.Target is not null ? "in another notation" : "",
+            job.Flavor != job.File.Flavor ? $"{job.File.Flavor.Title} became {job.Flavor.Title}" : job.Target is not null ? "in another notation" : "",
         ];
         var changes = string.Join(", ", parts.Where(p => p.Length > 0));
         return changes.Length > 0 ? changes : "nothing changed";
@@ -148,7 +148,7 @@ internal sealed class ConvertVerb : Verb
         var decimals = Decimals(arguments);
         var target = new ConvertOptions
         {
-            Dialect = CommonOptions.DialectOf(arguments.GetValue(_to)),
+            Flavor = CommonOptions.FlavorOf(arguments.GetValue(_to)),
             RelativeE = arguments.GetValue(_e) is { } e ? e == "relative" : null,
             Volumetric = arguments.GetValue(_unit) is { } unit ? unit == "mm3" : null,
             FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter"),
@@ -161,7 +161,7 @@ internal sealed class ConvertVerb : Verb
             DecimalsE = decimals[1],
             DecimalsF = decimals[2],
         };
-        return decimals[0] is null && target.Dialect is null && target.RelativeE is null && target.Volumetric is null && !target.ExpandArcs
+        return decimals[0] is null && target.Flavor is null && target.RelativeE is null && target.Volumetric is null && !target.ExpandArcs
             && !target.Millimeters ? null : target;
     }
 

@@ -10,7 +10,7 @@ internal sealed class CurvesVerb : Verb
     private readonly Argument<string> _file =
         new("FILE") { Description = "Curves: points as CSV or JSON, lines of OBJ, paths of SVG, also gzipped; - is standard input." };
 
-    private readonly CurveSettingOptions _strand = new();
+    private readonly CurveSettingOptions _extrusion = new();
     private readonly DivisionOptions _division = new();
 
     private readonly Described<string> _sort = new("--sort",
@@ -39,7 +39,7 @@ internal sealed class CurvesVerb : Verb
         _sort.AcceptOnlyFromAmong("none", "orient", "nearest", "layer", "z", "tour");
         _plan.AcceptOnlyFromAmong("drawn", "printer");
         Arguments.Add(_file);
-        Add([.. _write.All, .. _strand.All, .. _division.All, _sort, _move, _map, _plan, _json, _maxSize, .. _onto.All, .. _setup.All]);
+        Add([.. _write.All, .. _extrusion.All, .. _division.All, _sort, _move, _map, _plan, _json, _maxSize, .. _onto.All, .. _setup.All]);
         AllowBatches();
     }
 
@@ -66,12 +66,12 @@ internal sealed class CurvesVerb : Verb
         var sort = SortOf(arguments.GetValue(_sort)!);
         // Sorting of curves is an option of this verb, not a setting as for sliced parts.
         setup = setup with { Settings = setup.Settings with { SortPaths = sort != SortRule.None } };
-        var curves = _division.Of(arguments, _strand.Of(arguments, setup)) with
+        var curves = _division.Of(arguments, _extrusion.Of(arguments, setup)) with
         {
             Memory = session.Memory,
             Sorting = sort switch { SortRule.None => CurveSorting.None, SortRule.Layer or SortRule.Z => CurveSorting.All, _ => CurveSorting.WithinLayers },
         };
-        var reading = CurveReadOptions.For(setup) with { Memory = session.Memory, UnitLength = _strand.UnitOf(arguments) };
+        var reading = CurveReadOptions.For(setup) with { Memory = session.Memory, UnitLength = _extrusion.UnitOf(arguments) };
         var (steps, count) = Steps(file, reading, curves, arguments.GetValue(_move), setup, session);
         var options = new PrintJobOptions
         {

@@ -16,7 +16,7 @@ internal sealed class DecodeVerb : Verb
         "Print times, material, roles, tools and layers too, by the limits of --printer; without it those of the slicer's settings in the file.");
 
     private readonly SetupOptions _setup = new();
-    private readonly Option<string?> _dialect = CommonOptions.Dialect();
+    private readonly Option<string?> _flavor = CommonOptions.Flavor();
     private readonly Described<double?> _diameter = new("--filament-diameter", "Filament diameter, if the file does not state it.", "MM");
     private readonly Option<int> _threads = CommonOptions.Threads();
 
@@ -28,7 +28,7 @@ internal sealed class DecodeVerb : Verb
         : base("decode", "Describe what G-code files do.")
     {
         Arguments.Add(_files);
-        Add([_json, _csv, _stats, _dialect, _rule, _diameter, _threads, .. _setup.All]);
+        Add([_json, _csv, _stats, _flavor, _rule, _diameter, _threads, .. _setup.All]);
         _rule.AcceptOnlyFromAmong("balance", "rising");
         Validators.Add(result =>
         {
@@ -48,7 +48,7 @@ internal sealed class DecodeVerb : Verb
     {
         var options = new DecodeOptions
         {
-            Dialect = CommonOptions.DialectOf(arguments.GetValue(_dialect)),
+            Flavor = CommonOptions.FlavorOf(arguments.GetValue(_flavor)),
             Rule = arguments.GetValue(_rule) == "rising" ? ExtrusionRule.Rising : ExtrusionRule.Balance,
             FilamentDiameter = Diameter(arguments, session),
             Threads = arguments.GetValue(_threads),

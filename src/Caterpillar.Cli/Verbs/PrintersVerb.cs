@@ -18,7 +18,7 @@ internal sealed class PrintersVerb : Verb
         "Make a printer profile from the G-code before and after a print, such as the headers and footers of ExtruderTurtle; - for no footer.",
         "HEADER FOOTER") { Arity = new ArgumentArity(2, 2), AllowMultipleArgumentsPerToken = true };
 
-    private readonly Described<string?> _like = new("--like", "With --import: a similar printer for all that the files do not state.", "NAME|FILE");
+    private readonly Described<string?> _like = new("--base", "With --import: a similar printer for all that the files do not state.", "NAME|FILE");
 
     private readonly Described<string> _output = new("--output",
         "File for the JSON; standard output by default.", "FILE.json", "-o") { DefaultValueFactory = _ => "-" };
@@ -50,7 +50,7 @@ internal sealed class PrintersVerb : Verb
         if (arguments.GetValue(_import) is { Length: 2 } files) PrinterImport.Run(files[0], files[1], arguments.GetValue(_like), output,
             arguments.GetValue(_material), session);
         else if (arguments.GetValue(_like) is not null
-            || arguments.GetValue(_material) is not null) throw new CliException(ExitCode.Usage, "--like and --material-output need --import.");
+            || arguments.GetValue(_material) is not null) throw new CliException(ExitCode.Usage, "--base and --material-output need --import.");
         else if (arguments.GetValue(_keys)) session.WriteText(output, WriteKeys);
         else if (name is not null) Show(name, output, session);
         else return List(output, session);
@@ -69,12 +69,12 @@ internal sealed class PrintersVerb : Verb
     {
         var profiles = session.Profiles;
         var good = true;
-        var rows = new List<string[]> { new[] { "PRINTER", "BUILD VOLUME", "NOZZLE", "DIALECT", "" } };
+        var rows = new List<string[]> { new[] { "PRINTER", "BUILD VOLUME", "NOZZLE", "FLAVOR", "" } };
         foreach (var name in profiles.PrinterNames)
         {
             if (Read(profiles.Printer(name)) is not { } printer) continue;
             var size = printer.BuildVolume;
-            rows.Add([name, $"{Number(size.X)} × {Number(size.Y)} × {Number(size.Z)} mm", Number(printer.NozzleDiameter) + " mm", printer.Dialect.Name,
+            rows.Add([name, $"{Number(size.X)} × {Number(size.Y)} × {Number(size.Z)} mm", Number(printer.NozzleDiameter) + " mm", printer.Flavor.Name,
                 printer.Title]);
         }
         rows.Add([]);

@@ -17,7 +17,7 @@ internal sealed class SimulateVerb : Verb
         "MOMENT") { Arity = ArgumentArity.OneOrMore };
 
     private readonly Described<bool> _json = new("--json", "Print a JSON array with an object for each moment.");
-    private readonly Option<string?> _dialect = CommonOptions.Dialect();
+    private readonly Option<string?> _flavor = CommonOptions.Flavor();
     private readonly SetupOptions _setup = new();
     private readonly Option<int> _threads = CommonOptions.Threads();
 
@@ -25,7 +25,7 @@ internal sealed class SimulateVerb : Verb
         : base("simulate", "Say where the machine is and what it does at a time, move, line, layer or height of a G-code file.")
     {
         Arguments.Add(_file);
-        Add([_at, _json, _dialect, .. _setup.All, _threads]);
+        Add([_at, _json, _flavor, .. _setup.All, _threads]);
     }
 
     public override IReadOnlyList<(string Line, string Does)> Examples =>
@@ -41,7 +41,7 @@ internal sealed class SimulateVerb : Verb
         var name = Session.NameOf(file);
         var options = new DecodeOptions
         {
-            Dialect = CommonOptions.DialectOf(arguments.GetValue(_dialect)),
+            Flavor = CommonOptions.FlavorOf(arguments.GetValue(_flavor)),
             FilamentDiameter = _setup.Resolve(arguments, session).Material.FilamentDiameter,
             Threads = arguments.GetValue(_threads),
             Memory = session.Memory,

@@ -33,7 +33,7 @@ internal sealed class SliceVerb : Verb
     public override IReadOnlyList<(string Line, string Does)> Examples =>
     [
         ("slice part.stl --printer ender3 -o part.gcode", "a part for a printer"),
-        ("slice part.stl --set layer_height_mm=0.15 --set infill_percent=35 --set support=tree", "with other settings"),
+        ("slice part.stl --set layer_height_mm=0.15 --set infill_density_percent=35 --set support=tree", "with other settings"),
         ("slice a.stl b.stl --arrange --copies 2 -o plate.gcode", "two of each, arranged on the bed"),
         ("slice part.stl --surface roof.stl -o curved.gcode", "layers that follow a surface"),
         ("slice --each 'models/*.stl' -o 'out/{name}.gcode' --summary summary.csv", "each model of a folder"),
@@ -63,7 +63,7 @@ internal sealed class SliceVerb : Verb
         var (read, models) = Models(files, arguments, ref setup, session);
         var options = new PrintJobOptions { Threads = arguments.GetValue(_threads), Memory = session.Memory };
         if (_curved.IsGiven(arguments)) return CurvedSlicing.Run(_curved, arguments, read, models, setup, options, session);
-        if (!_write.Overrides(arguments) && ModelCheck.IsTooLarge([.. models.Where(m => m.Settings.ModelUse == ModelUse.Part).Select(m => m.Mesh)], setup))
+        if (!_write.Overrides(arguments) && ModelCheck.IsTooLarge([.. models.Where(m => m.Settings.ModelType == ModelType.Part).Select(m => m.Mesh)], setup))
         {
             session.Print([new Diagnostic(Severity.Error, "write.refused",
                 $"Nothing was sliced: it would not fit. --override slices it all the same.{_placing.ScaleAdvice(arguments)}")]);
@@ -82,7 +82,7 @@ internal sealed class SliceVerb : Verb
         var sources = new List<string>();
         var read = session.Run("Reading", progress => Meshes.Read(files, session, progress, sources));
         var settings = own.For(read, sources);
-        var placed = _placing.Placed(read, settings.Select(s => s.ModelUse == ModelUse.Part).ToArray(), arguments, setup, session);
+        var placed = _placing.Placed(read, settings.Select(s => s.ModelType == ModelType.Part).ToArray(), arguments, setup, session);
         settings = InfillCurveOptions.With(settings, curves, placed[0].Mesh.Bounds.Min - read[0].Mesh.Bounds.Min);
         // Copies follow in the order of the originals.
         return (read, placed.Select((m, i) => new SliceModel(m, settings[i % settings.Count])).ToArray());

@@ -12,7 +12,7 @@ internal static class Verbs
         new SectionsVerb(),
         new TurtleVerb(),
         new CurvesVerb(),
-        new PictureVerb(),
+        new ImageVerb(),
         new ViewVerb(),
         new CheckVerb(),
         new PrintersVerb(),

@@ -111,7 +111,7 @@ internal sealed class ViewVerb : Verb
             }
             catch (Exception bad) when (bad is CliException or IOException)
             {
-                // The last good page stays until the file is mended.
+                // The last good page stays until the file is repaired.
                 if (bad.Message.Length > 0) session.Messages.WriteLine(bad.Message);
             }
         }

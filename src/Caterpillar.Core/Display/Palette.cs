@@ -3,7 +3,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Display;
 
-/// <summary>The colors of roles and scales, the same in pictures, web pages and on the canvas.</summary>
+/// <summary>The colors of roles and scales, the same in images, web pages and on the canvas.</summary>
 public static class Palette
 {
     private static readonly Rgb[] Scale =
@@ -20,8 +20,8 @@ public static class Palette
         Role.OverhangWall => new Rgb(80, 110, 220),
         Role.Infill => new Rgb(190, 70, 60),
         Role.SolidInfill => new Rgb(160, 90, 190),
-        Role.TopSkin => new Rgb(225, 80, 100),
-        Role.BottomSkin => new Rgb(110, 150, 110),
+        Role.TopSurface => new Rgb(225, 80, 100),
+        Role.BottomSurface => new Rgb(110, 150, 110),
         Role.Bridge => new Rgb(90, 140, 220),
         Role.GapFill => new Rgb(240, 240, 240),
         Role.Ironing => new Rgb(230, 150, 160),

@@ -22,15 +22,15 @@ public sealed class View
         _up = Vec3.Cross(_toEye, _right);
     }
 
-    /// <summary>From above, Y up in the picture.</summary>
+    /// <summary>From above, Y up in the image.</summary>
     public static View Top { get; } = new(-90, 90);
 
-    /// <summary>From the front, Z up in the picture.</summary>
+    /// <summary>From the front, Z up in the image.</summary>
     public static View Front { get; } = new(-90, 0);
 
     /// <summary>From the front right and above.</summary>
     public static View ThreeQuarter { get; } = new(-60, 28);
 
-    /// <summary>Right and up in the picture, and toward the eye; mm.</summary>
+    /// <summary>Right and up in the image, and toward the eye; mm.</summary>
     public Vec3 Project(Vec3 point) => new(Vec3.Dot(point, _right), Vec3.Dot(point, _up), Vec3.Dot(point, _toEye));
 }

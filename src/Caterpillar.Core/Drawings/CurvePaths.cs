@@ -11,8 +11,8 @@ public static class CurvePaths
     private const double BytesPerPoint = 250;
 
     /// <summary>
-    /// The steps that print curves in their order. Curves without length are ignored with a warning. Errors (codes <c>curves.*</c>) are strands with negative
-    /// or infinite settings; parts below the bed are a warning.
+    /// The steps that print curves in their order. Curves without length are ignored with a warning. Errors (codes <c>curves.*</c>) are extrusions with
+    /// negative or infinite settings; parts below the bed are a warning.
     /// </summary>
     /// <exception cref="ArgumentException">The subdivision is out of range, or a curve is null.</exception>
     public static Result<IReadOnlyList<Step>> ToSteps(

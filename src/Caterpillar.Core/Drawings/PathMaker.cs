@@ -65,7 +65,7 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
             beads[i] = bead.Value;
         }
         var vertices = new List<Vec3> { points[0] };
-        var strands = new List<Bead>();
+        var extrusions = new List<Bead>();
         for (var i = 1; i < points.Count; i++)
         {
             if (points[i] == points[i - 1]) continue;
@@ -75,14 +75,14 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
             {
                 var t = (k + 0.5) / parts;
                 vertices.Add(Vec3.Lerp(points[i - 1], points[i], (k + 1.0) / parts));
-                strands.Add(new Bead(Mix(a.Area, b.Area, t), Mix(a.Height, b.Height, t), Mix(a.Speed, b.Speed, t)));
+                extrusions.Add(new Bead(Mix(a.Area, b.Area, t), Mix(a.Height, b.Height, t), Mix(a.Speed, b.Speed, t)));
             }
         }
-        if (strands.Count == 0) return null;
-        DropInnerPoints(ref vertices, ref strands);
+        if (extrusions.Count == 0) return null;
+        DropInnerPoints(ref vertices, ref extrusions);
         if (closed && vertices.Count > 3) vertices.RemoveAt(vertices.Count - 1);
         else closed = false;
-        return new PrintPath(vertices, strands, closed);
+        return new PrintPath(vertices, extrusions, closed);
     }
 
     // The vertices with the end repeated, and their positions in the columns of values.
@@ -128,23 +128,23 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
     }
 
     // Straight runs with one bead keep only their ends.
-    private void DropInnerPoints(ref List<Vec3> points, ref List<Bead> strands)
+    private void DropInnerPoints(ref List<Vec3> points, ref List<Bead> extrusions)
     {
         var kept = new List<int>();
         var keptPoints = new List<Vec3> { points[0] };
-        var keptStrands = new List<Bead>();
-        for (int i = 0, end; i < strands.Count; i = end)
+        var keptExtrusions = new List<Bead>();
+        for (int i = 0, end; i < extrusions.Count; i = end)
         {
-            for (end = i + 1; end < strands.Count && strands[end] == strands[i];) end++;
+            for (end = i + 1; end < extrusions.Count && extrusions[end] == extrusions[i];) end++;
             kept.Clear();
             LinearRuns.Keep(points, i, end, options.Subdivision.LinearTolerance, kept);
             foreach (var k in kept)
             {
                 keptPoints.Add(points[k]);
-                keptStrands.Add(strands[i]);
+                keptExtrusions.Add(extrusions[i]);
             }
         }
-        (points, strands) = (keptPoints, keptStrands);
+        (points, extrusions) = (keptPoints, keptExtrusions);
     }
 
     private Bead? BeadOf(double? area, double? width, double? height, double? speed, UserCurve curve, SourceLocation source)
@@ -155,14 +155,14 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
         var s = speed ?? options.Speed;
         if (!(Good(area ?? 0) && Good(w) && Good(h) && Good(m) && Good(s)))
         {
-            diagnostics.Add(Severity.Error, "curves.bead", "Area, width, height, multiplier and speed of a strand must be 0 or more and finite.", source);
+            diagnostics.Add(Severity.Error, "curves.bead", "Area, width, height, multiplier and speed of an extrusion must be 0 or more and finite.", source);
             return null;
         }
         if (options.Strokes) return new Bead(0, h, s);
         if (area is { } given) return new Bead(given, h, s);
         if (options.Shape == BeadShape.Stadium && w < h)
         {
-            // Too narrow for the shape: a round strand of the width.
+            // Too narrow for the shape: a round extrusion of the width.
             return Bead.FromWidth(w, h, m, s, BeadShape.Circle);
         }
         return Bead.FromWidth(w, h, m, s, options.Shape);

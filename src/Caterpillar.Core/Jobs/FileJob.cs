@@ -1,6 +1,6 @@
 using Caterpillar.Basics;
 using Caterpillar.Checks;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Files;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
@@ -37,7 +37,7 @@ public sealed record FileJob
     public ConvertOptions? Target { get; init; }
 
     /// <summary>The firmware for which it is written.</summary>
-    public DialectRules Dialect => Target?.Dialect ?? File.Dialect;
+    public FlavorRules Flavor => Target?.Flavor ?? File.Flavor;
 
     /// <summary>Reads a file: plain, packed with gzip, or binary G-code. One without a command is no G-code and an error.</summary>
     /// <exception cref="IOException">The file cannot be read.</exception>
@@ -112,7 +112,7 @@ public sealed record FileJob
         var text = !IsChanged ? new Result<GCodeDocument>(file.Document, []) : Target is null
             ? GCodeEditor.ToDocument(file, Toolpath, Code, progress, cancel) : GCodeConverter.ToDocument(file, Target, progress.Part(0, 0.6), cancel);
         if (setup is null || text.Value is null) return (text, null);
-        var (document, guard) = SafeWriter.Check(text.Value, _reading with { Dialect = Dialect }, setup, reason, progress.Part(0.6, 1), cancel);
+        var (document, guard) = SafeWriter.Check(text.Value, _reading with { Flavor = Flavor }, setup, reason, progress.Part(0.6, 1), cancel);
         return (new Result<GCodeDocument>(document.Value, [.. text.Diagnostics, .. document.Diagnostics]), guard);
     }
 
@@ -128,7 +128,7 @@ public sealed record FileJob
         if (Target is null || !IsEdited) return new Result<DecodedGCode>(File, []);
         var edited = GCodeEditor.ToDocument(File, Toolpath, Code, progress, cancel);
         return new Result<DecodedGCode>(
-            edited.Value is { } text ? GCodeDecoder.Decode(text, _reading with { Dialect = File.Dialect }, null, cancel).Value : null, edited.Diagnostics);
+            edited.Value is { } text ? GCodeDecoder.Decode(text, _reading with { Flavor = File.Flavor }, null, cancel).Value : null, edited.Diagnostics);
     }
 
     private static Result<WrittenGCode> Written(WrittenGCode? written, IReadOnlyList<Diagnostic> first, IReadOnlyList<Diagnostic> then)

@@ -147,7 +147,7 @@ public sealed class PrintJob : IDisposable
     /// <summary>Draws the curves of a file (CSV, JSON, SVG, lines of OBJ) in their order.</summary>
     /// <param name="file">The file.</param>
     /// <param name="setup">The printer, material and settings.</param>
-    /// <param name="curves">Strands and division of the curves; null for those of the settings.</param>
+    /// <param name="curves">Extrusions and division of the curves; null for those of the settings.</param>
     /// <param name="options">What planning may add, and what is printed on.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels.</param>
@@ -247,8 +247,8 @@ public sealed class PrintJob : IDisposable
     }
 
     // Over objects and curved layers the head is lifted by what lies under its course, unless travels are not lifted at all.
-    private static PrintSetup OverObjects(PrintSetup setup) => setup.Settings.TravelLift != TravelLift.PrintedTop ? setup
-        : setup with { Settings = setup.Settings with { TravelLift = TravelLift.Corridor } };
+    private static PrintSetup OverObjects(PrintSetup setup) => setup.Settings.ZHopType != ZHopType.AbovePrint ? setup
+        : setup with { Settings = setup.Settings with { ZHopType = ZHopType.AbovePath } };
 
     private static Result<PrintJob> After(IReadOnlyList<Diagnostic> earlier, Result<PrintJob> job) => new(job.Value, [.. earlier, .. job.Diagnostics]);
 

@@ -24,7 +24,7 @@ public sealed record PrintJobOptions
     /// <summary>An object on the bed that is printed on; heights above the bed become heights above its surface. Null for the bed alone.</summary>
     public TriMesh? Onto { get; init; }
 
-    /// <summary>How much the first strands are pressed onto the object, mm.</summary>
+    /// <summary>How much the first extrusions are pressed onto the object, mm.</summary>
     public double Squeeze { get; init; }
 
     /// <summary>What lies beyond a surface or is too steep is left out; without this it is an error.</summary>

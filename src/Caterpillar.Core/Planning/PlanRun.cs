@@ -77,7 +77,7 @@ internal sealed class PlanRun
         if (_steps == 0) _diagnostics.Add(Severity.Warning, "plan.empty", "There is nothing to plan.");
         var toolpath = _planner.Build();
         if (_counts.EmptySegments > 0)
-            _diagnostics.Add(Severity.Remark, "plan.repeated_point", "A path repeats a point; the segment without length is dropped.", null,
+            _diagnostics.Add(Severity.Note, "plan.repeated_point", "A path repeats a point; the segment without length is dropped.", null,
                 _counts.EmptySegments);
         return new Result<Plan>(new Plan(toolpath, _counts), _diagnostics.ToList());
     }

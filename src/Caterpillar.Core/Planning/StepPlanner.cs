@@ -56,7 +56,7 @@ internal sealed class StepPlanner
     {
         var below = _clock;
         _steps = steps;
-        if (_rules.LayerWait != LayerWait.None || _rules.FanTime > 0) _clock = new LayerClock(steps, _rules);
+        if (_rules.LayerTimeWait != LayerTimeWait.None || _rules.FanTime > 0) _clock = new LayerClock(steps, _rules);
         NotePlaces();
         for (var i = 0; i < _steps.Length; i++)
         {
@@ -85,7 +85,7 @@ internal sealed class StepPlanner
     {
         _slowed.Report(_rules.MaxFlow, _diagnostics);
         if (_overrides.CouldNotRevert)
-            _diagnostics.Add(Severity.Remark, "plan.override_kept",
+            _diagnostics.Add(Severity.Note, "plan.override_kept",
                 "A path overrides a setting whose usual value is unknown: the overriding value stays in effect.");
         if (_emitter.PrintedRetracted)
         {
@@ -134,12 +134,12 @@ internal sealed class StepPlanner
     {
         const double Aside = 10;
         var missing = _rules.MinLayerTime - clock.TimeOf(last);
-        if (_rules.LayerWait == LayerWait.None || !(missing > 0) || !_emitter.IsPlaced) return;
+        if (_rules.LayerTimeWait == LayerTimeWait.None || !(missing > 0) || !_emitter.IsPlaced) return;
         _travel.RetractFor(double.PositiveInfinity);
         var at = _emitter.Position;
         var up = at.WithZ(Math.Max(at.Z, _emitter.Highest) + _rules.Clearance);
-        if (up.Z <= _rules.Reach.Max.Z) _emitter.Travel(up, _rules.LiftSpeed);
-        if (_rules.LayerWait == LayerWait.Away)
+        if (up.Z <= _rules.Reach.Max.Z) _emitter.Travel(up, _rules.ZHopSpeed);
+        if (_rules.LayerTimeWait == LayerTimeWait.NextTo)
         {
             var box = clock.BoxOf(last);
             double left = box.Min.X - Aside, right = box.Max.X + Aside;
@@ -260,7 +260,7 @@ internal sealed class StepPlanner
         var tool = _emitter.ToolRules;
         var e = tool.EOf(extrude.Volume);
         if (e < 0) _emitter.Retract(-e, extrude.Speed > 0 ? extrude.Speed : tool.RetractSpeed);
-        else if (e > 0) Prime(e, extrude.Speed > 0 ? extrude.Speed : tool.RestoreSpeed);
+        else if (e > 0) Prime(e, extrude.Speed > 0 ? extrude.Speed : tool.DeretractionSpeed);
     }
 
     private void Prime(double e, double speed)

@@ -15,7 +15,7 @@ public sealed record Cooling
     public bool SpeedByLength { get; init; }
 
     /// <summary>No speed is lowered below this, mm/s.</summary>
-    public double MinSpeed { get; init; } = 5;
+    public double MinPrintSpeed { get; init; } = 5;
 
     /// <summary>Speed in mm/s of beads that use the speed of the settings.</summary>
     public double ReferenceSpeed { get; init; } = 60;
@@ -25,7 +25,7 @@ public sealed record Cooling
 
     /// <summary>The paths in their order with lowered speeds.</summary>
     /// <returns>
-    /// The paths; a remark <c>shape.layer_time</c> if the minimum speed keeps layers below the time, a warning <c>shape.short_segments</c> if a path asks
+    /// The paths; a note <c>shape.layer_time</c> if the minimum speed keeps layers below the time, a warning <c>shape.short_segments</c> if a path asks
     /// for too many segments per second.
     /// </returns>
     public Result<IReadOnlyList<PrintPath>> Apply(IReadOnlyList<PrintPath> paths, CancellationToken cancel = default)
@@ -52,16 +52,16 @@ public sealed record Cooling
     private PrintPath ByLength(PrintPath path)
         => path.WithBeads(i => path.BeadOf(i).WithSpeed(Slowed(SpeedOf(path, i), path.LengthOf(i) + 1)));
 
-    private double Slowed(double speed, double wanted) => Math.Min(speed, Math.Max(wanted, MinSpeed));
+    private double Slowed(double speed, double wanted) => Math.Min(speed, Math.Max(wanted, MinPrintSpeed));
 
     // Speeds at the minimum cannot drop further, so the others have to drop more: repeated until no other hits the minimum.
     private void Stretch(PrintPath[] paths, int[] layer, DiagnosticList problems)
     {
-        var slowed = SlowDown.To(Array.ConvertAll(layer, i => paths[i]), SpeedOf, MinLayerTime, MinSpeed, out var reached);
+        var slowed = SlowDown.To(Array.ConvertAll(layer, i => paths[i]), SpeedOf, MinLayerTime, MinPrintSpeed, out var reached);
         for (var k = 0; k < layer.Length; k++) paths[layer[k]] = slowed[k];
         if (reached) return;
-        problems.Add(Severity.Remark, "shape.layer_time",
-            $"A layer stays below {NumberFormatter.Format(MinLayerTime, 1)} s even at {NumberFormatter.Format(MinSpeed, 1)} mm/s.",
+        problems.Add(Severity.Note, "shape.layer_time",
+            $"A layer stays below {NumberFormatter.Format(MinLayerTime, 1)} s even at {NumberFormatter.Format(MinPrintSpeed, 1)} mm/s.",
             new SourceLocation(Step: layer[0]));
     }
 

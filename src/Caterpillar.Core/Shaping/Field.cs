@@ -11,7 +11,7 @@ namespace Caterpillar.Shaping;
 /// <param name="Distance">Length of the path up to here, mm.</param>
 /// <param name="Length">Length of the whole path, mm.</param>
 /// <param name="Path">Number of the path among those being modulated, from 0.</param>
-/// <param name="Role">What the strand is for.</param>
+/// <param name="Role">What the extrusion is for.</param>
 public readonly record struct PathSample(Vec3 Position, double Distance, double Length, int Path, Role Role);
 
 /// <summary>A value for each point on a path; 0 to 1 unless stated otherwise.</summary>

@@ -21,7 +21,7 @@ public sealed record GapBead
     /// <summary>Gaps above this are air: there the bead stays as it is, mm.</summary>
     public double AirGap { get; init => field = value > 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A gap must be positive."); } = 3;
 
-    /// <summary>Width of the strands in mm; 0 to take it from each bead.</summary>
+    /// <summary>Width of the extrusions in mm; 0 to take it from each bead.</summary>
     public double Width { get; init => field = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A width is not negative."); }
 
     /// <summary>Segments are measured in pieces of at most this length, mm.</summary>
@@ -34,7 +34,7 @@ public sealed record GapBead
     /// <summary>A surface below the paths, for example a scanned object; null if there is none.</summary>
     public TriMesh? Surface { get; init; }
 
-    /// <summary>Shape of the strands, which gives the width that later paths find below them.</summary>
+    /// <summary>Shape of the extrusions, which gives the width that later paths find below them.</summary>
     public BeadShape Shape { get; init; } = BeadShape.Stadium;
 
     /// <summary>
@@ -54,7 +54,7 @@ public sealed record GapBead
     }
 
     /// <summary>The paths in their order with beads from the gap. Pieces of one segment with the same gap stay one segment.</summary>
-    /// <returns>None if the width of a bead is unknown; remarks on gaps that the limits changed.</returns>
+    /// <returns>None if the width of a bead is unknown; notes on gaps that the limits changed.</returns>
     public Result<IReadOnlyList<PrintPath>> Apply(IReadOnlyList<PrintPath> paths, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (paths is null) throw new ArgumentNullException(nameof(paths));
@@ -82,7 +82,7 @@ public sealed record GapBead
             var width = Width > 0 ? Width : bead.Height > 0 ? bead.Area / bead.Height : 0;
             if (bead.Area > 0 && !(width > 0))
             {
-                problems.Add(Severity.Error, "gap.no_width", "A bead has no height, and no strand width is given.",
+                problems.Add(Severity.Error, "gap.no_width", "A bead has no height, and no extrusion width is given.",
                     new SourceLocation(Step: number));
                 return null;
             }
@@ -128,7 +128,7 @@ public sealed record GapBead
     {
         if (!(gap <= AirGap))
         {
-            problems.Add(Severity.Remark, "gap.air", "There is nothing underneath a piece of a path: its bead stays as it is.",
+            problems.Add(Severity.Note, "gap.air", "There is nothing underneath a piece of a path: its bead stays as it is.",
                 new SourceLocation(Step: number));
             return bead;
         }
@@ -141,7 +141,7 @@ public sealed record GapBead
         if (gap > MaxGap + 1e-9)
         {
             problems.Add(
-                Severity.Remark, "gap.wide", $"A gap of {NumberFormatter.Format(gap, 3)} mm is above the maximum of {NumberFormatter.Format(MaxGap, 3)} mm.",
+                Severity.Note, "gap.wide", $"A gap of {NumberFormatter.Format(gap, 3)} mm is above the maximum of {NumberFormatter.Format(MaxGap, 3)} mm.",
                     new SourceLocation(Step: number));
         }
         gap = Math.Min(MaxGap, Math.Max(MinGap, gap));

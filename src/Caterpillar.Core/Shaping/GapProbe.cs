@@ -22,10 +22,10 @@ internal sealed class GapProbe(GapBead rules)
     /// <summary>Vertical gap in mm below a position of the tip; positive infinity above nothing.</summary>
     public double Gap(Vec3 tip, double width)
     {
-        // What is less than half the minimum gap below is beside the strand, not under it.
+        // What is less than half the minimum gap below is beside the extrusion, not under it.
         var limit = tip.Z - rules.MinGap / 2;
         var below = _deposit.TopUnder(tip, limit);
-        // Between two strands, the nearer of them.
+        // Between two extrusions, the nearer of them.
         if (double.IsInfinity(below)) below = _deposit.TopUnder(tip, limit, width / 2);
         if (_surface is not null) below = Math.Max(below, _surface.TopUnder(tip.X, tip.Y, tip.Z));
         if (rules.Bed is { } bed && bed <= tip.Z) below = Math.Max(below, bed);

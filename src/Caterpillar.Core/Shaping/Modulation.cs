@@ -8,11 +8,11 @@ namespace Caterpillar.Shaping;
 public enum ModulationMode
 {
     /// <summary>
-    /// The speed of the head at a constant flow of material: slower strands are thicker. This is Kanada's method, since heads respond faster than extruders.
+    /// The speed of the head at a constant flow of material: slower extrusions are thicker. This is Kanada's method, since heads respond faster than extruders.
     /// </summary>
     Speed,
 
-    /// <summary>The area of the strand at a constant speed.</summary>
+    /// <summary>The area of the extrusion at a constant speed.</summary>
     Flow,
 
     /// <summary>The position of the path, to its left (horizontally).</summary>
@@ -88,7 +88,7 @@ public sealed record Modulation
         if (greatest > 0 && least < MinRatio * greatest * (1 - 1e-12))
         {
             problems.Add(Severity.Warning, "shape.modulation_ratio",
-                $"The strands vary by 1 to {NumberFormatter.Format(least / greatest, 2)}; "
+                $"The extrusions vary by 1 to {NumberFormatter.Format(least / greatest, 2)}; "
                 + $"below 1 to {NumberFormatter.Format(MinRatio, 2)} prints often fail.");
         }
         return new Result<IReadOnlyList<PrintPath>>(problems.HasErrors ? null : modulated, problems.ToList());

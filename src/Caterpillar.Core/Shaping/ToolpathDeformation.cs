@@ -8,9 +8,9 @@ namespace Caterpillar.Shaping;
 public static class ToolpathDeformation
 {
     /// <summary>
-    /// Deforms the chosen strands and the chosen moves between them; the rest stays, and travels lead to the new starts of strands. Strands are divided until
-    /// they match their image within the tolerance, arcs become chords. The material of a strand follows its length and the map of areas, which sees mm² where
-    /// the toolpath knows its filament, else E for each mm; the map of speeds acts on what is printed.
+    /// Deforms the chosen extrusions and the chosen moves between them; the rest stays, and travels lead to the new starts of extrusions. Extrusions are
+    /// divided until they match their image within the tolerance, arcs become chords. The material of an extrusion follows its length and the map of areas,
+    /// which sees mm² where the toolpath knows its filament, else E for each mm; the map of speeds acts on what is printed.
     /// </summary>
     /// <param name="toolpath">The toolpath.</param>
     /// <param name="filter">The chosen moves.</param>
@@ -32,7 +32,7 @@ public static class ToolpathDeformation
         return map.Problem is { } problem ? new Result<Toolpath>(null, [problem]) : new Result<Toolpath>(mapped, []);
     }
 
-    /// <summary>Deforms the part: what lies in layers, or all if there are none. The strands of start and end code stay.</summary>
+    /// <summary>Deforms the part: what lies in layers, or all if there are none. The extrusions of start and end code stay.</summary>
     /// <inheritdoc cref="Deform(Toolpath, MoveFilter, Deformation, double)" path="/returns"/>
     /// <inheritdoc cref="Deform(Toolpath, MoveFilter, Deformation, double)" path="/exception"/>
     public static Result<Toolpath> Deform(this Toolpath toolpath, Deformation deformation, double tolerance = 0.01)

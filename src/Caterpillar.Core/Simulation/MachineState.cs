@@ -38,7 +38,7 @@ public readonly record struct MachineState
     /// <summary>What the move does.</summary>
     public MoveKind Kind { get; init; }
 
-    /// <summary>What the strand is for.</summary>
+    /// <summary>What the extrusion is for.</summary>
     public Role Role { get; init; }
 
     /// <summary>Index into the layers of the toolpath, or −1.</summary>

@@ -68,7 +68,7 @@ public sealed record PrintStatistics
     /// <summary>Price of the material in the currency of its profile; null where volume or price is not known.</summary>
     public double? Cost { get; init; }
 
-    /// <summary>Greatest flow of a strand at the highest speed that it reaches, mm³/s; null where nothing is deposited or no factor is known.</summary>
+    /// <summary>Greatest flow of an extrusion at the highest speed that it reaches, mm³/s; null where nothing is deposited or no factor is known.</summary>
     public double? GreatestFlow { get; init; }
 
     /// <summary>The move of the greatest flow, or −1.</summary>

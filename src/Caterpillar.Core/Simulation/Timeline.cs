@@ -122,7 +122,7 @@ public sealed class Timeline
         return move < Toolpath.Count ? AtMove(move) : null;
     }
 
-    /// <summary>The state when the first strand begins that ends at a height in mm or above; null where none does.</summary>
+    /// <summary>The state when the first extrusion begins that ends at a height in mm or above; null where none does.</summary>
     public MachineState? AtHeight(double z) => _path.FirstAbove(z) is var move && move < Toolpath.Count ? AtMove(move) : null;
 
     /// <summary>The state at a part of the path of the head, 0 to 1.</summary>

@@ -2,7 +2,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Traces;
 
-/// <summary>A straight, directed piece of strand: Kanada's S = (start, end, c, v).</summary>
+/// <summary>A straight, directed piece of extrusion: Kanada's S = (start, end, c, v).</summary>
 /// <param name="Start">mm.</param>
 /// <param name="End">mm.</param>
 /// <param name="Area">Cross-section, mm².</param>

@@ -4,7 +4,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>The tags of a turtle's strands besides their beads; a new tag starts a new path.</summary>
+/// <summary>The tags of a turtle's extrusions besides their beads; a new tag starts a new path.</summary>
 internal sealed record PathTags(Role Role, Layer? Layer, int Tool, string Name, int? Color);
 
 /// <summary>Joins moves into paths and travels, in order.</summary>

@@ -9,10 +9,10 @@ public sealed partial class Turtle
     private const double MaxSpeed = 1e6;
     private const double MaxTemperature = 10_000;
 
-    /// <summary>True while moves deposit a strand.</summary>
+    /// <summary>True while moves deposit an extrusion.</summary>
     public bool IsPenDown => _state.PenDown;
 
-    /// <summary>The strand that moves with the pen down deposit.</summary>
+    /// <summary>The extrusion that moves with the pen down deposit.</summary>
     public Bead Bead => _state.Bead;
 
     /// <summary>Diameter of the filament, mm.</summary>
@@ -33,7 +33,7 @@ public sealed partial class Turtle
     /// <summary>The following moves deposit nothing. Nothing is retracted: planning does that.</summary>
     public Turtle PenUp() => Pen(false);
 
-    /// <summary>The following moves deposit a strand.</summary>
+    /// <summary>The following moves deposit an extrusion.</summary>
     public Turtle PenDown() => Pen(true);
 
     /// <summary>Pen up or down.</summary>
@@ -52,7 +52,7 @@ public sealed partial class Turtle
         return this;
     }
 
-    /// <summary>Extrusion as cross-section of the strand in mm² (Kanada), and its height if known.</summary>
+    /// <summary>Extrusion as cross-section of the extrusion in mm² (Kanada), and its height if known.</summary>
     public Turtle SetArea(double area, double height = 0)
     {
         _state.Bead = new Bead(area, height, _state.Bead.Speed);
@@ -157,7 +157,7 @@ public sealed partial class Turtle
         return this;
     }
 
-    /// <summary>The following strands belong to a layer at the height of the turtle.</summary>
+    /// <summary>The following extrusions belong to a layer at the height of the turtle.</summary>
     public Turtle Layer(int index, double thickness = 0, string name = "")
     {
         if (index < 0 || !(thickness >= 0)
@@ -168,21 +168,21 @@ public sealed partial class Turtle
         return Tag(_state.Tags with { Layer = new Layer(index, Z, thickness, name) });
     }
 
-    /// <summary>The following strands belong to the next layer.</summary>
+    /// <summary>The following extrusions belong to the next layer.</summary>
     public Turtle NextLayer(double thickness = 0) => Layer(_state.Tags.Layer is { } layer ? layer.Index + 1 : 0, thickness, _state.Tags.Layer?.Object ?? "");
 
-    /// <summary>The following strands have a color, 0xRRGGBB, or none.</summary>
+    /// <summary>The following extrusions have a color, 0xRRGGBB, or none.</summary>
     public Turtle Color(int? rgb)
         => rgb is null or (>= 0 and <= 0xFFFFFF) ? Tag(_state.Tags with { Color = rgb })
             : throw new ArgumentOutOfRangeException(nameof(rgb), "A color must be 0xRRGGBB.");
 
-    /// <summary>The following strands have a color of three components, 0 to 255.</summary>
+    /// <summary>The following extrusions have a color of three components, 0 to 255.</summary>
     public Turtle Color(int red, int green, int blue) => Color(Component(red) << 16 | Component(green) << 8 | Component(blue));
 
-    /// <summary>The following strands have a name.</summary>
+    /// <summary>The following extrusions have a name.</summary>
     public Turtle Name(string name) => Tag(_state.Tags with { Name = name ?? throw new ArgumentNullException(nameof(name)) });
 
-    /// <summary>The following strands have a role.</summary>
+    /// <summary>The following extrusions have a role.</summary>
     public Turtle As(Role role) => Tag(_state.Tags with { Role = role });
 
     private Turtle Tag(PathTags tags)

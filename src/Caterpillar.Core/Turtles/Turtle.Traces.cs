@@ -20,7 +20,7 @@ public sealed partial class Turtle
         return this;
     }
 
-    /// <summary>Cross-section of strands that are given by width and height.</summary>
+    /// <summary>Cross-section of extrusions that are given by width and height.</summary>
     internal BeadShape Shape => _options.Shape;
 
     /// <summary>An estimate of what has been drawn, in bytes.</summary>

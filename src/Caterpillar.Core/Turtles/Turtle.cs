@@ -7,7 +7,7 @@ namespace Caterpillar.Turtles;
 /// <summary>
 /// A turtle that prints: a pose (position and forward, left, up) and what the printer deposits as it moves. Lengths are mm, angles degrees unless
 /// <see cref="AngleUnit"/> says radians. Positive yaw turns left, positive pitch raises the nose, positive roll lifts the left side. Moves with the pen down
-/// deposit a strand, whatever their direction; pen up and down carry no hidden extrusion. A mutable builder that ends in <see cref="ToSteps"/>; not
+/// deposit an extrusion, whatever their direction; pen up and down carry no hidden extrusion. A mutable builder that ends in <see cref="ToSteps"/>; not
 /// thread-safe. Methods throw <see cref="ArgumentOutOfRangeException"/> for values that are not finite. Sources: ExtruderTurtle (Pezzuti Dyer and Buechley
 /// 2022) and turtle.py (Kanada 2015); docs/turtle.md lists their names.
 /// </summary>

@@ -6,7 +6,7 @@ namespace Caterpillar.Turtles;
 /// <summary>One move of a turtle's history.</summary>
 /// <param name="From">Start, mm.</param>
 /// <param name="To">End, mm.</param>
-/// <param name="Prints">True if it deposited a strand.</param>
+/// <param name="Prints">True if it deposited an extrusion.</param>
 /// <param name="Filament">E: mm of filament; in place (From equals To) it may be negative.</param>
 /// <param name="Rate">F: mm/min; 0 if planning chooses.</param>
 public readonly record struct TurtleMove(Vec3 From, Vec3 To, bool Prints, double Filament, double Rate)

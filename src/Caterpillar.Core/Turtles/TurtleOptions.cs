@@ -10,16 +10,16 @@ public sealed record TurtleOptions
     /// <summary>Initial pose: X is forward, Y left, Z up; mm.</summary>
     public Frame Start { get; init; } = Frame.World;
 
-    /// <summary>The extrusion model that converts mm of filament to strands; for a print that of its setup.</summary>
+    /// <summary>The extrusion model that converts mm of filament to extrusions; for a print that of its setup.</summary>
     public ExtrusionModel Extrusion { get; init; } = new(ExtrusionUnit.Mm, 1.75);
 
     /// <summary>mm of filament per mm of path.</summary>
     public double Density { get; init; } = ExtrusionModel.DefaultFactor;
 
-    /// <summary>The initial strand, instead of the density; one without a speed uses the rate. Null for the density.</summary>
+    /// <summary>The initial extrusion, instead of the density; one without a speed uses the rate. Null for the density.</summary>
     public Bead? Bead { get; init; }
 
-    /// <summary>Shape of strands that are given by width and height; for a print that of its settings.</summary>
+    /// <summary>Shape of extrusions that are given by width and height; for a print that of its settings.</summary>
     public BeadShape Shape { get; init; } = BeadShape.Rectangle;
 
     /// <summary>Initial speed of moves with the pen down, mm/min.</summary>
@@ -37,7 +37,7 @@ public sealed record TurtleOptions
     /// <summary>Keeps the pose after every command, for previews; see <see cref="Turtle.Poses"/>.</summary>
     public bool KeepPoses { get; init; }
 
-    /// <summary>A turtle for a print: the extrusion model and strand shape of its setup, lifts as fast as the printer can.</summary>
+    /// <summary>A turtle for a print: the extrusion model and extrusion shape of its setup, lifts as fast as the printer can.</summary>
     public static TurtleOptions For(PrintSetup setup)
     {
         if (setup is null) throw new ArgumentNullException(nameof(setup));

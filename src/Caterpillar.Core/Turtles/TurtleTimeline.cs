@@ -45,7 +45,7 @@ public sealed class TurtleTimeline
         return heading.ToFrame(Vec3.Lerp(move.From, move.To, along));
     }
 
-    /// <summary>The strands printed up to a position along the path, 0 to 1, as polylines in order.</summary>
+    /// <summary>The extrusions printed up to a position along the path, 0 to 1, as polylines in order.</summary>
     public IReadOnlyList<IReadOnlyList<Vec3>> PrintedUntil(double part)
     {
         var runs = new List<IReadOnlyList<Vec3>>();

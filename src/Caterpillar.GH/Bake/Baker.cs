@@ -9,7 +9,7 @@ using Rhino.DocObjects;
 namespace Caterpillar.GH.Bake;
 
 /// <summary>
-/// Bakes what is printed on layers by object and role, each strand with its color, the width of its bead as plot weight and facts as user text; what is
+/// Bakes what is printed on layers by object and role, each extrusion with its color, the width of its bead as plot weight and facts as user text; what is
 /// baked under one name is one group.
 /// </summary>
 internal sealed class Baker(RhinoDoc document, ObjectAttributes attributes, List<Guid> ids)
@@ -34,35 +34,35 @@ internal sealed class Baker(RhinoDoc document, ObjectAttributes attributes, List
         Add(RhinoGeometry.ToCurve(path, _units), facts);
     }
 
-    /// <summary>One object for each strand of a toolpath: until the head travels, or role or layer change.</summary>
+    /// <summary>One object for each extrusion of a toolpath: until the head travels, or role or layer change.</summary>
     public void Add(Toolpath toolpath, bool beads, System.Threading.CancellationToken cancel = default)
     {
-        foreach (var strand in ToolpathStrands.Of(toolpath))
+        foreach (var extrusion in ToolpathExtrusions.Of(toolpath))
         {
             cancel.ThrowIfCancellationRequested();
-            var first = toolpath[strand.First];
+            var first = toolpath[extrusion.First];
             var layer = first.Layer >= 0 && first.Layer < toolpath.Layers.Count ? toolpath.Layers[first.Layer] : null;
             var facts = new Facts(first.Role, layer, "")
             {
                 Bead = toolpath.BeadOf(first), Speed = first.Speed, Source = first.Source,
                 SourceName = toolpath.Source == MoveSource.Lines ? "line" : "step",
             };
-            for (var i = strand.First; i < strand.End; i++)
+            for (var i = extrusion.First; i < extrusion.End; i++)
             {
                 var move = toolpath[i];
                 if (move.Kind != MoveKind.Print) continue;
                 facts.Length += move.Length;
                 facts.E += move.Deposited;
             }
-            if (beads) Add(StrandMeshes.ToMesh(StrandMesh.Of(toolpath, strand.First, strand.End), _units, null), facts);
-            else Add(ToolpathStrands.ToCurve(toolpath, strand, _units), facts);
+            if (beads) Add(ExtrusionMeshes.ToMesh(ExtrusionMesh.Of(toolpath, extrusion.First, extrusion.End), _units, null), facts);
+            else Add(ToolpathExtrusions.ToCurve(toolpath, extrusion, _units), facts);
         }
     }
 
     private void Add(Rg.GeometryBase? geometry, Facts facts)
     {
         if (geometry is null) return;
-        var role = facts.Role == Role.Unspecified ? "Strand" : facts.Role.ToString();
+        var role = facts.Role == Role.Unspecified ? "Extrusion" : facts.Role.ToString();
         var color = RhinoGeometry.ToColor(Palette.Of(facts.Role));
         var item = attributes.Duplicate();
         item.LayerIndex = BakeLayers.Find(document, facts.Layer?.Object is { Length: > 0 } name ? name : "Print", role, color);

@@ -23,7 +23,7 @@ internal static class DeformationPorts
             optional: true);
         ports.Text("Speed", "V", "Formula of the new speed in mm/s, in v (the old one) and the coordinates before the mapping, for example 0.5 * v.",
             optional: true);
-        ports.Number("Tolerance", "T", "Maximum deviation in mm; segments are divided to stay within it. 0 divides none.", 0.01);
+        ports.Number("Tolerance", "To", "Maximum deviation in mm; segments are divided to stay within it. 0 divides none.", 0.01);
     }
 
     public static Request Read(Run run, int first)

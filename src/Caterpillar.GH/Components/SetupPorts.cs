@@ -41,7 +41,7 @@ internal static class SetupPorts
     private static Printer? OfFile(ToolpathGoo goo)
     {
         if (goo.DecodedGCode is not { } file) return null;
-        var own = new Printer { Dialect = file.Dialect };
+        var own = new Printer { Flavor = file.Flavor };
         return SlicerLimits.Of(file.Settings, own) ?? own;
     }
 }

@@ -24,7 +24,7 @@ internal static class RhinoCurves
     /// <exception cref="InputProblem">The curve is not valid.</exception>
     public static Curve ToCurve(Rg.Curve curve, DocumentUnits units)
     {
-        // Polylines with doubled points call themselves invalid, and are mended here.
+        // Polylines with doubled points call themselves invalid, and are repaired here.
         if (curve.TryGetPolyline(out var polyline)) return ToPolyline(polyline, units);
         if (!curve.IsValid) throw new InputProblem("The curve is not valid.");
         if (curve.TryGetArc(out var arc)) return ToArc(arc, units);

@@ -7,7 +7,7 @@ using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 
-/// <summary>The strand of a path on a wire. A number is its width in mm, with the height of a standard layer; text is "width x height".</summary>
+/// <summary>The extrusion of a path on a wire. A number is its width in mm, with the height of a standard layer; text is "width x height".</summary>
 public sealed class BeadGoo : GH_Goo<Bead>
 {
     private static readonly char[] Separators = ['x', '×', ',', ';', ' '];
@@ -32,7 +32,7 @@ public sealed class BeadGoo : GH_Goo<Bead>
 
     public override string TypeName => "Bead";
 
-    public override string TypeDescription => "A strand: cross-section in mm², height in mm, speed in mm/s.";
+    public override string TypeDescription => "An extrusion: cross-section in mm², height in mm, speed in mm/s.";
 
     public override IGH_Goo Duplicate() => _isSet ? new BeadGoo(Value) : new BeadGoo();
 

@@ -29,7 +29,7 @@ internal static class NativeCasts
     public static object? Of(Toolpath toolpath, Type wanted, DocumentUnits units)
     {
         if (wanted != typeof(Rg.Mesh) && wanted != typeof(GH_Mesh)) return AsCurve(wanted, () => CurveJoiner.ToCurve(toolpath, units));
-        var mesh = StrandMeshes.ToMesh(StrandMesh.Of(toolpath, 0, toolpath.Count), units, null);
+        var mesh = ExtrusionMeshes.ToMesh(ExtrusionMesh.Of(toolpath, 0, toolpath.Count), units, null);
         if (mesh is null || wanted == typeof(Rg.Mesh)) return mesh;
         var goo = new GH_Mesh();
         return goo.CastFrom(mesh) ? goo : null;

@@ -66,7 +66,7 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>
 
     private protected override int SegmentCount => Value.SegmentCount;
 
-    /// <summary>A curve, line, polyline, arc or circle is printed with the strand and the division that Construct Print Path has by default.</summary>
+    /// <summary>A curve, line, polyline, arc or circle is printed with the extrusion and the division that Construct Print Path has by default.</summary>
     private protected override bool CastFromOther(object? source)
     {
         if (RhinoCurves.In(source) is not { } curve) return false;

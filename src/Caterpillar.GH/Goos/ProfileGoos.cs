@@ -23,7 +23,7 @@ public sealed class PrinterGoo(Printer? printer) : ProfileGoo<Printer>(printer)
 
     protected override string Describe(Printer value)
         => $"Printer ({value.Title}, {NumberFormatter.Format(value.BuildVolume.X, 1)} × {NumberFormatter.Format(value.BuildVolume.Y, 1)} × "
-            + $"{NumberFormatter.Format(value.BuildVolume.Z, 1)} mm, {value.Dialect.Title})";
+            + $"{NumberFormatter.Format(value.BuildVolume.Z, 1)} mm, {value.Flavor.Title})";
 
     private protected override Result<Printer> Find(ProfileLibrary library, string name) => library.Printer(name);
 

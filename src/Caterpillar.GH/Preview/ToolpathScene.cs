@@ -95,14 +95,14 @@ internal sealed class ToolpathScene : IDrawn
         foreach (var mesh in _meshes) display.DrawMeshFalseColors(mesh);
     }
 
-    // Where strands of walls begin.
+    // Where extrusions of walls begin.
     private static Rg.Point3d[] Seams(Toolpath toolpath, Func<int, bool> shown, DocumentUnits units)
     {
         var points = new List<Rg.Point3d>();
-        foreach (var strand in ToolpathStrands.Of(toolpath))
+        foreach (var extrusion in ToolpathExtrusions.Of(toolpath))
         {
-            if (toolpath[strand.First].Role is Role.OuterWall or Role.InnerWall && shown(strand.First))
-                points.Add(RhinoGeometry.ToPoint(toolpath[strand.First].Start, units));
+            if (toolpath[extrusion.First].Role is Role.OuterWall or Role.InnerWall && shown(extrusion.First))
+                points.Add(RhinoGeometry.ToPoint(toolpath[extrusion.First].Start, units));
         }
         return points.ToArray();
     }
@@ -119,7 +119,7 @@ internal sealed class ToolpathScene : IDrawn
             }
             var end = i;
             while (end < toolpath.Count && end - i < MovesPerMesh && shown(end)) end++;
-            if (StrandMeshes.ToMesh(StrandMesh.Of(toolpath, i, end), units, m => colors.Colors[colors.BandOf(m)]) is { } mesh) _meshes.Add(mesh);
+            if (ExtrusionMeshes.ToMesh(ExtrusionMesh.Of(toolpath, i, end), units, m => colors.Colors[colors.BandOf(m)]) is { } mesh) _meshes.Add(mesh);
             i = end;
         }
     }

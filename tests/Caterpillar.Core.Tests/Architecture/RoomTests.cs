@@ -9,7 +9,7 @@ namespace Caterpillar.Tests.Architecture;
 /// <summary>Reads the compiled Core and checks which of its rooms uses which.</summary>
 public class RoomTests
 {
-    private static readonly string[] Data = ["Basics", "Files", "Geometry", "Expressions", "Toolpaths", "Dialects", "Machines"];
+    private static readonly string[] Data = ["Basics", "Files", "Geometry", "Expressions", "Toolpaths", "Flavors", "Machines"];
 
     private static readonly Dictionary<string, string[]> Allowed = new()
     {
@@ -18,8 +18,8 @@ public class RoomTests
         ["Geometry"] = ["Basics", "Files"],
         ["Expressions"] = ["Basics", "Files"],
         ["Toolpaths"] = ["Basics", "Files", "Geometry", "Expressions"],
-        ["Dialects"] = ["Basics", "Files", "Geometry", "Expressions", "Toolpaths"],
-        ["Machines"] = ["Basics", "Files", "Geometry", "Expressions", "Toolpaths", "Dialects"],
+        ["Flavors"] = ["Basics", "Files", "Geometry", "Expressions", "Toolpaths"],
+        ["Machines"] = ["Basics", "Files", "Geometry", "Expressions", "Toolpaths", "Flavors"],
         ["Turtles"] = [.. Data, "Traces", "Shaping"],
         ["Traces"] = Data,
         ["Drawings"] = Data,

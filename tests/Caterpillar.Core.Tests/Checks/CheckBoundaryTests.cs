@@ -59,7 +59,7 @@ public class CheckBoundaryTests
     }
 
     [Test]
-    public void Material_in_place_has_no_flow_along_a_strand()
+    public void Material_in_place_has_no_flow_along_a_extrusion()
     {
         var setup = SmallPrint.Setup(p => p with { MaxFlow = 1 });
         var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, 0.2));
@@ -79,11 +79,11 @@ public class CheckBoundaryTests
         Assert.That(SmallPrint.Find(toolpath, setup, CheckCodes.Speed).Length, Is.EqualTo(found));
     }
 
-    [TestCase(CornerRule.Jerk, 1)]
-    [TestCase(CornerRule.SquareCornerVelocity, 0)]
-    public void Klipper_does_not_slow_down_a_strand_for_its_extruder(CornerRule rule, int found)
+    [TestCase(Cornering.Jerk, 1)]
+    [TestCase(Cornering.SquareCornerVelocity, 0)]
+    public void Klipper_does_not_slow_down_a_extrusion_for_its_extruder(Cornering rule, int found)
     {
-        var setup = SmallPrint.Setup(p => p with { CornerRule = rule, MaxSpeed = new(500, 500, 500, 0.1) });
+        var setup = SmallPrint.Setup(p => p with { Cornering = rule, MaxSpeed = new(500, 500, 500, 0.1) });
         Assert.That(Count(new SmallPrint().Print(20, 10, 0.2), CheckCodes.Speed, setup), Is.EqualTo(found));
     }
 
@@ -126,7 +126,7 @@ public class CheckBoundaryTests
     public void A_head_at_an_unknown_place_may_stand_still(string text, int found)
         => Assert.That(Count("M83\nM109 S200\n" + text + "\nM104 S0\n", CheckCodes.Stationary), Is.EqualTo(found));
 
-    // Of 40 moves with E, of 20 strands.
+    // Of 40 moves with E, of 20 extrusions.
     [TestCase(10, 0)]
     [TestCase(11, 1)]
     public void A_quarter_of_the_moves_may_pull_back(int wipes, int found)
@@ -138,7 +138,7 @@ public class CheckBoundaryTests
 
     [TestCase(10, 0)]
     [TestCase(11, 1)]
-    public void Half_of_the_strands_may_be_thick(int thick, int found)
+    public void Half_of_the_extrusions_may_be_thick(int thick, int found)
     {
         var text = new StringBuilder("G28\nM109 S200\nG90\nM83\nG1 X10 Y10 Z5\n");
         for (var i = 1; i <= 20; i++) text.Append("G1 X").Append(10 + i).Append(i <= thick ? " E1.2\n" : " E0.1\n");
@@ -146,7 +146,7 @@ public class CheckBoundaryTests
     }
 
     [Test]
-    public void Blobs_are_not_strands_that_no_nozzle_prints()
+    public void Blobs_are_not_extrusions_that_no_nozzle_prints()
     {
         var text = "G28\nM109 S200\nM83\nG1 X10 Y10 Z5\n" + string.Concat(Enumerable.Repeat("G1 E1\n", 30)) + "M104 S0\n";
         Assert.That(Count(text, CheckCodes.ExtrusionMode), Is.Zero);
@@ -166,7 +166,7 @@ public class CheckBoundaryTests
     [TestCase("", null)]
     public void A_file_with_any_start_code_must_home_and_heat(string start, string? code)
     {
-        var setup = SmallPrint.Setup(p => p with { StartTemplate = start.Length == 0 ? ValueList<string>.Empty : new(start) });
+        var setup = SmallPrint.Setup(p => p with { StartGCode = start.Length == 0 ? ValueList<string>.Empty : new(start) });
         var found = SafeWriter.ToDocument(new SmallPrint().Print(30, 10, 0.2).Build(), setup, "a test").Diagnostics.Select(d => d.Code).ToArray();
         if (code is null) Assert.That(found, Has.No.Member(CheckCodes.NoHoming).And.No.Member(CheckCodes.NoHeating));
         else Assert.That(found, Has.Member(code));
@@ -204,13 +204,13 @@ public class CheckBoundaryTests
         Assert.That(CountAsDetected(Code.Replace("Griffin", "Marlin"), CheckCodes.ColdExtrusion), Is.EqualTo(1));
     }
 
-    // A gap of 0.5 mm, and strands that go on after it without one.
+    // A gap of 0.5 mm, and extrusions that go on after it without one.
     [TestCase(SmallPrint.Area, 1)]
     [TestCase(0, 0)]
-    public void A_gap_between_strands_is_one_finding(double area, int found)
+    public void A_gap_between_extrusions_is_one_finding(double area, int found)
     {
         var print = new SmallPrint(50, 50, 0.2).Print(60, 50, 0.2, area).Go(60.5, 50, 0.2).Print(70, 50, 0.2, area).Print(80, 50, 0.2, area);
-        Assert.That(Count(print, CheckCodes.Gap, Setup), Is.EqualTo(found), "strokes of a pen have no strands");
+        Assert.That(Count(print, CheckCodes.Gap, Setup), Is.EqualTo(found), "strokes of a pen have no extrusions");
     }
 
     [Test]
@@ -240,11 +240,11 @@ public class CheckBoundaryTests
     [TestCase("X200.193 E200", 0, 0)]
     [TestCase("X199.801 E200", 0, 1)]
     [TestCase("X199.7 E200", 0, 1)]
-    public void An_edit_that_joins_moves_keeps_their_material(string strand, int amounts, int lengths)
+    public void An_edit_that_joins_moves_keeps_their_material(string extrusion, int amounts, int lengths)
     {
         const string Start = "G28\nM109 S200\nG90\nM83\nG1 X10 Y10 Z0.2 F3000\n";
         var wanted = SmallPrint.Decode(Encoding.ASCII.GetBytes(Start + "G1 X100 E100 F60\nG1 X200 E100\nM104 S0\n"), Setup);
-        var joined = GCodeDocument.FromText(Start + $"G1 {strand} F60\nM104 S0\n");
+        var joined = GCodeDocument.FromText(Start + $"G1 {extrusion} F60\nM104 S0\n");
         var findings = EditCheck.Run(wanted, wanted.Toolpath, joined, Setup, null, default);
         Assert.That(findings.Count(d => d.Code == CheckCodes.FileExtrusion), Is.EqualTo(amounts));
         Assert.That(findings.Count(d => d.Code == CheckCodes.FilePosition), Is.EqualTo(lengths));

@@ -5,7 +5,7 @@ using System.Text;
 using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -25,10 +25,11 @@ public class CheckDetailTests
         var print = new SmallPrint(50, 50, 4);
         foreach (var length in new[] { 8, 6, 20, 20.3, 12 }) print.Go(50, print.At.Y + 5, 4).Print(50 + length, print.At.Y, 4);
         var found = SmallPrint.Find(print.Build(), Setup, CheckCodes.Unsupported).Single();
-        Assert.That((found.Count, found.Message, found.Source!.Move), Is.EqualTo((5, "8 mm of a strand lie in the air with a free end.", 1)));
-        Assert.That((found.Worst!.Message, found.Worst.Source!.Move), Is.EqualTo(("20 mm of a strand lie in the air with a free end.", 5)), "20.3 is as bad");
-        Assert.That(found.ToString(), Is.EqualTo("step 1, move 1: warning strand.unsupported: 8 mm of a strand lie in the air with a free end. "
-            + "(5 times, the worst: step 5, move 5: 20 mm of a strand lie in the air with a free end.)"));
+        Assert.That((found.Count, found.Message, found.Source!.Move), Is.EqualTo((5, "8 mm of an extrusion lie in the air with a free end.", 1)));
+        Assert.That((found.Worst!.Message, found.Worst.Source!.Move), Is.EqualTo(("20 mm of an extrusion lie in the air with a free end.", 5)),
+            "20.3 is as bad");
+        Assert.That(found.ToString(), Is.EqualTo("step 1, move 1: warning extrusion.unsupported: 8 mm of an extrusion lie in the air with a free end. "
+            + "(5 times, the worst: step 5, move 5: 20 mm of an extrusion lie in the air with a free end.)"));
         var first = new SmallPrint(50, 50, 4).Print(70, 50, 4).Go(50, 60, 4).Print(60, 60, 4).Go(20, 20, 4);
         Assert.That(SmallPrint.Find(first.Build(), Setup, CheckCodes.Unsupported).Single().Worst, Is.Null, "it is the first");
     }
@@ -111,9 +112,9 @@ public class CheckDetailTests
     [TestCase("M200 D0", 1, "marlin2", "switches to E in mm of filament (M200)")]
     [TestCase("M200 S0", 1, "marlin2", "switches to E in mm of filament (M200)")]
     [TestCase("M200 D1.75", 2, "klipper", null)]
-    public void A_raw_line_that_makes_E_another_amount_is_named(string raw, double volumePerE, string dialect, string? word)
+    public void A_raw_line_that_makes_E_another_amount_is_named(string raw, double volumePerE, string flavor, string? word)
     {
-        var setup = SmallPrint.Setup(p => p with { Dialect = DialectTable.Find(dialect)! });
+        var setup = SmallPrint.Setup(p => p with { Flavor = FlavorTable.Find(flavor)! });
         var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, 0.2));
         builder.Add(new Vec3(30, 10, 0.2), 1, 1, 20, MoveKind.Print, Role.Unspecified, -1, 0, 0);
         builder.AddEvent(new RawEvent(raw), 1);
@@ -245,7 +246,7 @@ public class CheckDetailTests
         if (found > 0) Assert.That(list[0].Message, Does.StartWith("The nozzle hits clip 1 of the bed between ("));
     }
 
-    // The file of two strands and a travel, with one line changed.
+    // The file of two extrusions and a travel, with one line changed.
     [TestCase("X30", "X30.005", null)]
     [TestCase("X30", "X30.007", CheckCodes.FilePosition)]
     [TestCase("Y40", "Y40.007", CheckCodes.FilePosition)]

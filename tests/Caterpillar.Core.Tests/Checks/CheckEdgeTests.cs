@@ -36,7 +36,7 @@ public class CheckEdgeTests
     // Looked at each millimeter: pieces of 2 mm over a line with a gap of 0.3 mm at each centimeter.
     [TestCase(0.3, 1)]
     [TestCase(1.8, 0)]
-    public void Strands_in_each_others_place_may_have_small_gaps(double gap, int found)
+    public void Extrusions_in_each_others_place_may_have_small_gaps(double gap, int found)
     {
         var print = new SmallPrint(50, 50, 0.2);
         for (var x = 50; x < 80; x += 10) print.Go(x + gap / 2, 50, 0.2).Print(x + 10 - gap / 2, 50, 0.2).Go(print.At.X, 50, 5);
@@ -47,18 +47,18 @@ public class CheckEdgeTests
 
     [TestCase(0.6, "3")]
     [TestCase(0.47, "2.35")]
-    public void A_strand_is_as_wide_as_its_gap_says_whatever_its_layer(double area, string width)
+    public void An_extrusion_is_as_wide_as_its_gap_says_whatever_its_layer(double area, string width)
     {
         // In a layer of 0.1 mm, 0.2 above the bed.
         var setup = new PrintSetup(SmallPrint.Generic, new Material(), new PrintSettings { BeadShape = BeadShape.Rectangle });
         var print = new SmallPrint(50, 50, 0.2).InLayer(new Layer(0, 0.2, 0.1)).Print(70, 50, 0.2, area).Build();
-        Assert.That(SmallPrint.Find(print, setup, CheckCodes.Width).Single().Message, Does.StartWith($"Strands are {width} mm wide"));
+        Assert.That(SmallPrint.Find(print, setup, CheckCodes.Width).Single().Message, Does.StartWith($"Extrusions are {width} mm wide"));
     }
 
     [Test]
-    public void The_strand_of_an_arc_lies_along_the_arc()
+    public void The_extrusion_of_an_arc_lies_along_the_arc()
     {
-        // Half a ring of 10 mm, 1 mm above the bed on nothing; through its middle and through its strand.
+        // Half a ring of 10 mm, 1 mm above the bed on nothing; through its middle and through its extrusion.
         var ring = new SmallPrint(110, 100, 20).Go(110, 100, 5).Arc(90, 100, 5, new Vec3(100, 100, 5), 180, SmallPrint.Area).Go(90, 100, 50);
         var inside = ring.Go(100, 95, 50).Go(100, 95, 4.5).Go(100, 106, 4.5);
         Assert.That(SmallPrint.Find(inside.Build(), Setup, "collision."), Is.Empty);
@@ -74,12 +74,12 @@ public class CheckEdgeTests
 
     [TestCase(0.4)]
     [TestCase(30)]
-    public void Strands_of_any_length_keep_off_excluded_areas(double length)
+    public void Extrusions_of_any_length_keep_off_excluded_areas(double length)
     {
         var setup = SmallPrint.Setup(p => p with { ExcludedAreas = new(new Bounds(new Vec3(100, 50), new Vec3(140, 70))) });
         var found = SmallPrint.Find(new SmallPrint(105, 60, 0.2).Print(105 + length, 60, 0.2).Build(), setup, CheckCodes.PrintArea);
         Assert.That(found, Has.Exactly(1).Items);
-        Assert.That(SmallPrint.Find(new SmallPrint(105, 60, 0.2).Prime(0.1).Build(), setup, CheckCodes.PrintArea), Is.Empty, "a blob is no strand");
+        Assert.That(SmallPrint.Find(new SmallPrint(105, 60, 0.2).Prime(0.1).Build(), setup, CheckCodes.PrintArea), Is.Empty, "a blob is no extrusion");
     }
 
     [Test]
@@ -168,7 +168,7 @@ public class CheckEdgeTests
         Add(30, 0.6, 0.6, MoveKind.Print);
         Add(30, -0.8, 0, MoveKind.Retract);
         Add(50, 0, 0, MoveKind.Travel);
-        Add(50, 0.8, 0, MoveKind.Restore);
+        Add(50, 0.8, 0, MoveKind.Deretract);
         Add(70, 0.6, 0.6, MoveKind.Print);
         var result = SafeWriter.ToDocument(builder.Build([new ToolpathTool(SmallPrint.FilamentArea)]), setup);
         Assert.That(result.Diagnostics.Where(d => d.Code.StartsWith("file.", StringComparison.Ordinal)), Is.Empty);

@@ -41,16 +41,16 @@ public class CheckLimitsTests
         Expect(new SmallPrint(110, 45, 0.2).Arc(110, 65, 0.2, new Vec3(110, 55), 180, 0.08), CheckCodes.PrintArea, 1, 0, null, setup);
     }
 
-    // 5 mm free and 60 mm between supports; 4 mm above the bed. Lying ends at the fresh strand's cells.
+    // 5 mm free and 60 mm between supports; 4 mm above the bed. Lying ends at the fresh extrusion's cells.
     [TestCase(5, 0)]
     [TestCase(5.6, 1)]
-    public void A_strand_may_end_in_the_air_after_5_mm(double length, int found)
+    public void An_extrusion_may_end_in_the_air_after_5_mm(double length, int found)
         => Expect(new SmallPrint(50, 50, 4).Print(50 + length, 50, 4).Go(80, 80, 4), CheckCodes.Unsupported, found, 0,
-            found > 0 ? "5.6 mm of a strand lie in the air with a free end." : null);
+            found > 0 ? "5.6 mm of an extrusion lie in the air with a free end." : null);
 
     [TestCase(60, 0)]
     [TestCase(63, 1)]
-    public void A_strand_may_span_60_mm(double span, int found)
+    public void An_extrusion_may_span_60_mm(double span, int found)
     {
         var print = new SmallPrint().Wall(50, 50.4, 50, 2).Wall(50.4 + span, 50.8 + span, 50, 2).Go(50, 50, 20).Go(50, 50, 2.2);
         var bridge = print.Count;
@@ -62,17 +62,17 @@ public class CheckLimitsTests
 
     [TestCase(0.5, 0)]
     [TestCase(0.52, 1)]
-    public void A_strand_lies_on_what_is_within_two_layers_and_a_tenth(double z, int found)
+    public void An_extrusion_lies_on_what_is_within_two_layers_and_a_tenth(double z, int found)
         => Expect(new SmallPrint(50, 50, z).Print(70, 50, z), CheckCodes.Unsupported, found, 0);
 
-    // A strand of 0.08 mm², a quarter of its width aside at most.
+    // An extrusion of 0.08 mm², a quarter of its width aside at most.
     [TestCase(0, 1)]
     [TestCase(0.1, 1)]
     [TestCase(0.12, 0)]
     public void The_same_place_printed_twice_is_found(double aside, int found)
         => Expect(new SmallPrint(50, 50, 0.2).Print(100, 50, 0.2).Go(100, 50, 5).Go(50, 50 + aside, 0.2).Print(100, 50 + aside, 0.2), CheckCodes.Doubled, found,
             3,
-            found > 0 ? "Strands are printed in the place of others (move 0)." : null);
+            found > 0 ? "Extrusions are printed in the place of others (move 0)." : null);
 
     [TestCase(20, 0)]
     [TestCase(21.5, 1)]
@@ -84,7 +84,7 @@ public class CheckLimitsTests
     }
 
     [Test]
-    public void Crossing_strands_and_other_heights_are_not_doubled()
+    public void Crossing_extrusions_and_other_heights_are_not_doubled()
     {
         var print = new SmallPrint(50, 50, 0.2).Print(100, 50, 0.2).Go(100, 50, 5);
         for (var x = 51; x < 100; x++) print.Go(x, 40, 5).Go(x, 40, 0.2).Print(x, 60, 0.2).Go(x, 60, 5);
@@ -95,7 +95,7 @@ public class CheckLimitsTests
     [TestCase(0.0501, 0)]
     [TestCase(0.0499, 1)]
     [TestCase(0, 1)]
-    public void A_strand_needs_a_gap(double z, int found)
+    public void An_extrusion_needs_a_gap(double z, int found)
         => Expect(new SmallPrint(50, 50, z).Print(70, 50, z), CheckCodes.Squeezed, z == 0 ? 0 : found, 0);
 
     // A disc of 4 mm and 0.2 mm is 2.513 mm³.
@@ -110,7 +110,7 @@ public class CheckLimitsTests
     [TestCase(1.21, 1)]
     [TestCase(0.079, 1)]
     [TestCase(0.081, 0)]
-    public void Strands_have_a_width_for_their_nozzle(double width, int found)
+    public void Extrusions_have_a_width_for_their_nozzle(double width, int found)
     {
         var area = width > 0.2 && new PrintSettings().BeadShape == BeadShape.Stadium ? 0.2 * (width - 0.2) + Math.PI / 4 * 0.04
             : width > 0.2 || new PrintSettings().BeadShape == BeadShape.Rectangle ? width * 0.2 : Math.PI / 4 * width * width;
@@ -121,7 +121,7 @@ public class CheckLimitsTests
     // A ramp of 60 mm that rises by its height, a loop, and the same flow the other way round over it.
     [TestCase(true, 0)]
     [TestCase(false, 1)]
-    public void A_strand_that_runs_out_over_its_own_ramp_is_not_thin(bool ramp, int found)
+    public void An_extrusion_that_runs_out_over_its_own_ramp_is_not_thin(bool ramp, int found)
     {
         var print = new SmallPrint(50, 50, 0.2).InLayer(new Layer(0, 0.2, 0.2)).Print(150, 50, 0.2).Go(150, 50, 20).Go(50, 50, 20).Go(50, 50, 0.201);
         print.InLayer(new Layer(1, 0.4, 0.2));
@@ -138,7 +138,7 @@ public class CheckLimitsTests
     [TestCase(5, 0.6, 0)]
     [TestCase(5, 1.8, 0)]
     [TestCase(5, 1.9, 1)]
-    public void Without_layers_a_strand_is_as_high_as_its_gap(double gap, double area, int found)
+    public void Without_layers_a_extrusion_is_as_high_as_its_gap(double gap, double area, int found)
     {
         var setup = new PrintSetup(SmallPrint.Generic, new Material(), new PrintSettings { BeadShape = BeadShape.Rectangle });
         var print = new SmallPrint(50, 50, gap).Print(70, 50, gap, area);
@@ -198,20 +198,20 @@ public class CheckLimitsTests
             "501 mm³ are pushed out while the head stands still; Generic printer allows 500 mm³.");
     }
 
-    // 30 strands of 3 mm, of which so many pull back.
+    // 30 extrusions of 3 mm, of which so many pull back.
     [TestCase(7, 0)]
     [TestCase(8, 1)]
-    public void E_that_is_pulled_back_along_strands_is_in_the_other_mode(int wipes, int found)
+    public void E_that_is_pulled_back_along_extrusions_is_in_the_other_mode(int wipes, int found)
     {
         var text = new StringBuilder("G28\nM104 S200\nM109 S200\nG90\nM83\nG1 X10 Y10 Z0.2\n");
         for (var i = 1; i <= 30; i++) text.Append("G1 X").Append(10 + 3 * i).Append(i <= 30 - wipes ? " E0.1\n" : " E-0.1\n");
         Expect(text + "M104 S0\n", CheckCodes.ExtrusionMode, found, 7 + 30 - wipes);
     }
 
-    // Absolute E read as relative: the strands get thicker and thicker.
+    // Absolute E read as relative: the extrusions get thicker and thicker.
     [TestCase(0.9, 0)]
     [TestCase(1.2, 1)]
-    public void Strands_that_no_nozzle_prints_are_in_the_other_mode(double e, int found)
+    public void Extrusions_that_no_nozzle_prints_are_in_the_other_mode(double e, int found)
     {
         var text = new StringBuilder("G28\nM109 S200\nG90\nM83\nG1 X10 Y10 Z5\n");
         for (var i = 1; i <= 20; i++) text.Append("G1 X").Append(10 + i).Append(" E").Append(NumberFormatter.Format(e, 3)).Append('\n');
@@ -235,9 +235,9 @@ public class CheckLimitsTests
     }
 
     [Test]
-    public void Each_check_is_as_serious_as_the_printer_says([Values("off", "remark", "warning", "error")] string word)
+    public void Each_check_is_as_serious_as_the_printer_says([Values("off", "note", "warning", "error")] string word)
     {
-        var setup = Setup.With("check_severities=limit.flow=" + word + ",strand.gap=error", "max_flow_mm3_s=1").OrThrow();
+        var setup = Setup.With("check_severities=limit.flow=" + word + ",extrusion.gap=error", "max_flow_mm3_s=1").OrThrow();
         var print = new SmallPrint().Go(20, 10, 0.2).Print(30, 10, 0.2).Build();
         var found = PrintCheck.Run(print, setup).Where(d => d.Code == CheckCodes.Flow).ToArray();
         Assert.That(found.Select(d => d.Severity.ToString().ToLowerInvariant()), Is.EqualTo(word == "off" ? [] : new[] { word }));
@@ -246,7 +246,7 @@ public class CheckLimitsTests
     }
 
     [TestCase("limit.flaw=error", "\"limit.flaw=error\"")]
-    [TestCase("limit.flow", "needs off, remark, warning or error")]
+    [TestCase("limit.flow", "needs off, note, warning or error")]
     [TestCase("limit.flow=bad", "\"bad\"")]
     public void Severities_that_do_not_exist_are_errors(string value, string message)
     {

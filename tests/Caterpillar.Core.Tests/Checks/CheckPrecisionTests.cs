@@ -38,11 +38,11 @@ public class CheckPrecisionTests
         Assert.That(PrintCheck.Run(file, setup).Count(d => d.Code == CheckCodes.NoHeating), Is.EqualTo(found));
     }
 
-    // A thin strand over one that crosses it 0.05 mm below: there it is 0.2 mm wide, over the bed 0.05 mm.
+    // A thin extrusion over one that crosses it 0.05 mm below: there it is 0.2 mm wide, over the bed 0.05 mm.
     [TestCase(55, 0)]
     [TestCase(57.5, 1)]
     [TestCase(52.5, 1)]
-    public void A_thin_strand_is_as_wide_as_in_the_gap_below_its_middle(double crossing, int found)
+    public void A_thin_extrusion_is_as_wide_as_in_the_gap_below_its_middle(double crossing, int found)
     {
         var setup = Setup with { Settings = new PrintSettings { BeadShape = BeadShape.Rectangle } };
         var print = new SmallPrint(crossing, 40, 0.15).Print(crossing, 60, 0.15, 0.06).Go(50, 50, 5).Go(50, 50, 0.2).Print(60, 50, 0.2, 0.01);
@@ -51,7 +51,7 @@ public class CheckPrecisionTests
 
     // One that crosses at the same height lies beside it.
     [Test]
-    public void What_crosses_a_thin_strand_at_its_height_is_not_below_it()
+    public void What_crosses_a_thin_extrusion_at_its_height_is_not_below_it()
     {
         var setup = Setup with { Settings = new PrintSettings { BeadShape = BeadShape.Rectangle } };
         var print = new SmallPrint(55, 40, 0.15).Print(55, 60, 0.15, 0.06).Over(55, 40, 0.2).Print(55, 60, 0.2, 0.06).Over(50, 50, 0.2)

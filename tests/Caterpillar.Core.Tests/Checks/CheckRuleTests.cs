@@ -27,7 +27,7 @@ public class CheckRuleTests
 
     [TestCase(true, 0)]
     [TestCase(false, 1)]
-    public void A_gap_needs_a_straight_strand_before_it(bool arc, int found)
+    public void A_gap_needs_a_straight_extrusion_before_it(bool arc, int found)
     {
         var print = new SmallPrint(50, 50, 0.2).Print(60, 50, 0.2);
         if (arc) print.Arc(66, 50, 0.2, new Vec3(63, 46, 0.2), -74, SmallPrint.Area);
@@ -37,9 +37,9 @@ public class CheckRuleTests
     }
 
     [Test]
-    public void After_homing_a_strand_begins_anew_for_what_hangs()
+    public void After_homing_a_extrusion_begins_anew_for_what_hangs()
     {
-        // 4 mm at each side of a homing that ends where the strand was left; 5 mm may hang.
+        // 4 mm at each side of a homing that ends where the extrusion was left; 5 mm may hang.
         var print = new SmallPrint(50, 50, 20).Go(50, 50, 4).Print(54, 50, 4).Event(new HomeEvent()).Go(54, 50, 4).Print(58, 50, 4).Go(80, 80, 4);
         Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.Unsupported), Is.Empty);
         var through = new SmallPrint(50, 50, 20).Go(50, 50, 4).Print(54, 50, 4).Print(58, 50, 4).Go(80, 80, 4);
@@ -59,7 +59,7 @@ public class CheckRuleTests
     [TestCase(50.002, 1)]
     [TestCase(69.998, 1)]
     [TestCase(69.9995, 0)]
-    public void A_strand_along_the_edge_of_an_excluded_area_is_beside_it(double y, int found)
+    public void An_extrusion_along_the_edge_of_an_excluded_area_is_beside_it(double y, int found)
     {
         var setup = SmallPrint.Setup(p => p with { ExcludedAreas = new(new Bounds(new Vec3(50, 50), new Vec3(70, 70))) });
         foreach (var swap in new[] { false, true })
@@ -84,7 +84,7 @@ public class CheckRuleTests
         Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.Unsupported).Length, Is.EqualTo(found));
     }
 
-    // 10 mm of a strand of 0.04 mm.
+    // 10 mm of an extrusion of 0.04 mm.
     [TestCase(Role.OuterWall, 1)]
     [TestCase(Role.Infill, 1)]
     [TestCase(Role.Ironing, 0)]
@@ -120,7 +120,7 @@ public class CheckRuleTests
     }
 
     [Test]
-    public void A_strand_that_is_squeezed_onto_the_bed_stands_on_twice_its_width_at_most()
+    public void An_extrusion_that_is_squeezed_onto_the_bed_stands_on_twice_its_width_at_most()
     {
         // 20 mm of 0.08 mm², 0.05 mm above the bed, as if half a layer high: 16 mm².
         var print = new SmallPrint(50, 50, 0.05).Print(70, 50, 0.05);

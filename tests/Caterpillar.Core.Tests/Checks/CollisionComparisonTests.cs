@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Checks;
 
-/// <summary>Collisions of random prints against a search by brute force over points of moves and strands, which shares no code with the checks.</summary>
+/// <summary>Collisions of random prints against a search by brute force over points of moves and extrusions, which shares no code with the checks.</summary>
 public class CollisionComparisonTests
 {
     private const double Step = 0.1;
@@ -46,7 +46,7 @@ public class CollisionComparisonTests
         Assert.That((certain, free), Is.GreaterThan((4, 4)), "both kinds of prints were made");
     }
 
-    // Strands and travels in all directions in a space of 8 x 8 x 4 mm.
+    // Extrusions and travels in all directions in a space of 8 x 8 x 4 mm.
     private static SmallPrint Random(Random random)
     {
         var print = new SmallPrint(100 + 8 * random.NextDouble(), 100 + 8 * random.NextDouble(), 4);
@@ -61,7 +61,7 @@ public class CollisionComparisonTests
         return print;
     }
 
-    /// <summary>For each move whether it meets an earlier strand that is wider by <paramref name="margin"/> mm on each side.</summary>
+    /// <summary>For each move whether it meets an earlier extrusion that is wider by <paramref name="margin"/> mm on each side.</summary>
     private static bool[] Search(Toolpath toolpath, double margin)
     {
         var moves = toolpath.Moves().ToArray();
@@ -78,14 +78,14 @@ public class CollisionComparisonTests
         return hits;
     }
 
-    private static bool Meets(Move move, double moveEnd, Move strand, double strandEnd, Toolpath toolpath, double margin)
+    private static bool Meets(Move move, double moveEnd, Move extrusion, double extrusionEnd, Toolpath toolpath, double margin)
     {
-        var height = Height(strand);
-        var half = strand.Deposited * toolpath.VolumePerE(0)!.Value / strand.Length / height / 2;
+        var height = Height(extrusion);
+        var half = extrusion.Deposited * toolpath.VolumePerE(0)!.Value / extrusion.Length / height / 2;
         var tolerance = move.Kind == MoveKind.Print ? Math.Max(0.05, Height(move) / 2) : 0.05;
         // Outside the band only what is as high counts in both searches.
         var slack = margin > 0 ? 0.05 + 0.02 : -0.02;
-        int along = Count(move.Length), across = Count(strand.Length);
+        int along = Count(move.Length), across = Count(extrusion.Length);
         for (var a = 0; a <= along; a++)
         {
             var tip = Vec3.Lerp(move.Start, move.End, (double)a / along);
@@ -94,9 +94,9 @@ public class CollisionComparisonTests
             {
                 var t = (double)b / across;
                 // The fresh part is not there yet. Whether it begins a little sooner or later is in the band.
-                var since = done - (strandEnd - strand.Length * (1 - t));
+                var since = done - (extrusionEnd - extrusion.Length * (1 - t));
                 if (since < Lag + (margin > 0 ? -2 * Lag : 2 * Lag)) continue;
-                var top = Vec3.Lerp(strand.Start, strand.End, t);
+                var top = Vec3.Lerp(extrusion.Start, extrusion.End, t);
                 var reach = Reach(top.Z - tip.Z - tolerance + slack);
                 if (reach < 0) continue;
                 double dx = top.X - tip.X, dy = top.Y - tip.Y;
@@ -107,8 +107,8 @@ public class CollisionComparisonTests
         return false;
     }
 
-    // As the checks take it for a strand without a layer in the air or on the bed: the usual one, or down to the bed.
-    private static double Height(Move strand) => Math.Min(0.2, Math.Max(strand.Start.Z, strand.End.Z));
+    // As the checks take it for an extrusion without a layer in the air or on the bed: the usual one, or down to the bed.
+    private static double Height(Move extrusion) => Math.Min(0.2, Math.Max(extrusion.Start.Z, extrusion.End.Z));
 
     private static int Count(double length) => Math.Max(1, (int)Math.Ceiling(length / Step));
 

@@ -13,7 +13,7 @@ namespace Caterpillar.Tests.Checks;
 /// <summary>Planted collisions, each with the one move that must be found, and the same a little aside, where nothing must be.</summary>
 public class CollisionTests
 {
-    // Of a strand.
+    // Of an extrusion.
     private static readonly double Half = new Bead(SmallPrint.Area, 0.2).Width(new PrintSettings().BeadShape) / 2;
 
     // The flat of the tip is 0.5, the cone reaches (4, 6), the head (20, 12).
@@ -67,7 +67,7 @@ public class CollisionTests
     [TestCase(19, 20)]
     public void The_cone_passes_just_beside_a_wall_and_not_nearer(double below, double distance)
     {
-        // Strands far below the top of the print are asked for by their cells.
+        // Extrusions far below the top of the print are asked for by their cells.
         var margin = below > 14 ? 0.5 : 0.02;
         foreach (var (aside, hits) in new[] { (margin, 0), (-0.02, 1) })
         {
@@ -88,10 +88,10 @@ public class CollisionTests
         Assert.That(SmallPrint.Find(print.Build(), Plain, "collision.").Sum(d => d.Count), Is.EqualTo(hits));
     }
 
-    // Strands of 0.2 mm.
+    // Extrusions of 0.2 mm.
     [TestCase(0.099, 0)]
     [TestCase(0.101, 1)]
-    public void A_strand_may_be_printed_into_another_by_half_its_height(double depth, int hits)
+    public void An_extrusion_may_be_printed_into_another_by_half_its_height(double depth, int hits)
     {
         var print = new SmallPrint().Wall(60, 80, 50, 4).Go(70, 30, 200).Go(70, 30, 4 - depth).Print(70, 70, 4 - depth);
         Assert.That(SmallPrint.Find(print.Build(), Plain, "collision.nozzle").Sum(d => d.Count), Is.EqualTo(hits));
@@ -133,18 +133,18 @@ public class CollisionTests
     [Test]
     public void Where_the_nozzle_digs_into_a_slope_of_less_than_45_degrees_is_a_remark()
     {
-        // Strands side by side, 0.4 apart, each 0.2 lower than the one before: 27°.
+        // Extrusions side by side, 0.4 apart, each 0.2 lower than the one before: 27°.
         var print = new SmallPrint(50, 50, 5);
         for (var k = 0; k < 5; k++) print.Go(50, 50 + 0.4 * k, 5 - 0.2 * k).Print(60, 50 + 0.4 * k, 5 - 0.2 * k).Go(60, 50 + 0.4 * k, 100)
             .Go(50, 50 + 0.4 * k + 0.4, 100);
         var found = PrintCheck.Run(print.Build(), Plain).Where(d => d.Code.StartsWith("collision.", StringComparison.Ordinal)
             || d.Code == CheckCodes.DigsIn).ToArray();
-        Assert.That(found.Select(d => (d.Code, d.Severity)), Is.EqualTo(new[] { (CheckCodes.DigsIn, Severity.Remark) }));
+        Assert.That(found.Select(d => (d.Code, d.Severity)), Is.EqualTo(new[] { (CheckCodes.DigsIn, Severity.Note) }));
         Assert.That(found[0].Message,
             Is.EqualTo("The flat of the nozzle digs into a slope beside it by more than 0.05 mm between (50, 50.4, 100) and (50, 50.4, 4.8)."));
     }
 
-    // Straight down from the end of a strand, whose last 1.4 mm are fresh: after 0.7 mm its part up to 0.7 mm before the end is not any more, and the tip,
+    // Straight down from the end of an extrusion, whose last 1.4 mm are fresh: after 0.7 mm its part up to 0.7 mm before the end is not any more, and the tip,
     // 0.75 mm below, reaches 0.77 mm to its axis. A box of the head below 0.3 mm reaches as far.
     [TestCase(4.2, 0, "collision.travel")]
     [TestCase(4.31, 0, "")]
@@ -183,7 +183,7 @@ public class CollisionTests
     }
 
     [Test]
-    public void Its_own_fresh_strand_never_stands_in_the_path_of_the_nozzle()
+    public void Its_own_fresh_extrusion_never_stands_in_the_path_of_the_nozzle()
     {
         // A loop, a steep zigzag upward, straight up and on.
         var print = new SmallPrint().Print(20, 10, 0.2).Print(20, 20, 0.2).Print(10, 20, 0.2).Print(10, 10, 0.2).Go(10, 10, 0.4).Print(20, 10, 0.4);
@@ -249,14 +249,14 @@ public class CollisionTests
         return print.Go(100, print.At.Y, 200);
     }
 
-    // Around a circle of 5 mm and down by 1 mm a turn: after almost a turn the nozzle is below the strand of the turn before.
+    // Around a circle of 5 mm and down by 1 mm a turn: after almost a turn the nozzle is below the extrusion of the turn before.
     private static SmallPrint Spiral()
     {
         var print = new SmallPrint(105, 100, 30).Go(105, 100, 20);
         for (var k = 1; k <= 39; k++)
         {
             var (sin, cos) = Angle.SinCos(9.0 * k);
-            // From the move on which the flat of the tip comes to the first strand.
+            // From the move on which the flat of the tip comes to the first extrusion.
             if (k == 39) print.Expect(CheckCodes.NozzleHits);
             print.Print(100 + 5 * cos, 100 + 5 * sin, 20 - k / 40.0);
         }

@@ -13,7 +13,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Checks;
 
-/// <summary>What the written file does, judged by NetTopologySuite: strands stay in the section of their layer, and what leaves it is retracted.</summary>
+/// <summary>What the written file does, judged by NetTopologySuite: extrusions stay in the section of their layer, and what leaves it is retracted.</summary>
 public class CrossingTests
 {
     // mm that rounding and the simplifying of outlines may take.
@@ -22,7 +22,7 @@ public class CrossingTests
     private static readonly GeometryFactory Factory = new();
 
     [Test]
-    public void No_strand_crosses_a_hole_and_no_travel_a_wall_without_retraction(
+    public void No_extrusion_crosses_a_hole_and_no_travel_a_wall_without_retraction(
         [Values("plate_holes.stl", "tube_thin.stl", "torus.obj", "nested_boxes.obj")] string name, [Values(true, false)] bool infill)
     {
         var mesh = MeshReader.ReadMerged(TestData.Shared("meshes/" + name)).Value!.Moved(new Vec3(110, 110));
@@ -30,7 +30,7 @@ public class CrossingTests
         {
             Settings = new PrintSettings
             {
-                SkirtLoops = 0, RetractionMinTravel = 0, InfillPercent = infill ? 20 : 0, LayerHeight = 0.4, FirstLayerHeight = 0.4, LineWidth = 0.5,
+                SkirtLoops = 0, RetractionMinTravel = 0, InfillDensityPercent = infill ? 20 : 0, LayerHeight = 0.4, FirstLayerHeight = 0.4, LineWidth = 0.5,
             },
         };
         var sliced = PlanarSlicer.Slice([new NamedMesh(name, mesh)], setup.Settings).Value!;
@@ -41,21 +41,21 @@ public class CrossingTests
         var heights = sliced.Layers.Select(l => l.Layer.Z).ToArray();
         var sections = MeshSections.At(mesh, heights.Select(z => z - 0.2).ToArray()).Value!;
         var parts = heights.Zip(sections, (z, s) => (z, s)).ToDictionary(p => (int)Math.Round(p.z * 1000), p => PreparedGeometryFactory.Prepare(Part(p.s)));
-        // Nothing oozes before the first strand.
-        var (retracted, strands, travels) = (true, 0.0, 0.0);
+        // Nothing oozes before the first extrusion.
+        var (retracted, extrusions, travels) = (true, 0.0, 0.0);
         foreach (var move in decoded.Moves())
         {
             if (move.Kind is MoveKind.Retract or MoveKind.Wipe) retracted = true;
-            if (move.Kind is MoveKind.Restore or MoveKind.MovingRestore or MoveKind.Print) retracted = false;
+            if (move.Kind is MoveKind.Deretract or MoveKind.MovingDeretract or MoveKind.Print) retracted = false;
             if (move.Length < 0.01 || (move.Kind == MoveKind.Travel ? retracted : move.Kind != MoveKind.Print)) continue;
             if (move.Start.Z != move.End.Z || !parts.TryGetValue((int)Math.Round(move.End.Z * 1000), out var part)) continue;
             var outside = Outside(part, move);
-            if (move.Kind == MoveKind.Print) strands += move.Length;
+            if (move.Kind == MoveKind.Print) extrusions += move.Length;
             else travels += move.Length;
             Assert.That(outside, Is.LessThan(0.1), () => $"{move.Kind} {move.Role} from {move.Start} to {move.End}");
         }
-        Assert.That(strands, Is.GreaterThan(1000), "judged");
-        TestContext.Out.WriteLine($"{name}: {strands:F0} mm of strands, {travels:F0} mm of travels without retraction");
+        Assert.That(extrusions, Is.GreaterThan(1000), "judged");
+        TestContext.Out.WriteLine($"{name}: {extrusions:F0} mm of extrusions, {travels:F0} mm of travels without retraction");
     }
 
     private static double Outside(IPreparedGeometry part, Move move)

@@ -204,7 +204,7 @@ public class DangerousEditTests
             return null;
         }
 
-        // Cells of a quarter of a millimeter around the axis of a strand.
+        // Cells of a quarter of a millimeter around the axis of an extrusion.
         private static (int, int) Cell(double x, double y) => ((int)Math.Round(x * 4), (int)Math.Round(y * 4));
 
         private (double X, double Y, double Z) Machine() => (_at['X'] + _shift['X'], _at['Y'] + _shift['Y'], _at['Z'] + _shift['Z']);

@@ -9,13 +9,13 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Checks;
 
-/// <summary>Limits of strands at exactly their value: lengths in halves of a millimeter, which add up without rounding.</summary>
+/// <summary>Limits of extrusions at exactly their value: lengths in halves of a millimeter, which add up without rounding.</summary>
 public class ExactLimitTests
 {
     private const double Area = 0.0625;
     private static readonly PrintSetup Setup = SmallPrint.Setup();
 
-    // 16 mm of a strand 1 mm wide: the root of the area is 4 mm.
+    // 16 mm of an extrusion 1 mm wide: the root of the area is 4 mm.
     [TestCase(32, 0)]
     [TestCase(32.5, 1)]
     public void A_print_may_be_as_high_as_eight_roots_of_the_area_it_stands_on(double top, int found)
@@ -30,7 +30,7 @@ public class ExactLimitTests
 
     [TestCase(5, 0)]
     [TestCase(5.5, 1)]
-    public void The_free_end_of_a_strand_may_be_5_mm_long(double length, int found)
+    public void The_free_end_of_a_extrusion_may_be_5_mm_long(double length, int found)
     {
         Vec3 start = new(0, 0, 32), end = new(length, 0, 32);
         Assert.That(Found(CheckCodes.Unsupported, start, Area, (end, Role.Infill)), Is.EqualTo(found));
@@ -46,24 +46,24 @@ public class ExactLimitTests
     // 3 mm wide, with a nozzle of 0.4 mm.
     [TestCase(5, 0)]
     [TestCase(5.5, 1)]
-    public void Strands_may_be_too_wide_for_5_mm(double length, int found)
+    public void Extrusions_may_be_too_wide_for_5_mm(double length, int found)
         => Assert.That(Found(CheckCodes.Width, new Vec3(0, 0, 0.25), 0.75, (new Vec3(length, 0, 0.25), Role.Infill)), Is.EqualTo(found));
 
     [TestCase(4, 0)]
     [TestCase(4.5, 1)]
-    public void Strands_may_lie_in_the_place_of_others_for_20_mm(double length, int found)
+    public void Extrusions_may_lie_in_the_place_of_others_for_20_mm(double length, int found)
         => Assert.That(Found(CheckCodes.Doubled, new Vec3(0, 0, 0.25), Area, (new Vec3(16, 0, 0.25), Role.Infill),
             (new Vec3(16 + length, 0, 0.25), Role.Infill)), Is.EqualTo(found));
 
     // In a gap of 0.25 mm.
     [TestCase(0.4, 0)]
     [TestCase(0.4001, 1)]
-    public void A_strand_may_be_squeezed_to_four_nozzles(double area, int found)
+    public void An_extrusion_may_be_squeezed_to_four_nozzles(double area, int found)
         => Assert.That(Found(CheckCodes.Squeezed, new Vec3(0, 0, 0.25), area, (new Vec3(2, 0, 0.25), Role.Infill)), Is.EqualTo(found));
 
     [TestCase(0, 1)]
     [TestCase(1e-9, 0)]
-    public void Strands_that_turn_by_ten_degrees_at_a_gap_go_on(double more, int found)
+    public void Extrusions_that_turn_by_ten_degrees_at_a_gap_go_on(double more, int found)
     {
         const double Straight = 0.985;
         var findings = new Findings(Setup.Printer, _ => null, _ => null);
@@ -137,17 +137,17 @@ public class ExactLimitTests
         Assert.That((Count(most), Count(BitConverter.Int64BitsToDouble(BitConverter.DoubleToInt64Bits(most) + 1))), Is.EqualTo((0, 1)));
     }
 
-    // Strands 0.25 mm high that follow each other, above one that is printed along the X axis already.
-    private static int Found(string code, Vec3 start, double area, params (Vec3 End, Role Role)[] strands)
+    // Extrusions 0.25 mm high that follow each other, above one that is printed along the X axis already.
+    private static int Found(string code, Vec3 start, double area, params (Vec3 End, Role Role)[] extrusions)
     {
         var findings = new Findings(Setup.Printer, _ => null, _ => null);
         var printed = new PrintedSoFar(Setup, null);
         if (code == CheckCodes.Doubled) printed.Deposit.Add(new Vec3(-10, 0, 0.25), new Vec3(50, 0, 0.25), 0.25, 0);
-        var check = new StrandCheck(Setup, printed, findings);
-        foreach (var (end, role) in strands)
+        var check = new ExtrusionCheck(Setup, printed, findings);
+        foreach (var (end, role) in extrusions)
         {
             var length = start.DistanceTo(end);
-            check.Strand(new CheckedMove
+            check.Extrusion(new CheckedMove
             {
                 Start = start, End = end, StartKnown = true, Kind = MoveKind.Print, Role = role, Length = length, Deposited = length * area, Thickness = 0.25,
             });

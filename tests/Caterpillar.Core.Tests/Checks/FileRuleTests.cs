@@ -139,13 +139,13 @@ public class FileRuleTests
     [Test]
     public void Refusals_and_remarks_say_what_else_was_noticed()
     {
-        var other = new Diagnostic(Severity.Remark, "other", "Something else.");
+        var other = new Diagnostic(Severity.Note, "other", "Something else.");
         var error = new Diagnostic(Severity.Error, CheckCodes.Outside, "Out.", new SourceLocation(Line: 7));
         Assert.That(new WriteGuard([error], null).Refusal([other]).Select(d => d.Code), Is.EqualTo(new[] { CheckCodes.Outside, "other", SafeWriter.Refused }));
-        var remarks = new WriteGuard([error], "the bed is longer").Remarks([other]);
-        Assert.That(remarks.Select(d => (d.Code, d.Severity)), Is.EqualTo(new[] { (CheckCodes.Outside, Severity.Warning), ("other", Severity.Remark) }));
-        Assert.That(remarks[0].Source!.Line, Is.EqualTo(9), "after two lines of comments");
-        Assert.That(new WriteGuard([other with { Source = new SourceLocation(Line: 7) }], null).Remarks([])[0].Source!.Line, Is.EqualTo(7));
+        var notes = new WriteGuard([error], "the bed is longer").Notes([other]);
+        Assert.That(notes.Select(d => (d.Code, d.Severity)), Is.EqualTo(new[] { (CheckCodes.Outside, Severity.Warning), ("other", Severity.Note) }));
+        Assert.That(notes[0].Source!.Line, Is.EqualTo(9), "after two lines of comments");
+        Assert.That(new WriteGuard([other with { Source = new SourceLocation(Line: 7) }], null).Notes([])[0].Source!.Line, Is.EqualTo(7));
     }
 
     [Test]

@@ -15,7 +15,7 @@ namespace Caterpillar.Tests.Checks;
 [Category("Runtime")]
 public sealed class FollowedChecksTests
 {
-    private static readonly PrintSetup Setup = SmallPrint.Setup(p => p with { ProgressLines = false });
+    private static readonly PrintSetup Setup = SmallPrint.Setup(p => p with { ProgressCommands = false });
 
     [TestCase(0.2)]
     [TestCase(0)]
@@ -82,7 +82,7 @@ public sealed class FollowedChecksTests
 
     private const double At = 35;
 
-    // Lines of 2 mm beside each other in layers; a travel through what is printed near the beginning, twice near the end, and strands in the air.
+    // Lines of 2 mm beside each other in layers; a travel through what is printed near the beginning, twice near the end, and extrusions in the air.
     private static Toolpath Long(double thickness)
     {
         const int Lines = 1100, Layers = 62;
@@ -104,7 +104,7 @@ public sealed class FollowedChecksTests
     }
 
     private static bool IsOfPrints(Diagnostic d)
-        => d.Code.StartsWith("strand.", StringComparison.Ordinal) || d.Code.StartsWith("collision.", StringComparison.Ordinal);
+        => d.Code.StartsWith("extrusion.", StringComparison.Ordinal) || d.Code.StartsWith("collision.", StringComparison.Ordinal);
 
     private static (string Code, Severity Severity, int Count, int? Line, string Message) Told(Diagnostic d)
         => (d.Code, d.Severity, d.Count, d.Source?.Line, d.Message);

@@ -63,7 +63,7 @@ public class HeadRuleTests
         Assert.That((Hits(x + 0.005, y + 0.005), Hits(x - 0.005, y - 0.005)), Is.EqualTo((true, false)), "corner");
     }
 
-    // A short strand 5 mm above the bed, and a box 10 mm to the left of the tip, 2 mm above it: it comes over the strand when that is no longer fresh.
+    // A short extrusion 5 mm above the bed, and a box 10 mm to the left of the tip, 2 mm above it: it comes over the extrusion when that is no longer fresh.
     [TestCase(0, 1)]
     [TestCase(3.5, 0)]
     public void What_was_fresh_at_the_start_of_a_move_is_hit_farther_on(double down, int found)
@@ -76,7 +76,7 @@ public class HeadRuleTests
         Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.HeadHits).Sum(d => d.Count), Is.EqualTo(found));
     }
 
-    // A head that is flat and wide half a millimeter above its tip: it sinks by 2 mm while it goes away from a short strand.
+    // A head that is flat and wide half a millimeter above its tip: it sinks by 2 mm while it goes away from a short extrusion.
     [TestCase(8, 1)]
     [TestCase(9.9, 0)]
     public void A_wide_head_that_sinks_hits_what_was_fresh(double down, int found)
@@ -110,7 +110,7 @@ public class HeadRuleTests
         Assert.That(SmallPrint.Find(new SmallPrint(105, 90, 20).Go(105, 90, 3.01).Build(), setup, CheckCodes.ClipHit), Is.Empty);
     }
 
-    // A probe that hangs 3 mm below the tip, 10 mm aside; a strand 5 mm above the bed.
+    // A probe that hangs 3 mm below the tip, 10 mm aside; an extrusion 5 mm above the bed.
     [TestCase(7.9, 1)]
     [TestCase(8.1, 0)]
     public void A_box_below_the_tip_hits_what_the_tip_passes_over(double z, int found)
@@ -121,7 +121,7 @@ public class HeadRuleTests
     }
 
     [Test]
-    public void A_box_that_goes_on_through_strands_is_one_finding_for_each_move()
+    public void A_box_that_goes_on_through_extrusions_is_one_finding_for_each_move()
     {
         var setup = SmallPrint.Setup(p
             => p with { HeadOutline = new(new HeadPoint(0.5, 0)), HeadBoxes = new(new Bounds(new Vec3(-1, 9, 1), new Vec3(1, 11, 9))) });
@@ -145,7 +145,7 @@ public class HeadRuleTests
         Assert.That(SmallPrint.Find(new SmallPrint(x, y, 20).Go(x, y, 4.9).Build(), setup, CheckCodes.ClipHit).Length, Is.EqualTo(found));
     }
 
-    // Narrower along X than its strands would be.
+    // Narrower along X than its extrusions would be.
     [TestCase(49.2, 0)]
     [TestCase(50.1, 1)]
     [TestCase(51, 0)]
@@ -170,7 +170,7 @@ public class HeadRuleTests
     }
 
     [Test]
-    public void The_first_strand_of_a_print_can_be_hit_and_is_named()
+    public void The_first_extrusion_of_a_print_can_be_hit_and_is_named()
     {
         var print = new SmallPrint(50, 50, 5).Print(70, 50, 5).Go(70, 50, 50).Go(60, 40, 50).Go(60, 40, 4.5).Go(60, 60, 4.5);
         Assert.That(SmallPrint.Find(print.Build(), SmallPrint.Setup(), "collision.").Single().Message,
@@ -180,17 +180,17 @@ public class HeadRuleTests
     [Test]
     public void What_the_nozzle_just_leaves_may_be_touched()
     {
-        // Straight down into the end of its strand; and after a way of 300 mm.
+        // Straight down into the end of its extrusion; and after a way of 300 mm.
         var print = new SmallPrint(50, 50, 3).Print(70, 50, 3);
         Assert.That(SmallPrint.Find(print.Go(70, 50, 2.5).Build(), SmallPrint.Setup(), "collision."), Is.Empty);
         var later = new SmallPrint(50, 50, 3).Print(70, 50, 3).Go(70, 50, 150).Go(70, 50, 2.5);
         Assert.That(SmallPrint.Find(later.Build(), SmallPrint.Setup(), "collision.").Single().Source!.Move, Is.EqualTo(2));
     }
 
-    // A pen draws without material: no half of a strand excuses it.
+    // A pen draws without material: no half of an extrusion excuses it.
     [TestCase(2.96, 0)]
     [TestCase(2.9, 1)]
-    public void A_stroke_without_material_may_not_go_through_strands(double z, int found)
+    public void A_stroke_without_material_may_not_go_through_extrusions(double z, int found)
     {
         var print = new SmallPrint(50, 50, 3).Print(70, 50, 3).Go(70, 50, 50).Go(60, 40, 50).Go(60, 40, z).Print(60, 60, z, 0);
         Assert.That(SmallPrint.Find(print.Build(), SmallPrint.Setup(), CheckCodes.NozzleHits).Sum(d => d.Count), Is.EqualTo(found));

@@ -11,10 +11,10 @@ namespace Caterpillar.Tests.Checks;
 /// <summary>Speeds against the limits in force: of the printer, and as the file has set them.</summary>
 public class MotionLimitCheckTests
 {
-    private static readonly PrintSetup Marlin = SmallPrint.Setup(p => p with { CornerRule = CornerRule.Jerk, MaxSpeed = new(200, 150, 10, 40) });
+    private static readonly PrintSetup Marlin = SmallPrint.Setup(p => p with { Cornering = Cornering.Jerk, MaxSpeed = new(200, 150, 10, 40) });
 
     private static readonly PrintSetup Klipper =
-        SmallPrint.Setup(p => p with { CornerRule = CornerRule.SquareCornerVelocity, MaxSpeed = new(200, 150, 10, 40) });
+        SmallPrint.Setup(p => p with { Cornering = Cornering.SquareCornerVelocity, MaxSpeed = new(200, 150, 10, 40) });
 
     // Of filament in place.
     [TestCase(40, 0)]
@@ -25,14 +25,14 @@ public class MotionLimitCheckTests
         {
             var list = SmallPrint.Find(InPlace(speed), setup, CheckCodes.TravelSpeed);
             Assert.That(list.Select(d => (d.Severity, d.Message)), Is.EqualTo(Enumerable.Repeat(
-                (Severity.Remark, "The extruder asks for 41 mm/s; Generic printer turns it at 40 mm/s and will slow down."), found)));
+                (Severity.Note, "The extruder asks for 41 mm/s; Generic printer turns it at 40 mm/s and will slow down."), found)));
         }
     }
 
-    // Half a millimeter of filament for each of the strand: 40 mm/s of the extruder are 80 of the head. Klipper lets the head decide.
+    // Half a millimeter of filament for each of the extrusion: 40 mm/s of the extruder are 80 of the head. Klipper lets the head decide.
     [TestCase(79.5, 0)]
     [TestCase(80.5, 1)]
-    public void A_strand_is_as_fast_as_the_extruder_can_follow(double speed, int found)
+    public void An_extrusion_is_as_fast_as_the_extruder_can_follow(double speed, int found)
     {
         var print = new SmallPrint().Print(30, 10, 0.2, SmallPrint.FilamentArea / 2, Role.Unspecified, speed).Build();
         Assert.That(SmallPrint.Find(print, Marlin, CheckCodes.Speed).Sum(d => d.Count), Is.EqualTo(found));
@@ -61,8 +61,8 @@ public class MotionLimitCheckTests
     {
         foreach (var (setup, most) in new[] { (Marlin, marlin), (Klipper, klipper) })
         {
-            Assert.That(SmallPrint.Find(Strand(x, y, most), setup, CheckCodes.Speed), Is.Empty);
-            Assert.That(SmallPrint.Find(Strand(x, y, most + 0.1), setup, CheckCodes.Speed), Has.Exactly(1).Items);
+            Assert.That(SmallPrint.Find(Extrusion(x, y, most), setup, CheckCodes.Speed), Is.Empty);
+            Assert.That(SmallPrint.Find(Extrusion(x, y, most + 0.1), setup, CheckCodes.Speed), Has.Exactly(1).Items);
         }
     }
 
@@ -89,7 +89,7 @@ public class MotionLimitCheckTests
         var found = SmallPrint.Find(print.Build(), Marlin, "limit.");
         Assert.That(found.Select(d => (d.Code, d.Severity, d.Count, d.Source!.Move, d.Message)), Is.EqualTo(new[]
         {
-            (CheckCodes.Raised, Severity.Remark, 1, (int?)0, "The greatest speed of X is raised to 400 mm/s; Generic printer has 200 mm/s."),
+            (CheckCodes.Raised, Severity.Note, 1, (int?)0, "The greatest speed of X is raised to 400 mm/s; Generic printer has 200 mm/s."),
             (CheckCodes.Speed, Severity.Warning, 2, 1, "A move asks for 300 mm/s; Generic printer moves for 200 mm/s, a limit that the file has raised."),
         }));
     }
@@ -99,7 +99,7 @@ public class MotionLimitCheckTests
     {
         // 0.08 mm² at 100 mm/s are 8 mm³/s, at 50 they are 4.
         var setup = Marlin with { Printer = Marlin.Printer with { MaxFlow = 6, MaxSpeed = new(50, 50, 50, 50) } };
-        Assert.That(SmallPrint.Find(Strand(20, 0, 100), setup, CheckCodes.Flow), Is.Empty, "the axis slows it down");
+        Assert.That(SmallPrint.Find(Extrusion(20, 0, 100), setup, CheckCodes.Flow), Is.Empty, "the axis slows it down");
         var raised = new SmallPrint().Event(new LimitEvent(MotionLimit.SpeedX, 200)).Print(30, 10, 0.2, speed: 100).Build();
         Assert.That(SmallPrint.Find(raised, setup, CheckCodes.Flow).Single().Message, Does.StartWith("A move asks for 8 mm³/s"));
     }
@@ -119,11 +119,11 @@ public class MotionLimitCheckTests
     public void Each_limit_of_the_own_firmware_may_be_set_to_that_of_the_printer_and_no_higher(Enum named, double most, string name, string rules)
     {
         var limit = (MotionLimit)named;
-        foreach (var (rule, letter) in new[] { (CornerRule.Jerk, 'J'), (CornerRule.JunctionDeviation, 'K'), (CornerRule.SquareCornerVelocity, 'S') })
+        foreach (var (rule, letter) in new[] { (Cornering.Jerk, 'J'), (Cornering.JunctionDeviation, 'K'), (Cornering.SquareCornerVelocity, 'S') })
         {
             var setup = SmallPrint.Setup(p => p with
             {
-                CornerRule = rule, MaxSpeed = new(200, 150, 10, 40), Jerk = new(8, 7, 0.5, 4), JunctionDeviation = 0.02, SquareCornerVelocity = 6,
+                Cornering = rule, MaxSpeed = new(200, 150, 10, 40), Jerk = new(8, 7, 0.5, 4), JunctionDeviation = 0.02, SquareCornerVelocity = 6,
                 MinimumCruiseRatio = 0.3,
             });
             Assert.That(Raised(setup, limit, most), Is.Empty);
@@ -134,12 +134,12 @@ public class MotionLimitCheckTests
         }
     }
 
-    [TestCase(MotionLimit.JunctionDeviation, CornerRule.JunctionDeviation, 0.02, "The junction deviation is raised to 0.05 mm; Generic printer has 0.02 mm.")]
-    [TestCase(MotionLimit.JerkE, CornerRule.Jerk, 5, "The jerk of E is raised to 12.5 mm/s; Generic printer has 5 mm/s.")]
-    public void What_is_raised_is_told_in_its_unit(Enum named, CornerRule rule, double own, string message)
+    [TestCase(MotionLimit.JunctionDeviation, Cornering.JunctionDeviation, 0.02, "The junction deviation is raised to 0.05 mm; Generic printer has 0.02 mm.")]
+    [TestCase(MotionLimit.JerkE, Cornering.Jerk, 5, "The jerk of E is raised to 12.5 mm/s; Generic printer has 5 mm/s.")]
+    public void What_is_raised_is_told_in_its_unit(Enum named, Cornering rule, double own, string message)
     {
         var limit = (MotionLimit)named;
-        var setup = SmallPrint.Setup(p => p with { CornerRule = rule, JunctionDeviation = 0.02, Jerk = new(5, 5, 5, 5) });
+        var setup = SmallPrint.Setup(p => p with { Cornering = rule, JunctionDeviation = 0.02, Jerk = new(5, 5, 5, 5) });
         Assert.That(Raised(setup, limit, own * 2.5).Single().Message, Is.EqualTo(message));
     }
 
@@ -164,14 +164,14 @@ public class MotionLimitCheckTests
     private static Diagnostic[] Raised(PrintSetup setup, MotionLimit limit, double value)
         => SmallPrint.Find(new SmallPrint().Event(new LimitEvent(limit, value)).Go(12, 10, 0.2).Build(), setup, CheckCodes.Raised);
 
-    private static Toolpath Strand(double x, double y, double speed) => new SmallPrint().Print(10 + x, 10 + y, 0.2, speed: speed).Build();
+    private static Toolpath Extrusion(double x, double y, double speed) => new SmallPrint().Print(10 + x, 10 + y, 0.2, speed: speed).Build();
 
     private static Toolpath InPlace(double speed)
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, new(10, 10, 0.2));
         builder.Add(new(10, 10, 0.2), -1, 0, speed, MoveKind.Retract, Role.Unspecified, -1, 0, 0);
         // Firmware retraction goes by its own speed.
-        builder.Add(new(10, 10, 0.2), 0, 0, 500, MoveKind.Restore, Role.Unspecified, -1, 0, 1);
+        builder.Add(new(10, 10, 0.2), 0, 0, 500, MoveKind.Deretract, Role.Unspecified, -1, 0, 1);
         return builder.Build([new ToolpathTool(SmallPrint.FilamentArea)]);
     }
 

@@ -38,9 +38,9 @@ public sealed class OwnCheckTests
         Assert.That(seen.Count, Is.EqualTo(ToolpathBlock.Capacity + 100));
     }
 
-    private static PrintSetup WithLongest(double most) => SmallPrint.Setup() with { OwnChecks = new(() => new LongStrands(most)) };
+    private static PrintSetup WithLongest(double most) => SmallPrint.Setup() with { OwnChecks = new(() => new LongExtrusions(most)) };
 
-    private sealed class LongStrands(double most) : IOwnCheck
+    private sealed class LongExtrusions(double most) : IOwnCheck
     {
         public Diagnostic? Look(in Move move)
             => move.Kind == MoveKind.Print && move.Length > most

@@ -31,9 +31,9 @@ public class PlanComparisonTests
         var list = Compare(plan, text =>
         {
             var lines = text.Split('\n');
-            var strands = Enumerable.Range(0, lines.Length).Where(i => lines[i].Contains(" E0.5")).ToArray();
+            var extrusions = Enumerable.Range(0, lines.Length).Where(i => lines[i].Contains(" E0.5")).ToArray();
             for (var k = 0; k < 4; k++)
-                if ((k % 2 == 0 ? first : second) > k / 2) lines[strands[k]] = lines[strands[k]].Replace("E0.5", "E0.50001");
+                if ((k % 2 == 0 ? first : second) > k / 2) lines[extrusions[k]] = lines[extrusions[k]].Replace("E0.5", "E0.50001");
             return string.Join("\n", lines);
         });
         Assert.That(list.Select(d => d.Code), Is.EqualTo(Enumerable.Repeat(CheckCodes.FileExtrusion, found)));

@@ -23,21 +23,21 @@ public sealed class PrintPipelineTests
 {
     private const int Layers = 40;
 
-    private static PrintSetup Plain => SmallPrint.Setup(p => p with { RetractionDistance = 0.8 });
+    private static PrintSetup Plain => SmallPrint.Setup(p => p with { RetractionLength = 0.8 });
 
     private static IEnumerable<TestCaseData> Setups()
     {
         yield return new TestCaseData(Plain).SetArgDisplayNames("time and progress are told");
-        yield return new TestCaseData(SmallPrint.Setup(p => p with { ProgressLines = false })).SetArgDisplayNames("no progress");
+        yield return new TestCaseData(SmallPrint.Setup(p => p with { ProgressCommands = false })).SetArgDisplayNames("no progress");
         yield return new TestCaseData(SmallPrint.Setup(p
-            => p with { StartTemplate = new ValueList<string>(["G28", "G1 Z2 F600", "G1 X5 Y5 Z0.3", "G1 X15 E1"]) }))
+            => p with { StartGCode = new ValueList<string>(["G28", "G1 Z2 F600", "G1 X5 Y5 Z0.3", "G1 X15 E1"]) }))
             .SetArgDisplayNames("start code");
-        yield return new TestCaseData(SmallPrint.Setup(p => p with { StartTemplate = new ValueList<string>(["G28", "G1 Z{print_max_z_mm}"]) }))
+        yield return new TestCaseData(SmallPrint.Setup(p => p with { StartGCode = new ValueList<string>(["G28", "G1 Z{print_max_z_mm}"]) }))
             .SetArgDisplayNames("measured");
         yield return new TestCaseData(SmallPrint.Setup(p
-            => p with { ExtrusionMode = ExtrusionMode.Absolute, LayerTemplate = new ValueList<string>(["M117 {layer}"]) }))
+            => p with { ExtrusionMode = ExtrusionMode.Absolute, LayerChangeGCode = new ValueList<string>(["M117 {layer}"]) }))
             .SetArgDisplayNames("absolute E, layer template");
-        yield return new TestCaseData(Plain with { Settings = new PrintSettings { LayerWait = LayerWait.Away, MinLayerTime = 300 } })
+        yield return new TestCaseData(Plain with { Settings = new PrintSettings { LayerTimeWait = LayerTimeWait.NextTo, MinLayerTime = 300 } })
             .SetArgDisplayNames("layers wait");
     }
 
@@ -143,11 +143,11 @@ public sealed class PrintPipelineTests
     {
         var print = new SmallPrint().Print(20, 10, 0.2).Build();
         PrintDraft? Begin(Func<Printer, Printer> change) => PrintDraft.Begin(print, SmallPrint.Setup(change), default);
-        using var plain = Begin(p => p with { StartTemplate = new ValueList<string>(["G28"]), EndTemplate = new ValueList<string>(["G1 Z{print_max_z_mm}"]) });
+        using var plain = Begin(p => p with { StartGCode = new ValueList<string>(["G28"]), EndGCode = new ValueList<string>(["G1 Z{print_max_z_mm}"]) });
         Assert.That(plain, Is.Not.Null);
-        Assert.That(Begin(p => p with { StartTemplate = new ValueList<string>(["G1 X{print_min_x_mm}"]) }), Is.Null);
-        Assert.That(Begin(p => p with { LayerTemplate = new ValueList<string>(["M117 {layer} of {layer_count}"]) }), Is.Null);
-        Assert.That(Begin(p => p with { ToolChangeTemplate = new ValueList<string>(["M117 {filament_used_mm}"]) }), Is.Null);
+        Assert.That(Begin(p => p with { StartGCode = new ValueList<string>(["G1 X{print_min_x_mm}"]) }), Is.Null);
+        Assert.That(Begin(p => p with { LayerChangeGCode = new ValueList<string>(["M117 {layer} of {layer_count}"]) }), Is.Null);
+        Assert.That(Begin(p => p with { ToolChangeGCode = new ValueList<string>(["M117 {filament_used_mm}"]) }), Is.Null);
     }
 
     [Test]
@@ -176,8 +176,8 @@ public sealed class PrintPipelineTests
     public void What_is_wrong_with_steps_is_told_once_and_nothing_is_written()
     {
         using var pipeline = new PrintPipeline(Plain);
-        pipeline.Add([Strand(0, 10, 10, 20)]);
-        pipeline.Add([(Step)Strand(1, 10, 10, 20).Path.With(tool: 3)]);
+        pipeline.Add([Extrusion(0, 10, 10, 20)]);
+        pipeline.Add([(Step)Extrusion(1, 10, 10, 20).Path.With(tool: 3)]);
         var plan = pipeline.Finish();
         Assert.That(plan.Value, Is.Null);
         Assert.That(plan.Diagnostics.Single().Code, Is.EqualTo("plan.unknown_tool"));
@@ -201,15 +201,15 @@ public sealed class PrintPipelineTests
             var place = new Layer(layer, z, 0.2, "comb");
             var steps = new List<Step> { new PathStep(new PrintPath(points, new Bead(SmallPrint.Area, 0.2)).With(Role.Infill, place),
                 new StepGroup(layer, 1)) };
-            if (layer % 9 == 4) steps.Add(Strand(layer, 100, 20, 112));
-            if (doubled && layer > 10 && layer % 9 == 4) steps.AddRange([Strand(layer, 60, 60, 120, 2), Strand(layer, 60, 60, 120, 3)]);
-            steps.Add(Strand(layer, 40, 40, 70));
+            if (layer % 9 == 4) steps.Add(Extrusion(layer, 100, 20, 112));
+            if (doubled && layer > 10 && layer % 9 == 4) steps.AddRange([Extrusion(layer, 60, 60, 120, 2), Extrusion(layer, 60, 60, 120, 3)]);
+            steps.Add(Extrusion(layer, 40, 40, 70));
             layers[layer] = steps;
         }
         return layers;
     }
 
-    private static PathStep Strand(int layer, double x, double y, double to, int rank = 0)
+    private static PathStep Extrusion(int layer, double x, double y, double to, int rank = 0)
     {
         var z = 0.2 * (layer + 1);
         var path = new PrintPath([new Vec3(x, y, z), new Vec3(to, y, z)], new Bead(SmallPrint.Area, 0.2))

@@ -21,18 +21,18 @@ public class PrintedOnTests
     private static readonly PrintSetup OnRamp = SmallPrint.Setup() with { PrintedOn = Ramp };
 
     [Test]
-    public void A_strand_on_the_object_is_supported_and_collides_with_nothing()
+    public void An_extrusion_on_the_object_is_supported_and_collides_with_nothing()
     {
         var print = new SmallPrint().Over(25, 30, 3.45).Print(55, 30, 10.95).Over(25, 31, 3.45).Print(55, 31, 10.95).Over(0, 0, 200).Build();
         Assert.That(SmallPrint.Find(print, OnRamp, "").Select(d => d.ToString()), Is.Empty);
-        Assert.That(SmallPrint.Find(print, SmallPrint.Setup(), "strand.").Select(d => d.Code), Is.EqualTo(new[] { CheckCodes.Unsupported }));
+        Assert.That(SmallPrint.Find(print, SmallPrint.Setup(), "extrusion.").Select(d => d.Code), Is.EqualTo(new[] { CheckCodes.Unsupported }));
     }
 
     [Test]
-    public void A_strand_above_the_object_lies_in_the_air_and_a_layer_on_a_strand_does_not()
+    public void An_extrusion_above_the_object_lies_in_the_air_and_a_layer_on_a_extrusion_does_not()
     {
         var high = new SmallPrint().Over(25, 30, 5.25).Print(55, 30, 12.75).Over(0, 0, 200).Build();
-        Assert.That(SmallPrint.Find(high, OnRamp, "strand.").Select(d => d.Code), Is.EqualTo(new[] { CheckCodes.Unsupported }));
+        Assert.That(SmallPrint.Find(high, OnRamp, "extrusion.").Select(d => d.Code), Is.EqualTo(new[] { CheckCodes.Unsupported }));
         var second = new SmallPrint().Over(25, 30, 3.45).Print(55, 30, 10.95).Over(25, 30, 3.65).Print(55, 30, 11.15).Over(0, 0, 200).Build();
         Assert.That(SmallPrint.Find(second, OnRamp, ""), Is.Empty);
     }

@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Checks;
 
-/// <summary>What counts as printed while the head goes on: strands 1 mm high along X, 0.1 mm² unless they say otherwise.</summary>
+/// <summary>What counts as printed while the head goes on: extrusions 1 mm high along X, 0.1 mm² unless they say otherwise.</summary>
 public class PrintedSoFarTests
 {
     [TestCase(0.4, 0.25)]
@@ -20,7 +20,7 @@ public class PrintedSoFarTests
     [TestCase(0, 8.5, 9)]
     [TestCase(0.7, 9.2, 9.7)]
     [TestCase(1.4, 9.9, 10.3)]
-    public void The_end_of_a_strand_is_fresh_and_goes_piece_by_piece(double ahead, double covered, double free)
+    public void The_end_of_a_extrusion_is_fresh_and_goes_piece_by_piece(double ahead, double covered, double free)
     {
         var printed = Printed(10);
         Assert.That((printed.Lag, printed.FreshPiece), Is.EqualTo((1.4, 0.7)));
@@ -30,7 +30,7 @@ public class PrintedSoFarTests
     }
 
     [Test]
-    public void A_strand_as_short_as_its_fresh_end_is_fresh_from_its_start()
+    public void An_extrusion_as_short_as_its_fresh_end_is_fresh_from_its_start()
     {
         var printed = Printed(1.4);
         printed.Advance(0);
@@ -43,7 +43,7 @@ public class PrintedSoFarTests
     [TestCase(1)]
     [TestCase(7)]
     [TestCase(100_000)]
-    public void Tiny_strands_are_fresh_as_long_as_one(int often)
+    public void Tiny_extrusions_are_fresh_as_long_as_one(int often)
     {
         var printed = new PrintedSoFar(SmallPrint.Setup(), null);
         for (var i = 0; i < 1000; i++)
@@ -59,7 +59,7 @@ public class PrintedSoFarTests
     }
 
     [Test]
-    public void Motion_without_material_makes_a_strand_old()
+    public void Motion_without_material_makes_a_extrusion_old()
     {
         var printed = Printed(1);
         printed.Add(Move(new Vec3(1, 0, 1), new Vec3(1, 5, 1), 0), 1);
@@ -68,7 +68,7 @@ public class PrintedSoFarTests
         Assert.That(printed.Highest, Is.EqualTo(1));
     }
 
-    // A strand that rises or falls by 1 mm; its last 0.7 mm and the 0.7 mm before stop to be fresh one after the other.
+    // An extrusion that rises or falls by 1 mm; its last 0.7 mm and the 0.7 mm before stop to be fresh one after the other.
     [TestCase(1, 2)]
     [TestCase(2, 1)]
     public void What_has_just_stopped_to_be_fresh_can_be_asked_for(double from, double to)
@@ -90,7 +90,7 @@ public class PrintedSoFarTests
         Assert.That(printed.MeetsLast(2, new Vec3(5, 0, 0.2), new Vec3(5, 1, 0.2), 0, true, out _), Is.EqualTo(HeadContact.Hits));
         Assert.That(printed.MeetsLast(1, new Vec3(8.9, 0, 2.1), new Vec3(8.9, 1, 2.1), 0, true, out _), Is.EqualTo(HeadContact.None));
         Assert.That(printed.Advance(1.4), Is.EqualTo(1));
-        Assert.That(printed.Deposit.StrandCount, Is.EqualTo(1), "one strand in the end");
+        Assert.That(printed.Deposit.ExtrusionCount, Is.EqualTo(1), "one extrusion in the end");
     }
 
     [Test]
@@ -103,14 +103,14 @@ public class PrintedSoFarTests
 
     // 10 mm² in 1 mm would be 10 mm wide.
     [Test]
-    public void No_strand_is_wider_than_twelve_nozzles()
+    public void No_extrusion_is_wider_than_twelve_nozzles()
     {
         var printed = Printed(10, 10);
         printed.Advance(2);
         Assert.That((Top(printed, 5, 2.3), Top(printed, 5, 2.5)), Is.EqualTo((1, 0)));
     }
 
-    // A plate 5 mm high; strands may be pressed 0.05 mm into it.
+    // A plate 5 mm high; extrusions may be pressed 0.05 mm into it.
     [TestCase(5, 6, 5)]
     [TestCase(5, 5, 5)]
     [TestCase(5, 4.97, 4.97)]

@@ -11,7 +11,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Checks;
 
-/// <summary>A square of strands in the middle of the bed passes all checks on every printer that is shipped, with its start and end code.</summary>
+/// <summary>A square of extrusions in the middle of the bed passes all checks on every printer that is shipped, with its start and end code.</summary>
 public class ProfileCheckTests
 {
     private static readonly ProfileLibrary Library = new();
@@ -29,7 +29,7 @@ public class ProfileCheckTests
         var path = new PrintPath([At(-10, -10), At(10, -10), At(10, 10), At(-10, 10), At(-10, -9)], bead);
         var plan = Planner.Plan([new PathStep(path)], setup).OrThrow();
         var written = SafeWriter.ToDocument(plan, setup);
-        Assert.That(written.Diagnostics.Where(d => d.Severity != Severity.Remark), Is.Empty);
+        Assert.That(written.Diagnostics.Where(d => d.Severity != Severity.Note), Is.Empty);
         var read = SmallPrint.Decode(written.Value!.ToBytes(), setup);
         Assert.That(PrintCheck.Run(read, setup).Where(d => d.Severity == Severity.Error), Is.Empty);
     }

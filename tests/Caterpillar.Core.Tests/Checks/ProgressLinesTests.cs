@@ -2,7 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using Caterpillar.Checks;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -17,9 +17,9 @@ public class ProgressLinesTests
     [TestCase("marlin2", "M73 P0 R10")]
     [TestCase("prusa", "M73 P0 R10")]
     [TestCase("sailfish", "M73 P0")]
-    public void A_file_shows_its_progress_and_states_its_time(string dialect, string first)
+    public void A_file_shows_its_progress_and_states_its_time(string flavor, string first)
     {
-        var lines = Written(dialect);
+        var lines = Written(flavor);
         Assert.That(lines, Does.Contain(";TIME:600"));
         var progress = lines.Where(l => l.StartsWith("M73", StringComparison.Ordinal)).ToArray();
         Assert.That(progress[0], Is.EqualTo(first));
@@ -34,7 +34,7 @@ public class ProgressLinesTests
     }
 
     [Test]
-    public void Dialects_without_the_command_and_printers_that_want_none_get_none()
+    public void Flavors_without_the_command_and_printers_that_want_none_get_none()
     {
         Assert.That(Written("marlin1").Count(l => l.StartsWith("M73", StringComparison.Ordinal)), Is.Zero);
         Assert.That(Written("marlin1"), Does.Contain(";TIME:600"));
@@ -45,7 +45,7 @@ public class ProgressLinesTests
     [Test]
     public void A_print_of_less_than_a_second_has_progress_too()
     {
-        var (toolpath, all) = ProgressLines.Add(new SmallPrint().Print(12, 10, 0.2).Build(), SmallPrint.Setup(), null, default);
+        var (toolpath, all) = ProgressCommands.Add(new SmallPrint().Print(12, 10, 0.2).Build(), SmallPrint.Setup(), null, default);
         Assert.That(all, Is.InRange(0.01, 0.9));
         var shown = toolpath.Events.Select(e => (e.Move, e.Event));
         Assert.That(shown, Is.EqualTo(new[] { (0, (PrinterEvent)new ProgressEvent(0, 0)), (1, new ProgressEvent(100, 0)) }));
@@ -61,7 +61,7 @@ public class ProgressLinesTests
         builder.Add(new Vec3(20, 10, 0.2), 0, 0, 10, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
         builder.AddEvent(new DwellEvent(seconds));
         builder.Add(new Vec3(30, 10, 0.2), 0.4, 0.4, 10, MoveKind.Print, Role.OuterWall, -1, 0, 1);
-        var (toolpath, all) = ProgressLines.Add(builder.Build([new ToolpathTool(2.4)]), SmallPrint.Setup(), null, default);
+        var (toolpath, all) = ProgressCommands.Add(builder.Build([new ToolpathTool(2.4)]), SmallPrint.Setup(), null, default);
         Assert.That(all, Is.InRange(seconds + 1.5, seconds + 3));
         var (move, shown) = toolpath.Events.Where(e => e.Event is ProgressEvent).Select(e => (e.Move, (ProgressEvent)e.Event)).First();
         Assert.That((move, $"M73 P{shown.Percent} R{shown.MinutesLeft}"), Is.EqualTo((0, first)));
@@ -73,7 +73,7 @@ public class ProgressLinesTests
         var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, 0.2));
         builder.Add(new Vec3(20, 10, 0.2), 0.4, 0.4, 10, MoveKind.Print, Role.OuterWall, -1, 0, 0);
         builder.AddEvent(new DwellEvent(600));
-        var (toolpath, _) = ProgressLines.Add(builder.Build([new ToolpathTool(2.4)]), SmallPrint.Setup(), null, default);
+        var (toolpath, _) = ProgressCommands.Add(builder.Build([new ToolpathTool(2.4)]), SmallPrint.Setup(), null, default);
         Assert.That(toolpath.Events.Select(e => e.Event).OfType<ProgressEvent>().Last(), Is.EqualTo(new ProgressEvent(100, 0)));
     }
 
@@ -84,10 +84,10 @@ public class ProgressLinesTests
         var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, 0.2));
         // A move in place without E takes no time.
         builder.Add(new Vec3(10 + 10 * moves, 10, 0.2), 0, 0, 10, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
-        var (toolpath, seconds) = ProgressLines.Add(builder.Build([new ToolpathTool(2.4)]), SmallPrint.Setup(), null, default);
+        var (toolpath, seconds) = ProgressCommands.Add(builder.Build([new ToolpathTool(2.4)]), SmallPrint.Setup(), null, default);
         Assert.That((toolpath.Events.Count, seconds is not null), Is.EqualTo((lines, lines > 0)));
         var nothing = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, 0.2)).Build([new ToolpathTool(2.4)]);
-        Assert.That(ProgressLines.Add(nothing, SmallPrint.Setup(), null, default), Is.EqualTo((nothing, (double?)null)));
+        Assert.That(ProgressCommands.Add(nothing, SmallPrint.Setup(), null, default), Is.EqualTo((nothing, (double?)null)));
     }
 
     [Test]
@@ -115,28 +115,28 @@ public class ProgressLinesTests
     private static Toolpath Decode(string[] lines)
     {
         var bytes = System.Text.Encoding.ASCII.GetBytes(string.Join("\n", lines));
-        return GCodeDecoder.Decode(GCodeDocument.FromBytes(bytes), new DecodeOptions { Dialect = DialectTable.Marlin2 }).Value!.Toolpath;
+        return GCodeDecoder.Decode(GCodeDocument.FromBytes(bytes), new DecodeOptions { Flavor = FlavorTable.Marlin2 }).Value!.Toolpath;
     }
 
-    private static PrintSetup Setup(string dialect, bool wanted) => new()
+    private static PrintSetup Setup(string flavor, bool wanted) => new()
     {
         Printer = new Printer
         {
-            Dialect = DialectTable.Find(dialect)!,
-            ProgressLines = wanted,
-            CornerRule = CornerRule.Jerk,
+            Flavor = FlavorTable.Find(flavor)!,
+            ProgressCommands = wanted,
+            Cornering = Cornering.Jerk,
             Jerk = new(8, 8, 8, 8),
             MinExtrusionTemperature = 0,
         },
     };
 
-    // 60 strands of 1 mm at 0.1 mm/s: 600 s.
-    private static string[] Written(string dialect, bool wanted = true)
+    // 60 extrusions of 1 mm at 0.1 mm/s: 600 s.
+    private static string[] Written(string flavor, bool wanted = true)
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         for (var i = 1; i <= 60; i++) builder.Add(new Vec3(i, 0, 0), 0.03, 0.03, 0.1, MoveKind.Print, Role.Unspecified, -1, 0, i);
         using var memory = new MemoryStream();
-        var result = SafeWriter.Write(builder.Build([new ToolpathTool(2.405)]), Setup(dialect, wanted), memory);
+        var result = SafeWriter.Write(builder.Build([new ToolpathTool(2.405)]), Setup(flavor, wanted), memory);
         Assert.That(result.Value, Is.Not.Null, string.Join("\n", result.Diagnostics));
         return System.Text.Encoding.ASCII.GetString(memory.ToArray()).Split('\n');
     }

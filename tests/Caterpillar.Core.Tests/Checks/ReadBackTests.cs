@@ -4,7 +4,7 @@ using System.Linq;
 using System.Text;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -53,20 +53,20 @@ public class ReadBackTests
     public void Harmless_raw_lines_are_written(string raw)
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(60, 60, 0.2));
-        Strand(builder, 80);
+        Extrusion(builder, 80);
         builder.AddEvent(new RawEvent(raw.Replace("\\n", "\n")), 1);
-        Strand(builder, 100);
+        Extrusion(builder, 100);
         using var memory = new MemoryStream();
         var result = SafeWriter.Write(builder.Build([new ToolpathTool(SmallPrint.FilamentArea)]), new ProfileLibrary().Setup("generic").OrThrow(), memory);
         Assert.That(result.Diagnostics.Where(d => d.Severity == Severity.Error), Is.Empty);
     }
 
-    [TestCase("start_template", 0)]
-    [TestCase("end_template", 1)]
+    [TestCase("start_gcode", 0)]
+    [TestCase("end_gcode", 1)]
     public void Templates_are_checked_too(string key, int which)
     {
         var lines = new ValueList<string>("G1 X500");
-        var setup = SmallPrint.Setup(p => which == 0 ? p with { StartTemplate = lines } : p with { EndTemplate = lines });
+        var setup = SmallPrint.Setup(p => which == 0 ? p with { StartGCode = lines } : p with { EndGCode = lines });
         var refused = SafeWriter.ToDocument(new SmallPrint().Print(30, 10, 0.2).Build(), setup);
         var found = refused.Diagnostics.Single(d => d.Code == "bed.outside");
         Assert.That((found.Source!.Origin!.File, found.Source.Origin.Key), Is.EqualTo(("generic", key)));
@@ -78,9 +78,9 @@ public class ReadBackTests
         var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(60, 60, 0.2));
         for (var k = 1; k <= 2; k++)
             builder.Add(new Vec3(60 + 5 * k, 60, 0.2 * k), 0.2, 0.2, 20, MoveKind.Print, Role.OuterWall, builder.AddLayer(new Layer(k, 0.2 * k, 0.2)), 0, k);
-        var setup = SmallPrint.Setup(p => p with { LayerTemplate = new("G1 Y300") });
+        var setup = SmallPrint.Setup(p => p with { LayerChangeGCode = new("G1 Y300") });
         var found = SafeWriter.ToDocument(builder.Build([new ToolpathTool(SmallPrint.FilamentArea)]), setup).Diagnostics.Single(d => d.Code == "bed.outside");
-        Assert.That(found.Source!.Origin!.Key, Is.EqualTo("layer_template"));
+        Assert.That(found.Source!.Origin!.Key, Is.EqualTo("layer_change_gcode"));
     }
 
     // Each changes a number of line 9 by one unit of print, half of one, and a little more.
@@ -134,20 +134,20 @@ public class ReadBackTests
     }
 
     [Test]
-    public void Every_dialect_and_both_modes_of_E_are_read_back_as_planned([Values] bool relative)
+    public void Every_flavor_and_both_modes_of_E_are_read_back_as_planned([Values] bool relative)
     {
-        foreach (var dialect in DialectTable.All.Where(d => d.Name != "bfb"))
+        foreach (var flavor in FlavorTable.All.Where(d => d.Name != "bfb"))
         {
-            var setup = SmallPrint.Setup(p => p with { Dialect = dialect, ExtrusionMode = relative ? ExtrusionMode.Relative : ExtrusionMode.Absolute });
+            var setup = SmallPrint.Setup(p => p with { Flavor = flavor, ExtrusionMode = relative ? ExtrusionMode.Relative : ExtrusionMode.Absolute });
             var print = new SmallPrint().Print(30, 10, 0.2).Print(30, 30, 0.2).Go(30, 30, 5).Go(60, 60, 0.2)
                 .Arc(80, 60, 0.2, new Vec3(70, 60), 180, SmallPrint.Area)
                 .Event(new FanEvent(1)).Print(100, 60, 0.2).Event(new CommentEvent("on")).Prime(0.1).Print(100, 100.12345, 0.3);
             var result = SafeWriter.ToDocument(print.Build(), setup);
-            Assert.That(result.Diagnostics.Where(d => d.Code.StartsWith("file.", StringComparison.Ordinal)), Is.Empty, dialect.Name);
+            Assert.That(result.Diagnostics.Where(d => d.Code.StartsWith("file.", StringComparison.Ordinal)), Is.Empty, flavor.Name);
         }
     }
 
-    // Strands of 0.08 mm² at 50 mm/s are 4 mm³/s; as filament of 2.85 mm they would be 10.6.
+    // Extrusions of 0.08 mm² at 50 mm/s are 4 mm³/s; as filament of 2.85 mm they would be 10.6.
     [TestCase(5, false)]
     [TestCase(3, true)]
     public void Filament_is_as_thick_as_the_tools_of_the_plan_say(double most, bool found)
@@ -205,7 +205,7 @@ public class ReadBackTests
         return (result, Encoding.ASCII.GetString(memory.ToArray()));
     }
 
-    private static void Strand(ToolpathBuilder builder, double x)
+    private static void Extrusion(ToolpathBuilder builder, double x)
     {
         var e = (x - builder.Position.X) * SmallPrint.Area / SmallPrint.FilamentArea;
         builder.Add(new Vec3(x, 60, 0.2), e, e, 30, MoveKind.Print, Role.Unspecified, -1, 0, 0);

@@ -1,7 +1,7 @@
 using System.Linq;
 using System.Text;
 using Caterpillar.Checks;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -15,7 +15,7 @@ public sealed class SafeWriterEditTests
     private const string File = "; mine\nM104 S210\nM109 S210\nG90\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 Y10 E0.5 F1200 ; one\nG1 X20 Y20 E0.5\n; end\n";
 
     private static DecodedGCode Decoded(string text = File)
-        => Caterpillar.GCode.GCodeDecoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Dialect = DialectTable.Marlin2 }).Value!;
+        => Caterpillar.GCode.GCodeDecoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Flavor = FlavorTable.Marlin2 }).Value!;
 
     private static string Text(GCodeDocument document) => Encoding.UTF8.GetString(document.ToBytes());
 
@@ -50,7 +50,7 @@ public sealed class SafeWriterEditTests
         Assert.That(overridden.HasErrors, Is.False);
     }
 
-    // Of two strands one leaves the bed.
+    // Of two extrusions one leaves the bed.
     [Test]
     public void A_single_finding_is_overridden_with_its_comment_too()
     {
@@ -82,7 +82,7 @@ public sealed class SafeWriterEditTests
         Assert.That(findings.Where(d => d.Code is CheckCodes.FilePosition or CheckCodes.FileExtrusion), Is.Empty);
     }
 
-    // A strand of 2 mm with 0.1 mm of filament that the edit divides: a tenth of a percent and 0.006 mm of each sum may be lost.
+    // An extrusion of 2 mm with 0.1 mm of filament that the edit divides: a tenth of a percent and 0.006 mm of each sum may be lost.
     [TestCase(0, 0, null)]
     [TestCase(0.0078, 0, null)]
     [TestCase(0.0082, 0, CheckCodes.FilePosition)]

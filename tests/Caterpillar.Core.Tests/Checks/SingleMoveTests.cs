@@ -60,7 +60,7 @@ public class SingleMoveTests
         Assert.That(findings.ToList().Sum(d => d.Count), Is.EqualTo(found));
     }
 
-    // After G28 the head goes to the switches; a strand or a travel to elsewhere that follows G28 at once is none of that. What comes after is known again.
+    // After G28 the head goes to the switches; an extrusion or a travel to elsewhere that follows G28 at once is none of that. What comes after is known again.
     [TestCase(0, 0, false, true, false)]
     [TestCase(0, 0.5, false, false, true)]
     [TestCase(0, 0, true, false, true)]
@@ -77,17 +77,17 @@ public class SingleMoveTests
         Assert.That(seen.All, Is.EqualTo(new[] { (homes, false), (false, known), (false, true) }));
     }
 
-    // Strands 16 nozzles thick and more are no strands: E is read in the wrong mode. Twenty of them are enough to say so.
+    // Extrusions 16 nozzles thick and more are no extrusions: E is read in the wrong mode. Twenty of them are enough to say so.
     [TestCase(19, 1.0, 0)]
     [TestCase(20, 1.0, 1)]
     [TestCase(40, 0.5, 0)]
     [TestCase(40, 0.55, 1)]
-    public void A_file_of_strands_that_no_nozzle_prints_is_read_in_the_wrong_mode(int strands, double thick, int found)
+    public void A_file_of_extrusions_that_no_nozzle_prints_is_read_in_the_wrong_mode(int extrusions, double thick, int found)
     {
         var check = new FileCheck(Empty, Setup.Printer, new CheckScope(200), NewFindings(out var findings));
-        for (var i = 0; i < strands; i++)
+        for (var i = 0; i < extrusions; i++)
             check.Move(new CheckedMove { Index = i, Start = new Vec3(i, 0), End = new Vec3(i + 1, 0), Length = 1, Kind = MoveKind.Print, E = 1,
-                Deposited = i < thick * strands ? 2.6 : 0.1 });
+                Deposited = i < thick * extrusions ? 2.6 : 0.1 });
         check.End(Empty);
         Assert.That(findings.ToList().Sum(d => d.Count), Is.EqualTo(found));
     }
@@ -113,7 +113,7 @@ public class SingleMoveTests
         }
     }
 
-    // Two strands in line and half a millimeter between them.
+    // Two extrusions in line and half a millimeter between them.
     [TestCase(MoveKind.Travel, false, 1)]
     [TestCase(MoveKind.Travel, true, 1)]
     [TestCase(MoveKind.Wipe, false, 0)]
@@ -205,34 +205,34 @@ public class SingleMoveTests
         Assert.That(SmallPrint.Find(new SmallPrint(10, 10, 0.6).Print(30, 10, 0.6, 0.4).Build(), setup, CheckCodes.Height), Is.Empty);
     }
 
-    // Heights of a strand in mm, nominal and filled: with a layer of 0.25 mm they are stated; else what is below counts, and roundness where nothing is.
+    // Heights of an extrusion in mm, nominal and filled: with a layer of 0.25 mm they are stated; else what is below counts, and roundness where nothing is.
     [TestCase(0.25, 0.45, 0.25, 0.25)]
     [TestCase(0, 0.45, 0.2, 0.2)]
     [TestCase(0, 8, 0.3, 0.5)]
     [TestCase(0.25, 8, 0.25, 0.25)]
-    public void The_height_of_a_strand_is_stated_or_measured(double thickness, double z, double nominal, double filled)
+    public void The_height_of_a_extrusion_is_stated_or_measured(double thickness, double z, double nominal, double filled)
     {
         const double Area = Math.PI / 16;
         var setup = Setup with { Settings = new PrintSettings { LayerHeight = 0.3, FirstLayerHeight = 0.3 } };
         var printed = new PrintedSoFar(setup, null);
-        printed.Add(Strand(0.25, 0.25, 0.1), 0.25);
+        printed.Add(Extrusion(0.25, 0.25, 0.1), 0.25);
         printed.Add(new CheckedMove { Length = 100, Kind = MoveKind.Travel }, 0);
         printed.Advance(0);
-        var strands = new StrandCheck(setup, printed, new Findings(setup.Printer, _ => null, _ => null));
-        var (a, b) = strands.Strand(Strand(z, thickness, Area));
+        var extrusions = new ExtrusionCheck(setup, printed, new Findings(setup.Printer, _ => null, _ => null));
+        var (a, b) = extrusions.Extrusion(Extrusion(z, thickness, Area));
         Assert.That(new[] { a, b }, Is.EqualTo(new[] { nominal, filled }).Within(1e-12));
     }
 
-    // Half of the square of the thickness, and twelve nozzles: as much is still a strand of this layer.
+    // Half of the square of the thickness, and twelve nozzles: as much is still an extrusion of this layer.
     [TestCase(0.03125, true)]
     [TestCase(0.03124, false)]
     [TestCase(12 * 0.4 * 0.25, true)]
     [TestCase(12 * 0.4 * 0.2501, false)]
-    public void A_layer_says_how_high_its_strands_are_where_they_may_be(double area, bool known)
+    public void A_layer_says_how_high_its_extrusions_are_where_they_may_be(double area, bool known)
     {
-        var setup = SmallPrint.Setup(p => p with { CheckSeverities = new(StrandCheck.Codes.Select(c => new CheckSeverity(c, null))) });
-        var strands = new StrandCheck(setup, new PrintedSoFar(setup, null), new Findings(setup.Printer, _ => null, _ => null));
-        Assert.That(strands.Strand(Strand(8, 0.25, area)) == (0.25, 0.25), Is.EqualTo(known));
+        var setup = SmallPrint.Setup(p => p with { CheckSeverities = new(ExtrusionCheck.Codes.Select(c => new CheckSeverity(c, null))) });
+        var extrusions = new ExtrusionCheck(setup, new PrintedSoFar(setup, null), new Findings(setup.Printer, _ => null, _ => null));
+        Assert.That(extrusions.Extrusion(Extrusion(8, 0.25, area)) == (0.25, 0.25), Is.EqualTo(known));
     }
 
     [Test]
@@ -301,7 +301,7 @@ public class SingleMoveTests
     }
 
     // 20 mm along X.
-    private static CheckedMove Strand(double z, double thickness, double area) => new()
+    private static CheckedMove Extrusion(double z, double thickness, double area) => new()
     {
         Start = new Vec3(10, 10, z), End = new Vec3(30, 10, z), Length = 20, Kind = MoveKind.Print, StartKnown = true, Deposited = 20 * area,
         Thickness = thickness,

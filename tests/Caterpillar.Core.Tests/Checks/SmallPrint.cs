@@ -23,7 +23,7 @@ internal sealed class Shares : IProgress<double>
     }
 }
 
-/// <summary>Builds small prints for tests: strands 0.4 mm wide and 0.2 mm high unless they say otherwise.</summary>
+/// <summary>Builds small prints for tests: extrusions 0.4 mm wide and 0.2 mm high unless they say otherwise.</summary>
 internal sealed class SmallPrint
 {
     public const double Area = 0.08;
@@ -41,7 +41,7 @@ internal sealed class SmallPrint
 
     public int Count => _builder.Count;
 
-    public static Printer Generic { get; } = new() { StartTemplate = ValueList<string>.Empty, MaxFlow = 0, MaxSpeed = new(500, 500, 500, 500) };
+    public static Printer Generic { get; } = new() { StartGCode = ValueList<string>.Empty, MaxFlow = 0, MaxSpeed = new(500, 500, 500, 500) };
 
     public SmallPrint Go(double x, double y, double z) => Add(new Vec3(x, y, z), 0, MoveKind.Travel);
 
@@ -78,7 +78,7 @@ internal sealed class SmallPrint
         return this;
     }
 
-    /// <summary>A wall along X from the bed up, its strands on top of each other; the head ends above it.</summary>
+    /// <summary>A wall along X from the bed up, its extrusions on top of each other; the head ends above it.</summary>
     public SmallPrint Wall(double x0, double x1, double y, double top)
     {
         Over(x0, y, 0.2);
@@ -116,7 +116,7 @@ internal sealed class SmallPrint
     }
 
     public static DecodedGCode Decode(byte[] text, PrintSetup setup)
-        => GCodeDecoder.Decode(text, new DecodeOptions { Dialect = setup.Printer.Dialect, FilamentDiameter = 1.75 }).Value!;
+        => GCodeDecoder.Decode(text, new DecodeOptions { Flavor = setup.Printer.Flavor, FilamentDiameter = 1.75 }).Value!;
 
     private SmallPrint Add(Vec3 end, double volume, MoveKind kind, Role role = Role.Unspecified, double speed = 50, int tool = 0)
     {

@@ -16,7 +16,7 @@ public sealed class SwitchedOffTests
 {
     private static readonly Printer Strict = new()
     {
-        StartTemplate = ValueList<string>.Empty, EndTemplate = ValueList<string>.Empty, MaxFlow = 5, MaxSpeed = new(45, 500, 500, 500),
+        StartGCode = ValueList<string>.Empty, EndGCode = ValueList<string>.Empty, MaxFlow = 5, MaxSpeed = new(45, 500, 500, 500),
         HeadBoxes = new(new Bounds(new Vec3(-25, -45, 8), new Vec3(50, 30, 60))), Gantry = new(new Bounds(new Vec3(0, 20, 30), new Vec3(0, 60, 60))),
         ExcludedAreas = new(new Bounds(new Vec3(150, 150), new Vec3(160, 160))), Clips = new(new Bounds(new Vec3(0, 100, 0), new Vec3(12, 110, 5))),
     };
@@ -33,9 +33,9 @@ public sealed class SwitchedOffTests
         Assert.That(Written(Bad.Value, [code]), Is.EqualTo(Expected.Value.Where(d => d.Code != code)));
     }
 
-    [TestCase("strand.", "first_layer.")]
+    [TestCase("extrusion.", "first_layer.")]
     [TestCase("collision.", "nozzle.")]
-    [TestCase("strand.", "first_layer.", "collision.", "nozzle.")]
+    [TestCase("extrusion.", "first_layer.", "collision.", "nozzle.")]
     [TestCase("limit.")]
     [TestCase("file.")]
     [TestCase("bed.")]

@@ -17,7 +17,7 @@ namespace Caterpillar.Tests.Curved;
 /// <summary>Distances measured along layers, beads that begin on objects, and what the head allows.</summary>
 public class AlongLayerTests
 {
-    private static readonly PrintSettings Lines = CurvedSolids.Massive with { InfillAngle = 90, InfillTurn = 0 };
+    private static readonly PrintSettings Lines = CurvedSolids.Massive with { InfillAngle = 90, InfillRotation = 0 };
 
     [TestCase(10)]
     [TestCase(30)]
@@ -42,7 +42,7 @@ public class AlongLayerTests
     }
 
     [Test]
-    public void Strands_of_a_bowl_are_as_wide_as_asked_for_wherever_it_slopes()
+    public void Extrusions_of_a_bowl_are_as_wide_as_asked_for_wherever_it_slopes()
     {
         static double Bowl(double x, double y) => (x * x + y * y) / 50;
         var part = CurvedSolids.Between(CurvedSolids.Plan(-15, -15, 15, 15), 60, (x, y) => Bowl(x, y) + 5, (x, y) => Bowl(x, y) + 7);
@@ -56,14 +56,14 @@ public class AlongLayerTests
             }
         }
         widths.Sort();
-        // In the corners it slopes by 40 degrees: in plan strands would be up to 31 % wider there.
+        // In the corners it slopes by 40 degrees: in plan extrusions would be up to 31 % wider there.
         Assert.That(widths[widths.Count / 50], Is.GreaterThan(0.74));
         Assert.That(widths[widths.Count - widths.Count / 50], Is.LessThan(0.86));
         Assert.That(layers.Sum(CurvedSolids.Volume), Is.EqualTo(part.Volume).Within(0.5).Percent);
     }
 
     [Test]
-    public void The_first_strands_on_an_object_fill_what_is_open_below_them()
+    public void The_first_extrusions_on_an_object_fill_what_is_open_below_them()
     {
         var part = Solids.Block(-5, -5, 2, 5, 5, 4);
         // The object lies 0.1 mm lower than the part on the left, and as high on the right.
@@ -87,7 +87,8 @@ public class AlongLayerTests
         var slope = Angle.Sin(degrees) / Angle.Cos(degrees);
         double Plan(double x, double y) => slope * (x - 80);
         var part = CurvedSolids.Between(CurvedSolids.Plan(80, 95, 120, 105), 4, Plan, (x, y) => Plan(x, y) + 3);
-        var setup = new PrintSetup().With("layer_height_mm=0.5", "first_layer_height_mm=0.5", "line_width_mm=1", "nozzle_diameter_mm=0.8", "infill_percent=10",
+        var setup = new PrintSetup().With("layer_height_mm=0.5", "first_layer_height_mm=0.5", "line_width_mm=1", "nozzle_diameter_mm=0.8",
+            "infill_density_percent=10",
             "curved_max_slope_deg=60").OrThrow();
         var sliced = CurvedSlicer.Slice([new NamedMesh("wedge", part)], LayerField.Vertical(PlanSurface.Of(Plan)), setup).OrThrow();
         return SafeWriter.ToDocument(Planner.Plan(sliced.ToSteps(), setup).OrThrow(), setup).Diagnostics

@@ -99,10 +99,10 @@ public class BoundaryFieldTests
         var part = Branching();
         var setup = new PrintSetup().With("layer_height_mm=1.6", "first_layer_height_mm=1.6", "curved_max_gap_mm=2.4", "line_width_mm=2",
             "curved_max_slope_deg=60",
-            "skirt_loops=0", "min_layer_time_s=0", "infill_percent=10").OrThrow();
+            "skirt_loops=0", "min_layer_time_s=0", "infill_density_percent=10").OrThrow();
         var field = LayerField.Harmonic(Ends(part));
         var result = CurvedSlicer.Slice([new NamedMesh("branching", part)], field, setup);
-        Assert.That(result.Diagnostics.Where(d => d.Severity != Severity.Remark), Is.Empty);
+        Assert.That(result.Diagnostics.Where(d => d.Severity != Severity.Note), Is.Empty);
         var last = result.Value!.Layers[result.Value.Layers.Count - 1];
         Assert.That(last.Region.Islands, Has.Count.EqualTo(2));
         foreach (var p in CurvedSolids.Points(last)) Assert.That(p.Z,

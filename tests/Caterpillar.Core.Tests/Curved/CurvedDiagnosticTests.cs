@@ -29,7 +29,7 @@ public class CurvedDiagnosticTests
         Assert.That(partial.Diagnostics.Select(d => (d.Code, d.Severity)), Does.Contain(("curved.outside_plan", Severity.Warning)));
         var points = partial.Value!.Layers.SelectMany(CurvedSolids.Points).ToArray();
         Assert.That(points.Max(p => p.X), Is.EqualTo(3).Within(0.1));
-        Assert.That(points.Min(p => p.X), Is.EqualTo(-9.602).Within(1e-3), "Half a strand along the slope.");
+        Assert.That(points.Min(p => p.X), Is.EqualTo(-9.602).Within(1e-3), "Half an extrusion along the slope.");
     }
 
     [Test]

@@ -45,7 +45,7 @@ public class CurvedSlicerTests
     [TestCase("function")]
     public void The_field_z_gives_the_print_of_the_planar_slicer(string kind)
     {
-        var setup = new PrintSetup().With("layer_height_mm=0.3", "infill_percent=15").OrThrow();
+        var setup = new PrintSetup().With("layer_height_mm=0.3", "infill_density_percent=15").OrThrow();
         var models = ModelPlacement.OnBed(
         [
             new("cone", Solids.Cone(0, 12, 9, 5)), new("block", Solids.Block(20, -5, 0, 30, 5, 4)),
@@ -119,7 +119,7 @@ public class CurvedSlicerTests
     [TestCase("between")]
     [TestCase("blend")]
     [TestCase("formula")]
-    public void The_strands_of_a_layer_have_the_volume_of_the_gap_below_it(string kind)
+    public void The_extrusions_of_a_layer_have_the_volume_of_the_gap_below_it(string kind)
     {
         static double Roof(double x, double y) => 5 + 0.2 * x;
         var box = CurvedSolids.Plan(-15, -8, 15, 8);
@@ -148,7 +148,8 @@ public class CurvedSlicerTests
     [Test]
     public void What_is_written_is_read_back_with_X_Y_and_Z_in_every_printing_move()
     {
-        var setup = new PrintSetup { Settings = CurvedSolids.Massive with { LayerHeight = 0.3, FirstLayerHeight = 0.3, InfillPercent = 20, LineWidth = 0.45 } };
+        var setup = new PrintSetup { Settings = CurvedSolids.Massive with { LayerHeight = 0.3, FirstLayerHeight = 0.3, InfillDensityPercent = 20,
+            LineWidth = 0.45 } };
         static double Roof(double x, double y) => 6 + 1.5 * Angle.Sin(6 * (x + y));
         var part = CurvedSolids.Between(CurvedSolids.Plan(95, 95, 125, 125), 40, (_, _) => 0, Roof);
         var slices = CurvedSlicer.Slice([new NamedMesh("part", part)], LayerField.Vertical(PlanSurface.Of(Roof, 3), new LayerBlend(1, 6)), setup).OrThrow();
@@ -167,11 +168,11 @@ public class CurvedSlicerTests
     // Layers of 0.04 to 0.5 mm: those that are too thin are printed several at once, or all of them where that is asked for.
     [TestCase(0)]
     [TestCase(0.001)]
-    public void Thin_strands_above_each_other_lie_on_each_other_and_not_in_each_others_place(double least)
+    public void Thin_extrusions_above_each_other_lie_on_each_other_and_not_in_each_others_place(double least)
     {
         static double Roof(double x, double y) => 0.5 + 0.1375 * (x - 90);
         var part = CurvedSolids.Between(CurvedSolids.Plan(90, 100, 130, 112), 20, (_, _) => 0, Roof);
-        var setup = new PrintSetup { Settings = CurvedSolids.Massive with { LineWidth = 0.45, CurvedMinGap = least, InfillPercent = 0 } };
+        var setup = new PrintSetup { Settings = CurvedSolids.Massive with { LineWidth = 0.45, CurvedMinGap = least, InfillDensityPercent = 0 } };
         var sliced = CurvedSlicer.Slice([new NamedMesh("part", part)], LayerField.Between(PlanSurface.Level(0), PlanSurface.Of(Roof)), setup);
         Assert.That(sliced.Diagnostics.Any(d => d.Code == "curved.merged_layers"), Is.EqualTo(least == 0));
         var findings = PrintCheck.Run(Planner.Plan(sliced.Value!.ToSteps(), setup).OrThrow(), setup);

@@ -18,9 +18,9 @@ internal static class CurvedSolids
     /// <summary>Massive, so that volumes can be compared; nothing that is not part of the solid; any slope.</summary>
     public static readonly PrintSettings Massive = new()
     {
-        LayerHeight = 0.5, FirstLayerHeight = 0.5, LineWidth = 0.8, BeadShape = BeadShape.Rectangle, WallCount = 1, InfillPercent = 100,
+        LayerHeight = 0.5, FirstLayerHeight = 0.5, LineWidth = 0.8, BeadShape = BeadShape.Rectangle, WallCount = 1, InfillDensityPercent = 100,
             InfillOverlapPercent = 0,
-        SimplifyTolerance = 0, SkirtLoops = 0, TopLayers = 0, BottomLayers = 0, MinLayerTime = 0, OverhangClasses = ValueList<OverhangClass>.Empty,
+        Resolution = 0, SkirtLoops = 0, TopLayers = 0, BottomLayers = 0, MinLayerTime = 0, OverhangClasses = ValueList<OverhangClass>.Empty,
             CurvedMaxSlope = 80,
         CurvedMaxGap = 2,
     };
@@ -166,7 +166,7 @@ internal static class CurvedSolids
     public static IReadOnlyList<SlicedLayer> Slice(LayerField field, PrintSettings settings, params TriMesh[] meshes)
     {
         var result = Try(field, settings, null, meshes);
-        Assert.That(result.Diagnostics.Where(d => d.Severity != Severity.Remark), Is.Empty);
+        Assert.That(result.Diagnostics.Where(d => d.Severity != Severity.Note), Is.Empty);
         return result.Value!.Layers;
     }
 

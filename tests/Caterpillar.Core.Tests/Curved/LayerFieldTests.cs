@@ -86,7 +86,7 @@ public class LayerFieldTests
         var field = LayerField.Deformed("x * 1.2 + 0.1 * z", "y - 0.05 * x", "z + 0.1 * x").OrThrow();
         var block = Solids.Block(-10, -8, 0, 10, 8, 5);
         var layers = CurvedSolids.Slice(field, CurvedSolids.Massive with { LayerHeight = 0.25, FirstLayerHeight = 0.25 }, block);
-        // Where layers leave through the bed and the top their last strands are wedges.
+        // Where layers leave through the bed and the top their last extrusions are wedges.
         Assert.That(layers.Sum(CurvedSolids.Volume), Is.EqualTo(block.Volume).Within(2).Percent);
         foreach (var p in layers.SelectMany(CurvedSolids.Points)) Assert.That(Math.Abs(p.X), Is.LessThan(10));
     }

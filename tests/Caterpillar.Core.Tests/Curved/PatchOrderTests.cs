@@ -20,7 +20,7 @@ public class PatchOrderTests
 {
     private static readonly PrintSetup Setup = new()
     {
-        Settings = CurvedSolids.Massive with { InfillPercent = 20, WallCount = 2, TravelLift = TravelLift.Corridor },
+        Settings = CurvedSolids.Massive with { InfillDensityPercent = 20, WallCount = 2, ZHopType = ZHopType.AbovePath },
     };
 
     [Test]

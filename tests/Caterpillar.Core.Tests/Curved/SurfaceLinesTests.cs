@@ -71,7 +71,7 @@ public class SurfaceLinesTests
         static double Tilted(double x, double y) => 0.4 * y + 10;
         var part = CurvedSolids.Between(Plan, 4, Tilted, (x, y) => Tilted(x, y) + 1);
         var lines = Enumerable.Range(-2, 5).Select(i => new Polyline([new(-20, 6 * i), new(20, 6 * i)])).ToArray();
-        var settings = CurvedSolids.Massive with { InfillPercent = 20 };
+        var settings = CurvedSolids.Massive with { InfillDensityPercent = 20 };
         var result = CurvedSolids.Try(LayerField.Vertical(PlanSurface.Of(Tilted)), settings, new CurvedOptions { InfillLines = _ => lines }, part).OrThrow();
         foreach (var layer in result.Layers)
         {

@@ -68,7 +68,7 @@ public class ViewerPageTests
     }
 
     [Test]
-    public void Areas_are_those_of_the_strands()
+    public void Areas_are_those_of_the_extrusions()
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         builder.Add(new Vec3(20, 0, 0), 2, 2, 20, MoveKind.Print, Role.OuterWall, -1, 0, 0);
@@ -120,11 +120,11 @@ public class ViewerPageTests
         var toolpath = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(Code)).Value!.Toolpath;
         Diagnostic[] findings =
         [
-            new(Severity.Error, "bed.outside", "Out.", new SourceLocation("a.gcode", 8, Move: 2)), new(Severity.Remark, "gcode.ignored", "Nothing.", null),
-            new(Severity.Warning, "strand.width", "Wide.", new SourceLocation(Move: 1_000_000)),
+            new(Severity.Error, "bed.outside", "Out.", new SourceLocation("a.gcode", 8, Move: 2)), new(Severity.Note, "gcode.ignored", "Nothing.", null),
+            new(Severity.Warning, "extrusion.width", "Wide.", new SourceLocation(Move: 1_000_000)),
         ];
         var head = Head(Page(new ViewerContent("a") { Toolpath = toolpath, Findings = findings }));
-        Assert.That(head["findings"]!.Select(f => (string)f["severity"]!), Is.EqualTo(new[] { "Error", "Remark", "Warning" }));
+        Assert.That(head["findings"]!.Select(f => (string)f["severity"]!), Is.EqualTo(new[] { "Error", "Note", "Warning" }));
         Assert.That((int)head["findings"]![0]!["line"]!, Is.EqualTo(8));
         Assert.That(head["findings"]![1]!["row"], Is.Null);
         Assert.That((int)head["findings"]![2]!["row"]!, Is.EqualTo((int)head["rows"]!));

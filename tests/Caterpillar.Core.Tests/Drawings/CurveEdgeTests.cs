@@ -121,7 +121,7 @@ public class CurveEdgeTests
     }
 
     [Test]
-    public void Strands_get_their_cross_section_from_the_curve_or_the_options()
+    public void Extrusions_get_their_cross_section_from_the_curve_or_the_options()
     {
         Bead Of(Func<UserCurve, UserCurve> change, CurveOptions? options = null)
             => CurvePaths.ToPaths([change(new UserCurve(new PolylineCurve([Vec3.Zero, Vec3.UnitX], false)))],

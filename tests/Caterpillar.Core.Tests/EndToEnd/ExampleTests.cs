@@ -26,7 +26,7 @@ public class ExampleTests
         var setup = new ProfileLibrary().Setup("generic", values: ["layer_height_mm=0.3", "first_layer_height_mm=0.3", "skirt_loops=1"]).Value!;
         var models = ModelPlacement.OnBed(MeshReader.Read(file).Value!, setup.Printer.BuildBounds.Center);
         var sliced = PlanarSlicer.Slice(models, setup.Settings, new SliceOptions { Threads = threads });
-        Assert.That(sliced.Diagnostics.Where(d => d.Severity != Severity.Remark), Is.Empty);
+        Assert.That(sliced.Diagnostics.Where(d => d.Severity != Severity.Note), Is.Empty);
         var planned = Planner.Plan(sliced.Value!.ToSteps(), setup);
         var written = SafeWriter.ToDocument(planned.Value!, setup);
         Assert.That(written.Diagnostics.Where(d => d.Severity == Severity.Error), Is.Empty);

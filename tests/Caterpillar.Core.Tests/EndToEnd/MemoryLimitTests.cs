@@ -99,14 +99,14 @@ public class MemoryLimitTests
         var models = new[] { new SliceModel(new NamedMesh("block", MeshMaker.Box(0, 0, 0, 20, 20, 3)), new PrintSettings()) };
         Result<SliceResult> Slice(PrintSettings settings, MemoryLimit memory)
             => PlanarSlicer.SliceEach([new SliceModel(models[0].Mesh, settings)], settings, new SliceOptions { Memory = memory });
-        var thin = new PrintSettings { LayerHeight = 0.002, FirstLayerHeight = 0.002, InfillPercent = 0 };
+        var thin = new PrintSettings { LayerHeight = 0.002, FirstLayerHeight = 0.002, InfillDensityPercent = 0 };
         Refused(Slice(thin, Small), Slice(thin, MemoryLimit.Default));
-        var filled = new PrintSettings { InfillPercent = 90, InfillPattern = InfillPattern.Gyroid };
+        var filled = new PrintSettings { InfillDensityPercent = 90, InfillPattern = InfillPattern.Gyroid };
         Refused(Slice(filled, new MemoryLimit(1 << 20)), Slice(filled, MemoryLimit.Default));
     }
 
     [Test]
-    public void Long_plans_and_large_pictures()
+    public void Long_plans_and_large_images()
     {
         var points = Enumerable.Range(0, 80_000).Select(i => new Vec3(10 + i % 2, 10 + i * 1e-3, 0.2)).ToArray();
         var path = new PrintPath(points, new Bead(0.08, 0.2, 30));
@@ -114,9 +114,9 @@ public class MemoryLimitTests
         var drawn = new PlanOptions { Policy = PlanPolicy.AsDrawn };
         Refused(Planner.Plan([path], setup, drawn with { Memory = Small }), Planner.Plan([path], setup, drawn));
         var toolpath = Planner.Plan([new PrintPath(points.Take(10), new Bead(0.08, 0.2, 30))], setup, drawn).Value!;
-        var options = new PictureOptions { Width = 1000, Height = 1000, Memory = Small };
-        Assert.That(() => Picture.Draw(toolpath, options), Throws.TypeOf<DiagnosticException>().With.Message.Contains("1000 × 1000 pixels"));
-        Assert.That(Picture.Draw(toolpath, options with { Memory = MemoryLimit.Default }).Width, Is.EqualTo(1000));
+        var options = new ToolpathImageOptions { Width = 1000, Height = 1000, Memory = Small };
+        Assert.That(() => ToolpathImage.Draw(toolpath, options), Throws.TypeOf<DiagnosticException>().With.Message.Contains("1000 × 1000 pixels"));
+        Assert.That(ToolpathImage.Draw(toolpath, options with { Memory = MemoryLimit.Default }).Width, Is.EqualTo(1000));
     }
 
     [Test]

@@ -1,6 +1,6 @@
 using System.Linq;
 using System.Text;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -23,7 +23,7 @@ public class PaperSampleTests
     {
         // 1.3947 mm are retracted during the move to the first point, and restored during the descent.
         var moves = Decode("G92 E1.3947\n" + Sample, ExtrusionRule.Balance);
-        Assert.That(moves.Select(m => m.Kind), Is.EqualTo(new[] { MoveKind.Wipe, MoveKind.MovingRestore, MoveKind.Print }));
+        Assert.That(moves.Select(m => m.Kind), Is.EqualTo(new[] { MoveKind.Wipe, MoveKind.MovingDeretract, MoveKind.Print }));
         Assert.That(moves.Sum(m => m.Deposited), Is.EqualTo(1.5861 - 1.3947).Within(1e-9));
         // 0.1353 mm of filament per mm of the third line.
         Assert.That(moves[2].Deposited / moves[2].Length, Is.EqualTo(0.1353).Within(5e-5));
@@ -37,6 +37,6 @@ public class PaperSampleTests
     private static MoveKind[] Kinds(string text, ExtrusionRule rule) => Decode(text, rule).Select(m => m.Kind).ToArray();
 
     private static Move[] Decode(string text, ExtrusionRule rule)
-        => Caterpillar.GCode.GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Dialect = DialectTable.Marlin2, Rule = rule })
+        => Caterpillar.GCode.GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Flavor = FlavorTable.Marlin2, Rule = rule })
             .Value!.Toolpath.Moves().ToArray();
 }

@@ -41,7 +41,7 @@ public class RoundTripTests
         var written = SafeWriter.ToDocument(planned, setup);
         Assert.That(written.Diagnostics.Where(d => d.Severity == Severity.Error), Is.Empty);
         var decoded = GCodeDecoder.Decode(written.Value!,
-            new DecodeOptions { Dialect = setup.Printer.Dialect, FilamentDiameter = setup.Material.FilamentDiameter }).Value!.Toolpath;
+            new DecodeOptions { Flavor = setup.Printer.Flavor, FilamentDiameter = setup.Material.FilamentDiameter }).Value!.Toolpath;
 
         var decimals = setup.Printer.DecimalsXyz;
         var before = Sums.Of(planned);

@@ -70,7 +70,7 @@ public class ExampleCurveTests
         var steps = CurvePaths.ToSteps(curves.Select(c => c with { Curve = c.Curve.Transformed(center) }).ToArray(), options);
         Assert.That(steps.Diagnostics, Is.Empty);
         var written = SafeWriter.ToDocument(Planner.Plan(steps.Value!, setup).Value!, setup);
-        Assert.That(written.Diagnostics.Where(d => d.Severity != Severity.Remark), Is.Empty);
+        Assert.That(written.Diagnostics.Where(d => d.Severity != Severity.Note), Is.Empty);
         return written.Value!.ToBytes();
     }
 

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Text;
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -11,7 +11,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.GCode;
 
-/// <summary>Areas and widths of strands from the E of a file.</summary>
+/// <summary>Areas and widths of extrusions from the E of a file.</summary>
 public class BeadTests
 {
     [Test]
@@ -28,7 +28,7 @@ public class BeadTests
         Assert.That(Decode("M83\nG1 X10 E0.5\n", null).BeadOf(Decode("M83\nG1 X10 E0.5\n", null)[0]), Is.Null, "without a diameter");
     }
 
-    // PrusaSlicer states the intended width of its strands in comments.
+    // PrusaSlicer states the intended width of its extrusions in comments.
     [TestCase("ps_fandisk_marlin2_absE.gcode.gz")]
     [TestCase("ps_spot_marlin2_relE.gcode.gz")]
     [TestCase("ps_plate_mach3_A.gcode")]
@@ -39,7 +39,7 @@ public class BeadTests
     public void Widths_are_those_of_the_slicers_own_comments(string file)
     {
         var document = GCodeFiles.Document(file);
-        var toolpath = GCodeDecoder.Decode(document, new DecodeOptions { Dialect = DialectTable.Slicer }).Value!.Toolpath;
+        var toolpath = GCodeDecoder.Decode(document, new DecodeOptions { Flavor = FlavorTable.Slicer }).Value!.Toolpath;
         var widths = Comments(document, "WIDTH:");
         var heights = Comments(document, "HEIGHT:");
         var compared = 0;
@@ -56,7 +56,7 @@ public class BeadTests
     }
 
     [Test]
-    public void Each_role_has_its_length_and_its_mean_strand()
+    public void Each_role_has_its_length_and_its_mean_extrusion()
     {
         var toolpath = Decode("G90\nM83\n;LAYER_CHANGE\n;Z:0.2\n;HEIGHT:0.2\n;TYPE:Perimeter\nG1 X0 Y0 Z0.2 F600\nG1 X10 E0.5\nG1 Y30 E3\n;TYPE:Internal "
             + "infill\nG3 X10 Y10 I0 J-10 E1\n", 1.75);
@@ -86,5 +86,5 @@ public class BeadTests
     }
 
     private static Toolpath Decode(string text, double? diameter)
-        => GCodeDecoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Dialect = DialectTable.Slicer, FilamentDiameter = diameter }).Value!.Toolpath;
+        => GCodeDecoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Flavor = FlavorTable.Slicer, FilamentDiameter = diameter }).Value!.Toolpath;
 }

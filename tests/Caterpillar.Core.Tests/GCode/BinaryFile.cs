@@ -24,7 +24,7 @@ internal sealed class BinaryFile(bool checksums = true)
     public BinaryFile Code(int compression, int encoding, string text)
         => Block(GCode, compression, encoding == 0 ? Encoding.ASCII.GetBytes(text) : MeatPacked(text, encoding == 2), encoding);
 
-    public BinaryFile Picture(int format, int width, int height, byte[] data) => Block(Thumbnail, 0, data, format, width, height);
+    public BinaryFile ToolpathImage(int format, int width, int height, byte[] data) => Block(Thumbnail, 0, data, format, width, height);
 
     /// <summary>A block with its 16-bit parameters.</summary>
     public BinaryFile Block(int type, int compression, byte[] data, params int[] parameters)

@@ -74,7 +74,7 @@ public class CommentTests
     [TestCase("; a =", CommentKind.None, null)]
     [TestCase(";", CommentKind.None, null)]
     [TestCase(";  \t ", CommentKind.None, null)]
-    public void Objects_settings_and_pictures_are_named(string text, object kind, string? name)
+    public void Objects_settings_and_images_are_named(string text, object kind, string? name)
         => Assert.That((Read(text).Kind, Read(text).Text), Is.EqualTo(((CommentKind)kind, name)));
 
     [Test]
@@ -103,8 +103,8 @@ public class CommentTests
     [TestCase(Role.OverhangWall, "Overhang perimeter, Overhang wall")]
     [TestCase(Role.Infill, "FILL, Internal infill, infill, Sparse infill, Sparse Infill Path, Stacked Sparse Infill Path, FILL-SPARSE")]
     [TestCase(Role.SolidInfill, "Solid infill, Internal solid infill, solid layer, SKIN, Solid Path, SOLID-FILL, solid fill, Solid, Floating vertical shell")]
-    [TestCase(Role.TopSkin, "Top solid infill, Top surface, Crown Path, TOP-FILL, top solid fill, SKIN-TOP")]
-    [TestCase(Role.BottomSkin, "Bottom surface, bottom solid infill, BOTTOM-FILL, SKIN-BOTTOM")]
+    [TestCase(Role.TopSurface, "Top solid infill, Top surface, Crown Path, TOP-FILL, top solid fill, SKIN-TOP")]
+    [TestCase(Role.BottomSurface, "Bottom surface, bottom solid infill, BOTTOM-FILL, SKIN-BOTTOM")]
     [TestCase(Role.Bridge, "Bridge infill, Internal bridge infill, bridge, Internal Bridge, BRIDGE-INFILL")]
     [TestCase(Role.GapFill, "Gap fill, Gap infill, GAP-FILL, gap")]
     [TestCase(Role.Ironing, "Ironing")]

@@ -73,7 +73,7 @@ public class ContainerFuzzTests
                 {
                     var file = new BinaryFile(checksums).Table(BinaryFile.FileData, compression, "Producer=PrusaSlicer 2.8.1\nProduced on=now\n")
                         .Table(BinaryFile.Printer, 0, "printer_model=MK4\n")
-                        .Picture(encoding, 16, 16, text).Table(BinaryFile.Slicer, compression, "filament_diameter=1.75\n")
+                        .ToolpathImage(encoding, 16, 16, text).Table(BinaryFile.Slicer, compression, "filament_diameter=1.75\n")
                             .Block(BinaryFile.Slicer, 0, [(byte)'{', (byte)'}'], 1)
                         .Code(compression, encoding, Text).Code(0, encoding, Text);
                     seeds.Add(file.ToArray());

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
 using NUnit.Framework;
@@ -20,7 +20,7 @@ public class DecoderTruthTests
         var document = GCodeFiles.Document(file);
         foreach (var threads in new[] { 1, 3 })
         {
-            var decoding = GCodeDecoder.Decode(document, new DecodeOptions { Dialect = DialectTable.Slicer, Rule = ExtrusionRule.Rising, Threads = threads })
+            var decoding = GCodeDecoder.Decode(document, new DecodeOptions { Flavor = FlavorTable.Slicer, Rule = ExtrusionRule.Rising, Threads = threads })
                 .Value!;
             var differences = Differences(truth, JObject.Parse(decoding.Report.ToJson()));
             Assert.That(differences, Is.Empty, string.Join("\n", differences));
@@ -32,7 +32,7 @@ public class DecoderTruthTests
     {
         var truth = Truth(file);
         var decoding = GCodeDecoder.Decode(
-            GCodeFiles.Document(file), new DecodeOptions { Dialect = DialectTable.Slicer, Rule = ExtrusionRule.Balance }).Value!;
+            GCodeFiles.Document(file), new DecodeOptions { Flavor = FlavorTable.Slicer, Rule = ExtrusionRule.Balance }).Value!;
         if (truth["e_used"]!.Type == JTokenType.Null) return;
         var used = (double)truth["e_used"]!;
         Assert.That(decoding.Report.EUsed, Is.EqualTo(used).Within(1e-5 + 1e-9 * used));

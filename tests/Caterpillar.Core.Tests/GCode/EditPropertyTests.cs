@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -13,7 +13,7 @@ namespace Caterpillar.Tests.GCode;
 /// <summary>Random edits of random programs in random styles: what is decoded from the written file is the edited toolpath, move by move.</summary>
 public class EditPropertyTests
 {
-    private static readonly DialectRules[] Dialects = DialectTable.All.Where(d => d.ExtruderLetters.Length > 0).ToArray();
+    private static readonly FlavorRules[] Flavors = FlavorTable.All.Where(d => d.ExtruderLetters.Length > 0).ToArray();
 
     private static int Runs => Rounds.Of(quick: 400, full: 400, onMono: 100);
 
@@ -61,7 +61,7 @@ public class EditPropertyTests
         {
             var options = new ConvertOptions
             {
-                Dialect = DialectTable.All[random.Next(DialectTable.All.Count)],
+                Flavor = FlavorTable.All[random.Next(FlavorTable.All.Count)],
                 RelativeE = random.Next(3) switch { 0 => null, 1 => true, _ => false },
                 FilamentDiameter = 1.75,
                 RetractionLength = random.Next(2) * 1.5,
@@ -77,16 +77,16 @@ public class EditPropertyTests
         {
             string[] any = ["G28", "G91", "G90", "M83", "M82", "G1 X5 Y7 Z9 F900", "G92 X3", "M106 S9", "G20", "T1", "G1 F77", "; hello", "G10"];
             var start = Enumerable.Range(0, random.Next(6)).Select(_ => any[random.Next(any.Length)])
-                .Where(l => l != "G10" || decoding.Dialect.FirmwareRetraction).ToArray();
+                .Where(l => l != "G10" || decoding.Flavor.FirmwareRetraction).ToArray();
             var result = GCodeEditor.ToDocument(decoding, decoding.Toolpath, new EditOptions { Start = start, End = ["M84 ; off"] });
-            var back = RoundTrips.Decode(result.Value!, decoding.Dialect);
+            var back = RoundTrips.Decode(result.Value!, decoding.Flavor);
             var prints = decoding.Toolpath.Moves().Where(m => m.Kind == MoveKind.Print && m.Layer >= 0).Select(m => m.Source).ToArray();
             if (prints.Length == 0) return null;
             var kept = decoding.Toolpath.Moves().Where(m => m.Source >= decoding.FirstLayerLine && m.Source <= prints[prints.Length - 1]).ToArray();
             var all = back.Toolpath.Moves().ToArray();
             if (all.Length < kept.Length) return "moves are lost";
             return SameMoves.Difference(Part(decoding.Toolpath, kept), Part(back.Toolpath, all.Skip(all.Length - kept.Length).ToArray()),
-                new MoveTolerance { LayersOfStrands = true }) is { } found
+                new MoveTolerance { LayersOfExtrusions = true }) is { } found
                 ? found + "\n" + string.Concat(result.Value!.ToBytes().Select(b => (char)b)) + "\n-----"
                 : null;
         });
@@ -131,19 +131,19 @@ public class EditPropertyTests
         for (var run = _first; run < _first + _runs; run++)
         {
             var random = new Random(seed * 1_000_000 + run);
-            var dialect = Dialects[random.Next(Dialects.Length)];
-            var text = RandomProgram.Text(random, dialect);
-            var decoding = RoundTrips.Decode(GCodeDocument.FromText(text), dialect);
-            if (difference(decoding, random) is { } found) Assert.Fail("run " + run + ", " + dialect.Name + ": " + found + "\n" + text);
+            var flavor = Flavors[random.Next(Flavors.Length)];
+            var text = RandomProgram.Text(random, flavor);
+            var decoding = RoundTrips.Decode(GCodeDocument.FromText(text), flavor);
+            if (difference(decoding, random) is { } found) Assert.Fail("run " + run + ", " + flavor.Name + ": " + found + "\n" + text);
         }
     }
 
     // Both methods of writing.
     private static string? Check(DecodedGCode decoding, Toolpath edited)
     {
-        // A and B extrude where they do so along X or Y; without any strand nothing says so.
+        // A and B extrude where they do so along X or Y; without any extrusion nothing says so.
         if (decoding.Axis != ExtrusionAxis.E && !edited.Moves().Any(m => m.E != 0 && (m.End - m.Start).LengthXY > 2e-3)) return null;
-        var spliced = RoundTrips.Edited(decoding, edited, new MoveTolerance { Chords = 0.01, LayersOfStrands = true, UnknownRoles = true });
+        var spliced = RoundTrips.Edited(decoding, edited, new MoveTolerance { Chords = 0.01, LayersOfExtrusions = true, UnknownRoles = true });
         if (spliced is not null) return spliced + "\n" + Text(decoding, edited);
         return RoundTrips.Written(decoding, edited, true) is { } written ? "rewritten: " + written : null;
     }
@@ -176,7 +176,7 @@ public class EditPropertyTests
         {
             yield return (move, pulled[move.Tool], firmware[move.Tool]);
             if (move.E != 0) pulled[move.Tool] = Math.Max(pulled[move.Tool] - move.E, 0);
-            else if (move.Kind is MoveKind.Retract or MoveKind.Restore) firmware[move.Tool] = move.Kind == MoveKind.Retract;
+            else if (move.Kind is MoveKind.Retract or MoveKind.Deretract) firmware[move.Tool] = move.Kind == MoveKind.Retract;
         }
     }
 

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Text;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -72,7 +72,7 @@ public class EditTests
         var edited = Edit(Small, t => t.Deform(new MoveFilter { FirstLayer = 2, LastLayer = 2 }, p => new Vec3(2 * p.X + 1, p.Y, p.Z)));
         var decoding = Decode(Doc(edited));
         Assert.That(decoding.Report.PrintBounds.Max.X, Is.EqualTo(21).Within(1e-9));
-        Assert.That(decoding.Report.EPrint, Is.EqualTo(7).Within(1e-9), "the strand of 10 mm has become one of 20");
+        Assert.That(decoding.Report.EPrint, Is.EqualTo(7).Within(1e-9), "the extrusion of 10 mm has become one of 20");
     }
 
     [Test]
@@ -160,5 +160,5 @@ public class EditTests
 
     private static GCodeDocument Doc(string text) => GCodeDocument.FromText(text);
 
-    private static DecodedGCode Decode(GCodeDocument document) => GCodeDecoder.Decode(document, new DecodeOptions { Dialect = DialectTable.Slicer }).Value!;
+    private static DecodedGCode Decode(GCodeDocument document) => GCodeDecoder.Decode(document, new DecodeOptions { Flavor = FlavorTable.Slicer }).Value!;
 }

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Text;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -98,9 +98,9 @@ public class FuzzTests
     {
         var document = GCodeDocument.FromBytes(bytes);
         if (!SameBytes(document.ToBytes(), bytes)) throw new InvalidOperationException("bytes lost");
-        var dialect = random.Next(3) == 0 ? null : DialectTable.All[random.Next(DialectTable.All.Count)];
+        var flavor = random.Next(3) == 0 ? null : FlavorTable.All[random.Next(FlavorTable.All.Count)];
         var rule = (ExtrusionRule)random.Next(2);
-        var decoding = GCodeDecoder.Decode(document, new DecodeOptions { Dialect = dialect, Rule = rule, Threads = 1 }).Value!;
+        var decoding = GCodeDecoder.Decode(document, new DecodeOptions { Flavor = flavor, Rule = rule, Threads = 1 }).Value!;
         foreach (var move in decoding.Toolpath.Moves())
         {
             if (!move.End.IsFinite || double.IsNaN(move.E) || double.IsInfinity(move.E)
@@ -116,7 +116,7 @@ public class FuzzTests
         GCodeEditor.ToDocument(decoding, decoding.Toolpath.ScaleSpeed(new MoveFilter(), 0.5).ScaleFlow(new MoveFilter(), 1.1));
         GCodeEditor.ToDocument(decoding, decoding.Toolpath.Remove(new MoveFilter { Kinds = [(MoveKind)random.Next(8)] }));
         GCodeConverter.ToDocument(decoding,
-            new ConvertOptions { Dialect = DialectTable.All[random.Next(DialectTable.All.Count)], RelativeE = random.Next(2) == 0,
+            new ConvertOptions { Flavor = FlavorTable.All[random.Next(FlavorTable.All.Count)], RelativeE = random.Next(2) == 0,
             ExpandArcs = random.Next(4) == 0 });
     }
 

@@ -1,6 +1,6 @@
 using System.Linq;
 using System.Text;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -32,10 +32,10 @@ public class LayerNumberTests
     }
 
     [Test]
-    public void A_layer_without_strands_keeps_its_number()
+    public void A_layer_without_extrusions_keeps_its_number()
     {
         var toolpath = Decode("M83\n;LAYER:0\nG1 X5 Z0.2 E1\n;LAYER:1\nG0 X7\n;LAYER:2\nG1 X10 E1\n");
-        Assert.That(toolpath.NumbersOfLayers(), Is.EqualTo(new[] { 0, 2 }), "two marks without a strand between them are one");
+        Assert.That(toolpath.NumbersOfLayers(), Is.EqualTo(new[] { 0, 2 }), "two marks without an extrusion between them are one");
     }
 
     [TestCase("cu_cheburashka_marlin_relE_zhop.gcode.gz", 126)]
@@ -60,12 +60,12 @@ public class LayerNumberTests
     public void Templates_number_layers_alike()
     {
         var toolpath = Decode(TwoObjects);
-        var setup = new PrintSetup(new Printer { LayerTemplate = new("; layer {layer} of {layer_count}") }, new Material(), new PrintSettings());
+        var setup = new PrintSetup(new Printer { LayerChangeGCode = new("; layer {layer} of {layer_count}") }, new Material(), new PrintSettings());
         var text = Encoding.ASCII.GetString(GCodeWriter.ToBytes(toolpath, SetupFormat.Of(setup, toolpath).Value));
         Assert.That(text, Does.Contain("; layer 1 of 2"));
         Assert.That(text, Does.Not.Contain("; layer 2 of"));
     }
 
     private static Toolpath Decode(string text)
-        => GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Dialect = DialectTable.Marlin2 }).Value!.Toolpath;
+        => GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Flavor = FlavorTable.Marlin2 }).Value!.Toolpath;
 }

@@ -1,7 +1,7 @@
 using System;
 using System.Linq;
 using System.Text;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
@@ -54,9 +54,9 @@ public class MoveEdgeTests
 
     [TestCase("cnc")]
     [TestCase("grbl")]
-    public void After_going_to_the_stored_place_the_axes_are_known(string dialect)
+    public void After_going_to_the_stored_place_the_axes_are_known(string flavor)
     {
-        var toolpath = Decode("G28\nG92 X5 Y6 Z7\nG1 X6 Y8 Z10 F600\n", dialect).Toolpath;
+        var toolpath = Decode("G28\nG92 X5 Y6 Z7\nG1 X6 Y8 Z10 F600\n", flavor).Toolpath;
         Assert.That(toolpath[toolpath.Count - 1].End, Is.EqualTo(new Vec3(1, 2, 3)), "they stand at 0 and get another name");
     }
 
@@ -70,11 +70,11 @@ public class MoveEdgeTests
     }
 
     [TestCase("G1 E1\nG1 E0.5", "Prime 1, Prime 0.5")]
-    [TestCase("G1 E-1\nG1 E0.5\nG1 E0.5\nG1 E0.5", "Retract 0, Restore 0, Restore 0, Prime 0.5")]
-    [TestCase("G1 E-1\nG1 E1.5", "Retract 0, Restore 0.5")]
-    [TestCase("G1 E-1\nG1 X5 E0.5\nG1 X6 E1", "Retract 0, MovingRestore 0, Print 0.5")]
-    [TestCase("G1 X5 E-1\nG1 X6 E1\nG1 X7 E1", "Wipe 0, MovingRestore 0, Print 1")]
-    [TestCase("G1 E-1\nG1 X5 E1.0000000001\nG1 X6 E1", "Retract 0, MovingRestore 0, Print 1")]
+    [TestCase("G1 E-1\nG1 E0.5\nG1 E0.5\nG1 E0.5", "Retract 0, Deretract 0, Deretract 0, Prime 0.5")]
+    [TestCase("G1 E-1\nG1 E1.5", "Retract 0, Deretract 0.5")]
+    [TestCase("G1 E-1\nG1 X5 E0.5\nG1 X6 E1", "Retract 0, MovingDeretract 0, Print 0.5")]
+    [TestCase("G1 X5 E-1\nG1 X6 E1\nG1 X7 E1", "Wipe 0, MovingDeretract 0, Print 1")]
+    [TestCase("G1 E-1\nG1 X5 E1.0000000001\nG1 X6 E1", "Retract 0, MovingDeretract 0, Print 1")]
     public void E_prints_beyond_what_was_pulled_back(string lines, string kinds)
         => Assert.That(string.Join(", ",
             Decode("M83\nG1 F600\n" + lines + "\n").Toolpath.Moves().Select(m => FormattableString.Invariant($"{m.Kind} {m.Deposited}"))),
@@ -83,9 +83,9 @@ public class MoveEdgeTests
     // Half a circle from (5, 0) around the origin, counterclockwise.
     [TestCase("marlin2", false, "G3 X-5 I-5 J0 E1 F600")]
     [TestCase("marlin2", true, "G2 X-5 I-5 J0 E1 F600")]
-    public void Half_a_circle_is_one_line(string dialect, bool clockwise, string line)
+    public void Half_a_circle_is_one_line(string flavor, bool clockwise, string line)
     {
-        var written = Written(dialect, new Vec3(-5, 0, 1), new Arc(Vec3.Zero, clockwise ? -180 : 180));
+        var written = Written(flavor, new Vec3(-5, 0, 1), new Arc(Vec3.Zero, clockwise ? -180 : 180));
         Assert.That(written.Single(l => l.Contains('I')), Is.EqualTo(line));
     }
 
@@ -178,7 +178,7 @@ public class MoveEdgeTests
     [Test]
     public void Events_are_written_as_the_firmware_reads_them()
     {
-        string[] Lines(PrinterEvent what, string dialect = "marlin2") => EventText.Lines(what, DialectTable.Find(dialect)!).ToArray();
+        string[] Lines(PrinterEvent what, string flavor = "marlin2") => EventText.Lines(what, FlavorTable.Find(flavor)!).ToArray();
         Assert.That(Lines(new AccelerationEvent(1500.4)), Is.EqualTo(new[] { "M204 S1500" }));
         Assert.That(Lines(new NozzleTemperatureEvent(210.26, true, 2)), Is.EqualTo(new[] { "M109 T2 S210.3" }));
         Assert.That(Lines(new NozzleTemperatureEvent(210)), Is.EqualTo(new[] { "M104 S210" }));
@@ -218,16 +218,16 @@ public class MoveEdgeTests
         Assert.That(report.PrintBounds.Max, Is.EqualTo(new Vec3(2 * radius, radius)));
     }
 
-    private static string[] Written(string dialect, Vec3 end, Arc arc, bool arcs = true)
+    private static string[] Written(string flavor, Vec3 end, Arc arc, bool arcs = true)
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, null);
         builder.Add(new Vec3(5, 0, 1), 0, 0, 50, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
         builder.Add(end, 1, 1, 10, MoveKind.Print, Role.Unspecified, -1, 0, 0, arc);
         var bytes = GCodeWriter.ToBytes(builder.Build([new ToolpathTool(1)]),
-            new GCodeFormat { Comments = false, Arcs = arcs, Dialect = DialectTable.Find(dialect)! });
+            new GCodeFormat { Comments = false, Arcs = arcs, Flavor = FlavorTable.Find(flavor)! });
         return Encoding.ASCII.GetString(bytes).Split(['\n'], StringSplitOptions.RemoveEmptyEntries);
     }
 
-    private static DecodedGCode Decode(string text, string dialect = "marlin2")
-        => GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Dialect = DialectTable.Find(dialect)! }).Value!;
+    private static DecodedGCode Decode(string text, string flavor = "marlin2")
+        => GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Flavor = FlavorTable.Find(flavor)! }).Value!;
 }

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Machines;
 
 namespace Caterpillar.Tests.GCode;
@@ -34,8 +34,8 @@ internal sealed record MoveTolerance
     /// <summary>Numbers of layers and names of objects are equal; otherwise moves are in one layer here where they are in one layer there.</summary>
     public bool SameLayers { get; init; } = true;
 
-    /// <summary>Only strands are asked for their layer: where a layer has lost all of its strands, its other moves belong to the next.</summary>
-    public bool LayersOfStrands { get; init; }
+    /// <summary>Only extrusions are asked for their layer: where a layer has lost all of its extrusions, its other moves belong to the next.</summary>
+    public bool LayersOfExtrusions { get; init; }
 
     /// <summary>What primed or restored one tool may print with another; what it is for is then in the file only.</summary>
     public bool UnknownRoles { get; init; }

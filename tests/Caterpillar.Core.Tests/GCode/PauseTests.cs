@@ -1,6 +1,6 @@
 using System.Linq;
 using System.Text;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -13,7 +13,7 @@ namespace Caterpillar.Tests.GCode;
 public class PauseTests
 {
     private const string Print = "G90\nM83\n;LAYER:0\nG0 X10 Y20 Z0.2 F6000\nG1 X30 E1 F1200\n;LAYER:1\nM106 S255\nG0 Z0.4 F600\nG1 X10 E1 F1200\n";
-    private static readonly Pause Lifted = new() { Lift = 5, Retraction = 2, Prime = 0.1, TravelSpeed = 100, LiftSpeed = 10, RetractionSpeed = 30 };
+    private static readonly Pause Lifted = new() { Lift = 5, Retraction = 2, Prime = 0.1, TravelSpeed = 100, ZHopSpeed = 10, RetractionSpeed = 30 };
 
     [Test]
     public void The_head_leaves_the_part_and_comes_back()
@@ -27,11 +27,11 @@ public class PauseTests
         Assert.That(moves.Select(m => (m.Kind, m.E, m.Deposited)), Is.EqualTo(new[]
         {
             (MoveKind.Retract, -2.0, 0.0), (MoveKind.Travel, 0, 0), (MoveKind.Travel, 0, 0), (MoveKind.Travel, 0, 0), (MoveKind.Travel, 0, 0),
-            (MoveKind.Restore, 2.1, 0.1),
+            (MoveKind.Deretract, 2.1, 0.1),
         }));
         var pen = Decode("G90\n;LAYER:0\nG0 X1 Z1 F6000\nG1 X9\n;LAYER:1\nG1 X1 Z2\n").PauseAtLayer(1, Lifted).Value!;
         Assert.That(pen.Moves().Select(m => m.E), Is.All.Zero, "without E nothing is retracted");
-        Assert.That((Pause.Plain.TravelSpeed, Pause.Plain.LiftSpeed, Pause.Plain.RetractionSpeed, Pause.Plain.Lift, Pause.Plain.FilamentArea),
+        Assert.That((Pause.Plain.TravelSpeed, Pause.Plain.ZHopSpeed, Pause.Plain.RetractionSpeed, Pause.Plain.Lift, Pause.Plain.FilamentArea),
             Is.EqualTo((100.0, 10.0, 35.0, 0.0, 1.0)));
     }
 
@@ -70,16 +70,16 @@ public class PauseTests
     {
         var decoded = GCodeDecoder.Decode(GCodeFiles.Document(file)).Value!;
         var edited = decoded.Toolpath.PauseAtLayer(3, Lifted with { Prime = 0 }).Value!;
-        var back = GCodeDecoder.Decode(GCodeEditor.ToDocument(decoded, edited).Value!, new DecodeOptions { Dialect = decoded.Dialect }).Value!.Toolpath;
-        (Vec3, Vec3)[] Strands(Toolpath t) => t.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => (m.Start, m.End)).ToArray();
-        Assert.That(Strands(back), Is.EqualTo(Strands(decoded.Toolpath)));
+        var back = GCodeDecoder.Decode(GCodeEditor.ToDocument(decoded, edited).Value!, new DecodeOptions { Flavor = decoded.Flavor }).Value!.Toolpath;
+        (Vec3, Vec3)[] Extrusions(Toolpath t) => t.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => (m.Start, m.End)).ToArray();
+        Assert.That(Extrusions(back), Is.EqualTo(Extrusions(decoded.Toolpath)));
         Assert.That(back.Moves().Sum(m => m.Deposited), Is.EqualTo(decoded.Toolpath.Moves().Sum(m => m.Deposited)).Within(1e-3));
     }
 
     [Test]
     public void The_keys_of_the_printer_say_how()
     {
-        var pause = PauseMoves.Of(new PrintSetup(new Printer { PauseLift = 7, PausePark = new(new Vec3(1, 2, 0)), PauseCommand = new("M600") }, new Material(),
+        var pause = PauseMoves.Of(new PrintSetup(new Printer { PauseLift = 7, PausePark = new(new Vec3(1, 2, 0)), PauseGCode = new("M600") }, new Material(),
             new PrintSettings()));
         Assert.That((pause.Lift, pause.Park, pause.Retraction, pause.Command), Is.EqualTo((7, new Vec3(1, 2, 0), 2, "M600")));
     }
@@ -113,10 +113,10 @@ public class PauseTests
     }
 
     private static Toolpath Decode(string text)
-        => GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Dialect = DialectTable.Marlin2 }).Value!.Toolpath;
+        => GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Flavor = FlavorTable.Marlin2 }).Value!.Toolpath;
 
     [Test]
-    public void The_lift_counts_from_the_highest_place_of_a_strand_that_falls()
+    public void The_lift_counts_from_the_highest_place_of_a_extrusion_that_falls()
     {
         var text = Written("G90\nM83\n;LAYER:0\nG0 X10 Y20 Z3 F6000\nG1 X30 Z1 E1 F1200\n;LAYER:1\nG0 Z3.5 F600\nG1 X10 E1 F1200\n", 1, Lifted);
         Assert.That(text, Does.Contain("G0 Z8 F600\n"), "5 mm above Z 3");
@@ -124,7 +124,7 @@ public class PauseTests
 
     private static string Written(string text, int layer, Pause pause)
     {
-        var decoded = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Dialect = DialectTable.Marlin2 }).Value!;
+        var decoded = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Flavor = FlavorTable.Marlin2 }).Value!;
         return Encoding.ASCII.GetString(GCodeEditor.ToDocument(decoded, decoded.Toolpath.PauseAtLayer(layer, pause).Value!).Value!.ToBytes());
     }
 }

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Text;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
@@ -10,8 +10,8 @@ using NUnit.Framework;
 namespace Caterpillar.Tests.GCode;
 
 /// <summary>
-/// Lines in the usual form, <c>G1 X1.5 Y2 E.03</c>, are read by a short cut, and strands that follow each other by another one. In lower case, <c>g1</c>, the
-/// same lines take neither: bit by bit the moves must be those.
+/// Lines in the usual form, <c>G1 X1.5 Y2 E.03</c>, are read by a short cut, and extrusions that follow each other by another one. In lower case, <c>g1</c>,
+/// the same lines take neither: bit by bit the moves must be those.
 /// </summary>
 public class PlainFormTests
 {
@@ -21,15 +21,15 @@ public class PlainFormTests
     public void Every_file_reads_as_it_does_in_lower_case(string file)
     {
         var document = GCodeFiles.Document(file);
-        var dialect = GCodeDecoder.Decode(document).Value!.Dialect;
-        foreach (var rule in new[] { ExtrusionRule.Balance, ExtrusionRule.Rising }) HoldAgainstLowerCase(document.ToBytes(), dialect, rule);
+        var flavor = GCodeDecoder.Decode(document).Value!.Flavor;
+        foreach (var rule in new[] { ExtrusionRule.Balance, ExtrusionRule.Rising }) HoldAgainstLowerCase(document.ToBytes(), flavor, rule);
     }
 
     [Test]
     public void Numbers_of_any_form_read_as_they_do_in_lower_case()
     {
         var random = new Random(11);
-        for (var run = 0; run < 300; run++) HoldAgainstLowerCase(Encoding.ASCII.GetBytes(Program(random, 40)), DialectTable.Find("marlin2")!,
+        for (var run = 0; run < 300; run++) HoldAgainstLowerCase(Encoding.ASCII.GetBytes(Program(random, 40)), FlavorTable.Find("marlin2")!,
             ExtrusionRule.Balance);
     }
 
@@ -42,7 +42,7 @@ public class PlainFormTests
             var bytes = Encoding.ASCII.GetBytes(Program(random, 12));
             for (var n = random.Next(1, 6); n > 0; n--) bytes[random.Next(bytes.Length)] = (byte)(random.Next(3) == 0 ? random.Next(256)
                 : "0.- \n\r;XYE9"[random.Next(11)]);
-            HoldAgainstLowerCase(bytes, DialectTable.Find("marlin2")!, ExtrusionRule.Balance);
+            HoldAgainstLowerCase(bytes, FlavorTable.Find("marlin2")!, ExtrusionRule.Balance);
         }
     }
 
@@ -81,9 +81,9 @@ public class PlainFormTests
         return sign + Digits[random.Next(Digits.Length)] + (random.Next(4) > 0 ? "." + Digits[random.Next(Digits.Length)] : "");
     }
 
-    private static void HoldAgainstLowerCase(byte[] text, DialectRules dialect, ExtrusionRule rule)
+    private static void HoldAgainstLowerCase(byte[] text, FlavorRules flavor, ExtrusionRule rule)
     {
-        var options = new DecodeOptions { Dialect = dialect, Rule = rule, FilamentDiameter = 1.75, Threads = 1 };
+        var options = new DecodeOptions { Flavor = flavor, Rule = rule, FilamentDiameter = 1.75, Threads = 1 };
         var fast = GCodeDecoder.Decode(text, options).Value!;
         var slow = GCodeDecoder.Decode(LowerCase(text), options).Value!;
         Assert.That(fast.Toolpath.Count, Is.EqualTo(slow.Toolpath.Count), () => Encoding.ASCII.GetString(text, 0, Math.Min(text.Length, 2000)));

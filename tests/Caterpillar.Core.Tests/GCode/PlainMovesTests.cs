@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Text;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
@@ -33,7 +33,7 @@ public class PlainMovesTests
         for (var seed = 0; seed < 300; seed++)
         {
             var random = new Random(seed);
-            var decoded = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(Program(random)), new DecodeOptions { Dialect = Dialect(random) }).Value!;
+            var decoded = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(Program(random)), new DecodeOptions { Flavor = Flavor(random) }).Value!;
             Compare(decoded, Conversions().ElementAt(random.Next(6)));
             Compare(decoded, Edits(decoded.Toolpath).ElementAt(random.Next(6)));
         }
@@ -69,8 +69,8 @@ public class PlainMovesTests
 
     private static IEnumerable<ConvertOptions> Conversions() =>
     [
-        new() { RelativeE = true }, new() { RelativeE = false }, new() { Dialect = DialectTable.Klipper, FilamentDiameter = 1.75 },
-        new() { Dialect = DialectTable.RepRapFirmware, RelativeE = true, FilamentDiameter = 1.75 }, new() { ExpandArcs = true, RelativeE = false },
+        new() { RelativeE = true }, new() { RelativeE = false }, new() { Flavor = FlavorTable.Klipper, FilamentDiameter = 1.75 },
+        new() { Flavor = FlavorTable.RepRapFirmware, RelativeE = true, FilamentDiameter = 1.75 }, new() { ExpandArcs = true, RelativeE = false },
         new() { DecimalsXyz = 3, DecimalsE = 4 },
     ];
 
@@ -107,8 +107,8 @@ public class PlainMovesTests
 
     private static string Text(GCodeDocument document) => Encoding.ASCII.GetString(document.ToBytes());
 
-    private static DialectRules Dialect(Random random)
-        => new[] { DialectTable.Marlin2, DialectTable.Klipper, DialectTable.Slicer, DialectTable.RepRapFirmware, DialectTable.Prusa }[random.Next(5)];
+    private static FlavorRules Flavor(Random random)
+        => new[] { FlavorTable.Marlin2, FlavorTable.Klipper, FlavorTable.Slicer, FlavorTable.RepRapFirmware, FlavorTable.Prusa }[random.Next(5)];
 
     private static string Program(Random random)
     {

@@ -3,7 +3,7 @@ using System.Globalization;
 using System.Linq;
 using System.Text;
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
 
@@ -13,7 +13,7 @@ namespace Caterpillar.Tests.GCode;
 internal sealed class RandomProgram
 {
     private readonly Random _random;
-    private readonly DialectRules _dialect;
+    private readonly FlavorRules _flavor;
     private readonly StringBuilder _text = new();
     private readonly bool _lower;
     private readonly bool _noSpace;
@@ -29,27 +29,27 @@ internal sealed class RandomProgram
     private bool _g91, _m83, _last, _inches;
     private int _tool, _motion = 1;
 
-    private RandomProgram(Random random, DialectRules dialect)
+    private RandomProgram(Random random, FlavorRules flavor)
     {
         _random = random;
-        _dialect = dialect;
+        _flavor = flavor;
         _lower = Chance(0.15);
         _noSpace = Chance(0.15);
         _numbered = Chance(0.2);
         _lineEnd = Chance(0.2) ? "\r\n" : Chance(0.05) ? "\r" : "\n";
         _tools = Chance(0.3) ? 3 : 1;
-        _firmware = dialect.FirmwareRetraction && Chance(0.4);
-        _e = dialect.ExtruderLetters[0];
+        _firmware = flavor.FirmwareRetraction && Chance(0.4);
+        _e = flavor.ExtruderLetters[0];
     }
 
-    public static string Text(Random random, DialectRules dialect, int layers = 3)
+    public static string Text(Random random, FlavorRules flavor, int layers = 3)
     {
-        var program = new RandomProgram(random, dialect);
+        var program = new RandomProgram(random, flavor);
         program.Write(layers);
         return program._text.ToString();
     }
 
-    private bool RelativeE => _dialect.RelativeE switch
+    private bool RelativeE => _flavor.RelativeE switch
     {
         RelativeERule.EitherG91OrM83 => _g91 || _m83,
         RelativeERule.LastWins => _last,
@@ -59,7 +59,7 @@ internal sealed class RandomProgram
 
     private double Unit => _inches ? 25.4 : 1;
 
-    private double UnitOfE => _dialect.InchesOfE == InchesOfERule.Unchanged ? 1 : Unit;
+    private double UnitOfE => _flavor.InchesOfE == InchesOfERule.Unchanged ? 1 : Unit;
 
     private bool Chance(double share) => _random.NextDouble() < share;
 
@@ -78,19 +78,19 @@ internal sealed class RandomProgram
         {
             Comment("LAYER:" + layer.ToString(CultureInfo.InvariantCulture));
             if (layer > 0) Motion(0, Around(0, 50), Around(0, 50), 0.3 + 0.2 * layer, 0, 6000);
-            for (var strand = _random.Next(1, 4); strand > 0; strand--) Strand();
+            for (var extrusion = _random.Next(1, 4); extrusion > 0; extrusion--) Extrusion();
         }
         if (Chance(0.3)) Line("G28 X");
         Line("M84");
     }
 
-    private void Strand()
+    private void Extrusion()
     {
         Between();
         if (Chance(0.5)) Comment("TYPE:" + new[] { "WALL-OUTER", "FILL", "SKIN", "SUPPORT" }[_random.Next(4)]);
         for (var i = _random.Next(1, 5); i > 0; i--)
         {
-            if (_dialect.Arcs && (!_g91 || _dialect.ArcsInRelativeMode) && Chance(0.2)) Arc();
+            if (_flavor.Arcs && (!_g91 || _flavor.ArcsInRelativeMode) && Chance(0.2)) Arc();
             else Print();
         }
         if (Chance(0.6)) return;
@@ -111,12 +111,12 @@ internal sealed class RandomProgram
         else Motion(1, _x, _y, _z, length, 2400);
     }
 
-    // What happens between strands.
+    // What happens between extrusions.
     private void Between()
     {
         if (Chance(0.12)) Mode(_g91 ? 90 : 91);
         if (Chance(0.12)) EMode(!_m83);
-        if (_dialect.Inches && Chance(0.1))
+        if (_flavor.Inches && Chance(0.1))
         {
             _inches = !_inches;
             Line(_inches ? "G20" : "G21");
@@ -124,7 +124,7 @@ internal sealed class RandomProgram
         if (Chance(0.15)) Line("M106", ('S', _random.Next(256)));
         if (Chance(0.1)) Line("M104", ('S', 190 + _random.Next(40)));
         if (Chance(0.05)) Line("G4", ('P', 250));
-        if (Chance(0.05) && _dialect.Pauses[0] is var pause) Line(pause);
+        if (Chance(0.05) && _flavor.Pauses[0] is var pause) Line(pause);
         if (Chance(0.15) && !RelativeE)
         {
             _sum = Chance(0.7) ? 0 : Around(-5, 5);
@@ -140,16 +140,16 @@ internal sealed class RandomProgram
         if (_tools > 1 && Chance(0.25))
         {
             var tool = _random.Next(_tools);
-            if (_dialect.PositionOfE == PositionOfERule.PerTool)
+            if (_flavor.PositionOfE == PositionOfERule.PerTool)
             {
                 _ofTool[_tool] = _sum;
                 _sum = _ofTool[tool];
             }
-            if (_dialect.PositionOfE == PositionOfERule.ZeroAtChange && tool != _tool) _sum = 0;
+            if (_flavor.PositionOfE == PositionOfERule.ZeroAtChange && tool != _tool) _sum = 0;
             _tool = tool;
-            Line((_dialect.ToolByM6 ? "M6 T" : "T") + tool.ToString(CultureInfo.InvariantCulture));
+            Line((_flavor.ToolByM6 ? "M6 T" : "T") + tool.ToString(CultureInfo.InvariantCulture));
         }
-        if (_dialect.Planes && _dialect.Arcs && Chance(0.05)) Line("G17");
+        if (_flavor.Planes && _flavor.Arcs && Chance(0.05)) Line("G17");
         if (Chance(0.05)) Line("G1", ('F', 900 / (_inches ? 25.4 : 1)));
     }
 
@@ -161,7 +161,7 @@ internal sealed class RandomProgram
 
     private void EMode(bool relative)
     {
-        if (_dialect.RelativeE == RelativeERule.OnlyG90G91) return;
+        if (_flavor.RelativeE == RelativeERule.OnlyG90G91) return;
         _m83 = _last = relative;
         Line(relative ? "M83" : "M82");
     }
@@ -209,7 +209,7 @@ internal sealed class RandomProgram
         if (feed > 0) words.Add(('F', feed / Unit));
         if (words.Count == 0) return;
         (_x, _y, _z) = (x, y, z);
-        var modal = _dialect.ModalMotion != ModalMotionRule.Never && code == _motion && Chance(0.1) && words[0].Item1 is 'X' or 'Y';
+        var modal = _flavor.ModalMotion != ModalMotionRule.Never && code == _motion && Chance(0.1) && words[0].Item1 is 'X' or 'Y';
         _motion = code;
         var head = modal ? "" : "G" + code.ToString(CultureInfo.InvariantCulture);
         Line(head, words.ToArray());

@@ -1,6 +1,6 @@
 using System.Linq;
 using System.Text;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -12,7 +12,7 @@ namespace Caterpillar.Tests.GCode;
 /// <summary>After raw lines and templates what follows does what it would have done without them.</summary>
 public class RawLineTests
 {
-    private static readonly string[] Strands = ["G1 X30 E1", "G1 X40 E1"];
+    private static readonly string[] Extrusions = ["G1 X30 E1", "G1 X40 E1"];
 
     [TestCase("; hello")]
     [TestCase("M117 G91 X5")]
@@ -21,7 +21,7 @@ public class RawLineTests
     [TestCase("G4 P100")]
     [TestCase("not a command of this firmware")]
     public void A_harmless_line_adds_nothing(string raw)
-        => Assert.That(After(raw, new GCodeFormat()), Is.EqualTo(Strands));
+        => Assert.That(After(raw, new GCodeFormat()), Is.EqualTo(Extrusions));
 
     [TestCase("G91", "G90|M83|G1 X30 E1|G1 X40 E1")]
     [TestCase("M82", "G90|M83|G1 X30 E1|G1 X40 E1")]
@@ -37,7 +37,7 @@ public class RawLineTests
     [TestCase("SET_FAN_SPEED FAN=a SPEED=1", "G1 X30 E1|G1 X40 E1")]
     [TestCase("PARK", "G17|G90|M83|G0 X20 Y0 Z0.2 F6000|G1 X30 E1 F1200|G1 X40 E1")]
     public void A_macro_of_Klipper_may_do_anything(string raw, string expected)
-        => Assert.That(string.Join("|", After(raw, new GCodeFormat { Dialect = DialectTable.Klipper })).Replace("G21|", ""), Is.EqualTo(expected));
+        => Assert.That(string.Join("|", After(raw, new GCodeFormat { Flavor = FlavorTable.Klipper })).Replace("G21|", ""), Is.EqualTo(expected));
 
     [TestCase("G91\nG1 Z5\nG90")]
     [TestCase("G20\nG1 X1")]
@@ -46,7 +46,7 @@ public class RawLineTests
     [TestCase("G28")]
     [TestCase("T1\nM82")]
     [TestCase("M117 hello")]
-    public void Whatever_it_is_the_strands_are_the_same(string raw)
+    public void Whatever_it_is_the_extrusions_are_the_same(string raw)
     {
         foreach (var relative in new[] { true, false })
         {
@@ -81,7 +81,7 @@ public class RawLineTests
     }
 
     private static Toolpath Decode(Toolpath toolpath, GCodeFormat format)
-        => GCodeDecoder.Decode(GCodeWriter.ToBytes(toolpath, format), new DecodeOptions { Dialect = format.Dialect }).Value!.Toolpath;
+        => GCodeDecoder.Decode(GCodeWriter.ToBytes(toolpath, format), new DecodeOptions { Flavor = format.Flavor }).Value!.Toolpath;
 
     private static Toolpath Path(string? raw)
     {

@@ -1,7 +1,7 @@
 using System;
 using System.Linq;
 using System.Text;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
@@ -29,7 +29,7 @@ public class RelativeOutputTests
     public void What_is_read_back_is_what_absolute_output_gives([Values(2, 3)] int decimals, [Values] bool arcs)
     {
         var random = new Random(5);
-        foreach (var dialect in new[] { DialectTable.Marlin2, DialectTable.Klipper, DialectTable.RepRapFirmware, DialectTable.Smoothie, DialectTable.Cnc })
+        foreach (var flavor in new[] { FlavorTable.Marlin2, FlavorTable.Klipper, FlavorTable.RepRapFirmware, FlavorTable.Smoothie, FlavorTable.Cnc })
         {
             var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
             var at = new Vec3(50, 50, 0.2);
@@ -44,19 +44,19 @@ public class RelativeOutputTests
                 at = builder.Position;
             }
             var toolpath = builder.Build([new ToolpathTool(2.4)]);
-            var format = new GCodeFormat { Dialect = dialect, DecimalsXyz = decimals, Arcs = arcs };
+            var format = new GCodeFormat { Flavor = flavor, DecimalsXyz = decimals, Arcs = arcs };
             var absolute = Read(toolpath, format);
             var relative = Read(toolpath, format with { RelativeXyz = true });
-            if (!arcs || dialect.ArcsInRelativeMode) Assert.That(relative.Count, Is.EqualTo(absolute.Count), dialect.Name);
+            if (!arcs || flavor.ArcsInRelativeMode) Assert.That(relative.Count, Is.EqualTo(absolute.Count), flavor.Name);
             var (last, other) = (absolute[absolute.Count - 1], relative[relative.Count - 1]);
-            Assert.That(last.End.DistanceTo(other.End), Is.LessThan(1e-9), dialect.Name);
-            Assert.That(relative.Moves().Sum(m => m.E), Is.EqualTo(absolute.Moves().Sum(m => m.E)).Within(2e-5), dialect.Name);
+            Assert.That(last.End.DistanceTo(other.End), Is.LessThan(1e-9), flavor.Name);
+            Assert.That(relative.Moves().Sum(m => m.E), Is.EqualTo(absolute.Moves().Sum(m => m.E)).Within(2e-5), flavor.Name);
             if (arcs) continue;
             var far = absolute.Moves().Zip(relative.Moves(), (a, b) => a.End.DistanceTo(b.End)).Max();
-            Assert.That(far, Is.LessThan(1e-9), "nothing adds up: " + dialect.Name);
+            Assert.That(far, Is.LessThan(1e-9), "nothing adds up: " + flavor.Name);
         }
     }
 
     private static Toolpath Read(Toolpath toolpath, GCodeFormat format)
-        => GCodeDecoder.Decode(GCodeWriter.ToBytes(toolpath, format), new DecodeOptions { Dialect = format.Dialect }).Value!.Toolpath;
+        => GCodeDecoder.Decode(GCodeWriter.ToBytes(toolpath, format), new DecodeOptions { Flavor = format.Flavor }).Value!.Toolpath;
 }

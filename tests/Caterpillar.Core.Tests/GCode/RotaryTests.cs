@@ -1,7 +1,7 @@
 using System;
 using System.Linq;
 using System.Text;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -83,7 +83,7 @@ public class RotaryTests
         var kept = cut.Moves().Where(m => m.Source >= 0).Select(m => Turns(cut)[m.Index].A);
         Assert.That(kept, Is.EqualTo(new[] { 0.0, 30, 40, 40, 50 }));
         Assert.That(Turns(back), Is.EqualTo(Turns(cut)), Encoding.ASCII.GetString(written.ToBytes()));
-        var converted = GCodeConverter.ToDocument(decoding, new ConvertOptions { Dialect = DialectTable.Cnc, RelativeE = false }).Value!;
+        var converted = GCodeConverter.ToDocument(decoding, new ConvertOptions { Flavor = FlavorTable.Cnc, RelativeE = false }).Value!;
         Assert.That(Turns(Decode(converted.ToBytes(), "cnc").Toolpath), Is.EqualTo(Turns(decoding.Toolpath)), "E stays E where A turns");
     }
 
@@ -91,8 +91,8 @@ public class RotaryTests
         => toolpath.Blocks.SelectMany(b => Enumerable.Range(0, b.Count)
             .Select(i => b.Columns.A is null ? default : (b.Columns.A[i], b.Columns.B![i], b.Columns.C![i]))).ToArray();
 
-    private static DecodedGCode Decode(string text, string dialect) => Decode(Encoding.ASCII.GetBytes(text), dialect);
+    private static DecodedGCode Decode(string text, string flavor) => Decode(Encoding.ASCII.GetBytes(text), flavor);
 
-    private static DecodedGCode Decode(byte[] bytes, string dialect)
-        => GCodeDecoder.Decode(GCodeDocument.FromBytes(bytes), new DecodeOptions { Dialect = DialectTable.Find(dialect) }).Value!;
+    private static DecodedGCode Decode(byte[] bytes, string flavor)
+        => GCodeDecoder.Decode(GCodeDocument.FromBytes(bytes), new DecodeOptions { Flavor = FlavorTable.Find(flavor) }).Value!;
 }

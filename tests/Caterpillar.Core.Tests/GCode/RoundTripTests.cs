@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Diagnostics;
 using System.Linq;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
 using NUnit.Framework;
@@ -43,19 +43,19 @@ public class RoundTripTests
         if (decoding.Toolpath.Count < 10000) Assert.That(RoundTrips.Fitted(decoding), Is.Null, "arcs fitted");
     }
 
-    // Small files in every dialect, large ones in a few.
+    // Small files in every flavor, large ones in a few.
     [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Affordable))]
-    public void Another_dialect_makes_the_same_moves(string file)
+    public void Another_flavor_makes_the_same_moves(string file)
     {
-        foreach (var dialect in new[] { null, DialectTable.Slicer })
+        foreach (var flavor in new[] { null, FlavorTable.Slicer })
         {
-            var decoding = RoundTrips.Decode(GCodeFiles.Document(file), dialect);
+            var decoding = RoundTrips.Decode(GCodeFiles.Document(file), flavor);
             var small = decoding.Toolpath.Count < 1000;
-            if (!small && dialect is not null) continue;
-            foreach (var (name, options) in Dialects())
+            if (!small && flavor is not null) continue;
+            foreach (var (name, options) in Flavors())
             {
                 if (small || name == (decoding.Toolpath.Count % 2 == 0 ? "klipper" : "cnc")) Assert.That(RoundTrips.Converted(decoding, options), Is.Null,
-                    decoding.Dialect.Name + " to " + name);
+                    decoding.Flavor.Name + " to " + name);
             }
         }
     }
@@ -73,14 +73,14 @@ public class RoundTripTests
         foreach (var file in GCodeFiles.All())
         {
             var document = GCodeFiles.Document(file);
-            foreach (var dialect in new[] { null, DialectTable.Slicer })
+            foreach (var flavor in new[] { null, FlavorTable.Slicer })
             {
-                var decoding = RoundTrips.Decode(document, dialect);
+                var decoding = RoundTrips.Decode(document, flavor);
                 foreach (var (name, trip) in Trips())
                 {
                     var difference = trip(decoding);
                     count[name] = count.TryGetValue(name, out var before) ? before + 1 : 1;
-                    if (difference is not null) failures.Add(file + " (" + decoding.Dialect.Name + ") " + name + ": " + difference);
+                    if (difference is not null) failures.Add(file + " (" + decoding.Flavor.Name + ") " + name + ": " + difference);
                 }
             }
         }
@@ -96,7 +96,7 @@ public class RoundTripTests
         yield return ("written relative", d => RoundTrips.Written(d, true));
         yield return ("written absolute", d => RoundTrips.Written(d, false));
         yield return ("arcs fitted", RoundTrips.Fitted);
-        foreach (var (name, options) in Notations().Concat(Dialects())) yield return (name, d => RoundTrips.Converted(d, options));
+        foreach (var (name, options) in Notations().Concat(Flavors())) yield return (name, d => RoundTrips.Converted(d, options));
     }
 
     private static IEnumerable<(string Name, ConvertOptions Options)> Notations()
@@ -111,12 +111,12 @@ public class RoundTripTests
         yield return ("fewer decimals, relative E", new ConvertOptions { DecimalsXyz = 2, DecimalsE = 3, DecimalsF = 0, RelativeE = true });
     }
 
-    private static IEnumerable<(string Name, ConvertOptions Options)> Dialects()
+    private static IEnumerable<(string Name, ConvertOptions Options)> Flavors()
     {
-        foreach (var dialect in DialectTable.All)
+        foreach (var flavor in FlavorTable.All)
         {
-            yield return (dialect.Name, new ConvertOptions { Dialect = dialect, RetractionLength = 1.5, FilamentDiameter = 1.75 });
-            yield return (dialect.Name + " relative", new ConvertOptions { Dialect = dialect, RelativeE = true, FilamentDiameter = 1.75 });
+            yield return (flavor.Name, new ConvertOptions { Flavor = flavor, RetractionLength = 1.5, FilamentDiameter = 1.75 });
+            yield return (flavor.Name + " relative", new ConvertOptions { Flavor = flavor, RelativeE = true, FilamentDiameter = 1.75 });
         }
     }
 }

@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -32,55 +32,55 @@ internal static class RoundTrips
     {
         var result = GCodeEditor.ToDocument(decoding, edited, options ?? new EditOptions());
         if (result.Value is null) return Said(result.Diagnostics);
-        return SameMoves.Difference(edited, Decode(result.Value, decoding.Dialect).Toolpath, tolerance with { Fan = decoding.Dialect.Fan });
+        return SameMoves.Difference(edited, Decode(result.Value, decoding.Flavor).Toolpath, tolerance with { Fan = decoding.Flavor.Fan });
     }
 
     /// <summary>The whole toolpath written by the writer that knows no document.</summary>
     public static string? Written(DecodedGCode decoding, bool relative) => Written(decoding, decoding.Toolpath, relative);
 
-    /// <summary>An edited toolpath of a file, in its dialect.</summary>
+    /// <summary>An edited toolpath of a file, in its flavor.</summary>
     public static string? Written(DecodedGCode decoding, Toolpath toolpath, bool relative)
     {
-        var format = new GCodeFormat { Dialect = decoding.Dialect, RelativeE = relative, HasE = decoding.Axis != ExtrusionAxis.None };
+        var format = new GCodeFormat { Flavor = decoding.Flavor, RelativeE = relative, HasE = decoding.Axis != ExtrusionAxis.None };
         if (format.LacksAmounts(toolpath)) return decoding.Axis == ExtrusionAxis.Switched ? null : "lacks amounts";
-        var back = Decode(GCodeDocument.FromBytes(GCodeWriter.ToBytes(toolpath, format)), decoding.Dialect);
+        var back = Decode(GCodeDocument.FromBytes(GCodeWriter.ToBytes(toolpath, format)), decoding.Flavor);
         return SameMoves.Difference(toolpath, back.Toolpath,
-            new MoveTolerance { Speed = 0.5 / 60 + 1e-6, Chords = 0.01, SameLayers = false, Fan = decoding.Dialect.Fan,
-            LayersOfStrands = !ReferenceEquals(toolpath, decoding.Toolpath) });
+            new MoveTolerance { Speed = 0.5 / 60 + 1e-6, Chords = 0.01, SameLayers = false, Fan = decoding.Flavor.Fan,
+            LayersOfExtrusions = !ReferenceEquals(toolpath, decoding.Toolpath) });
     }
 
-    /// <summary>Converted to another dialect or notation; null also if that is impossible and reported.</summary>
+    /// <summary>Converted to another flavor or notation; null also if that is impossible and reported.</summary>
     public static string? Converted(DecodedGCode decoding, ConvertOptions options, double chords = 0)
     {
-        var dialect = options.Dialect ?? decoding.Dialect;
+        var flavor = options.Flavor ?? decoding.Flavor;
         var result = GCodeConverter.ToDocument(decoding, options);
         if (result.Value is null)
         {
             // The amount of a switched extruder is unknown; and some firmware takes E only as volume.
-            var must = decoding.Axis == ExtrusionAxis.Switched && !dialect.SwitchedExtruder ? "gcode.no_amounts" : options.Volumetric == false
-                && dialect.StartsVolumetric ? "gcode.volumes_only" : "";
+            var must = decoding.Axis == ExtrusionAxis.Switched && !flavor.SwitchedExtruder ? "gcode.no_amounts" : options.Volumetric == false
+                && flavor.StartsVolumetric ? "gcode.volumes_only" : "";
             return result.Diagnostics.Any(d => d.Code == must) ? null : Said(result.Diagnostics);
         }
-        var back = GCodeDecoder.Decode(result.Value, new DecodeOptions { Dialect = dialect, FilamentDiameter = options.FilamentDiameter }).Value!;
+        var back = GCodeDecoder.Decode(result.Value, new DecodeOptions { Flavor = flavor, FilamentDiameter = options.FilamentDiameter }).Value!;
         var tolerance = new MoveTolerance
         {
             Xyz = NumberFormatter.FromUnits(1, options.DecimalsXyz ?? 3),
             E = NumberFormatter.FromUnits(1, options.DecimalsE ?? 5),
             Speed = 0.5 / 60 * NumberFormatter.FromUnits(1, options.DecimalsF ?? 2) + 1e-9,
             Chords = Math.Max(options.ChordTolerance, 1e-3),
-            RetractionLength = dialect.FirmwareRetraction || !decoding.Dialect.FirmwareRetraction ? null : options.RetractionLength,
-            Tools = dialect.ToolLimit > 0,
-            Fan = dialect.Fan,
-            Amounts = decoding.Axis.HasAmounts && dialect.ExtruderLetters.Length > 0,
+            RetractionLength = flavor.FirmwareRetraction || !decoding.Flavor.FirmwareRetraction ? null : options.RetractionLength,
+            Tools = flavor.ToolLimit > 0,
+            Fan = flavor.Fan,
+            Amounts = decoding.Axis.HasAmounts && flavor.ExtruderLetters.Length > 0,
             EFactors = Factors(decoding, back, options),
         };
         return SameMoves.Difference(decoding.Toolpath, back.Toolpath, tolerance);
     }
 
-    /// <summary>Strands fitted by arcs.</summary>
+    /// <summary>Extrusions fitted by arcs.</summary>
     public static string? Fitted(DecodedGCode decoding)
     {
-        if (!decoding.Dialect.Arcs) return null;
+        if (!decoding.Flavor.Arcs) return null;
         return Edited(decoding, decoding.Toolpath.FitArcs(new ArcFitOptions { Tolerance = 0.02 }), new MoveTolerance { Chords = 0.01 });
     }
 
@@ -93,8 +93,8 @@ internal static class RoundTrips
         return [isVolume == becomes ? 1 : becomes ? area : 1 / area];
     }
 
-    public static DecodedGCode Decode(GCodeDocument document, DialectRules? dialect)
-        => GCodeDecoder.Decode(document, new DecodeOptions { Dialect = dialect }).Value!;
+    public static DecodedGCode Decode(GCodeDocument document, FlavorRules? flavor)
+        => GCodeDecoder.Decode(document, new DecodeOptions { Flavor = flavor }).Value!;
 
     private static double EDecimal(DecodedGCode decoding) => NumberFormatter.FromUnits(1, LineStyle.Of(decoding.Document!).DecimalsE);
 

@@ -33,8 +33,8 @@ internal sealed partial class SameMoves
         {
             if (_j == _b.Length) return Said("a chain of chords ends before its arc");
             var b = _b[_j];
-            // A strand that first restores does so in its first chords.
-            var restores = b.Kind == MoveKind.MovingRestore && (a.E > a.Deposited || _t.RetractionLength > 0);
+            // An extrusion that first restores does so in its first chords.
+            var restores = b.Kind == MoveKind.MovingDeretract && (a.E > a.Deposited || _t.RetractionLength > 0);
             if (b.Kind != a.Kind && !restores && Math.Abs(b.E) > 1.02 * _t.E) return Said("kind of a chord");
             if (b.Speed > 0 && Math.Abs(a.Speed - b.Speed) > _t.Speed) return Said("speed of a chord");
             if ((_t.Tools && b.Tool != a.Tool)

@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -115,12 +115,12 @@ internal sealed partial class SameMoves
     private double ExpectedE(Move move)
         => IsStandIn(move) ? (move.Kind == MoveKind.Retract ? -1 : 1) * _t.RetractionLength!.Value : move.E * _t.Factor(move.Tool);
 
-    private bool IsFirmware(Move move) => move.E == 0 && move.Kind is MoveKind.Retract or MoveKind.Restore && move.E == 0;
+    private bool IsFirmware(Move move) => move.E == 0 && move.Kind is MoveKind.Retract or MoveKind.Deretract && move.E == 0;
 
     private bool IsStandIn(Move move) => _t.RetractionLength > 0 && IsFirmware(move);
 
     private bool IsLostRetraction(Move move)
-        => (_t.RetractionLength == 0 && IsFirmware(move)) || (!_t.Amounts && move.Kind is MoveKind.Retract or MoveKind.Restore or MoveKind.Prime);
+        => (_t.RetractionLength == 0 && IsFirmware(move)) || (!_t.Amounts && move.Kind is MoveKind.Retract or MoveKind.Deretract or MoveKind.Prime);
 
     private bool Alike(Move a, Move b)
     {
@@ -136,8 +136,8 @@ internal sealed partial class SameMoves
         if (!_t.Amounts) return (a.Kind == MoveKind.Print) == (b.Kind == MoveKind.Print);
         var small = (a.E != 0 || b.E != 0) && (Math.Abs(a.E * _t.Factor(a.Tool)) <= 1.02 * _t.E || Math.Abs(b.E) <= 1.02 * _t.E);
         // Rounded amounts of a retraction and its restore may leave a unit to print, or to be pushed forward first.
-        var pushes = a.Kind is MoveKind.Print or MoveKind.MovingRestore && b.Kind is MoveKind.Print or MoveKind.MovingRestore
-            || a.Kind is MoveKind.Prime or MoveKind.Restore && b.Kind is MoveKind.Prime or MoveKind.Restore;
+        var pushes = a.Kind is MoveKind.Print or MoveKind.MovingDeretract && b.Kind is MoveKind.Print or MoveKind.MovingDeretract
+            || a.Kind is MoveKind.Prime or MoveKind.Deretract && b.Kind is MoveKind.Prime or MoveKind.Deretract;
         if (pushes && a.E != 0 && Math.Abs(a.Deposited * _t.Factor(a.Tool) - b.Deposited) <= 2.04 * _t.E) return true;
         return (small && a.Kind != MoveKind.Dwell && b.Kind != MoveKind.Dwell) || (a.E != 0 && Tiny(a)) || (b.E != 0 && Tiny(b))
             || (_t.RetractionLength > 0 && a.E >= 0 == b.E >= 0);
@@ -147,11 +147,11 @@ internal sealed partial class SameMoves
 
     private bool Vanishes(Move move, double factor)
         => Tiny(move) && (!_t.Amounts || Math.Abs(move.E * factor) <= 1.02 * _t.E)
-            && move.Kind is not (MoveKind.Dwell or MoveKind.Retract or MoveKind.Restore) | move.E != 0;
+            && move.Kind is not (MoveKind.Dwell or MoveKind.Retract or MoveKind.Deretract) | move.E != 0;
 
     private string? Layers(Move a, Move b)
     {
-        if (_t.LayersOfStrands && (a.Kind != MoveKind.Print || b.Kind != MoveKind.Print)) return null;
+        if (_t.LayersOfExtrusions && (a.Kind != MoveKind.Print || b.Kind != MoveKind.Print)) return null;
         if (_t.SameLayers)
         {
             var x = a.Layer < 0 ? null : _expected.Layers[a.Layer];

@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.GCode;
 
-/// <summary>A scaled file extrudes what its strands need, and its comments say so.</summary>
+/// <summary>A scaled file extrudes what its extrusions need, and its comments say so.</summary>
 public class ScaleTests
 {
     [Test]

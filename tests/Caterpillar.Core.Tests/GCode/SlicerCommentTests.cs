@@ -1,6 +1,6 @@
 using System.Linq;
 using System.Text;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -27,7 +27,7 @@ public class SlicerCommentTests
     public void Layers_roles_and_objects(string slicer, string first, string infill, string second, string part)
     {
         var text = "M83\nG1 X0 Y-5 Z0.2\nG1 X50 E1\n" + first + "G1 X0 Y0 Z0.2 F3000\nG1 X10 E1\n" + infill + "G1 Y10 E1\n" + second + "G1 Z0.4\nG1 Y0 E1\n";
-        var toolpath = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Dialect = DialectTable.Slicer }).Value!.Toolpath;
+        var toolpath = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Flavor = FlavorTable.Slicer }).Value!.Toolpath;
         var prints = toolpath.Moves().Where(m => m.Kind == MoveKind.Print).ToArray();
         Assert.That(prints.Select(m => m.Role), Is.EqualTo(new[] { Role.Unspecified, Role.OuterWall, Role.Infill, Role.Infill }), slicer);
         Assert.That(prints[0].Layer, Is.EqualTo(-1), "the purge line is before the first layer");
@@ -43,7 +43,7 @@ public class SlicerCommentTests
     {
         const string Text = "M83\nG1 Z0.300 F7800 ; move to next layer (0)\nG1 X10 E1 ; perimeter\nG1 Y10 E1 ; infill\nG1 Z0.600 F7800 ; move to next layer "
             + "(1)\nG1 Y0 E1 ; infill\n";
-        var toolpath = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(Text), new DecodeOptions { Dialect = DialectTable.Slicer }).Value!.Toolpath;
+        var toolpath = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(Text), new DecodeOptions { Flavor = FlavorTable.Slicer }).Value!.Toolpath;
         var prints = toolpath.Moves().Where(m => m.Kind == MoveKind.Print).ToArray();
         Assert.That(prints.Select(m => m.Role), Is.EqualTo(new[] { Role.InnerWall, Role.Infill, Role.Infill }));
         Assert.That(prints.Select(m => toolpath.Layers[m.Layer].Index), Is.EqualTo(new[] { 0, 0, 1 }));
@@ -54,7 +54,7 @@ public class SlicerCommentTests
     public void Without_comments_layers_follow_from_heights()
     {
         const string Text = "M83\nG1 Z0.3\nG1 X10 E1\nG1 Z0.6\nG1 X0 E1\nG1 Z0.3\nG1 X20 E1\n";
-        var toolpath = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(Text), new DecodeOptions { Dialect = DialectTable.Slicer }).Value!.Toolpath;
+        var toolpath = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(Text), new DecodeOptions { Flavor = FlavorTable.Slicer }).Value!.Toolpath;
         Assert.That(toolpath.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => toolpath.Layers[m.Layer].Index), Is.EqualTo(new[] { 0, 1, 0 }));
         Assert.That(toolpath.Layers, Is.EqualTo(new[] { new Layer(0, 0.3, 0.3), new Layer(1, 0.6, 0.3) }));
     }

@@ -2,7 +2,7 @@ using System;
 using System.Linq;
 using System.Text;
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -39,7 +39,7 @@ public class SpliceStateTests
         var edited = Edit(Text, t => t.Remove(new MoveFilter { FirstLayer = 1, LastLayer = 1 }));
         var back = Decode(edited).Toolpath;
         Assert.That(back.Moves().Where(m => m.Tool == 1).Select(m => (m.Kind, m.E)),
-            Is.EqualTo(new[] { (MoveKind.Retract, -3.0), (MoveKind.Restore, 3), (MoveKind.Print, 1) }), edited);
+            Is.EqualTo(new[] { (MoveKind.Retract, -3.0), (MoveKind.Deretract, 3), (MoveKind.Print, 1) }), edited);
     }
 
     [Test]
@@ -104,19 +104,19 @@ public class SpliceStateTests
     {
         const string Text = "M108 S10\nM103\nG1 X1 Y1 Z1 F600\nM101\nG1 X5\nG1 X9\nM103\nG1 X20\nM101\nG1 X30\nM103\n";
         var toolpath = Decode(Text, "bfb").Toolpath;
-        Assert.That(Said(GCodeWriter.ToBytes(toolpath, new GCodeFormat { Dialect = DialectTable.Bfb, Comments = false })), Is.EqualTo(
+        Assert.That(Said(GCodeWriter.ToBytes(toolpath, new GCodeFormat { Flavor = FlavorTable.Bfb, Comments = false })), Is.EqualTo(
             "G90\nG0 X1 Y1 Z1 F600\nM101\nG1 X5\nG1 X9\nM103\nG0 X20\nM101\nG1 X30\nM103\n"));
         Assert.That(SetupFormat.Of(new PrintSetup(), toolpath).Diagnostics.Select(d => d.Code), Does.Contain("gcode.no_amounts"));
-        Assert.That(GCodeConverter.ToDocument(Decode(Text, "bfb"), new ConvertOptions { Dialect = DialectTable.Marlin2 }).Diagnostics.Single().Code,
+        Assert.That(GCodeConverter.ToDocument(Decode(Text, "bfb"), new ConvertOptions { Flavor = FlavorTable.Marlin2 }).Diagnostics.Single().Code,
             Is.EqualTo("gcode.no_amounts"));
     }
 
     [TestCase("grbl", "gcode.no_extruder", "G0 X1 Y1 Z1 F600\nG1 X5\nG0 X20\nG1 X30\n")]
     [TestCase("bfb", "gcode.amounts_lost", "G1 X1 Y1 Z1 F600\nM101\nG1 X5\nM103\nG1 X20\nM101\nG1 X30\n")]
-    public void Firmware_without_amounts_is_told_what_prints_and_the_user_what_is_lost(string dialect, string code, string expected)
+    public void Firmware_without_amounts_is_told_what_prints_and_the_user_what_is_lost(string flavor, string code, string expected)
     {
         var decoding = Decode("M83\nG1 X1 Y1 Z1 F600\nG1 X5 E1\nG1 E-2\nG1 X20\nG1 E2\nG1 X30 E1\n");
-        var result = GCodeConverter.ToDocument(decoding, new ConvertOptions { Dialect = DialectTable.Find(dialect) });
+        var result = GCodeConverter.ToDocument(decoding, new ConvertOptions { Flavor = FlavorTable.Find(flavor) });
         Assert.That(result.Diagnostics.Single().Code, Is.EqualTo(code));
         Assert.That(Said(result.Value!.ToBytes()).Replace("M83\n", ""), Is.EqualTo(expected));
     }
@@ -124,16 +124,16 @@ public class SpliceStateTests
     [Test]
     public void Flow_and_speed_factors_go_into_the_numbers_where_the_target_has_none()
     {
-        var text = Convert("M83\nG1 X1 Y1 Z1 F600\nM221 S50\nM220 S200\nG1 X5 E1\n", "marlin2", new ConvertOptions { Dialect = DialectTable.Cnc });
+        var text = Convert("M83\nG1 X1 Y1 Z1 F600\nM221 S50\nM220 S200\nG1 X5 E1\n", "marlin2", new ConvertOptions { Flavor = FlavorTable.Cnc });
         Assert.That(text, Does.Not.Contain("M22").And.Contain("G1 X5 A0.5 F1200\n"));
     }
 
     [Test]
     public void Fans_speak_in_the_scale_of_the_target()
     {
-        Assert.That(Convert("M106 S0.5\nM106 S255\n", "reprapfirmware", new ConvertOptions { Dialect = DialectTable.Marlin2 }),
+        Assert.That(Convert("M106 S0.5\nM106 S255\n", "reprapfirmware", new ConvertOptions { Flavor = FlavorTable.Marlin2 }),
             Is.EqualTo("M106 S128\nM106 S255\n"));
-        Assert.That(Convert("M106 S1 ; low\n", "marlin2", new ConvertOptions { Dialect = DialectTable.RepRapFirmware }), Is.EqualTo("M106 S0.004 ; low\n"));
+        Assert.That(Convert("M106 S1 ; low\n", "marlin2", new ConvertOptions { Flavor = FlavorTable.RepRapFirmware }), Is.EqualTo("M106 S0.004 ; low\n"));
     }
 
     [Test]
@@ -144,7 +144,7 @@ public class SpliceStateTests
         Assert.That(text, Does.Contain("M200 D1.75\nG1 X5 E2.40528\n").And.Contain("; use_volumetric_e = 1\n"));
         Assert.That(Convert(text, "marlin2", new ConvertOptions { Volumetric = false }),
             Does.Contain("G1 X5 E1\n").And.Contain("; use_volumetric_e = 0\n").And.Not.Contain("M200"));
-        var unknown = GCodeConverter.ToDocument(Decode("M83\nG1 X1 Y1 E1\n"), new ConvertOptions { Dialect = DialectTable.Ultigcode });
+        var unknown = GCodeConverter.ToDocument(Decode("M83\nG1 X1 Y1 E1\n"), new ConvertOptions { Flavor = FlavorTable.Ultigcode });
         Assert.That(unknown.Diagnostics.Single(d => d.Severity == Severity.Error).Code, Is.EqualTo("gcode.diameter_unknown"));
     }
 
@@ -164,7 +164,7 @@ public class SpliceStateTests
         Assert.That(decoding.Report.ExtrusionAxis, Is.EqualTo("A+B"));
         foreach (var relative in new[] { true, false })
         {
-            var text = Convert(Two, "sailfish", new ConvertOptions { Dialect = DialectTable.Marlin2, RelativeE = relative });
+            var text = Convert(Two, "sailfish", new ConvertOptions { Flavor = FlavorTable.Marlin2, RelativeE = relative });
             Assert.That(Decode(text).Toolpath.Moves().Select(m => Math.Round(m.E, 9)), Is.EqualTo(new[] { 0, 1.5, 0.5, 0.25 }), text);
             Assert.That(text, Does.Not.Contain("A").And.Not.Contain("B"));
         }
@@ -177,8 +177,8 @@ public class SpliceStateTests
     public void Numbered_lines_may_be_extended_commands()
         => Assert.That(Decode("N1 PAUSE*80\nG1 X1\n", "klipper").Toolpath.Events.Single().Event, Is.EqualTo(new PauseEvent()));
 
-    private static string Convert(string text, string dialect, ConvertOptions options)
-        => Said(GCodeConverter.ToDocument(Decode(text, dialect), options).Value!.ToBytes());
+    private static string Convert(string text, string flavor, ConvertOptions options)
+        => Said(GCodeConverter.ToDocument(Decode(text, flavor), options).Value!.ToBytes());
 
     private static string Edit(string text, Func<Toolpath, Toolpath> edit)
     {
@@ -189,13 +189,13 @@ public class SpliceStateTests
     private static string Written(string text, Func<Toolpath, Toolpath> edit)
         => Said(GCodeWriter.ToBytes(edit(Decode(text).Toolpath), new GCodeFormat { Comments = false }));
 
-    // Without the line that names the dialect of a conversion.
+    // Without the line that names the flavor of a conversion.
     private static string Said(byte[] bytes)
     {
         var text = Encoding.ASCII.GetString(bytes);
-        return text.StartsWith("; Dialect ", System.StringComparison.Ordinal) ? text.Substring(text.IndexOf('\n') + 1) : text;
+        return text.StartsWith("; Flavor ", System.StringComparison.Ordinal) ? text.Substring(text.IndexOf('\n') + 1) : text;
     }
 
-    private static DecodedGCode Decode(string text, string dialect = "marlin2")
-        => GCodeDecoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Dialect = DialectTable.Find(dialect) }).Value!;
+    private static DecodedGCode Decode(string text, string flavor = "marlin2")
+        => GCodeDecoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Flavor = FlavorTable.Find(flavor) }).Value!;
 }

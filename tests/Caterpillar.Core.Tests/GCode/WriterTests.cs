@@ -1,7 +1,7 @@
 using System;
 using System.Linq;
 using System.Text;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -52,10 +52,10 @@ public class WriterTests
         builder.Add(new Vec3(9, 9, 0.3), 1, 1, 30, MoveKind.Print, Role.Infill, ground, 0, 0);
         builder.Add(new Vec3(1, 9, 0.3), 1, 1, 30, MoveKind.Print, Role.OuterWall, other, 0, 0);
         builder.Add(new Vec3(1, 9, 0.5), 0, 0, 30, MoveKind.Travel, Role.Unspecified, upper, 0, 0);
-        builder.Add(new Vec3(1, 1, 0.5), 1, 1, 30, MoveKind.Print, Role.TopSkin, upper, 0, 0);
+        builder.Add(new Vec3(1, 1, 0.5), 1, 1, 30, MoveKind.Print, Role.TopSurface, upper, 0, 0);
         var toolpath = Decode(GCodeWriter.ToBytes(builder.Build(Filament))).Toolpath;
         var prints = toolpath.Moves().Where(m => m.Kind == MoveKind.Print).ToArray();
-        Assert.That(prints.Select(m => m.Role), Is.EqualTo(new[] { Role.OuterWall, Role.Infill, Role.OuterWall, Role.TopSkin }));
+        Assert.That(prints.Select(m => m.Role), Is.EqualTo(new[] { Role.OuterWall, Role.Infill, Role.OuterWall, Role.TopSurface }));
         Assert.That(prints.Select(m => toolpath.Layers[m.Layer]), Is.EqualTo(new[]
         {
             new Layer(0, 0.3, 0.3, "cube"), new Layer(0, 0.3, 0.3, "cube"), new Layer(0, 0.3, 0.3, "ring"), new Layer(1, 0.5, 0.2, "ring"),
@@ -85,18 +85,18 @@ public class WriterTests
     [TestCase("cnc", "G3 X10 Y0 I-10 J0 P2 A1")]
     [TestCase("marlin1", "G3 X10 Y0 I-10 J0 E0.5")]
     [TestCase("klipper", "G3 X10 Y0 Z0.5 I-10 J0 E0.5")]
-    public void Arcs_stay_arcs(string dialect, string expected)
+    public void Arcs_stay_arcs(string flavor, string expected)
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         builder.Add(new Vec3(10, 0, 0), 0, 0, 100, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
-        builder.Add(new Vec3(10, 0, dialect == "klipper" ? 1 : 0), 1, 1, 30, MoveKind.Print, Role.Unspecified, -1, 0, 0, new Arc(Vec3.Zero, 720));
-        var format = new GCodeFormat { Dialect = DialectTable.Find(dialect)! };
+        builder.Add(new Vec3(10, 0, flavor == "klipper" ? 1 : 0), 1, 1, 30, MoveKind.Print, Role.Unspecified, -1, 0, 0, new Arc(Vec3.Zero, 720));
+        var format = new GCodeFormat { Flavor = FlavorTable.Find(flavor)! };
         Assert.That(Text(builder.Build(Filament), format), Does.Contain(expected));
-        var back = GCodeDecoder.Decode(GCodeWriter.ToBytes(builder.Build(Filament), format), new DecodeOptions { Dialect = format.Dialect }).Value!;
+        var back = GCodeDecoder.Decode(GCodeWriter.ToBytes(builder.Build(Filament), format), new DecodeOptions { Flavor = format.Flavor }).Value!;
         Assert.That(back.Report.PrintLengthXY, Is.EqualTo(40 * Math.PI).Within(1e-6));
     }
 
     private static string Text(Toolpath toolpath, GCodeFormat format) => Encoding.ASCII.GetString(GCodeWriter.ToBytes(toolpath, format));
 
-    private static DecodedGCode Decode(byte[] bytes) => GCodeDecoder.Decode(bytes, new DecodeOptions { Dialect = DialectTable.Marlin2 }).Value!;
+    private static DecodedGCode Decode(byte[] bytes) => GCodeDecoder.Decode(bytes, new DecodeOptions { Flavor = FlavorTable.Marlin2 }).Value!;
 }

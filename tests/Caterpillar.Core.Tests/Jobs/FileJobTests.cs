@@ -35,7 +35,7 @@ public class FileJobTests
         using var stream = new MemoryStream();
         var written = job.Write(stream, "a.gcode", isChecked ? new PrintSetup() : null);
         var edited = GCodeEditor.ToDocument(job.File, job.Toolpath).OrThrow();
-        var converted = GCodeConverter.ToDocument(GCodeDecoder.Decode(edited, new DecodeOptions { Dialect = job.File.Dialect }).OrThrow(), target).OrThrow();
+        var converted = GCodeConverter.ToDocument(GCodeDecoder.Decode(edited, new DecodeOptions { Flavor = job.File.Flavor }).OrThrow(), target).OrThrow();
         Assert.That(stream.ToArray(), Is.EqualTo(converted.ToBytes()));
         Assert.That((written.Value!.Lines, written.Value.Bytes), Is.EqualTo(((long)converted.LineCount, converted.Length)));
     }

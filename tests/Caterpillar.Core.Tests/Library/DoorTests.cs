@@ -17,7 +17,7 @@ namespace Caterpillar.Tests.Library;
 public class DoorTests
 {
     private static readonly Diagnostic Broken = new(Severity.Error, "mesh.empty", "There are no triangles in the file.", new SourceLocation("a.stl"));
-    private static readonly Diagnostic Open = new(Severity.Warning, "mesh.open_edges", "3 open edges.");
+    private static readonly Diagnostic Open = new(Severity.Warning, "mesh.naked_edges", "3 open edges.");
 
     [Test]
     public void OrThrow_gives_the_value_in_spite_of_warnings()
@@ -76,13 +76,13 @@ public class DoorTests
     }
 
     [Test]
-    public void A_picture_is_one_call()
+    public void An_image_is_one_call()
     {
         using var folder = new TemporaryFolder();
         var toolpath = Planner.Plan([new PrintPath([new Vec3(10, 10, 0.2), new Vec3(40, 10, 0.2)], new Bead(0.1, 0.2))], new PrintSetup()).OrThrow();
-        Picture.WriteFile(toolpath, folder.File("a.png"), new PictureOptions { Width = 60, Height = 40 });
+        ToolpathImage.WriteFile(toolpath, folder.File("a.png"), new ToolpathImageOptions { Width = 60, Height = 40 });
         Assert.That(File.ReadAllBytes(folder.File("a.png")),
-            Is.EqualTo(Caterpillar.Files.PngWriter.ToBytes(Picture.Draw(toolpath, new PictureOptions { Width = 60, Height = 40 }))));
+            Is.EqualTo(Caterpillar.Files.PngWriter.ToBytes(ToolpathImage.Draw(toolpath, new ToolpathImageOptions { Width = 60, Height = 40 }))));
         Assert.That(Directory.GetFiles(folder.Path), Has.Length.EqualTo(1));
     }
 

@@ -4,7 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Threading;
 using Caterpillar.Checks;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Examples.CSharp;
 using Caterpillar.Files;
 using Caterpillar.GCode;
@@ -106,7 +106,7 @@ public sealed class ProgramTests : IDisposable
         Assert.That(box.Size.X, Is.EqualTo(60).Within(0.05));
         Assert.That(box.Max.Z, Is.EqualTo(60.2).Within(1e-3));
         var prints = toolpath.Moves().Where(IsPart).ToArray();
-        Assert.That(prints[prints.Length - 1].Index - prints[0].Index, Is.EqualTo(prints.Length - 1), "nothing but strand between the first and the last");
+        Assert.That(prints[prints.Length - 1].Index - prints[0].Index, Is.EqualTo(prints.Length - 1), "nothing but extrusion between the first and the last");
     }
 
     [Test]
@@ -164,7 +164,7 @@ public sealed class ProgramTests : IDisposable
     {
         ConvertFile.Run(Sliced, Output);
         Assert.That(File.ReadAllLines(Output), Does.Contain("M83"));
-        var klipper = GCodeDecoder.DecodeFile(Output, new DecodeOptions { Dialect = DialectTable.Klipper }).OrThrow();
+        var klipper = GCodeDecoder.DecodeFile(Output, new DecodeOptions { Flavor = FlavorTable.Klipper }).OrThrow();
         var (before, after) = (ToolpathTotals.Of(Decoded(Sliced).Toolpath), ToolpathTotals.Of(klipper.Toolpath));
         Assert.That((after.PrintLength, after.DepositedE), Is.EqualTo((before.PrintLength, before.DepositedE)).Within(0.5));
     }
@@ -188,11 +188,11 @@ public sealed class ProgramTests : IDisposable
     }
 
     [Test]
-    public void Picture()
+    public void ToolpathImage()
     {
         TurtleStar.Run(Output);
         var file = _folder.File("star.png");
-        DrawPicture.Run(Output, file);
+        DrawImage.Run(Output, file);
         var image = ImageReader.Read(File.ReadAllBytes(file), "star.png").OrThrow();
         Assert.That((image.Width, image.Height), Is.EqualTo((960, 720)));
     }

@@ -9,7 +9,7 @@ public class ExtrusionLawTests
     private static readonly ExtrusionModel Filament = new(ExtrusionUnit.Mm, 1.75);
 
     [Test]
-    public void The_papers_third_line_has_a_strand_of_a_third_of_a_square_millimeter()
+    public void The_papers_third_line_has_a_extrusion_of_a_third_of_a_square_millimeter()
     {
         // Caterpillar 2019: 0.1353 mm of filament per mm of path; π/4 · 1.75² · 0.1353 = 0.3254 mm².
         Assert.That(Filament.AreaOfFactor(0.1353), Is.EqualTo(0.3254).Within(5e-5));
@@ -25,7 +25,7 @@ public class ExtrusionLawTests
     }
 
     [Test]
-    public void Kanadas_area_is_a_strand_of_half_a_millimeter()
+    public void Kanadas_area_is_a_extrusion_of_half_a_millimeter()
     {
         Assert.That(ExtrusionModel.FilamentAreaOf(0.5), Is.EqualTo(0.196).Within(5e-4));
         Assert.That(Filament.E(100, 0.196), Is.EqualTo(100 * 0.196 / (Math.PI * 0.875 * 0.875)).Within(1e-12));
@@ -47,7 +47,7 @@ public class ExtrusionLawTests
         => Assert.That(new ExtrusionModel(ExtrusionUnit.Mm, 1.75, 1.1).E(5, 0.1), Is.EqualTo(1.1 * Filament.E(5, 0.1)).Within(1e-12));
 
     [Test]
-    public void The_multiplier_scales_e_of_strands_given_by_a_factor()
+    public void The_multiplier_scales_e_of_extrusions_given_by_a_factor()
     {
         var model = new ExtrusionModel(ExtrusionUnit.Mm, 1.75, 1.1);
         Assert.That(model.E(10, model.AreaOfFactor(0.05)), Is.EqualTo(0.55).Within(1e-12));

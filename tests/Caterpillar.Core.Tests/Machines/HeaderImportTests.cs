@@ -84,7 +84,7 @@ public class HeaderImportTests
     [Test]
     public void Good_lines_stay_and_bad_ones_become_comments()
     {
-        var lines = Render(Import(Ender, Footer, out _), p => p.StartTemplate);
+        var lines = Render(Import(Ender, Footer, out _), p => p.StartGCode);
         Assert.That(lines, Is.EqualTo(new[]
         {
             "; start of the Ender", "G90", "M83 ; relative E", "M190 S60", "M109 S205", "G28", "G92 E0", "G1 Z2.0 F3000", "G1 X0.1 Y20 Z0.3 F5000",
@@ -98,7 +98,7 @@ public class HeaderImportTests
     {
         var found = Import(Ender, Footer, out _);
         var hot = found with { Material = found.Material with { NozzleTemperature = 230, FirstLayerNozzleTemperature = 235, BedTemperature = 0 } };
-        var lines = Render(hot, p => p.StartTemplate);
+        var lines = Render(hot, p => p.StartGCode);
         Assert.That(lines, Does.Contain("M109 S235").And.None.StartsWith("M190"));
     }
 
@@ -108,9 +108,9 @@ public class HeaderImportTests
         var found = Import(Templated, Footer, out var problems);
         Assert.That((found.Material.NozzleTemperature, found.Material.BedTemperature), Is.EqualTo((205.0, 60.0)), "what ExtruderTurtle has by default");
         Assert.That(found.Start, Is.Null);
-        Assert.That(found.Printer.Dialect.Name, Is.EqualTo("prusa"));
-        Assert.That(problems.Where(p => p.Severity != Severity.Remark), Is.Empty);
-        var lines = Render(found, p => p.StartTemplate);
+        Assert.That(found.Printer.Flavor.Name, Is.EqualTo("prusa"));
+        Assert.That(problems.Where(p => p.Severity != Severity.Note), Is.Empty);
+        var lines = Render(found, p => p.StartGCode);
         Assert.That(lines, Does.Contain("M104 S205 ; set extruder temp").And.Contain("M190 S60"));
         Assert.That(lines, Does.Contain("G1 X110 Y110 Z0.2 F3600"), "middle of the bed, first layer, 60 mm/s");
     }
@@ -119,13 +119,13 @@ public class HeaderImportTests
     public void The_footer_states_the_modes_that_it_relies_on_and_stays_in_the_machine()
     {
         var found = Import(Ender, Footer, out var problems);
-        Assert.That(Render(found, p => p.EndTemplate).Take(3),
+        Assert.That(Render(found, p => p.EndGCode).Take(3),
             Is.EqualTo(new[] { "G91 ; as set by the header", "M83 ; as set by the header", "G1 E-3" }));
-        Assert.That(Render(found, p => p.EndTemplate, 20), Does.Contain("G1 Z100 F5000"));
-        Assert.That(Render(found, p => p.EndTemplate, 200), Does.Contain("G1 Z45 F5000"));
+        Assert.That(Render(found, p => p.EndGCode, 20), Does.Contain("G1 Z100 F5000"));
+        Assert.That(Render(found, p => p.EndGCode, 200), Does.Contain("G1 Z45 F5000"));
         Assert.That(problems.Select(p => p.Code), Does.Contain("header.lift"));
         var own = Import(Ender, "G90\nM82\nG1 Z200 E5\nM84", out _);
-        Assert.That(own.Printer.EndTemplate, Is.EqualTo(new[] { "G90", "M82", "G1 Z200 E5", "M84" }));
+        Assert.That(own.Printer.EndGCode, Is.EqualTo(new[] { "G90", "M82", "G1 Z200 E5", "M84" }));
     }
 
     [Test]
@@ -153,7 +153,7 @@ public class HeaderImportTests
         var found = Import("M302 S0\nT1\nM104 S150\nM109 S205\nG1 X75 Y88 E20", "", out var problems);
         Assert.That(found.Printer.ToolCount, Is.EqualTo(2));
         Assert.That(found.Printer.MinExtrusionTemperature, Is.Zero);
-        Assert.That(Render(found, p => p.StartTemplate), Does.Contain("M104 S150").And.Contain("M109 S205"));
+        Assert.That(Render(found, p => p.StartGCode), Does.Contain("M104 S150").And.Contain("M109 S205"));
         Assert.That(problems.Select(p => p.Code), Does.Contain("header.other_temperature").And.Contain("header.e_mode"));
     }
 
@@ -162,8 +162,8 @@ public class HeaderImportTests
     {
         var found = Import("START_PRINT BED=60 EXTRUDER=210\nM117 Hello, 5 words {x}\nG28 X Y\nM84 X Y E\nN5 G1 X5*33\n(note) G1 X{x}\nM98 P\"start.g\"\nG4 S5",
             "", out var problems);
-        Assert.That(problems.Where(p => p.Severity != Severity.Remark), Is.Empty);
-        Assert.That(Render(found, p => p.StartTemplate)[0], Is.EqualTo("START_PRINT BED=60 EXTRUDER=210"));
+        Assert.That(problems.Where(p => p.Severity != Severity.Note), Is.Empty);
+        Assert.That(Render(found, p => p.StartGCode)[0], Is.EqualTo("START_PRINT BED=60 EXTRUDER=210"));
     }
 
     [TestCase("G1 X{start}", "header.unknown_name", "G1 X{start}")]
@@ -176,7 +176,7 @@ public class HeaderImportTests
     {
         var found = Import("M83\n" + line, "", out var problems);
         Assert.That(problems.Where(p => p.Severity == Severity.Warning).Select(p => p.Code), Is.EqualTo(new[] { code }));
-        Assert.That(Render(found, p => p.StartTemplate)[1], Is.EqualTo(kept));
+        Assert.That(Render(found, p => p.StartGCode)[1], Is.EqualTo(kept));
     }
 
     [Test]
@@ -269,10 +269,10 @@ public class HeaderImportTests
 
     [TestCase("G28\nG1 X90 Y60 Z5", "marlin2")]
     [TestCase("G28 W\nG80\nG1 X90 Y60 Z5", "prusa")]
-    public void The_firmware_is_that_of_a_similar_printer_or_what_the_words_show(string header, string dialect)
+    public void The_firmware_is_that_of_a_similar_printer_or_what_the_words_show(string header, string flavor)
     {
-        Assert.That(HeaderImport.Read(header, "").Value!.Printer.Dialect.Name, Is.EqualTo(dialect));
+        Assert.That(HeaderImport.Read(header, "").Value!.Printer.Flavor.Name, Is.EqualTo(flavor));
         var klipper = new ProfileLibrary().Printer("klipper_256").OrThrow();
-        Assert.That(HeaderImport.Read(header, "", "a", klipper).Value!.Printer.Dialect.Name, Is.EqualTo("klipper"));
+        Assert.That(HeaderImport.Read(header, "", "a", klipper).Value!.Printer.Flavor.Name, Is.EqualTo("klipper"));
     }
 }

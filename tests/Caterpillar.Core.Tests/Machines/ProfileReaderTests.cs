@@ -1,7 +1,7 @@
 using System;
 using System.Linq;
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using NUnit.Framework;
@@ -17,8 +17,8 @@ public class ProfileReaderTests
             """
             {
               // comments are welcome
-              "title": "Mine", "dialect": "klipper", "build_volume_mm": [300, 310.5, 4e2], "origin": "center", "firmware_retraction": true,
-              "decimals_e": 4, "tool_offsets_mm": [[0, 0, 0], [18, 0.1, 0]], "start_template": ["G28", "M104 S{nozzle_temperature_c}"]
+              "title": "Mine", "gcode_flavor": "klipper", "build_volume_mm": [300, 310.5, 4e2], "origin": "center", "firmware_retraction": true,
+              "decimals_e": 4, "tool_offsets_mm": [[0, 0, 0], [18, 0.1, 0]], "start_gcode": ["G28", "M104 S{nozzle_temperature_c}"]
             }
             """,
             "mine.json", "mine");
@@ -27,13 +27,13 @@ public class ProfileReaderTests
         {
             Name = "mine",
             Title = "Mine",
-            Dialect = DialectTable.Klipper,
+            Flavor = FlavorTable.Klipper,
             BuildVolume = new Vec3(300, 310.5, 400),
             Origin = BedOrigin.Center,
             FirmwareRetraction = true,
             DecimalsE = 4,
             ToolOffsets = new ValueList<Vec3>(Vec3.Zero, new(18, 0.1, 0)),
-            StartTemplate = new ValueList<string>("G28", "M104 S{nozzle_temperature_c}"),
+            StartGCode = new ValueList<string>("G28", "M104 S{nozzle_temperature_c}"),
         }));
     }
 
@@ -71,7 +71,7 @@ public class ProfileReaderTests
     [TestCase("""{ "wall_count": 1e300 }""", "profile.bad_json", null)]
     [TestCase("""{ "sort_paths": 1 }""", "profile.wrong_kind", "sort_paths")]
     [TestCase("""{ "sort_paths": "yes" }""", "profile.wrong_kind", "sort_paths")]
-    [TestCase("""{ "travel_lift": "high" }""", "profile.wrong_kind", "travel_lift")]
+    [TestCase("""{ "z_hop_type": "high" }""", "profile.wrong_kind", "z_hop_type")]
     [TestCase("""{ "title": "" }""", "profile.out_of_range", "title")]
     [TestCase("""{ "wall_count": 2, "wall_count": 3 }""", "profile.repeated_key", "wall_count")]
     [TestCase("""{ "inherits": 3 }""", "profile.wrong_kind", "inherits")]
@@ -95,10 +95,10 @@ public class ProfileReaderTests
     [TestCase("""{ "head_boxes_mm": [[0, 0, 0, -1, 1, 1]] }""", "head_boxes_mm")]
     [TestCase("""{ "head_outline_mm": [] }""", "head_outline_mm")]
     [TestCase("""{ "tool_offsets_mm": [] }""", "tool_offsets_mm")]
-    [TestCase("""{ "dialect": "marlin3" }""", "dialect")]
-    [TestCase("""{ "start_template": "G28" }""", "start_template")]
-    [TestCase("""{ "start_template": ["G28", 3] }""", "start_template")]
-    [TestCase("""{ "start_template": ["G28", "M104 S{temperature}"] }""", "start_template")]
+    [TestCase("""{ "gcode_flavor": "marlin3" }""", "gcode_flavor")]
+    [TestCase("""{ "start_gcode": "G28" }""", "start_gcode")]
+    [TestCase("""{ "start_gcode": ["G28", 3] }""", "start_gcode")]
+    [TestCase("""{ "start_gcode": ["G28", "M104 S{temperature}"] }""", "start_gcode")]
     public void Bad_lists_and_templates_are_errors(string json, string key)
     {
         var result = ProfileReader.ReadPrinter(json, "p.json", "p");
@@ -109,18 +109,18 @@ public class ProfileReaderTests
     [Test]
     public void An_error_in_a_template_states_its_position()
         => Assert.That(
-            ProfileReader.ReadPrinter("""{ "start_template": ["G28", "M104 S{temperature}"] }""", "p.json", "p").Diagnostics.Single().Message,
+            ProfileReader.ReadPrinter("""{ "start_gcode": ["G28", "M104 S{temperature}"] }""", "p.json", "p").Diagnostics.Single().Message,
             Does.Contain("line 2:8").And.Contain("temperature"));
 
     [Test]
     public void What_is_written_is_read_again()
     {
-        var printer = new Printer { Name = "x", RetractionDistance = 0.123456789012345,
-            HeadBoxes = new ValueList<Bounds>(new Bounds(Vec3.Zero, new Vec3(1, 2, 3))), StartTemplate = new ValueList<string>("M117 \"ü\" \\ {{") };
+        var printer = new Printer { Name = "x", RetractionLength = 0.123456789012345,
+            HeadBoxes = new ValueList<Bounds>(new Bounds(Vec3.Zero, new Vec3(1, 2, 3))), StartGCode = new ValueList<string>("M117 \"ü\" \\ {{") };
         Assert.That(ProfileReader.ReadPrinter(ProfileWriter.Write(printer), "f", "x").Value, Is.EqualTo(printer));
         var material = new Material { Name = "m", FilamentDiameter = 2.85, CostPerKg = 1e-7 };
         Assert.That(ProfileReader.ReadMaterial(ProfileWriter.Write(material), "f", "m").Value, Is.EqualTo(material));
-        var settings = new PrintSettings { Name = "s", TravelLift = TravelLift.Corridor, RestoreDuringDescent = true };
+        var settings = new PrintSettings { Name = "s", ZHopType = ZHopType.AbovePath, DeretractDuringDescent = true };
         Assert.That(ProfileReader.ReadSettings(ProfileWriter.Write(settings), "f", "s").Value, Is.EqualTo(settings));
     }
 
@@ -128,7 +128,7 @@ public class ProfileReaderTests
     public void Changed_bytes_never_throw()
     {
         var random = new Random(11);
-        var text = ProfileWriter.Write(new Printer { StartTemplate =
+        var text = ProfileWriter.Write(new Printer { StartGCode =
             new ValueList<string>("G28", "{if bed_temperature_c > 0}M190 S{bed_temperature_c}{endif}") });
         for (var i = 0; i < 3000; i++)
         {

@@ -13,19 +13,19 @@ public class ProfileRecordTests
     {
         Assert.That(() => new PrintSettings { LayerHeight = 0 }, Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("layer_height_mm"));
         Assert.That(() => new PrintSettings { LayerHeight = double.NaN }, Throws.InstanceOf<ArgumentOutOfRangeException>());
-        Assert.That(() => new Material { FlowMultiplier = -1 }, Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("flow_multiplier"));
+        Assert.That(() => new Material { FlowRatio = -1 }, Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("flow_ratio"));
         Assert.That(() => new Printer { BuildVolume = new Vec3(200, 0, 200) },
             Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("build_volume_mm"));
         Assert.That(() => new Printer { HeadOutline = new ValueList<HeadPoint>(new HeadPoint(3, 0), new(2, 4)) },
             Throws.InstanceOf<ArgumentOutOfRangeException>());
-        Assert.That(() => new Printer { StartTemplate = new ValueList<string>("G28\nG1 Z5") }, Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(() => new Printer { StartGCode = new ValueList<string>("G28\nG1 Z5") }, Throws.InstanceOf<ArgumentOutOfRangeException>());
     }
 
     [Test]
     public void Profiles_compare_by_value()
     {
-        Assert.That(new Printer { StartTemplate = new ValueList<string>("G28") }, Is.EqualTo(new Printer { StartTemplate = new ValueList<string>("G28") }));
-        Assert.That(new Printer { StartTemplate = new ValueList<string>("G28") }, Is.Not.EqualTo(new Printer()));
+        Assert.That(new Printer { StartGCode = new ValueList<string>("G28") }, Is.EqualTo(new Printer { StartGCode = new ValueList<string>("G28") }));
+        Assert.That(new Printer { StartGCode = new ValueList<string>("G28") }, Is.Not.EqualTo(new Printer()));
         Assert.That(new PrintSetup(), Is.EqualTo(new PrintSetup()));
     }
 

@@ -46,7 +46,7 @@ public class ProfileSchemaTests
     [TestCase("""{ "origin": "middle" }""")]
     [TestCase("""{ "build_volume_mm": [1, 2] }""")]
     [TestCase("""{ "tool_offsets_mm": [[0, 0, "x"]] }""")]
-    [TestCase("""{ "start_template": [3] }""")]
+    [TestCase("""{ "start_gcode": [3] }""")]
     public void The_schema_refuses_what_the_reader_refuses(string json)
     {
         Assert.That(Problems(JObject.Parse(json), JObject.Parse(Schema("printer")), ""), Is.Not.Empty);

@@ -2,7 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -29,13 +29,13 @@ public class SetupTests
     public void Values_of_all_three_profiles_are_set_by_their_keys()
     {
         var setup = new PrintSetup().With("layer_height_mm=0.3", "bed_temperature_c=0", "build_volume_mm=300,310,400", "bead_shape = circle", "sort_paths=no",
-            "end_template=M104 S0\\nM84").Value!;
+            "end_gcode=M104 S0\\nM84").Value!;
         Assert.That(setup.Settings.LayerHeight, Is.EqualTo(0.3));
         Assert.That(setup.Material.BedTemperature, Is.Zero);
         Assert.That(setup.Printer.BuildVolume, Is.EqualTo(new Vec3(300, 310, 400)));
         Assert.That(setup.Settings.BeadShape, Is.EqualTo(BeadShape.Circle));
         Assert.That(setup.Settings.SortPaths, Is.False);
-        Assert.That(setup.Printer.EndTemplate, Is.EqualTo(new[] { "M104 S0", "M84" }));
+        Assert.That(setup.Printer.EndGCode, Is.EqualTo(new[] { "M104 S0", "M84" }));
         Assert.That(new PrintSetup().With("tool_offsets_mm=0 0 0;18 0 0").Value!.Printer.ToolCount, Is.EqualTo(2));
     }
 
@@ -47,11 +47,11 @@ public class SetupTests
     [TestCase("layer_height_mm=-1", "profile.out_of_range", "0.001")]
     [TestCase("layer_height_mm=NaN", "profile.wrong_kind", "NaN")]
     [TestCase("title=x", "profile.unknown_key", "title")]
-    [TestCase("layer_ranges_mm=12,10,0.1", "profile.out_of_range", "not from 12 to 10 mm")]
-    [TestCase("layer_ranges_mm=10,12,0", "profile.out_of_range", "0.001")]
-    [TestCase("layer_ranges_mm=[[11,14,0.3],[10,12,0.1]]", "profile.out_of_range", "two ranges for 11 to 12 mm")]
-    [TestCase("brim=5", "profile.unknown_key", "did you mean brim_width_mm, brim_side or brim_gap_mm?")]
-    [TestCase("raft=1", "profile.unknown_key", "did you mean raft_layers, raft_margin_mm, raft_height_mm, raft_gap_mm or raft_percent?")]
+    [TestCase("height_ranges_mm=12,10,0.1", "profile.out_of_range", "not from 12 to 10 mm")]
+    [TestCase("height_ranges_mm=10,12,0", "profile.out_of_range", "0.001")]
+    [TestCase("height_ranges_mm=[[11,14,0.3],[10,12,0.1]]", "profile.out_of_range", "two ranges for 11 to 12 mm")]
+    [TestCase("brim=5", "profile.unknown_key", "did you mean brim_width_mm, brim_type or brim_gap_mm?")]
+    [TestCase("raft=1", "profile.unknown_key", "did you mean raft_layers, raft_expansion_mm, raft_layer_height_mm, raft_gap_mm or raft_density_percent?")]
     [TestCase("skirt=2", "profile.unknown_key", "did you mean skirt_loops or skirt_distance_mm?")]
     [TestCase("wall_line_count=3", "profile.unknown_key", "did you mean wall_count?")]
     [TestCase("walls=3", "profile.unknown_key", "wall_count")]
@@ -90,8 +90,8 @@ public class SetupTests
         Assert.That(library.PrinterNames, Is.SupersetOf(new[] { "ender3", "generic", "mine" }));
         Assert.That(library.PrinterNames, Is.Unique.And.Ordered.Using<string>(StringComparer.Ordinal));
         var mine = library.Printer("mine").Value!;
-        Assert.That((mine.Name, mine.Title, mine.NozzleDiameter, mine.Dialect), Is.EqualTo(("mine", "Mine", 0.6, DialectTable.Marlin1)));
-        Assert.That(mine.StartTemplate, Is.Not.Empty);
+        Assert.That((mine.Name, mine.Title, mine.NozzleDiameter, mine.Flavor), Is.EqualTo(("mine", "Mine", 0.6, FlavorTable.Marlin1)));
+        Assert.That(mine.StartGCode, Is.Not.Empty);
         var setup = library.Setup("mine", "wood", null, ["layer_height_mm=0.28"]).Value!;
         Assert.That((setup.Material.NozzleTemperature, setup.Material.BedTemperature, setup.Settings.Name, setup.Settings.LayerHeight),
             Is.EqualTo((190.0, 60.0, "standard", 0.28)));
@@ -148,9 +148,10 @@ public class SetupTests
     [Test]
     public void Values_at_the_ends_of_their_range_are_good()
     {
-        var setup = new PrintSetup().With("overhang_classes=50 20 100 1;100 10 100 0.5", "infill_percent=100", "layer_ranges_mm=0 1 0.001", "wall_count=0")
+        var setup = new PrintSetup().With("overhang_classes=50 20 100 1;100 10 100 0.5", "infill_density_percent=100", "height_ranges_mm=0 1 0.001",
+            "wall_count=0")
             .Value!;
-        Assert.That(setup.Settings.OverhangClasses.Select(c => (c.Percent, c.Speed, c.FanPercent, c.Flow)), Is.EqualTo(new[]
+        Assert.That(setup.Settings.OverhangClasses.Select(c => (c.Percent, c.Speed, c.MinFanSpeedPercent, c.Flow)), Is.EqualTo(new[]
         {
             (50.0, 20.0, 100.0, 1.0), (100.0, 10.0, 100.0, 0.5),
         }));

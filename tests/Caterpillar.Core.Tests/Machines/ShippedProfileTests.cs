@@ -45,7 +45,7 @@ public class ShippedProfileTests
     {
         var setup = Library.Setup().Value!;
         var plain = new PrintSetup();
-        Assert.That(setup.Printer with { StartTemplate = ValueList<string>.Empty, EndTemplate = ValueList<string>.Empty, Title = plain.Printer.Title },
+        Assert.That(setup.Printer with { StartGCode = ValueList<string>.Empty, EndGCode = ValueList<string>.Empty, Title = plain.Printer.Title },
             Is.EqualTo(plain.Printer));
         Assert.That(setup.Settings with { Title = plain.Settings.Title }, Is.EqualTo(plain.Settings));
     }
@@ -115,7 +115,7 @@ public class ShippedProfileTests
     private static IReadOnlyList<string> Start(string printer, string? material)
     {
         var setup = Library.Setup(printer, material).Value!;
-        return Render(setup.Printer.StartTemplate, PrintValues.Of(setup));
+        return Render(setup.Printer.StartGCode, PrintValues.Of(setup));
     }
 
     private static IReadOnlyList<string> End(string printer, double top = 10)
@@ -123,7 +123,7 @@ public class ShippedProfileTests
         var setup = Library.Setup(printer).Value!;
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         builder.Add(new Vec3(0, 0, top), 1, 1, 10, MoveKind.Print, Role.OuterWall, -1, 0, 0);
-        return Render(setup.Printer.EndTemplate, PrintValues.Of(setup, builder.Build([new ToolpathTool(setup.Extrusion.VolumePerE)])));
+        return Render(setup.Printer.EndGCode, PrintValues.Of(setup, builder.Build([new ToolpathTool(setup.Extrusion.VolumePerE)])));
     }
 
     private static IReadOnlyList<string> Render(IReadOnlyList<string> template, TemplateValues values)

@@ -27,7 +27,7 @@ public class TemplateTests
 
     [Test]
     public void Keys_are_replaced_by_their_values()
-        => Assert.That(Render(Pla, "M104 S{nozzle_temperature_c} ; {material_name} on {dialect}"), Is.EqualTo(new[] { "M104 S205 ; pla on marlin2" }));
+        => Assert.That(Render(Pla, "M104 S{nozzle_temperature_c} ; {material_name} on {gcode_flavor}"), Is.EqualTo(new[] { "M104 S205 ; pla on marlin2" }));
 
     [Test]
     public void A_branch_that_is_not_taken_leaves_no_lines()
@@ -90,10 +90,10 @@ public class TemplateTests
     [TestCase("M104 S{random()}", 1, 8)]
     public void Errors_carry_line_and_column(string template, int line, int column)
     {
-        var result = PrintTemplate.Parse(template.Split('|'), new SourceLocation("p.json", Key: "start_template"));
+        var result = PrintTemplate.Parse(template.Split('|'), new SourceLocation("p.json", Key: "start_gcode"));
         Assert.That(result.Value, Is.Null);
         var error = result.Diagnostics[0];
-        Assert.That((error.Source!.Line, error.Source.Column, error.Source.File, error.Source.Key), Is.EqualTo((line, column, "p.json", "start_template")),
+        Assert.That((error.Source!.Line, error.Source.Column, error.Source.File, error.Source.Key), Is.EqualTo((line, column, "p.json", "start_gcode")),
             error.ToString());
     }
 
@@ -114,7 +114,7 @@ public class TemplateTests
     [Test]
     public void The_print_is_measured()
     {
-        // A strand of 0.1 mm² and 100 mm: 10 mm³, 12.4 mg, E 10 / 2.405.
+        // An extrusion of 0.1 mm² and 100 mm: 10 mm³, 12.4 mg, E 10 / 2.405.
         var law = Pla.Extrusion;
         var e = law.E(100, 0.1);
         var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(0, 0, 5));

@@ -54,7 +54,7 @@ public class CombPathTests
     }
 
     [Test]
-    public void Strands_near_the_outline_are_left_and_reached()
+    public void Extrusions_near_the_outline_are_left_and_reached()
     {
         // On outer walls, 0.2 mm from the outline.
         var path = new CombPath(0.5).Find(new Vec3(19.8, 5.8), new Vec3(5.8, 19.8), Ell, 100)!;
@@ -127,7 +127,7 @@ public class CombPathTests
         {
             Region = Region.Rectangle(0, 0, 20, 6 + z),
         };
-        var rules = PlanningTests.Rules with { Comb = true, TravelSpeed = 150, LiftSpeed = 10 };
+        var rules = PlanningTests.Rules with { Comb = true, TravelSpeed = 150, ZHopSpeed = 10 };
         Toolpath Plan(double x) => PlanRun.Run([Line(1, 0.2), Line(x, 0.4)], rules, new PlanOptions { Start = Vec3.Zero }, null, default).Value!.Toolpath;
         // From x = 3 to 4 and 0.2 mm up: √1.04 mm in 0.02 s; over 12 mm the speed of travels is slow enough.
         Assert.That(Rising(Plan(4)).Speed, Is.EqualTo(Math.Sqrt(1.04) / 0.02).Within(1e-9));

@@ -81,7 +81,7 @@ public class CorridorTests
     }
 
     [Test]
-    public void No_travel_passes_through_a_printed_strand()
+    public void No_travel_passes_through_a_printed_extrusion()
     {
         var random = new Random(53);
         int lifts = 0, detours = 0, skipped = 0;
@@ -106,18 +106,18 @@ public class CorridorTests
         Assert.That(detours, Is.GreaterThan(10));
     }
 
-    // Samples every travel that is not straight up or down, and looks at every strand printed before: an independent test of what Deposit answers.
+    // Samples every travel that is not straight up or down, and looks at every extrusion printed before: an independent test of what Deposit answers.
     internal static void AssertClear(Toolpath toolpath, double radius)
     {
-        var strands = new List<(Vec3 A, Vec3 B)>();
+        var extrusions = new List<(Vec3 A, Vec3 B)>();
         foreach (var move in toolpath.Moves())
         {
-            if (move.Kind == MoveKind.Print) strands.Add((move.Start, move.End));
+            if (move.Kind == MoveKind.Print) extrusions.Add((move.Start, move.End));
             if (move.Kind != MoveKind.Travel || (move.End - move.Start).LengthXY < 1e-9) continue;
             for (var i = 0; i <= 100; i++)
             {
                 var p = Vec3.Lerp(move.Start, move.End, i / 100.0);
-                foreach (var (a, b) in strands)
+                foreach (var (a, b) in extrusions)
                 {
                     var d = (b - a).WithZ(0);
                     var t = Math.Min(1, Math.Max(0, Vec3.Dot((p - a).WithZ(0), d) / d.LengthSquared));

@@ -21,7 +21,7 @@ public class LayerCoolingTests
 
     private static readonly PrintSetup Setup = new()
     {
-        Material = new Material { FanPercent = 40, FanMaxPercent = 100, FanLayerTime = 8, FanOffLayers = 1 },
+        Material = new Material { MinFanSpeedPercent = 40, MaxFanSpeedPercent = 100, FanLayerTime = 8, FanOffLayers = 1 },
         Settings = new PrintSettings { PrintSpeed = 50, FirstLayerSpeed = 0, MinLayerTime = 2 },
     };
 
@@ -43,7 +43,7 @@ public class LayerCoolingTests
     [Test]
     public void The_head_waits_where_a_layer_lacks_time()
     {
-        var pause = Setup with { Settings = Setup.Settings with { LayerWait = LayerWait.Pause } };
+        var pause = Setup with { Settings = Setup.Settings with { LayerTimeWait = LayerTimeWait.Above } };
         // 1 s and 0.5 s of printing: waits of 1 s and 1.5 s after them, none after the last layer.
         var toolpath = Plan(Lines(50, 25, 200, 10), pause).Value!;
         var waits = toolpath.Events.Select(e => e.Event).OfType<DwellEvent>().Select(e => e.Seconds).ToArray();
@@ -58,7 +58,7 @@ public class LayerCoolingTests
     [Test]
     public void The_head_waits_beside_the_part_if_asked_to()
     {
-        var away = Setup with { Settings = Setup.Settings with { LayerWait = LayerWait.Away } };
+        var away = Setup with { Settings = Setup.Settings with { LayerTimeWait = LayerTimeWait.NextTo } };
         double[] X(PrintSetup setup) => Plan(Lines(50, 25, 200), setup).Value!.Moves().Where(m => m.Kind == MoveKind.Dwell).Select(m => m.Start.X).ToArray();
         Assert.That(X(away), Is.EqualTo(new[] { 10.0, 10 }));
         // Where the bed ends on the left, to the right of the layer.
@@ -74,9 +74,9 @@ public class LayerCoolingTests
         var result = Plan(Lines(100, 400), setup);
         var speeds = result.Value!.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => m.Speed);
         Assert.That(speeds, Is.All.EqualTo(25).Within(1e-9), "2 mm³/s over 0.08 mm²");
-        var remark = result.Diagnostics.Single(d => d.Code == "plan.flow_slowed");
-        Assert.That((remark.Severity, remark.Count), Is.EqualTo((Severity.Remark, 2)));
-        Assert.That(remark.Message, Does.Contain("inner wall from 50 to 25 mm/s").And.Contain("2 mm³/s"));
+        var note = result.Diagnostics.Single(d => d.Code == "plan.flow_slowed");
+        Assert.That((note.Severity, note.Count), Is.EqualTo((Severity.Note, 2)));
+        Assert.That(note.Message, Does.Contain("inner wall from 50 to 25 mm/s").And.Contain("2 mm³/s"));
         Assert.That(Plan(Lines(100), Setup).Diagnostics.Select(d => d.Code), Has.None.EqualTo("plan.flow_slowed"));
     }
 
@@ -87,9 +87,9 @@ public class LayerCoolingTests
         Assert.That(Plan(Lines(100), setup, PlanPolicy.AsDrawn).Value!.Moves().Last().Speed, Is.EqualTo(50));
     }
 
-    [TestCase("comb_detour_mm=-1", "comb_detour_mm")]
-    [TestCase("layer_wait=long", "layer_wait")]
-    [TestCase("fan_max_percent=101", "fan_max_percent")]
+    [TestCase("avoid_crossing_max_detour_mm=-1", "avoid_crossing_max_detour_mm")]
+    [TestCase("layer_time_wait=long", "layer_time_wait")]
+    [TestCase("max_fan_speed_percent=101", "max_fan_speed_percent")]
     [TestCase("fan_layer_time_s=-1", "fan_layer_time_s")]
     public void Bad_values_name_their_key(string set, string key)
         => Assert.That(new PrintSetup().With(set).Diagnostics.Single().ToString(), Does.Contain(key));

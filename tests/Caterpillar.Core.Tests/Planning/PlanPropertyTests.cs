@@ -18,7 +18,7 @@ public class PlanPropertyTests
         foreach (var (steps, rules, random) in Designs(60))
         {
             var plan = PlanningTests.Plan(steps,
-                rules with { StartDistance = 0, StopDistance = 0, Tools = Array.ConvertAll(rules.Tools, t => t with { ExtraE = 0 }) });
+                rules with { StartDistance = 0, CoastingDistance = 0, Tools = Array.ConvertAll(rules.Tools, t => t with { ExtraE = 0 }) });
             for (var tool = 0; tool < rules.Tools.Length; tool++)
             {
                 var expected = steps.OfType<PathStep>().Where(p => p.Path.Tool == tool).Sum(p => p.Path.Volume) / rules.Tools[tool].VolumePerE!.Value;
@@ -46,7 +46,7 @@ public class PlanPropertyTests
                 balance[move.Tool] -= move.E;
                 Assert.That(balance[move.Tool], Is.InRange(-1e-12, rules.Tools[move.Tool].RetractE + 1e-12));
                 if (move.Kind is MoveKind.Retract or MoveKind.Wipe) Assert.That(move.E, Is.Negative);
-                if (move.Kind is MoveKind.Restore or MoveKind.MovingRestore) Assert.That(balance[move.Tool], Is.Zero.Within(1e-12));
+                if (move.Kind is MoveKind.Deretract or MoveKind.MovingDeretract) Assert.That(balance[move.Tool], Is.Zero.Within(1e-12));
             }
         }
     }
@@ -70,7 +70,7 @@ public class PlanPropertyTests
     {
         foreach (var (steps, rules, _) in Designs(40))
         {
-            var toolpath = PlanningTests.Plan(steps, rules with { StopDistance = 0 }).Toolpath;
+            var toolpath = PlanningTests.Plan(steps, rules with { CoastingDistance = 0 }).Toolpath;
             var printed = toolpath.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => Key(m.Start, m.End)).OrderBy(k => k).ToArray();
             var drawn = steps.OfType<PathStep>().SelectMany(p => Enumerable.Range(0, p.Path.SegmentCount).Select(i => Key(p.Path.Points[i], p.Path.EndOf(i))))
                 .OrderBy(k => k).ToArray();
@@ -90,7 +90,8 @@ public class PlanPropertyTests
             Assert.That(again.Toolpath.Moves(), Is.EqualTo(plan.Toolpath.Moves()));
             Assert.That(again.Toolpath.Events, Is.EqualTo(plan.Toolpath.Events));
             Assert.That(again.Report, Is.EqualTo(plan.Report));
-            Assert.That(plan.Report.Retractions, Is.EqualTo(plan.Report.Restores).Or.EqualTo(plan.Report.Restores + 1).Or.EqualTo(plan.Report.Restores + 2));
+            Assert.That(plan.Report.Retractions, Is.EqualTo(plan.Report.Deretractions).Or.EqualTo(plan.Report.Deretractions
+                + 1).Or.EqualTo(plan.Report.Deretractions + 2));
             var totals = ToolpathTotals.Of(plan.Toolpath);
             Assert.That(plan.Report.TravelLength, Is.LessThanOrEqualTo(totals.TravelLength + 1e-6));
         }
@@ -103,7 +104,7 @@ public class PlanPropertyTests
         {
             var top = double.NegativeInfinity;
             foreach (var move in PlanningTests.Plan(steps.Where(s => s is PathStep).ToList(),
-                rules with { Lift = LiftRule.Highest, MinLiftTravel = 0, StopDistance = 0 }).Toolpath.Moves())
+                rules with { Lift = LiftRule.Highest, MinLiftTravel = 0, CoastingDistance = 0 }).Toolpath.Moves())
             {
                 if (move.Kind == MoveKind.Print) top = Math.Max(top, Math.Max(move.Start.Z, move.End.Z));
                 if (move.Kind == MoveKind.Travel && (move.End - move.Start).LengthXY > 1e-9)
@@ -159,8 +160,8 @@ public class PlanPropertyTests
                 Lift = (LiftRule)random.Next(2),
                 WipeDistance = random.Next(2) * 2,
                 StartDistance = random.Next(2),
-                StopDistance = random.Next(2),
-                RestoreDuringDescent = random.Next(2) == 0,
+                CoastingDistance = random.Next(2),
+                DeretractDuringDescent = random.Next(2) == 0,
             };
             yield return (steps, rules, random);
         }

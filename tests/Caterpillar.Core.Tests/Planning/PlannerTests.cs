@@ -17,26 +17,26 @@ public class PlannerTests
 
     private static readonly Printer Printer = new()
     {
-        RetractionDistance = 2, RetractionSpeed = 35, RestoreSpeed = 25, RestoreExtra = 0.5, LiftClearance = 0.6, LiftSpeed = 8, MaxFlow = 0,
+        RetractionLength = 2, RetractionSpeed = 35, DeretractionSpeed = 25, DeretractionExtra = 0.5, ZHop = 0.6, ZHopSpeed = 8, MaxFlow = 0,
     };
 
     private static readonly PrintSettings Settings = new()
     {
-        PrintSpeed = 50, OuterWallSpeed = 30, FirstLayerSpeed = 20, TravelSpeed = 140, LiftMinTravel = 1, RetractionMinTravel = 3,
+        PrintSpeed = 50, OuterWallSpeed = 30, FirstLayerSpeed = 20, TravelSpeed = 140, ZHopMinTravel = 1, RetractionMinTravel = 3,
     };
 
     [Test]
     public void The_moves_follow_the_settings()
     {
         Step[] steps = [Line(0, 0, 0.2, 0), Line(10, 0, 0.2, 0), Line(22, 0, 0.4, 1)];
-        var plan = Planner.PlanWithReport(steps, new PrintSetup(Printer, new Material { FilamentDiameter = 2, FlowMultiplier = 2 }, Settings), From0).Value!;
+        var plan = Planner.PlanWithReport(steps, new PrintSetup(Printer, new Material { FilamentDiameter = 2, FlowRatio = 2 }, Settings), From0).Value!;
         // 0.5 mm² over a filament of π mm², twice; 8 mm of path.
         var e = 8 * 0.5 * 2 / Math.PI;
         Assert.That(PlanningTests.Text(plan.Toolpath), Is.EqualTo(new[]
         {
             "Travel 0,0,0.2 0 8", $"Print 8,0,0.2 {E(e)} 20",
             "Travel 8,0,0.8 0 8", "Travel 10,0,0.8 0 140", "Travel 10,0,0.2 0 8", $"Print 18,0,0.2 {E(e)} 20",
-            "Retract 18,0,0.2 -2 35", "Travel 18,0,1 0 8", "Travel 22,0,1 0 140", "Travel 22,0,0.4 0 8", "Restore 22,0,0.4 2 25", "Prime 22,0,0.4 0.5 25",
+            "Retract 18,0,0.2 -2 35", "Travel 18,0,1 0 8", "Travel 22,0,1 0 140", "Travel 22,0,0.4 0 8", "Deretract 22,0,0.4 2 25", "Prime 22,0,0.4 0.5 25",
             $"Print 30,0,0.4 {E(e)} 30",
         }));
         Assert.That(plan.Toolpath.Tools.Single().VolumePerE, Is.EqualTo(Math.PI / 2).Within(1e-12));
@@ -61,7 +61,7 @@ public class PlannerTests
     public void Fan_and_temperature_change_after_the_first_layers()
     {
         Step[] steps = [Line(0, 0, 0.2, 0), Line(0, 0, 0.4, 1), Line(0, 0, 0.6, 2), Line(0, 0, 0.8, 3)];
-        var material = new Material { FanPercent = 50, FanOffLayers = 2, NozzleTemperature = 200, FirstLayerNozzleTemperature = 215 };
+        var material = new Material { MinFanSpeedPercent = 50, FanOffLayers = 2, NozzleTemperature = 200, FirstLayerNozzleTemperature = 215 };
         var events = Planner.Plan(steps, new PrintSetup(Printer, material, Settings), From0).Value!.Events;
         Assert.That(events.Select(e => e.Event), Is.EqualTo(new PrinterEvent[] { new NozzleTemperatureEvent(200), new FanEvent(0.5) }));
         var drawn = Planner.Plan(steps, new PrintSetup(Printer, material, Settings), From0 with { Policy = PlanPolicy.AsDrawn }).Value!;
@@ -127,7 +127,7 @@ public class PlannerTests
         Step[] steps = new[] { 0.2, 0.4, 0.6, 0.8 }.Select(z => (Step)new PathStep(new PrintPath([new Vec3(0, 0, z), new Vec3(10, 0, z)], new Bead(0.1))))
             .ToArray();
         var settings = Settings with { FirstLayerHeight = 0.2, LayerHeight = 0.2 };
-        var toolpath = Planner.Plan(steps, new PrintSetup(Printer, new Material { FanPercent = 50, FanOffLayers = 2 }, settings), From0).Value!;
+        var toolpath = Planner.Plan(steps, new PrintSetup(Printer, new Material { MinFanSpeedPercent = 50, FanOffLayers = 2 }, settings), From0).Value!;
         var fan = toolpath.Events.Single(e => e.Event is FanEvent);
         var first = toolpath.Moves().First(m => m.Kind == MoveKind.Print && m.Index >= fan.Move);
         Assert.That(first.End.Z, Is.EqualTo(0.6).Within(1e-12));

@@ -19,7 +19,7 @@ public class PlanningTests
         Tools = [new ToolRules(2, 1, 40, 30, 0)],
         PrintSpeed = (role, first) => first ? 20 : role == Role.Infill ? 80 : 50,
         TravelSpeed = 150,
-        LiftSpeed = 10,
+        ZHopSpeed = 10,
         Lift = LiftRule.Highest,
         Clearance = 0.5,
         MinLiftTravel = 2,
@@ -35,7 +35,7 @@ public class PlanningTests
         Assert.That(Moves([Line(0, 0, 10, 0, 0.2), Line(10, 10, 0, 10, 0.2)]), Is.EqualTo(new[]
         {
             "Travel 0,0,0.2 0 10", "Print 10,0,0.2 2.5 50",
-            "Retract 10,0,0.2 -1 40", "Travel 10,0,0.7 0 10", "Travel 10,10,0.7 0 150", "Travel 10,10,0.2 0 10", "Restore 10,10,0.2 1 30",
+            "Retract 10,0,0.2 -1 40", "Travel 10,0,0.7 0 10", "Travel 10,10,0.7 0 150", "Travel 10,10,0.2 0 10", "Deretract 10,10,0.2 1 30",
             "Print 0,10,0.2 2.5 50",
         }));
     }
@@ -51,7 +51,7 @@ public class PlanningTests
     public void As_drawn_adds_nothing()
     {
         Assert.That(Moves([Line(0, 0, 10, 0, 0), Line(10, 10, 0, 10, 0.2)],
-            Rules with { Policy = PlanPolicy.AsDrawn, WipeDistance = 2, StartDistance = 1, StopDistance = 1 }),
+            Rules with { Policy = PlanPolicy.AsDrawn, WipeDistance = 2, StartDistance = 1, CoastingDistance = 1 }),
             Is.EqualTo(new[] { "Print 10,0,0 2.5 50", "Travel 10,10,0.2 0 150", "Print 0,10,0.2 2.5 50" }));
     }
 
@@ -77,7 +77,7 @@ public class PlanningTests
     {
         Assert.That(Moves([Line(0, 0, 10, 0, 3), Line(20, 0, 30, 0, 1)], Rules with { Lift = LiftRule.None }), Is.EqualTo(new[]
         {
-            "Travel 0,0,3 0 10", "Print 10,0,3 2.5 50", "Retract 10,0,3 -1 40", "Travel 20,0,1 0 150", "Restore 20,0,1 1 30", "Print 30,0,1 2.5 50",
+            "Travel 0,0,3 0 10", "Print 10,0,3 2.5 50", "Retract 10,0,3 -1 40", "Travel 20,0,1 0 150", "Deretract 20,0,1 1 30", "Print 30,0,1 2.5 50",
         }));
     }
 
@@ -96,10 +96,10 @@ public class PlanningTests
         var plan = Plan(steps, Rules);
         Assert.That(Text(plan.Toolpath), Is.EqualTo(new[]
         {
-            "Print 10,0,0 2.5 50", "Retract 10,0,0 -1 40", "Travel 11,0,0 0 150", "Travel 11,5,0 0 33", "Travel 12,5,0 0 33", "Restore 12,5,0 1 30",
+            "Print 10,0,0 2.5 50", "Retract 10,0,0 -1 40", "Travel 11,0,0 0 150", "Travel 11,5,0 0 33", "Travel 12,5,0 0 33", "Deretract 12,5,0 1 30",
                 "Print 20,5,0 2 50",
         }));
-        Assert.That((plan.Report.DrawnTravels, plan.Report.Travels, plan.Report.Retractions, plan.Report.Restores), Is.EqualTo((2, 0, 1, 1)));
+        Assert.That((plan.Report.DrawnTravels, plan.Report.Travels, plan.Report.Retractions, plan.Report.Deretractions), Is.EqualTo((2, 0, 1, 1)));
         Assert.That(Moves([Line(0, 0, 10, 0, 0), new TravelStep(new Vec3(10, 1)), Line(10, 1, 20, 1, 0)]), Has.None.StartsWith("Retract"));
     }
 
@@ -109,7 +109,7 @@ public class PlanningTests
         Assert.That(Moves([Line(0, 0, 10, 0, 0), new TravelStep(new Vec3(10, 0, 1)), Line(20, 0, 30, 0, 0)]), Is.EqualTo(new[]
         {
             "Print 10,0,0 2.5 50", "Retract 10,0,0 -1 40", "Travel 10,0,1 0 150", "Travel 10,0,1.5 0 10", "Travel 20,0,1.5 0 150", "Travel 20,0,0 0 10",
-                "Restore 20,0,0 1 30",
+                "Deretract 20,0,0 1 30",
             "Print 30,0,0 2.5 50",
         }));
     }
@@ -123,7 +123,7 @@ public class PlanningTests
             var plan = Plan(steps, Rules with { Policy = policy });
             Assert.That(Text(plan.Toolpath), Is.EqualTo(new[]
             {
-                "Print 10,0,0 2.5 50", "Retract 10,0,0 -3 40", "Travel 20,0,0 0 150", "Restore 20,0,0 3 7", "Prime 20,0,0 2 7", "Print 30,0,0 2.5 50",
+                "Print 10,0,0 2.5 50", "Retract 10,0,0 -3 40", "Travel 20,0,0 0 150", "Deretract 20,0,0 3 7", "Prime 20,0,0 2 7", "Print 30,0,0 2.5 50",
             }));
             Assert.That(plan.Toolpath[3].Deposited, Is.Zero);
             Assert.That(plan.Toolpath[4].Deposited, Is.EqualTo(2));
@@ -195,8 +195,8 @@ public class PlanningTests
         var plan = Plan(steps, rules);
         Assert.That(Text(plan.Toolpath), Is.EqualTo(new[]
         {
-            "Print 10,0,0 2.5 50", "Retract 10,0,0 -1 40", "Print 20,0,0 5 50", "Retract 20,0,0 -4 20", "Restore 20,0,0 1 30", "Print 30,0,0 2.5 50",
-            "Retract 30,0,0 -1 40", "Restore 30,0,0 4 10", "Print 40,0,0 5 50",
+            "Print 10,0,0 2.5 50", "Retract 10,0,0 -1 40", "Print 20,0,0 5 50", "Retract 20,0,0 -4 20", "Deretract 20,0,0 1 30", "Print 30,0,0 2.5 50",
+            "Retract 30,0,0 -1 40", "Deretract 30,0,0 4 10", "Print 40,0,0 5 50",
         }));
         Assert.That(plan.Toolpath.Events.Select(e => (e.Move, ((ToolEvent)e.Event).Tool)), Is.EqualTo(new[] { (2, 1), (4, 0), (7, 1) }));
         Assert.That(plan.Report.ToolChanges, Is.EqualTo(3));
@@ -219,26 +219,26 @@ public class PlanningTests
     [Test]
     public void Restoring_during_the_descent_is_a_moving_restore_that_the_filament_can_follow()
     {
-        var moves = Moves([Line(0, 0, 10, 0, 0), Line(20, 0, 30, 0, 0)], Rules with { RestoreDuringDescent = true, Clearance = 0.1 });
-        Assert.That(moves.Skip(4).Take(2), Is.EqualTo(new[] { "MovingRestore 20,0,0 1 3", "Print 30,0,0 2.5 50" }));
+        var moves = Moves([Line(0, 0, 10, 0, 0), Line(20, 0, 30, 0, 0)], Rules with { DeretractDuringDescent = true, Clearance = 0.1 });
+        Assert.That(moves.Skip(4).Take(2), Is.EqualTo(new[] { "MovingDeretract 20,0,0 1 3", "Print 30,0,0 2.5 50" }));
     }
 
     [Test]
     public void Extra_restore_is_deposited()
     {
         var toolpath = Plan([Line(0, 0, 10, 0, 0), Line(20, 0, 30, 0, 0)], Rules with { Tools = [new ToolRules(2, 1, 40, 30, 0.25)] }).Toolpath;
-        Assert.That(Text(toolpath).Skip(5).Take(2), Is.EqualTo(new[] { "Restore 20,0,0 1 30", "Prime 20,0,0 0.25 30" }));
+        Assert.That(Text(toolpath).Skip(5).Take(2), Is.EqualTo(new[] { "Deretract 20,0,0 1 30", "Prime 20,0,0 0.25 30" }));
         Assert.That(toolpath[6].Deposited, Is.EqualTo(0.25));
     }
 
     [Test]
     public void Pressure_lag_primes_before_the_path_and_stops_early()
     {
-        var rules = Rules with { StartDistance = 2, StopDistance = 3 };
+        var rules = Rules with { StartDistance = 2, CoastingDistance = 3 };
         Assert.That(Moves([Line(0, 0, 10, 0, 0)], rules), Is.EqualTo(new[] { "Prime 0,0,0 0.5 30", "Print 7,0,0 1.75 50", "Travel 10,0,0 0 50" }));
         Assert.That(Moves([Line(0, 0, 4, 0, 0)], rules), Is.EqualTo(new[] { "Prime 0,0,0 0.5 30", "Print 2,0,0 0.5 50", "Travel 4,0,0 0 50" }));
         var arc = new PrintPath([new Vec3(10, 0), new Vec3(-10, 0)], [new Bead(0.5)], false, [new Arc(Vec3.Zero, 180)]);
-        var half = Plan([arc], rules with { StartDistance = 0, StopDistance = 100 }, new PlanOptions { Start = new Vec3(10, 0) }).Toolpath;
+        var half = Plan([arc], rules with { StartDistance = 0, CoastingDistance = 100 }, new PlanOptions { Start = new Vec3(10, 0) }).Toolpath;
         Assert.That(half.Count, Is.EqualTo(2));
         Assert.That(half[0].End.DistanceTo(new Vec3(0, 10)), Is.LessThan(1e-12));
         Assert.That(half[0].Arc!.Value.Sweep, Is.EqualTo(90));
@@ -259,7 +259,8 @@ public class PlanningTests
             Assert.That(Moves([Square(1, role)], rules).Skip(3), Is.EqualTo(new[] { "Print 0,0.4,0 0.15 50", "Travel 0,0,0 0 50" }));
             Assert.That(Moves([Square(10, role, closed: false)], rules), Has.Length.EqualTo(4), "an open one");
             Assert.That(Moves([Square(10, role)]), Has.Length.EqualTo(4), "no gap");
-            Assert.That(Moves([Square(10, role)], rules with { StopDistance = 3 }).Skip(3), Is.EqualTo(new[] { "Print 0,3,0 1.75 50", "Travel 0,0,0 0 50" }));
+            Assert.That(Moves([Square(10, role)], rules with { CoastingDistance = 3 }).Skip(3),
+                Is.EqualTo(new[] { "Print 0,3,0 1.75 50", "Travel 0,0,0 0 50" }));
             Assert.That(Moves([Square(10, role)], rules with { Policy = PlanPolicy.AsDrawn }).Last(), Does.StartWith("Print 0,0,0"), "as drawn");
         }
         Assert.That(Moves([Square(10, Role.Infill)], rules), Has.Length.EqualTo(4), "no wall");

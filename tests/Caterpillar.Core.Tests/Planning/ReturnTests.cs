@@ -19,7 +19,7 @@ public class ReturnTests
         Step[] steps = [Path(0, 0, 0, 10, 0, 5), Return(0, 0, 0), Path(0, 0, 0, 0, 10, 5)];
         var plan = PlanningTests.Plan(steps, Rules);
         Assert.That(PlanningTests.Text(plan.Toolpath).Skip(1).Take(4),
-            Is.EqualTo(new[] { "Retract 10,0,5 -1 40", "Travel 0,0,5 0 150", "Travel 0,0,0 0 10", "Restore 0,0,0 1 30" }));
+            Is.EqualTo(new[] { "Retract 10,0,5 -1 40", "Travel 0,0,5 0 150", "Travel 0,0,0 0 10", "Deretract 0,0,0 1 30" }));
         Assert.That((plan.Report.ReturnsOver, plan.Report.ReturnsAlong, plan.Report.BlockedReturns), Is.EqualTo((1, 0, 0)));
     }
 
@@ -32,7 +32,7 @@ public class ReturnTests
         Assert.That((plan.Report.ReturnsOver, plan.Report.ReturnsAlong, plan.Report.BlockedReturns), Is.EqualTo((0, 1, 0)));
         Assert.That(PlanningTests.Text(plan.Toolpath).Skip(6),
             Is.EqualTo(new[] { "Travel 8,6,0 0 150", "Travel 0,6,0 0 150", "Travel 0,0,0 0 150", "Print -5,0,0 1.25 50" }));
-        // A strand across the branch blocks the path along it.
+        // An extrusion across the branch blocks the path along it.
         steps = [.. steps.Take(1), Path(1, 6, 20, 1, 7, 20), .. steps.Skip(1)];
         Assert.That(PlanningTests.Plan(steps, Rules).Report.ReturnsOver, Is.EqualTo(1));
     }
@@ -67,14 +67,14 @@ public class ReturnTests
         Assert.That(path.BackTo(new Vec3(9, 9)), Is.EqualTo(new[] { new Vec3(9, 9) }));
     }
 
-    // From x = 10 back to 0: the strand across covers the start, the middle, the goal, or lies beyond either end.
+    // From x = 10 back to 0: the extrusion across covers the start, the middle, the goal, or lies beyond either end.
     [TestCase(10, false)]
     [TestCase(5, false)]
     [TestCase(0, false)]
     [TestCase(-0.06, false)]
     [TestCase(-0.5, true)]
     [TestCase(10.5, true)]
-    public void A_strand_over_any_point_of_the_path_back_blocks_it(double x, bool open)
+    public void An_extrusion_over_any_point_of_the_path_back_blocks_it(double x, bool open)
     {
         var deposit = new Deposit();
         deposit.Add(new Vec3(x, -1, 0.5), new Vec3(x, 1, 0.5), 0.1);

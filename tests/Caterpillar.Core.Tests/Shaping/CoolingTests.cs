@@ -13,7 +13,7 @@ public class CoolingTests
     {
         // The skewed pyramid of Kanada 2015: speed(linelen + 1).
         var path = new PrintPath([Vec3.Zero, new Vec3(30, 0), new Vec3(30, 9), new Vec3(29, 9)], new Bead(0.2, 0, 25));
-        var cooled = new Cooling { SpeedByLength = true, MinSpeed = 3 }.Apply([path]).Value!.Single();
+        var cooled = new Cooling { SpeedByLength = true, MinPrintSpeed = 3 }.Apply([path]).Value!.Single();
         Assert.That(Enumerable.Range(0, 3).Select(i => cooled.BeadOf(i).Speed), Is.EqualTo(new double[] { 25, 10, 3 }));
         Assert.That(cooled.Volume, Is.EqualTo(path.Volume));
     }
@@ -23,10 +23,10 @@ public class CoolingTests
     {
         // 40 mm at 40 mm/s and 20 mm at 10 mm/s take 3 s; 6 s are half the speeds.
         PrintPath[] layer = [Line(0, 40, 0.2, 40), Line(0, 20, 0.2, 10)];
-        var cooled = new Cooling { MinLayerTime = 6, MinSpeed = 1 }.Apply(layer).Value!;
+        var cooled = new Cooling { MinLayerTime = 6, MinPrintSpeed = 1 }.Apply(layer).Value!;
         Assert.That(cooled.Select(p => p.BeadOf(0).Speed), Is.EqualTo(new double[] { 20, 5 }).Within(1e-9));
         // With at least 8 mm/s the second takes 2.5 s, so 3.5 s are left for the first.
-        var limited = new Cooling { MinLayerTime = 6, MinSpeed = 8 }.Apply(layer).Value!;
+        var limited = new Cooling { MinLayerTime = 6, MinPrintSpeed = 8 }.Apply(layer).Value!;
         Assert.That(limited.Select(p => p.BeadOf(0).Speed), Is.EqualTo(new[] { 40 / 3.5, 8 }).Within(1e-9));
     }
 
@@ -34,14 +34,14 @@ public class CoolingTests
     public void Large_layers_and_other_heights_stay_as_they_are()
     {
         PrintPath[] paths = [Line(0, 40, 0.2, 40), Line(0, 400, 0.4, 40)];
-        var cooled = new Cooling { MinLayerTime = 5, MinSpeed = 1 }.Apply(paths).Value!;
+        var cooled = new Cooling { MinLayerTime = 5, MinPrintSpeed = 1 }.Apply(paths).Value!;
         Assert.That(cooled.Select(p => p.BeadOf(0).Speed), Is.EqualTo(new double[] { 8, 40 }).Within(1e-9));
     }
 
     [Test]
     public void A_time_that_cannot_be_reached_is_reported()
     {
-        var result = new Cooling { MinLayerTime = 60, MinSpeed = 10 }.Apply([Line(0, 40, 0.2, 40)]);
+        var result = new Cooling { MinLayerTime = 60, MinPrintSpeed = 10 }.Apply([Line(0, 40, 0.2, 40)]);
         Assert.That(result.Value!.Single().BeadOf(0).Speed, Is.EqualTo(10));
         Assert.That(result.Diagnostics.Single().Code, Is.EqualTo("shape.layer_time"));
     }
@@ -53,9 +53,9 @@ public class CoolingTests
         // 10 mm at their own speed, not at the 60 mm/s of the settings.
         var line = Line(0, 10, 0.2, speed);
         double Cooled(Cooling cooling) => cooling.Apply([line]).Value!.Single().BeadOf(0).Speed;
-        Assert.That(Cooled(new Cooling { MinLayerTime = 10 / speed, MinSpeed = 0.1 }), Is.EqualTo(speed));
-        Assert.That(Cooled(new Cooling { MinLayerTime = 20 / speed, MinSpeed = 0.1 }), Is.EqualTo(speed / 2).Within(1e-9));
-        Assert.That(Cooled(new Cooling { MinLayerTime = 20 / speed, MinSpeed = 5 }), Is.EqualTo(speed), "never faster");
+        Assert.That(Cooled(new Cooling { MinLayerTime = 10 / speed, MinPrintSpeed = 0.1 }), Is.EqualTo(speed));
+        Assert.That(Cooled(new Cooling { MinLayerTime = 20 / speed, MinPrintSpeed = 0.1 }), Is.EqualTo(speed / 2).Within(1e-9));
+        Assert.That(Cooled(new Cooling { MinLayerTime = 20 / speed, MinPrintSpeed = 5 }), Is.EqualTo(speed), "never faster");
     }
 
     [Test]
@@ -64,7 +64,7 @@ public class CoolingTests
         // 40 mm in 40 s would be 1 mm/s.
         foreach (var least in new[] { 1, 1.5, 5 })
         {
-            var result = new Cooling { MinLayerTime = 40, MinSpeed = least }.Apply([Line(0, 40, 0.2, 40)]);
+            var result = new Cooling { MinLayerTime = 40, MinPrintSpeed = least }.Apply([Line(0, 40, 0.2, 40)]);
             Assert.That(result.Value!.Single().BeadOf(0).Speed, Is.EqualTo(least).Within(1e-9));
             Assert.That(result.Diagnostics.Select(d => d.Code), Is.EqualTo(least > 1 ? new[] { "shape.layer_time" } : []));
         }

@@ -58,14 +58,14 @@ public class GapBeadTests
     }
 
     [Test]
-    public void Strands_beside_a_path_in_the_same_layer_are_not_under_it()
+    public void Extrusions_beside_a_path_in_the_same_layer_are_not_under_it()
     {
         var shaped = Apply(Gap, Line(0, 0, 0.2, 20, 0, 0.2), Line(0, 0.15, 0.2, 20, 0.15, 0.2));
         Assert.That(shaped[1].BeadOf(0).Height, Is.EqualTo(0.2).Within(1e-12));
     }
 
     [Test]
-    public void Between_two_strands_the_nearer_one_counts()
+    public void Between_two_extrusions_the_nearer_one_counts()
     {
         var shaped = Apply(Gap, Line(0, 0, 0.2, 20, 0, 0.2), Line(0, 0.5, 0.2, 20, 0.5, 0.2), Line(0, 0.25, 0.5, 20, 0.25, 0.5));
         Assert.That(shaped[2].BeadOf(0).Height, Is.EqualTo(0.3).Within(1e-12));
@@ -89,7 +89,7 @@ public class GapBeadTests
         Assert.That(result.Value!.Select(p => p.BeadOf(0).Height), Is.EqualTo(new[] { 0.05, 1, 0.2 }).Within(1e-12));
         Assert.That(result.Diagnostics.Select(d => (d.Code, d.Severity)), Is.EqualTo(new[]
         {
-            ("gap.narrow", Severity.Warning), ("gap.wide", Severity.Remark), ("gap.air", Severity.Remark),
+            ("gap.narrow", Severity.Warning), ("gap.wide", Severity.Note), ("gap.air", Severity.Note),
         }));
         var nothing = Apply(Gap with { Bed = null }, Line(0, 0, 0.3, 5, 0, 0.3)).Single();
         Assert.That(nothing.BeadOf(0), Is.EqualTo(Bead));

@@ -33,10 +33,10 @@ public class ImageReaderTests
     [Test]
     public void A_png_that_was_written_is_read_back()
     {
-        var picture = new RasterImage(5, 4, new Rgb(255, 255, 255));
-        picture[1, 2] = new Rgb(51, 51, 51);
-        picture[4, 3] = new Rgb(255, 0, 0);
-        var image = ImageReader.Read(PngWriter.ToBytes(picture), "a.png").Value!;
+        var written = new RasterImage(5, 4, new Rgb(255, 255, 255));
+        written[1, 2] = new Rgb(51, 51, 51);
+        written[4, 3] = new Rgb(255, 0, 0);
+        var image = ImageReader.Read(PngWriter.ToBytes(written), "a.png").Value!;
         Assert.That((image.Width, image.Height), Is.EqualTo((5, 4)));
         Assert.That(image[0, 0], Is.EqualTo(1));
         Assert.That(image[1, 2], Is.EqualTo(0.2).Within(1e-12));

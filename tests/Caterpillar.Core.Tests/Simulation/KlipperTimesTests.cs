@@ -4,7 +4,7 @@ using System.IO;
 using System.Linq;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Machines;
 using Caterpillar.Simulation;
 using Caterpillar.Tests.GCode;
@@ -90,7 +90,7 @@ public class KlipperTimesTests
     {
         var text = System.Text.Encoding.GetEncoding(28591).GetString(TestData.ReadBytes(file));
         var bytes = System.Text.Encoding.GetEncoding(28591).GetBytes(System.Text.RegularExpressions.Regex.Replace(text, "(?m)^T[0-9]", ";"));
-        var toolpath = GCodeDecoder.Decode(GCodeDocument.FromBytes(bytes, file), new DecodeOptions { Dialect = DialectTable.Klipper }).Value!.Toolpath;
+        var toolpath = GCodeDecoder.Decode(GCodeDocument.FromBytes(bytes, file), new DecodeOptions { Flavor = FlavorTable.Klipper }).Value!.Toolpath;
         return toolpath.WithTools([new ToolpathTool(null)]);
     }
 
@@ -102,17 +102,17 @@ public class KlipperTimesTests
         {
             Printer = new Printer
             {
-                Dialect = DialectTable.Klipper,
-                CornerRule = CornerRule.SquareCornerVelocity,
+                Flavor = FlavorTable.Klipper,
+                Cornering = Cornering.SquareCornerVelocity,
                 MaxSpeed = new(Value("max_velocity"), Value("max_velocity"), Value("max_z_velocity"), Value("max_extrude_only_velocity")),
                 MaxAcceleration = new(Value("max_accel"), Value("max_accel"), Value("max_z_accel"), Value("max_extrude_only_accel")),
                 RetractionAcceleration = Value("max_extrude_only_accel"),
                 SquareCornerVelocity = Value("square_corner_velocity"),
                 MinimumCruiseRatio = Value("minimum_cruise_ratio"),
                 InstantaneousCornerVelocity = 1,
-                PlannerQueue = 0,
+                LookaheadMoves = 0,
                 ArcSegment = 1,
-                RetractionDistance = 1,
+                RetractionLength = 1,
                 RetractionSpeed = 30,
                 NozzleHeating = 0,
                 BedHeating = 0,

@@ -31,12 +31,12 @@ public class MotionDetailTests
     [Test]
     public void Firmware_retracts_once_and_restores_at_a_speed_of_its_own()
     {
-        var retraction = new FirmwareRetraction(new Printer { RetractionDistance = 2, RetractionSpeed = 40, RestoreSpeed = 0.5, RestoreExtra = 0.25 });
-        MoveKind[] kinds = [MoveKind.Restore, MoveKind.Retract, MoveKind.Retract, MoveKind.Restore, MoveKind.Restore];
+        var retraction = new FirmwareRetraction(new Printer { RetractionLength = 2, RetractionSpeed = 40, DeretractionSpeed = 0.5, DeretractionExtra = 0.25 });
+        MoveKind[] kinds = [MoveKind.Deretract, MoveKind.Retract, MoveKind.Retract, MoveKind.Deretract, MoveKind.Deretract];
         Assert.That(kinds.Select(retraction.Move), Is.EqualTo(new[] { (0.0, 0.0), (-2, 40), (0, 0), (2.25, 0.5), (0, 0) }));
     }
 
-    // The settings of a slicer: usual and silent; older Marlin travels with the acceleration of strands.
+    // The settings of a slicer: usual and silent; older Marlin travels with the acceleration of extrusions.
     [TestCase("marlin", false, 1500)]
     [TestCase("marlin2", false, 3000)]
     [TestCase("marlin2", true, 2000)]

@@ -1,7 +1,7 @@
 using System;
 using System.Linq;
 using Caterpillar.GCode;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Machines;
 using Caterpillar.Simulation;
 using NUnit.Framework;
@@ -15,14 +15,14 @@ public class MotionTests
 
     private static readonly Printer Plain = new()
     {
-        CornerRule = CornerRule.Jerk,
+        Cornering = Cornering.Jerk,
         MaxSpeed = new(500, 500, 10, 50),
         MaxAcceleration = new(5000, 5000, 100, 5000),
         Jerk = new(10, 10, 0.4, 5),
         PrintAcceleration = 1000,
         TravelAcceleration = 2000,
         RetractionAcceleration = 1500,
-        PlannerQueue = 0,
+        LookaheadMoves = 0,
         NozzleHeating = 0,
         BedHeating = 0,
     };
@@ -110,10 +110,10 @@ public class MotionTests
         Assert.That(t[1].Start, Is.EqualTo(speed).Within(1e-9));
     }
 
-    [TestCase("M201 E100", "G1 X100 E50 F3000", 200, 50, TestName = "the acceleration of E by its share of a strand")]
-    [TestCase("M203 E10", "G1 X100 E50 F3000", 1000, 20, TestName = "the greatest speed of E by its share of a strand")]
+    [TestCase("M201 E100", "G1 X100 E50 F3000", 200, 50, TestName = "the acceleration of E by its share of an extrusion")]
+    [TestCase("M203 E10", "G1 X100 E50 F3000", 1000, 20, TestName = "the greatest speed of E by its share of an extrusion")]
     [TestCase("M205 E2", "G1 E-5 F1800", 1500, 30, TestName = "the jerk of E does not touch its speed")]
-    public void Limits_of_the_extruder_set_in_the_file_hold_for_strands(string command, string move, double acceleration, double speed)
+    public void Limits_of_the_extruder_set_in_the_file_hold_for_extrusions(string command, string move, double acceleration, double speed)
     {
         var t = Trapezoids(Rigid, command + "\n" + move).Single();
         Assert.That((t.Acceleration, t.Peak), Is.EqualTo((acceleration, speed)).Within(Exact));
@@ -125,7 +125,7 @@ public class MotionTests
     [TestCase(150)]
     public void Corners_by_junction_deviation_follow_the_arc_that_touches_both_moves(double turn)
     {
-        var printer = Plain with { CornerRule = CornerRule.JunctionDeviation, JunctionDeviation = 0.02 };
+        var printer = Plain with { Cornering = Cornering.JunctionDeviation, JunctionDeviation = 0.02 };
         var radians = turn * Math.PI / 180;
         var line = FormattableString.Invariant($"G1 X{50 + 50 * Math.Cos(radians):F12} Y{50 * Math.Sin(radians):F12}");
         var t = Trapezoids(printer, "G1 X50 F18000\n" + line);
@@ -138,7 +138,7 @@ public class MotionTests
     public void By_junction_deviation_the_acceleration_in_a_corner_is_that_along_the_bisector()
     {
         // X may have 400 only: along (−1, 1)/√2 that is 400 √2.
-        var printer = Plain with { CornerRule = CornerRule.JunctionDeviation, JunctionDeviation = 0.02, MaxAcceleration = new(400, 5000, 100, 5000) };
+        var printer = Plain with { Cornering = Cornering.JunctionDeviation, JunctionDeviation = 0.02, MaxAcceleration = new(400, 5000, 100, 5000) };
         var half = Math.Sqrt(0.5);
         var t = Trapezoids(printer, "G1 X50 F18000\nG1 Y50");
         Assert.That(t[0].End * t[0].End, Is.EqualTo(400 * Math.Sqrt(2) * 0.02 * half / (1 - half)).Within(1e-9));
@@ -148,7 +148,7 @@ public class MotionTests
     public void By_junction_deviation_short_pieces_of_a_curve_are_limited_by_its_radius()
     {
         // A 3-4-5 turn in pieces of 0.5 mm: turn = atan2(0.28, 0.96), less than 45°.
-        var printer = Plain with { CornerRule = CornerRule.JunctionDeviation, JunctionDeviation = 5 };
+        var printer = Plain with { Cornering = Cornering.JunctionDeviation, JunctionDeviation = 5 };
         var t = Trapezoids(printer, "G1 X50 F30000\nG1 X50.48 Y0.14\nG1 X200 Y43.75");
         Assert.That(t[0].End * t[0].End, Is.EqualTo(0.5 * 2000 / Math.Atan2(0.28, 0.96)).Within(1e-6));
     }
@@ -156,7 +156,7 @@ public class MotionTests
     [Test]
     public void Straight_back_by_junction_deviation_is_a_stop_and_E_is_an_axis_of_the_corner()
     {
-        var printer = Plain with { CornerRule = CornerRule.JunctionDeviation, JunctionDeviation = 0.02 };
+        var printer = Plain with { Cornering = Cornering.JunctionDeviation, JunctionDeviation = 0.02 };
         Assert.That(Trapezoids(printer, "G1 X50 F6000\nG1 X0")[0].End, Is.Zero);
         // A travel, then the extruder alone: a right angle. Its acceleration of 1500 counts.
         var half = Math.Sqrt(0.5);
@@ -169,7 +169,7 @@ public class MotionTests
     {
         // Ten pieces of 1 mm in line with 1000 mm/s²: from the second on each may begin with √(2·a·1).
         var lines = string.Join("\n", Enumerable.Range(1, 10).Select(i => $"G1 X{i} E0.1 F60000"));
-        var t = Trapezoids(Rigid with { PlannerQueue = 2 }, "M83\n" + lines);
+        var t = Trapezoids(Rigid with { LookaheadMoves = 2 }, "M83\n" + lines);
         Assert.That(t.Skip(1).Select(x => x.Start), Is.All.EqualTo(Math.Sqrt(2000)).Within(Exact));
         Assert.That(t[1].Peak, Is.EqualTo(Math.Sqrt(2000 + 1000)).Within(Exact));
         var whole = Trapezoids(Rigid, "M83\n" + lines);
@@ -217,7 +217,7 @@ public class MotionTests
     [Test]
     public void Firmware_retraction_goes_by_the_numbers_of_the_profile_and_only_once()
     {
-        var printer = Rigid with { RetractionDistance = 3, RetractionSpeed = 30, RestoreSpeed = 15, RestoreExtra = 0.5 };
+        var printer = Rigid with { RetractionLength = 3, RetractionSpeed = 30, DeretractionSpeed = 15, DeretractionExtra = 0.5 };
         var t = Trapezoids(printer, "G1 X10 F6000\nG10\nG10\nG11\nG11");
         double[] expected = [0.15, 2 * 30 / 1500.0 + (3 - 900 / 1500.0) / 30, 2 * 15 / 1500.0 + (3.5 - 225 / 1500.0) / 15];
         Assert.That(t.Select(x => x.Duration), Is.EqualTo(expected).Within(Exact));
@@ -259,7 +259,7 @@ public class MotionTests
     {
         Assert.That(Trapezoids(Rigid, "M203 X40\nG1 X100 F6000").Single().Peak, Is.EqualTo(40));
         Assert.That(Trapezoids(Plain, "M205 X4\nG1 X100 F6000").Single().Start, Is.EqualTo(4).Within(Exact));
-        var printer = Plain with { CornerRule = CornerRule.JunctionDeviation };
+        var printer = Plain with { Cornering = Cornering.JunctionDeviation };
         var half = Math.Sqrt(0.5);
         Assert.That(Trapezoids(printer, "M205 J0.1\nG1 X50 F6000\nG1 Y50")[0].End, Is.EqualTo(Math.Sqrt(2000 * 0.1 * half / (1 - half))).Within(Exact));
     }
@@ -275,7 +275,7 @@ public class MotionTests
     [Test]
     public void Klipper_takes_limits_by_name_and_P_and_T_of_M204_only_together()
     {
-        var printer = Plain with { CornerRule = CornerRule.SquareCornerVelocity, MaxAcceleration = new(3000, 4000, 100, 5000), MinimumCruiseRatio = 0.5 };
+        var printer = Plain with { Cornering = Cornering.SquareCornerVelocity, MaxAcceleration = new(3000, 4000, 100, 5000), MinimumCruiseRatio = 0.5 };
         Trapezoid First(string lines) => Trapezoids(printer, lines + "\nG1 X100 F12000\nG1 Y100", "klipper")[0];
         Assert.That(First("").Acceleration, Is.EqualTo(3000));
         Assert.That(First("").End, Is.EqualTo(5).Within(Exact));
@@ -311,17 +311,17 @@ public class MotionTests
     {
         // Eight pieces of 1 mm at 2000 mm/s²: v² grows and falls by 4000 in each, from and to 10 mm/s.
         var lines = string.Join("\n", Enumerable.Range(1, 8).Select(x => $"G1 X{x} F6000"));
-        var last = Trapezoids(Plain with { PlannerQueue = 4 }, lines).Last();
+        var last = Trapezoids(Plain with { LookaheadMoves = 4 }, lines).Last();
         Assert.That(last.Start, Is.EqualTo(Math.Sqrt(100 + 4000)).Within(Exact));
         Assert.That(last.End, Is.EqualTo(10).Within(Exact));
     }
 
-    private static Trapezoid[] Trapezoids(Printer printer, string lines, string dialect = "marlin2") => Of(printer, lines, dialect).Trapezoids().ToArray();
+    private static Trapezoid[] Trapezoids(Printer printer, string lines, string flavor = "marlin2") => Of(printer, lines, flavor).Trapezoids().ToArray();
 
-    private static Timeline Of(Printer printer, string lines, string dialect = "marlin2")
+    private static Timeline Of(Printer printer, string lines, string flavor = "marlin2")
     {
         var document = GCodeDocument.FromBytes(System.Text.Encoding.ASCII.GetBytes(lines + "\n"), "program");
-        var toolpath = GCodeDecoder.Decode(document, new DecodeOptions { Dialect = DialectTable.Find(dialect) }).Value!.Toolpath;
+        var toolpath = GCodeDecoder.Decode(document, new DecodeOptions { Flavor = FlavorTable.Find(flavor) }).Value!.Toolpath;
         return Timeline.Of(toolpath, new PrintSetup { Printer = printer });
     }
 }

@@ -16,7 +16,7 @@ public class PathIndexTests
     [TestCase(3)]
     [TestCase(7)]
     [TestCase(50)]
-    public void Every_height_is_found_at_the_strand_that_reaches_it_first(int layers)
+    public void Every_height_is_found_at_the_extrusion_that_reaches_it_first(int layers)
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         for (var i = 0; i < layers; i++)

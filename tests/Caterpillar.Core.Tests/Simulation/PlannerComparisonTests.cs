@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Geometry;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Machines;
 using Caterpillar.Simulation;
 using Caterpillar.Toolpaths;
@@ -19,7 +19,7 @@ public class PlannerComparisonTests
         for (var seed = 0; seed < 300; seed++)
         {
             var pieces = Programs.Random(seed, 1 + seed % 60);
-            var printer = Programs.JerkPrinter with { PlannerQueue = 0 };
+            var printer = Programs.JerkPrinter with { LookaheadMoves = 0 };
             var machine = new SlowPlanner.Machine([150, 120, 12, 40], [2000, 1500, 100, 3000], [9, 8, 0.4, 3], 1200, 1000, 900);
             var expected = SlowPlanner.TimesByJerk(pieces, machine);
             var timeline = Timeline.Of(Programs.Toolpath(pieces), new PrintSetup { Printer = printer });
@@ -38,9 +38,9 @@ public class PlannerComparisonTests
         for (var seed = 0; seed < 60; seed++)
         {
             var pieces = Programs.Random(seed, 80, longest: 2);
-            var printer = Programs.JerkPrinter with { PlannerQueue = queue, CornerRule = CornerRule.JunctionDeviation, JunctionDeviation = 0.05 };
+            var printer = Programs.JerkPrinter with { LookaheadMoves = queue, Cornering = Cornering.JunctionDeviation, JunctionDeviation = 0.05 };
             var timeline = Timeline.Of(Programs.Toolpath(pieces), new PrintSetup { Printer = printer });
-            var whole = Timeline.Of(Programs.Toolpath(pieces), new PrintSetup { Printer = printer with { PlannerQueue = 0 } });
+            var whole = Timeline.Of(Programs.Toolpath(pieces), new PrintSetup { Printer = printer with { LookaheadMoves = 0 } });
             Assert.That(timeline.Duration, Is.GreaterThanOrEqualTo(whole.Duration - 1e-9));
             // Each speed at an end, by looking at the queue from there: all that is in it must be braked to rest, unless the program ends in it.
             var t = timeline.Trapezoids().ToArray();
@@ -61,7 +61,7 @@ public class PlannerComparisonTests
     public void A_long_program_without_stops_is_planned_in_parts_as_in_one([Values(2, 16, 64)] int queue)
     {
         var pieces = Programs.Random(7, 40_000, longest: 1);
-        var setup = new PrintSetup { Printer = Programs.JerkPrinter with { PlannerQueue = queue } };
+        var setup = new PrintSetup { Printer = Programs.JerkPrinter with { LookaheadMoves = queue } };
         var timeline = Timeline.Of(Programs.Toolpath(pieces), setup);
         // Any stretch of it gives the same speeds, but for the moves near its ends.
         var stretch = Timeline.Of(Programs.Toolpath(pieces.Skip(15_000).Take(2_000).ToList()), setup).Trapezoids().Skip(300).Take(1_000).ToArray();
@@ -70,12 +70,12 @@ public class PlannerComparisonTests
     }
 
     [Test]
-    public void No_speed_jumps_no_limit_is_passed_and_every_move_is_whole([Values] CornerRule rule)
+    public void No_speed_jumps_no_limit_is_passed_and_every_move_is_whole([Values] Cornering rule)
     {
         for (var seed = 0; seed < 50; seed++)
         {
             var pieces = Programs.Random(seed, 200);
-            var printer = Programs.JerkPrinter with { CornerRule = rule, PlannerQueue = seed % 3 == 0 ? 0 : 8, MinimumCruiseRatio = 0.5 };
+            var printer = Programs.JerkPrinter with { Cornering = rule, LookaheadMoves = seed % 3 == 0 ? 0 : 8, MinimumCruiseRatio = 0.5 };
             var timeline = Timeline.Of(Programs.Toolpath(pieces), new PrintSetup { Printer = printer });
             var all = timeline.Trapezoids().ToArray();
             Assert.That(all, Has.Length.EqualTo(pieces.Count));
@@ -87,7 +87,7 @@ public class PlannerComparisonTests
                 Assert.That(t.Peak, Is.GreaterThanOrEqualTo(Math.Max(t.Start, t.End)));
                 Assert.That(t.Accelerating + t.Decelerating, Is.LessThanOrEqualTo(t.Duration + 1e-9));
                 if (i > 0) Assert.That(t.Start, Is.EqualTo(all[i - 1].End).Within(1e-12));
-                if (rule == CornerRule.SquareCornerVelocity) continue;
+                if (rule == Cornering.SquareCornerVelocity) continue;
                 Assert.That(t.Peak * Math.Abs(p.Direction[2]), Is.LessThanOrEqualTo(printer.MaxSpeed.Z + 1e-9));
                 Assert.That(t.Acceleration * Math.Abs(p.Direction[3]), Is.LessThanOrEqualTo(printer.MaxAcceleration.E + 1e-6));
             }
@@ -137,7 +137,7 @@ internal static class Programs
 {
     public static Printer JerkPrinter { get; } = new()
     {
-        CornerRule = CornerRule.Jerk,
+        Cornering = Cornering.Jerk,
         MaxSpeed = new(150, 120, 12, 40),
         MaxAcceleration = new(2000, 1500, 100, 3000),
         Jerk = new(9, 8, 0.4, 3),
@@ -181,7 +181,7 @@ internal static class Programs
         {
             var p = pieces[i];
             var to = p.InPlace ? at : at + new Vec3(p.X, p.Y, p.Z);
-            var kind = p.InPlace ? p.E < 0 ? MoveKind.Retract : MoveKind.Restore : p.E > 0 ? MoveKind.Print : MoveKind.Travel;
+            var kind = p.InPlace ? p.E < 0 ? MoveKind.Retract : MoveKind.Deretract : p.E > 0 ? MoveKind.Print : MoveKind.Travel;
             builder.Add(to, p.E, Math.Max(p.E, 0), p.Speed, kind, Role.Unspecified, -1, 0, i);
             pieces[i] = p.InPlace ? p : new(to.X - at.X, to.Y - at.Y, to.Z - at.Z, p.E, p.Speed);
             at = to;

@@ -1,6 +1,6 @@
 using System;
 using System.Linq;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -15,14 +15,14 @@ public class StatisticsTests
 {
     private static readonly Printer Printer = new()
     {
-        CornerRule = CornerRule.Jerk,
+        Cornering = Cornering.Jerk,
         Jerk = new(0, 0, 0, 0),
         PrintAcceleration = 1000,
         TravelAcceleration = 2000,
         RetractionAcceleration = 1000,
         MaxAcceleration = new(1e6, 1e6, 1e6, 1e6),
         MaxSpeed = new(500, 500, 500, 500),
-        PlannerQueue = 0,
+        LookaheadMoves = 0,
         NozzleHeating = 2,
         BedHeating = 1,
         HomingTime = 5,
@@ -58,7 +58,7 @@ public class StatisticsTests
     public void Times_lengths_and_material_are_those_of_the_moves()
     {
         var s = Of(Print);
-        // Strands of 100 mm: 1.1 s. The travel is still at 10 mm/s: 5 s and 0.005 s. Retraction and restore: 0.1 + 0.01 each.
+        // Extrusions of 100 mm: 1.1 s. The travel is still at 10 mm/s: 5 s and 0.005 s. Retraction and restore: 0.1 + 0.01 each.
         Assert.That(s.PrintTime, Is.EqualTo(3.3).Within(1e-9));
         Assert.That(s.TravelTime, Is.EqualTo(5.005).Within(1e-9));
         Assert.That(s.ExtruderTime, Is.EqualTo(0.22).Within(1e-9));
@@ -118,7 +118,7 @@ public class StatisticsTests
     private static PrintStatistics Of(string lines, double? diameter = 1.75, double price = 25)
     {
         var document = GCodeDocument.FromBytes(System.Text.Encoding.ASCII.GetBytes(lines + "\n"), "program");
-        var toolpath = GCodeDecoder.Decode(document, new DecodeOptions { Dialect = DialectTable.Marlin2, FilamentDiameter = diameter }).Value!.Toolpath;
+        var toolpath = GCodeDecoder.Decode(document, new DecodeOptions { Flavor = FlavorTable.Marlin2, FilamentDiameter = diameter }).Value!.Toolpath;
         return PrintStatistics.Of(Timeline.Of(toolpath, new PrintSetup { Printer = Printer, Material = new Material { CostPerKg = price } }));
     }
 }

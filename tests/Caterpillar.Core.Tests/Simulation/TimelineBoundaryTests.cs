@@ -14,22 +14,22 @@ public class TimelineBoundaryTests
 {
     private static readonly Printer Rigid = new()
     {
-        CornerRule = CornerRule.Jerk, Jerk = new(0, 0, 0, 0), PrintAcceleration = 1000, TravelAcceleration = 1000, RetractionAcceleration = 1000,
-        MaxAcceleration = new(1e6, 1e6, 1e6, 1e6), MaxSpeed = new(500, 500, 500, 500), PlannerQueue = 0, NozzleHeating = 2, BedHeating = 0,
+        Cornering = Cornering.Jerk, Jerk = new(0, 0, 0, 0), PrintAcceleration = 1000, TravelAcceleration = 1000, RetractionAcceleration = 1000,
+        MaxAcceleration = new(1e6, 1e6, 1e6, 1e6), MaxSpeed = new(500, 500, 500, 500), LookaheadMoves = 0, NozzleHeating = 2, BedHeating = 0,
     };
 
     // From rest to 894 mm/s and back at 1000 mm/s²: 2 √(L / a). Queues that hold less than what is needed for braking are not among them.
-    [TestCase(CornerRule.Jerk, 0)]
-    [TestCase(CornerRule.Jerk, 5000)]
-    [TestCase(CornerRule.JunctionDeviation, 0)]
-    [TestCase(CornerRule.JunctionDeviation, 5000)]
-    [TestCase(CornerRule.SquareCornerVelocity, 0)]
-    public void A_long_line_in_many_pieces_takes_as_long_as_in_one(CornerRule rule, int queue)
+    [TestCase(Cornering.Jerk, 0)]
+    [TestCase(Cornering.Jerk, 5000)]
+    [TestCase(Cornering.JunctionDeviation, 0)]
+    [TestCase(Cornering.JunctionDeviation, 5000)]
+    [TestCase(Cornering.SquareCornerVelocity, 0)]
+    public void A_long_line_in_many_pieces_takes_as_long_as_in_one(Cornering rule, int queue)
     {
         const int Pieces = 8000;
         var printer = Rigid with
         {
-            CornerRule = rule, PlannerQueue = queue, Jerk = new(0.001, 0.001, 0.001, 0.001), MaxSpeed = new(5000, 5000, 5000, 5000),
+            Cornering = rule, LookaheadMoves = queue, Jerk = new(0.001, 0.001, 0.001, 0.001), MaxSpeed = new(5000, 5000, 5000, 5000),
             MaxAcceleration = new(1000, 1000, 1000, 1000), MinimumCruiseRatio = 0, SquareCornerVelocity = 0.001,
         };
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);

@@ -16,7 +16,7 @@ public class TimelineDetailTests
     {
         Printer = new Printer
         {
-            CornerRule = CornerRule.Jerk, Jerk = new(0, 0, 0, 0), PrintAcceleration = 1000, TravelAcceleration = 1000, PlannerQueue = 0,
+            Cornering = Cornering.Jerk, Jerk = new(0, 0, 0, 0), PrintAcceleration = 1000, TravelAcceleration = 1000, LookaheadMoves = 0,
             MaxAcceleration = new(1e6, 1e6, 1e6, 1e6), MaxSpeed = new(500, 500, 500, 500), NozzleHeating = 2, BedHeating = 1, ArcSegment = 1,
         },
     };
@@ -139,7 +139,7 @@ public class TimelineDetailTests
     }
 
     [Test]
-    public void Statistics_name_the_strand_of_the_greatest_flow_and_the_waits()
+    public void Statistics_name_the_extrusion_of_the_greatest_flow_and_the_waits()
     {
         var timeline = Of(b =>
         {

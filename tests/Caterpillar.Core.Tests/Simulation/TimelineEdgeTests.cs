@@ -1,7 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -16,8 +16,8 @@ public class TimelineEdgeTests
 {
     private static readonly Printer Rigid = new()
     {
-        CornerRule = CornerRule.Jerk, Jerk = new(0, 0, 0, 0), PrintAcceleration = 1000, TravelAcceleration = 1000, RetractionAcceleration = 1000,
-        MaxAcceleration = new(1e6, 1e6, 1e6, 1e6), MaxSpeed = new(500, 500, 500, 500), PlannerQueue = 0, NozzleHeating = 0, BedHeating = 0,
+        Cornering = Cornering.Jerk, Jerk = new(0, 0, 0, 0), PrintAcceleration = 1000, TravelAcceleration = 1000, RetractionAcceleration = 1000,
+        MaxAcceleration = new(1e6, 1e6, 1e6, 1e6), MaxSpeed = new(500, 500, 500, 500), LookaheadMoves = 0, NozzleHeating = 0, BedHeating = 0,
     };
 
     [TestCase("M109 S200", 100)]
@@ -37,7 +37,7 @@ public class TimelineEdgeTests
     [TestCase(-1, 3000)]
     public void A_cruise_ratio_that_the_file_sets_is_at_most_almost_one(double ratio, double square)
     {
-        var printer = Rigid with { CornerRule = CornerRule.SquareCornerVelocity, MaxAcceleration = new(3000, 3000, 100, 3000) };
+        var printer = Rigid with { Cornering = Cornering.SquareCornerVelocity, MaxAcceleration = new(3000, 3000, 100, 3000) };
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         builder.AddEvent(new LimitEvent(MotionLimit.MinimumCruiseRatio, ratio));
         builder.Add(new Vec3(1, 0), 0, 0, 500, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
@@ -93,7 +93,7 @@ public class TimelineEdgeTests
     }
 
     [Test]
-    public void Each_role_tool_and_layer_is_in_the_statistics_also_with_a_single_strand()
+    public void Each_role_tool_and_layer_is_in_the_statistics_also_with_a_single_extrusion()
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         var roles = Enum.GetValues(typeof(Role)).Cast<Role>().ToArray();
@@ -202,7 +202,7 @@ public class TimelineEdgeTests
     private static Timeline Of(Printer printer, string lines)
     {
         var document = GCodeDocument.FromBytes(System.Text.Encoding.ASCII.GetBytes(lines + "\n"), "program");
-        var toolpath = GCodeDecoder.Decode(document, new DecodeOptions { Dialect = DialectTable.Find("marlin2") }).Value!.Toolpath;
+        var toolpath = GCodeDecoder.Decode(document, new DecodeOptions { Flavor = FlavorTable.Find("marlin2") }).Value!.Toolpath;
         return Timeline.Of(toolpath, new PrintSetup { Printer = printer });
     }
 

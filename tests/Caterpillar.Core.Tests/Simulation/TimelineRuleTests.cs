@@ -14,13 +14,13 @@ public class TimelineRuleTests
 {
     private static readonly Printer Rigid = new()
     {
-        CornerRule = CornerRule.Jerk, Jerk = new(0, 0, 0, 0), PrintAcceleration = 1000, TravelAcceleration = 1000, RetractionAcceleration = 1000,
-        MaxAcceleration = new(1e6, 1e6, 1e6, 1e6), MaxSpeed = new(500, 500, 500, 500), PlannerQueue = 0, NozzleHeating = 2, BedHeating = 1, ArcSegment = 1,
+        Cornering = Cornering.Jerk, Jerk = new(0, 0, 0, 0), PrintAcceleration = 1000, TravelAcceleration = 1000, RetractionAcceleration = 1000,
+        MaxAcceleration = new(1e6, 1e6, 1e6, 1e6), MaxSpeed = new(500, 500, 500, 500), LookaheadMoves = 0, NozzleHeating = 2, BedHeating = 1, ArcSegment = 1,
     };
 
     private static readonly Printer Klipper = Rigid with
     {
-        CornerRule = CornerRule.SquareCornerVelocity, SquareCornerVelocity = 5, MinimumCruiseRatio = 0, InstantaneousCornerVelocity = 1,
+        Cornering = Cornering.SquareCornerVelocity, SquareCornerVelocity = 5, MinimumCruiseRatio = 0, InstantaneousCornerVelocity = 1,
         MaxAcceleration = new(3000, 3000, 100, 3000),
     };
 
@@ -65,7 +65,7 @@ public class TimelineRuleTests
     }
 
     [Test]
-    public void Flow_is_that_of_the_strand_however_short_it_is()
+    public void Flow_is_that_of_the_extrusion_however_short_it_is()
     {
         // 0.25 mm of filament of 2 mm² over half a millimeter, and a move without displacement.
         var timeline = Of(b => b.Print(0.5, 0, 0, 0.25, 20).Prime(0, 10));
@@ -94,12 +94,12 @@ public class TimelineRuleTests
         Assert.That(Time(0.01), limited ? Is.GreaterThan(90) : Is.EqualTo(Time(500)));
     }
 
-    [TestCase(CornerRule.JunctionDeviation, MotionLimit.JunctionDeviation)]
-    [TestCase(CornerRule.SquareCornerVelocity, MotionLimit.SquareCornerVelocity)]
-    public void Straight_lines_are_not_stopped_at_where_every_corner_is(CornerRule rule, Enum named)
+    [TestCase(Cornering.JunctionDeviation, MotionLimit.JunctionDeviation)]
+    [TestCase(Cornering.SquareCornerVelocity, MotionLimit.SquareCornerVelocity)]
+    public void Straight_lines_are_not_stopped_at_where_every_corner_is(Cornering rule, Enum named)
     {
         var limit = (MotionLimit)named;
-        var printer = Rigid with { CornerRule = rule, MinimumCruiseRatio = 0 };
+        var printer = Rigid with { Cornering = rule, MinimumCruiseRatio = 0 };
         double Time(params double[] ends)
         {
             var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
@@ -180,7 +180,7 @@ public class TimelineRuleTests
     [TestCase(4)]
     public void The_first_move_begins_at_the_jerk_of_its_axis(int queue)
     {
-        var printer = Rigid with { Jerk = new(8, 8, 8, 8), PlannerQueue = queue };
+        var printer = Rigid with { Jerk = new(8, 8, 8, 8), LookaheadMoves = queue };
         var timeline = Of(b =>
         {
             for (var i = 1; i <= 30; i++) b.Go(5 * i, 0, 0);
@@ -256,7 +256,7 @@ public class TimelineRuleTests
         foreach (var what in new[] { "feedrate", "acceleration", "jerk" })
             settings[$"machine_max_{what}_{axis}"] = "200,100";
         var printer = SlicerLimits.Of(settings, Rigid)!;
-        Assert.That((printer.NozzleHeating, printer.BedHeating, printer.PlannerQueue), Is.EqualTo((0.0, 0.0, 64)));
+        Assert.That((printer.NozzleHeating, printer.BedHeating, printer.LookaheadMoves), Is.EqualTo((0.0, 0.0, 64)));
         Assert.That((printer.PrintAcceleration, printer.TravelAcceleration, printer.RetractionAcceleration), Is.EqualTo((1500.0, 1500.0, 1500.0)));
         Assert.That((printer.MaxSpeed.X, SlicerLimits.Of(settings, Rigid, silent: true)!.MaxSpeed.X), Is.EqualTo((200.0, 100.0)));
         settings.Remove("machine_max_jerk_e");

@@ -72,9 +72,9 @@ public class TimelineStateTests
     }
 
     [Test]
-    public void Of_strands_at_the_same_height_the_first_is_found()
+    public void Of_extrusions_at_the_same_height_the_first_is_found()
     {
-        var index = new PathIndex(Strands(9, i => 1 + i / 3));
+        var index = new PathIndex(Extrusions(9, i => 1 + i / 3));
         Assert.That(new[] { 1.0, 1.5, 2, 2.5, 3 }.Select(index.FirstAbove), Is.EqualTo(new[] { 0, 3, 3, 6, 6 }));
     }
 
@@ -83,7 +83,7 @@ public class TimelineStateTests
     public void Heights_are_searched_in_all_blocks()
     {
         const int Block = ToolpathBlock.Capacity;
-        var index = new PathIndex(Strands(Block + 200, i => i < Block ? Math.Min(i, 100) : i - Block));
+        var index = new PathIndex(Extrusions(Block + 200, i => i < Block ? Math.Min(i, 100) : i - Block));
         Assert.That(new[] { 0.0, 50, 100, 100.5, 150, 199, 200 }.Select(index.FirstAbove),
             Is.EqualTo(new[] { 0, 50, 100, Block + 101, Block + 150, Block + 199, Block + 200 }));
     }
@@ -136,7 +136,7 @@ public class TimelineStateTests
     public void Planning_tells_its_progress_by_blocks()
     {
         var progress = new Checks.Shares();
-        Timeline.Of(Strands(2 * ToolpathBlock.Capacity + 10, _ => 1), new PrintSetup(), progress);
+        Timeline.Of(Extrusions(2 * ToolpathBlock.Capacity + 10, _ => 1), new PrintSetup(), progress);
         Assert.That(progress.All, Is.EqualTo(new[] { 1 / 3.0, 2 / 3.0, 1 }));
     }
 
@@ -176,7 +176,7 @@ public class TimelineStateTests
     {
         var printer = new Printer
         {
-            CornerRule = CornerRule.SquareCornerVelocity, MaxAcceleration = new(500, 500, 100, 3000), RetractionAcceleration = 2500,
+            Cornering = Cornering.SquareCornerVelocity, MaxAcceleration = new(500, 500, 100, 3000), RetractionAcceleration = 2500,
             MaxSpeed = new(500, 500, 500, 500),
         };
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
@@ -189,7 +189,7 @@ public class TimelineStateTests
     private static void Travel(ToolpathBuilder builder, double x)
         => builder.Add(new Vec3(x, 0), 0, 0, 50, MoveKind.Travel, Role.Unspecified, -1, 0, -1);
 
-    private static Toolpath Strands(int count, Func<int, double> height)
+    private static Toolpath Extrusions(int count, Func<int, double> height)
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         for (var i = 0; i < count; i++) builder.Add(new Vec3(i % 2, 0, height(i)), 1, 1, 50, MoveKind.Print, Role.Infill, -1, 0, -1);

@@ -1,6 +1,6 @@
 using System;
 using System.Linq;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -16,14 +16,14 @@ public class TimelineTests
 {
     private static readonly Printer Printer = new()
     {
-        CornerRule = CornerRule.Jerk,
+        Cornering = Cornering.Jerk,
         Jerk = new(0, 0, 0, 0),
         PrintAcceleration = 1000,
         TravelAcceleration = 1000,
         RetractionAcceleration = 1000,
         MaxAcceleration = new(1e6, 1e6, 1e6, 1e6),
         MaxSpeed = new(500, 500, 500, 500),
-        PlannerQueue = 0,
+        LookaheadMoves = 0,
         NozzleHeating = 2,
         BedHeating = 0.5,
     };
@@ -47,7 +47,7 @@ public class TimelineTests
         """;
 
     [Test]
-    public void The_state_in_the_middle_of_a_strand_says_everything()
+    public void The_state_in_the_middle_of_a_extrusion_says_everything()
     {
         var timeline = Of(Print);
         // 100 s of heating, 1.1 s, a triangle of 0.3 mm, and half of 1.1 s.
@@ -219,7 +219,7 @@ public class TimelineTests
     private static Timeline Of(string lines)
     {
         var document = GCodeDocument.FromBytes(System.Text.Encoding.ASCII.GetBytes(lines + "\n"), "program");
-        var decoding = GCodeDecoder.Decode(document, new DecodeOptions { Dialect = DialectTable.Marlin2, FilamentDiameter = 1.75 });
+        var decoding = GCodeDecoder.Decode(document, new DecodeOptions { Flavor = FlavorTable.Marlin2, FilamentDiameter = 1.75 });
         return Timeline.Of(decoding.Value!.Toolpath, new PrintSetup { Printer = Printer });
     }
 }

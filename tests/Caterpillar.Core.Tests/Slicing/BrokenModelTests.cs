@@ -15,7 +15,7 @@ public class BrokenModelTests
 {
     private static readonly PrintSettings Plain = new()
     {
-        LayerHeight = 0.5, FirstLayerHeight = 0.5, InfillPercent = 0, WallCount = 1, BeadShape = BeadShape.Rectangle, SimplifyTolerance = 0, MinLayerTime = 0,
+        LayerHeight = 0.5, FirstLayerHeight = 0.5, InfillDensityPercent = 0, WallCount = 1, BeadShape = BeadShape.Rectangle, Resolution = 0, MinLayerTime = 0,
     };
 
     [Test]
@@ -27,8 +27,8 @@ public class BrokenModelTests
         var result = PlanarSlicer.Slice([new NamedMesh("a", broken), .. others], Plain);
         Assert.That(result.Diagnostics.Select(d => d.ToString()), Is.EqualTo(new[]
         {
-            "a: warning slice.broken_mesh: The mesh is broken. Mended: 1 hole filled (z 0 to 2 mm, the widest 10.2 mm).",
-            "b: warning slice.broken_mesh: The mesh is broken. Mended: 1 hole filled (z 0 to 2 mm, the widest 10.2 mm).",
+            "a: warning slice.broken_mesh: The mesh is broken. Repaired: 1 hole filled (z 0 to 2 mm, the widest 10.2 mm).",
+            "b: warning slice.broken_mesh: The mesh is broken. Repaired: 1 hole filled (z 0 to 2 mm, the widest 10.2 mm).",
         }));
         Assert.That(result.Value!.Layers.Select(l => l.Region.Area), Is.All.EqualTo(100).Within(1e-6));
     }
@@ -38,17 +38,18 @@ public class BrokenModelTests
     {
         var sheet = new NamedMesh("sheet", TriMesh.Create([new(0, 0, 0), new(30, 0, 0), new(30, 0, 5), new(0, 0, 5)], [0, 1, 2, 0, 2, 3]));
         var result = PlanarSlicer.Slice([sheet], Plain);
-        Assert.That(result.Diagnostics.Single(d => d.Code == "slice.nothing").Message, Does.Contain("open_meshes=walls"));
-        Assert.That(PlanarSlicer.Slice([sheet], Plain with { OpenMeshes = OpenMeshes.Walls }).Value!.Layers, Has.Count.EqualTo(10));
+        Assert.That(result.Diagnostics.Single(d => d.Code == "slice.nothing").Message, Does.Contain("open_contours=walls"));
+        Assert.That(PlanarSlicer.Slice([sheet], Plain with { OpenContours = OpenContours.Walls }).Value!.Layers, Has.Count.EqualTo(10));
     }
 
     [Test]
     public void Closed_gaps_and_what_is_left_out_are_reported_with_heights()
     {
-        var result = PlanarSlicer.Slice([new NamedMesh("slit", Slit(1, 4, 2))], Plain with { MendMeshes = false });
+        var result = PlanarSlicer.Slice([new NamedMesh("slit", Slit(1, 4, 2))], Plain with { RepairMeshes = false });
         Assert.That(result.Diagnostics.Single().Message, Is.EqualTo(
             "The mesh is broken. 8 gaps in contours closed on 8 layers (z 0.25 to 3.75 mm): 16 mm in all, the widest 2 mm."));
-        var open = PlanarSlicer.Slice([new NamedMesh("slit", Slit(1, 4, 2))], Plain with { MendMeshes = false, LargestGap = 1, MaxAreaLossPercent = 100 });
+        var open = PlanarSlicer.Slice([new NamedMesh("slit", Slit(1, 4, 2))],
+            Plain with { RepairMeshes = false, SliceGapClosing = 1, MaxAreaLossPercent = 100 });
         Assert.That(open.Diagnostics.Single(d => d.Code == "slice.broken_mesh").Message, Is.EqualTo(
             "The mesh is broken. Left out: 8 contours that do not close, 304 mm in all, on 8 layers (z 0.25 to 3.75 mm)."));
     }
@@ -56,7 +57,7 @@ public class BrokenModelTests
     [Test]
     public void A_layer_that_loses_too_much_is_an_error_unless_it_is_allowed()
     {
-        var settings = Plain with { LargestGap = 1, MendMeshes = false };
+        var settings = Plain with { SliceGapClosing = 1, RepairMeshes = false };
         // A tower of three boxes; the one in the middle has a slit that does not close.
         var tower = TriMesh.Merge([MeshMaker.Box(0, 0, 0, 10, 10, 4), Slit(1, 4, 2).Moved(new Vec3(0, 0, 4)), MeshMaker.Box(0, 0, 8, 10, 10, 12)]);
         var lost = PlanarSlicer.Slice([new NamedMesh("tower", tower)], settings);
@@ -67,7 +68,7 @@ public class BrokenModelTests
             "More than 25 % of the area of the layers next to them is lost, because contours do not close, on 8 layers (z 4.25 to 7.75 mm); at z 4.25 mm 0 %"));
         var allowed = PlanarSlicer.Slice([new NamedMesh("tower", tower)], settings with { MaxAreaLossPercent = 100 });
         Assert.That((allowed.Value is not null, allowed.Diagnostics.Count), Is.EqualTo((true, 1)));
-        var closed = PlanarSlicer.Slice([new NamedMesh("tower", tower)], settings with { LargestGap = 2.5 });
+        var closed = PlanarSlicer.Slice([new NamedMesh("tower", tower)], settings with { SliceGapClosing = 2.5 });
         Assert.That(closed.Value!.Layers.Select(l => l.Region.Area), Is.All.EqualTo(100).Within(1e-6));
     }
 

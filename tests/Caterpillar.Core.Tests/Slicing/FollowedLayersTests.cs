@@ -18,14 +18,14 @@ public sealed class FollowedLayersTests
     private static IEnumerable<TestCaseData> Kinds()
     {
         yield return new TestCaseData(new PrintSettings(), true).SetArgDisplayNames("plain");
-        yield return new TestCaseData(new PrintSettings { MinLayerTime = 60, MinSpeed = 15 }, true).SetArgDisplayNames("slow layers");
+        yield return new TestCaseData(new PrintSettings { MinLayerTime = 60, MinPrintSpeed = 15 }, true).SetArgDisplayNames("slow layers");
         yield return new TestCaseData(new PrintSettings { RaftLayers = 3 }, true).SetArgDisplayNames("raft");
         yield return new TestCaseData(new PrintSettings { BrimWidth = 4, SkirtLoops = 2 }, true).SetArgDisplayNames("skirt and brim");
         // As soon as the supports are found.
         yield return new TestCaseData(new PrintSettings { Support = SupportKind.Grid }, null).SetArgDisplayNames("supports");
         yield return new TestCaseData(new PrintSettings { Support = SupportKind.Tree, SupportAngle = 10 }, null).SetArgDisplayNames("trees");
-        yield return new TestCaseData(new PrintSettings { Vase = true }, true).SetArgDisplayNames("vases");
-        yield return new TestCaseData(new PrintSettings { Vase = true, Support = SupportKind.Grid, BottomLayers = 0 }, null).SetArgDisplayNames("all");
+        yield return new TestCaseData(new PrintSettings { SpiralVase = true }, true).SetArgDisplayNames("vases");
+        yield return new TestCaseData(new PrintSettings { SpiralVase = true, Support = SupportKind.Grid, BottomLayers = 0 }, null).SetArgDisplayNames("all");
         yield return new TestCaseData(new PrintSettings { PrintSequence = PrintSequence.ByObject }, false).SetArgDisplayNames("one after the other");
     }
 

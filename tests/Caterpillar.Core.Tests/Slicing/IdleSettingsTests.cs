@@ -13,45 +13,46 @@ public class IdleSettingsTests
     // Leans outwards, closes at the top.
     private static readonly NamedMesh Cup = new("cup", Solids.Cone(0, 6, 4, 10, 24));
 
-    [TestCase("vase=true", "support=grid", "support changes nothing with vase=true")]
-    [TestCase("vase=true", "top_layers=6", "top_layers changes nothing with vase=true")]
-    [TestCase("vase=true", "ironing=true", "ironing changes nothing with vase=true")]
-    [TestCase("vase=true", "infill_percent=50", "infill_percent changes nothing with vase=true")]
-    [TestCase("vase=true", "infill_pattern=gyroid", "infill_pattern changes nothing with vase=true")]
-    [TestCase("vase=true", "infill_every_layers=3", "infill_every_layers changes nothing with vase=true")]
-    [TestCase("vase=true", "fuzzy_skin_mm=0.3", "fuzzy_skin_mm changes nothing above the bottom with vase=true")]
-    [TestCase("vase=true", "scarf_length_mm=10", "scarf_length_mm changes nothing above the bottom with vase=true")]
-    [TestCase("vase=true", "wall_arc_tolerance_mm=0.02", "wall_arc_tolerance_mm changes nothing above the bottom with vase=true")]
-    [TestCase("vase=true", "wall_count=3", "wall_count changes nothing above the bottom with vase=true")]
-    [TestCase("wall_count=0", "fuzzy_skin_mm=0.3", "fuzzy_skin_mm changes nothing with wall_count=0")]
-    [TestCase("wall_count=0", "scarf_length_mm=10", "scarf_length_mm changes nothing with wall_count=0")]
-    [TestCase("wall_count=0", "wall_arc_tolerance_mm=0.02", "wall_arc_tolerance_mm changes nothing with wall_count=0")]
+    [TestCase("spiral_vase=true", "support=grid", "support changes nothing with spiral_vase=true")]
+    [TestCase("spiral_vase=true", "top_layers=6", "top_layers changes nothing with spiral_vase=true")]
+    [TestCase("spiral_vase=true", "ironing=true", "ironing changes nothing with spiral_vase=true")]
+    [TestCase("spiral_vase=true", "infill_density_percent=50", "infill_density_percent changes nothing with spiral_vase=true")]
+    [TestCase("spiral_vase=true", "infill_pattern=gyroid", "infill_pattern changes nothing with spiral_vase=true")]
+    [TestCase("spiral_vase=true", "combine_infill_layers=3", "combine_infill_layers changes nothing with spiral_vase=true")]
+    [TestCase("spiral_vase=true", "fuzzy_skin_thickness_mm=0.3", "fuzzy_skin_thickness_mm changes nothing above the bottom with spiral_vase=true")]
+    [TestCase("spiral_vase=true", "scarf_seam_length_mm=10", "scarf_seam_length_mm changes nothing above the bottom with spiral_vase=true")]
+    [TestCase("spiral_vase=true", "arc_fitting_tolerance_mm=0.02", "arc_fitting_tolerance_mm changes nothing above the bottom with spiral_vase=true")]
+    [TestCase("spiral_vase=true", "wall_count=3", "wall_count changes nothing above the bottom with spiral_vase=true")]
+    [TestCase("wall_count=0", "fuzzy_skin_thickness_mm=0.3", "fuzzy_skin_thickness_mm changes nothing with wall_count=0")]
+    [TestCase("wall_count=0", "scarf_seam_length_mm=10", "scarf_seam_length_mm changes nothing with wall_count=0")]
+    [TestCase("wall_count=0", "arc_fitting_tolerance_mm=0.02", "arc_fitting_tolerance_mm changes nothing with wall_count=0")]
     [TestCase("layer_height_formula=0.3", "adaptive_layers=true", "adaptive_layers changes nothing with layer_height_formula: the formula holds.")]
     [TestCase("top_layers=0 top_thickness_mm=0", "ironing=true", "ironing changes nothing with top_layers=0 and top_thickness_mm=0")]
-    [TestCase("infill_percent=0", "infill_every_layers=3", "infill_every_layers changes nothing with infill_percent=0 and infill_spacing_mm=0")]
-    [TestCase("infill_percent=0", "infill_pattern=gyroid", "infill_pattern changes nothing with infill_percent=0 and infill_spacing_mm=0")]
-    [TestCase("infill_spacing_mm=3", "infill_percent=50", "infill_percent changes nothing with infill_spacing_mm: the spacing holds.")]
-    [TestCase("", "adaptive_cusp_mm=0.05", "adaptive_cusp_mm changes nothing without adaptive_layers=true.")]
+    [TestCase("infill_density_percent=0", "combine_infill_layers=3",
+        "combine_infill_layers changes nothing with infill_density_percent=0 and infill_spacing_mm=0")]
+    [TestCase("infill_density_percent=0", "infill_pattern=gyroid", "infill_pattern changes nothing with infill_density_percent=0 and infill_spacing_mm=0")]
+    [TestCase("infill_spacing_mm=3", "infill_density_percent=50", "infill_density_percent changes nothing with infill_spacing_mm: the spacing holds.")]
+    [TestCase("", "adaptive_cusp_height_mm=0.05", "adaptive_cusp_height_mm changes nothing without adaptive_layers=true.")]
     [TestCase("", "ironing_spacing_mm=0.2", "ironing_spacing_mm changes nothing without ironing=true.")]
     [TestCase("", "infill_formula=sin(x)", "infill_formula changes nothing without infill_pattern=formula.")]
     [TestCase("bridges=false", "bridge_speed_mm_s=10", "bridge_speed_mm_s changes nothing without bridges=true.")]
-    [TestCase("infill_bridges=false", "infill_bridge_flow=1.2", "infill_bridge_flow changes nothing without infill_bridges=true.")]
+    [TestCase("infill_bridges=false", "infill_bridge_flow_ratio=1.2", "infill_bridge_flow_ratio changes nothing without infill_bridges=true.")]
     [TestCase("variable_wall_width=false", "max_wall_width_mm=0.9", "max_wall_width_mm changes nothing without variable_wall_width=true.")]
     [TestCase("", "seam_point_mm=5,5", "seam_point_mm changes nothing without seam_position=point.")]
     [TestCase("", "seam_seed=7", "seam_seed changes nothing without seam_position=random.")]
-    [TestCase("", "scarf_steps=5", "scarf_steps changes nothing without scarf_length_mm.")]
-    [TestCase("", "fuzzy_skin_distance_mm=1", "fuzzy_skin_distance_mm changes nothing without fuzzy_skin_mm.")]
-    [TestCase("", "vase_min_flow_percent=50", "vase_min_flow_percent changes nothing without vase=true.")]
-    [TestCase("min_layer_time_s=0", "min_speed_mm_s=15", "min_speed_mm_s changes nothing without min_layer_time_s.")]
+    [TestCase("", "scarf_seam_steps=5", "scarf_seam_steps changes nothing without scarf_seam_length_mm.")]
+    [TestCase("", "fuzzy_skin_point_distance_mm=1", "fuzzy_skin_point_distance_mm changes nothing without fuzzy_skin_thickness_mm.")]
+    [TestCase("", "spiral_vase_min_flow_percent=50", "spiral_vase_min_flow_percent changes nothing without spiral_vase=true.")]
+    [TestCase("min_layer_time_s=0", "min_print_speed_mm_s=15", "min_print_speed_mm_s changes nothing without min_layer_time_s.")]
     [TestCase("", "skirt_distance_mm=9", "skirt_distance_mm changes nothing without skirt_loops.")]
-    [TestCase("", "brim_side=both", "brim_side changes nothing without brim_width_mm.")]
-    [TestCase("", "raft_height_mm=0.5", "raft_height_mm changes nothing without raft_layers.")]
+    [TestCase("", "brim_type=outer_and_inner", "brim_type changes nothing without brim_width_mm.")]
+    [TestCase("", "raft_layer_height_mm=0.5", "raft_layer_height_mm changes nothing without raft_layers.")]
     [TestCase("", "support_angle_deg=30", "support_angle_deg changes nothing without support=grid or tree.")]
-    [TestCase("support=grid", "support_tip_distance_mm=1", "support_tip_distance_mm changes nothing without support=tree.")]
-    [TestCase("support=grid support_angle_deg=30", "support_branch_angle_deg=20", "support_branch_angle_deg changes nothing without support=tree.")]
-    [TestCase("support=tree support_angle_deg=30", "support_percent=40", "support_percent changes nothing without support=grid.")]
-    [TestCase("support=grid support_angle_deg=30 support_interface_layers=0", "support_interface_percent=50",
-        "support_interface_percent changes nothing without support_interface_layers.")]
+    [TestCase("support=grid", "tree_tip_distance_mm=1", "tree_tip_distance_mm changes nothing without support=tree.")]
+    [TestCase("support=grid support_angle_deg=30", "tree_branch_angle_deg=20", "tree_branch_angle_deg changes nothing without support=tree.")]
+    [TestCase("support=tree support_angle_deg=30", "support_density_percent=40", "support_density_percent changes nothing without support=grid.")]
+    [TestCase("support=grid support_angle_deg=30 support_interface_layers=0", "support_interface_density_percent=50",
+        "support_interface_density_percent changes nothing without support_interface_layers.")]
     public void What_changes_nothing_is_named_and_changes_nothing(string first, string idle, string message)
     {
         var (with, without) = (Settings(first, idle), Settings(first));
@@ -64,10 +65,10 @@ public class IdleSettingsTests
     [Test]
     public void Keys_that_are_idle_for_one_reason_are_one_diagnostic()
     {
-        var result = PlanarSlicer.Slice([Cup], Settings("support_angle_deg=30", "support_percent=40"));
+        var result = PlanarSlicer.Slice([Cup], Settings("support_angle_deg=30", "support_density_percent=40"));
         Assert.That(result.Diagnostics.Select(d => d.ToString()), Is.EqualTo(new[]
         {
-            "remark slice.no_effect: support_angle_deg, support_percent change nothing without support=grid or tree.",
+            "note slice.no_effect: support_angle_deg, support_density_percent change nothing without support=grid or tree.",
         }));
     }
 
@@ -85,10 +86,10 @@ public class IdleSettingsTests
     public void A_setting_that_one_of_several_models_uses_is_not_idle()
     {
         var print = Settings("support=grid");
-        var vase = new SliceModel(Cup, print with { Vase = true });
+        var vase = new SliceModel(Cup, print with { SpiralVase = true });
         var part = new SliceModel(new NamedMesh("part", Cup.Mesh.Moved(new Vec3(40, 0, 0))), print);
         Assert.That(PlanarSlicer.SliceEach([vase, part], print).Diagnostics.Select(d => d.Code), Has.None.EqualTo("slice.no_effect"));
-        var own = new SliceModel(Cup, new PrintSettings { Vase = true, Support = SupportKind.Grid });
+        var own = new SliceModel(Cup, new PrintSettings { SpiralVase = true, Support = SupportKind.Grid });
         Assert.That(PlanarSlicer.SliceEach([own, new SliceModel(part.Mesh, new PrintSettings())], new PrintSettings()).Diagnostics.Select(d => d.Code),
             Has.One.EqualTo("slice.no_effect"));
     }
@@ -97,13 +98,14 @@ public class IdleSettingsTests
     public void A_vase_beside_another_model_is_told_that_coasting_opens_each_turn()
     {
         var other = new NamedMesh("other", Cup.Mesh.Moved(new Vec3(40, 0, 0)));
-        var settings = Settings("vase=true", "stop_distance_mm=2");
+        var settings = Settings("spiral_vase=true", "coasting_distance_mm=2");
         Assert.That(PlanarSlicer.Slice([Cup, other], settings).Diagnostics.Select(d => d.ToString()), Has.One.EqualTo(
-            "cup: warning slice.vase_lag: The head leaves the vase after each turn to print other models: stop_distance_mm opens its wall over 2 mm there. "
+            "cup: warning slice.spiral_vase_lag: The head leaves the vase after each turn to print other models: coasting_distance_mm opens its wall over 2 "
+            + "mm there. "
             + "print_sequence=by_object prints one after the other. (2 times)"));
-        Assert.That(PlanarSlicer.Slice([Cup], settings).Diagnostics.Select(d => d.Code), Has.None.EqualTo("slice.vase_lag"));
+        Assert.That(PlanarSlicer.Slice([Cup], settings).Diagnostics.Select(d => d.Code), Has.None.EqualTo("slice.spiral_vase_lag"));
         settings = settings with { PrintSequence = PrintSequence.ByObject };
-        Assert.That(PlanarSlicer.Slice([Cup, other], settings).Diagnostics.Select(d => d.Code), Has.None.EqualTo("slice.vase_lag"));
+        Assert.That(PlanarSlicer.Slice([Cup, other], settings).Diagnostics.Select(d => d.Code), Has.None.EqualTo("slice.spiral_vase_lag"));
     }
 
     private static PrintSettings Settings(params string[] values)

@@ -14,7 +14,8 @@ public class InfillBridgeTests
 {
     private static readonly PrintSettings Plain = new()
     {
-        LineWidth = 0.4, BeadShape = BeadShape.Rectangle, LayerHeight = 0.2, FirstLayerHeight = 0.2, InfillPercent = 20, InfillPattern = InfillPattern.Lines,
+        LineWidth = 0.4, BeadShape = BeadShape.Rectangle, LayerHeight = 0.2, FirstLayerHeight = 0.2, InfillDensityPercent = 20,
+            InfillPattern = InfillPattern.Lines,
         TopLayers = 3, BottomLayers = 3, TopThickness = 0, BottomThickness = 0, MinLayerTime = 0, InfillOverlapPercent = 0,
     };
 
@@ -43,7 +44,7 @@ public class InfillBridgeTests
     [TestCase(InfillPattern.Gyroid, 45)]
     public void The_first_closed_layer_over_infill_goes_across_its_lines(InfillPattern pattern, double turn)
     {
-        var settings = Plain with { InfillPattern = pattern, InfillAngle = 30, InfillTurn = 90 };
+        var settings = Plain with { InfillPattern = pattern, InfillAngle = 30, InfillRotation = 90 };
         var below = 30 + 16 * 90;
         var direction = LongestDirection(Bridges(settings));
         Assert.That(Math.Abs(direction - (below + turn) % 180) % 180, Is.LessThan(0.5).Or.GreaterThan(179.5));
@@ -63,7 +64,7 @@ public class InfillBridgeTests
         var usual = Bridges(Plain with { InfillBridgeSpeed = 33 });
         Assert.That(usual, Is.Not.Empty);
         Assert.That(usual.SelectMany(p => Enumerable.Range(0, p.SegmentCount).Select(i => p.BeadOf(i).Speed)), Is.All.EqualTo(33));
-        var more = Bridges(Plain with { InfillBridgeFlow = 1.1 });
+        var more = Bridges(Plain with { InfillBridgeFlowRatio = 1.1 });
         Assert.That(more.Sum(p => p.Volume), Is.EqualTo(1.1 * usual.Sum(p => p.Volume)).Within(1e-6));
     }
 
@@ -78,7 +79,7 @@ public class InfillBridgeTests
     [Test]
     public void Dense_infill_and_narrow_areas_need_no_bridge()
     {
-        Assert.That(Bridges(Plain with { InfillPercent = 60 }), Is.Empty);
+        Assert.That(Bridges(Plain with { InfillDensityPercent = 60 }), Is.Empty);
         Assert.That(Bridges(Plain with { InfillBridges = false }), Is.Empty);
         var rib = Solids.Slice(Plain, Solids.Block(0, 0, 0, 30, 4, 4));
         Assert.That(rib.SelectMany(l => Solids.Paths(l, Role.Bridge)), Is.Empty);
@@ -86,12 +87,12 @@ public class InfillBridgeTests
 
     [Test]
     public void Over_a_hollow_part_they_span_it_the_short_distance()
-        => Assert.That(LongestDirection(Bridges(Plain with { InfillPercent = 0 })), Is.EqualTo(90).Within(0.5));
+        => Assert.That(LongestDirection(Bridges(Plain with { InfillDensityPercent = 0 })), Is.EqualTo(90).Within(0.5));
 
     [Test]
     public void Over_infill_of_several_layers_they_cross_its_lines_too()
     {
-        var settings = Plain with { InfillEvery = 2, InfillAngle = 0, InfillTurn = 90 };
+        var settings = Plain with { CombineInfillLayers = 2, InfillAngle = 0, InfillRotation = 90 };
         // Layers 14 and 15 share the last whole group; 16 stands alone beside a closed layer.
         var below = (16 / 2 * 90) % 180;
         Assert.That(LongestDirection(Bridges(settings)), Is.EqualTo((below + 90) % 180).Within(0.5));

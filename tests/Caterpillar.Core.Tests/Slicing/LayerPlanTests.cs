@@ -18,7 +18,7 @@ public class LayerPlanTests
         Assert.That(layers, Has.Length.EqualTo(499));
         Assert.That(layers[0], Is.EqualTo(new PlannedLayer(0.3, 0.3, 0.15)));
         Assert.That(layers[498].Top, Is.EqualTo(0.3 + 498 * 0.2).Within(1e-12));
-        var low = Plan(Plain with { LayerCut = LayerCut.Bottom }, Solids.Block(0, 0, 0, 5, 5, 1));
+        var low = Plan(Plain with { SlicingPlane = SlicingPlane.Bottom }, Solids.Block(0, 0, 0, 5, 5, 1));
         Assert.That(low.Select(l => l.Cut), Is.EqualTo(new[] { 0.01, 0.31, 0.51, 0.71, 0.91 }).Within(1e-9));
     }
 
@@ -46,7 +46,8 @@ public class LayerPlanTests
     public void Adaptive_layers_keep_the_cusp_and_end_at_level_facets()
     {
         // A cone of 45° on a block 3.05 mm high: upright walls, then cosines of 0.707.
-        var settings = Plain with { FirstLayerHeight = 0.2, AdaptiveLayers = true, AdaptiveMinHeight = 0.05, AdaptiveMaxHeight = 0.3, AdaptiveCusp = 0.1 };
+        var settings = Plain with { FirstLayerHeight = 0.2, AdaptiveLayers = true, AdaptiveMinHeight = 0.05, AdaptiveMaxHeight = 0.3,
+            AdaptiveCuspHeight = 0.1 };
         var mesh = TriMesh.Merge([Solids.Block(-20, -20, 0, 20, 20, 3.05), Solids.Cone(3.05, 10, 8.05, 5)]);
         var layers = Plan(settings, mesh);
         var slope = 0.1 / Math.Sqrt(0.5);

@@ -17,7 +17,7 @@ public class ModelArrangerTests
 {
     private static readonly PrintSettings Plain = new()
     {
-        LayerHeight = 0.5, FirstLayerHeight = 0.5, InfillPercent = 0, WallCount = 1, TopLayers = 0, BottomLayers = 0, MinLayerTime = 0,
+        LayerHeight = 0.5, FirstLayerHeight = 0.5, InfillDensityPercent = 0, WallCount = 1, TopLayers = 0, BottomLayers = 0, MinLayerTime = 0,
         BeadShape = BeadShape.Rectangle,
     };
 
@@ -91,10 +91,10 @@ public class ModelArrangerTests
         var merged = PlanarSlicer.Slice(models, Plain);
         Assert.That(merged.Diagnostics.Select(d => d.ToString()), Is.EqualTo(new[]
         {
-            "remark models.merged: a + b overlap: they are printed as one solid (merge_overlapping=false prints each).",
+            "note models.merged: a + b overlap: they are printed as one solid (merge_overlapping_models=false prints each).",
         }));
         Assert.That(merged.Value!.Layers.Take(2).Select(l => Math.Round(l.Region.Area, 4)), Is.EqualTo(new[] { 136.0, 40 }), "c touches b and stays apart");
-        var apart = PlanarSlicer.Slice(models, Plain with { MergeOverlapping = false });
+        var apart = PlanarSlicer.Slice(models, Plain with { MergeOverlappingModels = false });
         Assert.That((apart.Diagnostics.Count, apart.Value!.Layers.Count), Is.EqualTo((0, 12)));
         var different = PlanarSlicer.SliceEach(
             [new SliceModel(models[0], Plain), new SliceModel(models[1], Plain with { WallCount = 2 })], Plain);

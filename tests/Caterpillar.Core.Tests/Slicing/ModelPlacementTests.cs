@@ -112,13 +112,13 @@ public class ModelPlacementTests
     {
         NamedMesh[] Box(double size) => [new("box", MeshMaker.Box(0, 0, 0, size, 60, 60))];
         var setup = new PrintSetup { Printer = new Printer { BuildVolume = new Vec3(100, 80, 70) } };
-        Assert.That(ModelCheck.IsTooLarge(Box(100.5), setup), Is.False, "strands keep half a width from the outline");
+        Assert.That(ModelCheck.IsTooLarge(Box(100.5), setup), Is.False, "extrusions keep half a width from the outline");
         Assert.That(ModelCheck.IsTooLarge(Box(103), setup));
         Assert.That(ModelCheck.IsTooLarge([], setup), Is.False);
         Assert.That(ModelCheck.IsTooLarge(Box(103), setup.With("check_severities=bed.outside=warning").Value!), Is.False);
         Assert.That(ModelCheck.IsTooLarge(Box(103), setup.With("check_severities=bed.outside=off").Value!), Is.False);
         Assert.That(ModelCheck.IsTooLarge(Box(103), setup.With("check_severities=bed.outside=error").Value!));
-        Assert.That(ModelCheck.IsTooLarge(Box(103), setup.With("check_severities=strand.gap=off").Value!), "other checks decide nothing here");
+        Assert.That(ModelCheck.IsTooLarge(Box(103), setup.With("check_severities=extrusion.gap=off").Value!), "other checks decide nothing here");
     }
 
     [Test]

@@ -14,7 +14,7 @@ public class ModifierTests
 {
     private static readonly PrintSettings Plain = new()
     {
-        LineWidth = 0.4, BeadShape = BeadShape.Rectangle, LayerHeight = 0.2, FirstLayerHeight = 0.2, WallCount = 2, InfillPercent = 20,
+        LineWidth = 0.4, BeadShape = BeadShape.Rectangle, LayerHeight = 0.2, FirstLayerHeight = 0.2, WallCount = 2, InfillDensityPercent = 20,
         TopLayers = 0, BottomLayers = 0, TopThickness = 0, BottomThickness = 0, MinLayerTime = 0, InfillPattern = InfillPattern.Lines, InfillOverlapPercent = 0,
     };
 
@@ -24,7 +24,8 @@ public class ModifierTests
 
     private static Result<SliceResult> Sliced(PrintSettings common, TriMesh modifier, PrintSettings inside, SliceOptions? options = null)
         => PlanarSlicer.SliceEach(
-            [new SliceModel(new NamedMesh("part", Part), common), new SliceModel(new NamedMesh("mod", modifier), inside with { ModelUse = ModelUse.Modifier })],
+            [new SliceModel(new NamedMesh("part", Part), common),
+                new SliceModel(new NamedMesh("mod", modifier), inside with { ModelType = ModelType.Modifier })],
             common, options);
 
     private static IReadOnlyList<SlicedLayer> Layers(PrintSettings common, TriMesh modifier, PrintSettings inside)
@@ -34,7 +35,7 @@ public class ModifierTests
         return result.Value!.Layers;
     }
 
-    // Length of strands of a role in the left and in the right half.
+    // Length of extrusions of a role in the left and in the right half.
     private static (double Left, double Right) Lengths(SlicedLayer layer, params Role[] roles)
     {
         double left = 0, right = 0;
@@ -56,7 +57,7 @@ public class ModifierTests
     [Test]
     public void Infill_is_denser_inside_a_modifier_and_walls_stay_whole()
     {
-        var layers = Layers(Plain, Half, Plain with { InfillPercent = 60 });
+        var layers = Layers(Plain, Half, Plain with { InfillDensityPercent = 60 });
         Assert.That(layers, Has.Count.EqualTo(20), "the modifier is not printed");
         var (left, right) = Lengths(layers[8], Role.Infill);
         Assert.That(right / left, Is.EqualTo(3).Within(0.5));
@@ -84,7 +85,7 @@ public class ModifierTests
     [Test]
     public void A_solid_part_stays_solid_whatever_its_modifiers_divide()
     {
-        var solid = Plain with { InfillPercent = 100 };
+        var solid = Plain with { InfillDensityPercent = 100 };
         foreach (var inside in new[] { solid with { InfillAngle = 10 }, solid with { WallCount = 5 }, solid with { LineWidth = 0.5 } })
             Assert.That(Solids.Volume(Layers(solid, Half, inside)), Is.EqualTo(40 * 20 * 4).Within(1).Percent);
     }
@@ -94,9 +95,9 @@ public class ModifierTests
     {
         var tall = Solids.Block(20, -5, -1, 50, 25, 9);
         var layers = Layers(Plain, tall, Plain with { TopLayers = 3 });
-        Assert.That(layers.Select(l => Solids.Paths(l, Role.TopSkin, Role.SolidInfill, Role.Bridge).Length > 0),
+        Assert.That(layers.Select(l => Solids.Paths(l, Role.TopSurface, Role.SolidInfill, Role.Bridge).Length > 0),
             Is.EqualTo(Enumerable.Range(0, 20).Select(i => i >= 17)));
-        var (left, right) = Lengths(layers[19], Role.TopSkin);
+        var (left, right) = Lengths(layers[19], Role.TopSurface);
         Assert.That(left, Is.Zero);
         Assert.That(right, Is.GreaterThan(500));
     }
@@ -105,7 +106,7 @@ public class ModifierTests
     public void Speed_and_flow_of_a_modifier_hold_inside_it()
     {
         var common = Plain with { InfillSpeed = 80, OuterWallSpeed = 30 };
-        var layers = Layers(common, Half, common with { InfillSpeed = 50, PartFlow = 1.2 });
+        var layers = Layers(common, Half, common with { InfillSpeed = 50, PartFlowRatio = 1.2 });
         var usual = Layers(common, Half, common);
         var paths = Solids.Paths(layers[8], Role.Infill);
         Assert.That(paths.Where(p => p.RawPoints.All(v => v.X < 20)).Select(p => p.BeadOf(0).Speed), Is.Not.Empty.And.All.Zero, "the speed of the print");
@@ -117,7 +118,7 @@ public class ModifierTests
     [Test]
     public void The_last_of_two_modifiers_applies_where_both_are()
     {
-        SliceModel Modifier(double percent) => new(new NamedMesh("mod", Half), Plain with { ModelUse = ModelUse.Modifier, InfillPercent = percent });
+        SliceModel Modifier(double percent) => new(new NamedMesh("mod", Half), Plain with { ModelType = ModelType.Modifier, InfillDensityPercent = percent });
         var result = PlanarSlicer.SliceEach([new SliceModel(new NamedMesh("part", Part), Plain), Modifier(80), Modifier(40)], Plain);
         var (left, right) = Lengths(result.Value!.Layers[8], Role.Infill);
         Assert.That(right / left, Is.EqualTo(2).Within(0.2));
@@ -126,7 +127,7 @@ public class ModifierTests
     [Test]
     public void A_modifier_outside_of_all_parts_is_a_warning()
     {
-        var result = Sliced(Plain, Solids.Block(100, 100, 0, 110, 110, 4), Plain with { InfillPercent = 60 });
+        var result = Sliced(Plain, Solids.Block(100, 100, 0, 110, 110, 4), Plain with { InfillDensityPercent = 60 });
         Assert.That(result.Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "slice.modifier_outside" }));
         Assert.That(Solids.Volume(result.Value!.Layers), Is.EqualTo(Solids.Volume(Solids.Slice(Plain, Part))).Within(1e-9));
     }
@@ -134,7 +135,7 @@ public class ModifierTests
     [Test]
     public void Modifiers_alone_are_nothing_to_print()
     {
-        var result = PlanarSlicer.SliceEach([new SliceModel(new NamedMesh("mod", Half), Plain with { ModelUse = ModelUse.Modifier })], Plain);
+        var result = PlanarSlicer.SliceEach([new SliceModel(new NamedMesh("mod", Half), Plain with { ModelType = ModelType.Modifier })], Plain);
         Assert.That(result.Diagnostics.Select(d => d.Code), Does.Contain("slice.nothing"));
     }
 
@@ -143,7 +144,7 @@ public class ModifierTests
     {
         var common = Plain with { TopLayers = 2 };
         string Text(int threads) => string.Join(";",
-            Sliced(common, Half, common with { InfillPattern = pattern, TopLayers = 6, InfillPercent = 35 }, new SliceOptions { Threads = threads })
+            Sliced(common, Half, common with { InfillPattern = pattern, TopLayers = 6, InfillDensityPercent = 35 }, new SliceOptions { Threads = threads })
                 .Value!.Layers
             .SelectMany(l => l.Steps).SelectMany(s => s.Path.RawPoints).Select(p => p.ToString()));
         Assert.That(Text(3), Is.EqualTo(Text(1)));

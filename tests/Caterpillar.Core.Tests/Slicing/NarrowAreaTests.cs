@@ -10,14 +10,14 @@ namespace Caterpillar.Tests.Slicing;
 
 public class NarrowAreaTests
 {
-    private static readonly PrintSettings Full = new() { InfillPercent = 100, BeadShape = BeadShape.Rectangle, MinLayerTime = 0 };
+    private static readonly PrintSettings Full = new() { InfillDensityPercent = 100, BeadShape = BeadShape.Rectangle, MinLayerTime = 0 };
 
     // Two walls of 0.4 mm on each side are 1.6 mm. Without every other of its 192 corners an outline is up to 11 µm off.
     [TestCase(1.5, true)]
     [TestCase(1.7, false)]
     public void Outlines_of_parts_that_are_all_walls_keep_half_the_tolerance(double wall, bool all)
     {
-        var settings = Full with { WallCount = 2, LineWidth = 0.4, SimplifyTolerance = 0.0125, InfillPercent = 20, LayerHeight = 0.2, FirstLayerHeight = 0.2 };
+        var settings = Full with { WallCount = 2, LineWidth = 0.4, Resolution = 0.0125, InfillDensityPercent = 20, LayerHeight = 0.2, FirstLayerHeight = 0.2 };
         var (outer, inner) = (Solids.Circle(20, 192), Solids.Circle(20 - wall, 192));
         // Around the section of the tube: up outside, inward, down inside, outward.
         Vec3[][] rings = [outer, outer.Select(p => p.WithZ(1)).ToArray(), inner.Select(p => p.WithZ(1)).ToArray(), inner];

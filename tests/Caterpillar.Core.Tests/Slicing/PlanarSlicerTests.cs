@@ -14,9 +14,9 @@ public class PlanarSlicerTests
 {
     private static readonly PrintSettings Plain = new()
     {
-        LayerHeight = 0.2, FirstLayerHeight = 0.2, LineWidth = 0.4, BeadShape = BeadShape.Rectangle, WallCount = 2, InfillPercent = 20, InfillAngle = 0,
+        LayerHeight = 0.2, FirstLayerHeight = 0.2, LineWidth = 0.4, BeadShape = BeadShape.Rectangle, WallCount = 2, InfillDensityPercent = 20, InfillAngle = 0,
             InfillOverlapPercent = 15,
-        SimplifyTolerance = 0, SkirtLoops = 0, TopLayers = 0, BottomLayers = 0,
+        Resolution = 0, SkirtLoops = 0, TopLayers = 0, BottomLayers = 0,
     };
 
     [Test]
@@ -53,7 +53,7 @@ public class PlanarSlicerTests
     [Test]
     public void Full_infill_fills_the_solid()
     {
-        var full = Slice(Plain with { InfillPercent = 100, InfillOverlapPercent = 0, BeadShape = BeadShape.Stadium }, Block(0, 0, 0, 30, 20, 2));
+        var full = Slice(Plain with { InfillDensityPercent = 100, InfillOverlapPercent = 0, BeadShape = BeadShape.Stadium }, Block(0, 0, 0, 30, 20, 2));
         var volume = full.ToSteps().Cast<PathStep>().Sum(s => s.Path.Volume);
         Assert.That(volume, Is.EqualTo(30 * 20 * 2).Within(0.5).Percent);
     }
@@ -62,7 +62,7 @@ public class PlanarSlicerTests
     public void Holes_get_their_own_walls_in_the_opposite_direction()
     {
         // A block with a shaft: outer walls of 4 · 19.6 and 4 · 10.4, the second clockwise.
-        var settings = Plain with { InfillPercent = 0, WallCount = 1, MendMeshes = false };
+        var settings = Plain with { InfillDensityPercent = 0, WallCount = 1, RepairMeshes = false };
         var layer = Slice(settings, Block(-10, -10, 0, 10, 10, 1), Block(-5, -5, -1, 5, 5, 2, inside: true)).Layers[0];
         Assert.That(layer.Steps.Select(s => s.Path.Length).OrderBy(l => l), Is.EqualTo(new[] { 41.6, 78.4 }).Within(1e-4));
         var areas = layer.Steps.Select(s => new Polyline(s.Path.Points, true).SignedAreaXY).OrderBy(a => a).ToArray();
@@ -84,7 +84,7 @@ public class PlanarSlicerTests
     [Test]
     public void Where_solids_overlap_their_union_is_printed()
     {
-        var layer = Slice(Plain with { InfillPercent = 0, WallCount = 1 }, Block(0, 0, 0, 10, 10, 1), Block(5, 0, 0, 15, 10, 1)).Layers[0];
+        var layer = Slice(Plain with { InfillDensityPercent = 0, WallCount = 1 }, Block(0, 0, 0, 10, 10, 1), Block(5, 0, 0, 15, 10, 1)).Layers[0];
         Assert.That(layer.Region.Area, Is.EqualTo(150).Within(1e-4));
         Assert.That(layer.Steps.Single().Path.Length, Is.EqualTo(2 * (14.6 + 9.6)).Within(1e-4));
     }
@@ -117,14 +117,14 @@ public class PlanarSlicerTests
     [TestCase("overlap_boxes.stl")]
     [TestCase("nested_boxes.obj")]
     [TestCase("fandisk.stl")]
-    public void Every_strand_stays_inside_its_layer(string mesh)
+    public void Every_extrusion_stays_inside_its_layer(string mesh)
     {
         var models = MeshReader.Read(TestData.Shared("meshes/" + mesh)).Value!;
-        var slices = PlanarSlicer.Slice(models, Plain with { LayerHeight = 1.7, FirstLayerHeight = 0.3, SimplifyTolerance = 0.0125 }).Value!;
+        var slices = PlanarSlicer.Slice(models, Plain with { LayerHeight = 1.7, FirstLayerHeight = 0.3, Resolution = 0.0125 }).Value!;
         foreach (var layer in slices.Layers)
         {
-            // A strand of 0.4 mm keeps 0.2 mm from the outline, less the tolerance of simplified corners; where the layer is thin, beads share it and single
-            // strands reach its ends.
+            // An extrusion of 0.4 mm keeps 0.2 mm from the outline, less the tolerance of simplified corners; where the layer is thin, beads share it and
+            // single extrusions reach its ends.
             var inside = layer.Region.Offset(-0.186);
             var atEnds = layer.Region.Offset(0.001);
             var thin = layer.Region.NarrowerThan(2.5).Offset(0.05);
@@ -144,7 +144,7 @@ public class PlanarSlicerTests
     [Test]
     public void Models_that_give_nothing_are_an_error()
     {
-        var thin = PlanarSlicer.Slice([new NamedMesh("thin", Block(0, 0, 0, 10, 0.05, 1))], Plain with { InfillPercent = 0 });
+        var thin = PlanarSlicer.Slice([new NamedMesh("thin", Block(0, 0, 0, 10, 0.05, 1))], Plain with { InfillDensityPercent = 0 });
         Assert.That(thin.Value, Is.Null);
         Assert.That(thin.Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "slice.nothing", "slice.too_thin" }));
         Assert.That(PlanarSlicer.Slice([], Plain).Diagnostics.Single().Code, Is.EqualTo("slice.nothing"));

@@ -11,7 +11,7 @@ public class SkinFinderTests
     private static readonly PrintSettings Plain = new()
     {
         LayerHeight = 0.2, LineWidth = 0.4, TopLayers = 4, BottomLayers = 3, TopThickness = 0, BottomThickness = 0,
-        SkinExpand = 0.6, SkinMinWidth = 0.2, BridgeAnchor = 1, SolidBelow = 0,
+        SolidInfillExpansion = 0.6, MinSolidWidth = 0.2, BridgeAnchor = 1, SolidInfillThresholdArea = 0,
     };
 
     [Test]
@@ -87,9 +87,9 @@ public class SkinFinderTests
         // The layer above leaves 0.15 mm of the inside open: narrower than 0.2 mm.
         var narrow = Stack(Plain, (5, Region.Rectangle(0, 0, 20, 20)), (5, Region.Rectangle(0, 0, 18.85, 20)));
         Assert.That(Areas(narrow, 4, inside).Sparse.Area, Is.EqualTo(18 * 18).Within(1e-3));
-        var small = Areas(Stack(Plain with { SolidBelow = 400 }, (20, Region.Rectangle(0, 0, 20, 20))), 10, inside);
+        var small = Areas(Stack(Plain with { SolidInfillThresholdArea = 400 }, (20, Region.Rectangle(0, 0, 20, 20))), 10, inside);
         Assert.That((small.Sparse.IsEmpty, small.Solid.Area), Is.EqualTo((true, inside.Area)));
-        var hollow = Areas(Stack(Plain with { SolidBelow = 400, InfillPercent = 0 }, (20, Region.Rectangle(0, 0, 20, 20))), 10, inside);
+        var hollow = Areas(Stack(Plain with { SolidInfillThresholdArea = 400, InfillDensityPercent = 0 }, (20, Region.Rectangle(0, 0, 20, 20))), 10, inside);
         Assert.That(hollow.Sparse, Is.SameAs(inside));
     }
 
@@ -102,7 +102,7 @@ public class SkinFinderTests
             double x = random.Next(0, 20), y = random.Next(0, 20);
             return Region.Rectangle(x, y, x + 4 + 10 * random.NextDouble(), y + 4 + 10 * random.NextDouble());
         }));
-        var stack = Stack(Plain with { SolidBelow = 5 }, Enumerable.Range(0, 8).Select(_ => (1, Blob())).ToArray());
+        var stack = Stack(Plain with { SolidInfillThresholdArea = 5 }, Enumerable.Range(0, 8).Select(_ => (1, Blob())).ToArray());
         for (var i = 0; i < 8; i++)
         {
             var inside = stack.Layers[i].Region.Offset(-0.8);

@@ -19,7 +19,7 @@ public class ThinShapeTests
         const double Height = 0.2;
         var settings = new PrintSetup().With(
         [
-            FormattableString.Invariant($"line_width_mm={width}"), $"wall_count={walls}", "infill_percent=100", "layer_height_mm=0.2",
+            FormattableString.Invariant($"line_width_mm={width}"), $"wall_count={walls}", "infill_density_percent=100", "layer_height_mm=0.2",
             "first_layer_height_mm=0.2", "top_layers=0", "bottom_layers=0", "top_thickness_mm=0", "bottom_thickness_mm=0", "skirt_loops=0", "seam_gap_mm=0",
         ]).Value!.Settings with { BeadShape = shape };
         var edge = shape == BeadShape.Stadium ? (1 - Math.PI / 4) * Height / 2 : 0;

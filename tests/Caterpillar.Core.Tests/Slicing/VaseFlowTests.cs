@@ -14,7 +14,7 @@ namespace Caterpillar.Tests.Slicing;
 public class VaseFlowTests
 {
     private static readonly PrintSetup Setup = new PrintSetup().With(
-        "vase=true bottom_layers=0 bottom_thickness_mm=0 stop_distance_mm=2 start_distance_mm=1 skirt_loops=0 min_layer_time_s=0".Split(' ')).Value!;
+        "spiral_vase=true bottom_layers=0 bottom_thickness_mm=0 coasting_distance_mm=2 start_distance_mm=1 skirt_loops=0 min_layer_time_s=0".Split(' ')).Value!;
 
     [Test]
     public void Material_flows_from_turn_to_turn([Values] bool layerByLayer)
@@ -55,7 +55,7 @@ public class VaseFlowTests
 
     private static int Primes(Plan plan) => plan.Toolpath.Moves().Count(m => m.Kind == MoveKind.Prime);
 
-    // Moves without material on from a strand, in its direction.
+    // Moves without material on from an extrusion, in its direction.
     private static int Coasts(Plan plan)
     {
         var moves = plan.Toolpath.Moves().ToArray();

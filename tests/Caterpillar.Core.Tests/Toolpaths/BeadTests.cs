@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Toolpaths;
 
-/// <summary>Cross-sections of strands.</summary>
+/// <summary>Cross-sections of extrusions.</summary>
 public class BeadTests
 {
     [TestCase(BeadShape.Rectangle, 0.4, 0.2, 0.08)]
@@ -21,7 +21,7 @@ public class BeadTests
     }
 
     [Test]
-    public void Without_a_height_or_enough_area_a_strand_is_round()
+    public void Without_a_height_or_enough_area_a_extrusion_is_round()
     {
         Assert.That(new Bead(Math.PI).Width(), Is.EqualTo(2).Within(1e-12));
         Assert.That(new Bead(Math.PI).Width(BeadShape.Stadium), Is.EqualTo(2).Within(1e-12));

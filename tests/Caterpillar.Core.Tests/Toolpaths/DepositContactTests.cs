@@ -13,7 +13,7 @@ public class DepositContactTests
     // A flat tip of 0.5 mm, a cone to 3 mm at 5 mm, a block of 20 mm from 8 mm on.
     private static readonly HeadShape Head = new([(0.5, 0), (3, 5), (20, 8)]);
 
-    // 1 mm below the top of a strand of half a width of 0.2 mm the head is 1 mm wide; its flat alone digs farther off than 1 mm, which is 45 degrees.
+    // 1 mm below the top of an extrusion of half a width of 0.2 mm the head is 1 mm wide; its flat alone digs farther off than 1 mm, which is 45 degrees.
     [TestCase(0.999, 2, 0, nameof(HeadContact.Hits))]
     [TestCase(1.001, 2, 0, nameof(HeadContact.Digs))]
     [TestCase(1.199, 2, 0, nameof(HeadContact.Digs))]
@@ -26,7 +26,7 @@ public class DepositContactTests
     [TestCase(-2.199, 0, 0, nameof(HeadContact.Hits))]
     [TestCase(0, 3, 0, nameof(HeadContact.None))]
     [TestCase(0, 2.999, 0, nameof(HeadContact.Hits))]
-    public void A_head_beside_a_strand_meets_it_by_its_outline(double beside, double z, double tolerance, string contact)
+    public void A_head_beside_a_extrusion_meets_it_by_its_outline(double beside, double z, double tolerance, string contact)
     {
         var deposit = new Deposit();
         deposit.Add(new Vec3(0, 0, 3), new Vec3(10, 0, 3), 0.2, 5);
@@ -44,7 +44,7 @@ public class DepositContactTests
     [TestCase(0.6, 0.2, 1.0, 0.75)]
     [TestCase(2, 0.2, 1.7, 1.7)]
     [TestCase(2.1, 0.2, 1.75, 1.75)]
-    public void The_reach_of_the_axis_adds_half_the_strand_and_leniently_less(double excess, double half, double reach, double lenient)
+    public void The_reach_of_the_axis_adds_half_the_extrusion_and_leniently_less(double excess, double half, double reach, double lenient)
     {
         Assert.That(Head.AxisReach(excess, half, false), Is.EqualTo(reach).Within(1e-12));
         Assert.That(Head.AxisReach(excess, half, true), Is.EqualTo(lenient).Within(1e-12));
@@ -71,31 +71,31 @@ public class DepositContactTests
         for (var round = 0; round < 100; round++)
         {
             var deposit = new Deposit();
-            var strands = new List<(Vec3 A, Vec3 B, double Half)>();
+            var extrusions = new List<(Vec3 A, Vec3 B, double Half)>();
             for (var i = 0; i < 3; i++)
             {
                 var a = Point(random, 25, 6);
-                strands.Add((a, i == 0 ? a + new Vec3(6, 3, 0) : a + new Vec3(random.Next(-9, 9), random.Next(-9, 9), random.Next(-2, 3)), 0.3));
-                deposit.Add(strands[i].A, strands[i].B, strands[i].Half, i);
+                extrusions.Add((a, i == 0 ? a + new Vec3(6, 3, 0) : a + new Vec3(random.Next(-9, 9), random.Next(-9, 9), random.Next(-2, 3)), 0.3));
+                deposit.Add(extrusions[i].A, extrusions[i].B, extrusions[i].Half, i);
             }
             var from = Point(random, 25, 2);
             var to = random.Next(4) == 0 ? from + new Vec3(0, 0, random.Next(-3, 4)) : Point(random, 25, 2);
             var contact = deposit.Meets(from, to, 0.05, Head, true, out var tag);
             if (contact == HeadContact.None)
             {
-                Assert.That(strands.Any(s => Sampled(s, from, to, 0.05, -0.02)), Is.False, $"round {round}");
+                Assert.That(extrusions.Any(s => Sampled(s, from, to, 0.05, -0.02)), Is.False, $"round {round}");
                 found[0]++;
             }
             else
             {
-                Assert.That(Sampled(strands[tag], from, to, 0.05 - 0.05, 0.1), Is.True, $"round {round}");
+                Assert.That(Sampled(extrusions[tag], from, to, 0.05 - 0.05, 0.1), Is.True, $"round {round}");
                 found[1]++;
             }
         }
         Assert.That(found, Is.All.GreaterThan(12));
     }
 
-    // A strand in the cells from (0, 5) to (10, 5.25), 3 mm high; a box from 2 mm left to 2 mm right, 1 mm before and after, from 0.5 mm above its origin.
+    // An extrusion in the cells from (0, 5) to (10, 5.25), 3 mm high; a box from 2 mm left to 2 mm right, 1 mm before and after, from 0.5 mm above its origin.
     [TestCase(20, 3.99, 2, -20, 3.99, 2, 0, false)]
     [TestCase(20, 4.01, 2, -20, 4.01, 2, 0, true)]
     [TestCase(20, 6.24, 2, -20, 6.24, 2, 0, true)]
@@ -123,7 +123,7 @@ public class DepositContactTests
         deposit.Add(new Vec3(0.125, 5.125, 1.5), new Vec3(9.875, 5.125, 1.5), 0.1, 8);
         var box = new Bounds(new Vec3(-2, -1, 0.5), new Vec3(2, 1, 10));
         Assert.That(deposit.MeetsBox(new Vec3(ax, ay, az), new Vec3(bx, by, bz), tolerance, box, out var tag), Is.EqualTo(meets));
-        Assert.That(tag, Is.EqualTo(meets ? 7 : -1), "the last strand that is high enough");
+        Assert.That(tag, Is.EqualTo(meets ? 7 : -1), "the last extrusion that is high enough");
         Assert.That(deposit.MeetsBox(new Vec3(bx, by, bz), new Vec3(ax, ay, az), tolerance, box, out _), Is.EqualTo(meets), "the other way around");
         Assert.That(new Deposit().MeetsBox(new Vec3(ax, ay, az), new Vec3(bx, by, bz), tolerance, box, out tag), Is.False);
     }
@@ -157,16 +157,16 @@ public class DepositContactTests
         Assert.That(found, Is.All.GreaterThan(15));
     }
 
-    private static bool Sampled((Vec3 A, Vec3 B, double Half) strand, Vec3 from, Vec3 to, double tolerance, double wider)
+    private static bool Sampled((Vec3 A, Vec3 B, double Half) extrusion, Vec3 from, Vec3 to, double tolerance, double wider)
     {
         for (var i = 0; i <= 100; i++)
         {
             var p = Vec3.Lerp(from, to, i / 100.0);
             for (var k = 0; k <= 30; k++)
             {
-                var q = Vec3.Lerp(strand.A, strand.B, k / 30.0);
-                var reach = Head.AxisReach(q.Z - p.Z - tolerance, strand.Half, true);
-                if (reach >= 0 && (q - p).LengthXY <= reach + wider * (1 + 2 * Math.Abs(strand.B.Z - strand.A.Z + to.Z - from.Z) / 10)) return true;
+                var q = Vec3.Lerp(extrusion.A, extrusion.B, k / 30.0);
+                var reach = Head.AxisReach(q.Z - p.Z - tolerance, extrusion.Half, true);
+                if (reach >= 0 && (q - p).LengthXY <= reach + wider * (1 + 2 * Math.Abs(extrusion.B.Z - extrusion.A.Z + to.Z - from.Z) / 10)) return true;
             }
         }
         return false;

@@ -7,10 +7,10 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Toolpaths;
 
-/// <summary>Cells, bins and strands of a deposit, seen from above.</summary>
+/// <summary>Cells, bins and extrusions of a deposit, seen from above.</summary>
 public class DepositPlaceTests
 {
-    // A strand along x over 10 mm at the height 1, 0.4 mm wide; asked for 0.2 mm high ones.
+    // An extrusion along x over 10 mm at the height 1, 0.4 mm wide; asked for 0.2 mm high ones.
     [TestCase(5, 0.099, 1, 0, 0.2, true, TestName = "{m}(a little less than a quarter of both halves beside)")]
     [TestCase(5, 0.101, 1, 0, 0.2, false)]
     [TestCase(5, 0, 1, 18.0, 0.2, true)]
@@ -31,7 +31,7 @@ public class DepositPlaceTests
     [TestCase(10.05, 0, 1, 0, 0.2, false)]
     [TestCase(500, 0, 1, 0, 0.2, false)]
     [TestCase(5000, 0, 1, 0, 0.2, false)]
-    public void A_strand_runs_in_the_place_of_another(double x, double y, double z, double degrees, double half, bool runs)
+    public void An_extrusion_runs_in_the_place_of_another(double x, double y, double z, double degrees, double half, bool runs)
     {
         var deposit = new Deposit();
         deposit.Add(new Vec3(30, 50, 1), new Vec3(40, 50, 1), 0.2, 3);
@@ -42,7 +42,7 @@ public class DepositPlaceTests
 
     [TestCase(0.61, true)]
     [TestCase(0.59, false)]
-    public void Strands_older_than_one_of_two_layers_below_are_not_looked_at(double z, bool found)
+    public void Extrusions_older_than_one_of_two_layers_below_are_not_looked_at(double z, bool found)
     {
         var deposit = new Deposit();
         deposit.Add(new Vec3(0, 0, 1), new Vec3(10, 0, 1), 0.2, 3);
@@ -53,7 +53,7 @@ public class DepositPlaceTests
 
     [TestCase(127, true)]
     [TestCase(128, false)]
-    public void Only_the_last_strands_of_a_place_are_looked_at(int after, bool found)
+    public void Only_the_last_extrusions_of_a_place_are_looked_at(int after, bool found)
     {
         var deposit = new Deposit();
         deposit.Add(new Vec3(0, 0, 1), new Vec3(1, 0, 1), 0.2, 3);
@@ -62,7 +62,7 @@ public class DepositPlaceTests
     }
 
     [Test]
-    public void A_strand_on_a_slope_runs_in_a_place_at_its_height_there()
+    public void An_extrusion_on_a_slope_runs_in_a_place_at_its_height_there()
     {
         var deposit = new Deposit();
         deposit.Add(new Vec3(0, 0, 1), new Vec3(10, 0, 2), 0.2, 3);
@@ -90,7 +90,7 @@ public class DepositPlaceTests
     }
 
     [Test]
-    public void Cells_answer_for_the_strands_that_touch_them_on_both_sides_of_the_origin()
+    public void Cells_answer_for_the_extrusions_that_touch_them_on_both_sides_of_the_origin()
     {
         var deposit = new Deposit();
         foreach (var (x, y) in new[] { (1, 1), (-1, 1), (-1, -1), (1, -1), (300, -400), (-400, 300) })
@@ -110,7 +110,7 @@ public class DepositPlaceTests
     }
 
     [Test]
-    public void Cells_are_touched_up_to_half_their_diagonal_beyond_the_strand()
+    public void Cells_are_touched_up_to_half_their_diagonal_beyond_the_extrusion()
     {
         // Diagonal, 1 mm wide: the second cell beside its axis is 1.41 mm off, and half a width and half a diagonal are 1.21 mm.
         var deposit = new Deposit(1);
@@ -141,7 +141,7 @@ public class DepositPlaceTests
     // The cells reach 2048 mm far; what is nearer to their edge than its width counts as outside too.
     [TestCase(2047.7, false)]
     [TestCase(2047.9, true)]
-    public void Strands_near_the_edge_of_the_cells_are_outside(double x, bool outside)
+    public void Extrusions_near_the_edge_of_the_cells_are_outside(double x, bool outside)
     {
         var deposit = new Deposit();
         deposit.Add(new Vec3(x, 0, 4), new Vec3(x, 1, 4), 0.2);
@@ -149,7 +149,7 @@ public class DepositPlaceTests
     }
 
     [Test]
-    public void A_strand_that_leaves_the_cells_is_drawn_up_to_their_edge()
+    public void An_extrusion_that_leaves_the_cells_is_drawn_up_to_their_edge()
     {
         var deposit = new Deposit();
         deposit.Add(new Vec3(-5000, 3, 1), new Vec3(5000, 3, 2), 0.2);
@@ -162,18 +162,18 @@ public class DepositPlaceTests
         Assert.That(deposit.TopAlong(new Vec3(-2000, 2000), new Vec3(2000, 2000), 1), Is.LessThan(5), "it passes far from the cells");
     }
 
-    // Strands of one bin at the heights 1, 2, 3 and so on; 1 mm below the highest they are dropped, whenever there are 32.
+    // Extrusions of one bin at the heights 1, 2, 3 and so on; 1 mm below the highest they are dropped, whenever there are 32.
     [TestCase(32, 32)]
     [TestCase(33, 3)]
     [TestCase(62, 32)]
     [TestCase(63, 3)]
-    public void A_full_bin_drops_what_is_far_below(int strands, int kept)
+    public void A_full_bin_drops_what_is_far_below(int extrusions, int kept)
     {
         var deposit = new Deposit(0.25, 1);
-        for (var i = 1; i <= strands; i++) deposit.Add(new Vec3(1, 1, i), new Vec3(1.2, 1, i), 0.1, i);
-        Assert.That(deposit.StrandCount, Is.EqualTo(kept));
-        Assert.That(deposit.TopUnder(new Vec3(1.1, 1), 1000), Is.EqualTo(strands));
-        Assert.That(deposit.TopAlong(new Vec3(1.1, 0), new Vec3(1.1, 3), 0.1), Is.EqualTo(strands));
+        for (var i = 1; i <= extrusions; i++) deposit.Add(new Vec3(1, 1, i), new Vec3(1.2, 1, i), 0.1, i);
+        Assert.That(deposit.ExtrusionCount, Is.EqualTo(kept));
+        Assert.That(deposit.TopUnder(new Vec3(1.1, 1), 1000), Is.EqualTo(extrusions));
+        Assert.That(deposit.TopAlong(new Vec3(1.1, 0), new Vec3(1.1, 3), 0.1), Is.EqualTo(extrusions));
     }
 
     [TestCase(0.0)]
@@ -189,7 +189,7 @@ public class DepositPlaceTests
     }
 
     [Test]
-    public void A_strand_without_a_height_is_at_most_twenty_times_as_wide_as_round()
+    public void An_extrusion_without_a_height_is_at_most_twenty_times_as_wide_as_round()
     {
         var deposit = new Deposit();
         // 0.01 mm² spread over 0.0001 mm would be 100 mm wide; 40 √(0.01 / π) are 2.257 mm.
@@ -242,7 +242,7 @@ public class DepositPlaceTests
     }
 
     [Test]
-    public void The_cells_of_a_strand_are_those_whose_middles_are_near_it()
+    public void The_cells_of_a_extrusion_are_those_whose_middles_are_near_it()
     {
         var random = new Random(11);
         for (var round = 0; round < 400; round++)
@@ -266,9 +266,9 @@ public class DepositPlaceTests
                     var middle = new Vec3((column + 0.5) * 0.25, (row + 0.5) * 0.25);
                     var distance = Math.Sqrt(FlatSegment.SquareDistance(middle, a, b));
                     var isDrawn = deposit.CellAt(middle.X, middle.Y).Top == 1;
-                    // Every cell that the strand touches, and none that is more than half a diagonal away.
-                    if (!isDrawn && distance < half + 0.125) Assert.Fail($"{round}: {middle} touches the strand from {a} to {b}, {half} wide");
-                    if (isDrawn && distance > half + 0.25 * 0.7073) Assert.Fail($"{round}: {middle} is beside the strand from {a} to {b}, {half} wide");
+                    // Every cell that the extrusion touches, and none that is more than half a diagonal away.
+                    if (!isDrawn && distance < half + 0.125) Assert.Fail($"{round}: {middle} touches the extrusion from {a} to {b}, {half} wide");
+                    if (isDrawn && distance > half + 0.25 * 0.7073) Assert.Fail($"{round}: {middle} is beside the extrusion from {a} to {b}, {half} wide");
                 }
             }
         }

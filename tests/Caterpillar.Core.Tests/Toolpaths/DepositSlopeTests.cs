@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Toolpaths;
 
-/// <summary>What a head meets that goes up or down, and strands that are added piece by piece.</summary>
+/// <summary>What a head meets that goes up or down, and extrusions that are added piece by piece.</summary>
 public class DepositSlopeTests
 {
     // A flat tip of 0.5 mm, a cone to 3 mm at 5 mm, a block of 20 mm from 8 mm on.
@@ -14,7 +14,7 @@ public class DepositSlopeTests
 
     private static readonly HeadShape Cone = new([(0.5, 0), (10.5, 20)]);
 
-    // Beside a strand that rises as the tip does, by 1 in 2, and is 1 mm higher: d·√(1 − ¼²) = 0.5 + 0.2 + ½·1; 0.1 lower: 0.5 + 0.2 + ½·0.9.
+    // Beside an extrusion that rises as the tip does, by 1 in 2, and is 1 mm higher: d·√(1 − ¼²) = 0.5 + 0.2 + ½·1; 0.1 lower: 0.5 + 0.2 + ½·0.9.
     [TestCase(1.2393, 0, 1, true)]
     [TestCase(1.2395, 0, 1, false)]
     [TestCase(-1.2393, 0, 1, true)]
@@ -24,7 +24,7 @@ public class DepositSlopeTests
     // As high as the tip beside it, and higher farther on: 0.1 mm within 0.2 mm along the path; there d² + 0.2² = 0.7².
     [TestCase(0.67, 0.1, 0, true)]
     [TestCase(0.68, 0.1, 0, false)]
-    public void A_strand_beside_a_slope_is_met_by_its_height_above_it(double beside, double tolerance, double above, bool meets)
+    public void An_extrusion_beside_a_slope_is_met_by_its_height_above_it(double beside, double tolerance, double above, bool meets)
     {
         var deposit = new Deposit();
         deposit.Add(new Vec3(0, 0, above), new Vec3(20, 0, 10 + above), 0.2, 3);
@@ -34,12 +34,12 @@ public class DepositSlopeTests
         Assert.That(tag, Is.EqualTo(meets ? 3 : -1));
     }
 
-    // The tip comes down over the strand, and rises from there; over the strand it is lowest.
+    // The tip comes down over the extrusion, and rises from there; over the extrusion it is lowest.
     [TestCase(3.1, 0, false)]
     [TestCase(3.0001, 0, false)]
     [TestCase(2.9999, 0, true)]
     [TestCase(2.9999, 0.001, false)]
-    public void A_slope_that_ends_over_a_strand_is_judged_by_its_end(double z, double tolerance, bool meets)
+    public void A_slope_that_ends_over_a_extrusion_is_judged_by_its_end(double z, double tolerance, bool meets)
     {
         var deposit = new Deposit();
         deposit.Add(new Vec3(5, -5, 3), new Vec3(5, 5, 3), 0.2, 3);
@@ -60,7 +60,7 @@ public class DepositSlopeTests
             deposit.Add(p, q, half, 0);
             var contact = deposit.Meets(a, b, 0.05, Head, hitsOnly, out _);
             var depth = Depth(p, q, half, a, b, 0.05, hitsOnly, hitsOnly ? 0 : 1e-9);
-            // What is sampled is off by a few hundredths, and the reach jumps where a strand begins to be higher.
+            // What is sampled is off by a few hundredths, and the reach jumps where an extrusion begins to be higher.
             if (depth > 0.002) Assert.That(contact, Is.Not.EqualTo(HeadContact.None), $"round {round}: {depth}");
             if (Depth(p, q, half, a, b, 0.02, hitsOnly, 0) < -0.05) Assert.That(contact, Is.EqualTo(HeadContact.None), $"round {round}: {depth}");
             found[contact == HeadContact.None ? 0 : 1]++;
@@ -138,7 +138,7 @@ public class DepositSlopeTests
     }
 
     [Test]
-    public void A_strand_that_goes_on_is_one_and_lies_where_its_pieces_would()
+    public void An_extrusion_that_goes_on_is_one_and_lies_where_its_pieces_would()
     {
         var random = new Random(9);
         for (var round = 0; round < 100; round++)
@@ -152,7 +152,7 @@ public class DepositSlopeTests
             pieces.Add(a, first, 0.3, 5);
             pieces.Add(first, second, 0.3, 5);
             pieces.Add(second, b, 0.3, 5);
-            Assert.That((whole.StrandCount, pieces.StrandCount), Is.EqualTo((1, 3)));
+            Assert.That((whole.ExtrusionCount, pieces.ExtrusionCount), Is.EqualTo((1, 3)));
             Assert.That(whole.Highest, Is.EqualTo(pieces.Highest));
             for (var i = 0; i < 200; i++)
             {
@@ -168,9 +168,9 @@ public class DepositSlopeTests
         }
     }
 
-    // One bin holds it twice as high as it began; twenty others in the same place fill a block of strands.
+    // One bin holds it twice as high as it began; twenty others in the same place fill a block of extrusions.
     [Test]
-    public void A_strand_that_rises_as_it_goes_on_is_met_where_it_is_high([Values(0, 15, 20)] int before)
+    public void An_extrusion_that_rises_as_it_goes_on_is_met_where_it_is_high([Values(0, 15, 20)] int before)
     {
         var deposit = new Deposit();
         for (var i = 0; i < before; i++) deposit.Add(new Vec3(0.2, 1, 0.1), new Vec3(0.4, 1, 0.1), 0.1, i);
@@ -183,7 +183,7 @@ public class DepositSlopeTests
 
     // 2 m from the origin cells end: all that is beyond has one height.
     [Test]
-    public void A_strand_that_goes_on_to_far_outside_is_there_up_to_the_end_of_the_cells()
+    public void An_extrusion_that_goes_on_to_far_outside_is_there_up_to_the_end_of_the_cells()
     {
         var deposit = new Deposit();
         deposit.Add(new Vec3(2000, 0, 1), new Vec3(2010, 0, 1), 0.2, 5);
@@ -194,7 +194,7 @@ public class DepositSlopeTests
         Assert.That(deposit.Highest, Is.EqualTo(7));
     }
 
-    // The most by which some point of the strand is nearer than its reach.
+    // The most by which some point of the extrusion is nearer than its reach.
     private static double Depth(Vec3 p, Vec3 q, double half, Vec3 a, Vec3 b, double tolerance, bool lenient, double least)
     {
         const int Steps = 60;

@@ -21,11 +21,11 @@ public class DepositTests
     }
 
     [Test]
-    public void A_strand_counts_within_its_width_and_the_corridor()
+    public void An_extrusion_counts_within_its_width_and_the_corridor()
     {
         var deposit = new Deposit();
         deposit.Add(new Vec3(0, 0, 2), new Vec3(10, 0, 2), 0.3);
-        // Along y = 1 with a radius of 0.7 the corridor just touches the strand.
+        // Along y = 1 with a radius of 0.7 the above_path just touches the extrusion.
         Assert.That(deposit.TopAlong(new Vec3(3, 1), new Vec3(8, 1), 0.7001), Is.EqualTo(2));
         Assert.That(deposit.TopAlong(new Vec3(3, 1), new Vec3(8, 1), 0.6999), Is.EqualTo(double.NegativeInfinity));
         Assert.That(deposit.TopAlong(new Vec3(11, -5), new Vec3(11, 5), 0.7001), Is.EqualTo(2));
@@ -47,7 +47,7 @@ public class DepositTests
     }
 
     [Test]
-    public void Beads_add_the_strands_of_segments_and_arcs()
+    public void Beads_add_the_extrusions_of_segments_and_arcs()
     {
         var deposit = new Deposit();
         deposit.Add(new Vec3(10, 0, 1), new Vec3(-10, 0, 1), new Bead(0.1, 0.2), new Arc(Vec3.Zero, 180));
@@ -59,14 +59,14 @@ public class DepositTests
 
     [TestCase(0.25)]
     [TestCase(1.0)]
-    public void Answers_equal_those_of_sampling_every_strand(double cell)
+    public void Answers_equal_those_of_sampling_every_extrusion(double cell)
     {
         var random = new Random(41);
         for (var round = 0; round < 4; round++)
         {
             var deposit = new Deposit(cell, 1000);
-            var strands = Strands(random, 60);
-            foreach (var s in strands) deposit.Add(s.A, s.B, s.Half);
+            var extrusions = Extrusions(random, 60);
+            foreach (var s in extrusions) deposit.Add(s.A, s.B, s.Half);
             for (var query = 0; query < 40; query++)
             {
                 var a = Point(random);
@@ -74,11 +74,11 @@ public class DepositTests
                 var radius = random.NextDouble() * 2;
                 var top = deposit.TopAlong(a, b, radius);
                 // Sampling misses at most one step and a small part of the radius.
-                Assert.That(top, Is.GreaterThanOrEqualTo(Brute(strands, a, b, radius - 1e-9) - 1e-9));
-                Assert.That(top, Is.LessThanOrEqualTo(Brute(strands, a, b, radius + 0.05) + 1.0));
-                Assert.That(top <= Brute(strands, a, b, radius + 0.05) + 0.05 || strands.Any(s => s.A.Z != s.B.Z));
+                Assert.That(top, Is.GreaterThanOrEqualTo(Brute(extrusions, a, b, radius - 1e-9) - 1e-9));
+                Assert.That(top, Is.LessThanOrEqualTo(Brute(extrusions, a, b, radius + 0.05) + 1.0));
+                Assert.That(top <= Brute(extrusions, a, b, radius + 0.05) + 0.05 || extrusions.Any(s => s.A.Z != s.B.Z));
                 var under = deposit.TopUnder(a, 3, radius / 4);
-                var expected = strands.Select(s => (Near(s, a), s)).Where(n => n.Item1.Distance <= radius / 4 + n.s.Half && n.Item1.Top <= 3)
+                var expected = extrusions.Select(s => (Near(s, a), s)).Where(n => n.Item1.Distance <= radius / 4 + n.s.Half && n.Item1.Top <= 3)
                     .Select(n => n.Item1.Top).DefaultIfEmpty(double.NegativeInfinity).Max();
                 Assert.That(under, Is.EqualTo(expected).Within(1e-9).Or.EqualTo(expected));
             }
@@ -86,7 +86,7 @@ public class DepositTests
     }
 
     [Test]
-    public void Dropped_strands_are_never_answered_too_low()
+    public void Dropped_extrusions_are_never_answered_too_low()
     {
         var random = new Random(43);
         var exact = new Deposit(0.25, 1000);
@@ -96,14 +96,14 @@ public class DepositTests
             var z = 0.2 * (layer + 1);
             for (var i = 0; i < 60; i++)
             {
-                // Smaller and smaller, so that low strands stay visible beside the high ones.
+                // Smaller and smaller, so that low extrusions stay visible beside the high ones.
                 var a = new Vec3(random.NextDouble() * (40 - layer * 0.6), random.NextDouble() * 10, z);
                 var b = a + new Vec3(random.NextDouble() * 4 - 2, random.NextDouble() * 4 - 2);
                 exact.Add(a, b, 0.2);
                 lean.Add(a, b, 0.2);
             }
         }
-        Assert.That(lean.StrandCount, Is.LessThan(exact.StrandCount / 2));
+        Assert.That(lean.ExtrusionCount, Is.LessThan(exact.ExtrusionCount / 2));
         for (var query = 0; query < 500; query++)
         {
             var a = Point(random);
@@ -115,7 +115,7 @@ public class DepositTests
     }
 
     [Test]
-    public void Far_away_strands_keep_memory_bounded_and_are_not_forgotten()
+    public void Far_away_extrusions_keep_memory_bounded_and_are_not_forgotten()
     {
         var deposit = new Deposit();
         deposit.Add(new Vec3(-1e9, 5, 3), new Vec3(1e9, 5, 3), 0.2);
@@ -128,10 +128,10 @@ public class DepositTests
         Assert.That(() => new Deposit(0), Throws.InstanceOf<ArgumentOutOfRangeException>());
     }
 
-    private static double Brute(List<(Vec3 A, Vec3 B, double Half)> strands, Vec3 a, Vec3 b, double radius)
+    private static double Brute(List<(Vec3 A, Vec3 B, double Half)> extrusions, Vec3 a, Vec3 b, double radius)
     {
         var best = double.NegativeInfinity;
-        foreach (var s in strands)
+        foreach (var s in extrusions)
         {
             for (var i = 0; i <= 60; i++)
             {
@@ -158,16 +158,16 @@ public class DepositTests
 
     private static Vec3 Point(Random random) => new(random.NextDouble() * 40 - 20, random.NextDouble() * 40 - 20, random.NextDouble() * 5);
 
-    private static List<(Vec3 A, Vec3 B, double Half)> Strands(Random random, int count)
+    private static List<(Vec3 A, Vec3 B, double Half)> Extrusions(Random random, int count)
     {
-        var strands = new List<(Vec3, Vec3, double)>();
+        var extrusions = new List<(Vec3, Vec3, double)>();
         for (var i = 0; i < count; i++)
         {
             var a = Point(random);
             var b = random.Next(10) == 0 ? a.WithZ(random.Next(4)) : random.Next(3) == 0 ? Point(random)
                 : a + new Vec3(random.NextDouble() * 6 - 3, random.NextDouble() * 6 - 3);
-            strands.Add((a, b, random.NextDouble()));
+            extrusions.Add((a, b, random.NextDouble()));
         }
-        return strands;
+        return extrusions;
     }
 }

@@ -1,7 +1,7 @@
 using System;
 using System.Linq;
 using System.Threading;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
@@ -25,10 +25,10 @@ public class MappedMoveTests
         }));
     }
 
-    // What happens in place after a strand that stays does so too, also after the very first move.
+    // What happens in place after an extrusion that stays does so too, also after the very first move.
     [TestCase(0)]
     [TestCase(1)]
-    public void Moves_in_place_after_a_strand_that_stays_are_not_mapped(int travels)
+    public void Moves_in_place_after_a_extrusion_that_stays_are_not_mapped(int travels)
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         void Add(double x, double e, MoveKind kind, Role role) => builder.Add(new Vec3(x, 0), e, Math.Max(e, 0), 10, kind, role, -1, 0, 0);
@@ -41,7 +41,7 @@ public class MappedMoveTests
     }
 
     [Test]
-    public void The_chosen_moves_between_chosen_strands_are_mapped_with_what_happens_in_place()
+    public void The_chosen_moves_between_chosen_extrusions_are_mapped_with_what_happens_in_place()
     {
         // Wall, retraction, travel, restoring, wall, infill, wall.
         var before = Typed("Outer wall", "G0 X10 Y0", "G1 X20 E1", "G1 E-1", "G0 X20 Y10", "G1 E1", "G1 X10 E1")
@@ -51,7 +51,7 @@ public class MappedMoveTests
         bool[] Mapped(MoveFilter filter) => MappedMoves.Of(toolpath, filter);
         Assert.That(toolpath.Moves().Select(m => m.Role == Role.OuterWall && m.Kind == MoveKind.Print), Is.EqualTo(
             new[] { false, true, false, false, false, true, false, true, false }));
-        // All walls: kinds in between are not of the role, so only strands and the moves in place at their ends.
+        // All walls: kinds in between are not of the role, so only extrusions and the moves in place at their ends.
         Assert.That(Mapped(new MoveFilter { Kinds = [MoveKind.Print], Roles = [Role.OuterWall] }),
             Is.EqualTo(new[] { false, true, true, false, true, true, false, true, false }));
         Assert.That(Mapped(new MoveFilter()), Is.EqualTo(new[] { false, true, true, true, true, true, true, true, false }));
@@ -59,7 +59,7 @@ public class MappedMoveTests
     }
 
     [Test]
-    public void Travels_lead_to_the_new_start_and_strands_beside_are_stretched_with_their_flow()
+    public void Travels_lead_to_the_new_start_and_extrusions_beside_are_stretched_with_their_flow()
     {
         var before = Decode(Typed("Outer wall", "G0 X10 Y0", "G1 X20 E1") + "\n;TYPE:Sparse infill\nG1 X20 Y10 E1\nG0 X0 Y50\n");
         var after = before.Transform(new MoveFilter { Roles = [Role.OuterWall], Kinds = [MoveKind.Print] }, Affine.Move(new Vec3(0, -10)));
@@ -70,7 +70,7 @@ public class MappedMoveTests
     }
 
     [Test]
-    public void What_is_restored_along_a_strand_stays_at_its_first_piece()
+    public void What_is_restored_along_a_extrusion_stays_at_its_first_piece()
     {
         // 2 of 5 restore, 3 are deposited over 10 mm.
         var before = Decode("G0 X0 Y0 F600\nG1 E-2\nG1 X10 E5\n");
@@ -198,6 +198,6 @@ public class MappedMoveTests
 
     private static Toolpath Decode(string text)
         => GCodeDecoder.Decode(GCodeDocument.FromText("G90\nM83\nG1 F600\n" + text),
-            new DecodeOptions { Dialect = DialectTable.Marlin2, FilamentDiameter = 1.75 })
+            new DecodeOptions { Flavor = FlavorTable.Marlin2, FilamentDiameter = 1.75 })
             .Value!.Toolpath;
 }

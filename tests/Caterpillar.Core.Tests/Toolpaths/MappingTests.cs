@@ -47,12 +47,12 @@ public sealed class MappingTests
     }
 
     [Test]
-    public void Strands_of_a_toolpath_are_scaled_as_solids_and_events_stay_at_their_moves()
+    public void Extrusions_of_a_toolpath_are_scaled_as_solids_and_events_stay_at_their_moves()
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         var layer = builder.AddLayer(new Layer(0, 0.2, 0.2));
         builder.Add(new Vec3(10, 0, 0.2), 0, 0, 100, MoveKind.Travel, Role.Unspecified, layer, 0, -1);
-        builder.Add(new Vec3(10, 0, 0.2), 0.8, 0, 30, MoveKind.Restore, Role.Unspecified, layer, 0, -1);
+        builder.Add(new Vec3(10, 0, 0.2), 0.8, 0, 30, MoveKind.Deretract, Role.Unspecified, layer, 0, -1);
         builder.AddEvent(new FanEvent(1));
         builder.Add(new Vec3(20, 0, 0.2), 0.5, 0.5, 40, MoveKind.Print, Role.OuterWall, layer, 0, 7);
         builder.Add(new Vec3(10, 0, 0.2), 0.7, 0.7, 40, MoveKind.Print, Role.OuterWall, layer, 0, 8, new Arc(new Vec3(15, 0, 0.2), 180));
@@ -74,7 +74,7 @@ public sealed class MappingTests
         builder.Add(new Vec3(-10, 0), 3, 3, 40, MoveKind.Print, Role.Unspecified, -1, 0, 0, new Arc(Vec3.Zero, 180));
         var image = builder.Build([new ToolpathTool(1)]).Transform(Affine.Scale(1, 2, 1));
         Assert.That(image.Moves().Sum(m => m.Deposited), Is.EqualTo(6).Within(0.005), "the solid is twice as large");
-        // Along Y the strand is stretched and stays as wide; along X it gets twice as wide.
+        // Along Y the extrusion is stretched and stays as wide; along X it gets twice as wide.
         var moves = image.Moves().ToArray();
         var ratio = 3 / (System.Math.PI * 10);
         Assert.That(moves[0].Deposited / moves[0].Length, Is.EqualTo(ratio).Within(1e-3));

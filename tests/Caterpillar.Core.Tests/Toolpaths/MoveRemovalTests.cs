@@ -1,5 +1,5 @@
 using System.Linq;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
@@ -25,7 +25,7 @@ public class MoveRemovalTests
     }
 
     [Test]
-    public void Without_any_travel_before_the_speed_is_that_of_the_strand()
+    public void Without_any_travel_before_the_speed_is_that_of_the_extrusion()
     {
         var before = Decode(";LAYER:1\nG1 X10 E1 F1200\n;LAYER:2\nG1 X40 E1\n");
         Assert.That(before.Remove(Middle).Moves().Select(m => (m.Kind, m.End.X, m.Speed)), Is.EqualTo(new[]
@@ -69,21 +69,21 @@ public class MoveRemovalTests
         var after = before.Remove(Middle).Moves().ToArray();
         Assert.That(after.Select(m => (m.Kind, m.End.X, m.E)), Is.EqualTo(new[]
         {
-            (MoveKind.Travel, 0.0, 0.0), (MoveKind.Print, 10, 1.0), (MoveKind.Retract, 10, -2.0), (MoveKind.Travel, 50, 0.0), (MoveKind.Restore, 50, 2.0),
+            (MoveKind.Travel, 0.0, 0.0), (MoveKind.Print, 10, 1.0), (MoveKind.Retract, 10, -2.0), (MoveKind.Travel, 50, 0.0), (MoveKind.Deretract, 50, 2.0),
             (MoveKind.Print, 60, 1.0),
         }));
         Assert.That((after[2].Speed, after[2].Source), Is.EqualTo((35.0, -1)), "as fast as the one that was cut out");
     }
 
     [Test]
-    public void A_restoring_that_is_cut_out_is_made_before_the_next_strand()
+    public void A_restoring_that_is_cut_out_is_made_before_the_next_extrusion()
     {
         var before = Decode(";LAYER:0\nG0 Z1 F6000\nG1 X10 E1 F1200\nG1 E-2 F1200\n;LAYER:1\nG0 X20\nG1 E2\nG1 X30 E1\n;LAYER:2\nG0 X50 F6000\nG1 X60 E1 "
             + "F1200\n");
         var after = before.Remove(Middle).Moves().ToArray();
         Assert.That(after.Select(m => (m.Kind, m.End.X, m.E)), Is.EqualTo(new[]
         {
-            (MoveKind.Travel, 0.0, 0.0), (MoveKind.Print, 10, 1.0), (MoveKind.Retract, 10, -2.0), (MoveKind.Travel, 50, 0.0), (MoveKind.Restore, 50, 2.0),
+            (MoveKind.Travel, 0.0, 0.0), (MoveKind.Print, 10, 1.0), (MoveKind.Retract, 10, -2.0), (MoveKind.Travel, 50, 0.0), (MoveKind.Deretract, 50, 2.0),
             (MoveKind.Print, 60, 1.0),
         }));
         Assert.That(after[4].Speed, Is.EqualTo(20));
@@ -95,11 +95,11 @@ public class MoveRemovalTests
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         builder.Add(Vec3.Zero, -2, 0, 0, MoveKind.Retract, Role.Support, -1, 0, 0);
         builder.Add(new Vec3(5, 0), 0, 0, 100, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
-        builder.Add(new Vec3(5, 0), 2, 0, 0, MoveKind.Restore, Role.Unspecified, -1, 0, 0);
+        builder.Add(new Vec3(5, 0), 2, 0, 0, MoveKind.Deretract, Role.Unspecified, -1, 0, 0);
         var after = builder.Build([new ToolpathTool(1)]).Remove(new MoveFilter { Roles = [Role.Support] });
         Assert.That(after.Moves().Select(m => (m.Kind, m.E, m.Speed)), Is.EqualTo(new[]
         {
-            (MoveKind.Retract, -2.0, 30.0), (MoveKind.Travel, 0.0, 100.0), (MoveKind.Restore, 2.0, 0.0),
+            (MoveKind.Retract, -2.0, 30.0), (MoveKind.Travel, 0.0, 100.0), (MoveKind.Deretract, 2.0, 0.0),
         }));
     }
 
@@ -110,13 +110,13 @@ public class MoveRemovalTests
         var after = before.Remove(Middle).Moves().Select(m => (m.Kind, m.End.X)).ToArray();
         Assert.That(after, Is.EqualTo(new[]
         {
-            (MoveKind.Travel, 0.0), (MoveKind.Print, 10), (MoveKind.Retract, 10), (MoveKind.Travel, 20), (MoveKind.Restore, 20), (MoveKind.Print, 30),
+            (MoveKind.Travel, 0.0), (MoveKind.Print, 10), (MoveKind.Retract, 10), (MoveKind.Travel, 20), (MoveKind.Deretract, 20), (MoveKind.Print, 30),
             (MoveKind.Retract, 30),
         }));
         var pulled = Decode(";LAYER:0\nG0 Z1 F6000\nG1 X10 E1 F1200\n;LAYER:1\nG1 X20 E1\nG10\n;LAYER:2\nG0 X40\nG11\nG1 X50 E1\n").Remove(Middle);
         Assert.That(pulled.Moves().Select(m => (m.Kind, m.End.X)), Is.EqualTo(new[]
         {
-            (MoveKind.Travel, 0.0), (MoveKind.Print, 10), (MoveKind.Retract, 10), (MoveKind.Travel, 40), (MoveKind.Restore, 40), (MoveKind.Print, 50),
+            (MoveKind.Travel, 0.0), (MoveKind.Print, 10), (MoveKind.Retract, 10), (MoveKind.Travel, 40), (MoveKind.Deretract, 40), (MoveKind.Print, 50),
         }));
     }
 
@@ -156,14 +156,14 @@ public class MoveRemovalTests
         Add(1, -2, 33, MoveKind.Retract);
         while (builder.Count < ToolpathBlock.Capacity) Add(builder.Count % 2, 0, 20, MoveKind.Print, Role.Infill);
         Add(5, 0, 20, MoveKind.Print, Role.Support);
-        Add(5, 2, 0, MoveKind.Restore, Role.Support);
+        Add(5, 2, 0, MoveKind.Deretract, Role.Support);
         Add(9, 0, 20, MoveKind.Print, Role.Infill);
         var before = builder.Build([new ToolpathTool(1)]);
         var after = before.Remove(new MoveFilter { Roles = [Role.Support] });
         Assert.That(after.Blocks[0], Is.SameAs(before.Blocks[0]));
         Assert.That(after.Moves().Skip(ToolpathBlock.Capacity).Select(m => (m.Kind, m.End.X, m.E, m.Speed)), Is.EqualTo(new[]
         {
-            (MoveKind.Travel, 5.0, 0.0, 77.0), (MoveKind.Restore, 5, 2, 33), (MoveKind.Print, 9, 0, 20),
+            (MoveKind.Travel, 5.0, 0.0, 77.0), (MoveKind.Deretract, 5, 2, 33), (MoveKind.Print, 9, 0, 20),
         }));
     }
 
@@ -196,6 +196,6 @@ public class MoveRemovalTests
     private static string Text(Vec3 p) => System.FormattableString.Invariant($"({p.X}, {p.Y}, {p.Z})");
 
     private static Toolpath Decode(string text)
-        => GCodeDecoder.Decode(GCodeDocument.FromText("G90\nM83\n" + text), new DecodeOptions { Dialect = DialectTable.Marlin2, FilamentDiameter = 1.75 })
+        => GCodeDecoder.Decode(GCodeDocument.FromText("G90\nM83\n" + text), new DecodeOptions { Flavor = FlavorTable.Marlin2, FilamentDiameter = 1.75 })
             .Value!.Toolpath;
 }

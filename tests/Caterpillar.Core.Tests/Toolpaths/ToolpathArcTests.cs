@@ -11,7 +11,7 @@ namespace Caterpillar.Tests.Toolpaths;
 public class ToolpathArcTests
 {
     [Test]
-    public void A_run_of_even_strands_becomes_one_arc_with_its_material_and_events_keep_their_place()
+    public void A_run_of_even_extrusions_becomes_one_arc_with_its_material_and_events_keep_their_place()
     {
         var before = Circle(null, (0, new CommentEvent("a")), (22, new CommentEvent("b")));
         var after = before.FitArcs();
@@ -38,7 +38,7 @@ public class ToolpathArcTests
             var after = Circle(m => m.Index >= 11 ? change(m) : m).FitArcs();
             Assert.That(after.Moves().Where(m => m.Arc is not null).Select(m => m.Arc!.Value.Sweep), Is.EqualTo(new[] { 50.0, 50 }).Within(1e-9));
         }
-        // E that deposits other than it says is no plain strand.
+        // E that deposits other than it says is no plain extrusion.
         Assert.That(Circle(m => m with { Deposited = m.E / 2 }).FitArcs().Moves().Any(m => m.Arc is not null), Is.False);
         Assert.That(Circle(m => m.Kind == MoveKind.Print ? m with { Kind = MoveKind.Wipe } : m).FitArcs().Moves().Any(m => m.Arc is not null), Is.False);
         // Lines of a file may give several moves each.
@@ -50,14 +50,14 @@ public class ToolpathArcTests
     [TestCase(20, 1.02, 1)]
     [TestCase(20, 0.98, 1)]
     [TestCase(20, 1.03, 2)]
-    public void Strands_of_an_arc_are_even_to_two_percent(double size, double flow, int arcs)
+    public void Extrusions_of_an_arc_are_even_to_two_percent(double size, double flow, int arcs)
     {
         var toolpath = Circle(m => m with { End = m.End * size, E = m.Index >= 11 ? m.E * flow : m.E, Deposited = m.Index >= 11 ? m.E * flow : m.E });
         Assert.That(toolpath.FitArcs(new ArcFitOptions { Tolerance = 0.5 }).Moves().Count(m => m.Arc is not null), Is.EqualTo(arcs));
     }
 
     [Test]
-    public void An_event_among_strands_ends_an_arc()
+    public void An_event_among_extrusions_ends_an_arc()
     {
         var after = Circle(null, (11, new FanEvent(1))).FitArcs();
         Assert.That(after.Moves().Where(m => m.Arc is not null).Select(m => m.Arc!.Value.Sweep), Is.EqualTo(new[] { 50.0, 50 }).Within(1e-9));
@@ -155,7 +155,7 @@ public class ToolpathArcTests
         Assert.That(new Arc(World(5, 0, 1), 200, plane).Bounds(World(5, 0, 1), World(5, 0, 2)).Size.DistanceTo(World(0, 0, 1)), Is.LessThan(1e-12));
     }
 
-    // A travel to (10, 0), twenty strands of 5 degrees around the origin, and a travel.
+    // A travel to (10, 0), twenty extrusions of 5 degrees around the origin, and a travel.
     private static Toolpath Circle(Func<Move, Move>? change, params (int Move, PrinterEvent What)[] events)
     {
         var builder = new ToolpathBuilder(MoveSource.Lines, Vec3.Zero);

@@ -83,7 +83,7 @@ public class ToolpathBlockTests
         Assert.That((columns.A[1], columns.B[1], columns.C[1], columns.Line[1]), Is.EqualTo((1.0, 2.0, 3.0, 5)));
     }
 
-    // Ten strands of one step, each of another line of the script, in two layers.
+    // Ten extrusions of one step, each of another line of the script, in two layers.
     [Test]
     public void Edits_of_a_design_keep_the_line_of_the_script_of_each_move()
     {

@@ -1,6 +1,6 @@
 using System;
 using System.Linq;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
@@ -62,7 +62,7 @@ public class ToolpathEditTests
         Add(1, 3, 1, MoveKind.Print);
         Add(1, 0.5, 0.5, MoveKind.Prime);
         Add(1, -2, 0, MoveKind.Retract);
-        Add(2, 2, 0.5, MoveKind.MovingRestore);
+        Add(2, 2, 0.5, MoveKind.MovingDeretract);
         var before = builder.Build([new ToolpathTool(1)]);
         Assert.That(before.ScaleFlow(new MoveFilter(), 3).Moves().Select(m => (m.E, m.Deposited)), Is.EqualTo(new[]
         {
@@ -108,16 +108,16 @@ public class ToolpathEditTests
         Assert.That(after.Tools.Select(t => t.VolumePerE), Is.EqualTo(new[] { before.Tools[0].VolumePerE, before.Tools[0].VolumePerE }));
         // Given back, it restores again.
         var back = after.Insert(4, new ToolEvent(0));
-        Assert.That((back[4].Tool, back[4].Kind, back[4].Deposited), Is.EqualTo((0, MoveKind.Restore, 0.0)));
+        Assert.That((back[4].Tool, back[4].Kind, back[4].Deposited), Is.EqualTo((0, MoveKind.Deretract, 0.0)));
     }
 
     [Test]
-    public void Moving_restores_become_strands_of_a_tool_that_was_not_retracted_and_the_other_way_around()
+    public void Moving_restores_become_extrusions_of_a_tool_that_was_not_retracted_and_the_other_way_around()
     {
         var before = Decode("G0 X1 F600\nG1 E-2\nG1 X5 E1.5\nG1 X9 E1\nG1 X12 E1\n");
         Assert.That(before.Moves().Select(m => (m.Kind, m.Deposited)), Is.EqualTo(new[]
         {
-            (MoveKind.Travel, 0.0), (MoveKind.Retract, 0), (MoveKind.MovingRestore, 0), (MoveKind.Print, 0.5), (MoveKind.Print, 1),
+            (MoveKind.Travel, 0.0), (MoveKind.Retract, 0), (MoveKind.MovingDeretract, 0), (MoveKind.Print, 0.5), (MoveKind.Print, 1),
         }));
         Assert.That(before.Insert(2, new ToolEvent(1)).Moves().Select(m => (m.Kind, m.Deposited)), Is.EqualTo(new[]
         {
@@ -126,7 +126,7 @@ public class ToolpathEditTests
         // One move of the other tool: what it restored is restored by the next ones.
         Assert.That(before.Insert(2, new ToolEvent(1)).Insert(3, new ToolEvent(0)).Moves().Select(m => (m.Kind, m.Deposited)), Is.EqualTo(new[]
         {
-            (MoveKind.Travel, 0.0), (MoveKind.Retract, 0), (MoveKind.Print, 1.5), (MoveKind.MovingRestore, 0), (MoveKind.MovingRestore, 0),
+            (MoveKind.Travel, 0.0), (MoveKind.Retract, 0), (MoveKind.Print, 1.5), (MoveKind.MovingDeretract, 0), (MoveKind.MovingDeretract, 0),
         }));
     }
 
@@ -138,13 +138,13 @@ public class ToolpathEditTests
         builder.Add(Vec3.Zero, -2, 0, 30, MoveKind.Retract, Role.Unspecified, -1, 0, 0);
         while (builder.Count < ToolpathBlock.Capacity) builder.Add(Vec3.UnitX, 0, 0, 30, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
         builder.AddEvent(new ToolEvent(0));
-        builder.Add(Vec3.UnitX, 2, 0, 30, MoveKind.Restore, Role.Unspecified, -1, 0, 0);
+        builder.Add(Vec3.UnitX, 2, 0, 30, MoveKind.Deretract, Role.Unspecified, -1, 0, 0);
         var before = builder.Build([new ToolpathTool(1)]);
         var after = before.Insert(0, new ToolEvent(1));
         Assert.That((after[0].Tool, after[0].Kind, after[ToolpathBlock.Capacity - 1].Tool), Is.EqualTo((1, MoveKind.Retract, 1)));
         var last = after[ToolpathBlock.Capacity];
         Assert.That((last.Tool, last.Kind, last.Deposited), Is.EqualTo((0, MoveKind.Prime, 2.0)), "nothing was pulled out of it");
-        Assert.That(before[ToolpathBlock.Capacity].Kind, Is.EqualTo(MoveKind.Restore));
+        Assert.That(before[ToolpathBlock.Capacity].Kind, Is.EqualTo(MoveKind.Deretract));
     }
 
     [Test]
@@ -198,6 +198,6 @@ public class ToolpathEditTests
     }
 
     private static Toolpath Decode(string text)
-        => GCodeDecoder.Decode(GCodeDocument.FromText("G90\nM83\n" + text), new DecodeOptions { Dialect = DialectTable.Marlin2, FilamentDiameter = 1.75 })
+        => GCodeDecoder.Decode(GCodeDocument.FromText("G90\nM83\n" + text), new DecodeOptions { Flavor = FlavorTable.Marlin2, FilamentDiameter = 1.75 })
             .Value!.Toolpath;
 }

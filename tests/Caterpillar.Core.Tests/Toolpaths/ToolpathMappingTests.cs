@@ -1,6 +1,6 @@
 using System;
 using System.Linq;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -77,7 +77,7 @@ public class ToolpathMappingTests
     }
 
     [Test]
-    public void Differences_are_counted_and_strands_are_summed_up()
+    public void Differences_are_counted_and_extrusions_are_summed_up()
     {
         var before = Decode("G90\nM83\n;TYPE:Skirt\nG0 X1 Y1 Z0.2 F6000\nG1 X11 E1 F600\n;TYPE:Perimeter\n;LAYER:0\nG0 X20 Y20\nG1 X24 E1\nG1 Y29 E2\n");
         var faster = before.ScaleSpeed(new MoveFilter { Kinds = [MoveKind.Print] }, 2);
@@ -86,7 +86,7 @@ public class ToolpathMappingTests
         Assert.That(ToolpathDifference.Of(before, faster.Transform(Affine.Scale(2, 2, 1)).ScaleFlow(MoveFilter.Prints, 2)),
             Is.EqualTo(new ToolpathDifference(5, 3, 3)));
         Assert.That(() => ToolpathDifference.Of(before, Decode("G1 X1\n")), Throws.ArgumentException);
-        var totals = StrandTotals.Of(before);
+        var totals = ExtrusionTotals.Of(before);
         Assert.That((totals.Length, totals.Deposited), Is.EqualTo((23.0, 4.0)));
         Assert.That(totals.Volume, Is.EqualTo(4 * ExtrusionModel.FilamentAreaOf(1.75)).Within(1e-9));
         Assert.That(totals.PartBounds, Is.EqualTo(new Bounds(new Vec3(20, 20, 0.2), new Vec3(24, 29, 0.2))), "without the skirt");
@@ -99,10 +99,10 @@ public class ToolpathMappingTests
         var after = before.Transform(new MoveFilter { FirstLayer = 1, LastLayer = 1, Kinds = [MoveKind.Print] }, Affine.Move(new Vec3(0, 100)));
         var moves = after.Moves().ToArray();
         Assert.That(moves.Where(m => m.Layer == 0).Select(m => m.End), Is.EqualTo(before.Moves().Where(m => m.Layer == 0).Select(m => m.End)));
-        var strand = moves.First(m => m.Layer == 1 && m.Kind == MoveKind.Print);
-        Assert.That(strand.Start, Is.EqualTo(new Vec3(0, 100, 0.4)));
-        Assert.That(strand.Length, Is.EqualTo(40));
-        Assert.That(after.Layers.Select(l => l.Z), Is.EqualTo(before.Layers.Select(l => l.Z)), "strands are not the whole layer");
+        var extrusion = moves.First(m => m.Layer == 1 && m.Kind == MoveKind.Print);
+        Assert.That(extrusion.Start, Is.EqualTo(new Vec3(0, 100, 0.4)));
+        Assert.That(extrusion.Length, Is.EqualTo(40));
+        Assert.That(after.Layers.Select(l => l.Z), Is.EqualTo(before.Layers.Select(l => l.Z)), "extrusions are not the whole layer");
     }
 
     [Test]
@@ -119,7 +119,7 @@ public class ToolpathMappingTests
     }
 
     [Test]
-    public void Strands_are_divided_until_their_image_is_smooth()
+    public void Extrusions_are_divided_until_their_image_is_smooth()
     {
         var before = Decode(TwoLayers);
         static Vec3 Bend(Vec3 p) => new(p.X, p.Y, p.Z + p.X * p.X / 200);
@@ -160,7 +160,7 @@ public class ToolpathMappingTests
     }
 
     [Test]
-    public void Angles_continue_along_strands()
+    public void Angles_continue_along_extrusions()
     {
         // Three quarters of a circle in chords, whose angle is halved: three eighths, without a jump at 180°.
         var text = "G90\nM83\n;LAYER:0\nG0 X10 Y0 Z0.2 F6000\n"
@@ -216,5 +216,5 @@ public class ToolpathMappingTests
     private static Toolpath Decode(string text) => DecodeAll(text).Toolpath;
 
     private static DecodedGCode DecodeAll(string text)
-        => GCodeDecoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Dialect = DialectTable.Slicer, FilamentDiameter = 1.75 }).Value!;
+        => GCodeDecoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Flavor = FlavorTable.Slicer, FilamentDiameter = 1.75 }).Value!;
 }

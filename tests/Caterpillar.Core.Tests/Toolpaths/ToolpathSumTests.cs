@@ -10,7 +10,7 @@ namespace Caterpillar.Tests.Toolpaths;
 public class ToolpathSumTests
 {
     [Test]
-    public void Totals_tell_strands_travels_and_retractions_apart()
+    public void Totals_tell_extrusions_travels_and_retractions_apart()
     {
         var totals = ToolpathTotals.Of(Sample());
         Assert.That((totals.PrintMoves, totals.TravelMoves, totals.Retractions), Is.EqualTo((4, 3, 2)));
@@ -29,13 +29,13 @@ public class ToolpathSumTests
     }
 
     [Test]
-    public void Strands_are_summed_up_with_their_arcs_and_the_skirt_is_no_part()
+    public void Extrusions_are_summed_up_with_their_arcs_and_the_skirt_is_no_part()
     {
-        var totals = StrandTotals.Of(Sample());
+        var totals = ExtrusionTotals.Of(Sample());
         Assert.That(totals.Length, Is.EqualTo(16 + 5 * Math.PI).Within(1e-12));
         Assert.That((totals.Deposited, totals.Volume), Is.EqualTo((10.0, 20.0)), "without what is primed in place");
         Assert.That(totals.PartBounds, Is.EqualTo(new Bounds(new Vec3(15, 0, 0), new Vec3(20, 14, 0))));
-        Assert.That(StrandTotals.Of(Sample(null)).Volume, Is.Null);
+        Assert.That(ExtrusionTotals.Of(Sample(null)).Volume, Is.Null);
     }
 
     [TestCase(Role.Skirt, true)]
@@ -47,7 +47,7 @@ public class ToolpathSumTests
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         builder.Add(new Vec3(1, 0), 1, 1, 1, MoveKind.Print, role, -1, 0, 0);
-        Assert.That(StrandTotals.Of(builder.Build([])).PartBounds.IsEmpty, Is.EqualTo(beside));
+        Assert.That(ExtrusionTotals.Of(builder.Build([])).PartBounds.IsEmpty, Is.EqualTo(beside));
     }
 
     [Test]
@@ -147,7 +147,7 @@ public class ToolpathSumTests
         Add(15, 5, 0, 0, MoveKind.Travel);
         Add(15, 0, -1, 0, MoveKind.Wipe);
         Add(15, 0, -1, 0, MoveKind.Retract);
-        Add(15, 0, 2, 0, MoveKind.Restore);
+        Add(15, 0, 2, 0, MoveKind.Deretract);
         // A half circle around (15, 5), which reaches to x = 20.
         Add(15, 10, 2, 2, MoveKind.Print, Role.OuterWall, new Arc(new Vec3(15, 5), 180));
         Add(15, 14, 3, 3, MoveKind.Print, Role.OuterWall);

@@ -33,7 +33,7 @@ public class KanadaGCodeTests
         var paths = KanadaParts.All.Single(p => p.Name == name).Make();
         var placed = Deformation.Cartesian(p => p + center).Apply(paths).Value!;
         var plan = Planner.Plan(placed.Select(p => (Step)p).ToArray(), setup);
-        Assert.That(plan.Diagnostics.Where(d => d.Severity != Severity.Remark), Is.Empty);
+        Assert.That(plan.Diagnostics.Where(d => d.Severity != Severity.Note), Is.Empty);
         return plan.Value!;
     }
 }

@@ -90,7 +90,7 @@ public class TraceTests
         Assert.That(trace.ToPaths(), Has.Count.EqualTo(1));
         Assert.That(trace.Strings.Select(s => s.End.Z).Distinct().Count(), Is.EqualTo(3));
         Assert.That(trace.Strings.Max(s => s.End.Z), Is.EqualTo(0.9).Within(1e-12));
-        // The strands cover the disc: length × pitch is the area of three discs, within the curvature of the inner turns.
+        // The extrusions cover the disc: length × pitch is the area of three discs, within the curvature of the inner turns.
         Assert.That(trace.Strings.Sum(s => s.Length) * 0.45, Is.EqualTo(3 * Math.PI * 25).Within(3));
     }
 
@@ -149,7 +149,7 @@ public class TraceTests
         // Layers of 48 strings, and one up between them: the first ends at the edge, the second in the middle, the third at the edge again.
         Assert.That(strings, Has.Count.EqualTo(3 * 48 + 2));
         Assert.That(new[] { 47, 48 + 48, 48 + 49 + 48 }.Select(i => Math.Round(Radius(strings[i].End), 9)), Is.EqualTo(new[] { 4.0, 0, 4 }));
-        Assert.That(strings.Zip(strings.Skip(1), (a, b) => a.End == b.Start), Is.All.True, "One strand.");
+        Assert.That(strings.Zip(strings.Skip(1), (a, b) => a.End == b.Start), Is.All.True, "One extrusion.");
     }
 
     [Test]

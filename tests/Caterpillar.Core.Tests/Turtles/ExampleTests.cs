@@ -63,7 +63,7 @@ internal sealed class ExampleTests
         var turtle = script.Run(new TurtleOptions { Extrusion = setup.Extrusion, Shape = setup.Settings.BeadShape }).OrThrow();
         var plan = Planner.Plan(turtle.ToSteps(), setup, new PlanOptions { Policy = PlanPolicy.AsDrawn }).OrThrow();
         var findings = SafeWriter.ToDocument(plan, setup).Diagnostics
-            .Where(d => d.Severity != Severity.Remark && CheckCodes.Find(d.Code) is not null).ToArray();
+            .Where(d => d.Severity != Severity.Note && CheckCodes.Find(d.Code) is not null).ToArray();
         var errors = findings.Where(d => d.Severity == Severity.Error);
         // A program that cannot be printed says so, and one that the checks warn of says of what.
         if (script.Text.Contains("the checks find collisions"))

@@ -103,9 +103,9 @@ internal sealed class LSystemTests
     [Test]
     public void A_letter_whose_rules_have_another_number_of_values_is_remarked()
     {
-        var remark = System("AA(1)A", "A(x) -> B").Grow(1).Diagnostics.Single();
-        Assert.That((remark.Severity, remark.Code, remark.Count), Is.EqualTo((Severity.Remark, "lsystem.value_count", 2)));
-        Assert.That(remark.Message, Is.EqualTo("'A' with 0 values stays: its rules are for 1 values."));
+        var note = System("AA(1)A", "A(x) -> B").Grow(1).Diagnostics.Single();
+        Assert.That((note.Severity, note.Code, note.Count), Is.EqualTo((Severity.Note, "lsystem.value_count", 2)));
+        Assert.That(note.Message, Is.EqualTo("'A' with 0 values stays: its rules are for 1 values."));
         Assert.That(System("AA(1)", "A -> B", "A(x) -> C").Grow(1).Diagnostics, Is.Empty);
     }
 
@@ -145,8 +145,8 @@ internal sealed class LSystemTests
         Assert.That(local.X, Is.EqualTo(7).Within(1e-12));
         var unset = TurtleScript.Compile("lsystem 1 \"A\" \"A -> F(late)\"\nlate = 2").Value!.Run();
         Assert.That(unset.Diagnostics.Single().Code, Is.EqualTo("turtle.no_value"));
-        var remark = TurtleScript.Compile("\nlsystem 1 \"F\" \"F(x) -> F\"").Value!.Run().Diagnostics.Single();
-        Assert.That((remark.Code, remark.Source!.Line), Is.EqualTo(("lsystem.value_count", (int?)2)));
+        var note = TurtleScript.Compile("\nlsystem 1 \"F\" \"F(x) -> F\"").Value!.Run().Diagnostics.Single();
+        Assert.That((note.Code, note.Source!.Line), Is.EqualTo(("lsystem.value_count", (int?)2)));
     }
 
     [Test]

@@ -10,7 +10,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Turtles;
 
-/// <summary>Returns from branches, resolved by planning, checked against every strand by brute force.</summary>
+/// <summary>Returns from branches, resolved by planning, checked against every extrusion by brute force.</summary>
 internal sealed class SafeReturnTests
 {
     private const string Tree =
@@ -23,16 +23,16 @@ internal sealed class SafeReturnTests
         return Planner.Plan(turtle.ToSteps(), new PrintSetup().With(settings).Value!).Value!;
     }
 
-    [TestCase("travel_lift=printed_top")]
-    [TestCase("travel_lift=corridor")]
-    public void Travel_of_a_climbing_tree_never_goes_through_a_strand(string setting)
+    [TestCase("z_hop_type=above_print")]
+    [TestCase("z_hop_type=above_path")]
+    public void Travel_of_a_climbing_tree_never_goes_through_a_extrusion(string setting)
     {
         var moves = Plan(Tree, setting).Moves().ToArray();
         var worst = Worst(moves);
         Assert.That(moves.Count(m => m.Kind == MoveKind.Print), Is.EqualTo(255));
-        // Where branches begin, strands of the same height lie side by side.
+        // Where branches begin, extrusions of the same height lie side by side.
         Assert.That(worst, Is.LessThan(0.08));
-        // The check works: straight returns do go through strands.
+        // The check works: straight returns do go through extrusions.
         var drawn = Planner.Plan(TurtleScript.Compile(Tree).Value!.Run().Value!.ToSteps(), new PrintSetup(), new PlanOptions { Policy = PlanPolicy.AsDrawn })
             .Value!.Moves().ToArray();
         Assert.That(drawn.Where(m => m.Kind == MoveKind.Print).Sum(m => m.Length),
@@ -44,7 +44,7 @@ internal sealed class SafeReturnTests
     public void Returning_restores_everything_that_was_retracted()
     {
         var moves = Plan(Tree).Moves().ToArray();
-        Assert.That(moves.Where(m => m.Kind is MoveKind.Retract or MoveKind.Restore).Sum(m => m.E), Is.LessThanOrEqualTo(1e-9).And.GreaterThanOrEqualTo(-5));
+        Assert.That(moves.Where(m => m.Kind is MoveKind.Retract or MoveKind.Deretract).Sum(m => m.E), Is.LessThanOrEqualTo(1e-9).And.GreaterThanOrEqualTo(-5));
         Assert.That(moves.Where(m => m.Kind == MoveKind.Print).Sum(m => m.E),
             Is.EqualTo(moves.Where(m => m.Kind == MoveKind.Print).Sum(m => m.Length) * 0.05).Within(1e-9));
     }
@@ -61,15 +61,15 @@ internal sealed class SafeReturnTests
         return worst;
     }
 
-    // How far below the top of a strand the nozzle (0.4 mm) passes, at most.
-    private static double Depth(Vec3 from, Vec3 to, List<(Vec3 A, Vec3 B)> strands)
+    // How far below the top of an extrusion the nozzle (0.4 mm) passes, at most.
+    private static double Depth(Vec3 from, Vec3 to, List<(Vec3 A, Vec3 B)> extrusions)
     {
         var worst = 0.0;
         var count = Math.Max(1, (int)(from.DistanceTo(to) / 0.3));
         for (var i = 0; i <= count; i++)
         {
             var p = Vec3.Lerp(from, to, (double)i / count);
-            foreach (var (a, b) in strands)
+            foreach (var (a, b) in extrusions)
             {
                 if (Math.Max(a.Z, b.Z) - p.Z <= worst) continue;
                 var ab = (b - a).WithZ(0);

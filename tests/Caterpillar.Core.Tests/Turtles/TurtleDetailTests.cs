@@ -93,7 +93,7 @@ internal sealed class TurtleDetailTests
     }
 
     [Test]
-    public void Beads_that_change_and_change_back_are_kept_for_each_strand()
+    public void Beads_that_change_and_change_back_are_kept_for_each_extrusion()
     {
         var path = ((PathStep)Run("area 1; forward 1; forward 1; forward 1; area 2; forward 1; area 1; forward 1; forward 1").ToSteps().Single()).Path;
         Assert.That(Enumerable.Range(0, 6).Select(i => path.BeadOf(i).Area), Is.EqualTo(new[] { 1.0, 1, 1, 2, 1, 1 }));

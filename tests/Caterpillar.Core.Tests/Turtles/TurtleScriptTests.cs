@@ -326,9 +326,9 @@ internal sealed class TurtleScriptTests
     }
 
     [Test]
-    public void The_flow_multiplier_scales_strands_but_not_what_is_extruded_in_place()
+    public void The_flow_multiplier_scales_extrusions_but_not_what_is_extruded_in_place()
     {
-        var setup = new PrintSetup(new Printer(), new Material { FlowMultiplier = 1.2 }, new PrintSettings());
+        var setup = new PrintSetup(new Printer(), new Material { FlowRatio = 1.2 }, new PrintSettings());
         var turtle = TurtleScript.Compile("density 0.05\nforward 10\nextrude 2").Value!.Run(new TurtleOptions { Extrusion = setup.Extrusion }).Value!;
         var plan = Planner.Plan(turtle.ToSteps(), setup, new PlanOptions { Policy = PlanPolicy.AsDrawn }).Value!;
         Assert.That(plan.Moves().Where(m => m.E > 0).Select(m => m.E), Is.EqualTo(new[] { 10 * 0.05 * 1.2, 2 }).Within(1e-9));

@@ -19,7 +19,7 @@ public sealed class CurveComponentTests
     [Test]
     public void A_bead_comes_from_width_and_height()
     {
-        var canvas = new Canvas<ConstructBeadComponent>().Feed("Width", 0.8).Feed("Height", 0.4).Feed("Multiplier", 1.017).Feed("Model", "Rectangle")
+        var canvas = new Canvas<ConstructBeadComponent>().Feed("Width", 0.8).Feed("Height", 0.4).Feed("Flow", 1.017).Feed("Cross Section", "Rectangle")
             .Feed("Speed", 24.0).Solve();
         Assert.That(canvas.Errors, Is.Empty);
         Assert.That(canvas.One<double>("Area"), Is.EqualTo(0.8 * 0.4 * 1.017).Within(1e-12));
@@ -72,7 +72,7 @@ public sealed class CurveComponentTests
         var canvas = new Canvas<ConstructPrintPathComponent>().Feed("Curve", new Rg.ArcCurve(new Rg.Circle(new Rg.Point3d(0, 0, 0.1), 2)))
             .Feed("Keep Arc", true).Solve();
         Assert.That(canvas.One<PrintPath>("Print Path").Length, Is.EqualTo(40 * Math.PI).Within(1e-9));
-        Assert.That(canvas.Remarks, Has.Some.Contains("centimeters"));
+        Assert.That(canvas.Notes, Has.Some.Contains("centimeters"));
     }
 
     [Test]

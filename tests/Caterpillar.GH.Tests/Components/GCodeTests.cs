@@ -55,7 +55,7 @@ public sealed class GCodeTests
     {
         string[] Lines()
         {
-            var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", Line(20.125), Line(40)).Feed("Printer", "ender3").Feed("Policy", "PRINTER").Solve();
+            var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", Line(20.125), Line(40)).Feed("Printer", "ender3").Feed("Mode", "PRINTER").Solve();
             Assert.That(plan.Errors, Is.Empty);
             var write = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", plan.Output("Toolpath").VolatileData.get_Branch(0)[0]).Solve();
             return write.One<GCodeDocument>("G-code").Lines(1, 10000).Concat(plan.All("Toolpath").Select(t => t!.ToString()!)).ToArray();
@@ -88,12 +88,12 @@ public sealed class GCodeTests
     [Test]
     public void A_plan_as_drawn_adds_nothing_and_choices_take_their_names()
     {
-        var canvas = new Canvas<PlanToolpathComponent>().Feed("Steps", Line(20), Line(40)).Feed("Printer", "generic").Feed("Policy", "as drawn")
+        var canvas = new Canvas<PlanToolpathComponent>().Feed("Steps", Line(20), Line(40)).Feed("Printer", "generic").Feed("Mode", "as drawn")
             .Feed("Sort", "none").Solve();
         Assert.That(canvas.Errors, Is.Empty);
         Assert.That(canvas.One<Toolpath>("Toolpath").Moves().Select(m => m.Kind), Has.None.EqualTo(MoveKind.Retract));
-        Assert.That(canvas.Feed("Policy", "sideways").Solve().Errors, Has.Member("Data conversion failed from Text to Integer"));
-        Assert.That(canvas.Feed("Policy", 7).Solve().Errors, Is.EqualTo(new[] { "{0}[0]: Policy has no choice 7; there are Printer, AsDrawn." }));
+        Assert.That(canvas.Feed("Mode", "sideways").Solve().Errors, Has.Member("Data conversion failed from Text to Integer"));
+        Assert.That(canvas.Feed("Mode", 7).Solve().Errors, Is.EqualTo(new[] { "{0}[0]: Mode has no choice 7; there are Printer, AsDrawn." }));
     }
 
     [Test]
@@ -179,9 +179,9 @@ public sealed class GCodeTests
             File.WriteAllText(file, Small);
             var files = new Canvas<DecodeGCodeComponent>();
             files.Document.FilePath = Path.Combine(folder, "definition.gh");
-            files.Feed("File", "small.gcode", "none.gcode", null).Feed("Dialect", "klipper").Feed("Rule", "rising").Solve();
+            files.Feed("File", "small.gcode", "none.gcode", null).Feed("Flavor", "klipper").Feed("Rule", "rising").Solve();
             Assert.That(files.All("Toolpath").Select(t => t is null), Is.EqualTo(new[] { false, true, true }));
-            Assert.That(files.All("Dialect")[0], Is.EqualTo("klipper"));
+            Assert.That(files.All("Flavor")[0], Is.EqualTo("klipper"));
             Assert.That(files.Errors, Has.One.Contains("{0}[1]: There is no file ").And.One.Contains("none.gcode"));
             Assert.That(files.Errors, Has.Member("{0}[2]: File: nothing arrives from what is connected."));
             File.WriteAllText(file, Small + "G1 X30 E1\n");
@@ -213,6 +213,6 @@ public sealed class GCodeTests
         var canvas = new Canvas<DecodeGCodeComponent>().FeedTree("G-code", [Small], ["\u0001 what? G1 X1e999 %%", ""]).Solve();
         Assert.That(canvas.All("Toolpath").Select(t => t is null), Is.EqualTo(new[] { false, true, true }));
         Assert.That(canvas.Errors, Has.Some.StartsWith("{1}[0]: ").And.Some.StartsWith("{1}[1]: "));
-        Assert.That(canvas.Feed("Dialect", "cobol").Solve().Errors, Has.Some.Contains("There is no dialect cobol; there are detect, slicer, "));
+        Assert.That(canvas.Feed("Flavor", "cobol").Solve().Errors, Has.Some.Contains("There is no flavor cobol; there are detect, slicer, "));
     }
 }

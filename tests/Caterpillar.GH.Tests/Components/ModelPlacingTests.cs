@@ -137,8 +137,8 @@ public sealed class ModelPlacingTests
             var check = new Canvas<CheckComponent>().Feed("Toolpath", plan.Output("Toolpath").VolatileData.get_Branch(0)[0]).Solve();
             var write = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", plan.Output("Toolpath").VolatileData.get_Branch(0)[0]).Solve();
             Assert.That(write.All("G-code").Single(), Is.Not.Null);
-            var found = check.All("Diagnostics").Any(d => $"{d}".Contains("strand.unsupported"));
-            Assert.That(write.All("Diagnostics").Any(d => $"{d}".Contains("strand.unsupported")), Is.EqualTo(found));
+            var found = check.All("Diagnostics").Any(d => $"{d}".Contains("extrusion.unsupported"));
+            Assert.That(write.All("Diagnostics").Any(d => $"{d}".Contains("extrusion.unsupported")), Is.EqualTo(found));
             return found;
         }
         Assert.That(IsInTheAir(null));

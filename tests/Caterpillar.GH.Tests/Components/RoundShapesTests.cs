@@ -32,7 +32,7 @@ public sealed class RoundShapesTests
     [Test]
     public void The_move_in_progress_of_an_arc_is_that_part_of_it()
     {
-        var canvas = new Canvas<SimulateComponent>().Feed("Toolpath", HalfCircle()).Feed("By", "Length").Feed("Position", 0.97).Solve();
+        var canvas = new Canvas<SimulateComponent>().Feed("Toolpath", HalfCircle()).Feed("Position Unit", "Length").Feed("Position", 0.97).Solve();
         Assert.That(canvas.Errors, Is.Empty);
         var current = canvas.One<Rg.Curve>("Current");
         Assert.That(current.PointAtStart.DistanceTo(new Rg.Point3d(120, 110, 0.2)), Is.LessThan(1e-9));

@@ -61,7 +61,7 @@ public sealed class SetupTests
         var canvas = new Canvas<PrinterComponent>().Solve();
         var box = canvas.One<Rg.Curve>("Bed").GetBoundingBox(true);
         Assert.That((box.Max.X, box.Max.Y, box.Max.Z), Is.EqualTo((22.0, 22.0, 0.0)));
-        Assert.That(canvas.Remarks, Has.One.Contains("centimeters"));
+        Assert.That(canvas.Notes, Has.One.Contains("centimeters"));
     }
 
     [Test]

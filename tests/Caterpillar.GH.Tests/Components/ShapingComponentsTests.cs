@@ -43,7 +43,7 @@ public sealed class ShapingComponentsTests
         var cone = canvas.One<PrintPath>("Print Paths");
         Assert.That(cone.End.DistanceTo(new Vec3(64, 20, 9)), Is.LessThan(1e-9));
         Assert.That(cone.SegmentCount, Is.GreaterThanOrEqualTo(360));
-        Assert.That(canvas.Remarks.Single(), Does.Contain("centimeters"));
+        Assert.That(canvas.Notes.Single(), Does.Contain("centimeters"));
     }
 
     [Test]

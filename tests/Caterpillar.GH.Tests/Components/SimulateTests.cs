@@ -57,9 +57,9 @@ public sealed class SimulateTests
     {
         var goo = TwoLayers();
         double Z(string by, double at)
-            => new Canvas<SimulateComponent>().Feed("Toolpath", goo).Feed("Position", at).Feed("By", by).Solve().One<Rg.Plane>("Plane").Origin.Z;
+            => new Canvas<SimulateComponent>().Feed("Toolpath", goo).Feed("Position", at).Feed("Position Unit", by).Solve().One<Rg.Plane>("Plane").Origin.Z;
         Assert.That(Z("Layer", 0.4), Is.LessThan(0.7));
-        Assert.That(new Canvas<SimulateComponent>().Feed("Toolpath", goo).Feed("Position", 0.75).Feed("By", "layer").Solve().One<string>("State"),
+        Assert.That(new Canvas<SimulateComponent>().Feed("Toolpath", goo).Feed("Position", 0.75).Feed("Position Unit", "layer").Solve().One<string>("State"),
             Does.Contain("mm/s"));
         Assert.That(Z("Length", 1), Is.EqualTo(Z("Time", 1)));
         Assert.That(new Canvas<SimulateComponent>().Feed("Toolpath", goo).Feed("Position", 1.5).Solve().Errors, Has.One.Contains("0 to 1"));
@@ -71,7 +71,7 @@ public sealed class SimulateTests
         var goo = TwoLayers();
         var timeline = Timeline.Of(goo.Value, goo.Setup!);
         Canvas<SimulateComponent> At(string by, double position)
-            => new Canvas<SimulateComponent>().Feed("Toolpath", goo).Feed("Position", position).Feed("By", by).Solve();
+            => new Canvas<SimulateComponent>().Feed("Toolpath", goo).Feed("Position", position).Feed("Position Unit", by).Solve();
         Assert.That(At("Seconds", 1.5).One<double>("Time"), Is.EqualTo(1.5).Within(1e-9));
         Assert.That(At("Seconds", 1e6).One<double>("Time"), Is.EqualTo(timeline.Duration));
         Assert.That(At("Layer Number", 1).One<double>("Time"), Is.EqualTo(timeline.AtLayer(1)!.Value.Time));
@@ -169,7 +169,7 @@ public sealed class SimulateTests
         Assert.That(canvas.One<double>("Time"), Is.EqualTo(expected.Duration));
         Assert.That(canvas.One<double>("Print Length"), Is.EqualTo(80).Within(1e-9));
         Assert.That(canvas.All("Layer Times"), Is.EqualTo(expected.Layers.Select(l => (object)l.Time)));
-        Assert.That(canvas.All("Lines"), Has.Some.Contains("OuterWall: "));
+        Assert.That(canvas.All("Summary"), Has.Some.Contains("OuterWall: "));
         var slow = new Canvas<StatisticsComponent>().Feed("Toolpath", goo)
             .Feed("Printer", new Printer { PrintAcceleration = 50, TravelAcceleration = 50 }).Solve();
         Assert.That(slow.One<double>("Time"), Is.GreaterThan(expected.Duration));
@@ -207,9 +207,9 @@ public sealed class SimulateTests
     {
         var canvas = new Canvas<ToolpathPreviewComponent>().Feed("Toolpath", TwoLayers()).Feed("Color By", by).Solve();
         Assert.That(canvas.Errors.Concat(canvas.Warnings), Is.Empty);
-        Assert.That(canvas.All("Legend Texts").Count, Is.EqualTo(canvas.All("Colors").Count));
-        Assert.That(canvas.All("Legend Texts").Count, Is.EqualTo(bands).Or.EqualTo(16));
-        Assert.That(canvas.All("Legend Texts").Distinct().Count(), Is.GreaterThan(0));
+        Assert.That(canvas.All("Tags").Count, Is.EqualTo(canvas.All("Colors").Count));
+        Assert.That(canvas.All("Tags").Count, Is.EqualTo(bands).Or.EqualTo(16));
+        Assert.That(canvas.All("Tags").Distinct().Count(), Is.GreaterThan(0));
     }
 
     [Test]
@@ -218,13 +218,13 @@ public sealed class SimulateTests
         var bed = new Rg.Box(new Rg.BoundingBox(-90, -80, 0, 90, 80, 200));
         var head = new Rg.Box(new Rg.BoundingBox(-20, -30, 4, 20, 30, 40));
         var canvas = new Canvas<ConstructPrinterComponent>().Feed("Bed", bed).Feed("Nozzle", 0.6).Feed("Head Parts", head)
-            .Feed("Limits", "max_flow_mm3_s=20").Feed("Start Code", "G28\nM420 S1").Feed("Name", "Mine").Solve();
+            .Feed("Limits", "max_flow_mm3_s=20").Feed("Start G-code", "G28\nM420 S1").Feed("Name", "Mine").Solve();
         Assert.That(canvas.Errors, Is.Empty);
         var printer = canvas.One<Printer>("Printer");
         Assert.That((printer.BuildVolume, printer.Origin, printer.NozzleDiameter, printer.MaxFlow),
             Is.EqualTo((new Vec3(180, 160, 200), BedOrigin.Center, 0.6, 20.0)));
         Assert.That(printer.HeadBoxes.Single(), Is.EqualTo(new Bounds(new Vec3(-20, -30, 4), new Vec3(20, 30, 40))));
-        Assert.That(printer.StartTemplate, Is.EqualTo(new[] { "G28", "M420 S1" }));
+        Assert.That(printer.StartGCode, Is.EqualTo(new[] { "G28", "M420 S1" }));
         Assert.That(new Canvas<ConstructPrinterComponent>().Feed("Bed", new Rg.Box(new Rg.BoundingBox(5, 5, 0, 90, 80, 200))).Solve().Errors,
             Has.One.Contains("The origin must be"));
         Assert.That(new Canvas<ConstructPrinterComponent>().Feed("Limits", "max_flow=20").Solve().Errors, Has.Some.Contains("max_flow"));
@@ -242,7 +242,7 @@ public sealed class SimulateTests
             System.IO.File.WriteAllText(footer, "M104 S0\nM84\n");
             var canvas = new Canvas<ImportHeaderComponent>().Feed("Header", header).Feed("Footer", footer).Solve();
             Assert.That(canvas.Errors, Is.Empty);
-            Assert.That(canvas.One<Printer>("Printer").EndTemplate, Has.Member("M84"));
+            Assert.That(canvas.One<Printer>("Printer").EndGCode, Has.Member("M84"));
             Assert.That(canvas.One<Printer>("Printer").ExtrusionMode, Is.EqualTo(ExtrusionMode.Absolute));
             Assert.That(canvas.One<Material>("Material").BedTemperature, Is.EqualTo(60));
             Assert.That(canvas.One<Rg.Point3d>("Start").DistanceTo(new Rg.Point3d(10, 10, 5)), Is.LessThan(1e-9));

@@ -31,7 +31,7 @@ public sealed class SlicerTests
     public void A_box_gives_a_branch_per_layer()
     {
         var canvas = Slice(Shapes.Box());
-        Assert.That(canvas.Errors.Concat(canvas.Warnings).Concat(canvas.Remarks), Is.Empty);
+        Assert.That(canvas.Errors.Concat(canvas.Warnings).Concat(canvas.Notes), Is.Empty);
         Assert.That(canvas.Paths("Print Paths"), Is.EqualTo(new[] { "{0;0;0}", "{0;0;1}", "{0;0;2}", "{0;0;3}" }));
         Assert.That(canvas.All("Walls"), Has.Count.EqualTo(4));
         Assert.That(canvas.All("Print Paths"), Has.Count.EqualTo(canvas.All("Walls").Count + canvas.All("Infill").Count));
@@ -45,14 +45,14 @@ public sealed class SlicerTests
     [Test]
     public void Inside_a_modifier_its_settings_apply()
     {
-        var settings = Quick with { TopLayers = 0, BottomLayers = 0, InfillPercent = 10, InfillSpacing = 0 };
+        var settings = Quick with { TopLayers = 0, BottomLayers = 0, InfillDensityPercent = 10, InfillSpacing = 0 };
         var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", settings).Feed("Geometry", Shapes.Box(size: 20));
         double Infill() => canvas.Solve().All("Infill").Cast<PrintPath>().Where(p => p.Role == Role.Infill).Sum(p => p.Length);
         var before = Infill();
         canvas.Feed("Modifiers", Shapes.Box(100, 100, 10, 2));
         Assert.That(Infill(), Is.Zero);
         Assert.That(canvas.Warnings, Has.One.Contains("Modifier Settings are missing."));
-        canvas.Feed("Modifier Settings", settings with { InfillPercent = 40 });
+        canvas.Feed("Modifier Settings", settings with { InfillDensityPercent = 40 });
         Assert.That(Infill(), Is.EqualTo(before * (0.75 + 0.25 * 4)).Within(0.15 * before), "A quarter is filled four times as densely.");
         Assert.That(canvas.Errors.Concat(canvas.Warnings), Is.Empty);
         canvas.Input("Modifiers").RemoveAllSources();
@@ -64,7 +64,7 @@ public sealed class SlicerTests
     [Test]
     public void Each_solid_has_its_part_settings()
     {
-        var settings = Quick with { TopLayers = 0, BottomLayers = 0, TopThickness = 0, BottomThickness = 0, InfillPercent = 0, InfillSpacing = 0 };
+        var settings = Quick with { TopLayers = 0, BottomLayers = 0, TopThickness = 0, BottomThickness = 0, InfillDensityPercent = 0, InfillSpacing = 0 };
         var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", settings)
             .Feed("Geometry", Shapes.Box(0, 0, 10, 2), null, Shapes.Box(20, 0, 10, 2), Shapes.Box(40, 0, 10, 2));
         int[] Walls()
@@ -82,7 +82,7 @@ public sealed class SlicerTests
         canvas.Feed("Part Settings", settings, settings, settings, settings, settings);
         Assert.That(Walls(), Is.EqualTo(new[] { 1, 1, 1 }));
         Assert.That(canvas.Warnings, Has.One.Contains("Part Settings are 5, for 4 solids"));
-        canvas.Feed("Part Settings", settings, settings, settings with { ModelUse = ModelUse.Modifier }).Solve();
+        canvas.Feed("Part Settings", settings, settings, settings with { ModelType = ModelType.Modifier }).Solve();
         Assert.That(canvas.Errors, Has.One.Contains("Part Settings of Solid 1 are for a solid that is not printed"));
     }
 
@@ -90,7 +90,7 @@ public sealed class SlicerTests
     public void Infill_follows_curves_in_document_units()
     {
         using var _ = new InDocument(UnitSystem.Centimeters);
-        var settings = Quick with { TopLayers = 0, BottomLayers = 0, InfillPercent = 20 };
+        var settings = Quick with { TopLayers = 0, BottomLayers = 0, InfillDensityPercent = 20 };
         var circle = new Rg.ArcCurve(new Rg.Circle(new Rg.Point3d(11, 11, 7), 0.5));
         var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", settings).Feed("Geometry", Shapes.Box(10, 10, 2, 0.2)).Feed("Infill Curves", circle)
             .Solve();
@@ -190,7 +190,7 @@ public sealed class SlicerTests
     {
         var canvas = Slice(Shapes.OpenBox());
         Assert.That(canvas.Warnings, Is.Not.Empty);
-        Assert.That(canvas.All("Open Edges").Cast<Rg.Curve>().Sum(e => e.GetLength()), Is.GreaterThanOrEqualTo(40));
+        Assert.That(canvas.All("Naked Edges").Cast<Rg.Curve>().Sum(e => e.GetLength()), Is.GreaterThanOrEqualTo(40));
         Assert.That(canvas.All("Diagnostics"), Has.Some.Contains("open"));
     }
 
@@ -202,7 +202,7 @@ public sealed class SlicerTests
         Assert.That(canvas.All("Walls"), Has.Count.EqualTo(4));
         Assert.That(((PrintPath)canvas.All("Walls")[0]!).Bounds.Max.X, Is.InRange(109, 110));
         Assert.That(((Rg.Curve)canvas.All("Regions")[0]!).GetLength(), Is.EqualTo(4).Within(1e-4));
-        Assert.That(canvas.Remarks, Has.Count.EqualTo(1));
+        Assert.That(canvas.Notes, Has.Count.EqualTo(1));
     }
 
     [Test]
@@ -231,7 +231,7 @@ public sealed class SlicerTests
     public void Escape_stops_the_solution()
     {
         GH_Document.EscapeKey = () => true;
-        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick with { LayerHeight = 0.02, FirstLayerHeight = 0.02, InfillPercent = 90 })
+        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick with { LayerHeight = 0.02, FirstLayerHeight = 0.02, InfillDensityPercent = 90 })
             .Feed("Geometry", Shapes.Box(10, 10, 190, 200)).Solve();
         Assert.That(canvas.Warnings, Is.EqualTo(new[] { "Canceled." }));
         Assert.That(canvas.Document.AbortRequested, Is.True);

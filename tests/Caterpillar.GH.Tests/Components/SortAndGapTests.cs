@@ -88,7 +88,7 @@ public sealed class SortAndGapTests
         using var _ = new InDocument(UnitSystem.Meters);
         var small = new Canvas<GapBeadComponent>().Feed("Print Paths", path).Feed("Geometry", Shapes.Box(0.1, 0.1, 0.01, 0.002)).Feed("Bed", false).Solve();
         Assert.That(small.One<PrintPath>("Print Paths").BeadOf(0).Height, Is.EqualTo(0.3).Within(1e-4));
-        Assert.That(small.Remarks, Has.One.Contains("meters"));
+        Assert.That(small.Notes, Has.One.Contains("meters"));
     }
 
     [Test]

@@ -141,14 +141,15 @@ public sealed class ToolpathEditTests
     [Test]
     public void Start_and_end_code_of_a_decoded_file_are_replaced_and_checked()
     {
-        var write = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", Decoded()).Feed("Printer", "generic").Feed("Start Code", "M104 S200\nM109 S200\nG28")
-            .Feed("End Code", "M84").Solve();
+        var write = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", Decoded()).Feed("Printer", "generic").Feed("Start G-code",
+            "M104 S200\nM109 S200\nG28")
+            .Feed("End G-code", "M84").Solve();
         Assert.That(write.Errors, Is.Empty);
         var text = Encoding.UTF8.GetString(write.One<GCodeDocument>("G-code").ToBytes());
         Assert.That(text, Does.StartWith("M104 S200\nM109 S200\nG28\n").And.EndWith("M84\n").And.Contain("G1 X20 Y10 E0.5 F1200 ; one")
             .And.Not.Contain("by hand"));
-        Assert.That(write.Feed("Start Code", "M104 S200\nG1 X900").Solve().Errors, Is.Not.Empty, "the new lines are checked too");
-        Assert.That(write.Feed("Rewrite All", true).Solve().Warnings, Has.Some.Contains("Start Code"));
+        Assert.That(write.Feed("Start G-code", "M104 S200\nG1 X900").Solve().Errors, Is.Not.Empty, "the new lines are checked too");
+        Assert.That(write.Feed("Rewrite All", true).Solve().Warnings, Has.Some.Contains("Start G-code"));
     }
 
     private static string Written(object? goo)

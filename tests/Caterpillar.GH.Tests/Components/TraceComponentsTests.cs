@@ -13,16 +13,16 @@ namespace Caterpillar.GH.Tests.Components;
 [Category("Host")]
 public sealed class TraceComponentsTests
 {
-    private static readonly Bead Strand = new(0.196, 0, 25);
+    private static readonly Bead Extrusion = new(0.196, 0, 25);
 
     [Test]
     public void The_model_of_a_bead_changes_its_area()
     {
-        var canvas = new Canvas<ConstructBeadComponent>().Feed("Width", 0.5).Feed("Height", 0.5).Feed("Model", "Rectangle", "stadium", 2).Solve();
+        var canvas = new Canvas<ConstructBeadComponent>().Feed("Width", 0.5).Feed("Height", 0.5).Feed("Cross Section", "Rectangle", "stadium", 2).Solve();
         Assert.That(canvas.Errors, Is.Empty);
         var circle = Math.PI * 0.25 * 0.25;
         Assert.That(canvas.All("Area").Cast<double>(), Is.EqualTo(new[] { 0.25, circle, circle }).Within(1e-12));
-        Assert.That(new Canvas<ConstructBeadComponent>().Feed("Width", 0.5).Feed("Height", 0.0).Feed("Model", "Circle").Solve().One<double>("Area"),
+        Assert.That(new Canvas<ConstructBeadComponent>().Feed("Width", 0.5).Feed("Height", 0.0).Feed("Cross Section", "Circle").Solve().One<double>("Area"),
             Is.EqualTo(circle).Within(1e-12));
     }
 
@@ -32,9 +32,9 @@ public sealed class TraceComponentsTests
         var canvas = new Canvas<ConstructBeadComponent>().Feed("Width", 0.5, null, -1.0, double.NaN, 0.6).Feed("Height", 0.2).Solve();
         Assert.That(canvas.All("Bead").Select(b => b is null), Is.EqualTo(new[] { false, true, true, true, false }));
         Assert.That(canvas.Errors, Has.Count.EqualTo(3).And.One.EqualTo("{0}[1]: Width: nothing arrives from what is connected."));
-        Assert.That(new Canvas<ConstructBeadComponent>().Feed("Width", 0.2).Feed("Height", 0.5).Feed("Model", "Stadium").Solve().Errors.Single(),
+        Assert.That(new Canvas<ConstructBeadComponent>().Feed("Width", 0.2).Feed("Height", 0.5).Feed("Cross Section", "Stadium").Solve().Errors.Single(),
             Does.Contain("at least as wide as high"));
-        Assert.That(new Canvas<ConstructBeadComponent>().Feed("Width", 0.2).Feed("Height", 0.5).Feed("Model", 7).Solve().Errors.Single(),
+        Assert.That(new Canvas<ConstructBeadComponent>().Feed("Width", 0.2).Feed("Height", 0.5).Feed("Cross Section", 7).Solve().Errors.Single(),
             Does.Contain("no choice 7"));
         Assert.That(new Canvas<ConstructBeadComponent>().FeedTree("Width", [0.4], [0.5, 0.6]).Feed("Height", 0.2).Solve().Paths("Bead"),
             Is.EqualTo(new[] { "{0}", "{1}" }));
@@ -45,11 +45,11 @@ public sealed class TraceComponentsTests
     {
         using var _ = new InDocument(UnitSystem.Centimeters);
         var plane = new Rg.Plane(new Rg.Point3d(1, 2, 3), Rg.Vector3d.YAxis, Rg.Vector3d.ZAxis);
-        var path = Path(new Canvas<CircleTraceComponent>().Feed("Plane", plane).Feed("Radius", 10.0).Feed("Bead", Strand).Feed("Strings Per Turn", 4));
+        var path = Path(new Canvas<CircleTraceComponent>().Feed("Plane", plane).Feed("Radius", 10.0).Feed("Bead", Extrusion).Feed("Segments Per Turn", 4));
         Assert.That(path.SegmentCount, Is.EqualTo(4));
         Assert.That(path.Points.Select(p => p.ToString()),
             Is.EqualTo(new[] { "(10, 30, 30)", "(10, 20, 40)", "(10, 10, 30)", "(10, 20, 20)", "(10, 30, 30)" }));
-        Assert.That(path.BeadOf(0), Is.EqualTo(Strand));
+        Assert.That(path.BeadOf(0), Is.EqualTo(Extrusion));
     }
 
     [Test]
@@ -72,13 +72,13 @@ public sealed class TraceComponentsTests
     [Test]
     public void A_helix_climbs_and_its_flow_ramps()
     {
-        var plain = Path(new Canvas<HelixTraceComponent>().Feed("Radius", 10.0).Feed("Height", 4.0).Feed("Pitch", 0.4).Feed("Bead", Strand)
-            .Feed("Strings Per Turn", 36));
+        var plain = Path(new Canvas<HelixTraceComponent>().Feed("Radius", 10.0).Feed("Height", 4.0).Feed("Pitch", 0.4).Feed("Bead", Extrusion)
+            .Feed("Segments Per Turn", 36));
         Assert.That(plain.SegmentCount, Is.EqualTo(360));
         Assert.That(plain.End.Z, Is.EqualTo(4).Within(1e-12));
         Assert.That(plain.IsUniform, Is.True);
-        var ramp = Path(new Canvas<HelixTraceComponent>().Feed("Radius", 10.0).Feed("Height", 4.0).Feed("Pitch", 0.4).Feed("Bead", Strand)
-            .Feed("Strings Per Turn", 36).Feed("Ramp", "Start").Feed("Minimum Flow", 0.5));
+        var ramp = Path(new Canvas<HelixTraceComponent>().Feed("Radius", 10.0).Feed("Height", 4.0).Feed("Pitch", 0.4).Feed("Bead", Extrusion)
+            .Feed("Segments Per Turn", 36).Feed("Ramp", "Start").Feed("Minimum Flow", 0.5));
         // The middle of the first string is 1/72 of a turn on.
         Assert.That(ramp.BeadOf(0).Area / 0.196, Is.EqualTo(0.5 + 0.5 / 72).Within(1e-12));
         Assert.That(ramp.BeadOf(359).Area, Is.EqualTo(0.196));
@@ -105,7 +105,7 @@ public sealed class TraceComponentsTests
         Assert.That(canvas.Warnings.Single(), Does.Contain("Radius is missing"));
         Assert.That(canvas.Errors.Single(), Does.StartWith("{0}[2]").And.Contain("Radius must be greater than zero"));
         Assert.That(Error(new Canvas<HelixTraceComponent>().Feed("Radius", 10.0).Feed("Height", 1.0).Feed("Pitch", 1e-12)), Does.Contain("100 million"));
-        Assert.That(Error(new Canvas<CircleTraceComponent>().Feed("Radius", 10.0).Feed("Strings Per Turn", 2)), Does.Contain("three strings"));
+        Assert.That(Error(new Canvas<CircleTraceComponent>().Feed("Radius", 10.0).Feed("Segments Per Turn", 2)), Does.Contain("three strings"));
         Assert.That(Error(new Canvas<ConeTraceComponent>().Feed("Bottom Radius", -1.0).Feed("Top Radius", 1.0).Feed("Height", 1.0).Feed("Pitch", 0.4)),
             Does.Contain("0 or more"));
         Assert.That(Error(new Canvas<HelixTraceComponent>().Feed("Radius", 1.0).Feed("Height", 1.0).Feed("Pitch", 0.4).Feed("Ramp", 1)

@@ -119,7 +119,7 @@ public sealed class TurtleComponentsTests
         Assert.That(canvas.All("Steps").Select(s => s!.GetType().Name), Is.EqualTo(new[] { "PathStep", "TravelStep", "PathStep", "EventStep" }));
         var pose = (Rg.Plane)canvas.All("Planes").Single()!;
         Assert.That(pose.Origin.DistanceTo(new Rg.Point3d(1, 2, 0.1)), Is.LessThan(1e-12));
-        Assert.That(canvas.Remarks.Single(), Does.Contain("centimeters"));
+        Assert.That(canvas.Notes.Single(), Does.Contain("centimeters"));
         Assert.That(canvas.Output("Steps").VolatileData.get_Branch(0)[1]!.ToString(), Is.EqualTo("Travel (1 points)"));
     }
 

@@ -37,7 +37,7 @@ internal static class Definitions
         ["print_on_terrain"] = PrintOnTerrain,
         ["globe_from_image"] = GlobeFromImage,
         ["user_curves"] = UserCurves,
-        ["check_and_mend"] = CheckAndMend,
+        ["check_and_repair"] = CheckAndRepair,
     };
 
     private static GH_Document TurtleStar(string name)
@@ -82,7 +82,7 @@ internal static class Definitions
     {
         var s = new Sketch(name, "A helix becomes a barrel: the radius grows with the height and shrinks again. Forms without slicing, after Kanada.");
         var helix = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 15, 5, 50, 0)), ("Height", s.Slider(0, "Height", 4, 1, 40, 1)),
-            ("Pitch", s.Slider(0, "Pitch", 0.4, 0.1, 2)), ("Strings Per Turn", s.Slider(0, "Strings", 36, 12, 144, 0)));
+            ("Pitch", s.Slider(0, "Pitch", 0.4, 0.1, 2)), ("Segments Per Turn", s.Slider(0, "Strings", 36, 12, 144, 0)));
         var round = s.Component<DeformComponent>(2, ("Print Paths", helix), ("System", s.Text(1, "System", "Cylindrical")),
             ("X", s.Text(1, "New radius", "r + 0.5 * z * (4.2 - z)")));
         return Print(s, 4, Moved(s, 3, round));
@@ -104,9 +104,9 @@ internal static class Definitions
 
     private static GH_Document GapBead(string name)
     {
-        var s = new Sketch(name, "Waves on a flat ring: each strand gets just the material that fills the gap to what is under it.");
+        var s = new Sketch(name, "Waves on a flat ring: each extrusion gets just the material that fills the gap to what is under it.");
         var ring = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 15, 5, 50, 0)), ("Height", s.Slider(0, "Height", 1.2, 1, 40, 1)),
-            ("Pitch", s.Slider(0, "Pitch", 0.3, 0.1, 2)), ("Strings Per Turn", s.Slider(0, "Strings", 48, 12, 144, 0)));
+            ("Pitch", s.Slider(0, "Pitch", 0.3, 0.1, 2)), ("Segments Per Turn", s.Slider(0, "Strings", 48, 12, 144, 0)));
         var waves = s.Component<DeformComponent>(2, ("Print Paths", ring), ("System", s.Text(1, "System", "Cylindrical")),
             ("Z", s.Text(1, "New height", "z + 0.1 * z * sin(6 * theta)")));
         var gap = s.Component<GapBeadComponent>(3, ("Print Paths", waves), ("Width", s.Slider(2, "Width", 0.5, 0.2, 2)));
@@ -117,7 +117,7 @@ internal static class Definitions
     {
         var s = new Sketch(name, "A pattern by displacement: a formula pushes the wall in and out along its length.");
         var ring = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 15, 5, 50, 0)), ("Height", s.Slider(0, "Height", 2, 1, 40, 1)),
-            ("Pitch", s.Slider(0, "Pitch", 0.25, 0.1, 2)), ("Strings Per Turn", s.Slider(0, "Strings", 72, 12, 144, 0)));
+            ("Pitch", s.Slider(0, "Pitch", 0.25, 0.1, 2)), ("Segments Per Turn", s.Slider(0, "Strings", 72, 12, 144, 0)));
         var pattern = s.Component<ModulateComponent>(2, ("Print Paths", ring), ("Expression", s.Text(1, "Pattern", "0.5 + 0.5 * sin(12 * theta)")),
             ("Mode", s.Text(1, "Mode", "Displace Left")), ("Low", s.Slider(1, "Low", 0, -2, 2)), ("High", s.Slider(1, "High", 0.8, -2, 2)));
         return Print(s, 4, Moved(s, 3, pattern));
@@ -183,7 +183,7 @@ internal static class Definitions
     private static GH_Document PlanarSlice(string name)
     {
         var s = new Sketch(name, "A model from a file, laid flat, arranged on the bed and sliced into planar layers.");
-        var (models, settings) = Model(s, "../models/bracket.stl", 0.3, "infill_percent=15");
+        var (models, settings) = Model(s, "../models/bracket.stl", 0.3, "infill_density_percent=15");
         var slices = s.Component<PlanarSlicerComponent>(4, ("Geometry", models), ("Settings", settings));
         return Print(s, 5, slices, settings);
     }
@@ -191,7 +191,7 @@ internal static class Definitions
     private static GH_Document Vase(string name)
     {
         var s = new Sketch(name, "A vase as one continuous wall that rises all the time: spiral mode is a setting of the planar slicer.");
-        var (models, settings) = Model(s, "../models/vase.stl", 0.6, "vase=true", "line_width_mm=0.8");
+        var (models, settings) = Model(s, "../models/vase.stl", 0.6, "spiral_vase=true", "line_width_mm=0.8");
         var slices = s.Component<PlanarSlicerComponent>(4, ("Geometry", models), ("Settings", settings));
         return Print(s, 5, slices, settings, "nozzle_diameter_mm=0.8");
     }
@@ -199,7 +199,7 @@ internal static class Definitions
     private static GH_Document CurvedRoof(string name)
     {
         var s = new Sketch(name, "Layers that follow the roof of the model: level on the bed, parallel to the roof from the height Blend To on.");
-        var (models, settings) = Model(s, "../models/saddle_roof.stl", 0.6, "infill_percent=10", "line_width_mm=0.8", "skirt_loops=0");
+        var (models, settings) = Model(s, "../models/saddle_roof.stl", 0.6, "infill_density_percent=10", "line_width_mm=0.8", "skirt_loops=0");
         var field = s.Component<LayerFieldComponent>(4, ("Surfaces", models), ("Blend From", s.Slider(3, "Level up to", 2, 0, 20)),
             ("Blend To", s.Slider(3, "Curved from", 18, 1, 40)));
         var slices = s.Component<CurvedSlicerComponent>(5, ("Geometry", models), ("Field", field), ("Settings", settings),
@@ -211,7 +211,7 @@ internal static class Definitions
     {
         var s = new Sketch(name, "As many layers everywhere between the bed and the roof: they are thick where the part is high, and each bead has its own "
             + "volume.");
-        var (models, settings) = Model(s, "../models/saddle_roof.stl", 0.6, "infill_percent=10", "line_width_mm=0.8", "skirt_loops=0");
+        var (models, settings) = Model(s, "../models/saddle_roof.stl", 0.6, "infill_density_percent=10", "line_width_mm=0.8", "skirt_loops=0");
         var field = s.Component<LayerFieldComponent>(4, ("Kind", s.Text(3, "Kind", "Between")), ("Surfaces", models));
         var slices = s.Component<CurvedSlicerComponent>(5, ("Geometry", models), ("Field", field), ("Settings", settings),
             ("Printer", Nozzle(s, 4, "nozzle_diameter_mm=0.8")));
@@ -232,9 +232,9 @@ internal static class Definitions
 
     private static GH_Document GlobeFromImage(string name)
     {
-        var s = new Sketch(name, "A globe: where the picture is white the strand is slower and so thinner. The sphere is a helix that is deformed.");
+        var s = new Sketch(name, "A globe: where the image is white the extrusion is slower and so thinner. The sphere is a helix that is deformed.");
         var helix = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 10, 5, 50, 0)), ("Height", s.Slider(0, "Height", 12, 1, 40, 1)),
-            ("Pitch", s.Slider(0, "Pitch", 1, 0.1, 2)), ("Strings Per Turn", s.Slider(0, "Strings", 48, 12, 144, 0)));
+            ("Pitch", s.Slider(0, "Pitch", 1, 0.1, 2)), ("Segments Per Turn", s.Slider(0, "Strings", 48, 12, 144, 0)));
         var sphere = s.Component<DeformComponent>(2, ("Print Paths", helix), ("System", s.Text(1, "System", "Cylindrical")),
             ("X", s.Text(1, "New radius", "sqrt(64 - (z - 6) ^ 2) + r - 10")));
         var image = s.Component<ModulateComponent>(3, ("Print Paths", sphere), ("Image", s.Text(2, "Image", "../turtle/world_map.pbm")),
@@ -248,11 +248,11 @@ internal static class Definitions
         var s = new Sketch(name, "Curves from a file, printed exactly as drawn and in their order, without anything that is not drawn.");
         var curves = s.Component<ReadCurvesComponent>(1, ("File", s.Text(0, "File", "../curves/calligraphy.svg")));
         var plan = s.Component<PlanToolpathComponent>(3, ("Steps", (curves, "Steps")), ("Printer", s.Text(2, "Printer", "pen_plotter")),
-            ("Policy", s.Text(2, "Policy", "As Drawn")));
+            ("Mode", s.Text(2, "Mode", "As Drawn")));
         return Write(s, 4, plan);
     }
 
-    private static GH_Document CheckAndMend(string name)
+    private static GH_Document CheckAndRepair(string name)
     {
         var s = new Sketch(name, "A file of another program is checked. Its last layer is too fast for the printer: set Speed to 1 and Check turns red. "
             + "Slowed down, it passes.");
@@ -261,9 +261,9 @@ internal static class Definitions
             + ";LAYER:1\nG1 X60 Y60 Z0.4 F6000\nG1 X100 Y60 E1.5 F90000\nG1 X100 Y100 E1.5\nM104 S0\n");
         var decode = s.Component<DecodeGCodeComponent>(1, ("G-code", code));
         var printer = s.Component<PrinterComponent>(2, ("Name", s.Text(1, "Printer", "generic")));
-        var mended = s.Component<EditToolpathComponent>(2, ("Toolpath", decode), ("First Layer", s.Slider(1, "From layer", 1, 0, 10, 0)),
+        var repaired = s.Component<EditToolpathComponent>(2, ("Toolpath", decode), ("First Layer", s.Slider(1, "From layer", 1, 0, 10, 0)),
             ("Speed Factor", s.Slider(1, "Speed", 0.02, 0.01, 2)));
-        var check = s.Component<CheckComponent>(3, ("Toolpath", mended), ("Printer", printer));
+        var check = s.Component<CheckComponent>(3, ("Toolpath", repaired), ("Printer", printer));
         return Write(s, 4, check, printer);
     }
 
@@ -283,7 +283,7 @@ internal static class Definitions
     private static PlanToolpathComponent Ring(Sketch s)
     {
         var ring = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 12, 5, 50, 0)), ("Height", s.Slider(0, "Height", 1, 1, 40, 1)),
-            ("Pitch", s.Slider(0, "Pitch", 0.25, 0.1, 2)), ("Strings Per Turn", s.Slider(0, "Strings", 36, 12, 144, 0)));
+            ("Pitch", s.Slider(0, "Pitch", 0.25, 0.1, 2)), ("Segments Per Turn", s.Slider(0, "Strings", 36, 12, 144, 0)));
         return s.Component<PlanToolpathComponent>(3, ("Steps", Moved(s, 2, ring)), ("Printer", s.Text(2, "Printer", "generic")));
     }
 

@@ -55,7 +55,7 @@ public sealed class CastTests
     {
         var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", Path).Feed("Printer", "generic");
         var archive = new GH_Archive();
-        archive.AppendObject(plan.Input("Policy"), "Param");
+        archive.AppendObject(plan.Input("Mode"), "Param");
         var read = new GH_Archive();
         read.Deserialize_Xml(archive.Serialize_Xml());
         var stored = new ChoiceParam();
@@ -64,8 +64,8 @@ public sealed class CastTests
         foreach (var extracted in new[] { stored, new ChoiceParam() })
         {
             plan.Document.AddObject(extracted, false);
-            plan.Input("Policy").RemoveAllSources();
-            plan.Input("Policy").AddSource(extracted);
+            plan.Input("Mode").RemoveAllSources();
+            plan.Input("Mode").AddSource(extracted);
             extracted.RemoveAllSources();
             var text = new Grasshopper.Kernel.Parameters.Param_String();
             text.SetPersistentData("as drawn");

@@ -171,7 +171,7 @@ public sealed class GooTests
     public void Printers_materials_and_settings_are_kept_in_definitions()
     {
         var printer = new Printer { Name = "mine", Title = "Mine", BuildVolume = new Vec3(100, 90, 80),
-            StartTemplate = new ValueList<string>("G28", "; \"quoted\" ü") };
+            StartGCode = new ValueList<string>("G28", "; \"quoted\" ü") };
         Assert.That(Stored<PrinterParam, PrinterGoo>(new PrinterParam(), printer).Value, Is.EqualTo(printer));
         var material = new Material { Name = "clay", NozzleTemperature = 0, FilamentDiameter = 50 };
         Assert.That(Stored<MaterialParam, MaterialGoo>(new MaterialParam(), material).Value, Is.EqualTo(material));

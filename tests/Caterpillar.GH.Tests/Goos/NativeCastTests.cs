@@ -136,8 +136,8 @@ public sealed class NativeCastTests
         Assert.That(mesh.GetBoundingBox(true).Max.X, Is.EqualTo(10).Within(0.5));
         Assert.That(To<Rg.Mesh>(goo).Faces.Count, Is.EqualTo(mesh.Faces.Count));
         Assert.That(Can<GH_Number>(goo), Is.False);
-        var strands = new Canvas<DeconstructToolpathComponent>().Feed("Toolpath", goo).Solve();
-        Assert.That(strands.All("Strands").Cast<Rg.Curve>().Single().GetLength(), Is.EqualTo(10).Within(1e-9));
+        var extrusions = new Canvas<DeconstructToolpathComponent>().Feed("Toolpath", goo).Solve();
+        Assert.That(extrusions.All("Extrusions").Cast<Rg.Curve>().Single().GetLength(), Is.EqualTo(10).Within(1e-9));
     }
 
     [TestCase("0.6", 0.6, 0.2)]

@@ -81,7 +81,7 @@ internal sealed class Canvas<T>
 
     public IList<string> Warnings => Component.RuntimeMessages(GH_RuntimeMessageLevel.Warning);
 
-    public IList<string> Remarks => Component.RuntimeMessages(GH_RuntimeMessageLevel.Remark);
+    public IList<string> Notes => Component.RuntimeMessages(GH_RuntimeMessageLevel.Remark);
 
     private static IGH_Goo? Wrap(object? item) => item is null ? null : Casting.Wrap(item);
 }

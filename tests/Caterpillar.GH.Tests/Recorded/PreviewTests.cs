@@ -125,7 +125,7 @@ public sealed class PreviewTests
     }
 
     [Test]
-    public void A_toolpath_is_baked_as_strands_on_layers_with_their_facts()
+    public void A_toolpath_is_baked_as_extrusions_on_layers_with_their_facts()
     {
         using var document = new InDocument();
         var path = Path().With(role: Role.OuterWall, layer: new Caterpillar.Toolpaths.Layer(3, 1, 0.2, "Vase"));
@@ -136,7 +136,7 @@ public sealed class PreviewTests
         Assert.That(items.Select(i => i.Id), Is.EqualTo(ids));
         Assert.That(ids, Has.Count.EqualTo(2));
         Assert.That(items.Select(i => document.Document.Layers.FindIndex(i.Attributes.LayerIndex).FullPath),
-            Is.EqualTo(new[] { "Caterpillar::Vase::OuterWall", "Caterpillar::Print::Strand" }));
+            Is.EqualTo(new[] { "Caterpillar::Vase::OuterWall", "Caterpillar::Print::Extrusion" }));
         var wall = items[0].Attributes;
         Assert.That(((Rg.Curve)items[0].Geometry).GetLength(), Is.EqualTo(path.Length).Within(1e-9));
         Assert.That(wall.GetUserString("caterpillar.layer"), Is.EqualTo("3"));
@@ -160,7 +160,7 @@ public sealed class PreviewTests
     }
 
     [Test]
-    public void Strands_there_and_back_are_curves_that_rhino_calls_valid()
+    public void Extrusions_there_and_back_are_curves_that_rhino_calls_valid()
     {
         var back = new PrintPath([new Vec3(0, 0, 0.2), new Vec3(10, 0, 0.2), new Vec3(0, 0, 0.2)], new Bead(0.08));
         var curve = Caterpillar.GH.Conversion.RhinoGeometry.ToCurve(back, Caterpillar.GH.Conversion.DocumentUnits.Current)!;

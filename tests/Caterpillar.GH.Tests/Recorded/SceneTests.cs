@@ -56,7 +56,7 @@ public sealed class SceneTests
         var calls = Draw(canvas.Component);
         Assert.That(calls.Select(c => c.What).Distinct(), Is.EqualTo(new[] { "colours" }));
         var meshes = calls.Select(c => (Rg.Mesh)c.Item).ToArray();
-        Assert.That(meshes.Sum(m => m.Vertices.Count), Is.EqualTo(20 * 16), "Two rings of eight for each of twenty strands.");
+        Assert.That(meshes.Sum(m => m.Vertices.Count), Is.EqualTo(20 * 16), "Two rings of eight for each of twenty extrusions.");
         Assert.That(meshes.All(m => m.VertexColors.Count == m.Vertices.Count), Is.True);
         Assert.That(canvas.Component.ClippingBox.Max.Z, Is.EqualTo(0.6).Within(1e-9));
     }
@@ -77,7 +77,7 @@ public sealed class SceneTests
     [Test]
     public void A_turtle_points_where_the_head_goes()
     {
-        var canvas = new Canvas<SimulateComponent>().Feed("Toolpath", Planned(1)).Feed("By", "Length").Feed("Position", 0.99).Solve();
+        var canvas = new Canvas<SimulateComponent>().Feed("Toolpath", Planned(1)).Feed("Position Unit", "Length").Feed("Position", 0.99).Solve();
         var head = (Rg.Line[])Draw(canvas.Component)[1].Item;
         var corners = head.Skip(head.Length - 3).Select(l => l.From).ToArray();
         var tip = canvas.One<Rg.Plane>("Plane");

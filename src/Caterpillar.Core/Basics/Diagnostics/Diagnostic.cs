@@ -6,7 +6,7 @@ namespace Caterpillar.Basics;
 public enum Severity
 {
     /// <summary>Worth knowing; the result is complete.</summary>
-    Remark,
+    Note,
 
     /// <summary>There is a result, but it needs attention.</summary>
     Warning,
@@ -42,7 +42,7 @@ public sealed record SourceLocation(
 
 /// <summary>A problem in the input, as data: what is wrong and where. Problems of one kind are reported once, with a count.</summary>
 /// <param name="Severity">How serious it is.</param>
-/// <param name="Code">Kind of the problem as <c>subject.problem</c>, for example <c>bed.outside</c> or <c>mesh.open_edges</c>.</param>
+/// <param name="Code">Kind of the problem as <c>subject.problem</c>, for example <c>bed.outside</c> or <c>mesh.naked_edges</c>.</param>
 /// <param name="Message">A sentence, with units.</param>
 /// <param name="Source">Where it was first found.</param>
 /// <param name="Count">How often it was found.</param>
@@ -58,13 +58,13 @@ public sealed record Diagnostic(Severity Severity, string Code, string Message, 
     internal Diagnostic WithSource(Func<SourceLocation?, SourceLocation?> change)
         => this with { Source = change(Source), Worst = Worst?.WithSource(change) };
 
-    /// <summary>For example <c>part.stl: warning mesh.open_edges: 12 open edges. (3 times)</c>.</summary>
+    /// <summary>For example <c>part.stl: warning mesh.naked_edges: 12 open edges. (3 times)</c>.</summary>
     public override string ToString()
     {
         var text = new StringBuilder();
         var source = Source?.ToString();
         if (!string.IsNullOrEmpty(source)) text.Append(source).Append(": ");
-        text.Append(Severity switch { Severity.Error => "error ", Severity.Warning => "warning ", _ => "remark " });
+        text.Append(Severity switch { Severity.Error => "error ", Severity.Warning => "warning ", _ => "note " });
         text.Append(Code).Append(": ").Append(Message);
         if (Count > 1) text.Append(" (").Append(NumberFormatter.Format(Count)).Append(" times").Append(WorstText()).Append(')');
         return text.ToString();

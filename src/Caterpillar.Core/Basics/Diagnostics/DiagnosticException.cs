@@ -8,7 +8,7 @@ public sealed class DiagnosticException : Exception
         : base(Text(diagnostics ?? throw new ArgumentNullException(nameof(diagnostics))))
         => Diagnostics = diagnostics;
 
-    /// <summary>All that the call had to say, warnings and remarks too.</summary>
+    /// <summary>All that the call had to say, warnings and notes too.</summary>
     public IReadOnlyList<Diagnostic> Diagnostics { get; }
 
     private static string Text(IReadOnlyList<Diagnostic> diagnostics)

@@ -20,7 +20,7 @@ public sealed class Result<T>
     /// <summary>True if a diagnostic is an error.</summary>
     public bool HasErrors => Diagnostics.Any(d => d.Severity == Severity.Error);
 
-    /// <summary>The value; for callers that treat errors in the input as exceptions. Warnings and remarks do not throw.</summary>
+    /// <summary>The value; for callers that treat errors in the input as exceptions. Warnings and notes do not throw.</summary>
     /// <exception cref="DiagnosticException">There is no value, or an error says that it must not be used.</exception>
     public T OrThrow() => Value is { } value && !HasErrors ? value : throw new DiagnosticException(Diagnostics);
 }

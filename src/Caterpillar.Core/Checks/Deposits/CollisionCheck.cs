@@ -42,10 +42,10 @@ internal sealed class CollisionCheck
         _clips = Stand(printer.Clips);
     }
 
-    /// <summary>Checks a straight move that prints a strand of some height in mm, or of 0 where it prints none.</summary>
+    /// <summary>Checks a straight move that prints an extrusion of some height in mm, or of 0 where it prints none.</summary>
     public void Check(in CheckedMove move, double height)
     {
-        // A strand may be printed into another by half its height.
+        // An extrusion may be printed into another by half its height.
         var tolerance = Math.Max(Flush, height / 2);
         // One finding for a move, also for the chords of an arc.
         if (move.Index == _hit || IsAbove(move, tolerance)) return;
@@ -74,8 +74,8 @@ internal sealed class CollisionCheck
 
     private bool Meets(Deposit deposit, in CheckedMove move, double tolerance)
     {
-        var contact = deposit.Meets(move.Start, move.End, tolerance, _printed.Head, _digs is not null, out var strand);
-        return Nozzle(contact, deposit, move, move.Start, move.End, tolerance, strand)
+        var contact = deposit.Meets(move.Start, move.End, tolerance, _printed.Head, _digs is not null, out var extrusion);
+        return Nozzle(contact, deposit, move, move.Start, move.End, tolerance, extrusion)
             | Boxes(deposit, deposit.Highest, move, move.Start, move.End, tolerance);
     }
 
@@ -86,8 +86,8 @@ internal sealed class CollisionCheck
         {
             var at = Vec3.Lerp(move.Start, move.End, piece * _printed.FreshPiece / move.Length);
             var count = _printed.Advance(piece * _printed.FreshPiece);
-            var contact = _printed.MeetsLast(count, at, move.End, tolerance, _digs is not null, out var strand);
-            if (Nozzle(contact, _printed.Deposit, move, at, move.End, tolerance, strand)
+            var contact = _printed.MeetsLast(count, at, move.End, tolerance, _digs is not null, out var extrusion);
+            if (Nozzle(contact, _printed.Deposit, move, at, move.End, tolerance, extrusion)
                 | Boxes(_printed.Deposit, _printed.TopOfLast(count), move, at, move.End, tolerance))
             {
                 return true;
@@ -96,11 +96,11 @@ internal sealed class CollisionCheck
         return false;
     }
 
-    private bool Nozzle(HeadContact contact, Deposit deposit, in CheckedMove move, Vec3 a, Vec3 b, double tolerance, int strand)
+    private bool Nozzle(HeadContact contact, Deposit deposit, in CheckedMove move, Vec3 a, Vec3 b, double tolerance, int extrusion)
     {
         if (contact == HeadContact.Digs) _digs = (a, b);
         if (contact != HeadContact.Hits) return false;
-        Report(move.Kind == MoveKind.Print ? CheckCodes.NozzleHits : CheckCodes.TravelHits, deposit, move, a, b, tolerance, strand);
+        Report(move.Kind == MoveKind.Print ? CheckCodes.NozzleHits : CheckCodes.TravelHits, deposit, move, a, b, tolerance, extrusion);
         return true;
     }
 
@@ -130,11 +130,11 @@ internal sealed class CollisionCheck
         return true;
     }
 
-    private void Report(string code, Deposit deposit, in CheckedMove move, Vec3 a, Vec3 b, double tolerance, int strand)
+    private void Report(string code, Deposit deposit, in CheckedMove move, Vec3 a, Vec3 b, double tolerance, int extrusion)
         => _findings.AddNaming(code, move.Index, () =>
         {
             var at = FirstMeeting(deposit, a, b, tolerance);
-            return () => $"The nozzle goes through {What(deposit, strand)}, at {at}.";
+            return () => $"The nozzle goes through {What(deposit, extrusion)}, at {at}.";
         });
 
     private void Digs(in CheckedMove move, Vec3 a, Vec3 b, double tolerance)
@@ -149,10 +149,10 @@ internal sealed class CollisionCheck
             + $"while the nozzle goes from {a} to {end}.");
     }
 
-    private string What(Deposit deposit, int strand)
-        => ReferenceEquals(deposit, _printed.Deposit) ? "what was printed before" + By(strand) : "the object that is printed on";
+    private string What(Deposit deposit, int extrusion)
+        => ReferenceEquals(deposit, _printed.Deposit) ? "what was printed before" + By(extrusion) : "the object that is printed on";
 
-    private string By(int strand) => strand >= 0 && _findings.PlaceOf(strand) is { } place ? $" ({place with { Origin = null, Step = null }})" : "";
+    private string By(int extrusion) => extrusion >= 0 && _findings.PlaceOf(extrusion) is { } place ? $" ({place with { Origin = null, Step = null }})" : "";
 
     private Vec3 FirstMeeting(Deposit deposit, Vec3 a, Vec3 b, double tolerance)
     {
@@ -165,17 +165,17 @@ internal sealed class CollisionCheck
         return new Vec3(Math.Round(a.X, 2), Math.Round(a.Y, 2), Math.Round(a.Z, 2));
     }
 
-    // Boxes as strands side by side, of their height.
+    // Boxes as extrusions side by side, of their height.
     private Deposit Stand(ValueList<Bounds> clips)
     {
         var deposit = new Deposit(_printed.Deposit.Cell, Everywhere);
         for (var i = 0; i < clips.Count; i++)
         {
             var (min, max) = (clips[i].Min, clips[i].Max);
-            var strands = Math.Max((int)Math.Ceiling(clips[i].Size.Y / ClipLine), 1);
-            var half = clips[i].Size.Y / strands / 2;
+            var extrusions = Math.Max((int)Math.Ceiling(clips[i].Size.Y / ClipLine), 1);
+            var half = clips[i].Size.Y / extrusions / 2;
             var inset = Math.Min(half, clips[i].Size.X / 2);
-            for (var k = 0; k < strands; k++)
+            for (var k = 0; k < extrusions; k++)
             {
                 var y = min.Y + (2 * k + 1) * half;
                 deposit.Add(new Vec3(min.X + inset, y, max.Z), new Vec3(max.X - inset, y, max.Z), half, i);

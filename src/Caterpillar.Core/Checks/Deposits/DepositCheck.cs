@@ -10,19 +10,19 @@ internal sealed class DepositCheck : IMoveCheck
     private const double ArcTolerance = 0.02;
     private const double Farthest = 1e6;
     private readonly PrintedSoFar _printed;
-    private readonly StrandCheck _strands;
+    private readonly ExtrusionCheck _extrusions;
     private readonly CollisionCheck? _collisions;
 
     public DepositCheck(PrintSetup setup, Findings findings)
     {
         _printed = new PrintedSoFar(setup, PrintedSoFar.ObjectOf(setup));
-        _strands = new StrandCheck(setup, _printed, findings);
+        _extrusions = new ExtrusionCheck(setup, _printed, findings);
         if (findings.LooksFor(CollisionCheck.Codes)) _collisions = new CollisionCheck(setup.Printer, _printed, findings);
     }
 
     public IReadOnlyList<string> Codes => AllCodes;
 
-    public static IReadOnlyList<string> AllCodes { get; } = [.. StrandCheck.Codes, .. CollisionCheck.Codes];
+    public static IReadOnlyList<string> AllCodes { get; } = [.. ExtrusionCheck.Codes, .. CollisionCheck.Codes];
 
     public void Event(MoveEvent what)
     {
@@ -48,7 +48,7 @@ internal sealed class DepositCheck : IMoveCheck
         }
     }
 
-    public void End(Toolpath toolpath) => _strands.End();
+    public void End(Toolpath toolpath) => _extrusions.End();
 
     // What is a kilometer away is outside every machine; numbers of any size must not stop the checks.
     private static bool IsFar(Vec3 p) => !(System.Math.Abs(p.X) < Farthest && System.Math.Abs(p.Y) < Farthest && System.Math.Abs(p.Z) < Farthest);
@@ -57,18 +57,18 @@ internal sealed class DepositCheck : IMoveCheck
     {
         if (!move.StartKnown || IsFar(move.Start) || IsFar(move.End))
         {
-            _strands.Break();
+            _extrusions.Break();
             return;
         }
         _printed.Advance(0);
         if (!(move.Length > 0))
         {
-            if (move.Kind == MoveKind.Prime) _strands.Blob(move);
+            if (move.Kind == MoveKind.Prime) _extrusions.Blob(move);
             return;
         }
         (double Nominal, double Filled) height = default;
-        if (move.Kind == MoveKind.Print && move.Deposited > 0) height = _strands.Strand(move);
-        else _strands.Break();
+        if (move.Kind == MoveKind.Print && move.Deposited > 0) height = _extrusions.Extrusion(move);
+        else _extrusions.Break();
         _collisions?.Check(move, height.Nominal);
         _printed.Add(move, height.Filled);
     }

@@ -5,11 +5,11 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Checks;
 
 /// <summary>
-/// What is printed, without the fresh end of the strand that the nozzle is just leaving: it touches that always. Strands are numbered by their moves.
+/// What is printed, without the fresh end of the extrusion that the nozzle is just leaving: it touches that always. Extrusions are numbered by their moves.
 /// </summary>
 internal sealed class PrintedSoFar
 {
-    /// <summary>Widest strand, in nozzles.</summary>
+    /// <summary>Widest extrusion, in nozzles.</summary>
     public const double Widest = 12;
 
     // Only what is about as high as the tip is asked for exactly.
@@ -22,7 +22,7 @@ internal sealed class PrintedSoFar
     private int _oldest, _newest;
     private double _distance;
 
-    /// <param name="setup">The head and the shape of strands.</param>
+    /// <param name="setup">The head and the shape of extrusions.</param>
     /// <param name="on">What is printed on besides the bed.</param>
     public PrintedSoFar(PrintSetup setup, ObjectTop? on)
     {
@@ -45,10 +45,10 @@ internal sealed class PrintedSoFar
 
     public HeadShape Head { get; }
 
-    /// <summary>Length of motion after which a strand is no longer fresh, mm.</summary>
+    /// <summary>Length of motion after which an extrusion is no longer fresh, mm.</summary>
     public double Lag { get; }
 
-    /// <summary>In so many pieces a strand stops to be fresh.</summary>
+    /// <summary>In so many pieces an extrusion stops to be fresh.</summary>
     public const int FreshPieces = 2;
 
     /// <summary>Length of such a piece, mm.</summary>
@@ -60,7 +60,7 @@ internal sealed class PrintedSoFar
     /// <summary>The object printed on by a setup; null for none.</summary>
     public static ObjectTop? ObjectOf(PrintSetup setup) => setup.PrintedOn is { } mesh ? new ObjectTop(mesh, CellOf(setup.Printer)) : null;
 
-    /// <summary>Height of the object or of the bed below a point of a path, mm. Strands may be pressed into it a little.</summary>
+    /// <summary>Height of the object or of the bed below a point of a path, mm. Extrusions may be pressed into it a little.</summary>
     public double FloorUnder(Vec3 p) => Object is null ? 0 : Math.Max(0, Math.Min(p.Z, Object.Under(p.X, p.Y, p.Z + CollisionCheck.Flush)));
 
     /// <summary>The motion goes on from here.</summary>
@@ -72,12 +72,12 @@ internal sealed class PrintedSoFar
         var fresh = _distance + ahead - Lag + 1e-9;
         while (_oldest < _newest && _fresh[_oldest].Distance <= fresh)
         {
-            ref var strand = ref _fresh[_oldest++];
-            var to = strand.To;
-            // Pieces of a line are one strand, also where they stop to be fresh one after the other.
+            ref var extrusion = ref _fresh[_oldest++];
+            var to = extrusion.To;
+            // Pieces of a line are one extrusion, also where they stop to be fresh one after the other.
             while (_oldest < _newest && _fresh[_oldest].GoesOn && _fresh[_oldest].Distance <= fresh) to = _fresh[_oldest++].To;
-            if (strand.GoesOn) Deposit.GoOn(strand.From, to, strand.Half, strand.Move);
-            else Deposit.Add(strand.From, to, strand.Half, strand.Move);
+            if (extrusion.GoesOn) Deposit.GoOn(extrusion.From, to, extrusion.Half, extrusion.Move);
+            else Deposit.Add(extrusion.From, to, extrusion.Half, extrusion.Move);
         }
         return _oldest - first;
     }
@@ -102,11 +102,11 @@ internal sealed class PrintedSoFar
         for (var i = _oldest - count; i < _oldest; i++)
         {
             ref var piece = ref _fresh[i];
-            var strand = new Strand
+            var extrusion = new Extrusion
             {
                 Ax = piece.From.X, Ay = piece.From.Y, Az = piece.From.Z, Bx = piece.To.X, By = piece.To.Y, Bz = piece.To.Z, Half = piece.Half,
             };
-            if (!query.Meets(strand)) continue;
+            if (!query.Meets(extrusion)) continue;
             move = piece.Move;
             return HeadContact.Hits;
         }
@@ -115,7 +115,7 @@ internal sealed class PrintedSoFar
 
     /// <summary>A straight move has been made.</summary>
     /// <param name="move">The move.</param>
-    /// <param name="height">Height of its strand, mm; 0 if unknown.</param>
+    /// <param name="height">Height of its extrusion, mm; 0 if unknown.</param>
     public void Add(in CheckedMove move, double height)
     {
         _distance += move.Length;
@@ -154,6 +154,6 @@ internal sealed class PrintedSoFar
         foreach (var point in printer.HeadOutline) yield return (point.Radius, point.Height);
     }
 
-    // A piece of a strand, and the length of motion at its end.
+    // A piece of an extrusion, and the length of motion at its end.
     private readonly record struct Fresh(Vec3 From, Vec3 To, double Half, int Move, double Distance, bool GoesOn);
 }

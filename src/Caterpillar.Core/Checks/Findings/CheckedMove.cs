@@ -24,7 +24,7 @@ internal struct CheckedMove
     public double Length;
     public Arc? Arc;
 
-    /// <summary>Material that becomes a strand, and what the extruder pushes (negative: pulls); NaN if unknown.</summary>
+    /// <summary>Material that becomes an extrusion, and what the extruder pushes (negative: pulls); NaN if unknown.</summary>
     public double Deposited;
 
     /// <inheritdoc cref="Deposited"/>

@@ -11,7 +11,7 @@ internal sealed class AxisShares(Printer printer)
     // What rounding in a file may change: coordinates in mm, E in its unit.
     private readonly double _roundedXyz = Math.Pow(10, -printer.DecimalsXyz);
     private readonly double _roundedE = Math.Pow(10, -printer.DecimalsE);
-    private readonly bool _isHead = printer.CornerRule == CornerRule.SquareCornerVelocity;
+    private readonly bool _isHead = printer.Cornering == Cornering.SquareCornerVelocity;
 
     /// <summary>mm/s; an arc is taken by its chord in Z and by the slower of X and Y.</summary>
     /// <param name="move">The move; one in place is one of the extruder alone.</param>

@@ -5,7 +5,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
-/// <summary>Gaps in continuous paths: a short travel between two strands that go on in the same direction.</summary>
+/// <summary>Gaps in continuous paths: a short travel between two extrusions that go on in the same direction.</summary>
 internal sealed class GapCheck(Findings findings) : IMoveCheck
 {
     /// <summary>Longest gap, mm; longer ones are meant.</summary>
@@ -53,7 +53,7 @@ internal sealed class GapCheck(Findings findings) : IMoveCheck
     private void Report(in CheckedMove move)
     {
         var (from, gap) = (_gapStart, _gapStart.DistanceTo(move.Start));
-        findings.Add(CheckCodes.Gap, move.Index, () => $"A straight line of strands has a gap of {NumberFormatter.Format(gap, 2)} mm at {from}.");
+        findings.Add(CheckCodes.Gap, move.Index, () => $"A straight line of extrusions has a gap of {NumberFormatter.Format(gap, 2)} mm at {from}.");
     }
 
     private static bool Continues(Vec3 a, Vec3 b) => Vec3.Dot(a, b) >= Straight * a.Length * b.Length;

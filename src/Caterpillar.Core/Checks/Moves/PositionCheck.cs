@@ -5,7 +5,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
-/// <summary>Moves outside the space that the nozzle can reach or below the bed, and strands on excluded areas.</summary>
+/// <summary>Moves outside the space that the nozzle can reach or below the bed, and extrusions on excluded areas.</summary>
 internal sealed class PositionCheck(Printer printer, Findings findings) : IMoveCheck
 {
     // mm; what is written has three decimals.
@@ -48,7 +48,7 @@ internal sealed class PositionCheck(Printer printer, Findings findings) : IMoveC
     }
 
     private void Report(int move, Vec3 end, Bounds area)
-        => findings.Add(CheckCodes.PrintArea, move, () => $"A strand to {end} lies on an excluded area of {printer.Title}: {area}.");
+        => findings.Add(CheckCodes.PrintArea, move, () => $"An extrusion to {end} lies on an excluded area of {printer.Title}: {area}.");
 
     private bool ReachesAlong(Arc arc, Vec3 start, Vec3 end)
     {

@@ -56,7 +56,7 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
         if (!move.StartKnown) return;
         var filament = move.E * _filamentPerE[Math.Min(Math.Max(move.Tool, 0), _filamentPerE.Length - 1)];
         var most = _shares.MaxSpeed(move, filament, _limits);
-        // Travels are slowed down without harm; a strand printed more slowly is not the one that was asked for.
+        // Travels are slowed down without harm; an extrusion printed more slowly is not the one that was asked for.
         if (move.Speed > most + _roundedF) ReportSpeed(move, most, move.Length > 0 ? "there at" : "at", " and will slow down");
         else if (_raised && _shares.MaxSpeed(move, filament, _own) is var own && move.Speed > own + _roundedF)
             ReportSpeed(move, own, "for", ", a limit that the file has raised");
@@ -83,9 +83,9 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
     // Of the limits for corners only those of the firmware's own rule.
     private bool Counts(MotionLimit limit) => limit switch
     {
-        >= MotionLimit.JerkX and <= MotionLimit.JerkE => _printer.CornerRule == CornerRule.Jerk,
-        MotionLimit.JunctionDeviation => _printer.CornerRule == CornerRule.JunctionDeviation,
-        MotionLimit.SquareCornerVelocity or MotionLimit.Speed => _printer.CornerRule == CornerRule.SquareCornerVelocity,
+        >= MotionLimit.JerkX and <= MotionLimit.JerkE => _printer.Cornering == Cornering.Jerk,
+        MotionLimit.JunctionDeviation => _printer.Cornering == Cornering.JunctionDeviation,
+        MotionLimit.SquareCornerVelocity or MotionLimit.Speed => _printer.Cornering == Cornering.SquareCornerVelocity,
         MotionLimit.MinimumCruiseRatio => false,
         _ => true,
     };

@@ -18,7 +18,7 @@ internal sealed class StationaryCheck(Printer printer, Findings findings) : IMov
 
     public void Move(in CheckedMove move)
     {
-        if (!move.StartKnown ? move.Kind is not (MoveKind.Retract or MoveKind.Restore or MoveKind.Prime) : move.Start != move.End || move.Arc is not null)
+        if (!move.StartKnown ? move.Kind is not (MoveKind.Retract or MoveKind.Deretract or MoveKind.Prime) : move.Start != move.End || move.Arc is not null)
         {
             _pushed = 0;
             return;

@@ -16,7 +16,7 @@ internal static class EditCheck
     public static IReadOnlyList<Diagnostic> Run(
         DecodedGCode decoding, Toolpath edited, GCodeDocument document, PrintSetup setup, IProgress<double>? progress, CancellationToken cancel)
     {
-        var options = new DecodeOptions { Dialect = decoding.Dialect, Rule = decoding.Rule, FilamentDiameter = setup.Material.FilamentDiameter };
+        var options = new DecodeOptions { Flavor = decoding.Flavor, Rule = decoding.Rule, FilamentDiameter = setup.Material.FilamentDiameter };
         var file = GCodeDecoder.Decode(document, options, null, cancel).OrThrow();
         var read = PrintCheck.WithVolumes(file.Toolpath, setup);
         var findings = new Findings(setup.Printer, read);

@@ -113,7 +113,7 @@ internal sealed class PlanComparison
             var (first, last) = _lines.OfMove(move);
             if (source[next] < first || source[next] != last || source[next + 1] <= last || tool[i] != _tool) break;
             var change = e[next];
-            if (change == 0 && kind[next] is MoveKind.Retract or MoveKind.Restore) break;
+            if (change == 0 && kind[next] is MoveKind.Retract or MoveKind.Deretract) break;
             var strayed = drift + (change - planE[i]);
             if (!(Math.Abs(x[next] - planX[i]) <= allowed && Math.Abs(y[next] - planY[i]) <= allowed && Math.Abs(z[next] - planZ[i]) <= allowed
                 && Math.Abs(strayed) <= allowedE)) break;
@@ -139,7 +139,7 @@ internal sealed class PlanComparison
             if (read.Source[next] > last) return true;
             var end = new Vec3(read.X[next], read.Y[next], read.Z[next]);
             _e += read.E[next];
-            _retracts |= read.E[next] == 0 && read.Kind[next] is MoveKind.Retract or MoveKind.Restore;
+            _retracts |= read.E[next] == 0 && read.Kind[next] is MoveKind.Retract or MoveKind.Deretract;
             if (turns) _length += read.TryGetArc(next, out var arc) ? arc.Length(_head, end) : _head.DistanceTo(end);
             _head = end;
             _known = true;

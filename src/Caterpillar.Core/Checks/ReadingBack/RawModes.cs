@@ -1,5 +1,5 @@
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -28,12 +28,13 @@ internal static class RawModes
             if (state with { IsVolume = usual.IsVolume, Flow = usual.Flow } != usual)
                 findings.Add(CheckCodes.FileModes, () => placeOfEvent(at), () => $"A raw line switches to {state.Word(usual)}. Modes end with it: give what "
                     + "needs them, and what ends them, in the same raw text.");
-            if (format.Dialect.Volumetric && state.IsVolume != usual.IsVolume)
+            if (format.Flavor.Volumetric && state.IsVolume != usual.IsVolume)
                 findings.Add(CheckCodes.FileExtrusion, () => placeOfEvent(at),
-                    () => $"A raw line switches to E in {(state.IsVolume ? "mm³" : "mm of filament")} (M200): the strands after it are planned in the other.");
-            if (format.Dialect.FlowFactor != FlowFactorRule.Ignored && state.Flow != usual.Flow)
+                    () => $"A raw line switches to E in {(state.IsVolume ? "mm³" : "mm of filament")} (M200): the extrusions after it are planned in the "
+                        + "other.");
+            if (format.Flavor.FlowFactor != FlowFactorRule.Ignored && state.Flow != usual.Flow)
                 findings.Add(CheckCodes.FileExtrusion, () => placeOfEvent(at), () => $"A raw line sets the flow to {NumberFormatter.Format(state.Flow, 1)} % "
-                    + "(M221): all strands after it have as much of what is planned. The flow of a design is flow_multiplier.");
+                    + "(M221): all extrusions after it have as much of what is planned. The flow of a design is flow_ratio.");
         }
     }
 

@@ -121,7 +121,7 @@ internal sealed class ReadBack : IDisposable
     {
         var options = new DecodeOptions
         {
-            Dialect = _setup.Printer.Dialect, FilamentDiameter = _setup.Material.FilamentDiameter, Take = Take,
+            Flavor = _setup.Printer.Flavor, FilamentDiameter = _setup.Material.FilamentDiameter, Take = Take,
             // Another one writes.
             Threads = Math.Max(Environment.ProcessorCount - 1, 1),
         };

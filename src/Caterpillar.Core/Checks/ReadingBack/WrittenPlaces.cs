@@ -34,7 +34,7 @@ internal sealed class WrittenPlaces(Toolpath plan, Func<int, int?> lineOf, Writt
     {
         if (lines.MoveAt(line) is >= 0 and var move) return OfMove(plan, lines, move, line);
         if (lines.EventAt(line) is >= 0 and var index) return OfEvent(index) with { Line = lines.InFile(line) };
-        var key = lines.IsStart(line) ? "start_template" : lines.IsEnd(line) ? "end_template" : "layer_template";
+        var key = lines.IsStart(line) ? "start_gcode" : lines.IsEnd(line) ? "end_gcode" : "layer_change_gcode";
         return new SourceLocation(Line: lines.InFile(line), Origin: new SourceLocation(printer.Name, Key: key));
     }
 }

@@ -21,7 +21,7 @@ internal sealed record CheckScope(double NozzleTemperature, bool IsWholeFile = f
 
     /// <summary>A file that is written with the templates of a printer; without start code that is elsewhere.</summary>
     public static CheckScope OfWritten(DecodedGCode file, PrintSetup setup)
-        => (setup.Printer.StartTemplate.Count > 0 ? OfFile(file, setup) : new CheckScope(setup.Material.NozzleTemperature)) with { IsPlanned = true };
+        => (setup.Printer.StartGCode.Count > 0 ? OfFile(file, setup) : new CheckScope(setup.Material.NozzleTemperature)) with { IsPlanned = true };
 
     /// <summary>True if a toolpath sets the temperature of a nozzle.</summary>
     public static bool HeatsItself(Toolpath toolpath)
@@ -35,7 +35,7 @@ internal sealed record CheckScope(double NozzleTemperature, bool IsWholeFile = f
 
     // Ultimakers home, heat and prime before the file begins.
     private static bool BeginsReady(DecodedGCode file)
-        => file.Dialect.Name == "ultigcode" || file.Evidence.Any(e => e.EndsWith(";FLAVOR:Griffin", StringComparison.Ordinal));
+        => file.Flavor.Name == "ultigcode" || file.Evidence.Any(e => e.EndsWith(";FLAVOR:Griffin", StringComparison.Ordinal));
 
     private static bool IsMacro(string command) => command.Length > 5 && command.All(c => char.IsLetter(c) || c == '_' || char.IsDigit(c));
 }

@@ -12,7 +12,7 @@ internal sealed class FileCheck(Toolpath toolpath, Printer printer, CheckScope s
     private const double MostWipes = 0.25;
     private const double MostThick = 0.5;
 
-    // Area of a strand in squares of the nozzle that no nozzle prints.
+    // Area of an extrusion in squares of the nozzle that no nozzle prints.
     private const double ThickArea = 16;
     private bool _homes;
     private bool _reported;
@@ -60,7 +60,8 @@ internal sealed class FileCheck(Toolpath toolpath, Printer printer, CheckScope s
                 () => $"{Percent(_wipes, _moving)} of the moves with E pull it back: E looks relative and is read as "
                 + "absolute.");
         else if (_prints >= Enough && _thick > _prints * MostThick)
-            findings.Add(CheckCodes.ExtrusionMode, _firstThick, () => $"{Percent(_thick, _prints)} of the strands are thicker than any nozzle prints: E looks "
+            findings.Add(CheckCodes.ExtrusionMode, _firstThick, ()
+                => $"{Percent(_thick, _prints)} of the extrusions are thicker than any nozzle prints: E looks "
                 + "absolute and is read as relative, or in another unit.");
     }
 

@@ -1,4 +1,4 @@
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Machines;
 using Caterpillar.Simulation;
 using Caterpillar.Toolpaths;
@@ -6,7 +6,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Checks;
 
 /// <summary>Times a print and tells the machine's display of its progress. Start and end code are not timed.</summary>
-internal static class ProgressLines
+internal static class ProgressCommands
 {
     /// <summary>
     /// The toolpath with a <see cref="ProgressEvent"/> wherever the percent or the minutes left change, and the seconds that it takes; unchanged and null
@@ -18,12 +18,12 @@ internal static class ProgressLines
     /// <param name="cancel">Cancels.</param>
     public static (Toolpath Toolpath, double? Seconds) Add(Toolpath toolpath, PrintSetup setup, MotionPlanner? begun, CancellationToken cancel)
     {
-        if (!setup.Printer.ProgressLines) return (toolpath, null);
+        if (!setup.Printer.ProgressCommands) return (toolpath, null);
         var planner = begun ?? new MotionPlanner(toolpath, setup, timesOnly: true);
         planner.Take(toolpath, null, cancel);
         var motion = planner.End().Motion;
         if (!(motion.TotalTime > 0)) return (toolpath, null);
-        return (setup.Printer.Dialect.Progress == ProgressCommand.None ? toolpath : toolpath.WithEvents(Events(toolpath, motion)), motion.TotalTime);
+        return (setup.Printer.Flavor.Progress == ProgressCommand.None ? toolpath : toolpath.WithEvents(Events(toolpath, motion)), motion.TotalTime);
     }
 
     private static List<MoveEvent> Events(Toolpath toolpath, MotionColumns motion)

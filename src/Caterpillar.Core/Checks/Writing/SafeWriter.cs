@@ -68,7 +68,7 @@ public static class SafeWriter
         }
         var format = SetupFormat.Of(setup, toolpath);
         if (format.Value is null) return new Result<WrittenGCode>(null, new WriteGuard([], reason).Refusal(format.Diagnostics));
-        var (timed, seconds) = ProgressLines.Add(toolpath, setup, begun.Timing, cancel);
+        var (timed, seconds) = ProgressCommands.Add(toolpath, setup, begun.Timing, cancel);
         var plain = format.Value with { PrintTime = seconds };
         // With a reason what was found stands at the top of the file: it is written again, where something was.
         var isOverridden = WriteGuard.IsReason(reason);
@@ -87,7 +87,7 @@ public static class SafeWriter
             writer.WriteAll(stream, direct ? null : progress.Part(0.7, 1), cancel);
             (lines, bytes) = (writer.Lines, writer.Bytes);
         }
-        return new Result<WrittenGCode>(new WrittenGCode(bytes, lines, guard.Overridden, seconds), guard.Remarks(format.Diagnostics));
+        return new Result<WrittenGCode>(new WrittenGCode(bytes, lines, guard.Overridden, seconds), guard.Notes(format.Diagnostics));
     }
 
     private static (IReadOnlyList<Diagnostic>? Findings, long Lines, long Bytes) WriteAndCheck(
@@ -140,7 +140,7 @@ public static class SafeWriter
         {
             var replaced = GCodeEditor.ToDocument(decoding, edited, code, null, cancel);
             if (replaced.Value is null) return (replaced, null);
-            var options = new DecodeOptions { Dialect = decoding.Dialect, Rule = decoding.Rule, FilamentDiameter = setup.Material.FilamentDiameter };
+            var options = new DecodeOptions { Flavor = decoding.Flavor, Rule = decoding.Rule, FilamentDiameter = setup.Material.FilamentDiameter };
             decoding = GCodeDecoder.Decode(replaced.Value, options, null, cancel).Value!;
             edited = decoding.Toolpath;
         }
@@ -155,7 +155,7 @@ public static class SafeWriter
             written = GCodeEditor.ToDocument(decoding, edited, progress.Part(0.8, 1), cancel);
         }
         progress?.Report(1);
-        return (new Result<GCodeDocument>(written.Value, guard.Remarks(written.Diagnostics)), guard);
+        return (new Result<GCodeDocument>(written.Value, guard.Notes(written.Diagnostics)), guard);
     }
 
     /// <summary>Checks the text of a file as it stands, edited or converted before. Messages name its lines.</summary>
@@ -172,6 +172,6 @@ public static class SafeWriter
             var edited = guard.Comments().Aggregate(file.Toolpath, (toolpath, comment) => toolpath.Insert(0, new CommentEvent(comment)));
             commented = GCodeEditor.ToDocument(file, edited, null, cancel);
         }
-        return (new Result<GCodeDocument>(commented.Value, guard.Remarks(commented.Diagnostics)), guard);
+        return (new Result<GCodeDocument>(commented.Value, guard.Notes(commented.Diagnostics)), guard);
     }
 }

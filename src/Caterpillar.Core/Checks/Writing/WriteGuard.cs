@@ -36,7 +36,7 @@ internal sealed class WriteGuard
     }
 
     /// <summary>What to say where it is written, with what else was noticed: overridden errors are warnings.</summary>
-    public IReadOnlyList<Diagnostic> Remarks(IReadOnlyList<Diagnostic> others)
+    public IReadOnlyList<Diagnostic> Notes(IReadOnlyList<Diagnostic> others)
     {
         var list = new DiagnosticList();
         list.AddRange(_findings.Select(d => Shifted(d.Severity == Severity.Error ? d with { Severity = Severity.Warning } : d)));

@@ -23,7 +23,7 @@ internal sealed class GapLimits(LayerField field, PartColumns part, PrintSetting
                 var top = i == parts ? layer.Top : layer.Top - layer.Thickness * (parts - i) / parts;
                 var thickness = parts == 1 ? layer.Thickness : layer.Thickness / parts;
                 var cut = parts == 1 ? layer.Cut
-                    : settings.LayerCut == LayerCut.Middle ? top - thickness / 2 : top - thickness + Math.Min(0.01, thickness / 10);
+                    : settings.SlicingPlane == SlicingPlane.Middle ? top - thickness / 2 : top - thickness + Math.Min(0.01, thickness / 10);
                 result.Add(new PlannedLayer(top, thickness, cut));
             }
         }

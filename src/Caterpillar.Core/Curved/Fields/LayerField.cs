@@ -44,7 +44,7 @@ public abstract class LayerField
     /// <summary>The point of the part for a point among flat layers; not finite if there is none.</summary>
     public virtual Vec3 ToPart(Vec3 flat) => flat.WithZ(Height(flat.X, flat.Y, flat.Z));
 
-    /// <summary>A point among flat layers in the part, with what a strand of a thickness in mm has below it.</summary>
+    /// <summary>A point among flat layers in the part, with what an extrusion of a thickness in mm has below it.</summary>
     internal virtual LiftedPoint Lift(Vec3 flat, double thickness)
     {
         var (top, bottom) = Heights(flat.X, flat.Y, flat.Z, flat.Z - thickness);

@@ -19,8 +19,8 @@ internal sealed class LayerNeighbors
     }
 
     /// <summary>
-    /// How many layers a strand prints at once, itself the uppermost; 0 where a layer above prints this one with its own. Layers are grouped by powers of two,
-    /// so that groups of different places end together; a group also ends below the surface of the part.
+    /// How many layers an extrusion prints at once, itself the uppermost; 0 where a layer above prints this one with its own. Layers are grouped by powers of
+    /// two, so that groups of different places end together; a group also ends below the surface of the part.
     /// </summary>
     public int LayersFor(Layer layer, Vec3 flat, int wanted)
     {

@@ -27,7 +27,7 @@ internal static class LiftFindings
         }
         if (report.Thin.Length > 0)
         {
-            problems.Add(Severity.Remark, "curved.merged_layers",
+            problems.Add(Severity.Note, "curved.merged_layers",
                 $"Where layers are thinner than {Text(rules.MinGap, 3)} mm several are printed at once, for example at {report.Thin.Place}.");
         }
     }

@@ -11,7 +11,7 @@ namespace Caterpillar.Curved;
 internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbors? neighbors)
 {
     private const int MaxDepth = 12;
-    private readonly JoinedStrand _strand = new(rules.Tolerance / 2, rules.GapShare);
+    private readonly JoinedExtrusion _extrusion = new(rules.Tolerance / 2, rules.GapShare);
     private readonly List<PathStep> _pieces = [];
     private Layer? _layer;
     private Vec3 _segmentStart;
@@ -24,7 +24,7 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
     {
         var path = step.Path;
         _pieces.Clear();
-        _strand.Clear();
+        _extrusion.Clear();
         _layer = path.Layer;
         for (var i = 0; i < path.SegmentCount; i++)
         {
@@ -45,10 +45,10 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
                 a = b;
             }
         }
-        if (_pieces.Count == 0 && path.IsClosed && _strand.Points.Count > 3)
+        if (_pieces.Count == 0 && path.IsClosed && _extrusion.Points.Count > 3)
         {
-            _strand.Points.RemoveAt(_strand.Points.Count - 1);
-            _pieces.Add(step.With(path.WithGeometry(_strand.Points, _strand.Beads, closed: true)));
+            _extrusion.Points.RemoveAt(_extrusion.Points.Count - 1);
+            _pieces.Add(step.With(path.WithGeometry(_extrusion.Points, _extrusion.Beads, closed: true)));
         }
         else
         {
@@ -60,13 +60,13 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
 
     private Sample At(Vec3 flat, double thickness)
     {
-        // Strands of unknown height keep their volume.
+        // Extrusions of unknown height keep their volume.
         var lifted = field.Lift(flat, thickness > 0 ? thickness : 1);
         var gap = lifted.Gap;
         if (rules.Onto is not null)
         {
             var clear = lifted.Part.Z - rules.Onto.Height(lifted.Part.X, lifted.Part.Y);
-            // Where the part begins here, the first strand fills what is open below it.
+            // Where the part begins here, the first extrusion fills what is open below it.
             if (clear < gap || (clear <= rules.MaxFill && _layer is not null && neighbors?.IsLowest(_layer, flat) == true)) gap = clear;
         }
         return new Sample(flat, lifted.Part, gap, lifted.Area, !rules.FindsEdge || field.Covers(lifted.Part.X, lifted.Part.Y));
@@ -139,15 +139,15 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
             thickness *= layers;
             gap = (At(a.Flat, thickness).Gap + 4 * At(m.Flat, thickness).Gap + At(b.Flat, thickness).Gap) / 6;
         }
-        // The area among flat layers that the strand covers, times the gap.
+        // The area among flat layers that the extrusion covers, times the gap.
         var area = bead.Area / (bead.Height > 0 ? bead.Height : 1) * gap * m.Area * a.Flat.DistanceTo(b.Flat) / length;
-        _strand.Add(a.Part, b.Part, new Bead(area, bead.Height > 0 ? gap * normal.Z : 0, bead.Speed), keepsStart: a.Flat == _segmentStart);
+        _extrusion.Add(a.Part, b.Part, new Bead(area, bead.Height > 0 ? gap * normal.Z : 0, bead.Speed), keepsStart: a.Flat == _segmentStart);
     }
 
     private void End(PathStep step)
     {
-        if (_strand.Points.Count > 1) _pieces.Add(step.With(step.Path.WithGeometry(_strand.Points, _strand.Beads, closed: false)));
-        _strand.Clear();
+        if (_extrusion.Points.Count > 1) _pieces.Add(step.With(step.Path.WithGeometry(_extrusion.Points, _extrusion.Beads, closed: false)));
+        _extrusion.Clear();
     }
 
     // A closed path that was cut elsewhere goes on through its first vertex.

@@ -9,7 +9,7 @@ namespace Caterpillar.Curved;
 /// <param name="slack">How much nearer than the middles of their cells points may be to each other, mm.</param>
 internal sealed class PatchClearance(Printer printer, double cell, double slack)
 {
-    // Rise that a strand beside the nozzle may have, mm.
+    // Rise that an extrusion beside the nozzle may have, mm.
     private const double Flush = 0.1;
     private readonly HeadShape _shape = new(printer.HeadOutline.Select(p => (p.Radius, p.Height)));
 

@@ -36,7 +36,7 @@ internal static class PatchOrder
         if (Sorted(patches, before, under) is { } order)
         {
             var late = order.Where((p, at) => p != at).Count();
-            problems.Add(Severity.Remark, "curved.order", $"Layers are printed in pieces: {NumberFormatter.Format(late)} of their "
+            problems.Add(Severity.Note, "curved.order", $"Layers are printed in pieces: {NumberFormatter.Format(late)} of their "
                 + $"{NumberFormatter.Format(patches.Length)} pieces in another order, in which the head meets nothing that is printed.");
             return Pieces(layers, patches, order, cell);
         }
@@ -172,7 +172,7 @@ internal static class PatchOrder
             KeepStart = step.KeepStart, Joined = step.Joined, Region = region, Source = step.Source,
         };
 
-    // Outlines lie half a strand beside their walls.
+    // Outlines lie half an extrusion beside their walls.
     private static bool Touches(Vec3 p, HashSet<(int, int)> cells, double cell)
     {
         int column = (int)Math.Floor(p.X / cell), row = (int)Math.Floor(p.Y / cell);

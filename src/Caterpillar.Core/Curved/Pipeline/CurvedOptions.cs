@@ -12,7 +12,7 @@ public sealed record CurvedOptions
     /// <summary>How much memory the layers may take; more is the error <see cref="MemoryLimit.Code"/>.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
-    /// <summary>The object that is printed on: nothing is printed below its surface, and the first strands fill the gap to it. Null for the bed.</summary>
+    /// <summary>The object that is printed on: nothing is printed below its surface, and the first extrusions fill the gap to it. Null for the bed.</summary>
     public PlanSurface? Onto { get; init; }
 
     /// <summary>

@@ -67,7 +67,7 @@ public static class CurvedSlicer
         }
         var common = OnField(setup.Settings, field);
         if (setup.Settings.RaftLayers > 0 || (!field.StartsLevel && (setup.Settings.SkirtLoops > 0 || setup.Settings.BrimWidth > 0)))
-            problems.Add(Severity.Remark, "curved.no_loops", "Curved layers that do not begin level have no skirt and no brim, and none have a raft.");
+            problems.Add(Severity.Note, "curved.no_loops", "Curved layers that do not begin level have no skirt and no brim, and none have a raft.");
         var limits = new GapLimits(field, part, setup.Settings, MaxGap(setup));
         var sliced = PlanarSlicer.SliceEach(flat, common, new SliceOptions
         {
@@ -174,7 +174,7 @@ public static class CurvedSlicer
         return HeadSlope.Limit(setup.Printer, size.LengthXY, rise);
     }
 
-    // Thinner strands are not laid down reliably.
+    // Thinner extrusions are not laid down reliably.
     private static double MinGap(PrintSetup setup) => setup.Settings.CurvedMinGap > 0 ? setup.Settings.CurvedMinGap
         : Math.Min(setup.Printer.NozzleDiameter * 0.15, setup.Settings.LayerHeight / 2);
 
@@ -184,7 +184,7 @@ public static class CurvedSlicer
     // Bent arcs are none.
     private static PrintSettings OnField(PrintSettings settings, LayerField field)
     {
-        settings = settings with { RaftLayers = 0, WallArcTolerance = 0 };
+        settings = settings with { RaftLayers = 0, ArcFittingTolerance = 0 };
         return field.StartsLevel ? settings : settings with { SkirtLoops = 0, BrimWidth = 0 };
     }
 

@@ -15,7 +15,7 @@ public static class SurfaceProjection
     /// <param name="steps">Paths, drawn travels and events; events stay as they are.</param>
     /// <param name="onto">The surface.</param>
     /// <param name="setup">Tolerance; the head, which limits the slope.</param>
-    /// <param name="squeeze">How much everything is lowered, so that the first strands are pressed onto the surface, mm.</param>
+    /// <param name="squeeze">How much everything is lowered, so that the first extrusions are pressed onto the surface, mm.</param>
     /// <param name="partial">Leaves out what lies beyond the surface or is too steep, instead of an error.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels.</param>

@@ -88,11 +88,11 @@ public abstract class PlanSurface
     public static Result<PlanSurface> AgainstOverhangs(IReadOnlyList<NamedMesh> models, PrintSetup setup, double? degrees = null)
         => OverhangPlan.For(models ?? throw new ArgumentNullException(nameof(models)), setup ?? throw new ArgumentNullException(nameof(setup)), degrees);
 
-    /// <summary>A height map: a picture over a rectangle, black the lowest, white the highest; between the middles of its dots smooth (bilinear).</summary>
-    /// <param name="picture">Its brightness is the height.</param>
-    /// <param name="box">The place of the picture in x and y, and the heights of black and white in z; mm.</param>
+    /// <summary>A height map: an image over a rectangle, black the lowest, white the highest; between the middles of its dots smooth (bilinear).</summary>
+    /// <param name="image">Its brightness is the height.</param>
+    /// <param name="box">The place of the image in x and y, and the heights of black and white in z; mm.</param>
     /// <exception cref="ArgumentException">The box has no area.</exception>
-    public static PlanSurface HeightMap(GrayImage picture, Bounds box) => new PicturePlan(picture, box);
+    public static PlanSurface HeightMap(GrayImage image, Bounds box) => new ImagePlan(image, box);
 
     private sealed class FunctionPlan(Func<double, double, double> height, double detail, bool level = false) : PlanSurface
     {

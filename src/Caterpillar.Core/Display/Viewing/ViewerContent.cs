@@ -23,7 +23,7 @@ public sealed record ViewerContent(string Title)
     /// <summary>The printer whose bed, volume and head are drawn.</summary>
     public Printer? Printer { get; init; }
 
-    /// <summary>Shape of the strands, which determines their widths.</summary>
+    /// <summary>Shape of the extrusions, which determines their widths.</summary>
     public BeadShape Shape { get; init; } = BeadShape.Rectangle;
 
     /// <summary>Material in g per cm³; 0 if unknown.</summary>

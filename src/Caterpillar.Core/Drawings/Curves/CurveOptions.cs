@@ -21,10 +21,10 @@ public enum CurveSorting : byte
 /// <summary>How user curves become paths, and the settings of curves without their own.</summary>
 public sealed record CurveOptions
 {
-    /// <summary>Width of the strand, mm.</summary>
+    /// <summary>Width of the extrusion, mm.</summary>
     public double Width { get; init; } = 0.45;
 
-    /// <summary>Height of the strand, mm.</summary>
+    /// <summary>Height of the extrusion, mm.</summary>
     public double Height { get; init; } = 0.2;
 
     /// <summary>Scales the area from width × height (the flow of the material comes on top).</summary>

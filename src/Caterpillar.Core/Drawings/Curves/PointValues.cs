@@ -25,13 +25,13 @@ public sealed class PointValues
     /// <summary>Values in each column; 0 without columns.</summary>
     public int Count { get; }
 
-    /// <summary>Cross-sections of the strand, mm².</summary>
+    /// <summary>Cross-sections of the extrusion, mm².</summary>
     public IReadOnlyList<double>? Areas => _columns[0];
 
-    /// <summary>Widths of the strand, mm.</summary>
+    /// <summary>Widths of the extrusion, mm.</summary>
     public IReadOnlyList<double>? Widths => _columns[1];
 
-    /// <summary>Heights of the strand, mm.</summary>
+    /// <summary>Heights of the extrusion, mm.</summary>
     public IReadOnlyList<double>? Heights => _columns[2];
 
     /// <summary>Speeds of the head, mm/s.</summary>

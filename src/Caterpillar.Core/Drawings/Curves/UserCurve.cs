@@ -5,7 +5,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Drawings;
 
 /// <summary>
-/// A curve to print as drawn, with its own settings; null settings come from <see cref="CurveOptions"/>. The area of the strand is given directly,
+/// A curve to print as drawn, with its own settings; null settings come from <see cref="CurveOptions"/>. The area of the extrusion is given directly,
 /// or as width × height × multiplier in the shape of the options. An area of 0 makes a stroke without extrusion (pen, brush, bare hot tool).
 /// </summary>
 public sealed record UserCurve
@@ -22,13 +22,13 @@ public sealed record UserCurve
     /// <summary>Display name, or empty.</summary>
     public string Name { get; init; } = "";
 
-    /// <summary>Area of the strand, mm².</summary>
+    /// <summary>Area of the extrusion, mm².</summary>
     public double? Area { get; init; }
 
-    /// <summary>Width of the strand, mm.</summary>
+    /// <summary>Width of the extrusion, mm.</summary>
     public double? Width { get; init; }
 
-    /// <summary>Height of the strand, mm.</summary>
+    /// <summary>Height of the extrusion, mm.</summary>
     public double? Height { get; init; }
 
     /// <summary>Scales the area from width × height.</summary>
@@ -43,7 +43,7 @@ public sealed record UserCurve
     /// <summary>Settings that vary along the curve; they take precedence over those of the whole curve.</summary>
     public PointValues? Along { get; init; }
 
-    /// <summary>What the strand is for.</summary>
+    /// <summary>What the extrusion is for.</summary>
     public Role Role { get; init; }
 
     /// <summary>The layer that the curve belongs to, if any.</summary>

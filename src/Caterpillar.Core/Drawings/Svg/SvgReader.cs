@@ -117,7 +117,7 @@ internal sealed class SvgReader
     private bool Hides()
     {
         if (!_xml.IsHidden()) return false;
-        _source.Diagnostics.Add(Severity.Remark, "curves.hidden", "Hidden elements are ignored.", _xml.Here());
+        _source.Diagnostics.Add(Severity.Note, "curves.hidden", "Hidden elements are ignored.", _xml.Here());
         _xml.SkipContent();
         return true;
     }
@@ -142,7 +142,7 @@ internal sealed class SvgReader
             }
             else if (Xml.NamespaceURI is "" or "http://www.w3.org/2000/svg")
             {
-                _source.Diagnostics.Add(Severity.Remark, "curves.ignored",
+                _source.Diagnostics.Add(Severity.Note, "curves.ignored",
                     $"Elements without curves are ignored, the first is \"{(name.Length > 30 ? name.Substring(0, 30) : name)}\".", _xml.Here());
             }
             _xml.SkipContent();
@@ -219,7 +219,7 @@ internal sealed class SvgReader
         const double S = 1 / SvgValues.PixelsPerMm;
         if (_pageHeight == 0)
         {
-            _source.Diagnostics.Add(Severity.Remark, "curves.svg_page", "The file states no page height: curves lie below the X axis as drawn.", _xml.Here());
+            _source.Diagnostics.Add(Severity.Note, "curves.svg_page", "The file states no page height: curves lie below the X axis as drawn.", _xml.Here());
         }
         return new Affine(new Vec3(S, 0), new Vec3(0, -S), Vec3.UnitZ, new Vec3(0, _pageHeight * S));
     }

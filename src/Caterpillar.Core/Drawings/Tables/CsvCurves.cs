@@ -175,7 +175,7 @@ internal sealed class CsvCurves
             if (column > CurveColumn.Z && value < 0
                 && column != CurveColumn.Layer)
             {
-                return Fail("curves.bead", "Settings of a strand must be 0 or more.", _starts[i]);
+                return Fail("curves.bead", "Settings of an extrusion must be 0 or more.", _starts[i]);
             }
             switch (column)
             {

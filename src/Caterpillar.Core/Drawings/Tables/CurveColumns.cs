@@ -53,7 +53,7 @@ internal static class CurveColumns
             "width" or "line_width" or "w" => CurveColumn.Width,
             "height" or "layer_height" or "h" => CurveColumn.Height,
             "speed" or "print_speed" => CurveColumn.Speed,
-            "multiplier" or "flow" or "flow_multiplier" => CurveColumn.Multiplier,
+            "multiplier" or "flow" or "flow_ratio" => CurveColumn.Multiplier,
             "tool" => CurveColumn.Tool,
             "layer" => CurveColumn.Layer,
             "dot" or "blob" => CurveColumn.Dot,

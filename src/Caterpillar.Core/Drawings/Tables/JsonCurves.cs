@@ -292,7 +292,7 @@ internal sealed class JsonCurves
         {
             value = Read(token);
         }
-        return value >= 0 ? value : throw new CurveException("curves.bead", "Settings of a strand must be 0 or more.", token);
+        return value >= 0 ? value : throw new CurveException("curves.bead", "Settings of an extrusion must be 0 or more.", token);
     }
 
     private static bool Flag(JToken? token) => token is { Type: JTokenType.Boolean } flag && (bool)flag;

@@ -106,7 +106,7 @@ internal sealed class ObjCurves
     private void Other(int start)
     {
         if (_cursor.Bytes[start] == '#') return;
-        if (_cursor.WordIs(start, "f")) _source.Diagnostics.Add(Severity.Remark, "curves.faces", "Faces are not curves and are ignored.", At(start));
+        if (_cursor.WordIs(start, "f")) _source.Diagnostics.Add(Severity.Note, "curves.faces", "Faces are not curves and are ignored.", At(start));
         else if (_cursor.WordIs(start, "curv") || _cursor.WordIs(start, "cstype"))
             _source.Diagnostics.Add(Severity.Warning, "curves.unsupported", "Free-form curves of OBJ are ignored; only l elements are read.", At(start));
     }

@@ -2,7 +2,7 @@ using System.IO.Compression;
 
 namespace Caterpillar.Files;
 
-/// <summary>Writes pictures as PNG (8 bits per channel, no alpha).</summary>
+/// <summary>Writes images as PNG (8 bits per channel, no alpha).</summary>
 public static class PngWriter
 {
     /// <summary>The bytes of a PNG file.</summary>

@@ -6,8 +6,8 @@ public sealed class RasterImage
     /// <exception cref="ArgumentOutOfRangeException">A size is below 1 or above 16384.</exception>
     public RasterImage(int width, int height, Rgb background)
     {
-        if (width is < 1 or > 16384) throw new ArgumentOutOfRangeException(nameof(width), "A picture must be 1 to 16384 pixels wide.");
-        if (height is < 1 or > 16384) throw new ArgumentOutOfRangeException(nameof(height), "A picture must be 1 to 16384 pixels high.");
+        if (width is < 1 or > 16384) throw new ArgumentOutOfRangeException(nameof(width), "An image must be 1 to 16384 pixels wide.");
+        if (height is < 1 or > 16384) throw new ArgumentOutOfRangeException(nameof(height), "An image must be 1 to 16384 pixels high.");
         Width = width;
         Height = height;
         Bytes = new byte[width * height * 3];
@@ -33,7 +33,7 @@ public sealed class RasterImage
         set => Set((y * Width + x) * 3, value);
     }
 
-    /// <summary>The picture at half its size, each pixel the mean of four.</summary>
+    /// <summary>The image at half its size, each pixel the mean of four.</summary>
     internal RasterImage Halved()
     {
         var half = new RasterImage(Width / 2, Height / 2, default);

@@ -13,7 +13,7 @@ internal enum BinaryBlockKind
     Thumbnail,
 }
 
-/// <summary>A block of binary G-code: what it is, its parameters (encoding; or format, width and height of a picture) and its data, unpacked.</summary>
+/// <summary>A block of binary G-code: what it is, its parameters (encoding; or format, width and height of an image) and its data, unpacked.</summary>
 internal sealed class BinaryBlock
 {
     public const string CutOff = "A block is cut off.";
@@ -23,7 +23,7 @@ internal sealed class BinaryBlock
 
     public BinaryBlockKind Kind { get; private init; }
 
-    /// <summary>Encoding; of a picture its format.</summary>
+    /// <summary>Encoding; of an image its format.</summary>
     public int Encoding { get; private init; }
 
     public int Width { get; private init; }

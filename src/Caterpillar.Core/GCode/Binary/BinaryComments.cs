@@ -100,8 +100,8 @@ internal sealed class BinaryComments
         Line(_ini, "");
     }
 
-    /// <summary>A picture in base64.</summary>
-    public void Picture(BinaryBlock block)
+    /// <summary>An image in base64.</summary>
+    public void ToolpathImage(BinaryBlock block)
     {
         var name = "thumbnail" + block.Encoding switch { 0 => "", 1 => "_JPG", 2 => "_QOI", _ => "_" + NumberFormatter.Format(block.Encoding) };
         var encoded = Convert.ToBase64String(block.Data);

@@ -11,7 +11,7 @@ internal sealed class BinaryGCodeStream(Stream file) : ReadStream
 {
     private const int FileHeader = 10;
 
-    // All of a file's settings and pictures are in memory; real ones have some 100 KB.
+    // All of a file's settings and images are in memory; real ones have some 100 KB.
     private const long MaxComments = 256L << 20;
     private readonly BinaryComments _before = new();
     private readonly BinaryComments _print = new();
@@ -94,7 +94,7 @@ internal sealed class BinaryGCodeStream(Stream file) : ReadStream
                     return BinaryComments.Join(_before, code);
                 case BinaryBlockKind.Thumbnail:
                     // After the G-code it can only come at the end.
-                    (_code ? _print : _before).Picture(block);
+                    (_code ? _print : _before).ToolpathImage(block);
                     break;
                 case BinaryBlockKind.File:
                     (_code ? _print : _before).Producer(block);
@@ -111,7 +111,7 @@ internal sealed class BinaryGCodeStream(Stream file) : ReadStream
                     if (block.Data.Length > 0) _settings.Settings(block);
                     break;
             }
-            if (_before.Length + _print.Length + _settings.Length > MaxComments) throw new InvalidDataException("Its settings and pictures are too large.");
+            if (_before.Length + _print.Length + _settings.Length > MaxComments) throw new InvalidDataException("Its settings and images are too large.");
         }
         if (!_code) throw new InvalidDataException("There is no G-code in it; it is cut off.");
         _ended = true;

@@ -1,5 +1,5 @@
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
@@ -7,8 +7,8 @@ namespace Caterpillar.GCode;
 /// <summary>Options of decoding.</summary>
 public sealed record DecodeOptions
 {
-    /// <summary>The dialect, or null to detect it from the file.</summary>
-    public DialectRules? Dialect { get; init; }
+    /// <summary>The flavor, or null to detect it from the file.</summary>
+    public FlavorRules? Flavor { get; init; }
 
     /// <summary>What counts as printing.</summary>
     public ExtrusionRule Rule { get; init; } = ExtrusionRule.Balance;

@@ -56,13 +56,13 @@ public sealed record DecodeReport
     /// <summary>Retractions in place, by E.</summary>
     public int Retracts => _counters.Retracts;
 
-    /// <summary>Restores in place, by E.</summary>
+    /// <summary>Deretractions in place, by E.</summary>
     public int Unretracts => _counters.Unretracts;
 
     /// <summary>Retractions by the firmware (G10).</summary>
     public int FirmwareRetracts => _counters.FirmwareRetracts;
 
-    /// <summary>Restores by the firmware (G11).</summary>
+    /// <summary>Deretractions by the firmware (G11).</summary>
     public int FirmwareUnretracts => _counters.FirmwareUnretracts;
 
     /// <summary>Commands of motion that change nothing.</summary>
@@ -107,10 +107,10 @@ public sealed record DecodeReport
     /// <summary>The sum of E by the rule of Marlin 2 (the last of G90, G91, M82, M83 decides) where it differs, else null.</summary>
     public double? EByMarlin2Rule { get; init; }
 
-    /// <summary>Different heights (to 1 µm) at the ends of strands; the same of flat strands only.</summary>
+    /// <summary>Different heights (to 1 µm) at the ends of extrusions; the same of flat extrusions only.</summary>
     public int Heights => _counters.Heights;
 
-    /// <summary>Heights at which a level strand is printed.</summary>
+    /// <summary>Heights at which a level extrusion is printed.</summary>
     public int FlatHeights => _counters.FlatHeights;
 
     /// <summary>How often the height of printing changes.</summary>
@@ -125,13 +125,13 @@ public sealed record DecodeReport
     /// <summary>Where the file ends, mm, as written in it.</summary>
     public Vec3 EndPosition { get; init; }
 
-    /// <summary>Number of lines with each notation by which dialects differ.</summary>
+    /// <summary>Number of lines with each notation by which flavors differ.</summary>
     public IReadOnlyList<KeyValuePair<string, int>> Features { get; init; } = [];
 
     /// <summary>The file began with a byte order mark.</summary>
     public bool ByteOrderMark { get; init; }
 
-    /// <summary>The pictures of the print in its comments, in their order.</summary>
+    /// <summary>The images of the print in its comments, in their order.</summary>
     public IReadOnlyList<Thumbnail> Thumbnails { get; init; } = [];
 
     /// <summary>The report as a JSON object; amounts are null where the file has none.</summary>
@@ -202,11 +202,11 @@ public sealed record DecodeReport
     private string ThumbnailList()
     {
         var text = new StringBuilder("[");
-        foreach (var picture in Thumbnails)
+        foreach (var image in Thumbnails)
         {
-            text.Append(text.Length > 1 ? ", " : "").Append("{\"width\": ").Append(NumberFormatter.Format(picture.Width)).Append(", \"height\": ")
-                .Append(NumberFormatter.Format(picture.Height));
-            text.Append(", \"format\": ").Append(JsonLines.Quoted(picture.Format)).Append('}');
+            text.Append(text.Length > 1 ? ", " : "").Append("{\"width\": ").Append(NumberFormatter.Format(image.Width)).Append(", \"height\": ")
+                .Append(NumberFormatter.Format(image.Height));
+            text.Append(", \"format\": ").Append(JsonLines.Quoted(image.Format)).Append('}');
         }
         return text.Append(']').ToString();
     }

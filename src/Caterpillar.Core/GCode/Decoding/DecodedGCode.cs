@@ -1,5 +1,5 @@
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
@@ -7,11 +7,11 @@ namespace Caterpillar.GCode;
 /// <summary>A decoded file.</summary>
 public sealed class DecodedGCode
 {
-    internal DecodedGCode(Toolpath toolpath, DecodeReport report, DialectRules dialect)
+    internal DecodedGCode(Toolpath toolpath, DecodeReport report, FlavorRules flavor)
     {
         Toolpath = toolpath;
         Report = report;
-        Dialect = dialect;
+        Flavor = flavor;
     }
 
     /// <summary>The file, or null where it was decoded from a stream without keeping it.</summary>
@@ -23,10 +23,10 @@ public sealed class DecodedGCode
     /// <summary>Counts and sums.</summary>
     public DecodeReport Report { get; }
 
-    /// <summary>The dialect by which it was read.</summary>
-    public DialectRules Dialect { get; }
+    /// <summary>The flavor by which it was read.</summary>
+    public FlavorRules Flavor { get; }
 
-    /// <summary>Why it was read in this dialect, in sentences; empty where the dialect was given.</summary>
+    /// <summary>Why it was read in this flavor, in sentences; empty where the flavor was given.</summary>
     public IReadOnlyList<string> Evidence { get; internal init; } = [];
 
     /// <summary>Settings that the slicer left in comments.</summary>
@@ -39,7 +39,7 @@ public sealed class DecodedGCode
     public ExtrusionRule Rule { get; internal init; }
 
     /// <summary>
-    /// The error <c>gcode.none</c> for a file without a command, which says what the file looks like (a mesh, a picture, an archive …); null for G-code. It is
+    /// The error <c>gcode.none</c> for a file without a command, which says what the file looks like (a mesh, an image, an archive …); null for G-code. It is
     /// no diagnostic of decoding, which takes any bytes.
     /// </summary>
     public Diagnostic? NotGCode { get; internal init; }
@@ -68,7 +68,7 @@ public sealed class DecodedGCode
     /// <summary>The line where the first layer begins, or 0.</summary>
     internal int FirstLayerLine { get; init; }
 
-    /// <summary>For a panel: moves, layers and dialect.</summary>
+    /// <summary>For a panel: moves, layers and flavor.</summary>
     public override string ToString()
-        => NumberFormatter.Format(Toolpath.Count) + " moves, " + NumberFormatter.Format(Toolpath.CountLayers()) + " layers, " + Dialect.Title;
+        => NumberFormatter.Format(Toolpath.Count) + " moves, " + NumberFormatter.Format(Toolpath.CountLayers()) + " layers, " + Flavor.Title;
 }

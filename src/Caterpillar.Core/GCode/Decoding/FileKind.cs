@@ -42,9 +42,9 @@ internal static class FileKind
         }
         if (Begins((byte)'P', (byte)'K', 3, 4)) return "looks like a ZIP archive or a 3MF model";
         if (Begins(0x1F, 0x8B)) return "looks like data packed with gzip twice";
-        if (Begins(0x89, (byte)'P', (byte)'N', (byte)'G')) return "looks like a picture (PNG)";
-        if (Begins(0xFF, 0xD8, 0xFF)) return "looks like a picture (JPEG)";
-        if (Begins((byte)'G', (byte)'I', (byte)'F', (byte)'8')) return "looks like a picture (GIF)";
+        if (Begins(0x89, (byte)'P', (byte)'N', (byte)'G')) return "looks like an image (PNG)";
+        if (Begins(0xFF, 0xD8, 0xFF)) return "looks like an image (JPEG)";
+        if (Begins((byte)'G', (byte)'I', (byte)'F', (byte)'8')) return "looks like an image (GIF)";
         return Begins((byte)'%', (byte)'P', (byte)'D', (byte)'F') ? "looks like a PDF document" : null;
     }
 

@@ -1,5 +1,5 @@
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Files;
 using Caterpillar.Toolpaths;
 
@@ -7,7 +7,7 @@ namespace Caterpillar.GCode;
 
 /// <summary>
 /// Reads G-code into a Toolpath. Any bytes decode to something: what no firmware understands is counted and reported, never fatal. The rules of each
-/// firmware are data (<see cref="DialectRules"/>); with the dialect <c>slicer</c> and <see cref="ExtrusionRule.Rising"/> they are those of slicers' own
+/// firmware are data (<see cref="FlavorRules"/>); with the flavor <c>slicer</c> and <see cref="ExtrusionRule.Rising"/> they are those of slicers' own
 /// viewers.
 /// </summary>
 public static class GCodeDecoder
@@ -147,8 +147,8 @@ public static class GCodeDecoder
     private static Result<DecodedGCode> Run(DecodeInput input, DecodeOptions options, IProgress<double>? progress, CancellationToken cancel)
     {
         var (document, name) = (input.Document, input.Name);
-        var detected = options.Dialect is null ? Detect(input) : (Detection?)null;
-        var rules = options.Dialect ?? detected!.Value.Dialect;
+        var detected = options.Flavor is null ? Detect(input) : (Detection?)null;
+        var rules = options.Flavor ?? detected!.Value.Flavor;
         var axis = input.Axis.In(rules);
         var interpreter = new GCodeInterpreter(rules, options.Rule, axis);
         interpreter.Machine.Moves.Begin(options.BlockSize, options.Take);
@@ -202,16 +202,16 @@ public static class GCodeDecoder
 
     private static Detection Detect(DecodeInput input)
     {
-        var detected = DialectDetector.Detect(input.Searched, input.Axis);
-        return detected.IsDefault && input.LateEnd?.Invoke() is { } end ? DialectDetector.Detect([.. input.Searched, end], input.Axis) : detected;
+        var detected = FlavorDetector.Detect(input.Searched, input.Axis);
+        return detected.IsDefault && input.LateEnd?.Invoke() is { } end ? FlavorDetector.Detect([.. input.Searched, end], input.Axis) : detected;
     }
 
-    private static void ReportDefault(DialectRules rules, IReadOnlyDictionary<string, string> settings, DiagnosticList problems)
+    private static void ReportDefault(FlavorRules rules, IReadOnlyDictionary<string, string> settings, DiagnosticList problems)
     {
-        problems.Add(Severity.Remark, "gcode.dialect_default", "Nothing in the file says which firmware it is for; read as " + rules.Title + ".");
-        if (!settings.TryGetValue("gcode_flavor", out var flavor) || DialectDetector.OfFlavor(flavor) is not { } meant || meant == rules.Name) return;
-        problems.Add(Severity.Warning, "gcode.dialect_late", "The settings at the end of the file name the G-code flavor \"" + flavor
-            + "\"; it was read as " + rules.Title + ". State the dialect.");
+        problems.Add(Severity.Note, "gcode.flavor_default", "Nothing in the file says which firmware it is for; read as " + rules.Title + ".");
+        if (!settings.TryGetValue("gcode_flavor", out var flavor) || FlavorDetector.OfSlicerFlavor(flavor) is not { } meant || meant == rules.Name) return;
+        problems.Add(Severity.Warning, "gcode.flavor_late", "The settings at the end of the file name the G-code flavor \"" + flavor
+            + "\"; it was read as " + rules.Title + ". State the flavor.");
     }
 
     // What is decoded: the chunks of a text, and what its source knows of it.
@@ -219,7 +219,7 @@ public static class GCodeDecoder
     {
         public GCodeDocument? Document { get; init; }
 
-        // Where the dialect is looked for.
+        // Where the flavor is looked for.
         public IReadOnlyList<GCodeChunk> Searched { get; init; } = [];
 
         // The part that is done after a number of bytes, or less than 0.

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 
@@ -18,7 +18,7 @@ internal sealed class GCodeInterpreter
     private readonly MachineCommands _machineCommands;
     private readonly ExtendedCommands _extended;
 
-    public GCodeInterpreter(DialectRules rules, ExtrusionRule rule, ExtrusionAxis axis)
+    public GCodeInterpreter(FlavorRules rules, ExtrusionRule rule, ExtrusionAxis axis)
     {
         _machine = new Machine(rules, rule, axis);
         Comments = new CommentInterpreter(_machine);
@@ -98,7 +98,7 @@ internal sealed class GCodeInterpreter
                 (mask & ChunkParser.HasZ) != 0 ? record.Z : state.Head.Z,
                 e,
                 record.Op);
-            i = moves.Strands(records, i + 1, count, firstLine) - 1;
+            i = moves.Extrusions(records, i + 1, count, firstLine) - 1;
         }
         _machine.Counters.Commands += count - others;
     }

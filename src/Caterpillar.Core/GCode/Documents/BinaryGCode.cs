@@ -3,9 +3,9 @@ using Caterpillar.Files;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Writes Prusa's binary G-code (.bgcode, specification of libbgcode version 1), as PrusaSlicer does: who made it, tables for the printer, the pictures, the
+/// Writes Prusa's binary G-code (.bgcode, specification of libbgcode version 1), as PrusaSlicer does: who made it, tables for the printer, the images, the
 /// settings, and the G-code in blocks of 64 KB packed with MeatPack and heatshrink 12/4, which the printers unpack; all with checksums (nothing is packed with
-/// deflate, whose bytes would depend on the runtime). Read again it gives the same lines, but for the comments that became tables or pictures: those stand at
+/// deflate, whose bytes would depend on the runtime). Read again it gives the same lines, but for the comments that became tables or images: those stand at
 /// the beginning and the end then. Lines end with LF.
 /// </summary>
 internal static class BinaryGCode
@@ -30,8 +30,8 @@ internal static class BinaryGCode
         stream.Write([(byte)'G', (byte)'C', (byte)'D', (byte)'E', 1, 0, 0, 0, 1, 0], 0, 10);
         if (tables.File.Count > 0) Block(stream, BinaryBlockKind.File, 0, Text(tables.File), 0);
         Block(stream, BinaryBlockKind.Printer, 0, Text(tables.Printer), 0);
-        foreach (var (picture, data) in tables.Pictures) Block(stream, BinaryBlockKind.Thumbnail, 0, data,
-            picture.Format switch { "JPG" => 1, "QOI" => 2, _ => 0 }, picture.Width, picture.Height);
+        foreach (var (image, data) in tables.Images) Block(stream, BinaryBlockKind.Thumbnail, 0, data,
+            image.Format switch { "JPG" => 1, "QOI" => 2, _ => 0 }, image.Width, image.Height);
         Block(stream, BinaryBlockKind.Print, 0, Text(tables.Print), 0);
         // Readers want a table of settings, be it empty.
         var settings = Text(tables.Settings);

@@ -3,7 +3,7 @@ using System.Collections;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// The comments of a document that have blocks of their own in binary G-code: who made it, tables for the printer, pictures, settings. Their lines are left out
+/// The comments of a document that have blocks of their own in binary G-code: who made it, tables for the printer, images, settings. Their lines are left out
 /// of the code.
 /// </summary>
 internal sealed class BinaryTables
@@ -36,13 +36,13 @@ internal sealed class BinaryTables
     private readonly HashSet<string> _keys = new(PrinterKeys.Concat(PrintKeys), StringComparer.Ordinal);
     private readonly List<KeyValuePair<string, string>> _file = [];
     private readonly List<KeyValuePair<string, string>> _settings = [];
-    private readonly List<(Thumbnail, byte[])> _pictures = [];
+    private readonly List<(Thumbnail, byte[])> _images = [];
 
-    // What an open block collects: lines of settings, of JSON, or a picture.
+    // What an open block collects: lines of settings, of JSON, or an image.
     private readonly List<string> _lines = [];
     private string? _open;
-    private Thumbnail? _picture;
-    private bool _afterPicture;
+    private Thumbnail? _image;
+    private bool _afterImage;
     private int _empty = -1;
 
     private BinaryTables(int lines)
@@ -55,7 +55,7 @@ internal sealed class BinaryTables
 
     public IReadOnlyList<KeyValuePair<string, string>> Settings => _settings;
 
-    public IReadOnlyList<(Thumbnail Picture, byte[] Data)> Pictures => _pictures;
+    public IReadOnlyList<(Thumbnail ToolpathImage, byte[] Data)> Images => _images;
 
     public byte[]? Json { get; private set; }
 
@@ -63,7 +63,7 @@ internal sealed class BinaryTables
 
     public IReadOnlyList<KeyValuePair<string, string>> Print => Table(PrintKeys);
 
-    /// <summary>True for a line (from 0) that is in a table or a picture.</summary>
+    /// <summary>True for a line (from 0) that is in a table or an image.</summary>
     public bool Holds(int line) => _held[line];
 
     public static BinaryTables Of(GCodeDocument document, CancellationToken cancel)
@@ -110,7 +110,7 @@ internal sealed class BinaryTables
     {
         _open = null;
         _empty = -1;
-        _afterPicture = false;
+        _afterImage = false;
     }
 
     private void Comment(string text, int line)
@@ -120,19 +120,19 @@ internal sealed class BinaryTables
             Inside(text, line);
             return;
         }
-        var after = _afterPicture;
+        var after = _afterImage;
         var empty = _empty;
-        _afterPicture = false;
+        _afterImage = false;
         _empty = -1;
         if (text.Length == 0)
         {
-            // The empty comments before and after a picture.
+            // The empty comments before and after an image.
             if (after) _held[line] = true;
             else _empty = line;
         }
-        else if (Thumbnail.Read(text) is { Format: "PNG" or "JPG" or "QOI" } picture)
+        else if (Thumbnail.Read(text) is { Format: "PNG" or "JPG" or "QOI" } image)
         {
-            Enter("thumbnail", picture, line);
+            Enter("thumbnail", image, line);
             if (empty >= 0) _pending.Add(empty);
         }
         else if (Setting(text, out var key, out var value))
@@ -176,10 +176,10 @@ internal sealed class BinaryTables
         }
     }
 
-    private void Enter(string what, Thumbnail? picture, int line)
+    private void Enter(string what, Thumbnail? image, int line)
     {
         _open = what;
-        _picture = picture;
+        _image = image;
         _lines.Clear();
         _pending.Clear();
         _pending.Add(line);
@@ -188,7 +188,7 @@ internal sealed class BinaryTables
     private void Inside(string text, int line)
     {
         _pending.Add(line);
-        var ends = _picture is not null
+        var ends = _image is not null
             ? text.StartsWith("thumbnail", StringComparison.Ordinal) && text.EndsWith(" " + End, StringComparison.Ordinal)
             : Setting(text, out var key, out var value) && key == _open && value == End;
         if (!ends)
@@ -200,20 +200,20 @@ internal sealed class BinaryTables
         if (Close())
         {
             foreach (var taken in _pending) _held[taken] = true;
-            _afterPicture = _picture is not null;
+            _afterImage = _image is not null;
         }
         _open = null;
     }
 
     private bool Close()
     {
-        if (_picture is not null)
+        if (_image is not null)
         {
             try
             {
                 var data = Convert.FromBase64String(string.Concat(_lines));
-                if (data.Length == 0 || _picture.Width == 0 || _picture.Height == 0) return false;
-                _pictures.Add((_picture, data));
+                if (data.Length == 0 || _image.Width == 0 || _image.Height == 0) return false;
+                _images.Add((_image, data));
                 return true;
             }
             catch (FormatException)

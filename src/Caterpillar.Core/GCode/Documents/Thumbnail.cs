@@ -2,7 +2,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.GCode;
 
-/// <summary>A picture of the print in the comments of a file.</summary>
+/// <summary>An image of the print in the comments of a file.</summary>
 /// <param name="Width">Pixels.</param>
 /// <param name="Height">Pixels.</param>
 /// <param name="Format">PNG, JPG, QOI or what the file calls it.</param>

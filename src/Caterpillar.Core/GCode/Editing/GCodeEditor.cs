@@ -7,12 +7,12 @@ namespace Caterpillar.GCode;
 public sealed record EditOptions
 {
     /// <summary>
-    /// Lines in place of everything before the first layer (its first comment, or the first strand where there are none); null keeps it. After them the modes,
-    /// E, feed rate and position that the rest of the file expects are stated.
+    /// Lines in place of everything before the first layer (its first comment, or the first extrusion where there are none); null keeps it. After them the
+    /// modes, E, feed rate and position that the rest of the file expects are stated.
     /// </summary>
     public IReadOnlyList<string>? Start { get; init; }
 
-    /// <summary>Lines in place of everything after the last strand of the last layer; null keeps it.</summary>
+    /// <summary>Lines in place of everything after the last extrusion of the last layer; null keeps it.</summary>
     public IReadOnlyList<string>? End { get; init; }
 
     /// <summary>Threads; 0 for all cores. The result does not depend on it.</summary>

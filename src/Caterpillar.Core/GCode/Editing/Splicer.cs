@@ -20,7 +20,7 @@ internal sealed class Splicer
     private readonly CodeReplacement _code;
     private readonly CommentBuffer _comments;
     private readonly CommentScale _scale;
-    private readonly DialectComments _dialect;
+    private readonly FlavorComments _flavor;
     private readonly MoveWriter _moves;
     private readonly PlainMoves _plain;
     private readonly OtherLines _others;
@@ -40,7 +40,7 @@ internal sealed class Splicer
         _tasks = new SpliceTasks(_context, plan, new MoveCursor(edited));
         _code = new CodeReplacement(_context, options, plan);
         _comments = new CommentBuffer(_context);
-        _dialect = new DialectComments(decoding, target);
+        _flavor = new FlavorComments(decoding, target);
         _scale = new CommentScale(decoding.Toolpath, edited);
         if (_scale.ChangesLayers) plan.Touch(1, int.MaxValue);
         var conversion = new MoveConversion(_context);
@@ -131,7 +131,7 @@ internal sealed class Splicer
     private void Begin(GCodeChunk chunk, int mark)
     {
         _context.Text.Copy(chunk.Text, chunk.Start, chunk.Start + mark);
-        if (_dialect.Statement is { } statement) _context.Text.AddOwn(TextEncoding.Encode(statement), statement.Length);
+        if (_flavor.Statement is { } statement) _context.Text.AddOwn(TextEncoding.Encode(statement), statement.Length);
     }
 
     // From this line on, what is written is read as the file is.
@@ -168,7 +168,7 @@ internal sealed class Splicer
         var events = _context.Read.LastEvents.Count;
         if (!_code.Keeps(number)) _tasks.SkipTo(number + 1);
         else if (moves > 0 || commands > 0) WriteMotion(line, moves, commands, events);
-        else if (_context.Line.Shape == LineShape.Empty) _comments.Add(_dialect.Image(_scale.Image(line, number)));
+        else if (_context.Line.Shape == LineShape.Empty) _comments.Add(_flavor.Image(_scale.Image(line, number)));
         else WriteOther(line, events);
         _tasks.SkipEvents(events);
     }

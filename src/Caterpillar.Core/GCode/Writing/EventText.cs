@@ -1,5 +1,5 @@
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
@@ -7,7 +7,7 @@ namespace Caterpillar.GCode;
 /// <summary>Events as lines of G-code.</summary>
 internal static class EventText
 {
-    public static IEnumerable<string> Lines(PrinterEvent what, DialectRules rules)
+    public static IEnumerable<string> Lines(PrinterEvent what, FlavorRules rules)
     {
         switch (what)
         {

@@ -1,5 +1,5 @@
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
@@ -10,7 +10,7 @@ internal sealed class ExtruderSums
     private const double LargestSum = 1000;
     private const double LargestExact = 1e8;
 
-    private readonly DialectRules _rules;
+    private readonly FlavorRules _rules;
     private readonly LineBuffer _out;
     private readonly int _decimals;
     private readonly bool _relative;
@@ -21,7 +21,7 @@ internal sealed class ExtruderSums
 
     public ExtruderSums(GCodeFormat format, LineBuffer output)
     {
-        (_rules, _out, _decimals) = (format.Dialect, output, format.DecimalsE);
+        (_rules, _out, _decimals) = (format.Flavor, output, format.DecimalsE);
         Letter = format.ExtruderLetter;
         _relative = format.WritesRelative;
         _sums.Add(0, _sum);

@@ -1,4 +1,4 @@
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
@@ -7,7 +7,7 @@ namespace Caterpillar.GCode;
 internal sealed record GCodeFormat
 {
     /// <summary>The firmware to write for.</summary>
-    public DialectRules Dialect { get; init; } = DialectTable.Marlin2;
+    public FlavorRules Flavor { get; init; } = FlavorTable.Marlin2;
 
     /// <summary>Relative E (M83) or absolute E (M82).</summary>
     public bool RelativeE { get; init; } = true;
@@ -27,13 +27,13 @@ internal sealed record GCodeFormat
     /// <summary>Decimals of F.</summary>
     public int DecimalsF { get; init; }
 
-    /// <summary>Retractions and restores in place are G10 and G11 where the dialect has them.</summary>
+    /// <summary>Retractions and restores in place are G10 and G11 where the flavor has them.</summary>
     public bool FirmwareRetraction { get; init; }
 
     /// <summary>False for pens, brushes and bare hot tools: no E is written.</summary>
     public bool HasE { get; init; } = true;
 
-    /// <summary>Arcs are G2 and G3 where the dialect has them; otherwise chords.</summary>
+    /// <summary>Arcs are G2 and G3 where the flavor has them; otherwise chords.</summary>
     public bool Arcs { get; init; } = true;
 
     /// <summary>Largest distance of a chord from its arc, mm.</summary>
@@ -61,12 +61,12 @@ internal sealed record GCodeFormat
     public Func<int, int, IReadOnlyList<string>>? ToolLines { get; init; }
 
     /// <summary>The letter of extrusion, or 0 where nothing is extruded by words.</summary>
-    internal byte ExtruderLetter => HasE && Dialect.ExtruderLetters.Length > 0 ? (byte)Dialect.ExtruderLetters[0] : (byte)0;
+    internal byte ExtruderLetter => HasE && Flavor.ExtruderLetters.Length > 0 ? (byte)Flavor.ExtruderLetters[0] : (byte)0;
 
     /// <summary>True where extrusion is only switched on and off, by M101 and M103.</summary>
-    internal bool Switches => HasE && Dialect.ExtruderLetters.Length == 0 && Dialect.SwitchedExtruder;
+    internal bool Switches => HasE && Flavor.ExtruderLetters.Length == 0 && Flavor.SwitchedExtruder;
 
-    /// <summary>True where strands need amounts of E that a toolpath does not have: it was decoded from a file that only switches its extruder.</summary>
+    /// <summary>True where extrusions need amounts of E that a toolpath does not have: it was decoded from a file that only switches its extruder.</summary>
     internal bool LacksAmounts(Toolpath toolpath)
     {
         if (ExtruderLetter == 0 || toolpath.Source != MoveSource.Lines) return false;
@@ -84,5 +84,5 @@ internal sealed record GCodeFormat
     }
 
     /// <summary>True where E is written as relative. Without M83 (E is an axis like the others) it is absolute.</summary>
-    internal bool WritesRelative => RelativeXyz || (RelativeE && Dialect.RelativeE != RelativeERule.OnlyG90G91);
+    internal bool WritesRelative => RelativeXyz || (RelativeE && Flavor.RelativeE != RelativeERule.OnlyG90G91);
 }

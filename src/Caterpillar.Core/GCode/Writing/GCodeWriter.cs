@@ -1,5 +1,5 @@
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 
@@ -14,7 +14,7 @@ namespace Caterpillar.GCode;
 internal sealed class GCodeWriter
 {
     private GCodeFormat _format;
-    private readonly DialectRules _rules;
+    private readonly FlavorRules _rules;
     private readonly LineBuffer _out;
     private readonly MotionLines _motion;
     private readonly RawEffects _raw;
@@ -38,7 +38,7 @@ internal sealed class GCodeWriter
     {
         _toolpath = toolpath ?? throw new ArgumentNullException(nameof(toolpath));
         _format = format ?? new GCodeFormat();
-        _rules = _format.Dialect;
+        _rules = _format.Flavor;
         _out = new LineBuffer();
         _motion = new MotionLines(_format, _out);
         _switches = _format.Switches;
@@ -167,7 +167,7 @@ internal sealed class GCodeWriter
             case MoveKind.Dwell:
                 return;
             case MoveKind.Retract:
-            case MoveKind.Restore:
+            case MoveKind.Deretract:
                 if (_rules.FirmwareRetraction && (_format.FirmwareRetraction || c.E[i] == 0))
                 {
                     _out.Command((byte)'G', kind == MoveKind.Retract ? 10 : 11);
@@ -315,7 +315,7 @@ internal sealed class GCodeWriter
         _motion.ForgetSpeed();
     }
 
-    // Strands begin where the path does, not where lines from elsewhere have left the head.
+    // Extrusions begin where the path does, not where lines from elsewhere have left the head.
     private void ReturnTo(ToolpathColumns c, int block, int i)
     {
         if (!_positionLost) return;

@@ -1,5 +1,5 @@
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.GCode;
@@ -11,7 +11,7 @@ namespace Caterpillar.GCode;
 internal sealed class MotionLines
 {
     private readonly GCodeFormat _format;
-    private readonly DialectRules _rules;
+    private readonly FlavorRules _rules;
     private readonly LineBuffer _out;
     private readonly int _decimals;
     private long _x;
@@ -23,7 +23,7 @@ internal sealed class MotionLines
 
     public MotionLines(GCodeFormat format, LineBuffer output)
     {
-        (_format, _rules, _out, _decimals) = (format, format.Dialect, output, format.DecimalsXyz);
+        (_format, _rules, _out, _decimals) = (format, format.Flavor, output, format.DecimalsXyz);
         Extruder = new ExtruderSums(format, output);
         Rotary = new RotaryWords(output, _decimals, Extruder.Letter);
     }

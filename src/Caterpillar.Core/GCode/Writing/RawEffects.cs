@@ -1,9 +1,9 @@
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
 /// <summary>What lines from elsewhere (raw lines, templates) may change for the lines after them.</summary>
-internal sealed class RawEffects(DialectRules rules, byte extruder)
+internal sealed class RawEffects(FlavorRules rules, byte extruder)
 {
     private readonly ParsedLine _line = new();
 

@@ -4,7 +4,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>The format in which a printer wants its G-code: dialect, mode of E, decimals, and its templates filled with the values of the print.</summary>
+/// <summary>The format in which a printer wants its G-code: flavor, mode of E, decimals, and its templates filled with the values of the print.</summary>
 internal static class SetupFormat
 {
     /// <summary>
@@ -17,10 +17,10 @@ internal static class SetupFormat
         var printer = setup.Printer;
         var problems = new DiagnosticList();
         var values = PrintValues.Of(setup, toolpath);
-        var start = Lines(printer, "start_template", printer.StartTemplate, values, problems);
-        var end = Lines(printer, "end_template", printer.EndTemplate, values, problems);
-        var layers = Template(printer, "layer_template", printer.LayerTemplate, problems);
-        var tools = Template(printer, "tool_change_template", printer.ToolChangeTemplate, problems);
+        var start = Lines(printer, "start_gcode", printer.StartGCode, values, problems);
+        var end = Lines(printer, "end_gcode", printer.EndGCode, values, problems);
+        var layers = Template(printer, "layer_change_gcode", printer.LayerChangeGCode, problems);
+        var tools = Template(printer, "tool_change_gcode", printer.ToolChangeGCode, problems);
         // Layer and tool templates are tried once with the values of the first, so that an error is found before anything is written.
         if (layers is not null && toolpath.Layers.Count > 0) problems.AddRange(layers.Render(OfLayer(values, toolpath.Layers[0])).Diagnostics);
         if (tools is not null) problems.AddRange(tools.Render(values.With("tool", 0).With("previous_tool", 0)).Diagnostics);
@@ -29,12 +29,12 @@ internal static class SetupFormat
         var format = Format(setup, values, layers, tools) with { Start = start, End = end };
         if (format.LacksAmounts(toolpath))
         {
-            problems.Add(Severity.Error, "gcode.no_amounts", "The toolpath prints without any amount of E, and " + printer.Dialect.Title
+            problems.Add(Severity.Error, "gcode.no_amounts", "The toolpath prints without any amount of E, and " + printer.Flavor.Title
                 + " needs them; they cannot be guessed. For a machine without an extruder set extrusion_unit to none.");
             return new Result<GCodeFormat>(null, problems.ToList());
         }
         if (format.Switches)
-            problems.Add(Severity.Warning, "gcode.amounts_lost", printer.Dialect.Title
+            problems.Add(Severity.Warning, "gcode.amounts_lost", printer.Flavor.Title
                 + " only switches its extruder on and off (M101, M103): amounts of E and retractions are not written.");
         return new Result<GCodeFormat>(format, problems.ToList());
     }
@@ -45,9 +45,9 @@ internal static class SetupFormat
         var printer = setup.Printer;
         var problems = new DiagnosticList();
         var values = PrintValues.Of(setup);
-        var start = Lines(printer, "start_template", printer.StartTemplate, values, problems);
-        var layers = Template(printer, "layer_template", printer.LayerTemplate, problems);
-        var tools = Template(printer, "tool_change_template", printer.ToolChangeTemplate, problems);
+        var start = Lines(printer, "start_gcode", printer.StartGCode, values, problems);
+        var layers = Template(printer, "layer_change_gcode", printer.LayerChangeGCode, problems);
+        var tools = Template(printer, "tool_change_gcode", printer.ToolChangeGCode, problems);
         if (layers is not null) problems.AddRange(layers.Render(OfLayer(values, new Layer(0, 0, 0, ""))).Diagnostics);
         if (tools is not null) problems.AddRange(tools.Render(values.With("tool", 0).With("previous_tool", 0)).Diagnostics);
         return problems.HasErrors ? null : Format(setup, values, layers, tools) with { Start = start };
@@ -58,7 +58,7 @@ internal static class SetupFormat
         var printer = setup.Printer;
         return new GCodeFormat
         {
-            Dialect = printer.Dialect,
+            Flavor = printer.Flavor,
             RelativeE = printer.ExtrusionMode == ExtrusionMode.Relative,
             RelativeXyz = printer.RelativeXyz,
             DecimalsXyz = printer.DecimalsXyz,
@@ -72,10 +72,10 @@ internal static class SetupFormat
         };
     }
 
-    // The unit of E is stated as slicers state it, so that the strands can be measured in the file.
+    // The unit of E is stated as slicers state it, so that the extrusions can be measured in the file.
     private static string[] Header(PrintSetup setup)
     {
-        string[] header = ["Made with Caterpillar", "Dialect " + setup.Printer.Dialect.Name,
+        string[] header = ["Made with Caterpillar", "Flavor " + setup.Printer.Flavor.Name,
             $"Printer {setup.Printer.Name}, material {setup.Material.Name}, settings {setup.Settings.Name}"];
         return setup.Printer.ExtrusionUnit switch
         {

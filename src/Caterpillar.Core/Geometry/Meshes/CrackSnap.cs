@@ -34,7 +34,7 @@ internal static class CrackSnap
             $"Cracks were closed by moving vertices on open edges together, at most {NumberFormatter.Format(snap, 9)} mm.", source, moved);
         if (builder.Degenerate > 0)
         {
-            diagnostics.Add(Severity.Remark, "mesh.degenerate_faces", "Triangles with two equal vertices are ignored.", source, builder.Degenerate);
+            diagnostics.Add(Severity.Note, "mesh.degenerate_faces", "Triangles with two equal vertices are ignored.", source, builder.Degenerate);
         }
         return closed;
     }

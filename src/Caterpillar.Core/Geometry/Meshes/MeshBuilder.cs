@@ -102,7 +102,7 @@ internal sealed class MeshBuilder
         var degenerate = Degenerate + MeshCleaning.CountFlat(mesh);
         if (degenerate > 0)
         {
-            diagnostics.Add(Severity.Remark, "mesh.degenerate_faces",
+            diagnostics.Add(Severity.Note, "mesh.degenerate_faces",
                 Degenerate == 0 ? "Triangles without area."
                     : $"Triangles without area, {NumberFormatter.Format(Degenerate)} of them with two equal vertices: those are ignored.",
                 source, degenerate);

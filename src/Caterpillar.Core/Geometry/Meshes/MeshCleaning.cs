@@ -57,26 +57,26 @@ internal static class MeshCleaning
         }
         var dropped = (triangles.Length - kept.Count) / 3;
         if (dropped == 0) return mesh;
-        diagnostics.Add(Severity.Remark, "mesh.duplicate_faces", "Duplicate triangles are used once.", source, dropped);
+        diagnostics.Add(Severity.Note, "mesh.duplicate_faces", "Duplicate triangles are used once.", source, dropped);
         return TriMesh.Own(mesh.RawVertices, kept.ToArray());
     }
 
-    /// <summary>Reports what keeps the mesh from being a closed surface. Remarks only: an open surface may be intended.</summary>
+    /// <summary>Reports what keeps the mesh from being a closed surface. Notes only: an open surface may be intended.</summary>
     public static void ReportTopology(TriMesh mesh, SourceLocation source, DiagnosticList diagnostics)
     {
         var topology = mesh.Topology;
         if (topology.OpenEdges > 0)
         {
-            diagnostics.Add(Severity.Remark, "mesh.open_edges", "The surface is open: there are edges with only one triangle.", source, topology.OpenEdges);
+            diagnostics.Add(Severity.Note, "mesh.naked_edges", "The surface is open: there are edges with only one triangle.", source, topology.OpenEdges);
         }
         if (topology.NonManifoldEdges > 0)
         {
-            diagnostics.Add(Severity.Remark, "mesh.non_manifold_edges", "There are edges with more than two triangles.", source, topology.NonManifoldEdges);
+            diagnostics.Add(Severity.Note, "mesh.non_manifold_edges", "There are edges with more than two triangles.", source, topology.NonManifoldEdges);
         }
         if (topology.WindingConflicts > 0)
         {
             const string Message = "There are edges between a triangle and one that is inside out.";
-            diagnostics.Add(Severity.Remark, "mesh.winding_conflicts", Message, source, topology.WindingConflicts);
+            diagnostics.Add(Severity.Note, "mesh.winding_conflicts", Message, source, topology.WindingConflicts);
         }
     }
 }

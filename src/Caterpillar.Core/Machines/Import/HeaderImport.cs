@@ -1,5 +1,5 @@
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Machines;
@@ -25,7 +25,7 @@ public static class HeaderImport
     /// <returns>
     /// The printer; none with an error if the header leaves the machine in inches. Invalid lines give warnings (<c>header.bad_word</c>,
     /// <c>header.no_command</c>,
-    /// <c>header.merge_conflict</c>, <c>header.unknown_name</c>) with their location and stay as comments; remarks state what was guessed.
+    /// <c>header.merge_conflict</c>, <c>header.unknown_name</c>) with their location and stay as comments; notes state what was guessed.
     /// </returns>
     public static Result<ImportedPrinter> Read(
         string header, string footer, string name = "imported", Printer? like = null, string headerFile = "header", string footerFile = "footer")
@@ -59,20 +59,20 @@ public static class HeaderImport
             Origin = origin,
             ExtrusionMode = facts.RelativeE == false ? ExtrusionMode.Absolute : ExtrusionMode.Relative,
             MinExtrusionTemperature = facts.MinExtrusionTemperature ?? (nozzle > 0 ? (like ?? new Printer()).MinExtrusionTemperature : 0),
-            StartTemplate = startLines,
-            EndTemplate = endLines,
+            StartGCode = startLines,
+            EndGCode = endLines,
         };
-        if (facts.IsPrusa && like is null) printer = printer with { Dialect = DialectTable.All.First(d => d.Name == "prusa") };
+        if (facts.IsPrusa && like is null) printer = printer with { Flavor = FlavorTable.All.First(d => d.Name == "prusa") };
         if (facts.LastTool >= printer.ToolCount) printer = printer with { ToolOffsets = new ValueList<Vec3>(Enumerable.Repeat(Vec3.Zero, facts.LastTool + 1)) };
         if (nozzle <= 0)
         {
             if (like is null) printer = printer with { DefaultMaterial = "clay", DefaultSettings = "clay", MaxFlow = 0 };
-            problems.Add(Severity.Remark, "header.cold", "The header does not heat the nozzle: material is extruded cold, like clay.",
+            problems.Add(Severity.Note, "header.cold", "The header does not heat the nozzle: material is extruded cold, like clay.",
                 new SourceLocation(headerFile));
         }
         if (facts.RelativeE is null)
         {
-            problems.Add(Severity.Remark, "header.e_mode", "The header has neither M82 nor M83: E is written as relative (M83).",
+            problems.Add(Severity.Note, "header.e_mode", "The header has neither M82 nor M83: E is written as relative (M83).",
                 new SourceLocation(headerFile));
         }
         var material = new Material { Name = name, Title = name, NozzleTemperature = Math.Min(nozzle, 2000), BedTemperature = Math.Min(bed, 500) };
@@ -109,7 +109,7 @@ public static class HeaderImport
             reason = "the range of the header's moves";
         }
         var volume = new Vec3(Fit(x), Fit(y), Fit(z));
-        problems.Add(Severity.Remark, "header.bed", reason.Length == 0
+        problems.Add(Severity.Note, "header.bed", reason.Length == 0
             ? $"The header does not state the machine's size: {Text(volume)} is that of the similar printer."
             : $"The machine's size is {Text(volume)}, {reason}; the height and everything not stated are those of the similar printer.", place);
         return (volume, origin);

@@ -5,7 +5,7 @@ internal sealed class SeverityFormat() : KeyFormat<ValueList<CheckSeverity>>(Key
 {
     private const char Wrong = '!';
 
-    public override string Range => "a list of code=off, remark, warning or error";
+    public override string Range => "a list of code=off, note, warning or error";
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema =>
     [
@@ -13,7 +13,7 @@ internal sealed class SeverityFormat() : KeyFormat<ValueList<CheckSeverity>>(Key
         new("items", new KeyValuePair<string, object>[]
         {
             new("type", "string"),
-            new("pattern", "^(" + string.Join("|", CheckCodes.All.Select(c => string.Join("\\.", c.Code.Split('.')))) + ")=(off|remark|warning|error)$"),
+            new("pattern", "^(" + string.Join("|", CheckCodes.All.Select(c => string.Join("\\.", c.Code.Split('.')))) + ")=(off|note|warning|error)$"),
         }),
     ];
 

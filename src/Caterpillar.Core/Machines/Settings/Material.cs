@@ -27,16 +27,18 @@ public sealed record Material
     /// <summary>Temperature of the bed; 0 = off.</summary> <value>°C.</value>
     public double BedTemperature { get; init => field = MaterialKeys.BedTemperature.Check(value); } = 60;
 
-    /// <summary>Scales E of all strands.</summary> <remarks>1 for material that fills exactly the requested bead.</remarks>
-    public double FlowMultiplier { get; init => field = MaterialKeys.FlowMultiplier.Check(value); } = 1;
+    /// <summary>Scales E of all extrusions.</summary> <remarks>1 for material that fills exactly the requested bead.</remarks>
+    public double FlowRatio { get; init => field = MaterialKeys.FlowRatio.Check(value); } = 1;
 
     /// <summary>Part cooling.</summary> <value>%.</value>
-    public double FanPercent { get; init => field = MaterialKeys.FanPercent.Check(value); } = 100;
+    public double MinFanSpeedPercent { get; init => field = MaterialKeys.MinFanSpeedPercent.Check(value); } = 100;
 
-    /// <summary>Part cooling of the quickest layers; less than fan_percent means the same as that.</summary> <value>%.</value>
-    public double FanMaxPercent { get; init => field = MaterialKeys.FanMaxPercent.Check(value); } = 100;
+    /// <summary>Part cooling of the quickest layers; less than min_fan_speed_percent means the same as that.</summary> <value>%.</value>
+    public double MaxFanSpeedPercent { get; init => field = MaterialKeys.MaxFanSpeedPercent.Check(value); } = 100;
 
-    /// <summary>Layers that take less time than this get more part cooling, up to fan_max_percent at min_layer_time_s; 0 for the same in all layers.</summary>
+    /// <summary>
+    /// Layers that take less time than this get more part cooling, up to max_fan_speed_percent at min_layer_time_s; 0 for the same in all layers.
+    /// </summary>
     /// <value>s.</value>
     public double FanLayerTime { get; init => field = MaterialKeys.FanLayerTime.Check(value); }
 
@@ -68,9 +70,11 @@ internal static class MaterialKeys
     public static readonly NumberKey FirstLayerNozzleTemperature
         = All.Number("first_layer_nozzle_temperature_c", 0, 2000, m => m.FirstLayerNozzleTemperature, (m, v) => m with { FirstLayerNozzleTemperature = v });
     public static readonly NumberKey BedTemperature = All.Number("bed_temperature_c", 0, 500, m => m.BedTemperature, (m, v) => m with { BedTemperature = v });
-    public static readonly NumberKey FlowMultiplier = All.Number("flow_multiplier", 0.01, 100, m => m.FlowMultiplier, (m, v) => m with { FlowMultiplier = v });
-    public static readonly NumberKey FanPercent = All.Number("fan_percent", 0, 100, m => m.FanPercent, (m, v) => m with { FanPercent = v });
-    public static readonly NumberKey FanMaxPercent = All.Number("fan_max_percent", 0, 100, m => m.FanMaxPercent, (m, v) => m with { FanMaxPercent = v });
+    public static readonly NumberKey FlowRatio = All.Number("flow_ratio", 0.01, 100, m => m.FlowRatio, (m, v) => m with { FlowRatio = v });
+    public static readonly NumberKey MinFanSpeedPercent
+        = All.Number("min_fan_speed_percent", 0, 100, m => m.MinFanSpeedPercent, (m, v) => m with { MinFanSpeedPercent = v });
+    public static readonly NumberKey MaxFanSpeedPercent
+        = All.Number("max_fan_speed_percent", 0, 100, m => m.MaxFanSpeedPercent, (m, v) => m with { MaxFanSpeedPercent = v });
     public static readonly NumberKey FanLayerTime = All.Number("fan_layer_time_s", 0, 10_000, m => m.FanLayerTime, (m, v) => m with { FanLayerTime = v });
     public static readonly IntegerKey FanOffLayers = All.Integer("fan_off_layers", 0, 1_000_000, m => m.FanOffLayers, (m, v) => m with { FanOffLayers = v });
     public static readonly NumberKey Density = All.Number("density_g_cm3", 0.01, 30, m => m.Density, (m, v) => m with { Density = v });

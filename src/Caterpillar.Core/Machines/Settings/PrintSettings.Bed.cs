@@ -16,7 +16,7 @@ public sealed partial record PrintSettings
     public double BrimWidth { get; init => field = BedKeys.BrimWidth.Check(value); }
 
     /// <summary>On which side of the outlines the brim lies: around the part, in its holes, or both.</summary>
-    public BrimSide BrimSide { get; init; }
+    public BrimType BrimType { get; init; }
 
     /// <summary>Distance of the brim from the part.</summary> <value>mm.</value>
     public double BrimGap { get; init => field = BedKeys.BrimGap.Check(value); }
@@ -25,16 +25,16 @@ public sealed partial record PrintSettings
     public int RaftLayers { get; init => field = BedKeys.RaftLayers.Check(value); }
 
     /// <summary>How far a raft reaches beyond the part.</summary> <value>mm.</value>
-    public double RaftMargin { get; init => field = BedKeys.RaftMargin.Check(value); } = 3;
+    public double RaftExpansion { get; init => field = BedKeys.RaftExpansion.Check(value); } = 3;
 
     /// <summary>Thickness of a layer of the raft.</summary> <value>mm.</value>
-    public double RaftHeight { get; init => field = BedKeys.RaftHeight.Check(value); } = 0.3;
+    public double RaftLayerHeight { get; init => field = BedKeys.RaftLayerHeight.Check(value); } = 0.3;
 
     /// <summary>Air between the raft and the part.</summary> <value>mm.</value>
     public double RaftGap { get; init => field = BedKeys.RaftGap.Check(value); } = 0.2;
 
     /// <summary>How much of the lower layers of the raft is filled; the uppermost one is closed.</summary> <value>%.</value>
-    public double RaftPercent { get; init => field = BedKeys.RaftPercent.Check(value); } = 40;
+    public double RaftDensityPercent { get; init => field = BedKeys.RaftDensityPercent.Check(value); } = 40;
 }
 
 /// <summary>Keys of print settings: what is printed around and below a part.</summary>
@@ -45,11 +45,13 @@ internal static class BedKeys
     public static readonly IntegerKey SkirtLoops = All.Integer("skirt_loops", 0, 1000, s => s.SkirtLoops, (s, v) => s with { SkirtLoops = v });
     public static readonly NumberKey SkirtDistance = All.Number("skirt_distance_mm", 0, 1000, s => s.SkirtDistance, (s, v) => s with { SkirtDistance = v });
     public static readonly NumberKey BrimWidth = All.Number("brim_width_mm", 0, 1000, s => s.BrimWidth, (s, v) => s with { BrimWidth = v });
-    public static readonly ProfileKey<PrintSettings, BrimSide> BrimSide = All.Choice("brim_side", s => s.BrimSide, (s, v) => s with { BrimSide = v });
+    public static readonly ProfileKey<PrintSettings, BrimType> BrimType = All.Choice("brim_type", s => s.BrimType, (s, v) => s with { BrimType = v });
     public static readonly NumberKey BrimGap = All.Number("brim_gap_mm", 0, 1000, s => s.BrimGap, (s, v) => s with { BrimGap = v });
     public static readonly IntegerKey RaftLayers = All.Integer("raft_layers", 0, 1000, s => s.RaftLayers, (s, v) => s with { RaftLayers = v });
-    public static readonly NumberKey RaftMargin = All.Number("raft_margin_mm", 0, 1000, s => s.RaftMargin, (s, v) => s with { RaftMargin = v });
-    public static readonly NumberKey RaftHeight = All.Number("raft_height_mm", 0.001, 1000, s => s.RaftHeight, (s, v) => s with { RaftHeight = v });
+    public static readonly NumberKey RaftExpansion = All.Number("raft_expansion_mm", 0, 1000, s => s.RaftExpansion, (s, v) => s with { RaftExpansion = v });
+    public static readonly NumberKey RaftLayerHeight
+        = All.Number("raft_layer_height_mm", 0.001, 1000, s => s.RaftLayerHeight, (s, v) => s with { RaftLayerHeight = v });
     public static readonly NumberKey RaftGap = All.Number("raft_gap_mm", 0, 1000, s => s.RaftGap, (s, v) => s with { RaftGap = v });
-    public static readonly NumberKey RaftPercent = All.Number("raft_percent", 1, 100, s => s.RaftPercent, (s, v) => s with { RaftPercent = v });
+    public static readonly NumberKey RaftDensityPercent
+        = All.Number("raft_density_percent", 1, 100, s => s.RaftDensityPercent, (s, v) => s with { RaftDensityPercent = v });
 }

@@ -22,7 +22,8 @@ public sealed partial record PrintSettings
     public double CurvedMaxGap { get; init => field = CurvedKeys.CurvedMaxGap.Check(value); }
 
     /// <summary>
-    /// The thickest strand of curved layers is at most so many times as high as the thinnest: where layers are thinner, several are printed at once; 0 for any.
+    /// The thickest extrusion of curved layers is at most so many times as high as the thinnest: where layers are thinner, several are printed at once; 0 for
+    /// any.
     /// </summary>
     /// <remarks>2 or more.</remarks>
     public double CurvedMaxGapRatio { get; init => field = CurvedKeys.CurvedMaxGapRatio.Check(value); }

@@ -11,20 +11,20 @@ public sealed partial record PrintSettings
     public InfillPattern InfillPattern { get; init; }
 
     /// <summary>By how much the direction of the infill turns from layer to layer.</summary> <value>Degrees.</value>
-    public double InfillTurn { get; init => field = InfillKeys.InfillTurn.Check(value); } = 90;
+    public double InfillRotation { get; init => field = InfillKeys.InfillRotation.Check(value); } = 90;
 
-    /// <summary>For the pattern formula: the strands run where this formula in x, y, z (mm), layer, spacing and width is zero.</summary>
+    /// <summary>For the pattern formula: the extrusions run where this formula in x, y, z (mm), layer, spacing and width is zero.</summary>
     public string InfillFormula { get; init => field = InfillKeys.InfillFormula.Check(value); } = "";
 
     /// <summary>
-    /// For the pattern curves: the strands of each layer, cut at its walls; a list of points [curve, x, y] of the bed. slice --infill-curves reads them from a
-    /// file.
+    /// For the pattern curves: the extrusions of each layer, cut at its walls; a list of points [curve, x, y] of the bed. slice --infill-curves reads them from
+    /// a file.
     /// </summary>
     /// <value>mm.</value>
     public ValueList<InfillPoint> InfillCurves { get; init => field = InfillKeys.InfillCurves.Check(value); } = ValueList<InfillPoint>.Empty;
 
     /// <summary>The infill of so many layers is printed at once, as thick as all of them.</summary>
-    public int InfillEvery { get; init => field = InfillKeys.InfillEvery.Check(value); } = 1;
+    public int CombineInfillLayers { get; init => field = InfillKeys.CombineInfillLayers.Check(value); } = 1;
 
     /// <summary>The infill of an island is printed before its walls.</summary>
     public bool InfillFirst { get; init; }
@@ -41,12 +41,14 @@ internal static class InfillKeys
 
     public static readonly ProfileKey<PrintSettings, InfillPattern> InfillPattern
         = All.Choice("infill_pattern", s => s.InfillPattern, (s, v) => s with { InfillPattern = v });
-    public static readonly NumberKey InfillTurn = All.Number("infill_turn_deg", -360, 360, s => s.InfillTurn, (s, v) => s with { InfillTurn = v });
+    public static readonly NumberKey InfillRotation
+        = All.Number("infill_rotation_deg", -360, 360, s => s.InfillRotation, (s, v) => s with { InfillRotation = v });
     public static readonly ProfileKey<PrintSettings, string> InfillFormula
         = All.Of("infill_formula", new FormulaFormat("x", "y", "z", "layer", "spacing", "width"), s => s.InfillFormula, (s, v) => s with { InfillFormula = v });
     public static readonly ProfileKey<PrintSettings, ValueList<InfillPoint>> InfillCurves = All.Of(
         "infill_curves_mm", new RowsFormat<InfillPoint>(["curve", "x", "y"], 1_000_000, -100_000, 100_000, InfillPoint.Of, p => [p.Curve, p.X, p.Y]),
         s => s.InfillCurves, (s, v) => s with { InfillCurves = v });
-    public static readonly IntegerKey InfillEvery = All.Integer("infill_every_layers", 1, 1000, s => s.InfillEvery, (s, v) => s with { InfillEvery = v });
+    public static readonly IntegerKey CombineInfillLayers
+        = All.Integer("combine_infill_layers", 1, 1000, s => s.CombineInfillLayers, (s, v) => s with { CombineInfillLayers = v });
     public static readonly FlagKey InfillFirst = All.Boolean("infill_before_walls", s => s.InfillFirst, (s, v) => s with { InfillFirst = v });
 }

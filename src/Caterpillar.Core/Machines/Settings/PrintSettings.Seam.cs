@@ -18,20 +18,20 @@ public sealed partial record PrintSettings
 
     /// <summary>Painted places for seams: a list of balls [x, y, z, radius]; loops that pass one begin there, whatever seam_position is.</summary>
     /// <value>mm.</value>
-    public ValueList<SeamMark> SeamMarks { get; init => field = SeamKeys.SeamMarks.Check(value); } = ValueList<SeamMark>.Empty;
+    public ValueList<SeamMark> SeamEnforcers { get; init => field = SeamKeys.SeamEnforcers.Check(value); } = ValueList<SeamMark>.Empty;
 
     /// <summary>Seed of the random numbers of seam_position random.</summary>
     public int SeamSeed { get; init => field = SeamKeys.SeamSeed.Check(value); } = 1;
 
-    /// <summary>So far before it has gone around a wall the extruder stops, for the strand begins round; at most a tenth of the wall. 0 for none.</summary>
+    /// <summary>So far before it has gone around a wall the extruder stops, for the extrusion begins round; at most a tenth of the wall. 0 for none.</summary>
     /// <value>mm.</value> <remarks>Beads begin and end round, so that two ends in one place would be a blob.</remarks>
     public double SeamGap { get; init => field = SeamKeys.SeamGap.Check(value); } = 0.06;
 
     /// <summary>Length over which an outer wall rises at its start and runs out over that ramp at its end; 0 for a plain seam.</summary> <value>mm.</value>
-    public double ScarfLength { get; init => field = SeamKeys.ScarfLength.Check(value); }
+    public double ScarfSeamLength { get; init => field = SeamKeys.ScarfSeamLength.Check(value); }
 
     /// <summary>Steps of the ramp of a scarf seam.</summary>
-    public int ScarfSteps { get; init => field = SeamKeys.ScarfSteps.Check(value); } = 12;
+    public int ScarfSeamSteps { get; init => field = SeamKeys.ScarfSeamSteps.Check(value); } = 12;
 
     /// <summary>Order of the walls of a contour: the outer wall last, first, or alternating from layer to layer.</summary>
     public WallOrder WallOrder { get; init; } = WallOrder.InsideOut;
@@ -50,15 +50,16 @@ internal static class SeamKeys
     public static readonly ProfileKey<PrintSettings, Vec3> SeamPoint = All.Of(
         "seam_point_mm", new NumbersFormat<Vec3>(["x", "y"], -100_000, 100_000, n => new Vec3(n[0], n[1]), v => [v.X, v.Y]), s => s.SeamPoint,
         (s, v) => s with { SeamPoint = v });
-    public static readonly ProfileKey<PrintSettings, ValueList<SeamMark>> SeamMarks = All.Of(
-        "seam_marks_mm",
+    public static readonly ProfileKey<PrintSettings, ValueList<SeamMark>> SeamEnforcers = All.Of(
+        "seam_enforcers_mm",
         new RowsFormat<SeamMark>(
             ["x", "y", "z", "radius"], 10_000, -100_000, 100_000, SeamMark.Of, m => [m.Place.X, m.Place.Y, m.Place.Z, m.Radius], SeamMark.Problem),
-        s => s.SeamMarks, (s, v) => s with { SeamMarks = v });
+        s => s.SeamEnforcers, (s, v) => s with { SeamEnforcers = v });
     public static readonly IntegerKey SeamSeed = All.Integer("seam_seed", 0, 1_000_000_000, s => s.SeamSeed, (s, v) => s with { SeamSeed = v });
     public static readonly NumberKey SeamGap = All.Number("seam_gap_mm", 0, 10, s => s.SeamGap, (s, v) => s with { SeamGap = v });
-    public static readonly NumberKey ScarfLength = All.NumberOrZero("scarf_length_mm", 0.1, 1000, s => s.ScarfLength, (s, v) => s with { ScarfLength = v });
-    public static readonly IntegerKey ScarfSteps = All.Integer("scarf_steps", 2, 1000, s => s.ScarfSteps, (s, v) => s with { ScarfSteps = v });
+    public static readonly NumberKey ScarfSeamLength
+        = All.NumberOrZero("scarf_seam_length_mm", 0.1, 1000, s => s.ScarfSeamLength, (s, v) => s with { ScarfSeamLength = v });
+    public static readonly IntegerKey ScarfSeamSteps = All.Integer("scarf_seam_steps", 2, 1000, s => s.ScarfSeamSteps, (s, v) => s with { ScarfSeamSteps = v });
     public static readonly ProfileKey<PrintSettings, WallOrder> WallOrder = All.Choice("wall_order", s => s.WallOrder, (s, v) => s with { WallOrder = v });
     public static readonly ProfileKey<PrintSettings, OverhangWallOrder> OverhangWallOrder
         = All.Choice("overhang_wall_order", s => s.OverhangWallOrder, (s, v) => s with { OverhangWallOrder = v });

@@ -26,26 +26,26 @@ public sealed partial record PrintSettings
     public InfillPattern BottomPattern { get; init => field = SkinKeys.BottomPattern.Check(value); } = InfillPattern.Monotonic;
 
     /// <summary>Direction of the skins in the first layer, from +X; it turns by a quarter from layer to layer.</summary> <value>Degrees.</value>
-    public double SkinAngle { get; init => field = SkinKeys.SkinAngle.Check(value); } = 45;
+    public double SolidInfillAngle { get; init => field = SkinKeys.SolidInfillAngle.Check(value); } = 45;
 
-    /// <summary>Width of the strands of the skins; 0 for the line width.</summary> <value>mm.</value>
-    public double SkinWidth { get; init => field = SkinKeys.SkinWidth.Check(value); }
+    /// <summary>Width of the extrusions of the skins; 0 for the line width.</summary> <value>mm.</value>
+    public double SolidInfillLineWidth { get; init => field = SkinKeys.SolidInfillLineWidth.Check(value); }
 
     /// <summary>Skins narrower than this are left to the walls.</summary> <value>mm.</value>
-    public double SkinMinWidth { get; init => field = SkinKeys.SkinMinWidth.Check(value); } = 0.2;
+    public double MinSolidWidth { get; init => field = SkinKeys.MinSolidWidth.Check(value); } = 0.2;
 
     /// <summary>How far skins reach into the infill, which holds them there.</summary> <value>mm.</value>
-    public double SkinExpand { get; init => field = SkinKeys.SkinExpand.Check(value); } = 0.6;
+    public double SolidInfillExpansion { get; init => field = SkinKeys.SolidInfillExpansion.Check(value); } = 0.6;
 
     /// <summary>Pieces of infill smaller than this area are made solid.</summary> <value>mm².</value>
-    public double SolidBelow { get; init => field = SkinKeys.SolidBelow.Check(value); } = 10;
+    public double SolidInfillThresholdArea { get; init => field = SkinKeys.SolidInfillThresholdArea.Check(value); } = 10;
 
     /// <summary>Closed areas inside that are narrower than this are filled along their outline, which is quicker; 0 for lines everywhere.</summary>
     /// <value>mm.</value>
-    public double NarrowSolid { get; init => field = SkinKeys.NarrowSolid.Check(value); } = 4;
+    public double NarrowSolidInfill { get; init => field = SkinKeys.NarrowSolidInfill.Check(value); } = 4;
 
     /// <summary>Speed of the surfaces seen from above; 0 for the speed of outer walls.</summary> <value>mm/s.</value>
-    public double TopSkinSpeed { get; init => field = SkinKeys.TopSkinSpeed.Check(value); }
+    public double TopSurfaceSpeed { get; init => field = SkinKeys.TopSurfaceSpeed.Check(value); }
 
     /// <summary>Speed of the other closed layers; 0 for the speed of the infill.</summary> <value>mm/s.</value>
     public double SolidInfillSpeed { get; init => field = SkinKeys.SolidInfillSpeed.Check(value); }
@@ -68,26 +68,26 @@ public sealed partial record PrintSettings
     /// <summary>How far a bridge lies on what holds it.</summary> <value>mm.</value>
     public double BridgeAnchor { get; init => field = SkinKeys.BridgeAnchor.Check(value); } = 1;
 
-    /// <summary>Material of bridges, of that of the other strands.</summary>
-    public double BridgeFlow { get; init => field = SkinKeys.BridgeFlow.Check(value); } = 1;
+    /// <summary>Material of bridges, of that of the other extrusions.</summary>
+    public double BridgeFlowRatio { get; init => field = SkinKeys.BridgeFlowRatio.Check(value); } = 1;
 
     /// <summary>Speed of bridges; 0 for the print speed.</summary> <value>mm/s.</value>
     public double BridgeSpeed { get; init => field = SkinKeys.BridgeSpeed.Check(value); } = 25;
 
     /// <summary>Fan while a bridge is printed.</summary> <value>%.</value>
-    public double BridgeFanPercent { get; init => field = SkinKeys.BridgeFanPercent.Check(value); } = 100;
+    public double BridgeFanSpeedPercent { get; init => field = SkinKeys.BridgeFanSpeedPercent.Check(value); } = 100;
 
     /// <summary>The first closed layer over sparse infill is printed across its lines, as bridges are.</summary>
     public bool InfillBridges { get; init; } = true;
 
-    /// <summary>Material of bridges over infill, of that of the other strands.</summary>
-    public double InfillBridgeFlow { get; init => field = SkinKeys.InfillBridgeFlow.Check(value); } = 1;
+    /// <summary>Material of bridges over infill, of that of the other extrusions.</summary>
+    public double InfillBridgeFlowRatio { get; init => field = SkinKeys.InfillBridgeFlowRatio.Check(value); } = 1;
 
     /// <summary>Speed of bridges over infill; 0 for the speed of bridges.</summary> <value>mm/s.</value>
     public double InfillBridgeSpeed { get; init => field = SkinKeys.InfillBridgeSpeed.Check(value); } = 40;
 
-    /// <summary>Material of all strands of a part or of what a modifier covers, of the usual.</summary>
-    public double PartFlow { get; init => field = SkinKeys.PartFlow.Check(value); } = 1;
+    /// <summary>Material of all extrusions of a part or of what a modifier covers, of the usual.</summary>
+    public double PartFlowRatio { get; init => field = SkinKeys.PartFlowRatio.Check(value); } = 1;
 
     /// <summary>
     /// Walls over air, classed by the percentage of their width that hangs over: a list of [percent, mm/s (0 as usual), fan percent, flow factor].
@@ -109,13 +109,19 @@ internal static class SkinKeys
         = All.Choice("top_pattern", s => s.TopPattern, (s, v) => s with { TopPattern = v }, InfillKeys.Solid);
     public static readonly ProfileKey<PrintSettings, InfillPattern> BottomPattern
         = All.Choice("bottom_pattern", s => s.BottomPattern, (s, v) => s with { BottomPattern = v }, InfillKeys.Solid);
-    public static readonly NumberKey SkinAngle = All.Number("skin_angle_deg", -360, 360, s => s.SkinAngle, (s, v) => s with { SkinAngle = v });
-    public static readonly NumberKey SkinWidth = All.NumberOrZero("skin_line_width_mm", 0.01, 1000, s => s.SkinWidth, (s, v) => s with { SkinWidth = v });
-    public static readonly NumberKey SkinMinWidth = All.Number("skin_min_width_mm", 0, 1000, s => s.SkinMinWidth, (s, v) => s with { SkinMinWidth = v });
-    public static readonly NumberKey SkinExpand = All.Number("skin_expand_mm", 0, 1000, s => s.SkinExpand, (s, v) => s with { SkinExpand = v });
-    public static readonly NumberKey SolidBelow = All.Number("solid_below_area_mm2", 0, 1e9, s => s.SolidBelow, (s, v) => s with { SolidBelow = v });
-    public static readonly NumberKey NarrowSolid = All.Number("narrow_solid_mm", 0, 1000, s => s.NarrowSolid, (s, v) => s with { NarrowSolid = v });
-    public static readonly NumberKey TopSkinSpeed = All.Number("top_skin_speed_mm_s", 0, 10_000, s => s.TopSkinSpeed, (s, v) => s with { TopSkinSpeed = v });
+    public static readonly NumberKey SolidInfillAngle
+        = All.Number("solid_infill_angle_deg", -360, 360, s => s.SolidInfillAngle, (s, v) => s with { SolidInfillAngle = v });
+    public static readonly NumberKey SolidInfillLineWidth
+        = All.NumberOrZero("solid_infill_line_width_mm", 0.01, 1000, s => s.SolidInfillLineWidth, (s, v) => s with { SolidInfillLineWidth = v });
+    public static readonly NumberKey MinSolidWidth = All.Number("min_solid_width_mm", 0, 1000, s => s.MinSolidWidth, (s, v) => s with { MinSolidWidth = v });
+    public static readonly NumberKey SolidInfillExpansion
+        = All.Number("solid_infill_expansion_mm", 0, 1000, s => s.SolidInfillExpansion, (s, v) => s with { SolidInfillExpansion = v });
+    public static readonly NumberKey SolidInfillThresholdArea
+        = All.Number("solid_infill_threshold_area_mm2", 0, 1e9, s => s.SolidInfillThresholdArea, (s, v) => s with { SolidInfillThresholdArea = v });
+    public static readonly NumberKey NarrowSolidInfill
+        = All.Number("narrow_solid_infill_mm", 0, 1000, s => s.NarrowSolidInfill, (s, v) => s with { NarrowSolidInfill = v });
+    public static readonly NumberKey TopSurfaceSpeed
+        = All.Number("top_surface_speed_mm_s", 0, 10_000, s => s.TopSurfaceSpeed, (s, v) => s with { TopSurfaceSpeed = v });
     public static readonly NumberKey SolidInfillSpeed
         = All.Number("solid_infill_speed_mm_s", 0, 10_000, s => s.SolidInfillSpeed, (s, v) => s with { SolidInfillSpeed = v });
     public static readonly FlagKey Ironing = All.Boolean("ironing", s => s.Ironing, (s, v) => s with { Ironing = v });
@@ -126,19 +132,21 @@ internal static class SkinKeys
     public static readonly NumberKey IroningSpeed = All.Number("ironing_speed_mm_s", 0, 10_000, s => s.IroningSpeed, (s, v) => s with { IroningSpeed = v });
     public static readonly FlagKey Bridges = All.Boolean("bridges", s => s.Bridges, (s, v) => s with { Bridges = v });
     public static readonly NumberKey BridgeAnchor = All.Number("bridge_anchor_mm", 0, 1000, s => s.BridgeAnchor, (s, v) => s with { BridgeAnchor = v });
-    public static readonly NumberKey BridgeFlow = All.Number("bridge_flow", 0.01, 10, s => s.BridgeFlow, (s, v) => s with { BridgeFlow = v });
+    public static readonly NumberKey BridgeFlowRatio
+        = All.Number("bridge_flow_ratio", 0.01, 10, s => s.BridgeFlowRatio, (s, v) => s with { BridgeFlowRatio = v });
     public static readonly NumberKey BridgeSpeed = All.Number("bridge_speed_mm_s", 0, 10_000, s => s.BridgeSpeed, (s, v) => s with { BridgeSpeed = v });
-    public static readonly NumberKey BridgeFanPercent
-        = All.Number("bridge_fan_percent", 0, 100, s => s.BridgeFanPercent, (s, v) => s with { BridgeFanPercent = v });
+    public static readonly NumberKey BridgeFanSpeedPercent
+        = All.Number("bridge_fan_speed_percent", 0, 100, s => s.BridgeFanSpeedPercent, (s, v) => s with { BridgeFanSpeedPercent = v });
     public static readonly FlagKey InfillBridges = All.Boolean("infill_bridges", s => s.InfillBridges, (s, v) => s with { InfillBridges = v });
-    public static readonly NumberKey InfillBridgeFlow
-        = All.Number("infill_bridge_flow", 0.01, 10, s => s.InfillBridgeFlow, (s, v) => s with { InfillBridgeFlow = v });
+    public static readonly NumberKey InfillBridgeFlowRatio
+        = All.Number("infill_bridge_flow_ratio", 0.01, 10, s => s.InfillBridgeFlowRatio, (s, v) => s with { InfillBridgeFlowRatio = v });
     public static readonly NumberKey InfillBridgeSpeed
         = All.Number("infill_bridge_speed_mm_s", 0, 10_000, s => s.InfillBridgeSpeed, (s, v) => s with { InfillBridgeSpeed = v });
-    public static readonly NumberKey PartFlow = All.Number("part_flow", 0.01, 10, s => s.PartFlow, (s, v) => s with { PartFlow = v });
+    public static readonly NumberKey PartFlowRatio = All.Number("part_flow_ratio", 0.01, 10, s => s.PartFlowRatio, (s, v) => s with { PartFlowRatio = v });
     public static readonly ProfileKey<PrintSettings, ValueList<OverhangClass>> OverhangClasses = All.Of(
         "overhang_classes",
         new RowsFormat<OverhangClass>(
-            ["percent", "speed", "fan", "flow"], 20, 0, 10_000, OverhangClass.Of, c => [c.Percent, c.Speed, c.FanPercent, c.Flow], OverhangClass.Problem),
+            ["percent", "speed", "fan", "flow"], 20, 0, 10_000, OverhangClass.Of, c => [c.Percent, c.Speed, c.MinFanSpeedPercent, c.Flow],
+                OverhangClass.Problem),
         s => s.OverhangClasses, (s, v) => s with { OverhangClasses = v });
 }

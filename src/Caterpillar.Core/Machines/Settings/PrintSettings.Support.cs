@@ -10,7 +10,7 @@ public sealed partial record PrintSettings
     public SupportKind Support { get; init; } = SupportKind.None;
 
     /// <summary>Supports stand on bed and part, or on the bed only.</summary>
-    public SupportPlace SupportPlace { get; init; } = SupportPlace.Everywhere;
+    public SupportPlacement SupportPlacement { get; init; } = SupportPlacement.Everywhere;
 
     /// <summary>Surfaces that lean farther out than this from the vertical are supported; 90 for none but those in enforcers.</summary> <value>Degrees.</value>
     public double SupportAngle { get; init => field = SupportKeys.SupportAngle.Check(value); } = 50;
@@ -25,31 +25,31 @@ public sealed partial record PrintSettings
     public double SupportBottomGap { get; init => field = SupportKeys.SupportBottomGap.Check(value); } = 0.2;
 
     /// <summary>How much of the columns of support grid is filled.</summary> <value>%.</value>
-    public double SupportPercent { get; init => field = SupportKeys.SupportPercent.Check(value); } = 15;
+    public double SupportDensityPercent { get; init => field = SupportKeys.SupportDensityPercent.Check(value); } = 15;
 
     /// <summary>Dense layers at the top of supports.</summary>
     public int SupportInterfaceLayers { get; init => field = SupportKeys.SupportInterfaceLayers.Check(value); } = 2;
 
     /// <summary>How much of the dense layers is filled.</summary> <value>%.</value>
-    public double SupportInterfacePercent { get; init => field = SupportKeys.SupportInterfacePercent.Check(value); } = 75;
+    public double SupportInterfaceDensityPercent { get; init => field = SupportKeys.SupportInterfaceDensityPercent.Check(value); } = 75;
 
     /// <summary>Distance between the tips of support tree.</summary> <value>mm.</value>
-    public double SupportTipDistance { get; init => field = SupportKeys.SupportTipDistance.Check(value); } = 2.5;
+    public double TreeTipDistance { get; init => field = SupportKeys.TreeTipDistance.Check(value); } = 2.5;
 
     /// <summary>How far the branches of support tree lean, from the vertical.</summary> <value>Degrees.</value>
-    public double SupportBranchAngle { get; init => field = SupportKeys.SupportBranchAngle.Check(value); } = 40;
+    public double TreeBranchAngle { get; init => field = SupportKeys.TreeBranchAngle.Check(value); } = 40;
 
     /// <summary>Greatest diameter of the branches of support tree.</summary> <value>mm.</value>
-    public double SupportBranchDiameter { get; init => field = SupportKeys.SupportBranchDiameter.Check(value); } = 5;
+    public double TreeBranchDiameter { get; init => field = SupportKeys.TreeBranchDiameter.Check(value); } = 5;
 
     /// <summary>Speed of supports; 0 for the print speed.</summary> <value>mm/s.</value>
     public double SupportSpeed { get; init => field = SupportKeys.SupportSpeed.Check(value); }
 
     /// <summary>
-    /// What a model is for (--for MODEL:model_use=...): to be printed; or as a body in which nothing is supported, everything that is seen from below is, or
+    /// What a model is for (--for MODEL:model_type=...): to be printed; or as a body in which nothing is supported, everything that is seen from below is, or
     /// parts have its settings.
     /// </summary>
-    public ModelUse ModelUse { get; init; } = ModelUse.Part;
+    public ModelType ModelType { get; init; } = ModelType.Part;
 }
 
 /// <summary>Keys of print settings: what holds up the parts of a print that hang in the air.</summary>
@@ -58,24 +58,26 @@ internal static class SupportKeys
     public static readonly KeyTable<PrintSettings> All = new();
 
     public static readonly ProfileKey<PrintSettings, SupportKind> Support = All.Choice("support", s => s.Support, (s, v) => s with { Support = v });
-    public static readonly ProfileKey<PrintSettings, SupportPlace> SupportPlace
-        = All.Choice("support_place", s => s.SupportPlace, (s, v) => s with { SupportPlace = v });
+    public static readonly ProfileKey<PrintSettings, SupportPlacement> SupportPlacement
+        = All.Choice("support_placement", s => s.SupportPlacement, (s, v) => s with { SupportPlacement = v });
     public static readonly NumberKey SupportAngle = All.Number("support_angle_deg", 0, 90, s => s.SupportAngle, (s, v) => s with { SupportAngle = v });
     public static readonly NumberKey SupportXyGap = All.Number("support_xy_gap_mm", 0.05, 100, s => s.SupportXyGap, (s, v) => s with { SupportXyGap = v });
     public static readonly NumberKey SupportTopGap = All.Number("support_top_gap_mm", 0, 100, s => s.SupportTopGap, (s, v) => s with { SupportTopGap = v });
     public static readonly NumberKey SupportBottomGap
         = All.Number("support_bottom_gap_mm", 0, 100, s => s.SupportBottomGap, (s, v) => s with { SupportBottomGap = v });
-    public static readonly NumberKey SupportPercent = All.Number("support_percent", 1, 100, s => s.SupportPercent, (s, v) => s with { SupportPercent = v });
+    public static readonly NumberKey SupportDensityPercent
+        = All.Number("support_density_percent", 1, 100, s => s.SupportDensityPercent, (s, v) => s with { SupportDensityPercent = v });
     public static readonly IntegerKey SupportInterfaceLayers
         = All.Integer("support_interface_layers", 0, 1000, s => s.SupportInterfaceLayers, (s, v) => s with { SupportInterfaceLayers = v });
-    public static readonly NumberKey SupportInterfacePercent
-        = All.Number("support_interface_percent", 1, 100, s => s.SupportInterfacePercent, (s, v) => s with { SupportInterfacePercent = v });
-    public static readonly NumberKey SupportTipDistance
-        = All.Number("support_tip_distance_mm", 0.2, 100, s => s.SupportTipDistance, (s, v) => s with { SupportTipDistance = v });
-    public static readonly NumberKey SupportBranchAngle
-        = All.Number("support_branch_angle_deg", 0, 70, s => s.SupportBranchAngle, (s, v) => s with { SupportBranchAngle = v });
-    public static readonly NumberKey SupportBranchDiameter
-        = All.Number("support_branch_diameter_mm", 0.2, 100, s => s.SupportBranchDiameter, (s, v) => s with { SupportBranchDiameter = v });
+    public static readonly NumberKey SupportInterfaceDensityPercent
+        = All.Number("support_interface_density_percent", 1, 100, s => s.SupportInterfaceDensityPercent, (s, v)
+            => s with { SupportInterfaceDensityPercent = v });
+    public static readonly NumberKey TreeTipDistance
+        = All.Number("tree_tip_distance_mm", 0.2, 100, s => s.TreeTipDistance, (s, v) => s with { TreeTipDistance = v });
+    public static readonly NumberKey TreeBranchAngle
+        = All.Number("tree_branch_angle_deg", 0, 70, s => s.TreeBranchAngle, (s, v) => s with { TreeBranchAngle = v });
+    public static readonly NumberKey TreeBranchDiameter
+        = All.Number("tree_branch_diameter_mm", 0.2, 100, s => s.TreeBranchDiameter, (s, v) => s with { TreeBranchDiameter = v });
     public static readonly NumberKey SupportSpeed = All.Number("support_speed_mm_s", 0, 10_000, s => s.SupportSpeed, (s, v) => s with { SupportSpeed = v });
-    public static readonly ProfileKey<PrintSettings, ModelUse> ModelUse = All.Choice("model_use", s => s.ModelUse, (s, v) => s with { ModelUse = v });
+    public static readonly ProfileKey<PrintSettings, ModelType> ModelType = All.Choice("model_type", s => s.ModelType, (s, v) => s with { ModelType = v });
 }

@@ -7,10 +7,12 @@ public sealed partial record PrintSettings
 {
     /// <summary>So much longer than straight a travel inside the part may be, around its corners, to avoid a retraction; 0 for straight ones only.</summary>
     /// <value>mm.</value>
-    public double CombDetour { get; init => field = TravelKeys.CombDetour.Check(value); } = 15;
+    public double AvoidCrossingMaxDetour { get; init => field = TravelKeys.AvoidCrossingMaxDetour.Check(value); } = 15;
 
-    /// <summary>What happens where a layer takes less than min_layer_time_s even at min_speed_mm_s: nothing, the head waits above it, or beside it.</summary>
-    public LayerWait LayerWait { get; init; } = LayerWait.None;
+    /// <summary>
+    /// What happens where a layer takes less than min_layer_time_s even at min_print_speed_mm_s: nothing, the head waits above it, or beside it.
+    /// </summary>
+    public LayerTimeWait LayerTimeWait { get; init; } = LayerTimeWait.None;
 }
 
 /// <summary>Keys of print settings: how the head gets from path to path, and what it does while a layer cools.</summary>
@@ -18,6 +20,8 @@ internal static class TravelKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();
 
-    public static readonly NumberKey CombDetour = All.Number("comb_detour_mm", 0, 10_000, s => s.CombDetour, (s, v) => s with { CombDetour = v });
-    public static readonly ProfileKey<PrintSettings, LayerWait> LayerWait = All.Choice("layer_wait", s => s.LayerWait, (s, v) => s with { LayerWait = v });
+    public static readonly NumberKey AvoidCrossingMaxDetour
+        = All.Number("avoid_crossing_max_detour_mm", 0, 10_000, s => s.AvoidCrossingMaxDetour, (s, v) => s with { AvoidCrossingMaxDetour = v });
+    public static readonly ProfileKey<PrintSettings, LayerTimeWait> LayerTimeWait
+        = All.Choice("layer_time_wait", s => s.LayerTimeWait, (s, v) => s with { LayerTimeWait = v });
 }

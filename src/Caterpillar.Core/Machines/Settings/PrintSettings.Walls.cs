@@ -7,8 +7,8 @@ namespace Caterpillar.Machines;
 public sealed partial record PrintSettings
 {
     /// <summary>
-    /// Walls follow the local thickness: thin places get one strand, others an even number that shares what is there. Otherwise all walls have the line width,
-    /// and what is too narrow for one stays open.
+    /// Walls follow the local thickness: thin places get one extrusion, others an even number that shares what is there. Otherwise all walls have the line
+    /// width, and what is too narrow for one stays open.
     /// </summary>
     public bool VariableWallWidth { get; init; } = true;
 
@@ -21,7 +21,7 @@ public sealed partial record PrintSettings
 
     /// <summary>Walls of planar layers become arcs (G2, G3) where they stay within this distance of one; 0 for straight segments only.</summary>
     /// <value>mm.</value> <remarks>No arc crosses a change of width or flow, or a seam; spiral vases have none.</remarks>
-    public double WallArcTolerance { get; init => field = WallWidthKeys.WallArcTolerance.Check(value); }
+    public double ArcFittingTolerance { get; init => field = WallWidthKeys.ArcFittingTolerance.Check(value); }
 }
 
 /// <summary>Keys of print settings: how wide walls are, and whether they have arcs.</summary>
@@ -34,6 +34,6 @@ internal static class WallWidthKeys
         = All.NumberOrZero("min_wall_width_mm", 0.01, 1000, s => s.MinWallWidth, (s, v) => s with { MinWallWidth = v });
     public static readonly NumberKey MaxWallWidth
         = All.NumberOrZero("max_wall_width_mm", 0.01, 1000, s => s.MaxWallWidth, (s, v) => s with { MaxWallWidth = v });
-    public static readonly NumberKey WallArcTolerance
-        = All.NumberOrZero("wall_arc_tolerance_mm", 0.001, 1, s => s.WallArcTolerance, (s, v) => s with { WallArcTolerance = v });
+    public static readonly NumberKey ArcFittingTolerance
+        = All.NumberOrZero("arc_fitting_tolerance_mm", 0.001, 1, s => s.ArcFittingTolerance, (s, v) => s with { ArcFittingTolerance = v });
 }

@@ -23,19 +23,19 @@ public sealed partial record PrintSettings
     /// <summary>Height of the layer on the bed.</summary> <value>mm.</value>
     public double FirstLayerHeight { get; init => field = SettingsKeys.FirstLayerHeight.Check(value); } = 0.2;
 
-    /// <summary>Width of a strand.</summary> <value>mm.</value>
+    /// <summary>Width of an extrusion.</summary> <value>mm.</value>
     public double LineWidth { get; init => field = SettingsKeys.LineWidth.Check(value); } = 0.45;
 
-    /// <summary>Shape of the cross-section, which relates area and width of a strand.</summary>
+    /// <summary>Shape of the cross-section, which relates area and width of an extrusion.</summary>
     public BeadShape BeadShape { get; init; } = BeadShape.Stadium;
 
     /// <summary>Number of walls around each region.</summary>
     public int WallCount { get; init => field = SettingsKeys.WallCount.Check(value); } = 2;
 
     /// <summary>Share of the inside that is filled; ignored if infill_spacing_mm is given.</summary> <value>%.</value>
-    public double InfillPercent { get; init => field = SettingsKeys.InfillPercent.Check(value); } = 20;
+    public double InfillDensityPercent { get; init => field = SettingsKeys.InfillDensityPercent.Check(value); } = 20;
 
-    /// <summary>Distance between the lines of the infill; 0 to take it from infill_percent.</summary>
+    /// <summary>Distance between the lines of the infill; 0 to take it from infill_density_percent.</summary>
     /// <value>mm.</value> <remarks>The "density" of Caterpillar 2019.</remarks>
     public double InfillSpacing { get; init => field = SettingsKeys.InfillSpacing.Check(value); }
 
@@ -47,19 +47,19 @@ public sealed partial record PrintSettings
     public double InfillOverlapPercent { get; init => field = SettingsKeys.InfillOverlapPercent.Check(value); } = 15;
 
     /// <summary>Maximum deviation of simplified contours.</summary> <value>mm.</value>
-    public double SimplifyTolerance { get; init => field = SettingsKeys.SimplifyTolerance.Check(value); } = 0.0125;
+    public double Resolution { get; init => field = SettingsKeys.Resolution.Check(value); } = 0.0125;
 
     /// <summary>Models that run through each other are printed as one solid; without it the place where they overlap is printed twice.</summary>
-    public bool MergeOverlapping { get; init; } = true;
+    public bool MergeOverlappingModels { get; init; } = true;
 
     /// <summary>Several models are printed layer by layer, or one after the other, the lowest first.</summary>
     public PrintSequence PrintSequence { get; init; } = PrintSequence.ByLayer;
 
     /// <summary>Meshes that are not closed are made solid before they are sliced: rims joined, holes filled, triangles and bodies turned outwards.</summary>
-    public bool MendMeshes { get; init; } = true;
+    public bool RepairMeshes { get; init; } = true;
 
     /// <summary>Gaps in the contours of broken meshes are closed up to this width; 0 closes none.</summary> <value>mm.</value>
-    public double LargestGap { get; init => field = SettingsKeys.LargestGap.Check(value); } = 10;
+    public double SliceGapClosing { get; init => field = SettingsKeys.SliceGapClosing.Check(value); } = 10;
 
     /// <summary>A layer of a broken mesh that loses more than this of the area of its neighbors is an error; 100 allows any loss.</summary> <value>%.</value>
     public double MaxAreaLossPercent { get; init => field = SettingsKeys.MaxAreaLossPercent.Check(value); } = 25;
@@ -83,10 +83,10 @@ public sealed partial record PrintSettings
     public double TravelSpeed { get; init => field = SettingsKeys.TravelSpeed.Check(value); } = 150;
 
     /// <summary>Lift for travels: above everything printed, above what lies under the path of the travel, or none.</summary>
-    public TravelLift TravelLift { get; init; } = TravelLift.PrintedTop;
+    public ZHopType ZHopType { get; init; } = ZHopType.AbovePrint;
 
     /// <summary>Travels up to this length are made without a lift.</summary> <value>mm.</value>
-    public double LiftMinTravel { get; init => field = SettingsKeys.LiftMinTravel.Check(value); } = 2;
+    public double ZHopMinTravel { get; init => field = SettingsKeys.ZHopMinTravel.Check(value); } = 2;
 
     /// <summary>Travels go around printed parts if that is faster than over them.</summary>
     public bool Detour { get; init; }
@@ -101,13 +101,13 @@ public sealed partial record PrintSettings
     public double WipeDistance { get; init => field = SettingsKeys.WipeDistance.Check(value); }
 
     /// <summary>Retracted filament is restored while the head descends to a path, not afterwards.</summary>
-    public bool RestoreDuringDescent { get; init; }
+    public bool DeretractDuringDescent { get; init; }
 
     /// <summary>Length of bead extruded in place before a path starts, for materials with a delayed response.</summary> <value>mm.</value>
     public double StartDistance { get; init => field = SettingsKeys.StartDistance.Check(value); }
 
     /// <summary>The extruder stops this far before the end of a path (coasting).</summary> <value>mm.</value>
-    public double StopDistance { get; init => field = SettingsKeys.StopDistance.Check(value); }
+    public double CoastingDistance { get; init => field = SettingsKeys.CoastingDistance.Check(value); }
 
     /// <summary>Sliced paths are sorted inside their groups, for short travels.</summary>
     public bool SortPaths { get; init; } = true;
@@ -118,9 +118,9 @@ public sealed partial record PrintSettings
         var own = role switch
         {
             Role.OuterWall => OuterWallSpeed,
-            Role.TopSkin => TopSkinSpeed > 0 ? TopSkinSpeed : OuterWallSpeed,
+            Role.TopSurface => TopSurfaceSpeed > 0 ? TopSurfaceSpeed : OuterWallSpeed,
             Role.Infill => InfillSpeed,
-            Role.SolidInfill or Role.BottomSkin => SolidInfillSpeed > 0 ? SolidInfillSpeed : InfillSpeed,
+            Role.SolidInfill or Role.BottomSurface => SolidInfillSpeed > 0 ? SolidInfillSpeed : InfillSpeed,
             Role.Bridge => BridgeSpeed,
             Role.Ironing => IroningSpeed,
             Role.Support or Role.SupportInterface => SupportSpeed,
@@ -145,18 +145,21 @@ internal static class SettingsKeys
     public static readonly NumberKey LineWidth = All.Number("line_width_mm", 0.001, 1000, s => s.LineWidth, (s, v) => s with { LineWidth = v });
     public static readonly ProfileKey<PrintSettings, BeadShape> BeadShape = All.Choice("bead_shape", s => s.BeadShape, (s, v) => s with { BeadShape = v });
     public static readonly IntegerKey WallCount = All.Integer("wall_count", 0, 10_000, s => s.WallCount, (s, v) => s with { WallCount = v });
-    public static readonly NumberKey InfillPercent = All.Number("infill_percent", 0, 100, s => s.InfillPercent, (s, v) => s with { InfillPercent = v });
+    public static readonly NumberKey InfillDensityPercent
+        = All.Number("infill_density_percent", 0, 100, s => s.InfillDensityPercent, (s, v) => s with { InfillDensityPercent = v });
     public static readonly NumberKey InfillSpacing = All.Number("infill_spacing_mm", 0, 10_000, s => s.InfillSpacing, (s, v) => s with { InfillSpacing = v });
     public static readonly NumberKey InfillAngle = All.Number("infill_angle_deg", -360, 360, s => s.InfillAngle, (s, v) => s with { InfillAngle = v });
     public static readonly NumberKey InfillOverlapPercent
         = All.Number("infill_overlap_percent", 0, 100, s => s.InfillOverlapPercent, (s, v) => s with { InfillOverlapPercent = v });
-    public static readonly NumberKey SimplifyTolerance
-        = All.Number("simplify_tolerance_mm", 0, 100, s => s.SimplifyTolerance, (s, v) => s with { SimplifyTolerance = v });
-    public static readonly FlagKey MergeOverlapping = All.Boolean("merge_overlapping", s => s.MergeOverlapping, (s, v) => s with { MergeOverlapping = v });
+    public static readonly NumberKey Resolution
+        = All.Number("resolution_mm", 0, 100, s => s.Resolution, (s, v) => s with { Resolution = v });
+    public static readonly FlagKey MergeOverlappingModels
+        = All.Boolean("merge_overlapping_models", s => s.MergeOverlappingModels, (s, v) => s with { MergeOverlappingModels = v });
     public static readonly ProfileKey<PrintSettings, PrintSequence> PrintSequence
         = All.Choice("print_sequence", s => s.PrintSequence, (s, v) => s with { PrintSequence = v });
-    public static readonly FlagKey MendMeshes = All.Boolean("mend_meshes", s => s.MendMeshes, (s, v) => s with { MendMeshes = v });
-    public static readonly NumberKey LargestGap = All.Number("largest_gap_mm", 0, 1000, s => s.LargestGap, (s, v) => s with { LargestGap = v });
+    public static readonly FlagKey RepairMeshes = All.Boolean("repair_meshes", s => s.RepairMeshes, (s, v) => s with { RepairMeshes = v });
+    public static readonly NumberKey SliceGapClosing
+        = All.Number("slice_gap_closing_mm", 0, 1000, s => s.SliceGapClosing, (s, v) => s with { SliceGapClosing = v });
     public static readonly NumberKey MaxAreaLossPercent
         = All.Number("max_area_loss_percent", 0, 100, s => s.MaxAreaLossPercent, (s, v) => s with { MaxAreaLossPercent = v });
     public static readonly NumberKey SubdivisionDistance
@@ -168,16 +171,17 @@ internal static class SettingsKeys
     public static readonly NumberKey FirstLayerSpeed
         = All.Number("first_layer_speed_mm_s", 0, 10_000, s => s.FirstLayerSpeed, (s, v) => s with { FirstLayerSpeed = v });
     public static readonly NumberKey TravelSpeed = All.Number("travel_speed_mm_s", 0.01, 10_000, s => s.TravelSpeed, (s, v) => s with { TravelSpeed = v });
-    public static readonly ProfileKey<PrintSettings, TravelLift> TravelLift = All.Choice("travel_lift", s => s.TravelLift, (s, v) => s with { TravelLift = v });
-    public static readonly NumberKey LiftMinTravel = All.Number("lift_min_travel_mm", 0, 10_000, s => s.LiftMinTravel, (s, v) => s with { LiftMinTravel = v });
-    public static readonly FlagKey Detour = All.Boolean("detour", s => s.Detour, (s, v) => s with { Detour = v });
-    public static readonly FlagKey Comb = All.Boolean("comb", s => s.Comb, (s, v) => s with { Comb = v });
+    public static readonly ProfileKey<PrintSettings, ZHopType> ZHopType = All.Choice("z_hop_type", s => s.ZHopType, (s, v) => s with { ZHopType = v });
+    public static readonly NumberKey ZHopMinTravel = All.Number("z_hop_min_travel_mm", 0, 10_000, s => s.ZHopMinTravel, (s, v) => s with { ZHopMinTravel = v });
+    public static readonly FlagKey Detour = All.Boolean("travel_detours", s => s.Detour, (s, v) => s with { Detour = v });
+    public static readonly FlagKey Comb = All.Boolean("avoid_crossing_walls", s => s.Comb, (s, v) => s with { Comb = v });
     public static readonly NumberKey RetractionMinTravel
         = All.Number("retraction_min_travel_mm", 0, 10_000, s => s.RetractionMinTravel, (s, v) => s with { RetractionMinTravel = v });
     public static readonly NumberKey WipeDistance = All.Number("wipe_distance_mm", 0, 1000, s => s.WipeDistance, (s, v) => s with { WipeDistance = v });
-    public static readonly FlagKey RestoreDuringDescent
-        = All.Boolean("restore_during_descent", s => s.RestoreDuringDescent, (s, v) => s with { RestoreDuringDescent = v });
+    public static readonly FlagKey DeretractDuringDescent
+        = All.Boolean("deretract_during_descent", s => s.DeretractDuringDescent, (s, v) => s with { DeretractDuringDescent = v });
     public static readonly NumberKey StartDistance = All.Number("start_distance_mm", 0, 1000, s => s.StartDistance, (s, v) => s with { StartDistance = v });
-    public static readonly NumberKey StopDistance = All.Number("stop_distance_mm", 0, 1000, s => s.StopDistance, (s, v) => s with { StopDistance = v });
+    public static readonly NumberKey CoastingDistance
+        = All.Number("coasting_distance_mm", 0, 1000, s => s.CoastingDistance, (s, v) => s with { CoastingDistance = v });
     public static readonly FlagKey SortPaths = All.Boolean("sort_paths", s => s.SortPaths, (s, v) => s with { SortPaths = v });
 }

@@ -5,10 +5,10 @@ internal static class PrintWideKeys
 {
     private static readonly IReadOnlyList<ProfileKey<PrintSettings>> All =
     [
-        SettingsKeys.TravelSpeed, SettingsKeys.TravelLift, SettingsKeys.LiftMinTravel, SettingsKeys.Detour, SettingsKeys.Comb, TravelKeys.CombDetour,
-        SettingsKeys.RetractionMinTravel, SettingsKeys.WipeDistance, SettingsKeys.RestoreDuringDescent, SettingsKeys.StartDistance,
-        SettingsKeys.StopDistance, SeamKeys.SeamGap, SettingsKeys.SortPaths, SettingsKeys.PrintSequence, SettingsKeys.MergeOverlapping,
-        SurfaceKeys.MinLayerTime, SurfaceKeys.MinSpeed, TravelKeys.LayerWait, .. BedKeys.All,
+        SettingsKeys.TravelSpeed, SettingsKeys.ZHopType, SettingsKeys.ZHopMinTravel, SettingsKeys.Detour, SettingsKeys.Comb, TravelKeys.AvoidCrossingMaxDetour,
+        SettingsKeys.RetractionMinTravel, SettingsKeys.WipeDistance, SettingsKeys.DeretractDuringDescent, SettingsKeys.StartDistance,
+        SettingsKeys.CoastingDistance, SeamKeys.SeamGap, SettingsKeys.SortPaths, SettingsKeys.PrintSequence, SettingsKeys.MergeOverlappingModels,
+        SurfaceKeys.MinLayerTime, SurfaceKeys.MinPrintSpeed, TravelKeys.LayerTimeWait, .. BedKeys.All,
     ];
 
     /// <summary>Names of such keys that a model sets: their values differ from those of the print, and from the defaults.</summary>

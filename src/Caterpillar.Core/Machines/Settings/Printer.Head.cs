@@ -53,10 +53,10 @@ internal static class HeadKeys
             b => [b.Min.Y, b.Min.Z, b.Max.Y, b.Max.Z]),
         p => p.Gantry, (p, v) => p with { Gantry = v });
     public static readonly ProfileKey<Printer, ValueList<Bounds>> Clips = All.Of(
-        "clips_mm", new RowsFormat<Bounds>(["min x", "min y", "min z", "max x", "max y", "max z"], 64, -100_000, 100_000, MakeBox, TakeBox), p => p.Clips,
+        "bed_clips_mm", new RowsFormat<Bounds>(["min x", "min y", "min z", "max x", "max y", "max z"], 64, -100_000, 100_000, MakeBox, TakeBox), p => p.Clips,
         (p, v) => p with { Clips = v });
     public static readonly ProfileKey<Printer, ValueList<Bounds>> ExcludedAreas = All.Of(
-        "excluded_areas_mm",
+        "bed_exclude_areas_mm",
         new RowsFormat<Bounds>(
             ["min x", "min y", "max x", "max y"], 64, -100_000, 100_000, n => Bounds.Of([new Vec3(n[0], n[1]), new Vec3(n[2], n[3])]),
             b => [b.Min.X, b.Min.Y, b.Max.X, b.Max.Y]),

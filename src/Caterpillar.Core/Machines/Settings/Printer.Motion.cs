@@ -22,25 +22,25 @@ public sealed partial record Printer
     public double RetractionAcceleration { get; init => field = MotionKeys.RetractionAcceleration.Check(value); } = 1000;
 
     /// <summary>How the firmware limits the speed in corners.</summary>
-    public CornerRule CornerRule { get; init; } = CornerRule.JunctionDeviation;
+    public Cornering Cornering { get; init; } = Cornering.JunctionDeviation;
 
-    /// <summary>Sudden change of speed allowed for each axis, for corner_rule jerk.</summary> <value>mm/s.</value>
+    /// <summary>Sudden change of speed allowed for each axis, for cornering jerk.</summary> <value>mm/s.</value>
     public AxisValues Jerk { get; init => field = MotionKeys.Jerk.Check(value); } = new(8, 8, 0.4, 5);
 
-    /// <summary>For corner_rule junction_deviation.</summary> <value>mm.</value>
+    /// <summary>For cornering junction_deviation.</summary> <value>mm.</value>
     public double JunctionDeviation { get; init => field = MotionKeys.JunctionDeviation.Check(value); } = 0.013;
 
-    /// <summary>For corner_rule square_corner_velocity.</summary> <value>mm/s.</value>
+    /// <summary>For cornering square_corner_velocity.</summary> <value>mm/s.</value>
     public double SquareCornerVelocity { get; init => field = MotionKeys.SquareCornerVelocity.Check(value); } = 5;
 
     /// <summary>Klipper's minimum share of a move at constant speed.</summary>
     public double MinimumCruiseRatio { get; init => field = MotionKeys.MinimumCruiseRatio.Check(value); }
 
-    /// <summary>For corner_rule square_corner_velocity: jump of the speed of the extruder.</summary> <value>mm/s.</value>
+    /// <summary>For cornering square_corner_velocity: jump of the speed of the extruder.</summary> <value>mm/s.</value>
     public double InstantaneousCornerVelocity { get; init => field = MotionKeys.InstantaneousCornerVelocity.Check(value); } = 1;
 
     /// <summary>Moves that the firmware plans ahead; 0 for all.</summary>
-    public int PlannerQueue { get; init => field = MotionKeys.PlannerQueue.Check(value); } = 16;
+    public int LookaheadMoves { get; init => field = MotionKeys.LookaheadMoves.Check(value); } = 16;
 
     /// <summary>Length of the straight pieces in which the firmware goes through arcs.</summary> <value>mm.</value>
     public double ArcSegment { get; init => field = MotionKeys.ArcSegment.Check(value); } = 1;
@@ -73,7 +73,7 @@ internal static class MotionKeys
         = All.Number("travel_acceleration_mm_s2", 0.01, 1_000_000, p => p.TravelAcceleration, (p, v) => p with { TravelAcceleration = v });
     public static readonly NumberKey RetractionAcceleration
         = All.Number("retraction_acceleration_mm_s2", 0.01, 1_000_000, p => p.RetractionAcceleration, (p, v) => p with { RetractionAcceleration = v });
-    public static readonly ProfileKey<Printer, CornerRule> CornerRule = All.Choice("corner_rule", p => p.CornerRule, (p, v) => p with { CornerRule = v });
+    public static readonly ProfileKey<Printer, Cornering> Cornering = All.Choice("cornering", p => p.Cornering, (p, v) => p with { Cornering = v });
     public static readonly ProfileKey<Printer, AxisValues> Jerk = All.Axes("jerk_mm_s", 0, 10_000, p => p.Jerk, (p, v) => p with { Jerk = v });
     public static readonly NumberKey JunctionDeviation
         = All.Number("junction_deviation_mm", 0.0001, 10, p => p.JunctionDeviation, (p, v) => p with { JunctionDeviation = v });
@@ -83,8 +83,8 @@ internal static class MotionKeys
         = All.Number("minimum_cruise_ratio", 0, 0.99, p => p.MinimumCruiseRatio, (p, v) => p with { MinimumCruiseRatio = v });
     public static readonly NumberKey InstantaneousCornerVelocity = All.Number(
         "instantaneous_corner_velocity_mm_s", 0.001, 10_000, p => p.InstantaneousCornerVelocity, (p, v) => p with { InstantaneousCornerVelocity = v });
-    public static readonly IntegerKey PlannerQueue
-        = All.Integer("planner_queue_moves", 0, 1_000_000, p => p.PlannerQueue, (p, v) => p with { PlannerQueue = v });
+    public static readonly IntegerKey LookaheadMoves
+        = All.Integer("lookahead_moves", 0, 1_000_000, p => p.LookaheadMoves, (p, v) => p with { LookaheadMoves = v });
     public static readonly NumberKey ArcSegment = All.Number("arc_segment_mm", 0.01, 1000, p => p.ArcSegment, (p, v) => p with { ArcSegment = v });
     public static readonly NumberKey NozzleHeating = All.Number("nozzle_heating_c_s", 0, 1000, p => p.NozzleHeating, (p, v) => p with { NozzleHeating = v });
     public static readonly NumberKey BedHeating = All.Number("bed_heating_c_s", 0, 1000, p => p.BedHeating, (p, v) => p with { BedHeating = v });

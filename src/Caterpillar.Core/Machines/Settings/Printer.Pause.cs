@@ -19,8 +19,8 @@ public sealed partial record Printer
     /// <summary>Extra filament after a pause, beyond what was retracted.</summary> <value>mm.</value>
     public double PausePrime { get; init => field = PauseKeys.PausePrime.Check(value); }
 
-    /// <summary>Lines that pause; without them, the command of the dialect.</summary>
-    public ValueList<string> PauseCommand { get; init => field = PauseKeys.PauseCommand.Check(value); } = new();
+    /// <summary>Lines that pause; without them, the command of the flavor.</summary>
+    public ValueList<string> PauseGCode { get; init => field = PauseKeys.PauseGCode.Check(value); } = new();
 }
 
 /// <summary>Keys of printers: pauses.</summary>
@@ -35,6 +35,6 @@ internal static class PauseKeys
     public static readonly NumberKey PauseRetraction
         = All.Number("pause_retraction_mm", 0, 1000, p => p.PauseRetraction, (p, v) => p with { PauseRetraction = v });
     public static readonly NumberKey PausePrime = All.Number("pause_prime_mm", 0, 1000, p => p.PausePrime, (p, v) => p with { PausePrime = v });
-    public static readonly ProfileKey<Printer, ValueList<string>> PauseCommand
-        = All.Of("pause_command", new LinesFormat(PrintTemplate.Problem), p => p.PauseCommand, (p, v) => p with { PauseCommand = v });
+    public static readonly ProfileKey<Printer, ValueList<string>> PauseGCode
+        = All.Of("pause_gcode", new LinesFormat(PrintTemplate.Problem), p => p.PauseGCode, (p, v) => p with { PauseGCode = v });
 }

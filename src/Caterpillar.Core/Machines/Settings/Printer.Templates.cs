@@ -4,16 +4,16 @@ namespace Caterpillar.Machines;
 public sealed partial record Printer
 {
     /// <summary>Lines before the print.</summary>
-    public ValueList<string> StartTemplate { get; init => field = TemplateKeys.StartTemplate.Check(value); } = ValueList<string>.Empty;
+    public ValueList<string> StartGCode { get; init => field = TemplateKeys.StartGCode.Check(value); } = ValueList<string>.Empty;
 
     /// <summary>Lines after the print.</summary>
-    public ValueList<string> EndTemplate { get; init => field = TemplateKeys.EndTemplate.Check(value); } = ValueList<string>.Empty;
+    public ValueList<string> EndGCode { get; init => field = TemplateKeys.EndGCode.Check(value); } = ValueList<string>.Empty;
 
     /// <summary>Lines before each layer except the first.</summary>
-    public ValueList<string> LayerTemplate { get; init => field = TemplateKeys.LayerTemplate.Check(value); } = ValueList<string>.Empty;
+    public ValueList<string> LayerChangeGCode { get; init => field = TemplateKeys.LayerChangeGCode.Check(value); } = ValueList<string>.Empty;
 
     /// <summary>Lines for a tool change; without them only the tool number (T1).</summary>
-    public ValueList<string> ToolChangeTemplate { get; init => field = TemplateKeys.ToolChangeTemplate.Check(value); } = ValueList<string>.Empty;
+    public ValueList<string> ToolChangeGCode { get; init => field = TemplateKeys.ToolChangeGCode.Check(value); } = ValueList<string>.Empty;
 }
 
 /// <summary>Keys of printers: lines that go into every file.</summary>
@@ -23,12 +23,12 @@ internal static class TemplateKeys
 
     private static readonly LinesFormat Lines = new(PrintTemplate.Problem);
 
-    public static readonly ProfileKey<Printer, ValueList<string>> StartTemplate
-        = All.Of("start_template", Lines, p => p.StartTemplate, (p, v) => p with { StartTemplate = v });
-    public static readonly ProfileKey<Printer, ValueList<string>> EndTemplate
-        = All.Of("end_template", Lines, p => p.EndTemplate, (p, v) => p with { EndTemplate = v });
-    public static readonly ProfileKey<Printer, ValueList<string>> LayerTemplate
-        = All.Of("layer_template", Lines, p => p.LayerTemplate, (p, v) => p with { LayerTemplate = v });
-    public static readonly ProfileKey<Printer, ValueList<string>> ToolChangeTemplate
-        = All.Of("tool_change_template", Lines, p => p.ToolChangeTemplate, (p, v) => p with { ToolChangeTemplate = v });
+    public static readonly ProfileKey<Printer, ValueList<string>> StartGCode
+        = All.Of("start_gcode", Lines, p => p.StartGCode, (p, v) => p with { StartGCode = v });
+    public static readonly ProfileKey<Printer, ValueList<string>> EndGCode
+        = All.Of("end_gcode", Lines, p => p.EndGCode, (p, v) => p with { EndGCode = v });
+    public static readonly ProfileKey<Printer, ValueList<string>> LayerChangeGCode
+        = All.Of("layer_change_gcode", Lines, p => p.LayerChangeGCode, (p, v) => p with { LayerChangeGCode = v });
+    public static readonly ProfileKey<Printer, ValueList<string>> ToolChangeGCode
+        = All.Of("tool_change_gcode", Lines, p => p.ToolChangeGCode, (p, v) => p with { ToolChangeGCode = v });
 }

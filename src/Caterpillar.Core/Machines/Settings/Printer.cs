@@ -1,4 +1,4 @@
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Geometry;
 using FlagKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, bool>;
 using IntegerKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, int>;
@@ -19,7 +19,7 @@ public sealed partial record Printer
     public string Title { get; init => field = PrinterKeys.Title.Check(value); } = "Generic printer";
 
     /// <summary>Rules by which the firmware reads G-code.</summary>
-    public DialectRules Dialect { get; init => field = value ?? throw new ArgumentNullException(nameof(value)); } = DialectTable.Marlin2;
+    public FlavorRules Flavor { get; init => field = value ?? throw new ArgumentNullException(nameof(value)); } = FlavorTable.Marlin2;
 
     /// <summary>Size of the space that the nozzle can reach.</summary> <value>mm.</value>
     public Vec3 BuildVolume { get; init => field = PrinterKeys.BuildVolume.Check(value); } = new(220, 220, 250);
@@ -91,8 +91,8 @@ internal static class PrinterKeys
     public static readonly KeyTable<Printer> All = new();
 
     public static readonly ProfileKey<Printer, string> Title = All.Text("title", p => p.Title, (p, v) => p with { Title = v });
-    public static readonly ProfileKey<Printer, DialectRules> Dialect
-        = All.Of("dialect", new ChoiceFormat<DialectRules>([.. DialectTable.All.Select(d => (d.Name, d))]), p => p.Dialect, (p, v) => p with { Dialect = v });
+    public static readonly ProfileKey<Printer, FlavorRules> Flavor
+        = All.Of("gcode_flavor", new ChoiceFormat<FlavorRules>([.. FlavorTable.All.Select(d => (d.Name, d))]), p => p.Flavor, (p, v) => p with { Flavor = v });
     public static readonly ProfileKey<Printer, Vec3> BuildVolume
         = All.Vector("build_volume_mm", 1, 100_000, p => p.BuildVolume, (p, v) => p with { BuildVolume = v });
     public static readonly ProfileKey<Printer, BedOrigin> Origin = All.Choice("origin", p => p.Origin, (p, v) => p with { Origin = v });

@@ -1,8 +1,8 @@
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// The extrusion model: the one place that converts between amounts of E, areas of strands and the three notations of extrusion. Internally everything is the
-/// area of the strand in mm².
+/// The extrusion model: the one place that converts between amounts of E, areas of extrusions and the three notations of extrusion. Internally everything is
+/// the area of the extrusion in mm².
 /// <list type="bullet">
 /// <item>E factor (ExtruderTurtle): mm of filament per mm of path, <c>E = L · k</c>.</item>
 /// <item>Area (Kanada): <c>E = L · A / (π (D/2)²)</c>.</item>
@@ -32,7 +32,7 @@ public sealed record ExtrusionModel
     /// <summary>Diameter of the filament or plunger, mm.</summary>
     public double FilamentDiameter { get; }
 
-    /// <summary>Scales E, not the intended strand: <see cref="E"/> asks the machine for this many times the volume.</summary>
+    /// <summary>Scales E, not the intended extrusion: <see cref="E"/> asks the machine for this many times the volume.</summary>
     public double Multiplier { get; }
 
     /// <summary>Cross-section of the filament or plunger, mm².</summary>
@@ -47,7 +47,7 @@ public sealed record ExtrusionModel
     };
 
     /// <summary>
-    /// mm³ of strand per unit of E, with the multiplier (as in <c>ToolpathTool.VolumePerE</c>); null if there is no E.
+    /// mm³ of extrusion per unit of E, with the multiplier (as in <c>ToolpathTool.VolumePerE</c>); null if there is no E.
     /// </summary>
     public double? VolumePerE => FedVolumePerE / Multiplier;
 
@@ -55,12 +55,12 @@ public sealed record ExtrusionModel
     public double FilamentPerE => Unit == ExtrusionUnit.Mm3 ? 1 / FilamentArea : 1;
 
     /// <summary>
-    /// E for a length of path in mm with a strand of some area in mm²; 0 where there is no E. Backward moves extrude too: the length counts without its
+    /// E for a length of path in mm with an extrusion of some area in mm²; 0 where there is no E. Backward moves extrude too: the length counts without its
     /// sign.
     /// </summary>
     public double E(double length, double area) => VolumePerE is { } volume ? Math.Abs(length) * area / volume : 0;
 
-    /// <summary>Area in mm² of the strand that an amount of E gives over a length of path in mm; 0 where there is no E.</summary>
+    /// <summary>Area in mm² of the extrusion that an amount of E gives over a length of path in mm; 0 where there is no E.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The length is not positive.</exception>
     public double Area(double e, double length) => VolumePerE is { } volume ? e * volume / Positive(length, nameof(length)) : 0;
 
@@ -72,10 +72,10 @@ public sealed record ExtrusionModel
         _ => 0,
     };
 
-    /// <summary>Area in mm² of the strand that ExtruderTurtle's E factor (mm of filament per mm of path) makes.</summary>
+    /// <summary>Area in mm² of the extrusion that ExtruderTurtle's E factor (mm of filament per mm of path) makes.</summary>
     public double AreaOfFactor(double factor) => factor * FilamentArea;
 
-    /// <summary>ExtruderTurtle's E factor (mm of filament per mm of path) for a strand of some area in mm².</summary>
+    /// <summary>ExtruderTurtle's E factor (mm of filament per mm of path) for an extrusion of some area in mm².</summary>
     public double FactorOfArea(double area) => area / FilamentArea;
 
     /// <summary>Cross-section in mm² of a filament or plunger of a diameter in mm.</summary>

@@ -19,9 +19,9 @@ internal static class PauseMoves
             Prime = printer.PausePrime,
             FilamentArea = ExtrusionModel.FilamentAreaOf(setup.Material.FilamentDiameter),
             TravelSpeed = setup.Settings.TravelSpeed,
-            LiftSpeed = printer.LiftSpeed,
+            ZHopSpeed = printer.ZHopSpeed,
             RetractionSpeed = printer.RetractionSpeed,
-            Command = string.Join("\n", printer.PauseCommand),
+            Command = string.Join("\n", printer.PauseGCode),
         };
     }
 }

@@ -31,16 +31,16 @@ public sealed record PrintSetup
     public PrintSettings Settings { get; init; }
 
     /// <summary>
-    /// An object that already lies on the bed and is printed on, at its place, mm: travels stay above it, strands may lie on it, and the checks find where the
-    /// head goes through it. Null for none.
+    /// An object that already lies on the bed and is printed on, at its place, mm: travels stay above it, extrusions may lie on it, and the checks find where
+    /// the head goes through it. Null for none.
     /// </summary>
     public TriMesh? PrintedOn { get; init; }
 
     /// <summary>Makes checks of your own, one of each for every file that is checked or written.</summary>
     public ValueList<Func<IOwnCheck>> OwnChecks { get; init; } = ValueList<Func<IOwnCheck>>.Empty;
 
-    /// <summary>Converts strands to amounts of E.</summary>
-    public ExtrusionModel Extrusion => new(Printer.ExtrusionUnit, Material.FilamentDiameter, Material.FlowMultiplier);
+    /// <summary>Converts extrusions to amounts of E.</summary>
+    public ExtrusionModel Extrusion => new(Printer.ExtrusionUnit, Material.FilamentDiameter, Material.FlowRatio);
 
     /// <summary>Maximum flow of machine and material, mm³/s; infinite if both are unknown.</summary>
     public double MaxFlow
@@ -71,13 +71,13 @@ public sealed record PrintSetup
                 "line_width_mm is less than the layer height, which bead_shape stadium does not allow; use rectangle or circle.",
                 new SourceLocation(Key: "line_width_mm"));
         if (Printer.ExtrusionUnit != ExtrusionUnit.None && Math.Max(Settings.LayerHeight, Settings.FirstLayerHeight) > Printer.NozzleDiameter)
-            diagnostics.Add(Severity.Warning, "setup.high_layer", "The layer height exceeds the nozzle diameter: strands will hardly bond to each other.",
+            diagnostics.Add(Severity.Warning, "setup.high_layer", "The layer height exceeds the nozzle diameter: extrusions will hardly bond to each other.",
                 new SourceLocation(Key: "layer_height_mm"));
         if (Settings.AdaptiveLayers && Settings.AdaptiveMinHeight > Settings.AdaptiveMaxHeight)
             diagnostics.Add(Severity.Error, "setup.adaptive_heights", "adaptive_min_height_mm is greater than adaptive_max_height_mm.",
                 new SourceLocation(Key: "adaptive_min_height_mm"));
-        if (Printer.FirmwareRetraction && !Printer.Dialect.FirmwareRetraction)
-            diagnostics.Add(Severity.Error, "setup.no_firmware_retraction", $"{Printer.Dialect.Title} has no firmware retraction.",
+        if (Printer.FirmwareRetraction && !Printer.Flavor.FirmwareRetraction)
+            diagnostics.Add(Severity.Error, "setup.no_firmware_retraction", $"{Printer.Flavor.Title} has no firmware retraction.",
                 new SourceLocation(Key: "firmware_retraction"));
         return diagnostics.ToList();
     }

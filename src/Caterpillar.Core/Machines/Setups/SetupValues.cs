@@ -44,7 +44,7 @@ internal static class SetupValues
     private static object Parse(ProfileKey key, object present, string text, double nozzle)
         => key.Format.Parse(text) ?? Percent(key, present, text.Trim(), nozzle) ?? text;
 
-    // Speeds, flows and accelerations take percents of what the profile says, widths of strands of the nozzle, and factors are percents themselves.
+    // Speeds, flows and accelerations take percents of what the profile says, widths of extrusions of the nozzle, and factors are percents themselves.
     private static object? Percent(ProfileKey key, object present, string text, double nozzle)
     {
         if (key.Kind != KeyKind.Number || !text.EndsWith("%", StringComparison.Ordinal)) return null;
@@ -53,6 +53,6 @@ internal static class SetupValues
         if (Ends("_percent")) return percent;
         if (Ends("_mm_s") || Ends("_mm_s2") || Ends("_mm3_s")) return present is double speed ? percent / 100 * speed : null;
         if (Ends("_width_mm")) return percent / 100 * nozzle;
-        return Ends("_multiplier") || Ends("_flow") || Ends("_factor") ? percent / 100 : null;
+        return Ends("_ratio") ? percent / 100 : null;
     }
 }

@@ -14,12 +14,12 @@ public static class CheckCodes
     public const string GantryHits = "collision.gantry";
     public const string ClipHit = "collision.clip";
     public const string DigsIn = "nozzle.digs_in";
-    public const string Unsupported = "strand.unsupported";
-    public const string Doubled = "strand.doubled";
-    public const string Squeezed = "strand.squeezed";
-    public const string Width = "strand.width";
-    public const string Height = "strand.height";
-    public const string Gap = "strand.gap";
+    public const string Unsupported = "extrusion.unsupported";
+    public const string Doubled = "extrusion.duplicate";
+    public const string Squeezed = "extrusion.squeezed";
+    public const string Width = "extrusion.width";
+    public const string Height = "extrusion.height";
+    public const string Gap = "extrusion.gap";
     public const string FirstLayer = "first_layer.area";
     public const string Flow = "limit.flow";
     public const string Speed = "limit.speed";
@@ -45,26 +45,26 @@ public static class CheckCodes
     [
         new(Outside, Severity.Error, "a move outside the space that the nozzle can reach"),
         new(Below, Severity.Error, "a move below the bed"),
-        new(PrintArea, Severity.Error, "a strand on an excluded area of the bed"),
+        new(PrintArea, Severity.Error, "an extrusion on an excluded area of the bed"),
         new(NozzleHits, Severity.Error, "the nozzle goes through what is printed, while it prints"),
         new(TravelHits, Severity.Error, "the nozzle goes through what is printed, on a travel"),
         new(HeadHits, Severity.Error, "a box of the head goes through what is printed"),
         new(GantryHits, Severity.Error, "the gantry goes through what is printed"),
         new(ClipHit, Severity.Error, "nozzle, head or gantry hit a clip on the bed"),
-        new(DigsIn, Severity.Remark, "the flat of the nozzle digs into a slope of up to 45° beside it"),
-        new(Unsupported, Severity.Warning, "strands in the air: more than 5 mm at a free end, or more than 60 mm between two supports"),
-        new(Doubled, Severity.Warning, "more than 20 mm of a path in the place of another strand"),
-        new(Squeezed, Severity.Warning, "more material than fits between the nozzle and what is below it: a strand would be more than four nozzles wide, "
+        new(DigsIn, Severity.Note, "the flat of the nozzle digs into a slope of up to 45° beside it"),
+        new(Unsupported, Severity.Warning, "extrusions in the air: more than 5 mm at a free end, or more than 60 mm between two supports"),
+        new(Doubled, Severity.Warning, "more than 20 mm of a path in the place of another extrusion"),
+        new(Squeezed, Severity.Warning, "more material than fits between the nozzle and what is below it: an extrusion would be more than four nozzles wide, "
             + "a blob in place more than ten"),
-        new(Width, Severity.Warning, "more than 5 mm of strands wider than three nozzles, or thinner than a fifth of one"),
+        new(Width, Severity.Warning, "more than 5 mm of extrusions wider than three nozzles, or thinner than a fifth of one"),
         new(Height, Severity.Warning, "layers higher than the nozzle is wide"),
-        new(Gap, Severity.Remark, "a straight line of strands with a gap of 0.1 to 1 mm"),
+        new(Gap, Severity.Note, "a straight line of extrusions with a gap of 0.1 to 1 mm"),
         new(FirstLayer, Severity.Warning, "a print that is higher than eight times the root of the area on which it stands"),
         new(Flow, Severity.Error, "more material than hot end and material allow"),
-        new(Speed, Severity.Warning, "strands faster than the axes or the extruder"),
-        new(TravelSpeed, Severity.Remark, "travels faster than the axes, retractions faster than the extruder"),
-        new(Acceleration, Severity.Remark, "accelerations above those of the axes"),
-        new(Raised, Severity.Remark, "a command that raises a limit of speed or jerk above that of the printer"),
+        new(Speed, Severity.Warning, "extrusions faster than the axes or the extruder"),
+        new(TravelSpeed, Severity.Note, "travels faster than the axes, retractions faster than the extruder"),
+        new(Acceleration, Severity.Note, "accelerations above those of the axes"),
+        new(Raised, Severity.Note, "a command that raises a limit of speed or jerk above that of the printer"),
         new(Tool, Severity.Error, "a tool that the printer does not have"),
         new(NozzleTemperature, Severity.Error, "a nozzle hotter than the printer allows"),
         new(BedTemperature, Severity.Error, "a bed hotter than the printer allows"),
@@ -76,7 +76,7 @@ public static class CheckCodes
         new(ExtrusionMode, Severity.Error, "amounts of E that make sense only in the other mode, absolute or relative"),
         new(NoHoming, Severity.Warning, "a file that prints and does not home"),
         new(NoHeating, Severity.Warning, "a file that extrudes and does not heat the nozzle"),
-        new(UnknownPosition, Severity.Warning, "strands before all three axes have a position"),
+        new(UnknownPosition, Severity.Warning, "extrusions before all three axes have a position"),
         new(HeatLeftOn, Severity.Warning, "a nozzle or a bed that is still heated at the end"),
     ];
 
@@ -95,7 +95,7 @@ public sealed record CheckRule(string Code, Severity Severity, string Summary);
 /// <param name="Severity">Null: it is not checked.</param>
 public readonly record struct CheckSeverity(string Code, Severity? Severity)
 {
-    private static readonly string[] Words = ["remark", "warning", "error"];
+    private static readonly string[] Words = ["note", "warning", "error"];
 
     /// <summary>Reads <c>code=severity</c>; null, and the problem, where it is wrong.</summary>
     internal static CheckSeverity? Parse(string text, out string? problem)
@@ -112,7 +112,7 @@ public readonly record struct CheckSeverity(string Code, Severity? Severity)
         if (word == "off") return new CheckSeverity(code, null);
         var at = Array.IndexOf(Words, word);
         if (at >= 0) return new CheckSeverity(code, (Severity)at);
-        problem = $"needs off, remark, warning or error for \"{code}\", not \"{word}\"";
+        problem = $"needs off, note, warning or error for \"{code}\", not \"{word}\"";
         return null;
     }
 

@@ -1,7 +1,8 @@
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// What the lines that fill an area look like. A percentage lays down the same length of strand with all of them but lightning, formulas and the user's curves.
+/// What the lines that fill an area look like. A percentage lays down the same length of extrusion with all of them but lightning, formulas and the user's
+/// curves.
 /// </summary>
 public enum InfillPattern : byte
 {

@@ -28,9 +28,9 @@ public readonly record struct LayerRange(double From, double To, double Thicknes
 /// <summary>How walls are printed of which at least a percentage of the width hangs over the layer below.</summary>
 /// <param name="Percent">0 to 100; 50: the center line hangs over.</param>
 /// <param name="Speed">mm/s; 0 for the usual speed, which is never exceeded.</param>
-/// <param name="FanPercent">Fan of the paths concerned, %; 0 for the usual one.</param>
+/// <param name="MinFanSpeedPercent">Fan of the paths concerned, %; 0 for the usual one.</param>
 /// <param name="Flow">Factor of the flow.</param>
-public readonly record struct OverhangClass(double Percent, double Speed, double FanPercent, double Flow)
+public readonly record struct OverhangClass(double Percent, double Speed, double MinFanSpeedPercent, double Flow)
 {
     /// <summary>Slower once the center line hangs over, slower still in the air.</summary>
     public static ValueList<OverhangClass> Usual { get; } = new(new OverhangClass(50, 30, 100, 1), new OverhangClass(100, 20, 100, 1));
@@ -41,7 +41,7 @@ public readonly record struct OverhangClass(double Percent, double Speed, double
     {
         for (var i = 0; i < classes.Count; i++)
         {
-            if (classes[i].Percent > 100 || classes[i].FanPercent > 100) return "must have percentages up to 100";
+            if (classes[i].Percent > 100 || classes[i].MinFanSpeedPercent > 100) return "must have percentages up to 100";
             if (!(classes[i].Flow > 0)) return "must have flow factors above 0";
             if (i > 0 && classes[i].Percent <= classes[i - 1].Percent) return "must have ascending percentages";
         }

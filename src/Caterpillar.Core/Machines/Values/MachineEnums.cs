@@ -43,7 +43,7 @@ public enum ExtrusionUnit : byte
 }
 
 /// <summary>How the firmware limits the speed in corners.</summary>
-public enum CornerRule : byte
+public enum Cornering : byte
 {
     /// <summary>By the sudden change of the speed of each axis (Marlin's classic jerk, RepRapFirmware's M566).</summary>
     Jerk,
@@ -56,13 +56,13 @@ public enum CornerRule : byte
 }
 
 /// <summary>How high the head lifts for travels.</summary>
-public enum TravelLift : byte
+public enum ZHopType : byte
 {
     /// <summary>Above the highest point printed so far.</summary>
-    PrintedTop,
+    AbovePrint,
 
     /// <summary>Above what lies under the path of the travel.</summary>
-    Corridor,
+    AbovePath,
 
     /// <summary>No lift: travels are straight lines.</summary>
     None,

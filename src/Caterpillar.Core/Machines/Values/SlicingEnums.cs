@@ -1,7 +1,7 @@
 namespace Caterpillar.Machines;
 
 /// <summary>Where in its thickness a layer cuts the model.</summary>
-public enum LayerCut : byte
+public enum SlicingPlane : byte
 {
     /// <summary>In the middle: the volume of slopes is right.</summary>
     Middle,
@@ -11,19 +11,20 @@ public enum LayerCut : byte
 }
 
 /// <summary>On which side of the outlines a brim lies.</summary>
-public enum BrimSide : byte
+public enum BrimType : byte
 {
     /// <summary>Around the part.</summary>
-    Outside,
+    OuterOnly,
 
     /// <summary>In its holes.</summary>
-    Inside,
+    InnerOnly,
 
-    Both,
+    /// <summary>Both.</summary>
+    OuterAndInner,
 }
 
 /// <summary>What becomes of contours that do not close.</summary>
-public enum OpenMeshes : byte
+public enum OpenContours : byte
 {
     /// <summary>They are left out.</summary>
     Ignore,
@@ -33,14 +34,14 @@ public enum OpenMeshes : byte
 }
 
 /// <summary>What the machine does where a layer is too quick to cool.</summary>
-public enum LayerWait : byte
+public enum LayerTimeWait : byte
 {
     /// <summary>It goes on.</summary>
     None,
 
     /// <summary>It waits above the layer, the filament retracted.</summary>
-    Pause,
+    Above,
 
     /// <summary>It waits beside the part.</summary>
-    Away,
+    NextTo,
 }

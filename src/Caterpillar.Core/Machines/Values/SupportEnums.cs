@@ -13,17 +13,17 @@ public enum SupportKind : byte
 }
 
 /// <summary>What supports may stand on.</summary>
-public enum SupportPlace : byte
+public enum SupportPlacement : byte
 {
     /// <summary>The bed and the part.</summary>
     Everywhere,
 
     /// <summary>The bed only.</summary>
-    Bed,
+    BuildPlate,
 }
 
 /// <summary>What a model is for.</summary>
-public enum ModelUse : byte
+public enum ModelType : byte
 {
     /// <summary>It is printed.</summary>
     Part,

@@ -100,7 +100,7 @@ internal sealed class MoveEmitter
         var e = ToolRules.EOf(volume);
         var fill = Fill(e);
         if (fill > 0) PrintedRetracted = true;
-        Add(to, e, e - fill, speed, e > 0 && fill == e ? MoveKind.MovingRestore : MoveKind.Print, role, arc);
+        Add(to, e, e - fill, speed, e > 0 && fill == e ? MoveKind.MovingDeretract : MoveKind.Print, role, arc);
     }
 
     /// <summary>The end of a path that is traversed after the extruder has stopped.</summary>
@@ -120,7 +120,7 @@ internal sealed class MoveEmitter
         Add(to, -e, 0, speed, MoveKind.Wipe, Role.Unspecified);
     }
 
-    /// <summary>Restores all retraction: in place, or during a move to a point.</summary>
+    /// <summary>Deretractions all retraction: in place, or during a move to a point.</summary>
     public void Restore(Vec3? during, double speed)
     {
         var e = _retracted[Tool];
@@ -130,15 +130,15 @@ internal sealed class MoveEmitter
             return;
         }
         _retracted[Tool] = 0;
-        _counts.Restores++;
+        _counts.Deretractions++;
         if (during is { } to)
         {
             _counts.TravelLength += Position.DistanceTo(to);
-            Add(to, e, 0, speed, MoveKind.MovingRestore, Role.Unspecified);
+            Add(to, e, 0, speed, MoveKind.MovingDeretract, Role.Unspecified);
         }
         else
         {
-            Add(Position, e, 0, speed, MoveKind.Restore, Role.Unspecified);
+            Add(Position, e, 0, speed, MoveKind.Deretract, Role.Unspecified);
         }
     }
 
@@ -148,8 +148,8 @@ internal sealed class MoveEmitter
         var fill = Fill(e);
         if (fill > 0)
         {
-            _counts.Restores++;
-            Add(Position, fill, 0, speed, MoveKind.Restore, Role.Unspecified);
+            _counts.Deretractions++;
+            Add(Position, fill, 0, speed, MoveKind.Deretract, Role.Unspecified);
         }
         if (e > fill) Add(Position, e - fill, e - fill, speed, MoveKind.Prime, Role.Unspecified);
     }
@@ -181,6 +181,6 @@ internal sealed class MoveEmitter
     private void Add(Vec3 to, double e, double deposited, double speed, MoveKind kind, Role role, Arc? arc = null)
     {
         _builder.Add(to, e, deposited, speed, kind, role, _layerIndex, Tool, Source, arc);
-        IsPlaced |= kind is MoveKind.Travel or MoveKind.Print or MoveKind.MovingRestore or MoveKind.Wipe;
+        IsPlaced |= kind is MoveKind.Travel or MoveKind.Print or MoveKind.MovingDeretract or MoveKind.Wipe;
     }
 }

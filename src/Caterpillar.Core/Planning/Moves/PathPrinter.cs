@@ -16,13 +16,13 @@ internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanRepo
     {
         // A path keeps at least half of its length between the two lags.
         var stopAt = double.PositiveInfinity;
-        double startDistance = flows ? 0 : rules.StartDistance, stopDistance = goesOn ? 0 : rules.StopDistance;
+        double startDistance = flows ? 0 : rules.StartDistance, stopDistance = goesOn ? 0 : rules.CoastingDistance;
         if (!rules.AddsNothing && (startDistance > 0 || stopDistance > 0) && path.BeadOf(0).Area > 0)
         {
             counts.LaggedPaths++;
             if (stopDistance > 0) stopAt = length - Math.Min(stopDistance, length / 2);
             var start = Math.Min(startDistance, length / 2);
-            if (start > 0) emitter.Prime(emitter.ToolRules.EOf(start * path.BeadOf(0).Area), emitter.ToolRules.RestoreSpeed);
+            if (start > 0) emitter.Prime(emitter.ToolRules.EOf(start * path.BeadOf(0).Area), emitter.ToolRules.DeretractionSpeed);
         }
         if (!rules.AddsNothing && rules.SeamGap > 0 && path.IsClosed && path.Role is Role.OuterWall or Role.InnerWall)
             stopAt = Math.Min(stopAt, length - Math.Min(rules.SeamGap, length / 10));

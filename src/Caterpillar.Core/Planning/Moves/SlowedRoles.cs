@@ -20,7 +20,7 @@ internal sealed class SlowedRoles
         if (_moves[i]++ == 0 || speed < _least[i]) (_wanted[i], _least[i]) = (wanted, speed);
     }
 
-    /// <summary>One remark that names the roles and their lowest speeds.</summary>
+    /// <summary>One note that names the roles and their lowest speeds.</summary>
     /// <param name="limit">mm³/s.</param>
     /// <param name="diagnostics">Where to add it.</param>
     public void Report(double limit, DiagnosticList diagnostics)
@@ -34,7 +34,7 @@ internal sealed class SlowedRoles
             parts.Add($"{Words((Role)i)} from {NumberFormatter.Format(_wanted[i], 1)} to {NumberFormatter.Format(_least[i], 1)} mm/s");
         }
         if (moves == 0) return;
-        diagnostics.Add(Severity.Remark, "plan.flow_slowed",
+        diagnostics.Add(Severity.Note, "plan.flow_slowed",
             $"Printed more slowly, so that it needs no more than {NumberFormatter.Format(limit, 2)} mm³/s of material: {string.Join(", ", parts)}.", null,
                 moves);
     }

@@ -41,8 +41,8 @@ public sealed record PlanReport
     /// <summary>Travels that began with the filament already retracted.</summary>
     public int AlreadyRetracted { get; internal set; }
 
-    /// <summary>Restores of retracted filament.</summary>
-    public int Restores { get; internal set; }
+    /// <summary>Deretractions of retracted filament.</summary>
+    public int Deretractions { get; internal set; }
 
     /// <summary>Retractions while the head wiped along what it had printed.</summary>
     public int Wipes { get; internal set; }
@@ -83,7 +83,7 @@ public sealed record PlanReport
         new("paths", Paths), new("travels", Travels), new("drawn_travels", DrawnTravels), new("lifts", Lifts), new("corridor_lifts", CorridorLifts),
         new("skipped_lifts", SkippedLifts), new("detours", Detours), new("combed", Combed), new("combed_around", CombedAround), new("retractions", Retractions),
         new("skipped_retractions", SkippedRetractions),
-        new("already_retracted", AlreadyRetracted), new("restores", Restores), new("wipes", Wipes), new("lagged_paths", LaggedPaths),
+        new("already_retracted", AlreadyRetracted), new("restores", Deretractions), new("wipes", Wipes), new("lagged_paths", LaggedPaths),
         new("tool_changes", ToolChanges), new("waits", Waits),
         new("returns_over", ReturnsOver), new("returns_along", ReturnsAlong), new("blocked_returns", BlockedReturns), new("empty_segments", EmptySegments),
         new("travel_length_mm", TravelLength), new("unsorted_travel_mm", UnsortedTravel), new("sorted_travel_mm", SortedTravel),

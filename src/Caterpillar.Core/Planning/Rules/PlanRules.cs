@@ -16,10 +16,10 @@ internal enum LiftRule : byte
 /// <param name="VolumePerE">mm³ per unit of E; null for a tool without E.</param>
 /// <param name="RetractE">E of a retraction; 0 for none.</param>
 /// <param name="RetractSpeed">mm/s of filament.</param>
-/// <param name="RestoreSpeed">mm/s of filament.</param>
+/// <param name="DeretractionSpeed">mm/s of filament.</param>
 /// <param name="ExtraE">Extra E beyond the balance after each restore.</param>
 /// <param name="LengthPerE">mm of filament per unit of E.</param>
-internal sealed record ToolRules(double? VolumePerE, double RetractE, double RetractSpeed, double RestoreSpeed, double ExtraE, double LengthPerE = 1)
+internal sealed record ToolRules(double? VolumePerE, double RetractE, double RetractSpeed, double DeretractionSpeed, double ExtraE, double LengthPerE = 1)
 {
     /// <summary>E for mm³ of material; 0 for a tool without E.</summary>
     public double EOf(double volume) => VolumePerE is { } unit ? volume / unit : 0;
@@ -41,7 +41,7 @@ internal sealed record PlanRules
     public required double TravelSpeed { get; init; }
 
     /// <summary>Speed of moves straight up and down.</summary>
-    public required double LiftSpeed { get; init; }
+    public required double ZHopSpeed { get; init; }
 
     public LiftRule Lift { get; init; }
 
@@ -51,7 +51,7 @@ internal sealed record PlanRules
     /// <summary>Travels up to this length are made without a lift.</summary>
     public double MinLiftTravel { get; init; }
 
-    /// <summary>The space that the head needs along a travel, for the corridor.</summary>
+    /// <summary>The space that the head needs along a travel, for the above_path.</summary>
     public HeadCorridor Head { get; init; } = new(0.5);
 
     /// <summary>Side of the cells of what is printed so far.</summary>
@@ -75,7 +75,7 @@ internal sealed record PlanRules
     public double MinLayerTime { get; init; }
 
     /// <inheritdoc cref="MinLayerTime"/>
-    public LayerWait LayerWait { get; init; }
+    public LayerTimeWait LayerTimeWait { get; init; }
 
     /// <summary>The space that the nozzle can reach.</summary>
     public Bounds Reach { get; init; } = Bounds.Empty;
@@ -89,12 +89,12 @@ internal sealed record PlanRules
     public double StartDistance { get; init; }
 
     /// <summary>The extruder stops this far before the end of a path.</summary>
-    public double StopDistance { get; init; }
+    public double CoastingDistance { get; init; }
 
     /// <summary>The extruder stops this far before the end of a closed wall.</summary>
     public double SeamGap { get; init; }
 
-    public bool RestoreDuringDescent { get; init; }
+    public bool DeretractDuringDescent { get; init; }
 
     public BeadShape Shape { get; init; }
 

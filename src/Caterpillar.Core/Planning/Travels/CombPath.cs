@@ -146,7 +146,7 @@ internal sealed class CombPath(double inset)
         path.Add(walk[last]);
     }
 
-    // At the ends of a travel, which lie on strands, the region itself counts.
+    // At the ends of a travel, which lie on extrusions, the region itself counts.
     private bool IsFree(Vec3 a, Vec3 b, bool atEnd) => (a - b).LengthXY < 1e-4 || (atEnd ? _region! : _inner).ContainsLine(a, b);
 
     private static double? Crossing(Vec3 a, Vec3 b, Vec3 p, Vec3 q)

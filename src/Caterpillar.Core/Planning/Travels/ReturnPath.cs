@@ -10,7 +10,7 @@ internal sealed class ReturnPath
 {
     private const double Flush = 1e-6;
 
-    // A tip of half a millimeter then sinks by half a strand into the one uphill.
+    // A tip of half a millimeter then sinks by half an extrusion into the one uphill.
     private const double MaxSlope = 0.25;
     private readonly List<Vec3> _points = [];
 
@@ -53,7 +53,7 @@ internal sealed class ReturnPath
 
     /// <summary>
     /// True if the tip can return along a path: nothing lies on top of it (what was printed along it is flush with it), and it is not so steep that the tip
-    /// would plow through the strand uphill of it.
+    /// would plow through the extrusion uphill of it.
     /// </summary>
     public static bool IsOpen(Deposit deposit, Vec3 from, List<Vec3> path)
     {

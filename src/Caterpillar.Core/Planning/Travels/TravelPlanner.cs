@@ -70,7 +70,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
             {
                 var top = Math.Max(start.Z, emitter.Highest) + rules.Clearance;
                 // Where the start code leaves the head is not known: a line of its own moves Z alone.
-                emitter.Event(new RawEvent($"G0 Z{NumberFormatter.Format(top, 3)} F{NumberFormatter.Format(rules.LiftSpeed * 60, 0)}"));
+                emitter.Event(new RawEvent($"G0 Z{NumberFormatter.Format(top, 3)} F{NumberFormatter.Format(rules.ZHopSpeed * 60, 0)}"));
                 emitter.Travel(start.WithZ(top), rules.TravelSpeed);
                 Down(start);
                 return;
@@ -115,17 +115,17 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     private void Rise(Vec3 to)
     {
         var rise = Math.Abs(to.Z - emitter.Position.Z);
-        emitter.Travel(to, rise > 0 ? Math.Min(rules.TravelSpeed, rules.LiftSpeed * emitter.Position.DistanceTo(to) / rise) : rules.TravelSpeed);
+        emitter.Travel(to, rise > 0 ? Math.Min(rules.TravelSpeed, rules.ZHopSpeed * emitter.Position.DistanceTo(to) / rise) : rules.TravelSpeed);
     }
 
     private bool IsFree(Vec3 from, Vec3 to)
         => deposit is null || rules.Head.RequiredHeight(deposit, from, to, Math.Min(from.Z, to.Z)) <= Math.Min(from.Z, to.Z) + Flush;
 
-    /// <summary>Restores retraction before a path.</summary>
+    /// <summary>Deretractions retraction before a path.</summary>
     public void Restore()
     {
         if (rules.AddsNothing || emitter.Retracted <= 0) return;
-        emitter.Restore(null, emitter.ToolRules.RestoreSpeed);
+        emitter.Restore(null, emitter.ToolRules.DeretractionSpeed);
         Extra();
     }
 
@@ -162,7 +162,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
         if (z <= level) counts.SkippedLifts++;
         else if (rules.Lift == LiftRule.Highest) counts.Lifts++;
         else counts.CorridorLifts++;
-        if (z > from.Z) emitter.Travel(from.WithZ(z), rules.LiftSpeed);
+        if (z > from.Z) emitter.Travel(from.WithZ(z), rules.ZHopSpeed);
         emitter.Travel(to.WithZ(z), rules.TravelSpeed);
         Down(to);
     }
@@ -172,7 +172,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     {
         var from = emitter.Position;
         var z = HeightOver(from, to, Math.Max(from.Z, to.Z), true);
-        return (z - from.Z + z - to.Z) / rules.LiftSpeed + (to - from).LengthXY / rules.TravelSpeed;
+        return (z - from.Z + z - to.Z) / rules.ZHopSpeed + (to - from).LengthXY / rules.TravelSpeed;
     }
 
     private double HeightOver(Vec3 from, Vec3 to, double level, bool safely)
@@ -188,10 +188,10 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     private bool TryDetour(Vec3 from, Vec3 to, double rise)
     {
         if (_detours is null) return false;
-        var longest = from.DistanceTo(to) + 2 * rise / rules.LiftSpeed * rules.TravelSpeed;
+        var longest = from.DistanceTo(to) + 2 * rise / rules.ZHopSpeed * rules.TravelSpeed;
         if (_detours.Find(from, to, longest) is not { } detour) return false;
         counts.Detours++;
-        emitter.Travel(from, rules.LiftSpeed);
+        emitter.Travel(from, rules.ZHopSpeed);
         foreach (var point in detour) emitter.Travel(point, rules.TravelSpeed);
         return true;
     }
@@ -199,21 +199,21 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     private void Down(Vec3 to)
     {
         var length = emitter.IsPlaced ? emitter.Position.DistanceTo(to) : 0;
-        if (!rules.RestoreDuringDescent || emitter.Retracted <= 0 || !(to.Z < emitter.Position.Z))
+        if (!rules.DeretractDuringDescent || emitter.Retracted <= 0 || !(to.Z < emitter.Position.Z))
         {
-            emitter.Travel(to, rules.LiftSpeed);
+            emitter.Travel(to, rules.ZHopSpeed);
             return;
         }
         // Slow enough for the filament to keep up.
         var tool = emitter.ToolRules;
-        emitter.Restore(to, Math.Min(rules.LiftSpeed, length * tool.RestoreSpeed / tool.FilamentLength(emitter.Retracted)));
+        emitter.Restore(to, Math.Min(rules.ZHopSpeed, length * tool.DeretractionSpeed / tool.FilamentLength(emitter.Retracted)));
         Extra();
     }
 
     private void Extra()
     {
         var tool = emitter.ToolRules;
-        if (tool.ExtraE > 0) emitter.Prime(tool.ExtraE, tool.RestoreSpeed);
+        if (tool.ExtraE > 0) emitter.Prime(tool.ExtraE, tool.DeretractionSpeed);
     }
 
     // Back along an open path, onward along a closed one, while the filament is retracted.

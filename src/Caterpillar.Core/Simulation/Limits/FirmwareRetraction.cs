@@ -14,7 +14,7 @@ internal sealed class FirmwareRetraction(Printer printer)
         var retracts = kind == MoveKind.Retract;
         if (retracts == _retracted) return (0, 0);
         _retracted = retracts;
-        if (retracts) return (-printer.RetractionDistance, printer.RetractionSpeed);
-        return (printer.RetractionDistance + printer.RestoreExtra, printer.RestoreSpeed > 0 ? printer.RestoreSpeed : printer.RetractionSpeed);
+        if (retracts) return (-printer.RetractionLength, printer.RetractionSpeed);
+        return (printer.RetractionLength + printer.DeretractionExtra, printer.DeretractionSpeed > 0 ? printer.DeretractionSpeed : printer.RetractionSpeed);
     }
 }

@@ -27,14 +27,14 @@ public static class SlicerLimits
         var travel = old ? null : Value(settings, "machine_max_acceleration_travel", silent);
         return like with
         {
-            CornerRule = CornerRule.Jerk,
+            Cornering = Cornering.Jerk,
             MaxSpeed = speed,
             MaxAcceleration = acceleration,
             Jerk = jerk,
             PrintAcceleration = print,
             TravelAcceleration = travel is > 0 ? travel.Value : print,
             RetractionAcceleration = Value(settings, "machine_max_acceleration_retracting", silent) ?? print,
-            PlannerQueue = 64,
+            LookaheadMoves = 64,
             NozzleHeating = 0,
             BedHeating = 0,
         };

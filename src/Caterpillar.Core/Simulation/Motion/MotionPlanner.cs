@@ -39,13 +39,13 @@ internal sealed class MotionPlanner
         _toolpath = toolpath;
         _printer = setup.Printer;
         _limits = new MachineLimits(_printer);
-        _rules = _printer.CornerRule switch
+        _rules = _printer.Cornering switch
         {
-            CornerRule.Jerk => new JerkRules(_limits),
-            CornerRule.JunctionDeviation => new DeviationRules(_limits),
+            Cornering.Jerk => new JerkRules(_limits),
+            Cornering.JunctionDeviation => new DeviationRules(_limits),
             _ => new SquareCornerRules(_limits, _printer.InstantaneousCornerVelocity),
         };
-        _lookAhead = _printer.CornerRule == CornerRule.SquareCornerVelocity ? new CruiseLookAhead() : new QueueLookAhead(_printer.PlannerQueue);
+        _lookAhead = _printer.Cornering == Cornering.SquareCornerVelocity ? new CruiseLookAhead() : new QueueLookAhead(_printer.LookaheadMoves);
         _retraction = new FirmwareRetraction(_printer);
         _heat = new HeatModel(_printer);
         _out = new MotionColumns(toolpath.Count, timesOnly);
@@ -102,7 +102,7 @@ internal sealed class MotionPlanner
             var e = columns.E[i] * _filamentPerE[Math.Min(Math.Max((int)columns.Tool[i], 0), _filamentPerE.Length - 1)];
             var speed = columns.Speed[i];
             var kind = columns.Kind[i];
-            if (e == 0 && kind is MoveKind.Retract or MoveKind.Restore) (e, speed) = _retraction.Move(kind);
+            if (e == 0 && kind is MoveKind.Retract or MoveKind.Deretract) (e, speed) = _retraction.Move(kind);
             // The travel of a homing takes no time of its own.
             if (!homes)
             {

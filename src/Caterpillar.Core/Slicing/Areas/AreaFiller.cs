@@ -15,9 +15,9 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
     /// <param name="thick">Part of the infill that is printed here for several layers at once, or left to a layer above.</param>
     public void Fill(IslandAreas areas, ThickInfill thick)
     {
-        var skin = _settings.SkinAngle + (layer.Index % 2 == 0 ? 0 : 90);
+        var skin = _settings.SolidInfillAngle + (layer.Index % 2 == 0 ? 0 : 90);
         foreach (var bridge in areas.Bridges) Solid(bridge.Area, Role.Bridge, InfillPattern.Lines, bridge.Angle, StepRank.Bottom);
-        Solid(areas.Bottom, Role.BottomSkin, _settings.BottomPattern, skin, StepRank.Bottom);
+        Solid(areas.Bottom, Role.BottomSurface, _settings.BottomPattern, skin, StepRank.Bottom);
         var closed = areas.Solid;
         foreach (var bridge in InfillBridges.Find(layer, rules, areas.Solid, tools.Engine))
         {
@@ -25,7 +25,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
             closed = closed.Subtract(bridge.Area, tools.Engine);
         }
         Solid(closed, Role.SolidInfill, InfillPattern.Lines, skin, StepRank.Solid);
-        Solid(areas.Top, Role.TopSkin, _settings.TopPattern, skin, StepRank.Top);
+        Solid(areas.Top, Role.TopSurface, _settings.TopPattern, skin, StepRank.Top);
         if (_settings.Ironing) Iron(areas.Top, skin);
         if (thick.Area.IsEmpty)
         {
@@ -56,9 +56,9 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
     {
         if (role == Role.SolidInfill && pattern == InfillPattern.Lines) area = NarrowParts(area, rank);
         if (area.IsEmpty) return;
-        var width = role == Role.SolidInfill || overInfill ? rules.Width : rules.SkinWidth;
+        var width = role == Role.SolidInfill || overInfill ? rules.Width : rules.SolidInfillLineWidth;
         var bead = overInfill ? rules.Bead(width).WithSpeed(_settings.InfillBridgeSpeed) : rules.Bead(width);
-        var share = overInfill ? _settings.InfillBridgeFlow : role == Role.Bridge ? _settings.BridgeFlow : 1;
+        var share = overInfill ? _settings.InfillBridgeFlowRatio : role == Role.Bridge ? _settings.BridgeFlowRatio : 1;
         var lines = tools.Infill.Fill(Request(area, pattern, rules.Pitch(width), width, angle, solid: true));
         // Rows between walls know what each of them has to fill.
         var rows = pattern is InfillPattern.Lines or InfillPattern.Monotonic && _settings.WallCount > 0;
@@ -72,7 +72,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
     // Narrow pieces are filled along their outline: lines across them would be short, and all corners. Returns the others.
     private Region NarrowParts(Region area, int rank)
     {
-        var half = _settings.NarrowSolid / 2;
+        var half = _settings.NarrowSolidInfill / 2;
         if (half <= 0 || area.IsEmpty || !rules.Walls.VariableWidth) return area;
         List<GridPoint[]> wide = [], narrow = [];
         foreach (var piece in area.Islands)
@@ -91,7 +91,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
     private void Iron(Region top, double skin)
     {
         if (top.IsEmpty || !(_settings.IroningFlowPercent > 0)) return;
-        var area = top.Offset(-rules.SkinWidth / 2, JoinStyle.Miter, 2, ArcTolerance, tools.Engine);
+        var area = top.Offset(-rules.SolidInfillLineWidth / 2, JoinStyle.Miter, 2, ArcTolerance, tools.Engine);
         var request = new InfillRequest(area, InfillPattern.Monotonic, _settings.IroningSpacing, _settings.IroningSpacing)
         {
             Angle = skin + 90, Z = layer.Plan.Top, Layer = layer.Index,
@@ -114,7 +114,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
             },
         };
 
-    /// <summary>Where the center lines of strands that fill an area may run.</summary>
+    /// <summary>Where the center lines of extrusions that fill an area may run.</summary>
     public static Region CenterLines(Region area, SliceRules rules, double width, double overlap, RegionEngine engine)
     {
         var inset = rules.Settings.WallCount == 0 ? 0 : rules.Pitch(width) / 2 - overlap;
@@ -132,9 +132,9 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
 
     private void Add(IReadOnlyList<InfillLine> lines, Bead bead, Role role, int rank)
     {
-        var fan = role == Role.Bridge && _settings.BridgeFanPercent > 0 ? new PathOverrides(Fan: _settings.BridgeFanPercent / 100) : null;
+        var fan = role == Role.Bridge && _settings.BridgeFanSpeedPercent > 0 ? new PathOverrides(Fan: _settings.BridgeFanSpeedPercent / 100) : null;
         // What a pattern has put into order stays so.
-        var keep = role == Role.Ironing || (role == Role.TopSkin && _settings.TopPattern == InfillPattern.Monotonic);
+        var keep = role == Role.Ironing || (role == Role.TopSurface && _settings.TopPattern == InfillPattern.Monotonic);
         foreach (var line in lines)
         {
             if (line.Points.Length < 2) continue;

@@ -4,13 +4,13 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// The direction in which an area over air is best spanned: strands that lie on something at both ends, and as little length in the air as possible.
+/// The direction in which an area over air is best spanned: extrusions that lie on something at both ends, and as little length in the air as possible.
 /// </summary>
 internal static class BridgeFinder
 {
     private const int Directions = 24;
 
-    // Strands held at both ends must be this share of the length in the air; else nothing spans the area.
+    // Extrusions held at both ends must be this share of the length in the air; else nothing spans the area.
     private const double Held = 0.5;
 
     // Shares as good as equal; of such directions only one with clearly shorter spans is better than one along the sides.
@@ -20,7 +20,7 @@ internal static class BridgeFinder
     /// <summary>The best direction in degrees from +X, or null where no direction holds the area.</summary>
     /// <param name="area">The bridge with the anchors into which it reaches.</param>
     /// <param name="below">What the layer below covers.</param>
-    /// <param name="width">Width of a strand, mm.</param>
+    /// <param name="width">Width of an extrusion, mm.</param>
     public static double? Find(Region area, Region below, double width)
     {
         var box = area.Bounds;

@@ -4,7 +4,7 @@ using Caterpillar.Machines;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// What of a closed layer lies on sparse infill, or on nothing where there is none: its strands go across the lines below and hang between them.
+/// What of a closed layer lies on sparse infill, or on nothing where there is none: its extrusions go across the lines below and hang between them.
 /// </summary>
 internal static class InfillBridges
 {
@@ -17,7 +17,7 @@ internal static class InfillBridges
         const double Close = 2;
         if (!rules.Settings.InfillBridges || solid.IsEmpty || layer.Index == 0) return [];
         // Narrower areas are filled along their outline.
-        var half = Math.Max(rules.Settings.NarrowSolid / 2, rules.Width);
+        var half = Math.Max(rules.Settings.NarrowSolidInfill / 2, rules.Width);
         if (solid.Offset(-half, JoinStyle.Miter, 2, ArcTolerance, engine).IsEmpty) return [];
         var below = layer.Body.Layers[layer.Index - 1];
         var bridges = new List<BridgeArea>();
@@ -31,7 +31,7 @@ internal static class InfillBridges
             var held = hollow ? below.Region.Subtract(sparse, engine) : Region.Empty;
             foreach (var piece in area.Islands)
             {
-                // Strands are held by the walls around the area, just beyond its edge.
+                // Extrusions are held by the walls around the area, just beyond its edge.
                 var angle = hollow ? BridgeFinder.Find(piece.Offset(rules.Width / 2, JoinStyle.Miter, 2, ArcTolerance, engine), held, rules.Width)
                     : Across(lower, below.Index);
                 if (angle is { } direction) bridges.Add(new BridgeArea(piece, direction));

@@ -31,11 +31,11 @@ internal sealed class SkinFinder(LayerWork layer, SliceRules rules, RegionEngine
         // All that is closed, without slivers, and somewhat into the infill.
         var solid = ReferenceEquals(sparse, inside) ? Region.Empty
             : sparse.IsEmpty ? inside
-            : Grown(inside.Subtract(sparse, engine), inside, rules.Settings.SkinExpand);
+            : Grown(inside.Subtract(sparse, engine), inside, rules.Settings.SolidInfillExpansion);
         sparse = ReferenceEquals(solid, inside) ? Region.Empty : solid.IsEmpty ? inside : WithoutSmall(inside.Subtract(solid, engine));
         if (ReferenceEquals(sparse, inside)) return Alone(inside);
-        bottom = Grown(bottom, inside, Over(air: layer.Index > 0) ? rules.Settings.BridgeAnchor : rules.Settings.SkinExpand);
-        top = Grown(top, inside, rules.Settings.SkinExpand).Subtract(bottom, engine);
+        bottom = Grown(bottom, inside, Over(air: layer.Index > 0) ? rules.Settings.BridgeAnchor : rules.Settings.SolidInfillExpansion);
+        top = Grown(top, inside, rules.Settings.SolidInfillExpansion).Subtract(bottom, engine);
         var skins = bottom.IsEmpty ? top : top.IsEmpty ? bottom : bottom.Union(top, engine);
         if (!skins.IsEmpty && !sparse.IsEmpty) sparse = sparse.Subtract(skins, engine);
         var rest = skins.IsEmpty ? inside : inside.Subtract(skins, engine);
@@ -84,7 +84,7 @@ internal sealed class SkinFinder(LayerWork layer, SliceRules rules, RegionEngine
     private Region Grown(Region area, Region inside, double distance)
     {
         if (area.IsEmpty || ReferenceEquals(area, inside)) return area;
-        var half = rules.Settings.SkinMinWidth / 2;
+        var half = rules.Settings.MinSolidWidth / 2;
         var core = area.Offset(-half, JoinStyle.Miter, 2, 0.005, engine);
         if (core.IsEmpty) return core;
         return core.Offset(half + distance, JoinStyle.Miter, 2, 0.005, engine).Intersect(inside, engine);
@@ -99,7 +99,7 @@ internal sealed class SkinFinder(LayerWork layer, SliceRules rules, RegionEngine
 
     private Region WithoutSmall(Region sparse)
     {
-        var limit = rules.InfillSpacing > 0 ? rules.Settings.SolidBelow : 0;
+        var limit = rules.InfillSpacing > 0 ? rules.Settings.SolidInfillThresholdArea : 0;
         if (limit == 0) return sparse;
         var islands = sparse.Islands;
         var kept = new List<GridPoint[]>();
@@ -120,7 +120,7 @@ internal sealed class SkinFinder(LayerWork layer, SliceRules rules, RegionEngine
         var others = new List<GridPoint[]>();
         foreach (var piece in bottom.Islands)
         {
-            if (BridgeFinder.Find(piece, below.Near(piece.Box), rules.SkinWidth) is { } angle) bridges.Add(new BridgeArea(piece, angle));
+            if (BridgeFinder.Find(piece, below.Near(piece.Box), rules.SolidInfillLineWidth) is { } angle) bridges.Add(new BridgeArea(piece, angle));
             else others.AddRange(piece.Paths);
         }
         return areas with { Bottom = Region.Own(others.ToArray()), Bridges = bridges };

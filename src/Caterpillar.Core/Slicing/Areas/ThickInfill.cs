@@ -13,7 +13,7 @@ internal readonly record struct ThickInfill(Region Area, double Thickness)
     /// <summary>First and last layer of the group of a layer.</summary>
     public static (int First, int Last) Group(LayerWork layer)
     {
-        var every = layer.Rules.Settings.InfillEvery;
+        var every = layer.Rules.Settings.CombineInfillLayers;
         var first = layer.Index / every * every;
         return (first, Math.Min(layer.Body.Layers.Length, first + every) - 1);
     }
@@ -21,7 +21,7 @@ internal readonly record struct ThickInfill(Region Area, double Thickness)
     /// <summary>What a layer has to do with its group.</summary>
     public static ThickInfill Of(LayerWork layer, RegionEngine engine)
     {
-        if (layer.Rules.Settings.InfillEvery == 1) return None;
+        if (layer.Rules.Settings.CombineInfillLayers == 1) return None;
         var (first, last) = Group(layer);
         var thickness = 0.0;
         Region? common = null;
@@ -32,7 +32,7 @@ internal readonly record struct ThickInfill(Region Area, double Thickness)
             var sparse = SparseOf(member, engine);
             common = common is null ? sparse : common.Intersect(sparse, engine);
         }
-        // Slivers that no strand fits into stay with their layers.
+        // Slivers that no extrusion fits into stay with their layers.
         var half = layer.Rules.Width;
         common = common!.Offset(-half, JoinStyle.Miter, 2, 0.005, engine).Offset(half, JoinStyle.Miter, 2, 0.005, engine);
         return common.IsEmpty || first == last ? None : new ThickInfill(common, layer.Index == last ? thickness : 0);

@@ -20,13 +20,13 @@ internal static class Adhesion
         var steps = new List<PathStep>();
         var pitch = rules.Pitch(rules.Width);
         var brim = settings.BrimWidth > 0 ? Math.Max(1, (int)Math.Floor(settings.BrimWidth / pitch + 0.5)) : 0;
-        var outside = settings.BrimSide != BrimSide.Inside;
+        var outside = settings.BrimType != BrimType.InnerOnly;
         var reach = brim > 0 && outside ? settings.BrimGap + brim * pitch : 0;
         // From the outside in, so that each loop has the next one to lean on.
         for (var loop = settings.SkirtLoops - 1; loop >= 0; loop--)
             Add(reach + settings.SkirtDistance + rules.Width / 2 + loop * pitch, Role.Skirt, outer: true, holes: false);
         for (var loop = brim - 1; loop >= 0; loop--)
-            Add(settings.BrimGap + rules.Width / 2 + loop * pitch, Role.Brim, outside, settings.BrimSide != BrimSide.Outside);
+            Add(settings.BrimGap + rules.Width / 2 + loop * pitch, Role.Brim, outside, settings.BrimType != BrimType.OuterOnly);
         steps.AddRange(first.Steps);
         return first with { Steps = steps };
 

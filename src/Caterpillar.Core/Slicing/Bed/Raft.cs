@@ -8,7 +8,7 @@ namespace Caterpillar.Slicing;
 internal static class Raft
 {
     /// <summary>By how much the part is lifted, mm.</summary>
-    public static double Lift(PrintSettings settings) => settings.RaftLayers == 0 ? 0 : settings.RaftLayers * settings.RaftHeight + settings.RaftGap;
+    public static double Lift(PrintSettings settings) => settings.RaftLayers == 0 ? 0 : settings.RaftLayers * settings.RaftLayerHeight + settings.RaftGap;
 
     /// <summary>The layers of the raft.</summary>
     /// <param name="covered">What the first layer of the parts covers.</param>
@@ -16,21 +16,21 @@ internal static class Raft
     public static IReadOnlyList<SlicedLayer> Below(Region covered, PrintSettings settings)
     {
         var layers = new List<SlicedLayer>();
-        var rules = SliceRules.Of(settings, settings.RaftHeight);
+        var rules = SliceRules.Of(settings, settings.RaftLayerHeight);
         // Gaps that a margin on both sides fills are closed, too.
-        var area = covered.Offset(settings.RaftMargin, JoinStyle.Round, arcTolerance: 0.05);
+        var area = covered.Offset(settings.RaftExpansion, JoinStyle.Round, arcTolerance: 0.05);
         var tools = new LayerTools();
         var pitch = rules.Pitch(rules.Width);
         for (var i = 0; i < settings.RaftLayers; i++)
         {
             var solid = i == settings.RaftLayers - 1;
-            var layer = new Layer(i, (i + 1) * settings.RaftHeight, settings.RaftHeight, "raft");
+            var layer = new Layer(i, (i + 1) * settings.RaftLayerHeight, settings.RaftLayerHeight, "raft");
             var steps = new List<PathStep>();
             var islands = area.Islands;
             for (var k = 0; k < islands.Count; k++)
             {
                 var lines = islands[k].Offset(-rules.Width / 2, JoinStyle.Round, arcTolerance: 0.05);
-                var request = new InfillRequest(lines, InfillPattern.Lines, solid ? pitch : pitch * 100 / settings.RaftPercent, rules.Width)
+                var request = new InfillRequest(lines, InfillPattern.Lines, solid ? pitch : pitch * 100 / settings.RaftDensityPercent, rules.Width)
                 {
                     Angle = i % 2 == 0 ? 0 : 90, Z = layer.Z, Layer = i, Solid = solid,
                 };

@@ -3,41 +3,41 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Says what was mended of a broken mesh, on which layers and by how much, and what is left out.</summary>
+/// <summary>Says what was repaired of a broken mesh, on which layers and by how much, and what is left out.</summary>
 internal static class BrokenMeshReport
 {
     /// <summary>The text, or null where there is nothing to say.</summary>
-    public static string? Describe(MendedMesh mended, IReadOnlyList<Section> sections)
+    public static string? Describe(RepairedMesh repaired, IReadOnlyList<Section> sections)
     {
         var sentences = new List<string>();
-        var parts = MeshParts(mended);
-        if (parts.Count > 0) sentences.Add($"Mended: {string.Join(", ", parts)}.");
+        var parts = MeshParts(repaired);
+        if (parts.Count > 0) sentences.Add($"Repaired: {string.Join(", ", parts)}.");
         if (Gaps(sections) is { } gaps) sentences.Add(gaps);
         if (LeftOut(sections) is { } left) sentences.Add(left);
         return sentences.Count == 0 ? null : "The mesh is broken. " + string.Join(" ", sentences);
     }
 
-    private static List<string> MeshParts(MendedMesh mended)
+    private static List<string> MeshParts(RepairedMesh repaired)
     {
         var parts = new List<string>();
-        if (mended.MovedVertices > 0)
-            parts.Add($"{Count(mended.MovedVertices, "vertex", "vertices")} moved by up to {Millimeters(mended.FarthestMove, 3)} to join rims");
-        if (mended.DoubledFacets > 0) parts.Add($"{Count(mended.DoubledFacets, "doubled triangle", "doubled triangles")} taken once");
-        if (mended.TurnedFacets > 0) parts.Add($"{Count(mended.TurnedFacets, "triangle", "triangles")} turned that faced inwards");
-        if (mended.TurnedBodies > 0) parts.Add($"{Count(mended.TurnedBodies, "body that was", "bodies that were")} inside out turned");
-        if (mended.Holes.Count > 0)
+        if (repaired.MovedVertices > 0)
+            parts.Add($"{Count(repaired.MovedVertices, "vertex", "vertices")} moved by up to {Millimeters(repaired.FarthestMove, 3)} to join rims");
+        if (repaired.DoubledFacets > 0) parts.Add($"{Count(repaired.DoubledFacets, "doubled triangle", "doubled triangles")} taken once");
+        if (repaired.TurnedFacets > 0) parts.Add($"{Count(repaired.TurnedFacets, "triangle", "triangles")} turned that faced inwards");
+        if (repaired.TurnedBodies > 0) parts.Add($"{Count(repaired.TurnedBodies, "body that was", "bodies that were")} inside out turned");
+        if (repaired.Holes.Count > 0)
         {
             var box = Bounds.Empty;
             var width = 0.0;
-            foreach (var hole in mended.Holes)
+            foreach (var hole in repaired.Holes)
             {
                 box = box.Include(hole.Box);
                 width = Math.Max(width, hole.Width);
             }
             var heights = $"z {NumberFormatter.Format(box.Min.Z, 2)} to {NumberFormatter.Format(box.Max.Z, 2)} mm";
-            parts.Add($"{Count(mended.Holes.Count, "hole", "holes")} filled ({heights}, the widest {Millimeters(width, 2)})");
+            parts.Add($"{Count(repaired.Holes.Count, "hole", "holes")} filled ({heights}, the widest {Millimeters(width, 2)})");
         }
-        if (mended.LooseFacets > 0) parts.Add($"{Count(mended.LooseFacets, "loose triangle", "loose triangles")} left out at filled holes");
+        if (repaired.LooseFacets > 0) parts.Add($"{Count(repaired.LooseFacets, "loose triangle", "loose triangles")} left out at filled holes");
         return parts;
     }
 

@@ -45,7 +45,7 @@ internal sealed class LayerPlan(TriMesh mesh, PrintSettings settings)
     }
 
     private double Cut(double top, double thickness)
-        => settings.LayerCut == LayerCut.Middle ? top - thickness / 2 : top - thickness + Math.Min(0.01, thickness / 10);
+        => settings.SlicingPlane == SlicingPlane.Middle ? top - thickness / 2 : top - thickness + Math.Min(0.01, thickness / 10);
 
     private double ThicknessAt(double z)
     {
@@ -55,7 +55,7 @@ internal sealed class LayerPlan(TriMesh mesh, PrintSettings settings)
             if (z >= range.From - Rounding && z < range.To - Rounding) return range.Thickness;
         }
         return _formula is not null ? _formula.Evaluate(z)
-            : _slopes is not null ? _slopes.Thickness(z, settings.AdaptiveMinHeight, settings.AdaptiveMaxHeight, settings.AdaptiveCusp)
+            : _slopes is not null ? _slopes.Thickness(z, settings.AdaptiveMinHeight, settings.AdaptiveMaxHeight, settings.AdaptiveCuspHeight)
             : settings.LayerHeight;
     }
 }

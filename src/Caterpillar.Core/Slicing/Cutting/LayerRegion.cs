@@ -12,10 +12,10 @@ internal static class LayerRegion
         if (layer.Section is not { } section) return;
         layer.Section = null;
         var settings = layer.Rules.Settings;
-        if (settings.OpenMeshes == OpenMeshes.Walls) layer.OpenLines = section.OpenLines;
+        if (settings.OpenContours == OpenContours.Walls) layer.OpenLines = section.OpenLines;
         var region = Region.From(section.Loops, FillRule.NonZero, false, engine);
         // What simplifying cuts off stays open where there is nothing but walls.
-        var tolerance = IsAllWalls(region, layer.Rules.Walls) ? settings.SimplifyTolerance / 2 : settings.SimplifyTolerance;
+        var tolerance = IsAllWalls(region, layer.Rules.Walls) ? settings.Resolution / 2 : settings.Resolution;
         layer.Region = Compensated(region.Simplified(tolerance, engine), layer, engine);
     }
 
@@ -27,8 +27,8 @@ internal static class LayerRegion
     private static Region Compensated(Region region, LayerWork layer, RegionEngine engine)
     {
         var settings = layer.Rules.Settings;
-        var outline = settings.XyCompensation + (layer.Index == 0 ? settings.FirstLayerCompensation : 0);
-        var inHoles = outline - settings.HoleCompensation;
+        var outline = settings.XySizeCompensation + (layer.Index == 0 ? settings.ElephantFootCompensation : 0);
+        var inHoles = outline - settings.XyHoleCompensation;
         if (outline == 0 && inHoles == 0) return region;
         if (outline == inHoles) return region.Offset(outline, JoinStyle.Miter, 2, 0.005, engine);
         // Holes are regions of their own, turned over; an island within a hole is an outline again.

@@ -4,7 +4,9 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Cuts a model for printing: the mesh is mended, contours are closed over gaps, and one diagnostic says what was done and what is left out.</summary>
+/// <summary>
+/// Cuts a model for printing: the mesh is repaired, contours are closed over gaps, and one diagnostic says what was done and what is left out.
+/// </summary>
 internal static class ModelSections
 {
     /// <summary>Sections at ascending heights; what was noticed is added to <paramref name="problems"/>.</summary>
@@ -13,14 +15,14 @@ internal static class ModelSections
         NamedMesh model, double[] heights, PrintSettings settings, int threads, List<Diagnostic> problems,
         IProgress<double>? progress, CancellationToken cancel)
     {
-        // Open meshes that are printed as single walls have no inside that could be mended or lost.
-        if (settings.OpenMeshes == OpenMeshes.Walls)
+        // Open meshes that are printed as single walls have no inside that could be repaired or lost.
+        if (settings.OpenContours == OpenContours.Walls)
             return MeshSections.At(model.Mesh, heights, new SectionOptions { Threads = threads }, progress, cancel).Value!;
-        var mended = settings.MendMeshes ? MeshRepair.ToSolid(model.Mesh, cancel) : MendedMesh.Unchanged(model.Mesh);
-        var options = new SectionOptions { Threads = threads, GapMm = settings.LargestGap };
-        var sections = MeshSections.At(mended.Mesh, heights, options, progress, cancel).Value!;
+        var repaired = settings.RepairMeshes ? MeshRepair.ToSolid(model.Mesh, cancel) : RepairedMesh.Unchanged(model.Mesh);
+        var options = new SectionOptions { Threads = threads, GapMm = settings.SliceGapClosing };
+        var sections = MeshSections.At(repaired.Mesh, heights, options, progress, cancel).Value!;
         var source = new SourceLocation(model.Name);
-        if (BrokenMeshReport.Describe(mended, sections) is { } text)
+        if (BrokenMeshReport.Describe(repaired, sections) is { } text)
             problems.Add(new Diagnostic(Severity.Warning, "slice.broken_mesh", text, source));
         if (LostLayers.Find(sections, settings.MaxAreaLossPercent, cancel) is { } lost)
             problems.Add(new Diagnostic(Severity.Error, "slice.lost_layers", lost, source));

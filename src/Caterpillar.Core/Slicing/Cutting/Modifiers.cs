@@ -32,7 +32,8 @@ internal sealed class Modifiers(IReadOnlyList<SliceModel> models)
                 if (!rules.TryGetValue(layer.Plan.Thickness, out var own))
                 {
                     // What layers have in common stays that of the part.
-                    var settings = models[m].Settings with { InfillEvery = layer.Rules.Settings.InfillEvery, OpenMeshes = layer.Rules.Settings.OpenMeshes };
+                    var settings = models[m].Settings with { CombineInfillLayers = layer.Rules.Settings.CombineInfillLayers,
+                        OpenContours = layer.Rules.Settings.OpenContours };
                     rules.Add(layer.Plan.Thickness, own = SliceRules.Of(settings, layer.Plan.Thickness, common));
                 }
                 layer.Modifiers.Add((own, area));

@@ -43,7 +43,7 @@ internal static class OverlappingModels
             const int Named = 3;
             var more = members.Length > Named ? $" + {NumberFormatter.Format(members.Length - Named)} more" : "";
             var name = string.Join(" + ", members.Take(Named).Select(m => m.Mesh.Name)) + more;
-            problems.Add(Severity.Remark, "models.merged", $"{name} overlap: they are printed as one solid (merge_overlapping=false prints each).");
+            problems.Add(Severity.Note, "models.merged", $"{name} overlap: they are printed as one solid (merge_overlapping_models=false prints each).");
             merged.Add(new SliceModel(new NamedMesh(name, TriMesh.Merge(members.Select(m => m.Mesh.Mesh))), members[0].Settings));
         }
         return merged;
@@ -58,7 +58,7 @@ internal static class OverlappingModels
         var count = (int)Math.Max(1, Math.Min(MaxHeights, Math.Ceiling((top - bottom) / a.Settings.LayerHeight)));
         var heights = new double[count];
         for (var i = 0; i < count; i++) heights[i] = bottom + (i + 0.5) * (top - bottom) / count;
-        var options = new SectionOptions { Threads = threads, GapMm = a.Settings.LargestGap };
+        var options = new SectionOptions { Threads = threads, GapMm = a.Settings.SliceGapClosing };
         var first = MeshSections.At(a.Mesh.Mesh, heights, options, null, cancel).Value!;
         var second = MeshSections.At(b.Mesh.Mesh, heights, options, null, cancel).Value!;
         for (var i = 0; i < count; i++)

@@ -13,7 +13,7 @@ internal sealed partial class BoundaryLinks
     /// <param name="lines">The pieces, by row and along the row.</param>
     /// <param name="spans">Row of each piece, and from where to where it goes along the rows.</param>
     /// <param name="limit">Longest link along the boundary, mm.</param>
-    /// <param name="width">Width of the strands, mm, as for <see cref="Join"/>.</param>
+    /// <param name="width">Width of the extrusions, mm, as for <see cref="Join"/>.</param>
     public List<InfillLine> Sweep(
         Region area, IReadOnlyList<InfillLine> lines, IReadOnlyList<(int Row, double From, double To)> spans, double limit, double width = 0)
     {

@@ -6,7 +6,7 @@ namespace Caterpillar.Slicing;
 // it. There the row leaves its direction before its end and goes straight to the boundary, where the link begins earlier, so that it reaches into the wedge.
 internal sealed partial class BoundaryLinks
 {
-    // In widths: how far before its end a row is left at most, and at least. Found by painting the strands of whole layers: little stays open, and not much
+    // In widths: how far before its end a row is left at most, and at least. Found by painting the extrusions of whole layers: little stays open, and not much
     // more material is needed than with straight ends.
     private const double Longest = 0.9;
     private const double Shortest = 0.1;
@@ -60,7 +60,7 @@ internal sealed partial class BoundaryLinks
         var ahead = boundary.At(place.Contour, place.At + (forward ? Near : -Near)) - end;
         var cosine = -(inner.X * ahead.X + inner.Y * ahead.Y) / (length * ahead.LengthXY);
         if (!(cosine >= LeastCosine)) return null;
-        // The link stays a strand away from the end before it.
+        // The link stays an extrusion away from the end before it.
         var leave = Math.Min(Longest * _width, ((forward ? place.Before : place.After) - _width) / cosine);
         if (leave < Shortest * _width) return null;
         var reach = cosine * leave;

@@ -18,7 +18,7 @@ internal sealed partial class BoundaryLinks
     /// <param name="area">The area whose boundary the lines end on.</param>
     /// <param name="lines">The lines.</param>
     /// <param name="limit">Longest link along the boundary, mm.</param>
-    /// <param name="width">Width of the strands, mm, where their turns leave nothing open along the boundary; 0 for plain corners.</param>
+    /// <param name="width">Width of the extrusions, mm, where their turns leave nothing open along the boundary; 0 for plain corners.</param>
     public List<InfillLine> Join(Region area, IReadOnlyList<InfillLine> lines, double limit, double width = 0)
     {
         _width = width;

@@ -9,7 +9,7 @@ internal static class ConcentricPattern
 
     public static void Add(InfillRequest request, RegionEngine engine, List<InfillLine> lines)
     {
-        // Solid loops begin on the boundary; wider ones half a gap away from the strand on it.
+        // Solid loops begin on the boundary; wider ones half a gap away from the extrusion on it.
         var loop = request.Area.Offset(request.Solid ? 0 : -request.Spacing / 2, JoinStyle.Miter, 2, ArcTolerance, engine);
         while (!loop.IsEmpty)
         {

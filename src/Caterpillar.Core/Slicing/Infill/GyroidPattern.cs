@@ -12,7 +12,7 @@ internal static class GyroidPattern
     /// <summary>Length of all sections per area, times the period; the mean over a period of heights.</summary>
     public const double MeanLength = 2.4586;
 
-    // mm; a tenth of a strand.
+    // mm; a tenth of an extrusion.
     private const double ChordTolerance = 0.04;
 
     public static List<Polyline> Waves(InfillRequest request)

@@ -4,13 +4,13 @@ namespace Caterpillar.Slicing;
 
 /// <summary>
 /// Hexagons of lines that never cross: each line follows the upper and lower sides of a row of hexagons in turn, and where two lines would share a side they
-/// run next to each other, one strand apart.
+/// run next to each other, one extrusion apart.
 /// </summary>
 internal static class HoneycombPattern
 {
     private static readonly double Sqrt3 = Math.Sqrt(3);
 
-    /// <summary>Null where the hexagons would be smaller than their strands are wide.</summary>
+    /// <summary>Null where the hexagons would be smaller than their extrusions are wide.</summary>
     public static List<Polyline>? Rows(InfillRequest request)
     {
         // A line goes two sides, one straight and one sloped, on a side and a half, so lines are 4/3 spacings apart: their height and the distance of the

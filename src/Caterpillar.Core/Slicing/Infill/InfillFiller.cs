@@ -3,7 +3,7 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Fills areas with strands. One thread at a time; keeps its arrays for the next area.</summary>
+/// <summary>Fills areas with extrusions. One thread at a time; keeps its arrays for the next area.</summary>
 internal sealed class InfillFiller(RegionEngine engine)
 {
     // Longest link along the boundary, in distances of lines.
@@ -30,7 +30,7 @@ internal sealed class InfillFiller(RegionEngine engine)
         _ => 1,
     };
 
-    /// <summary>The strands in the order in which they are to be printed; only <see cref="InfillPattern.Monotonic"/> depends on that order.</summary>
+    /// <summary>The extrusions in the order in which they are to be printed; only <see cref="InfillPattern.Monotonic"/> depends on that order.</summary>
     /// <exception cref="ArgumentException">Spacing, width or tolerance are not positive numbers, or what the pattern needs is missing.</exception>
     public IReadOnlyList<InfillLine> Fill(InfillRequest request)
     {
@@ -98,7 +98,7 @@ internal sealed class InfillFiller(RegionEngine engine)
         }
     }
 
-    // Shorter than wide, a strand is a blob.
+    // Shorter than wide, an extrusion is a blob.
     private static bool IsShort(InfillLine line, double width)
     {
         var length = 0.0;

@@ -5,19 +5,19 @@ using Caterpillar.Machines;
 namespace Caterpillar.Slicing;
 
 /// <summary>An area of a layer to be filled.</summary>
-/// <param name="Area">Where the center lines of strands may run, mm.</param>
+/// <param name="Area">Where the center lines of extrusions may run, mm.</param>
 /// <param name="Pattern">What the lines look like.</param>
 /// <param name="Spacing">
 /// mm, positive: area filled per length of line. It is the pitch of solid lines × 100 / percent, whatever the pattern; patterns of several families of lines
 /// space each family wider (<see cref="InfillFiller.Families"/>), so that all of them together lay down the same length.
 /// </param>
-/// <param name="Width">Width of a strand, mm, positive.</param>
+/// <param name="Width">Width of an extrusion, mm, positive.</param>
 internal sealed record InfillRequest(Region Area, InfillPattern Pattern, double Spacing, double Width)
 {
     /// <summary>Direction of the (first) lines, degrees from +X.</summary>
     public double Angle { get; init; }
 
-    /// <summary>Height at which the strands lie, mm. Cubic, gyroid and formula differ with it.</summary>
+    /// <summary>Height at which the extrusions lie, mm. Cubic, gyroid and formula differ with it.</summary>
     public double Z { get; init; }
 
     /// <summary>Number of the layer.</summary>

@@ -17,7 +17,7 @@ internal sealed class LevelSet
     private readonly List<Vec3> _line = [];
     private int[] _edges = [];
 
-    /// <summary>What a formula may use: the place in mm, the number of the layer, spacing and width of the strands in mm.</summary>
+    /// <summary>What a formula may use: the place in mm, the number of the layer, spacing and width of the extrusions in mm.</summary>
     public static IReadOnlyList<string> Variables { get; } = ["x", "y", "z", "layer", "spacing", "width"];
 
     public List<Polyline> Trace(InfillRequest request)

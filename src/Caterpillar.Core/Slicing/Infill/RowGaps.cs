@@ -3,12 +3,12 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Strands for what rows leave between themselves and edges that run nearly along them, and for arms of an area that lie between two rows. Each is as wide as
-/// the gap, and where that changes, its flow follows.
+/// Extrusions for what rows leave between themselves and edges that run nearly along them, and for arms of an area that lie between two rows. Each is as wide
+/// as the gap, and where that changes, its flow follows.
 /// </summary>
 internal sealed class RowGaps
 {
-    // Shares of a spacing: shortest edge that counts as one along the rows, thinnest strand, largest change of width within a segment.
+    // Shares of a spacing: shortest edge that counts as one along the rows, thinnest extrusion, largest change of width within a segment.
     private const double Shortest = 3;
     private const double Thinnest = 0.3;
     private const double Change = 0.2;
@@ -22,7 +22,7 @@ internal sealed class RowGaps
     private double _first;
     private double _spacing;
 
-    /// <summary>Adds the strands; rows are at first + k · spacing, up to k = rows.</summary>
+    /// <summary>Adds the extrusions; rows are at first + k · spacing, up to k = rows.</summary>
     public void Add(InfillRequest request, Region island, in PatternFrame frame, double first, double spacing, int rows, List<InfillLine> lines)
     {
         (_first, _spacing) = (first, spacing);
@@ -99,11 +99,11 @@ internal sealed class RowGaps
             double from = Math.Max(at, bottom.Start), to = Math.Min(top.End, bottom.End), middle = (from + to) / 2;
             if (bottom.At(middle) >= top.At(middle)) continue;
             // Down to the row where there is no edge, then between the two.
-            Strand(at, from, new Gap(top, null, row), request, frame, lines);
-            Strand(from, to, new Gap(top, bottom, row), request, frame, lines);
+            Extrusion(at, from, new Gap(top, null, row), request, frame, lines);
+            Extrusion(from, to, new Gap(top, bottom, row), request, frame, lines);
             at = to;
         }
-        Strand(at, top.End, new Gap(top, null, row), request, frame, lines);
+        Extrusion(at, top.End, new Gap(top, null, row), request, frame, lines);
     }
 
     private void Below(Edge bottom, InfillRequest request, in PatternFrame frame, List<InfillLine> lines)
@@ -115,14 +115,14 @@ internal sealed class RowGaps
             if (!top.IsTop || top.Strip != bottom.Strip || top.End <= at || top.Start >= bottom.End) continue;
             double from = Math.Max(at, top.Start), to = Math.Min(top.End, bottom.End), middle = (from + to) / 2;
             if (bottom.At(middle) >= top.At(middle)) continue;
-            Strand(at, from, new Gap(null, bottom, row), request, frame, lines);
+            Extrusion(at, from, new Gap(null, bottom, row), request, frame, lines);
             at = to;
         }
-        Strand(at, bottom.End, new Gap(null, bottom, row), request, frame, lines);
+        Extrusion(at, bottom.End, new Gap(null, bottom, row), request, frame, lines);
     }
 
-    // Along the middle between an edge, with half a strand up to the wall, and the other edge or the strand of the row.
-    private void Strand(double from, double to, Gap gap, InfillRequest request, in PatternFrame frame, List<InfillLine> lines)
+    // Along the middle between an edge, with half an extrusion up to the wall, and the other edge or the extrusion of the row.
+    private void Extrusion(double from, double to, Gap gap, InfillRequest request, in PatternFrame frame, List<InfillLine> lines)
     {
         var (top, bottom, row) = gap;
         var half = request.Spacing / 2 - request.Overlap;
@@ -171,7 +171,7 @@ internal sealed class RowGaps
         _flow.Clear();
     }
 
-    // What is between an edge and another, or the side of a row's strand.
+    // What is between an edge and another, or the side of a row's extrusion.
     private readonly record struct Gap(Edge? Top, Edge? Bottom, double Row);
 
     // A piece of a contour between two rows, by ascending u.

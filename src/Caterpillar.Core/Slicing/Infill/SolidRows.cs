@@ -5,7 +5,7 @@ namespace Caterpillar.Slicing;
 
 /// <summary>
 /// Parallel lines that close an area. Rows are spread evenly between the sides of each island, the first and the last along them; what they miss at steps and
-/// along holes gets strands of its own. Also the rows of <see cref="InfillPattern.Monotonic"/>, swept from one side.
+/// along holes gets extrusions of its own. Also the rows of <see cref="InfillPattern.Monotonic"/>, swept from one side.
 /// </summary>
 internal sealed class SolidRows
 {
@@ -58,7 +58,7 @@ internal sealed class SolidRows
         if (request.Solid && rows > 0) _gaps.Add(request, island, frame, first, spacing, rows, result);
     }
 
-    // Half of what lies between a row and its neighbors; at the edge half a strand.
+    // Half of what lies between a row and its neighbors; at the edge half an extrusion.
     private static double Territory(InfillRequest request, in PatternFrame frame, int row, double spacing, int rows)
     {
         if (rows == 0) return Math.Max(Thinnest * request.Spacing, request.Spacing + frame.MaxV - frame.MinV - 2 * request.Overlap);

@@ -47,7 +47,7 @@ public static class ModelCheck
     }
 
     /// <summary>
-    /// Whether models are larger than the build volume by more than the strands may keep away from the outline, so that the check of the finished print
+    /// Whether models are larger than the build volume by more than the extrusions may keep away from the outline, so that the check of the finished print
     /// (<c>bed.outside</c>) is bound to refuse them wherever they stand.
     /// </summary>
     public static bool IsTooLarge(IReadOnlyList<NamedMesh> models, PrintSetup setup)

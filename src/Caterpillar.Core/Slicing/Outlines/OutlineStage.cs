@@ -10,7 +10,7 @@ internal static class OutlineStage
         LayerRegion.Find(layer, engine);
         if (layer.Region.IsEmpty) return;
         var settings = layer.Rules.Settings;
-        if (settings.Vase && layer.Index >= settings.BottomLayers)
+        if (settings.SpiralVase && layer.Index >= settings.BottomLayers)
         {
             layer.VaseLoop = VaseSpiral.Loop(layer, engine);
             if (layer.VaseLoop is not null) return;

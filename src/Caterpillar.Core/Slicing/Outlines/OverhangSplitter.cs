@@ -76,7 +76,7 @@ internal sealed class OverhangSplitter(SliceRules rules, Region below, RegionEng
         for (var i = lengths.Length - 1; i > 0; i--)
         {
             over += lengths[i];
-            if (over >= Enough * all) fan = Math.Max(fan, _classes[i - 1].FanPercent / 100);
+            if (over >= Enough * all) fan = Math.Max(fan, _classes[i - 1].MinFanSpeedPercent / 100);
         }
         return fan > 0 ? fan : null;
     }

@@ -56,7 +56,7 @@ internal sealed class VaseSpiral(bool isAlone)
             var from = _below is null ? points[i] : i == 0 ? _end : Nearest(_below, _lengths, points[i], ref hint);
             turn[i] = Vec3.Lerp(from, points[i], t).WithZ(bottom + t * work.Plan.Thickness);
         }
-        var least = settings.VaseMinFlowPercent / 100;
+        var least = settings.SpiralVaseMinFlowPercent / 100;
         var first = _below is null;
         var path = Turn(turn, work, t => first ? Math.Max(least, t) : 1, goesOn: isAlone);
         (_below, _lengths) = (points, lengths);
@@ -69,7 +69,7 @@ internal sealed class VaseSpiral(bool isAlone)
     public SlicedLayer? Finish()
     {
         if (_last is null || _lastWork is null || _below is null) return null;
-        var least = _lastWork.Rules.Settings.VaseMinFlowPercent / 100;
+        var least = _lastWork.Rules.Settings.SpiralVaseMinFlowPercent / 100;
         var level = Array.ConvertAll(_below, p => p.WithZ(_lastWork.Plan.Top));
         return _last with { Steps = [.. _last.Steps, Turn(level, _lastWork, t => Math.Max(least, 1 - t), goesOn: false)] };
     }

@@ -43,15 +43,16 @@ internal static class WallSteps
         }
     }
 
-    // Where a strand touches the layer below at all: half of its width farther than its center line may lie.
+    // Where an extrusion touches the layer below at all: half of its width farther than its center line may lie.
     private static Region Held(Region below, SliceRules rules, RegionEngine engine)
         => below.Offset(rules.Width / 2, JoinStyle.Miter, 2, 0.01, engine);
 
     private static PrintPath Path(LayerWork layer, SliceRules rules, WallPath wall, int number)
     {
         var settings = rules.Settings;
-        if (settings.FuzzySkin > 0 && wall is { Index: 0, Closed: true } && layer.Index > 0) wall = FuzzySkin.Apply(wall, settings, layer.Number, number);
-        var role = wall.Index == 0 ? Role.OuterWall : wall.IsStrand ? Role.GapFill : Role.InnerWall;
+        if (settings.FuzzySkinThickness > 0 && wall is { Index: 0, Closed: true } && layer.Index > 0) wall = FuzzySkinThickness.Apply(wall, settings,
+            layer.Number, number);
+        var role = wall.Index == 0 ? Role.OuterWall : wall.IsExtrusion ? Role.GapFill : Role.InnerWall;
         return wall.ToPath(layer.Plan.Top, rules.Walls).With(role, layer.Layer);
     }
 

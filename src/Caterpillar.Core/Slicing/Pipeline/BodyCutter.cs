@@ -24,7 +24,7 @@ internal sealed class BodyCutter(
             problems.Add(Severity.Warning, "slice.below_bed",
                 $"The model reaches {NumberFormatter.Format(-mesh.Bounds.Min.Z, 3)} mm below the bed; that part is not printed.", body.Source);
         }
-        if (settings is { InfillPattern: InfillPattern.Curves, InfillCurves.Count: 0 } && (settings.InfillPercent > 0 || settings.InfillSpacing > 0))
+        if (settings is { InfillPattern: InfillPattern.Curves, InfillCurves.Count: 0 } && (settings.InfillDensityPercent > 0 || settings.InfillSpacing > 0))
         {
             problems.Add(Severity.Warning, "slice.no_curves",
                 "The infill is to be curves, but there are none (infill_curves_mm, --infill-curves FILE): the inside stays empty.", body.Source);

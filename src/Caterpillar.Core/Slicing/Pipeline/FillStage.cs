@@ -15,7 +15,7 @@ internal static class FillStage
         // Trees grow from the top down.
         if (HasTrees(layer)) return layer.Body.Layers.Length - 1;
         var last = layer.Index + Reach(layer);
-        if (layer.Rules.Settings.InfillEvery > 1)
+        if (layer.Rules.Settings.CombineInfillLayers > 1)
         {
             var top = layer.Body.Layers[ThickInfill.Group(layer).Last];
             last = Math.Max(last, top.Index + Reach(top));

@@ -11,49 +11,49 @@ internal static class IdleSettings
 {
     private static readonly PrintSettings Usual = new();
 
-    // What was asked for and is not printed is worth a warning, a value for something that is off a remark.
+    // What was asked for and is not printed is worth a warning, a value for something that is off a note.
     private static readonly Rule[] Rules =
     [
-        new(Severity.Warning, "with vase=true", "a vase is one wall on a closed bottom, without supports, top or infill", s => s.Vase,
-            SupportKeys.Support, SkinKeys.TopLayers, SkinKeys.TopThickness, SkinKeys.Ironing, SettingsKeys.InfillPercent, SettingsKeys.InfillSpacing,
-            InfillKeys.InfillPattern, InfillKeys.InfillEvery),
-        new(Severity.Warning, "above the bottom with vase=true", "its wall has one width and no seam", s => s.Vase,
-            SurfaceKeys.FuzzySkin, SeamKeys.ScarfLength, WallWidthKeys.WallArcTolerance, SeamKeys.SeamMarks),
-        new(Severity.Remark, "above the bottom with vase=true", "a vase has one wall", s => s.Vase && s.WallCount > 1, SettingsKeys.WallCount),
-        new(Severity.Warning, "with wall_count=0", "there are no walls", s => s is { WallCount: 0, Vase: false },
-            SurfaceKeys.FuzzySkin, SeamKeys.ScarfLength, WallWidthKeys.WallArcTolerance, SeamKeys.SeamMarks),
+        new(Severity.Warning, "with spiral_vase=true", "a vase is one wall on a closed bottom, without supports, top or infill", s => s.SpiralVase,
+            SupportKeys.Support, SkinKeys.TopLayers, SkinKeys.TopThickness, SkinKeys.Ironing, SettingsKeys.InfillDensityPercent, SettingsKeys.InfillSpacing,
+            InfillKeys.InfillPattern, InfillKeys.CombineInfillLayers),
+        new(Severity.Warning, "above the bottom with spiral_vase=true", "its wall has one width and no seam", s => s.SpiralVase,
+            SurfaceKeys.FuzzySkinThickness, SeamKeys.ScarfSeamLength, WallWidthKeys.ArcFittingTolerance, SeamKeys.SeamEnforcers),
+        new(Severity.Note, "above the bottom with spiral_vase=true", "a vase has one wall", s => s.SpiralVase && s.WallCount > 1, SettingsKeys.WallCount),
+        new(Severity.Warning, "with wall_count=0", "there are no walls", s => s is { WallCount: 0, SpiralVase: false },
+            SurfaceKeys.FuzzySkinThickness, SeamKeys.ScarfSeamLength, WallWidthKeys.ArcFittingTolerance, SeamKeys.SeamEnforcers),
         new(Severity.Warning, "with layer_height_formula", "the formula holds", s => s.LayerFormula.Length > 0, LayerKeys.AdaptiveLayers),
-        new(Severity.Warning, "with top_layers=0 and top_thickness_mm=0", "there are no closed layers at the top", s => !s.Vase && !HasTop(s),
+        new(Severity.Warning, "with top_layers=0 and top_thickness_mm=0", "there are no closed layers at the top", s => !s.SpiralVase && !HasTop(s),
             SkinKeys.Ironing),
-        new(Severity.Warning, "with infill_percent=0 and infill_spacing_mm=0", "there is no infill", s => !s.Vase && !HasInfill(s),
-            InfillKeys.InfillPattern, InfillKeys.InfillEvery),
-        new(Severity.Remark, "with infill_spacing_mm", "the spacing holds", s => s.InfillSpacing > 0, SettingsKeys.InfillPercent),
-        new(Severity.Remark, "with open_meshes=walls", "open contours are printed as they are", s => s.OpenMeshes == OpenMeshes.Walls,
-            SettingsKeys.LargestGap, SettingsKeys.MaxAreaLossPercent),
-        Without("adaptive_layers=true", s => !s.AdaptiveLayers, LayerKeys.AdaptiveMinHeight, LayerKeys.AdaptiveMaxHeight, LayerKeys.AdaptiveCusp),
+        new(Severity.Warning, "with infill_density_percent=0 and infill_spacing_mm=0", "there is no infill", s => !s.SpiralVase && !HasInfill(s),
+            InfillKeys.InfillPattern, InfillKeys.CombineInfillLayers),
+        new(Severity.Note, "with infill_spacing_mm", "the spacing holds", s => s.InfillSpacing > 0, SettingsKeys.InfillDensityPercent),
+        new(Severity.Note, "with open_contours=walls", "open contours are printed as they are", s => s.OpenContours == OpenContours.Walls,
+            SettingsKeys.SliceGapClosing, SettingsKeys.MaxAreaLossPercent),
+        Without("adaptive_layers=true", s => !s.AdaptiveLayers, LayerKeys.AdaptiveMinHeight, LayerKeys.AdaptiveMaxHeight, LayerKeys.AdaptiveCuspHeight),
         Without("ironing=true", s => !s.Ironing, SkinKeys.IroningSpacing, SkinKeys.IroningFlowPercent, SkinKeys.IroningSpeed),
         Without("infill_pattern=formula", s => s.InfillPattern != InfillPattern.Formula, InfillKeys.InfillFormula),
         Without("infill_pattern=curves", s => s.InfillPattern != InfillPattern.Curves, InfillKeys.InfillCurves),
-        Without("bridges=true", s => !s.Bridges, SkinKeys.BridgeFlow, SkinKeys.BridgeSpeed, SkinKeys.BridgeFanPercent),
-        Without("infill_bridges=true", s => !s.InfillBridges, SkinKeys.InfillBridgeFlow, SkinKeys.InfillBridgeSpeed),
+        Without("bridges=true", s => !s.Bridges, SkinKeys.BridgeFlowRatio, SkinKeys.BridgeSpeed, SkinKeys.BridgeFanSpeedPercent),
+        Without("infill_bridges=true", s => !s.InfillBridges, SkinKeys.InfillBridgeFlowRatio, SkinKeys.InfillBridgeSpeed),
         Without("variable_wall_width=true", s => !s.VariableWallWidth, WallWidthKeys.MinWallWidth, WallWidthKeys.MaxWallWidth),
         Without("seam_position=point", s => s.SeamPosition != SeamPosition.Point, SeamKeys.SeamPoint),
         Without("seam_position=random", s => s.SeamPosition != SeamPosition.Random, SeamKeys.SeamSeed),
-        Without("scarf_length_mm", s => s.ScarfLength == 0, SeamKeys.ScarfSteps),
-        Without("fuzzy_skin_mm", s => s.FuzzySkin == 0, SurfaceKeys.FuzzySkinDistance, SurfaceKeys.FuzzySkinSeed),
-        Without("vase=true", s => !s.Vase, SurfaceKeys.VaseMinFlowPercent),
-        Without("min_layer_time_s", s => s.MinLayerTime == 0, SurfaceKeys.MinSpeed, TravelKeys.LayerWait),
+        Without("scarf_seam_length_mm", s => s.ScarfSeamLength == 0, SeamKeys.ScarfSeamSteps),
+        Without("fuzzy_skin_thickness_mm", s => s.FuzzySkinThickness == 0, SurfaceKeys.FuzzySkinPointDistance, SurfaceKeys.FuzzySkinSeed),
+        Without("spiral_vase=true", s => !s.SpiralVase, SurfaceKeys.SpiralVaseMinFlowPercent),
+        Without("min_layer_time_s", s => s.MinLayerTime == 0, SurfaceKeys.MinPrintSpeed, TravelKeys.LayerTimeWait),
         Without("skirt_loops", s => s.SkirtLoops == 0, BedKeys.SkirtDistance),
-        Without("brim_width_mm", s => s.BrimWidth == 0, BedKeys.BrimSide, BedKeys.BrimGap),
-        Without("raft_layers", s => s.RaftLayers == 0, BedKeys.RaftMargin, BedKeys.RaftHeight, BedKeys.RaftGap, BedKeys.RaftPercent),
+        Without("brim_width_mm", s => s.BrimWidth == 0, BedKeys.BrimType, BedKeys.BrimGap),
+        Without("raft_layers", s => s.RaftLayers == 0, BedKeys.RaftExpansion, BedKeys.RaftLayerHeight, BedKeys.RaftGap, BedKeys.RaftDensityPercent),
         Without("support=grid or tree", s => s.Support == SupportKind.None,
-            SupportKeys.SupportPlace, SupportKeys.SupportAngle, SupportKeys.SupportXyGap, SupportKeys.SupportTopGap, SupportKeys.SupportBottomGap,
-            SupportKeys.SupportPercent, SupportKeys.SupportInterfaceLayers, SupportKeys.SupportInterfacePercent, SupportKeys.SupportTipDistance,
-            SupportKeys.SupportBranchAngle, SupportKeys.SupportBranchDiameter, SupportKeys.SupportSpeed),
+            SupportKeys.SupportPlacement, SupportKeys.SupportAngle, SupportKeys.SupportXyGap, SupportKeys.SupportTopGap, SupportKeys.SupportBottomGap,
+            SupportKeys.SupportDensityPercent, SupportKeys.SupportInterfaceLayers, SupportKeys.SupportInterfaceDensityPercent, SupportKeys.TreeTipDistance,
+            SupportKeys.TreeBranchAngle, SupportKeys.TreeBranchDiameter, SupportKeys.SupportSpeed),
         Without("support=tree", s => s.Support == SupportKind.Grid,
-            SupportKeys.SupportTipDistance, SupportKeys.SupportBranchAngle, SupportKeys.SupportBranchDiameter),
-        Without("support=grid", s => s.Support == SupportKind.Tree, SupportKeys.SupportPercent),
-        Without("support_interface_layers", s => s.Support != SupportKind.None && s.SupportInterfaceLayers == 0, SupportKeys.SupportInterfacePercent),
+            SupportKeys.TreeTipDistance, SupportKeys.TreeBranchAngle, SupportKeys.TreeBranchDiameter),
+        Without("support=grid", s => s.Support == SupportKind.Tree, SupportKeys.SupportDensityPercent),
+        Without("support_interface_layers", s => s.Support != SupportKind.None && s.SupportInterfaceLayers == 0, SupportKeys.SupportInterfaceDensityPercent),
     ];
 
     /// <summary>One diagnostic for each reason.</summary>
@@ -77,10 +77,10 @@ internal static class IdleSettings
 
     private static bool HasTop(PrintSettings s) => s.TopLayers > 0 || s.TopThickness > 0;
 
-    private static bool HasInfill(PrintSettings s) => s.InfillPercent > 0 || s.InfillSpacing > 0;
+    private static bool HasInfill(PrintSettings s) => s.InfillDensityPercent > 0 || s.InfillSpacing > 0;
 
     private static Rule Without(string what, Func<PrintSettings, bool> isOff, params ProfileKey<PrintSettings>[] keys)
-        => new(Severity.Remark, "without " + what, "", isOff, keys);
+        => new(Severity.Note, "without " + what, "", isOff, keys);
 
     // Where keys change nothing, and why.
     private sealed record Rule(Severity Severity, string Place, string Why, Func<PrintSettings, bool> Holds, params ProfileKey<PrintSettings>[] Keys);

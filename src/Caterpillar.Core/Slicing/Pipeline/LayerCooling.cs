@@ -22,7 +22,7 @@ internal sealed class LayerCooling(PrintSettings settings)
         {
             foreach (var step in layer.Steps) paths.Add(step.Path);
         }
-        var slowed = SlowDown.To(paths, Speed, settings.MinLayerTime, settings.MinSpeed, out var reached);
+        var slowed = SlowDown.To(paths, Speed, settings.MinLayerTime, settings.MinPrintSpeed, out var reached);
         var next = 0;
         for (var i = 0; i < layers.Count; i++)
         {
@@ -38,9 +38,9 @@ internal sealed class LayerCooling(PrintSettings settings)
     public void Report(DiagnosticList problems)
     {
         // Where the machine waits, they do.
-        if (_quick == 0 || settings.LayerWait != LayerWait.None) return;
-        problems.Add(Severity.Remark, "slice.layer_time",
-            $"Layers take less than {NumberFormatter.Format(settings.MinLayerTime, 1)} s even at {NumberFormatter.Format(settings.MinSpeed, 1)} mm/s, "
+        if (_quick == 0 || settings.LayerTimeWait != LayerTimeWait.None) return;
+        problems.Add(Severity.Note, "slice.layer_time",
+            $"Layers take less than {NumberFormatter.Format(settings.MinLayerTime, 1)} s even at {NumberFormatter.Format(settings.MinPrintSpeed, 1)} mm/s, "
             + $"first at z = {NumberFormatter.Format(_first, 3)} mm: they may not cool in time.", null, _quick);
     }
 

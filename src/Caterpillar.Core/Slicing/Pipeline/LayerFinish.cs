@@ -54,7 +54,7 @@ internal sealed class LayerFinish(
         }
         else
         {
-            finished = WallArcs.Fit(finished, work.Rules.Settings.WallArcTolerance);
+            finished = WallArcs.Fit(finished, work.Rules.Settings.ArcFittingTolerance);
         }
         _all.Add(finished);
         if (take is null || _isByObject) return;
@@ -131,15 +131,15 @@ internal sealed class LayerFinish(
     private void EndVase(VaseSpiral spiral, int last, Body body)
     {
         if (spiral.Finish() is { } end) _all[last] = end;
-        if (settings.StopDistance > 0 && TakesTurns)
+        if (settings.CoastingDistance > 0 && TakesTurns)
         {
-            var open = NumberFormatter.Format(settings.StopDistance, 2);
-            problems.Add(Severity.Warning, "slice.vase_lag",
-                $"The head leaves the vase after each turn to print other models: stop_distance_mm opens its wall over {open} mm there. "
+            var open = NumberFormatter.Format(settings.CoastingDistance, 2);
+            problems.Add(Severity.Warning, "slice.spiral_vase_lag",
+                $"The head leaves the vase after each turn to print other models: coasting_distance_mm opens its wall over {open} mm there. "
                 + "print_sequence=by_object prints one after the other.", body.Source);
         }
         if (spiral.Divided == 0) return;
-        problems.Add(Severity.Warning, "slice.vase_divided",
+        problems.Add(Severity.Warning, "slice.spiral_vase_divided",
             "A vase has one wall: of layers in several pieces only the largest is printed.", body.Source, spiral.Divided);
     }
 }

@@ -78,7 +78,7 @@ internal sealed class LayerStream
     // The next layers need the regions of those below them; the islands of the last one, or of those whose infill is printed at once.
     private static void Release(LayerWork layer)
     {
-        var at = layer.Index - layer.Rules.Settings.InfillEvery;
+        var at = layer.Index - layer.Rules.Settings.CombineInfillLayers;
         if (at >= 0) layer.Body.Layers[at].Islands = [];
     }
 

@@ -19,8 +19,8 @@ public static class PlanarSlicer
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels.</param>
     /// <returns>The layers, and what was noticed: <c>slice.nothing</c>, <c>slice.below_bed</c>, <c>slice.too_many_layers</c>, <c>slice.layer_formula</c>,
-    /// <c>slice.vase_divided</c>, <c>slice.vase_lag</c>, <c>slice.layer_time</c>, and for each broken mesh <c>slice.broken_mesh</c> (what was mended and
-    /// what is left out) and <c>slice.lost_layers</c> (an error: there are no layers then), <c>slice.no_curves</c>, settings without effect
+    /// <c>slice.spiral_vase_divided</c>, <c>slice.spiral_vase_lag</c>, <c>slice.layer_time</c>, and for each broken mesh <c>slice.broken_mesh</c> (what was
+    /// repaired and what is left out) and <c>slice.lost_layers</c> (an error: there are no layers then), <c>slice.no_curves</c>, settings without effect
     /// (<c>slice.no_effect</c>, <c>slice.print_wide</c>, <c>slice.no_support</c>), for each model <c>slice.too_thin</c>, and for each modifier without effect
     /// <c>slice.modifier_outside</c>; <c>slice.too_many_models</c> where there are more than 10,000.</returns>
     /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
@@ -69,16 +69,16 @@ public static class PlanarSlicer
                 $"{keys} {hold} for the whole print: the value for one model is ignored.", new SourceLocation(model.Mesh.Name)));
         }
         findings.AddRange(IdleSettings.Of(models, common));
-        var helpers = models.Where(m => m.Settings.ModelUse != ModelUse.Part).ToArray();
-        if (helpers.Length > 0) models = models.Where(m => m.Settings.ModelUse == ModelUse.Part).ToArray();
-        if (models.All(m => m.Settings.Support == SupportKind.None) && helpers.FirstOrDefault(m => m.Settings.ModelUse != ModelUse.Modifier) is { } idle)
+        var helpers = models.Where(m => m.Settings.ModelType != ModelType.Part).ToArray();
+        if (helpers.Length > 0) models = models.Where(m => m.Settings.ModelType == ModelType.Part).ToArray();
+        if (models.All(m => m.Settings.Support == SupportKind.None) && helpers.FirstOrDefault(m => m.Settings.ModelType != ModelType.Modifier) is { } idle)
         {
             findings.Add(new Diagnostic(Severity.Warning, "slice.no_support",
                 "It changes nothing, for there are no supports: support=grid or tree builds them, with support_angle_deg=90 only in enforcers.",
                 new SourceLocation(idle.Mesh.Name)));
         }
-        if (common.MergeOverlapping) models = OverlappingModels.Merge(models, threads, problems, cancel);
-        var modifiers = new Modifiers(helpers.Where(m => m.Settings.ModelUse == ModelUse.Modifier).ToArray());
+        if (common.MergeOverlappingModels) models = OverlappingModels.Merge(models, threads, problems, cancel);
+        var modifiers = new Modifiers(helpers.Where(m => m.Settings.ModelType == ModelType.Modifier).ToArray());
         var bodies = new List<Body>();
         var cutter = new BodyCutter(common, options, affordable, problems, findings, cancel);
         for (var i = 0; i < models.Count; i++)
@@ -109,10 +109,10 @@ public static class PlanarSlicer
         if (models.Count == 0) return "Nothing to print: none of the models is a part.";
         if (layers.All(l => l.Region.IsEmpty))
         {
-            var sheets = models.Any(m => !m.Mesh.Mesh.IsWatertight) ? " Open surfaces can be printed as single walls (open_meshes=walls)." : "";
+            var sheets = models.Any(m => !m.Mesh.Mesh.IsWatertight) ? " Open surfaces can be printed as single walls (open_contours=walls)." : "";
             return "Nothing to print: no layer of the models has a closed contour." + sheets;
         }
-        if (models.All(m => m.Settings is { WallCount: 0, InfillPercent: 0, InfillSpacing: 0, TopLayers: 0, BottomLayers: 0 }))
+        if (models.All(m => m.Settings is { WallCount: 0, InfillDensityPercent: 0, InfillSpacing: 0, TopLayers: 0, BottomLayers: 0 }))
             return "Nothing to print: the settings ask for no walls, no infill and no top or bottom layers.";
         var width = NumberFormatter.Format(models[0].Settings.LineWidth, 3);
         return $"Nothing to print: no contour of the models is as wide as a line ({width} mm), or the settings leave out all that they would hold.";

@@ -5,7 +5,7 @@ namespace Caterpillar.Slicing;
 /// <summary>Estimates what the layers of a print take, first by their number, then by what is in them.</summary>
 internal sealed class SliceMemory(MemoryLimit limit)
 {
-    // A layer with its section, region, islands and steps; a point of a strand with its bead, until it is planned.
+    // A layer with its section, region, islands and steps; a point of an extrusion with its bead, until it is planned.
     private const double BytesPerLayer = 4000;
     private const double BytesPerPoint = 120;
 

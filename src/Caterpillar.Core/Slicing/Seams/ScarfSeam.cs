@@ -19,7 +19,7 @@ internal static class ScarfSeam
     /// <summary>An open path along the loop, longer by the scarf; the loop itself where that is too short.</summary>
     public static PrintPath Apply(PrintPath loop, double thickness, PrintSettings settings)
     {
-        var scarf = settings.ScarfLength;
+        var scarf = settings.ScarfSeamLength;
         if (!loop.IsClosed || scarf <= 0 || loop.Length < 2 * scarf) return loop;
         var z = loop.Start.Z;
         var points = new List<Vec3>();
@@ -34,7 +34,7 @@ internal static class ScarfSeam
             var done = 0.0;
             while (at + done < scarf - Rounding && done < length)
             {
-                var step = NextStep(at + done, scarf, settings.ScarfSteps);
+                var step = NextStep(at + done, scarf, settings.ScarfSeamSteps);
                 var end = step >= at + length ? length : step - at;
                 var mean = Share((2 * at + done + end) / 2, scarf);
                 var point = Vec3.Lerp(from, to, end / length);

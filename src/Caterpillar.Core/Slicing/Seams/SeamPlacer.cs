@@ -95,7 +95,7 @@ internal sealed class SeamPlacer(Body body)
         LoopPlace? best = null;
         var least = double.PositiveInfinity;
         var middle = work.Plan.Top - work.Plan.Thickness / 2;
-        foreach (var mark in work.Rules.Settings.SeamMarks)
+        foreach (var mark in work.Rules.Settings.SeamEnforcers)
         {
             if (Math.Abs(mark.Place.Z - middle) > mark.Radius) continue;
             var place = LoopPlace.Nearest(loop, mark.Place);

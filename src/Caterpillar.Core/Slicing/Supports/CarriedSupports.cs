@@ -38,7 +38,7 @@ internal sealed class CarriedSupports(SupportStack stack)
         var (resting, loose) = Divide(i);
         var below = _levels[i - 1].Support;
         Region[] islands = [.. level.Pieces.Islands, .. loose.Select(b => b.Region)];
-        // What is below, with what strands may lean out over it.
+        // What is below, with what extrusions may lean out over it.
         var carrying = below.Near(Array.ConvertAll(islands, r => r.Box), 2 * Lean(level)).Offset(Lean(level), JoinStyle.Square, 2, ArcTolerance, _engine);
         var pieces = new List<Region>();
         var cut = new List<Region>();
@@ -84,7 +84,7 @@ internal sealed class CarriedSupports(SupportStack stack)
     private Region OnGround(int i, Region island, Region held)
     {
         if (held.Area >= island.Area - Film) return island;
-        if (_settings.SupportPlace == SupportPlace.Everywhere && Ground(i, island) is { Count: > 0 } ground)
+        if (_settings.SupportPlacement == SupportPlacement.Everywhere && Ground(i, island) is { Count: > 0 } ground)
             held = island.Intersect([held, .. ground], _engine);
         return ThinParts.Thick(held, _width / 2, _engine);
     }
@@ -98,16 +98,16 @@ internal sealed class CarriedSupports(SupportStack stack)
 
     private Region Spanned(Region contact, Region below, List<GridBox> places)
     {
-        var span = 0.75 * _settings.SupportTipDistance;
+        var span = 0.75 * _settings.TreeTipDistance;
         var roof = contact.Near(places, span).Offset(_width, JoinStyle.Miter, 2, 2 * ArcTolerance, _engine);
         var tips = below.Near(places, 2 * span).Intersect(roof, _engine);
         return tips.Offset(span, JoinStyle.Round, 2, 4 * ArcTolerance, _engine).Offset(-span, JoinStyle.Round, 2, 4 * ArcTolerance, _engine);
     }
 
-    // mm that strands may lean out over the level below.
+    // mm that extrusions may lean out over the level below.
     private double Lean(SupportLevel level)
     {
-        var angle = Math.Max(45, _settings.Support == SupportKind.Tree ? _settings.SupportBranchAngle : 0);
+        var angle = Math.Max(45, _settings.Support == SupportKind.Tree ? _settings.TreeBranchAngle : 0);
         return level.Thickness * Angle.Sin(angle) / Angle.Cos(angle);
     }
 

@@ -90,8 +90,8 @@ internal sealed class PrintSupports : IDisposable
         LayerWork[] works, IReadOnlyList<Body> bodies, IReadOnlyList<SliceModel> helpers, PrintSettings common, ParallelOptions options)
     {
         var stacks = SupportStack.Of(bodies, common);
-        TriMesh[] Used(ModelUse use) => helpers.Where(h => h.Settings.ModelUse == use).Select(h => h.Mesh.Mesh).ToArray();
-        var (blockers, enforcers) = (Used(ModelUse.SupportBlocker), Used(ModelUse.SupportEnforcer));
+        TriMesh[] Used(ModelType use) => helpers.Where(h => h.Settings.ModelType == use).Select(h => h.Mesh.Mesh).ToArray();
+        var (blockers, enforcers) = (Used(ModelType.SupportBlocker), Used(ModelType.SupportEnforcer));
         foreach (var stack in stacks)
         {
             // Bodies that stand in this stack need no second look: its levels hold them.

@@ -119,7 +119,7 @@ internal sealed class SupportBuilder(SupportStack stack, ParallelOptions options
         if (level.Pieces.IsEmpty) return;
         // In a grid so far that the dense lines reach a line or the wall of it below on all sides; else so little that outlines, which are the same but for
         // tolerances, do not cross all along.
-        var reach = _settings.Support == SupportKind.Grid ? Math.Min(_width * 50 / _settings.SupportPercent, 10 * _width) : Coarse / 2;
+        var reach = _settings.Support == SupportKind.Grid ? Math.Min(_width * 50 / _settings.SupportDensityPercent, 10 * _width) : Coarse / 2;
         level.Interface = Region.Union(stack.ContactsOver(i, _settings.SupportInterfaceLayers), engine).Offset(reach, JoinStyle.Miter, 2, Coarse, engine);
     });
 }

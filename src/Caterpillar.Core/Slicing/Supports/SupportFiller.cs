@@ -5,8 +5,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// The strands of the supports of a level: a wall around each piece and lines in it. Near the part there are dense lines across them instead, which rest on the
-/// walls below.
+/// The extrusions of the supports of a level: a wall around each piece and lines in it. Near the part there are dense lines across them instead, which rest on
+/// the walls below.
 /// </summary>
 internal sealed class SupportFiller(SupportLevel level, PrintSettings settings, LayerTools tools)
 {
@@ -21,7 +21,7 @@ internal sealed class SupportFiller(SupportLevel level, PrintSettings settings, 
     private readonly SliceRules _rules = level.Work.Rules;
     private readonly double _width = settings.LineWidth;
 
-    // Where a support is thin, a single strand: two walls would lie in each other's place.
+    // Where a support is thin, a single extrusion: two walls would lie in each other's place.
     private readonly WallBuilder _walls = new(level.Work.Rules.Walls with { Count = 1, VariableWidth = true, Tolerance = Coarse }, tools.Engine);
     private readonly List<PathStep> _steps = [];
 
@@ -59,14 +59,14 @@ internal sealed class SupportFiller(SupportLevel level, PrintSettings settings, 
         foreach (var wall in walls.Paths) AddWall(wall.ToPath(level.Top, _rules.Walls), piece, role, dense);
         if (isGrid)
         {
-            var spacing = _rules.Pitch(_width) * 100 / settings.SupportPercent;
+            var spacing = _rules.Pitch(_width) * 100 / settings.SupportDensityPercent;
             AddLines(piece, Inset(walls.Inside.Subtract(dense, _engine), _width / 4), Role.Support, 1, spacing, 0, linked: true);
         }
         else if (!walls.Inside.IsEmpty)
         {
             // Rows over the tips, which stand in the same places.
             var area = Inset(walls.Inside.Subtract(near, _engine).Intersect(lattice, _engine), _width / 4);
-            AddLines(piece, area, Role.Support, 1, settings.SupportTipDistance, 0, linked: false);
+            AddLines(piece, area, Role.Support, 1, settings.TreeTipDistance, 0, linked: false);
         }
     }
 
@@ -78,7 +78,7 @@ internal sealed class SupportFiller(SupportLevel level, PrintSettings settings, 
         {
             var area = Inset(place, _width / 2);
             if (area.IsEmpty || Inset(area, _width / 4).IsEmpty) continue;
-            AddLines(piece, area, Role.SupportInterface, 2, _rules.Pitch(_width) * 100 / settings.SupportInterfacePercent, 90, linked: true);
+            AddLines(piece, area, Role.SupportInterface, 2, _rules.Pitch(_width) * 100 / settings.SupportInterfaceDensityPercent, 90, linked: true);
             filled = filled.Union(place, _engine);
         }
         return filled;

@@ -55,7 +55,7 @@ internal sealed class SupportStack(PrintSettings settings, SupportLevel[] levels
     public static List<SupportStack> Of(IReadOnlyList<Body> bodies, PrintSettings common)
     {
         var stacks = new List<SupportStack>();
-        var left = bodies.Where(b => b.Layers.Length > 0 && b.Layers[0].Rules.Settings is { Support: not SupportKind.None, Vase: false }).ToList();
+        var left = bodies.Where(b => b.Layers.Length > 0 && b.Layers[0].Rules.Settings is { Support: not SupportKind.None, SpiralVase: false }).ToList();
         while (left.Count > 0)
         {
             var settings = left[0].Layers[0].Rules.Settings;

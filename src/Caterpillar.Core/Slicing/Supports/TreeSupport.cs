@@ -25,7 +25,7 @@ internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, Parallel
     private readonly PrintSettings _settings = stack.Settings;
     private readonly SupportLevel[] _levels = stack.Levels;
     private readonly double _width = stack.Settings.LineWidth;
-    private readonly double _slope = Angle.Sin(stack.Settings.SupportBranchAngle) / Angle.Cos(stack.Settings.SupportBranchAngle);
+    private readonly double _slope = Angle.Sin(stack.Settings.TreeBranchAngle) / Angle.Cos(stack.Settings.TreeBranchAngle);
 
     // Layers that hold a contact: the dense ones on a lattice over the tips.
     private readonly int _roofLayers = stack.Settings.SupportInterfaceLayers > 0 ? stack.Settings.SupportInterfaceLayers + 1 : 0;
@@ -133,7 +133,7 @@ internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, Parallel
                 var edge = branch.Target!.Value;
                 var distance = edge.DistanceTo(place);
                 if (distance <= reach) next = Toward(place, edge, Math.Min(step, distance + 0.01));
-                else if (_settings.SupportPlace == SupportPlace.Bed) continue;
+                else if (_settings.SupportPlacement == SupportPlacement.BuildPlate) continue;
                 // Never through a wall.
                 if (level.Forbidden.Contains(next.X, next.Y) && !level.Forbidden.Contains(place.X, place.Y)) next = place;
             }
@@ -183,10 +183,10 @@ internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, Parallel
         return best;
     }
 
-    // Along the edges, so that the outermost strands of what tips carry have both ends of each span on one, and within.
+    // Along the edges, so that the outermost extrusions of what tips carry have both ends of each span on one, and within.
     private void AddTips(Region ready)
     {
-        var spacing = _settings.SupportTipDistance;
+        var spacing = _settings.TreeTipDistance;
         foreach (var island in ready.Islands)
         {
             var count = _branches.Count;
@@ -214,7 +214,7 @@ internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, Parallel
 
     private void AddTip(Vec3 place)
     {
-        if (!_branches.Exists(b => b.Place.DistanceTo(place) < _settings.SupportTipDistance / 2)) _branches.Add(new Branch(place, 0, 1));
+        if (!_branches.Exists(b => b.Place.DistanceTo(place) < _settings.TreeTipDistance / 2)) _branches.Add(new Branch(place, 0, 1));
     }
 
     // A point well inside: the middle of the longest level line at half its height.
@@ -239,7 +239,7 @@ internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, Parallel
         {
             var branch = branches[b];
             var radius = Math.Max(Least * _width, Math.Min(
-                _settings.SupportBranchDiameter / 2, _width * (1 + Joined * Math.Sqrt(branch.Tips - 1)) + Taper * branch.Depth));
+                _settings.TreeBranchDiameter / 2, _width * (1 + Joined * Math.Sqrt(branch.Tips - 1)) + Taper * branch.Depth));
             trunks[b] = Trunk.Around(branch.Place, radius, b, next?[b] ?? -1);
         }
         return trunks;

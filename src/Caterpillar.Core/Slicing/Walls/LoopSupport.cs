@@ -51,7 +51,7 @@ internal sealed class LoopSupport
         return air.Count == 0 ? null : new LoopSupport(air, done, over);
     }
 
-    /// <summary>The place nearest to another, along the loop, from which the strand lies on something on both sides.</summary>
+    /// <summary>The place nearest to another, along the loop, from which the extrusion lies on something on both sides.</summary>
     public LoopPlace Near(Vec3[] loop, LoopPlace wanted)
     {
         if (IsNowhere) return wanted;

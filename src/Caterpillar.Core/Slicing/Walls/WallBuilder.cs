@@ -22,7 +22,7 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
         return output.Result(Classic(island, output));
     }
 
-    /// <summary>One wall of one width around an island of supports; single strands where it is thin, and gaps that are not filled.</summary>
+    /// <summary>One wall of one width around an island of supports; single extrusions where it is thin, and gaps that are not filled.</summary>
     /// <param name="island">The island.</param>
     /// <param name="filled">Whether what is left for infill matters; otherwise it is empty.</param>
     public WallResult Outline(Region island, bool filled)
@@ -33,16 +33,16 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
         var depth = rules.Edge + 0.9 * rules.OuterSpacing;
         var coarse = island.Simplified(Coarse, engine);
         var core = coarse.Offset(-depth, JoinStyle.Miter, 4, ArcTolerance, engine);
-        // A waist as small as a dot has no strand.
+        // A waist as small as a dot has no extrusion.
         var thin = ThinParts.Of(coarse, core, depth, rules.OuterWidth * rules.OuterWidth, engine, out _);
         var line = core.Offset(depth - rules.OuterWidth / 2, JoinStyle.Miter, 2, ArcTolerance, engine);
         output.Loops(line, 0, rules.OuterWidth, engine);
         if (!thin.IsEmpty)
         {
-            var strands = new WallLevel(rules, rules.OuterWidth, rules.InnerWidth, engine, _offset);
+            var extrusions = new WallLevel(rules, rules.OuterWidth, rules.InnerWidth, engine, _offset);
             // The coarse outline also runs outside of the island, and the island reaches out by as much as supports follow the part.
             thin = thin.Intersect(island, engine).Offset(-Math.Max(rules.Edge, rules.Tolerance), JoinStyle.Miter, 4, ArcTolerance, engine);
-            foreach (var piece in thin.Islands) strands.Trace(piece, 0, output);
+            foreach (var piece in thin.Islands) extrusions.Trace(piece, 0, output);
         }
         return output.Result(filled ? line.Offset(-rules.OuterSpacing / 2, JoinStyle.Miter, 2, ArcTolerance, engine) : Region.Empty);
     }
@@ -88,7 +88,7 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
             area = new WallLevel(rules, width, rules.InnerWidth, engine, _offset).Walls(area, wall, output);
         }
         // A gap between the innermost walls that is too narrow for infill.
-        return area.IsEmpty ? area : new WallLevel(rules, rules.InnerWidth, rules.InnerWidth, engine, _offset).Strands(area, rules.Count, output);
+        return area.IsEmpty ? area : new WallLevel(rules, rules.InnerWidth, rules.InnerWidth, engine, _offset).Extrusions(area, rules.Count, output);
     }
 
     private void Report(Region island, double radius, WallOutput output)

@@ -52,8 +52,8 @@ internal static class WallChains
         return chains;
     }
 
-    /// <summary>A loop of a wall, or a single strand that is the outline of what it prints.</summary>
-    public static bool IsLoop(WallPath wall) => wall.Closed && (!wall.IsStrand || wall.Index == 0);
+    /// <summary>A loop of a wall, or a single extrusion that is the outline of what it prints.</summary>
+    public static bool IsLoop(WallPath wall) => wall.Closed && (!wall.IsExtrusion || wall.Index == 0);
 
     /// <summary>Whether the outer wall of a contour is printed first.</summary>
     public static bool OuterFirst(PrintSettings settings, int layer, bool overhangs)

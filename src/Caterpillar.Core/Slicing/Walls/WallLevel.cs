@@ -3,7 +3,7 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// One round of walls of variable width. By its thickness a place gets, in beads of nominal spacing s: below 1.5 s a single strand; up to 2.5 s two beads
+/// One round of walls of variable width. By its thickness a place gets, in beads of nominal spacing s: below 1.5 s a single extrusion; up to 2.5 s two beads
 /// that share it;
 /// above that beads of s, which leave at least half a bead for the next round. So every place is full, and the outline has beads of nominal width wherever it
 /// can.
@@ -24,7 +24,7 @@ internal sealed class WallLevel
     private readonly double _spacing;
     private readonly double _least;
 
-    // Thickness up to which a place gets a single strand, and up to which two beads share it, mm.
+    // Thickness up to which a place gets a single extrusion, and up to which two beads share it, mm.
     private readonly double _single;
     private readonly double _double;
 
@@ -47,7 +47,7 @@ internal sealed class WallLevel
 
     private double SmallestThin => 0.05 * _spacing * _spacing;
 
-    /// <summary>Lays the loops and strands of this round.</summary>
+    /// <summary>Lays the loops and extrusions of this round.</summary>
     /// <param name="area">What is still to be filled, by spacings.</param>
     /// <param name="index">Number of the round.</param>
     /// <param name="output">Takes the paths.</param>
@@ -56,16 +56,17 @@ internal sealed class WallLevel
     {
         var thin = ThinParts.Of(area, _double / 2, SmallestThin, _engine, out var thick);
         if (thin.IsEmpty) return Even(area, index, output);
-        var wide = Strands(area, index, output);
+        var wide = Extrusions(area, index, output);
         if (wide.IsEmpty) return wide;
         var strips = ReferenceEquals(wide, area) ? thin : thick.IsEmpty ? wide : wide.Subtract(thick, _engine).WithoutSmallContours(SmallestThin);
         return strips.IsEmpty ? Even(wide, index, output) : Varying(wide, strips, thick.IsEmpty, index, output);
     }
 
-    /// <summary>Lays only the single strands. Returns what is wide enough for loops.</summary>
-    public Region Strands(Region area, int index, WallOutput output)
+    /// <summary>Lays only the single extrusions. Returns what is wide enough for loops.</summary>
+    public Region Extrusions(Region area, int index, WallOutput output)
     {
-        // A place that is only just too thin for two beads gets two narrower ones, so that walls of nearly even thickness do not change to a strand and back.
+        // A place that is only just too thin for two beads gets two narrower ones, so that walls of nearly even thickness do not change to an extrusion and
+        // back.
         var core = WithoutShort(Mitered(area, -Tolerated * _single / 2));
         var certain = ThinParts.Of(area, core, Tolerated * _single / 2, SmallestThin, _engine, out var grown);
         if (certain.IsEmpty) return area;
@@ -93,12 +94,12 @@ internal sealed class WallLevel
         return stubs.Count == 0 ? wide : Mitered(wide, ThinParts.Film).Union(Region.Own(stubs.ToArray()), _engine).Intersect(area, _engine);
     }
 
-    /// <summary>The single strands of a thin piece.</summary>
+    /// <summary>The single extrusions of a thin piece.</summary>
     public void Trace(Region piece, int index, WallOutput output)
     {
-        var strands = new StrandTracer(Math.Min(0.15, _single / 4), 0.75 * _single, _least / 2).Trace(piece);
-        new StrandFinisher(piece).Finish(strands);
-        output.Strands(strands, index, _least);
+        var extrusions = new ExtrusionTracer(Math.Min(0.15, _single / 4), 0.75 * _single, _least / 2).Trace(piece);
+        new ExtrusionFinisher(piece).Finish(extrusions);
+        output.Extrusions(extrusions, index, _least);
     }
 
     private Region Even(Region area, int index, WallOutput output)
@@ -112,7 +113,7 @@ internal sealed class WallLevel
     {
         _offset.Take(area, strips, _spacing / 2, _double / 2, _least / 2);
         foreach (var (ring, distances) in _offset.Rings()) output.Loop(ring, distances, index);
-        // What is left at the corners of a strip is too small for a strand.
+        // What is left at the corners of a strip is too small for an extrusion.
         return all ? Region.Empty : _offset.Inner(TakeAll).WithoutSmallContours(0.3 * _spacing * _spacing);
     }
 

@@ -31,32 +31,32 @@ internal sealed class WallOutput(WallRules rules)
             var widths = new double[contour.Count];
             for (var i = 0; i < widths.Length; i++) widths[i] = width;
             var (kept, keptWidths) = PathThinning.WithoutShort(contour.Raw, widths, closed: true, Shortest);
-            if (kept.Length >= 3) Paths.Add(new WallPath(kept, keptWidths, Closed: true, index, IsStrand: false));
+            if (kept.Length >= 3) Paths.Add(new WallPath(kept, keptWidths, Closed: true, index, IsExtrusion: false));
         }
     }
 
     /// <summary>A loop at varying distances from the border, mm: half of what it covers.</summary>
     public void Loop(GridPoint[] ring, double[] distances, int index)
-        => Add(Array.ConvertAll(ring, Grid.ToMm), Array.ConvertAll(distances, d => rules.Width(2 * d)), closed: true, index, isStrand: false);
+        => Add(Array.ConvertAll(ring, Grid.ToMm), Array.ConvertAll(distances, d => rules.Width(2 * d)), closed: true, index, isExtrusion: false);
 
-    /// <summary>Single strands, at least as wide as a spacing.</summary>
-    public void Strands(List<MedialStrand> strands, int index, double least)
+    /// <summary>Single extrusions, at least as wide as a spacing.</summary>
+    public void Extrusions(List<MedialExtrusion> extrusions, int index, double least)
     {
         var most = Math.Max(rules.Spacing(rules.MaxWidth), rules.Spacing(rules.OuterWidth));
-        foreach (var strand in strands)
+        foreach (var extrusion in extrusions)
         {
-            if (strand.Count < 2) continue;
-            var widths = new double[strand.Count];
-            for (var i = 0; i < widths.Length; i++) widths[i] = rules.Width(Math.Min(Math.Max(2 * strand.Radii[i], least), most));
-            Add(strand.Points, widths, strand.Closed, index, isStrand: true);
+            if (extrusion.Count < 2) continue;
+            var widths = new double[extrusion.Count];
+            for (var i = 0; i < widths.Length; i++) widths[i] = rules.Width(Math.Min(Math.Max(2 * extrusion.Radii[i], least), most));
+            Add(extrusion.Points, widths, extrusion.Closed, index, isExtrusion: true);
         }
     }
 
     private double ToleranceOf(int index) => index == 0 ? rules.Tolerance : Math.Max(rules.Tolerance, rules.InnerTolerance);
 
-    private void Add(IReadOnlyList<Vec3> points, IReadOnlyList<double> widths, bool closed, int index, bool isStrand)
+    private void Add(IReadOnlyList<Vec3> points, IReadOnlyList<double> widths, bool closed, int index, bool isExtrusion)
     {
-        var visible = index == 0 && !isStrand;
+        var visible = index == 0 && !isExtrusion;
         var tolerance = ToleranceOf(visible ? 0 : 1);
         var widthTolerance = visible ? OuterWidthShare * rules.OuterWidth : InnerWidthShare * rules.InnerWidth;
         var (kept, keptWidths) = PathThinning.Thin(points, widths, closed, tolerance, widthTolerance);
@@ -64,7 +64,7 @@ internal sealed class WallOutput(WallRules rules)
         if (kept.Length < 2 || (closed && kept.Length < 3)) return;
         var thinned = kept.Length < points.Count;
         if (index == 0) (kept, keptWidths) = WidthSteps.Split(kept, keptWidths, closed, LargestStep, ShortestStep);
-        var path = new WallPath(kept, keptWidths, closed, index, isStrand);
+        var path = new WallPath(kept, keptWidths, closed, index, isExtrusion);
         Paths.Add(!thinned ? path : path.WithVolume(WallPath.VolumeOf(points, widths, closed, rules), rules));
     }
 }

@@ -3,13 +3,13 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>The course of one bead of a wall, or of a single strand, at Z 0.</summary>
+/// <summary>The course of one bead of a wall, or of a single extrusion, at Z 0.</summary>
 /// <param name="Points">mm; a closed path does not repeat its first point.</param>
 /// <param name="Widths">Width at each point, mm; straight in between.</param>
 /// <param name="Closed">Whether it goes back to its first point.</param>
 /// <param name="Index">Number of the wall from the outline, 0 for the outer one.</param>
-/// <param name="IsStrand">Whether it fills a place too thin for a wall on each side.</param>
-internal sealed record WallPath(Vec3[] Points, double[] Widths, bool Closed, int Index, bool IsStrand)
+/// <param name="IsExtrusion">Whether it fills a place too thin for a wall on each side.</param>
+internal sealed record WallPath(Vec3[] Points, double[] Widths, bool Closed, int Index, bool IsExtrusion)
 {
     public int SegmentCount => Closed ? Points.Length : Points.Length - 1;
 

@@ -43,7 +43,7 @@ internal sealed record WallRules
         VariableWidth = settings.VariableWallWidth,
         MinWidth = settings.MinWallWidth > 0 ? Math.Min(settings.MinWallWidth, settings.LineWidth) : settings.LineWidth * 0.45,
         MaxWidth = settings.MaxWallWidth > 0 ? Math.Max(settings.MaxWallWidth, settings.LineWidth) : settings.LineWidth * 1.8,
-        InnerTolerance = settings.SimplifyTolerance,
+        InnerTolerance = settings.Resolution,
     };
 
     public double OuterSpacing => Spacing(OuterWidth);
@@ -57,7 +57,7 @@ internal sealed record WallRules
     public double Area(double width) => Shape switch
     {
         BeadShape.Rectangle => width * Thickness,
-        // Narrower than high, a strand is round.
+        // Narrower than high, an extrusion is round.
         BeadShape.Stadium => width >= Thickness ? width * Thickness - (1 - Math.PI / 4) * Thickness * Thickness : Math.PI / 4 * width * width,
         _ => Math.PI / 4 * width * width,
     };

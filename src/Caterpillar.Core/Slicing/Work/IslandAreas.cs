@@ -21,5 +21,5 @@ internal sealed record IslandAreas
     public Region Sparse { get; init; } = Region.Empty;
 }
 
-/// <summary>An area that spans air, and the direction of its strands in degrees from +X.</summary>
+/// <summary>An area that spans air, and the direction of its extrusions in degrees from +X.</summary>
 internal readonly record struct BridgeArea(Region Area, double Angle);

@@ -4,8 +4,8 @@ using Caterpillar.Machines;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// A model and how it is sliced, with the speeds of its strands. Travels and everything else that planning decides come from the settings of the whole print.
-/// A modifier (<see cref="ModelUse.Modifier"/>) is not printed: what of the parts lies inside it has its settings for walls, skins, infill and speeds.
+/// A model and how it is sliced, with the speeds of its extrusions. Travels and everything else that planning decides come from the settings of the whole
+/// print. A modifier (<see cref="ModelType.Modifier"/>) is not printed: what of the parts lies inside it has its settings for walls, skins, infill and speeds.
 /// </summary>
 public sealed record SliceModel
 {

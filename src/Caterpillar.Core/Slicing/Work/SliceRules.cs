@@ -31,10 +31,10 @@ internal sealed record SliceRules(PrintSettings Settings, WallRules Walls, doubl
         InfillFormula = settings.InfillFormula.Length > 0 ? Formula.Compile(settings.InfillFormula, LevelSet.Variables).Value : null,
     };
 
-    /// <summary>Width of the strands of infill.</summary>
+    /// <summary>Width of the extrusions of infill.</summary>
     public double Width => Settings.LineWidth;
 
-    public double SkinWidth => Settings.SkinWidth > 0 ? Settings.SkinWidth : Settings.LineWidth;
+    public double SolidInfillLineWidth => Settings.SolidInfillLineWidth > 0 ? Settings.SolidInfillLineWidth : Settings.LineWidth;
 
     /// <summary>How far infill reaches into the walls.</summary>
     public double Overlap => Settings.WallCount == 0 ? 0 : Settings.InfillOverlapPercent / 100 * Settings.LineWidth;
@@ -45,15 +45,15 @@ internal sealed record SliceRules(PrintSettings Settings, WallRules Walls, doubl
     /// <summary>Area filled per length of infill; 0 for no infill.</summary>
     public double InfillSpacing => Settings.InfillSpacing > 0
         ? Settings.InfillSpacing / InfillFiller.Families(Settings.InfillPattern)
-        : Settings.InfillPercent > 0 ? Pitch(Width) * 100 / Settings.InfillPercent : 0;
+        : Settings.InfillDensityPercent > 0 ? Pitch(Width) * 100 / Settings.InfillDensityPercent : 0;
 
     /// <summary>Whether the infill leaves no gaps. What the user drew stays as it is.</summary>
     public bool IsSolid => InfillSpacing > 0 && Settings.InfillPattern != InfillPattern.Curves && InfillSpacing <= Pitch(Width) * (1 + 1e-9);
 
     /// <summary>Direction of the infill of a layer, degrees from +X.</summary>
-    public double InfillAngle(int layer) => Settings.InfillAngle + layer / Settings.InfillEvery * Settings.InfillTurn;
+    public double InfillAngle(int layer) => Settings.InfillAngle + layer / Settings.CombineInfillLayers * Settings.InfillRotation;
 
-    /// <summary>Neighbors lie so far apart that the strands fill the layer.</summary>
+    /// <summary>Neighbors lie so far apart that the extrusions fill the layer.</summary>
     public double Pitch(double width) => Walls.Spacing(width);
 
     /// <summary>A path with the flow of these settings, and with their speed where it is not that of the print.</summary>
@@ -62,11 +62,11 @@ internal sealed record SliceRules(PrintSettings Settings, WallRules Walls, doubl
         var first = path.Layer is { Index: 0 };
         var speed = ReferenceEquals(Settings, Common) ? 0 : Settings.SpeedOf(path.Role, first);
         if (speed == Common.SpeedOf(path.Role, first)) speed = 0;
-        if (speed == 0 && Settings.PartFlow == 1) return path;
+        if (speed == 0 && Settings.PartFlowRatio == 1) return path;
         return path.WithBeads(i =>
         {
             var bead = path.BeadOf(i);
-            return new Bead(bead.Area * Settings.PartFlow, bead.Height, bead.Speed > 0 ? bead.Speed : speed);
+            return new Bead(bead.Area * Settings.PartFlowRatio, bead.Height, bead.Speed > 0 ? bead.Speed : speed);
         });
     }
 

@@ -4,16 +4,16 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// What has been printed so far, seen from above: a height field of square cells, with the strands in bins for exact answers. One structure for the height of
-/// travels, beads from the gap, the safe return of turtles, support and collision. It grows with the print; strands far below the top of their bin are dropped,
-/// and there the cells answer (never too low, and too wide by less than one cell). Not thread-safe.
+/// What has been printed so far, seen from above: a height field of square cells, with the extrusions in bins for exact answers. One structure for the height
+/// of travels, beads from the gap, the safe return of turtles, support and collision. It grows with the print; extrusions far below the top of their bin are
+/// dropped, and there the cells answer (never too low, and too wide by less than one cell). Not thread-safe.
 /// </summary>
 internal sealed class Deposit
 {
     // Deviation of the chords of an arc, mm.
     private const double ArcTolerance = 0.02;
 
-    // Strands that are looked at, of those that were added last.
+    // Extrusions that are looked at, of those that were added last.
     private const int MostParallel = 128;
 
     // mm; far more than an interpolated height is off.
@@ -24,21 +24,21 @@ internal sealed class Deposit
     private readonly double _cell;
     private readonly double _perCell;
     private readonly double _keepDepth;
-    private readonly StrandStore _store = new();
+    private readonly ExtrusionStore _store = new();
     private readonly DepositCells _cells = new();
     private readonly DepositBins _bins;
     private readonly DepositContacts _contacts;
 
-    // What a strand covers: of all, and in the rows of a bin.
-    private readonly StrandRows _rowsOf;
+    // What an extrusion covers: of all, and in the rows of a bin.
+    private readonly ExtrusionRows _rowsOf;
     private readonly (int First, int Last)[] _spans = new (int, int)[DepositBin.Side];
     private double _outside = double.NegativeInfinity;
 
-    // The last strand, if all of it is inside; else −1.
+    // The last extrusion, if all of it is inside; else −1.
     private int _last = -1;
 
-    /// <param name="cell">Side of a cell, mm; half the width of a strand or less.</param>
-    /// <param name="keepDepth">Strands this far below the highest one of their bin are dropped, mm.</param>
+    /// <param name="cell">Side of a cell, mm; half the width of an extrusion or less.</param>
+    /// <param name="keepDepth">Extrusions this far below the highest one of their bin are dropped, mm.</param>
     /// <exception cref="ArgumentOutOfRangeException">A length is not positive.</exception>
     public Deposit(double cell = 0.25, double keepDepth = 10)
     {
@@ -46,7 +46,7 @@ internal sealed class Deposit
         if (!(keepDepth > 0)) throw new ArgumentOutOfRangeException(nameof(keepDepth), "The depth must be positive.");
         _cell = cell;
         _perCell = 1 / cell;
-        _rowsOf = new StrandRows(cell);
+        _rowsOf = new ExtrusionRows(cell);
         _keepDepth = keepDepth;
         _bins = new DepositBins(cell);
         _contacts = new DepositContacts(_bins, _cells, _store, cell);
@@ -58,8 +58,8 @@ internal sealed class Deposit
     /// <summary>Highest point printed, mm; negative infinity before anything is.</summary>
     public double Highest { get; private set; } = double.NegativeInfinity;
 
-    /// <summary>Number of strands kept for exact answers.</summary>
-    public int StrandCount => _store.Count;
+    /// <summary>Number of extrusions kept for exact answers.</summary>
+    public int ExtrusionCount => _store.Count;
 
     /// <summary>Adds a segment of a path, straight or an arc.</summary>
     public void Add(Vec3 from, Vec3 to, Bead bead, Arc? arc = null, BeadShape shape = BeadShape.Rectangle)
@@ -82,42 +82,42 @@ internal sealed class Deposit
         }
     }
 
-    /// <summary>Adds a straight strand: the path of the nozzle tip (its top) in mm and half its width in mm.</summary>
+    /// <summary>Adds a straight extrusion: the path of the nozzle tip (its top) in mm and half its width in mm.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite, or the width is negative.</exception>
     public void Add(Vec3 from, Vec3 to, double halfWidth) => Add(from, to, halfWidth, -1);
 
     /// <summary>The same with a number for what it is, 0 or more.</summary>
     public void Add(Vec3 from, Vec3 to, double halfWidth, int tag)
     {
-        if (!from.IsFinite || !to.IsFinite) throw new ArgumentOutOfRangeException(nameof(from), "The ends of a strand must be finite.");
+        if (!from.IsFinite || !to.IsFinite) throw new ArgumentOutOfRangeException(nameof(from), "The ends of an extrusion must be finite.");
         if (!(halfWidth >= 0) || double.IsInfinity(halfWidth))
         {
-            throw new ArgumentOutOfRangeException(nameof(halfWidth), "The width of a strand must be finite and not negative.");
+            throw new ArgumentOutOfRangeException(nameof(halfWidth), "The width of an extrusion must be finite and not negative.");
         }
-        var strand = new Strand { Ax = from.X, Ay = from.Y, Az = from.Z, Bx = to.X, By = to.Y, Bz = to.Z, Half = halfWidth, Tag = tag };
-        Highest = Math.Max(Highest, strand.Top);
+        var extrusion = new Extrusion { Ax = from.X, Ay = from.Y, Az = from.Z, Bx = to.X, By = to.Y, Bz = to.Z, Half = halfWidth, Tag = tag };
+        Highest = Math.Max(Highest, extrusion.Top);
         var edge = DepositBins.Most * _bins.Side;
         _last = -1;
         if (IsOutside(from, halfWidth, edge) || IsOutside(to, halfWidth, edge))
         {
-            _outside = Math.Max(_outside, strand.Top);
+            _outside = Math.Max(_outside, extrusion.Top);
             // Only the part inside is drawn into cells.
             double low = 0, high = 1;
             var inside = edge - halfWidth - _cell;
-            if (!(inside > 0) || !FlatSegment.Slab(strand.Ax, strand.Bx - strand.Ax, -inside, inside, ref low, ref high)
-                || !FlatSegment.Slab(strand.Ay, strand.By - strand.Ay, -inside, inside, ref low, ref high))
+            if (!(inside > 0) || !FlatSegment.Slab(extrusion.Ax, extrusion.Bx - extrusion.Ax, -inside, inside, ref low, ref high)
+                || !FlatSegment.Slab(extrusion.Ay, extrusion.By - extrusion.Ay, -inside, inside, ref low, ref high))
             {
                 return;
             }
             var (a, b) = (Vec3.Lerp(from, to, low), Vec3.Lerp(from, to, high));
-            strand = strand with { Ax = a.X, Ay = a.Y, Az = a.Z, Bx = b.X, By = b.Y, Bz = b.Z };
-            Draw(_store.Add(strand), strand);
+            extrusion = extrusion with { Ax = a.X, Ay = a.Y, Az = a.Z, Bx = b.X, By = b.Y, Bz = b.Z };
+            Draw(_store.Add(extrusion), extrusion);
             return;
         }
-        Draw(_last = _store.Add(strand), strand);
+        Draw(_last = _store.Add(extrusion), extrusion);
     }
 
-    /// <summary>The strand that was added last goes on in its line, at the same width, from its end to another.</summary>
+    /// <summary>The extrusion that was added last goes on in its line, at the same width, from its end to another.</summary>
     public void GoOn(Vec3 from, Vec3 to, double halfWidth, int tag)
     {
         if (_last < 0 || IsOutside(to, halfWidth, DepositBins.Most * _bins.Side))
@@ -181,7 +181,7 @@ internal sealed class Deposit
                 if (bin is null || bin.Top <= best) continue;
                 for (var i = 0; i < bin.Count; i++)
                 {
-                    var top = _store[bin.Entries[i].Strand].TopAt(point, radius);
+                    var top = _store[bin.Entries[i].Extrusion].TopAt(point, radius);
                     if (top <= limit && top > best) best = top;
                 }
                 if (bin.Dropped > best) best = DroppedUnder(bin, column, row, point, limit, radius, best);
@@ -202,7 +202,7 @@ internal sealed class Deposit
     }
 
     /// <summary>
-    /// True if one of the last strands around a point is about as high, as wide, and runs in its place: their axes are less than a quarter of their widths
+    /// True if one of the last extrusions around a point is about as high, as wide, and runs in its place: their axes are less than a quarter of their widths
     /// apart.
     /// </summary>
     public bool HasParallel(Vec3 p, Vec3 along, double half, double height, out int tag)
@@ -211,7 +211,7 @@ internal sealed class Deposit
         if (!_bins.MayHold(p.X, p.Y)) return false;
         int column = Index(p.X), row = Index(p.Y);
         var lowest = p.Z - 0.5 * height - Rounding;
-        // A strand in its place would have raised the cell.
+        // An extrusion in its place would have raised the cell.
         if (_cells[column, row].Top < lowest) return false;
         if (_bins[column >> DepositBin.Bits, row >> DepositBin.Bits] is not { } bin) return false;
         var length = along.LengthXY;
@@ -222,34 +222,34 @@ internal sealed class Deposit
             // The layer below begins here.
             if (top < p.Z - 2 * height) return false;
             if (top < lowest) continue;
-            ref var strand = ref _store[bin.Entries[i].Strand];
-            if (Math.Min(half, strand.Half) < 0.6 * Math.Max(half, strand.Half)) continue;
-            double dx = strand.Bx - strand.Ax, dy = strand.By - strand.Ay;
-            var near = 0.25 * (half + strand.Half);
+            ref var extrusion = ref _store[bin.Entries[i].Extrusion];
+            if (Math.Min(half, extrusion.Half) < 0.6 * Math.Max(half, extrusion.Half)) continue;
+            double dx = extrusion.Bx - extrusion.Ax, dy = extrusion.By - extrusion.Ay;
+            var near = 0.25 * (half + extrusion.Half);
             // Most are clearly beside it, which is told without a root.
-            var aside = (p.X - strand.Ax) * dy - (p.Y - strand.Ay) * dx;
+            var aside = (p.X - extrusion.Ax) * dy - (p.Y - extrusion.Ay) * dx;
             if (aside * aside > (near * near + Rounding) * (dx * dx + dy * dy)) continue;
             var other = Math.Sqrt(dx * dx + dy * dy);
             if (!(other > 0) || Math.Abs(dx * along.X + dy * along.Y) < Parallel * other * length) continue;
-            var t = ((p.X - strand.Ax) * dx + (p.Y - strand.Ay) * dy) / (other * other);
+            var t = ((p.X - extrusion.Ax) * dx + (p.Y - extrusion.Ay) * dy) / (other * other);
             if (t < 0 || t > 1) continue;
-            double ex = p.X - strand.Ax - dx * t, ey = p.Y - strand.Ay - dy * t;
-            if (ex * ex + ey * ey > near * near || Math.Abs(strand.Az + (strand.Bz - strand.Az) * t - p.Z) > 0.5 * height) continue;
-            tag = strand.Tag;
+            double ex = p.X - extrusion.Ax - dx * t, ey = p.Y - extrusion.Ay - dy * t;
+            if (ex * ex + ey * ey > near * near || Math.Abs(extrusion.Az + (extrusion.Bz - extrusion.Az) * t - p.Z) > 0.5 * height) continue;
+            tag = extrusion.Tag;
             return true;
         }
         return false;
     }
 
     /// <summary>
-    /// What the head does to strands where its tip goes straight from a to b. Never misses one; strands that were dropped count as their cells.
+    /// What the head does to extrusions where its tip goes straight from a to b. Never misses one; extrusions that were dropped count as their cells.
     /// </summary>
     /// <param name="a">Start of the segment, mm.</param>
     /// <param name="b">Its end.</param>
     /// <param name="tolerance">How deep it may touch them, mm.</param>
     /// <param name="head">The underside of the head.</param>
     /// <param name="hitsOnly">What it only digs into does not count.</param>
-    /// <param name="tag">Number of the strand that it hits or digs into, or −1 for one that has none.</param>
+    /// <param name="tag">Number of the extrusion that it hits or digs into, or −1 for one that has none.</param>
     public HeadContact Meets(Vec3 a, Vec3 b, double tolerance, HeadShape head, bool hitsOnly, out int tag)
     {
         var query = new HeadQuery(a, b, tolerance, head, hitsOnly);
@@ -257,7 +257,7 @@ internal sealed class Deposit
     }
 
     /// <summary>
-    /// A cell more than <paramref name="tolerance"/> above the bottom of a box that is moved from a to b with its origin; the number of a strand
+    /// A cell more than <paramref name="tolerance"/> above the bottom of a box that is moved from a to b with its origin; the number of an extrusion
     /// there, or −1.
     /// </summary>
     public bool MeetsBox(Vec3 a, Vec3 b, double tolerance, Bounds box, out int tag)
@@ -271,7 +271,7 @@ internal sealed class Deposit
     {
         for (var i = bin.Count - 1; i >= 0; i--)
         {
-            if (bin.Entries[i].Top > best) best = Math.Max(best, _store[bin.Entries[i].Strand].TopWithin(a, b, radius));
+            if (bin.Entries[i].Top > best) best = Math.Max(best, _store[bin.Entries[i].Extrusion].TopWithin(a, b, radius));
         }
         if (bin.Dropped <= best) return best;
         var reach = radius + _cell * 0.7072;
@@ -294,11 +294,11 @@ internal sealed class Deposit
         return best;
     }
 
-    private void Draw(int index, in Strand strand)
+    private void Draw(int index, in Extrusion extrusion)
     {
         var rows = _rowsOf;
-        rows.Aim(strand);
-        var (highest, rise) = (strand.Top, strand.Bz - strand.Az);
+        rows.Aim(extrusion);
+        var (highest, rise) = (extrusion.Top, extrusion.Bz - extrusion.Az);
         var isLevel = rise == 0 || !(rows.Length > 0);
         for (int row = rows.First, end; row <= rows.Last; row = end + 1)
         {
@@ -312,31 +312,31 @@ internal sealed class Deposit
                 left = Math.Min(left, span.First);
                 right = Math.Max(right, span.Last);
             }
-            // Spans of rows above each other touch: there is no bin between the outermost that knows nothing of the strand.
+            // Spans of rows above each other touch: there is no bin between the outermost that knows nothing of the extrusion.
             for (var column = left >> DepositBin.Bits; column <= right >> DepositBin.Bits; column++)
                 _bins.Enter(column, row >> DepositBin.Bits, index, highest, _store, _keepDepth);
             if (isLevel) _cells.Lay(_spans, row, end, left, right, highest);
-            else LaySloped(strand, row, end);
+            else LaySloped(extrusion, row, end);
         }
     }
 
-    // Each cell as high as the strand is there at most.
-    private void LaySloped(in Strand strand, int row, int end)
+    // Each cell as high as the extrusion is there at most.
+    private void LaySloped(in Extrusion extrusion, int row, int end)
     {
-        var rise = strand.Bz - strand.Az;
+        var rise = extrusion.Bz - extrusion.Az;
         var spread = Math.Abs(rise) / _rowsOf.Length * _cell * 0.7072;
         for (var i = row; i <= end; i++)
         {
             for (var column = _spans[i - row].First; column <= _spans[i - row].Last; column++)
             {
-                var top = strand.Az + rise * Math.Min(1, Math.Max(0, _rowsOf.Along(strand, column, i))) + spread;
-                _cells.Lay(column, i, Math.Min(strand.Top, top));
+                var top = extrusion.Az + rise * Math.Min(1, Math.Max(0, _rowsOf.Along(extrusion, column, i))) + spread;
+                _cells.Lay(column, i, Math.Min(extrusion.Top, top));
             }
         }
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private int Index(double x) => StrandRows.Index(x, _perCell);
+    private int Index(double x) => ExtrusionRows.Index(x, _perCell);
 
     private static bool IsOutside(Vec3 p, double margin, double edge) => !(Math.Abs(p.X) + margin < edge && Math.Abs(p.Y) + margin < edge);
 }

@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>A square of cells of a <see cref="Deposit"/>, with the strands that overlap it.</summary>
+/// <summary>A square of cells of a <see cref="Deposit"/>, with the extrusions that overlap it.</summary>
 internal sealed class DepositBin
 {
     public const int Bits = 3;
@@ -14,10 +14,10 @@ internal sealed class DepositBin
     /// <summary>Number of its cells.</summary>
     public const int Cells = Side * Side;
 
-    /// <summary>The strands, in the order in which they were added.</summary>
+    /// <summary>The extrusions, in the order in which they were added.</summary>
     public DepositEntry[] Entries = new DepositEntry[4];
 
-    /// <summary>The highest top of each full block of <see cref="Block"/> strands: layers far below are skipped by blocks.</summary>
+    /// <summary>The highest top of each full block of <see cref="Block"/> extrusions: layers far below are skipped by blocks.</summary>
     public double[] BlockTops = [];
 
     public int Count;
@@ -25,7 +25,7 @@ internal sealed class DepositBin
     /// <summary>Highest top in the bin.</summary>
     public double Top = double.NegativeInfinity;
 
-    /// <summary>Highest top among strands that were dropped because the print is far above them; there only the cells answer.</summary>
+    /// <summary>Highest top among extrusions that were dropped because the print is far above them; there only the cells answer.</summary>
     public double Dropped = double.NegativeInfinity;
 
     private int _compactAt = FirstCompaction;
@@ -33,22 +33,22 @@ internal sealed class DepositBin
     // The last one, beside what else is asked for.
     private int _last = -1;
 
-    /// <summary>A strand, or more of the last one, whose part here is up to <paramref name="top"/> mm high.</summary>
-    public void Add(int strand, double top, StrandStore store, double keepDepth)
+    /// <summary>An extrusion, or more of the last one, whose part here is up to <paramref name="top"/> mm high.</summary>
+    public void Add(int extrusion, double top, ExtrusionStore store, double keepDepth)
     {
-        if (strand == _last)
+        if (extrusion == _last)
         {
-            if (top > Entries[Count - 1].Top) Put(Count - 1, new DepositEntry { Strand = strand, Top = top });
+            if (top > Entries[Count - 1].Top) Put(Count - 1, new DepositEntry { Extrusion = extrusion, Top = top });
             return;
         }
         if (Count == _compactAt) Compact(store, keepDepth);
         if (Count == Entries.Length) Array.Resize(ref Entries, Count * 2);
-        store.Use(strand);
-        Put(Count++, new DepositEntry { Strand = strand, Top = top });
-        _last = strand;
+        store.Use(extrusion);
+        Put(Count++, new DepositEntry { Extrusion = extrusion, Top = top });
+        _last = extrusion;
     }
 
-    private void Compact(StrandStore store, double keepDepth)
+    private void Compact(ExtrusionStore store, double keepDepth)
     {
         var kept = 0;
         for (var i = 0; i < Count; i++)
@@ -60,7 +60,7 @@ internal sealed class DepositBin
                 continue;
             }
             Dropped = Math.Max(Dropped, entry.Top);
-            store.Release(entry.Strand);
+            store.Release(entry.Extrusion);
         }
         Count = kept;
         if (kept == 0) _last = -1;
@@ -79,13 +79,13 @@ internal sealed class DepositBin
     }
 }
 
-/// <summary>A strand in a bin. The top of its part here is beside its number: most strands lie lower than what is asked for.</summary>
+/// <summary>An extrusion in a bin. The top of its part here is beside its number: most extrusions lie lower than what is asked for.</summary>
 internal struct DepositEntry
 {
     public double Top;
 
     /// <summary>Number in the store.</summary>
-    public int Strand;
+    public int Extrusion;
 }
 
 /// <summary>A cell of a <see cref="Deposit"/>.</summary>

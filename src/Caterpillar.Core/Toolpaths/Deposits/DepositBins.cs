@@ -43,8 +43,8 @@ internal sealed class DepositBins(double cell)
     /// <summary>The highest top in a square, mm.</summary>
     public double TopOf(int squareColumn, int squareRow) => _tops[(squareRow - _topsBottom) * _topsColumns + squareColumn - _topsLeft];
 
-    /// <summary>A strand reaches into a bin, where it is up to <paramref name="top"/> mm high.</summary>
-    public void Enter(int column, int row, int strand, double top, StrandStore store, double keepDepth)
+    /// <summary>An extrusion reaches into a bin, where it is up to <paramref name="top"/> mm high.</summary>
+    public void Enter(int column, int row, int extrusion, double top, ExtrusionStore store, double keepDepth)
     {
         var bin = _bins.Find(column, row);
         if (bin is null)
@@ -52,7 +52,7 @@ internal sealed class DepositBins(double cell)
             bin = new DepositBin();
             if (_bins.Put(column, row, bin)) GrowTops();
         }
-        bin.Add(strand, top, store, keepDepth);
+        bin.Add(extrusion, top, store, keepDepth);
         if (top > bin.Top) Raise(bin, column, row, top);
     }
 

@@ -5,7 +5,7 @@ namespace Caterpillar.Toolpaths;
 /// <summary>
 /// What a head and its boxes meet in a <see cref="Deposit"/> that go straight from one point to another, up or down as well. Nothing is missed.
 /// </summary>
-internal sealed class DepositContacts(DepositBins bins, DepositCells cells, StrandStore store, double cell)
+internal sealed class DepositContacts(DepositBins bins, DepositCells cells, ExtrusionStore store, double cell)
 {
     /// <inheritdoc cref="Deposit.Meets"/>
     public HeadContact Meets(ref HeadQuery query, double highest, out int tag)
@@ -100,10 +100,10 @@ internal sealed class DepositContacts(DepositBins bins, DepositCells cells, Stra
             for (var i = Math.Min(first + DepositBin.Block, bin.Count) - 1; i >= first; i--)
             {
                 if (!(bin.Entries[i].Top > z)) continue;
-                ref var strand = ref store[bin.Entries[i].Strand];
-                if (strand.IsBeyond(query.From, query.To, reach + strand.Half)) continue;
-                var hits = query.Meets(strand);
-                if (hits || (query.Digs && tag < 0)) tag = strand.Tag;
+                ref var extrusion = ref store[bin.Entries[i].Extrusion];
+                if (extrusion.IsBeyond(query.From, query.To, reach + extrusion.Half)) continue;
+                var hits = query.Meets(extrusion);
+                if (hits || (query.Digs && tag < 0)) tag = extrusion.Tag;
                 if (hits) return true;
             }
         }
@@ -111,7 +111,7 @@ internal sealed class DepositContacts(DepositBins bins, DepositCells cells, Stra
         for (var i = 0; i < DepositBin.Cells; i++)
         {
             var top = Math.Min(cells.InBin(column, row, i).Top, bin.Dropped);
-            if (top > z && query.Meets(Strand.At(DepositCells.Center(column, row, i, cell), top, cell * 0.7072))) return true;
+            if (top > z && query.Meets(Extrusion.At(DepositCells.Center(column, row, i, cell), top, cell * 0.7072))) return true;
         }
         return false;
     }
@@ -127,7 +127,7 @@ internal sealed class DepositContacts(DepositBins bins, DepositCells cells, Stra
             if (!(top > z) || !query.Meets(DepositCells.Center(column, row, i, cell), top, cell)) continue;
             for (var k = bin.Count - 1; k >= 0 && tag < 0; k--)
             {
-                if (bin.Entries[k].Top > z) tag = store[bin.Entries[k].Strand].Tag;
+                if (bin.Entries[k].Top > z) tag = store[bin.Entries[k].Extrusion].Tag;
             }
             return true;
         }

@@ -4,7 +4,7 @@ namespace Caterpillar.Toolpaths;
 
 /// <summary>
 /// Asks what a head meets that goes straight from one point to another, up or down as well, and remembers whether it digs into something. Never misses a
-/// strand; what rises by less than 0.02 mm counts as level.
+/// extrusion; what rises by less than 0.02 mm counts as level.
 /// </summary>
 internal struct HeadQuery
 {
@@ -17,7 +17,7 @@ internal struct HeadQuery
 
     public readonly Vec3 From, To;
 
-    /// <summary>How deep it may touch strands, mm.</summary>
+    /// <summary>How deep it may touch extrusions, mm.</summary>
     public readonly double Tolerance;
     public readonly HeadShape Head;
 
@@ -47,7 +47,7 @@ internal struct HeadQuery
         if (!_isUpright) _rise = (to.Z - from.Z) / _length;
     }
 
-    /// <summary>From now on strands up to so many mm above the lowest tip are shown.</summary>
+    /// <summary>From now on extrusions up to so many mm above the lowest tip are shown.</summary>
     public void Aim(double excess)
     {
         _excess = excess;
@@ -57,17 +57,17 @@ internal struct HeadQuery
     }
 
     /// <summary>
-    /// True where a strand is clearly out of reach of the endless line of the path: what the head reaches sideways of it grows with the height of a strand
-    /// above the slope on which it goes.
+    /// True where an extrusion is clearly out of reach of the endless line of the path: what the head reaches sideways of it grows with the height of an
+    /// extrusion above the slope on which it goes.
     /// </summary>
-    public readonly bool IsPassed(in Strand strand)
+    public readonly bool IsPassed(in Extrusion extrusion)
     {
         if (!(_shrink > 0)) return false;
-        double ax = strand.Ax - From.X, ay = strand.Ay - From.Y, bx = strand.Bx - From.X, by = strand.By - From.Y;
+        double ax = extrusion.Ax - From.X, ay = extrusion.Ay - From.Y, bx = extrusion.Bx - From.X, by = extrusion.By - From.Y;
         double aside = ay * _ux - ax * _uy, bside = by * _ux - bx * _uy;
         var level = From.Z + Tolerance;
-        double a = strand.Az - level - _rise * (ax * _ux + ay * _uy), b = strand.Bz - level - _rise * (bx * _ux + by * _uy);
-        var start = _addsHalf ? _start + strand.Half : _start;
+        double a = extrusion.Az - level - _rise * (ax * _ux + ay * _uy), b = extrusion.Bz - level - _rise * (bx * _ux + by * _uy);
+        var start = _addsHalf ? _start + extrusion.Half : _start;
         if (Math.Max(a, b) <= -Math.Abs(_rise) * (start + _slope * _excess) - Same) return true;
         if (Math.Abs(aside) * _shrink <= start + _slope * a + Same || Math.Abs(bside) * _shrink <= start + _slope * b + Same) return false;
         // It crosses the line.
@@ -75,11 +75,11 @@ internal struct HeadQuery
     }
 
     /// <summary>True where it hits; digging is noted.</summary>
-    public bool Meets(in Strand strand)
+    public bool Meets(in Extrusion extrusion)
     {
-        if (IsPassed(strand)) return false;
-        if (!HitsOnly && !Touches(strand, From, To, false)) return false;
-        if (Touches(strand, From, To, true)) return true;
+        if (IsPassed(extrusion)) return false;
+        if (!HitsOnly && !Touches(extrusion, From, To, false)) return false;
+        if (Touches(extrusion, From, To, true)) return true;
         if (HitsOnly) return false;
         Digs = HitsOnly = true;
         Aim(_excess);
@@ -104,20 +104,20 @@ internal struct HeadQuery
         return From.Z + _rise * Math.Min(_length, Math.Max(0, _rise > 0 ? along - far : along + far));
     }
 
-    private readonly bool Touches(in Strand strand, Vec3 a, Vec3 b, bool lenient)
+    private readonly bool Touches(in Extrusion extrusion, Vec3 a, Vec3 b, bool lenient)
     {
         var low = Math.Min(a.Z, b.Z) + Tolerance;
-        if (Math.Abs(a.Z - b.Z) <= Level || (b - a).LengthXY <= Upright) return strand.Meets(a, b, low, Head, lenient);
-        var reach = Head.AxisReach(strand.Top - low, strand.Half, lenient);
-        if (!(reach >= 0) || strand.IsBeyond(a, b, reach)) return false;
-        var (start, slope, addsHalf) = Head.LineAbove(strand.Top - low, lenient);
-        if (addsHalf) start += strand.Half;
-        var pass = new SlopePass(strand, a, b, Tolerance, slope);
+        if (Math.Abs(a.Z - b.Z) <= Level || (b - a).LengthXY <= Upright) return extrusion.Meets(a, b, low, Head, lenient);
+        var reach = Head.AxisReach(extrusion.Top - low, extrusion.Half, lenient);
+        if (!(reach >= 0) || extrusion.IsBeyond(a, b, reach)) return false;
+        var (start, slope, addsHalf) = Head.LineAbove(extrusion.Top - low, lenient);
+        if (addsHalf) start += extrusion.Half;
+        var pass = new SlopePass(extrusion, a, b, Tolerance, slope);
         if (pass.Least > start + Same) return false;
-        if (pass.Distance <= Head.AxisReach(pass.Excess + Same, strand.Half, lenient)) return true;
+        if (pass.Distance <= Head.AxisReach(pass.Excess + Same, extrusion.Half, lenient)) return true;
         // The reach is below the line there: shorter pieces have lower lines.
         var middle = Vec3.Lerp(a, b, 0.5);
-        return Touches(strand, a, middle, lenient) || Touches(strand, middle, b, lenient);
+        return Touches(extrusion, a, middle, lenient) || Touches(extrusion, middle, b, lenient);
     }
 }
 

@@ -62,8 +62,8 @@ internal sealed class HeadShape
     }
 
     /// <summary>
-    /// The same from the axis of the head to that of a strand of half a width. Leniently, a strand beside the axis that rises from it by less than 45° is
-    /// not counted where only the flat of the tip digs into it.
+    /// The same from the axis of the head to that of an extrusion of half a width. Leniently, an extrusion beside the axis that rises from it by less than 45°
+    /// is not counted where only the flat of the tip digs into it.
     /// </summary>
     internal double AxisReach(double excess, double half, bool lenient)
     {
@@ -76,7 +76,7 @@ internal sealed class HeadShape
 
     /// <summary>
     /// A line that <see cref="AxisReach"/> does not exceed up to some height: its value for an excess of 0, its slope, and whether half the width of the
-    /// strand is to be added.
+    /// extrusion is to be added.
     /// </summary>
     internal (double Start, double Slope, bool AddsHalf) LineAbove(double excess, bool lenient)
     {

@@ -3,25 +3,25 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// A tip that goes from a to b past a strand that is higher: where the distance seen from above, less some slope times the height of the strand above the
-/// tip, is least. That is convex over the places on both, so it is least where they cross or on the border of the places at which the strand is higher.
+/// A tip that goes from a to b past an extrusion that is higher: where the distance seen from above, less some slope times the height of the extrusion above
+/// the tip, is least. That is convex over the places on both, so it is least where they cross or on the border of the places at which the extrusion is higher.
 /// </summary>
 internal struct SlopePass
 {
-    // The difference of the two at their starts, and how it changes along the path of the tip (s) and along the strand (t), each from 0 to 1.
+    // The difference of the two at their starts, and how it changes along the path of the tip (s) and along the extrusion (t), each from 0 to 1.
     private readonly double _px, _py, _pz, _sx, _sy, _sz, _tx, _ty, _tz, _slope;
 
-    public SlopePass(in Strand strand, Vec3 a, Vec3 b, double tolerance, double slope)
+    public SlopePass(in Extrusion extrusion, Vec3 a, Vec3 b, double tolerance, double slope)
     {
-        (_px, _py, _pz) = (strand.Ax - a.X, strand.Ay - a.Y, strand.Az - a.Z - tolerance);
+        (_px, _py, _pz) = (extrusion.Ax - a.X, extrusion.Ay - a.Y, extrusion.Az - a.Z - tolerance);
         (_sx, _sy, _sz) = (a.X - b.X, a.Y - b.Y, a.Z - b.Z);
-        (_tx, _ty, _tz) = (strand.Bx - strand.Ax, strand.By - strand.Ay, strand.Bz - strand.Az);
+        (_tx, _ty, _tz) = (extrusion.Bx - extrusion.Ax, extrusion.By - extrusion.Ay, extrusion.Bz - extrusion.Az);
         _slope = slope;
         (Least, Distance, Excess) = (double.PositiveInfinity, 0, 0);
         Search();
     }
 
-    /// <summary>The least value, mm; infinite where the strand is nowhere higher.</summary>
+    /// <summary>The least value, mm; infinite where the extrusion is nowhere higher.</summary>
     public double Least { get; private set; }
 
     /// <summary>The distance there, mm.</summary>

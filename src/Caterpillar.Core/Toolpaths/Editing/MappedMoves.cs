@@ -16,15 +16,15 @@ internal static class MappedMoves
     }
 
     /// <summary>
-    /// The chosen strands, the chosen moves between them, and the moves in place at their ends. Travels that lead to the first strand or away from the last
-    /// have one end elsewhere: a travel from or to the home position stays.
+    /// The chosen extrusions, the chosen moves between them, and the moves in place at their ends. Travels that lead to the first extrusion or away from the
+    /// last have one end elsewhere: a travel from or to the home position stays.
     /// </summary>
     public static bool[] Of(Toolpath toolpath, MoveFilter filter)
     {
         var choice = new MoveChoice(filter, toolpath);
         var chosen = new bool[toolpath.Count];
         var inPlace = new bool[toolpath.Count];
-        var strands = new bool[toolpath.Count];
+        var extrusions = new bool[toolpath.Count];
         for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
             var columns = toolpath.Blocks[block].Columns;
@@ -33,7 +33,7 @@ internal static class MappedMoves
             for (var i = 0; i < columns.Count; i++)
             {
                 chosen[first + i] = choice.Has(columns, i);
-                strands[first + i] = columns.Kind[i] is MoveKind.Print or MoveKind.Wipe or MoveKind.MovingRestore;
+                extrusions[first + i] = columns.Kind[i] is MoveKind.Print or MoveKind.Wipe or MoveKind.MovingDeretract;
             }
         }
         var mapped = new bool[toolpath.Count];
@@ -41,7 +41,7 @@ internal static class MappedMoves
         for (var i = 0; i < mapped.Length; i++)
         {
             if (!chosen[i]) last = -1;
-            if (!chosen[i] || !strands[i]) continue;
+            if (!chosen[i] || !extrusions[i]) continue;
             for (var k = last < 0 ? i : last + 1; k <= i; k++) mapped[k] = true;
             last = i;
         }
@@ -51,7 +51,7 @@ internal static class MappedMoves
         return mapped;
     }
 
-    // Homing moves, which go to the switches, and moves in place without a travel to the strand that follows.
+    // Homing moves, which go to the switches, and moves in place without a travel to the extrusion that follows.
     private static void Unmap(Toolpath toolpath, bool[] mapped, bool[] inPlace)
     {
         var stays = false;

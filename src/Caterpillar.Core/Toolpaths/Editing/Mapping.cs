@@ -3,7 +3,7 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Moves, turns and scales paths and toolpaths. Arcs stay arcs if the map keeps circles in the XY plane, else they become chords. Strands of a toolpath are
+/// Moves, turns and scales paths and toolpaths. Arcs stay arcs if the map keeps circles in the XY plane, else they become chords. Extrusions of a toolpath are
 /// scaled like the part: their heights and widths too, and so their E with the volume. The cross-sections of paths stay, as their design states them.
 /// </summary>
 public static class Mapping
@@ -19,7 +19,7 @@ public static class Mapping
         return path.Layer is { } layer ? mapped.With(layer: Image(layer, map)) : mapped;
     }
 
-    /// <summary>The image of a toolpath. Strands are scaled as solids, with their cross-section; retractions, primes and speeds stay.</summary>
+    /// <summary>The image of a toolpath. Extrusions are scaled as solids, with their cross-section; retractions, primes and speeds stay.</summary>
     /// <inheritdoc cref="Transformed(PrintPath, Affine, double)" path="/param"/>
     public static Toolpath Transform(this Toolpath toolpath, Affine map, double tolerance = 0.01)
     {
@@ -30,8 +30,8 @@ public static class Mapping
     }
 
     /// <summary>
-    /// The same for the chosen strands and the chosen moves between them; the rest stays, and travels lead to the new starts of strands. Layers that are chosen
-    /// completely (by number and object) get their new heights.
+    /// The same for the chosen extrusions and the chosen moves between them; the rest stays, and travels lead to the new starts of extrusions. Layers that are
+    /// chosen completely (by number and object) get their new heights.
     /// </summary>
     /// <inheritdoc cref="Transform(Toolpath, Affine, double)" path="/param"/>
     public static Toolpath Transform(this Toolpath toolpath, MoveFilter filter, Affine map, double tolerance = 0.01)

@@ -5,7 +5,7 @@ namespace Caterpillar.Toolpaths;
 /// <summary>Chooses moves of a toolpath. All given conditions must hold; without any, all moves are chosen.</summary>
 public sealed record MoveFilter
 {
-    /// <summary>Roles of strands; null for all.</summary>
+    /// <summary>Roles of extrusions; null for all.</summary>
     public IReadOnlyCollection<Role>? Roles { get; init; }
 
     /// <summary>Kinds of moves; null for all.</summary>

@@ -3,7 +3,7 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Removes moves from a toolpath and repairs the cuts: the travel to the next strand, and for each tool the retraction, by E or by the firmware
+/// Removes moves from a toolpath and repairs the cuts: the travel to the next extrusion, and for each tool the retraction, by E or by the firmware
 /// (G10 and G11). Events stay, and so do homing moves; a dwell is removed with its event. Blocks without cuts are shared.
 /// </summary>
 internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
@@ -97,7 +97,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
         if (!isTravel || move.Arc is not null) Travel(move);
         if (isTravel) return;
         if (tool.Missing < -NoChange) Pull(move, tool, tool.Missing);
-        if (tool.HasFirmwareLeft) Firmware(move, tool, MoveKind.Restore);
+        if (tool.HasFirmwareLeft) Firmware(move, tool, MoveKind.Deretract);
     }
 
     private void Travel(Move move)
@@ -115,7 +115,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
     private void Pull(Move move, Balance tool, double amount)
     {
         var speed = _retractSpeed > 0 ? _retractSpeed : 30;
-        Add(_position, -amount, 0, speed, amount > 0 ? MoveKind.Retract : MoveKind.Restore, Role.Unspecified, move, -1, null);
+        Add(_position, -amount, 0, speed, amount > 0 ? MoveKind.Retract : MoveKind.Deretract, Role.Unspecified, move, -1, null);
         tool.Level();
     }
 
@@ -196,7 +196,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
             if (move.E < 0) pulled -= move.E;
             else if (move.E > 0) pulled = Math.Max(pulled - move.E, 0);
             else if (move.Kind == MoveKind.Retract) firmware = true;
-            else if (move.Kind == MoveKind.Restore) firmware = false;
+            else if (move.Kind == MoveKind.Deretract) firmware = false;
         }
     }
 }

@@ -30,11 +30,11 @@ public sealed record Pause
     public double TravelSpeed { get; init; } = 100;
 
     /// <summary>Speed up and down, mm/s.</summary>
-    public double LiftSpeed { get; init; } = 10;
+    public double ZHopSpeed { get; init; } = 10;
 
     /// <summary>Speed of the filament, mm/s.</summary>
     public double RetractionSpeed { get; init; } = 35;
 
-    /// <summary>The command, or empty for that of the dialect.</summary>
+    /// <summary>The command, or empty for that of the flavor.</summary>
     public string Command { get; init; } = "";
 }

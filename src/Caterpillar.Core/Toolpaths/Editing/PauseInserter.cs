@@ -70,15 +70,15 @@ internal static class PauseInserter
         var count = 0;
         void Add(Vec3 end, double e, double speed, MoveKind kind)
         {
-            editor.Add(end, e, kind == MoveKind.Restore ? pause.Prime * unit : 0, speed, kind, Role.Unspecified, before.Layer, before.Tool, -1, null);
+            editor.Add(end, e, kind == MoveKind.Deretract ? pause.Prime * unit : 0, speed, kind, Role.Unspecified, before.Layer, before.Tool, -1, null);
             count++;
         }
         if (hasE && pause.Retraction > 0) Add(from, -pause.Retraction * unit, pause.RetractionSpeed, MoveKind.Retract);
-        Add(from.WithZ(height), 0, pause.LiftSpeed, MoveKind.Travel);
+        Add(from.WithZ(height), 0, pause.ZHopSpeed, MoveKind.Travel);
         Add(park.WithZ(height), 0, pause.TravelSpeed, MoveKind.Travel);
         Add(from.WithZ(height), 0, pause.TravelSpeed, MoveKind.Travel);
-        Add(from, 0, pause.LiftSpeed, MoveKind.Travel);
-        if (hasE && pause.Retraction > 0) Add(from, (pause.Retraction + pause.Prime) * unit, pause.RetractionSpeed, MoveKind.Restore);
+        Add(from, 0, pause.ZHopSpeed, MoveKind.Travel);
+        if (hasE && pause.Retraction > 0) Add(from, (pause.Retraction + pause.Prime) * unit, pause.RetractionSpeed, MoveKind.Deretract);
         return count;
     }
 }

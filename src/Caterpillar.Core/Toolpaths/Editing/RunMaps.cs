@@ -34,7 +34,7 @@ internal sealed class AffineRunMap(Affine map, double tolerance) : RunMap
             var length = run.Arcs[i] is { } arc ? arc.Length(start, to) : start.DistanceTo(to);
             if (run.Arcs[i] is { } before) run.Arcs[i] = Mapping.Image(before, map);
             if (!_scales || !(length > 0)) continue;
-            // A strand is scaled as a solid: its volume by the determinant, so its area by that and by how much shorter it gets.
+            // An extrusion is scaled as a solid: its volume by the determinant, so its area by that and by how much shorter it gets.
             var image = run.Arcs[i] is { } after ? after.Length(run.Points[i], run.Points[i + 1]) : run.Points[i].DistanceTo(run.Points[i + 1]);
             if (image > 0) run.Flows[i] = _volume * length / image;
         }

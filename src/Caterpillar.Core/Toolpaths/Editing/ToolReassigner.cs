@@ -44,9 +44,9 @@ internal sealed class ToolReassigner(Toolpath toolpath, int from, int until, int
         copy ??= columns.Copy(columns.Count);
         var flow = e - restored > 1e-9 && columns.Deposited[i] > 0 ? columns.Deposited[i] / (e - restored) : 1;
         var deposited = Math.Max(e - restoredNow, 0) * flow;
-        var inPlace = columns.Kind[i] is MoveKind.Restore or MoveKind.Prime;
+        var inPlace = columns.Kind[i] is MoveKind.Deretract or MoveKind.Prime;
         copy.Deposited[i] = deposited;
-        copy.Kind[i] = inPlace ? (hadRetracted ? MoveKind.Restore : MoveKind.Prime) : deposited > 0 ? MoveKind.Print : MoveKind.MovingRestore;
+        copy.Kind[i] = inPlace ? (hadRetracted ? MoveKind.Deretract : MoveKind.Prime) : deposited > 0 ? MoveKind.Print : MoveKind.MovingDeretract;
     }
 
     private static double Restore(Dictionary<int, double> pulled, int tool, double e) => Restore(pulled, tool, e, out _);

@@ -32,9 +32,9 @@ public static class ToolpathEdits
     }
 
     /// <summary>
-    /// Maps the chosen strands and the chosen moves between them; the rest stays, and travels lead to the new starts of strands. Strands are divided until
-    /// they match their image within <paramref name="tolerance"/> mm, arcs become chords, and the material of printing moves follows their length. For shifts,
-    /// turns and scaling see <see cref="Mapping"/>, which keeps arcs.
+    /// Maps the chosen extrusions and the chosen moves between them; the rest stays, and travels lead to the new starts of extrusions. Extrusions are divided
+    /// until they match their image within <paramref name="tolerance"/> mm, arcs become chords, and the material of printing moves follows their length. For
+    /// shifts, turns and scaling see <see cref="Mapping"/>, which keeps arcs.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The tolerance is not positive.</exception>
     /// <exception cref="InvalidOperationException">The map gives a point that is not finite.</exception>
@@ -48,7 +48,7 @@ public static class ToolpathEdits
     }
 
     /// <summary>
-    /// Removes the chosen moves. If the start of a strand is no longer reached, a travel is added, and retraction is carried over for each tool: after the
+    /// Removes the chosen moves. If the start of an extrusion is no longer reached, a travel is added, and retraction is carried over for each tool: after the
     /// cut it is as large as it was, by E or by the firmware. Events stay, and so does homing.
     /// </summary>
     public static Toolpath Remove(this Toolpath toolpath, MoveFilter filter)

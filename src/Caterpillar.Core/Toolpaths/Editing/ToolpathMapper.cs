@@ -3,8 +3,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Maps moves of a toolpath, run by run; unaffected blocks are shared. The material of strands follows their length. A travel that leads to a
-/// mapped strand ends at its new start; moves in place happen at the new position of the head.
+/// Maps moves of a toolpath, run by run; unaffected blocks are shared. The material of extrusions follows their length. A travel that leads to a
+/// mapped extrusion ends at its new start; moves in place happen at the new position of the head.
 /// </summary>
 /// <param name="toolpath">The toolpath.</param>
 /// <param name="mapped">For each move, whether its end is mapped.</param>
@@ -66,7 +66,7 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
         return true;
     }
 
-    // The last move of a block may lead to a strand of the next.
+    // The last move of a block may lead to an extrusion of the next.
     private bool IsTouched(int first, int count)
     {
         for (var i = first; i < first + count; i++)
@@ -119,14 +119,14 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
         var to = run.Points[piece + 1];
         var share = run.Shares[piece];
         var deposited = move.Deposited * share;
-        // The strand before is not mapped: the travel starts at its end.
+        // The extrusion before is not mapped: the travel starts at its end.
         if (arc is not null && _position != run.Points[piece]) arc = null;
         if (move.Kind == MoveKind.Print && move.Length > 0)
             deposited = move.Deposited / move.Length * run.Flows[piece] * (arc?.Length(_position, to) ?? _position.DistanceTo(to));
         Add(move, to, deposited + Rest(move, share, piece == 0 || run.Moves[piece - 1] != move.Index), deposited, run.Speeds[piece], arc);
     }
 
-    // Its start or end may have moved with a strand. Vertical moves stay vertical.
+    // Its start or end may have moved with an extrusion. Vertical moves stay vertical.
     private void Unmapped(Move move, Vec3 end)
     {
         if (end == move.End && _position != move.Start && move.Kind != MoveKind.Print && move.Start.X == end.X
@@ -149,7 +149,7 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
         }
     }
 
-    // The part of E that is not deposited: a strand that restores does so first; other moves spread it over their length.
+    // The part of E that is not deposited: an extrusion that restores does so first; other moves spread it over their length.
     private static double Rest(Move move, double share, bool isFirst)
     {
         var rest = move.E - move.Deposited;

@@ -10,7 +10,7 @@ namespace Caterpillar.Toolpaths;
 /// <param name="Deposited">Part of it that becomes material on the part, after the retraction balance; same unit.</param>
 /// <param name="Speed">mm/s; for moves in place, of the filament.</param>
 /// <param name="Kind">What the machine does.</param>
-/// <param name="Role">What the strand is for.</param>
+/// <param name="Role">What the extrusion is for.</param>
 /// <param name="Layer">Index into the layers of the toolpath, or −1.</param>
 /// <param name="Tool">Number of the tool.</param>
 /// <param name="Source">Line of the file (from 1) or number of the step (from 0), according to the toolpath; −1 if there is none.</param>

@@ -16,10 +16,10 @@ public enum MoveKind : byte
     Retract,
 
     /// <summary>Retracted filament restored in place.</summary>
-    Restore,
+    Deretract,
 
     /// <summary>Motion that only restores retracted filament.</summary>
-    MovingRestore,
+    MovingDeretract,
 
     /// <summary>Material extruded in place, beyond what was retracted.</summary>
     Prime,

@@ -5,8 +5,8 @@ namespace Caterpillar.Toolpaths;
 /// <summary>What is printed in one role.</summary>
 /// <param name="Role">The role.</param>
 /// <param name="Length">Length of motion, mm.</param>
-/// <param name="Area">Cross-section of the strands in mm², averaged over the length; null if the factor of a tool is unknown.</param>
-/// <param name="Width">Width in mm of strands with round sides and the height of their layer, averaged and null likewise.</param>
+/// <param name="Area">Cross-section of the extrusions in mm², averaged over the length; null if the factor of a tool is unknown.</param>
+/// <param name="Width">Width in mm of extrusions with round sides and the height of their layer, averaged and null likewise.</param>
 internal sealed record RoleTotals(Role Role, double Length, double? Area, double? Width)
 {
     /// <summary>The roles that print, in their order.</summary>

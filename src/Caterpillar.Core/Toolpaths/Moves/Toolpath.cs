@@ -143,7 +143,7 @@ public sealed class Toolpath
     public double? VolumeOf(Move move) => VolumePerE(move.Tool) * move.Deposited;
 
     /// <summary>
-    /// The strand that a printing move deposits: its area in mm² from what it deposits, its height from the thickness of its layer; null if it prints
+    /// The extrusion that a printing move deposits: its area in mm² from what it deposits, its height from the thickness of its layer; null if it prints
     /// nothing or the factor of its tool is unknown. Slicers assume a <see cref="BeadShape.Stadium"/>, Cura a <see cref="BeadShape.Rectangle"/>.
     /// </summary>
     public Bead? BeadOf(Move move)

@@ -2,7 +2,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Shape of the cross-section, which determines the width of a strand.</summary>
+/// <summary>Shape of the cross-section, which determines the width of an extrusion.</summary>
 public enum BeadShape : byte
 {
     /// <summary>Width × height (Caterpillar 2019).</summary>
@@ -11,12 +11,12 @@ public enum BeadShape : byte
     /// <summary>A rectangle with round sides, as slicers assume.</summary>
     Stadium,
 
-    /// <summary>A round strand, printed in the air or through a wide gap (Kanada).</summary>
+    /// <summary>A round extrusion, printed in the air or through a wide gap (Kanada).</summary>
     Circle,
 }
 
 /// <summary>
-/// The strand that is deposited along a segment: cross-section in mm², height in mm if known, speed in mm/s. An area of 0 deposits nothing (a stroke
+/// The extrusion that is deposited along a segment: cross-section in mm², height in mm if known, speed in mm/s. An area of 0 deposits nothing (a stroke
 /// of a pen, a brush or a bare hot tool).
 /// </summary>
 public readonly record struct Bead
@@ -56,7 +56,7 @@ public readonly record struct Bead
     }
 
     /// <summary>
-    /// Width in mm for a shape, from the area and the height. If the height is unknown, or a stadium would be narrower than it is high, the strand is
+    /// Width in mm for a shape, from the area and the height. If the height is unknown, or a stadium would be narrower than it is high, the extrusion is
     /// round.
     /// </summary>
     public double Width(BeadShape shape = BeadShape.Rectangle)

@@ -82,7 +82,7 @@ public sealed class PrintPath
     /// <summary>Some segments are arcs.</summary>
     public bool HasArcs => _arcs is not null;
 
-    /// <summary>What the strand is for.</summary>
+    /// <summary>What the extrusion is for.</summary>
     public Role Role { get; init; }
 
     /// <summary>The layer it belongs to, or null if there are none.</summary>
@@ -94,7 +94,7 @@ public sealed class PrintPath
     /// <summary>Display name, or empty.</summary>
     public string Name { get; init; } = "";
 
-    /// <summary>A color chosen by the designer as 0xRRGGBB, for pictures and baking, or null.</summary>
+    /// <summary>A color chosen by the designer as 0xRRGGBB, for images and baking, or null.</summary>
     public int? Color { get; init; }
 
     /// <summary>Temperature, fan and acceleration while it is printed.</summary>

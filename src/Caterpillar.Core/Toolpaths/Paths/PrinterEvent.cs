@@ -24,7 +24,7 @@ public sealed record HomeEvent(bool X = true, bool Y = true, bool Z = true) : Pr
 /// <summary>The machine waits for a time in seconds (G4).</summary>
 public sealed record DwellEvent(double Seconds) : PrinterEvent;
 
-/// <summary>The machine waits for its user (M0 or the equivalent of the dialect).</summary>
+/// <summary>The machine waits for its user (M0 or the equivalent of the flavor).</summary>
 public sealed record PauseEvent(string Message = "") : PrinterEvent;
 
 /// <summary>A comment line. Line ends in the text become spaces.</summary>

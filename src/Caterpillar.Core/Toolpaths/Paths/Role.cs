@@ -1,6 +1,6 @@
 namespace Caterpillar.Toolpaths;
 
-/// <summary>What a printed strand is for.</summary>
+/// <summary>What a printed extrusion is for.</summary>
 public enum Role : byte
 {
     /// <summary>Unspecified: turtle drawings, traces, user curves, files without comments.</summary>
@@ -22,15 +22,15 @@ public enum Role : byte
     SolidInfill,
 
     /// <summary>Closed areas that are seen from above.</summary>
-    TopSkin,
+    TopSurface,
 
     /// <summary>Closed areas that are seen from below.</summary>
-    BottomSkin,
+    BottomSurface,
 
-    /// <summary>Strands over air, held at both ends.</summary>
+    /// <summary>Extrusions over air, held at both ends.</summary>
     Bridge,
 
-    /// <summary>Strands in gaps between walls.</summary>
+    /// <summary>Extrusions in gaps between walls.</summary>
     GapFill,
 
     /// <summary>The nozzle smooths a top skin.</summary>

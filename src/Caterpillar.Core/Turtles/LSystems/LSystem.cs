@@ -98,7 +98,7 @@ public sealed class LSystem
         {
             return new Result<LSystemWord>(null, [new Diagnostic(Severity.Error, e.Code, e.Message)]);
         }
-        return new Result<LSystemWord>(word.Build(), growth.Remarks);
+        return new Result<LSystemWord>(word.Build(), growth.Notes);
     }
 
     // Rules that always fit together; of others it shows while a word grows.

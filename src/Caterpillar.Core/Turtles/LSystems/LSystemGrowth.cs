@@ -31,7 +31,7 @@ internal sealed class LSystemGrowth
     /// <summary>True when chance has decided about a letter.</summary>
     public bool HasDrawn { get; private set; }
 
-    public IReadOnlyList<Diagnostic> Remarks => _remarks.ToList();
+    public IReadOnlyList<Diagnostic> Notes => _remarks.ToList();
 
     /// <summary>The rule that replaces a letter, or null where it stays.</summary>
     /// <exception cref="FormulaException">The weights of the rules that fit add up to more than 1.</exception>
@@ -49,7 +49,7 @@ internal sealed class LSystemGrowth
             _fitting.Add(rule);
             weights += rule.Weight ?? 0;
         }
-        if (!sameCount) Remark(word, index, rules);
+        if (!sameCount) Note(word, index, rules);
         var chosen = _fitting.Count == 0 ? null : _fitting.TrueForAll(r => r.Weight is null) ? _fitting[0] : Draw(weights, word[index]);
         if (chosen is not null && _fitting.Count > 1) Bind(chosen, word, index);
         return chosen;
@@ -133,16 +133,16 @@ internal sealed class LSystemGrowth
         return -1;
     }
 
-    private void Remark(LSystemWord word, int index, LSystemRule[] rules)
+    private void Note(LSystemWord word, int index, LSystemRule[] rules)
     {
         const string Code = "lsystem.value_count";
-        if (_remarks.Contains(Code, Severity.Remark))
+        if (_remarks.Contains(Code, Severity.Note))
         {
-            _remarks.Add(Severity.Remark, Code, "");
+            _remarks.Add(Severity.Note, Code, "");
             return;
         }
         var counts = string.Join(" or ", rules.Select(r => r.Names.Length).Distinct().OrderBy(n => n).Select(n => NumberFormatter.Format(n)));
-        _remarks.Add(Severity.Remark, Code,
+        _remarks.Add(Severity.Note, Code,
             $"'{word[index]}' with {Values(word.ValueCount(index))} stays: its rules are for {counts} values.");
     }
 

@@ -65,7 +65,7 @@ internal sealed class ScriptMachine
     public Turtle Turtle { get; }
 
     /// <summary>What was noticed while it ran.</summary>
-    public DiagnosticList Remarks { get; } = new();
+    public DiagnosticList Notes { get; } = new();
 
     /// <summary>What the program printed, line by line.</summary>
     public IEnumerable<Diagnostic> Prints => _prints.All();
@@ -296,7 +296,7 @@ internal sealed class ScriptMachine
         }
         var result = at.System!.Grow(variables, generations, seed, MaxLetters(), null, _cancel);
         if (result.Value is null) throw Error(at, result.Diagnostics[0].Code, result.Diagnostics[0].Message);
-        foreach (var remark in result.Diagnostics) Remarks.Add(remark with { Source = new SourceLocation(at.File, at.Line, at.Column) });
+        foreach (var note in result.Diagnostics) Notes.Add(note with { Source = new SourceLocation(at.File, at.Line, at.Column) });
         return result.Value;
     }
 
@@ -346,7 +346,7 @@ internal sealed class ScriptMachine
             var problem = shaped.Diagnostics[0];
             throw new FormulaException(problem.Code, problem.Message, at.Line, at.Column);
         }
-        foreach (var remark in shaped.Diagnostics) Remarks.Add(remark with { Source = new SourceLocation(_current.File, at.Line, at.Column) });
+        foreach (var note in shaped.Diagnostics) Notes.Add(note with { Source = new SourceLocation(_current.File, at.Line, at.Column) });
         Turtle.ReplaceSteps(block.First, shaped.Value);
         _context.Base = current;
         _pulse = Math.Min(_pulse, _steps);

@@ -13,7 +13,7 @@ internal sealed class ScriptPrints
 
     public void Add(string text, SourceLocation place)
     {
-        if (_lines.Count < Max) _lines.Add(new Diagnostic(Severity.Remark, TurtleScript.PrintCode, text, place));
+        if (_lines.Count < Max) _lines.Add(new Diagnostic(Severity.Note, TurtleScript.PrintCode, text, place));
         else _more++;
     }
 
@@ -23,7 +23,7 @@ internal sealed class ScriptPrints
         foreach (var line in _lines) yield return line;
         if (_more > 0)
         {
-            yield return new Diagnostic(Severity.Remark, "turtle.print_limit",
+            yield return new Diagnostic(Severity.Note, "turtle.print_limit",
                 $"{NumberFormatter.Format(_more)} more lines are not shown: a program prints up to {NumberFormatter.Format(Max)}.");
         }
     }

@@ -163,8 +163,8 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
 
     public FormulaNode? Call(Token name, List<FormulaNode> arguments)
     {
-        var image = _images.TryGetValue(name.Text, out var picture);
-        if (!procedures.TryGetValue(name.Text, out var procedure) && !image) return null;
+        var isImage = _images.TryGetValue(name.Text, out var image);
+        if (!procedures.TryGetValue(name.Text, out var procedure) && !isImage) return null;
         if (procedure is { ReturnsValue: false })
             throw new FormulaException("turtle.no_result", $"The procedure '{name.Text}' returns no value.", name.Line, name.Column);
         var count = procedure?.Parameters.Count ?? 2;
@@ -179,9 +179,9 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
         CallsFunctions |= procedure is not null;
         if (procedure is not null) return new FormulaNode(c => ((ScriptMachine)c.Host!).Call(procedure, values, name), depth);
         var (u, v) = (values[0], values[1]);
-        return picture.Smooth
-            ? new FormulaNode(c => picture.Image.Between(u(c), v(c)), depth)
-            : new FormulaNode(c => picture.Image.Nearest(u(c), v(c)), depth);
+        return image.Smooth
+            ? new FormulaNode(c => image.Image.Between(u(c), v(c)), depth)
+            : new FormulaNode(c => image.Image.Nearest(u(c), v(c)), depth);
     }
 
     public FormulaNode? Element(string name, FormulaNode index, Token at)

@@ -143,7 +143,7 @@ internal sealed class Shaper(ShapingRules rules, FormulaContext context, Frame f
     {
         MinLayerTime = Number("min_layer_time", 5, 0, 1e6),
         SpeedByLength = Number("speed_by_length", 0, 0, 1) != 0,
-        MinSpeed = Number("min_speed", 5, 1e-3, 1e6),
+        MinPrintSpeed = Number("min_speed", 5, 1e-3, 1e6),
         MaxSegmentsPerSecond = Number("max_segment_rate", 100, 0, 1e6),
         ReferenceSpeed = turtle.Speed,
     };

@@ -11,7 +11,7 @@ namespace Caterpillar.Turtles;
 /// </summary>
 public sealed class TurtleScript
 {
-    /// <summary>Code of the remarks that are lines printed by the program (<c>print</c>); they come first, in their order.</summary>
+    /// <summary>Code of the notes that are lines printed by the program (<c>print</c>); they come first, in their order.</summary>
     public const string PrintCode = "turtle.print";
 
     private readonly ScriptCode _code;
@@ -96,14 +96,14 @@ public sealed class TurtleScript
         {
             machine.Run();
             if (turtle.StackDepth > unclosed)
-                diagnostics.Add(Severity.Remark, "turtle.push", $"{NumberFormatter.Format(turtle.StackDepth - unclosed)} pushed states are never popped.",
+                diagnostics.Add(Severity.Note, "turtle.push", $"{NumberFormatter.Format(turtle.StackDepth - unclosed)} pushed states are never popped.",
                     _file is null ? null : new SourceLocation(_file));
         }
         catch (FormulaException e)
         {
             diagnostics.Add(Problem(e, _file));
         }
-        foreach (var remark in machine.Remarks.ToList()) diagnostics.Add(remark with { Source = remark.Source! with { File = remark.Source.File ?? _file } });
+        foreach (var note in machine.Notes.ToList()) diagnostics.Add(note with { Source = note.Source! with { File = note.Source.File ?? _file } });
         progress?.Report(1);
         return [.. machine.Prints.Select(p => p.Source is { File: null } place ? p with { Source = place with { File = _file } } : p),
             .. diagnostics.ToList()];

@@ -28,9 +28,9 @@ public abstract class TraceComponent(string name, string nickname, string descri
             "Position of the shape, in document units: its center at the origin, its axis along Z, its start along X. World XY by default.",
             optional: true);
         ShapePorts(ports);
-        ports.Add(new BeadParam(), "Bead", "B", "Strand and speed; by default 0.45 mm wide and 0.2 mm high, at the speed of the print settings.",
+        ports.Add(new BeadParam(), "Bead", "B", "Extrusion and speed; by default 0.45 mm wide and 0.2 mm high, at the speed of the print settings.",
             optional: true);
-        ports.Integer("Strings Per Turn", "N", "Number of straight strings per turn.", Trace.DefaultStringsPerTurn);
+        ports.Integer("Segments Per Turn", "N", "Number of straight strings per turn.", Trace.DefaultStringsPerTurn);
         MorePorts(ports);
     }
 
@@ -64,14 +64,14 @@ public abstract class TraceComponent(string name, string nickname, string descri
     {
         var (key, draw) = ShapeOf(run);
         var frame = run.FrameOf(0);
-        var strand = run.MaybeValue<Bead>(bead) ?? Bead.FromWidth(0.45, 0.2);
+        var extrusion = run.MaybeValue<Bead>(bead) ?? Bead.FromWidth(0.45, 0.2);
         var strings = run.Get<int>(bead + 1);
-        var path = run.Work("Trace", [frame, strand, strings, key], (_, _) =>
+        var path = run.Work("Trace", [frame, extrusion, strings, key], (_, _) =>
         {
-            var trace = new Trace(strand.Area).SetSpeed(strand.Speed);
+            var trace = new Trace(extrusion.Area).SetSpeed(extrusion.Speed);
             draw(trace, strings);
             var path = trace.ToPaths().FirstOrDefault() ?? throw new InputProblem("The shape is smaller than one string.");
-            if (strand.Height > 0) path = path.WithBeads(i => new Bead(path.BeadOf(i).Area, strand.Height, strand.Speed));
+            if (extrusion.Height > 0) path = path.WithBeads(i => new Bead(path.BeadOf(i).Area, extrusion.Height, extrusion.Speed));
             return path.Transformed(Affine.FromFrame(frame));
         });
         run.Set(0, new PrintPathGoo(path));

@@ -141,10 +141,10 @@ public sealed class TurtleExtrusionComponent()
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Choice("Kind", "K", "mm of filament per mm of path, cross-section of the strand in mm², or its width and height in mm.",
+        ports.Choice("Kind", "K", "mm of filament per mm of path, cross-section of the extrusion in mm², or its width and height in mm.",
             TurtleExtrusionKind.FilamentPerMm);
         ports.Number("Value", "V", "The amount: mm per mm, mm², or the width in mm.", 0.05);
-        ports.Number("Height", "H", "Height of the strand, in mm; 0 if unknown.", 0);
+        ports.Number("Height", "H", "Height of the extrusion, in mm; 0 if unknown.", 0);
         ports.OptionalNumber("Speed", "S", "Speed of the following moves, in mm/s; unchanged by default.");
     }
 

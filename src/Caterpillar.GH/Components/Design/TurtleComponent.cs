@@ -23,8 +23,8 @@ public sealed class TurtleComponent() : CaterpillarComponent(
         ports.Add(new TurtleProgramParam(), "Program", "P", "Program to run; text is read as a script.");
         ports.Add(new Param_Plane(), "Start Plane", "Pl",
             "Initial pose of the turtle, in document units: X is forward, Y left. World XY by default.", optional: true);
-        ports.Add(new BeadParam(), "Bead", "B", "Initial strand, instead of 0.05 mm of filament per mm; commands of the program change it.", optional: true);
-        ports.Number("Filament Diameter", "D", "Diameter of the filament, in mm, which turns mm of filament into strands.", 1.75);
+        ports.Add(new BeadParam(), "Bead", "B", "Initial extrusion, instead of 0.05 mm of filament per mm; commands of the program change it.", optional: true);
+        ports.Number("Filament Diameter", "D", "Diameter of the filament, in mm, which turns mm of filament into extrusions.", 1.75);
         ports.Boolean("Every Pose", "E", "True gives the pose and triangle after every command, false only the last.", false);
         ports.Add(new PrinterParam(), "Printer", "Pr",
             "Printer, or the name of its profile, whose Z axis limits drawn lifts; by default the one that the script names (use), or generic.",

@@ -50,9 +50,9 @@ public sealed class TurtlePreviewComponent() : CaterpillarComponent(
         var timeline = run.Work("Drawing", steps.Cast<object?>().ToArray(), (_, _) => new TurtleTimeline(steps));
         var pose = timeline.PoseAt(part);
         var printed = new List<Rg.Line>();
-        foreach (var strand in timeline.PrintedUntil(part))
+        foreach (var extrusion in timeline.PrintedUntil(part))
         {
-            for (var i = 1; i < strand.Count; i++) RhinoGeometry.AddLines(printed, strand[i - 1], strand[i], null, units);
+            for (var i = 1; i < extrusion.Count; i++) RhinoGeometry.AddLines(printed, extrusion[i - 1], extrusion[i], null, units);
         }
         var outline = TurtleShape.Outline(pose, size, units);
         var box = outline.GetBoundingBox(true);

@@ -1,5 +1,5 @@
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;
@@ -21,7 +21,7 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
         ports.File("File", "F", "File to read: plain, binary (.bgcode) or gzip.", "G-code|*.gcode;*.bgcode;*.gco;*.g;*.nc;*.gcode.gz|All files|*.*",
             optional: true);
         ports.Add(new GCodeParam(), "G-code", "G", "G-code to read instead of a file; text is G-code.", optional: true);
-        ports.Text("Dialect", "D", "Dialect of the firmware, such as marlin2, klipper or reprapfirmware; \"detect\" takes it from the file.", Detect);
+        ports.Text("Flavor", "D", "Flavor of the firmware, such as marlin2, klipper or reprapfirmware; \"detect\" takes it from the file.", Detect);
         ports.Choice("Rule", "R", "What counts as printing: E beyond what was retracted (Balance), or any rise of E (Rising).", ExtrusionRule.Balance);
     }
 
@@ -30,13 +30,13 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
         ports.Add(new ToolpathParam(), "Toolpath", "T", "What the file makes the printer do, move by move.");
         ports.Add(new GCodeParam(), "G-code", "G", "The file, byte for byte.");
         ports.Text("Settings", "S", "Settings that the slicer wrote into comments, as key=value.", GH_ParamAccess.list);
-        ports.Text("Dialect", "Di", "Dialect that was used for reading.");
+        ports.Text("Flavor", "Di", "Flavor that was used for reading.");
         ports.Diagnostics();
     }
 
     private protected override void Solve(Run run)
     {
-        var options = new DecodeOptions { Dialect = Dialect(run.Maybe<string>(2)), Rule = run.Choice<ExtrusionRule>(3) };
+        var options = new DecodeOptions { Flavor = Flavor(run.Maybe<string>(2)), Rule = run.Choice<ExtrusionRule>(3) };
         var wired = run.Maybe<GCodeDocument>(1);
         if (wired is not null && !string.IsNullOrEmpty(run.Maybe<string>(0)))
             run.Report(GH_RuntimeMessageLevel.Warning, "File is ignored, because G-code is connected.");
@@ -52,15 +52,15 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
         }
         run.Set(0, new ToolpathGoo(decoding));
         run.SetList(2, decoding.Settings.OrderBy(s => s.Key, StringComparer.Ordinal).Select(s => $"{s.Key}={s.Value}"));
-        run.Set(3, decoding.Dialect.Name);
+        run.Set(3, decoding.Flavor.Name);
         run.Summarize($"{NumberFormatter.Format(decoding.Toolpath.Count)} moves");
     }
 
-    private static DialectRules? Dialect(string? name)
+    private static FlavorRules? Flavor(string? name)
     {
         if (string.IsNullOrWhiteSpace(name) || string.Equals(name, Detect, StringComparison.OrdinalIgnoreCase)) return null;
-        return DialectTable.Find(name!) ?? throw new InputProblem(
-            $"There is no dialect {name}; there are {Detect}, {string.Join(", ", DialectTable.All.Select(d => d.Name))}.");
+        return FlavorTable.Find(name!) ?? throw new InputProblem(
+            $"There is no flavor {name}; there are {Detect}, {string.Join(", ", FlavorTable.All.Select(d => d.Name))}.");
     }
 
     private static GCodeDocument Read(Run run)

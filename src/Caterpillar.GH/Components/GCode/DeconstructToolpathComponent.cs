@@ -20,13 +20,13 @@ public sealed class DeconstructToolpathComponent() : CaterpillarComponent(
         ports.Number("Amounts", "E", "Change of E of each move, in mm of filament (or mm³ if the machine counts volume).", GH_ParamAccess.tree);
         ports.Number("Speeds", "V", "Speed of each move, in mm/s.", GH_ParamAccess.tree);
         ports.Text("Kinds", "K", "What the move does: Print, Travel, Wipe, Retract, Restore, Moving Restore, Prime or Dwell.", GH_ParamAccess.tree);
-        ports.Text("Roles", "R", "What each strand is for, such as OuterWall or Infill.", GH_ParamAccess.tree);
+        ports.Text("Roles", "R", "What each extrusion is for, such as OuterWall or Infill.", GH_ParamAccess.tree);
         ports.Integer("Sources", "S", "Line number in the file, from 1, or number of the step of the design, from 0; -1 if there is none.",
             GH_ParamAccess.tree);
-        ports.Number("Areas", "A", "Cross-section of each strand in mm²; 0 for moves that print nothing, or if the filament diameter is unknown.",
+        ports.Number("Areas", "A", "Cross-section of each extrusion in mm²; 0 for moves that print nothing, or if the filament diameter is unknown.",
             GH_ParamAccess.tree);
-        ports.Number("Widths", "W", "Width of each strand in mm, with round sides and the height of its layer; 0 if there is none.", GH_ParamAccess.tree);
-        ports.Add(new Param_Curve { Hidden = true }, "Strands", "C", "What is printed as curves, in document units: one for each run without a travel.",
+        ports.Number("Widths", "W", "Width of each extrusion in mm, with round sides and the height of its layer; 0 if there is none.", GH_ParamAccess.tree);
+        ports.Add(new Param_Curve { Hidden = true }, "Extrusions", "C", "What is printed as curves, in document units: one for each run without a travel.",
             GH_ParamAccess.tree);
     }
 
@@ -43,6 +43,6 @@ public sealed class DeconstructToolpathComponent() : CaterpillarComponent(
         run.SetTree(5, parts.Sources);
         run.SetTree(6, parts.Areas);
         run.SetTree(7, parts.Widths);
-        run.SetTree(8, parts.Strands);
+        run.SetTree(8, parts.Extrusions);
     }
 }

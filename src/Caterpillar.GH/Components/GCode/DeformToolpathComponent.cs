@@ -10,7 +10,8 @@ namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Deforms a toolpath by formulas.</summary>
 public sealed class DeformToolpathComponent() : CaterpillarComponent(
-    "Deform Toolpath", "DeformTP", "Deforms what a toolpath prints by formulas for position, area and speed; the material follows the length of the strands.",
+    "Deform Toolpath", "DeformTP", "Deforms what a toolpath prints by formulas for position, area and speed; the material follows the length of the "
+    + "extrusions.",
         Panel.GCode)
 {
     private const int Formulas = 1 + MoveFilterPorts.Count;
@@ -19,7 +20,7 @@ public sealed class DeformToolpathComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "TP", "Toolpath to deform, planned or decoded.");
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to deform, planned or decoded.");
         MoveFilterPorts.Declare(ports);
         DeformationPorts.Declare(ports);
         ports.Add(new Param_Plane(), "Plane", "Pl", "Frame of the coordinates, in document units; its Z is the axis of angles. World XY by default.",

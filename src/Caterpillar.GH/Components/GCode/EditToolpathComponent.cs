@@ -23,7 +23,7 @@ public sealed class EditToolpathComponent() : CaterpillarComponent(
         ports.Number("Speed Factor", "S", "Factor for the speed of the chosen moves.", 1);
         ports.Number("Flow Factor", "Fl", "Factor for the material of the chosen moves.", 1);
         ports.Add(new Param_Transform(), "Transform", "X",
-            "Moves, turns or scales the chosen strands, in document units; start and end code stay where they are.", optional: true);
+            "Moves, turns or scales the chosen extrusions, in document units; start and end code stay where they are.", optional: true);
     }
 
     private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "The changed toolpath.");

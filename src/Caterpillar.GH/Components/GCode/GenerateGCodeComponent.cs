@@ -26,9 +26,9 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
             "Reason to ignore the findings of the checks; it is kept in the file as a comment. Empty obeys the checks.", "");
         ports.Boolean("Rewrite All", "A",
             "False keeps all lines of a decoded file that no edit changes; true rewrites all of it, with the printer's start and end code.", false);
-        ports.Text("Start Code", "SC", "Lines that replace everything before the first layer of a decoded file; by default that is kept.",
+        ports.Text("Start G-code", "SC", "Lines that replace everything before the first layer of a decoded file; by default that is kept.",
             optional: true);
-        ports.Text("End Code", "EC", "Lines that replace everything after the last layer of a decoded file; by default that is kept.", optional: true);
+        ports.Text("End G-code", "EC", "Lines that replace everything after the last layer of a decoded file; by default that is kept.", optional: true);
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -48,7 +48,7 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
         if (rewriteAll && (start ?? end) is not null)
         {
             run.Report(GH_RuntimeMessageLevel.Warning,
-                "Start Code and End Code apply to decoded files whose lines are kept; this one is rewritten, with the code of its printer.");
+                "Start G-code and End G-code apply to decoded files whose lines are kept; this one is rewritten, with the code of its printer.");
         }
         var code = new EditOptions { Start = start is null ? null : TextLines.Of(start), End = end is null ? null : TextLines.Of(end) };
         var result = run.Work("Writing", [goo.Value, setup, reason, rewriteAll, start, end], (progress, cancel) => rewriteAll

@@ -25,7 +25,7 @@ public sealed class PlanToolpathComponent() : CaterpillarComponent(
         ports.Add(new MaterialParam(), "Material", "M", "Material, or the name of its profile; by default that of the printer.", optional: true);
         ports.Add(new SettingsParam(), "Settings", "Se", "Print settings, or the name of their profile; by default those of the printer.",
             optional: true);
-        ports.Choice("Policy", "Po", "What planning may add: everything in the settings (Printer), or nothing (As Drawn).",
+        ports.Choice("Mode", "Mo", "What planning may add: everything in the settings (Printer), or nothing (As Drawn).",
             PlanPolicy.Printer);
         ports.Choice("Sort", "So", "How paths are sorted inside the groups of a slicer; other paths keep their order.", SortRule.Tour);
         ports.Geometry("Obstacles", "O",

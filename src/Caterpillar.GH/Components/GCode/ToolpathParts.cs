@@ -31,10 +31,10 @@ internal sealed class ToolpathParts
             }
             branch.Add(move, units, toolpath.BeadOf(move));
         }
-        foreach (var strand in ToolpathStrands.Of(toolpath))
+        foreach (var extrusion in ToolpathExtrusions.Of(toolpath))
         {
-            var path = root.AppendElement(toolpath.NumberOfLayer(toolpath[strand.First]) is { } number ? number - lowest : 0);
-            Strands.Append(new GH_Curve(ToolpathStrands.ToCurve(toolpath, strand, units)), path);
+            var path = root.AppendElement(toolpath.NumberOfLayer(toolpath[extrusion.First]) is { } number ? number - lowest : 0);
+            Extrusions.Append(new GH_Curve(ToolpathExtrusions.ToCurve(toolpath, extrusion, units)), path);
         }
     }
 
@@ -54,7 +54,7 @@ internal sealed class ToolpathParts
 
     public GH_Structure<GH_Number> Widths { get; } = new();
 
-    public GH_Structure<GH_Curve> Strands { get; } = new();
+    public GH_Structure<GH_Curve> Extrusions { get; } = new();
 
     private GH_Number Number(double value)
     {

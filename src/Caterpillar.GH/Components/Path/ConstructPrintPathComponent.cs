@@ -18,7 +18,7 @@ public sealed class ConstructPrintPathComponent() : CaterpillarComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Add(new Param_Curve(), "Curve", "C", "Curve to print along, in document units.");
-        ports.Add(new BeadParam(), "Bead", "B", "Strand to deposit; 0.45 × 0.2 mm by default.", optional: true);
+        ports.Add(new BeadParam(), "Bead", "B", "Extrusion to deposit; 0.45 × 0.2 mm by default.", optional: true);
         ports.Choice("Role", "R", "What the path is for.", Role.Unspecified);
         ports.Number("Subdivision", "S", "Maximum length of the segments of curved parts, in mm.", 1);
         ports.Boolean("Keep Arc", "A", "True keeps horizontal arcs and circles as arcs.", false);

@@ -27,7 +27,7 @@ public sealed class CoolLayersComponent() : PathShapingComponent(
         {
             MinLayerTime = AtLeast0(run, 1),
             SpeedByLength = run.Get<bool>(2),
-            MinSpeed = run.Positive(3),
+            MinPrintSpeed = run.Positive(3),
             ReferenceSpeed = run.Positive(4),
             MaxSegmentsPerSecond = AtLeast0(run, 5),
         };

@@ -25,7 +25,7 @@ public sealed class GapBeadComponent() : CaterpillarComponent(
         ports.Add(new SettingsParam(), "Settings", "S", "Print settings that determine the limits; the standard ones by default.", optional: true);
         ports.OptionalNumber("Minimum Gap", "Min", "Smaller gaps are printed as if they were this high, in mm; a quarter of the layer height by default.");
         ports.OptionalNumber("Maximum Gap", "Max", "Larger gaps are printed as if they were this high, in mm; twice the layer height by default.");
-        ports.Number("Width", "W", "Width of the strands in mm; 0 uses that of each bead.", 0);
+        ports.Number("Width", "W", "Width of the extrusions in mm; 0 uses that of each bead.", 0);
         ports.Boolean("Bed", "B", "True if the bed, at Z = 0, is underneath too.", true);
     }
 

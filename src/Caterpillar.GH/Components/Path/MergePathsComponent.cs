@@ -9,7 +9,7 @@ namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Joins paths whose ends touch.</summary>
 public sealed class MergePathsComponent() : CaterpillarComponent(
-    "Merge Paths", "Merge", "Joins paths whose ends touch if role, layer, tool and name are equal; each segment keeps its strand.", Panel.Path,
+    "Merge Paths", "Merge", "Joins paths whose ends touch if role, layer, tool and name are equal; each segment keeps its extrusion.", Panel.Path,
         GH_Exposure.secondary)
 {
     public override Guid ComponentGuid => new("53edb3ac-450f-4275-a38f-0ca4dd43c9b1");

@@ -21,7 +21,7 @@ public sealed class ConstructPrintSettingsComponent() : ProfileComponent(
         ports.OptionalNumber("Print Speed", "P", "Speed of printing moves, in mm/s; that of the base by default.");
         ports.OptionalNumber("Travel Speed", "T", "Speed of travel moves, in mm/s; that of the base by default.");
         ports.OptionalNumber("Subdivision Distance", "S", "Distance between points on curved paths, in mm; that of the base by default.");
-        ports.Text("Overrides", "O", "Other values to override, as key=value, for example wall_count=3 or infill_percent=15; keys include their unit.",
+        ports.Text("Overrides", "O", "Other values to override, as key=value, for example wall_count=3 or infill_density_percent=15; keys include their unit.",
             access: GH_ParamAccess.list, optional: true);
     }
 

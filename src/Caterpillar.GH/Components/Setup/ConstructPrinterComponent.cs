@@ -29,9 +29,9 @@ public sealed class ConstructPrinterComponent() : ProfileComponent(
             GH_ParamAccess.list, optional: true);
         ports.Text("Limits", "L", "Other values, as key=value, for example max_flow_mm3_s=20; keys include their unit.", access: GH_ParamAccess.list,
             optional: true);
-        ports.Text("Start Code", "SC", "Lines before the print, with {nozzle_temperature} and other names; those of the base by default.",
+        ports.Text("Start G-code", "SC", "Lines before the print, with {nozzle_temperature} and other names; those of the base by default.",
             access: GH_ParamAccess.item, optional: true);
-        ports.Text("End Code", "EC", "Lines after the print; those of the base by default.", optional: true);
+        ports.Text("End G-code", "EC", "Lines after the print; those of the base by default.", optional: true);
         ports.Text("Name", "Na", "Name of the printer.", "custom");
     }
 
@@ -50,8 +50,8 @@ public sealed class ConstructPrinterComponent() : ProfileComponent(
         if (run.MaybeValue<double>(2) is not null) printer = printer with { NozzleDiameter = run.Positive(2) };
         var head = run.List<IGH_GeometricGoo>(3);
         if (head.Count > 0) printer = printer with { HeadBoxes = new ValueList<Bounds>(head.Select(h => BoundsOf(h, units))) };
-        if (run.Maybe<string>(5) is { } start) printer = printer with { StartTemplate = new ValueList<string>(TextLines.Of(start)) };
-        if (run.Maybe<string>(6) is { } end) printer = printer with { EndTemplate = new ValueList<string>(TextLines.Of(end)) };
+        if (run.Maybe<string>(5) is { } start) printer = printer with { StartGCode = new ValueList<string>(TextLines.Of(start)) };
+        if (run.Maybe<string>(6) is { } end) printer = printer with { EndGCode = new ValueList<string>(TextLines.Of(end)) };
         var made = run.Require((new PrintSetup() with { Printer = printer }).With(run.List<string>(4))).Printer;
         run.SetAll(new PrinterGoo(made), RhinoGeometry.ToBed(made, units));
     }

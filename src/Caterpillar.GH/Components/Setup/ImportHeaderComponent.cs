@@ -20,7 +20,7 @@ public sealed class ImportHeaderComponent() : CaterpillarComponent(
     {
         ports.File("Header", "H", "File with the lines before the print.", Filter);
         ports.File("Footer", "F", "File with the lines after the print; none by default.", Filter, optional: true);
-        ports.Add(new PrinterParam(), "Like", "L", "A similar printer for what the files do not state, or the name of its profile; the generic one by default.",
+        ports.Add(new PrinterParam(), "Base", "B", "A similar printer for what the files do not state, or the name of its profile; the generic one by default.",
             optional: true);
     }
 

@@ -35,7 +35,7 @@ public sealed class BakeToolpathComponent() : CaterpillarComponent(
         ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to bake, planned or decoded.");
         ports.Text("Name", "N", "Name of the baked objects; what was baked under it before is replaced.", "Toolpath");
         ports.Boolean("Bake", "B", "The toolpath is baked when this changes from false to true: connect a button.", false);
-        ports.Choice("Kind", "K", "Curves along the strands, or beads of true width and height as meshes.", BakeKind.Curves);
+        ports.Choice("Kind", "K", "Curves along the extrusions, or beads of true width and height as meshes.", BakeKind.Curves);
     }
 
     private protected override void Outputs(OutputPorts ports)

@@ -40,7 +40,8 @@ public sealed class SimulateComponent() : CaterpillarComponent(
         ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to simulate, planned or decoded.");
         SetupPorts.Printer(ports);
         ports.Number("Position", "t", "Position in the print: from 0 to 1, or as By says.", 1);
-        ports.Choice("By", "B", "What the position counts. From 0 to 1: time, length of the path or layers; else seconds, the number of a layer as in the "
+        ports.Choice("Position Unit", "U", "What the position counts. From 0 to 1: time, length of the path or layers; else seconds, the number of a layer "
+            + "as in the "
             + "file, or the line of a file, from 1, or step of a design, from 0.", PositionBy.Time);
     }
 

@@ -28,12 +28,12 @@ public sealed class StatisticsComponent() : CaterpillarComponent(
         ports.Number("Volume", "V", "Deposited material, in mm³; null if the diameter of the filament is unknown.");
         ports.Number("Mass", "M", "Mass of the material in grams, from its volume in mm³ and its density; null if unknown.");
         ports.Number("Cost", "C", "Cost of the material, a factor of its mass in the currency of the profile; null if unknown.");
-        ports.Number("Print Length", "L", "Length of all strands, in mm.");
+        ports.Number("Print Length", "L", "Length of all extrusions, in mm.");
         ports.Number("Travel Length", "Tr", "Length of all travels, in mm.");
         ports.Integer("Retraction Count", "R", "Number of retractions.");
-        ports.Number("Greatest Flow", "Q", "Greatest flow, in mm³/s; null if unknown.");
+        ports.Number("Peak Flow", "Q", "Greatest flow, in mm³/s; null if unknown.");
         ports.Number("Layer Times", "Lt", "Time of each layer, in seconds.", GH_ParamAccess.list);
-        ports.Text("Lines", "S", "The same in words, and the time in each role.", GH_ParamAccess.list);
+        ports.Text("Summary", "S", "The same in words, and the time in each role.", GH_ParamAccess.list);
     }
 
     private protected override void Solve(Run run)

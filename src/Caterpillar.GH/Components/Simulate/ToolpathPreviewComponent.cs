@@ -25,7 +25,7 @@ public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
         ports.Choice("Color By", "C", "What the colors show.", PreviewColor.Role);
         ports.OptionalInteger("First Layer", "F", "Number of the first layer, from 0, as in the file; all by default.");
         ports.OptionalInteger("Last Layer", "L", "Number of the last layer, from 0, as in the file; all by default.");
-        ports.Boolean("Solid", "B", "True shows strands of true width and height, false lines.", false);
+        ports.Boolean("Solid", "B", "True shows extrusions of true width and height, false lines.", false);
         ports.Boolean("Travel", "Tr", "True shows travels and the places of retractions, too.", false);
         ports.Add(new PrinterParam(), "Printer", "P",
             "Printer, or the name of its profile, whose bed and build volume are shown, and whose limits give the times; by default none is shown, and times "
@@ -35,7 +35,7 @@ public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Text("Legend Texts", "Le", "What each color means.", GH_ParamAccess.list);
+        ports.Text("Tags", "Ta", "What each color means.", GH_ParamAccess.list);
         ports.Add(new Param_Colour(), "Colors", "C", "The colors of the legend.", GH_ParamAccess.list);
     }
 

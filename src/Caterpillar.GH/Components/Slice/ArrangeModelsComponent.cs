@@ -18,7 +18,7 @@ public sealed class ArrangeModelsComponent() : ModelMovingComponent(
         ports.Integer("Count", "C", "Number of pieces of each solid.", 1);
         ports.Number("Spacing", "S", "Smallest distance between two solids as seen from above, in mm.", new ArrangeOptions().Spacing);
         ports.Number("Margin", "M", "Smallest distance from the edge of the bed, in mm.", new ArrangeOptions().Margin);
-        ports.Boolean("One By One", "O", "True leaves as much space as the head needs to print one solid after the other.", false);
+        ports.Boolean("Sequential", "Sq", "True leaves as much space as the head needs to print one solid after the other.", false);
         ports.Number("Tolerance", "T", "Maximum deviation of facets from a curved solid, in mm.", 0.05);
     }
 

@@ -26,7 +26,7 @@ public sealed class CurvedSlicerComponent() : SlicerComponent(
         ports.Add(new PrinterParam(), "Printer", "P", "Printer, or the name of its profile, whose head limits the slope of layers; the generic one by default.",
             optional: true);
         ports.Geometry("Objects", "O",
-            "Objects on the bed that are printed on, in document units: nothing is printed below their surface, and the first strands fill the gap to it.",
+            "Objects on the bed that are printed on, in document units: nothing is printed below their surface, and the first extrusions fill the gap to it.",
             GH_ParamAccess.list, optional: true);
         ports.Boolean("Partial", "Pa", "True prints what lies within the surfaces of the field and is not too steep, instead of refusing the solids.", false);
         TolerancePort(ports);

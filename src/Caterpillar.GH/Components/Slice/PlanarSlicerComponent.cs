@@ -24,7 +24,7 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         ports.Add(new SettingsParam(), "Settings", "S", "Print settings; the standard ones by default.", optional: true);
         TolerancePort(ports);
         ports.Geometry("Modifiers", "M",
-            "Solids that are not printed, in document units: what lies inside them is printed with Modifier Settings, or supported or not, as model_use of "
+            "Solids that are not printed, in document units: what lies inside them is printed with Modifier Settings, or supported or not, as model_type of "
                 + "those states.", GH_ParamAccess.list, optional: true);
         ports.Add(new SettingsParam(), "Modifier Settings", "MS", "Print settings of each modifier in turn; the last ones are those of all that follow.",
             GH_ParamAccess.list, optional: true);
@@ -66,7 +66,7 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         return solids.Select((m, i) =>
         {
             var settings = own[Math.Min(places[i], own.Count - 1)].Value;
-            if (settings.ModelUse != ModelUse.Part)
+            if (settings.ModelType != ModelType.Part)
                 throw new InputProblem($"Part Settings of {m.Name} are for a solid that is not printed: it belongs to Modifiers.");
             return new SliceModel(m, WithCurves(settings, common));
         }).ToArray();
@@ -90,7 +90,7 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         return geometry.Select((g, i) =>
         {
             var own = settings[Math.Min(i, settings.Count - 1)].Value;
-            if (own.ModelUse == ModelUse.Part) own = own with { ModelUse = ModelUse.Modifier };
+            if (own.ModelType == ModelType.Part) own = own with { ModelType = ModelType.Modifier };
             var mesh = new NamedMesh($"Modifier {NumberFormatter.Format(i)}", run.ModelOf(g, tolerance).Triangles);
             return new SliceModel(mesh, WithCurves(own, common));
         }).ToArray();

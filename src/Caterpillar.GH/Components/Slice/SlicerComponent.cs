@@ -30,7 +30,7 @@ public abstract class SlicerComponent(string name, string nickname, string descr
         ports.Add(new PrintPathParam { Hidden = true }, "Infill", "I", "The infill alone, one branch per layer.", GH_ParamAccess.tree);
         ports.Add(new Param_Curve { Hidden = true }, "Regions", "R",
             "Outlines of what each layer covers, one branch per layer, in document units; of curved layers as seen from above.", GH_ParamAccess.tree);
-        ports.Curve("Open Edges", "E", "Edges where the surface of a solid is open, in document units.", GH_ParamAccess.list);
+        ports.Curve("Naked Edges", "E", "Edges where the surface of a solid is open, in document units.", GH_ParamAccess.list);
         ports.Diagnostics();
     }
 
@@ -56,8 +56,8 @@ public abstract class SlicerComponent(string name, string nickname, string descr
         run.Summarize($"{NumberFormatter.Format(slices.Layers.Count)} layers");
     }
 
-    private static Diagnostic Open(NamedMesh model) => new(Severity.Warning, "mesh.open_edges",
-        $"The surface has {NumberFormatter.Format(model.Mesh.OpenEdgeCount)} open edges, which the output Open Edges shows.", new SourceLocation(model.Name));
+    private static Diagnostic Open(NamedMesh model) => new(Severity.Warning, "mesh.naked_edges",
+        $"The surface has {NumberFormatter.Format(model.Mesh.OpenEdgeCount)} open edges, which the output Naked Edges shows.", new SourceLocation(model.Name));
 
     private static bool IsWall(Role role) => role is Role.OuterWall or Role.InnerWall or Role.OverhangWall;
 

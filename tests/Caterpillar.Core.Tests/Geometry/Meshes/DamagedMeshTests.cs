@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Geometry.Meshes;
 
-/// <summary>Closed meshes, damaged at random, written to a file, read again and mended: layers keep their area.</summary>
+/// <summary>Closed meshes, damaged at random, written to a file, read again and repaired: layers keep their area.</summary>
 [TestFixture]
 public class DamagedMeshTests
 {
@@ -37,14 +37,15 @@ public class DamagedMeshTests
     {
         var good = MeshReader.ReadMerged(TestData.Shared("meshes/" + Names[TipCutOff % Names.Length])).Value!;
         var read = MeshReader.Read(StlWriter.ToBytes(MeshDamage.Damage(good, TipCutOff).Mesh), "damaged.stl").Value!;
-        var mended = MeshRepair.ToSolid(TriMesh.Merge(read.Select(m => m.Mesh)));
+        var repaired = MeshRepair.ToSolid(TriMesh.Merge(read.Select(m => m.Mesh)));
         var heights = Enumerable.Range(0, (int)(good.Bounds.Max.Z / 0.2)).Select(i => (i + 0.5) * 0.2).ToArray();
         var expected = MeshSections.At(good, heights).Value!.Select(s => ContourMeasure.NonZero(s.Loops).Area).ToArray();
-        var areas = MeshSections.At(mended.Mesh, heights, new SectionOptions { GapMm = 10 }).Value!.Select(s => ContourMeasure.NonZero(s.Loops).Area).ToArray();
+        var areas = MeshSections.At(repaired.Mesh, heights, new SectionOptions { GapMm = 10 }).Value!.Select(s
+            => ContourMeasure.NonZero(s.Loops).Area).ToArray();
         var lost = Enumerable.Range(0, heights.Length).Where(i => areas[i] < 0.9 * expected[i]).ToArray();
         Assert.That(lost, Is.Not.Empty, "else the seed belongs to the others");
-        Assert.That(mended.Mesh.IsWatertight);
-        var rim = mended.Holes.Where(h => h.Box.Max.Z > heights[lost[0]]).Min(h => h.Box.Min.Z);
+        Assert.That(repaired.Mesh.IsWatertight);
+        var rim = repaired.Holes.Where(h => h.Box.Max.Z > heights[lost[0]]).Min(h => h.Box.Min.Z);
         Assert.That(heights[lost[0]], Is.GreaterThan(rim));
         Assert.That(lost.Sum(i => 0.2 * (expected[i] - areas[i])), Is.LessThan(0.001 * good.Volume));
     }
@@ -54,10 +55,10 @@ public class DamagedMeshTests
         var good = MeshReader.ReadMerged(TestData.Shared("meshes/" + Names[seed % Names.Length])).Value!;
         var (damaged, what) = MeshDamage.Damage(good, seed);
         var read = MeshReader.Read(StlWriter.ToBytes(damaged), "damaged.stl").Value!;
-        var mended = MeshRepair.ToSolid(TriMesh.Merge(read.Select(m => m.Mesh))).Mesh;
+        var repaired = MeshRepair.ToSolid(TriMesh.Merge(read.Select(m => m.Mesh))).Mesh;
         var heights = Enumerable.Range(0, (int)(good.Bounds.Max.Z / every)).Select(i => (i + 0.5) * every).ToArray();
         var expected = MeshSections.At(good, heights).Value!;
-        var sections = MeshSections.At(mended, heights, new SectionOptions { GapMm = 10 }).Value!;
+        var sections = MeshSections.At(repaired, heights, new SectionOptions { GapMm = 10 }).Value!;
         for (var i = 0; i < heights.Length; i++)
         {
             var area = ContourMeasure.NonZero(expected[i].Loops).Area;

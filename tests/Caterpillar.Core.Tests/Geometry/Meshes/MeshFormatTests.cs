@@ -72,7 +72,7 @@ public class MeshFormatTests
         Assert.That(uncounted.Value!.Single().Mesh.TriangleCount, Is.EqualTo(12));
         var longer = MeshReader.Read([.. MeshBytes.BinaryStl(), 1, 2, 3], "x.stl");
         Assert.That(longer.Diagnostics.Single(),
-            Is.EqualTo(new Diagnostic(Severity.Remark, "mesh.trailing_bytes", "Bytes after the last facet are ignored.", new SourceLocation("x.stl"), 3)));
+            Is.EqualTo(new Diagnostic(Severity.Note, "mesh.trailing_bytes", "Bytes after the last facet are ignored.", new SourceLocation("x.stl"), 3)));
     }
 
     [Test]
@@ -106,7 +106,7 @@ public class MeshFormatTests
         Assert.That(read.Diagnostics[0].Message, Does.Contain("0.00006 mm"));
         Assert.That(read.Value!.Single().Mesh.IsWatertight, Is.True);
         var wide = MeshReader.Read(MeshBytes.Text(text.Remove(at, 15).Insert(at, "vertex 10.001 20 30")), "x.stl");
-        Assert.That(wide.Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "mesh.open_edges" }), "beyond the snap nothing is moved");
+        Assert.That(wide.Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "mesh.naked_edges" }), "beyond the snap nothing is moved");
         Assert.That(wide.Value!.Single().Mesh.VertexCount, Is.EqualTo(9));
     }
 
@@ -128,8 +128,8 @@ public class MeshFormatTests
         var read = MeshReader.Read(MeshBytes.Text("v 0 0 0\nv 1 0 0\nv 0 1 0\nfoo 1\nbar 2\ncurv 0 1 2\nf 1 2\nf 1 2 3\n"), "x.obj");
         Assert.That(read.Diagnostics.Select(d => (d.Severity, d.Code, d.Count, d.Source!.Line)), Is.EqualTo(new (Severity, string, int, int?)[]
         {
-            (Severity.Remark, "mesh.ignored", 2, 4), (Severity.Warning, "mesh.unsupported", 1, 6), (Severity.Warning, "mesh.short_faces", 1, 7),
-                (Severity.Remark, "mesh.open_edges", 3, null),
+            (Severity.Note, "mesh.ignored", 2, 4), (Severity.Warning, "mesh.unsupported", 1, 6), (Severity.Warning, "mesh.short_faces", 1, 7),
+                (Severity.Note, "mesh.naked_edges", 3, null),
         }));
     }
 

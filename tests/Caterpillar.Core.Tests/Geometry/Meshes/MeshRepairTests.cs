@@ -15,37 +15,37 @@ public class MeshRepairTests
     [Test]
     public void A_closed_mesh_that_faces_outwards_is_returned_as_it_is()
     {
-        var mended = MeshRepair.ToSolid(Box);
-        Assert.That(mended.Mesh, Is.SameAs(Box));
-        Assert.That(mended.IsChanged, Is.False);
+        var repaired = MeshRepair.ToSolid(Box);
+        Assert.That(repaired.Mesh, Is.SameAs(Box));
+        Assert.That(repaired.IsChanged, Is.False);
         Assert.That(MeshRepair.ToSolid(TriMesh.Empty).Mesh, Is.SameAs(TriMesh.Empty));
     }
 
     [Test]
     public void A_missing_triangle_comes_back_as_it_was([Range(0, 11)] int missing)
     {
-        var mended = MeshRepair.ToSolid(Without(Box, missing));
-        Assert.That((mended.Mesh.IsWatertight, mended.Mesh.TriangleCount, mended.Holes.Count), Is.EqualTo((true, 12, 1)));
-        Assert.That(mended.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
-        Assert.That(mended.Holes[0].Area, Is.EqualTo(50).Within(1e-12));
+        var repaired = MeshRepair.ToSolid(Without(Box, missing));
+        Assert.That((repaired.Mesh.IsWatertight, repaired.Mesh.TriangleCount, repaired.Holes.Count), Is.EqualTo((true, 12, 1)));
+        Assert.That(repaired.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
+        Assert.That(repaired.Holes[0].Area, Is.EqualTo(50).Within(1e-12));
     }
 
     [Test]
     public void Two_holes_that_touch_in_a_vertex_are_filled_each_for_itself()
     {
         // Triangles 0 (bottom) and 6 (wall at x = 10) share one vertex only.
-        var mended = MeshRepair.ToSolid(Without(Box, 0, 7));
-        Assert.That((mended.Mesh.IsWatertight, mended.Holes.Count), Is.EqualTo((true, 2)));
-        Assert.That(mended.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
+        var repaired = MeshRepair.ToSolid(Without(Box, 0, 7));
+        Assert.That((repaired.Mesh.IsWatertight, repaired.Holes.Count), Is.EqualTo((true, 2)));
+        Assert.That(repaired.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
     }
 
     [Test]
     public void A_whole_missing_face_is_filled_flat()
     {
-        var mended = MeshRepair.ToSolid(Without(Box, 4, 5));
-        Assert.That((mended.Mesh.IsWatertight, mended.Holes.Count), Is.EqualTo((true, 1)));
-        Assert.That(mended.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
-        Assert.That(mended.Holes[0].Width, Is.EqualTo(Math.Sqrt(200)).Within(1e-12));
+        var repaired = MeshRepair.ToSolid(Without(Box, 4, 5));
+        Assert.That((repaired.Mesh.IsWatertight, repaired.Holes.Count), Is.EqualTo((true, 1)));
+        Assert.That(repaired.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
+        Assert.That(repaired.Holes[0].Width, Is.EqualTo(Math.Sqrt(200)).Within(1e-12));
     }
 
     [Test]
@@ -62,25 +62,25 @@ public class MeshRepairTests
         var roof = TriMesh.Create(points.ToArray(), triangles.ToArray());
         Assert.That((roof.IsWatertight, roof.Volume), Is.EqualTo((true, 180.0)));
         // The four triangles beside the ridge in the middle.
-        var mended = MeshRepair.ToSolid(Without(roof, 8, 9, 10, 11));
-        Assert.That((mended.Mesh.IsWatertight, mended.Holes.Count), Is.EqualTo((true, 1)));
-        Assert.That(mended.Mesh.Volume, Is.EqualTo(180).Within(1e-9));
+        var repaired = MeshRepair.ToSolid(Without(roof, 8, 9, 10, 11));
+        Assert.That((repaired.Mesh.IsWatertight, repaired.Holes.Count), Is.EqualTo((true, 1)));
+        Assert.That(repaired.Mesh.Volume, Is.EqualTo(180).Within(1e-9));
     }
 
     [Test]
     public void The_rim_of_a_sheet_stays_open()
     {
         var sheet = TriMesh.Create([new(0, 0, 0), new(10, 0, 1), new(10, 10, 0), new(0, 10, 1)], [0, 1, 2, 0, 2, 3]);
-        var mended = MeshRepair.ToSolid(sheet);
-        Assert.That((mended.Mesh.TriangleCount, mended.IsChanged), Is.EqualTo((2, false)));
+        var repaired = MeshRepair.ToSolid(sheet);
+        Assert.That((repaired.Mesh.TriangleCount, repaired.IsChanged), Is.EqualTo((2, false)));
     }
 
     [Test]
     public void Triangles_that_were_flipped_are_turned_back([Range(0, 11)] int flipped)
     {
-        var mended = MeshRepair.ToSolid(With(Without(Box, flipped), Flipped(Box, flipped)));
-        Assert.That((mended.Mesh.IsWatertight, mended.TurnedFacets), Is.EqualTo((true, 1)));
-        Assert.That(mended.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
+        var repaired = MeshRepair.ToSolid(With(Without(Box, flipped), Flipped(Box, flipped)));
+        Assert.That((repaired.Mesh.IsWatertight, repaired.TurnedFacets), Is.EqualTo((true, 1)));
+        Assert.That(repaired.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
     }
 
     [Test]
@@ -89,9 +89,9 @@ public class MeshRepairTests
         var copy = flip ? Flipped(Box, doubled) : Triangle(Box, doubled);
         foreach (var mesh in new[] { With(Box, copy), TriMesh.Create([.. copy, .. Soup(Box)], Enumerable.Range(0, 39).ToArray()) })
         {
-            var mended = MeshRepair.ToSolid(mesh);
-            Assert.That((mended.Mesh.IsWatertight, mended.DoubledFacets, mended.Mesh.TriangleCount), Is.EqualTo((true, 1, 12)));
-            Assert.That(mended.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
+            var repaired = MeshRepair.ToSolid(mesh);
+            Assert.That((repaired.Mesh.IsWatertight, repaired.DoubledFacets, repaired.Mesh.TriangleCount), Is.EqualTo((true, 1, 12)));
+            Assert.That(repaired.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
         }
     }
 
@@ -112,9 +112,9 @@ public class MeshRepairTests
     {
         var cavity = MeshMaker.InsideOut(MeshMaker.Box(3, 3, 3, 7, 7, 7));
         if (flipped >= 0) cavity = With(Without(cavity, flipped), Flipped(cavity, flipped));
-        var mended = MeshRepair.ToSolid(TriMesh.Merge([Box, cavity]));
-        Assert.That((mended.TurnedBodies, mended.TurnedFacets), Is.EqualTo((0, flipped < 0 ? 0 : 1)));
-        Assert.That(AreaAt(mended.Mesh, 5), Is.EqualTo(84).Within(1e-6));
+        var repaired = MeshRepair.ToSolid(TriMesh.Merge([Box, cavity]));
+        Assert.That((repaired.TurnedBodies, repaired.TurnedFacets), Is.EqualTo((0, flipped < 0 ? 0 : 1)));
+        Assert.That(AreaAt(repaired.Mesh, 5), Is.EqualTo(84).Within(1e-6));
     }
 
     [Test]
@@ -122,9 +122,9 @@ public class MeshRepairTests
     {
         var other = MeshMaker.InsideOut(MeshMaker.Box(5, 2, 0, 15, 8, 10));
         Assert.That(AreaAt(TriMesh.Merge([Box, other]), 5), Is.EqualTo(100).Within(1e-6), "as it is: 70 left, 30 beside");
-        var mended = MeshRepair.ToSolid(TriMesh.Merge([Box, other]));
-        Assert.That(mended.TurnedBodies, Is.EqualTo(1));
-        Assert.That(AreaAt(mended.Mesh, 5), Is.EqualTo(130).Within(1e-6));
+        var repaired = MeshRepair.ToSolid(TriMesh.Merge([Box, other]));
+        Assert.That(repaired.TurnedBodies, Is.EqualTo(1));
+        Assert.That(AreaAt(repaired.Mesh, 5), Is.EqualTo(130).Within(1e-6));
         var alone = MeshRepair.ToSolid(TriMesh.Merge([Box, MeshMaker.InsideOut(MeshMaker.Box(20, 0, 0, 25, 10, 10))]));
         Assert.That(alone.Mesh.Volume, Is.EqualTo(1500).Within(1e-9));
         var whole = MeshRepair.ToSolid(MeshMaker.InsideOut(Box));
@@ -137,10 +137,10 @@ public class MeshRepairTests
     {
         var shift = new Vec3(0.3, -0.2, 0.1);
         var mesh = With(Without(Box, 6), Triangle(Box, 6).Select(p => p + shift).ToArray());
-        var mended = MeshRepair.ToSolid(mesh);
-        Assert.That((mended.Mesh.IsWatertight, mended.MovedVertices), Is.EqualTo((true, 3)));
-        Assert.That(mended.FarthestMove, Is.EqualTo(shift.Length).Within(1e-12));
-        Assert.That(mended.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
+        var repaired = MeshRepair.ToSolid(mesh);
+        Assert.That((repaired.Mesh.IsWatertight, repaired.MovedVertices), Is.EqualTo((true, 3)));
+        Assert.That(repaired.FarthestMove, Is.EqualTo(shift.Length).Within(1e-12));
+        Assert.That(repaired.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
     }
 
     [Test]
@@ -148,9 +148,9 @@ public class MeshRepairTests
     {
         var sphere = MeshMaker.BumpySphere(24, 12);
         var mesh = With(Without(sphere, 100), Triangle(sphere, 100).Select(p => p + new Vec3(1.5, 1.5, 1.5)).ToArray());
-        var mended = MeshRepair.ToSolid(mesh);
-        Assert.That((mended.Mesh.IsWatertight, mended.Holes.Count, mended.LooseFacets), Is.EqualTo((true, 1, 1)));
-        Assert.That(mended.Mesh.Volume, Is.EqualTo(sphere.Volume).Within(1e-6));
+        var repaired = MeshRepair.ToSolid(mesh);
+        Assert.That((repaired.Mesh.IsWatertight, repaired.Holes.Count, repaired.LooseFacets), Is.EqualTo((true, 1, 1)));
+        Assert.That(repaired.Mesh.Volume, Is.EqualTo(sphere.Volume).Within(1e-6));
     }
 
     [Test]

@@ -106,7 +106,7 @@ public class MeshSectionTests
         Assert.That(result.Value![0].OpenLines[0].Length, Is.EqualTo(4));
         Assert.That(result.Value![0].OpenLines[0][0], Is.EqualTo(new Vec3(0, 0, 1)));
         Assert.That(result.Diagnostics.Single().ToString(),
-            Is.EqualTo("warning mesh.open_edges: The mesh is open: contours have loose ends, first at z = 1 mm. (4 times)"));
+            Is.EqualTo("warning mesh.naked_edges: The mesh is open: contours have loose ends, first at z = 1 mm. (4 times)"));
     }
 
     [TestCase(0.05, 0.1, true)]
@@ -126,7 +126,7 @@ public class MeshSectionTests
         Assert.That(mesh.OpenEdgeCount, Is.GreaterThan(0));
         var result = MeshSections.At(mesh, [1.5], new SectionOptions { GapMm = limit });
         Assert.That(result.Value![0].Loops.Count, Is.EqualTo(closes ? 1 : 0));
-        Assert.That(result.Diagnostics.Single().Code, Is.EqualTo(closes ? "mesh.gap_closed" : "mesh.open_edges"));
+        Assert.That(result.Diagnostics.Single().Code, Is.EqualTo(closes ? "mesh.gap_closed" : "mesh.naked_edges"));
         if (closes)
         {
             Assert.That(result.Value[0].Loops[0].SignedAreaXY, Is.EqualTo(2).Within(1e-12));
@@ -253,8 +253,8 @@ public class MeshSectionTests
         }
     }
 
-    [TestCase(0.0, "mesh.open_edges", 2, 0, 1)]
-    [TestCase(0.1, "mesh.open_edges", 2, 0, 1)]
+    [TestCase(0.0, "mesh.naked_edges", 2, 0, 1)]
+    [TestCase(0.1, "mesh.naked_edges", 2, 0, 1)]
     [TestCase(1.5, "mesh.gap_closed", 1, 1, 0)]
     public void One_open_contour_is_reported_once_as_what_became_of_it(double gap, string code, int count, int loops, int open)
     {

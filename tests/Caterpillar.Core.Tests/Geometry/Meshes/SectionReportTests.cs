@@ -55,8 +55,8 @@ public class SectionReportTests
     {
         var beetle = MeshSectionSharedTests.Mesh("beetle_open.obj");
         var report = SectionReport.Of("beetle", beetle, Enumerable.Range(1, 23).Select(z => z + 0.1).ToArray());
-        Assert.That(report.Diagnostics.Select(d => d.Code), Does.Contain("mesh.open_edges"));
-        Assert.That(report.Value!.Sections.Sum(s => s.Open), Is.EqualTo(report.Diagnostics.Single(d => d.Code == "mesh.open_edges").Count).And.GreaterThan(0));
+        Assert.That(report.Diagnostics.Select(d => d.Code), Does.Contain("mesh.naked_edges"));
+        Assert.That(report.Value!.Sections.Sum(s => s.Open), Is.EqualTo(report.Diagnostics.Single(d => d.Code == "mesh.naked_edges").Count).And.GreaterThan(0));
         Assert.That(report.Value.Sections.Sum(s => s.Area), Is.GreaterThan(1000));
         var ogre = SectionReport.Of("ogre", MeshSectionSharedTests.Mesh("ogre_bodies.ply"), [20.03, 60.01, 70.02]);
         Assert.That(ogre.Value!.Sections.All(s => s.Area > 10));

@@ -1,5 +1,5 @@
 ; Made with Caterpillar
-; Dialect grbl
+; Flavor grbl
 ; Printer pen_plotter, material pen, settings pen
 ;TIME:23
 ;TYPE:Custom

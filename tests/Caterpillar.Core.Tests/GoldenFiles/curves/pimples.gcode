@@ -1,9 +1,9 @@
-bytes 49318
+bytes 49317
 lines 1502
-sha256 92dce256ae4b801049af01a1986abbc0db07f741fd8df6163f93ec3e67fb7ec6
+sha256 061158df95343e401e8a26ca5c8a9c70918461d10ccce8470a485b88a4d57509
 
 ; Made with Caterpillar
-; Dialect marlin2
+; Flavor marlin2
 ; Printer generic, material pla, settings standard
 ; filament_diameter = 1.75
 ;TIME:251

@@ -1,9 +1,9 @@
-bytes 87577
+bytes 87576
 lines 2589
-sha256 1448d135b224ad1d726367086576ae5a0ad88f06fc5332eea318435bc88ee523
+sha256 eb87aaf57a81af28332a49a5d8de3a05d7bb96d13d3c1ccb38e126bde31e9fe1
 
 ; Made with Caterpillar
-; Dialect marlin2
+; Flavor marlin2
 ; Printer generic, material pla, settings standard
 ; filament_diameter = 1.75
 ;TIME:2834

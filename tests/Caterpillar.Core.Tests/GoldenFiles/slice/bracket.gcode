@@ -1,9 +1,9 @@
-bytes 575446
+bytes 575445
 lines 23586
-sha256 c491abe81fb523aebdd5e6284bd217a82db7969e7e550715143ddf1c25bb4c82
+sha256 0aa7c728db75e5f535d5883c3239da50ba0488681dfdadb2530099bafb201cc7
 
 ; Made with Caterpillar
-; Dialect marlin2
+; Flavor marlin2
 ; Printer generic, material pla, settings standard
 ; filament_diameter = 1.75
 ;TIME:3226

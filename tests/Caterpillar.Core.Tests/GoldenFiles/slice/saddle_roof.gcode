@@ -1,9 +1,9 @@
-bytes 1492151
+bytes 1492150
 lines 53321
-sha256 0068af162c46e95fb0ace5eb72d4c80cc56d1726765a348eb66b98ba31eff3b1
+sha256 5129e049d92ee7f084b5191a213e1da5329167d6fee276cebc0b57c98bbc1735
 
 ; Made with Caterpillar
-; Dialect marlin2
+; Flavor marlin2
 ; Printer generic, material pla, settings standard
 ; filament_diameter = 1.75
 ;TIME:5299

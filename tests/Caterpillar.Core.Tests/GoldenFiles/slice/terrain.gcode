@@ -1,9 +1,9 @@
-bytes 4475620
+bytes 4475619
 lines 157873
-sha256 8d893875e263c5b24c8d3a2bac5d78ca81750dd2d5ef5e59bc3917c7def5c084
+sha256 fff8c2d878e62df718a8f24d65e33a47684ebc1a335dce0417ec007887a7afe5
 
 ; Made with Caterpillar
-; Dialect marlin2
+; Flavor marlin2
 ; Printer generic, material pla, settings standard
 ; filament_diameter = 1.75
 ;TIME:11042

@@ -1,9 +1,9 @@
-bytes 9072625
+bytes 9072624
 lines 315824
-sha256 7a91a5023b3ea0841ac7fb3c6d00b65b2ad8a79c861c49ce0cbe71e11ea43651
+sha256 7a79b787047063d4dbf19925952a98538514bf245f73a3bcdc300451a3969672
 
 ; Made with Caterpillar
-; Dialect marlin2
+; Flavor marlin2
 ; Printer generic, material pla, settings standard
 ; filament_diameter = 1.75
 ;TIME:8838

@@ -12,7 +12,7 @@ public class CurveInfillTests
 {
     private static readonly PrintSettings Plain = new()
     {
-        LineWidth = 0.4, BeadShape = BeadShape.Rectangle, WallCount = 1, InfillPercent = 20, InfillOverlapPercent = 0, TopLayers = 0, BottomLayers = 0,
+        LineWidth = 0.4, BeadShape = BeadShape.Rectangle, WallCount = 1, InfillDensityPercent = 20, InfillOverlapPercent = 0, TopLayers = 0, BottomLayers = 0,
         TopThickness = 0, BottomThickness = 0, MinLayerTime = 0, InfillPattern = InfillPattern.Curves,
     };
 
@@ -28,10 +28,10 @@ public class CurveInfillTests
         foreach (var layer in layers)
         {
             var path = Solids.Paths(layer, Role.Infill).Single();
-            // One wall of 0.4 mm, and half a strand beside it.
+            // One wall of 0.4 mm, and half an extrusion beside it.
             Assert.That(path.RawPoints.Select(p => p.X).OrderBy(x => x), Is.EqualTo(new[] { 0.6, 19.4 }).Within(1e-3));
             Assert.That(path.RawPoints.Select(p => p.Y), Is.All.EqualTo(7).Within(1e-3));
-            Assert.That(path.Volume, Is.EqualTo(18.8 * 0.4 * 0.2).Within(1e-3), "of the usual strand");
+            Assert.That(path.Volume, Is.EqualTo(18.8 * 0.4 * 0.2).Within(1e-3), "of the usual extrusion");
         }
     }
 
@@ -39,7 +39,7 @@ public class CurveInfillTests
     public void A_closed_curve_inside_stays_closed_and_as_it_is([Values(20, 100)] double percent)
     {
         var circle = new Polyline(Solids.Circle(3, 40).Select(p => p + new Vec3(10, 10)).ToArray(), true);
-        var path = Solids.Paths(Solids.Slice(With(circle) with { InfillPercent = percent }, Solids.Block(0, 0, 0, 20, 20, 1))[2], Role.Infill).Single();
+        var path = Solids.Paths(Solids.Slice(With(circle) with { InfillDensityPercent = percent }, Solids.Block(0, 0, 0, 20, 20, 1))[2], Role.Infill).Single();
         Assert.That(path.IsClosed);
         Assert.That(path.Length, Is.EqualTo(circle.Length).Within(1e-2));
     }

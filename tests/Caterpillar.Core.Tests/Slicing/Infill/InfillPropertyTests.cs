@@ -106,7 +106,7 @@ public class InfillPropertyTests
                 for (var i = 1; i < line.Points.Length; i++)
                 {
                     Vec3 a = line.Points[i - 1], b = line.Points[i];
-                    // Pieces of rows go along the direction, links and strands in gaps hardly ever.
+                    // Pieces of rows go along the direction, links and extrusions in gaps hardly ever.
                     if (Math.Abs(frame.V(a) - frame.V(b)) > 1e-6 || (line.Flow is not null && line.Flow[i - 1] != line.Flow[0])) continue;
                     rows.Add((frame.V(a), Math.Min(frame.U(a), frame.U(b)), Math.Max(frame.U(a), frame.U(b))));
                 }

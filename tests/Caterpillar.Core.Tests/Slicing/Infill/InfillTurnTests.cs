@@ -47,7 +47,7 @@ public class InfillTurnTests
     }
 
     [Test]
-    public void A_turn_keeps_a_strand_away_from_the_next()
+    public void A_turn_keeps_a_extrusion_away_from_the_next()
     {
         // The row at 5.2 ends 1.2 past the one at 4, where 0.2 are left; the one at 6.2 leaves more than is wanted.
         Assert.That(Foot(5.2), Is.EqualTo(4.2).Within(1e-4));

@@ -17,7 +17,7 @@ public class SolidInfillTests
     [
         ("rectangle", Region.Rectangle(0, 0, 12, 7.3)),
         ("thin", Region.Rectangle(0, 0, 12, 0.75)),
-        ("as thin as a strand", Region.Rectangle(0, 0, 12, 0.03)),
+        ("as thin as an extrusion", Region.Rectangle(0, 0, 12, 0.03)),
         ("steps", Region.Rectangle(0, 0, 12, 5).Union(Region.Rectangle(0, 0, 8, 6.77)).Union(Region.Rectangle(0, 0, 4, 7.9))),
         ("holes", Region.Rectangle(0, 0, 12, 12).Subtract(Region.Rectangle(2.1, 2.3, 5.2, 4.87)).Subtract(Region.Rectangle(8, 4.55, 9, 9.15))),
         ("thin arm between two rows", Region.Rectangle(0, 0, 4, 8).Union(Region.Rectangle(4, 3.45, 9, 3.6)).Union(Region.Rectangle(9, 0, 12, 8))),
@@ -45,7 +45,7 @@ public class SolidInfillTests
     }
 
     [Test]
-    public void An_area_thinner_than_a_strand_gets_one_row_in_its_middle()
+    public void An_area_thinner_than_a_extrusion_gets_one_row_in_its_middle()
     {
         var line = Fill(Solid(Region.Rectangle(0, 0, 10, 0.03))).Single();
         Assert.That(line.Points.Select(p => p.Y), Is.All.EqualTo(0.015).Within(1e-4));
@@ -62,8 +62,8 @@ public class SolidInfillTests
             {
                 var lines = Fill(Solid(area, pattern) with { Angle = angle });
                 var target = area.Offset(Pitch / 2, JoinStyle.Miter);
-                var strands = Beads(lines);
-                var covered = Region.Union(strands).Intersect(target).Area / target.Area;
+                var extrusions = Beads(lines);
+                var covered = Region.Union(extrusions).Intersect(target).Area / target.Area;
                 var volume = lines.Sum(l => l.Length) * Pitch / target.Area;
                 Assert.That(volume, Is.InRange(0.96, 1.03), $"{name} at {angle}°");
                 Assert.That(covered, Is.GreaterThan(name.Contains("thin") ? angle == 0 ? 0.93 : 0.86 : angle == 0 ? 0.985 : 0.965), $"{name} at {angle}°");
@@ -72,14 +72,14 @@ public class SolidInfillTests
     }
 
     [Test]
-    public void Edges_along_the_rows_get_strands_as_wide_as_the_gap()
+    public void Edges_along_the_rows_get_extrusions_as_wide_as_the_gap()
     {
-        // Rows at 0, 0.4 … 4; the step at 2.6 leaves 0.2 above the row at 2.4: half a strand.
+        // Rows at 0, 0.4 … 4; the step at 2.6 leaves 0.2 above the row at 2.4: half an extrusion.
         var area = Region.Rectangle(0, 0, 4, 4).Union(Region.Rectangle(4, 0, 10, 2.6));
-        var strand = Fill(Solid(area)).Last();
-        Assert.That(strand.Flow, Is.All.EqualTo(0.5).Within(1e-3));
-        Assert.That(strand.Points.Select(p => p.Y), Is.All.EqualTo(2.7).Within(1e-3), "from 2.6, where the row's strand ends, to the wall's at 2.8");
-        Assert.That(strand.Points.Max(p => p.X) - strand.Points.Min(p => p.X), Is.EqualTo(6).Within(1e-6));
+        var extrusion = Fill(Solid(area)).Last();
+        Assert.That(extrusion.Flow, Is.All.EqualTo(0.5).Within(1e-3));
+        Assert.That(extrusion.Points.Select(p => p.Y), Is.All.EqualTo(2.7).Within(1e-3), "from 2.6, where the row's extrusion ends, to the wall's at 2.8");
+        Assert.That(extrusion.Points.Max(p => p.X) - extrusion.Points.Min(p => p.X), Is.EqualTo(6).Within(1e-6));
     }
 
     [Test]

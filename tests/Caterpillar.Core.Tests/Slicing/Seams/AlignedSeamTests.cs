@@ -15,7 +15,7 @@ public class AlignedSeamTests
 {
     private static readonly PrintSettings Plain = new()
     {
-        LineWidth = 0.4, LayerHeight = 0.2, TopLayers = 0, BottomLayers = 0, InfillPercent = 0, WallCount = 2, MinLayerTime = 0, SkirtLoops = 0,
+        LineWidth = 0.4, LayerHeight = 0.2, TopLayers = 0, BottomLayers = 0, InfillDensityPercent = 0, WallCount = 2, MinLayerTime = 0, SkirtLoops = 0,
         SeamPosition = SeamPosition.Aligned,
     };
 
@@ -30,7 +30,7 @@ public class AlignedSeamTests
     public void Aligned_seams_of_smooth_parts_jump_by_less_than_a_fifth_of_a_millimeter(string name, double scarf)
     {
         var mesh = name == "ball" ? Ball(15) : MeshReader.ReadMerged(TestData.Shared(name)).Value!;
-        var seams = Solids.Slice(Plain with { ScarfLength = scarf }, mesh).Select(Seams).ToArray();
+        var seams = Solids.Slice(Plain with { ScarfSeamLength = scarf }, mesh).Select(Seams).ToArray();
         var jumps = new List<double>();
         for (var i = 1; i < seams.Length; i++)
         {

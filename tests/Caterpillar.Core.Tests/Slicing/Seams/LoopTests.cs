@@ -71,7 +71,7 @@ public class LoopTests
     [Test]
     public void A_scarf_holds_the_volume_of_the_loop_and_rises_from_the_layer_below()
     {
-        var settings = new PrintSettings { ScarfLength = 8, ScarfSteps = 4 };
+        var settings = new PrintSettings { ScarfSeamLength = 8, ScarfSeamSteps = 4 };
         var loop = new PrintPath(Square, new Bead(0.08, 0.2, 30), closed: true);
         var scarf = ScarfSeam.Apply(loop, 0.2, settings);
         Assert.That(scarf.IsClosed, Is.False);
@@ -91,10 +91,10 @@ public class LoopTests
     public void A_scarf_goes_around_corners_and_is_left_out_where_the_loop_is_short()
     {
         var loop = new PrintPath(Square, new Bead(0.08, 0.2), closed: true);
-        var around = ScarfSeam.Apply(loop, 0.2, new PrintSettings { ScarfLength = 14, ScarfSteps = 7 });
+        var around = ScarfSeam.Apply(loop, 0.2, new PrintSettings { ScarfSeamLength = 14, ScarfSeamSteps = 7 });
         Assert.That(around.End.WithZ(0).DistanceTo(new Vec3(10, 4)), Is.LessThan(1e-9));
         Assert.That(around.Volume, Is.EqualTo(loop.Volume).Within(1e-4));
-        Assert.That(ScarfSeam.Apply(loop, 0.2, new PrintSettings { ScarfLength = 21 }), Is.SameAs(loop));
+        Assert.That(ScarfSeam.Apply(loop, 0.2, new PrintSettings { ScarfSeamLength = 21 }), Is.SameAs(loop));
         Assert.That(ScarfSeam.Apply(loop, 0.2, new PrintSettings()), Is.SameAs(loop));
     }
 }

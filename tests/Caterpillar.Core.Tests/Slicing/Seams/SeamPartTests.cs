@@ -89,7 +89,7 @@ public class SeamPartTests
     [Test]
     public void A_scarf_rises_in_steps_from_a_tenth_of_the_layer_and_is_covered_at_the_end()
     {
-        var settings = new PrintSettings { ScarfLength = 4, ScarfSteps = 4 };
+        var settings = new PrintSettings { ScarfSeamLength = 4, ScarfSeamSteps = 4 };
         var loop = new PrintPath(Square, new Bead(0.1, 0.2, 30), closed: true);
         var scarf = ScarfSeam.Apply(loop, 0.2, settings);
         Assert.That(scarf.IsClosed, Is.False);
@@ -115,8 +115,8 @@ public class SeamPartTests
     public void A_scarf_needs_a_loop_twice_as_long(double length, bool applied)
     {
         var loop = new PrintPath(Square, new Bead(0.1, 0.2), closed: true);
-        Assert.That(ScarfSeam.Apply(loop, 0.2, new PrintSettings { ScarfLength = length }), applied ? Is.Not.SameAs(loop) : Is.SameAs(loop));
+        Assert.That(ScarfSeam.Apply(loop, 0.2, new PrintSettings { ScarfSeamLength = length }), applied ? Is.Not.SameAs(loop) : Is.SameAs(loop));
         var open = new PrintPath(Square, new Bead(0.1, 0.2));
-        Assert.That(ScarfSeam.Apply(open, 0.2, new PrintSettings { ScarfLength = 2 }), Is.SameAs(open));
+        Assert.That(ScarfSeam.Apply(open, 0.2, new PrintSettings { ScarfSeamLength = 2 }), Is.SameAs(open));
     }
 }

@@ -14,7 +14,7 @@ public class SeamTests
 {
     private static readonly PrintSettings Bare = new()
     {
-        LineWidth = 0.4, BeadShape = BeadShape.Rectangle, SimplifyTolerance = 0, TopLayers = 0, BottomLayers = 0, InfillPercent = 0,
+        LineWidth = 0.4, BeadShape = BeadShape.Rectangle, Resolution = 0, TopLayers = 0, BottomLayers = 0, InfillDensityPercent = 0,
         WallCount = 2, MinLayerTime = 0,
     };
 
@@ -69,7 +69,7 @@ public class SeamTests
     public void No_seam_lies_over_air([Values(SeamPosition.Aligned, SeamPosition.Corner, SeamPosition.Rear, SeamPosition.Point, SeamPosition.Random,
         SeamPosition.Nearest)] SeamPosition position)
     {
-        // The slab reaches 10 mm over the block on two sides; three of its corners are in the air. A strand touches the block up to 20.2 mm.
+        // The slab reaches 10 mm over the block on two sides; three of its corners are in the air. An extrusion touches the block up to 20.2 mm.
         var settings = At(position) with { SeamPoint = new Vec3(50, 50) };
         var layers = Solids.Slice(settings, Solids.Block(0, 0, 0, 20, 20, 2), Solids.Block(0, 0, 2, 30, 30, 4));
         var first = layers[10].Steps.Select(s => s.Path).Where(p => p.IsClosed).ToArray();
@@ -84,7 +84,7 @@ public class SeamTests
         var ring = Solids.Slice(At(SeamPosition.Rear), Solids.Block(5, 5, 0, 15, 15, 2), Solids.Block(0, 0, 2, 20, 20, 4));
         Assert.That(Seams([ring[10]]).Min(s => s.DistanceTo(new Vec3(10, 19.8))), Is.LessThan(1e-2));
         var marks = new ValueList<SeamMark>(new SeamMark(new Vec3(30, 12, 2.1), 1));
-        var painted = Solids.Slice(At(SeamPosition.Rear) with { SeamMarks = marks }, Solids.Block(0, 0, 0, 20, 20, 2), Solids.Block(0, 0, 2, 30, 30, 4));
+        var painted = Solids.Slice(At(SeamPosition.Rear) with { SeamEnforcers = marks }, Solids.Block(0, 0, 0, 20, 20, 2), Solids.Block(0, 0, 2, 30, 30, 4));
         Assert.That(Seams([painted[10]]).Min(s => s.DistanceTo(new Vec3(29.8, 12))), Is.LessThan(1e-2));
     }
 
@@ -92,7 +92,7 @@ public class SeamTests
     public void Loops_begin_at_painted_places_and_elsewhere_as_usual()
     {
         var marks = new ValueList<SeamMark>(new SeamMark(new Vec3(20, 12, 2), 1));
-        var layers = Solids.Slice(At(SeamPosition.Rear) with { SeamMarks = marks }, Solids.Block(0, 0, 0, 20, 20, 4));
+        var layers = Solids.Slice(At(SeamPosition.Rear) with { SeamEnforcers = marks }, Solids.Block(0, 0, 0, 20, 20, 4));
         foreach (var layer in layers)
         {
             var middle = layer.Layer.Z - 0.1;
@@ -140,7 +140,7 @@ public class SeamTests
     [Test]
     public void A_scarf_begins_in_the_second_layer()
     {
-        var layers = Solids.Slice(At(SeamPosition.Aligned) with { ScarfLength = 10 }, EllSolid);
+        var layers = Solids.Slice(At(SeamPosition.Aligned) with { ScarfSeamLength = 10 }, EllSolid);
         Assert.That(Solids.Paths(layers[0], Role.OuterWall).Single().IsClosed);
         foreach (var layer in layers.Skip(1))
         {
@@ -182,7 +182,7 @@ public class SeamTests
         }
         var ball = TriMesh.Create([.. points], [.. corners]);
         Assert.That(ball.IsWatertight && ball.Volume > 33000);
-        var result = PlanarSlicer.Slice([new NamedMesh("ball", ball)], new PrintSettings { InfillPercent = 0, MinLayerTime = 0 });
+        var result = PlanarSlicer.Slice([new NamedMesh("ball", ball)], new PrintSettings { InfillDensityPercent = 0, MinLayerTime = 0 });
         var seams = result.Value!.Layers.Select(l => Seams([l])).Where(s => s.Length > 0).ToArray();
         for (var i = 1; i < seams.Length; i++)
         {
@@ -199,7 +199,8 @@ public class SeamTests
     public void Aligned_seams_of_real_parts_hardly_jump(string file)
     {
         var mesh = MeshReader.Read(TestData.Shared(file)).Value!;
-        var result = PlanarSlicer.Slice(mesh, new PrintSettings { InfillPercent = 0, TopLayers = 0, BottomLayers = 0, LayerHeight = 0.3, MinLayerTime = 0 });
+        var result = PlanarSlicer.Slice(mesh, new PrintSettings { InfillDensityPercent = 0, TopLayers = 0, BottomLayers = 0, LayerHeight = 0.3,
+            MinLayerTime = 0 });
         var jumps = new List<double>();
         Vec3[]? below = null;
         foreach (var layer in result.Value!.Layers)
@@ -218,21 +219,21 @@ public class SeamTests
     [TestCase(" [ [0, 20, 5, 3] , [1, 2, 3, 4] ] ")]
     public void Marks_are_rows_with_or_without_brackets(string text)
     {
-        var setup = new PrintSetup().With("seam_marks_mm=" + text);
+        var setup = new PrintSetup().With("seam_enforcers_mm=" + text);
         Assert.That(setup.Diagnostics, Is.Empty);
-        Assert.That(setup.Value!.Settings.SeamMarks.Select(m => (m.Place, m.Radius)),
+        Assert.That(setup.Value!.Settings.SeamEnforcers.Select(m => (m.Place, m.Radius)),
             Is.EqualTo(new[] { (new Vec3(0, 20, 5), 3.0), (new Vec3(1, 2, 3), 4.0) }));
-        Assert.That(new PrintSetup().With("seam_marks_mm=[]").Value!.Settings.SeamMarks, Is.Empty);
+        Assert.That(new PrintSetup().With("seam_enforcers_mm=[]").Value!.Settings.SeamEnforcers, Is.Empty);
     }
 
-    [TestCase("seam_marks_mm=[[1,2,3,4]", "seam_marks_mm")]
-    [TestCase("seam_marks_mm=[1,2],[3,4]", "seam_marks_mm")]
+    [TestCase("seam_enforcers_mm=[[1,2,3,4]", "seam_enforcers_mm")]
+    [TestCase("seam_enforcers_mm=[1,2],[3,4]", "seam_enforcers_mm")]
     [TestCase("seam_position=somewhere", "seam_position")]
-    [TestCase("seam_marks_mm=1,2,3,0", "seam_marks_mm")]
-    [TestCase("seam_marks_mm=1,2,3", "seam_marks_mm")]
+    [TestCase("seam_enforcers_mm=1,2,3,0", "seam_enforcers_mm")]
+    [TestCase("seam_enforcers_mm=1,2,3", "seam_enforcers_mm")]
     [TestCase("seam_point_mm=1", "seam_point_mm")]
-    [TestCase("scarf_length_mm=0.05", "scarf_length_mm")]
-    [TestCase("scarf_steps=1", "scarf_steps")]
+    [TestCase("scarf_seam_length_mm=0.05", "scarf_seam_length_mm")]
+    [TestCase("scarf_seam_steps=1", "scarf_seam_steps")]
     [TestCase("wall_order=sideways", "wall_order")]
     public void Bad_values_name_their_key(string set, string key)
         => Assert.That(new PrintSetup().With(set).Diagnostics.Single().ToString(), Does.Contain(key));

@@ -12,7 +12,7 @@ public class SplitSeamTests
 {
     private static readonly PrintSettings Plain = new()
     {
-        LineWidth = 0.4, BeadShape = BeadShape.Rectangle, SimplifyTolerance = 0, TopLayers = 0, BottomLayers = 0, InfillPercent = 0, WallCount = 1,
+        LineWidth = 0.4, BeadShape = BeadShape.Rectangle, Resolution = 0, TopLayers = 0, BottomLayers = 0, InfillDensityPercent = 0, WallCount = 1,
         MinLayerTime = 0, SkirtLoops = 0, SeamPosition = SeamPosition.Aligned,
     };
 

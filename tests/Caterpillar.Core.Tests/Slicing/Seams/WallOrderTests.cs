@@ -12,7 +12,7 @@ public class WallOrderTests
 {
     private static readonly PrintSettings Bare = new()
     {
-        LineWidth = 0.4, BeadShape = BeadShape.Rectangle, SimplifyTolerance = 0, TopLayers = 0, BottomLayers = 0, InfillPercent = 0,
+        LineWidth = 0.4, BeadShape = BeadShape.Rectangle, Resolution = 0, TopLayers = 0, BottomLayers = 0, InfillDensityPercent = 0,
         WallCount = 3, MinLayerTime = 0, SeamGap = 0,
     };
 

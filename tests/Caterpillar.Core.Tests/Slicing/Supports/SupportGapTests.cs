@@ -30,7 +30,8 @@ public class SupportGapTests
         var settings = new PrintSettings
         {
             LineWidth = 0.4, BeadShape = BeadShape.Rectangle, LayerHeight = LayerHeight, FirstLayerHeight = LayerHeight, TopLayers = 0, BottomLayers = 0,
-            InfillPercent = 0, WallCount = 1, MinLayerTime = 0, SkirtLoops = 0, Support = kind, SupportTopGap = LayerHeight, SupportBottomGap = LayerHeight,
+            InfillDensityPercent = 0, WallCount = 1, MinLayerTime = 0, SkirtLoops = 0, Support = kind, SupportTopGap = LayerHeight,
+                SupportBottomGap = LayerHeight,
         };
         var model = MeshReader.ReadMerged(TestData.Shared("meshes/" + mesh)).Value!;
         var layers = Solids.Slice(settings, model);
@@ -42,7 +43,7 @@ public class SupportGapTests
             foreach (var path in layers[i].Steps.Where(IsSupport).Select(s => s.Path))
             {
                 var place = $"{path.Role} at {layers[i].Layer.Z}";
-                // Ends of single strands are round, and reach out by half their width.
+                // Ends of single extrusions are round, and reach out by half their width.
                 var gap = settings.SupportXyGap - Drawn - (path.IsClosed ? 0 : settings.LineWidth / 2);
                 Assert.That(part.IsTouchedBy(path, gap), Is.False, $"beside the part: {place}");
                 // Corners of loops may reach a tenth of a millimeter below an edge.

@@ -15,7 +15,7 @@ public class SupportTests
 
     private static readonly PrintSettings Bare = new()
     {
-        LineWidth = Width, BeadShape = BeadShape.Rectangle, TopLayers = 0, BottomLayers = 0, InfillPercent = 0, WallCount = 2, MinLayerTime = 0,
+        LineWidth = Width, BeadShape = BeadShape.Rectangle, TopLayers = 0, BottomLayers = 0, InfillDensityPercent = 0, WallCount = 2, MinLayerTime = 0,
     };
 
     // A slab at 10 mm, 30 mm wide, on a post of 10 mm.
@@ -27,15 +27,16 @@ public class SupportTests
 
     private static readonly Role[] Roles = [Role.Support, Role.SupportInterface];
 
-    private static PrintSettings With(SupportKind kind, SupportPlace place = SupportPlace.Everywhere) => Bare with { Support = kind, SupportPlace = place };
+    private static PrintSettings With(SupportKind kind, SupportPlacement place = SupportPlacement.Everywhere)
+        => Bare with { Support = kind, SupportPlacement = place };
 
     private static IEnumerable<TestCaseData> Prints()
     {
         foreach (var kind in new[] { SupportKind.Grid, SupportKind.Tree })
         {
-            foreach (var place in new[] { SupportPlace.Everywhere, SupportPlace.Bed })
+            foreach (var place in new[] { SupportPlacement.Everywhere, SupportPlacement.BuildPlate })
             {
-                var mesh = place == SupportPlace.Bed ? "meshes/torus.obj" : "meshes/spot.obj";
+                var mesh = place == SupportPlacement.BuildPlate ? "meshes/torus.obj" : "meshes/spot.obj";
                 foreach (var name in new[] { "table", "footed", "cone", mesh }) yield return new TestCaseData(kind, place, name);
             }
         }
@@ -50,7 +51,7 @@ public class SupportTests
     };
 
     [TestCaseSource(nameof(Prints))]
-    public void Supports_keep_their_distance_and_rest_on_something(SupportKind kind, SupportPlace place, string name)
+    public void Supports_keep_their_distance_and_rest_on_something(SupportKind kind, SupportPlacement place, string name)
     {
         var settings = With(kind, place) with { LayerHeight = name.StartsWith("meshes", StringComparison.Ordinal) ? 0.4 : 0.2 };
         var layers = Solids.Slice(settings, Model(name));
@@ -73,8 +74,8 @@ public class SupportTests
             // The lattice below a roof spans the tips of a tree, and reaches nowhere beyond them.
             var roofed = kind == SupportKind.Tree && layers.Skip(i).Take(settings.SupportInterfaceLayers + 1)
                 .Any(l => Solids.Paths(l, Role.SupportInterface).Length > 0);
-            if (roofed) below = below.Union(layers[i - 1].Support.Closed(0.75 * settings.SupportTipDistance).Offset(0.1));
-            if (place == SupportPlace.Everywhere)
+            if (roofed) below = below.Union(layers[i - 1].Support.Closed(0.75 * settings.TreeTipDistance).Offset(0.1));
+            if (place == SupportPlacement.Everywhere)
             {
                 for (var k = i - 1; k >= 0 && layers[k].Layer.Z > layers[i]
                     .Layer.Z - settings.SupportBottomGap - settings.SupportXyGap - 3 * settings.LayerHeight; k--)
@@ -86,7 +87,7 @@ public class SupportTests
         Assert.That(lengths, Is.GreaterThan(50));
     }
 
-    // Segments by half of their width, rounded down to 0.05 mm. Strands end at the edge of their place, and are no thinner than a bead can be.
+    // Segments by half of their width, rounded down to 0.05 mm. Extrusions end at the edge of their place, and are no thinner than a bead can be.
     private static IEnumerable<(double Half, List<Polyline> Lines)> ByHalfWidth(PrintPath[] paths, BeadShape shape)
         => paths.SelectMany(p => Enumerable.Range(0, p.SegmentCount).Select(i => (Path: p, Segment: i)))
             .GroupBy(s => IsEnd(s.Path, s.Segment) ? 0 : Math.Floor(Math.Min(s.Path.BeadOf(s.Segment).Width(shape), Width) / 2 / 0.05 + 1e-6) * 0.05)
@@ -123,7 +124,7 @@ public class SupportTests
     [Test]
     public void The_grid_holds_its_share()
     {
-        var layers = Solids.Slice(With(SupportKind.Grid) with { SupportPercent = 20, SupportInterfaceLayers = 0 }, Table);
+        var layers = Solids.Slice(With(SupportKind.Grid) with { SupportDensityPercent = 20, SupportInterfaceLayers = 0 }, Table);
         var lines = Solids.Paths(layers[20], Role.Support).Where(p => !p.IsClosed).Sum(p => p.Length) * Width;
         Assert.That(lines / layers[20].Support.Area, Is.EqualTo(0.2).Within(0.06));
     }
@@ -134,7 +135,7 @@ public class SupportTests
         foreach (var kind in new[] { SupportKind.Grid, SupportKind.Tree })
         {
             // Left of x = −5 there is nothing: the foot covers the whole left side.
-            var part = Solids.Slice(With(kind, SupportPlace.Bed), Footed);
+            var part = Solids.Slice(With(kind, SupportPlacement.BuildPlate), Footed);
             var foot = part[0].Region;
             foreach (var layer in part.Where(l => l.Layer.Z < 8))
                 Assert.That(layer.Support.Intersect(foot).Area, Is.LessThan(kind == SupportKind.Grid ? 1e-6 : 60), $"{kind} at {layer.Layer.Z}");
@@ -159,7 +160,7 @@ public class SupportTests
         var settings = new PrintSettings { Support = kind, MinLayerTime = 0 };
         var result = PlanarSlicer.SliceEach(
             [new SliceModel(new NamedMesh("part", part), settings),
-                new SliceModel(new NamedMesh("body", part), settings with { ModelUse = ModelUse.SupportEnforcer })],
+                new SliceModel(new NamedMesh("body", part), settings with { ModelType = ModelType.SupportEnforcer })],
             settings);
         Assert.That(result.Diagnostics.Count(d => d.Code == "slice.no_support" && d.Source!.ToString() == "body"), Is.EqualTo(warnings));
         Assert.That(result.Value!.Layers, Is.Not.Empty);
@@ -169,17 +170,17 @@ public class SupportTests
     public void Blockers_and_enforcers_are_bodies()
     {
         SliceModel Of(string name, PrintSettings settings, params TriMesh[] meshes) => new(new NamedMesh(name, TriMesh.Merge(meshes)), settings);
-        double[] Sides(PrintSettings settings, ModelUse use)
+        double[] Sides(PrintSettings settings, ModelType use)
         {
-            var body = Of("body", settings with { ModelUse = use }, Solids.Block(-5, -5, 0, 10, 25, 20));
+            var body = Of("body", settings with { ModelType = use }, Solids.Block(-5, -5, 0, 10, 25, 20));
             var layers = PlanarSlicer.SliceEach([Of("part", settings, Table), body], settings).Value!.Layers;
             Assert.That(layers.Select(l => l.Layer.Object).Distinct().ToArray(), Is.EqualTo(new[] { "part" }), "the body is not printed");
             var area = layers[10].Support;
             return [area.Intersect(Region.Rectangle(-10, -10, 15, 30)).Area, area.Intersect(Region.Rectangle(15, -10, 40, 30)).Area];
         }
-        var blocked = Sides(With(SupportKind.Grid), ModelUse.SupportBlocker);
+        var blocked = Sides(With(SupportKind.Grid), ModelType.SupportBlocker);
         Assert.That((blocked[0], blocked[1] > 100), Is.EqualTo((0, true)));
-        var enforced = Sides(With(SupportKind.Grid) with { SupportAngle = 90 }, ModelUse.SupportEnforcer);
+        var enforced = Sides(With(SupportKind.Grid) with { SupportAngle = 90 }, ModelType.SupportEnforcer);
         Assert.That((enforced[0] > 100, enforced[1]), Is.EqualTo((true, 0)));
     }
 
@@ -222,10 +223,10 @@ public class SupportTests
     [TestCase("support=pillars", "support")]
     [TestCase("support_angle_deg=91", "support_angle_deg")]
     [TestCase("support_xy_gap_mm=0", "support_xy_gap_mm")]
-    [TestCase("support_percent=0", "support_percent")]
-    [TestCase("support_tip_distance_mm=0", "support_tip_distance_mm")]
-    [TestCase("support_place=table", "support_place")]
-    [TestCase("model_use=toy", "model_use")]
+    [TestCase("support_density_percent=0", "support_density_percent")]
+    [TestCase("tree_tip_distance_mm=0", "tree_tip_distance_mm")]
+    [TestCase("support_placement=table", "support_placement")]
+    [TestCase("model_type=toy", "model_type")]
     public void Bad_values_name_their_key(string set, string key)
         => Assert.That(new PrintSetup().With(set).Diagnostics.Single().ToString(), Does.Contain(key));
 }

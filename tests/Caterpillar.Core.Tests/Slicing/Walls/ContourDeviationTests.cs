@@ -20,7 +20,7 @@ public class ContourDeviationTests
     [Test]
     public void A_part_that_is_moved_outward_is_found_to_deviate()
     {
-        var deviation = ContourDeviation.Of(Mesh("plate_holes.stl"), new PrintSettings { XyCompensation = 0.02 }, 6);
+        var deviation = ContourDeviation.Of(Mesh("plate_holes.stl"), new PrintSettings { XySizeCompensation = 0.02 }, 6);
         Assert.That(deviation.SharePercent, Is.GreaterThan(99));
         Assert.That(deviation.Largest, Is.EqualTo(0.02).Within(0.0126));
     }
@@ -29,8 +29,8 @@ public class ContourDeviationTests
     public void A_coarser_tolerance_is_seen()
     {
         var mesh = Mesh("torus.obj");
-        var fine = ContourDeviation.Of(mesh, new PrintSettings { SimplifyTolerance = 0.001 }, 20);
-        var coarse = ContourDeviation.Of(mesh, new PrintSettings { SimplifyTolerance = 0.05 }, 20);
+        var fine = ContourDeviation.Of(mesh, new PrintSettings { Resolution = 0.001 }, 20);
+        var coarse = ContourDeviation.Of(mesh, new PrintSettings { Resolution = 0.05 }, 20);
         Assert.That(fine.Largest, Is.LessThan(0.005));
         Assert.That(coarse.SharePercent, Is.GreaterThan(5));
     }

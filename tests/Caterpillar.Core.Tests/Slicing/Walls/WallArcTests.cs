@@ -18,7 +18,7 @@ namespace Caterpillar.Tests.Slicing;
 public sealed class WallArcTests
 {
     private static readonly PrintSettings Plain = new() { WallCount = 2, SkirtLoops = 0 };
-    private static readonly PrintSettings Arcs = Plain with { WallArcTolerance = 0.02 };
+    private static readonly PrintSettings Arcs = Plain with { ArcFittingTolerance = 0.02 };
     private static readonly TriMesh Disk = Solids.Cone(0, 10, 2, 10, 192);
 
     private static PrintPath[] Walls(PrintSettings settings, params TriMesh[] meshes)
@@ -49,7 +49,7 @@ public sealed class WallArcTests
         var block = Solids.Block(0, 0, 0, 20, 20, 1);
 
         Assert.That(Walls(Arcs, block).Select(w => w.HasArcs), Has.None.True);
-        Assert.That(Solids.Slice(Arcs, Disk).SelectMany(l => Solids.Paths(l, Role.Infill, Role.TopSkin, Role.BottomSkin)).Select(p => p.HasArcs),
+        Assert.That(Solids.Slice(Arcs, Disk).SelectMany(l => Solids.Paths(l, Role.Infill, Role.TopSurface, Role.BottomSurface)).Select(p => p.HasArcs),
             Is.Not.Empty.And.None.True);
     }
 
@@ -58,7 +58,8 @@ public sealed class WallArcTests
 
     [Test]
     public void A_vase_has_none()
-        => Assert.That(Solids.Slice(Arcs with { Vase = true }, Disk).SelectMany(l => l.Steps).Count(s => s.Path.HasArcs && s.Path.Layer!.Index > 3), Is.Zero);
+        => Assert.That(Solids.Slice(Arcs with { SpiralVase = true }, Disk).SelectMany(l => l.Steps).Count(s => s.Path.HasArcs && s.Path.Layer!.Index > 3),
+            Is.Zero);
 
     [Test]
     public void Each_model_has_its_own_tolerance()
@@ -85,6 +86,6 @@ public sealed class WallArcTests
 
         Assert.That(written.Diagnostics.Where(d => d.Severity == Severity.Error), Is.Empty);
         Assert.That(Encoding.ASCII.GetString(memory.ToArray()), Does.Match("(?m)^G[23] "));
-        Assert.That(StrandTotals.Of(read).Length, Is.EqualTo(StrandTotals.Of(plan).Length).Within(0.01).Percent);
+        Assert.That(ExtrusionTotals.Of(read).Length, Is.EqualTo(ExtrusionTotals.Of(plan).Length).Within(0.01).Percent);
     }
 }

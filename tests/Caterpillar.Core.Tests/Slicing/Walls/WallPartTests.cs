@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Slicing;
 
-/// <summary>Rules of widths, strands and short moves, worked out by hand.</summary>
+/// <summary>Rules of widths, extrusions and short moves, worked out by hand.</summary>
 public class WallPartTests
 {
     // 0.2 mm thick: a stadium of 0.5 mm lacks (1 - π/4) 0.04 mm² of its rectangle.
@@ -31,7 +31,7 @@ public class WallPartTests
     [TestCase(0.5, 0.4, 0.45, 0.45)]
     public void Limits_of_widths_are_stated_or_shares_of_the_line(double least, double most, double min, double max)
     {
-        var rules = WallRules.Of(new PrintSettings { LineWidth = 0.45, MinWallWidth = least, MaxWallWidth = most, WallCount = 3, SimplifyTolerance = 0.01 },
+        var rules = WallRules.Of(new PrintSettings { LineWidth = 0.45, MinWallWidth = least, MaxWallWidth = most, WallCount = 3, Resolution = 0.01 },
             0.3);
         Assert.That((rules.MinWidth, rules.MaxWidth), Is.EqualTo((min, max)).Within(1e-12));
         Assert.That((rules.Count, rules.OuterWidth, rules.InnerWidth, rules.Thickness, rules.InnerTolerance), Is.EqualTo((3, 0.45, 0.45, 0.3, 0.01)));
@@ -41,18 +41,18 @@ public class WallPartTests
     }
 
     [Test]
-    public void A_strand_has_a_length_a_heading_and_two_ends()
+    public void An_extrusion_has_a_length_a_heading_and_two_ends()
     {
-        var strand = Line((0, 0, 1), (3, 4, 1), (3, 10, 1));
-        (strand.Start, strand.End) = (StrandEnd.Outline, StrandEnd.Thin);
-        Assert.That(strand.Length, Is.EqualTo(11));
-        Assert.That(strand.Heading(5), Is.EqualTo(Vec3.UnitY));
+        var extrusion = Line((0, 0, 1), (3, 4, 1), (3, 10, 1));
+        (extrusion.Start, extrusion.End) = (ExtrusionEnd.Outline, ExtrusionEnd.Thin);
+        Assert.That(extrusion.Length, Is.EqualTo(11));
+        Assert.That(extrusion.Heading(5), Is.EqualTo(Vec3.UnitY));
         // Farther than the last segment: from the point before.
-        Assert.That(strand.Heading(6), Is.EqualTo(Vec3.UnitY));
-        Assert.That(strand.Heading(6.1).DistanceTo(new Vec3(3, 10) / Math.Sqrt(109)), Is.LessThan(1e-12));
+        Assert.That(extrusion.Heading(6), Is.EqualTo(Vec3.UnitY));
+        Assert.That(extrusion.Heading(6.1).DistanceTo(new Vec3(3, 10) / Math.Sqrt(109)), Is.LessThan(1e-12));
         Assert.That(Line((1, 1, 1)).Heading(1), Is.EqualTo(Vec3.Zero));
-        strand.Reverse();
-        Assert.That((strand.Points[0], strand.Start, strand.End), Is.EqualTo((new Vec3(3, 10), StrandEnd.Thin, StrandEnd.Outline)));
+        extrusion.Reverse();
+        Assert.That((extrusion.Points[0], extrusion.Start, extrusion.End), Is.EqualTo((new Vec3(3, 10), ExtrusionEnd.Thin, ExtrusionEnd.Outline)));
     }
 
     [TestCase(5, 3, 2)]
@@ -60,32 +60,32 @@ public class WallPartTests
     [TestCase(-3, 4, 4)]
     [TestCase(13, 4, 3)]
     [TestCase(2.5, 1, -0.25)]
-    public void The_clearance_of_a_strand_is_the_distance_beyond_its_radius(double x, double y, double clearance)
+    public void The_clearance_of_a_extrusion_is_the_distance_beyond_its_radius(double x, double y, double clearance)
     {
-        // From a radius of 1 to one of 2; where the point is level with the strand its radius there counts.
-        var strand = Line((0, 0, 1), (10, 0, x == 2.5 || x == 13 ? 2 : 1));
-        Assert.That(strand.Clearance(new Vec3(x, y)), Is.EqualTo(clearance).Within(1e-12));
+        // From a radius of 1 to one of 2; where the point is level with the extrusion its radius there counts.
+        var extrusion = Line((0, 0, 1), (10, 0, x == 2.5 || x == 13 ? 2 : 1));
+        Assert.That(extrusion.Clearance(new Vec3(x, y)), Is.EqualTo(clearance).Within(1e-12));
     }
 
     [Test]
-    public void A_closed_strand_ends_where_it_begins()
+    public void A_closed_extrusion_ends_where_it_begins()
     {
-        var strand = Line((0, 0, 1), (10, 0, 1), (10, 10, 1));
+        var extrusion = Line((0, 0, 1), (10, 0, 1), (10, 10, 1));
         // 6 mm to the nearest of two sides; the third, once there is one, is 1.41 mm off.
-        Assert.That(strand.Clearance(new Vec3(4, 6)), Is.EqualTo(5).Within(1e-12));
-        strand.Closed = true;
-        Assert.That(strand.Clearance(new Vec3(4, 6)), Is.EqualTo(Math.Sqrt(2) - 1).Within(1e-12));
+        Assert.That(extrusion.Clearance(new Vec3(4, 6)), Is.EqualTo(5).Within(1e-12));
+        extrusion.Closed = true;
+        Assert.That(extrusion.Clearance(new Vec3(4, 6)), Is.EqualTo(Math.Sqrt(2) - 1).Within(1e-12));
     }
 
     [Test]
-    public void A_strand_is_cut_off_where_another_passes()
+    public void An_extrusion_is_cut_off_where_another_passes()
     {
         var other = Line((0, 5, 0.5), (20, 5, 0.5));
-        var strand = Line((10, 0, 0.4), (10, 4, 0.8), (10, 5, 0.8));
-        strand.TrimEnd(other);
+        var extrusion = Line((10, 0, 0.4), (10, 4, 0.8), (10, 5, 0.8));
+        extrusion.TrimEnd(other);
         // The other covers y from 4.5 to 5.5: between the last two points.
-        Assert.That(strand.Count, Is.EqualTo(3));
-        Assert.That(strand.Points[2].Y, Is.EqualTo(4.5).Within(1e-5));
+        Assert.That(extrusion.Count, Is.EqualTo(3));
+        Assert.That(extrusion.Points[2].Y, Is.EqualTo(4.5).Within(1e-5));
         var across = Line((10, 0, 0.4), (10, 4.6, 0.8), (10, 5, 0.8));
         across.TrimEnd(other);
         Assert.That((across.Count, across.Points[1].Y), Is.EqualTo((2, 4.5)).Within(1e-5));
@@ -131,10 +131,10 @@ public class WallPartTests
         Assert.That(new InfillLine([new(0, 0), new(4, 0), new(4, 3)], true).Length, Is.EqualTo(12));
     }
 
-    private static MedialStrand Line(params (double X, double Y, double Radius)[] points)
+    private static MedialExtrusion Line(params (double X, double Y, double Radius)[] points)
     {
-        var strand = new MedialStrand();
-        foreach (var (x, y, radius) in points) strand.Add(new Vec3(x, y), radius);
-        return strand;
+        var extrusion = new MedialExtrusion();
+        foreach (var (x, y, radius) in points) extrusion.Add(new Vec3(x, y), radius);
+        return extrusion;
     }
 }

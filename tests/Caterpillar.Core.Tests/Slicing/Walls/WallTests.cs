@@ -54,11 +54,11 @@ public class WallTests
     }
 
     [Test]
-    public void Thin_frames_are_one_closed_strand_as_wide_as_they()
+    public void Thin_frames_are_one_closed_extrusion_as_wide_as_they()
     {
         var paths = Solid(WallShapes.Frame(0.5), Rules(BeadShape.Rectangle));
         Assert.That(paths, Has.Count.EqualTo(1));
-        Assert.That((paths[0].Closed, paths[0].IsStrand), Is.EqualTo((true, true)));
+        Assert.That((paths[0].Closed, paths[0].IsExtrusion), Is.EqualTo((true, true)));
         // At the corners the largest disc is wider.
         Assert.That(paths[0].Widths, Has.All.InRange(0.4999, 0.5 * 1.18));
         Assert.That(paths[0].Points.Select(p => Math.Max(Math.Abs(p.X), Math.Abs(p.Y))), Has.All.EqualTo(9.75).Within(0.06));
@@ -135,7 +135,7 @@ public class WallTests
     {
         var section = MeshSections.At(MeshReader.ReadMerged(TestData.Shared(file)).Value!, [z]).Value![0];
         var region = Region.From(section.Loops).Simplified(0.0125);
-        var outer = new WallBuilder(Rules(), new RegionEngine()).Build(region).Paths.Where(p => p is { Index: 0, IsStrand: false }).ToArray();
+        var outer = new WallBuilder(Rules(), new RegionEngine()).Build(region).Paths.Where(p => p is { Index: 0, IsExtrusion: false }).ToArray();
         // Whole contours at the nominal distance: between the outlines that are a little nearer and a little farther.
         var near = region.Offset(-0.225 + 0.0125);
         var far = region.Offset(-0.225 - 0.0125);
@@ -156,13 +156,13 @@ public class WallTests
     }
 
     [Test]
-    public void A_lone_strand_reaches_both_ends_of_its_shape()
+    public void A_lone_extrusion_reaches_both_ends_of_its_shape()
     {
-        var strand = Solid(Region.Rectangle(0, 0, 0.5, 5), Rules(BeadShape.Rectangle)).Single();
-        Assert.That((strand.Closed, strand.IsStrand), Is.EqualTo((false, true)));
-        Assert.That(strand.Points.Select(p => p.X), Is.All.EqualTo(0.25).Within(1e-4));
-        Assert.That(strand.Points.Max(p => p.Y) - strand.Points.Min(p => p.Y), Is.EqualTo(5).Within(1e-3));
-        Assert.That(strand.Widths, Is.All.EqualTo(0.5).Within(1e-4));
+        var extrusion = Solid(Region.Rectangle(0, 0, 0.5, 5), Rules(BeadShape.Rectangle)).Single();
+        Assert.That((extrusion.Closed, extrusion.IsExtrusion), Is.EqualTo((false, true)));
+        Assert.That(extrusion.Points.Select(p => p.X), Is.All.EqualTo(0.25).Within(1e-4));
+        Assert.That(extrusion.Points.Max(p => p.Y) - extrusion.Points.Min(p => p.Y), Is.EqualTo(5).Within(1e-3));
+        Assert.That(extrusion.Widths, Is.All.EqualTo(0.5).Within(1e-4));
     }
 
     [Test]

@@ -1,6 +1,6 @@
-; 33069 lines, SHA-256 8f22e437b325916766f6cbf912870d4a143cf3dc2b99410bde5c51fdc2ccffab
+; 33069 lines, SHA-256 1da5356d0674874cc3e68f87f677fc97fe26c8a4440e5f997497166a962d9f62
 ; Made with Caterpillar
-; Dialect marlin2
+; Flavor marlin2
 ; Printer custom, material pla, settings standard
 ; filament_diameter = 1.75
 ;TIME:2520

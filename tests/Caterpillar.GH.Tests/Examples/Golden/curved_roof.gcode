@@ -1,6 +1,6 @@
-; 30582 lines, SHA-256 767b8acc35223d35f4212624a91cf2eced9ef62656b0f9031242734a62105485
+; 30582 lines, SHA-256 769e292cc4c3fd7ccc77bba98ec51ec43645f76dfd30882bf5480bfd9c41dc4e
 ; Made with Caterpillar
-; Dialect marlin2
+; Flavor marlin2
 ; Printer custom, material pla, settings standard
 ; filament_diameter = 1.75
 ;TIME:3089

@@ -1,5 +1,5 @@
 ; Made with Caterpillar
-; Dialect marlin2
+; Flavor marlin2
 ; Printer my_printer, material petg, settings standard
 ; filament_diameter = 1.75
 ;TIME:12

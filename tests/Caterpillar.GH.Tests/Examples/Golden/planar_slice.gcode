@@ -1,6 +1,6 @@
-; 22175 lines, SHA-256 33eae10b68942851c94e1e83dc7e44eec46b539f6e4cbc0241d4461ab7fad6e0
+; 22175 lines, SHA-256 eeb8ea47a7ad907c1177c94f1fd6ab08b15af62c286c947f87366103b5cf07d5
 ; Made with Caterpillar
-; Dialect marlin2
+; Flavor marlin2
 ; Printer generic, material pla, settings standard
 ; filament_diameter = 1.75
 ;TIME:3026

@@ -1,5 +1,5 @@
 ; Made with Caterpillar
-; Dialect marlin2
+; Flavor marlin2
 ; Printer generic, material pla, settings standard
 ; filament_diameter = 1.75
 ;TIME:4

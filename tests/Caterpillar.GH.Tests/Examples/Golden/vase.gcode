@@ -1,6 +1,6 @@
-; 43622 lines, SHA-256 d5f0cecd0b5d42965613dd9e249c7d07c391203090c0d50084a0ca8cf6dee727
+; 43622 lines, SHA-256 afa9ca2b2c9d13a4a67b52df2693732183067726d18a60e8f1e8ad4802e4359e
 ; Made with Caterpillar
-; Dialect marlin2
+; Flavor marlin2
 ; Printer custom, material pla, settings standard
 ; filament_diameter = 1.75
 ;TIME:2215

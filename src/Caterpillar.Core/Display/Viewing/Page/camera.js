@@ -62,7 +62,7 @@ class Camera {
     return multiply(this.aside(), multiply(projection, view));
   }
 
-  // Moves the picture to the middle of what the panels leave free.
+  // Moves the image to the middle of what the panels leave free.
   aside() {
     const shift = new Float32Array(16);
     for (let i = 0; i < 4; i++) shift[5 * i] = 1;

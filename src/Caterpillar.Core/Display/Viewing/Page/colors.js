@@ -58,7 +58,7 @@ function layerTimes(moves, head) {
   return Float32Array.from({ length: moves.rows }, (_, i) => sums[moves.layer[i] + 1]);
 }
 
-// The scale leaves out what start code prints, and the rarest values at both ends, so that one odd strand does not hide all differences.
+// The scale leaves out what start code prints, and the rarest values at both ends, so that one odd extrusion does not hide all differences.
 function rangeOf(values, moves, head) {
   const sample = [];
   const step = Math.max(1, Math.floor(moves.rows / 20000));

@@ -1,6 +1,6 @@
-// When to draw what. Where a whole picture takes long, changes are shown quickly, by as many strands as the time allows, and the whole follows in pieces
+// When to draw what. Where a whole image takes long, changes are shown quickly, by as many extrusions as the time allows, and the whole follows in pieces
 // when they pause.
-const frameTime = 80, pause = 250, firstStrands = 100000, piece = 16384;
+const frameTime = 80, pause = 250, firstExtrusions = 100000, piece = 16384;
 
 class Frames {
   constructor(scene, camera, state) {
@@ -8,7 +8,7 @@ class Frames {
     this.camera = camera;
     this.state = state;
     // What is large is not drawn whole before it is known to be quick.
-    this.skip = Math.max(Math.floor((scene.lists.beads?.count ?? 0) / firstStrands), 1);
+    this.skip = Math.max(Math.floor((scene.lists.beads?.count ?? 0) / firstExtrusions), 1);
     this.isFirst = this.skip > 1;
     this.areSlow = false;
   }
@@ -38,7 +38,7 @@ class Frames {
       if (!this.areSlow) return this.redraw();
     }
     this.skip = Math.min(Math.max(Math.round(skip * time / frameTime), 1), 1000);
-    // One slow picture, as at the start, does not make all slow.
+    // One slow image, as at the start, does not make all slow.
     if (skip === 1 && time < frameTime / 4) this.areSlow = false;
     clearTimeout(this.resting);
     this.resting = setTimeout(() => {

@@ -102,7 +102,7 @@ function showFindings(head, go) {
 
 function showMove(row, moves, head) {
   if (row < 0 || row >= moves.rows) {
-    fillTable(byId("picked"), [["Click a strand to see its move and its line.", ""]]);
+    fillTable(byId("picked"), [["Click an extrusion to see its move and its line.", ""]]);
     return;
   }
   const layer = moves.layer[row] >= 0 ? head.layers[moves.layer[row]] : null;
@@ -113,7 +113,7 @@ function showMove(row, moves, head) {
   rows.push(["To", `${number(moves.x[row], 3)}, ${number(moves.y[row], 3)}, ${number(moves.z[row], 3)} mm`]);
   rows.push(["Speed", number(moves.speed[row]) + " mm/s"]);
   if (moves.area[row] > 0) {
-    rows.push(["Strand", `${number(moves.width[row], 3)} × ${number(moves.height[row] || moves.width[row], 3)} mm`]);
+    rows.push(["Extrusion", `${number(moves.width[row], 3)} × ${number(moves.height[row] || moves.width[row], 3)} mm`]);
     rows.push(["Flow", number(moves.area[row] * moves.speed[row], 2) + " mm³/s"]);
   }
   if (layer) rows.push(["Layer", `${layer[0]}, Z ${number(layer[1], 3)} mm${layer[3] ? ", " + layer[3] : ""}`]);

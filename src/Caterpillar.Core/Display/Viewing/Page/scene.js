@@ -38,7 +38,7 @@ void main() {
   d = length(d) > 1e-6 ? normalize(d) : vec3(1, 0, 0);
   vec3 side = sideOf(d), up = cross(side, d);
   vec4 other = point(end ? i + 2 : i - 1);
-  // The width of a row is with its end; a row without width is no strand.
+  // The width of a row is with its end; a row without width is no extrusion.
   float otherWidth = end ? other.w : a.w;
   vec3 o = end ? other.xyz - b.xyz : a.xyz - other.xyz;
   vec3 across = side;
@@ -75,7 +75,7 @@ const lineVertex = `#version 300 es
 ${fromTextures}
 void main() {
   gl_Position = matrix * vec4(point(int(rowAt(gl_VertexID / 2)) + gl_VertexID % 2).xyz, 1);
-  // Travels run along the tops of strands; a little nearer they are seen.
+  // Travels run along the tops of extrusions; a little nearer they are seen.
   gl_Position.z -= 2e-4 * gl_Position.w;
 }`;
 
@@ -180,7 +180,7 @@ class Scene {
     return texture;
   }
 
-  // Points with the sizes of the strands that end in them: 4096 · width + height in whole units, negative for round ones.
+  // Points with the sizes of the extrusions that end in them: 4096 · width + height in whole units, negative for round ones.
   load(moves, start) {
     const gl = this.gl, rows = Math.ceil((moves.rows + 3) / textureWidth);
     const points = new Float32Array(rows * textureWidth * 4);
@@ -271,13 +271,13 @@ class Scene {
     return Math.floor(entry.count / skip);
   }
 
-  // The strands of some rows of the list of beads, in steps of skip.
+  // The extrusions of some rows of the list of beads, in steps of skip.
   drawBeads(camera, state, { picking = false, quick = picking, skip = 1, from = 0, to = Infinity } = {}) {
     if (!this.lists.beads?.count) return;
     const gl = this.gl, uniforms = this.use(this.beads, camera), count = Math.min(this.rowsOf("beads", uniforms, skip), to);
     gl.uniform1f(uniforms.unit, this.unit);
     gl.uniform1f(uniforms.part, state.part);
-    // Strands thinner than a pixel would flicker.
+    // Extrusions thinner than a pixel would flicker.
     const pixel = camera.distance * 2 * Math.tan(0.35) / this.canvas.height;
     gl.uniform1f(uniforms.thin, pixel * (picking ? 3 : 0.8));
     gl.uniform1ui(uniforms.last, state.part < 1 ? state.row : 0xffffffff);
@@ -330,7 +330,7 @@ class Scene {
     gl.drawArrays(gl.TRIANGLES, 0, mesh.count);
   }
 
-  // Quickly: every n-th strand, with four sides and edges as they fall.
+  // Quickly: every n-th extrusion, with four sides and edges as they fall.
   drawQuickly(camera, state, skip) {
     this.resize();
     this.drawBackground(camera, state);
@@ -338,16 +338,16 @@ class Scene {
     this.drawForeground(camera, state);
   }
 
-  // All strands, with smooth edges, in steps between which others may draw.
-  *drawWhole(camera, state, strands = Infinity) {
+  // All extrusions, with smooth edges, in steps between which others may draw.
+  *drawWhole(camera, state, extrusions = Infinity) {
     const gl = this.gl;
     this.resize();
     const { width, height } = this.canvas, { frame } = this.smoothTarget();
     gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
     this.drawBackground(camera, state);
-    for (let from = 0; from < (this.lists.beads?.count ?? 0); from += strands) {
+    for (let from = 0; from < (this.lists.beads?.count ?? 0); from += extrusions) {
       gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
-      this.drawBeads(camera, state, { from, to: from + strands });
+      this.drawBeads(camera, state, { from, to: from + extrusions });
       gl.bindFramebuffer(gl.FRAMEBUFFER, null);
       yield;
     }
@@ -410,7 +410,7 @@ class Scene {
 
   smoothTarget() { return this.smoothFrame = this.target(this.smoothFrame, Math.min(4, this.gl.getParameter(this.gl.MAX_SAMPLES))); }
 
-  // A picture in memory of the size of the canvas: the one there is, or a new one.
+  // An image in memory of the size of the canvas: the one there is, or a new one.
   target(old, samples) {
     const gl = this.gl, { width, height } = this.canvas;
     if (old?.width === width && old.height === height) return old;

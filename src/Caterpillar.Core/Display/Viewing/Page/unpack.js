@@ -74,7 +74,7 @@ function readMoves(bytes, head) {
   return moves;
 }
 
-// Width and height of each strand in mm; a height of 0 where it is not known and the strand is round.
+// Width and height of each extrusion in mm; a height of 0 where it is not known and the extrusion is round.
 function beadSizes(moves, head) {
   for (let i = 0; i < moves.rows; i++) {
     const area = moves.area[i];

@@ -1,11 +1,11 @@
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.GCode;
 
 /// <summary>The geometry of G2 and G3 as each firmware reads it.</summary>
-internal sealed class ArcReader(DialectRules rules, InterpreterState state)
+internal sealed class ArcReader(FlavorRules rules, InterpreterState state)
 {
     private const double NoChange = InterpreterState.NoChange;
 

@@ -1,5 +1,5 @@
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
@@ -7,7 +7,7 @@ namespace Caterpillar.GCode;
 /// <summary>M commands that are events of the toolpath: temperatures, fans, pauses, accelerations; and dwells.</summary>
 internal sealed class EventCommands(Machine machine)
 {
-    private readonly DialectRules _rules = machine.Rules;
+    private readonly FlavorRules _rules = machine.Rules;
     private readonly MoveRecorder _moves = machine.Moves;
 
     /// <summary>The limits of the motion.</summary>
@@ -39,7 +39,7 @@ internal sealed class EventCommands(Machine machine)
             case 1270 when _rules.ValveIsFan:
                 _moves.AddEvent(new FanEvent(code == 1260 && line.Get('S', 1) != 0 ? 1 : 0));
                 return true;
-            case 4000 when !DialectRules.Names(_rules.Dwells, 'M', 400):
+            case 4000 when !FlavorRules.Names(_rules.Dwells, 'M', 400):
                 _moves.AddEvent(new FinishMovesEvent());
                 return true;
             default:

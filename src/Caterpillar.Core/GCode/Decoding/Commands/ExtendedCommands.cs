@@ -1,5 +1,5 @@
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.GCode;
@@ -9,7 +9,7 @@ internal sealed class ExtendedCommands(Machine machine, ModeCommands modes, Even
 {
     private const int LongestName = 60;
     private const int LongestText = 400;
-    private readonly DialectRules _rules = machine.Rules;
+    private readonly FlavorRules _rules = machine.Rules;
     private readonly InterpreterState _state = machine.State;
 
     public void Take(byte[] text, ParsedLine line)

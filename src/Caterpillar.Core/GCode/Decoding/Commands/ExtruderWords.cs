@@ -1,4 +1,4 @@
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
@@ -6,7 +6,7 @@ namespace Caterpillar.GCode;
 internal sealed class ExtruderWords(Machine machine)
 {
     private const double LargestE = MoveRecorder.LargestE;
-    private readonly DialectRules _rules = machine.Rules;
+    private readonly FlavorRules _rules = machine.Rules;
     private readonly ExtrusionAxis _axis = machine.Axis;
     private readonly InterpreterState _state = machine.State;
 
@@ -24,7 +24,7 @@ internal sealed class ExtruderWords(Machine machine)
         ref var modes = ref _state.Modes;
         ref var extrusion = ref _state.Extrusion;
         if (modes.IsRelativeEDisputed)
-            machine.Diagnostics.Warn("gcode.dialect_e_mode", "Whether E is absolute or relative here depends on the firmware (order of G90, G91, M82, M83); "
+            machine.Diagnostics.Warn("gcode.flavor_e_mode", "Whether E is absolute or relative here depends on the firmware (order of G90, G91, M82, M83); "
                 + _rules.Title + " takes it as " + (modes.RelativeE ? "relative." : "absolute."));
         var change = modes.RelativeE ? word : word - extrusion.E;
         extrusion.E += change;

@@ -1,4 +1,4 @@
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
@@ -6,7 +6,7 @@ namespace Caterpillar.GCode;
 internal sealed class GCommands(Machine machine, EventCommands events, ModeCommands modes, PositionCommands positions, MotionCommands motion)
 {
     private const int NoMotion = -1;
-    private readonly DialectRules _rules = machine.Rules;
+    private readonly FlavorRules _rules = machine.Rules;
 
     public void Take(ParsedLine line)
     {
@@ -29,7 +29,7 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
             if (_rules.Commands == CommandsRule.InOrder && explicitMotion != NoMotion)
             {
                 if (!IsMotion(code)) continue;
-                machine.Diagnostics.Warn("gcode.dialect_commands", "A line has several motions: only the last is read, with the words of all.");
+                machine.Diagnostics.Warn("gcode.flavor_commands", "A line has several motions: only the last is read, with the words of all.");
             }
             if (IsMotion(code)) explicitMotion = code / 10;
             else if (!modes.Take(code)) action = code;
@@ -64,7 +64,7 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
     {
         machine.Features.ModalLines++;
         if (_rules.ModalMotion == ModalMotionRule.Never)
-            machine.Diagnostics.Warn("gcode.dialect_modal", "A line moves without a G command: " + _rules.Title
+            machine.Diagnostics.Warn("gcode.flavor_modal", "A line moves without a G command: " + _rules.Title
                 + " ignores it, others repeat the last motion.");
         else
             motion.Move(line);
@@ -101,7 +101,7 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
         for (var i = word + 1; i < line.Count && last; i++) last = line.Letters[i] != 'G' || !line.HasValue[i];
         if (number == 1 && last) return true;
         if (last)
-            machine.Diagnostics.Warn("gcode.dialect_commands", "A line has several G commands: " + _rules.Title + " executes only the "
+            machine.Diagnostics.Warn("gcode.flavor_commands", "A line has several G commands: " + _rules.Title + " executes only the "
                 + (_rules.Commands == CommandsRule.First ? "first." : "last."));
         return _rules.Commands == CommandsRule.First ? number == 1 : last;
     }
@@ -136,7 +136,7 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
                 machine.State.Stored30 = machine.State.Head.Machine;
                 return;
             default:
-                if (DialectRules.Names(_rules.ShiftResets, 'G', code / 10.0)) positions.ClearShifts();
+                if (FlavorRules.Names(_rules.ShiftResets, 'G', code / 10.0)) positions.ClearShifts();
                 else machine.Ignored.Add('G', code < 0 ? 0 : code / 10.0);
                 return;
         }
@@ -145,7 +145,7 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
     private bool IsHoming(int code)
     {
         if (code == 280 && _rules.HomingCommands.Count == 1) return true;
-        return code is 280 or 300 or 1610 or 1620 && DialectRules.Names(_rules.HomingCommands, 'G', code / 10.0);
+        return code is 280 or 300 or 1610 or 1620 && FlavorRules.Names(_rules.HomingCommands, 'G', code / 10.0);
     }
 
     private void FirmwareRetraction(bool retract)
@@ -153,7 +153,7 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
         machine.Features.FirmwareRetraction++;
         if (retract) machine.Counters.FirmwareRetracts++;
         else machine.Counters.FirmwareUnretracts++;
-        machine.Moves.Stay(retract ? Toolpaths.MoveKind.Retract : Toolpaths.MoveKind.Restore);
+        machine.Moves.Stay(retract ? Toolpaths.MoveKind.Retract : Toolpaths.MoveKind.Deretract);
     }
 
     // G10 and G11 that do not retract.

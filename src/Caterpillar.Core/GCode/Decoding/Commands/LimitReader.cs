@@ -1,4 +1,4 @@
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
@@ -7,7 +7,7 @@ namespace Caterpillar.GCode;
 internal sealed class LimitReader(Machine machine)
 {
     private const string Axes = "XYZE";
-    private readonly DialectRules _rules = machine.Rules;
+    private readonly FlavorRules _rules = machine.Rules;
     private readonly MoveRecorder _moves = machine.Moves;
 
     /// <summary>Takes an M command, its number tenfold; false where it is none of these.</summary>

@@ -1,12 +1,12 @@
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
 /// <summary>M commands: modes, factors of speed and flow, tools, the switch of the extruder; events are read by <see cref="EventCommands"/>.</summary>
 internal sealed class MachineCommands(Machine machine, ModeCommands modes, EventCommands events, CommentInterpreter comments)
 {
-    private readonly DialectRules _rules = machine.Rules;
+    private readonly FlavorRules _rules = machine.Rules;
     private readonly InterpreterState _state = machine.State;
 
     public void Take(byte[] text, ParsedLine line)
@@ -52,7 +52,7 @@ internal sealed class MachineCommands(Machine machine, ModeCommands modes, Event
                 return;
             default:
                 if (IsToolChange(code, line)) return;
-                if (DialectRules.Names(_rules.Dwells, 'M', code / 10.0)) events.Dwell(line);
+                if (FlavorRules.Names(_rules.Dwells, 'M', code / 10.0)) events.Dwell(line);
                 if (code == 2000) machine.Features.M200++;
                 machine.Ignored.Add('M', line.Values[0]);
                 return;

@@ -1,4 +1,4 @@
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.GCode;
@@ -6,7 +6,7 @@ namespace Caterpillar.GCode;
 /// <summary>G and M commands that only change a mode.</summary>
 internal sealed class ModeCommands(Machine machine, PositionCommands positions)
 {
-    private readonly DialectRules _rules = machine.Rules;
+    private readonly FlavorRules _rules = machine.Rules;
     private readonly Features _features = machine.Features;
 
     /// <summary>Takes a G command, its number tenfold; false where it is none that only changes a mode.</summary>

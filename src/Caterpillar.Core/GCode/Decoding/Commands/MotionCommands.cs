@@ -1,4 +1,4 @@
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 
@@ -9,7 +9,7 @@ internal sealed class MotionCommands(Machine machine, ExtruderWords extruder)
 {
     // Firmware takes no more in one command.
     private const int MaxCircles = 100;
-    private readonly DialectRules _rules = machine.Rules;
+    private readonly FlavorRules _rules = machine.Rules;
     private readonly InterpreterState _state = machine.State;
     private readonly MoveRecorder _moves = machine.Moves;
     private readonly ArcReader _arcs = new(machine.Rules, machine.State);

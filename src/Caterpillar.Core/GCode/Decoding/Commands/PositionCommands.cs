@@ -1,5 +1,5 @@
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 
@@ -9,7 +9,7 @@ namespace Caterpillar.GCode;
 internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
 {
     private const double Largest = MoveRecorder.LargestLength;
-    private readonly DialectRules _rules = machine.Rules;
+    private readonly FlavorRules _rules = machine.Rules;
     private readonly InterpreterState _state = machine.State;
     private readonly MoveRecorder _moves = machine.Moves;
 
@@ -25,7 +25,7 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
         if (x) HomeAxis(line, 'X', origin.X, ref head.X, ref head.ShiftX, ref head.KnownX);
         if (y) HomeAxis(line, 'Y', origin.Y, ref head.Y, ref head.ShiftY, ref head.KnownY);
         if (z) HomeAxis(line, 'Z', origin.Z, ref head.Z, ref head.ShiftZ, ref head.KnownZ);
-        _moves.BreakStrand();
+        _moves.BreakExtrusion();
         // Homing is a move of the toolpath, though the file has no line of motion for it.
         if (moves && head.HasMoved) _moves.Stay(MoveKind.Travel);
     }
@@ -40,7 +40,7 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
             return;
         }
         Axes(line, out var x, out var y, out var z);
-        _moves.BreakStrand();
+        _moves.BreakExtrusion();
         ref var head = ref _state.Head;
         var end = new Vec3(x ? stored.X - head.ShiftX : point.X, y ? stored.Y - head.ShiftY : point.Y, z ? stored.Z - head.ShiftZ : point.Z);
         // The move to the point named is a travel like others, the one from there the homing.
@@ -68,7 +68,7 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
     public void BareRename()
     {
         machine.Features.G92All++;
-        machine.Diagnostics.Warn("gcode.dialect_g92", "G92 without letters means different things to different firmwares; it is read as " + _rules.Title
+        machine.Diagnostics.Warn("gcode.flavor_g92", "G92 without letters means different things to different firmwares; it is read as " + _rules.Title
             + " reads it.");
         if (_rules.BareG92 == BareG92Rule.Nothing) return;
         if (_rules.BareG92 == BareG92Rule.ClearShifts)
@@ -90,7 +90,7 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
     public void ClearShifts()
     {
         _state.Head.SetShift(_state.Work.Origin);
-        _moves.BreakStrand();
+        _moves.BreakExtrusion();
     }
 
     /// <summary>Selects a coordinate system, by a G command, its number tenfold; false where it selects none.</summary>
@@ -108,7 +108,7 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
         var before = work.Origin;
         work.Selected = system;
         if (system > 0 && work.Origin == Vec3.Zero)
-            machine.Diagnostics.Add(Severity.Remark, "gcode.workspace",
+            machine.Diagnostics.Add(Severity.Note, "gcode.workspace",
                 "A coordinate system is selected whose origin the file does not set: it is taken as that of the machine.");
         OriginMoved(before);
         return true;
@@ -145,7 +145,7 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
     private void OriginMoved(Vec3 before)
     {
         _state.Head.SetShift(_state.Head.Shift + _state.Work.Origin - before);
-        _moves.BreakStrand();
+        _moves.BreakExtrusion();
     }
 
     private static void Axes(ParsedLine line, out bool x, out bool y, out bool z)
@@ -176,7 +176,7 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
         if (known) shift += position - word;
         position = word;
         known = true;
-        _moves.BreakStrand();
+        _moves.BreakExtrusion();
         return true;
     }
 }

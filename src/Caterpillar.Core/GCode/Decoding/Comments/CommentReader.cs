@@ -20,7 +20,7 @@ internal enum CommentKind : byte
     ObjectStart,
     ObjectEnd,
 
-    /// <summary>The beginning of a picture; its size and format as text.</summary>
+    /// <summary>The beginning of an image; its size and format as text.</summary>
     Thumbnail,
 
     /// <summary>A line of a block of settings: <c>key = value</c>.</summary>

@@ -18,8 +18,8 @@ internal static class RoleNames
         Role.OverhangWall => "Overhang perimeter",
         Role.Infill => "Internal infill",
         Role.SolidInfill => "Solid infill",
-        Role.TopSkin => "Top solid infill",
-        Role.BottomSkin => "Bottom surface",
+        Role.TopSurface => "Top solid infill",
+        Role.BottomSurface => "Bottom surface",
         Role.Bridge => "Bridge infill",
         Role.GapFill => "Gap fill",
         Role.Ironing => "Ironing",
@@ -47,8 +47,8 @@ internal static class RoleNames
         Add(Role.Infill, "fill", "internal infill", "infill", "sparse infill", "sparse infill path", "stacked sparse infill path", "fill-sparse");
         Add(Role.SolidInfill, "solid infill", "internal solid infill", "solid layer", "skin", "solid path", "solid-fill", "solid fill", "solid",
             "floating vertical shell");
-        Add(Role.TopSkin, "top solid infill", "top surface", "crown path", "top-fill", "top solid fill", "skin-top");
-        Add(Role.BottomSkin, "bottom surface", "bottom solid infill", "bottom-fill", "skin-bottom");
+        Add(Role.TopSurface, "top solid infill", "top surface", "crown path", "top-fill", "top solid fill", "skin-top");
+        Add(Role.BottomSurface, "bottom surface", "bottom solid infill", "bottom-fill", "skin-bottom");
         Add(Role.Bridge, "bridge infill", "internal bridge infill", "bridge", "internal bridge", "bridge-infill");
         Add(Role.GapFill, "gap fill", "gap infill", "gap-fill", "gap");
         Add(Role.Ironing, "ironing");

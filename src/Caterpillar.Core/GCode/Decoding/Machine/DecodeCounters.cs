@@ -43,7 +43,7 @@ internal sealed class DecodeCounters
 
     public int FlatHeights => _flatHeights.Count;
 
-    /// <summary>A strand ends at another height than the one before.</summary>
+    /// <summary>An extrusion ends at another height than the one before.</summary>
     public void HeightChanged(double z)
     {
         var height = Micrometers(z);

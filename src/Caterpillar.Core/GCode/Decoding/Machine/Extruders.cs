@@ -1,9 +1,9 @@
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
 /// <summary>The extruders of the machine: what each of them has extruded and retracted.</summary>
-internal sealed class Extruders(DialectRules rules, InterpreterState state, DecodeCounters counters)
+internal sealed class Extruders(FlavorRules rules, InterpreterState state, DecodeCounters counters)
 {
     private readonly SortedDictionary<int, Extruder> _byTool = [];
     private Extruder _current = new();

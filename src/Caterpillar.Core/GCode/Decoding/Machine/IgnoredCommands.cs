@@ -1,11 +1,11 @@
 using System.Text;
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
 /// <summary>Commands without effect on the toolpath, by name, and how often they occur.</summary>
-internal sealed class IgnoredCommands(DialectRules rules, LineDiagnostics diagnostics)
+internal sealed class IgnoredCommands(FlavorRules rules, LineDiagnostics diagnostics)
 {
     private const int MaxNames = 1000;
     private const int MaxShown = 20;
@@ -34,7 +34,7 @@ internal sealed class IgnoredCommands(DialectRules rules, LineDiagnostics diagno
         => diagnostics.Warn("gcode.not_followed",
             $"{rules.Title}: {name} moves the head or shifts its coordinates in a way that cannot be followed; positions after it may be wrong.");
 
-    /// <summary>Adds one remark about everything that was ignored.</summary>
+    /// <summary>Adds one note about everything that was ignored.</summary>
     public void Report()
     {
         if (_counts.Count == 0) return;
@@ -50,6 +50,6 @@ internal sealed class IgnoredCommands(DialectRules rules, LineDiagnostics diagno
             }
         }
         if (_counts.Count > MaxShown) names.Append(" and ").Append(NumberFormatter.Format(_counts.Count - MaxShown)).Append(" more");
-        diagnostics.List.Add(Severity.Remark, "gcode.ignored", "Commands without effect on the toolpath: " + names + ".", count: total);
+        diagnostics.List.Add(Severity.Note, "gcode.ignored", "Commands without effect on the toolpath: " + names + ".", count: total);
     }
 }

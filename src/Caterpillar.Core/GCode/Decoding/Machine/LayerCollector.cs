@@ -2,7 +2,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Collects the layers while a file is decoded: from comments where there are any, else from the heights of flat strands.</summary>
+/// <summary>Collects the layers while a file is decoded: from comments where there are any, else from the heights of flat extrusions.</summary>
 internal sealed class LayerCollector
 {
     private readonly List<Draft> _drafts = [];
@@ -21,14 +21,14 @@ internal sealed class LayerCollector
     /// <summary>True when comments say where layers begin.</summary>
     public bool Marked { get; private set; }
 
-    /// <summary>True when the current layer waits for the height of its first flat strand.</summary>
+    /// <summary>True when the current layer waits for the height of its first flat extrusion.</summary>
     public bool NeedsZ { get; private set; }
 
     public string Object { get; private set; } = "";
 
     /// <summary>
-    /// A comment begins a layer; its own number or null for the next one. Two marks without a strand between them are one, but for those with different
-    /// numbers in a file without any strand.
+    /// A comment begins a layer; its own number or null for the next one. Two marks without an extrusion between them are one, but for those with different
+    /// numbers in a file without any extrusion.
     /// </summary>
     public void Mark(int? number, double z, double thickness)
     {
@@ -71,7 +71,7 @@ internal sealed class LayerCollector
         if (Marked) Select();
     }
 
-    /// <summary>A strand is printed in a marked layer.</summary>
+    /// <summary>An extrusion is printed in a marked layer.</summary>
     public void Printed(double z, bool flat)
     {
         _used = true;
@@ -87,7 +87,7 @@ internal sealed class LayerCollector
         _drafts[Current] = _drafts[Current] with { Z = _markZ, IsPrinted = true };
     }
 
-    /// <summary>A flat strand at another height than the one before, in a file without marks.</summary>
+    /// <summary>A flat extrusion at another height than the one before, in a file without marks.</summary>
     public void FlatAt(double z)
     {
         var key = (long)Math.Floor(z * 1000 + 0.5);
@@ -101,7 +101,7 @@ internal sealed class LayerCollector
     }
 
     /// <summary>
-    /// Leaves out layers that only have travels: they belong to an object that is printed in the same layer, or to the next mark, where the file has strands
+    /// Leaves out layers that only have travels: they belong to an object that is printed in the same layer, or to the next mark, where the file has extrusions
     /// at all. To be called once, after the last move.
     /// </summary>
     /// <returns>The layer that takes the place of each, or null where all stay.</returns>
@@ -159,7 +159,7 @@ internal sealed class LayerCollector
 
     private static double Rounded(double thickness) => Math.Floor(thickness * 1e6 + 0.5) / 1e6;
 
-    // For each layer itself if it has strands, else the next after it, or else before it, that has and began with the same mark, or else the last of its
+    // For each layer itself if it has extrusions, else the next after it, or else before it, that has and began with the same mark, or else the last of its
     // object there.
     private int[] InPlaceOf()
     {

@@ -1,4 +1,4 @@
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 
@@ -7,7 +7,7 @@ namespace Caterpillar.GCode;
 /// <summary>The machine that a file drives: the rules of its firmware, its state, and what it has done so far.</summary>
 internal sealed class Machine
 {
-    public Machine(DialectRules rules, ExtrusionRule rule, ExtrusionAxis axis)
+    public Machine(FlavorRules rules, ExtrusionRule rule, ExtrusionAxis axis)
     {
         Rules = rules;
         Axis = axis;
@@ -18,7 +18,7 @@ internal sealed class Machine
         Extruders.Select(0);
     }
 
-    public DialectRules Rules { get; }
+    public FlavorRules Rules { get; }
 
     /// <summary>The words that extrude.</summary>
     public ExtrusionAxis Axis { get; }

@@ -40,7 +40,7 @@ internal sealed partial class MoveRecorder
 
     public LayerCollector Layers { get; } = new();
 
-    /// <summary>The role of the strands from here on.</summary>
+    /// <summary>The role of the extrusions from here on.</summary>
     public Role Role { get; set; }
 
     /// <summary>True where G1 to G3 print without any E.</summary>
@@ -152,8 +152,8 @@ internal sealed partial class MoveRecorder
     /// <summary>The rotary axes have turned with the last move.</summary>
     public void Turn(Turns turns) => _moves.Turn(turns);
 
-    /// <summary>What follows begins a strand of its own.</summary>
-    public void BreakStrand() => _afterPrint = false;
+    /// <summary>What follows begins an extrusion of its own.</summary>
+    public void BreakExtrusion() => _afterPrint = false;
 
     /// <summary>The first comment that begins a layer: what comes before it has none.</summary>
     public void ForgetLayers() => _moves.ForgetLayers();
@@ -174,7 +174,7 @@ internal sealed partial class MoveRecorder
         if (e > 0)
         {
             deposited = _extruders.Push(e);
-            kind = _balance && deposited == 0 ? MoveKind.MovingRestore : MoveKind.Print;
+            kind = _balance && deposited == 0 ? MoveKind.MovingDeretract : MoveKind.Print;
         }
         else if (e < 0)
         {
@@ -233,7 +233,7 @@ internal sealed partial class MoveRecorder
             _counters.Unretracts++;
             var wasRetracted = _extruders.IsRetracted;
             var deposited = _extruders.Push(e);
-            Emit(x, y, z, e, _balance ? deposited : 0, wasRetracted || !_balance ? MoveKind.Restore : MoveKind.Prime);
+            Emit(x, y, z, e, _balance ? deposited : 0, wasRetracted || !_balance ? MoveKind.Deretract : MoveKind.Prime);
         }
         else if (e < 0)
         {

@@ -1,4 +1,4 @@
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
@@ -30,9 +30,9 @@ internal sealed class ExtrusionAxis
     public static ExtrusionAxis Of(char letter) => letter switch { 'E' => E, 'A' => A, 'B' => B, _ => None };
 
     /// <summary>
-    /// What is left of it in a dialect: where A and B are no extruders, they turn axes; where there are no amounts, a switch may be left, or nothing.
+    /// What is left of it in a flavor: where A and B are no extruders, they turn axes; where there are no amounts, a switch may be left, or nothing.
     /// </summary>
-    public ExtrusionAxis In(DialectRules rules)
+    public ExtrusionAxis In(FlavorRules rules)
         => HasAmounts && rules.ExtruderLetters.Length == 0 ? rules.SwitchedExtruder ? Switched : None
             : this == Switched && !rules.SwitchedExtruder
                 ? rules.StrokesWithoutE || rules.ExtruderLetters.IndexOf("E", StringComparison.Ordinal) < 0 ? None : E

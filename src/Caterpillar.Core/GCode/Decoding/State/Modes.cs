@@ -1,5 +1,5 @@
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.GCode;
@@ -33,7 +33,7 @@ internal struct Modes
     public readonly double Unit => Inches ? Units.MmPerInch : 1;
 
     /// <summary>mm (or mm³) for one unit of E.</summary>
-    public readonly double UnitOfE(DialectRules rules) => !Inches ? 1 : rules.InchesOfE switch
+    public readonly double UnitOfE(FlavorRules rules) => !Inches ? 1 : rules.InchesOfE switch
     {
         InchesOfERule.Unchanged => 1,
         InchesOfERule.InchesOrCubic when Volumetric => Units.MmPerInch * Units.MmPerInch * Units.MmPerInch,

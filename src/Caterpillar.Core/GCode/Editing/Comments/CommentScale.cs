@@ -5,8 +5,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Heights and widths in comments (<c>;Z:</c>, <c>;HEIGHT:</c>, <c>;WIDTH:</c> and their relatives), which follow an edit that scales or lifts strands. The
-/// width after a comment is that of the first strand after it.
+/// Heights and widths in comments (<c>;Z:</c>, <c>;HEIGHT:</c>, <c>;WIDTH:</c> and their relatives), which follow an edit that scales or lifts extrusions. The
+/// width after a comment is that of the first extrusion after it.
 /// </summary>
 internal sealed class CommentScale
 {
@@ -15,14 +15,14 @@ internal sealed class CommentScale
 
     private readonly Toolpath _before;
     private readonly Toolpath _after;
-    private readonly StrandCursor _old;
-    private readonly StrandCursor _new;
+    private readonly ExtrusionCursor _old;
+    private readonly ExtrusionCursor _new;
     private bool _afterChange;
 
     public CommentScale(Toolpath before, Toolpath after)
     {
         (_before, _after) = (before, after);
-        (_old, _new) = (new StrandCursor(before), new StrandCursor(after));
+        (_old, _new) = (new ExtrusionCursor(before), new ExtrusionCursor(after));
         IsActive = !ReferenceEquals(before, after) && before.Layers.Count == after.Layers.Count;
         for (var i = 0; IsActive && i < before.Layers.Count; i++) ChangesLayers |= before.Layers[i] != after.Layers[i];
     }
@@ -47,8 +47,8 @@ internal sealed class CommentScale
     {
         var bare = _afterChange;
         _afterChange = text is ";BEFORE_LAYER_CHANGE" or ";AFTER_LAYER_CHANGE";
-        if (_old.After(number) is not { } strand) return text;
-        var layer = strand.Layer >= 0 ? (Before: _before.Layers[strand.Layer], After: _after.Layers[strand.Layer]) : default;
+        if (_old.After(number) is not { } extrusion) return text;
+        var layer = extrusion.Layer >= 0 ? (Before: _before.Layers[extrusion.Layer], After: _after.Layers[extrusion.Layer]) : default;
         if (layer.Before is not null && !IsSame(layer.Before, layer.After))
         {
             double Z(double z) => NewZ(z, layer.Before, layer.After);
@@ -61,7 +61,7 @@ internal sealed class CommentScale
             if (Has(text, "BEGIN_LAYER_OBJECT")) text = Replace(text, Patterns.ObjectThickness, Height);
         }
         if (!Has(text, "WIDTH:")) return text;
-        var factor = WidthFactor(strand, number, layer.Before is null ? 1 : Ratio(layer.Before, layer.After));
+        var factor = WidthFactor(extrusion, number, layer.Before is null ? 1 : Ratio(layer.Before, layer.After));
         return factor == 1 ? text : Replace(text, Patterns.Width, w => w * factor);
     }
 
@@ -75,7 +75,7 @@ internal sealed class CommentScale
 
     private static double Ratio(Layer before, Layer after) => before.Thickness > 0 && after.Thickness > 0 ? after.Thickness / before.Thickness : 1;
 
-    // From the areas of the strand before and after; 1 where only its material was changed.
+    // From the areas of the extrusion before and after; 1 where only its material was changed.
     private double WidthFactor(Move before, int number, double height)
     {
         if (_new.After(number) is not { } after || after.Source != before.Source) return 1;

@@ -1,7 +1,7 @@
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Comments before moves that are cut out, as far as the moves after the cut need them: where a layer begins, the role of strands, their object. A later
+/// Comments before moves that are cut out, as far as the moves after the cut need them: where a layer begins, the role of extrusions, their object. A later
 /// comment of the same kind takes their place.
 /// </summary>
 internal sealed class CutComments

@@ -1,5 +1,5 @@
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.GCode;
@@ -8,7 +8,7 @@ namespace Caterpillar.GCode;
 /// Changes words of a line in place, in the style of its file, so that it makes a move from a given state. With <paramref name="rewriteAll"/> also numbers
 /// that are right are written again.
 /// </summary>
-internal sealed class LineRewriter(LineStyle style, DialectRules rules, ExtrusionAxis axis, ExtrusionAxis source, bool rewriteAll)
+internal sealed class LineRewriter(LineStyle style, FlavorRules rules, ExtrusionAxis axis, ExtrusionAxis source, bool rewriteAll)
 {
     private const double NoChange = InterpreterState.NoChange;
     private readonly byte _extruder = axis.FirstLetter;

@@ -1,4 +1,4 @@
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
@@ -27,7 +27,7 @@ internal sealed class MoveConversion(SpliceContext context)
     /// <summary>In a target without E nothing is left of what happens in place.</summary>
     public bool IsLost(TargetMove move)
         => context.Extruder == 0 && _target is not null && context.Decoding.Axis.HasAmounts
-            && move.Kind is MoveKind.Retract or MoveKind.Restore or MoveKind.Prime;
+            && move.Kind is MoveKind.Retract or MoveKind.Deretract or MoveKind.Prime;
 
     /// <summary>True for words that the target reads differently, or not at all, although the move would be the same here.</summary>
     public bool MustRewrite()

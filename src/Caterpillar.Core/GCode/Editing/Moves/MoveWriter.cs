@@ -78,7 +78,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
     {
         if (move.Kind == MoveKind.Dwell || conversion.IsLost(move)) return;
         Prepare(move);
-        if (move.E == 0 && move.Kind is MoveKind.Retract or MoveKind.Restore && context.Rules.FirmwareRetraction)
+        if (move.E == 0 && move.Kind is MoveKind.Retract or MoveKind.Deretract && context.Rules.FirmwareRetraction)
         {
             context.Command(move.Kind == MoveKind.Retract ? "G10" : "G11");
             return;

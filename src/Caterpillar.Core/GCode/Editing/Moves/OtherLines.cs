@@ -1,5 +1,5 @@
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
@@ -10,7 +10,7 @@ namespace Caterpillar.GCode;
 internal sealed class OtherLines(SpliceContext context, MoveConversion conversion)
 {
     private readonly ConvertTarget? _target = context.Target;
-    private readonly DialectRules _rules = context.Rules;
+    private readonly FlavorRules _rules = context.Rules;
     private readonly ParsedLine _line = context.Line;
     private readonly SplicedText _text = context.Text;
 
@@ -91,7 +91,7 @@ internal sealed class OtherLines(SpliceContext context, MoveConversion conversio
     {
         var letter = _line.Letters[0];
         var code = _line.HasValue[0] ? _line.Values[0] : -1;
-        var from = context.Decoding.Dialect;
+        var from = context.Decoding.Flavor;
         if (letter == 'M')
         {
             var goes = code switch
@@ -130,7 +130,7 @@ internal sealed class OtherLines(SpliceContext context, MoveConversion conversio
     // G92: an extruder of another letter, a bare one that the target takes otherwise, inches, volumes.
     private string[]? Rename(ConvertTarget target, string comment)
     {
-        var from = context.Decoding.Dialect;
+        var from = context.Decoding.Flavor;
         var inches = context.Read.State.Modes.Inches;
         if (_line.Count == 1)
         {

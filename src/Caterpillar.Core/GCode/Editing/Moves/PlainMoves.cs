@@ -49,7 +49,7 @@ internal sealed class PlainMoves
         _possible = !rewriteAll && !_style.Numbered && !_style.LowerCase && !_style.NoSpace && context.Axis == context.Decoding.Axis
             && context.Axis.Letter != 0 && context.Axis != ExtrusionAxis.Both
             && context.Target is null or { LimitsDecimals: false, ChangesUnit: false, StatedDiameter: null }
-            && KnowsWords(context.Rules.Letters) && KnowsWords(context.Decoding.Dialect.Letters)
+            && KnowsWords(context.Rules.Letters) && KnowsWords(context.Decoding.Flavor.Letters)
             && !context.Read.Strokes && !context.Written.Strokes && Math.Max(_style.DecimalsXyz, _style.DecimalsE) <= MostDecimals;
     }
 

@@ -1,4 +1,4 @@
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
@@ -6,7 +6,7 @@ namespace Caterpillar.GCode;
 public sealed record ConvertOptions
 {
     /// <summary>The firmware to write for; null for that of the file.</summary>
-    public DialectRules? Dialect { get; init; }
+    public FlavorRules? Flavor { get; init; }
 
     /// <summary>Relative E (true) or absolute E (false).</summary>
     public bool? RelativeE { get; init; }

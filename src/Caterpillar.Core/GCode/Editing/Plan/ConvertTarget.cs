@@ -1,5 +1,5 @@
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Machines;
 
 namespace Caterpillar.GCode;
@@ -7,7 +7,7 @@ namespace Caterpillar.GCode;
 /// <summary>The resolved target of a conversion.</summary>
 internal sealed record ConvertTarget
 {
-    public DialectRules Dialect { get; private init; } = DialectTable.Slicer;
+    public FlavorRules Flavor { get; private init; } = FlavorTable.Slicer;
 
     /// <summary>Which words extrude there.</summary>
     public ExtrusionAxis Axis { get; private init; } = ExtrusionAxis.None;
@@ -49,16 +49,16 @@ internal sealed record ConvertTarget
     /// <summary>The target, or null where the conversion is refused.</summary>
     public static ConvertTarget? Of(DecodedGCode decoding, ConvertOptions options, DiagnosticList problems)
     {
-        var dialect = options.Dialect ?? decoding.Dialect;
-        if (AxisOf(decoding, dialect, problems) is not { } axis) return null;
+        var flavor = options.Flavor ?? decoding.Flavor;
+        if (AxisOf(decoding, flavor, problems) is not { } axis) return null;
         var target = new ConvertTarget
         {
-            Dialect = dialect,
+            Flavor = flavor,
             Axis = axis,
             RelativeE = options.RelativeE,
             ExpandArcs = options.ExpandArcs,
             ChordTolerance = options.ChordTolerance,
-            Millimeters = options.Millimeters || !dialect.Inches,
+            Millimeters = options.Millimeters || !flavor.Inches,
             RetractionLength = options.RetractionLength,
             RetractionSpeed = options.RetractionSpeed,
             DecimalsXyz = options.DecimalsXyz,
@@ -68,55 +68,55 @@ internal sealed record ConvertTarget
         return axis.HasAmounts ? Volumes(target, decoding, options, problems) : target;
     }
 
-    // The words of extrusion in the target: those of the file in its own dialect, the usual ones in another.
-    private static ExtrusionAxis? AxisOf(DecodedGCode decoding, DialectRules dialect, DiagnosticList problems)
+    // The words of extrusion in the target: those of the file in its own flavor, the usual ones in another.
+    private static ExtrusionAxis? AxisOf(DecodedGCode decoding, FlavorRules flavor, DiagnosticList problems)
     {
         var axis = decoding.Axis;
-        if (dialect.Name == decoding.Dialect.Name || axis == ExtrusionAxis.None) return axis;
+        if (flavor.Name == decoding.Flavor.Name || axis == ExtrusionAxis.None) return axis;
         if (axis == ExtrusionAxis.Switched)
         {
-            if (dialect.SwitchedExtruder) return axis;
-            problems.Add(Severity.Error, "gcode.no_amounts", "The file switches its extruder by M101 and M103 and has no amounts of E; " + dialect.Title
+            if (flavor.SwitchedExtruder) return axis;
+            problems.Add(Severity.Error, "gcode.no_amounts", "The file switches its extruder by M101 and M103 and has no amounts of E; " + flavor.Title
                 + " needs them, and they cannot be guessed.");
             return null;
         }
-        var letters = dialect.ExtruderLetters;
+        var letters = flavor.ExtruderLetters;
         if (letters.Length > 0)
         {
             // Words that turn rotary axes here would extrude there.
             var turns = letters[0] != 'E' && decoding.HasTurns && letters.IndexOf("E", StringComparison.Ordinal) >= 0;
             return ExtrusionAxis.Of(turns ? 'E' : letters[0]);
         }
-        if (dialect.SwitchedExtruder)
+        if (flavor.SwitchedExtruder)
         {
-            problems.Add(Severity.Warning, "gcode.amounts_lost", dialect.Title
+            problems.Add(Severity.Warning, "gcode.amounts_lost", flavor.Title
                 + " only switches its extruder on and off (M101, M103): amounts of E and retractions are lost.");
             return ExtrusionAxis.Switched;
         }
         problems.Add(
             Severity.Warning, "gcode.no_extruder",
-            dialect.Title + " has no command for extrusion: E, retractions and primes are lost. Prints become G1 to G3, travels G0.");
+            flavor.Title + " has no command for extrusion: E, retractions and primes are lost. Prints become G1 to G3, travels G0.");
         return ExtrusionAxis.None;
     }
 
     private static ConvertTarget? Volumes(ConvertTarget target, DecodedGCode decoding, ConvertOptions options, DiagnosticList problems)
     {
-        var dialect = target.Dialect;
+        var flavor = target.Flavor;
         var tools = decoding.Toolpath.Tools;
         var stated = decoding.Report.Features.Any(f => f.Key == "m200");
         var isVolumetric = tools[0].VolumePerE == 1;
         // Where nothing is asked for, it depends on what the firmware assumes and on what can be stated to it.
         var volumetric = options.Volumetric
-            ?? (dialect.Name == decoding.Dialect.Name ? isVolumetric
-                : dialect.StartsVolumetric || (isVolumetric && !decoding.Dialect.StartsVolumetric && !(stated && !dialect.Volumetric)));
+            ?? (flavor.Name == decoding.Flavor.Name ? isVolumetric
+                : flavor.StartsVolumetric || (isVolumetric && !decoding.Flavor.StartsVolumetric && !(stated && !flavor.Volumetric)));
         if (volumetric == isVolumetric) return target;
-        if (!volumetric && dialect.StartsVolumetric)
+        if (!volumetric && flavor.StartsVolumetric)
         {
-            problems.Add(Severity.Error, "gcode.volumes_only", dialect.Title + " reads E as a volume; lengths would be misread.");
+            problems.Add(Severity.Error, "gcode.volumes_only", flavor.Title + " reads E as a volume; lengths would be misread.");
             return null;
         }
-        if (volumetric && !dialect.Volumetric && !dialect.StartsVolumetric)
-            problems.Add(Severity.Warning, "gcode.volumes_unsaid", dialect.Title
+        if (volumetric && !flavor.Volumetric && !flavor.StartsVolumetric)
+            problems.Add(Severity.Warning, "gcode.volumes_unknown", flavor.Title
                 + " has no command for volumetric E (M200): the machine has to be set up for it.");
         var areas = FilamentFactors.Areas(decoding.Settings, null);
         var factors = new double[tools.Count];
@@ -127,7 +127,7 @@ internal sealed record ConvertTarget
                 : areas.Length == 0 ? null : areas[Math.Min(i, areas.Length - 1)];
             if (!(area > 0))
             {
-                problems.Add(Severity.Error, "gcode.diameter_unknown", "E in " + (volumetric ? dialect.Title + " is a volume" : "the file is a volume")
+                problems.Add(Severity.Error, "gcode.diameter_unknown", "E in " + (volumetric ? flavor.Title + " is a volume" : "the file is a volume")
                     + ": converting it needs the filament diameter, which the file does not state.");
                 return null;
             }
@@ -138,7 +138,7 @@ internal sealed record ConvertTarget
             ChangesUnit = true,
             IsVolumetric = volumetric,
             Factors = factors,
-            StatedDiameter = volumetric && dialect.Volumetric && !dialect.StartsVolumetric ? 2 * Math.Sqrt(factors[0] / Math.PI) : null,
+            StatedDiameter = volumetric && flavor.Volumetric && !flavor.StartsVolumetric ? 2 * Math.Sqrt(factors[0] / Math.PI) : null,
         };
     }
 }

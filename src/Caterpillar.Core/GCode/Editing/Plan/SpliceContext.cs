@@ -1,5 +1,5 @@
 using Caterpillar.Basics;
-using Caterpillar.Dialects;
+using Caterpillar.Flavors;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 
@@ -17,9 +17,9 @@ internal sealed class SpliceContext
         Decoding = decoding;
         Target = target;
         Style = LineStyle.Of(decoding.Document!).With(target?.DecimalsXyz, target?.DecimalsE, target?.DecimalsF);
-        Rules = target?.Dialect ?? decoding.Dialect;
+        Rules = target?.Flavor ?? decoding.Flavor;
         Axis = target?.Axis ?? decoding.Axis;
-        Read = new GCodeInterpreter(decoding.Dialect, decoding.Rule, decoding.Axis);
+        Read = new GCodeInterpreter(decoding.Flavor, decoding.Rule, decoding.Axis);
         Written = new GCodeInterpreter(Rules, decoding.Rule, Axis);
         Text = new SplicedText(stream, Style);
     }
@@ -32,7 +32,7 @@ internal sealed class SpliceContext
     public LineStyle Style { get; }
 
     /// <summary>The firmware to write for, and the words that extrude there.</summary>
-    public DialectRules Rules { get; }
+    public FlavorRules Rules { get; }
 
     public ExtrusionAxis Axis { get; }
 

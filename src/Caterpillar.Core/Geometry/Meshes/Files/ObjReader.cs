@@ -179,7 +179,7 @@ internal sealed class ObjReader
                 _source.Note(Severity.Warning, "mesh.unsupported", Message, _source.PlaceInText(start));
                 return;
             default:
-                _source.Note(Severity.Remark, "mesh.ignored", "Lines with unknown keywords are ignored.", _source.PlaceInText(start));
+                _source.Note(Severity.Note, "mesh.ignored", "Lines with unknown keywords are ignored.", _source.PlaceInText(start));
                 return;
         }
     }

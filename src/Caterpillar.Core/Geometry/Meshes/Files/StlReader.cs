@@ -36,7 +36,7 @@ internal static class StlReader
         if (HeaderBytes + FacetBytes * declared < source.Length)
         {
             var trailing = (int)(source.Length - HeaderBytes - FacetBytes * declared);
-            source.Note(Severity.Remark, "mesh.trailing_bytes", "Bytes after the last facet are ignored.", count: trailing);
+            source.Note(Severity.Note, "mesh.trailing_bytes", "Bytes after the last facet are ignored.", count: trailing);
         }
         ReadFacets(source, (int)declared, meshes);
         return true;

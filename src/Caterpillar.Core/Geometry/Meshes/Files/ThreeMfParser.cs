@@ -55,7 +55,7 @@ internal sealed class ThreeMfParser
                 case "item":
                     if (_xml.GetAttribute("printable") == "0")
                     {
-                        _source.Note(Severity.Remark, "mesh.ignored", "Items marked as not printable are ignored.", Place());
+                        _source.Note(Severity.Note, "mesh.ignored", "Items marked as not printable are ignored.", Place());
                         break;
                     }
                     if (ReadUse() is { } item) _model.Items.Add(item);
@@ -141,7 +141,7 @@ internal sealed class ThreeMfParser
         }
         if (builder.Degenerate > 0)
         {
-            _source.Note(Severity.Remark, "mesh.degenerate_faces", "Triangles with two equal vertices are ignored.", Place(), builder.Degenerate);
+            _source.Note(Severity.Note, "mesh.degenerate_faces", "Triangles with two equal vertices are ignored.", Place(), builder.Degenerate);
         }
         item.Mesh = builder.ToMesh();
     }

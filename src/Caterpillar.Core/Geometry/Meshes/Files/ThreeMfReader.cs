@@ -95,7 +95,7 @@ internal sealed class ThreeMfReader
         }
         if (item.Type is "support" or "other")
         {
-            _source.Note(Severity.Remark, "mesh.ignored", "Objects for support or other uses are ignored.", place);
+            _source.Note(Severity.Note, "mesh.ignored", "Objects for support or other uses are ignored.", place);
             return true;
         }
         var map = use.Map.Then(outer);

@@ -15,7 +15,7 @@ internal static class HoleFiller
         if (mesh.Topology.IsPaired) return (mesh, [], 0);
         var pieces = new MeshPieces(mesh);
         var holes = new List<FilledHole>();
-        var mended = new bool[pieces.Count];
+        var repaired = new bool[pieces.Count];
         var added = new List<int>();
         var patch = new List<int>();
         foreach (var (ring, piece) in Rings(mesh, pieces))
@@ -26,11 +26,11 @@ internal static class HoleFiller
             var area = RingPatch.Fill(mesh, ring, patch);
             if (area > MaxShare * pieces.Area[piece]) continue;
             added.AddRange(patch);
-            mended[piece] = true;
+            repaired[piece] = true;
             holes.Add(new FilledHole(BoxOf(mesh, ring), area));
         }
         if (holes.Count == 0) return (mesh, holes, 0);
-        var loose = LoosePieces.Find(mesh, pieces, mended, holes);
+        var loose = LoosePieces.Find(mesh, pieces, repaired, holes);
         var triangles = new List<int>(mesh.RawTriangles.Length + added.Count);
         for (var h = 0; h < mesh.RawTriangles.Length; h++)
         {

@@ -11,8 +11,8 @@ internal static class LoosePieces
     // The filling is the smallest there is: what was in its place may be a little larger.
     private const double MaxShare = 1.25;
 
-    /// <summary>True for the pieces that are left out; those that were mended stay.</summary>
-    public static bool[] Find(TriMesh mesh, MeshPieces pieces, bool[] mended, IReadOnlyList<FilledHole> holes)
+    /// <summary>True for the pieces that are left out; those that were repaired stay.</summary>
+    public static bool[] Find(TriMesh mesh, MeshPieces pieces, bool[] repaired, IReadOnlyList<FilledHole> holes)
     {
         var boxes = new Bounds[pieces.Count];
         for (var h = 0; h < mesh.RawTriangles.Length; h++) boxes[pieces.Of[h / 3]] = boxes[pieces.Of[h / 3]].Include(mesh.RawVertices[mesh.RawTriangles[h]]);
@@ -20,7 +20,7 @@ internal static class LoosePieces
         var loose = new bool[pieces.Count];
         for (var piece = 0; piece < loose.Length; piece++)
         {
-            if (pieces.IsClosed[piece] || mended[piece]) continue;
+            if (pieces.IsClosed[piece] || repaired[piece]) continue;
             foreach (var place in bins.At(boxes[piece].Min))
                 loose[piece] |= pieces.Area[piece] <= MaxShare * place.Area && place.Box.Contains(boxes[piece]);
         }

@@ -12,7 +12,7 @@ internal static class MeshRepair
 {
     /// <summary>The mesh as a solid, and what was done to it.</summary>
     /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
-    public static MendedMesh ToSolid(TriMesh mesh, CancellationToken cancel = default)
+    public static RepairedMesh ToSolid(TriMesh mesh, CancellationToken cancel = default)
     {
         if (mesh is null) throw new ArgumentNullException(nameof(mesh));
         cancel.ThrowIfCancellationRequested();
@@ -35,7 +35,7 @@ internal static class MeshRepair
         }
         cancel.ThrowIfCancellationRequested();
         (result, var bodies) = BodyOrientation.Unify(result);
-        return new MendedMesh(result, moved, farthest, doubled, turned, holes, loose, bodies);
+        return new RepairedMesh(result, moved, farthest, doubled, turned, holes, loose, bodies);
     }
 
     private static int Count(DiagnosticList notes, string code) => notes.ToList().Where(d => d.Code == code).Sum(d => d.Count);

@@ -13,7 +13,7 @@ internal static class MeshSections
     private const long MaxHeld = 1 << 26;
 
     /// <summary>Sections at any heights in mm, in the order in which they are given.</summary>
-    /// <returns>One section for each height, and the diagnostics <c>mesh.gap_closed</c>, <c>mesh.open_edges</c> (contours that stay
+    /// <returns>One section for each height, and the diagnostics <c>mesh.gap_closed</c>, <c>mesh.naked_edges</c> (contours that stay
     /// open).</returns>
     /// <exception cref="ArgumentException">A height is not finite.</exception>
     /// <exception cref="OperationCanceledException">The call was canceled.</exception>
@@ -116,7 +116,7 @@ internal static class MeshSections
         }
         if (first is not null)
         {
-            diagnostics.Add(Severity.Warning, "mesh.open_edges",
+            diagnostics.Add(Severity.Warning, "mesh.naked_edges",
                 $"The mesh is open: contours have loose ends, first at z = {NumberFormatter.Format(first.Z, 6)} mm.", null, ends);
         }
     }

@@ -1,0 +1,66 @@
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Curved;
+
+/// <summary>
+/// An extrusion of pieces in their order, of which those that a straight line with one bead replaces closely enough are joined; the volume stays.
+/// </summary>
+/// <param name="tolerance">Distance of joined points from the line, mm.</param>
+/// <param name="share">Greatest difference of areas and heights that are joined, in parts.</param>
+internal sealed class JoinedExtrusion(double tolerance, double share)
+{
+    private const int Longest = 48;
+    private readonly List<Vec3> _passed = [];
+    private double _least;
+    private double _most;
+    private double _volume;
+    private double _heights;
+    private double _length;
+
+    public List<Vec3> Points { get; } = [];
+
+    public List<Bead> Beads { get; } = [];
+
+    public void Clear()
+    {
+        Points.Clear();
+        Beads.Clear();
+        _passed.Clear();
+    }
+
+    /// <summary>A piece that begins where the one before ended.</summary>
+    public void Add(Vec3 from, Vec3 to, Bead bead, bool keepsStart)
+    {
+        var length = from.DistanceTo(to);
+        if (Points.Count == 0) Points.Add(from);
+        if (!keepsStart && Beads.Count > 0 && Fits(to, bead))
+        {
+            _passed.Add(from);
+            (_least, _most) = (Math.Min(_least, bead.Area), Math.Max(_most, bead.Area));
+            (_volume, _heights, _length) = (_volume + bead.Area * length, _heights + bead.Height * length, _length + length);
+            Points[Points.Count - 1] = to;
+            Beads[Beads.Count - 1] = new Bead(_volume / Points[Points.Count - 2].DistanceTo(to), _heights / _length, bead.Speed);
+            return;
+        }
+        _passed.Clear();
+        (_least, _most, _volume, _heights, _length) = (bead.Area, bead.Area, bead.Area * length, bead.Height * length, length);
+        Points.Add(to);
+        Beads.Add(bead);
+    }
+
+    private bool Fits(Vec3 to, Bead bead)
+    {
+        if (_passed.Count >= Longest || bead.Speed != Beads[Beads.Count - 1].Speed) return false;
+        double least = Math.Min(_least, bead.Area), most = Math.Max(_most, bead.Area);
+        if (most - least > share * most + 1e-12 || bead.Height > 0 != Beads[Beads.Count - 1].Height > 0) return false;
+        var start = Points[Points.Count - 2];
+        if (start.DistanceTo(to) <= start.DistanceTo(Points[Points.Count - 1])) return false;
+        if (Points[Points.Count - 1].DistanceToSegment(start, to) > tolerance) return false;
+        foreach (var p in _passed)
+        {
+            if (p.DistanceToSegment(start, to) > tolerance) return false;
+        }
+        return true;
+    }
+}

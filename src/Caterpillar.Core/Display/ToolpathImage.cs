@@ -1,0 +1,186 @@
+using Caterpillar.Basics;
+using Caterpillar.Files;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.Display;
+
+/// <summary>What the colors of an image show.</summary>
+public enum ColorBy
+{
+    /// <summary>The role of the extrusion.</summary>
+    Role,
+
+    /// <summary>The height, Z.</summary>
+    Height,
+
+    /// <summary>The speed of the move.</summary>
+    Speed,
+
+    /// <summary>The number of the layer.</summary>
+    Layer,
+
+    /// <summary>The place in the order of printing.</summary>
+    Progress,
+}
+
+/// <summary>Options of an image.</summary>
+public sealed record ToolpathImageOptions
+{
+    /// <summary>Pixels.</summary>
+    public int Width { get; init; } = 960;
+
+    /// <summary>Pixels.</summary>
+    public int Height { get; init; } = 720;
+
+    /// <summary>From where it is seen; the part fills the image.</summary>
+    public View View { get; init; } = View.ThreeQuarter;
+
+    /// <summary>What the colors of extrusions show.</summary>
+    public ColorBy ColorBy { get; init; } = ColorBy.Role;
+
+    /// <summary>Draw travel moves as thin lines.</summary>
+    public bool Travel { get; init; }
+
+    /// <summary>Draw what a pen or a laser does, without material: the moves at the lowest height of the head, as strokes.</summary>
+    public bool Strokes { get; init; }
+
+    /// <summary>Draw what start and end code print.</summary>
+    public bool Purge { get; init; }
+
+    /// <summary>The moves to draw, for example those of some layers; all by default.</summary>
+    public MoveFilter Filter { get; init; } = new();
+
+    /// <summary>Width in mm of extrusions whose area is unknown.</summary>
+    public double DefaultWidth { get; init; } = 0.4;
+
+    /// <summary>The bed to draw, or empty.</summary>
+    public Bounds Bed { get; init; }
+
+    /// <summary>How much memory the image may take while it is drawn.</summary>
+    public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
+
+    /// <summary>The color where nothing is drawn.</summary>
+    public Rgb Background { get; init; } = new(250, 250, 248);
+}
+
+/// <summary>Draws a toolpath as shaded extrusions, seen from any side.</summary>
+public static class ToolpathImage
+{
+    /// <summary>An image of the toolpath; an empty one for a toolpath that prints nothing.</summary>
+    /// <exception cref="DiagnosticException">It takes more memory than the options allow.</exception>
+    public static RasterImage Draw(Toolpath toolpath, ToolpathImageOptions? options = null, IProgress<double>? progress = null,
+        CancellationToken cancel = default)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        options ??= new ToolpathImageOptions();
+        // Four points of color and depth for each point of the image.
+        options.Memory.Check(40.0 * options.Width * options.Height, $"An image of {NumberFormatter.Format(options.Width)} × "
+            + $"{NumberFormatter.Format(options.Height)} pixels");
+        var canvas = new ExtrusionCanvas(options.Width * 2, options.Height * 2, options.Background, options.View);
+        var floor = options.Strokes ? Lowest(toolpath) : double.NegativeInfinity;
+        var ranges = Ranges(toolpath, options, floor);
+        if (ranges.Box.IsEmpty) return canvas.Finish();
+        canvas.Fit(ranges.Box.Include(options.Bed));
+        DrawBed(canvas, options.Bed);
+        var chords = new List<Vec3>();
+        foreach (var move in toolpath.Moves())
+        {
+            if ((move.Index & 0xFFFF) == 0)
+            {
+                cancel.ThrowIfCancellationRequested();
+                progress?.Report((double)move.Index / toolpath.Count);
+            }
+            if (!IsShown(toolpath, move, options, floor)) continue;
+            var print = IsExtrusion(move, floor);
+            var length = move.Length;
+            if (length == 0) continue;
+            var width = print && toolpath.VolumeOf(move) is { } volume && volume > 0 ? Math.Sqrt(volume / length * 4 / Math.PI) : options.DefaultWidth;
+            var color = print ? ColorOf(toolpath, move, options.ColorBy, ranges) : Palette.Travel;
+            chords.Clear();
+            Chords(move, chords);
+            for (var i = 1; i < chords.Count; i++) canvas.Extrusion(chords[i - 1], chords[i], print ? width : 0, color);
+        }
+        return canvas.Finish();
+    }
+
+    /// <summary>Draws the toolpath and writes the image as a PNG file, whole or not at all.</summary>
+    /// <exception cref="IOException">The disk failed.</exception>
+    /// <exception cref="OperationCanceledException">Canceled; no part of the file is left.</exception>
+    public static void WriteFile(
+        Toolpath toolpath, string path, ToolpathImageOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (path is null) throw new ArgumentNullException(nameof(path));
+        var png = PngWriter.ToBytes(Draw(toolpath, options, progress, cancel));
+        using var file = new AtomicFile(path);
+        file.Stream.Write(png, 0, png.Length);
+        file.Commit();
+    }
+
+    // A stroke is at the lowest height from end to end.
+    private static bool IsExtrusion(Move move, double floor)
+        => move.Kind == MoveKind.Print || (move.Kind == MoveKind.Travel && Math.Max(move.Start.Z, move.End.Z) <= floor + 1e-6);
+
+    private static double Lowest(Toolpath toolpath)
+    {
+        var lowest = double.PositiveInfinity;
+        foreach (var move in toolpath.Moves())
+        {
+            // The move from the unknown start of a file draws nothing.
+            if (move.Index > 0 && move.Start.Z == move.End.Z && move.Length > 0) lowest = Math.Min(lowest, move.End.Z);
+        }
+        return lowest;
+    }
+
+    private static bool IsShown(Toolpath toolpath, Move move, ToolpathImageOptions options, double floor)
+        => ((IsExtrusion(move, floor) && (options.Purge || move.Role != Role.Purge))
+            || (options.Travel && move.Kind is MoveKind.Travel or MoveKind.Wipe or MoveKind.MovingDeretract))
+            && options.Filter.Matches(toolpath, move);
+
+    private static ColorRanges Ranges(Toolpath toolpath, ToolpathImageOptions options, double floor)
+    {
+        var box = Bounds.Empty;
+        double slow = double.MaxValue, fast = 0;
+        foreach (var move in toolpath.Moves())
+        {
+            if (!IsExtrusion(move, floor) || !IsShown(toolpath, move, options, floor)) continue;
+            box = box.Include(move.Bounds);
+            slow = Math.Min(slow, move.Speed);
+            fast = Math.Max(fast, move.Speed);
+        }
+        var layers = toolpath.NumbersOfLayers();
+        return layers.Count == 0 ? new ColorRanges(box, slow, fast, 0, 0) : new ColorRanges(box, slow, fast, layers[0], layers[layers.Count - 1]);
+    }
+
+    private static Rgb ColorOf(Toolpath toolpath, Move move, ColorBy by, ColorRanges ranges) => by switch
+    {
+        ColorBy.Role => Palette.Of(move.Role),
+        ColorBy.Height => Palette.At((move.End.Z - ranges.Box.Min.Z) / Math.Max(ranges.Box.Size.Z, 1e-9)),
+        ColorBy.Speed => Palette.At((move.Speed - ranges.Slow) / Math.Max(ranges.Fast - ranges.Slow, 1e-9)),
+        ColorBy.Layer => Palette.At(((toolpath.NumberOfLayer(move) ?? 0) - ranges.FirstLayer) / Math.Max(ranges.LastLayer - ranges.FirstLayer, 1.0)),
+        _ => Palette.At(move.Index / Math.Max(toolpath.Count - 1.0, 1)),
+    };
+
+    private static void Chords(Move move, List<Vec3> chords)
+    {
+        chords.Add(move.Start);
+        if (move.Arc is { } arc)
+        {
+            var count = arc.ChordCount(move.Start, 0.02);
+            for (var i = 1; i < count; i++) chords.Add(arc.PointAt(move.Start, move.End, (double)i / count));
+        }
+        chords.Add(move.End);
+    }
+
+    private static void DrawBed(ExtrusionCanvas canvas, Bounds bed)
+    {
+        if (bed.IsEmpty) return;
+        var line = new Rgb(222, 222, 216);
+        for (var x = Math.Ceiling(bed.Min.X / 10) * 10; x <= bed.Max.X; x += 10)
+            canvas.Extrusion(new Vec3(x, bed.Min.Y, bed.Min.Z), new Vec3(x, bed.Max.Y, bed.Min.Z), 0, line);
+        for (var y = Math.Ceiling(bed.Min.Y / 10) * 10; y <= bed.Max.Y; y += 10)
+            canvas.Extrusion(new Vec3(bed.Min.X, y, bed.Min.Z), new Vec3(bed.Max.X, y, bed.Min.Z), 0, line);
+    }
+
+    private readonly record struct ColorRanges(Bounds Box, double Slow, double Fast, int FirstLayer, int LastLayer);
+}

@@ -1,0 +1,32 @@
+namespace Caterpillar.Flavors;
+
+/// <summary>Bambu.</summary>
+internal static class Bambu
+{
+    public static FlavorRules Rules { get; } = new()
+    {
+        Name = "bambu",
+        Title = "Bambu",
+        Progress = ProgressCommand.PercentAndMinutes,
+        Limits = LimitCommands.Marlin,
+        Source =
+            "BambuStudio, src/libslic3r/GCode/GCodeProcessor.cpp (commit bca0414): process_G1, process_G2_G3, process_G4, process_G28, process_G92, "
+            + "process_M106, process_M221, process_M400, process_M1020, process_T",
+        Notes =
+            "The firmware is closed: these are the rules by which BambuStudio reads its own files. M220 is in the start code of its printers, but not "
+            + "in that source; M0, M1, M25, M600 and M400 U1 as pauses are not either.",
+        BareG92 = BareG92Rule.ZeroAll,
+        RadiusArcs = false,
+        RadiusAndCenter = RadiusAndCenterRule.CenterWins,
+        ArcTurns = ArcTurnsRule.OneCircle,
+        Planes = false,
+        SpeedFactor = true,
+        FlowFactor = FlowFactorRule.AllTools,
+        FlowToolLetter = "T",
+        ToolCommands = ["M1020 S"],
+        ToolLimit = 255,
+        Dwells = ["G4", "M400"],
+        Pauses = ["M400 U1", "M0", "M1", "M25", "M600"],
+        NotFollowed = ["G380"],
+    };
+}

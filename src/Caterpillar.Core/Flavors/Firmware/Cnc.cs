@@ -1,0 +1,46 @@
+namespace Caterpillar.Flavors;
+
+/// <summary>Mach3 and LinuxCNC: the extruder is the A axis.</summary>
+internal static class Cnc
+{
+    public static FlavorRules Rules { get; } = new()
+    {
+        Name = "cnc",
+        Title = "Mach3, LinuxCNC",
+        OtherNames = ["mach3", "linuxcnc", "machinekit"],
+        Source =
+            "LinuxCNC of 2026-08-22, src/emc/rs274ngc: interp_convert.cc (convert_arc, convert_axis_offsets, convert_home, convert_setup, "
+            + "convert_coordinate_system, convert_stop), interp_arc.cc (arc_data_ijk, arc_data_r), interp_check.cc (check_g_codes), interp_internal.cc "
+            + "(enhance_block), interp_find.cc (find_ends)",
+        Notes =
+            "The source of Mach3 is closed: its rules are taken to be those of LinuxCNC. The extruder is a rotary axis, so G20 does not scale it. M1 "
+            + "waits only where the operator wants it. Canned cycles are not followed.",
+        Commands = CommandsRule.All,
+        RelativeE = RelativeERule.OnlyG90G91,
+        ShiftResets = ["G92.1", "G92.2"],
+        ModalMotion = ModalMotionRule.Standard,
+        Homing = HomingRule.GoesToStoredPosition,
+        HomingCommands = ["G28", "G30"],
+        InchesOfE = InchesOfERule.Unchanged,
+        Workspaces = true,
+        FirmwareRetraction = false,
+        ShortRadius = 0,
+        ShortRadiusMm = 0.00127,
+        RadiusAndCenter = RadiusAndCenterRule.Refused,
+        ArcTurns = ArcTurnsRule.Count,
+        AbsoluteCenters = true,
+        ArcTolerance = new ArcTolerance(0.0283, 2.83, 0.001),
+        DwellP = 1,
+        DwellS = 0,
+        ToolByM6 = true,
+        FanLetter = 'P',
+        ExtruderLetters = "AEB",
+        StrokesWithoutE = true,
+        Pauses = ["M0", "M1", "M60"],
+        NotFollowed =
+        [
+            "G5", "G5.1", "G5.2", "G6.2", "G10", "G33", "G38.2", "G38.3", "G38.4", "G38.5", "G41", "G42", "G43", "G43.1", "G43.2", "G52",
+            "G73", "G74", "G76", "G81", "G82", "G83", "G84", "G85", "G86", "G87", "G88", "G89", "G92.3",
+        ],
+    };
+}

@@ -1,0 +1,36 @@
+namespace Caterpillar.Flavors;
+
+/// <summary>RepRapFirmware.</summary>
+internal static class RepRapFirmware
+{
+    public static FlavorRules Rules { get; } = new()
+    {
+        Name = "reprapfirmware",
+        Title = "RepRapFirmware",
+        Progress = ProgressCommand.PercentAndMinutes,
+        Limits = LimitCommands.RepRapFirmware,
+        OtherNames = ["rrf", "duet"],
+        Source =
+            "RepRapFirmware 3.5.3 (2024-10-23), src/GCodes: GCodes.cpp (DoStraightMove, DoArcMove, LoadExtrusionAndFeedrateFromGCode, DoDwell), "
+            + "GCodes2.cpp (HandleGcode, HandleMcode, HandleTcode), GCodes3.cpp (SetPositions, GetSetWorkplaceCoordinates), GCodeMachineState.cpp, "
+            + "GCodeBuffer/StringParser.cpp (DecodeCommand, FindParameters)",
+        Notes =
+            "M0 and M1 end the print. Of an E with several numbers (mixing) the first is read. Homing and tool changes run macros of the machine, which "
+            + "the file does not show.",
+        Commands = CommandsRule.InOrder,
+        RelativeE = RelativeERule.OnlyM82M83,
+        Workspaces = true,
+        NoRetractionWith = "LPRSXYZ",
+        ToolTemperatures = true,
+        ShortRadius = 0.00995,
+        SpeedFactor = true,
+        FlowFactor = FlowFactorRule.PerTool,
+        FlowToolLetter = "D",
+        Volumetric = true,
+        Fan = FanScale.FractionOrByte,
+        ModeStack = true,
+        RestorePoints = true,
+        Pauses = ["M226", "M601", "M25", "M600"],
+        NotFollowed = ["G10", "G38.2", "G38.3", "G38.4", "G38.5", "G68", "M206", "M290"],
+    };
+}

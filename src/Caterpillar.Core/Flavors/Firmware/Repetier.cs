@@ -1,0 +1,26 @@
+namespace Caterpillar.Flavors;
+
+/// <summary>Repetier.</summary>
+internal static class Repetier
+{
+    public static FlavorRules Rules { get; } = new()
+    {
+        Name = "repetier",
+        Title = "Repetier",
+        Source =
+            "Repetier-Firmware 1.0.4, src/ArduinoAVR/Repetier: Printer.cpp (setDestinationStepsFromGCode), Commands.cpp (processGCode, processMCode, "
+            + "processArc), gcode.cpp (parseAscii), motion.cpp (PrintLine::arc), Extruder.cpp (selectExtruderById)",
+        Commands = CommandsRule.Last,
+        ShortRadius = 0,
+        Planes = false,
+        HomingKeepsShifts = true,
+        HelixRisesFirst = true,
+        SpeedFactor = true,
+        FlowFactor = FlowFactorRule.AllTools,
+        FactorsReset = true,
+        Volumetric = true,
+        PositionOfE = PositionOfERule.PerTool,
+        Pauses = ["M600", "M25"],
+        NotFollowed = ["G131", "G132", "G134", "M290", "M402"],
+    };
+}

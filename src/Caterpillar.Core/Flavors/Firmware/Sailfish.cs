@@ -1,0 +1,37 @@
+namespace Caterpillar.Flavors;
+
+/// <summary>Sailfish, MakerWare.</summary>
+internal static class Sailfish
+{
+    public static FlavorRules Rules { get; } = new()
+    {
+        Name = "sailfish",
+        Title = "Sailfish, MakerWare",
+        Progress = ProgressCommand.Percent,
+        OtherNames = ["makerware", "makerbot"],
+        Source =
+            "GPX of 2020-11-26, src/gpx/gpx.c (gpx_convert_line, calculate_target_position, queue_ext_point, do_tool_change), which translates G-code "
+            + "to the s3g commands that Sailfish executes",
+        Notes =
+            "The machine itself reads no G-code: GPX decides, or MakerWare, whose source is closed. A position after homing is the machine's own, "
+            + "stored in it, and taken as 0.",
+        Commands = CommandsRule.Last,
+        ModalMotion = ModalMotionRule.WithoutG,
+        HomingCommands = ["G28", "G161", "G162"],
+        Inches = false,
+        Arcs = false,
+        FirmwareRetraction = false,
+        DwellS = 0,
+        SpeedFactor = true,
+        FlowFactor = FlowFactorRule.PerTool,
+        FlowToolLetter = "T",
+        PositionOfE = PositionOfERule.PerTool,
+        ToolCommands = ["M6 T", "M108 T", "M135 T"],
+        Fan = FanScale.Switch,
+        ValveIsFan = true,
+        ExtruderLetters = "EAB",
+        SwitchedExtruder = true,
+        Pauses = ["M1", "M25", "M71"],
+        NotFollowed = ["G10", "G54", "G55", "G56", "G57", "G58", "G59", "M132"],
+    };
+}

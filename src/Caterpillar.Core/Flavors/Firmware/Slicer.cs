@@ -1,0 +1,30 @@
+namespace Caterpillar.Flavors;
+
+/// <summary>The rules of slicers' own viewers, which the test data follows.</summary>
+internal static class Slicer
+{
+    public static FlavorRules Rules { get; } = new()
+    {
+        Name = "slicer",
+        Title = "Slicers",
+        Limits = LimitCommands.Marlin,
+        Source =
+            "PrusaSlicer 2.9.4, src/libslic3r/GCode/GCodeProcessor.cpp: process_gcode_line, process_G1, process_G2_G3, process_G28, process_G92, process_T",
+        Notes =
+            "The neutral reading of files. Where the processor of PrusaSlicer stops, it goes on as most machines do: lines without G repeat the last motion, "
+            + "arcs may lie in other planes, have absolute centers or P, and one without a center is a line; M101 and M103 and the letters A and B extrude.",
+        Commands = CommandsRule.All,
+        BareG92 = BareG92Rule.ZeroAll,
+        ShiftResets = ["G92.1", "G92.2"],
+        ModalMotion = ModalMotionRule.WithoutG,
+        NoRetractionWith = "PLXYZ",
+        RadiusAndCenter = RadiusAndCenterRule.CenterWins,
+        ArcTurns = ArcTurnsRule.Count,
+        ArcWithoutCenterIsLine = true,
+        AbsoluteCenters = true,
+        ExtruderLetters = "EAB",
+        SwitchedExtruder = true,
+        ValveIsFan = true,
+        Pauses = ["M0", "M1", "M25", "M226", "M600", "M601", "PAUSE"],
+    };
+}

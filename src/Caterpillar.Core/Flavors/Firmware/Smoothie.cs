@@ -1,0 +1,35 @@
+namespace Caterpillar.Flavors;
+
+/// <summary>Smoothieware.</summary>
+internal static class Smoothie
+{
+    public static FlavorRules Rules { get; } = new()
+    {
+        Name = "smoothie",
+        Title = "Smoothieware",
+        OtherNames = ["smoothieware"],
+        Source =
+            "Smoothieware of 2023-07-31, src/modules/robot/Robot.cpp (on_gcode_received, process_move, append_arc), src/modules/tools/extruder/Extruder.cpp "
+            + "(on_gcode_received), src/modules/communication/GcodeDispatch.cpp, src/modules/utils/player/Player.cpp",
+        Notes = "In its mode for 3D printers; in Grbl mode P of G4 is seconds and G28 goes to a stored position.",
+        Commands = CommandsRule.InOrder,
+        RelativeE = RelativeERule.LastWins,
+        BareG92 = BareG92Rule.ClearShifts,
+        ShiftResets = ["G92.1", "G92.2"],
+        ModalMotion = ModalMotionRule.WithoutG,
+        HomingKeepsShifts = true,
+        InchesOfE = InchesOfERule.Unchanged,
+        Workspaces = true,
+        NoRetractionWith = "L",
+        RadiusArcs = false,
+        RadiusAndCenter = RadiusAndCenterRule.CenterWins,
+        DwellSums = true,
+        SpeedFactor = true,
+        FlowFactor = FlowFactorRule.PerTool,
+        Volumetric = true,
+        PositionOfE = PositionOfERule.PerTool,
+        ModeStack = true,
+        Pauses = ["M600", "M25"],
+        NotFollowed = ["G28.2", "G28.3", "G28.4", "G30", "G38.2", "G38.3", "G43.1", "G43.2", "G92.3", "G92.4", "M206"],
+    };
+}

@@ -1,0 +1,29 @@
+namespace Caterpillar.Flavors;
+
+/// <summary>UltiGCode.</summary>
+internal static class Ultigcode
+{
+    public static FlavorRules Rules { get; } = new()
+    {
+        Name = "ultigcode",
+        Title = "UltiGCode",
+        Limits = LimitCommands.Marlin,
+        Source =
+            "Ultimaker2Marlin of 2018-09-16, Marlin/Marlin_main.cpp (get_coordinates, process_commands), Marlin/motion_control.cpp (mc_arc), "
+            + "Marlin/planner.cpp (volume_to_filament_length), Marlin/UltiLCD2_menu_print.cpp (;FLAVOR:UltiGCode)",
+        Notes =
+            "The line ;FLAVOR:UltiGCode makes E a volume, with the diameter that the machine knows; M200 is unknown. Before the file the machine homes, "
+            + "heats and primes by itself.",
+        HomesToNumber = true,
+        Inches = false,
+        RadiusArcs = false,
+        RadiusAndCenter = RadiusAndCenterRule.CenterWins,
+        Planes = false,
+        CounterclockwiseCircles = false,
+        SpeedFactor = true,
+        FlowFactor = FlowFactorRule.PerTool,
+        StartsVolumetric = true,
+        Pauses = ["M0", "M1", "M25", "M600", "M601"],
+        NotFollowed = ["M206", "M218", "M606"],
+    };
+}

@@ -1,0 +1,72 @@
+namespace Caterpillar.Flavors;
+
+/// <summary>Waiting, speed factors and the fan.</summary>
+public sealed partial record FlavorRules
+{
+    /// <summary>Commands that wait for a time; the first is the one to write.</summary>
+    internal IReadOnlyList<string> Dwells { get; init; } = ["G4"];
+
+    /// <summary>Seconds for one unit of P in G4.</summary>
+    internal double DwellP { get; init; } = 0.001;
+
+    /// <summary>Seconds for one unit of S in G4, which counts instead of P; 0 where S is ignored.</summary>
+    internal double DwellS { get; init; } = 1;
+
+    /// <summary>P and S of G4 add up.</summary>
+    internal bool DwellSums { get; init; }
+
+    /// <summary>M220 S scales the speed by percent.</summary>
+    internal bool SpeedFactor { get; init; }
+
+    /// <summary>What B and R of M220 do.</summary>
+    internal SpeedMemoryRule SpeedMemory { get; init; }
+
+    /// <summary>M220 and M221 without S mean 100 %.</summary>
+    internal bool FactorsReset { get; init; }
+
+    /// <summary>What the number of M106 means.</summary>
+    internal FanScale Fan { get; init; } = FanScale.Byte;
+
+    /// <summary>The letter of M106 with the speed of the fan.</summary>
+    internal char FanLetter { get; init; } = 'S';
+
+    /// <summary>M126 and M127 switch the fan of the part.</summary>
+    internal bool ValveIsFan { get; init; }
+
+    /// <summary>Seconds that a dwell with these words takes; null for a missing word.</summary>
+    internal double DwellSeconds(double? p, double? s)
+    {
+        var ofP = (p ?? 0) * DwellP;
+        if (s is null || DwellS == 0) return ofP;
+        return DwellSums ? ofP + s.Value * DwellS : s.Value * DwellS;
+    }
+}
+
+/// <summary>What B and R of M220 do: B keeps the speed factor, R brings it back.</summary>
+internal enum SpeedMemoryRule
+{
+    /// <summary>Nothing.</summary>
+    None,
+
+    /// <summary>B, then S, then R.</summary>
+    RestoresLast,
+
+    /// <summary>R, then B (of the factor before the line), then S.</summary>
+    RestoresFirst,
+}
+
+/// <summary>How the number of M106 S is meant.</summary>
+internal enum FanScale
+{
+    /// <summary>0 to 255.</summary>
+    Byte,
+
+    /// <summary>0 to 1, and 0 to 255 above that.</summary>
+    FractionOrByte,
+
+    /// <summary>0 is off, all others are on.</summary>
+    Switch,
+
+    /// <summary>M106 and M107 are unknown.</summary>
+    None,
+}

@@ -1,0 +1,162 @@
+using Caterpillar.Geometry;
+
+namespace Caterpillar.Toolpaths;
+
+/// <summary>
+/// A straight piece of printed material seen from above: the path of the nozzle tip, which is its top, and half its width. Its footprint is a stadium.
+/// </summary>
+internal struct Extrusion
+{
+    public double Ax, Ay, Az, Bx, By, Bz, Half;
+
+    // A number of the caller, for what it is.
+    public int Tag;
+
+    public readonly double Top => Math.Max(Az, Bz);
+
+    /// <summary>A disc.</summary>
+    public static Extrusion At(Vec3 center, double top, double half)
+        => new() { Ax = center.X, Ay = center.Y, Az = top, Bx = center.X, By = center.Y, Bz = top, Half = half };
+
+    /// <summary>
+    /// Highest top of the part whose footprint comes within a distance of a segment seen from above; negative infinity if none does.
+    /// </summary>
+    public readonly double TopWithin(Vec3 a, Vec3 b, double distance)
+    {
+        var reach = distance + Half;
+        if (!StadiumClip.TryClip(Ax, Ay, Bx - Ax, By - Ay, a, b, reach, out var from, out var to)) return double.NegativeInfinity;
+        return Math.Max(Az + (Bz - Az) * from, to >= 1 ? Bz : Az + (Bz - Az) * to);
+    }
+
+    /// <summary>
+    /// True if its part within some distance of a segment seen from above is as high as a head in height <paramref name="z"/> allows there.
+    /// </summary>
+    public readonly bool Meets(in Vec3 a, in Vec3 b, double z, HeadShape head, bool lenient)
+    {
+        var excess = Top - z;
+        // What is highest may be farther off: the part within its reach decides, and so on. The reach only shrinks.
+        for (var i = 0; i < 32; i++)
+        {
+            var reach = head.AxisReach(excess, Half, lenient);
+            if (!(reach >= 0) || IsBeyond(a, b, reach)) return false;
+            var top = TopWithin(a, b, reach - Half) - z;
+            if (top >= excess - 1e-9) return true;
+            if (double.IsNegativeInfinity(top)) return false;
+            excess = top;
+        }
+        return true;
+    }
+
+    /// <summary>True where its axis and a segment are clearly farther apart: their rectangles are, which is cheaper to tell than to clip.</summary>
+    public readonly bool IsBeyond(in Vec3 a, in Vec3 b, double reach)
+        => Math.Abs(Ax + Bx - a.X - b.X) > Math.Abs(Bx - Ax) + Math.Abs(b.X - a.X) + 2 * reach
+        || Math.Abs(Ay + By - a.Y - b.Y) > Math.Abs(By - Ay) + Math.Abs(b.Y - a.Y) + 2 * reach;
+
+    /// <summary>Top at its point nearest to a point seen from above, if that is within a distance of its footprint; else negative infinity.</summary>
+    public readonly double TopAt(Vec3 p, double distance)
+    {
+        double dx = Bx - Ax, dy = By - Ay;
+        var square = dx * dx + dy * dy;
+        var t = square > 0 ? Math.Min(1, Math.Max(0, ((p.X - Ax) * dx + (p.Y - Ay) * dy) / square)) : (Az >= Bz ? 0 : 1);
+        double ex = p.X - Ax - dx * t, ey = p.Y - Ay - dy * t;
+        var reach = distance + Half;
+        return ex * ex + ey * ey <= reach * reach ? t >= 1 ? Bz : Az + (Bz - Az) * t : double.NegativeInfinity;
+    }
+}
+
+/// <summary>The part of a segment that lies in the stadium around another, seen from above.</summary>
+internal static class StadiumClip
+{
+    /// <summary>
+    /// Parameters from 0 to 1 along the segment from (x, y) by (dx, dy) between which it is within <paramref name="reach"/> mm of the segment from a to b. A
+    /// stadium is convex, so the part is one piece: the union of the pieces in its rectangle and its two discs.
+    /// </summary>
+    public static bool TryClip(double x, double y, double dx, double dy, Vec3 a, Vec3 b, double reach, out double from, out double to)
+    {
+        from = double.PositiveInfinity;
+        to = double.NegativeInfinity;
+        Disc(x - a.X, y - a.Y, dx, dy, reach, ref from, ref to);
+        double ux = b.X - a.X, uy = b.Y - a.Y;
+        var length = Math.Sqrt(ux * ux + uy * uy);
+        if (length > 0)
+        {
+            Disc(x - b.X, y - b.Y, dx, dy, reach, ref from, ref to);
+            ux /= length;
+            uy /= length;
+            double px = x - a.X, py = y - a.Y;
+            double low = 0, high = 1;
+            if (FlatSegment.Slab(px * ux + py * uy, dx * ux + dy * uy, 0, length, ref low, ref high)
+                && FlatSegment.Slab(py * ux - px * uy, dy * ux - dx * uy, -reach, reach, ref low, ref high))
+            {
+                from = Math.Min(from, low);
+                to = Math.Max(to, high);
+            }
+        }
+        return from <= to;
+    }
+
+    private static void Disc(double px, double py, double dx, double dy, double radius, ref double from, ref double to)
+    {
+        var a = dx * dx + dy * dy;
+        var c = px * px + py * py - radius * radius;
+        if (!(a > 0))
+        {
+            if (c > 0) return;
+            from = 0;
+            to = 1;
+            return;
+        }
+        var b = px * dx + py * dy;
+        var root = b * b - a * c;
+        if (root < 0) return;
+        root = Math.Sqrt(root);
+        var low = Math.Max(0, (-b - root) / a);
+        var high = Math.Min(1, (-b + root) / a);
+        if (low > high) return;
+        from = Math.Min(from, low);
+        to = Math.Max(to, high);
+    }
+}
+
+/// <summary>Extrusions by number, in chunks; numbers of extrusions that no bin refers to are reused.</summary>
+internal sealed class ExtrusionStore
+{
+    private const int ChunkBits = 12;
+    private const int ChunkMask = (1 << ChunkBits) - 1;
+    private Extrusion[][] _chunks = [];
+
+    // Number of bins that refer to each; 0 if it is free.
+    private int[] _users = [];
+    private int[] _free = new int[64];
+    private int _freeCount;
+    private int _next;
+
+    /// <summary>Number of stored extrusions.</summary>
+    public int Count => _next - _freeCount;
+
+    public ref Extrusion this[int index] => ref _chunks[index >> ChunkBits][index & ChunkMask];
+
+    public int Add(in Extrusion extrusion)
+    {
+        var index = _freeCount > 0 ? _free[--_freeCount] : _next++;
+        if (index >> ChunkBits >= _chunks.Length)
+        {
+            Array.Resize(ref _chunks, Math.Max(4, _chunks.Length * 2));
+            Array.Resize(ref _users, _chunks.Length << ChunkBits);
+        }
+        _chunks[index >> ChunkBits] ??= new Extrusion[1 << ChunkBits];
+        this[index] = extrusion;
+        return index;
+    }
+
+    /// <summary>One bin more refers to an extrusion.</summary>
+    public void Use(int index) => _users[index]++;
+
+    /// <summary>One bin less refers to it.</summary>
+    public void Release(int index)
+    {
+        if (--_users[index] > 0) return;
+        if (_freeCount == _free.Length) Array.Resize(ref _free, _freeCount * 2);
+        _free[_freeCount++] = index;
+    }
+}

@@ -1,0 +1,30 @@
+using System.Drawing;
+using Caterpillar.Display;
+
+namespace Caterpillar.GH.Conversion;
+
+/// <summary>Extrusions as Rhino meshes.</summary>
+internal static class ExtrusionMeshes
+{
+    /// <summary>One mesh, with a color for each vertex by its move if colors are given; null without extrusions.</summary>
+    public static Rg.Mesh? ToMesh(ExtrusionMesh extrusions, DocumentUnits units, Func<int, Color>? colorOfMove)
+    {
+        if (extrusions.Quads.Count == 0) return null;
+        var mesh = new Rg.Mesh();
+        var points = new Rg.Point3d[extrusions.Vertices.Count];
+        for (var i = 0; i < points.Length; i++) points[i] = RhinoGeometry.ToPoint(extrusions.Vertices[i], units);
+        mesh.Vertices.AddVertices(points);
+        var faces = new Rg.MeshFace[extrusions.Quads.Count / 4];
+        for (var i = 0; i < faces.Length; i++)
+            faces[i] = new Rg.MeshFace(extrusions.Quads[4 * i], extrusions.Quads[4 * i + 1], extrusions.Quads[4 * i + 2], extrusions.Quads[4 * i + 3]);
+        mesh.Faces.AddFaces(faces);
+        if (colorOfMove is not null)
+        {
+            var colors = new Color[points.Length];
+            for (var i = 0; i < colors.Length; i++) colors[i] = colorOfMove(extrusions.Moves[i]);
+            mesh.VertexColors.SetColors(colors);
+        }
+        mesh.Normals.ComputeNormals();
+        return mesh;
+    }
+}

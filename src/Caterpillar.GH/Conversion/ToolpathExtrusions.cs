@@ -1,0 +1,41 @@
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GH.Conversion;
+
+/// <summary>A run of printing moves without a gap, in one layer and with one role: moves from First to before End.</summary>
+internal readonly record struct ToolpathExtrusion(int First, int End);
+
+/// <summary>The extrusions of a toolpath.</summary>
+internal static class ToolpathExtrusions
+{
+    public static IEnumerable<ToolpathExtrusion> Of(Toolpath toolpath)
+    {
+        var first = -1;
+        for (var i = 0; i < toolpath.Count; i++)
+        {
+            var move = toolpath[i];
+            var prints = move.Kind == MoveKind.Print && move.Length > 0;
+            // A pause of the extruder between two extrusions does not part them, a travel does.
+            if (!prints && (move.Length == 0 || first < 0)) continue;
+            if (first >= 0 && (!prints || move.Role != toolpath[first].Role || move.Layer != toolpath[first].Layer))
+            {
+                yield return new ToolpathExtrusion(first, i);
+                first = -1;
+            }
+            if (prints && first < 0) first = i;
+        }
+        if (first >= 0) yield return new ToolpathExtrusion(first, toolpath.Count);
+    }
+
+    /// <summary>An extrusion as a polyline, or with its arcs as arcs; null if it has no length.</summary>
+    public static Rg.Curve? ToCurve(Toolpath toolpath, ToolpathExtrusion extrusion, DocumentUnits units)
+    {
+        var joiner = new CurveJoiner(units);
+        for (var i = extrusion.First; i < extrusion.End; i++)
+        {
+            var move = toolpath[i];
+            if (move.Kind == MoveKind.Print) joiner.Add(move.Start, move.End, move.Arc);
+        }
+        return joiner.Finish();
+    }
+}

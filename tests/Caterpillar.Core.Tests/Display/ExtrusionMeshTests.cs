@@ -1,0 +1,108 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Display;
+using Caterpillar.Geometry;
+using Caterpillar.Machines;
+using Caterpillar.Planning;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Display;
+
+public sealed class ExtrusionMeshTests
+{
+    private static Toolpath Plan(params PrintPath[] paths)
+        => Planner.Plan(paths.Select(p => (Step)p).ToArray(), new PrintSetup(), new PlanOptions { Policy = PlanPolicy.AsDrawn }).Value!;
+
+    private static ExtrusionMesh Of(params PrintPath[] paths)
+    {
+        var toolpath = Plan(paths);
+        return ExtrusionMesh.Of(toolpath, 0, toolpath.Count);
+    }
+
+    // By the divergence theorem; positive where faces are counter-clockwise seen from outside.
+    private static double Volume(ExtrusionMesh mesh)
+    {
+        var sum = 0.0;
+        for (var i = 0; i < mesh.Quads.Count; i += 4)
+        {
+            Vec3 a = mesh.Vertices[mesh.Quads[i]], b = mesh.Vertices[mesh.Quads[i + 1]], c = mesh.Vertices[mesh.Quads[i + 2]],
+                d = mesh.Vertices[mesh.Quads[i + 3]];
+            sum += (Vec3.Dot(a, Vec3.Cross(b, c)) + Vec3.Dot(a, Vec3.Cross(c, d))) / 6;
+        }
+        return sum;
+    }
+
+    private static bool IsClosed(ExtrusionMesh mesh)
+    {
+        var edges = new Dictionary<(int, int), int>();
+        for (var i = 0; i < mesh.Quads.Count; i += 4)
+        {
+            for (var k = 0; k < 4; k++)
+            {
+                int a = mesh.Quads[i + k], b = mesh.Quads[i + (k + 1) % 4];
+                edges[(a, b)] = edges.TryGetValue((a, b), out var n) ? n + 1 : 1;
+            }
+        }
+        return edges.All(e => e.Value == 1 && edges.ContainsKey((e.Key.Item2, e.Key.Item1)));
+    }
+
+    [Test]
+    public void A_straight_extrusion_is_a_closed_tube_of_its_width_and_height_below_the_path()
+    {
+        var bead = Bead.FromWidth(0.6, 0.2, shape: BeadShape.Stadium);
+        var mesh = Of(new PrintPath([new Vec3(10, 10, 0.2), new Vec3(30, 10, 0.2)], bead) { Layer = new Layer(0, 0.2, 0.2) });
+        var box = Bounds.Of(mesh.Vertices);
+        Assert.That(box.Min.DistanceTo(new Vec3(10, 9.7, 0)), Is.LessThan(1e-6));
+        Assert.That(box.Max.DistanceTo(new Vec3(30, 10.3, 0.2)), Is.LessThan(1e-6));
+        Assert.That(IsClosed(mesh), Is.True);
+        Assert.That(Volume(mesh), Is.EqualTo(0.9 * 0.6 * 0.2 * 20).Within(1e-6));
+    }
+
+    [Test]
+    public void Corners_are_mitered_and_turns_on_the_spot_are_capped()
+    {
+        var bead = Bead.FromWidth(0.6, 0.2, shape: BeadShape.Stadium);
+        var corner = Of(new PrintPath([new Vec3(0, 0, 0.2), new Vec3(10, 0, 0.2), new Vec3(20, 5, 0.2)], bead) { Layer = new Layer(0, 0.2, 0.2) });
+        Assert.That(corner.Vertices, Has.Count.EqualTo(3 * 8), "One ring for the corner.");
+        Assert.That(IsClosed(corner), Is.True);
+        Assert.That(Volume(corner), Is.EqualTo(0.9 * 0.6 * 0.2 * (10 + Math.Sqrt(125))).Within(1e-6), "A miter neither adds nor takes.");
+        var back = Of(new PrintPath([new Vec3(0, 0, 0.2), new Vec3(10, 0, 0.2), new Vec3(0, 0.1, 0.2)], bead) { Layer = new Layer(0, 0.2, 0.2) });
+        Assert.That(back.Vertices, Has.Count.EqualTo(4 * 8));
+        Assert.That(IsClosed(back), Is.True);
+    }
+
+    [Test]
+    public void Vertices_name_their_move_and_travels_have_none()
+    {
+        var bead = Bead.FromWidth(0.6, 0.2, shape: BeadShape.Stadium);
+        var toolpath = Plan(new PrintPath([new Vec3(0, 0, 0.2), new Vec3(10, 0, 0.2)], bead), new PrintPath([new Vec3(0, 5, 0.2), new Vec3(10, 5, 0.2)], bead));
+        var mesh = ExtrusionMesh.Of(toolpath, 0, toolpath.Count);
+        Assert.That(mesh.Moves.Distinct().Select(m => toolpath[m].Kind), Is.EqualTo(new[] { MoveKind.Print, MoveKind.Print }));
+        Assert.That(ExtrusionMesh.Of(toolpath, 0, 0).Quads, Is.Empty);
+        Assert.That(() => ExtrusionMesh.Of(toolpath, 0, toolpath.Count + 1), Throws.InstanceOf<ArgumentOutOfRangeException>());
+    }
+
+    [Test]
+    public void Arcs_are_followed()
+    {
+        var bead = Bead.FromWidth(0.6, 0.2, shape: BeadShape.Stadium);
+        var circle = new PrintPath([new Vec3(10, 0, 0.2), new Vec3(0, 10, 0.2)], [bead], false, [new Arc(Vec3.Zero, 90)]) { Layer = new Layer(0, 0.2, 0.2) };
+        var mesh = Of(circle);
+        Assert.That(IsClosed(mesh), Is.True);
+        Assert.That(mesh.Vertices.Select(v => v.LengthXY), Has.All.InRange(9.6, 10.4));
+        Assert.That(Volume(mesh), Is.EqualTo(0.9 * 0.6 * 0.2 * 5 * Math.PI).Within(1).Percent);
+    }
+
+    [Test]
+    public void An_extrusion_straight_up_has_its_width_along_Y_and_stays_closed()
+    {
+        var bead = Bead.FromWidth(0.6, 0.2, shape: BeadShape.Stadium);
+        var up = Of(new PrintPath([new Vec3(10, 10, 0.2), new Vec3(10, 10, 5.2)], bead) { Layer = new Layer(0, 0.2, 0.2) });
+        var box = Bounds.Of(up.Vertices);
+        Assert.That((box.Size.X, box.Size.Y), Is.EqualTo((0.0, 0.6)).Within(1e-9));
+        Assert.That(box.Max.Z, Is.EqualTo(5.2).Within(1e-9));
+        Assert.That(IsClosed(up), Is.True);
+    }
+}

@@ -1,0 +1,92 @@
+using System;
+using System.IO;
+using System.IO.Compression;
+using System.Linq;
+using Caterpillar.Display;
+using Caterpillar.Files;
+using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Display;
+
+public class ImageTests
+{
+    [Test]
+    public void An_extrusion_is_drawn_where_it_was_printed()
+    {
+        // 10 mm along X seen from above: the middle row is covered over 92 % of the width, the corners are background.
+        var image = ToolpathImage.Draw(Line(Vec3.Zero, new Vec3(10, 0, 0)), new ToolpathImageOptions { Width = 200, Height = 100, View = View.Top });
+        Assert.That((image.Width, image.Height), Is.EqualTo((200, 100)));
+        var background = new ToolpathImageOptions().Background;
+        Assert.That(image[100, 50], Is.Not.EqualTo(background));
+        Assert.That(image[12, 50], Is.Not.EqualTo(background));
+        Assert.That(image[100, 10], Is.EqualTo(background));
+        // 1 mm² is a round extrusion of 1.13 mm: 10 mm fill 184 pixels, so the extrusion covers about 21 rows.
+        var rows = Enumerable.Range(0, 100).Count(y => image[100, y] != background);
+        Assert.That(rows, Is.InRange(20, 22));
+    }
+
+    [Test]
+    public void Near_extrusions_cover_far_ones()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(0, 0, 1));
+        builder.Add(new Vec3(10, 0, 1), 10, 10, 20, MoveKind.Print, Role.OuterWall, -1, 0, 0);
+        builder.Add(new Vec3(10, -5, 0), 0, 0, 20, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
+        builder.Add(new Vec3(5, -5, 0), 0, 0, 20, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
+        builder.Add(new Vec3(5, 5, 0), 10, 10, 20, MoveKind.Print, Role.Infill, -1, 0, 0);
+        var image = ToolpathImage.Draw(builder.Build([new ToolpathTool(1)]), new ToolpathImageOptions { Width = 100, Height = 100, View = View.Top });
+        var crossing = image[50, 50];
+        // Orange wall above the red infill.
+        Assert.That(crossing.G, Is.GreaterThan(crossing.B + 30));
+        Assert.That(image[50, 20].G, Is.LessThan(100));
+    }
+
+    [Test]
+    public void A_toolpath_that_prints_nothing_gives_an_empty_image()
+    {
+        var image = ToolpathImage.Draw(new ToolpathBuilder(MoveSource.Steps, null).Build([]), new ToolpathImageOptions { Width = 10, Height = 10 });
+        Assert.That(image[5, 5], Is.EqualTo(new ToolpathImageOptions().Background));
+    }
+
+    [Test]
+    public void A_png_file_unpacks_to_its_pixels()
+    {
+        var image = new RasterImage(3, 2, new Rgb(1, 2, 3));
+        image[2, 1] = new Rgb(200, 100, 50);
+        var file = PngWriter.ToBytes(image);
+        Assert.That(file.Take(8), Is.EqualTo(new byte[] { 0x89, 0x50, 0x4E, 0x47, 13, 10, 26, 10 }));
+        // IHDR takes 25 bytes after the signature; then length and name of IDAT and two bytes of zlib header.
+        var length = (file[33] << 24) | (file[34] << 16) | (file[35] << 8) | file[36];
+        using var inflate = new DeflateStream(new MemoryStream(file, 33 + 8 + 2, length - 6), CompressionMode.Decompress);
+        using var rows = new MemoryStream();
+        inflate.CopyTo(rows);
+        var data = rows.ToArray();
+        Assert.That(data.Length, Is.EqualTo(2 * 10));
+        Assert.That(data.Take(10), Is.EqualTo(new byte[] { 2, 1, 2, 3, 1, 2, 3, 1, 2, 3 }));
+        Assert.That(data.Skip(17), Is.EqualTo(new byte[] { 199, 98, 47 }));
+    }
+
+    [Test]
+    public void Invalid_sizes_are_rejected()
+        => Assert.That(() => new RasterImage(0, 10, default), Throws.InstanceOf<ArgumentOutOfRangeException>());
+
+    private static Toolpath Line(Vec3 from, Vec3 to)
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, from);
+        builder.Add(to, from.DistanceTo(to), from.DistanceTo(to), 20, MoveKind.Print, Role.OuterWall, -1, 0, 0);
+        return builder.Build([new ToolpathTool(1)]);
+    }
+
+    [Test]
+    public void A_dip_below_the_strokes_of_a_pen_does_not_hide_them()
+    {
+        // A stroke along X at 1 mm, and a way down to 0 and up again with nothing level there.
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(0, 0, 5));
+        foreach (var to in new[] { new Vec3(0, 0, 1), new Vec3(10, 0, 1), new Vec3(11, 0, 0), new Vec3(12, 0, 5) })
+            builder.Add(to, 0, 0, 20, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
+        var image = ToolpathImage.Draw(builder.Build([new ToolpathTool(1)]),
+            new ToolpathImageOptions { Width = 100, Height = 100, View = View.Top, Strokes = true });
+        Assert.That(image[50, 50], Is.Not.EqualTo(new ToolpathImageOptions().Background));
+    }
+}
