@@ -45,7 +45,7 @@ slice() {
 }
 unchecked() {
   slice "$1" "$2" --set check_severities=extrusion.unsupported=off,extrusion.duplicate=off,extrusion.squeezed=off,extrusion.width=off,extrusion.height=off,extrusion.gap=off,first_layer.area=off,\
-collision.nozzle=off,collision.travel=off,collision.head=off,collision.gantry=off,collision.clip=off,nozzle.digs_in=off
+collision.nozzle=off,collision.travel=off,collision.head=off,collision.gantry=off,collision.clip=off,collision.slope=off
 }
 cura() {
   case $2 in

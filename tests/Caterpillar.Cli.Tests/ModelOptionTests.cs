@@ -73,7 +73,7 @@ public class ModelOptionTests : CliFixture
         Assert.That(Run(["slice", "part.stl", "--copies", "6", .. Walls]).Code, Is.Zero);
         var run = Run("slice", "part.stl", "--scale", "5", "--copies", "9", "-o", "nine.gcode");
         Assert.That((run.Code, File.Exists("nine.gcode")), Is.EqualTo((3, false)));
-        Assert.That(run.Messages, Does.Contain("models.no_place").And.Contain("of 9 models fit"));
+        Assert.That(run.Messages, Does.Contain("models.no_space").And.Contain("of 9 models fit"));
     }
 
     [Test]

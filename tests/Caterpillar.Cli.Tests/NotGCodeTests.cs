@@ -17,7 +17,7 @@ public class NotGCodeTests : CliFixture
         File.WriteAllText("m.stl", "solid m\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid m\n");
         var run = Run(arguments);
         Assert.That(run.Code, Is.EqualTo(1), run.Messages);
-        Assert.That(run.Messages, Does.Contain("m.stl").And.Contain("gcode.none").And.Contain("ASCII STL").And.Length.LessThan(400));
+        Assert.That(run.Messages, Does.Contain("m.stl").And.Contain("gcode.not_gcode").And.Contain("ASCII STL").And.Length.LessThan(400));
         Assert.That(File.Exists("m.png") || File.Exists("m.gcode") || File.Exists("p.json"), Is.False);
     }
 

@@ -115,7 +115,7 @@ internal sealed class DecodeVerb : Verb
         using var sum = hash ? IncrementalHash.CreateHash(HashAlgorithmName.SHA256) : null;
         using var stream = sum is null ? plain : new HashingStream(plain, sum);
         var result = session.Decode(stream, name, options);
-        if (plain is GzipReader { HasTrailingBytes: true }) session.Print([GzipReader.TrailingBytes("gcode.packed", name)]);
+        if (plain is GzipReader { HasTrailingBytes: true }) session.Print([GzipReader.TrailingBytes("gcode.compression", name)]);
         var decoding = session.GCodeOrFail(result);
         var report = decoding.Report with { File = file == "-" ? "-" : Path.GetFileName(file) };
         if (sum is not null) report = report with { Sha256 = Convert.ToHexStringLower(sum.GetHashAndReset()) };

@@ -28,7 +28,7 @@ public static class CurveReader
         if (name is null) throw new ArgumentNullException(nameof(name));
         options ??= new CurveReadOptions();
         var diagnostics = new DiagnosticList();
-        var plain = GzipBytes.Unpack(bytes, name, "curves.packed", diagnostics, options.Memory, cancel);
+        var plain = GzipBytes.Unpack(bytes, name, "curves.compression", diagnostics, options.Memory, cancel);
         if (plain is null) return new Result<IReadOnlyList<UserCurve>>(null, diagnostics.ToList());
         var source = new CurveSource(plain, name, options, diagnostics, progress, cancel);
         switch (FormatOf(plain, name))

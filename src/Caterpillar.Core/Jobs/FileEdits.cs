@@ -51,7 +51,7 @@ public sealed record FileEdits
 
     /// <summary>The changed toolpath; the same one if no change is asked for.</summary>
     /// <returns>The toolpath, or none where a layer is missing (<c>toolpath.no_layer</c>) or a deformation gives no point; the warnings
-    /// <c>edit.nothing_selected</c> and <c>edit.no_amounts</c>, and the note <c>edit.scaled_apart</c>.</returns>
+    /// <c>edit.nothing_selected</c> and <c>edit.no_e_values</c>, and the note <c>edit.nonuniform_scale</c>.</returns>
     public Result<Toolpath> Apply(Toolpath toolpath)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
@@ -106,9 +106,9 @@ public sealed record FileEdits
     private static IEnumerable<Diagnostic> ScaleNotes(Toolpath toolpath, MoveFilter extrusions, Vec3 scale)
     {
         if (toolpath.Moves().Where(extrusions.MatchesIn(toolpath)).All(m => m.Deposited == 0))
-            yield return new Diagnostic(Severity.Warning, "edit.no_amounts", "The extrusions have no amounts of E: only their paths are scaled.");
+            yield return new Diagnostic(Severity.Warning, "edit.no_e_values", "The extrusions have no amounts of E: only their paths are scaled.");
         else if (scale.X != scale.Y || scale.Y != scale.Z)
-            yield return new Diagnostic(Severity.Note, "edit.scaled_apart",
+            yield return new Diagnostic(Severity.Note, "edit.nonuniform_scale",
                 "Axes are scaled apart: each extrusion gets the area that its direction gives it; a width in a comment is that of the first extrusion after "
                 + "it.");
     }

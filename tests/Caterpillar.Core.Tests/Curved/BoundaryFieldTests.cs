@@ -125,7 +125,7 @@ public class BoundaryFieldTests
         // A mushroom: below its cap layers would look down.
         var mushroom = CurvedSolids.Lathe(32, (4, 0), (4, 10), (14, 6), (14, 12));
         var folded = CurvedSolids.Try(LayerField.Harmonic(Ends(mushroom)), CurvedSolids.Massive, null, mushroom);
-        Assert.That(folded.Diagnostics.Single(d => d.Severity == Severity.Error).Code, Is.EqualTo("curved.not_rising"));
+        Assert.That(folded.Diagnostics.Single(d => d.Severity == Severity.Error).Code, Is.EqualTo("curved.overhanging_layers"));
     }
 
     private static TriMesh OpenTube(Vec3[] low, Vec3[] high)

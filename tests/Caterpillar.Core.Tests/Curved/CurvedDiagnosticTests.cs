@@ -97,9 +97,9 @@ public class CurvedDiagnosticTests
     }
 
     [TestCase("z - 30 / (x - 20.5)", null)]
-    [TestCase("sin(90 * z)", "curved.not_rising")]
-    [TestCase("-z", "curved.not_rising")]
-    [TestCase("z + 1 / (x - x)", "curved.not_rising")]
+    [TestCase("sin(90 * z)", "curved.overhanging_layers")]
+    [TestCase("-z", "curved.overhanging_layers")]
+    [TestCase("z + 1 / (x - x)", "curved.overhanging_layers")]
     public void Formulas_must_rise_with_z(string formula, string? code)
     {
         var result = CurvedSolids.Try(LayerField.Formula(formula).OrThrow(), CurvedSolids.Massive, null, Part);

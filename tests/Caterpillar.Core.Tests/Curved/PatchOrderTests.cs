@@ -71,7 +71,7 @@ public class PatchOrderTests
             (a, b) => Rise(a, b) + 1)).ToArray();
         var sliced = CurvedSlicer.Slice([new NamedMesh("ramps", TriMesh.Merge(ramps))], LayerField.Of(p => p.Z - Rise(p.X, p.Y)),
             Setup with { Settings = Setup.Settings with { CurvedMaxSlope = 60 } });
-        var found = sliced.Diagnostics.Single(d => d.Code == "curved.pieces_block");
+        var found = sliced.Diagnostics.Single(d => d.Code == "curved.blocked_pieces");
         Assert.That(found.Severity, Is.EqualTo(Severity.Warning));
         Assert.That(found.Message, Does.Contain("layer 1 at ").And.Contain("block each other"));
         Assert.That(sliced.Value!.Layers.Select(l => l.Layer.Z), Is.Ordered);

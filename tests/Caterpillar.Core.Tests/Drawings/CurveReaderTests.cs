@@ -166,7 +166,7 @@ public class CurveReaderTests
         using var memory = new MemoryStream();
         using (var packed = new GZipStream(memory, CompressionMode.Compress, true)) packed.Write(Encoding.ASCII.GetBytes("0,0\n3,4\n"), 0, 8);
         Assert.That(CurveReader.Read(memory.ToArray(), "p.csv.gz").Value!.Single().Curve.Length, Is.EqualTo(5));
-        Assert.That(CurveReader.Read([0x1F, 0x8B, 8, 0, 1, 2], "p.csv.gz").Diagnostics[0].Code, Is.EqualTo("curves.packed"));
+        Assert.That(CurveReader.Read([0x1F, 0x8B, 8, 0, 1, 2], "p.csv.gz").Diagnostics[0].Code, Is.EqualTo("curves.compression"));
     }
 
     [Test]

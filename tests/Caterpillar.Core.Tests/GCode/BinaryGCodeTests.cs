@@ -120,7 +120,7 @@ public class BinaryGCodeTests
             for (var length = 4; length < bytes.Length; length++)
             {
                 if (unknown.Contains(length)) continue;
-                Assert.That(Error(bytes.Take(length).ToArray()), Is.EqualTo("gcode.packed"), "cut off after " + length);
+                Assert.That(Error(bytes.Take(length).ToArray()), Is.EqualTo("gcode.compression"), "cut off after " + length);
             }
         }
     }
@@ -133,7 +133,7 @@ public class BinaryGCodeTests
         {
             var copy = (byte[])bytes.Clone();
             copy[at] ^= 0x11;
-            Assert.That(Error(copy), Is.EqualTo("gcode.packed"), "byte " + at);
+            Assert.That(Error(copy), Is.EqualTo("gcode.compression"), "byte " + at);
         }
     }
 
@@ -160,7 +160,7 @@ public class BinaryGCodeTests
         {
             var copy = (byte[])file.Clone();
             copy[at] ^= 1;
-            Assert.That(Error(copy), Is.EqualTo("gcode.packed"));
+            Assert.That(Error(copy), Is.EqualTo("gcode.compression"));
         }
     }
 

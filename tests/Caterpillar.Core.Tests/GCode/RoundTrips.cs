@@ -57,8 +57,8 @@ internal static class RoundTrips
         if (result.Value is null)
         {
             // The amount of a switched extruder is unknown; and some firmware takes E only as volume.
-            var must = decoding.Axis == ExtrusionAxis.Switched && !flavor.SwitchedExtruder ? "gcode.no_amounts" : options.Volumetric == false
-                && flavor.StartsVolumetric ? "gcode.volumes_only" : "";
+            var must = decoding.Axis == ExtrusionAxis.Switched && !flavor.SwitchedExtruder ? "gcode.no_e_values" : options.Volumetric == false
+                && flavor.StartsVolumetric ? "gcode.volumetric_only" : "";
             return result.Diagnostics.Any(d => d.Code == must) ? null : Said(result.Diagnostics);
         }
         var back = GCodeDecoder.Decode(result.Value, new DecodeOptions { Flavor = flavor, FilamentDiameter = options.FilamentDiameter }).Value!;

@@ -106,13 +106,13 @@ public class SpliceStateTests
         var toolpath = Decode(Text, "bfb").Toolpath;
         Assert.That(Said(GCodeWriter.ToBytes(toolpath, new GCodeFormat { Flavor = FlavorTable.Bfb, Comments = false })), Is.EqualTo(
             "G90\nG0 X1 Y1 Z1 F600\nM101\nG1 X5\nG1 X9\nM103\nG0 X20\nM101\nG1 X30\nM103\n"));
-        Assert.That(SetupFormat.Of(new PrintSetup(), toolpath).Diagnostics.Select(d => d.Code), Does.Contain("gcode.no_amounts"));
+        Assert.That(SetupFormat.Of(new PrintSetup(), toolpath).Diagnostics.Select(d => d.Code), Does.Contain("gcode.no_e_values"));
         Assert.That(GCodeConverter.ToDocument(Decode(Text, "bfb"), new ConvertOptions { Flavor = FlavorTable.Marlin2 }).Diagnostics.Single().Code,
-            Is.EqualTo("gcode.no_amounts"));
+            Is.EqualTo("gcode.no_e_values"));
     }
 
     [TestCase("grbl", "gcode.no_extruder", "G0 X1 Y1 Z1 F600\nG1 X5\nG0 X20\nG1 X30\n")]
-    [TestCase("bfb", "gcode.amounts_lost", "G1 X1 Y1 Z1 F600\nM101\nG1 X5\nM103\nG1 X20\nM101\nG1 X30\n")]
+    [TestCase("bfb", "gcode.e_values_lost", "G1 X1 Y1 Z1 F600\nM101\nG1 X5\nM103\nG1 X20\nM101\nG1 X30\n")]
     public void Firmware_without_amounts_is_told_what_prints_and_the_user_what_is_lost(string flavor, string code, string expected)
     {
         var decoding = Decode("M83\nG1 X1 Y1 Z1 F600\nG1 X5 E1\nG1 E-2\nG1 X20\nG1 E2\nG1 X30 E1\n");

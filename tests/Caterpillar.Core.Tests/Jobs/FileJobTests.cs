@@ -61,7 +61,7 @@ public class FileJobTests
     {
         using var folder = new TemporaryFolder();
         File.WriteAllText(folder.File("a.gcode"), "solid part\nfacet normal 0 0 1\n");
-        Assert.That(FileJob.Open(folder.File("a.gcode")).Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "gcode.none" }));
+        Assert.That(FileJob.Open(folder.File("a.gcode")).Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "gcode.not_gcode" }));
     }
 
     [Test]

@@ -123,7 +123,7 @@ public class HeaderImportTests
             Is.EqualTo(new[] { "G91 ; as set by the header", "M83 ; as set by the header", "G1 E-3" }));
         Assert.That(Render(found, p => p.EndGCode, 20), Does.Contain("G1 Z100 F5000"));
         Assert.That(Render(found, p => p.EndGCode, 200), Does.Contain("G1 Z45 F5000"));
-        Assert.That(problems.Select(p => p.Code), Does.Contain("header.lift"));
+        Assert.That(problems.Select(p => p.Code), Does.Contain("header.end_height"));
         var own = Import(Ender, "G90\nM82\nG1 Z200 E5\nM84", out _);
         Assert.That(own.Printer.EndGCode, Is.EqualTo(new[] { "G90", "M82", "G1 Z200 E5", "M84" }));
     }
@@ -135,7 +135,7 @@ public class HeaderImportTests
         Assert.That(found.Printer.BuildVolume, Is.EqualTo(new Vec3(400, 460, 800)));
         Assert.That(found.Material.NozzleTemperature, Is.Zero);
         Assert.That(found.Printer.MinExtrusionTemperature, Is.Zero, "clay is extruded cold");
-        Assert.That(problems.Select(p => p.Code), Does.Contain("header.cold"));
+        Assert.That(problems.Select(p => p.Code), Does.Contain("header.no_heating"));
     }
 
     [Test]

@@ -42,10 +42,10 @@ public class SetupTests
     [TestCase("layer_height=0.3", "profile.wrong_unit", "layer_height_mm")]
     [TestCase("nozle_diameter_mm=0.6", "profile.unknown_key", "nozzle_diameter_mm")]
     [TestCase("layer_height_mm", "profile.no_value", "key=value")]
-    [TestCase("layer_height_mm=0,3", "profile.wrong_kind", "0,3")]
-    [TestCase("layer_height_mm=", "profile.wrong_kind", "a number")]
+    [TestCase("layer_height_mm=0,3", "profile.wrong_type", "0,3")]
+    [TestCase("layer_height_mm=", "profile.wrong_type", "a number")]
     [TestCase("layer_height_mm=-1", "profile.out_of_range", "0.001")]
-    [TestCase("layer_height_mm=NaN", "profile.wrong_kind", "NaN")]
+    [TestCase("layer_height_mm=NaN", "profile.wrong_type", "NaN")]
     [TestCase("title=x", "profile.unknown_key", "title")]
     [TestCase("height_ranges_mm=12,10,0.1", "profile.out_of_range", "not from 12 to 10 mm")]
     [TestCase("height_ranges_mm=10,12,0", "profile.out_of_range", "0.001")]
@@ -56,7 +56,7 @@ public class SetupTests
     [TestCase("wall_line_count=3", "profile.unknown_key", "did you mean wall_count?")]
     [TestCase("walls=3", "profile.unknown_key", "wall_count")]
     [TestCase("nonsense=3", "profile.unknown_key", "settings.")]
-    [TestCase("wall_count=1e99", "profile.wrong_kind", "integer")]
+    [TestCase("wall_count=1e99", "profile.wrong_type", "integer")]
     [TestCase("overhang_classes=101 20 100 1", "profile.out_of_range", "up to 100")]
     [TestCase("overhang_classes=50 20 101 1", "profile.out_of_range", "up to 100")]
     [TestCase("overhang_classes=50 20 100 0", "profile.out_of_range", "above 0")]
@@ -113,7 +113,7 @@ public class SetupTests
         File.WriteAllText(Path.Combine(_folder, "b.json"), """{ "inherits": "a" }""");
         var result = new ProfileLibrary(_folder).Printer("a");
         Assert.That(result.Value, Is.Null);
-        Assert.That(result.Diagnostics.Select(d => d.Code), Does.Contain("profile.circle"));
+        Assert.That(result.Diagnostics.Select(d => d.Code), Does.Contain("profile.circular_inheritance"));
     }
 
     [Test]
@@ -141,7 +141,7 @@ public class SetupTests
         var library = new ProfileLibrary();
         Assert.That(library.Setup(values: ["line_width_mm=0.1"]).Diagnostics.Single().Code, Is.EqualTo("setup.narrow_bead"));
         Assert.That(library.Setup(values: ["line_width_mm=0.1"]).Value, Is.Null);
-        Assert.That(library.Setup(values: ["layer_height_mm=0.42"]).Diagnostics.Single().Code, Is.EqualTo("setup.high_layer"));
+        Assert.That(library.Setup(values: ["layer_height_mm=0.42"]).Diagnostics.Single().Code, Is.EqualTo("setup.layer_height"));
         Assert.That(library.Setup("pen_plotter", values: ["firmware_retraction=true"]).Diagnostics.Single().Code, Is.EqualTo("setup.no_firmware_retraction"));
     }
 

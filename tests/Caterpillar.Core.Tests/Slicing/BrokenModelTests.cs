@@ -38,7 +38,7 @@ public class BrokenModelTests
     {
         var sheet = new NamedMesh("sheet", TriMesh.Create([new(0, 0, 0), new(30, 0, 0), new(30, 0, 5), new(0, 0, 5)], [0, 1, 2, 0, 2, 3]));
         var result = PlanarSlicer.Slice([sheet], Plain);
-        Assert.That(result.Diagnostics.Single(d => d.Code == "slice.nothing").Message, Does.Contain("open_contours=walls"));
+        Assert.That(result.Diagnostics.Single(d => d.Code == "slice.empty").Message, Does.Contain("open_contours=walls"));
         Assert.That(PlanarSlicer.Slice([sheet], Plain with { OpenContours = OpenContours.Walls }).Value!.Layers, Has.Count.EqualTo(10));
     }
 
@@ -88,7 +88,7 @@ public class BrokenModelTests
     {
         var models = MeshReader.Read(TestData.Shared("meshes/" + file)).Value!;
         var result = PlanarSlicer.Slice(models, Plain with { LayerHeight = 1, FirstLayerHeight = 1 });
-        Assert.That(result.Diagnostics.Select(d => d.Code), Is.SubsetOf(new[] { "slice.broken_mesh", "slice.lost_layers", "slice.nothing", "slice.too_thin" }));
+        Assert.That(result.Diagnostics.Select(d => d.Code), Is.SubsetOf(new[] { "slice.broken_mesh", "slice.lost_layers", "slice.empty", "slice.too_thin" }));
         Assert.That(result.Diagnostics.Any(d => d.Severity == Severity.Error), Is.EqualTo(refused), string.Join("\n", result.Diagnostics));
         Assert.That(result.Value is null, Is.EqualTo(refused));
     }

@@ -37,7 +37,7 @@ public class ModelArrangerTests
         var five = ModelArranger.Arrange(new[] { Block("a", 100, 100, 5) }.Copies(5), new Printer { Title = "Small" });
         Assert.That(five.Value, Is.Null);
         Assert.That(five.Diagnostics.Single().ToString(), Is.EqualTo(
-            "error models.no_place: There is no place left on the bed of Small for a (5): 4 of 5 models fit beside each other."));
+            "error models.no_space: There is no place left on the bed of Small for a (5): 4 of 5 models fit beside each other."));
     }
 
     [Test]
@@ -119,7 +119,7 @@ public class ModelArrangerTests
         var sliced = PlanarSlicer.SliceEach([new SliceModel(a, Plain), new SliceModel(b, own)], Plain);
         Assert.That(sliced.Diagnostics.Select(d => d.ToString()), Is.EqualTo(new[]
         {
-            "b: warning slice.print_wide: travel_speed_mm_s, raft_layers hold for the whole print: the value for one model is ignored.",
+            "b: warning slice.whole_print: travel_speed_mm_s, raft_layers hold for the whole print: the value for one model is ignored.",
         }));
         Assert.That(sliced.Value!.Layers.Select(l => l.Layer.Z).Min(), Is.EqualTo(Plain.FirstLayerHeight), "no raft, so no model is raised");
         Assert.That(sliced.Value.Layers.Where(l => l.Layer.Object == "b").Min(l => l.Layer.Z), Is.EqualTo(Plain.FirstLayerHeight));

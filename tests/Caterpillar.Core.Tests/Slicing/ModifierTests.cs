@@ -136,7 +136,7 @@ public class ModifierTests
     public void Modifiers_alone_are_nothing_to_print()
     {
         var result = PlanarSlicer.SliceEach([new SliceModel(new NamedMesh("mod", Half), Plain with { ModelType = ModelType.Modifier })], Plain);
-        Assert.That(result.Diagnostics.Select(d => d.Code), Does.Contain("slice.nothing"));
+        Assert.That(result.Diagnostics.Select(d => d.Code), Does.Contain("slice.empty"));
     }
 
     [Test]

@@ -153,7 +153,7 @@ public class PlanarFeatureTests
     public void Open_contours_are_single_walls_where_wanted()
     {
         var sheet = TriMesh.Create([new(0, 0, 0), new(10, 0, 0), new(10, 0, 2), new(0, 0, 2)], [0, 1, 2, 0, 2, 3]);
-        Assert.That(Solids.Try(Bare, sheet).Diagnostics.Select(d => d.Code), Has.Some.EqualTo("slice.broken_mesh").And.Some.EqualTo("slice.nothing"));
+        Assert.That(Solids.Try(Bare, sheet).Diagnostics.Select(d => d.Code), Has.Some.EqualTo("slice.broken_mesh").And.Some.EqualTo("slice.empty"));
         var layers = Solids.Slice(Bare with { OpenContours = OpenContours.Walls }, sheet);
         Assert.That(layers.Select(l => Solids.Paths(l).Single().Length), Is.All.EqualTo(10).Within(1e-9));
     }

@@ -146,8 +146,8 @@ public class PlanarSlicerTests
     {
         var thin = PlanarSlicer.Slice([new NamedMesh("thin", Block(0, 0, 0, 10, 0.05, 1))], Plain with { InfillDensityPercent = 0 });
         Assert.That(thin.Value, Is.Null);
-        Assert.That(thin.Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "slice.nothing", "slice.too_thin" }));
-        Assert.That(PlanarSlicer.Slice([], Plain).Diagnostics.Single().Code, Is.EqualTo("slice.nothing"));
+        Assert.That(thin.Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "slice.empty", "slice.too_thin" }));
+        Assert.That(PlanarSlicer.Slice([], Plain).Diagnostics.Single().Code, Is.EqualTo("slice.empty"));
         var sunk = PlanarSlicer.Slice([new NamedMesh("sunk", Block(0, 0, -1, 10, 10, 1))], Plain);
         Assert.That(sunk.Diagnostics.Single().Code, Is.EqualTo("slice.below_bed"));
         Assert.That(sunk.Value!.Layers, Has.Count.EqualTo(5));

@@ -258,9 +258,9 @@ internal sealed class TurtleScriptTests
         var few = new TurtleLimits { MaxSteps = 100_000, MaxMoves = 1000, MaxDepth = 500, MaxSymbols = 1000 };
         (string, int, string)[] programs =
         [
-            ("forward 1\nrepeat 1000000000 [ left 1 ]", 2, "turtle.endless"),
-            ("for i = 1 to 1000000000 [ ]", 1, "turtle.endless"),
-            ("while 1 [ left 1 ]", 1, "turtle.endless"),
+            ("forward 1\nrepeat 1000000000 [ left 1 ]", 2, "turtle.too_many_steps"),
+            ("for i = 1 to 1000000000 [ ]", 1, "turtle.too_many_steps"),
+            ("while 1 [ left 1 ]", 1, "turtle.too_many_steps"),
             ("repeat 1000000000 [ forward 1 ]", 1, "turtle.too_many_moves"),
             ("def f n [\n f n + 1 ]\nf 1", 2, "turtle.recursion"),
             ("lsystem 50 \"F\" \"F -> FF\"", 1, "lsystem.too_large"),
@@ -283,7 +283,7 @@ internal sealed class TurtleScriptTests
         for (var i = 0; i < 100_000; i++) nested = TurtleCommand.Repeat(1, [nested]);
         Assert.That(TurtleProgram.FromCommands([nested]).Run().HasErrors, Is.False, "nesting of commands has no limit");
         var endless = TurtleCommand.Repeat(1_000_000_000, [TurtleCommand.Repeat(1_000_000_000, [TurtleCommand.Of(TurtleAction.Yaw, 1)])]);
-        Assert.That(TurtleProgram.FromCommands([endless]).Run(limits: few).Diagnostics.Single().Code, Is.EqualTo("turtle.endless"));
+        Assert.That(TurtleProgram.FromCommands([endless]).Run(limits: few).Diagnostics.Single().Code, Is.EqualTo("turtle.too_many_steps"));
     }
 
     [Test]

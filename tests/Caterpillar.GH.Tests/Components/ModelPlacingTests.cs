@@ -61,7 +61,7 @@ public sealed class ModelPlacingTests
     public void What_has_no_place_is_named()
     {
         var canvas = new Canvas<ArrangeModelsComponent>().Feed("Geometry", Shapes.Box(size: 300)).Solve();
-        Assert.That(canvas.Errors, Has.Some.Contains("models.no_place"));
+        Assert.That(canvas.Errors, Has.Some.Contains("models.no_space"));
         Assert.That(canvas.All("Geometry"), Is.Empty);
         Assert.That(new Canvas<ArrangeModelsComponent>().Feed("Geometry", Shapes.Box()).Feed("Count", 0).Solve().Errors, Has.One.Contains("Count must be"));
         Assert.That(new Canvas<ArrangeModelsComponent>().Feed("Geometry", Shapes.Box()).Feed("Spacing", -1).Solve().Errors,

@@ -211,7 +211,7 @@ public sealed class SlicerTests
 
     [Test]
     public void Nothing_to_print_is_an_error()
-        => Assert.That(Slice(Shapes.Box(size: 0.1)).Errors, Has.Some.Contains("slice.nothing"));
+        => Assert.That(Slice(Shapes.Box(size: 0.1)).Errors, Has.Some.Contains("slice.empty"));
 
     [Test]
     public void The_last_result_is_kept_until_something_changes()

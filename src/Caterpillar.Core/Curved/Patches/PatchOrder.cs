@@ -45,7 +45,7 @@ internal static class PatchOrder
         {
             var first = Array.FindIndex(hits, h => h.Count > 0);
             var pair = Pair(patches, isBelow, exact) ?? (first, hits[first][0]);
-            problems.Add(Severity.Warning, "curved.pieces_block", $"No order of the pieces of layers is free: {Place(layers, patches[pair.A])} and "
+            problems.Add(Severity.Warning, "curved.blocked_pieces", $"No order of the pieces of layers is free: {Place(layers, patches[pair.A])} and "
                 + $"{Place(layers, patches[pair.B])} block each other. They are printed in the order of layers.");
         }
         return layers;

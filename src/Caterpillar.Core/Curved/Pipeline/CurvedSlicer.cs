@@ -67,7 +67,7 @@ public static class CurvedSlicer
         }
         var common = OnField(setup.Settings, field);
         if (setup.Settings.RaftLayers > 0 || (!field.StartsLevel && (setup.Settings.SkirtLoops > 0 || setup.Settings.BrimWidth > 0)))
-            problems.Add(Severity.Note, "curved.no_loops", "Curved layers that do not begin level have no skirt and no brim, and none have a raft.");
+            problems.Add(Severity.Note, "curved.no_skirt", "Curved layers that do not begin level have no skirt and no brim, and none have a raft.");
         var limits = new GapLimits(field, part, setup.Settings, MaxGap(setup));
         var sliced = PlanarSlicer.SliceEach(flat, common, new SliceOptions
         {
@@ -90,7 +90,7 @@ public static class CurvedSlicer
         };
         var layers = Lifted(result.Layers, field, rules, options.Threads, problems, progress.Part(0.75, 1), cancel);
         if (layers.Length == 0 && !problems.HasErrors)
-            problems.Add(Severity.Error, "slice.nothing", "Nothing to print: no part of the models lies above the surface, within the plan.");
+            problems.Add(Severity.Error, "slice.empty", "Nothing to print: no part of the models lies above the surface, within the plan.");
         if (problems.HasErrors) return new Result<CurvedResult>(null, problems.ToList());
         return new Result<CurvedResult>(new CurvedResult(PatchOrder.Arrange(layers, setup.Printer, problems), field), problems.ToList());
     }

@@ -48,7 +48,7 @@ internal sealed class MeshPlan(TriMesh mesh) : PlanSurface
         }
         if (up == 0 && down == 0)
         {
-            problems.Add(Severity.Error, "curved.plan_upright", "The plan stands upright: it has no height over the part.");
+            problems.Add(Severity.Error, "curved.plan_vertical", "The plan stands upright: it has no height over the part.");
         }
         else if (up > 0 && down > 0)
         {

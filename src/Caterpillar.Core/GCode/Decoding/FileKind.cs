@@ -15,7 +15,7 @@ internal static class FileKind
         if (commands > 0 && (long)commands * LinesPerChance >= lines && (head is null || Mark(head) is null)) return null;
         var kind = head is null || bytes == 0 ? "is empty" : Kind(head, bytes);
         if (commands > 0 && kind is null) return null;
-        return new Diagnostic(Severity.Error, "gcode.none", "This is no G-code: the file " + (kind ?? "has no command that a printer understands") + ".");
+        return new Diagnostic(Severity.Error, "gcode.not_gcode", "This is no G-code: the file " + (kind ?? "has no command that a printer understands") + ".");
     }
 
     private static string? Kind(GCodeChunk head, long bytes)

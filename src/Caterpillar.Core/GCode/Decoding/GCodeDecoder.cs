@@ -210,7 +210,7 @@ public static class GCodeDecoder
     {
         problems.Add(Severity.Note, "gcode.flavor_default", "Nothing in the file says which firmware it is for; read as " + rules.Title + ".");
         if (!settings.TryGetValue("gcode_flavor", out var flavor) || FlavorDetector.OfSlicerFlavor(flavor) is not { } meant || meant == rules.Name) return;
-        problems.Add(Severity.Warning, "gcode.flavor_late", "The settings at the end of the file name the G-code flavor \"" + flavor
+        problems.Add(Severity.Warning, "gcode.flavor_mismatch", "The settings at the end of the file name the G-code flavor \"" + flavor
             + "\"; it was read as " + rules.Title + ". State the flavor.");
     }
 

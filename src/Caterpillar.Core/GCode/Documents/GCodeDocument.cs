@@ -61,7 +61,7 @@ public sealed class GCodeDocument
     public static GCodeDocument FromText(string text, string name = "") => FromBytes(TextEncoding.Encode(text), name);
 
     /// <summary>Reads a file: plain, packed with gzip, or binary G-code (.bgcode).</summary>
-    /// <returns>The document, or none with the error <c>gcode.packed</c> where gzip or binary G-code is broken. Decoding says what else was noticed.</returns>
+    /// <returns>The document, or none with the error <c>gcode.compression</c> where gzip or binary G-code is broken. Decoding says what else was noticed.</returns>
     /// <exception cref="IOException">The file cannot be read.</exception>
     public static Result<GCodeDocument> ReadFile(string path, CancellationToken cancel = default)
     {
@@ -168,7 +168,7 @@ public sealed class GCodeDocument
 
     /// <summary>The error for packed bytes that cannot be unpacked.</summary>
     internal static Diagnostic Broken(InvalidDataException broken, string name)
-        => new(Severity.Error, "gcode.packed", "The file cannot be read. " + broken.Message, name.Length > 0 ? new SourceLocation(name) : null);
+        => new(Severity.Error, "gcode.compression", "The file cannot be read. " + broken.Message, name.Length > 0 ? new SourceLocation(name) : null);
 
     private static GCodeDocument Unpack(Stream stream, string name, MemoryLimit memory, CancellationToken cancel)
     {

@@ -105,7 +105,7 @@ internal sealed class GCodeSource : IDisposable
     public IReadOnlyList<Diagnostic> Notes()
     {
         var notes = new List<Diagnostic>();
-        if (_gzip is { HasTrailingBytes: true }) notes.Add(GzipReader.TrailingBytes("gcode.packed", ""));
+        if (_gzip is { HasTrailingBytes: true }) notes.Add(GzipReader.TrailingBytes("gcode.compression", ""));
         if (_wide)
         {
             notes.Add(new Diagnostic(Severity.Warning, "gcode.utf16",

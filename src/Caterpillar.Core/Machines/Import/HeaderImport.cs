@@ -67,7 +67,7 @@ public static class HeaderImport
         if (nozzle <= 0)
         {
             if (like is null) printer = printer with { DefaultMaterial = "clay", DefaultSettings = "clay", MaxFlow = 0 };
-            problems.Add(Severity.Note, "header.cold", "The header does not heat the nozzle: material is extruded cold, like clay.",
+            problems.Add(Severity.Note, "header.no_heating", "The header does not heat the nozzle: material is extruded cold, like clay.",
                 new SourceLocation(headerFile));
         }
         if (facts.RelativeE is null)
@@ -109,7 +109,7 @@ public static class HeaderImport
             reason = "the range of the header's moves";
         }
         var volume = new Vec3(Fit(x), Fit(y), Fit(z));
-        problems.Add(Severity.Note, "header.bed", reason.Length == 0
+        problems.Add(Severity.Note, "header.bed_size", reason.Length == 0
             ? $"The header does not state the machine's size: {Text(volume)} is that of the similar printer."
             : $"The machine's size is {Text(volume)}, {reason}; the height and everything not stated are those of the similar printer.", place);
         return (volume, origin);

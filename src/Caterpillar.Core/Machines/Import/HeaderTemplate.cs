@@ -85,7 +85,7 @@ internal sealed class HeaderTemplate(HeaderText header, string file, DiagnosticL
         var rise = NumberFormatter.Format(word.Value, 3);
         _lines.Add(Convert(line.Text.Substring(0, word.From)) + "{max(0, min(" + rise + ", bed_max_z_mm - print_max_z_mm - 5))}"
             + Convert(line.Text.Substring(word.To)));
-        problems.Add(Severity.Note, "header.lift",
+        problems.Add(Severity.Note, "header.end_height",
             $"The footer raises the head by {rise} mm from where it is; in the template the lift ends 5 mm below the top of the machine.",
             new SourceLocation(file));
     }

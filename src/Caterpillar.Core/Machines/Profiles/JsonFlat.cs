@@ -18,7 +18,7 @@ internal static class JsonFlat
         {
             if (!Next(reader) || reader.TokenType != JsonToken.StartObject)
             {
-                diagnostics.Add(Error("profile.no_object", "A profile must be a JSON object: { \"key\": value, … }.", file, reader));
+                diagnostics.Add(Error("profile.not_an_object", "A profile must be a JSON object: { \"key\": value, … }.", file, reader));
                 return null;
             }
             var entries = new List<JsonEntry>();

@@ -78,7 +78,7 @@ public sealed class ProfileLibrary
         }
         if (chain.Count > 0 && Sources(kind, name).Any())
         {
-            return Failed<T>("profile.circle", $"The {kind.Noun} \"{name}\" inherits itself.", new SourceLocation(chain[0]));
+            return Failed<T>("profile.circular_inheritance", $"The {kind.Noun} \"{name}\" inherits itself.", new SourceLocation(chain[0]));
         }
         var names = Names(kind);
         var near = SpellingSuggestion.Nearest(name, names);

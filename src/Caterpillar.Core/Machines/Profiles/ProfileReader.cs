@@ -33,7 +33,7 @@ public static class ProfileReader
         foreach (var entry in entries)
         {
             var place = new SourceLocation(file, entry.Line, entry.Column, entry.Key);
-            if (!seen.Add(entry.Key)) diagnostics.Add(new Diagnostic(Severity.Error, "profile.repeated_key", "This key is repeated.",
+            if (!seen.Add(entry.Key)) diagnostics.Add(new Diagnostic(Severity.Error, "profile.duplicate_key", "This key is repeated.",
                 place));
             else if (entry.Key is not ("inherits" or "$schema")) profile = kind.Apply(profile, entry.Key, entry.Value, place, diagnostics);
         }
@@ -49,7 +49,7 @@ public static class ProfileReader
         var place = new SourceLocation(file, entry.Line, entry.Column, entry.Key);
         if (entry.Value is not string wanted)
         {
-            diagnostics.Add(new Diagnostic(Severity.Error, "profile.wrong_kind", "inherits needs the name of a profile.", place));
+            diagnostics.Add(new Diagnostic(Severity.Error, "profile.wrong_type", "inherits needs the name of a profile.", place));
             return kind.Empty(name);
         }
         var found = parent?.Invoke(wanted);

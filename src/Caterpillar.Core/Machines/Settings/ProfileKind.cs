@@ -32,12 +32,12 @@ internal sealed class ProfileKind<T>(string noun, string folder, IReadOnlyList<P
         }
         if (raw is null)
         {
-            diagnostics.Add(new Diagnostic(Severity.Error, "profile.wrong_kind", $"{key} needs {found.Format.Expected}.", place));
+            diagnostics.Add(new Diagnostic(Severity.Error, "profile.wrong_type", $"{key} needs {found.Format.Expected}.", place));
             return profile;
         }
         var changed = found.Set(profile, raw, out var problem);
         if (changed is not null) return changed;
-        var code = problem!.StartsWith("needs", StringComparison.Ordinal) ? "profile.wrong_kind" : "profile.out_of_range";
+        var code = problem!.StartsWith("needs", StringComparison.Ordinal) ? "profile.wrong_type" : "profile.out_of_range";
         diagnostics.Add(new Diagnostic(Severity.Error, code, $"{key} {problem}." + (raw is string word ? found.Format.Hint(word) : ""), place));
         return profile;
     }

@@ -71,7 +71,7 @@ public sealed record PrintSetup
                 "line_width_mm is less than the layer height, which bead_shape stadium does not allow; use rectangle or circle.",
                 new SourceLocation(Key: "line_width_mm"));
         if (Printer.ExtrusionUnit != ExtrusionUnit.None && Math.Max(Settings.LayerHeight, Settings.FirstLayerHeight) > Printer.NozzleDiameter)
-            diagnostics.Add(Severity.Warning, "setup.high_layer", "The layer height exceeds the nozzle diameter: extrusions will hardly bond to each other.",
+            diagnostics.Add(Severity.Warning, "setup.layer_height", "The layer height exceeds the nozzle diameter: extrusions will hardly bond to each other.",
                 new SourceLocation(Key: "layer_height_mm"));
         if (Settings.AdaptiveLayers && Settings.AdaptiveMinHeight > Settings.AdaptiveMaxHeight)
             diagnostics.Add(Severity.Error, "setup.adaptive_heights", "adaptive_min_height_mm is greater than adaptive_max_height_mm.",

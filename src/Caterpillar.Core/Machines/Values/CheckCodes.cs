@@ -7,13 +7,13 @@ public static class CheckCodes
 {
     public const string Outside = "bed.outside";
     public const string Below = "bed.below";
-    public const string PrintArea = "bed.print_area";
+    public const string PrintArea = "bed.excluded_area";
     public const string NozzleHits = "collision.nozzle";
     public const string TravelHits = "collision.travel";
     public const string HeadHits = "collision.head";
     public const string GantryHits = "collision.gantry";
     public const string ClipHit = "collision.clip";
-    public const string DigsIn = "nozzle.digs_in";
+    public const string DigsIn = "collision.slope";
     public const string Unsupported = "extrusion.unsupported";
     public const string Doubled = "extrusion.duplicate";
     public const string Squeezed = "extrusion.squeezed";

@@ -12,7 +12,7 @@ namespace Caterpillar.Slicing;
 public static class ModelArranger
 {
     /// <summary>The models, standing on the bed, in the order in which they were given.</summary>
-    /// <returns>The models, or none and the error <c>models.no_place</c>, which names those that have no place left.</returns>
+    /// <returns>The models, or none and the error <c>models.no_space</c>, which names those that have no place left.</returns>
     /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static Result<IReadOnlyList<NamedMesh>> Arrange(
         IReadOnlyList<NamedMesh> models, Printer printer, ArrangeOptions? options = null, CancellationToken cancel = default)
@@ -37,7 +37,7 @@ public static class ModelArranger
             var names = string.Join(", ", missing.Take(5)) + (missing.Length > 5 ? $" and {NumberFormatter.Format(missing.Length - 5)} more" : "");
             var text = $"There is no place left on the bed of {printer.Title} for {names}: {NumberFormatter.Format(order.Length - missing.Length)} of "
                 + $"{NumberFormatter.Format(order.Length)} models fit beside each other.";
-            return new Result<IReadOnlyList<NamedMesh>>(null, [new Diagnostic(Severity.Error, "models.no_place", text)]);
+            return new Result<IReadOnlyList<NamedMesh>>(null, [new Diagnostic(Severity.Error, "models.no_space", text)]);
         }
         var result = models.Select((m, i) => placed[i] is { } place ? Stand(m, footprints[i], place) : m).ToArray();
         return new Result<IReadOnlyList<NamedMesh>>(result, []);

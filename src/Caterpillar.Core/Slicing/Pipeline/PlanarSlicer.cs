@@ -18,10 +18,10 @@ public static class PlanarSlicer
     /// <param name="options">Threads, memory, infill lines, and who gets finished layers.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels.</param>
-    /// <returns>The layers, and what was noticed: <c>slice.nothing</c>, <c>slice.below_bed</c>, <c>slice.too_many_layers</c>, <c>slice.layer_formula</c>,
+    /// <returns>The layers, and what was noticed: <c>slice.empty</c>, <c>slice.below_bed</c>, <c>slice.too_many_layers</c>, <c>slice.layer_formula</c>,
     /// <c>slice.spiral_vase_divided</c>, <c>slice.spiral_vase_lag</c>, <c>slice.layer_time</c>, and for each broken mesh <c>slice.broken_mesh</c> (what was
     /// repaired and what is left out) and <c>slice.lost_layers</c> (an error: there are no layers then), <c>slice.no_curves</c>, settings without effect
-    /// (<c>slice.no_effect</c>, <c>slice.print_wide</c>, <c>slice.no_support</c>), for each model <c>slice.too_thin</c>, and for each modifier without effect
+    /// (<c>slice.no_effect</c>, <c>slice.whole_print</c>, <c>slice.no_support</c>), for each model <c>slice.too_thin</c>, and for each modifier without effect
     /// <c>slice.modifier_outside</c>; <c>slice.too_many_models</c> where there are more than 10,000.</returns>
     /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
     public static Result<SliceResult> Slice(
@@ -65,7 +65,7 @@ public static class PlanarSlicer
         {
             if (PrintWideKeys.SetBy(model.Settings, common) is not { Count: > 0 } ignored) continue;
             var (keys, hold) = (string.Join(", ", ignored), ignored.Count == 1 ? "holds" : "hold");
-            findings.Add(new Diagnostic(Severity.Warning, "slice.print_wide",
+            findings.Add(new Diagnostic(Severity.Warning, "slice.whole_print",
                 $"{keys} {hold} for the whole print: the value for one model is ignored.", new SourceLocation(model.Mesh.Name)));
         }
         findings.AddRange(IdleSettings.Of(models, common));
@@ -100,7 +100,7 @@ public static class PlanarSlicer
         var kept = finish.End();
         foreach (var body in bodies) ThinPlaces.Report(body, findings);
         if (kept.Length == 0 && !problems.HasErrors)
-            problems.Add(Severity.Error, "slice.nothing", Nothing(models, ordered));
+            problems.Add(Severity.Error, "slice.empty", Nothing(models, ordered));
         return new Result<SliceResult>(kept.Length > 0 ? new SliceResult(kept) : null, [.. problems.ToList(), .. findings]);
     }
 

@@ -220,7 +220,7 @@ internal sealed class ScriptMachine
         _cancel.ThrowIfCancellationRequested();
         if (_steps > _limits.MaxSteps)
         {
-            throw Error(_current, "turtle.endless", $"The program was stopped after {Text(_limits.MaxSteps)} steps. Does a loop never end?");
+            throw Error(_current, "turtle.too_many_steps", $"The program was stopped after {Text(_limits.MaxSteps)} steps. Does a loop never end?");
         }
         Weigh();
         _pulse = Math.Min(_steps + Pulse, Math.Min(_limits.MaxSteps, long.MaxValue - 1) + 1);

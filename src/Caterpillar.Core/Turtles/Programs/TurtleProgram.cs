@@ -88,11 +88,11 @@ public sealed class TurtleProgram
             {
                 cursor.At = 0;
                 if (--cursor.Turns <= 0) open.Pop();
-                if (++steps > limits.MaxSteps) return [Stopped(limits.MaxSteps, "steps", "turtle.endless")];
+                if (++steps > limits.MaxSteps) return [Stopped(limits.MaxSteps, "steps", "turtle.too_many_steps")];
                 continue;
             }
             var command = cursor.Commands[cursor.At++];
-            if (++steps > limits.MaxSteps) return [Stopped(limits.MaxSteps, "steps", "turtle.endless")];
+            if (++steps > limits.MaxSteps) return [Stopped(limits.MaxSteps, "steps", "turtle.too_many_steps")];
             if ((steps & 0x3FFF) == 0) cancel.ThrowIfCancellationRequested();
             if (command.Action == TurtleAction.Repeat)
             {

@@ -98,15 +98,15 @@ public class MotionTests
         foreach (var flavor in FlavorTable.All)
         {
             foreach (var command in flavor.NotFollowed)
-                Assert.That(ProgramTable.Run(command + " X1 P1", flavor.Name).Diagnostics.Select(d => d.Code), Does.Contain("gcode.not_followed"),
+                Assert.That(ProgramTable.Run(command + " X1 P1", flavor.Name).Diagnostics.Select(d => d.Code), Does.Contain("gcode.unsupported_motion"),
                     flavor.Name + " " + command);
         }
-        Assert.That(ProgramTable.Run("G1 R1 X5", "reprapfirmware").Diagnostics.Select(d => d.Code), Does.Contain("gcode.not_followed"));
+        Assert.That(ProgramTable.Run("G1 R1 X5", "reprapfirmware").Diagnostics.Select(d => d.Code), Does.Contain("gcode.unsupported_motion"));
     }
 
     [TestCase("G1 X10;X20", "marlin2", "gcode.flavor_modal")]
     [TestCase("G91 G1 X20", "klipper", "gcode.flavor_commands")]
-    [TestCase("RESTORE_GCODE_STATE NAME=b", "klipper", "gcode.state")]
+    [TestCase("RESTORE_GCODE_STATE NAME=b", "klipper", "gcode.unknown_state")]
     [TestCase("G55;G1 X5", "cnc", "gcode.workspace")]
     public void What_depends_on_the_machine_is_reported(string program, string flavor, string code)
         => Assert.That(ProgramTable.Run(program, flavor).Diagnostics.Select(d => d.Code), Does.Contain(code));

@@ -106,7 +106,7 @@ public class ToolTests
     {
         var toolpath = ProgramTable.Decode("G10 P1 S210 R160;G10 P1 X5", "reprapfirmware").Toolpath;
         Assert.That(toolpath.Events.Single().Event, Is.EqualTo(new NozzleTemperatureEvent(210, false, 1)));
-        Assert.That(ProgramTable.Run("G10 P1 X5", "reprapfirmware").Diagnostics.Select(d => d.Code), Does.Contain("gcode.not_followed"));
+        Assert.That(ProgramTable.Run("G10 P1 X5", "reprapfirmware").Diagnostics.Select(d => d.Code), Does.Contain("gcode.unsupported_motion"));
     }
 
     [Test]

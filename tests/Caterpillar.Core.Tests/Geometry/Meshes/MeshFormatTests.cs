@@ -68,7 +68,7 @@ public class MeshFormatTests
         Assert.That(MeshReader.Read(bytes, "x.stl").Value!.Single().Mesh.Volume, Is.EqualTo(6).Within(1e-12));
         bytes[80] = 0;
         var uncounted = MeshReader.Read(bytes.Select((b, i) => i < 20 ? (byte)0 : b).ToArray(), "x.stl");
-        Assert.That(uncounted.Diagnostics.Single().Code, Is.EqualTo("mesh.count"));
+        Assert.That(uncounted.Diagnostics.Single().Code, Is.EqualTo("mesh.facet_count"));
         Assert.That(uncounted.Value!.Single().Mesh.TriangleCount, Is.EqualTo(12));
         var longer = MeshReader.Read([.. MeshBytes.BinaryStl(), 1, 2, 3], "x.stl");
         Assert.That(longer.Diagnostics.Single(),
@@ -128,7 +128,7 @@ public class MeshFormatTests
         var read = MeshReader.Read(MeshBytes.Text("v 0 0 0\nv 1 0 0\nv 0 1 0\nfoo 1\nbar 2\ncurv 0 1 2\nf 1 2\nf 1 2 3\n"), "x.obj");
         Assert.That(read.Diagnostics.Select(d => (d.Severity, d.Code, d.Count, d.Source!.Line)), Is.EqualTo(new (Severity, string, int, int?)[]
         {
-            (Severity.Note, "mesh.ignored", 2, 4), (Severity.Warning, "mesh.unsupported", 1, 6), (Severity.Warning, "mesh.short_faces", 1, 7),
+            (Severity.Note, "mesh.ignored", 2, 4), (Severity.Warning, "mesh.unsupported", 1, 6), (Severity.Warning, "mesh.incomplete_faces", 1, 7),
                 (Severity.Note, "mesh.naked_edges", 3, null),
         }));
     }
@@ -156,7 +156,7 @@ public class MeshFormatTests
             turned++;
         }
         var read = MeshReader.Read(StlWriter.ToBytes(TriMesh.Create(hollow.Vertices, indices)), "x.stl");
-        Assert.That(read.Diagnostics.Select(d => (d.Code, d.Count)), Is.EqualTo(new[] { ("mesh.faces_turned", turned) }));
+        Assert.That(read.Diagnostics.Select(d => (d.Code, d.Count)), Is.EqualTo(new[] { ("mesh.flipped_faces", turned) }));
         Assert.That(read.Value!.Single().Mesh.IsWatertight);
         Assert.That(read.Value!.Single().Mesh.Volume, Is.EqualTo(hollow.Volume).Within(0.1), "the cavity stays a cavity");
         var all = MeshReader.Read(StlWriter.ToBytes(MeshMaker.InsideOut(hollow)), "x.stl");

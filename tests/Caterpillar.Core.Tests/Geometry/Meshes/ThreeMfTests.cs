@@ -97,6 +97,6 @@ public class ThreeMfTests
         var bytes = MeshBytes.Gzip(new byte[70 << 20]);
         var read = MeshReader.Read(bytes, "x.stl.gz");
         Assert.That(read.Diagnostics.Single().ToString(),
-            Is.EqualTo("x.stl.gz: error mesh.packed: The gzip file cannot be decompressed. It decompresses to more than 250 times its size."));
+            Is.EqualTo("x.stl.gz: error mesh.compression: The gzip file cannot be decompressed. It decompresses to more than 250 times its size."));
     }
 }

@@ -31,7 +31,7 @@ internal sealed class IgnoredCommands(FlavorRules rules, LineDiagnostics diagnos
     }
 
     public void NotFollowed(string name)
-        => diagnostics.Warn("gcode.not_followed",
+        => diagnostics.Warn("gcode.unsupported_motion",
             $"{rules.Title}: {name} moves the head or shifts its coordinates in a way that cannot be followed; positions after it may be wrong.");
 
     /// <summary>Adds one note about everything that was ignored.</summary>

@@ -76,7 +76,7 @@ internal sealed record ConvertTarget
         if (axis == ExtrusionAxis.Switched)
         {
             if (flavor.SwitchedExtruder) return axis;
-            problems.Add(Severity.Error, "gcode.no_amounts", "The file switches its extruder by M101 and M103 and has no amounts of E; " + flavor.Title
+            problems.Add(Severity.Error, "gcode.no_e_values", "The file switches its extruder by M101 and M103 and has no amounts of E; " + flavor.Title
                 + " needs them, and they cannot be guessed.");
             return null;
         }
@@ -89,7 +89,7 @@ internal sealed record ConvertTarget
         }
         if (flavor.SwitchedExtruder)
         {
-            problems.Add(Severity.Warning, "gcode.amounts_lost", flavor.Title
+            problems.Add(Severity.Warning, "gcode.e_values_lost", flavor.Title
                 + " only switches its extruder on and off (M101, M103): amounts of E and retractions are lost.");
             return ExtrusionAxis.Switched;
         }
@@ -112,11 +112,11 @@ internal sealed record ConvertTarget
         if (volumetric == isVolumetric) return target;
         if (!volumetric && flavor.StartsVolumetric)
         {
-            problems.Add(Severity.Error, "gcode.volumes_only", flavor.Title + " reads E as a volume; lengths would be misread.");
+            problems.Add(Severity.Error, "gcode.volumetric_only", flavor.Title + " reads E as a volume; lengths would be misread.");
             return null;
         }
         if (volumetric && !flavor.Volumetric && !flavor.StartsVolumetric)
-            problems.Add(Severity.Warning, "gcode.volumes_unknown", flavor.Title
+            problems.Add(Severity.Warning, "gcode.volumetric_setup", flavor.Title
                 + " has no command for volumetric E (M200): the machine has to be set up for it.");
         var areas = FilamentFactors.Areas(decoding.Settings, null);
         var factors = new double[tools.Count];

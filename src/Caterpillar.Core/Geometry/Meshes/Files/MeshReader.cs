@@ -65,7 +65,7 @@ public static class MeshReader
         byte[] bytes, string name, DiagnosticList diagnostics, MeshReadOptions options, IProgress<double>? progress, CancellationToken cancel)
     {
         var meshes = new List<NamedMesh>();
-        var plain = GzipBytes.Unpack(bytes, name, "mesh.packed", diagnostics, options.Memory, cancel);
+        var plain = GzipBytes.Unpack(bytes, name, "mesh.compression", diagnostics, options.Memory, cancel);
         var good = plain is not null && ReadPlain(new MeshSource(plain, name, diagnostics, options, progress, cancel), meshes);
         if (good && meshes.All(m => m.Mesh.TriangleCount == 0))
         {

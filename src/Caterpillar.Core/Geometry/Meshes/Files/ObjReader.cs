@@ -110,7 +110,7 @@ internal sealed class ObjReader
         }
         if (count < 3)
         {
-            _source.Note(Severity.Warning, "mesh.short_faces", "Faces with fewer than three vertices are ignored.", _source.PlaceInText(faceAt));
+            _source.Note(Severity.Warning, "mesh.incomplete_faces", "Faces with fewer than three vertices are ignored.", _source.PlaceInText(faceAt));
         }
         return true;
     }

@@ -124,7 +124,7 @@ internal sealed class PlyReader
         }
         if (shorts > 0)
         {
-            _source.Note(Severity.Warning, "mesh.short_faces", "Faces with fewer than three vertices are ignored.", count: shorts);
+            _source.Note(Severity.Warning, "mesh.incomplete_faces", "Faces with fewer than three vertices are ignored.", count: shorts);
         }
         return true;
     }

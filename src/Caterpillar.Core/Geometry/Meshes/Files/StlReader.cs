@@ -24,7 +24,7 @@ internal static class StlReader
         var there = (source.Length - HeaderBytes) / FacetBytes;
         if (declared == 0 && there > 0 && (source.Length - HeaderBytes) % FacetBytes == 0)
         {
-            source.Note(Severity.Warning, "mesh.count", "The STL header states no facets; they are counted from the length of the file.");
+            source.Note(Severity.Warning, "mesh.facet_count", "The STL header states no facets; they are counted from the length of the file.");
             declared = there;
         }
         if (declared > there)

@@ -42,7 +42,7 @@ internal sealed class ThreeMfReader
         catch (Exception e) when (e is not OperationCanceledException and not OutOfMemoryException and not DiagnosticException)
         {
             // The runtimes throw different kinds on damaged archives.
-            source.Note(Severity.Error, "mesh.packed", "The zip archive is damaged or incomplete.");
+            source.Note(Severity.Error, "mesh.compression", "The zip archive is damaged or incomplete.");
             return false;
         }
     }

@@ -28,7 +28,7 @@ internal static class MeshRepair
             (result, doubled) = OppositeFacets.Drop(result);
             doubled += Count(notes, "mesh.duplicate_faces");
             result = MeshOrientation.Unify(result, place, notes);
-            turned = Count(notes, "mesh.faces_turned") + (notes.Contains("mesh.inside_out", Severity.Warning) ? result.TriangleCount : 0);
+            turned = Count(notes, "mesh.flipped_faces") + (notes.Contains("mesh.inside_out", Severity.Warning) ? result.TriangleCount : 0);
             cancel.ThrowIfCancellationRequested();
             (result, var filled, loose) = HoleFiller.Fill(result, cancel);
             holes = filled.ToArray();
