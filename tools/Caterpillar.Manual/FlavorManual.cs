@@ -38,8 +38,8 @@ internal static class FlavorManual
             + "nothing.\n");
         text.Append("- The zero of a machine, the positions it stores, and the retraction it makes by itself are not in a file: homing ends at 0, stored "
             + "positions are 0 until the file stores others.\n");
-        text.Append("\n## Not followed\n\nThese move the head or its coordinates in a way that is not followed. A warning (`gcode.unsupported_motion`) names the "
-            + "line; positions after it may be wrong.\n\n");
+        text.Append("\n## Not followed\n\nThese move the head or its coordinates in a way that is not followed. A warning (`gcode.unsupported_motion`) names "
+            + "the line; positions after it may be wrong.\n\n");
         foreach (var flavor in all.Where(d => d.NotFollowed.Count > 0 || d.RestorePoints))
         {
             text.Append("- ").Append(flavor.Title).Append(": ")

@@ -74,13 +74,16 @@ internal sealed class PlanRun
     public Result<Plan> Finish()
     {
         if (_diagnostics.HasErrors) return new Result<Plan>(null, _diagnostics.ToList());
-        if (_steps == 0) _diagnostics.Add(Severity.Warning, "plan.empty", "There is nothing to plan.");
+        if (_steps == 0) _diagnostics.Add(Severity.Warning, "plan.empty", "Nothing to plan: the design has no steps.");
         var toolpath = _planner.Build();
         if (_counts.EmptySegments > 0)
-            _diagnostics.Add(Severity.Note, "plan.repeated_point", "A path repeats a point; the segment without length is dropped.", null,
+            _diagnostics.Add(Severity.Note, "plan.repeated_point", "A path has the same point twice in a row. The segment without length is left out.", null,
                 _counts.EmptySegments);
         return new Result<Plan>(new Plan(toolpath, _counts), _diagnostics.ToList());
     }
+
+    /// <summary>The tools of a printer, after "has".</summary>
+    public static string OnlyTools(int count) => count == 1 ? "only tool 0" : $"only tools 0 to {NumberFormatter.Format(count - 1)}";
 
     // Every segment becomes a move.
     private Diagnostic? TooMuch(IReadOnlyList<Step> steps)
@@ -97,7 +100,7 @@ internal sealed class PlanRun
         if (tool >= 0 && tool < tools) return;
         _diagnostics.Add(
             Severity.Error, "plan.unknown_tool",
-                $"Tool {NumberFormatter.Format(tool)} is requested, but the printer has {NumberFormatter.Format(tools)}, counted from 0.",
+                $"Step uses tool {NumberFormatter.Format(tool)}, but the printer has {OnlyTools(tools)}.",
             new SourceLocation(Step: index));
     }
 }

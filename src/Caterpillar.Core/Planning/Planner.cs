@@ -5,14 +5,14 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Planning;
 
 /// <summary>
-/// Turns the steps of a design into machine moves: sorts if the groups of the steps allow it, adds travels, lifts and retractions by the settings,
-/// and turns beads into E. The same input gives the same plan on every run.
+/// Plans the steps of a design as machine moves: sorts paths within their groups, adds travel moves, Z-hops and retractions from the settings, and computes E
+/// from the beads. The same input always gives the same plan.
 /// </summary>
 public static class Planner
 {
-    /// <summary>Plans steps. No value if a step requests a tool that the printer does not have.</summary>
+    /// <summary>Plans steps. No value if a step uses a tool that the printer does not have.</summary>
     /// <exception cref="ArgumentException">A step is null.</exception>
-    /// <exception cref="OperationCanceledException">It was canceled.</exception>
+    /// <exception cref="OperationCanceledException">Planning was canceled.</exception>
     public static Result<Toolpath> Plan(
         IReadOnlyList<Step> steps, PrintSetup setup, PlanOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
@@ -20,7 +20,7 @@ public static class Planner
         return new Result<Toolpath>(result.Value?.Toolpath, result.Diagnostics);
     }
 
-    /// <summary>The same, with a count of how often each rule had an effect.</summary>
+    /// <summary>Plans steps and counts the effects of each rule.</summary>
     /// <inheritdoc cref="Plan(IReadOnlyList{Step}, PrintSetup, PlanOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
     public static Result<Plan> PlanWithReport(
         IReadOnlyList<Step> steps, PrintSetup setup, PlanOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)

@@ -86,12 +86,12 @@ internal sealed class StepPlanner
         _slowed.Report(_rules.MaxFlow, _diagnostics);
         if (_overrides.CouldNotRevert)
             _diagnostics.Add(Severity.Note, "plan.override_kept",
-                "A path overrides a setting whose usual value is unknown: the overriding value stays in effect.");
+                "A path overrides a setting whose default is unknown. The new value stays in effect after the path.");
         if (_emitter.PrintedRetracted)
         {
             _diagnostics.Add(
                 Severity.Warning, "plan.printed_retracted",
-                    "Paths start while filament is retracted: their first E only restores it. Extrude the retracted length before printing.");
+                    "Paths start while filament is retracted, so their first E only deretracts it. Deretract before printing.");
         }
         return _emitter.Build(_places.Exists(p => p is not null) ? _places : null);
     }
@@ -190,7 +190,7 @@ internal sealed class StepPlanner
         {
             _counts.BlockedReturns++;
             _diagnostics.Add(
-                Severity.Warning, "plan.blocked_return", "The head returns to a point that has been printed over: it descends through what lies there.",
+                Severity.Warning, "plan.blocked_return", "The head returns to a point that has been printed over, and hits the print there.",
                 new SourceLocation(Step: _emitter.Source));
         }
         _travel.Over(goal, safely: true);

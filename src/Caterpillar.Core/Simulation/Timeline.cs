@@ -5,9 +5,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Simulation;
 
 /// <summary>
-/// A toolpath in time: how long every move takes by the limits and the corner rule of a printer, and the state of the machine at any moment, found
-/// without a walk through the moves and without
-/// allocation. Immutable.
+/// Simulation of a toolpath in time: the duration of each move with the limits and cornering of a printer, and the state of the machine at any time, found
+/// without visiting all moves and without allocation. Immutable.
 /// </summary>
 public sealed class Timeline
 {
@@ -28,23 +27,23 @@ public sealed class Timeline
         for (var tool = 0; tool < toolpath.Tools.Count; tool++) _volumesKnown &= toolpath.VolumePerE(tool) is not null;
     }
 
-    /// <summary>What is timed.</summary>
+    /// <summary>The simulated toolpath.</summary>
     public Toolpath Toolpath { get; }
 
-    /// <summary>Whose limits were used.</summary>
+    /// <summary>The printer, material and settings of the simulation.</summary>
     public PrintSetup Setup { get; }
 
-    /// <summary>Seconds in all.</summary>
+    /// <summary>Total time, s.</summary>
     public double Duration => _motion.TotalTime;
 
-    /// <summary>Seconds in which the machine waits, by cause.</summary>
+    /// <summary>Seconds of waiting, by cause.</summary>
     public WaitTimes Waits { get; }
 
-    /// <summary>Path length of the head in all, mm.</summary>
+    /// <summary>Total path length of the head, mm.</summary>
     public double Length => _path.Total.Length;
 
     /// <summary>
-    /// Plans the motion of a toolpath by the printer of a setup. Decoded files are planned by the limits that they set, from where they set them.
+    /// Simulates a toolpath on the printer of a setup. If a decoded file sets limits, they apply from there on.
     /// </summary>
     public static Timeline Of(Toolpath toolpath, PrintSetup setup, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
@@ -62,17 +61,17 @@ public sealed class Timeline
         for (var i = 0; i < _motion.Count; i++) yield return _motion[i];
     }
 
-    /// <summary>Seconds until the moves before a move are over; waits before it follow. For the number of moves: until all are over.</summary>
+    /// <summary>Seconds until the end of the previous move, before the waits of this one. For the number of moves: until the end.</summary>
     public double StartOf(int move)
     {
         if (move < 0 || move > Toolpath.Count) throw new ArgumentOutOfRangeException(nameof(move));
         return _motion.StartTime(_motion.First[move]);
     }
 
-    /// <summary>Seconds until a move is over.</summary>
+    /// <summary>Seconds until the end of a move.</summary>
     public double EndOf(int move) => move >= 0 ? StartOf(move + 1) : throw new ArgumentOutOfRangeException(nameof(move));
 
-    /// <summary>Seconds that the machine waits before a move begins to move: dwells, heat, tools, homing.</summary>
+    /// <summary>Seconds of waiting before a move: dwells, heating, tool changes, homing.</summary>
     public double WaitBefore(int move)
     {
         var from = StartOf(move);
@@ -82,7 +81,7 @@ public sealed class Timeline
         return _motion.StartTime(first) - from;
     }
 
-    /// <summary>Highest speed that a move reaches, mm/s, of the filament for moves in place; 0 where nothing moves.</summary>
+    /// <summary>Maximum speed of a move, mm/s; of the filament for moves in place; 0 if nothing moves.</summary>
     public double PeakOf(int move)
     {
         var peak = 0.0;
@@ -90,13 +89,13 @@ public sealed class Timeline
         return peak;
     }
 
-    /// <summary>Deposited E (in the units of the tools) of the moves before a move.</summary>
+    /// <summary>E extruded before a move, in the units of the tools.</summary>
     public double FilamentBefore(int move) => _path.Before(move).Filament;
 
-    /// <summary>Deposited material of the moves before a move, mm³; null where the factor of a tool is not known.</summary>
+    /// <summary>Material extruded before a move, mm³; null if the filament diameter of a tool is unknown.</summary>
     public double? VolumeBefore(int move) => _volumesKnown ? _path.Before(move).Volume : null;
 
-    /// <summary>The state at a time in seconds; before the start that of the start, after the end that of the end.</summary>
+    /// <summary>The state at a time in seconds, clamped to the start and the end.</summary>
     public MachineState At(double time)
     {
         time = time > 0 ? Math.Min(time, Duration) : 0;
@@ -104,16 +103,16 @@ public sealed class Timeline
         return State(MoveOf(trapezoid), trapezoid, time);
     }
 
-    /// <summary>The state at a part of the time, 0 to 1.</summary>
+    /// <summary>The state at a fraction of the time, 0 to 1.</summary>
     public MachineState AtFraction(double fraction) => At(fraction * Duration);
 
-    /// <summary>The state when a move begins; waits before it are to come. For the number of moves: when all are over.</summary>
+    /// <summary>The state at the start of a move, before its waits. For the number of moves: at the end.</summary>
     public MachineState AtMove(int move) => State(move, _motion.First[move], StartOf(move));
 
-    /// <summary>The state when the first move of a line (or step) begins, or of the next one that moves; null after the last.</summary>
+    /// <summary>The state at the first move of a line (or step), or of the next one with moves; null after the last.</summary>
     public MachineState? AtSource(int source) => MoveAtSource(source) is >= 0 and var move && move < Toolpath.Count ? AtMove(move) : null;
 
-    /// <summary>The state when a layer of the toolpath begins; null where no move is in it, or where there is no such layer.</summary>
+    /// <summary>The state at the start of a layer; null if the layer has no moves or does not exist.</summary>
     /// <param name="layer">Index into the layers of the toolpath.</param>
     public MachineState? AtLayer(int layer)
     {
@@ -122,10 +121,10 @@ public sealed class Timeline
         return move < Toolpath.Count ? AtMove(move) : null;
     }
 
-    /// <summary>The state when the first extrusion begins that ends at a height in mm or above; null where none does.</summary>
+    /// <summary>The state at the start of the first extrusion that ends at a height (mm) or above; null if none does.</summary>
     public MachineState? AtHeight(double z) => _path.FirstAbove(z) is var move && move < Toolpath.Count ? AtMove(move) : null;
 
-    /// <summary>The state at a part of the path of the head, 0 to 1.</summary>
+    /// <summary>The state at a fraction of the path length of the head, 0 to 1.</summary>
     public MachineState AtLength(double fraction)
     {
         var length = Math.Max(fraction, 0) * Length;

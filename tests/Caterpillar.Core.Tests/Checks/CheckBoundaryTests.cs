@@ -173,10 +173,10 @@ public class CheckBoundaryTests
     }
 
     [TestCase("G28\nM109 S200\nG1 X10\nG1 X20 E0.1\n", 0, null)]
-    [TestCase("M109 S200\nG1 X10\nG1 X20 E0.1\nG1 X30 E0.1\n", 1, "The file prints before it says where the head is in YZ.")]
-    [TestCase("G28 X\nM109 S200\nG1 Y10\nG1 Y20 E0.1\nG1 Y30 E0.1\n", 0, "The file prints before it says where the head is in Z.")]
-    [TestCase("G28 Y\nM109 S200\nG1 X10\nG1 X20 E0.1\nG1 X30 E0.1\n", 0, "The file prints before it says where the head is in Z.")]
-    [TestCase("G28 Z\nM109 S200\nG1 X10\nG1 X20 E0.1\nG1 X30 E0.1\n", 0, "The file prints before it says where the head is in Y.")]
+    [TestCase("M109 S200\nG1 X10\nG1 X20 E0.1\nG1 X30 E0.1\n", 1, "The file prints before the position in Y, Z is known. Home first, or move in Y, Z.")]
+    [TestCase("G28 X\nM109 S200\nG1 Y10\nG1 Y20 E0.1\nG1 Y30 E0.1\n", 0, "The file prints before the position in Z is known. Home first, or move in Z.")]
+    [TestCase("G28 Y\nM109 S200\nG1 X10\nG1 X20 E0.1\nG1 X30 E0.1\n", 0, "The file prints before the position in Z is known. Home first, or move in Z.")]
+    [TestCase("G28 Z\nM109 S200\nG1 X10\nG1 X20 E0.1\nG1 X30 E0.1\n", 0, "The file prints before the position in Y is known. Home first, or move in Y.")]
     public void Homing_an_axis_makes_its_position_known(string text, int homing, string? message)
     {
         var found = PrintCheck.Run(SmallPrint.Decode(Encoding.ASCII.GetBytes("M83\n" + text + "M104 S0\n"), Setup), Setup);
@@ -193,7 +193,7 @@ public class CheckBoundaryTests
     public void A_file_that_heats_too_late_extrudes_at_0_degrees()
     {
         var file = SmallPrint.Decode(Encoding.ASCII.GetBytes("G28\nM83\nG1 X10 Y10 Z0.2\nG1 X20 E0.5\nM109 S200\nM104 S0\n"), Setup);
-        Assert.That(PrintCheck.Run(file, Setup).Single(d => d.Code == CheckCodes.ColdExtrusion).Message, Does.StartWith("A move extrudes at 0 °C;"));
+        Assert.That(PrintCheck.Run(file, Setup).Single(d => d.Code == CheckCodes.ColdExtrusion).Message, Does.StartWith("A move extrudes at 0 °C, but "));
     }
 
     [Test]

@@ -25,11 +25,11 @@ public class CheckDetailTests
         var print = new SmallPrint(50, 50, 4);
         foreach (var length in new[] { 8, 6, 20, 20.3, 12 }) print.Go(50, print.At.Y + 5, 4).Print(50 + length, print.At.Y, 4);
         var found = SmallPrint.Find(print.Build(), Setup, CheckCodes.Unsupported).Single();
-        Assert.That((found.Count, found.Message, found.Source!.Move), Is.EqualTo((5, "8 mm of an extrusion lie in the air with a free end.", 1)));
-        Assert.That((found.Worst!.Message, found.Worst.Source!.Move), Is.EqualTo(("20 mm of an extrusion lie in the air with a free end.", 5)),
+        Assert.That((found.Count, found.Message, found.Source!.Move), Is.EqualTo((5, "An extrusion is in the air for 8 mm, with a free end. Add supports below it.", 1)));
+        Assert.That((found.Worst!.Message, found.Worst.Source!.Move), Is.EqualTo(("An extrusion is in the air for 20 mm, with a free end. Add supports below it.", 5)),
             "20.3 is as bad");
-        Assert.That(found.ToString(), Is.EqualTo("step 1, move 1: warning extrusion.unsupported: 8 mm of an extrusion lie in the air with a free end. "
-            + "(5 times, the worst: step 5, move 5: 20 mm of an extrusion lie in the air with a free end.)"));
+        Assert.That(found.ToString(), Is.EqualTo("step 1, move 1: warning extrusion.unsupported: An extrusion is in the air for 8 mm, with a free end. Add supports below it. "
+            + "(5 times, the worst: step 5, move 5: An extrusion is in the air for 20 mm, with a free end. Add supports below it.)"));
         var first = new SmallPrint(50, 50, 4).Print(70, 50, 4).Go(50, 60, 4).Print(60, 60, 4).Go(20, 20, 4);
         Assert.That(SmallPrint.Find(first.Build(), Setup, CheckCodes.Unsupported).Single().Worst, Is.Null, "it is the first");
     }
@@ -90,7 +90,7 @@ public class CheckDetailTests
         var setup = SmallPrint.Setup(p => p with { ExtrusionMode = mode });
         var print = new SmallPrint().Print(30, 10, 0.2).Event(new RawEvent(raw)).Print(60, 10, 0.2).Build();
         var found = SafeWriter.ToDocument(print, setup).Diagnostics.Where(d => d.Code == CheckCodes.FileModes).ToArray();
-        Assert.That(found.Select(d => d.Message.Substring(0, d.Message.IndexOf(". Modes", StringComparison.Ordinal))),
+        Assert.That(found.Select(d => d.Message.Substring(0, d.Message.IndexOf(" and does not", StringComparison.Ordinal))),
             Is.EqualTo(word is null ? [] : new[] { "A raw line switches to " + word }));
     }
 
@@ -181,12 +181,12 @@ public class CheckDetailTests
         Assert.That(InFile(text + "M104 S0\n", CheckCodes.ExtrusionMode).Sum(d => d.Count), Is.EqualTo(found));
     }
 
-    [TestCase("M104 S1\n", "The nozzle is still heated to 1 °C at the end.")]
-    [TestCase("M104 S0\nM140 S1\n", "The bed is still heated to 1 °C at the end.")]
+    [TestCase("M104 S1\n", "The nozzle is still heated to 1 °C at the end. Add M104 S0 to the end G-code.")]
+    [TestCase("M104 S0\nM140 S1\n", "The bed is still heated to 1 °C at the end. Add M140 S0 to the end G-code.")]
     [TestCase("M104 S0\nM140 S60\nM140 S0\n", null)]
-    [TestCase("M104 T0 S0\nM104 T1 S150\n", "The nozzle is still heated to 150 °C at the end.")]
+    [TestCase("M104 T0 S0\nM104 T1 S150\n", "The nozzle is still heated to 150 °C at the end. Add M104 S0 to the end G-code.")]
     [TestCase("M104 T0 S0\nM104 T1 S0\n", null)]
-    [TestCase("M104 T1 S210\nM104 S190\nM104 T1 S0\n", "The nozzle is still heated to 190 °C at the end.")]
+    [TestCase("M104 T1 S210\nM104 S190\nM104 T1 S0\n", "The nozzle is still heated to 190 °C at the end. Add M104 S0 to the end G-code.")]
     [TestCase("M104 T1 S210\nT1\nM104 S0\nM104 T0 S0\n", null)]
     public void Heat_that_is_left_on_is_named(string end, string? message)
         => Assert.That(InFile("G28\nM109 S200\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 E0.3\n" + end, CheckCodes.HeatLeftOn).Select(d => d.Message),
@@ -197,7 +197,7 @@ public class CheckDetailTests
     public void Extrusion_begins_at_the_temperature_of_the_printer(double celsius, int found)
     {
         var list = SmallPrint.Find(new SmallPrint().Event(new NozzleTemperatureEvent(celsius)).Print(20, 10, 0.2).Build(), Setup, CheckCodes.ColdExtrusion);
-        Assert.That(list.Select(d => d.Message), Is.EqualTo(Enumerable.Repeat("A move extrudes at 169 °C; Generic printer needs 170 °C.", found)));
+        Assert.That(list.Select(d => d.Message), Is.EqualTo(Enumerable.Repeat("A move extrudes at 169 °C, but Generic printer needs 170 °C. Heat the nozzle first.", found)));
     }
 
     [TestCase("PRINT", CheckCodes.NoHoming)]
@@ -243,7 +243,7 @@ public class CheckDetailTests
         });
         var list = SmallPrint.Find(new SmallPrint(x, y, 20).Go(x, y, 4.9).Build(), setup, CheckCodes.ClipHit);
         Assert.That(list.Sum(d => d.Count), Is.EqualTo(found));
-        if (found > 0) Assert.That(list[0].Message, Does.StartWith("The nozzle hits clip 1 of the bed between ("));
+        if (found > 0) Assert.That(list[0].Message, Does.StartWith("The nozzle hits bed clip 1 between ("));
     }
 
     // The file of two extrusions and a travel, with one line changed.
@@ -277,9 +277,9 @@ public class CheckDetailTests
     }
 
     // Numbers with more decimals than are told.
-    [TestCase("E0.5", "E0.5123456", "E changes by 0.51235 in this line; the edit asks for 0.5.")]
-    [TestCase("G1 X30 E0.5", "G1 X20.123456 E0.25\nG1 X31.123456 E0.25", "The file prints 51.12 mm; the edit asks for 50 mm.")]
-    [TestCase("G1 X30 E0.5", "G1 X20 E0.25\nG1 X30 E0.2765432", "The file extrudes 1.327; the edit asks for 1.3.")]
+    [TestCase("E0.5", "E0.5123456", "E changes by 0.51235 in this line, but the edit has 0.5.")]
+    [TestCase("G1 X30 E0.5", "G1 X20.123456 E0.25\nG1 X31.123456 E0.25", "The file prints 51.12 mm, but the edit has 50 mm.")]
+    [TestCase("G1 X30 E0.5", "G1 X20 E0.25\nG1 X30 E0.2765432", "The file extrudes 1.327, but the edit has 1.3.")]
     public void What_an_edited_file_does_is_told_in_few_decimals(string text, string instead, string message)
     {
         const string File = "G28\nM109 S200\nG90\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X30 E0.5\nG1 Y40 E0.8\nG1 Z5\nM104 S0\n";

@@ -26,7 +26,7 @@ public class CheckLimitsTests
     [TestCase(-0.001, 0)]
     [TestCase(-0.0011, 1)]
     public void The_bed_is_at_zero(double z, int found)
-        => Expect(new SmallPrint().Go(20, 10, z), CheckCodes.Below, found, 0, found > 0 ? "A move goes to Z -0.001 mm, below the bed." : null);
+        => Expect(new SmallPrint().Go(20, 10, z), CheckCodes.Below, found, 0, found > 0 ? "A move goes to Z -0.001 mm, below the bed. Raise it." : null);
 
     [TestCase(100, 0)]
     [TestCase(100.002, 1)]
@@ -46,7 +46,7 @@ public class CheckLimitsTests
     [TestCase(5.6, 1)]
     public void An_extrusion_may_end_in_the_air_after_5_mm(double length, int found)
         => Expect(new SmallPrint(50, 50, 4).Print(50 + length, 50, 4).Go(80, 80, 4), CheckCodes.Unsupported, found, 0,
-            found > 0 ? "5.6 mm of an extrusion lie in the air with a free end." : null);
+            found > 0 ? "An extrusion is in the air for 5.6 mm, with a free end. Add supports below it." : null);
 
     [TestCase(60, 0)]
     [TestCase(63, 1)]
@@ -56,7 +56,7 @@ public class CheckLimitsTests
         var bridge = print.Count;
         print.Print(50.8 + span, 50, 2.2);
         var bridges = SmallPrint.Find(print.Build(), Setup, CheckCodes.Unsupported);
-        Assert.That(bridges.Where(d => d.Message.EndsWith("between two supports.", StringComparison.Ordinal)).Select(d => d.Source!.Move),
+        Assert.That(bridges.Where(d => d.Message.EndsWith("between two supports. Add supports below it.", StringComparison.Ordinal)).Select(d => d.Source!.Move),
             Is.EqualTo(Enumerable.Repeat((int?)bridge, found)));
     }
 
@@ -72,7 +72,7 @@ public class CheckLimitsTests
     public void The_same_place_printed_twice_is_found(double aside, int found)
         => Expect(new SmallPrint(50, 50, 0.2).Print(100, 50, 0.2).Go(100, 50, 5).Go(50, 50 + aside, 0.2).Print(100, 50 + aside, 0.2), CheckCodes.Doubled, found,
             3,
-            found > 0 ? "Extrusions are printed in the place of others (move 0)." : null);
+            found > 0 ? "Extrusions are in the same place as earlier ones (move 0). Remove the duplicates." : null);
 
     [TestCase(20, 0)]
     [TestCase(21.5, 1)]
@@ -103,7 +103,7 @@ public class CheckLimitsTests
     [TestCase(2.53, 1)]
     public void A_blob_needs_a_gap(double volume, int found)
         => Expect(new SmallPrint(50, 50, 0.2).Print(70, 50, 0.2).Go(100, 100, 0.2).Prime(volume), CheckCodes.Squeezed, found, 2,
-            found > 0 ? "2.53 mm³ in place do not fit into 0.2 mm below the nozzle: the blob would be 4.01 mm wide." : null);
+            found > 0 ? "2.53 mm³ extruded in place do not fit into the 0.2 mm under the nozzle: the blob would be 4.01 mm wide. Extrude less." : null);
 
     // Area of a stadium of a width and 0.2 mm height.
     [TestCase(1.2, 0)]
@@ -153,7 +153,7 @@ public class CheckLimitsTests
         builder.Add(new Vec3(70, 50, height), 2, 2, 20, MoveKind.Print, Role.OuterWall, builder.AddLayer(new Layer(0, height, height)), 0, 3);
         var list = SmallPrint.Find(builder.Build([new ToolpathTool(SmallPrint.FilamentArea)]), Setup, CheckCodes.Height);
         Assert.That(list.Select(d => (d.Severity, d.Source!.Step, d.Message)),
-            Is.EqualTo(Enumerable.Repeat((Severity.Warning, (int?)3, "A layer is 0.41 mm high; the nozzle is 0.4 mm wide."), found)));
+            Is.EqualTo(Enumerable.Repeat((Severity.Warning, (int?)3, "A layer is 0.41 mm high, more than the nozzle diameter of 0.4 mm. Lower it."), found)));
     }
 
     [TestCase(0.09, 0)]
@@ -173,7 +173,7 @@ public class CheckLimitsTests
     {
         var list = SmallPrint.Find(new SmallPrint().Wall(50, 70, 50, height).Build(), Setup, CheckCodes.FirstLayer);
         Assert.That(list.Select(d => (d.Severity, d.Message)),
-            Is.EqualTo(Enumerable.Repeat((Severity.Warning, "A print of 25 mm height stands on 8 mm²: give it a brim."), found)));
+            Is.EqualTo(Enumerable.Repeat((Severity.Warning, "The print is 25 mm high, but only 8 mm² of it touch the bed. Add a brim."), found)));
     }
 
     [TestCase(1000, 0)]
@@ -195,7 +195,7 @@ public class CheckLimitsTests
     {
         Expect(new SmallPrint().Prime(300).Prime(199).Go(20, 10, 0.2).Prime(400), CheckCodes.Stationary, 0, 0);
         Expect(new SmallPrint().Prime(300).Prime(201).Prime(1), CheckCodes.Stationary, 1, 1,
-            "501 mm³ are pushed out while the head stands still; Generic printer allows 500 mm³.");
+            "501 mm³ are extruded in place, but Generic printer allows only 500 mm³. Move the head, or extrude less.");
     }
 
     // 30 extrusions of 3 mm, of which so many pull back.

@@ -51,7 +51,7 @@ public class CheckRuleTests
     {
         const string Text = "G28\nG90\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 E0.3\nM109 S200\nG1 X30 E0.3\nM104 S0\n";
         var found = PrintCheck.Run(SmallPrint.Decode(Encoding.ASCII.GetBytes(Text), Setup), Setup).Single(d => d.Code == CheckCodes.ColdExtrusion);
-        Assert.That((found.Message, found.Count), Is.EqualTo(("A move extrudes at 0 °C; Generic printer needs 170 °C.", 1)));
+        Assert.That((found.Message, found.Count), Is.EqualTo(("A move extrudes at 0 °C, but Generic printer needs 170 °C. Heat the nozzle first.", 1)));
     }
 
     // An area of 20 × 20 mm; the edges do not belong to it, and a thousandth of a millimeter is not looked at.
@@ -127,7 +127,7 @@ public class CheckRuleTests
         for (var k = 1; k <= 200; k++) print.Go(print.At.X, 50, 0.05 + 0.2 * k).Print(k % 2 == 1 ? 50 : 70, 50, 0.05 + 0.2 * k);
         var setup = Setup with { Settings = new PrintSettings { LayerHeight = 0.2, FirstLayerHeight = 0.2 } };
         Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.FirstLayer).Single().Message,
-            Is.EqualTo("A print of 40.05 mm height stands on 16 mm²: give it a brim."));
+            Is.EqualTo("The print is 40.05 mm high, but only 16 mm² of it touch the bed. Add a brim."));
     }
 
     [Test]
@@ -138,7 +138,7 @@ public class CheckRuleTests
             print.Go(50, 50, 20).InLayer(new Layer(0, height, height)).Go(50, 50, height).Print(70, 50, height, 0.9 * height * height).Go(70, 50, 20);
         var found = SmallPrint.Find(print.Build(), Setup, CheckCodes.Height).Single();
         Assert.That((found.Message, found.Worst!.Message), Is.EqualTo(
-            ("A layer is 0.45 mm high; the nozzle is 0.4 mm wide.", "A layer is 0.6 mm high; the nozzle is 0.4 mm wide.")));
+            ("A layer is 0.45 mm high, more than the nozzle diameter of 0.4 mm. Lower it.", "A layer is 0.6 mm high, more than the nozzle diameter of 0.4 mm. Lower it.")));
     }
 
     [Test]
@@ -148,7 +148,7 @@ public class CheckRuleTests
         for (var i = 1; i <= 30; i++) text.Append("G1 X").Append(10 + 3 * i).Append(i <= 18 ? " E0.1\n" : " E-0.1\n");
         var found = PrintCheck.Run(SmallPrint.Decode(Encoding.ASCII.GetBytes(text + "M104 S0\n"), Setup), Setup);
         Assert.That(found.Single(d => d.Code == CheckCodes.ExtrusionMode).Message,
-            Is.EqualTo("40 % of the moves with E pull it back: E looks relative and is read as absolute."));
+            Is.EqualTo("40 % of the moves with E retract. E looks relative, but is read as absolute. Write M83 before the first move."));
     }
 
     // 30 mm³ in place, 0.3 mm above the bed, are a disc of 11 mm.

@@ -141,7 +141,8 @@ public class CollisionTests
             || d.Code == CheckCodes.DigsIn).ToArray();
         Assert.That(found.Select(d => (d.Code, d.Severity)), Is.EqualTo(new[] { (CheckCodes.DigsIn, Severity.Note) }));
         Assert.That(found[0].Message,
-            Is.EqualTo("The flat of the nozzle digs into a slope beside it by more than 0.05 mm between (50, 50.4, 100) and (50, 50.4, 4.8)."));
+            Is.EqualTo("The flat of the nozzle tip cuts into a slope next to it by more than 0.05 mm between (50, 50.4, 100) and (50, 50.4, 4.8). "
+                + "A narrower tip or a gentler slope avoids this."));
     }
 
     // Straight down from the end of an extrusion, whose last 1.4 mm are fresh: after 0.7 mm its part up to 0.7 mm before the end is not any more, and the tip,
@@ -161,7 +162,7 @@ public class CollisionTests
         var found = SmallPrint.Find(new SmallPrint(50, 50, 5).Print(60, 50, 5).Go(60, 50, z).Build(), setup, "collision.");
         Assert.That(string.Join(" ", found.Select(d => d.Code)), Is.EqualTo(codes));
         Assert.That(found.Select(d => (d.Count, d.Source!.Move)), Is.All.EqualTo((1, 1)));
-        Assert.That(found.Select(d => d.Message), Is.All.Contain("what was printed before (move 0)"));
+        Assert.That(found.Select(d => d.Message), Is.All.Contain("an earlier extrusion (move 0)"));
     }
 
     // The same down and aside: 0.65 mm below, the flat of the tip reaches 0.71 mm to the axis, which is 0.76 mm away, and 1 mm where it digs.
@@ -179,7 +180,7 @@ public class CollisionTests
     {
         var print = new SmallPrint().Wall(60, 80, 50, 1).Go(70, 30, 200).Go(70, 30, 0.9).Go(70, 70, 0.9);
         var found = SmallPrint.Find(print.Build(), Plain, "collision.travel").Single();
-        Assert.That(found.Message, Does.StartWith("The nozzle goes through what was printed before (move 12), at (70, 49."));
+        Assert.That(found.Message, Does.StartWith("The nozzle hits an earlier extrusion (move 12) at (70, 49."));
     }
 
     [Test]

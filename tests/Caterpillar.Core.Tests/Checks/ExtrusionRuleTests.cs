@@ -19,7 +19,7 @@ public class ExtrusionRuleTests
     {
         var arc = new SmallPrint(50, 50, 30).Arc(70, 70, 30, new Vec3(50, 70, 30), 90, SmallPrint.Area).Build();
         Assert.That(SmallPrint.Find(arc, SmallPrint.Setup(), CheckCodes.Unsupported).Single().Message,
-            Does.StartWith("31.4 mm of an extrusion lie in the air"));
+            Does.StartWith("An extrusion is in the air for 31.4 mm"));
     }
 
     // An extrusion in the air and one along it a little higher: what is nearer than half a height lies beside it, and carries nothing.
@@ -93,6 +93,18 @@ public class ExtrusionRuleTests
         Assert.That(Count(print, CheckCodes.Unsupported), Is.EqualTo(found));
     }
 
+    // A loop of 10 by 20 mm whose last side of 10 mm is 4 mm up and joins its start, which lies on a wall.
+    [TestCase(0, 0, 0)]
+    [TestCase(0, 0.35, 0)]
+    [TestCase(0, 0.5, 1)]
+    [TestCase(6, 0, 1)]
+    public void A_loop_is_held_by_a_start_that_has_something_below_it(double aside, double open, int found)
+    {
+        var print = new SmallPrint().Wall(40, 60, 50, 4).Wall(40, 60, 60, 4).Go(50, 50 + aside, 200).Go(50, 50 + aside, 4.2);
+        print.Print(55, 50 + aside, 4.2).Print(55, 60, 4.2).Print(50, 60, 4.2).Print(50, 50 + aside + open, 4.2);
+        Assert.That(Count(print.Go(80, 80, 4.2), CheckCodes.Unsupported), Is.EqualTo(found));
+    }
+
     // 5.1 mm³ are 4.03 mm wide in a gap of a nozzle; higher up nothing is squeezed.
     [TestCase(0.4, 1)]
     [TestCase(0.401, 0)]
@@ -117,7 +129,7 @@ public class ExtrusionRuleTests
     public void The_height_of_a_print_is_that_of_its_highest_extrusion()
     {
         var print = new SmallPrint().Wall(50, 70, 50, 25).Go(50, 50, 200).Go(50, 50, 25.2).Print(70, 50, 27.2);
-        Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.FirstLayer).Single().Message, Does.StartWith("A print of 27.2 mm height"));
+        Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.FirstLayer).Single().Message, Does.StartWith("The print is 27.2 mm high"));
     }
 
     [TestCase(0.04, 0.03, true)]
@@ -197,7 +209,7 @@ public class ExtrusionRuleTests
     {
         var print = new SmallPrint(40, 50, 4).Go(50, 50, 4).Print(53, 50, 4).Print(56, 50, 4).Print(59, 50, 4).Go(80, 80, 4);
         var found = SmallPrint.Find(print.Build(), Setup, CheckCodes.Unsupported).Single();
-        Assert.That((found.Source!.Move, found.Message), Is.EqualTo(((int?)1, "9 mm of an extrusion lie in the air with a free end.")));
+        Assert.That((found.Source!.Move, found.Message), Is.EqualTo(((int?)1, "An extrusion is in the air for 9 mm, with a free end. Add supports below it.")));
     }
 
     [Test]
@@ -220,7 +232,7 @@ public class ExtrusionRuleTests
         var print = new SmallPrint(50, 50, 0.2).Print(60, 50, 0.2, 0.4).Go(60, 80, 5).Go(60, 80, 0.2).Print(70, 80, 0.2, 0.2 * thin);
         var found = SmallPrint.Find(print.Build(), setup, CheckCodes.Width).Single();
         Assert.That((found.Count, found.Worst is not null), Is.EqualTo((2, worse)));
-        Assert.That(found.Message, Does.StartWith("Extrusions are 2 mm wide;"));
+        Assert.That(found.Message, Does.StartWith("Extrusions are 2 mm wide, too wide for a nozzle of"));
     }
 
     private static int Count(SmallPrint print, string code) => SmallPrint.Find(print.Build(), Setup, code).Sum(d => d.Count);

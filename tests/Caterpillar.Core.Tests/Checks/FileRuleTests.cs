@@ -25,9 +25,9 @@ public class FileRuleTests
     }
 
     [TestCase("G1 X10 Y10 Z0.2\n", null)]
-    [TestCase("G1 X10 Y10\n", "The file prints before it says where the head is in Z.")]
-    [TestCase("G1 Z0.2\n", "The file prints before it says where the head is in Y.")]
-    [TestCase("", "The file prints before it says where the head is in YZ.")]
+    [TestCase("G1 X10 Y10\n", "The file prints before the position in Z is known. Home first, or move in Z.")]
+    [TestCase("G1 Z0.2\n", "The file prints before the position in Y is known. Home first, or move in Y.")]
+    [TestCase("", "The file prints before the position in Y, Z is known. Home first, or move in Y, Z.")]
     [TestCase("G1 Y10 Z1\n", null)]
     public void Each_axis_is_known_once_it_has_moved(string text, string? message)
         => Assert.That(InFile("M109 S200\nM83\n" + text + "G1 X20 E0.5 F600\nM104 S0\n", CheckCodes.UnknownPosition).Select(d => d.Message),
@@ -39,7 +39,7 @@ public class FileRuleTests
     {
         var text = new StringBuilder("G28\nM109 S200\nG90\nM83\nG1 X10 Y10 Z0.2 F3000\n");
         for (var i = 1; i <= 36; i++) text.Append("G1 X").Append(10 + i / 2).Append(i % 2 == 0 ? "" : ".5").Append(i % 3 == 0 ? " E-0.01\n" : " E0.01\n");
-        Assert.That(InFile(text + "M104 S0\n", CheckCodes.ExtrusionMode).Single().Message, Does.StartWith("33 % of the moves with E pull it back"));
+        Assert.That(InFile(text + "M104 S0\n", CheckCodes.ExtrusionMode).Single().Message, Does.StartWith("33 % of the moves with E retract."));
     }
 
     [Test]
@@ -81,7 +81,7 @@ public class FileRuleTests
             else print.Print(print.At.X + 20, 10, print.At.Z, speed: 300);
         }
         var found = SmallPrint.Find(print.Build(), setup, CheckCodes.Speed).Single();
-        Assert.That((found.Count, found.Worst?.Message.StartsWith("A move asks for 300 mm/s", StringComparison.Ordinal) ?? false), Is.EqualTo((2, worse)));
+        Assert.That((found.Count, found.Worst?.Message.StartsWith("A move has a speed of 300 mm/s", StringComparison.Ordinal) ?? false), Is.EqualTo((2, worse)));
     }
 
     [Test]
@@ -102,7 +102,7 @@ public class FileRuleTests
         var print = new SmallPrint().Print(30, 10, 0.2).Event(new NozzleTemperatureEvent(400.26)).Build();
         var found = SmallPrint.Find(print, Setup, CheckCodes.NozzleTemperature).Single();
         Assert.That((found.Source!.Move, found.Source.Step), Is.EqualTo(((int?)null, (int?)1)));
-        Assert.That(found.Message, Is.EqualTo("The nozzle is to be heated to 400.3 °C; Generic printer allows 300 °C at most."));
+        Assert.That(found.Message, Is.EqualTo("The nozzle temperature is 400.3 °C, but Generic printer allows only 300 °C. Lower it."));
     }
 
     [Test]

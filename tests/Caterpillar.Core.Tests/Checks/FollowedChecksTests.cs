@@ -75,7 +75,7 @@ public sealed class FollowedChecksTests
 
         Assert.That(written.Value!.Overridden, Is.GreaterThan(0));
         var text = Encoding.UTF8.GetString(stream.ToArray());
-        Assert.That(text, Does.StartWith("before\n; Written in spite of these findings. Reason: a test\n"));
+        Assert.That(text, Does.StartWith("before\n; Written despite these findings. Reason: a test\n"));
         Assert.That(text.Substring(7), Is.EqualTo(Encoding.UTF8.GetString(alone.ToArray())));
         Assert.That(written.Value.Bytes, Is.EqualTo(alone.Length));
     }

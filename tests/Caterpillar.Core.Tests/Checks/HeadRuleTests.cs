@@ -95,8 +95,8 @@ public class HeadRuleTests
     }
 
     // Parts of the head 2 mm above the tip, 10 to 20 mm aside.
-    [TestCase(true, "The head hits clip 1 of the bed")]
-    [TestCase(false, "The gantry hits clip 1 of the bed")]
+    [TestCase(true, "The print head hits bed clip 1")]
+    [TestCase(false, "The gantry hits bed clip 1")]
     public void What_hits_a_clip_is_named(bool head, string text)
     {
         var part = new Bounds(new Vec3(-2, 10, 2), new Vec3(2, 20, 9));
@@ -174,7 +174,7 @@ public class HeadRuleTests
     {
         var print = new SmallPrint(50, 50, 5).Print(70, 50, 5).Go(70, 50, 50).Go(60, 40, 50).Go(60, 40, 4.5).Go(60, 60, 4.5);
         Assert.That(SmallPrint.Find(print.Build(), SmallPrint.Setup(), "collision.").Single().Message,
-            Does.StartWith("The nozzle goes through what was printed before (move 0), at ("));
+            Does.StartWith("The nozzle hits an earlier extrusion (move 0) at ("));
     }
 
     [Test]

@@ -157,7 +157,7 @@ public class LimitCheckTests
             Print(b, new Vec3(30, 10, 0.2));
         }).Single();
         Assert.That((cooled.Code, cooled.Source!.Move), Is.EqualTo(("limit.cold_extrusion", 1)));
-        Assert.That(cooled.Message, Is.EqualTo("A move extrudes at 150 °C; Generic printer needs 170 °C."));
+        Assert.That(cooled.Message, Is.EqualTo("A move extrudes at 150 °C, but Generic printer needs 170 °C. Heat the nozzle first."));
         var clay = new PrintSetup(new Printer { MinExtrusionTemperature = 0 }, new Material { NozzleTemperature = 0 }, new PrintSettings());
         Assert.That(Run(clay, b => Print(b, new Vec3(20, 10, 0.2))), Is.Empty);
     }
@@ -181,8 +181,8 @@ public class LimitCheckTests
 
     [Test]
     public void A_tool_that_the_printer_lacks_is_an_error()
-        => Assert.That(Run(Generic, b => b.Add(new Vec3(20, 10, 0.2), 0, 0, 10, MoveKind.Travel, Role.Unspecified, -1, 1, 0)).Single().Code,
-            Is.EqualTo("limit.tool"));
+        => Assert.That(Run(Generic, b => b.Add(new Vec3(20, 10, 0.2), 0, 0, 10, MoveKind.Travel, Role.Unspecified, -1, 1, 0)).Single().ToString(),
+            Is.EqualTo("step 0, move 0: error limit.tool: Move uses tool 1, but Generic printer has only tool 0."));
 
     [TestCase(1, 0)]
     [TestCase(1.0001, 1)]

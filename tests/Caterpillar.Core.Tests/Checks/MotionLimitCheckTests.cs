@@ -25,7 +25,7 @@ public class MotionLimitCheckTests
         {
             var list = SmallPrint.Find(InPlace(speed), setup, CheckCodes.TravelSpeed);
             Assert.That(list.Select(d => (d.Severity, d.Message)), Is.EqualTo(Enumerable.Repeat(
-                (Severity.Note, "The extruder asks for 41 mm/s; Generic printer turns it at 40 mm/s and will slow down."), found)));
+                (Severity.Note, "An extruder move has a speed of 41 mm/s, but Generic printer allows only 40 mm/s. The printer will slow down."), found)));
         }
     }
 
@@ -73,7 +73,7 @@ public class MotionLimitCheckTests
             .Print(60, 30, 0.2, speed: 100).Event(new LimitEvent(MotionLimit.SpeedX, 120)).Print(90, 30, 0.2, speed: 100);
         var found = SmallPrint.Find(print.Build(), Marlin, "limit.").Single();
         Assert.That((found.Code, found.Count, found.Source!.Move, found.Message),
-            Is.EqualTo((CheckCodes.Speed, 1, (int?)1, "A move asks for 100 mm/s; Generic printer moves there at 50 mm/s and will slow down.")));
+            Is.EqualTo((CheckCodes.Speed, 1, (int?)1, "A move has a speed of 100 mm/s, but Generic printer allows only 50 mm/s in its direction. The printer will slow down.")));
         var shortest = new SmallPrint().Event(new LimitEvent(MotionLimit.SpeedX, 50)).Print(10.5, 10, 0.2, speed: 100);
         Assert.That(SmallPrint.Find(shortest.Build(), Marlin, CheckCodes.Speed).Single().Message, Does.Contain("moves there at"));
         var head = new SmallPrint().Event(new LimitEvent(MotionLimit.Speed, 50)).Print(30, 10, 0.2, speed: 60);
@@ -89,8 +89,8 @@ public class MotionLimitCheckTests
         var found = SmallPrint.Find(print.Build(), Marlin, "limit.");
         Assert.That(found.Select(d => (d.Code, d.Severity, d.Count, d.Source!.Move, d.Message)), Is.EqualTo(new[]
         {
-            (CheckCodes.Raised, Severity.Note, 1, (int?)0, "The greatest speed of X is raised to 400 mm/s; Generic printer has 200 mm/s."),
-            (CheckCodes.Speed, Severity.Warning, 2, 1, "A move asks for 300 mm/s; Generic printer moves for 200 mm/s, a limit that the file has raised."),
+            (CheckCodes.Raised, Severity.Note, 1, (int?)0, "The maximum speed of X is raised to 400 mm/s, but Generic printer has 200 mm/s."),
+            (CheckCodes.Speed, Severity.Warning, 2, 1, "A move has a speed of 300 mm/s, but Generic printer allows only 200 mm/s in its direction. The file has raised this limit."),
         }));
     }
 
@@ -101,20 +101,20 @@ public class MotionLimitCheckTests
         var setup = Marlin with { Printer = Marlin.Printer with { MaxFlow = 6, MaxSpeed = new(50, 50, 50, 50) } };
         Assert.That(SmallPrint.Find(Extrusion(20, 0, 100), setup, CheckCodes.Flow), Is.Empty, "the axis slows it down");
         var raised = new SmallPrint().Event(new LimitEvent(MotionLimit.SpeedX, 200)).Print(30, 10, 0.2, speed: 100).Build();
-        Assert.That(SmallPrint.Find(raised, setup, CheckCodes.Flow).Single().Message, Does.StartWith("A move asks for 8 mm³/s"));
+        Assert.That(SmallPrint.Find(raised, setup, CheckCodes.Flow).Single().Message, Does.StartWith("A move needs a flow of 8 mm³/s"));
     }
 
-    [TestCase(MotionLimit.SpeedX, 200, "The greatest speed of X", "JKS")]
-    [TestCase(MotionLimit.SpeedY, 150, "The greatest speed of Y", "JKS")]
-    [TestCase(MotionLimit.SpeedZ, 10, "The greatest speed of Z", "JKS")]
-    [TestCase(MotionLimit.SpeedE, 40, "The greatest speed of E", "JKS")]
+    [TestCase(MotionLimit.SpeedX, 200, "The maximum speed of X", "JKS")]
+    [TestCase(MotionLimit.SpeedY, 150, "The maximum speed of Y", "JKS")]
+    [TestCase(MotionLimit.SpeedZ, 10, "The maximum speed of Z", "JKS")]
+    [TestCase(MotionLimit.SpeedE, 40, "The maximum speed of E", "JKS")]
     [TestCase(MotionLimit.JerkX, 8, "The jerk of X", "J")]
     [TestCase(MotionLimit.JerkY, 7, "The jerk of Y", "J")]
     [TestCase(MotionLimit.JerkZ, 0.5, "The jerk of Z", "J")]
     [TestCase(MotionLimit.JerkE, 4, "The jerk of E", "J")]
     [TestCase(MotionLimit.JunctionDeviation, 0.02, "The junction deviation", "K")]
     [TestCase(MotionLimit.SquareCornerVelocity, 6, "The square corner velocity", "S")]
-    [TestCase(MotionLimit.Speed, 150, "The greatest speed of the head", "S")]
+    [TestCase(MotionLimit.Speed, 150, "The maximum speed of the head", "S")]
     [TestCase(MotionLimit.MinimumCruiseRatio, 0.3, "", "")]
     public void Each_limit_of_the_own_firmware_may_be_set_to_that_of_the_printer_and_no_higher(Enum named, double most, string name, string rules)
     {
@@ -134,8 +134,8 @@ public class MotionLimitCheckTests
         }
     }
 
-    [TestCase(MotionLimit.JunctionDeviation, Cornering.JunctionDeviation, 0.02, "The junction deviation is raised to 0.05 mm; Generic printer has 0.02 mm.")]
-    [TestCase(MotionLimit.JerkE, Cornering.Jerk, 5, "The jerk of E is raised to 12.5 mm/s; Generic printer has 5 mm/s.")]
+    [TestCase(MotionLimit.JunctionDeviation, Cornering.JunctionDeviation, 0.02, "The junction deviation is raised to 0.05 mm, but Generic printer has 0.02 mm.")]
+    [TestCase(MotionLimit.JerkE, Cornering.Jerk, 5, "The jerk of E is raised to 12.5 mm/s, but Generic printer has 5 mm/s.")]
     public void What_is_raised_is_told_in_its_unit(Enum named, Cornering rule, double own, string message)
     {
         var limit = (MotionLimit)named;

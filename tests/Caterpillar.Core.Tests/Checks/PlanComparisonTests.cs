@@ -52,7 +52,7 @@ public class PlanComparisonTests
         Assert.That(Compare(plan, text => text), Is.Empty);
         var found = Compare(plan, text => text.Replace("G3 ", "G2 ")).Single();
         Assert.That((found.Code, found.Source!.Move), Is.EqualTo((CheckCodes.FilePosition, (int?)before)));
-        Assert.That(found.Message, Is.EqualTo("An arc is 47.12 mm long by this line; the plan has 15.71 mm."));
+        Assert.That(found.Message, Is.EqualTo("The arc of this line is 47.12 mm long, but the plan has 15.71 mm."));
     }
 
     [Test]
@@ -106,8 +106,8 @@ public class PlanComparisonTests
         Assert.That((found.Code, found.Count, found.Source!.Move), Is.EqualTo((CheckCodes.FileExtrusion, 1, (int?)1)));
     }
 
-    [TestCase("E-0.8", "E-0.5", "E changes by -0.5 in this line; the plan has -0.8.")]
-    [TestCase("E-0.8", "E-0.1234567", "E changes by -0.12346 in this line; the plan has -0.8.")]
+    [TestCase("E-0.8", "E-0.5", "E changes by -0.5 in this line, but the plan has -0.8.")]
+    [TestCase("E-0.8", "E-0.1234567", "E changes by -0.12346 in this line, but the plan has -0.8.")]
     [TestCase("E-0.8", "E-0.8", null)]
     public void A_retraction_of_another_length_is_found(string text, string instead, string? message)
     {

@@ -41,7 +41,7 @@ public class ReadBackTests
         Assert.That(overridden.Value, Is.Not.Null);
         Assert.That(overridden.Diagnostics.First(d => d.Code == code).Severity, Is.EqualTo(Severity.Warning));
         Assert.That(text.Split('\n').Take(10),
-            Has.Some.EqualTo("; Written in spite of these findings. Reason: a test of the firmware").And.Some.Contains(code));
+            Has.Some.EqualTo("; Written despite these findings. Reason: a test of the firmware").And.Some.Contains(code));
         var at = overridden.Diagnostics.First(d => d.Code == code).Source!.Line;
         if (code is "bed.outside" or "bed.below" or "file.modes") Assert.That(text.Split('\n')[at!.Value - 1], Is.EqualTo(raw),
             "the line of the file that is written");

@@ -61,9 +61,9 @@ public sealed class SafeWriterEditTests
         var lines = Text(overridden.Value!).Split('\n');
         Assert.That(lines.Skip(4).Take(2), Is.EqualTo(new[]
         {
-            "; Written in spite of these findings. Reason: the table moves",
+            "; Written despite these findings. Reason: the table moves",
             "; layer 0 -> line 9, move 2: error bed.outside: A move goes to (300, 10, 0.2), outside the build volume of Generic printer: (0, 0, 0) to (220, "
-                + "220, 250).",
+                + "220, 250). Move or scale the print.",
         }));
         Assert.That(lines[8], Is.EqualTo("G1 X300 E5"));
     }

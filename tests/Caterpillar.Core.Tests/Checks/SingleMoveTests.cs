@@ -19,10 +19,10 @@ public class SingleMoveTests
     private static readonly PrintSetup Setup = SmallPrint.Setup(p => p with { MaxStationaryVolume = 10 });
 
     // Pushed in place, one after the other; 10 mm³ are allowed.
-    [TestCase(new[] { -4.0, 12 }, "12 mm³ are pushed out")]
-    [TestCase(new[] { 4.0, -12 }, "12 mm³ are pulled back")]
-    [TestCase(new[] { 6.0, 6 }, "12 mm³ are pushed out")]
-    [TestCase(new[] { -6.0, -6 }, "12 mm³ are pulled back")]
+    [TestCase(new[] { -4.0, 12 }, "12 mm³ are extruded in place")]
+    [TestCase(new[] { 4.0, -12 }, "12 mm³ are retracted in place")]
+    [TestCase(new[] { 6.0, 6 }, "12 mm³ are extruded in place")]
+    [TestCase(new[] { -6.0, -6 }, "12 mm³ are retracted in place")]
     [TestCase(new[] { -6.0, 8, 6 }, null)]
     [TestCase(new[] { 6.0, 0, 4 }, null)]
     [TestCase(new[] { 6.0, double.NaN, 6 }, null)]
@@ -92,17 +92,17 @@ public class SingleMoveTests
         Assert.That(findings.ToList().Sum(d => d.Count), Is.EqualTo(found));
     }
 
-    [TestCase(0, 0, 0, "XYZ")]
-    [TestCase(1, 0, 0, "YZ")]
-    [TestCase(0, 1, 0, "XZ")]
-    [TestCase(0, 0, 1, "XY")]
+    [TestCase(0, 0, 0, "X, Y, Z")]
+    [TestCase(1, 0, 0, "Y, Z")]
+    [TestCase(0, 1, 0, "X, Z")]
+    [TestCase(0, 0, 1, "X, Y")]
     [TestCase(1, 1, 0, "Z")]
     [TestCase(1, 0, 1, "Y")]
     [TestCase(0, 1, 1, "X")]
     [TestCase(1, 1, 1, null)]
     public void A_file_must_say_where_the_head_is_in_each_axis(double x, double y, double z, string? axes)
     {
-        var expected = axes is null ? Array.Empty<string>() : [$"The file prints before it says where the head is in {axes}."];
+        var expected = axes is null ? Array.Empty<string>() : [$"The file prints before the position in {axes} is known. Home first, or move in {axes}."];
         foreach (var homes in new[] { true, false })
         {
             var check = new FileCheck(Empty, Setup.Printer, new CheckScope(200, IsWholeFile: true), NewFindings(out var findings));

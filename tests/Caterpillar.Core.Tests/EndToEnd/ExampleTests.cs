@@ -3,6 +3,7 @@ using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
 using Caterpillar.Geometry;
+using Caterpillar.Jobs;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Slicing;
@@ -18,6 +19,16 @@ public class ExampleTests
     [Test]
     public void Example_models_are_sliced_to_the_golden_bytes([ValueSource(nameof(Models))] string model, [Values("de-DE", "tr-TR", "ar-SA")] string culture)
         => Golden.Check("slice/" + model + ".gcode", Golden.Under(culture, () => Slice(model, culture == "tr-TR" ? 1 : 3)));
+
+    [TestCase("none")]
+    [TestCase("tree")]
+    public void The_first_print_of_the_manual_has_no_findings(string support)
+    {
+        var setup = new ProfileLibrary().Setup("ender3", values: ["support=" + support]).OrThrow();
+        using var job = PrintJob.Slice(Path.Combine(TestData.Repository, "examples", "models", "bracket.stl"), setup).OrThrow();
+        var written = SafeWriter.ToDocument(job.Toolpath, setup);
+        Assert.That(written.Diagnostics, Is.Empty);
+    }
 
     private static byte[] Slice(string model, int threads)
     {

@@ -202,7 +202,8 @@ public class PlanningTests
         Assert.That(plan.Report.ToolChanges, Is.EqualTo(3));
         var wrong = PlanRun.Run([Line(0, 0, 1, 0, 0).With(tool: 2)], rules, From0, null, default);
         Assert.That(wrong.Value, Is.Null);
-        Assert.That(wrong.Diagnostics.Single().Code, Is.EqualTo("plan.unknown_tool"));
+        Assert.That(wrong.Diagnostics.Single().ToString(),
+            Is.EqualTo("step 0: error plan.unknown_tool: Step uses tool 2, but the printer has only tools 0 to 1."));
     }
 
     [Test]

@@ -122,11 +122,11 @@ internal sealed class CollisionCheck
         var part = _clips.Meets(a, b, 0, _printed.Head, false, out var clip) != HeadContact.None ? "nozzle" : "";
         foreach (var (box, code) in _boxes)
         {
-            if (part.Length == 0 && _clips.MeetsBox(a, b, 0, box, out clip)) part = code == CheckCodes.HeadHits ? "head" : "gantry";
+            if (part.Length == 0 && _clips.MeetsBox(a, b, 0, box, out clip)) part = code == CheckCodes.HeadHits ? "print head" : "gantry";
         }
         if (part.Length == 0) return false;
         _findings.Add(CheckCodes.ClipHit, move.Index,
-            () => $"The {part} hits clip {NumberFormatter.Format(clip + 1)} of the bed between {a} and {b}.");
+            () => $"The {part} hits bed clip {NumberFormatter.Format(clip + 1)} between {a} and {b}. Move the clip or the print.");
         return true;
     }
 
@@ -134,23 +134,25 @@ internal sealed class CollisionCheck
         => _findings.AddNaming(code, move.Index, () =>
         {
             var at = FirstMeeting(deposit, a, b, tolerance);
-            return () => $"The nozzle goes through {What(deposit, extrusion)}, at {at}.";
+            var remedy = code == CheckCodes.NozzleHits ? "Print the higher extrusion later" : "Raise the travel move";
+            return () => $"The nozzle hits {What(deposit, extrusion)} at {at}. {remedy}.";
         });
 
     private void Digs(in CheckedMove move, Vec3 a, Vec3 b, double tolerance)
         => _findings.Add(CheckCodes.DigsIn, move.Index,
-            () => $"The flat of the nozzle digs into a slope beside it by more than {NumberFormatter.Format(tolerance, 2)} mm between {a} and {b}.");
+            () => $"The flat of the nozzle tip cuts into a slope next to it by more than {NumberFormatter.Format(tolerance, 2)} mm between {a} and {b}. "
+                + "A narrower tip or a gentler slope avoids this.");
 
     private void ReportBox(string code, Deposit deposit, in CheckedMove move, Vec3 a, int tag)
     {
         var end = move.End;
         _findings.AddNaming(code, move.Index,
-            () => () => $"{(code == CheckCodes.HeadHits ? "A box of the head" : "The gantry")} goes through {What(deposit, tag)}, "
-            + $"while the nozzle goes from {a} to {end}.");
+            () => () => $"The {(code == CheckCodes.HeadHits ? "print head" : "gantry")} hits {What(deposit, tag)} while the nozzle moves "
+            + $"from {a} to {end}. Print higher parts later or farther away.");
     }
 
     private string What(Deposit deposit, int extrusion)
-        => ReferenceEquals(deposit, _printed.Deposit) ? "what was printed before" + By(extrusion) : "the object that is printed on";
+        => ReferenceEquals(deposit, _printed.Deposit) ? "an earlier extrusion" + By(extrusion) : "the object below the print";
 
     private string By(int extrusion) => extrusion >= 0 && _findings.PlaceOf(extrusion) is { } place ? $" ({place with { Origin = null, Step = null }})" : "";
 

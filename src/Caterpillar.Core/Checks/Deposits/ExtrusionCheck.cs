@@ -32,8 +32,8 @@ internal sealed class ExtrusionCheck
     private readonly Findings _findings;
     private readonly BeadShape _shape;
     private readonly double _usualHeight;
-    private Vec3 _end;
-    private bool _anchored;
+    private Vec3 _start, _end;
+    private bool _isOpen, _anchored, _startsHeld;
     private double _air;
     private int _airMove;
     private double _wide, _thin, _doubled;
@@ -60,6 +60,7 @@ internal sealed class ExtrusionCheck
     public (double Nominal, double Filled) Extrusion(in CheckedMove move)
     {
         if (move.Start != _end) Break();
+        if (!_isOpen) (_isOpen, _start) = (true, move.Start);
         _end = move.End;
         var area = move.Deposited / move.Length;
         // Layers much thicker or thinner than their extrusions say nothing about them: files without comments about layers, drawings.
@@ -106,16 +107,18 @@ internal sealed class ExtrusionCheck
         var width = 2 * Math.Sqrt(move.Deposited / (Math.PI * gap));
         if (!(width > WidestBlob * _printer.NozzleDiameter)) return;
         var volume = move.Deposited;
-        _findings.Add(CheckCodes.Squeezed, move.Index, () => $"{Number(volume)} mm³ in place do not fit into {Number(gap)} mm below the nozzle: the blob would "
-            + $"be {Number(width)} mm wide.", width);
+        _findings.Add(CheckCodes.Squeezed, move.Index, () => $"{Number(volume)} mm³ extruded in place do not fit into the {Number(gap)} mm under the nozzle: "
+            + $"the blob would be {Number(width)} mm wide. Extrude less.", width);
     }
 
     /// <summary>The head moves on without printing.</summary>
     public void Break()
     {
-        if (_air > MostFree) ReportAir(false);
+        // A loop ends next to its start, which holds it if it has something below it.
+        var isHeld = _startsHeld && _end.DistanceTo(_start) <= _printer.NozzleDiameter;
+        if (_air > (isHeld ? MostBridge : MostFree)) ReportAir(isHeld);
         _air = _doubled = 0;
-        _anchored = false;
+        _isOpen = _anchored = _startsHeld = false;
     }
 
     public void End()
@@ -124,8 +127,7 @@ internal sealed class ExtrusionCheck
         var slender = _highest / Math.Sqrt(_standing);
         if (_standing > 0 && slender > Slenderest)
             _findings.Add(CheckCodes.FirstLayer, () => null,
-                () => $"A print of {Number(_highest)} mm height stands on {NumberFormatter.Format(_standing, 0)} mm²: give it "
-                + "a brim.");
+                () => $"The print is {Number(_highest)} mm high, but only {NumberFormatter.Format(_standing, 0)} mm² of it touch the bed. Add a brim.");
     }
 
     private static string Number(double value) => NumberFormatter.Format(value, 2);
@@ -161,6 +163,7 @@ internal sealed class ExtrusionCheck
     private void Land(int move)
     {
         if (_air > (_anchored ? MostBridge : MostFree)) ReportAir(_anchored);
+        _startsHeld |= !_anchored && _air == 0;
         _air = 0;
         _anchored = true;
     }
@@ -168,8 +171,8 @@ internal sealed class ExtrusionCheck
     private void ReportAir(bool bridge)
     {
         var air = _air;
-        _findings.Add(CheckCodes.Unsupported, _airMove, () => $"{NumberFormatter.Format(air, 1)} mm of an extrusion lie in the air"
-            + (bridge ? " between two supports." : " with a free end."), air);
+        _findings.Add(CheckCodes.Unsupported, _airMove, () => $"An extrusion is in the air for {NumberFormatter.Format(air, 1)} mm, "
+            + (bridge ? "between two supports. Add supports below it." : "with a free end. Add supports below it."), air);
     }
 
     private void Dimensions(in CheckedMove move, double area, double height, double highest, bool known)
@@ -187,7 +190,7 @@ internal sealed class ExtrusionCheck
     // Reports are apart from what they are about, which would allocate what they capture for each move.
     private void ReportHeight(int move, double height)
         => _findings.Add(CheckCodes.Height, move,
-            () => $"A layer is {Number(height)} mm high; the nozzle is {Number(_printer.NozzleDiameter)} mm wide.", height);
+            () => $"A layer is {Number(height)} mm high, more than the nozzle diameter of {Number(_printer.NozzleDiameter)} mm. Lower it.", height);
 
     private void Odd(ref double length, ref int first, in CheckedMove move, double width)
     {
@@ -198,13 +201,14 @@ internal sealed class ExtrusionCheck
     }
 
     private void ReportWidth(int move, double width)
-        => _findings.Add(CheckCodes.Width, move, () => $"Extrusions are {Number(width)} mm wide; the nozzle is {Number(_printer.NozzleDiameter)} mm wide.",
+        => _findings.Add(CheckCodes.Width, move, () => $"Extrusions are {Number(width)} mm wide, too {(width > _printer.NozzleDiameter ? "wide" : "narrow")} "
+            + $"for a nozzle of {Number(_printer.NozzleDiameter)} mm. Check line width and flow ratio.",
             width > _printer.NozzleDiameter ? width / (Widest * _printer.NozzleDiameter) : Thinnest * _printer.NozzleDiameter / width);
 
     private void Squeezed(in CheckedMove move, double area, double gap)
         => _findings.Add(CheckCodes.Squeezed, move.Index,
-            () => $"An extrusion of {Number(area)} mm² does not fit into {Number(gap)} mm below the nozzle: it would be "
-            + $"{Number(area / gap)} mm wide.", area / gap);
+            () => $"An extrusion of {Number(area)} mm² does not fit into the {Number(gap)} mm under the nozzle: it would be "
+            + $"{Number(area / gap)} mm wide. Extrude less, or raise the path.", area / gap);
 
     private void Doubles(in CheckedMove move, double area, double height)
     {
@@ -229,6 +233,6 @@ internal sealed class ExtrusionCheck
     }
 
     private void ReportDoubled(int move, int other)
-        => _findings.AddNaming(CheckCodes.Doubled, move, () => () => "Extrusions are printed in the place of others"
-            + (other >= 0 && _findings.PlaceOf(other) is { } place ? $" ({place with { Origin = null, Step = null }})." : "."));
+        => _findings.AddNaming(CheckCodes.Doubled, move, () => () => "Extrusions are in the same place as earlier ones"
+            + (other >= 0 && _findings.PlaceOf(other) is { } place ? $" ({place with { Origin = null, Step = null }})" : "") + ". Remove the duplicates.");
 }

@@ -31,10 +31,10 @@ internal sealed class AxisShares(Printer printer)
         return filament > 0 && _isHead ? most : Math.Min(most, Axis(filament, move.Length, limits[MotionLimit.SpeedE], _roundedE));
     }
 
-    // Where an axis moves by a few of the last decimals, its share is not known better.
+    // If an axis moves by a few of the last decimals, its share is not known better. Nor is the length of a move of several axes.
     private static double Axis(double along, double length, double most, double rounded)
     {
         var path = Math.Abs(along) < 20 * rounded ? Math.Abs(along) - rounded : Math.Abs(along);
-        return path > 0 ? most * length / path : double.MaxValue;
+        return path > 0 ? most * (path < length ? length + rounded : length) / path : double.MaxValue;
     }
 }

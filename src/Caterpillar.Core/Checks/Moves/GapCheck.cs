@@ -53,7 +53,8 @@ internal sealed class GapCheck(Findings findings) : IMoveCheck
     private void Report(in CheckedMove move)
     {
         var (from, gap) = (_gapStart, _gapStart.DistanceTo(move.Start));
-        findings.Add(CheckCodes.Gap, move.Index, () => $"A straight line of extrusions has a gap of {NumberFormatter.Format(gap, 2)} mm at {from}.");
+        findings.Add(CheckCodes.Gap, move.Index,
+            () => $"A straight line of extrusions has a gap of {NumberFormatter.Format(gap, 2)} mm at {from}. Join the paths.");
     }
 
     private static bool Continues(Vec3 a, Vec3 b) => Vec3.Dot(a, b) >= Straight * a.Length * b.Length;

@@ -41,14 +41,14 @@ internal sealed class PositionCheck(Printer printer, Findings findings) : IMoveC
     private void Report(int move, Vec3 end)
     {
         if (end.Z < 0 && printer.CanReach(end.WithZ(0), Tolerance))
-            findings.Add(CheckCodes.Below, move, () => $"A move goes to Z {NumberFormatter.Format(end.Z, 3)} mm, below the bed.");
+            findings.Add(CheckCodes.Below, move, () => $"A move goes to Z {NumberFormatter.Format(end.Z, 3)} mm, below the bed. Raise it.");
         else
             findings.Add(CheckCodes.Outside, move, () => $"A move goes to {end}, outside the build volume of {printer.Title}: "
-                + $"{printer.BuildBounds}{(printer.BedShape == BedShape.Round ? ", round" : "")}.");
+                + $"{printer.BuildBounds}{(printer.BedShape == BedShape.Round ? ", round" : "")}. Move or scale the print.");
     }
 
     private void Report(int move, Vec3 end, Bounds area)
-        => findings.Add(CheckCodes.PrintArea, move, () => $"An extrusion to {end} lies on an excluded area of {printer.Title}: {area}.");
+        => findings.Add(CheckCodes.PrintArea, move, () => $"An extrusion to {end} crosses an excluded area of {printer.Title}: {area}. Move the print.");
 
     private bool ReachesAlong(Arc arc, Vec3 start, Vec3 end)
     {

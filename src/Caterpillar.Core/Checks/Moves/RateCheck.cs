@@ -1,5 +1,6 @@
 using Caterpillar.Basics;
 using Caterpillar.Machines;
+using Caterpillar.Planning;
 using Caterpillar.Simulation;
 using Caterpillar.Toolpaths;
 
@@ -57,9 +58,9 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
         var filament = move.E * _filamentPerE[Math.Min(Math.Max(move.Tool, 0), _filamentPerE.Length - 1)];
         var most = _shares.MaxSpeed(move, filament, _limits);
         // Travels are slowed down without harm; an extrusion printed more slowly is not the one that was asked for.
-        if (move.Speed > most + _roundedF) ReportSpeed(move, most, move.Length > 0 ? "there at" : "at", " and will slow down");
+        if (move.Speed > most + _roundedF) ReportSpeed(move, most, "The printer will slow down.");
         else if (_raised && _shares.MaxSpeed(move, filament, _own) is var own && move.Speed > own + _roundedF)
-            ReportSpeed(move, own, "for", ", a limit that the file has raised");
+            ReportSpeed(move, own, "The file has raised this limit.");
         if (!(move.Length > 0)) return;
         var flow = move.Deposited / move.Length * Math.Min(move.Speed, most);
         // In short and in slow moves the last decimals count for more.
@@ -94,41 +95,42 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
     {
         if (!(value > most)) return;
         findings.Add(CheckCodes.Acceleration, what.Move,
-            () => $"An acceleration is set to {Figures.Short(value)} mm/s²; {_printer.Title} allows {Figures.Short(most)} mm/s².");
+            () => $"The acceleration is set to {Figures.Short(value)} mm/s², but {_printer.Title} allows only {Figures.Short(most)} mm/s². Lower it.");
     }
 
     private void ReportRaised(MoveEvent what, LimitEvent set)
         => findings.Add(CheckCodes.Raised, () => findings.PlaceOfEvent(what), () =>
         {
             var unit = set.Limit == MotionLimit.JunctionDeviation ? "mm" : "mm/s";
-            return $"{Name(set.Limit)} is raised to {Figures.Short(set.Value)} {unit}; {_printer.Title} has {Figures.Short(_own[set.Limit])} {unit}.";
+            return $"{Name(set.Limit)} is raised to {Figures.Short(set.Value)} {unit}, but {_printer.Title} has {Figures.Short(_own[set.Limit])} {unit}.";
         });
 
     private static string Name(MotionLimit limit) => limit switch
     {
-        <= MotionLimit.SpeedE => $"The greatest speed of {"XYZE"[limit - MotionLimit.SpeedX]}",
+        <= MotionLimit.SpeedE => $"The maximum speed of {"XYZE"[limit - MotionLimit.SpeedX]}",
         <= MotionLimit.JerkE => $"The jerk of {"XYZE"[limit - MotionLimit.JerkX]}",
         MotionLimit.JunctionDeviation => "The junction deviation",
         MotionLimit.SquareCornerVelocity => "The square corner velocity",
-        _ => "The greatest speed of the head",
+        _ => "The maximum speed of the print head",
     };
 
     private void ReportTool(in CheckedMove move)
     {
         var tool = move.Tool;
         findings.Add(CheckCodes.Tool, move.Index,
-            () => $"A move is for tool {NumberFormatter.Format(tool)}; {_printer.Title} has {NumberFormatter.Format(_printer.ToolCount)}, counted from 0.");
+            () => $"Move uses tool {NumberFormatter.Format(tool)}, but {_printer.Title} has {PlanRun.OnlyTools(_printer.ToolCount)}.");
     }
 
-    private void ReportSpeed(in CheckedMove move, double most, string preposition, string consequence)
+    private void ReportSpeed(in CheckedMove move, double most, string consequence)
     {
         var (speed, inPlace) = (move.Speed, !(move.Length > 0));
         findings.Add(move.Kind == MoveKind.Print ? CheckCodes.Speed : CheckCodes.TravelSpeed, move.Index,
-            () => $"{(inPlace ? "The extruder" : "A move")} asks for {Figures.Short(speed)} mm/s; {_printer.Title} "
-                + $"{(inPlace ? "turns it" : "moves")} {preposition} {Figures.Short(most)} mm/s{consequence}.", speed / most);
+            () => $"{(inPlace ? "An extruder move" : "A move")} has a speed of {Figures.Short(speed)} mm/s, but {_printer.Title} allows only "
+                + $"{Figures.Short(most)} mm/s{(inPlace ? "" : " in its direction")}. {consequence}", speed / most);
     }
 
     private void ReportFlow(double flow, int move)
         => findings.Add(CheckCodes.Flow, move,
-            () => $"A move asks for {Figures.Short(flow)} mm³/s of material; the limit is {Figures.Short(setup.MaxFlow)} mm³/s.", flow);
+            () => $"A move needs a flow of {Figures.Short(flow)} mm³/s, but the maximum is {Figures.Short(setup.MaxFlow)} mm³/s. "
+                + "Lower speed, width or layer height.", flow);
 }

@@ -37,6 +37,6 @@ internal sealed class StationaryCheck(Printer printer, Findings findings) : IMov
 
     private void Report(int move, double volume)
         => findings.Add(CheckCodes.Stationary, move,
-            () => $"{Figures.Short(Math.Abs(volume))} mm³ are {(volume > 0 ? "pushed out" : "pulled back")} while the head stands still; "
-                + $"{printer.Title} allows {Figures.Short(printer.MaxStationaryVolume)} mm³.", Math.Abs(volume));
+            () => $"{Figures.Short(Math.Abs(volume))} mm³ are {(volume > 0 ? "extruded" : "retracted")} in place, but {printer.Title} allows only "
+                + $"{Figures.Short(printer.MaxStationaryVolume)} mm³. Move the head, or {(volume > 0 ? "extrude" : "retract")} less.", Math.Abs(volume));
 }

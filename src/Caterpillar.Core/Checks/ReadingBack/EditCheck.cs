@@ -39,10 +39,10 @@ internal static class EditCheck
         }
         var (a, b) = (ToolpathTotals.Of(wanted), ToolpathTotals.Of(read));
         if (Math.Abs(a.PrintLength - b.PrintLength) > Share * a.PrintLength + Position)
-            findings.Add(CheckCodes.FilePosition, () => null, () => $"The file prints {NumberFormatter.Format(b.PrintLength, 2)} mm; the edit asks for "
+            findings.Add(CheckCodes.FilePosition, () => null, () => $"The file prints {NumberFormatter.Format(b.PrintLength, 2)} mm, but the edit has "
                 + $"{NumberFormatter.Format(a.PrintLength, 2)} mm.");
         if (Math.Abs(a.DepositedE - b.DepositedE) > Share * a.DepositedE + Position)
-            findings.Add(CheckCodes.FileExtrusion, () => null, () => $"The file extrudes {NumberFormatter.Format(b.DepositedE, 3)}; the edit asks for "
+            findings.Add(CheckCodes.FileExtrusion, () => null, () => $"The file extrudes {NumberFormatter.Format(b.DepositedE, 3)}, but the edit has "
                 + $"{NumberFormatter.Format(a.DepositedE, 3)}.");
     }
 
@@ -52,10 +52,10 @@ internal static class EditCheck
         var (c, i) = (read.Blocks[block].Columns, move - read.FirstOf(block));
         var end = new Vec3(c.X[i], c.Y[i], c.Z[i]);
         if (Math.Abs(end.X - wanted.X) > Position || Math.Abs(end.Y - wanted.Y) > Position || Math.Abs(end.Z - wanted.Z) > Position)
-            findings.Add(CheckCodes.FilePosition, move, () => $"The head is at {end} after this line; the edit has it at {wanted}.");
+            findings.Add(CheckCodes.FilePosition, move, () => $"The head is at {end} after this line, but the edit has {wanted}.");
         var got = c.E[i];
         if (Math.Abs(got - e) > Position + Share * Math.Abs(e))
-            findings.Add(CheckCodes.FileExtrusion, move, () => $"E changes by {NumberFormatter.Format(got, 5)} in this line; the edit asks for "
+            findings.Add(CheckCodes.FileExtrusion, move, () => $"E changes by {NumberFormatter.Format(got, 5)} in this line, but the edit has "
                 + $"{NumberFormatter.Format(e, 5)}.");
     }
 }

@@ -188,7 +188,7 @@ internal sealed class PlanComparison
     {
         var (at, move) = (_head, _move);
         _findings.Add(CheckCodes.FilePosition, () => WrittenPlaces.OfMove(_plan, _lines, move, line),
-            () => $"The head is at {at} after this line; the plan has it at {wanted}.");
+            () => $"The head is at {at} after this line, but the plan has {wanted}. Check templates and raw lines before it.");
     }
 
     private void Turned(ToolpathColumns plan, int i, int line, Arc arc, Vec3 wanted)
@@ -198,7 +198,7 @@ internal sealed class PlanComparison
         var (move, length, planned) = (_move, _length, arc.Length(start, wanted));
         if (Math.Abs(length - planned) <= ArcTolerance + planned * 0.01) return;
         _findings.Add(CheckCodes.FilePosition, () => WrittenPlaces.OfMove(_plan, _lines, move, line),
-            () => $"An arc is {NumberFormatter.Format(length, 2)} mm long by this line; the plan has {NumberFormatter.Format(planned, 2)} mm.");
+            () => $"The arc of this line is {NumberFormatter.Format(length, 2)} mm long, but the plan has {NumberFormatter.Format(planned, 2)} mm.");
     }
 
     private void Extruded(ToolpathColumns plan, int i, int line)
@@ -218,5 +218,5 @@ internal sealed class PlanComparison
     // Apart from the above, which would allocate what is captured here for each move.
     private void Report(int move, int line, double e, double planned)
         => _findings.Add(CheckCodes.FileExtrusion, () => WrittenPlaces.OfMove(_plan, _lines, move, line),
-            () => $"E changes by {NumberFormatter.Format(e, 5)} in this line; the plan has {NumberFormatter.Format(planned, 5)}.");
+            () => $"E changes by {NumberFormatter.Format(e, 5)} in this line, but the plan has {NumberFormatter.Format(planned, 5)}.");
 }

@@ -26,15 +26,15 @@ internal static class RawModes
             foreach (var line in raw.Line.Split('\n', '\r')) state = state.After(line);
             var at = i;
             if (state with { IsVolume = usual.IsVolume, Flow = usual.Flow } != usual)
-                findings.Add(CheckCodes.FileModes, () => placeOfEvent(at), () => $"A raw line switches to {state.Word(usual)}. Modes end with it: give what "
-                    + "needs them, and what ends them, in the same raw text.");
+                findings.Add(CheckCodes.FileModes, () => placeOfEvent(at), () => $"A raw line switches to {state.Word(usual)} and does not switch back. "
+                    + "Put the commands that need this mode, and the command that ends it, into the same raw text.");
             if (format.Flavor.Volumetric && state.IsVolume != usual.IsVolume)
                 findings.Add(CheckCodes.FileExtrusion, () => placeOfEvent(at),
-                    () => $"A raw line switches to E in {(state.IsVolume ? "mm³" : "mm of filament")} (M200): the extrusions after it are planned in the "
-                        + "other.");
+                    () => $"A raw line switches to E in {(state.IsVolume ? "mm³" : "mm of filament")} (M200), but the extrusions after it are in "
+                        + $"{(state.IsVolume ? "mm of filament" : "mm³")}. Remove it, or set e_unit of the printer.");
             if (format.Flavor.FlowFactor != FlowFactorRule.Ignored && state.Flow != usual.Flow)
                 findings.Add(CheckCodes.FileExtrusion, () => placeOfEvent(at), () => $"A raw line sets the flow to {NumberFormatter.Format(state.Flow, 1)} % "
-                    + "(M221): all extrusions after it have as much of what is planned. The flow of a design is flow_ratio.");
+                    + "(M221), which changes all extrusions after it. Remove it and set flow_ratio instead.");
         }
     }
 

@@ -6,13 +6,13 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Checks;
 
 /// <summary>
-/// Looks for what a printer cannot or must not do: moves outside its space, collisions with what is printed before, too much material, cold extrusion, and
-/// the rest of <see cref="CheckCodes"/>. Problems of one kind are one diagnostic, with the first move and a count; how serious each is says the printer.
+/// Checks a print for moves outside the build volume, collisions, too much material, cold extrusion, and the rest of <see cref="CheckCodes"/>. Findings of
+/// one code are one diagnostic, with the first move and a count. The printer sets their severities.
 /// </summary>
 public static class PrintCheck
 {
     /// <summary>Checks a toolpath against a printer, material and settings.</summary>
-    /// <returns>Findings with the codes of <see cref="CheckCodes"/>; the source of each is the first such move with its step or line.</returns>
+    /// <returns>Findings with the codes of <see cref="CheckCodes"/>. The source is the first such move, with its step or line.</returns>
     public static IReadOnlyList<Diagnostic> Run(Toolpath toolpath, PrintSetup setup, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
@@ -21,8 +21,8 @@ public static class PrintCheck
     }
 
     /// <summary>
-    /// Checks a decoded file, which may heat by itself or leave that to a macro of the firmware. Where it does not state the diameter of its filament, that of
-    /// the material holds.
+    /// Checks a decoded file, which may heat the nozzle itself or leave that to a macro of the firmware. If it does not state its filament diameter, the
+    /// diameter of the material is used.
     /// </summary>
     /// <inheritdoc cref="Run(Toolpath, PrintSetup, IProgress{double}?, CancellationToken)" path="/returns"/>
     public static IReadOnlyList<Diagnostic> Run(
@@ -37,8 +37,8 @@ public static class PrintCheck
     }
 
     /// <summary>
-    /// The setup to check the edited toolpath of a file against, which may heat by itself: one that does begins cold; one that leaves the heating to a macro
-    /// of the firmware is taken as hot.
+    /// The setup to check the edited toolpath of a file against. If the file heats the nozzle itself, the nozzle starts cold. Otherwise a macro of the firmware
+    /// heats it, and it starts hot.
     /// </summary>
     public static PrintSetup SetupForFile(PrintSetup setup, Toolpath toolpath)
     {
@@ -54,7 +54,7 @@ public static class PrintCheck
         return checks.Finish(toolpath, scope, progress);
     }
 
-    /// <summary>The toolpath of a file with the filament of the material for the tools whose filament it does not state.</summary>
+    /// <summary>The toolpath of a file; tools without a stated filament use the filament of the material.</summary>
     internal static Toolpath WithVolumes(Toolpath toolpath, PrintSetup setup)
     {
         if (toolpath.Tools.All(t => t.VolumePerE is not null) || setup.Printer.ExtrusionUnit == ExtrusionUnit.None) return toolpath;

@@ -57,22 +57,22 @@ internal sealed class FileCheck(Toolpath toolpath, Printer printer, CheckScope s
         if (scope.IsPlanned) return;
         if (_moving >= Enough && _wipes > _moving * MostWipes)
             findings.Add(CheckCodes.ExtrusionMode, _firstWipe,
-                () => $"{Percent(_wipes, _moving)} of the moves with E pull it back: E looks relative and is read as "
-                + "absolute.");
+                () => $"{Percent(_wipes, _moving)} of the moves with E retract. E looks relative, but is read as absolute. "
+                + "Write M83 before the first move.");
         else if (_prints >= Enough && _thick > _prints * MostThick)
             findings.Add(CheckCodes.ExtrusionMode, _firstThick, ()
-                => $"{Percent(_thick, _prints)} of the extrusions are thicker than any nozzle prints: E looks "
-                + "absolute and is read as relative, or in another unit.");
+                => $"{Percent(_thick, _prints)} of the extrusions are thicker than any nozzle prints. E looks "
+                + "absolute, but is read as relative, or in another unit. Write M82 before the first move, or correct e_unit of the printer.");
     }
 
     private void Printed(in CheckedMove move)
     {
         if (_reported || !scope.IsWholeFile || scope.HasMacros) return;
         _reported = true;
-        if (!_homes) findings.Add(CheckCodes.NoHoming, move.Index, () => "The file prints and has not homed the machine before.");
+        if (!_homes) findings.Add(CheckCodes.NoHoming, move.Index, () => "The file prints without homing first. Add G28 to the start G-code.");
         if (_hasX && _hasY && _hasZ) return;
-        var axes = (_hasX ? "" : "X") + (_hasY ? "" : "Y") + (_hasZ ? "" : "Z");
-        findings.Add(CheckCodes.UnknownPosition, move.Index, () => $"The file prints before it says where the head is in {axes}.");
+        var axes = string.Join(", ", new[] { _hasX ? "" : "X", _hasY ? "" : "Y", _hasZ ? "" : "Z" }.Where(a => a.Length > 0));
+        findings.Add(CheckCodes.UnknownPosition, move.Index, () => $"The file prints before the position in {axes} is known. Home first, or move in {axes}.");
     }
 
     private static string Percent(long part, long whole) => NumberFormatter.Format(100.0 * part / whole, 0) + " %";

@@ -61,18 +61,20 @@ internal sealed class HeatCheck : IMoveCheck
     {
         if (!_scope.IsWholeFile) return;
         if (_needed > 0 && _firstExtrusion is { } first && !_heats && !_scope.HasMacros)
-            _findings.Add(CheckCodes.NoHeating, first, () => "Nothing in the file heats the nozzle before this move extrudes.");
+            _findings.Add(CheckCodes.NoHeating, first, () => "This move extrudes, but the file never heats the nozzle. Add M109 to the start G-code.");
         if (_nozzles.LeftOn is { } nozzle)
-            _findings.Add(CheckCodes.HeatLeftOn, () => PlaceOf(nozzle), () => Left("nozzle", ((NozzleTemperatureEvent)nozzle.Event).Celsius));
+            _findings.Add(CheckCodes.HeatLeftOn, () => PlaceOf(nozzle), () => Left("nozzle", ((NozzleTemperatureEvent)nozzle.Event).Celsius, "M104 S0"));
         if (_bed is { Event: BedTemperatureEvent { Celsius: > 0 } left } bed)
-            _findings.Add(CheckCodes.HeatLeftOn, () => PlaceOf(bed), () => Left("bed", left.Celsius));
+            _findings.Add(CheckCodes.HeatLeftOn, () => PlaceOf(bed), () => Left("bed", left.Celsius, "M140 S0"));
     }
 
     private void ReportCold(int move, double celsius, MoveEvent? set)
         => _findings.Add(CheckCodes.ColdExtrusion, () => ColdPlace(move, set),
-            () => $"A move extrudes at {NumberFormatter.Format(celsius, 0)} °C; {_printer.Title} needs {NumberFormatter.Format(_needed, 0)} °C.");
+            () => $"A move extrudes at {NumberFormatter.Format(celsius, 0)} °C, but {_printer.Title} needs {NumberFormatter.Format(_needed, 0)} °C. "
+                + "Heat the nozzle first.");
 
-    private static string Left(string part, double celsius) => $"The {part} is still heated to {Number(celsius)} °C at the end.";
+    private static string Left(string part, double celsius, string off)
+        => $"The {part} is still heated to {Number(celsius)} °C at the end. Add {off} to the end G-code.";
 
     private SourceLocation? PlaceOf(MoveEvent what) => _findings.PlaceOfEvent(what);
 
@@ -97,8 +99,8 @@ internal sealed class HeatCheck : IMoveCheck
 
     private string Sentence(string part, double celsius, double most)
         => most == 0
-            ? $"The {part} is to be heated to {Number(celsius)} °C; {_printer.Title} cannot heat it."
-            : $"The {part} is to be heated to {Number(celsius)} °C; {_printer.Title} allows {Number(most)} °C at most.";
+            ? $"The {part} temperature is {Number(celsius)} °C, but {_printer.Title} has no heated {part}. Set it to 0."
+            : $"The {part} temperature is {Number(celsius)} °C, but {_printer.Title} allows only {Number(most)} °C. Lower it.";
 
     private static string Number(double celsius) => NumberFormatter.Format(celsius, 1);
 }

@@ -66,7 +66,7 @@ internal sealed class PrintPipeline : IDisposable
     public Result<WrittenGCode> Write(Stream stream, bool isDraft, string? reason = null, IProgress<double>? progress = null)
     {
         if (stream is null) throw new ArgumentNullException(nameof(stream));
-        var plan = Finish().Value ?? throw new InvalidOperationException("There is no plan.");
+        var plan = Finish().Value ?? throw new InvalidOperationException("Planning failed, so nothing can be written.");
         using var draft = _draft;
         var begun = (draft, _timing);
         // Good for one file: the next is timed and checked from the beginning.

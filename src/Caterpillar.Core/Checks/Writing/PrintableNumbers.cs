@@ -34,14 +34,14 @@ internal static class PrintableNumbers
         }
         foreach (var entry in toolpath.Events)
         {
-            if (!(Math.Abs(Value(entry.Event)) < largest)) return Error("A value between moves", Value(entry.Event), toolpath, entry.Move);
+            if (!(Math.Abs(Value(entry.Event)) < largest)) return Error("A value of a command between moves", Value(entry.Event), toolpath, entry.Move);
         }
         return null;
     }
 
     private static (string Name, double Value)? Word(ToolpathColumns c, int i, double largest)
     {
-        if (Outside(c.X[i], c.Y[i], c.Z[i], largest) is { } place) return ("The end", place);
+        if (Outside(c.X[i], c.Y[i], c.Z[i], largest) is { } place) return ("The end point", place);
         if (!(Math.Abs(c.E[i]) < largest)) return ("E", c.E[i]);
         if (!(Math.Abs(c.Speed[i]) < largest)) return ("The speed", c.Speed[i]);
         return c.A is not null && Outside(c.A[i], c.B![i], c.C![i], largest) is { } turn ? ("A rotary axis", turn) : null;

@@ -8,26 +8,25 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Checks;
 
 /// <summary>
-/// The guard of all G-code that is written, new or edited: what would hurt the machine is not written. An override is a reason in words, which stays in the
-/// file as a comment.
+/// Checks G-code, new or edited, and writes it if the checks find no error. A reason in words overrides errors; it is written into the file as a comment.
 /// </summary>
 public static class SafeWriter
 {
-    /// <summary>Code of the error that says that nothing was written.</summary>
+    /// <summary>Code of the error if nothing was written.</summary>
     public const string Refused = "write.refused";
 
     /// <summary>Code of the error about a number that cannot be written; no reason overrides it.</summary>
     public const string Unprintable = "write.invalid_number";
 
     /// <summary>Checks a toolpath and writes it as a file, whole or not at all.</summary>
-    /// <param name="toolpath">What to write.</param>
-    /// <param name="setup">The printer, material and settings it is for.</param>
-    /// <param name="path">The file, binary where its name ends in .bgcode; an older one is replaced.</param>
-    /// <param name="reason">Why findings of the checks are to be ignored; null where they are not.</param>
+    /// <param name="toolpath">The toolpath.</param>
+    /// <param name="setup">Its printer, material and settings.</param>
+    /// <param name="path">The file: binary G-code if the name ends in .bgcode. An existing file is replaced.</param>
+    /// <param name="reason">Why errors of the checks are ignored; null = do not write if there are errors.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels; no part of the file is left.</param>
-    /// <returns>What was written, or none with the findings and <see cref="Refused"/>.</returns>
-    /// <exception cref="IOException">The disk failed.</exception>
+    /// <returns>The size of the file. If it was refused: no value, the findings and <see cref="Refused"/>.</returns>
+    /// <exception cref="IOException">The file cannot be written.</exception>
     public static Result<WrittenGCode> WriteFile(
         Toolpath toolpath, PrintSetup setup, string path, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
@@ -38,15 +37,14 @@ public static class SafeWriter
         return written;
     }
 
-    /// <summary>Checks a toolpath and writes it to a stream, as text; nothing is written where it is refused.</summary>
+    /// <summary>Checks a toolpath and writes it to a stream, as text; nothing is written if it is refused.</summary>
     /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/param"/>
     internal static Result<WrittenGCode> Write(
         Toolpath toolpath, PrintSetup setup, Stream stream, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
         => Write(toolpath, setup, stream, reason, false, default, progress, cancel);
 
     /// <summary>
-    /// Checks a toolpath while it is written to a stream, as text, in one pass: for temporary files. Where it is refused, what was written must be thrown
-    /// away.
+    /// Checks a toolpath while it is written to a stream, as text, in one pass: for temporary files. If it is refused, delete what was written.
     /// </summary>
     /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/param"/>
     internal static Result<WrittenGCode> WriteDraft(
@@ -115,15 +113,15 @@ public static class SafeWriter
         return new Result<GCodeDocument>(written.Value is null ? null : GCodeDocument.FromBytes(memory.ToArray()), written.Diagnostics);
     }
 
-    /// <summary>Checks an edited toolpath and writes the file that it was decoded from again: untouched lines byte for byte.</summary>
+    /// <summary>Checks an edited toolpath and writes its file again. Lines that no edit touches keep their bytes.</summary>
     /// <param name="decoding">The decoded file.</param>
     /// <param name="edited">Its toolpath after the edits.</param>
-    /// <param name="setup">The printer, material and settings that it is checked against.</param>
-    /// <param name="reason">Why findings of the checks are to be ignored, in words that stay in the file as a comment; null where they are not.</param>
-    /// <param name="code">Other start and end code; what is checked is then what is written, and messages name its lines.</param>
+    /// <param name="setup">The printer, material and settings to check against.</param>
+    /// <param name="reason">Why errors of the checks are ignored, as a comment for the file; null = do not write if there are errors.</param>
+    /// <param name="code">New start and end code. Messages then name the lines of the new file.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels.</param>
-    /// <returns>The file, or none with the findings and <see cref="Refused"/>.</returns>
+    /// <returns>The file. If it was refused: no value, the findings and <see cref="Refused"/>.</returns>
     /// <exception cref="ArgumentException">The file was decoded from a stream, without its document.</exception>
     public static Result<GCodeDocument> ToDocument(
         DecodedGCode decoding, Toolpath edited, PrintSetup setup, string? reason = null, EditOptions? code = null, IProgress<double>? progress = null,
@@ -158,7 +156,7 @@ public static class SafeWriter
         return (new Result<GCodeDocument>(written.Value, guard.Notes(written.Diagnostics)), guard);
     }
 
-    /// <summary>Checks the text of a file as it stands, edited or converted before. Messages name its lines.</summary>
+    /// <summary>Checks the text of a file that was edited or converted before. Messages name its lines.</summary>
     internal static (Result<GCodeDocument> Document, WriteGuard? Guard) Check(
         GCodeDocument text, DecodeOptions reading, PrintSetup setup, string? reason, IProgress<double>? progress, CancellationToken cancel)
     {

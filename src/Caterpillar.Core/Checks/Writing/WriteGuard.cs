@@ -49,7 +49,7 @@ internal sealed class WriteGuard
     {
         if (_errors.Length == 0) return [];
         var reason = string.Join(" ", _reason!.Split([' ', '\t', '\r', '\n'], StringSplitOptions.RemoveEmptyEntries));
-        return ["Written in spite of these findings. Reason: " + reason, .. _errors.Select(e => Shifted(e).ToString())];
+        return ["Written despite these findings. Reason: " + reason, .. _errors.Select(e => Shifted(e).ToString())];
     }
 
     // The comments, the reason and one for each error, stand before everything that the lines of the findings are counted in.

@@ -86,7 +86,8 @@ internal sealed class OffsetField : LayerField
             }
             if (!(Normal(at).Z > 1e-3))
             {
-                problems.Add(Severity.Error, "curved.overhanging_layers", $"The layers stand upright or overhang at {at}: a nozzle from above cannot print them.");
+                problems.Add(Severity.Error, "curved.overhanging_layers",
+                    $"The layers stand upright or overhang at {at}: a nozzle from above cannot print them.");
                 return false;
             }
         }

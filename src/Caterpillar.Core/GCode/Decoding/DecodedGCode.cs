@@ -39,8 +39,8 @@ public sealed class DecodedGCode
     public ExtrusionRule Rule { get; internal init; }
 
     /// <summary>
-    /// The error <c>gcode.not_gcode</c> for a file without a command, which says what the file looks like (a mesh, an image, an archive …); null for G-code. It is
-    /// no diagnostic of decoding, which takes any bytes.
+    /// The error <c>gcode.not_gcode</c> for a file without a command, with the kind of file it looks like (a mesh, an image, an archive …); null for G-code. It
+    /// is no diagnostic of decoding, which takes any bytes.
     /// </summary>
     public Diagnostic? NotGCode { get; internal init; }
 

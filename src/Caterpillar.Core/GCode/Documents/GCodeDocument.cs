@@ -61,7 +61,7 @@ public sealed class GCodeDocument
     public static GCodeDocument FromText(string text, string name = "") => FromBytes(TextEncoding.Encode(text), name);
 
     /// <summary>Reads a file: plain, packed with gzip, or binary G-code (.bgcode).</summary>
-    /// <returns>The document, or none with the error <c>gcode.compression</c> where gzip or binary G-code is broken. Decoding says what else was noticed.</returns>
+    /// <returns>The document, or none with the error <c>gcode.compression</c> if gzip or binary G-code is broken. Decoding reports all else.</returns>
     /// <exception cref="IOException">The file cannot be read.</exception>
     public static Result<GCodeDocument> ReadFile(string path, CancellationToken cancel = default)
     {

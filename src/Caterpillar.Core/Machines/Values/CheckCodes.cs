@@ -2,7 +2,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Machines;
 
-/// <summary>What is checked, by the codes of its findings. A printer's <c>check_severities</c> change how serious each is.</summary>
+/// <summary>The codes of all checks. The key <c>check_severities</c> of a printer changes their severities.</summary>
 public static class CheckCodes
 {
     public const string Outside = "bed.outside";
@@ -40,64 +40,63 @@ public static class CheckCodes
     public const string UnknownPosition = "file.unknown_position";
     public const string HeatLeftOn = "file.heat_left_on";
 
-    /// <summary>All of them, with their usual severity and what they find.</summary>
+    /// <summary>All checks, with their default severities and what they find.</summary>
     public static IReadOnlyList<CheckRule> All { get; } =
     [
-        new(Outside, Severity.Error, "a move outside the space that the nozzle can reach"),
-        new(Below, Severity.Error, "a move below the bed"),
-        new(PrintArea, Severity.Error, "an extrusion on an excluded area of the bed"),
-        new(NozzleHits, Severity.Error, "the nozzle goes through what is printed, while it prints"),
-        new(TravelHits, Severity.Error, "the nozzle goes through what is printed, on a travel"),
-        new(HeadHits, Severity.Error, "a box of the head goes through what is printed"),
-        new(GantryHits, Severity.Error, "the gantry goes through what is printed"),
-        new(ClipHit, Severity.Error, "nozzle, head or gantry hit a clip on the bed"),
-        new(DigsIn, Severity.Note, "the flat of the nozzle digs into a slope of up to 45° beside it"),
-        new(Unsupported, Severity.Warning, "extrusions in the air: more than 5 mm at a free end, or more than 60 mm between two supports"),
-        new(Doubled, Severity.Warning, "more than 20 mm of a path in the place of another extrusion"),
-        new(Squeezed, Severity.Warning, "more material than fits between the nozzle and what is below it: an extrusion would be more than four nozzles wide, "
-            + "a blob in place more than ten"),
-        new(Width, Severity.Warning, "more than 5 mm of extrusions wider than three nozzles, or thinner than a fifth of one"),
-        new(Height, Severity.Warning, "layers higher than the nozzle is wide"),
-        new(Gap, Severity.Note, "a straight line of extrusions with a gap of 0.1 to 1 mm"),
-        new(FirstLayer, Severity.Warning, "a print that is higher than eight times the root of the area on which it stands"),
-        new(Flow, Severity.Error, "more material than hot end and material allow"),
-        new(Speed, Severity.Warning, "extrusions faster than the axes or the extruder"),
-        new(TravelSpeed, Severity.Note, "travels faster than the axes, retractions faster than the extruder"),
-        new(Acceleration, Severity.Note, "accelerations above those of the axes"),
-        new(Raised, Severity.Note, "a command that raises a limit of speed or jerk above that of the printer"),
-        new(Tool, Severity.Error, "a tool that the printer does not have"),
-        new(NozzleTemperature, Severity.Error, "a nozzle hotter than the printer allows"),
-        new(BedTemperature, Severity.Error, "a bed hotter than the printer allows"),
-        new(Stationary, Severity.Error, "too much material pushed out, or pulled back, while the head stands still"),
+        new(Outside, Severity.Error, "moves outside the build volume"),
+        new(Below, Severity.Error, "moves below the bed"),
+        new(PrintArea, Severity.Error, "extrusions in an excluded area of the bed"),
+        new(NozzleHits, Severity.Error, "the nozzle hits an earlier extrusion while it prints"),
+        new(TravelHits, Severity.Error, "the nozzle hits an earlier extrusion on a travel move"),
+        new(HeadHits, Severity.Error, "a box of the print head hits an earlier extrusion"),
+        new(GantryHits, Severity.Error, "the gantry hits an earlier extrusion"),
+        new(ClipHit, Severity.Error, "the nozzle, print head or gantry hits a bed clip"),
+        new(DigsIn, Severity.Note, "the flat of the nozzle tip cuts into a slope of up to 45° next to it"),
+        new(Unsupported, Severity.Warning, "extrusions in the air: more than 5 mm with a free end, or more than 60 mm between two supports"),
+        new(Doubled, Severity.Warning, "more than 20 mm of a path in the same place as another extrusion"),
+        new(Squeezed, Severity.Warning, "more material than fits under the nozzle: an extrusion wider than 4 nozzle diameters, or a blob wider than 10"),
+        new(Width, Severity.Warning, "more than 5 mm of extrusions wider than 3 nozzle diameters, or narrower than a fifth of one"),
+        new(Height, Severity.Warning, "layers higher than the nozzle diameter"),
+        new(Gap, Severity.Note, "gaps of 0.1 to 1 mm in a straight line of extrusions"),
+        new(FirstLayer, Severity.Warning, "prints higher than 8 times the square root of their contact area with the bed"),
+        new(Flow, Severity.Error, "flow above the maximum volumetric flow of hot end or material"),
+        new(Speed, Severity.Warning, "extrusions faster than the axes or the extruder allow"),
+        new(TravelSpeed, Severity.Note, "travel moves faster than the axes allow, or retractions faster than the extruder allows"),
+        new(Acceleration, Severity.Note, "accelerations above the maximum of the axes"),
+        new(Raised, Severity.Note, "commands that raise a speed or jerk limit above the limit of the printer"),
+        new(Tool, Severity.Error, "tools that the printer does not have"),
+        new(NozzleTemperature, Severity.Error, "nozzle temperatures above the maximum of the printer"),
+        new(BedTemperature, Severity.Error, "bed temperatures above the maximum of the printer"),
+        new(Stationary, Severity.Error, "too much material extruded or retracted in place"),
         new(ColdExtrusion, Severity.Error, "extrusion with a cold nozzle"),
-        new(FilePosition, Severity.Error, "a line of the file that moves the head elsewhere than was planned"),
-        new(FileExtrusion, Severity.Error, "a line of the file that extrudes another amount than was planned"),
-        new(FileModes, Severity.Error, "a raw line that leaves the machine in another mode"),
-        new(ExtrusionMode, Severity.Error, "amounts of E that make sense only in the other mode, absolute or relative"),
-        new(NoHoming, Severity.Warning, "a file that prints and does not home"),
-        new(NoHeating, Severity.Warning, "a file that extrudes and does not heat the nozzle"),
-        new(UnknownPosition, Severity.Warning, "extrusions before all three axes have a position"),
-        new(HeatLeftOn, Severity.Warning, "a nozzle or a bed that is still heated at the end"),
+        new(FilePosition, Severity.Error, "lines of the file that move the head to another point than planned"),
+        new(FileExtrusion, Severity.Error, "lines of the file that extrude another amount than planned"),
+        new(FileModes, Severity.Error, "raw lines that leave the machine in another mode"),
+        new(ExtrusionMode, Severity.Error, "E values that make sense only in the other mode, absolute or relative"),
+        new(NoHoming, Severity.Warning, "files that print without homing"),
+        new(NoHeating, Severity.Warning, "files that extrude without heating the nozzle"),
+        new(UnknownPosition, Severity.Warning, "extrusions before the positions of all three axes are known"),
+        new(HeatLeftOn, Severity.Warning, "nozzles or beds that are still heated at the end"),
     ];
 
-    /// <summary>The rule of a code, or null.</summary>
+    /// <summary>The check with a code; null if the code is unknown.</summary>
     public static CheckRule? Find(string code) => All.FirstOrDefault(r => r.Code == code);
 }
 
 /// <summary>A check.</summary>
 /// <param name="Code">Code of its findings.</param>
-/// <param name="Severity">How serious they are, unless the printer says otherwise.</param>
-/// <param name="Summary">What it finds, after "finds".</param>
+/// <param name="Severity">Default severity of the findings.</param>
+/// <param name="Summary">What the check finds, without a period.</param>
 public sealed record CheckRule(string Code, Severity Severity, string Summary);
 
-/// <summary>How serious the findings of a check are on a printer.</summary>
+/// <summary>Severity of the findings of a check on a printer.</summary>
 /// <param name="Code">A code of <see cref="CheckCodes"/>.</param>
-/// <param name="Severity">Null: it is not checked.</param>
+/// <param name="Severity">Severity of the findings; null = off.</param>
 public readonly record struct CheckSeverity(string Code, Severity? Severity)
 {
     private static readonly string[] Words = ["note", "warning", "error"];
 
-    /// <summary>Reads <c>code=severity</c>; null, and the problem, where it is wrong.</summary>
+    /// <summary>Reads <c>code=severity</c>; null and the problem if the text is invalid.</summary>
     internal static CheckSeverity? Parse(string text, out string? problem)
     {
         problem = null;
@@ -106,7 +105,7 @@ public readonly record struct CheckSeverity(string Code, Severity? Severity)
         var word = cut < 0 ? "" : text.Substring(cut + 1).Trim();
         if (CheckCodes.Find(code) is null)
         {
-            problem = $"has \"{code}\", which is not a code of a check";
+            problem = $"has \"{code}\", which is not the code of a check";
             return null;
         }
         if (word == "off") return new CheckSeverity(code, null);

@@ -35,7 +35,7 @@ internal sealed class SlowedRoles
         }
         if (moves == 0) return;
         diagnostics.Add(Severity.Note, "plan.flow_slowed",
-            $"Printed more slowly, so that it needs no more than {NumberFormatter.Format(limit, 2)} mm³/s of material: {string.Join(", ", parts)}.", null,
+            $"Printing is slowed down to the maximum volumetric flow of {NumberFormatter.Format(limit, 2)} mm³/s: {string.Join(", ", parts)}.", null,
                 moves);
     }
 

@@ -6,32 +6,32 @@ namespace Caterpillar.Planning;
 /// <summary>What planning may add to a design.</summary>
 public enum PlanPolicy : byte
 {
-    /// <summary>Retraction, lifts and detours from the settings, and sorting if the groups of the steps allow it.</summary>
+    /// <summary>Retraction, Z-hops and detours from the settings, and sorting within the groups of the steps.</summary>
     Printer,
 
     /// <summary>
-    /// Nothing: the moves are as drawn, a gap between paths is one straight travel, E is only what the paths need (as in ExtruderTurtle).
+    /// Nothing: the moves are as drawn, a gap between paths is one straight travel move, and only the paths extrude (as in ExtruderTurtle).
     /// </summary>
     AsDrawn,
 }
 
-/// <summary>Options of planning. All numbers come from the settings of the printer, the material and the print.</summary>
+/// <summary>Options of planning. All numbers come from the printer, material and print settings.</summary>
 public sealed record PlanOptions
 {
-    /// <summary>What is added to the design.</summary>
+    /// <summary>What planning may add to the design.</summary>
     public PlanPolicy Policy { get; init; }
 
-    /// <summary>How paths are sorted inside their groups; ignored as drawn.</summary>
+    /// <summary>How paths are sorted within their groups; no effect with <see cref="PlanPolicy.AsDrawn"/>.</summary>
     public SortOptions Sort { get; init; } = new(SortRule.Tour);
 
     /// <summary>Position of the head at the start of the plan, mm; null if the start code does not state it.</summary>
     public Vec3? Start { get; init; }
 
-    /// <summary>How much memory the moves may take; more is the error <see cref="MemoryLimit.Code"/>.</summary>
+    /// <summary>Maximum memory of the moves; more is the error <see cref="MemoryLimit.Code"/>.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
     /// <summary>
-    /// An object on the bed that is printed on: travels stay above it, and the first one rises before it goes there. Null for that of the setup.
+    /// An object on the bed to print on. Travel moves stay above it, and the first one rises before it goes there. Null = the object of the setup.
     /// </summary>
     public TriMesh? Obstacle { get; init; }
 }

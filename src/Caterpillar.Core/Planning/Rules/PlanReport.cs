@@ -2,31 +2,31 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Planning;
 
-/// <summary>Counts how often each rule of planning had an effect. Filled while planning runs and not changed afterwards.</summary>
+/// <summary>Counts of the effects of each rule of planning. Final when planning ends.</summary>
 public sealed record PlanReport
 {
-    /// <summary>Paths printed.</summary>
+    /// <summary>Printed paths.</summary>
     public int Paths { get; internal set; }
 
-    /// <summary>Travels between paths that the planner chose, and travels that the designer drew.</summary>
+    /// <summary>Travel moves between paths that the planner added, and travel moves that are part of the design.</summary>
     public int Travels { get; internal set; }
 
     /// <inheritdoc cref="Travels"/>
     public int DrawnTravels { get; internal set; }
 
-    /// <summary>Travels above everything printed so far.</summary>
+    /// <summary>Travel moves with Z-hop over everything printed so far.</summary>
     public int Lifts { get; internal set; }
 
-    /// <summary>Travels lifted only above what lies below them.</summary>
+    /// <summary>Travel moves with Z-hop over only the print below them.</summary>
     public int CorridorLifts { get; internal set; }
 
-    /// <summary>Travels without a lift: too short, or without an obstacle.</summary>
+    /// <summary>Travel moves without Z-hop: too short, or without an obstacle.</summary>
     public int SkippedLifts { get; internal set; }
 
-    /// <summary>Travels led around printed parts.</summary>
+    /// <summary>Travel moves around printed parts.</summary>
     public int Detours { get; internal set; }
 
-    /// <summary>Travels inside the part, without lift and retraction; and those of them that went around corners.</summary>
+    /// <summary>Travel moves inside the part, without Z-hop and retraction, and the number of them that go around corners.</summary>
     public int Combed { get; internal set; }
 
     /// <inheritdoc cref="Combed"/>
@@ -35,28 +35,28 @@ public sealed record PlanReport
     /// <summary>Retractions, in place or while wiping.</summary>
     public int Retractions { get; internal set; }
 
-    /// <summary>Travels too short for a retraction.</summary>
+    /// <summary>Travel moves too short for a retraction.</summary>
     public int SkippedRetractions { get; internal set; }
 
-    /// <summary>Travels that began with the filament already retracted.</summary>
+    /// <summary>Travel moves that started with the filament already retracted.</summary>
     public int AlreadyRetracted { get; internal set; }
 
-    /// <summary>Deretractions of retracted filament.</summary>
+    /// <summary>Deretractions.</summary>
     public int Deretractions { get; internal set; }
 
-    /// <summary>Retractions while the head wiped along what it had printed.</summary>
+    /// <summary>Retractions during a wipe back along the path.</summary>
     public int Wipes { get; internal set; }
 
-    /// <summary>Paths whose extrusion was started or stopped early to compensate for the pressure lag.</summary>
+    /// <summary>Paths whose extrusion starts or stops early to compensate for pressure lag.</summary>
     public int LaggedPaths { get; internal set; }
 
-    /// <summary>Changes to another tool.</summary>
+    /// <summary>Tool changes.</summary>
     public int ToolChanges { get; internal set; }
 
-    /// <summary>Waits for layers to cool.</summary>
+    /// <summary>Waits to let layers cool.</summary>
     public int Waits { get; internal set; }
 
-    /// <summary>Returns of a turtle over the top, along the branch, and those whose goal has been printed over.</summary>
+    /// <summary>Returns of a turtle over the top, along the branch, and to a point that has been printed over.</summary>
     public int ReturnsOver { get; internal set; }
 
     /// <inheritdoc cref="ReturnsOver"/>
@@ -65,19 +65,19 @@ public sealed record PlanReport
     /// <inheritdoc cref="ReturnsOver"/>
     public int BlockedReturns { get; internal set; }
 
-    /// <summary>Segments without length, which were dropped.</summary>
+    /// <summary>Segments without length, which were left out.</summary>
     public int EmptySegments { get; internal set; }
 
-    /// <summary>Length of all travels, mm.</summary>
+    /// <summary>Length of all travel moves, mm.</summary>
     public double TravelLength { get; internal set; }
 
-    /// <summary>Travel between the paths in the given order and after sorting, mm.</summary>
+    /// <summary>Travel length between the paths before and after sorting, mm.</summary>
     public double UnsortedTravel { get; internal set; }
 
     /// <inheritdoc cref="UnsortedTravel"/>
     public double SortedTravel { get; internal set; }
 
-    /// <summary>All counts by their key in JSON, in a fixed order; lengths in mm.</summary>
+    /// <summary>All counts by JSON key, in a fixed order; lengths in mm.</summary>
     public IReadOnlyList<KeyValuePair<string, double>> ToValues() =>
     [
         new("paths", Paths), new("travels", Travels), new("drawn_travels", DrawnTravels), new("lifts", Lifts), new("corridor_lifts", CorridorLifts),

@@ -4,16 +4,15 @@ using Caterpillar.Machines;
 namespace Caterpillar.Simulation;
 
 /// <summary>
-/// The limits of a machine as PrusaSlicer and its descendants leave them in the comments of their files (machine_max_…). Their estimate is by classic
-/// jerk, with 64 moves ahead, and leaves
-/// out waits for heat.
+/// Machine limits in the comments of files from PrusaSlicer and its descendants (machine_max_…). Their time estimates use classic jerk, plan 64 moves ahead,
+/// and leave out waits for heating.
 /// </summary>
 public static class SlicerLimits
 {
-    /// <summary>The printer with the limits of a file; null where the file has none.</summary>
+    /// <summary>The printer with the limits of a file; null if the file has none.</summary>
     /// <param name="settings">Settings from the comments of a file, by name.</param>
-    /// <param name="like">The printer for everything else.</param>
-    /// <param name="silent">The second value of each limit, for the silent mode of a machine.</param>
+    /// <param name="like">The printer to change.</param>
+    /// <param name="silent">Use the second value of each limit, for the silent mode.</param>
     public static Printer? Of(IReadOnlyDictionary<string, string> settings, Printer like, bool silent = false)
     {
         if (settings is null) throw new ArgumentNullException(nameof(settings));

@@ -1,12 +1,12 @@
 namespace Caterpillar.Simulation;
 
-/// <summary>What planning gives: speeds and times, and the heaters over time.</summary>
+/// <summary>Result of planning: speeds and times, and the heaters over time.</summary>
 internal sealed record PlannedMotion(MotionColumns Motion, HeatModel Heat, WaitTimes Waits);
 
-/// <summary>Seconds in which the machine waits, by cause.</summary>
-/// <param name="Heating">For heat, by the model of the printer.</param>
-/// <param name="Dwells">Because the program says so.</param>
-/// <param name="ToolChanges">For changes of the tool.</param>
+/// <summary>Seconds of waiting, by cause.</summary>
+/// <param name="Heating">For heating, from the heating rates of the printer.</param>
+/// <param name="Dwells">For dwells (G4).</param>
+/// <param name="ToolChanges">For tool changes.</param>
 /// <param name="Homing">For homing.</param>
 public readonly record struct WaitTimes(double Heating, double Dwells, double ToolChanges, double Homing)
 {
