@@ -154,7 +154,7 @@ public class CurvedSliceTests : CliFixture
         File.WriteAllText("higher.stl", BoxAt(180, 180, 9, 30));
         var blocked = Run("check", "lines.gcode", "--onto", "higher.stl");
         Assert.That(blocked.Code, Is.EqualTo(3));
-        Assert.That(blocked.Text, Does.Contain("collision.nozzle").And.Contain("the object that is printed on"));
+        Assert.That(blocked.Text, Does.Contain("collision.nozzle").And.Contain("the object below the print"));
         run = Run("turtle", "square.turtle", "--onto", "scan.stl", "--plan", "printer");
         Assert.That(run.Code, Is.Zero, run.Messages);
         Assert.That(File.ReadAllText("square.gcode"), Does.Contain("Z8"));

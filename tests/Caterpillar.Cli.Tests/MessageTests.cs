@@ -92,7 +92,8 @@ public class MessageTests : CliFixture
         File.WriteAllText("s.turtle", "forward 5" + new string('0', 300) + "\n");
         var run = Run("turtle", "s.turtle");
         Assert.That(run.Code, Is.EqualTo(3));
-        Assert.That(run.Messages, Does.Contain("s.turtle:1 -> step 0, move 1: error write.invalid_number: The end point of a move cannot be written: it is 5e300"));
+        Assert.That(run.Messages,
+            Does.Contain("s.turtle:1 -> step 0, move 1: error write.invalid_number: The end point of a move cannot be written: it is 5e300"));
     }
 
     [Test]

@@ -25,11 +25,13 @@ public class CheckDetailTests
         var print = new SmallPrint(50, 50, 4);
         foreach (var length in new[] { 8, 6, 20, 20.3, 12 }) print.Go(50, print.At.Y + 5, 4).Print(50 + length, print.At.Y, 4);
         var found = SmallPrint.Find(print.Build(), Setup, CheckCodes.Unsupported).Single();
-        Assert.That((found.Count, found.Message, found.Source!.Move), Is.EqualTo((5, "An extrusion is in the air for 8 mm, with a free end. Add supports below it.", 1)));
-        Assert.That((found.Worst!.Message, found.Worst.Source!.Move), Is.EqualTo(("An extrusion is in the air for 20 mm, with a free end. Add supports below it.", 5)),
+        Assert.That((found.Count, found.Message, found.Source!.Move), Is.EqualTo(
+            (5, "An extrusion is in the air for 8 mm, with a free end. Add supports below it.", 1)));
+        Assert.That((found.Worst!.Message, found.Worst.Source!.Move), Is.EqualTo(
+                ("An extrusion is in the air for 20 mm, with a free end. Add supports below it.", 5)),
             "20.3 is as bad");
-        Assert.That(found.ToString(), Is.EqualTo("step 1, move 1: warning extrusion.unsupported: An extrusion is in the air for 8 mm, with a free end. Add supports below it. "
-            + "(5 times, the worst: step 5, move 5: An extrusion is in the air for 20 mm, with a free end. Add supports below it.)"));
+        Assert.That(found.ToString(), Is.EqualTo("step 1, move 1: warning extrusion.unsupported: An extrusion is in the air for 8 mm, with a free end. "
+            + "Add supports below it. (5 times, the worst: step 5, move 5: An extrusion is in the air for 20 mm, with a free end. Add supports below it.)"));
         var first = new SmallPrint(50, 50, 4).Print(70, 50, 4).Go(50, 60, 4).Print(60, 60, 4).Go(20, 20, 4);
         Assert.That(SmallPrint.Find(first.Build(), Setup, CheckCodes.Unsupported).Single().Worst, Is.Null, "it is the first");
     }
@@ -197,7 +199,8 @@ public class CheckDetailTests
     public void Extrusion_begins_at_the_temperature_of_the_printer(double celsius, int found)
     {
         var list = SmallPrint.Find(new SmallPrint().Event(new NozzleTemperatureEvent(celsius)).Print(20, 10, 0.2).Build(), Setup, CheckCodes.ColdExtrusion);
-        Assert.That(list.Select(d => d.Message), Is.EqualTo(Enumerable.Repeat("A move extrudes at 169 °C, but Generic printer needs 170 °C. Heat the nozzle first.", found)));
+        Assert.That(list.Select(d => d.Message), Is.EqualTo(Enumerable.Repeat(
+            "A move extrudes at 169 °C, but Generic printer needs 170 °C. Heat the nozzle first.", found)));
     }
 
     [TestCase("PRINT", CheckCodes.NoHoming)]

@@ -87,7 +87,7 @@ public class CheckEdgeTests
     {
         var print = new SmallPrint().Wall(60, 80, 50, 4).Go(66.123, 30.377, 200).Go(66.123, 30.377, 3.4137).Go(71.777, 71.313, 3.1719);
         var message = SmallPrint.Find(print.Build(), Setup, "collision.travel").Single().Message;
-        Assert.That(message, Does.Match(@"at \(\d+\.\d\d?, \d+\.\d\d?, \d\.\d\d?\)\.$"));
+        Assert.That(message, Does.Match(@"at \(\d+\.\d\d?, \d+\.\d\d?, \d\.\d\d?\)\. Raise the travel move\.$"));
         var place = Regex.Matches(message, @"[\d.]+\d").Cast<Match>()
             .Select(m => NumberReader.TryParse(m.Value, out var number) ? number : double.NaN).ToArray();
         // Where the flat of the tip comes to the wall, 0.7 mm before its middle, and the path there.

@@ -56,7 +56,7 @@ public class CheckLimitsTests
         var bridge = print.Count;
         print.Print(50.8 + span, 50, 2.2);
         var bridges = SmallPrint.Find(print.Build(), Setup, CheckCodes.Unsupported);
-        Assert.That(bridges.Where(d => d.Message.EndsWith("between two supports. Add supports below it.", StringComparison.Ordinal)).Select(d => d.Source!.Move),
+        Assert.That(bridges.Where(d => d.Message.EndsWith("two supports. Add supports below it.", StringComparison.Ordinal)).Select(d => d.Source!.Move),
             Is.EqualTo(Enumerable.Repeat((int?)bridge, found)));
     }
 

@@ -138,7 +138,8 @@ public class CheckRuleTests
             print.Go(50, 50, 20).InLayer(new Layer(0, height, height)).Go(50, 50, height).Print(70, 50, height, 0.9 * height * height).Go(70, 50, 20);
         var found = SmallPrint.Find(print.Build(), Setup, CheckCodes.Height).Single();
         Assert.That((found.Message, found.Worst!.Message), Is.EqualTo(
-            ("A layer is 0.45 mm high, more than the nozzle diameter of 0.4 mm. Lower it.", "A layer is 0.6 mm high, more than the nozzle diameter of 0.4 mm. Lower it.")));
+            ("A layer is 0.45 mm high, more than the nozzle diameter of 0.4 mm. Lower it.",
+                "A layer is 0.6 mm high, more than the nozzle diameter of 0.4 mm. Lower it.")));
     }
 
     [Test]
@@ -171,7 +172,7 @@ public class CheckRuleTests
         Assert.That(SmallPrint.Find(print, Setup, CheckCodes.ColdExtrusion), Has.Exactly(1).Items);
         var cold = SmallPrint.Setup(p => p with { MaxBedTemperature = 0 }) with { Material = new Material { BedTemperature = 0 } };
         var heated = new SmallPrint().Event(new BedTemperatureEvent(40)).Print(30, 10, 0.2).Build();
-        Assert.That(SmallPrint.Find(heated, cold, CheckCodes.BedTemperature).Single().Message, Does.EndWith("cannot heat it."));
+        Assert.That(SmallPrint.Find(heated, cold, CheckCodes.BedTemperature).Single().Message, Does.EndWith("has no heated bed. Set the temperature to 0."));
         foreach (var (celsius, found) in new[] { (100.0, 0), (100.5, 1) })
         {
             var setup = SmallPrint.Setup(p => p with { MaxBedTemperature = 100 });

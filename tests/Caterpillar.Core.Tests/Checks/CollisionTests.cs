@@ -172,7 +172,7 @@ public class CollisionTests
         var setup = SmallPrint.Setup(p => p with { HeadOutline = new(new HeadPoint(0.5, 0), new(4, 6)) });
         var print = new SmallPrint(50, 50, 5).Print(60, 50, 5).Go(60, 50.3, 4.3);
         Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.DigsIn).Select(d => (d.Count, d.Source!.Move)), Is.EqualTo(new[] { (1, (int?)1) }));
-        Assert.That(SmallPrint.Find(print.Build(), setup, "collision."), Is.Empty);
+        Assert.That(SmallPrint.Find(print.Build(), setup, "collision.").Select(d => d.Code), Is.EqualTo(new[] { CheckCodes.DigsIn }));
     }
 
     [Test]

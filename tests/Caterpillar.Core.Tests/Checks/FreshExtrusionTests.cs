@@ -48,7 +48,7 @@ public class FreshExtrusionTests
         var print = new SmallPrint(50, 50, 5).Print(51, 50, 5).Go(51, 54, 3);
         var found = SmallPrint.Find(print.Build(), setup, "collision.").Single();
         Assert.That((found.Code, found.Source!.Move, found.Count), Is.EqualTo((CheckCodes.HeadHits, (int?)1, 1)));
-        Assert.That(found.Message, Does.EndWith("to (51, 54, 3)."));
+        Assert.That(found.Message, Does.EndWith("to (51, 54, 3). Keep more distance, or print the higher part later."));
     }
 
     // An arc of 100 mm radius in five chords of 3.5 mm; what crosses only its first or only its last chord hits it.

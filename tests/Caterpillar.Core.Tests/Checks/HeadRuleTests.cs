@@ -165,8 +165,8 @@ public class HeadRuleTests
         var print = new SmallPrint().Wall(60, 70, 60, 5).Go(55, 40, 50).Go(55, 40, 3).Go(55, 80, 3);
         var found = SmallPrint.Find(print.Build(), setup, "collision.");
         Assert.That(found.Select(d => d.Code), Is.EquivalentTo(new[] { CheckCodes.HeadHits, CheckCodes.GantryHits }));
-        Assert.That(found.Single(d => d.Code == CheckCodes.HeadHits).Message, Does.StartWith("A box of the head goes through"));
-        Assert.That(found.Single(d => d.Code == CheckCodes.GantryHits).Message, Does.StartWith("The gantry goes through"));
+        Assert.That(found.Single(d => d.Code == CheckCodes.HeadHits).Message, Does.StartWith("The print head hits an earlier extrusion"));
+        Assert.That(found.Single(d => d.Code == CheckCodes.GantryHits).Message, Does.StartWith("The gantry hits"));
     }
 
     [Test]

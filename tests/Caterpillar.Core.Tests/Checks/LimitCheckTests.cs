@@ -81,7 +81,7 @@ public class LimitCheckTests
     public void What_cannot_be_heated_says_so()
     {
         var cold = new PrintSetup(Generic.Printer with { MaxNozzleTemperature = 0, MinExtrusionTemperature = 0 }, new Material(), Generic.Settings);
-        Assert.That(Run(cold, b => Print(b, new Vec3(20, 10, 0.2))).Single().Message, Does.Contain("cannot heat"));
+        Assert.That(Run(cold, b => Print(b, new Vec3(20, 10, 0.2))).Single().Message, Does.Contain("has no heated nozzle"));
     }
 
     // 500 mm³ are 207.88 mm of filament of 1.75 mm.

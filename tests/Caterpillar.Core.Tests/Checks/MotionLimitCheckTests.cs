@@ -73,11 +73,12 @@ public class MotionLimitCheckTests
             .Print(60, 30, 0.2, speed: 100).Event(new LimitEvent(MotionLimit.SpeedX, 120)).Print(90, 30, 0.2, speed: 100);
         var found = SmallPrint.Find(print.Build(), Marlin, "limit.").Single();
         Assert.That((found.Code, found.Count, found.Source!.Move, found.Message),
-            Is.EqualTo((CheckCodes.Speed, 1, (int?)1, "A move has a speed of 100 mm/s, but Generic printer allows only 50 mm/s in its direction. The printer will slow down.")));
+            Is.EqualTo((CheckCodes.Speed, 1, (int?)1, "A move has a speed of 100 mm/s, but Generic printer allows only 50 mm/s in its direction. "
+                + "The printer will slow down.")));
         var shortest = new SmallPrint().Event(new LimitEvent(MotionLimit.SpeedX, 50)).Print(10.5, 10, 0.2, speed: 100);
-        Assert.That(SmallPrint.Find(shortest.Build(), Marlin, CheckCodes.Speed).Single().Message, Does.Contain("moves there at"));
+        Assert.That(SmallPrint.Find(shortest.Build(), Marlin, CheckCodes.Speed).Single().Message, Does.Contain("in its direction. The printer will"));
         var head = new SmallPrint().Event(new LimitEvent(MotionLimit.Speed, 50)).Print(30, 10, 0.2, speed: 60);
-        Assert.That(SmallPrint.Find(head.Build(), Klipper, CheckCodes.Speed).Single().Message, Does.Contain("at 50 mm/s"));
+        Assert.That(SmallPrint.Find(head.Build(), Klipper, CheckCodes.Speed).Single().Message, Does.Contain("only 50 mm/s"));
         Assert.That(SmallPrint.Find(head.Build(), Marlin, CheckCodes.Speed), Is.Empty, "Marlin has no limit of the head");
     }
 
@@ -89,8 +90,9 @@ public class MotionLimitCheckTests
         var found = SmallPrint.Find(print.Build(), Marlin, "limit.");
         Assert.That(found.Select(d => (d.Code, d.Severity, d.Count, d.Source!.Move, d.Message)), Is.EqualTo(new[]
         {
-            (CheckCodes.Raised, Severity.Note, 1, (int?)0, "The maximum speed of X is raised to 400 mm/s, but Generic printer has 200 mm/s."),
-            (CheckCodes.Speed, Severity.Warning, 2, 1, "A move has a speed of 300 mm/s, but Generic printer allows only 200 mm/s in its direction. The file has raised this limit."),
+            (CheckCodes.Raised, Severity.Note, 1, (int?)0, "The maximum speed of X is raised to 400 mm/s, but Generic printer has 200 mm/s. Lower it."),
+            (CheckCodes.Speed, Severity.Warning, 2, 1, "A move has a speed of 300 mm/s, but Generic printer allows only 200 mm/s in its direction. "
+                + "The file has raised this limit."),
         }));
     }
 
@@ -114,7 +116,7 @@ public class MotionLimitCheckTests
     [TestCase(MotionLimit.JerkE, 4, "The jerk of E", "J")]
     [TestCase(MotionLimit.JunctionDeviation, 0.02, "The junction deviation", "K")]
     [TestCase(MotionLimit.SquareCornerVelocity, 6, "The square corner velocity", "S")]
-    [TestCase(MotionLimit.Speed, 150, "The maximum speed of the head", "S")]
+    [TestCase(MotionLimit.Speed, 150, "The maximum speed of the print head", "S")]
     [TestCase(MotionLimit.MinimumCruiseRatio, 0.3, "", "")]
     public void Each_limit_of_the_own_firmware_may_be_set_to_that_of_the_printer_and_no_higher(Enum named, double most, string name, string rules)
     {
@@ -134,8 +136,9 @@ public class MotionLimitCheckTests
         }
     }
 
-    [TestCase(MotionLimit.JunctionDeviation, Cornering.JunctionDeviation, 0.02, "The junction deviation is raised to 0.05 mm, but Generic printer has 0.02 mm.")]
-    [TestCase(MotionLimit.JerkE, Cornering.Jerk, 5, "The jerk of E is raised to 12.5 mm/s, but Generic printer has 5 mm/s.")]
+    [TestCase(MotionLimit.JunctionDeviation, Cornering.JunctionDeviation, 0.02,
+        "The junction deviation is raised to 0.05 mm, but Generic printer has 0.02 mm. Lower it.")]
+    [TestCase(MotionLimit.JerkE, Cornering.Jerk, 5, "The jerk of E is raised to 12.5 mm/s, but Generic printer has 5 mm/s. Lower it.")]
     public void What_is_raised_is_told_in_its_unit(Enum named, Cornering rule, double own, string message)
     {
         var limit = (MotionLimit)named;
@@ -158,7 +161,7 @@ public class MotionLimitCheckTests
         Diagnostic[] Found(double value)
             => SmallPrint.Find(new SmallPrint().Event(new LimitEvent(limit, value)).Go(20, 10, 0.2).Build(), setup, CheckCodes.Acceleration);
         Assert.That(Found(most), Is.Empty);
-        Assert.That(Found(most + 1).Single().Message, Does.EndWith($"allows {Figures.Short(most)} mm/s²."));
+        Assert.That(Found(most + 1).Single().Message, Does.EndWith($"allows only {Figures.Short(most)} mm/s². Lower it."));
     }
 
     private static Diagnostic[] Raised(PrintSetup setup, MotionLimit limit, double value)

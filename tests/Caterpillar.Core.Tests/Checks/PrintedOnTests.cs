@@ -48,7 +48,7 @@ public class PrintedOnTests
         var found = SmallPrint.Find(travel.Build(), setup, "collision.");
         Assert.That(found.Select(d => (d.Code, d.Source!.Move)), Is.EqualTo(new[] { (CheckCodes.TravelHits, (int?)travel.Planted[0].Move) }));
         Assert.That(found[0].Count, Is.EqualTo(2), "in, and out upward");
-        Assert.That(found[0].Message, Does.Contain("the object that is printed on"));
+        Assert.That(found[0].Message, Does.Contain("the object below the print"));
         Assert.That(X(found[0].Message), Is.EqualTo(32).Within(1));
     }
 
@@ -114,7 +114,7 @@ public class PrintedOnTests
         var found = SmallPrint.Find(print.Build(), setup, "collision.");
         if (exact || print.Planted.Count == 0) Assert.That(found.Select(d => (d.Source!.Move!.Value, d.Code)), Is.EqualTo(print.Planted));
         else Assert.That(found.Select(d => (d.Source!.Move!.Value, d.Code)), Does.Contain(print.Planted[0]));
-        Assert.That(found.Select(d => d.Message), Has.All.Contains("the object that is printed on"));
+        Assert.That(found.Select(d => d.Message), Has.All.Contains("the object below the print"));
     }
 
     // "… at (x, y, z)."

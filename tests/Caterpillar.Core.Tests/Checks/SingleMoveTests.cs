@@ -29,7 +29,7 @@ public class SingleMoveTests
     public void Material_in_place_counts_by_itself_and_together(double[] pushed, string? found)
     {
         var list = Stationary(pushed);
-        Assert.That(list.Select(d => d.Message.Substring(0, d.Message.IndexOf(" while", StringComparison.Ordinal))),
+        Assert.That(list.Select(d => d.Message.Substring(0, d.Message.IndexOf(", but", StringComparison.Ordinal))),
             Is.EqualTo(found is null ? Array.Empty<string>() : [found]));
     }
 
@@ -176,7 +176,7 @@ public class SingleMoveTests
             => SmallPrint.Find(new SmallPrint(0, 0, 1).Go(500, 0, 1).Build(), SmallPrint.Setup(p => p with { BedShape = shape, Origin = BedOrigin.Center }),
                 CheckCodes.Outside).Single().Message;
 
-        Assert.That(Outside(BedShape.Round), Does.EndWith(", round."));
+        Assert.That(Outside(BedShape.Round), Does.EndWith(", round. Move or scale the print."));
         Assert.That(Outside(BedShape.Rectangle), Does.Not.Contain("round"));
     }
 

@@ -14,7 +14,7 @@ namespace Caterpillar.Tests.Library;
 public class DiagnosticCodeTests
 {
     // Names of files, and keys of the user text of Rhino objects.
-    private static readonly string[] Others = [".css", ".gcode", ".html", ".js", ".json", ".stl", ".bake", ".role"];
+    private static readonly string[] Others = [".css", ".gcode", ".html", ".js", ".json", ".py", ".stl", ".bake", ".role"];
 
     private static string Listing => Path.Combine(TestData.Repository, "tests", "Caterpillar.Core.Tests", "Library", "DiagnosticCodes.txt");
 

@@ -134,7 +134,8 @@ internal sealed class CollisionCheck
         => _findings.AddNaming(code, move.Index, () =>
         {
             var at = FirstMeeting(deposit, a, b, tolerance);
-            var remedy = code == CheckCodes.NozzleHits ? "Print the higher extrusion later" : "Raise the travel move";
+            var remedy = code == CheckCodes.TravelHits ? "Raise the travel move" : ReferenceEquals(deposit, _printed.Object?.Lines) ? "Raise the path"
+                : "Print the higher extrusion later";
             return () => $"The nozzle hits {What(deposit, extrusion)} at {at}. {remedy}.";
         });
 
@@ -148,7 +149,7 @@ internal sealed class CollisionCheck
         var end = move.End;
         _findings.AddNaming(code, move.Index,
             () => () => $"The {(code == CheckCodes.HeadHits ? "print head" : "gantry")} hits {What(deposit, tag)} while the nozzle moves "
-            + $"from {a} to {end}. Print higher parts later or farther away.");
+            + $"from {a} to {end}. Keep more distance, or print the higher part later.");
     }
 
     private string What(Deposit deposit, int extrusion)

@@ -102,7 +102,8 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
         => findings.Add(CheckCodes.Raised, () => findings.PlaceOfEvent(what), () =>
         {
             var unit = set.Limit == MotionLimit.JunctionDeviation ? "mm" : "mm/s";
-            return $"{Name(set.Limit)} is raised to {Figures.Short(set.Value)} {unit}, but {_printer.Title} has {Figures.Short(_own[set.Limit])} {unit}.";
+            return $"{Name(set.Limit)} is raised to {Figures.Short(set.Value)} {unit}, but {_printer.Title} "
+                + $"has {Figures.Short(_own[set.Limit])} {unit}. Lower it.";
         });
 
     private static string Name(MotionLimit limit) => limit switch

@@ -99,8 +99,8 @@ internal sealed class HeatCheck : IMoveCheck
 
     private string Sentence(string part, double celsius, double most)
         => most == 0
-            ? $"The {part} temperature is {Number(celsius)} °C, but {_printer.Title} has no heated {part}. Set it to 0."
-            : $"The {part} temperature is {Number(celsius)} °C, but {_printer.Title} allows only {Number(most)} °C. Lower it.";
+            ? $"The {part} temperature is {Number(celsius)} °C, but {_printer.Title} has no heated {part}. Set the temperature to 0."
+            : $"The {part} temperature is {Number(celsius)} °C, but {_printer.Title} allows only {Number(most)} °C. Lower the temperature.";
 
     private static string Number(double celsius) => NumberFormatter.Format(celsius, 1);
 }
