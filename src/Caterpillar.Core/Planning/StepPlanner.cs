@@ -80,7 +80,7 @@ internal sealed class StepPlanner
         }
     }
 
-    /// <summary>The moves of all steps, with what was noticed.</summary>
+    /// <summary>The moves of all steps. Adds the remaining diagnostics.</summary>
     public Toolpath Build()
     {
         _slowed.Report(_rules.MaxFlow, _diagnostics);

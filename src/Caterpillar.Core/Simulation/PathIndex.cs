@@ -52,7 +52,7 @@ internal sealed class PathIndex
     /// <summary>The moves up to the last that has a source.</summary>
     public int SourcedMoves { get; private set; }
 
-    /// <summary>First move of a layer of the toolpath; the number of moves where no move names it.</summary>
+    /// <summary>First move of a layer of the toolpath; the number of moves if it has none.</summary>
     public int StartOfLayer(int layer) => _layerStarts[layer];
 
     /// <summary>The first printing move that ends at a height or above, mm; the number of moves where none does.</summary>

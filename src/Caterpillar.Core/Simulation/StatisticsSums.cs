@@ -3,7 +3,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Simulation;
 
-/// <summary>Adds up what <see cref="PrintStatistics"/> says.</summary>
+/// <summary>Computes <see cref="PrintStatistics"/>.</summary>
 internal sealed class StatisticsSums
 {
     private readonly Timeline _timeline;

@@ -149,7 +149,7 @@ public class CheckRuleTests
         for (var i = 1; i <= 30; i++) text.Append("G1 X").Append(10 + 3 * i).Append(i <= 18 ? " E0.1\n" : " E-0.1\n");
         var found = PrintCheck.Run(SmallPrint.Decode(Encoding.ASCII.GetBytes(text + "M104 S0\n"), Setup), Setup);
         Assert.That(found.Single(d => d.Code == CheckCodes.ExtrusionMode).Message,
-            Is.EqualTo("40 % of the moves with E retract. E looks relative, but is read as absolute. Write M83 before the first move."));
+            Is.EqualTo("40 % of the moves with E retract. E looks relative, but is read as absolute. Add M83 before the first move."));
     }
 
     // 30 mm³ in place, 0.3 mm above the bed, are a disc of 11 mm.

@@ -73,10 +73,10 @@ public class MotionLimitCheckTests
             .Print(60, 30, 0.2, speed: 100).Event(new LimitEvent(MotionLimit.SpeedX, 120)).Print(90, 30, 0.2, speed: 100);
         var found = SmallPrint.Find(print.Build(), Marlin, "limit.").Single();
         Assert.That((found.Code, found.Count, found.Source!.Move, found.Message),
-            Is.EqualTo((CheckCodes.Speed, 1, (int?)1, "A move has a speed of 100 mm/s, but Generic printer allows only 50 mm/s in its direction. "
+            Is.EqualTo((CheckCodes.Speed, 1, (int?)1, "A move has a speed of 100 mm/s, but Generic printer allows only 50 mm/s in this direction. "
                 + "The printer will slow down.")));
         var shortest = new SmallPrint().Event(new LimitEvent(MotionLimit.SpeedX, 50)).Print(10.5, 10, 0.2, speed: 100);
-        Assert.That(SmallPrint.Find(shortest.Build(), Marlin, CheckCodes.Speed).Single().Message, Does.Contain("in its direction. The printer will"));
+        Assert.That(SmallPrint.Find(shortest.Build(), Marlin, CheckCodes.Speed).Single().Message, Does.Contain("in this direction. The printer will"));
         var head = new SmallPrint().Event(new LimitEvent(MotionLimit.Speed, 50)).Print(30, 10, 0.2, speed: 60);
         Assert.That(SmallPrint.Find(head.Build(), Klipper, CheckCodes.Speed).Single().Message, Does.Contain("only 50 mm/s"));
         Assert.That(SmallPrint.Find(head.Build(), Marlin, CheckCodes.Speed), Is.Empty, "Marlin has no limit of the head");
@@ -91,7 +91,7 @@ public class MotionLimitCheckTests
         Assert.That(found.Select(d => (d.Code, d.Severity, d.Count, d.Source!.Move, d.Message)), Is.EqualTo(new[]
         {
             (CheckCodes.Raised, Severity.Note, 1, (int?)0, "The maximum speed of X is raised to 400 mm/s, but Generic printer has 200 mm/s. Lower it."),
-            (CheckCodes.Speed, Severity.Warning, 2, 1, "A move has a speed of 300 mm/s, but Generic printer allows only 200 mm/s in its direction. "
+            (CheckCodes.Speed, Severity.Warning, 2, 1, "A move has a speed of 300 mm/s, but Generic printer allows only 200 mm/s in this direction. "
                 + "The file has raised this limit."),
         }));
     }

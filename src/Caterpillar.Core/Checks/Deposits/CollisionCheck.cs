@@ -6,17 +6,17 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Checks;
 
 /// <summary>
-/// Nozzle, head and gantry against what is printed before, the object that is printed on and what stands on the bed, along any path.
+/// Collisions of nozzle, print head and gantry with earlier extrusions, the object below the print and bed clips, along any path.
 /// </summary>
 internal sealed class CollisionCheck
 {
-    /// <summary>What it finds.</summary>
+    /// <summary>Codes of its findings.</summary>
     public static IReadOnlyList<string> Codes { get; } =
     [
         CheckCodes.NozzleHits, CheckCodes.TravelHits, CheckCodes.HeadHits, CheckCodes.GantryHits, CheckCodes.ClipHit, CheckCodes.DigsIn,
     ];
 
-    /// <summary>What a travel may touch, mm: slicers travel across what they have just printed.</summary>
+    /// <summary>Height in mm that travel moves may touch: slicers travel across new extrusions.</summary>
     public const double Flush = 0.05;
     private const double Everywhere = 1e6;
     private const double ClipLine = 0.5;
@@ -42,7 +42,7 @@ internal sealed class CollisionCheck
         _clips = Stand(printer.Clips);
     }
 
-    /// <summary>Checks a straight move that prints an extrusion of some height in mm, or of 0 where it prints none.</summary>
+    /// <summary>Checks a straight move with the height of its extrusion in mm; 0 = no extrusion.</summary>
     public void Check(in CheckedMove move, double height)
     {
         // An extrusion may be printed into another by half its height.

@@ -4,7 +4,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
-/// <summary>Shows the checks of what is printed each move as straight pieces, and adds what it prints.</summary>
+/// <summary>Passes each move to the checks of extrusions and collisions as straight pieces, and records its extrusion.</summary>
 internal sealed class DepositCheck : IMoveCheck
 {
     private const double ArcTolerance = 0.02;

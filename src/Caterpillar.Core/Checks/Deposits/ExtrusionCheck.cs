@@ -5,7 +5,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
-/// <summary>Extrusions in the air, in each other's place, too thick for their gap or for the nozzle, and the area on which a print stands.</summary>
+/// <summary>Extrusions in the air, duplicate, too thick for their gap or for the nozzle, and the contact area with the bed.</summary>
 internal sealed class ExtrusionCheck
 {
     // Lengths in mm.
@@ -50,7 +50,7 @@ internal sealed class ExtrusionCheck
         _usualHeight = Math.Max(setup.Settings.LayerHeight, setup.Settings.FirstLayerHeight);
     }
 
-    /// <summary>What it finds.</summary>
+    /// <summary>Codes of its findings.</summary>
     public static IReadOnlyList<string> Codes { get; } =
     [
         CheckCodes.Unsupported, CheckCodes.Doubled, CheckCodes.Squeezed, CheckCodes.Width, CheckCodes.Height, CheckCodes.FirstLayer,

@@ -5,7 +5,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Checks;
 
 /// <summary>
-/// What is printed, without the fresh end of the extrusion that the nozzle is just leaving: it touches that always. Extrusions are numbered by their moves.
+/// Earlier extrusions, without the fresh end of the current one, which the nozzle always touches. Extrusions have the numbers of their moves.
 /// </summary>
 internal sealed class PrintedSoFar
 {
@@ -23,7 +23,7 @@ internal sealed class PrintedSoFar
     private double _distance;
 
     /// <param name="setup">The head and the shape of extrusions.</param>
-    /// <param name="on">What is printed on besides the bed.</param>
+    /// <param name="on">The object below the print; null = only the bed.</param>
     public PrintedSoFar(PrintSetup setup, ObjectTop? on)
     {
         Object = on;
@@ -37,10 +37,10 @@ internal sealed class PrintedSoFar
 
     public Deposit Deposit { get; }
 
-    /// <summary>The object that is printed on, apart from what is printed; null for none.</summary>
+    /// <summary>The object below the print; null = none.</summary>
     public ObjectTop? Object { get; }
 
-    /// <summary>Highest point printed, mm, with what is fresh.</summary>
+    /// <summary>Highest printed point, mm, including fresh extrusions.</summary>
     public double Highest { get; private set; } = double.NegativeInfinity;
 
     public HeadShape Head { get; }

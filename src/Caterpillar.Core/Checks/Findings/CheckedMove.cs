@@ -10,7 +10,7 @@ internal struct CheckedMove
     public Vec3 Start;
     public Vec3 End;
 
-    /// <summary>False before the first move of a file that does not say where it begins, and after homing.</summary>
+    /// <summary>False before the first move if the start position is unknown, and after homing.</summary>
     public bool StartKnown;
 
     /// <summary>A move to the switches.</summary>
@@ -37,7 +37,7 @@ internal struct CheckedMove
 /// <summary>A check that sees all moves and events once, in order.</summary>
 internal interface IMoveCheck
 {
-    /// <summary>The codes of what it finds; it does not run where all of them are off.</summary>
+    /// <summary>The codes of its findings. It does not run if all of them are off.</summary>
     IReadOnlyList<string> Codes { get; }
 
     /// <summary>An event before the next move.</summary>

@@ -5,7 +5,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Checks;
 
 /// <summary>
-/// What checks find along a toolpath: for each kind the first place, the worst and a count, as serious as the printer says. Messages are made for those only.
+/// Findings of the checks of a toolpath: for each code the first, the worst and a count, with the severity of the printer. Only those two have messages.
 /// </summary>
 internal sealed class Findings
 {
@@ -17,8 +17,8 @@ internal sealed class Findings
     private readonly Func<int, SourceLocation?> _place;
     private readonly Func<MoveEvent, SourceLocation?> _placeOfEvent;
 
-    /// <param name="printer">Says how serious they are.</param>
-    /// <param name="place">The place of a move; null where there is none to name.</param>
+    /// <param name="printer">Sets their severities.</param>
+    /// <param name="place">The place of a move; null = unknown.</param>
     /// <param name="placeOfEvent">The same of an event.</param>
     public Findings(Printer printer, Func<int, SourceLocation?> place, Func<MoveEvent, SourceLocation?> placeOfEvent)
     {
@@ -87,7 +87,7 @@ internal sealed class Findings
             : new SourceLocation(Step: source, Move: move, Origin: toolpath.PlaceOfStep(what.Source));
     }
 
-    /// <summary>Where a move comes from: its line or step, object and layer; null where there is no such move.</summary>
+    /// <summary>The place of a move: its line or step, object and layer; null if the move does not exist.</summary>
     public static SourceLocation? PlaceIn(Toolpath toolpath, int move)
     {
         // Before the first move and after the last there is none to name.

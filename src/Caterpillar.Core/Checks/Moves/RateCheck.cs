@@ -8,7 +8,7 @@ namespace Caterpillar.Checks;
 
 /// <summary>
 /// Speeds and accelerations beyond the axes and the extruder, limits that the file raises above those of the printer, more material than hot end and material
-/// allow, tools that do not exist.
+/// allow, missing tools.
 /// </summary>
 internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup setup, Findings findings) : IMoveCheck
 {
@@ -127,7 +127,7 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
         var (speed, inPlace) = (move.Speed, !(move.Length > 0));
         findings.Add(move.Kind == MoveKind.Print ? CheckCodes.Speed : CheckCodes.TravelSpeed, move.Index,
             () => $"{(inPlace ? "An extruder move" : "A move")} has a speed of {Figures.Short(speed)} mm/s, but {_printer.Title} allows only "
-                + $"{Figures.Short(most)} mm/s{(inPlace ? "" : " in its direction")}. {consequence}", speed / most);
+                + $"{Figures.Short(most)} mm/s{(inPlace ? "" : " in this direction")}. {consequence}", speed / most);
     }
 
     private void ReportFlow(double flow, int move)

@@ -4,7 +4,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
-/// <summary>Too much material pushed out, or pulled back, while the head stands still: in one move or in several.</summary>
+/// <summary>Too much material extruded or retracted in place, in one move or in several.</summary>
 internal sealed class StationaryCheck(Printer printer, Findings findings) : IMoveCheck
 {
     private double _pushed;

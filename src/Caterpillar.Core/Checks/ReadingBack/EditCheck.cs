@@ -6,7 +6,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
-/// <summary>Reads an edited file again, compares it with its toolpath and checks what was read.</summary>
+/// <summary>Reads an edited file again, compares it with its toolpath and checks it.</summary>
 internal static class EditCheck
 {
     // mm; files have three decimals or two.

@@ -43,7 +43,7 @@ internal sealed class PlanComparison
     private double _length;
     private bool _retracts;
 
-    /// <param name="plan">What was planned.</param>
+    /// <param name="plan">The plan.</param>
     /// <param name="format">The format of the file.</param>
     /// <param name="lines">The lines of the plan; those that are read are known.</param>
     /// <param name="findings">Gets errors <see cref="CheckCodes.FilePosition"/> and <see cref="CheckCodes.FileExtrusion"/>.</param>
@@ -57,7 +57,7 @@ internal sealed class PlanComparison
         _allowedE = format.ExtruderLetter == 0 ? double.PositiveInfinity : NumberFormatter.FromUnits(1, format.DecimalsE) * 1.01 + 1e-8;
     }
 
-    /// <summary>What it finds.</summary>
+    /// <summary>Codes of its findings.</summary>
     public static IReadOnlyList<string> Codes { get; } = [CheckCodes.FilePosition, CheckCodes.FileExtrusion];
 
     /// <summary>The plan is longer now.</summary>

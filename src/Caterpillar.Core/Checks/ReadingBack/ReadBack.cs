@@ -28,10 +28,10 @@ internal sealed class ReadBack : IDisposable
     private int _written;
     private int _read;
 
-    /// <param name="plan">What is written, as far as it is known.</param>
+    /// <param name="plan">The plan so far.</param>
     /// <param name="setup">The printer, material and settings.</param>
     /// <param name="format">The format of the file.</param>
-    /// <param name="stream">The file; null where it is checked only.</param>
+    /// <param name="stream">The file; null = only check.</param>
     /// <param name="waiting">Number of blocks that wait to be checked, at most; the writer waits for them, too.</param>
     /// <param name="cancel">Cancels.</param>
     public ReadBack(Toolpath plan, PrintSetup setup, GCodeFormat format, Stream? stream, int waiting, CancellationToken cancel)
@@ -51,7 +51,7 @@ internal sealed class ReadBack : IDisposable
     /// <summary>Number of lines and bytes that are written.</summary>
     public (long Lines, long Bytes) Size => (_writer.Lines, _writer.Bytes);
 
-    /// <summary>True where anything is looked for: else nothing need be read.</summary>
+    /// <summary>True if any check is on. Otherwise nothing is read back.</summary>
     public static bool IsAsked(PrintSetup setup)
         => setup.OwnChecks.Count > 0 || new Findings(setup.Printer, _ => null, _ => null).LooksFor(CheckCodes.All.Select(r => r.Code));
 
@@ -76,7 +76,7 @@ internal sealed class ReadBack : IDisposable
         _pipe.Complete();
     }
 
-    /// <summary>What was found in the whole file, once it is written.</summary>
+    /// <summary>The findings of the whole file, when it is complete.</summary>
     public IReadOnlyList<Diagnostic> Finish(IProgress<double>? progress)
     {
         var file = OwnThread.Join(_reading);
@@ -99,7 +99,7 @@ internal sealed class ReadBack : IDisposable
         _checks.Stop();
     }
 
-    /// <summary>Stops where it is not finished, and waits for that.</summary>
+    /// <summary>Stops unfinished work and waits for its end.</summary>
     public void Dispose()
     {
         Stop();

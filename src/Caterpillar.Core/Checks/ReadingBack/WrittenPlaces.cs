@@ -7,7 +7,7 @@ namespace Caterpillar.Checks;
 
 /// <summary>Places in a file that was written from a plan: its line, the move of the plan, and where the design states it.</summary>
 /// <param name="plan">The plan.</param>
-/// <param name="lineOf">The line of a move that was read; null where there is no such move.</param>
+/// <param name="lineOf">The line of a move that was read; null if the move does not exist.</param>
 /// <param name="lines">The lines of the plan.</param>
 /// <param name="printer">Whose templates they are.</param>
 internal sealed class WrittenPlaces(Toolpath plan, Func<int, int?> lineOf, WrittenLines lines, Printer printer)

@@ -40,7 +40,7 @@ internal sealed class CheckRun(IMoveCheck[] checks, IReadOnlyList<ToolpathTool> 
         }
     }
 
-    /// <summary>The next block; <paramref name="pulse"/> hears now and then which move is shown.</summary>
+    /// <summary>The next block; <paramref name="pulse"/> gets the number of the current move now and then.</summary>
     public void Block(DecodedBlock block, Action<int> pulse)
     {
         if (!_began) (_began, _known, _seen.End) = (true, block.Start is not null, block.Start ?? Vec3.Zero);

@@ -63,7 +63,7 @@ internal sealed class MoveChecks : IDisposable
         if (!_isLate) Print(block);
     }
 
-    /// <summary>What was found in the whole toolpath, whose first blocks are those that were taken.</summary>
+    /// <summary>The findings of the whole toolpath, which starts with the blocks taken so far.</summary>
     public IReadOnlyList<Diagnostic> Finish(Toolpath whole, CheckScope scope, IProgress<double>? progress)
     {
         // A file may have other tools than were planned.
@@ -93,7 +93,7 @@ internal sealed class MoveChecks : IDisposable
     /// <summary>Nothing more is checked.</summary>
     public void Stop() => _stop.Cancel();
 
-    /// <summary>Stops where it is not finished, and waits for that.</summary>
+    /// <summary>Stops unfinished work and waits for its end.</summary>
     public void Dispose()
     {
         Stop();

@@ -4,14 +4,14 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
-/// <summary>What else is known of what is checked.</summary>
+/// <summary>Facts about the checked toolpath.</summary>
 /// <param name="NozzleTemperature">Temperature of the nozzles at the beginning, °C.</param>
-/// <param name="IsWholeFile">It is a file with its start and end code: it must home and heat.</param>
-/// <param name="HasMacros">It calls macros of the firmware, which may home and heat.</param>
-/// <param name="IsPlanned">Its amounts have been compared with a plan.</param>
+/// <param name="IsWholeFile">True for a file with start and end code, which must home and heat.</param>
+/// <param name="HasMacros">True if it calls firmware macros, which may home and heat.</param>
+/// <param name="IsPlanned">True if its E values were compared with a plan.</param>
 internal sealed record CheckScope(double NozzleTemperature, bool IsWholeFile = false, bool HasMacros = false, bool IsPlanned = false)
 {
-    /// <summary>A file: one that heats by itself begins cold; one that leaves that to a macro of the firmware is taken as hot.</summary>
+    /// <summary>A file: if it heats the nozzle itself, the nozzle starts cold. Otherwise a firmware macro heats it, and it starts hot.</summary>
     public static CheckScope OfFile(DecodedGCode file, PrintSetup setup)
     {
         var isReady = BeginsReady(file);
@@ -19,7 +19,7 @@ internal sealed record CheckScope(double NozzleTemperature, bool IsWholeFile = f
         return new CheckScope(celsius, true, file.Ignored.Keys.Any(IsMacro) || isReady);
     }
 
-    /// <summary>A file that is written with the templates of a printer; without start code that is elsewhere.</summary>
+    /// <summary>A file written with the templates of a printer. Without start G-code, the nozzle starts hot.</summary>
     public static CheckScope OfWritten(DecodedGCode file, PrintSetup setup)
         => (setup.Printer.StartGCode.Count > 0 ? OfFile(file, setup) : new CheckScope(setup.Material.NozzleTemperature)) with { IsPlanned = true };
 

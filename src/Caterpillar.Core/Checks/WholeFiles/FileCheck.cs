@@ -4,7 +4,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
-/// <summary>What a whole file must do: home before it prints, know where it is, and mean its E as it says.</summary>
+/// <summary>Rules for a whole file: home before printing, have a known position, and use the E mode that it states.</summary>
 internal sealed class FileCheck(Toolpath toolpath, Printer printer, CheckScope scope, Findings findings) : IMoveCheck
 {
     // Moves with E before a file is judged, and the part of them that must look wrong.
@@ -58,11 +58,11 @@ internal sealed class FileCheck(Toolpath toolpath, Printer printer, CheckScope s
         if (_moving >= Enough && _wipes > _moving * MostWipes)
             findings.Add(CheckCodes.ExtrusionMode, _firstWipe,
                 () => $"{Percent(_wipes, _moving)} of the moves with E retract. E looks relative, but is read as absolute. "
-                + "Write M83 before the first move.");
+                + "Add M83 before the first move.");
         else if (_prints >= Enough && _thick > _prints * MostThick)
             findings.Add(CheckCodes.ExtrusionMode, _firstThick, ()
                 => $"{Percent(_thick, _prints)} of the extrusions are thicker than any nozzle prints. E looks "
-                + "absolute, but is read as relative, or in another unit. Write M82 before the first move, or correct e_unit of the printer.");
+                + "absolute, but is read as relative, or in another unit. Add M82 before the first move, or correct e_unit of the printer.");
     }
 
     private void Printed(in CheckedMove move)

@@ -29,7 +29,7 @@ internal sealed class PrintDraft : IDisposable
         _writing = OwnThread.Run(Write);
     }
 
-    /// <summary>Begins; null where nothing is looked for, or a template of the printer needs to know the whole print first.</summary>
+    /// <summary>Begins; null if all checks are off, or if a template of the printer needs the whole print first.</summary>
     public static PrintDraft? Begin(Toolpath soFar, PrintSetup setup, CancellationToken cancel)
         => ReadBack.IsAsked(setup) && SetupFormat.OfUnknown(setup) is { } format ? new PrintDraft(soFar, setup, format, cancel) : null;
 
@@ -42,12 +42,12 @@ internal sealed class PrintDraft : IDisposable
     }
 
     /// <summary>
-    /// Writes the file, and returns what was found in it, with the number of its lines and bytes; no findings where its text is not that of the draft.
+    /// Writes the file, and returns what was found in it, with the number of its lines and bytes; no findings if its text differs from the draft.
     /// </summary>
     /// <param name="plan">All that was planned.</param>
-    /// <param name="timed">The same with the events that tell progress.</param>
+    /// <param name="timed">The same with progress events.</param>
     /// <param name="format">The format of the file.</param>
-    /// <param name="stream">The file; null where it is checked only.</param>
+    /// <param name="stream">The file; null = only check.</param>
     /// <param name="progress">0 to 1.</param>
     public (IReadOnlyList<Diagnostic>? Findings, long Lines, long Bytes) Finish(
         Toolpath plan, Toolpath timed, GCodeFormat format, Stream? stream, IProgress<double>? progress)
@@ -64,7 +64,7 @@ internal sealed class PrintDraft : IDisposable
         return (text.Sum == _text.Sum ? findings : null, writer.Lines, writer.Bytes);
     }
 
-    /// <summary>Stops where it is not finished, and waits for that.</summary>
+    /// <summary>Stops unfinished work and waits for its end.</summary>
     public void Dispose()
     {
         _isStopped = true;

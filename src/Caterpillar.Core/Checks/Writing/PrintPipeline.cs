@@ -48,7 +48,7 @@ internal sealed class PrintPipeline : IDisposable
         }
     }
 
-    /// <summary>The plan of all steps, or none and what is wrong with them.</summary>
+    /// <summary>The plan of all steps, or none and the errors.</summary>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
     public Result<Plan> Finish()
     {
@@ -58,8 +58,8 @@ internal sealed class PrintPipeline : IDisposable
 
     /// <summary>Checks and writes the plan as <see cref="SafeWriter"/> does.</summary>
     /// <param name="stream">Where to write.</param>
-    /// <param name="isDraft">True where what was written is thrown away if it is refused.</param>
-    /// <param name="reason">Why findings of the checks are to be ignored; null where they are not.</param>
+    /// <param name="isDraft">True if the caller deletes a refused file.</param>
+    /// <param name="reason">Why errors of the checks are ignored; null = do not write if there are errors.</param>
     /// <param name="progress">0 to 1.</param>
     /// <exception cref="InvalidOperationException">There is no plan.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
@@ -74,7 +74,7 @@ internal sealed class PrintPipeline : IDisposable
         return SafeWriter.Write(plan.Toolpath, _setup, stream, reason, isDraft, begun, progress, _cancel);
     }
 
-    /// <summary>Stops what is not finished, and waits for that.</summary>
+    /// <summary>Stops unfinished work and waits for its end.</summary>
     public void Dispose()
     {
         _stop.Cancel();

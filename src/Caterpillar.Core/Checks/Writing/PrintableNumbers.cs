@@ -3,17 +3,17 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
-/// <summary>Finds numbers of a toolpath that no file can state: what is not finite, or beyond 10⁷.</summary>
+/// <summary>Finds numbers that cannot be written: not finite, or beyond 10⁷.</summary>
 internal static class PrintableNumbers
 {
     // mm, mm of filament, mm/s, °C and whatever else.
     private const double Largest = 1e7;
     private const double LargestFinite = 1e100;
 
-    /// <summary>The error <see cref="SafeWriter.Unprintable"/> about the first such number; null where there is none.</summary>
+    /// <summary>The error <see cref="SafeWriter.Unprintable"/> about the first such number; null = none.</summary>
     public static Diagnostic? Check(Toolpath toolpath) => Check(toolpath, Largest);
 
-    /// <summary>True where all numbers are finite, with many orders of magnitude to spare.</summary>
+    /// <summary>True if all numbers are finite, with many orders of magnitude to spare.</summary>
     public static bool AreFinite(Toolpath toolpath) => Check(toolpath, LargestFinite) is null;
 
     private static Diagnostic? Check(Toolpath toolpath, double largest)

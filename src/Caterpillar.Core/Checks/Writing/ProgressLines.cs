@@ -5,14 +5,14 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
-/// <summary>Times a print and tells the machine's display of its progress. Start and end code are not timed.</summary>
+/// <summary>Times a print and adds progress commands for the display. Start and end code are not timed.</summary>
 internal static class ProgressCommands
 {
     /// <summary>
     /// The toolpath with a <see cref="ProgressEvent"/> wherever the percent or the minutes left change, and the seconds that it takes; unchanged and null
     /// where the printer wants none.
     /// </summary>
-    /// <param name="toolpath">What is printed.</param>
+    /// <param name="toolpath">The toolpath.</param>
     /// <param name="setup">The printer, material and settings.</param>
     /// <param name="begun">Has timed the beginning; null for nobody.</param>
     /// <param name="cancel">Cancels.</param>

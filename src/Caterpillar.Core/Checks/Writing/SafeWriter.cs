@@ -128,7 +128,7 @@ public static class SafeWriter
         CancellationToken cancel = default)
         => Edited(decoding, edited, setup, reason, code, progress, cancel).Document;
 
-    /// <summary>Checks an edited file, and compares what was written with the edits.</summary>
+    /// <summary>Checks an edited file and compares it with the edits.</summary>
     internal static (Result<GCodeDocument> Document, WriteGuard? Guard) Edited(
         DecodedGCode decoding, Toolpath edited, PrintSetup setup, string? reason, EditOptions? code, IProgress<double>? progress, CancellationToken cancel)
     {

@@ -6,7 +6,7 @@ namespace Caterpillar.Checks;
 /// A stream of G-code with a number of 64 bits for its lines, without those about time and progress: files that have the same are the same text. Lines are
 /// written whole. Only for one run of a program.
 /// </summary>
-/// <param name="target">Gets what is written; null for nobody.</param>
+/// <param name="target">Receives the text; null = none.</param>
 internal sealed class TextDigest(Stream? target) : WriteStream
 {
     // Odd, with bits all over: multiplying by it and turning spreads every bit over all others.

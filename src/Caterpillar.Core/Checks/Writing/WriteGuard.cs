@@ -2,7 +2,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Checks;
 
-/// <summary>The checks before G-code is written, and whether a reason overrides what they found.</summary>
+/// <summary>Findings of the checks before G-code is written, and the reason that overrides them.</summary>
 internal sealed class WriteGuard
 {
     private readonly Diagnostic[] _errors;
@@ -19,13 +19,13 @@ internal sealed class WriteGuard
     /// <summary>Number of findings that would have stopped the file and are overridden.</summary>
     public int Overridden => _errors.Sum(e => e.Count);
 
-    /// <summary>True where a finding stops the file.</summary>
+    /// <summary>True if a finding stops the file.</summary>
     public bool Refuses => _errors.Length > 0 && !IsReason(_reason);
 
-    /// <summary>True if a reason has words: one without letters ("1", "!!!") says nothing to the one who reads the file later.</summary>
+    /// <summary>True if a reason has words. A reason without letters ("1", "!!!") does not help later readers of the file.</summary>
     public static bool IsReason(string? reason) => reason is not null && reason.Any(char.IsLetter);
 
-    /// <summary>What to say where nothing is written, with what else went wrong.</summary>
+    /// <summary>The diagnostics of a refused file, with other errors.</summary>
     public IReadOnlyList<Diagnostic> Refusal(IReadOnlyList<Diagnostic> others)
     {
         var list = new DiagnosticList();
@@ -35,7 +35,7 @@ internal sealed class WriteGuard
         return list.ToList();
     }
 
-    /// <summary>What to say where it is written, with what else was noticed: overridden errors are warnings.</summary>
+    /// <summary>The diagnostics of a written file, with other notes. Overridden errors are warnings.</summary>
     public IReadOnlyList<Diagnostic> Notes(IReadOnlyList<Diagnostic> others)
     {
         var list = new DiagnosticList();
@@ -44,7 +44,7 @@ internal sealed class WriteGuard
         return list.ToList();
     }
 
-    /// <summary>The reason and what it overrides, as comments for the file; none where nothing was found.</summary>
+    /// <summary>The reason and the overridden errors, as comments for the file; none without errors.</summary>
     public IReadOnlyList<string> Comments()
     {
         if (_errors.Length == 0) return [];

@@ -44,7 +44,7 @@ internal sealed class LayerClock
     /// <summary>Number of steps.</summary>
     public int Count => _times.Length;
 
-    /// <summary>Seconds of the layer of a step; infinite where it has none.</summary>
+    /// <summary>Seconds of the layer of a step; infinite if it has none.</summary>
     public double TimeOf(int step) => _runOf[step] < 0 ? double.PositiveInfinity : _times[_runOf[step]];
 
     /// <summary>What the layer of a step covers.</summary>

@@ -4,7 +4,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Planning;
 
-/// <summary>What is printed more slowly than asked for, because the machine cannot push more material; by role.</summary>
+/// <summary>Roles that are printed more slowly than requested because of the maximum volumetric flow.</summary>
 internal sealed class SlowedRoles
 {
     private static readonly int Roles = Enum.GetValues(typeof(Role)).Length;

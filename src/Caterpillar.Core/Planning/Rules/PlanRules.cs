@@ -14,14 +14,14 @@ internal enum LiftRule : byte
 
 /// <summary>A tool as planning needs it. Amounts of E are in its own unit.</summary>
 /// <param name="VolumePerE">mm³ per unit of E; null for a tool without E.</param>
-/// <param name="RetractE">E of a retraction; 0 for none.</param>
+/// <param name="RetractE">E of a retraction; 0 = off.</param>
 /// <param name="RetractSpeed">mm/s of filament.</param>
 /// <param name="DeretractionSpeed">mm/s of filament.</param>
 /// <param name="ExtraE">Extra E beyond the balance after each restore.</param>
 /// <param name="LengthPerE">mm of filament per unit of E.</param>
 internal sealed record ToolRules(double? VolumePerE, double RetractE, double RetractSpeed, double DeretractionSpeed, double ExtraE, double LengthPerE = 1)
 {
-    /// <summary>E for mm³ of material; 0 for a tool without E.</summary>
+    /// <summary>E per mm³ of material; 0 = a tool without E.</summary>
     public double EOf(double volume) => VolumePerE is { } unit ? volume / unit : 0;
 
     /// <summary>mm of filament for an amount of E.</summary>
@@ -71,7 +71,7 @@ internal sealed record PlanRules
     /// <summary>Material that the machine can push, mm³/s.</summary>
     public double MaxFlow { get; init; } = double.PositiveInfinity;
 
-    /// <summary>Least time of a layer, s, and how the machine waits where it is shorter.</summary>
+    /// <summary>Minimum layer time, s, and how the machine waits after shorter layers.</summary>
     public double MinLayerTime { get; init; }
 
     /// <inheritdoc cref="MinLayerTime"/>
@@ -110,7 +110,7 @@ internal sealed record PlanRules
     /// <summary>The fan for layers of the least time; in between it is interpolated.</summary>
     public double MaxFan { get; init; }
 
-    /// <summary>Layers that take less than this, s, get more of the fan; 0 for none.</summary>
+    /// <summary>Layers that take less than this, s, get more fan speed; 0 = off.</summary>
     public double FanTime { get; init; }
 
     /// <summary>Number of first layers that are printed without the fan.</summary>

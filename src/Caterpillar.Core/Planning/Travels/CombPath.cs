@@ -14,7 +14,7 @@ internal sealed class CombPath(double inset)
     private Region? _region;
     private Region _inner = Region.Empty;
 
-    /// <summary>Points after the start, the last is the end; null where no path as short as a bound (mm) was found.</summary>
+    /// <summary>Points after the start, the last is the end; null if no path within a bound (mm) was found.</summary>
     public List<Vec3>? Find(Vec3 from, Vec3 to, Region region, double longest)
     {
         if (!region.Contains(from.X, from.Y) || !region.Contains(to.X, to.Y)) return null;

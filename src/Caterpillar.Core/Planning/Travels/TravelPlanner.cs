@@ -121,7 +121,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     private bool IsFree(Vec3 from, Vec3 to)
         => deposit is null || rules.Head.RequiredHeight(deposit, from, to, Math.Min(from.Z, to.Z)) <= Math.Min(from.Z, to.Z) + Flush;
 
-    /// <summary>Deretractions retraction before a path.</summary>
+    /// <summary>Deretracts before a path.</summary>
     public void Restore()
     {
         if (rules.AddsNothing || emitter.Retracted <= 0) return;

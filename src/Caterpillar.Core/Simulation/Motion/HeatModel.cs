@@ -37,7 +37,7 @@ internal sealed class HeaterCurve(double rate)
         return Math.Abs(change) <= most ? _to[i] : _from[i] + Math.Sign(change) * most;
     }
 
-    /// <summary>°C that were set last before a time; 0 for off or never set.</summary>
+    /// <summary>°C that were set last before a time; 0 = off or never set.</summary>
     public double TargetAt(double time)
     {
         var i = Last(time);
@@ -74,7 +74,7 @@ internal sealed class HeatModel(Printer printer)
         return curve;
     }
 
-    /// <summary>The nozzle of a tool, or null where nothing was ever set.</summary>
+    /// <summary>The nozzle of a tool, or null if it was never set.</summary>
     public HeaterCurve? NozzleOrNull(int tool) => _nozzles.TryGetValue(tool, out var curve) ? curve : null;
 
     /// <summary>Sets a heater when the trapezoids before one are over.</summary>

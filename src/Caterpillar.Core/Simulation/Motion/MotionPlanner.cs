@@ -31,7 +31,7 @@ internal sealed class MotionPlanner
     private WaitTimes _waits;
     private int _afterLast;
 
-    /// <param name="toolpath">What is printed, or its beginning.</param>
+    /// <param name="toolpath">The toolpath, or its beginning.</param>
     /// <param name="setup">The printer and the filament.</param>
     /// <param name="timesOnly">Only times are kept, no speeds.</param>
     public MotionPlanner(Toolpath toolpath, PrintSetup setup, bool timesOnly = false)
