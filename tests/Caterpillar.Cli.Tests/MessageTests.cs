@@ -101,7 +101,7 @@ public class MessageTests : CliFixture
     {
         var run = Run("check", "l.gcode", "--set", "max_flow_mm3_s=0.0001");
         Assert.That(run.Code, Is.EqualTo(3), run.Messages);
-        Assert.That(run.Text, Does.Contain("the limit is 0.0001 mm³/s"));
+        Assert.That(run.Text, Does.Contain("the maximum is 0.0001 mm³/s"));
     }
 
     [Test]

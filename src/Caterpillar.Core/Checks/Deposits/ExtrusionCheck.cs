@@ -208,7 +208,7 @@ internal sealed class ExtrusionCheck
     private void Squeezed(in CheckedMove move, double area, double gap)
         => _findings.Add(CheckCodes.Squeezed, move.Index,
             () => $"An extrusion of {Number(area)} mm² does not fit into the {Number(gap)} mm under the nozzle: it would be "
-            + $"{Number(area / gap)} mm wide. Extrude less, or raise the path.", area / gap);
+            + $"{Number(area / gap)} mm wide. Extrude less.", area / gap);
 
     private void Doubles(in CheckedMove move, double area, double height)
     {
