@@ -51,12 +51,12 @@ internal static class ExampleCurves
     private static string Arc(double x, double y, double z, double radius, double start, double sweep)
         => $"\"center\": [{Exact(x)}, {Exact(y)}, {Text(z)}], \"radius\": {Text(radius)}, \"start\": {Text(start)}, \"sweep\": {Text(sweep)}";
 
-    // A spiral of a thick extrusion: large layer height and multiplier. The first turn grows with the gap below it.
+    // A spiral of a thick extrusion: large layer height and flow. The first turn grows with the gap below it.
     private static string ThickCup()
     {
         const int Around = 60, Turns = 40;
         const double Height = 1.2;
-        var text = new StringBuilder("# A cup of one thick extrusion for a large nozzle: a spiral that opens upwards.\nx,y,z,width,height,multiplier,speed\n");
+        var text = new StringBuilder("# A cup of one thick extrusion for a large nozzle: a spiral that opens upwards.\nx,y,z,width,height,flow,speed\n");
         for (var i = 0; i <= Around * Turns; i++)
         {
             var turns = (double)i / Around;

@@ -36,7 +36,7 @@ public class JsonEdgeTests
     [TestCase("\"width\":-0.1", "curves.bead")]
     [TestCase("\"width\":\"%\"", "curves.number")]
     [TestCase("\"width\":\"50%\"", "curves.percent")]
-    [TestCase("\"multiplier\":\"50 %\"", null)]
+    [TestCase("\"flow\":\"50 %\"", null)]
     [TestCase("\"units\":\"ft\"", "curves.json")]
     public void Settings_have_their_ranges(string setting, string? error)
         => Assert.That(Read("{\"points\":[[0,0],[1,0]]," + setting + "}").Diagnostics.FirstOrDefault()?.Code, Is.EqualTo(error));
