@@ -75,7 +75,7 @@ public sealed class Trace
         return Draw(first);
     }
 
-    /// <summary>Adds a flat counterclockwise spiral from the center to the radius, or inward. Each turn adds <paramref name="pitch"/> mm to the radius.</summary>
+    /// <summary>Adds a flat counterclockwise spiral from the center to the radius, or inward, with <paramref name="pitch"/> mm between turns.</summary>
     public Trace Spiral(Vec3 center, double radius, double pitch, int stringsPerTurn = DefaultStringsPerTurn, bool inwards = false)
     {
         CheckPositive(radius, nameof(radius));

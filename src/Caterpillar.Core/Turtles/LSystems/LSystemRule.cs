@@ -128,7 +128,7 @@ internal sealed class LSystemRule
         for (var i = from; i < text.Length; i++)
         {
             if (char.IsWhiteSpace(text[i])) continue;
-            if (text[i] is '(' or ')') throw new FormulaException("lsystem.bracket", $"'{text[i]}' has no letter or no matching parenthesis.", line, i + 1);
+            if (text[i] is '(' or ')') throw new FormulaException("lsystem.bracket", $"'{text[i]}' has no letter or no matching bracket.", line, i + 1);
             var symbol = text[i];
             var values = new List<Formula>();
             if (i + 1 < text.Length && text[i + 1] == '(')
@@ -185,7 +185,7 @@ internal sealed class LSystemRule
             if (text[i] == '(') depth++;
             else if (text[i] == ')' && --depth == 0) return i;
         }
-        throw new FormulaException("lsystem.bracket", "'(' has no matching ')'.", line, open + 1);
+        throw new FormulaException("lsystem.bracket", "'(' has no closing ')'.", line, open + 1);
     }
 
     private static int Skip(string text, int i)

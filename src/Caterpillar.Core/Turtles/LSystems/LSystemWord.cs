@@ -58,7 +58,7 @@ public sealed class LSystemWord
         return turtle.StackDepth == depth
             ? []
             : [new Diagnostic(Severity.Warning, "lsystem.bracket",
-                $"The word has {NumberFormatter.Format(turtle.StackDepth - depth)} '[' without a matching ']'.")];
+                $"The word has {NumberFormatter.Format(turtle.StackDepth - depth)} '[' without a closing ']'.")];
     }
 
     /// <summary>The word as text. Values have up to 6 decimals.</summary>

@@ -57,7 +57,7 @@ internal sealed class ScriptCompiler
             while (Next.Kind == TokenKind.NewLine || Next.Is(";")) _cursor.At++;
             if (Next.Kind == TokenKind.End)
             {
-                if (end is { } open) throw Error("turtle.bracket", "'[' has no matching ']'.", open);
+                if (end is { } open) throw Error("turtle.bracket", "'[' has no closing ']'.", open);
                 break;
             }
             if (Next.Is("]"))
