@@ -14,7 +14,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Examples;
 
-/// <summary>Examples of curved printing. Each toolpath has passed the checks of the writer. The settings are coarse, so that images show the extrusions.</summary>
+/// <summary>Examples of curved printing. All toolpaths passed the checks of the writer. Settings are coarse, so that images show the extrusions.</summary>
 internal static class CurvedExamples
 {
     private static readonly Vec3 Middle = new(110, 110);

@@ -5,7 +5,7 @@ using Caterpillar.Shaping;
 
 namespace Caterpillar.Examples;
 
-/// <summary>A rough map of the continents by longitude and latitude. Land is white. The outlines have a few dozen corners, drawn by hand for this example.</summary>
+/// <summary>A rough map of the continents by longitude and latitude. Land is white. The outlines were drawn by hand for this example.</summary>
 internal static class WorldMap
 {
     // Longitude, latitude, degrees.
