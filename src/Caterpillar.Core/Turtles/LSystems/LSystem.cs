@@ -117,9 +117,8 @@ public sealed class LSystem
 
     private static Result<LSystemWord> TooLarge(int generation, int maxSymbols)
     {
-        var message = $"Generation {NumberFormatter.Format(generation)} has more than {NumberFormatter.Format(maxSymbols)} letters or values. "
-            + "Use fewer generations.";
-        return new Result<LSystemWord>(null, [new Diagnostic(Severity.Error, "lsystem.too_large", message)]);
+        var text = $"Generation {NumberFormatter.Format(generation)} exceeds {NumberFormatter.Format(maxSymbols)} letters or values. Use fewer generations.";
+        return new Result<LSystemWord>(null, [new Diagnostic(Severity.Error, "lsystem.too_large", text)]);
     }
 
     private sealed class WordBuilder(int limit)
