@@ -6,7 +6,7 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Examples.CSharp;
 
-/// <summary>What in a file a printer cannot or must not do, as text.</summary>
+/// <summary>Checks a file for a printer and lists the findings as text.</summary>
 public static class CheckFile
 {
     public static IEnumerable<string> Run(string input)

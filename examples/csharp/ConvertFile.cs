@@ -4,7 +4,7 @@ using Caterpillar.Jobs;
 
 namespace Caterpillar.Examples.CSharp;
 
-/// <summary>Writes a file for another firmware, with relative E.</summary>
+/// <summary>Converts a file to another firmware, with relative E.</summary>
 public static class ConvertFile
 {
     public static void Run(string input, string output)

@@ -3,7 +3,7 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Examples.CSharp;
 
-/// <summary>Prints the curves of a file (CSV, JSON, SVG, lines of OBJ) in their order.</summary>
+/// <summary>Prints the curves of a file (CSV, JSON, SVG, or lines of OBJ) in their order.</summary>
 public static class CurveFile
 {
     public static void Run(string curves, string output)

@@ -7,7 +7,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Examples.CSharp;
 
-/// <summary>Prints any points: here a wave that also goes up and down.</summary>
+/// <summary>Prints a custom path: a wave that also goes up and down.</summary>
 public static class CustomPath
 {
     public static void Run(string output)

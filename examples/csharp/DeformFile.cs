@@ -4,7 +4,7 @@ using Caterpillar.Shaping;
 
 namespace Caterpillar.Examples.CSharp;
 
-/// <summary>Twists what a file prints by 1° a millimeter about its middle; lengths and E follow.</summary>
+/// <summary>Twists the print in a file by 1° per mm of height about its center. Lengths and E are updated.</summary>
 public static class DeformFile
 {
     public static void Run(string input, string output)

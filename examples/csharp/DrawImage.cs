@@ -3,7 +3,7 @@ using Caterpillar.GCode;
 
 namespace Caterpillar.Examples.CSharp;
 
-/// <summary>An image of what a file prints, seen from above, colored by height.</summary>
+/// <summary>Draws an image of the print in a file, seen from above and colored by height.</summary>
 public static class DrawImage
 {
     public static void Run(string input, string output)

@@ -4,7 +4,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Examples.CSharp;
 
-/// <summary>Decodes a file, slows its outer walls, adds a pause, and writes it again: all other lines keep their bytes.</summary>
+/// <summary>Opens a file, slows down its outer walls, adds a pause, and writes it. All other lines stay unchanged.</summary>
 public static class EditFile
 {
     public static void Run(string input, string output)

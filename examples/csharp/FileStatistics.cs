@@ -4,7 +4,7 @@ using Caterpillar.Simulation;
 
 namespace Caterpillar.Examples.CSharp;
 
-/// <summary>What a file prints, and how long that takes by the limits of a printer.</summary>
+/// <summary>Statistics of the print in a file, with the print time on a printer.</summary>
 public static class FileStatistics
 {
     public static PrintStatistics Run(string input)

@@ -3,7 +3,7 @@ using System.IO;
 
 namespace Caterpillar.Examples.CSharp;
 
-/// <summary>Runs all of them: <c>dotnet run --project examples/csharp -f net8.0 -- MODEL FOLDER</c>.</summary>
+/// <summary>Runs all examples: <c>dotnet run --project examples/csharp -f net8.0 -- MODEL FOLDER</c>.</summary>
 internal static class Program
 {
     private static int Main(string[] arguments)

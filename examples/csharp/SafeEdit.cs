@@ -6,7 +6,7 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Examples.CSharp;
 
-/// <summary>Moves a print. Where it would leave the bed nothing is written, and the diagnostics say why.</summary>
+/// <summary>Moves a print. If it would leave the bed, nothing is written, and the diagnostics state the reason.</summary>
 public static class SafeEdit
 {
     public static IReadOnlyList<Diagnostic> Run(string input, string output)

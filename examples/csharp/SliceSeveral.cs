@@ -4,7 +4,7 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Examples.CSharp;
 
-/// <summary>Arranges several models on the bed, two of each, half as large.</summary>
+/// <summary>Slices several models, arranged on the bed: two copies of each at half size.</summary>
 public static class SliceSeveral
 {
     public static void Run(string[] models, string output)

@@ -5,7 +5,7 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Examples.CSharp;
 
-/// <summary>Shows what was noticed, reports progress, and can be canceled.</summary>
+/// <summary>Slices a model with diagnostics, progress and cancellation.</summary>
 public static class SliceWithProgress
 {
     public static bool Run(string model, string output, IProgress<double> progress, CancellationToken cancel)

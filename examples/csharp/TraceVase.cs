@@ -8,7 +8,7 @@ using Caterpillar.Traces;
 
 namespace Caterpillar.Examples.CSharp;
 
-/// <summary>A vase of one extrusion: a trace of a base and a cylinder without layers, which a deformation makes bulge.</summary>
+/// <summary>Prints a vase of one extrusion: a trace of a base and a cylinder without layers, bulged by a deformation.</summary>
 public static class TraceVase
 {
     public static void Run(string output)

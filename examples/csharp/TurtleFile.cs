@@ -4,7 +4,7 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Examples.CSharp;
 
-/// <summary>Runs a turtle program of a file, with a value for one of its parameters.</summary>
+/// <summary>Prints a turtle program from a file, with a value for one of its parameters.</summary>
 public static class TurtleFile
 {
     public static void Run(string script, string output)

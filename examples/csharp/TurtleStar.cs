@@ -4,7 +4,7 @@ using Caterpillar.Turtles;
 
 namespace Caterpillar.Examples.CSharp;
 
-/// <summary>A turtle draws a star, ten layers high.</summary>
+/// <summary>Draws a star of ten layers with a turtle.</summary>
 public static class TurtleStar
 {
     public static void Run(string output)

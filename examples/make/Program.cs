@@ -4,8 +4,8 @@ using System.IO;
 namespace Caterpillar.Examples;
 
 /// <summary>
-/// Writes the example models: <c>dotnet run --project examples/make [FOLDER]</c>; without a folder into examples/models of the repository. With <c>--images
-/// FOLDER</c> it draws the examples instead; with <c>--curved</c> it slices, checks and simulates the curved ones.
+/// Writes the example models: <c>dotnet run --project examples/make [FOLDER]</c>. The default folder is examples/models of the repository. With <c>--images
+/// FOLDER</c> it draws the examples instead. With <c>--curved</c> it slices, checks and simulates the curved examples.
 /// </summary>
 internal static class Program
 {
@@ -25,7 +25,7 @@ internal static class Program
         var folder = arguments.Length > 0 ? arguments[0] : ModelsFolder();
         if (folder is null)
         {
-            Console.Error.WriteLine("Say into which folder: the repository is not above this program.");
+            Console.Error.WriteLine("This program is not inside the repository. Give a folder.");
             return 2;
         }
         Directory.CreateDirectory(folder);

@@ -1,4 +1,4 @@
 #!/usr/bin/env bash
-# One table of the summaries of all tasks, in the order of the rows.
+# Joins the summaries of all tasks in one table, in the order of the rows.
 cat summary/*.csv | head -n 1
 tail -q -n +2 summary/*.csv | sort -t, -k1,1n

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Runs the study on this machine alone, under a Slurm that is started for it and ended after it (Debian, Ubuntu: apt-get install slurm-wlm).
-#   one_machine.sh FOLDER     FOLDER gets the table, the vases and summary.csv
+# Runs the study on this machine with a temporary Slurm (Debian, Ubuntu: apt-get install slurm-wlm).
+#   one_machine.sh FOLDER     writes the table, the vases and summary.csv to FOLDER
 set -eu
 [ $# = 1 ] || { echo "usage: $0 FOLDER" >&2; exit 2; }
 for program in slurmctld slurmd sbatch caterpillar; do
-  command -v "$program" >/dev/null || { echo "$program is not on the path." >&2; exit 1; }
+  command -v "$program" >/dev/null || { echo "$program was not found on the PATH." >&2; exit 1; }
 done
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$1/log"
@@ -18,7 +18,7 @@ ClusterName=one
 SlurmctldHost=$host(127.0.0.1)
 SlurmUser=$(id -un)
 SlurmdUser=$(id -un)
-# Nobody else can reach this Slurm; a cluster uses munge here.
+# This Slurm is not reachable from outside. A cluster uses munge here.
 AuthType=auth/none
 CredType=cred/none
 SlurmctldPort=16817
@@ -43,12 +43,12 @@ for _ in $(seq 60); do
   sinfo -h -o %T 2>/dev/null | grep -qx idle && break
   sleep 0.5
 done
-sinfo -h -o %T 2>/dev/null | grep -qx idle || { echo "Slurm does not start:" >&2; tail -n 5 "$slurm"/*.log >&2; exit 1; }
+sinfo -h -o %T 2>/dev/null | grep -qx idle || { echo "Slurm did not start:" >&2; tail -n 5 "$slurm"/*.log >&2; exit 1; }
 
 cp "$here/vase.turtle" .
 bash "$here/values.sh" >values.csv
 begin=$(date +%s)
-sbatch --wait "$here/study.sbatch" || echo "Some tasks failed; log/ says why." >&2
+sbatch --wait "$here/study.sbatch" || echo "Some tasks failed. See the files in log/." >&2
 echo "$(($(date +%s) - begin)) s"
 bash "$here/collect.sh" >summary.csv
 awk -F, '$7 == "done" || $7 == "skipped" { n++ } END { print n + 0 " of " NR - 1 " vases done" }' summary.csv

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The table of the study: ten numbers of waves, ten depths, ten twists.
+# Prints the table of the study: ten numbers of waves, ten depths and ten twists.
 echo waves,depth,twist
 for waves in 3 4 5 6 7 8 9 10 11 12; do
   for depth in 0 0.5 1 1.5 2 2.5 3 3.5 4 4.5; do

@@ -52,8 +52,8 @@ public class MessageTests : CliFixture
 
     [TestCase("There is no 'sidee'", "forward sidee", "Did you mean 'side'?")]
     [TestCase("misspelled command", "forwad 5", "Did you mean 'forward'?")]
-    [TestCase("empty range", "forward randint(5,1)", "randint(from, to) with no integer between the two")]
-    [TestCase("negative count", "circle 5 -3", "The number of segments must be 1 to a million, or 0 for as many as it takes, not -3.")]
+    [TestCase("empty range", "forward randint(5,1)", "randint(from, to) without an integer in between")]
+    [TestCase("negative count", "circle 5 -3", "The number of segments must be 1 to 1000000, or 0 (automatic), not -3.")]
     public void Scripts_say_what_is_wrong(string what, string line, string message)
     {
         File.WriteAllText("s.turtle", "param side = 5\n" + line + "\n");
@@ -63,7 +63,7 @@ public class MessageTests : CliFixture
     }
 
     [TestCase("dwell 1e300", "0 to 1000000000 ms")]
-    [TestCase("acceleration 1e300", "up to 1000000 mm/s²")]
+    [TestCase("acceleration 1e300", "at most 1000000 mm/s²")]
     public void Amounts_beyond_any_machine_are_refused_where_they_stand(string line, string message)
     {
         File.WriteAllText("s.turtle", line + "\nforward 5\n");

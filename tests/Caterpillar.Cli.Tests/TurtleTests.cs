@@ -49,7 +49,7 @@ public class TurtleTests : CliFixture
         Assert.That(Prints(Run(script, ["turtle", "-", "--plan", "printer"]).Text), Does.Contain("G1 E-0.8 F2100"));
     }
 
-    [TestCase("forwrd 10", 1, "standard input:1:1: error turtle.unknown: There is no command 'forwrd'. Did you mean 'forward'?")]
+    [TestCase("forwrd 10", 1, "standard input:1:1: error turtle.unknown: Unknown command 'forwrd'. Did you mean 'forward'?")]
     [TestCase("forward 1\nforward 1 / 0", 1, "standard input:2:9: error turtle.not_finite")]
     [TestCase("left 90", 1, "draws nothing")]
     [TestCase("forward 1000", 3, "bed.outside")]
@@ -100,7 +100,7 @@ public class TurtleTests : CliFixture
         File.WriteAllText("a/main.turtle", "start 50 50 0.2\ninclude \"lib/square.turtle\"\ninclude \"more.turtle\"\n");
         var missing = Run("turtle", "a/main.turtle", "-o", "x.gcode");
         Assert.That(missing.Code, Is.EqualTo(1));
-        Assert.That(missing.Messages, Does.Contain("a/main.turtle:3:9: error turtle.file: There is no file 'more.turtle'."));
+        Assert.That(missing.Messages, Does.Contain("a/main.turtle:3:9: error turtle.file: File 'more.turtle' not found."));
         Assert.That(Run("turtle", "a/main.turtle", "-o", "x.gcode", "--include", "b").Code, Is.Zero);
         Assert.That(Run("turtle", "a/main.turtle", "-o", "x.gcode", "--include", "nowhere").Code, Is.EqualTo(2));
     }

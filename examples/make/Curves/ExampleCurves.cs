@@ -5,17 +5,17 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Examples;
 
-/// <summary>The curve files in examples/curves that are made by formulas, after the printed examples of Caterpillar (Zheng et al. 2019, section 6).</summary>
+/// <summary>The generated curve files in examples/curves, after the printed examples of Caterpillar (Zheng et al. 2019, section 6).</summary>
 internal static class ExampleCurves
 {
-    /// <summary>File names, and the generator of each.</summary>
+    /// <summary>File names and generators.</summary>
     public static IReadOnlyList<(string Name, Func<byte[]> Make)> All { get; } =
     [
         ("pimples.json", () => Encoding.ASCII.GetBytes(Pimples())),
         ("thick_cup.csv", () => Encoding.ASCII.GetBytes(ThickCup())),
     ];
 
-    // Rings with small circles on their outside, which the path goes around once: bumps in the wall.
+    // Rings with small circles on the outside. The path goes around each circle once, which makes bumps in the wall.
     private static string Pimples()
     {
         const int Layers = 60, PathSamples = 12;
@@ -24,7 +24,7 @@ internal static class ExampleCurves
         for (var layer = 0; layer < Layers; layer++)
         {
             var z = 0.2 * (layer + 1);
-            // Three layers with pimples, three without; every other row is turned by half a place.
+            // Three layers with pimples, three without. Every other row is turned by half a pimple.
             var row = layer / 6;
             var pimpled = layer % 6 >= 3;
             var turn = row % 2 == 0 ? 0 : 180.0 / PathSamples;
@@ -51,12 +51,12 @@ internal static class ExampleCurves
     private static string Arc(double x, double y, double z, double radius, double start, double sweep)
         => $"\"center\": [{Exact(x)}, {Exact(y)}, {Text(z)}], \"radius\": {Text(radius)}, \"start\": {Text(start)}, \"sweep\": {Text(sweep)}";
 
-    // A spiral of a thick extrusion: large layer height and multiplier. The first turn grows with the gap below it.
+    // A spiral of a thick extrusion with large layer height and flow. The first turn grows with the gap below it.
     private static string ThickCup()
     {
         const int Around = 60, Turns = 40;
         const double Height = 1.2;
-        var text = new StringBuilder("# A cup of one thick extrusion for a large nozzle: a spiral that opens upwards.\nx,y,z,width,height,multiplier,speed\n");
+        var text = new StringBuilder("# A cup of one thick extrusion for a large nozzle: a spiral that widens upward.\nx,y,z,width,height,flow,speed\n");
         for (var i = 0; i <= Around * Turns; i++)
         {
             var turns = (double)i / Around;
@@ -69,7 +69,7 @@ internal static class ExampleCurves
         return text.ToString();
     }
 
-    // So exact that the ends of pieces are one point.
+    // Exact enough that the ends of pieces coincide.
     private static string Exact(double value) => NumberFormatter.Format(value, 9);
 
     private static string Text(double value) => NumberFormatter.Format(value, 4);

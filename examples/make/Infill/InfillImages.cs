@@ -31,7 +31,7 @@ internal static class InfillImages
         Draw(folder, "Formula", plain with { InfillPattern = InfillPattern.Formula, InfillFormula = Rings, InfillDensityPercent = 20 });
         Draw(folder, "Solid", plain with { InfillDensityPercent = 100 });
         Draw(folder, "Monotonic", plain with { InfillPattern = InfillPattern.Monotonic, InfillDensityPercent = 20 });
-        // Trees stand only where they hold up a skin.
+        // Trees grow only below top surfaces.
         Draw(folder, "Lightning", plain with { InfillPattern = InfillPattern.Lightning, InfillDensityPercent = 20, TopLayers = 3 });
         Draw(folder, "Curves", plain with { InfillPattern = InfillPattern.Curves, InfillCurves = InfillPoint.Of(Spirals()) });
     }
@@ -48,7 +48,7 @@ internal static class InfillImages
         Console.WriteLine($"{file}: {bytes.Length} bytes");
     }
 
-    // Twelve spirals around the shaft, as a user may draw them.
+    // Twelve spirals around the shaft, like user-drawn curves.
     private static IEnumerable<Polyline> Spirals() => Enumerable.Range(0, 12).Select(k => new Polyline(Enumerable.Range(0, 45).Select(i =>
     {
         var (sin, cos) = Angle.SinCos(30.0 * k + 2 * i);

@@ -5,8 +5,7 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Examples;
 
 /// <summary>
-/// A solid of boxes between grid lines, with round holes and ribs. Neighboring faces share their corners, so the surface is watertight whatever is
-/// filled.
+/// A solid of boxes between grid lines, with round holes and ribs. Neighboring faces share their corners, so the surface is always watertight.
 /// </summary>
 internal sealed class BlockSolid(double[] xs, double[] ys, double[] zs)
 {
@@ -15,12 +14,12 @@ internal sealed class BlockSolid(double[] xs, double[] ys, double[] zs)
     private readonly bool[,,] _full = new bool[xs.Length - 1, ys.Length - 1, zs.Length - 1];
     private readonly bool[,,] _rib = new bool[xs.Length - 1, ys.Length - 1, zs.Length - 1];
 
-    // Radius of a hole through the cell along an axis (0 = X, 2 = Z); 0 for none.
+    // Radius of a hole through the cell along an axis (0 = X, 2 = Z); 0 = no hole.
     private readonly double[,,,] _hole = new double[xs.Length - 1, ys.Length - 1, zs.Length - 1, 3];
     private readonly List<Vec3> _points = [];
     private readonly List<int> _faces = [];
 
-    /// <summary>Fills the cells from the first to before the last along each axis.</summary>
+    /// <summary>Fills the cells along each axis from the first up to, but not including, the last.</summary>
     public void Fill(int x0, int x1, int y0, int y1, int z0, int z1)
     {
         for (var x = x0; x < x1; x++)
@@ -32,7 +31,7 @@ internal sealed class BlockSolid(double[] xs, double[] ys, double[] zs)
         }
     }
 
-    /// <summary>Fills the lower half toward −X of a cell that has full neighbors below and at −X, and empty ones elsewhere.</summary>
+    /// <summary>Fills the lower half toward −X of a cell with full neighbors below and at −X and empty neighbors elsewhere.</summary>
     public void AddRib(int x, int y, int z) => _rib[x, y, z] = true;
 
     /// <summary>A hole in the middle of a column of full cells along Z.</summary>
@@ -92,7 +91,7 @@ internal sealed class BlockSolid(double[] xs, double[] ys, double[] zs)
 
     private bool Inside(int x, int y, int z) => x >= 0 && y >= 0 && z >= 0 && x + 1 < xs.Length && y + 1 < ys.Length && z + 1 < zs.Length;
 
-    // A face that is seen from outside counterclockwise, with a round hole where the radius is not 0.
+    // A face, counterclockwise from outside, with a round hole if the radius is not 0.
     private void Side(bool covered, Vec3[] corners, double radius)
     {
         if (covered) return;
@@ -121,7 +120,7 @@ internal sealed class BlockSolid(double[] xs, double[] ys, double[] zs)
         }
     }
 
-    // Counterclockwise like the corners; a quarter belongs to each corner. Points of opposite faces are the same up to the shift.
+    // Counterclockwise like the corners. A quarter belongs to each corner. Points of opposite faces differ only by the shift.
     private static Vec3[] Circle(Vec3[] corners, double radius)
     {
         var center = (corners[0] + corners[2]) * 0.5;
@@ -130,7 +129,7 @@ internal sealed class BlockSolid(double[] xs, double[] ys, double[] zs)
         var points = new Vec3[HoleCorners + 1];
         for (var i = 0; i <= HoleCorners; i++)
         {
-            // The first point lies toward the side between the last and the first corner.
+            // The first point is toward the side between the last and the first corner.
             var (sin, cos) = Angle.SinCos(360.0 * (i % HoleCorners) / HoleCorners);
             points[i] = center + across * (radius * cos) + along * (radius * sin);
         }

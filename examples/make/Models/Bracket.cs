@@ -3,7 +3,7 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Examples;
 
 /// <summary>
-/// An angle bracket, 60 × 40 × 50 mm, 6 mm thick, with a rib at 45°, two holes of 6 mm through the foot and two of 5 mm through the upright.
+/// An angle bracket, 60 × 40 × 50 mm, 6 mm thick, with a rib at 45°. It has two 6 mm holes in the base and two 5 mm holes in the upright.
 /// </summary>
 internal static class Bracket
 {

@@ -4,8 +4,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Examples;
 
 /// <summary>
-/// A trunk that parts into two branches: sections are Cassini ovals whose foci move apart with the height, and the whole is bent, so that the ends of the
-/// branches fall outward. Traced on tetrahedra, mm.
+/// A trunk that splits into two branches, mm. Sections are Cassini ovals whose foci move apart with the height. The model is bent, so that the ends of the
+/// branches fall outward. It is polygonized on tetrahedra.
 /// </summary>
 internal static class Branching
 {

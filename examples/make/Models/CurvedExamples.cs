@@ -14,7 +14,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Examples;
 
-/// <summary>Examples of curved printing: each ends in a toolpath that passed the checks of the writer. Coarse, so that images show the extrusions.</summary>
+/// <summary>Examples of curved printing. All toolpaths passed the checks of the writer. Settings are coarse, so that images show the extrusions.</summary>
 internal static class CurvedExamples
 {
     private static readonly Vec3 Middle = new(110, 110);
@@ -28,7 +28,7 @@ internal static class CurvedExamples
         },
     };
 
-    /// <summary>Their names, what makes them, and from where they are looked at.</summary>
+    /// <summary>Their names, generators, colors and views.</summary>
     public static IReadOnlyList<(string Name, Func<CurvedExample> Make, ColorBy Color, View View)> All { get; } =
     [
         ("roof", Roof, ColorBy.Role, new View(-60, 22)),
@@ -40,21 +40,21 @@ internal static class CurvedExamples
         ("vase", VaseOnSaddle, ColorBy.Layer, new View(-50, 16)),
     ];
 
-    /// <summary>A level start, and layers parallel to a saddle at the top.</summary>
+    /// <summary>A flat bottom, and layers parallel to a saddle at the top.</summary>
     public static CurvedExample Roof()
     {
         var part = SaddleRoof.Make().Moved(Middle);
         return Sliced(part, LayerField.Vertical(PlanSurface.Of(part), new LayerBlend(2, 18)), Plain);
     }
 
-    /// <summary>As many layers everywhere between the bed and the saddle.</summary>
+    /// <summary>The same number of layers everywhere between the bed and the saddle.</summary>
     public static CurvedExample Between()
     {
         var part = SaddleRoof.Make().Moved(Middle);
         return Sliced(part, LayerField.Between(PlanSurface.Level(0), PlanSurface.Of(part)), Plain);
     }
 
-    /// <summary>Wavy rings drawn level, printed onto terrain.</summary>
+    /// <summary>Flat wavy rings, printed onto terrain.</summary>
     public static CurvedExample TerrainPattern()
     {
         var land = Terrain.Make();
@@ -76,7 +76,7 @@ internal static class CurvedExamples
         return Checked(projected, Steep(60), terrain);
     }
 
-    /// <summary>Layers that change evenly from the foot of a trunk to the ends of its branches.</summary>
+    /// <summary>Layers that change evenly from the bottom of a trunk to the ends of its branches.</summary>
     public static CurvedExample Branches()
     {
         var part = Welded(Branching.Make()).Moved(Middle);
@@ -85,7 +85,7 @@ internal static class CurvedExamples
         return Sliced(part, LayerField.Harmonic(MeshBoundaries.Find(part).OrThrow()), setup);
     }
 
-    /// <summary>A shell over a saddle whose ribs follow both of its principal curvatures.</summary>
+    /// <summary>A shell over a saddle. Its ribs follow both principal curvatures.</summary>
     public static CurvedExample Ribs()
     {
         static double Saddle(double x, double y) => 9 + ((x - 110) * (x - 110) - (y - 110) * (y - 110) / 2) / 130 + (x - 110) * (y - 110) / 220;
@@ -98,16 +98,16 @@ internal static class CurvedExamples
             CurvedPlate.Make(plan, (_, _) => 0, Saddle));
     }
 
-    /// <summary>A hat whose brim overhangs by 70 degrees, in layers that lean on what is printed before them.</summary>
+    /// <summary>A hat with a brim that overhangs by 70 degrees, in layers supported by the layers before them.</summary>
     public static CurvedExample Overhang()
     {
         var hat = SlicingImages.Revolved((4, 0), (4, 6), (20, 12), (20, 14)).Moved(Middle);
-        // Thick layers would reach out by more than half of their extrusions.
+        // Thick layers would overhang by more than half a line width.
         var setup = Plain with { Settings = Plain.Settings with { LayerHeight = 0.25, FirstLayerHeight = 0.25 } };
         return Sliced(hat, LayerField.Vertical(PlanSurface.AgainstOverhangs([new NamedMesh("hat", hat)], setup).OrThrow()), setup);
     }
 
-    /// <summary>A vase of one spiral extrusion that stands on a saddle.</summary>
+    /// <summary>A vase of one spiral extrusion on a saddle.</summary>
     public static CurvedExample VaseOnSaddle()
     {
         static double Saddle(double x, double y) => 5 + ((x - 110) * (x - 110) - (y - 110) * (y - 110)) / 90;
@@ -125,7 +125,7 @@ internal static class CurvedExamples
     private static CurvedExample Sliced(TriMesh part, LayerField field, PrintSetup setup, CurvedOptions? options = null, TriMesh? under = null)
         => Checked(CurvedSlicer.Slice([new NamedMesh("part", part)], field, setup, options).OrThrow().ToSteps(), setup, under);
 
-    // What the writer refuses is no example.
+    // A print that the writer refuses is not an example.
     private static CurvedExample Checked(IReadOnlyList<Step> steps, PrintSetup setup, TriMesh? under)
     {
         var over = setup with { Settings = setup.Settings with { ZHopType = ZHopType.AbovePath }, PrintedOn = under };
@@ -138,6 +138,6 @@ internal static class CurvedExamples
 }
 
 /// <summary>A curved print that passed the checks.</summary>
-/// <param name="Toolpath">What the machine does.</param>
-/// <param name="Setup">What it was planned for.</param>
+/// <param name="Toolpath">Its toolpath.</param>
+/// <param name="Setup">Its print setup.</param>
 internal sealed record CurvedExample(Toolpath Toolpath, PrintSetup Setup);

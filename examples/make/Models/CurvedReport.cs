@@ -11,18 +11,18 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Examples;
 
-/// <summary>A curved example after all checks, simulated to its end.</summary>
+/// <summary>A curved example, checked and simulated.</summary>
 internal sealed class CurvedReport
 {
-    // Speeds that the machine does not reach on slopes, the flat of the wide nozzle on slopes, lines of extrusions that miss each other a little.
+    // On slopes, the machine does not reach all speeds, and the flat nozzle tip touches. Some lines do not quite meet.
     private static readonly string[] Usual = [CheckCodes.Speed, CheckCodes.DigsIn, CheckCodes.Gap];
 
     private static readonly Dictionary<string, string[]> Also = new(StringComparer.Ordinal)
     {
-        // The spiral begins with no height.
+        // The spiral starts with a height of 0.
         ["vase"] = [CheckCodes.Width],
 
-        // Some lines of the sparse infill begin where the branches part.
+        // Some lines of the sparse infill begin at the fork of the branches.
         ["branching"] = [CheckCodes.Unsupported],
     };
 
@@ -37,18 +37,18 @@ internal sealed class CurvedReport
 
     public IReadOnlyList<Diagnostic> Findings { get; }
 
-    /// <summary>Seconds.</summary>
+    /// <summary>Print time, s.</summary>
     public double Duration { get; }
 
-    /// <summary>Makes an example, checks and simulates it.</summary>
+    /// <summary>Generates, checks and simulates an example.</summary>
     public static CurvedReport Of(CurvedExample example)
         => new(example.Toolpath, PrintCheck.Run(example.Toolpath, example.Setup), PrintStatistics.Of(Timeline.Of(example.Toolpath, example.Setup)).Duration);
 
-    /// <summary>What the checks noted beyond what is expected of an example.</summary>
+    /// <summary>Unexpected findings of the checks.</summary>
     public IEnumerable<Diagnostic> Unexpected(string name)
         => Findings.Where(f => f.Severity == Severity.Error || !(Usual.Contains(f.Code) || (Also.TryGetValue(name, out var codes) && codes.Contains(f.Code))));
 
-    /// <summary>A table of all examples; false where one has findings that are not expected.</summary>
+    /// <summary>Writes a table of all examples. False if one has unexpected findings.</summary>
     public static bool WriteAll(TextWriter output)
     {
         var good = true;

@@ -5,10 +5,10 @@ using Caterpillar.Tests.Geometry.Meshes;
 
 namespace Caterpillar.Examples;
 
-/// <summary>The models in examples/models. All stand on Z = 0, are centered on X = Y = 0 and are watertight; mm.</summary>
+/// <summary>The models in examples/models, in mm. All are watertight, on Z = 0 and centered on X = Y = 0.</summary>
 internal static class ExampleModels
 {
-    /// <summary>File names, and the generator of each model.</summary>
+    /// <summary>File names and generators of the models.</summary>
     public static IReadOnlyList<(string Name, Func<TriMesh> Make)> All { get; } =
     [
         ("vase.stl", Vase.Make),
@@ -18,6 +18,6 @@ internal static class ExampleModels
         ("branching.stl", Branching.Make),
     ];
 
-    /// <summary>The file: binary STL, the same bytes on every system.</summary>
+    /// <summary>The model as binary STL, with the same bytes on every system.</summary>
     public static byte[] ToStl(string name, TriMesh mesh) => StlWriter.ToBytes(mesh, "Caterpillar example " + name);
 }

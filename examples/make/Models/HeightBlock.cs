@@ -4,10 +4,10 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Examples;
 
-/// <summary>A block on Z = 0 with a rectangle as plan and a height field on top.</summary>
+/// <summary>A rectangular block on Z = 0 with a height field on top.</summary>
 internal static class HeightBlock
 {
-    /// <summary>Width and depth in mm, centered; the height in mm is asked at the corners of square cells of a grid.</summary>
+    /// <summary>Width and depth in mm, centered. The height in mm is evaluated at the corners of square grid cells.</summary>
     public static TriMesh Make(double width, double depth, int columns, int rows, Func<int, int, double> height)
     {
         var points = new List<Vec3>();
@@ -23,7 +23,7 @@ internal static class HeightBlock
             for (var i = 0; i < columns; i++)
             {
                 int a = Top(i, j), b = Top(i + 1, j), c = Top(i + 1, j + 1), d = Top(i, j + 1);
-                // Diagonals alternate, so that the surface has no grain.
+                // Diagonals alternate, so that no direction is preferred.
                 faces.AddRange((i + j) % 2 == 0 ? [a, b, c, a, c, d] : [a, b, d, b, c, d]);
             }
         }

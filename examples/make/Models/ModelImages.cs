@@ -13,7 +13,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Examples;
 
-/// <summary>Images of the example models as they are printed, for the manual.</summary>
+/// <summary>Images of the printed example models, for the manual.</summary>
 internal static class ModelImages
 {
     public static void Write(string models, string folder)
@@ -26,17 +26,17 @@ internal static class ModelImages
             var sliced = PlanarSlicer.Slice(meshes, setup.Settings).Value ?? throw new InvalidDataException(model);
             var toolpath = Planner.Plan(sliced.ToSteps(), setup).Value ?? throw new InvalidDataException(model);
             var name = Path.GetFileNameWithoutExtension(model);
-            // Cut open in the upper third, so that walls and infill show.
+            // Cut at two thirds of the height, so that walls and infill are visible.
             Write(toolpath, toolpath.Layers.Count * 2 / 3, Path.Combine(folder, name + ".png"));
             if (name == "bracket") Write(Twisted(toolpath, setup), toolpath.Layers.Count, Path.Combine(folder, "bracket_twisted.png"));
         }
     }
 
-    // As the manual says: the G-code is read back and bent.
+    // As in the manual: the G-code is read back and deformed.
     private static Toolpath Twisted(Toolpath toolpath, PrintSetup setup)
     {
-        var gcode = SafeWriter.ToDocument(toolpath, setup).Value ?? throw new InvalidOperationException("The bracket can't be printed.");
-        var decoded = GCodeDecoder.Decode(gcode).Value ?? throw new InvalidDataException("The bracket can't be read.");
+        var gcode = SafeWriter.ToDocument(toolpath, setup).Value ?? throw new InvalidOperationException("The bracket cannot be printed.");
+        var decoded = GCodeDecoder.Decode(gcode).Value ?? throw new InvalidDataException("The bracket cannot be read.");
         var middle = ToolpathTotals.Of(decoded.Toolpath).PrintBounds.Center;
         var twist = DeformationText.Compile("r, theta + 1.2 * z, z", system: DeformationSystem.Cylindrical, axis: middle).Value!;
         return decoded.Toolpath.Deform(new MoveFilter { FirstLayer = 0 }, twist).Value!;

@@ -2,7 +2,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Examples;
 
-/// <summary>A block of 80 × 60 mm with a saddle (hyperbolic paraboloid) as roof, 6 to 20 mm high: for layers that follow a surface.</summary>
+/// <summary>A block of 80 × 60 mm with a saddle (hyperbolic paraboloid) as roof, 6 to 20 mm high, for layers that follow a surface.</summary>
 internal static class SaddleRoof
 {
     private const double Width = 80;

@@ -13,7 +13,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Examples;
 
-/// <summary>Images of where seams lie, for the manual: a knob at each.</summary>
+/// <summary>Images of seam positions for the manual, with a knob at each seam.</summary>
 internal static class SeamImages
 {
     public static void Write(string folder)
@@ -38,7 +38,7 @@ internal static class SeamImages
         var mesh = SlicingImages.Lofted([(0, Ring(0)), (14, Ring(25))]).Moved(new Vec3(100, 100));
         var sliced = PlanarSlicer.Slice([new NamedMesh(name, mesh)], settings).Value ?? throw new InvalidOperationException(name);
         var paths = sliced.Layers.SelectMany(l => l.Steps).Cast<Step>().ToArray();
-        // Which place is nearest is known once the travels are planned. One loop for each layer.
+        // The nearest seam is only known after travel planning. One loop per layer.
         var planned = Planner.Plan(paths, setup).Value ?? throw new InvalidOperationException(name);
         var starts = planned.Moves().Where(m => m.Kind == MoveKind.Print).GroupBy(m => m.Layer).Select(l => (l.First().Start, Layer: l.Key));
         var steps = new List<Step>(paths);

@@ -12,7 +12,7 @@ using Caterpillar.Slicing;
 
 namespace Caterpillar.Examples;
 
-/// <summary>Images of what the settings of slicing do, for the manual.</summary>
+/// <summary>Images of slicing settings, for the manual.</summary>
 internal static class SlicingImages
 {
     private static readonly View Slanted = new(-60, 30);

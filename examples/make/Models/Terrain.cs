@@ -4,8 +4,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Examples;
 
 /// <summary>
-/// A piece of land, 120 × 90 mm: four octaves of value noise over a grid of pseudo-random heights (a hash of integers, the same everywhere),
-/// valleys flattened to a lake.
+/// A piece of terrain, 120 × 90 mm, with a lake. It has four octaves of value noise over a grid of pseudo-random heights (a hash of integers, the same
+/// everywhere).
 /// </summary>
 internal static class Terrain
 {

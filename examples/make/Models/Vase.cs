@@ -5,7 +5,7 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Examples;
 
 /// <summary>
-/// A twisted vase, 120 mm high: six lobes that turn by 100° from bottom to top, a belly and a neck, a wall of 1.6 mm (measured radially) and a floor of
+/// A twisted vase, 120 mm high, with a belly and a neck. Its six lobes turn by 100° from bottom to top. The wall is 1.6 mm (measured radially), the floor
 /// 2 mm.
 /// </summary>
 internal static class Vase

@@ -10,11 +10,11 @@ using Caterpillar.Traces;
 namespace Caterpillar.Examples;
 
 /// <summary>
-/// The worked examples of Kanada's papers (2014 to 2016) as traces that are deformed and modulated. What the papers leave open stands beside each.
+/// The examples of Kanada's papers (2014 to 2016) as deformed and modulated traces. Values that are not in the papers are marked as chosen.
 /// </summary>
 public static class KanadaParts
 {
-    /// <summary>An extrusion of 0.5 mm, mm².</summary>
+    /// <summary>Area of an extrusion 0.5 mm thick, mm².</summary>
     private const double Area = 0.196;
 
     private const double Tolerance = 0.01;
@@ -44,12 +44,13 @@ public static class KanadaParts
     private static IReadOnlyList<PrintPath> CupToPlate()
         => Shape(Cup().ToPaths(), Deformation.Cylindrical(p => new Vec3(p.X + 1.05 * p.Z, p.Y, 0.3 * p.Z), (c, _) => 0.96 * c));
 
-    /// <summary>The program of figure 9 (2016): helix of radius 25 to a sphere, then raised and tuned.</summary>
+    /// <summary>The program of figure 9 (2016): a helix of radius 25 becomes a sphere, then is raised and tuned.</summary>
     private static IReadOnlyList<PrintPath> Sphere() => Shape(new Trace(Area).SetSpeed(36).Helix(Vec3.Zero, 25, Math.PI / 2 * 25, 0.2).ToPaths(), SphereOf(25)
         .Then(Deformation.Cylindrical(p => p + new Vec3(0, 0, 0.4), (c, _) => 2 * c, (v, p) => 0.6 * (Math.Pow(p.X / 25, 1.5) + 0.2) * v)));
 
     /// <summary>
-    /// x' = x + b z √(|y|/r) with b z from 0 to 12 mm (2016, section 4.1), optionally twisted over the height; small waves give its surface a glitter.
+    /// x' = x + b z √(|y|/r) with b z from 0 to 12 mm (2016, section 4.1), optionally twisted over the height. Small waves make the surface
+    /// glitter.
     /// </summary>
     private static IReadOnlyList<PrintPath> Heart(double twist)
     {
@@ -59,12 +60,12 @@ public static class KanadaParts
         return Shape(new Trace(Area).SetSpeed(25).Spiral(Vec3.Zero, Radius, 0.5).Helix(Vec3.Zero, Radius, Height, 0.4).ToPaths(), heart);
     }
 
-    /// <summary>A plate whose wall swings up and down so many times around (2016, figure 10); amplitude chosen: a fifth of the height at the rim.</summary>
+    /// <summary>A plate with a number of waves around its wall (2016, figure 10). Chosen: an amplitude of a fifth of the height at the rim.</summary>
     private static IReadOnlyList<PrintPath> WavyPlate(int cycles)
         => Shape(Cup().ToPaths(), Deformation.Cylindrical(
             p => new Vec3(p.X + 1.05 * p.Z, p.Y, 0.3 + (0.35 + 0.12 * Angle.Sin(cycles * p.Y)) * (p.Z - 0.3)), (c, _) => 0.96 * c));
 
-    /// <summary>A partial sphere with waves around and along its axis (2016, figure 13, left); open at the top for the lamp.</summary>
+    /// <summary>A partial sphere with waves around and along its axis (2016, figure 13, left), open at the top for the lamp.</summary>
     private static IReadOnlyList<PrintPath> LampShade()
     {
         const double Radius = 40;
@@ -75,7 +76,7 @@ public static class KanadaParts
         return Shape(helix.ToPaths(), SphereOf(Radius, 1.05).Then(Deformation.Cartesian(p => p - new Vec3(0, 0, bottom))).Then(waves));
     }
 
-    /// <summary>Letters around a bowl (2016, figure 12, right) by the speed of the head, 1 to 0.65; printed upside down.</summary>
+    /// <summary>Letters around a bowl by print speed, 1 to 0.65 (2016, figure 12, right). Printed upside down.</summary>
     private static IReadOnlyList<PrintPath> LetteredBowl()
     {
         const double Radius = 30;
@@ -87,8 +88,8 @@ public static class KanadaParts
     }
 
     /// <summary>
-    /// A globe: 150 turns of 300 strings, one for each dot of a 300 × 150 map; land slower and so thicker, 1 to 0.65 (2016, section 3.5). Short strings near
-    /// the poles are merged.
+    /// A globe: 150 turns of 300 strings, one for each dot of a 300 × 150 map (2016, section 3.5). Land is printed more slowly and so thicker, 1 to 0.65. Short
+    /// strings near the poles are merged.
     /// </summary>
     private static IReadOnlyList<PrintPath> Globe()
     {

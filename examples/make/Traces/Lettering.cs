@@ -5,7 +5,7 @@ using Caterpillar.Shaping;
 
 namespace Caterpillar.Examples;
 
-/// <summary>Capital letters of 5 × 7 dots, white on black, one empty column after each and one empty row above and below.</summary>
+/// <summary>Capital letters of 5 × 7 dots, white on black, with an empty column after each letter and an empty row above and below.</summary>
 internal static class Lettering
 {
     private static readonly Dictionary<char, string[]> Dots = new()
@@ -27,7 +27,7 @@ internal static class Lettering
         var pixels = new double[width * height];
         for (var letter = 0; letter < text.Length; letter++)
         {
-            if (!Dots.TryGetValue(text[letter], out var rows)) throw new ArgumentException("There are no dots for the letter " + text[letter], nameof(text));
+            if (!Dots.TryGetValue(text[letter], out var rows)) throw new ArgumentException("Unknown letter: " + text[letter], nameof(text));
             for (var y = 0; y < 7; y++)
             {
                 for (var x = 0; x < 5; x++) pixels[(y + 1) * width + 6 * letter + x] = rows[y][x] == '#' ? 1 : 0;

@@ -5,7 +5,7 @@ using Caterpillar.Shaping;
 
 namespace Caterpillar.Examples;
 
-/// <summary>A rough map of the continents by longitude and latitude: land is white. Outlines of a few dozen corners, drawn by hand for this example.</summary>
+/// <summary>A rough map of the continents by longitude and latitude. Land is white. The outlines were drawn by hand for this example.</summary>
 internal static class WorldMap
 {
     // Longitude, latitude, degrees.
@@ -75,10 +75,10 @@ internal static class WorldMap
         return inside;
     }
 
-    /// <summary>Of the map that turtle scripts read.</summary>
+    /// <summary>File name of the map that turtle scripts read.</summary>
     public const string FileName = "world_map.pbm";
 
-    /// <summary>300 × 150 dots as a raw PBM; bits of land are 0, which is white.</summary>
+    /// <summary>The map as a raw PBM of 300 × 150 dots. Bits of land are 0 (white).</summary>
     public static byte[] ToPbm()
     {
         const int Width = 300, Height = 150, Row = (Width + 7) / 8;

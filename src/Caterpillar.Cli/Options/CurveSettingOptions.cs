@@ -9,7 +9,7 @@ internal sealed class CurveSettingOptions
 
     private readonly Described<string?> _height = new("--height", "Height of the extrusion: mm, or percent of the layer height.", "MM|%");
 
-    private readonly Described<string?> _multiplier = new("--flow", "Flow multiplier; 1 or 100% for the plain bead.", "NUMBER|%");
+    private readonly Described<string?> _flow = new("--flow", "Flow multiplier; 1 or 100% for the plain bead.", "NUMBER|%");
 
     private readonly Described<string?> _speed = new("--speed", "Print speed: mm/s, or percent of the speed in the settings.", "MM/S|%");
 
@@ -28,7 +28,7 @@ internal sealed class CurveSettingOptions
 
     public CurveSettingOptions() => _shape.AcceptOnlyFromAmong("rectangle", "stadium", "circle");
 
-    public Option[] All => [_width, _height, _multiplier, _speed, _shape, _strokes, _steps, _dots, _dotSpeed, _unit];
+    public Option[] All => [_width, _height, _flow, _speed, _shape, _strokes, _steps, _dots, _dotSpeed, _unit];
 
     public double UnitOf(ParseResult arguments)
     {
@@ -43,7 +43,7 @@ internal sealed class CurveSettingOptions
         {
             Width = OptionValues.OptionalAmount(arguments.GetValue(_width), "--width", setup.Printer.NozzleDiameter) ?? plain.Width,
             Height = OptionValues.OptionalAmount(arguments.GetValue(_height), "--height", setup.Settings.LayerHeight) ?? plain.Height,
-            Multiplier = OptionValues.OptionalAmount(arguments.GetValue(_multiplier), "--flow", 1) ?? plain.Multiplier,
+            Flow = OptionValues.OptionalAmount(arguments.GetValue(_flow), "--flow", 1) ?? plain.Flow,
             Speed = OptionValues.OptionalAmount(arguments.GetValue(_speed), "--speed", setup.Settings.PrintSpeed) ?? plain.Speed,
             Shape = arguments.GetValue(_shape) switch
             {

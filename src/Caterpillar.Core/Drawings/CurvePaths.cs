@@ -4,15 +4,15 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Drawings;
 
-/// <summary>User-defined toolpaths (Caterpillar 2019, section 3.3): any 3D curves, printed exactly as drawn and in the given order.</summary>
+/// <summary>User-defined toolpaths (Caterpillar 2019, section 3.3): 3D curves, printed exactly as drawn and in the given order.</summary>
 public static class CurvePaths
 {
     // A point with its bead, its move, and their copies until they are written.
     private const double BytesPerPoint = 250;
 
     /// <summary>
-    /// The steps that print curves in their order. Curves without length are ignored with a warning. Errors (codes <c>curves.*</c>) are extrusions with
-    /// negative or infinite settings; parts below the bed are a warning.
+    /// The steps that print curves in their order. Curves without length are ignored with a warning. Curves below the bed are also a warning. Negative or
+    /// infinite settings of an extrusion are errors (codes <c>curves.*</c>).
     /// </summary>
     /// <exception cref="ArgumentException">The subdivision is out of range, or a curve is null.</exception>
     public static Result<IReadOnlyList<Step>> ToSteps(
@@ -36,7 +36,7 @@ public static class CurvePaths
         return new Result<IReadOnlyList<Step>>(steps, made.Diagnostics);
     }
 
-    /// <summary>The paths of curves in their order, without dots; as <see cref="ToSteps"/>.</summary>
+    /// <summary>The paths of curves in their order, without dots. Diagnostics are as in <see cref="ToSteps"/>.</summary>
     /// <exception cref="ArgumentException">The subdivision is out of range, or a curve is null.</exception>
     public static Result<IReadOnlyList<PrintPath>> ToPaths(
         IReadOnlyList<UserCurve> curves, CurveOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -66,7 +66,7 @@ public static class CurvePaths
             var source = curve.Source ?? new SourceLocation(Step: i);
             if (!(curve.Dot >= 0 && !double.IsInfinity(curve.Dot)))
             {
-                diagnostics.Add(Severity.Error, "curves.bead", "A dot must be a finite volume of 0 mm³ or more.", source);
+                diagnostics.Add(Severity.Error, "curves.bead", "The volume of a dot must be finite and 0 mm³ or more.", source);
                 continue;
             }
             if (withDots && options.Dots > 0)
@@ -82,7 +82,7 @@ public static class CurvePaths
             var path = maker.Make(curve, source);
             if (path is null) continue;
             points += path.RawPoints.Length;
-            if (options.Memory.Refuse(points * BytesPerPoint, $"A division into more than {NumberFormatter.Format(points)} points", curve.Source,
+            if (options.Memory.Refuse(points * BytesPerPoint, $"Dividing the curves into more than {NumberFormatter.Format(points)} points", curve.Source,
                 "Use a larger distance, tolerance or angle.") is { } tooMuch)
             {
                 diagnostics.Add(tooMuch);
@@ -92,7 +92,7 @@ public static class CurvePaths
             run.Add(options.FitArcs > 0 ? PathArcs.Fit(path, new ArcFitOptions { Tolerance = options.FitArcs }) : path);
         }
         EndRun();
-        if (!diagnostics.HasErrors && steps.Count == 0) diagnostics.Add(Severity.Error, "curves.empty", "There is no curve to print.");
+        if (!diagnostics.HasErrors && steps.Count == 0) diagnostics.Add(Severity.Error, "curves.empty", "No curve to print.");
         if (diagnostics.HasErrors) return new Result<IReadOnlyList<Step>>(null, diagnostics.ToList());
         progress?.Report(1);
         return new Result<IReadOnlyList<Step>>(steps, diagnostics.ToList());

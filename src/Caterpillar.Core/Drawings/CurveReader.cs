@@ -4,13 +4,13 @@ using Caterpillar.Files;
 namespace Caterpillar.Drawings;
 
 /// <summary>
-/// Reads files of curves: points as CSV (comma, semicolon, tab or spaces) or JSON with optional settings, the line elements of OBJ, and the paths and basic
-/// shapes of SVG; all of them also packed with gzip. The format is taken from the name, else from the bytes. Bytes that cannot be read give errors with line
-/// and column, never exceptions.
+/// Reads curve files: points of CSV or JSON with optional settings, line elements of OBJ, and paths and basic shapes of SVG. CSV cells are separated by commas,
+/// semicolons, tabs or spaces. All formats can be compressed with gzip. The format is detected from the name, or else from the content. Invalid content gives
+/// errors with line and column, never exceptions.
 /// </summary>
 public static class CurveReader
 {
-    /// <summary>Reads a file. Errors are codes <c>curves.*</c>.</summary>
+    /// <summary>Reads a file. Errors have codes <c>curves.*</c>.</summary>
     /// <exception cref="IOException">The file cannot be read from the disk.</exception>
     /// <exception cref="OperationCanceledException">Reading was canceled.</exception>
     public static Result<IReadOnlyList<UserCurve>> Read(
@@ -20,7 +20,7 @@ public static class CurveReader
         return Read(File.ReadAllBytes(path), path, options, progress, cancel);
     }
 
-    /// <summary>Reads the bytes of a file; <paramref name="name"/> is used in messages, and its extension may determine the format.</summary>
+    /// <summary>Reads the bytes of a file. <paramref name="name"/> appears in messages, and its extension can determine the format.</summary>
     public static Result<IReadOnlyList<UserCurve>> Read(
         byte[] bytes, string name, CurveReadOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
@@ -48,7 +48,7 @@ public static class CurveReader
         }
         if (!diagnostics.HasErrors && source.Curves.Count == 0)
         {
-            diagnostics.Add(Severity.Error, "curves.empty", "There are no curves in the file.", new SourceLocation(name));
+            diagnostics.Add(Severity.Error, "curves.empty", "The file has no curves.", new SourceLocation(name));
         }
         progress?.Report(1);
         return new Result<IReadOnlyList<UserCurve>>(diagnostics.HasErrors ? null : source.Curves, diagnostics.ToList());

@@ -10,7 +10,7 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
     // Maximum number of segments of one ramp.
     private const int MaxRampParts = 256;
 
-    /// <summary>The path, or null if there is none; the reason is a diagnostic.</summary>
+    /// <summary>The path, or null with a diagnostic.</summary>
     public PrintPath? Make(UserCurve curve, SourceLocation source)
     {
         try
@@ -151,11 +151,11 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
     {
         var w = width ?? options.Width;
         var h = height ?? options.Height;
-        var m = curve.Multiplier ?? options.Multiplier;
+        var flow = curve.Flow ?? options.Flow;
         var s = speed ?? options.Speed;
-        if (!(Good(area ?? 0) && Good(w) && Good(h) && Good(m) && Good(s)))
+        if (!(Good(area ?? 0) && Good(w) && Good(h) && Good(flow) && Good(s)))
         {
-            diagnostics.Add(Severity.Error, "curves.bead", "Area, width, height, multiplier and speed of an extrusion must be 0 or more and finite.", source);
+            diagnostics.Add(Severity.Error, "curves.bead", "Area, width, height, flow and speed of an extrusion must be 0 or more and finite.", source);
             return null;
         }
         if (options.Strokes) return new Bead(0, h, s);
@@ -163,9 +163,9 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
         if (options.Shape == BeadShape.Stadium && w < h)
         {
             // Too narrow for the shape: a round extrusion of the width.
-            return Bead.FromWidth(w, h, m, s, BeadShape.Circle);
+            return Bead.FromWidth(w, h, flow, s, BeadShape.Circle);
         }
-        return Bead.FromWidth(w, h, m, s, options.Shape);
+        return Bead.FromWidth(w, h, flow, s, options.Shape);
     }
 
     private void Watch(PrintPath path, SourceLocation source)

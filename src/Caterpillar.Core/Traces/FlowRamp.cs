@@ -1,11 +1,11 @@
 namespace Caterpillar.Traces;
 
 /// <summary>
-/// Raises the flow of a helix over its first turn, where the gap to the bed grows from nothing, and lowers it over its last, so that the rim ends level.
+/// Increases the flow of a helix over its first turn, as the gap to the bed grows from 0. Decreases it over the last turn, so that the rim is level.
 /// </summary>
 public sealed class FlowRamp
 {
-    /// <summary>A ramp from <paramref name="minimum"/> (0 to 1 of the full area) at the very ends; either end can be omitted.</summary>
+    /// <summary>A ramp with <paramref name="minimum"/> (0 to 1 of the full area) at its ends. Either end can be omitted.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The minimum is not between 0 and 1.</exception>
     public FlowRamp(double minimum = 0.2, bool start = true, bool end = true)
     {
@@ -15,16 +15,16 @@ public sealed class FlowRamp
         End = end;
     }
 
-    /// <summary>Factor of the flow at the ends, 0 to 1.</summary>
+    /// <summary>Flow ratio at the ends, 0 to 1.</summary>
     public double Minimum { get; }
 
-    /// <summary>The flow grows along the first turn.</summary>
+    /// <summary>True if the flow increases along the first turn.</summary>
     public bool Start { get; }
 
-    /// <summary>The flow falls along the last turn.</summary>
+    /// <summary>True if the flow decreases along the last turn.</summary>
     public bool End { get; }
 
-    /// <summary>Factor on the area after some turns, with some turns left to go.</summary>
+    /// <summary>Flow ratio after some turns, with some turns left.</summary>
     internal double At(double turnsDone, double turnsLeft)
     {
         var factor = 1.0;

@@ -5,9 +5,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Traces;
 
 /// <summary>
-/// A part made of strings in printing order (Kanada 2016, section 3, <c>draw3dp.Trace</c>). A builder: low-level moves and draws, shapes made of
-/// strings, and finally
-/// <see cref="ToSteps"/>. Lengths in mm, areas in mm², speeds in mm/s, angles in degrees.
+/// A part made of strings in printing order (Kanada 2016, section 3, <c>draw3dp.Trace</c>). Build it with moves, draws and shapes made of strings, then call
+/// <see cref="ToSteps"/>. Lengths are in mm, areas in mm², speeds in mm/s, angles in degrees.
 /// </summary>
 public sealed class Trace
 {
@@ -30,23 +29,23 @@ public sealed class Trace
     /// <summary>Cross-section of the following strings, mm².</summary>
     public double Area { get; private set; }
 
-    /// <summary>Speed of the following strings, mm/s; 0 for the speed of the settings.</summary>
+    /// <summary>Speed of the following strings, mm/s; 0 = printing speed of the settings.</summary>
     public double Speed { get; private set; }
 
-    /// <summary>Position of the head.</summary>
+    /// <summary>Current position.</summary>
     public Vec3 Position { get; private set; }
 
     /// <summary>The strings so far, in printing order.</summary>
     public IReadOnlyList<TraceString> Strings => _strings;
 
-    /// <summary>Cross-section from now on (Kanada: <c>setCrossSection</c>, <c>thickness</c>).</summary>
+    /// <summary>Sets the cross-section of the following strings (Kanada: <c>setCrossSection</c>, <c>thickness</c>).</summary>
     public Trace SetArea(double area)
     {
         Area = CheckNotNegative(area, nameof(area));
         return this;
     }
 
-    /// <summary>Speed from now on (Kanada: <c>setVelocity</c>, <c>speed</c>).</summary>
+    /// <summary>Sets the speed of the following strings (Kanada: <c>setVelocity</c>, <c>speed</c>).</summary>
     public Trace SetSpeed(double speed)
     {
         Speed = CheckNotNegative(speed, nameof(speed));
@@ -64,8 +63,7 @@ public sealed class Trace
     public Trace Draw(Vec3 to) => Draw(to, Area);
 
     /// <summary>
-    /// A closed polygon of equal strings on a circle about the vertical through the center, counterclockwise from <paramref name="from"/> degrees. It closes
-    /// exactly.
+    /// Adds an exactly closed polygon of equal strings on a horizontal circle, counterclockwise from <paramref name="from"/> degrees.
     /// </summary>
     public Trace Circle(Vec3 center, double radius, int strings = DefaultStringsPerTurn, double from = 0)
     {
@@ -77,7 +75,7 @@ public sealed class Trace
         return Draw(first);
     }
 
-    /// <summary>A flat spiral from the center to the radius (or inward), <paramref name="pitch"/> mm further out with each turn, counterclockwise.</summary>
+    /// <summary>Adds a flat counterclockwise spiral from the center to the radius, or inward, with <paramref name="pitch"/> mm between turns.</summary>
     public Trace Spiral(Vec3 center, double radius, double pitch, int stringsPerTurn = DefaultStringsPerTurn, bool inwards = false)
     {
         CheckPositive(radius, nameof(radius));
@@ -88,13 +86,13 @@ public sealed class Trace
     }
 
     /// <summary>
-    /// A hollow cylinder as one string without layers or seams: vertex i at angle 360°·i/n and height pitch·i/n, the last one at the height given. The ramp
-    /// changes the flow at both ends.
+    /// Adds a hollow cylinder without layers or seams. With n strings per turn, vertex i is at the angle 360°·i/n and the height pitch·i/n. The last vertex is
+    /// at the given height. The ramp changes the flow at both ends.
     /// </summary>
     public Trace Helix(Vec3 center, double radius, double height, double pitch, int stringsPerTurn = DefaultStringsPerTurn, FlowRamp? ramp = null)
         => Cone(center, radius, radius, height, pitch, stringsPerTurn, ramp);
 
-    /// <summary>A hollow cone, or its frustum: a helix whose radius changes linearly with the height.</summary>
+    /// <summary>Adds a hollow cone or frustum: a helix whose radius changes linearly with the height.</summary>
     public Trace Cone(
         Vec3 center, double bottomRadius, double topRadius, double height, double pitch, int stringsPerTurn = DefaultStringsPerTurn, FlowRamp? ramp = null)
     {
@@ -110,8 +108,8 @@ public sealed class Trace
     }
 
     /// <summary>
-    /// A filled cylinder: stacked flat spirals, alternately outward and inward, the first one at the height of the center; the number of spirals is
-    /// the height divided by the vertical pitch, rounded.
+    /// Adds a filled cylinder of stacked flat spirals, alternately outward and inward. The first is at the height of the center. The number of spirals is the
+    /// height divided by the vertical pitch, rounded.
     /// </summary>
     public Trace Cylinder(Vec3 center, double radius, double height, double verticalPitch, double horizontalPitch, int stringsPerTurn = DefaultStringsPerTurn)
     {
@@ -128,7 +126,7 @@ public sealed class Trace
         return this;
     }
 
-    /// <summary>Rings around a point, from the outside in, that prime the flow before the part starts.</summary>
+    /// <summary>Adds rings around a point, from the outside in, to prime the nozzle before the part starts.</summary>
     public Trace Skirt(Vec3 center, double radius, int loops = 1, double pitch = 0.5, int strings = DefaultStringsPerTurn)
     {
         if (loops < 1) throw new ArgumentOutOfRangeException(nameof(loops), "A skirt needs at least one loop.");
@@ -137,8 +135,8 @@ public sealed class Trace
     }
 
     /// <summary>
-    /// A part in which connected strings shorter than <paramref name="minimum"/> mm are joined with their neighbors (too many short strings make printers
-    /// stutter). A joined string has the mean area and speed of its parts, by length; strings that are long enough stay.
+    /// A copy in which connected strings shorter than <paramref name="minimum"/> mm are joined with their neighbors, since too many short strings make printers
+    /// stutter. A joined string has the mean area and speed of its parts, weighted by length. Longer strings stay unchanged.
     /// </summary>
     public Trace Merged(double minimum)
     {
@@ -163,7 +161,7 @@ public sealed class Trace
         return merged;
     }
 
-    /// <summary>The strings as paths: connected strings become one path, a move begins another.</summary>
+    /// <summary>The strings as paths. Connected strings become one path. A move begins another path.</summary>
     public IReadOnlyList<PrintPath> ToPaths()
     {
         var paths = new List<PrintPath>();
@@ -225,7 +223,7 @@ public sealed class Trace
         if (stringsPerTurn < 3) throw new ArgumentOutOfRangeException(nameof(stringsPerTurn), "A turn needs at least three strings.");
         if (turns * stringsPerTurn > 100_000_000)
         {
-            throw new ArgumentOutOfRangeException(nameof(turns), "More than 100 million strings: the pitch is too small.");
+            throw new ArgumentOutOfRangeException(nameof(turns), "The part has more than 100 million strings. Increase the pitch.");
         }
         Reach(at(0));
         // A last string as short as rounding errors is dropped.

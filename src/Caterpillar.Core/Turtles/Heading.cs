@@ -4,8 +4,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Turtles;
 
 /// <summary>
-/// The direction of a turtle as three angles in degrees: starting from the world axes: yaw, then pitch, then roll, each about the turtle's own axes.
-/// Positive yaw turns left, positive pitch raises the nose, positive roll lifts the left side.
+/// The direction of a turtle as three angles in degrees. From the world axes: yaw, then pitch, then roll, each about the turtle's own axes.
+/// Positive yaw turns left, positive pitch raises the nose, positive roll raises the left side.
 /// </summary>
 internal readonly record struct Heading(double Yaw, double Pitch, double Roll)
 {
@@ -13,8 +13,8 @@ internal readonly record struct Heading(double Yaw, double Pitch, double Roll)
     private const double Pole = 1e-9;
 
     /// <summary>
-    /// The angles of a frame: yaw and roll from −180 to 180, pitch from −90 to 90. Straight up or down, yaw and roll are the same rotation; then roll is 0 and
-    /// yaw takes all of it.
+    /// The angles of a frame: yaw and roll from −180 to 180, pitch from −90 to 90. Straight up or down, yaw and roll are the same rotation. There, yaw
+    /// includes the roll, and roll is 0.
     /// </summary>
     public static Heading Of(Frame frame)
     {
@@ -31,7 +31,7 @@ internal readonly record struct Heading(double Yaw, double Pitch, double Roll)
     /// <summary>The frame with these angles at a point.</summary>
     public Frame ToFrame(Vec3 origin) => Frame.At(origin).Yaw(Yaw).Pitch(Pitch).Roll(Roll);
 
-    /// <summary>The angles that look along a direction with the wings level; straight up or down <paramref name="yaw"/> is kept.</summary>
+    /// <summary>The angles that face along a direction with the wings level. Straight up or down, <paramref name="yaw"/> is kept.</summary>
     /// <exception cref="ArgumentException">The direction is zero or not finite.</exception>
     public static Heading Towards(Vec3 direction, double yaw = 0)
     {

@@ -4,7 +4,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>The tags of a turtle's extrusions besides their beads; a new tag starts a new path.</summary>
+/// <summary>The tags of a turtle's extrusions besides their beads. A new tag starts a new path.</summary>
 internal sealed record PathTags(Role Role, Layer? Layer, int Tool, string Name, int? Color);
 
 /// <summary>Joins moves into paths and travels, in order.</summary>
@@ -28,7 +28,7 @@ internal sealed class StepRecorder
 
     public long Moves { get; private set; }
 
-    /// <summary>An estimate of what is recorded, in bytes.</summary>
+    /// <summary>Estimated memory of the recorded steps, bytes.</summary>
     public long Bytes => MoveBytes * Moves + _texts;
 
     /// <summary>True if something has been recorded at a position, so that the start is fixed.</summary>
@@ -37,7 +37,7 @@ internal sealed class StepRecorder
     /// <summary>Name of the script, or null.</summary>
     public string? File { get; set; }
 
-    /// <summary>Line of the script that is being carried out, from 1; 0 without a script.</summary>
+    /// <summary>Line of the script that is running, from 1; 0 = no script.</summary>
     public int Line { get; set; }
 
     public void Print(Vec3 from, Vec3 to, Bead bead, PathTags tags)
@@ -93,14 +93,14 @@ internal sealed class StepRecorder
         _steps.Add(new EventStep(what) { Source = Place(Line) });
     }
 
-    /// <summary>Ends the path at hand; the number of the next step.</summary>
+    /// <summary>Ends the current path. Returns the number of the next step.</summary>
     public int Begin()
     {
         Close();
         return _steps.Count;
     }
 
-    /// <summary>The steps from a number on; the path at hand ends.</summary>
+    /// <summary>The steps from a number on. Ends the current path.</summary>
     public IReadOnlyList<Step> From(int first)
     {
         Close();
@@ -113,7 +113,7 @@ internal sealed class StepRecorder
         _steps.AddRange(steps);
     }
 
-    /// <summary>All steps so far; further moves continue the last path.</summary>
+    /// <summary>All steps so far. Further moves continue the last path.</summary>
     public IReadOnlyList<Step> ToSteps()
     {
         var steps = new List<Step>(_steps.Count + 1);

@@ -7,23 +7,23 @@ namespace Caterpillar.Turtles;
 public sealed partial class Turtle
 {
     /// <summary>
-    /// Walks along an arc of a radius while turning by an angle: positive to the left, negative to the right. The heading stays tangent; with
-    /// <paramref name="climb"/> the arc rises evenly along up (a helix). Full turns without climb end exactly in the pose where they started.
+    /// Draws an arc. Positive angles turn left, negative angles turn right. The heading stays tangent. With <paramref name="climb"/> the arc rises evenly along
+    /// the up axis (a helix). Full turns without climb end exactly in the pose where they started.
     /// </summary>
     /// <param name="radius">mm, 0 or more.</param>
-    /// <param name="angle">Angle of the turn.</param>
-    /// <param name="climb">mm along up over the whole arc.</param>
-    /// <param name="segments">Number of chords; 0 for as many as the options' tolerance needs.</param>
+    /// <param name="angle">Angle of the arc.</param>
+    /// <param name="climb">Rise along the up axis over the whole arc, mm.</param>
+    /// <param name="segments">Number of chords; 0 = as many as the tolerance of the options needs.</param>
     public Turtle Arc(double radius, double angle, double climb = 0, int segments = 0)
     {
-        if (!(radius >= 0) || double.IsInfinity(radius)) throw new ArgumentOutOfRangeException(nameof(radius), "A radius must be 0 mm or more.");
+        if (!(radius >= 0) || double.IsInfinity(radius)) throw new ArgumentOutOfRangeException(nameof(radius), "The radius must be 0 mm or more.");
         if (segments is < 0 or > 1_000_000)
         {
             throw new ArgumentOutOfRangeException(nameof(segments),
-                $"The number of segments must be 1 to a million, or 0 for as many as it takes, not {NumberFormatter.Format(segments)}.");
+                $"The number of segments must be 1 to 1000000, or 0 (automatic), not {NumberFormatter.Format(segments)}.");
         }
         var sweep = Degrees(angle);
-        if (double.IsNaN(sweep) || Math.Abs(sweep) > 3.6e6) throw new ArgumentOutOfRangeException(nameof(angle), "An arc can turn up to ten thousand times.");
+        if (double.IsNaN(sweep) || Math.Abs(sweep) > 3.6e6) throw new ArgumentOutOfRangeException(nameof(angle), "The angle must be at most 10000 turns.");
         var start = Pose;
         var count = segments > 0 ? segments : new Arc(Vec3.Zero, sweep).ChordCount(new Vec3(radius, 0), _options.ArcTolerance);
         var side = sweep < 0 ? -1.0 : 1.0;
@@ -36,17 +36,17 @@ public sealed partial class Turtle
         return sweep % 360 == 0 ? Turn(start.WithOrigin(Position)) : Turn(start.WithOrigin(Position).Yaw(sweep));
     }
 
-    /// <summary>A circle with its center on the left, closed exactly.</summary>
+    /// <summary>Draws an exactly closed circle with its center on the left.</summary>
     /// <param name="radius">mm.</param>
-    /// <param name="segments">Number of chords; 0 for as many as the options' tolerance needs.</param>
+    /// <param name="segments">Number of chords; 0 = as many as the tolerance of the options needs.</param>
     public Turtle Circle(double radius, int segments = 0) => Arc(radius, AngleUnit == AngleUnit.Radians ? 2 * Math.PI : 360, 0, segments);
 
-    /// <summary>A regular polygon that starts along forward and turns left, or right with a negative side; it closes exactly and the pose stays.</summary>
+    /// <summary>Draws an exactly closed regular polygon that starts forward and turns left. A negative side turns right. The pose stays the same.</summary>
     /// <param name="sides">3 or more.</param>
     /// <param name="side">mm.</param>
     public Turtle Polygon(int sides, double side)
     {
-        if (sides is < 3 or > 1_000_000) throw new ArgumentOutOfRangeException(nameof(sides), "A polygon has three sides or more, and at max a million.");
+        if (sides is < 3 or > 1_000_000) throw new ArgumentOutOfRangeException(nameof(sides), "The number of sides must be 3 to 1000000.");
         var start = Pose;
         var hand = side < 0 ? -1.0 : 1.0;
         var length = Math.Abs(side);
@@ -58,7 +58,7 @@ public sealed partial class Turtle
         return this;
     }
 
-    /// <summary>A circle around the turtle: moves to it without printing, goes around once by chords and returns. Heading and position stay.</summary>
+    /// <summary>Draws a circle around the turtle and returns. The moves to and from the circle do not print. Heading and position stay the same.</summary>
     public Turtle CircleAround(double radius, int segments = 0)
     {
         var start = Pose;

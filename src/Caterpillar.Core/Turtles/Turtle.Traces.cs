@@ -7,8 +7,8 @@ namespace Caterpillar.Turtles;
 public sealed partial class Turtle
 {
     /// <summary>
-    /// Prints a part made of strings in the coordinates of the turtle: x is forward, y left, z up. The turtle stays where it is; with the pen up nothing is
-    /// printed. Strings without a speed have that of the turtle.
+    /// Prints a part made of strings in the coordinates of the turtle: x is forward, y left, z up. The turtle does not move. If the pen is up, nothing is
+    /// printed. Strings without a speed are printed at the speed of the turtle.
     /// </summary>
     public Turtle Draw(Trace part)
     {
@@ -20,10 +20,10 @@ public sealed partial class Turtle
         return this;
     }
 
-    /// <summary>Cross-section of extrusions that are given by width and height.</summary>
+    /// <summary>Bead shape of extrusions that are set by width and height.</summary>
     internal BeadShape Shape => _options.Shape;
 
-    /// <summary>An estimate of what has been drawn, in bytes.</summary>
+    /// <summary>Estimated memory of the recorded steps, bytes.</summary>
     internal long Bytes => _recorder.Bytes + StateBytes * _stack.Count + PoseBytes * (_poses?.Count ?? 0);
 
     // With the unused half of a growing list.
@@ -36,6 +36,6 @@ public sealed partial class Turtle
     /// <summary>The steps since then.</summary>
     internal IReadOnlyList<Step> StepsFrom(int first) => _recorder.From(first);
 
-    /// <summary>Other steps instead of those since then.</summary>
+    /// <summary>Replaces the steps since then.</summary>
     internal void ReplaceSteps(int first, IReadOnlyList<Step> steps) => _recorder.Replace(first, steps);
 }

@@ -6,22 +6,22 @@ namespace Caterpillar.Turtles;
 /// <summary>One move of a turtle's history.</summary>
 /// <param name="From">Start, mm.</param>
 /// <param name="To">End, mm.</param>
-/// <param name="Prints">True if it deposited an extrusion.</param>
-/// <param name="Filament">E: mm of filament; in place (From equals To) it may be negative.</param>
-/// <param name="Rate">F: mm/min; 0 if planning chooses.</param>
+/// <param name="Prints">True if the move printed.</param>
+/// <param name="Filament">E in mm of filament. It can be negative in place (From equals To).</param>
+/// <param name="Rate">F in mm/min; 0 = chosen by planning.</param>
 public readonly record struct TurtleMove(Vec3 From, Vec3 To, bool Prints, double Filament, double Rate)
 {
     /// <summary>Length in mm.</summary>
     public double Length => From.DistanceTo(To);
 }
 
-/// <summary>The moves of steps with their E and F, as drawn.</summary>
+/// <summary>The moves of a turtle with their E and F, as drawn.</summary>
 public static class TurtleHistory
 {
-    /// <summary>Every segment, travel and extrusion in place, in order. A first travel that states where the turtle started begins there.</summary>
+    /// <summary>All segments, travels and extrusions in place, in order.</summary>
     /// <param name="steps">Steps of a turtle.</param>
-    /// <param name="filamentDiameter">mm.</param>
-    /// <param name="start">Where the turtle started.</param>
+    /// <param name="filamentDiameter">Diameter of the filament, mm.</param>
+    /// <param name="start">Starting point of the turtle, mm. The first travel begins here.</param>
     public static IReadOnlyList<TurtleMove> Of(IReadOnlyList<Step> steps, double filamentDiameter = 1.75, Vec3 start = default)
     {
         if (steps is null) throw new ArgumentNullException(nameof(steps));

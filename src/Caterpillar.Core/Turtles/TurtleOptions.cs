@@ -4,28 +4,28 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>The initial state of a turtle. The defaults are those of ExtruderTurtle (Pezzuti Dyer and Buechley 2022, section 3).</summary>
+/// <summary>The initial state of a turtle. The defaults are from ExtruderTurtle (Pezzuti Dyer and Buechley 2022, section 3).</summary>
 public sealed record TurtleOptions
 {
-    /// <summary>Initial pose: X is forward, Y left, Z up; mm.</summary>
+    /// <summary>Initial pose, mm. X is forward, Y left, Z up.</summary>
     public Frame Start { get; init; } = Frame.World;
 
-    /// <summary>The extrusion model that converts mm of filament to extrusions; for a print that of its setup.</summary>
+    /// <summary>The extrusion model that converts mm of filament to extrusions. For a print, use the model of its setup.</summary>
     public ExtrusionModel Extrusion { get; init; } = new(ExtrusionUnit.Mm, 1.75);
 
-    /// <summary>mm of filament per mm of path.</summary>
+    /// <summary>Initial extrusion, mm of filament per mm of path.</summary>
     public double Density { get; init; } = ExtrusionModel.DefaultFactor;
 
-    /// <summary>The initial extrusion, instead of the density; one without a speed uses the rate. Null for the density.</summary>
+    /// <summary>Initial bead, instead of the density. A bead without a speed uses the rate. Null = density.</summary>
     public Bead? Bead { get; init; }
 
-    /// <summary>Shape of extrusions that are given by width and height; for a print that of its settings.</summary>
+    /// <summary>Bead shape of extrusions that are set by width and height. For a print, use the shape of its settings.</summary>
     public BeadShape Shape { get; init; } = BeadShape.Rectangle;
 
-    /// <summary>Initial speed of moves with the pen down, mm/min.</summary>
+    /// <summary>Initial print speed, mm/min.</summary>
     public double Rate { get; init; } = 1000;
 
-    /// <summary>The most mm/s of a move straight up or down that lays nothing, as the printer's Z axis allows; infinite for no limit.</summary>
+    /// <summary>Maximum speed of travel moves straight up or down, mm/s, as the printer's Z axis allows. Infinite = no limit.</summary>
     public double MaxLiftSpeed { get; init; } = double.PositiveInfinity;
 
     /// <summary>Unit of all angles of the turtle.</summary>
@@ -34,10 +34,10 @@ public sealed record TurtleOptions
     /// <summary>Maximum deviation of chords from arcs and circles, mm, if no number of segments is given.</summary>
     public double ArcTolerance { get; init; } = 0.01;
 
-    /// <summary>Keeps the pose after every command, for previews; see <see cref="Turtle.Poses"/>.</summary>
+    /// <summary>Keep the pose after every move and turn for previews. See <see cref="Turtle.Poses"/>.</summary>
     public bool KeepPoses { get; init; }
 
-    /// <summary>A turtle for a print: the extrusion model and extrusion shape of its setup, lifts as fast as the printer can.</summary>
+    /// <summary>Options for a print: the extrusion model and bead shape of its setup, and the maximum Z speed of its printer.</summary>
     public static TurtleOptions For(PrintSetup setup)
     {
         if (setup is null) throw new ArgumentNullException(nameof(setup));
@@ -53,9 +53,9 @@ public sealed record TurtleOptions
 /// <summary>Unit of angles.</summary>
 public enum AngleUnit : byte
 {
-    /// <summary>360 to a full turn.</summary>
+    /// <summary>A full turn is 360.</summary>
     Degrees,
 
-    /// <summary>2π to a full turn.</summary>
+    /// <summary>A full turn is 2π.</summary>
     Radians,
 }

@@ -3,13 +3,13 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>Positions along steps by length: the pose of a turtle at any point, and what it has printed so far.</summary>
+/// <summary>A position along the steps of a turtle, by length: the pose there and the extrusions up to there.</summary>
 public sealed class TurtleTimeline
 {
     private readonly IReadOnlyList<TurtleMove> _moves;
     private readonly double[] _ends;
 
-    /// <param name="steps">Steps of a turtle or any other source.</param>
+    /// <param name="steps">Steps of a turtle or of any other source.</param>
     public TurtleTimeline(IReadOnlyList<Step> steps)
     {
         if (steps is null) throw new ArgumentNullException(nameof(steps));
@@ -23,8 +23,8 @@ public sealed class TurtleTimeline
     public double Length => _ends.Length == 0 ? 0 : _ends[_ends.Length - 1];
 
     /// <summary>
-    /// The pose at a position along the path, 0 to 1: X along the move, wings level; between moves that of the move that ends there. The world frame if there
-    /// are no moves.
+    /// The pose at a position along the path, 0 to 1, with X along the move and the wings level. Between two moves it is the pose of the first. Without moves
+    /// it is the world frame.
     /// </summary>
     public Frame PoseAt(double part)
     {

@@ -41,7 +41,7 @@ public class CurveEdgeTests
     [TestCase("width", "infinite", "curves.number")]
     [TestCase("width", "na", "curves.number")]
     [TestCase("z", "50%", "curves.percent")]
-    [TestCase("multiplier", "50 %", null)]
+    [TestCase("flow", "50 %", null)]
     [TestCase("width", "1.5.5", "curves.number")]
     public void Settings_have_their_ranges(string column, string value, string? error)
     {
@@ -97,10 +97,10 @@ public class CurveEdgeTests
     [TestCase("print_speed_mm_s", 0, 0.7, 0, 0)]
     [TestCase("area_mm2", 0, 0, 0.7, 0)]
     [TestCase("flow", 0, 0, 0, 0.7)]
-    public void Columns_go_where_they_are_named(string name, double height, double speed, double area, double multiplier)
+    public void Columns_go_where_they_are_named(string name, double height, double speed, double area, double flow)
     {
         var curve = Read($"x,y,{name}\n0,0,0.7\n1,0,0.7\n").Value!.Single();
-        Assert.That((curve.Height ?? 0, curve.Speed ?? 0, curve.Area ?? 0, curve.Multiplier ?? 0), Is.EqualTo((height, speed, area, multiplier)));
+        Assert.That((curve.Height ?? 0, curve.Speed ?? 0, curve.Area ?? 0, curve.Flow ?? 0), Is.EqualTo((height, speed, area, flow)));
     }
 
     // The area of 0.1 mm² grows to 0.2: by half of the larger, in steps of a tenth of it.
@@ -128,8 +128,8 @@ public class CurveEdgeTests
                 options ?? new CurveOptions { Width = 0.5, Height = 0.2, Speed = 9 }).Value!.Single().BeadOf(0);
         Assert.That(Of(c => c), Is.EqualTo(new Bead(0.1, 0.2, 9)));
         Assert.That(Of(c => c with { Width = 1 }), Is.EqualTo(new Bead(0.2, 0.2, 9)));
-        Assert.That(Of(c => c with { Area = 0.7, Width = 1, Multiplier = 5 }), Is.EqualTo(new Bead(0.7, 0.2, 9)), "a given area is the whole");
-        Assert.That(Of(c => c with { Multiplier = 2, Height = 0.4, Speed = 3 }).Area, Is.EqualTo(0.4).Within(1e-12));
+        Assert.That(Of(c => c with { Area = 0.7, Width = 1, Flow = 5 }), Is.EqualTo(new Bead(0.7, 0.2, 9)), "a given area is the whole");
+        Assert.That(Of(c => c with { Flow = 2, Height = 0.4, Speed = 3 }).Area, Is.EqualTo(0.4).Within(1e-12));
         Assert.That(Of(c => c with { Area = 0.7 }, new CurveOptions { Strokes = true, Height = 0.3 }), Is.EqualTo(new Bead(0, 0.3)));
         var stadium = new CurveOptions { Width = 0.2, Height = 0.2, Shape = BeadShape.Stadium };
         Assert.That(Of(c => c, stadium).Area, Is.EqualTo(Math.PI / 4 * 0.04).Within(1e-12));

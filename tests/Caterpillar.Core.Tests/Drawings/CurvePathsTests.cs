@@ -17,7 +17,7 @@ public class CurvePathsTests
     {
         // G1 X65.7029 Y68.4932 Z40.1287 E1.3947, then G1 X66.6977 Y67.4932 Z40.2310 E1.5861: 0.1353 mm of filament per mm.
         var line = new LineCurve(new Vec3(65.7029, 68.4932, 40.1287), new Vec3(66.6977, 67.4932, 40.2310));
-        var options = new CurveOptions { Width = 0.8, Height = 0.4, Multiplier = 1.017 };
+        var options = new CurveOptions { Width = 0.8, Height = 0.4, Flow = 1.017 };
         var path = CurvePaths.ToPaths([new UserCurve(line)], options).Value!.Single();
         var law = new ExtrusionModel(ExtrusionUnit.Mm, 1.75);
         var e = law.E(path.Length, path.BeadOf(0).Area);
@@ -50,7 +50,7 @@ public class CurvePathsTests
         var options = new CurveOptions { Width = 0.5, Height = 0.2, Speed = 30 };
         Bead Bead(UserCurve curve) => CurvePaths.ToPaths([curve], options).Value!.Single().BeadOf(0);
         Assert.That(Bead(new UserCurve(line)), Is.EqualTo(new Bead(0.5 * 0.2, 0.2, 30)));
-        Assert.That(Bead(new UserCurve(line) { Width = 1, Speed = 10, Multiplier = 2 }), Is.EqualTo(new Bead(1 * 0.2 * 2, 0.2, 10)));
+        Assert.That(Bead(new UserCurve(line) { Width = 1, Speed = 10, Flow = 2 }), Is.EqualTo(new Bead(1 * 0.2 * 2, 0.2, 10)));
         Assert.That(Bead(new UserCurve(line) { Area = 0.7, Height = 0.3 }), Is.EqualTo(new Bead(0.7, 0.3, 30)));
         var path = CurvePaths.ToPaths([new UserCurve(line) { Name = "a", Tool = 2, Role = Role.Brim, Layer = new Layer(3, 1) }], options).Value!.Single();
         Assert.That((path.Name, path.Tool, path.Role, path.Layer!.Index), Is.EqualTo(("a", 2, Role.Brim, 3)));

@@ -56,8 +56,8 @@ public class CurveReaderTests
     [TestCase("150%", 1.5)]
     [TestCase("1.5", 1.5)]
     [TestCase("50 %", 0.5)]
-    public void The_multiplier_may_be_a_percentage(string text, double multiplier)
-        => Assert.That(Read($"x,y,multiplier\n0,0,{text}\n5,0,{text}\n", "c.csv").Value!.Single().Multiplier, Is.EqualTo(multiplier));
+    public void The_flow_may_be_a_percentage(string text, double flow)
+        => Assert.That(Read($"x,y,flow\n0,0,{text}\n5,0,{text}\n", "c.csv").Value!.Single().Flow, Is.EqualTo(flow));
 
     [Test]
     public void Values_that_change_on_a_closed_curve_lose_the_repeated_end()

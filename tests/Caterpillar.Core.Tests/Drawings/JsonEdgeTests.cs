@@ -36,7 +36,7 @@ public class JsonEdgeTests
     [TestCase("\"width\":-0.1", "curves.bead")]
     [TestCase("\"width\":\"%\"", "curves.number")]
     [TestCase("\"width\":\"50%\"", "curves.percent")]
-    [TestCase("\"multiplier\":\"50 %\"", null)]
+    [TestCase("\"flow\":\"50 %\"", null)]
     [TestCase("\"units\":\"ft\"", "curves.json")]
     public void Settings_have_their_ranges(string setting, string? error)
         => Assert.That(Read("{\"points\":[[0,0],[1,0]]," + setting + "}").Diagnostics.FirstOrDefault()?.Code, Is.EqualTo(error));
@@ -62,8 +62,8 @@ public class JsonEdgeTests
     [TestCase("[[0,0],[1,0]] /* end */ /* */", null)]
     [TestCase("{\"points\":[[0,0],[1]]}", "A point must be a list of two or three numbers, or an object with x and y.")]
     [TestCase("{\"points\":[[0,0],[1,2,3,4]]}", "A point must be a list of two or three numbers, or an object with x and y.")]
-    [TestCase("{\"points\":[{\"x\":0,\"y\":0,\"width\":1},{\"x\":1,\"y\":0}]}", "Either all points of a curve have \"width\" or none.")]
-    [TestCase("{\"center\":[0,0]}", "There is no \"radius\".")]
+    [TestCase("{\"points\":[{\"x\":0,\"y\":0,\"width\":1},{\"x\":1,\"y\":0}]}", "Either all points of a curve must have \"width\", or none.")]
+    [TestCase("{\"center\":[0,0]}", "The \"radius\" is missing.")]
     [TestCase("{\"degree\":2,\"points\":[[0,0],[1,0],[1,1]],\"weights\":1}", "Expected a list of numbers.")]
     [TestCase("{\"curves\":5}", "Expected a list of points, a list of curves, or an object with \"curves\".")]
     [TestCase("{}", "A curve needs \"points\", \"center\" or \"pieces\".")]
@@ -87,10 +87,10 @@ public class JsonEdgeTests
             Is.EqualTo(new (double?, double?, double?, double?)[] { (2, 5, 0.3, 4), (1, 5, null, null) }));
     }
 
-    [TestCase("v 0 0 0\nv 1 0 0\nl 0 1\nl x\n", "3:3: error curves.obj: A line uses a vertex that is not defined before it: 0.")]
-    [TestCase("v 0 0 0\nv 1 0 0\nl 1 3\nl x\n", "3:5: error curves.obj: A line uses a vertex that is not defined before it: 3.")]
-    [TestCase("v 0 0 0\nv 1 0 0\nl -1 -3\n", "3:6: error curves.obj: A line uses a vertex that is not defined before it: -3.")]
-    [TestCase("v 0 0 0\nl 1.5 1\nl x\n", "2:3: error curves.obj: A point of a line must be the number of a vertex.")]
+    [TestCase("v 0 0 0\nv 1 0 0\nl 0 1\nl x\n", "3:3: error curves.obj: A line uses vertex 0, which is not defined before it.")]
+    [TestCase("v 0 0 0\nv 1 0 0\nl 1 3\nl x\n", "3:5: error curves.obj: A line uses vertex 3, which is not defined before it.")]
+    [TestCase("v 0 0 0\nv 1 0 0\nl -1 -3\n", "3:6: error curves.obj: A line uses vertex -3, which is not defined before it.")]
+    [TestCase("v 0 0 0\nl 1.5 1\nl x\n", "2:3: error curves.obj: The points of a line must be vertex numbers.")]
     [TestCase("v 0 0\nl x\n", "1:6: error curves.obj: A vertex needs three numbers.")]
     [TestCase("v 0 0 0\nv 1e999 0 0\nl 1 2\nl x\n", "3:5: error curves.not_finite: A line uses a vertex that is not finite.")]
     public void The_first_error_of_an_obj_ends_it(string text, string error)

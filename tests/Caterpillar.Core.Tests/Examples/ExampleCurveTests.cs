@@ -53,7 +53,7 @@ public class ExampleCurveTests
     public void The_thick_cup_deposits_what_its_columns_state()
     {
         var path = CurvePaths.ToPaths(Read("thick_cup.csv", new PrintSetup())).Value!.Single();
-        // Width, height and multiplier beyond the first turn.
+        // Width, height and flow beyond the first turn.
         Assert.That(path.BeadOf(path.SegmentCount - 1).Area, Is.EqualTo(2.4 * 1.2 * 1.3).Within(1e-9));
         Assert.That(path.BeadOf(0).Area, Is.LessThan(2.4 * 0.45 * 1.3));
         Assert.That(path.End.Z, Is.EqualTo(0.4 + 40 * 1.2).Within(1e-9));

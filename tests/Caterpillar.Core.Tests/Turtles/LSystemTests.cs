@@ -105,7 +105,7 @@ internal sealed class LSystemTests
     {
         var note = System("AA(1)A", "A(x) -> B").Grow(1).Diagnostics.Single();
         Assert.That((note.Severity, note.Code, note.Count), Is.EqualTo((Severity.Note, "lsystem.value_count", 2)));
-        Assert.That(note.Message, Is.EqualTo("'A' with 0 values stays: its rules are for 1 values."));
+        Assert.That(note.Message, Is.EqualTo("'A' with 0 values stays unchanged. Number of values in its rules: 1."));
         Assert.That(System("AA(1)", "A -> B", "A(x) -> C").Grow(1).Diagnostics, Is.Empty);
     }
 
@@ -189,7 +189,7 @@ internal sealed class LSystemTests
         Draw("F(3)+(45)F(2)|F(2)", other, 10, 90);
         Assert.That(other.Position.DistanceTo(new Vec3(3, 0)), Is.LessThan(1e-12));
         Assert.That(Draw("F]", new Turtle(), 1, 90).Single().Code, Is.EqualTo("lsystem.bracket"));
-        Assert.That(Draw("[F", new Turtle(), 1, 90).Single().Message, Does.Contain("never closed"));
+        Assert.That(Draw("[F", new Turtle(), 1, 90).Single().Message, Does.Contain("without a closing"));
         var own = LSystemInterpretation.Standard(1, 90).With('A', TurtleCommand.Of(TurtleAction.Forward, 7)).With('F');
         var third = new Turtle();
         System("FAF").Grow(0).Value!.Draw(third, own);

@@ -94,7 +94,7 @@ internal sealed class ScriptLimitTests
     public void Nested_formulas_and_blocks_have_stated_limits()
     {
         string Message(string text) => TurtleScript.Compile(text, "p").Diagnostics.Single().ToString();
-        Assert.That(Message(string.Concat(Enumerable.Repeat("if 1 [ ", 100_000))), Does.StartWith("p:1:").And.Contains("more than 200 deep"));
+        Assert.That(Message(string.Concat(Enumerable.Repeat("if 1 [ ", 100_000))), Does.StartWith("p:1:").And.Contains("more than 200 levels deep"));
         Assert.That(Message("forward " + new string('(', 100_000)), Does.StartWith("p:1:").And.Contains("too deeply nested"));
         Assert.That(Message("x = 0\ncomment \"" + string.Concat(Enumerable.Repeat("{if 1}", 100_000)) + "\""), Does.StartWith("p:2:").And.Length.LessThan(400));
     }

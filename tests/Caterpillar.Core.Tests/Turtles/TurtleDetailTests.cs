@@ -21,11 +21,11 @@ internal sealed class TurtleDetailTests
         return (script.Value is null ? script.Diagnostics : script.Value.Run().Diagnostics).Single(d => d.Severity == Severity.Error);
     }
 
-    [TestCase("speed 1000001", "A speed must be up to 1000000 mm/s.")]
-    [TestCase("rate 1e300", "A speed must be up to 1000000 mm/s.")]
-    [TestCase("travel_speed 1e300", "A travel speed must be 0 to 1000000 mm/s.")]
-    [TestCase("hotend 10001", "A temperature must be 0 to 10000 °C.")]
-    [TestCase("bed_nowait 1e300", "A temperature must be 0 to 10000 °C.")]
+    [TestCase("speed 1000001", "The speed must be at most 1000000 mm/s.")]
+    [TestCase("rate 1e300", "The speed must be at most 1000000 mm/s.")]
+    [TestCase("travel_speed 1e300", "The travel speed must be 0 to 1000000 mm/s.")]
+    [TestCase("hotend 10001", "The temperature must be 0 to 10000 °C.")]
+    [TestCase("bed_nowait 1e300", "The temperature must be 0 to 10000 °C.")]
     public void Speeds_and_temperatures_that_no_machine_knows_are_refused(string text, string message)
         => Assert.That(Error(text).Message, Does.Contain(message));
 

@@ -5,20 +5,20 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Drawings;
 
-/// <summary>Which user curves planning may reorder.</summary>
+/// <summary>User curves that planning may reorder.</summary>
 public enum CurveSorting : byte
 {
-    /// <summary>None: they are printed in the given order.</summary>
+    /// <summary>None. Curves are printed in the given order.</summary>
     None,
 
-    /// <summary>Those of the same layer; layers keep the order in which they first appear.</summary>
+    /// <summary>Curves of the same layer. Layers keep the order of their first appearance.</summary>
     WithinLayers,
 
-    /// <summary>All of them, for rules that order by layer or height themselves.</summary>
+    /// <summary>All curves, for sorting rules that order by layer or height themselves.</summary>
     All,
 }
 
-/// <summary>How user curves become paths, and the settings of curves without their own.</summary>
+/// <summary>Conversion of user curves to paths, and default settings for curves without their own.</summary>
 public sealed record CurveOptions
 {
     /// <summary>Width of the extrusion, mm.</summary>
@@ -27,46 +27,46 @@ public sealed record CurveOptions
     /// <summary>Height of the extrusion, mm.</summary>
     public double Height { get; init; } = 0.2;
 
-    /// <summary>Scales the area from width × height (the flow of the material comes on top).</summary>
-    public double Multiplier { get; init; } = 1;
+    /// <summary>Flow ratio of width × height. The flow ratio of the material is applied in addition.</summary>
+    public double Flow { get; init; } = 1;
 
-    /// <summary>mm/s; 0 for the speed of the print settings.</summary>
+    /// <summary>Print speed, mm/s; 0 = printing speed of the settings.</summary>
     public double Speed { get; init; }
 
-    /// <summary>Cross-section for width × height; the rectangle is that of the Caterpillar paper.</summary>
+    /// <summary>Bead shape for width × height. The Caterpillar paper uses the rectangle.</summary>
     public BeadShape Shape { get; init; } = BeadShape.Rectangle;
 
-    /// <summary>True draws all curves without extrusion: pen, brush, bare hot tool.</summary>
+    /// <summary>Draw all curves without extrusion: pen, brush, bare hot tool.</summary>
     public bool Strokes { get; init; }
 
-    /// <summary>Division of curved parts; linear parts keep only their end points.</summary>
+    /// <summary>Subdivision of curved parts. Linear parts keep only their end points.</summary>
     public SubdivisionOptions Subdivision { get; init; } = SubdivisionOptions.ByDistance(1);
 
-    /// <summary>Where area or speed change along a curve, segments are split so that from one to the next they change by no more than this fraction.</summary>
+    /// <summary>Maximum change of area or speed from one segment to the next, as a fraction. Segments are split if it changes more.</summary>
     public double RampStep { get; init; } = 0.1;
 
-    /// <summary>Values that vary along a curve hold from their point to the next one, instead of varying linearly.</summary>
+    /// <summary>Values that vary along a curve stay constant from their point to the next, instead of varying linearly.</summary>
     public bool Steps { get; init; }
 
-    /// <summary>Above 0, every point of the curves becomes a dot of this volume, mm³, and nothing is drawn between them.</summary>
+    /// <summary>Volume of the dots at every point of the curves, mm³; 0 = off. With dots, nothing is drawn between the points.</summary>
     public double Dots { get; init; }
 
-    /// <summary>Speed of E for dots, mm/s.</summary>
+    /// <summary>Filament speed for dots, mm/s.</summary>
     public double DotSpeed { get; init; } = 2;
 
-    /// <summary>Tolerance in mm of arcs fitted to the result; 0 for none.</summary>
+    /// <summary>Tolerance of arcs fitted to the result, mm; 0 = no arc fitting.</summary>
     public double FitArcs { get; init; }
 
-    /// <summary>Paths whose ends are closer than this, in mm, are joined if everything else about them is equal; 0 for none.</summary>
+    /// <summary>Maximum distance between the ends of joined paths, mm; 0 = off. All other properties of joined paths must be equal.</summary>
     public double MergeTolerance { get; init; }
 
-    /// <summary>What planning may sort; by default curves are printed in their order.</summary>
+    /// <summary>Curves that planning may reorder. By default, curves are printed in their order.</summary>
     public CurveSorting Sorting { get; init; }
 
-    /// <summary>How much memory the points may take until they are written; more is the error <see cref="MemoryLimit.Code"/>.</summary>
+    /// <summary>Maximum memory of the points until they are written. More is the error <see cref="MemoryLimit.Code"/>.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
-    /// <summary>The settings of a profile: width, height, shape and subdivision distance.</summary>
+    /// <summary>Width, height, shape and subdivision distance from the settings of a print.</summary>
     public static CurveOptions From(PrintSettings settings)
     {
         if (settings is null) throw new ArgumentNullException(nameof(settings));

@@ -3,25 +3,25 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Drawings;
 
-/// <summary>What percentages in curve files refer to; 0 if unknown, so that percentages are errors.</summary>
+/// <summary>References for percentages in curve files; 0 = unknown (percentages are errors).</summary>
 public sealed record CurveReadOptions
 {
-    /// <summary>100 % of a width, mm: the diameter of the nozzle.</summary>
+    /// <summary>Width at 100 %, mm: the nozzle diameter.</summary>
     public double WidthReference { get; init; }
 
-    /// <summary>100 % of a height, mm: that of the layer.</summary>
+    /// <summary>Height at 100 %, mm: the layer height.</summary>
     public double HeightReference { get; init; }
 
-    /// <summary>100 % of a speed, mm/s.</summary>
+    /// <summary>Speed at 100 %, mm/s.</summary>
     public double SpeedReference { get; init; }
 
-    /// <summary>mm per unit of CSV, JSON and OBJ, which state none (JSON may: <c>"units"</c>).</summary>
+    /// <summary>mm per unit of CSV, OBJ, and JSON without <c>"units"</c>.</summary>
     public double UnitLength { get; init; } = 1;
 
-    /// <summary>How much memory the unpacked file may take; more is the error <see cref="MemoryLimit.Code"/>.</summary>
+    /// <summary>Maximum memory of the unpacked file. More is the error <see cref="MemoryLimit.Code"/>.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
-    /// <summary>Percentages refer to the nozzle, layers and speed of a setup.</summary>
+    /// <summary>References from a setup: its nozzle diameter, layer height and printing speed.</summary>
     public static CurveReadOptions For(PrintSetup setup)
     {
         if (setup is null) throw new ArgumentNullException(nameof(setup));

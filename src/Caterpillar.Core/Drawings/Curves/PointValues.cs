@@ -1,8 +1,8 @@
 namespace Caterpillar.Drawings;
 
 /// <summary>
-/// Settings that vary along a curve: for a polyline one value per vertex, for other curves values at equal steps of length. Between them they vary
-/// linearly. A null column is not given.
+/// Settings that vary along a curve. Polylines have one value per vertex. Other curves have values at equal steps of length. Between them, values vary
+/// linearly. Missing columns are null.
 /// </summary>
 public sealed class PointValues
 {
@@ -22,7 +22,7 @@ public sealed class PointValues
         }
     }
 
-    /// <summary>Values in each column; 0 without columns.</summary>
+    /// <summary>Number of values in each column; 0 = no columns.</summary>
     public int Count { get; }
 
     /// <summary>Cross-sections of the extrusion, mm².</summary>

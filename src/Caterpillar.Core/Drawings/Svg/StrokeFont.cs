@@ -3,8 +3,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Drawings;
 
 /// <summary>
-/// Letters of single strokes, for pens, nozzles and engraving: ASCII and the Latin letters with accents. They are drawn on a grid on which capitals are 12
-/// units high, small letters 8, and descenders reach 4 below the line.
+/// A single-line font for pens, nozzles and engraving: ASCII and accented Latin letters. On its grid, capitals are 12 units high, small letters 8, and
+/// descenders reach 4 units below the baseline.
 /// </summary>
 internal static class StrokeFont
 {
@@ -16,10 +16,10 @@ internal static class StrokeFont
     // What other characters look like.
     private const string Box = "60e6e6q0q0e";
 
-    /// <summary>True for characters that have a shape of their own; others are boxes.</summary>
+    /// <summary>True for characters that have a shape. Others are boxes.</summary>
     public static bool Has(char character) => StrokeFontData.Glyph(character).Length > 0 || StrokeFontData.Accented(character) is not null;
 
-    /// <summary>The strokes of a line of text that begins at the origin and runs along X, with Y up.</summary>
+    /// <summary>The strokes of a line of text from the origin along X, with Y up.</summary>
     /// <param name="text">One line.</param>
     /// <param name="capHeight">Height of capitals, mm.</param>
     /// <exception cref="ArgumentOutOfRangeException">The height is not above 0.</exception>
@@ -32,7 +32,7 @@ internal static class StrokeFont
         return strokes;
     }
 
-    /// <summary>How far the text reaches, from the beginning of its first letter to that of one that followed, mm.</summary>
+    /// <summary>Width of the text from its first letter to the start of a following letter, mm.</summary>
     /// <inheritdoc cref="Strokes"/>
     public static double Advance(string text, double capHeight)
     {
@@ -44,7 +44,7 @@ internal static class StrokeFont
 
     private static double Scale(double capHeight) => capHeight > 0 && !double.IsInfinity(capHeight)
         ? capHeight / CapHeight
-        : throw new ArgumentOutOfRangeException(nameof(capHeight), "The height of letters must be above 0.");
+        : throw new ArgumentOutOfRangeException(nameof(capHeight), "The letter height must be above 0.");
 
     private static char Plain(char character) => StrokeFontData.Accented(character)?.Letter ?? character;
 

@@ -1,6 +1,6 @@
 namespace Caterpillar.Drawings;
 
-/// <summary>The shapes of <see cref="StrokeFont"/>: a digit for the width, then strokes, points of which are a digit for x and a letter for y.</summary>
+/// <summary>The shapes of <see cref="StrokeFont"/>: a digit for the width, then strokes. Points of strokes are a digit for x and a letter for y.</summary>
 internal static class StrokeFontData
 {
     /// <summary>The middle of the marks, in the units of the letters.</summary>
@@ -33,7 +33,7 @@ internal static class StrokeFontData
         + "ņn,ŇNvňnvŌO-ōo-ŎOuŏouŐO\"őo\"ŔR'ŕr'ŖR,ŗr,ŘRvřrvŚS'śs'ŜS^ŝs^ŞS,şs,ŠSvšsvŢT,ţt,ŤTvťtvŨU~ũu~ŪU-ūu-ŬUuŭuuŮUoůuoŰU\""
         + "űu\"ŲU,ųu,ŴW^ŵw^ŶY^ŷy^ŸY:ŹZ'źz'ŻZ.żz.ŽZvžzv";
 
-    /// <summary>The shape of a character; empty for one without.</summary>
+    /// <summary>The shape of a character. Empty = no shape.</summary>
     public static string Glyph(char character) => character switch
     {
         >= ' ' and <= '~' => Ascii[character - ' '],
@@ -62,7 +62,7 @@ internal static class StrokeFontData
         return null;
     }
 
-    /// <summary>The shape of an accent above a letter of height 0, or below the line.</summary>
+    /// <summary>The shape of an accent above a letter of height 0, or below the baseline.</summary>
     public static string Mark(char mark) => mark switch
     {
         '`' => "2h4f",

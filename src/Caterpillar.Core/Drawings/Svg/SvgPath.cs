@@ -4,8 +4,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Drawings;
 
 /// <summary>
-/// The data of an SVG path (SVG 1.1, section 8.3): all commands, absolute and relative. Subpaths come out in user units with Y as in the file; lines are
-/// polylines, Béziers are NURBS curves, elliptical arcs are arcs or NURBS curves (implementation notes F.6).
+/// The data of an SVG path (SVG 1.1, section 8.3): all commands, absolute and relative. Subpaths are in user units with Y as in the file. Lines become
+/// polylines, Béziers become NURBS curves, and elliptical arcs become arcs or NURBS curves (implementation notes F.6).
 /// </summary>
 internal sealed class SvgPath
 {
@@ -26,7 +26,7 @@ internal sealed class SvgPath
         for (var i = 0; i < data.Length; i++) _text[i] = data[i] < 128 ? (byte)data[i] : (byte)'?';
     }
 
-    /// <summary>The subpaths; if the data is wrong, the error and its position in the text. Subpaths without length are counted.</summary>
+    /// <summary>The subpaths, or the error and its position in the text. Subpaths without length are counted.</summary>
     public static (IReadOnlyList<Curve> Subpaths, int Empty, string? Error, int At) Parse(string data)
     {
         var path = new SvgPath(data);
@@ -41,7 +41,7 @@ internal sealed class SvgPath
         Skip();
         if (_at < _text.Length && _text[_at] is not ((byte)'M' or (byte)'m'))
         {
-            _error = "The data of a path must begin with M.";
+            _error = "Path data must begin with M.";
             return;
         }
         while (_error is null)
@@ -51,7 +51,7 @@ internal sealed class SvgPath
             var command = (char)_text[_at];
             if (!IsCommand(command))
             {
-                _error = "Expected a command of a path: M L H V C S Q T A or Z.";
+                _error = "Expected a path command: M L H V C S Q T A or Z.";
                 return;
             }
             _at++;

@@ -8,11 +8,10 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Drawings;
 
 /// <summary>
-/// Paths and basic shapes of SVG, in the order of the file, as curves in mm: transforms of groups, units and viewBox are applied, and the page stands upright
-/// with its lower left corner at the origin. Attributes <c>data-width</c>, <c>data-height</c>, <c>data-area</c>, <c>data-speed</c>, <c>data-multiplier</c>,
-/// <c>data-z</c>, <c>data-tool</c> and <c>data-layer</c> (mm, mm², mm/s) on shapes or groups give settings; widths, heights and speeds also as percentages.
-/// Elements that refer to others (<c>use</c>, <c>symbol</c>) are followed, text is written in letters of single strokes (<see cref="StrokeFont"/>). Hidden
-/// elements and definitions are ignored.
+/// Paths and basic shapes of SVG, in the order of the file, as curves in mm. Group transforms, units and viewBox are applied. The lower left corner of the page
+/// is at the origin. Settings are attributes of shapes or groups: <c>data-width</c>, <c>data-height</c>, <c>data-area</c>, <c>data-speed</c>,
+/// <c>data-flow</c>, <c>data-z</c>, <c>data-tool</c> and <c>data-layer</c> (mm, mm², mm/s). Width, height, speed and flow can be percentages. References
+/// (<c>use</c>, <c>symbol</c>) are followed. Text is drawn in a single-line font (<see cref="StrokeFont"/>). Hidden elements and definitions are ignored.
 /// </summary>
 internal sealed class SvgReader
 {
@@ -138,12 +137,12 @@ internal sealed class SvgReader
         {
             if (name is "image")
             {
-                _source.Diagnostics.Add(Severity.Warning, "curves.svg_" + name, $"Elements \"{name}\" are ignored; convert them to paths.", _xml.Here());
+                _source.Diagnostics.Add(Severity.Warning, "curves.svg_" + name, $"\"{name}\" elements are ignored. Convert them to paths.", _xml.Here());
             }
             else if (Xml.NamespaceURI is "" or "http://www.w3.org/2000/svg")
             {
                 _source.Diagnostics.Add(Severity.Note, "curves.ignored",
-                    $"Elements without curves are ignored, the first is \"{(name.Length > 30 ? name.Substring(0, 30) : name)}\".", _xml.Here());
+                    $"Elements without curves are ignored. The first is \"{(name.Length > 30 ? name.Substring(0, 30) : name)}\".", _xml.Here());
             }
             _xml.SkipContent();
             return true;
@@ -162,7 +161,7 @@ internal sealed class SvgReader
         var (width, height) = (outer.Width, outer.Height);
         if (_xml.Attribute("transform") is { } transform && !isRoot)
         {
-            if (SvgValues.Transform(transform) is not { } own) return _xml.Fail<Scope>("transform", "This is not a list of transforms.");
+            if (SvgValues.Transform(transform) is not { } own) return _xml.Fail<Scope>("transform", "Expected a list of transforms.");
             map = own.Then(map);
         }
         if (isSvg)
@@ -187,7 +186,7 @@ internal sealed class SvgReader
         var ownWidth = Extent("width", box is null ? (isRoot ? 0 : width) : box[2], width, isRoot, out var badWidth);
         var ownHeight = Extent("height", box is null ? (isRoot ? 0 : height) : box[3], height, isRoot, out var badHeight);
         if (_viewport is { } used) (ownWidth, ownHeight, badWidth, badHeight) = (used.Width, used.Height, false, false);
-        if (badWidth || badHeight) return _xml.FailValue<Affine>(badWidth ? "width" : "height", "This is not a length.");
+        if (badWidth || badHeight) return _xml.FailValue<Affine>(badWidth ? "width" : "height", "Expected a length.");
         double x = 0, y = 0;
         if (!isRoot)
         {
@@ -219,7 +218,7 @@ internal sealed class SvgReader
         const double S = 1 / SvgValues.PixelsPerMm;
         if (_pageHeight == 0)
         {
-            _source.Diagnostics.Add(Severity.Note, "curves.svg_page", "The file states no page height: curves lie below the X axis as drawn.", _xml.Here());
+            _source.Diagnostics.Add(Severity.Note, "curves.svg_page", "The file has no page height. Curves stay below the X axis, as drawn.", _xml.Here());
         }
         return new Affine(new Vec3(S, 0), new Vec3(0, -S), Vec3.UnitZ, new Vec3(0, _pageHeight * S));
     }
@@ -266,7 +265,7 @@ internal sealed class SvgReader
         }
         if (curves is null)
         {
-            _source.Error("curves.svg", $"An attribute of this element \"{name}\" is wrong.", place);
+            _source.Error("curves.svg", $"This \"{name}\" element has an invalid attribute.", place);
             return false;
         }
         if (curves.Count == 0 || empty > 0) _source.TooShort(place);
@@ -307,15 +306,15 @@ internal sealed class SvgReader
         _xml.SkipContent();
         if (href.Length < 2 || href[0] != '#' || !_xml.Named().TryGetValue(href.Substring(1), out var target))
         {
-            _source.Diagnostics.Add(Severity.Warning, "curves.svg_use", "What an element \"use\" refers to is not in the file; it is ignored.", place);
+            _source.Diagnostics.Add(Severity.Warning, "curves.svg_use", "The target of this \"use\" element is not in the file. It is ignored.", place);
             return true;
         }
         if (++_uses > MaxUses || _useDepth == MaxUseDepth)
         {
-            _source.Error("curves.svg", "Elements \"use\" refer to each other, or there are too many.", place);
+            _source.Error("curves.svg", "\"use\" elements refer to each other, or the file has too many of them.", place);
             return false;
         }
-        if (_source.Options.Memory.Refuse(_source.Curves.Count * BytesPerCurve, "What elements \"use\" repeat", place) is { } tooMuch)
+        if (_source.Options.Memory.Refuse(_source.Curves.Count * BytesPerCurve, "The curves that \"use\" elements repeat", place) is { } tooMuch)
         {
             _source.Diagnostics.Add(tooMuch);
             return false;
@@ -348,7 +347,7 @@ internal sealed class SvgReader
             if (Xml.NodeType is not (XmlNodeType.Text or XmlNodeType.CDATA) || !(cap > 0)) continue;
             var line = OneLine(Xml.Value);
             if (line.Any(c => !StrokeFont.Has(c)))
-                _source.Diagnostics.Add(Severity.Warning, "curves.svg_letters", "Characters that the font of single strokes lacks are drawn as boxes.", place);
+                _source.Diagnostics.Add(Severity.Warning, "curves.svg_letters", "Characters missing from the single-line font are drawn as boxes.", place);
             var width = StrokeFont.Advance(line, cap);
             var start = anchor == "middle" ? x - width / 2 : anchor == "end" ? x - width : x;
             foreach (var stroke in StrokeFont.Strokes(line, cap))

@@ -4,30 +4,30 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Drawings;
 
-/// <summary>What attributes of elements state about the curves in them, mm, mm² and mm/s: area, width, height, speed and multiplier, then the others.</summary>
+/// <summary>Settings of curves from the attributes of elements, mm, mm² and mm/s. The values are area, width, height, speed and flow.</summary>
 internal sealed record SvgSettings(double?[] Values, double Z, int Tool, int? Layer, string Name)
 {
-    /// <summary>Nothing is stated.</summary>
+    /// <summary>No settings.</summary>
     public static SvgSettings None => new(new double?[5], 0, 0, null, "");
 
-    /// <summary>The settings of the element at hand, with those around it; null after an error.</summary>
+    /// <summary>The settings of the current element and the elements around it. Null after an error.</summary>
     public SvgSettings? Inside(SvgXml xml, CurveReadOptions options)
     {
         var values = (double?[])Values.Clone();
-        string[] names = ["data-area", "data-width", "data-height", "data-speed", "data-multiplier"];
+        string[] names = ["data-area", "data-width", "data-height", "data-speed", "data-flow"];
         for (var i = 0; i < names.Length; i++)
         {
             if (xml.Attribute(names[i]) is not { } text) continue;
             if (Value(text, CurveColumns.Whole(CurveColumn.Area + i, options)) is not (>= 0 and var value))
             {
-                return xml.Fail<SvgSettings>(names[i], "Settings of an extrusion must be numbers of 0 or more, or percentages of something known.");
+                return xml.Fail<SvgSettings>(names[i], "Settings of an extrusion must be numbers of 0 or more, or percentages with a known reference.");
             }
             values[i] = value;
         }
         var (z, tool, layer) = (Z, Tool, Layer);
         if (xml.Attribute("data-z") is { } height)
         {
-            if (Value(height, 0) is not { } value) return xml.Fail<SvgSettings>("data-z", "A height must be a number in mm.");
+            if (Value(height, 0) is not { } value) return xml.Fail<SvgSettings>("data-z", "The height must be a number in mm.");
             z = value;
         }
         if (xml.Attribute("data-tool") is { } toolText)
@@ -35,12 +35,12 @@ internal sealed record SvgSettings(double?[] Values, double Z, int Tool, int? La
             if (!NumberReader.TryParseInt(toolText.Trim(), out tool)
                 || tool is < 0 or > 1000)
             {
-                return xml.Fail<SvgSettings>("data-tool", "A tool must be a number from 0 to 1000.");
+                return xml.Fail<SvgSettings>("data-tool", "The tool must be a number from 0 to 1000.");
             }
         }
         if (xml.Attribute("data-layer") is { } layerText)
         {
-            if (!NumberReader.TryParseInt(layerText.Trim(), out var number)) return xml.Fail<SvgSettings>("data-layer", "A layer must be a whole number.");
+            if (!NumberReader.TryParseInt(layerText.Trim(), out var number)) return xml.Fail<SvgSettings>("data-layer", "The layer must be an integer.");
             layer = number;
         }
         return new SvgSettings(values, z, tool, layer, xml.Attribute("data-name") ?? xml.Attribute("id") ?? "");
@@ -61,7 +61,7 @@ internal sealed record SvgSettings(double?[] Values, double Z, int Tool, int? La
         Width = Values[1],
         Height = Values[2],
         Speed = Values[3],
-        Multiplier = Values[4],
+        Flow = Values[4],
         Tool = Tool,
         Layer = Layer is { } layer ? new Layer(layer, curve.Bounds.Max.Z) : null,
         Source = place,

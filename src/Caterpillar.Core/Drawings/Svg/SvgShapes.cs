@@ -3,7 +3,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Drawings;
 
-/// <summary>The basic shapes of SVG as curves in user units; null if an attribute is wrong, none if the shape is empty.</summary>
+/// <summary>The basic shapes of SVG as curves in user units. Null if an attribute is invalid. Empty if the shape is empty.</summary>
 internal static class SvgShapes
 {
     public static IReadOnlyList<Curve>? Line(Func<string, double?> length)

@@ -4,13 +4,13 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Drawings;
 
-/// <summary>Lengths, lists of numbers and transforms as SVG writes them. Null if the text is wrong.</summary>
+/// <summary>SVG lengths, lists of numbers and transforms. Null if the text is invalid.</summary>
 internal static class SvgValues
 {
     /// <summary>CSS pixels per mm.</summary>
     public const double PixelsPerMm = 96 / Units.MmPerInch;
 
-    /// <summary>A length in CSS pixels; a percentage of <paramref name="whole"/>.</summary>
+    /// <summary>A length in CSS pixels. Percentages refer to <paramref name="whole"/>.</summary>
     public static double? Length(string? text, double whole)
     {
         if (text is null) return null;
@@ -50,7 +50,7 @@ internal static class SvgValues
         }
     }
 
-    /// <summary>A list of transforms, as one map; the last in the list acts first.</summary>
+    /// <summary>A list of transforms as one map. The last in the list acts first.</summary>
     public static Affine? Transform(string text)
     {
         var map = Affine.Identity;

@@ -4,7 +4,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Drawings;
 
-/// <summary>The XML of a drawing at the element at hand, and where in the file that is.</summary>
+/// <summary>The XML of a drawing at the current element, with its position in the file.</summary>
 internal sealed class SvgXml
 {
     private readonly CurveSource _source;
@@ -25,7 +25,7 @@ internal sealed class SvgXml
         _lines = starts.ToArray();
     }
 
-    /// <summary>At the element at hand; another one while an element is repeated elsewhere.</summary>
+    /// <summary>Reader at the current element. While an element is repeated, it is the reader of the repeated element.</summary>
     public XmlReader Reader { get; set; }
 
     private IXmlLineInfo Line => (IXmlLineInfo)Reader;
@@ -41,7 +41,7 @@ internal sealed class SvgXml
 
     public SourceLocation Here() => _source.Place(Math.Max(1, Line.LineNumber), Math.Max(1, Line.LinePosition));
 
-    /// <summary>Reports how far the file is read.</summary>
+    /// <summary>Reports the progress of reading.</summary>
     public void Pulse() => _source.Pulse(LineStart(Line.LineNumber), _text.Length);
 
     public void SkipContent()
@@ -73,7 +73,7 @@ internal sealed class SvgXml
         return null;
     }
 
-    /// <summary>Elements by their id; the first of equal ones counts.</summary>
+    /// <summary>Elements by id. If ids are equal, the first counts.</summary>
     public Dictionary<string, XElement> Named()
     {
         if (_named is not null) return _named;

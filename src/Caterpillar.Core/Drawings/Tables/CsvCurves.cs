@@ -7,9 +7,9 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Drawings;
 
 /// <summary>
-/// Points in rows: x, y and optionally z, or a line with the names of the columns first. Rows with another value in the column <c>curve</c>, or after an empty
-/// line, begin a new curve. Lines with <c>#</c> are comments. Cells are separated by commas, semicolons, tabs or spaces; with semicolons and tabs a decimal
-/// comma is understood.
+/// Points in rows: x, y and optionally z. Files with other columns start with a line of column names. Rows with another value in the column <c>curve</c>, or
+/// after an empty line, begin a new curve. Lines with <c>#</c> are comments. Cells are separated by commas, semicolons, tabs or spaces. With any separator but
+/// the comma, decimal commas are allowed.
 /// </summary>
 internal sealed class CsvCurves
 {
@@ -29,7 +29,7 @@ internal sealed class CsvCurves
     private int _lineStart;
     private int _keyStart;
     private int _keyEnd;
-    private double? _multiplier;
+    private double? _flow;
     private double? _tool;
     private double? _layer;
 
@@ -116,7 +116,7 @@ internal sealed class CsvCurves
                 _columns = cells == 2 ? [CurveColumn.X, CurveColumn.Y] : [CurveColumn.X, CurveColumn.Y, CurveColumn.Z];
                 return true;
             }
-            Fail("curves.csv", "Expected rows of x, y and z; other columns need a first line with their names, for example x,y,z,width,speed.", _starts[0]);
+            Fail("curves.csv", "Expected rows of x, y and z. Other columns need a first line with their names, for example x,y,z,width,speed.", _starts[0]);
             return false;
         }
         _columns = new CurveColumn[cells];
@@ -128,7 +128,7 @@ internal sealed class CsvCurves
             _columns[i] = column;
             if (column == CurveColumn.Ignored)
             {
-                _source.Diagnostics.Add(Severity.Warning, "curves.ignored", $"The column \"{Short(name)}\" is unknown and is ignored.", At(_starts[i]));
+                _source.Diagnostics.Add(Severity.Warning, "curves.ignored", $"Unknown column \"{Short(name)}\" is ignored.", At(_starts[i]));
                 continue;
             }
             if (seen[(int)column])
@@ -142,7 +142,7 @@ internal sealed class CsvCurves
         }
         if (!(seen[(int)CurveColumn.X] && seen[(int)CurveColumn.Y]))
         {
-            Fail("curves.csv", "The first line must name the columns x and y, or hold numbers.", _starts[0]);
+            Fail("curves.csv", "The first line must contain numbers, or the column names x and y.", _starts[0]);
         }
         return false;
     }
@@ -170,12 +170,12 @@ internal sealed class CsvCurves
             if (double.IsNaN(value - value)) return Fail("curves.not_finite", "Values must be finite.", _starts[i]);
             if (percent && !Resolve(column, ref value))
             {
-                return Fail("curves.percent", "A percentage is not possible here, or there is no value it refers to.", _starts[i]);
+                return Fail("curves.percent", CurveColumns.NoPercentage, _starts[i]);
             }
             if (column > CurveColumn.Z && value < 0
                 && column != CurveColumn.Layer)
             {
-                return Fail("curves.bead", "Settings of an extrusion must be 0 or more.", _starts[i]);
+                return Fail("curves.bead", CurveColumns.Negative, _starts[i]);
             }
             switch (column)
             {
@@ -188,8 +188,8 @@ internal sealed class CsvCurves
                 case CurveColumn.Z:
                     z = value;
                     break;
-                case CurveColumn.Multiplier:
-                    _multiplier = value;
+                case CurveColumn.Flow:
+                    _flow = value;
                     break;
                 case CurveColumn.Tool:
                     _tool = value;
@@ -205,7 +205,7 @@ internal sealed class CsvCurves
                     break;
             }
         }
-        if (_tool is > 1000 || _layer is > 1e8 or < -1e8) return Fail("curves.number", "The number of the tool or layer is out of range.", _starts[0]);
+        if (_tool is > 1000 || _layer is > 1e8 or < -1e8) return Fail("curves.number", "The tool or layer number is out of range.", _starts[0]);
         Add(x, y, z);
         return true;
     }
@@ -260,7 +260,7 @@ internal sealed class CsvCurves
     private UserCurve With(UserCurve curve) => curve with
     {
         Name = Encoding.UTF8.GetString(_bytes, _keyStart, _keyEnd - _keyStart).Trim('"', '\''),
-        Multiplier = _multiplier,
+        Flow = _flow,
         Tool = (int)(_tool ?? 0),
         Layer = _layer is { } layer ? new Layer((int)layer, curve.Curve.Bounds.Max.Z) : null,
         Source = _source.Place(_curveLine),

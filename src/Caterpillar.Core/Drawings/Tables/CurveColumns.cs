@@ -11,7 +11,7 @@ internal enum CurveColumn
     Width,
     Height,
     Speed,
-    Multiplier,
+    Flow,
     Tool,
     Layer,
     Dot,
@@ -24,17 +24,21 @@ internal static class CurveColumns
     /// <summary>Number of settings of points, from <see cref="CurveColumn.Area"/>.</summary>
     public const int Settings = 4;
 
-    /// <summary>What 100 % of a column is; 0 where there is nothing that a percentage could refer to.</summary>
+    public const string NoPercentage = "A percentage is not allowed here, or its reference is unknown.";
+
+    public const string Negative = "Settings of an extrusion must be 0 or more.";
+
+    /// <summary>The value at 100 % of a column; 0 = percentages are not allowed.</summary>
     public static double Whole(CurveColumn column, CurveReadOptions options) => column switch
     {
         CurveColumn.Width => options.WidthReference,
         CurveColumn.Height => options.HeightReference,
         CurveColumn.Speed => options.SpeedReference,
-        CurveColumn.Multiplier => 1,
+        CurveColumn.Flow => 1,
         _ => 0,
     };
 
-    /// <summary>The column of a name, ignoring case, and with units like <c>width_mm</c>, <c>speed (mm/s)</c>; Ignored if it is unknown.</summary>
+    /// <summary>The column of a name. Case and units like <c>width_mm</c> or <c>speed (mm/s)</c> do not matter. Unknown names are ignored.</summary>
     public static CurveColumn Of(string name)
     {
         var plain = name.Trim().Trim('"', '\'').ToLowerInvariant();
@@ -53,7 +57,7 @@ internal static class CurveColumns
             "width" or "line_width" or "w" => CurveColumn.Width,
             "height" or "layer_height" or "h" => CurveColumn.Height,
             "speed" or "print_speed" => CurveColumn.Speed,
-            "multiplier" or "flow" or "flow_ratio" => CurveColumn.Multiplier,
+            "flow" or "flow_ratio" => CurveColumn.Flow,
             "tool" => CurveColumn.Tool,
             "layer" => CurveColumn.Layer,
             "dot" or "blob" => CurveColumn.Dot,
@@ -63,8 +67,8 @@ internal static class CurveColumns
     }
 
     /// <summary>
-    /// The curve with settings from columns over its points (area, width, height, speed; null if not given): a column of equal values becomes a setting of
-    /// the whole curve.
+    /// The curve with settings from columns of its points: area, width, height and speed. Missing columns are null. A column of equal values becomes a setting
+    /// of the whole curve.
     /// </summary>
     public static UserCurve WithValues(UserCurve curve, double[]?[] columns)
     {

@@ -29,9 +29,9 @@ internal sealed class CurveSource(
 
     /// <summary>A curve of fewer than two different points.</summary>
     public void TooShort(SourceLocation place)
-        => Diagnostics.Add(Severity.Warning, "curves.too_short", "Curves of fewer than two different points are ignored.", place);
+        => Diagnostics.Add(Severity.Warning, "curves.too_short", "Curves with fewer than two different points are ignored.", place);
 
-    /// <summary>A polyline; null, and reported, if it has no length. The points are finite. A last point equal to the first closes it.</summary>
+    /// <summary>A polyline of finite points, or null and a warning if it has no length. A last point equal to the first closes it.</summary>
     public PolylineCurve? Polyline(Vec3[] points, bool closed, SourceLocation place, out bool endDropped)
     {
         endDropped = false;

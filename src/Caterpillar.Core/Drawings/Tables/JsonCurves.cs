@@ -9,17 +9,16 @@ using Newtonsoft.Json.Linq;
 namespace Caterpillar.Drawings;
 
 /// <summary>
-/// Curves as JSON: <c>[[x,y,z], …]</c> is one curve, a list of such lists several, and <c>{"curves": […], "units": "mm"}</c> the full form. A curve is a list
-/// of points or an object:
-/// <c>points</c>, <c>closed</c>; or <c>degree</c>, <c>points</c>, <c>knots</c>, <c>weights</c>, <c>periodic</c> for NURBS; or <c>center</c>, <c>radius</c>,
-/// <c>start</c>, <c>sweep</c> for a horizontal arc or circle; or <c>pieces</c> for joined curves; with <c>name</c>, <c>area</c>, <c>width</c>, <c>height</c>,
-/// <c>multiplier</c>, <c>speed</c>, <c>tool</c>, <c>layer</c> and <c>dot</c>. Settings outside of
-/// <c>curves</c> apply to all. A point is a list of two or three numbers, or an object with x, y, z and its own area, width, height and speed. Percentages are
-/// texts like <c>"80%"</c>.
+/// Curves as JSON: <c>[[x,y,z], …]</c> is one curve, a list of such lists is several curves, and <c>{"curves": […], "units": "mm"}</c> is the full form. A
+/// curve is a list of points or an object. Polylines have <c>points</c> and <c>closed</c>. NURBS have <c>degree</c>, <c>points</c>, <c>knots</c>,
+/// <c>weights</c> and <c>periodic</c>. Horizontal arcs and circles have <c>center</c>, <c>radius</c>, <c>start</c> and <c>sweep</c>. Joined curves have
+/// <c>pieces</c>. All can have <c>name</c>, <c>area</c>, <c>width</c>, <c>height</c>, <c>flow</c>, <c>speed</c>, <c>tool</c>, <c>layer</c> and <c>dot</c>.
+/// Settings outside <c>curves</c> apply to all. A point is a list of two or three numbers, or an object with x, y, z and its own area, width, height and speed.
+/// Percentages are texts like <c>"80%"</c>.
 /// </summary>
 internal sealed class JsonCurves
 {
-    private static readonly string[] Settings = ["area", "width", "height", "speed", "multiplier"];
+    private static readonly string[] Settings = ["area", "width", "height", "speed", "flow"];
 
     private static readonly string[] Known =
         ["curves", "units", "points", "closed", "degree", "knots", "weights", "periodic", "center", "radius", "start", "sweep", "pieces", "name", "tool",
@@ -149,22 +148,23 @@ internal sealed class JsonCurves
             Width = found[1] ?? user.Width,
             Height = found[2] ?? user.Height,
             Speed = found[3] ?? user.Speed,
-            Multiplier = found[4] ?? user.Multiplier,
+            Flow = found[4] ?? user.Flow,
         };
         if (holder["name"] is { Type: JTokenType.String } name) user = user with { Name = (string)name! };
         if (holder["tool"] is { } tool)
         {
-            if (Number(tool) is not (>= 0 and <= 1000 and var number)) throw new CurveException("curves.json", "A tool must be a number from 0 to 1000.", tool);
+            if (Number(tool) is not (>= 0 and <= 1000 and var number))
+                throw new CurveException("curves.json", "The tool must be a number from 0 to 1000.", tool);
             user = user with { Tool = (int)number };
         }
         if (holder["dot"] is { } dot)
         {
-            if (Number(dot) is not (>= 0 and var volume)) throw new CurveException("curves.json", "A dot must be a volume of 0 mm³ or more.", dot);
+            if (Number(dot) is not (>= 0 and var volume)) throw new CurveException("curves.json", "The volume of a dot must be 0 mm³ or more.", dot);
             user = user with { Dot = volume };
         }
         if (holder["layer"] is { } layer)
         {
-            if (Number(layer) is not (>= -1e8 and <= 1e8 and var number)) throw new CurveException("curves.json", "A layer must be a whole number.", layer);
+            if (Number(layer) is not (>= -1e8 and <= 1e8 and var number)) throw new CurveException("curves.json", "The layer must be an integer.", layer);
             user = user with { Layer = new Toolpaths.Layer((int)number, user.Curve.Bounds.Max.Z) };
         }
         return user;
@@ -203,7 +203,7 @@ internal sealed class JsonCurves
     private ArcCurve ArcOf(JObject curve, JToken center)
     {
         var origin = Point(center, null);
-        var radius = Read(curve["radius"] ?? throw new CurveException("curves.json", "There is no \"radius\".", center));
+        var radius = Read(curve["radius"] ?? throw new CurveException("curves.json", "The \"radius\" is missing.", center));
         var start = curve["start"] is { } from ? Read(from) : 0;
         var sweep = curve["sweep"] is { } turn ? Read(turn) : 360;
         var (sin, cos) = Angle.SinCos(start);
@@ -239,7 +239,7 @@ internal sealed class JsonCurves
             if (given == 0) continue;
             if (given < rows.Length)
             {
-                throw new CurveException("curves.json", $"Either all points of a curve have \"{Settings[c]}\" or none.",
+                throw new CurveException("curves.json", $"Either all points of a curve must have \"{Settings[c]}\", or none.",
                     list[Array.FindIndex(rows, r => r[column] is null)]);
             }
             values[c] = rows.Take(rows.Length - (endDropped ? 1 : 0)).Select(r => r[column]!.Value).ToArray();
@@ -285,14 +285,14 @@ internal sealed class JsonCurves
             && NumberReader.TryParse(text.Substring(0, text.Length - 1).Trim(), out var percent))
         {
             var reference = CurveColumns.Whole(CurveColumns.Of(key), _source.Options);
-            if (!(reference > 0)) throw new CurveException("curves.percent", "A percentage is not possible here, or there is no value it refers to.", token);
+            if (!(reference > 0)) throw new CurveException("curves.percent", CurveColumns.NoPercentage, token);
             value = percent / 100 * reference;
         }
         else
         {
             value = Read(token);
         }
-        return value >= 0 ? value : throw new CurveException("curves.bead", "Settings of an extrusion must be 0 or more.", token);
+        return value >= 0 ? value : throw new CurveException("curves.bead", CurveColumns.Negative, token);
     }
 
     private static bool Flag(JToken? token) => token is { Type: JTokenType.Boolean } flag && (bool)flag;
@@ -313,7 +313,7 @@ internal sealed class JsonCurves
         {
             if (Array.IndexOf(Known, property.Name) < 0)
                 _source.Diagnostics.Add(Severity.Warning, "curves.ignored",
-                    $"The key \"{(property.Name.Length > 30 ? property.Name.Substring(0, 30) : property.Name)}\" is unknown and is ignored.",
+                    $"Unknown key \"{(property.Name.Length > 30 ? property.Name.Substring(0, 30) : property.Name)}\" is ignored.",
                     Place(property));
         }
     }

@@ -71,13 +71,13 @@ internal sealed class ObjCurves
             var end = System.Array.IndexOf(_cursor.Bytes, (byte)'/', start, _cursor.At - start);
             if (!NumberReader.TryParse(_cursor.Bytes, start, end < 0 ? _cursor.At : end, out var number) || number != System.Math.Floor(number))
             {
-                _source.Error("curves.obj", "A point of a line must be the number of a vertex.", At(start));
+                _source.Error("curves.obj", "The points of a line must be vertex numbers.", At(start));
                 return false;
             }
             var index = number < 0 ? _vertices.Count + number : number - 1;
             if (!(index >= 0 && index < _vertices.Count))
             {
-                _source.Error("curves.obj", $"A line uses a vertex that is not defined before it: {NumberFormatter.Format(number, 0)}.", At(start));
+                _source.Error("curves.obj", $"A line uses vertex {NumberFormatter.Format(number, 0)}, which is not defined before it.", At(start));
                 return false;
             }
             var point = _vertices[(int)index];
@@ -108,7 +108,7 @@ internal sealed class ObjCurves
         if (_cursor.Bytes[start] == '#') return;
         if (_cursor.WordIs(start, "f")) _source.Diagnostics.Add(Severity.Note, "curves.faces", "Faces are not curves and are ignored.", At(start));
         else if (_cursor.WordIs(start, "curv") || _cursor.WordIs(start, "cstype"))
-            _source.Diagnostics.Add(Severity.Warning, "curves.unsupported", "Free-form curves of OBJ are ignored; only l elements are read.", At(start));
+            _source.Diagnostics.Add(Severity.Warning, "curves.unsupported", "Free-form OBJ curves are ignored. Only l elements are read.", At(start));
     }
 
     private SourceLocation At(int offset) => _source.Place(_line, offset - _lineStart + 1);

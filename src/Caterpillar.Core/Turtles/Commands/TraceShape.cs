@@ -4,10 +4,10 @@ using Caterpillar.Traces;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>A shape made of strings (Kanada 2016, section 3.3) around the turtle, as a command states it.</summary>
+/// <summary>A shape made of strings (Kanada 2016, section 3.3) around the turtle, from a command.</summary>
 internal sealed class TraceShape
 {
-    /// <summary>What one string takes in memory until it is a move.</summary>
+    /// <summary>Memory of one string until it is a move, bytes.</summary>
     public const int StringBytes = 250;
 
     private readonly Action<Trace> _draw;
@@ -21,8 +21,8 @@ internal sealed class TraceShape
     /// <summary>About how many strings it has.</summary>
     public double Strings { get; }
 
-    /// <summary>The shape of a command and its numbers, or null if the command is another.</summary>
-    /// <exception cref="ArgumentException">A number that must be an integer is none.</exception>
+    /// <summary>The shape of a command with its numbers, or null if the command is not a trace.</summary>
+    /// <exception cref="ArgumentException">A number is not an integer.</exception>
     public static TraceShape? Of(TurtleAction action, int count, double[] v) => action >= TurtleAction.CircleTrace ? Make(action, count, v) : null;
 
     private static TraceShape? Make(TurtleAction action, int count, double[] v)

@@ -1,6 +1,6 @@
 namespace Caterpillar.Turtles;
 
-/// <summary>What a command does; <see cref="TurtleCommands"/> has the name and the values of each.</summary>
+/// <summary>The action of a command. <see cref="TurtleCommands"/> has its name and values.</summary>
 public enum TurtleAction : byte
 {
     Start,
@@ -59,7 +59,7 @@ public enum TurtleAction : byte
     Degrees,
     Radians,
 
-    /// <summary>Repeats the commands of the body.</summary>
+    /// <summary>Repeats the commands in the body.</summary>
     Repeat,
     CircleTrace,
     SpiralTrace,

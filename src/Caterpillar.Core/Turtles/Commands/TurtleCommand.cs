@@ -7,7 +7,7 @@ namespace Caterpillar.Turtles;
 /// <summary>One command as a value: an action, its numbers, and its text or body. Immutable.</summary>
 public sealed class TurtleCommand
 {
-    /// <summary>The most numbers of a command.</summary>
+    /// <summary>Maximum number of values of a command.</summary>
     internal const int MaxValues = 6;
 
     private readonly double[] _values;
@@ -20,20 +20,20 @@ public sealed class TurtleCommand
         Body = body;
     }
 
-    /// <summary>What it does.</summary>
+    /// <summary>The action of the command.</summary>
     public TurtleAction Action { get; }
 
-    /// <summary>Its numbers; NaN keeps a coordinate.</summary>
+    /// <summary>The numbers of the command. NaN keeps a coordinate.</summary>
     public IReadOnlyList<double> Values => _values;
 
-    /// <summary>Its text, where it has one; else empty.</summary>
+    /// <summary>The text of the command, or empty.</summary>
     public string Text { get; }
 
     /// <summary>The commands of a repetition.</summary>
     public IReadOnlyList<TurtleCommand> Body { get; }
 
     /// <summary>A command from numbers.</summary>
-    /// <exception cref="ArgumentException">The wrong number of values, or one that is not finite (NaN keeps a coordinate of position and jump).</exception>
+    /// <exception cref="ArgumentException">The number of values is wrong, or a value is not finite. NaN is allowed for position and jump.</exception>
     public static TurtleCommand Of(TurtleAction action, params double[] values) => Of(action, "", values);
 
     /// <summary>A command from text and numbers.</summary>
@@ -42,7 +42,7 @@ public sealed class TurtleCommand
     {
         var info = TurtleCommands.Of(action);
         if (values is null || values.Length < (text.Length > 0 && action == TurtleAction.Color ? 0 : info.Required) || values.Length > info.Values.Count)
-            throw new ArgumentException($"The command is: {info.Usage}.", nameof(values));
+            throw new ArgumentException($"Wrong number of values. The command is: {info.Usage}.", nameof(values));
         for (var i = 0; i < values.Length; i++)
         {
             if (double.IsInfinity(values[i])
@@ -63,9 +63,9 @@ public sealed class TurtleCommand
         return new TurtleCommand(TurtleAction.Repeat, [count], "", (body ?? throw new ArgumentNullException(nameof(body))).ToArray());
     }
 
-    /// <summary>Executes it. Repetitions are executed by <see cref="TurtleProgram"/>.</summary>
+    /// <summary>Executes the command. <see cref="TurtleProgram"/> executes repetitions.</summary>
     /// <exception cref="ArgumentException">A value is invalid for the turtle.</exception>
-    /// <exception cref="InvalidOperationException">Pop without push, start after the first move, or a repetition.</exception>
+    /// <exception cref="InvalidOperationException">A pop without a push, a start after the first move, or a repetition.</exception>
     public void Apply(Turtle turtle)
     {
         if (Action == TurtleAction.Repeat) throw new InvalidOperationException("A repetition can only run in a program.");
@@ -73,7 +73,7 @@ public sealed class TurtleCommand
         else Apply(turtle, Action, _values.Length, _values, Text);
     }
 
-    /// <summary>As a line of a script.</summary>
+    /// <summary>The command as a line of a script.</summary>
     public override string ToString()
     {
         if (Action == TurtleAction.Repeat) return $"repeat {Number(_values[0])} [ {string.Join("; ", Body)} ]";
@@ -178,7 +178,7 @@ public sealed class TurtleCommand
     {
         var names = Enum.GetNames(typeof(Role)).Select(Words.Snake).ToArray();
         var index = Array.IndexOf(names, Words.Snake(text));
-        if (index < 0) throw new ArgumentException($"There is no role '{text}'.{SpellingSuggestion.Hint(text, names)}", nameof(text));
+        if (index < 0) throw new ArgumentException($"Unknown role '{text}'.{SpellingSuggestion.Hint(text, names)}", nameof(text));
         return (Role)Enum.GetValues(typeof(Role)).GetValue(index)!;
     }
 

@@ -4,10 +4,10 @@ using Caterpillar.Expressions;
 namespace Caterpillar.Turtles;
 
 /// <summary>
-/// A rewriting system (Prusinkiewicz and Lindenmayer, "The Algorithmic Beauty of Plants", 1990, chapter 1): deterministic, stochastic, parametric, with
-/// brackets, context-sensitive. Rules are text:
-/// <c>F -&gt; F+F--F+F</c>; with weights for a random choice <c>0.3 F -&gt; F[+F]F</c>; with values and a condition <c>A(l, w) : l &gt; 1 -&gt; F(l)[+A(l*0.7,
-/// w)]</c>. Among matching rules, one is drawn by weight if any has one, else the first is taken; letters without a rule stay.
+/// A rewriting system (Prusinkiewicz and Lindenmayer, "The Algorithmic Beauty of Plants", 1990, chapter 1). It can be deterministic, stochastic, parametric,
+/// bracketed and context-sensitive. Rules are text: <c>F -&gt; F+F--F+F</c>. A weight makes the choice random: <c>0.3 F -&gt; F[+F]F</c>. Letters can have
+/// values, and rules a condition: <c>A(l, w) : l &gt; 1 -&gt; F(l)[+A(l*0.7, w)]</c>. If any matching rule has a weight, the rule is chosen at random by
+/// weight. Otherwise the first matching rule applies. Letters without a rule stay unchanged.
 /// </summary>
 public sealed class LSystem
 {
@@ -24,13 +24,13 @@ public sealed class LSystem
         _rules = rules.GroupBy(r => r.Symbol).ToDictionary(g => g.Key, g => g.ToArray());
     }
 
-    /// <summary>Variables from outside.</summary>
+    /// <summary>Outside variables that the formulas can use.</summary>
     internal LSystemNames Variables { get; }
 
-    /// <summary>Reads an axiom and its rules. Diagnostics name the rule as line (the axiom is line 0) and the column in it.</summary>
+    /// <summary>Reads an axiom and its rules. The line of a diagnostic is the number of the rule (0 = axiom), and the column is the position in it.</summary>
     public static Result<LSystem> Parse(string axiom, IEnumerable<string> rules) => Parse(axiom, rules, []);
 
-    /// <summary>The same with variables from outside, which the formulas see by these names.</summary>
+    /// <summary>Reads an axiom and rules whose formulas can use variables with these names.</summary>
     internal static Result<LSystem> Parse(string axiom, IEnumerable<string> rules, IReadOnlyList<string> variables)
     {
         if (axiom is null) throw new ArgumentNullException(nameof(axiom));
@@ -52,14 +52,14 @@ public sealed class LSystem
     /// <summary>Rewrites the axiom a number of times.</summary>
     /// <param name="generations">0 or more.</param>
     /// <param name="seed">Seed of the random choices.</param>
-    /// <param name="maxSymbols">A longer word is an error, and so are more values.</param>
-    /// <param name="progress">Per generation.</param>
+    /// <param name="maxSymbols">Maximum number of letters, and of values. More are an error.</param>
+    /// <param name="progress">Reports after every generation.</param>
     /// <param name="cancel">Stops with <see cref="OperationCanceledException"/>.</param>
     public Result<LSystemWord> Grow(
         int generations, int seed = 0, int maxSymbols = DefaultMaxSymbols, IProgress<double>? progress = null, CancellationToken cancel = default)
         => Grow([], generations, seed, maxSymbols, progress, cancel);
 
-    /// <summary>The same with the values of the variables from outside.</summary>
+    /// <summary>Rewrites the axiom with these values of the variables.</summary>
     internal Result<LSystemWord> Grow(double[] variables, int generations, int seed, int maxSymbols, IProgress<double>? progress, CancellationToken cancel)
     {
         if (generations < 0) throw new ArgumentOutOfRangeException(nameof(generations), "The number of generations must be 0 or more.");
@@ -101,7 +101,7 @@ public sealed class LSystem
         return new Result<LSystemWord>(word.Build(), growth.Notes);
     }
 
-    // Rules that always fit together; of others it shows while a word grows.
+    // Checks rules that always apply together. The others are checked while a word grows.
     private static void CheckWeights(LSystemRule[] rules)
     {
         var sums = new Dictionary<(char, int), double>();
@@ -117,8 +117,8 @@ public sealed class LSystem
 
     private static Result<LSystemWord> TooLarge(int generation, int maxSymbols)
     {
-        var message = $"Generation {NumberFormatter.Format(generation)} has more than {NumberFormatter.Format(maxSymbols)} letters or values.";
-        return new Result<LSystemWord>(null, [new Diagnostic(Severity.Error, "lsystem.too_large", message)]);
+        var text = $"Generation {NumberFormatter.Format(generation)} exceeds {NumberFormatter.Format(maxSymbols)} letters or values. Use fewer generations.";
+        return new Result<LSystemWord>(null, [new Diagnostic(Severity.Error, "lsystem.too_large", text)]);
     }
 
     private sealed class WordBuilder(int limit)

@@ -6,7 +6,7 @@ namespace Caterpillar.Turtles;
 /// <summary>Chooses the rules while a word grows.</summary>
 internal sealed class LSystemGrowth
 {
-    // Turns are no neighbors: contexts pass over them, unless they name them (Prusinkiewicz and Lindenmayer 1990, section 1.8: #ignore).
+    // Turns are not neighbors: contexts skip them unless they name them (Prusinkiewicz and Lindenmayer 1990, section 1.8: #ignore).
     private const string Turns = "+-^&\\/|";
     private const double Rounding = 1e-9;
 
@@ -33,7 +33,7 @@ internal sealed class LSystemGrowth
 
     public IReadOnlyList<Diagnostic> Notes => _remarks.ToList();
 
-    /// <summary>The rule that replaces a letter, or null where it stays.</summary>
+    /// <summary>The rule that replaces a letter, or null if the letter stays.</summary>
     /// <exception cref="FormulaException">The weights of the rules that fit add up to more than 1.</exception>
     public LSystemRule? Choose(LSystemWord word, int index)
     {
@@ -55,7 +55,7 @@ internal sealed class LSystemGrowth
         return chosen;
     }
 
-    // Weights are probabilities; the first rule without one takes what is left, and without such a rule the letter stays.
+    // Weights are probabilities. The first rule without a weight gets the rest. Without such a rule, the letter stays.
     private LSystemRule? Draw(double weights, char letter)
     {
         if (weights > 1 + Rounding) throw TooHeavy(letter, weights, 0);
@@ -72,10 +72,10 @@ internal sealed class LSystemGrowth
     }
 
     public static FormulaException TooHeavy(char letter, double weights, int line)
-        => new("lsystem.weights", $"The weights of the rules of '{letter}' add up to {NumberFormatter.Format(weights, 6)}; they are probabilities, at most 1.",
+        => new("lsystem.weights", $"The weights of the rules for '{letter}' add up to {NumberFormatter.Format(weights, 6)}. The maximum is 1.",
             line, 1);
 
-    // Puts the values of the letter and of its contexts where the formulas of the rule look for them; false where a context is another.
+    // Stores the values of the letter and its contexts for the formulas of the rule. False if a context does not match.
     private bool Bind(LSystemRule rule, LSystemWord word, int index)
     {
         _neighbors.Clear();
@@ -105,7 +105,7 @@ internal sealed class LSystemGrowth
     private static bool IsOf(Pattern pattern, LSystemWord word, int at)
         => at >= 0 && word[at] == pattern.Symbol && word.ValueCount(at) == pattern.Names.Length;
 
-    // The letter before one on its branch: branches that have ended are passed over, and the beginning of its own leads to the trunk.
+    // The letter before one on its branch. Ended branches are skipped. Before the beginning of its own branch comes the trunk.
     private static int Before(LSystemWord word, int at, char wanted)
     {
         var depth = 0;
@@ -119,7 +119,7 @@ internal sealed class LSystemGrowth
         return -1;
     }
 
-    // The letter after one on its branch: side branches are passed over; the end of its own is the end.
+    // The letter after one on its branch. Side branches are skipped. The end of its own branch is the end.
     private static int After(LSystemWord word, int at, char wanted)
     {
         var depth = 0;
@@ -143,7 +143,7 @@ internal sealed class LSystemGrowth
         }
         var counts = string.Join(" or ", rules.Select(r => r.Names.Length).Distinct().OrderBy(n => n).Select(n => NumberFormatter.Format(n)));
         _remarks.Add(Severity.Note, Code,
-            $"'{word[index]}' with {Values(word.ValueCount(index))} stays: its rules are for {counts} values.");
+            $"'{word[index]}' with {Values(word.ValueCount(index))} stays unchanged. Number of values in its rules: {counts}.");
     }
 
     private static string Values(int count) => count == 1 ? "1 value" : NumberFormatter.Format(count) + " values";

@@ -1,11 +1,11 @@
 namespace Caterpillar.Turtles;
 
-/// <summary>What the letters of an L-system make a turtle do. Immutable.</summary>
+/// <summary>The turtle commands of the letters of an L-system. Immutable.</summary>
 public sealed class LSystemInterpretation
 {
     private readonly Dictionary<char, TurtleCommand[]> _table;
 
-    /// <summary>A table of its own; letters that are not in it do nothing.</summary>
+    /// <summary>A custom table. Letters that are not in it do nothing.</summary>
     public LSystemInterpretation(IEnumerable<KeyValuePair<char, IReadOnlyList<TurtleCommand>>> table)
     {
         _table = [];
@@ -13,11 +13,11 @@ public sealed class LSystemInterpretation
     }
 
     /// <summary>
-    /// The usual letters: F and G draw a step, f and g go one without drawing, + and - yaw left and right, ^ and &amp; pitch up and down, \ and / roll left and
-    /// right, | turns round, [ pushes and ] pops. Values of a letter replace the step or angle.
+    /// The usual letters: F and G draw a step, f and g move a step without drawing, + and - turn left and right. ^ and &amp; pitch up and down, \ and / roll
+    /// left and right. | turns around, [ pushes and ] pops. Values of a letter replace the step or angle.
     /// </summary>
-    /// <param name="step">mm.</param>
-    /// <param name="angle">In the turtle's unit.</param>
+    /// <param name="step">Length of a step, mm.</param>
+    /// <param name="angle">Angle of a turn, in the unit of the turtle.</param>
     public static LSystemInterpretation Standard(double step, double angle)
     {
         var draw = TurtleCommand.Of(TurtleAction.Forward, step);
@@ -41,7 +41,7 @@ public sealed class LSystemInterpretation
         return new LSystemInterpretation(table);
     }
 
-    /// <summary>The same table with other commands for one letter; none makes it do nothing.</summary>
+    /// <summary>A copy of the table with other commands for one letter. Without commands, the letter does nothing.</summary>
     public LSystemInterpretation With(char letter, params TurtleCommand[] commands)
         => new(_table.Where(e => e.Key != letter).Select(e => new KeyValuePair<char, IReadOnlyList<TurtleCommand>>(e.Key, e.Value))
             .Concat([new KeyValuePair<char, IReadOnlyList<TurtleCommand>>(letter, commands)]));

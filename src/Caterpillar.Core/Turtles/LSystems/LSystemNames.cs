@@ -2,14 +2,14 @@ using Caterpillar.Expressions;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>Variables from outside that the formulas of an L-system may use, and which of them they do.</summary>
+/// <summary>Outside variables for the formulas of an L-system, and which of them the formulas use.</summary>
 internal sealed class LSystemNames(IReadOnlyList<string> names)
 {
     private readonly HashSet<string> _used = new(System.StringComparer.Ordinal);
 
     public bool Uses(string name) => _used.Contains(name);
 
-    /// <summary>The names of values, then the variables, those of the same name hidden.</summary>
+    /// <summary>The names of values, then the variables. Variables with the same name as a value are hidden.</summary>
     public string[] After(string[] values)
         => [.. values, .. names.Select((name, i) => values.Contains(name) ? "hidden " + Basics.NumberFormatter.Format(i) : name)];
 

@@ -27,13 +27,13 @@ internal sealed class LSystemRule
     /// <summary>Names of the values of the letter.</summary>
     public string[] Names { get; private set; } = [];
 
-    /// <summary>Letters that must precede it, in the order of the word; empty for any.</summary>
+    /// <summary>Letters that must precede it, in the order of the word. Empty = any.</summary>
     public Pattern[] Left { get; private set; } = [];
 
     /// <summary>Letters that must follow it.</summary>
     public Pattern[] Right { get; private set; } = [];
 
-    /// <summary>How many values its formulas see before the variables: those of the left context, of the letter, and of the right context.</summary>
+    /// <summary>Number of values before the variables of its formulas: from the left context, the letter and the right context.</summary>
     public int ValueCount { get; private set; }
 
     public double? Weight { get; private set; }
@@ -42,7 +42,7 @@ internal sealed class LSystemRule
 
     public Module[] Successor { get; private set; } = [];
 
-    /// <summary>Reads a rule; key and line name it in diagnostics.</summary>
+    /// <summary>Reads a rule. Diagnostics state its line.</summary>
     /// <exception cref="FormulaException">The text is not a rule.</exception>
     public static LSystemRule Parse(string text, int line, LSystemNames variables)
     {
@@ -92,7 +92,7 @@ internal sealed class LSystemRule
         if (i >= arrow || text[i] != '>') return i;
         letters.Clear();
         i = Letters(text, i + 1, arrow, line, letters);
-        if (letters.Count == 0) throw new FormulaException("lsystem.rule", "There is no letter after '>'.", line, i);
+        if (letters.Count == 0) throw new FormulaException("lsystem.rule", "Expected a letter after '>'.", line, i);
         Right = letters.ToArray();
         return i;
     }
@@ -106,7 +106,7 @@ internal sealed class LSystemRule
             if (letters.Count > 0 && symbol is '<' or '>' or ':') return i;
             if (letters.Count > 0 && symbol is '[' or ']')
             {
-                throw new FormulaException("lsystem.rule", "A context has no brackets: it follows the branch.", line, i + 1);
+                throw new FormulaException("lsystem.rule", "A context must not contain brackets. It follows the branch.", line, i + 1);
             }
             var names = System.Array.Empty<string>();
             if (++i < end && text[i] == '(')
@@ -121,14 +121,14 @@ internal sealed class LSystemRule
         return i;
     }
 
-    /// <summary>Reads a word: letters, some with values in parentheses; spaces are ignored.</summary>
+    /// <summary>Reads a word: letters, some with values in parentheses. Spaces are ignored.</summary>
     public static Module[] Word(string text, int from, string[] names, int line, LSystemNames variables)
     {
         var modules = new List<Module>();
         for (var i = from; i < text.Length; i++)
         {
             if (char.IsWhiteSpace(text[i])) continue;
-            if (text[i] is '(' or ')') throw new FormulaException("lsystem.bracket", $"The '{text[i]}' has no letter or partner.", line, i + 1);
+            if (text[i] is '(' or ')') throw new FormulaException("lsystem.bracket", $"'{text[i]}' has no letter or no matching bracket.", line, i + 1);
             var symbol = text[i];
             var values = new List<Formula>();
             if (i + 1 < text.Length && text[i + 1] == '(')
@@ -185,7 +185,7 @@ internal sealed class LSystemRule
             if (text[i] == '(') depth++;
             else if (text[i] == ')' && --depth == 0) return i;
         }
-        throw new FormulaException("lsystem.bracket", "'(' is never closed by ')'.", line, open + 1);
+        throw new FormulaException("lsystem.bracket", "'(' has no closing ')'.", line, open + 1);
     }
 
     private static int Skip(string text, int i)

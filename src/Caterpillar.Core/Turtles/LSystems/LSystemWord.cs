@@ -25,7 +25,7 @@ public sealed class LSystemWord
     /// <summary>A letter.</summary>
     public char this[int index] => _symbols[index];
 
-    /// <summary>How many values a letter has.</summary>
+    /// <summary>Number of values of a letter.</summary>
     public int ValueCount(int index) => _first is null ? 0 : _first[index + 1] - _first[index];
 
     /// <summary>A value of a letter.</summary>
@@ -33,10 +33,9 @@ public sealed class LSystemWord
         => which >= 0 && which < ValueCount(index) ? _values[_first![index] + which] : throw new ArgumentOutOfRangeException(nameof(which));
 
     /// <summary>
-    /// Walks a turtle along the word. Letters without commands are skipped. A letter's own values replace the numbers of its first command. Nothing is
-    /// drawn if the brackets do not match.
+    /// Draws the word with a turtle. Letters without commands are skipped. The values of a letter replace the numbers of its first command.
     /// </summary>
-    /// <returns>The problems, with the number of the letter as column; empty if there are none.</returns>
+    /// <returns>The problems, with the number of the letter as column. Empty = no problems.</returns>
     public IReadOnlyList<Diagnostic> Draw(Turtle turtle, LSystemInterpretation interpretation, System.Threading.CancellationToken cancel = default)
     {
         if (turtle is null) throw new ArgumentNullException(nameof(turtle));
@@ -59,10 +58,10 @@ public sealed class LSystemWord
         return turtle.StackDepth == depth
             ? []
             : [new Diagnostic(Severity.Warning, "lsystem.bracket",
-                $"{NumberFormatter.Format(turtle.StackDepth - depth)} opening brackets of the word are never closed.")];
+                $"The word has {NumberFormatter.Format(turtle.StackDepth - depth)} '[' without a closing ']'.")];
     }
 
-    /// <summary>The word as text; values with up to 6 decimals.</summary>
+    /// <summary>The word as text. Values have up to 6 decimals.</summary>
     public override string ToString()
     {
         if (_first is null) return new string(_symbols);

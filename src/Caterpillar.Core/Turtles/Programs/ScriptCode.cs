@@ -44,7 +44,7 @@ internal sealed class Instruction(ScriptOp op, Token at)
 
     public TurtleAction Action { get; init; }
 
-    /// <summary>Numbers; null keeps a coordinate.</summary>
+    /// <summary>Numbers. Null keeps a coordinate.</summary>
     public Argument?[] Arguments { get; init; } = [];
 
     public TextTemplate? Text { get; init; }
@@ -53,12 +53,12 @@ internal sealed class Instruction(ScriptOp op, Token at)
 
     public LSystem? System { get; init; }
 
-    /// <summary>What the rules of the L-system may use.</summary>
+    /// <summary>Variables for the rules of the L-system.</summary>
     public IReadOnlyList<(string Name, int Slot, bool Local)> Variables { get; init; } = [];
 
     public string Name { get; init; } = "";
 
-    /// <summary>The included file; null for the script itself.</summary>
+    /// <summary>The included file. Null = the script itself.</summary>
     public string? File { get; set; }
 
     public ShapingRules? Shaping { get; init; }
@@ -69,7 +69,7 @@ internal sealed class Argument(FormulaNode node, Token at)
 {
     public Evaluator Evaluate { get; } = node.Evaluate;
 
-    /// <summary>Its value where it is a finite number as it stands, else NaN.</summary>
+    /// <summary>Its value if it is a finite constant, else NaN.</summary>
     public double Constant { get; } = node.IsConstant && !double.IsInfinity(node.Value) ? node.Value : double.NaN;
 
     public int Line { get; } = at.Line;
@@ -116,7 +116,7 @@ internal sealed class ScriptCode
     /// <summary>Parameters that can be set from outside, in order.</summary>
     public IReadOnlyList<string> Parameters { get; init; } = [];
 
-    /// <summary>Printer, material and settings that the script is for; later ones may be missing.</summary>
+    /// <summary>Printer, material and settings that the script is for. The later ones may be missing.</summary>
     public IReadOnlyList<string> Profiles { get; init; } = [];
 
     /// <summary>Procedures of one letter, for L-systems.</summary>

@@ -51,13 +51,13 @@ internal sealed class ScriptCompiler
     private void Statements(Token? end)
     {
         if (++_flow.Nesting > ScriptFlow.MaxNesting)
-            throw Error("turtle.nesting", $"Blocks are nested more than {NumberFormatter.Format(ScriptFlow.MaxNesting)} deep.", Next);
+            throw Error("turtle.nesting", $"Blocks are nested more than {NumberFormatter.Format(ScriptFlow.MaxNesting)} levels deep.", Next);
         while (true)
         {
             while (Next.Kind == TokenKind.NewLine || Next.Is(";")) _cursor.At++;
             if (Next.Kind == TokenKind.End)
             {
-                if (end is { } open) throw Error("turtle.bracket", "'[' is never closed by ']'.", open);
+                if (end is { } open) throw Error("turtle.bracket", "'[' has no closing ']'.", open);
                 break;
             }
             if (Next.Is("]"))
@@ -131,7 +131,7 @@ internal sealed class ScriptCompiler
 
     private void Define(Token token)
     {
-        if (IsInBlock) throw Error("turtle.syntax", "Procedures must be defined outside of blocks.", token);
+        if (IsInBlock) throw Error("turtle.syntax", "Procedures must be defined outside blocks.", token);
         var procedure = _names.Procedures[_cursor.TakeName("'def' needs a name: def square side [ … ].").Text];
         while (Next.Kind == TokenKind.Name || Next.Is(",")) _cursor.At++;
         var over = _flow.Emit(new Instruction(ScriptOp.Jump, token));
@@ -147,7 +147,7 @@ internal sealed class ScriptCompiler
     private void Return(Token token)
     {
         var hasValue = _names.IsValueAfterReturn(_cursor.At);
-        if (hasValue && !_scope.InProcedure) throw Error("turtle.syntax", "'return' with a value is only for procedures.", token);
+        if (hasValue && !_scope.InProcedure) throw Error("turtle.syntax", "'return' with a value is only allowed in a procedure.", token);
         Argument[] value = hasValue ? [_values.Formula("return")] : [];
         if (hasValue && !EndsStatement(Next)) throw Error("turtle.values", $"Found {Next}, expected the end of the value.", Next);
         _flow.CloseShapings(0, token);
@@ -165,10 +165,10 @@ internal sealed class ScriptCompiler
     {
         var op = Next;
         _cursor.At++;
-        if (_scope.IsArray(name.Text)) throw Error("turtle.name", $"'{name.Text}' is an array; use {name.Text}[index] = ….", name);
-        if (_names.Procedures.ContainsKey(name.Text)) throw Error("turtle.name", $"'{name.Text}' is a procedure.", name);
+        if (_scope.IsArray(name.Text)) throw Error("turtle.name", $"'{name.Text}' is an array. Use {name.Text}[index] = ….", name);
+        if (_names.Procedures.ContainsKey(name.Text)) throw Error("turtle.name", $"'{name.Text}' is a procedure. Choose another name for the variable.", name);
         var before = op.Text == "=" ? null : _scope.Variable(name.Text, name)
-            ?? throw Error("turtle.unknown", $"There is no variable '{name.Text}'.{SpellingSuggestion.Hint(name.Text, _scope.Names)}", name);
+            ?? throw Error("turtle.unknown", $"Unknown variable '{name.Text}'.{SpellingSuggestion.Hint(name.Text, _scope.Names)}", name);
         var value = _values.Formula(op.Text);
         if (before is not null)
         {
@@ -182,7 +182,7 @@ internal sealed class ScriptCompiler
     // param side = 10: a value set from outside takes precedence.
     private void Param(Token token)
     {
-        const string Usage = "'param' needs a name and must be outside of procedures: param side = 10.";
+        const string Usage = "'param' needs a name and must be outside procedures: param side = 10.";
         if (_scope.InProcedure) throw Error("turtle.syntax", Usage, Next);
         var name = _cursor.TakeName(Usage);
         _cursor.Expect("=", $"param {name.Text} = 10");
@@ -244,7 +244,7 @@ internal sealed class ScriptCompiler
     private void Include(Token token)
     {
         const string Usage = "include \"file\"";
-        if (Next.Kind != TokenKind.Text) throw Error("turtle.values", $"'include' needs the name of a file: {Usage}.", token);
+        if (Next.Kind != TokenKind.Text) throw Error("turtle.values", $"'include' needs a file name: {Usage}.", token);
         NotInBlock(token);
         var name = _cursor.At++;
         _cursor.ExpectEnd(Usage);
@@ -261,7 +261,7 @@ internal sealed class ScriptCompiler
         const string Usage = "image name \"file\" [smooth]";
         NotInBlock(token);
         if (Next.Kind != TokenKind.Name || !_cursor.Source.Images.ContainsKey(_cursor.At + 1))
-            throw Error("turtle.values", $"'image' needs a name and the name of a file: {Usage}.", token);
+            throw Error("turtle.values", $"'image' needs a name and a file name: {Usage}.", token);
         _cursor.At += 2;
         if (_names.IsSmooth(_cursor.At)) _cursor.At++;
         _cursor.ExpectEnd(Usage);
@@ -272,7 +272,7 @@ internal sealed class ScriptCompiler
     {
         const string Usage = "use \"printer\" [\"material\"] [\"settings\"]";
         NotInBlock(token);
-        if (_profiles.Count > 0) throw Error("turtle.syntax", "There is a 'use' already; a script is for one printer.", token);
+        if (_profiles.Count > 0) throw Error("turtle.syntax", "The script already has a 'use'. A script is for one printer.", token);
         for (; Next.Kind == TokenKind.Text && _profiles.Count < 3; _cursor.At++) _profiles.Add(Next.Text);
         if (_profiles.Count == 0 || !EndsStatement(Next)) throw Error("turtle.values", $"'use' needs one to three texts: {Usage}.", token);
     }

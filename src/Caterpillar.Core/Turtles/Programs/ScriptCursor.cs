@@ -2,10 +2,10 @@ using Caterpillar.Expressions;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>A place in the tokens of a script, or of a file that it includes.</summary>
+/// <summary>A position in the tokens of a script or of an included file.</summary>
 internal sealed class ScriptCursor(ScriptSource source)
 {
-    /// <summary>The script or file at hand.</summary>
+    /// <summary>The current script or file.</summary>
     public ScriptSource Source { get; private set; } = source;
 
     /// <summary>Number of the next token.</summary>
@@ -15,7 +15,7 @@ internal sealed class ScriptCursor(ScriptSource source)
 
     public Token Next => Source.Tokens[At];
 
-    /// <summary>Works on the tokens of a file, whose name errors carry, and comes back.</summary>
+    /// <summary>Works on the tokens of a file and comes back. Errors state the name of the file.</summary>
     public void Within(ScriptSource file, Action work)
     {
         var (outer, at) = (Source, At);
@@ -38,14 +38,14 @@ internal sealed class ScriptCursor(ScriptSource source)
     }
 
     /// <summary>Goes past a name.</summary>
-    /// <exception cref="FormulaException">There is something else, with a message that says what the name is for.</exception>
+    /// <exception cref="FormulaException">The next token is not a name.</exception>
     public Token TakeName(string message) => Next.Kind == TokenKind.Name ? Tokens[At++] : throw Error("turtle.syntax", message, Next);
 
     /// <summary>Goes past a symbol or word.</summary>
-    /// <param name="word">What has to come.</param>
+    /// <param name="word">The expected symbol or word.</param>
     /// <param name="example">Added to the message, or empty.</param>
     /// <param name="code">Code of the error.</param>
-    /// <exception cref="FormulaException">There is something else.</exception>
+    /// <exception cref="FormulaException">Another token comes next.</exception>
     public void Expect(string word, string example = "", string code = "turtle.syntax")
     {
         if (!Next.Is(word) && !Next.IsWord(word)) throw Error(code, $"Found {Next}, expected '{word}'{(example.Length > 0 ? ": " + example : "")}.", Next);

@@ -5,28 +5,28 @@ using Caterpillar.Files;
 namespace Caterpillar.Turtles;
 
 /// <summary>
-/// The files that a script may read (<c>include</c>, <c>image</c>): those in certain folders and below them. A name is looked up next to the file that names
-/// it, then in the folders; whatever lies elsewhere is an error, also through <c>..</c> or a link.
+/// The folders whose files a script may read (<c>include</c>, <c>image</c>), with their subfolders. A name is looked up next to the file that contains it,
+/// then in the folders. Files elsewhere are an error, also through <c>..</c> or a link.
 /// </summary>
 public sealed class ScriptFiles
 {
-    /// <summary>The largest file, bytes.</summary>
+    /// <summary>Maximum size of a file, bytes.</summary>
     public const int MaxBytes = 64 << 20;
 
     private readonly string[] _folders;
 
-    /// <param name="folders">The folder of the script first; none if it may read no file.</param>
+    /// <param name="folders">The folder of the script first. Without folders, the script may not read files.</param>
     public ScriptFiles(params string[] folders)
         => _folders = (folders ?? throw new ArgumentNullException(nameof(folders))).Select(f => Path.GetFullPath(f.Length == 0 ? "." : f)).ToArray();
 
-    /// <summary>No file at all.</summary>
+    /// <summary>No files.</summary>
     public static ScriptFiles None { get; } = new();
 
-    /// <summary>The path of a file that a token names, from a file or, for the script itself, null.</summary>
-    /// <exception cref="FormulaException">It does not exist or must not be read.</exception>
+    /// <summary>The path of the file in a token. <paramref name="from"/> is the file with the token, or null for the script itself.</summary>
+    /// <exception cref="FormulaException">The file does not exist or must not be read.</exception>
     internal string Find(Token name, string? from)
     {
-        if (_folders.Length == 0) throw Error("This script has no folder whose files it could read.", name);
+        if (_folders.Length == 0) throw Error("This script has no folder, so it cannot read files.", name);
         var outside = false;
         foreach (var folder in new[] { from is null ? _folders[0] : Path.GetDirectoryName(from)! }.Concat(_folders).Distinct(StringComparer.Ordinal))
         {
@@ -38,13 +38,13 @@ public sealed class ScriptFiles
             }
             if (Directory.Exists(path)) throw Error($"'{name.Text}' is a folder, not a file.", name);
             if (!File.Exists(path)) continue;
-            if (!IsInside(Path.GetFullPath(FileLinks.Target(path)))) throw Error($"'{name.Text}' is a link out of the folders that the script may read.", name);
+            if (!IsInside(Path.GetFullPath(FileLinks.Target(path)))) throw Error($"'{name.Text}' links out of the folders that the script may read.", name);
             return path;
         }
-        throw Error(outside ? $"'{name.Text}' is outside of the folders that the script may read." : $"There is no file '{name.Text}'.", name);
+        throw Error(outside ? $"'{name.Text}' is outside the folders that the script may read." : $"File '{name.Text}' not found.", name);
     }
 
-    /// <exception cref="FormulaException">It cannot be read, or is too large.</exception>
+    /// <exception cref="FormulaException">The file cannot be read or is too large.</exception>
     internal static byte[] Read(string path, Token name)
     {
         try
@@ -55,7 +55,7 @@ public sealed class ScriptFiles
             for (int at = 0, count; at < bytes.Length; at += count)
             {
                 count = file.Read(bytes, at, bytes.Length - at);
-                if (count == 0) throw Error($"'{name.Text}' ended while it was read.", name);
+                if (count == 0) throw Error($"'{name.Text}' became shorter while it was being read.", name);
             }
             return bytes;
         }

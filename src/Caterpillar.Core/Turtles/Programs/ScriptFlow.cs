@@ -4,13 +4,13 @@ using static Caterpillar.Turtles.ScriptCursor;
 namespace Caterpillar.Turtles;
 
 /// <summary>The instructions of a script while it is compiled, and its loops, choices and shaping blocks.</summary>
-/// <param name="cursor">Where the compiler reads.</param>
+/// <param name="cursor">The position of the compiler.</param>
 /// <param name="values">Reads formulas.</param>
 /// <param name="scope">The names of the script.</param>
 /// <param name="block">Compiles the block that comes next.</param>
 internal sealed class ScriptFlow(ScriptCursor cursor, ScriptValues values, ScriptScope scope, Action block)
 {
-    /// <summary>Greatest number of blocks in each other, with each 'else if' as one.</summary>
+    /// <summary>Maximum nesting depth of blocks. Each 'else if' counts as one.</summary>
     public const int MaxNesting = 200;
 
     private readonly List<Instruction> _code = [];
@@ -19,7 +19,7 @@ internal sealed class ScriptFlow(ScriptCursor cursor, ScriptValues values, Scrip
     // The shaping blocks that are open, the innermost last.
     private readonly List<ShapingRules> _shapings = [];
 
-    /// <summary>Blocks around the place at hand.</summary>
+    /// <summary>Number of blocks around the current position.</summary>
     public int Nesting { get; set; }
 
     /// <summary>Number of instructions so far.</summary>
@@ -120,7 +120,7 @@ internal sealed class ScriptFlow(ScriptCursor cursor, ScriptValues values, Scrip
         _breaks.Peek().Jumps.Add(Emit(new Instruction(ScriptOp.Jump, token)));
     }
 
-    /// <summary>A block that shapes what is drawn in it.</summary>
+    /// <summary>A block that shapes the paths drawn in it.</summary>
     public void Shape(Token token)
     {
         var rules = new ShapingHeader(cursor, values, scope).Read(token);
@@ -131,7 +131,7 @@ internal sealed class ScriptFlow(ScriptCursor cursor, ScriptValues values, Scrip
         _shapings.RemoveAt(_shapings.Count - 1);
     }
 
-    /// <summary>Ends the shaping blocks beyond a number of them, the innermost first; they stay open for what follows.</summary>
+    /// <summary>Ends all shaping blocks but a number of them, the innermost first. They stay open for the following statements.</summary>
     public void CloseShapings(int beyond, Token token)
     {
         for (var i = _shapings.Count - 1; i >= beyond; i--) Emit(new Instruction(ScriptOp.EndShaping, token) { Shaping = _shapings[i] });

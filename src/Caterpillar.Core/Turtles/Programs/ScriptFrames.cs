@@ -3,14 +3,14 @@ using Caterpillar.Expressions;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>The frames of the procedures that run: their variables come one after the other in the values of the context, after the globals.</summary>
+/// <summary>The frames of the running procedures. Their variables come one after the other in the values of the context, after the globals.</summary>
 internal sealed class ScriptFrames(FormulaContext context, int globals, int maxDepth)
 {
     private readonly List<Frame> _frames = [];
     private int _size = globals;
 
     /// <summary>Begins a procedure with the values of its parameters.</summary>
-    /// <param name="procedure">What is called.</param>
+    /// <param name="procedure">The called procedure.</param>
     /// <param name="given">Values of its parameters.</param>
     /// <param name="back">The instruction after the call.</param>
     /// <param name="words">Words that are being drawn at the call.</param>
@@ -21,7 +21,7 @@ internal sealed class ScriptFrames(FormulaContext context, int globals, int maxD
         if (_frames.Count >= maxDepth)
         {
             throw new FormulaException("turtle.recursion",
-                $"Procedures call each other {NumberFormatter.Format(maxDepth)} levels deep. Does a recursion never end?", at.Line, at.Column);
+                $"Procedure calls are nested {NumberFormatter.Format(maxDepth)} levels deep. Is there an endless recursion?", at.Line, at.Column);
         }
         var start = context.Base + _size;
         _frames.Add(new Frame(back, context.Base, _size, words));
@@ -37,7 +37,7 @@ internal sealed class ScriptFrames(FormulaContext context, int globals, int maxD
         _size = procedure.FrameSize;
     }
 
-    /// <summary>Ends the procedure that runs: the instruction after its call, and the words that were being drawn there.</summary>
+    /// <summary>Ends the current procedure. Returns the instruction after its call and the number of words that were being drawn there.</summary>
     public (int Back, int Words) Leave()
     {
         var frame = _frames[_frames.Count - 1];

@@ -6,10 +6,10 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>Runs a compiled script with a stack of its own, so that deep recursion ends at a limit and does not overflow the thread's stack.</summary>
+/// <summary>Runs a compiled script with its own stack, so that deep recursion ends at a limit and does not overflow the stack of the thread.</summary>
 internal sealed class ScriptMachine
 {
-    /// <summary>Greatest nesting depth of functions that formulas call.</summary>
+    /// <summary>Maximum nesting depth of functions that formulas call.</summary>
     public const int MaxFunctionDepth = 1000;
 
     // Steps and moves between two looks at the clock and at the memory.
@@ -64,13 +64,13 @@ internal sealed class ScriptMachine
 
     public Turtle Turtle { get; }
 
-    /// <summary>What was noticed while it ran.</summary>
+    /// <summary>Notes and warnings of the run.</summary>
     public DiagnosticList Notes { get; } = new();
 
-    /// <summary>What the program printed, line by line.</summary>
+    /// <summary>The printed lines of the program.</summary>
     public IEnumerable<Diagnostic> Prints => _prints.All();
 
-    /// <summary>An estimate of what the program holds, in bytes.</summary>
+    /// <summary>Estimated memory of the program, bytes.</summary>
     private long Bytes => Turtle.Bytes + 8 * (_arrayNumbers + _context.Values.Length);
 
     /// <exception cref="FormulaException">The program failed.</exception>
@@ -111,7 +111,7 @@ internal sealed class ScriptMachine
         _current = current;
         if (_stopped) throw new StopException();
         var result = _result;
-        return double.IsNaN(result) ? throw new FormulaException("turtle.no_result", $"'{at.Text}' ended without 'return' and a value.", at.Line, at.Column)
+        return double.IsNaN(result) ? throw new FormulaException("turtle.no_result", $"'{at.Text}' ended without returning a value.", at.Line, at.Column)
             : result;
     }
 
@@ -220,7 +220,7 @@ internal sealed class ScriptMachine
         _cancel.ThrowIfCancellationRequested();
         if (_steps > _limits.MaxSteps)
         {
-            throw Error(_current, "turtle.too_many_steps", $"The program was stopped after {Text(_limits.MaxSteps)} steps. Does a loop never end?");
+            throw Error(_current, "turtle.too_many_steps", $"The program was stopped after {Text(_limits.MaxSteps)} steps. Is there an endless loop?");
         }
         Weigh();
         _pulse = Math.Min(_steps + Pulse, Math.Min(_limits.MaxSteps, long.MaxValue - 1) + 1);
@@ -231,9 +231,9 @@ internal sealed class ScriptMachine
         if (Turtle.StackDepth > _limits.MaxStates)
         {
             throw Error(_current, "turtle.too_many_states",
-                $"The program was stopped with {Text(_limits.MaxStates)} pushed states. Is there a push without a pop?");
+                $"The program was stopped at {Text(_limits.MaxStates)} pushed states. Is there a push without a pop?");
         }
-        if (_limits.Memory.Refuse(Bytes, "What the program has drawn and stored") is { } refusal) throw Error(_current, refusal.Code, refusal.Message);
+        if (_limits.Memory.Refuse(Bytes, "The moves and data of the program") is { } refusal) throw Error(_current, refusal.Code, refusal.Message);
     }
 
     private int Slot(Instruction at) => at.Local ? _context.Base + at.Slot : at.Slot;
@@ -308,7 +308,7 @@ internal sealed class ScriptMachine
         {
             if (word.ValueCount(index) != procedure.Parameters.Count)
                 throw Error(at, "lsystem.value",
-                    $"The letter '{word[index]}' has {Text(word.ValueCount(index))} values, its procedure {Text(procedure.Parameters.Count)}.");
+                    $"The letter '{word[index]}' has {Text(word.ValueCount(index))} values, but its procedure takes {Text(procedure.Parameters.Count)}.");
             var given = new double[procedure.Parameters.Count];
             for (var v = 0; v < given.Length; v++) given[v] = word.Value(index, v);
             _frames.Enter(procedure, given, pc - 1, _words.Count, (at.Line, at.Column));
@@ -338,7 +338,7 @@ internal sealed class ScriptMachine
         // A program that stops within a procedure ends the blocks around its calls as well.
         _context.Base = block.Base;
         var steps = Turtle.StepsFrom(block.First);
-        if (_limits.Memory.Refuse(Bytes + 2 * Turtle.Bytes, "The deformed paths") is { } refusal)
+        if (_limits.Memory.Refuse(Bytes + 2 * Turtle.Bytes, "The shaped paths") is { } refusal)
             throw new FormulaException(refusal.Code, refusal.Message, at.Line, at.Column);
         var shaped = new Shaper(block.Rules, _context, block.Frame, Turtle).Apply(steps, _cancel);
         if (shaped.Value is null)
@@ -372,8 +372,8 @@ internal sealed class ScriptMachine
         value = argument.Evaluate(_context);
         if (!double.IsNaN(value - value)) return value;
         var message = double.IsNaN(value)
-            ? "The value is not a number: 0 / 0, a root or logarithm of a negative number, or randint(from, to) with no integer between the two."
-            : "The value is infinite: a division by zero, or a number too large.";
+            ? "The value is not a number. Causes: 0 / 0, a root or logarithm of a negative number, or randint(from, to) without an integer in between."
+            : "The value is infinite: division by zero, or a number too large.";
         throw new FormulaException("turtle.not_finite", message, argument.Line, argument.Column);
     }
 
@@ -428,7 +428,7 @@ internal sealed class ScriptMachine
     private static string Text(long number) => NumberFormatter.Format(number);
 
     private static FormulaException TooDeep(Token at) => new("turtle.recursion",
-        $"Functions call each other {Text(MaxFunctionDepth)} levels deep. Does a recursion never end?", at.Line, at.Column);
+        $"Function calls are nested {Text(MaxFunctionDepth)} levels deep. Is there an endless recursion?", at.Line, at.Column);
 
     private static FormulaException Error(Instruction at, string code, string message) => new(code, message, at.Line, at.Column);
 

@@ -3,7 +3,7 @@ using static Caterpillar.Turtles.ScriptCursor;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>The names of a script: those of procedures, globals, arrays and images are known everywhere, even before their line.</summary>
+/// <summary>The names of a script. Procedures, globals, arrays and images are visible everywhere, even before their line.</summary>
 internal sealed class ScriptNames
 {
     private static readonly string[] ShapingWords = ["deform", "modulate", "gap_bead", "cool_layers"];
@@ -16,7 +16,7 @@ internal sealed class ScriptNames
 
     private readonly ScriptCursor _cursor;
 
-    /// <summary>Declares the names of a script and of all that it includes.</summary>
+    /// <summary>Declares the names of a script and of its included files.</summary>
     /// <exception cref="FormulaException">A name is reserved, or declared twice.</exception>
     public ScriptNames(ScriptCursor cursor)
     {
@@ -33,7 +33,7 @@ internal sealed class ScriptNames
     public bool BeginsStatement(Token t)
         => Procedures.ContainsKey(t.Text) || TurtleCommands.Find(t.Text) is not null || (Keywords.Contains(t.Text) && t.Text is not ("keep" or "not"));
 
-    /// <summary>True if what comes after the word 'return' is its value.</summary>
+    /// <summary>True if a value follows the word 'return'.</summary>
     public bool IsValueAfterReturn(int at)
     {
         var token = _cursor.Tokens[at];
@@ -48,16 +48,16 @@ internal sealed class ScriptNames
 
     public bool IsSmooth(int at) => at < _cursor.Tokens.Count && _cursor.Tokens[at].IsWord("smooth");
 
-    /// <summary>The error of a name that begins no statement.</summary>
+    /// <summary>The error for a name that does not begin a statement.</summary>
     public FormulaException Unknown(Token token)
     {
         if (Scope.Variable(token.Text, token) is not null)
         {
-            return Error("turtle.syntax", $"'{token.Text}' is a variable; expected a command or '{token.Text} = …'.", token);
+            return Error("turtle.syntax", $"'{token.Text}' is a variable. Expected a command or '{token.Text} = …'.", token);
         }
         var names = Procedures.Keys.Concat(TurtleCommands.Names)
             .Concat(Keywords.Where(k => k is not ("to" or "step" or "else" or "keep" or "and" or "or" or "not")));
-        return Error("turtle.unknown", $"There is no command '{token.Text}'.{SpellingSuggestion.Hint(token.Text, names)}", token);
+        return Error("turtle.unknown", $"Unknown command '{token.Text}'.{SpellingSuggestion.Hint(token.Text, names)}", token);
     }
 
     private void Declare(ScriptSource source)
@@ -110,7 +110,7 @@ internal sealed class ScriptNames
         NewName(name, "procedure");
         if (TurtleCommands.Find(name.Text) is not null)
         {
-            throw Error("turtle.name", $"'{name.Text}' is already a command; choose another name for the procedure.", name);
+            throw Error("turtle.name", $"'{name.Text}' is already a command. Choose another name for the procedure.", name);
         }
         if (Procedures.ContainsKey(name.Text)) throw Error("turtle.name", $"The procedure '{name.Text}' is defined twice.", name);
         var parameters = new List<string>();
@@ -143,6 +143,6 @@ internal sealed class ScriptNames
     private static void NewName(Token name, string kind)
     {
         if (Keywords.Contains(name.Text) || ScriptScope.IsState(name.Text))
-            throw Error("turtle.name", $"'{name.Text}' is a reserved name; choose another name for the {kind}.", name);
+            throw Error("turtle.name", $"'{name.Text}' is a reserved name. Choose another name for the {kind}.", name);
     }
 }

@@ -5,7 +5,7 @@ namespace Caterpillar.Turtles;
 /// <summary>The lines that a program prints.</summary>
 internal sealed class ScriptPrints
 {
-    /// <summary>The most lines that a program may print; more are counted.</summary>
+    /// <summary>Maximum number of printed lines. More are only counted.</summary>
     public const int Max = 10_000;
 
     private readonly List<Diagnostic> _lines = [];
@@ -17,14 +17,14 @@ internal sealed class ScriptPrints
         else _more++;
     }
 
-    /// <summary>Line by line, and how many are left out.</summary>
+    /// <summary>The lines, and the number of lines that are left out.</summary>
     public IEnumerable<Diagnostic> All()
     {
         foreach (var line in _lines) yield return line;
         if (_more > 0)
         {
             yield return new Diagnostic(Severity.Note, "turtle.print_limit",
-                $"{NumberFormatter.Format(_more)} more lines are not shown: a program prints up to {NumberFormatter.Format(Max)}.");
+                $"Lines not shown: {NumberFormatter.Format(_more)}. A program can print up to {NumberFormatter.Format(Max)} lines.");
         }
     }
 }

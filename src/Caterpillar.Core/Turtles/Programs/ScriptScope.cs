@@ -40,17 +40,17 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
     public IEnumerable<string> Names
         => (_locals?.Keys ?? Enumerable.Empty<string>()).Concat(_globals.Keys).Concat(_arrays.Keys).Concat(State.Keys).OrderBy(n => n, StringComparer.Ordinal);
 
-    /// <summary>Variables that are seen here: locals, and globals that none of them hides.</summary>
+    /// <summary>Visible variables: locals, and globals that no local hides.</summary>
     public IReadOnlyList<(string Name, int Slot, bool Local)> Variables
         => (_locals?.Select(l => (l.Key, l.Value, true)) ?? []).Concat(_globals.Where(g => _locals?.ContainsKey(g.Key) != true)
             .Select(g => (g.Key, g.Value, false))).OrderBy(v => v.Item1, StringComparer.Ordinal).ToArray();
 
     public static bool IsState(string name) => State.ContainsKey(name);
 
-    /// <summary>Name of the number of the turn, from 1, in the innermost repeat.</summary>
+    /// <summary>Name of the number of the repetition, from 1, in the innermost repeat.</summary>
     public const string Counter = "repcount";
 
-    /// <summary>Slots of the repeats around the place at hand, in the procedure at hand.</summary>
+    /// <summary>Slots of the repeats around the current position in the current procedure.</summary>
     public Stack<(int Slot, bool Local)> Repeats { get; } = new();
 
     public void Enter(IReadOnlyList<string> parameters)
@@ -74,7 +74,7 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
         return slot;
     }
 
-    /// <summary>False if there is an image of that name already.</summary>
+    /// <summary>False if an image of that name exists.</summary>
     public bool DeclareImage(string name, GrayImage image, bool smooth)
     {
         if (_images.ContainsKey(name)) return false;
@@ -82,10 +82,10 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
         return true;
     }
 
-    /// <summary>Names that only the values of a shaping block see, with their slots.</summary>
+    /// <summary>Names that only formulas of a shaping block can use, with their slots.</summary>
     public Dictionary<string, (int Slot, bool Local)> Coordinates { get; } = new(StringComparer.Ordinal);
 
-    /// <summary>Those of the block at hand that its formulas read.</summary>
+    /// <summary>The coordinates that the formulas of the current block use.</summary>
     public HashSet<string> UsedCoordinates { get; } = new(StringComparer.Ordinal);
 
     /// <summary>A variable of the current procedure, or of the script outside of procedures.</summary>
@@ -96,7 +96,7 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
         return (slot, true);
     }
 
-    /// <summary>The variable that an assignment refers to: a local one, else a global one, else a new one here.</summary>
+    /// <summary>The variable of an assignment: a local one, else a global one, else a new one here.</summary>
     public (int Slot, bool Local) ForAssignment(string name)
     {
         if (_locals is not null && _locals.TryGetValue(name, out var local)) return (local, true);
@@ -208,7 +208,7 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
     {
         if (index >= 0 && index < length && index == Math.Floor(index)) return (int)index;
         var shown = double.IsNaN(index) || double.IsInfinity(index) ? "This index" : NumberFormatter.Format(index, 6);
-        throw new FormulaException("turtle.index", $"{shown} is not an index of '{name}', which has indices 0 to {NumberFormatter.Format(length - 1)}.", line,
+        throw new FormulaException("turtle.index", $"{shown} is not an index of '{name}'. Its indices are 0 to {NumberFormatter.Format(length - 1)}.", line,
             column);
     }
 }

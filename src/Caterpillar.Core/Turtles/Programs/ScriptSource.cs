@@ -4,7 +4,7 @@ using Caterpillar.Files;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>A script or a file that it includes, cut into tokens, with all that it reads from files.</summary>
+/// <summary>A script or an included file as tokens, with the files that it reads.</summary>
 internal sealed class ScriptSource
 {
     private const int MaxIncludes = 100;
@@ -15,19 +15,19 @@ internal sealed class ScriptSource
         Tokens = tokens;
     }
 
-    /// <summary>Its name in messages; null for the script itself.</summary>
+    /// <summary>Its name in messages. Null = the script itself.</summary>
     public string? File { get; }
 
     public List<Token> Tokens { get; }
 
-    /// <summary>Included files, by the token of their name; null where the file has been included before.</summary>
+    /// <summary>Included files by the token of their name. Null if the file has been included before.</summary>
     public Dictionary<int, ScriptSource?> Includes { get; } = [];
 
     /// <summary>Images, by the token of their file name.</summary>
     public Dictionary<int, GrayImage> Images { get; } = [];
 
-    /// <summary>Reads a script and what it includes.</summary>
-    /// <exception cref="FormulaException">A text is not a program, or a file is missing, includes itself, or is no image.</exception>
+    /// <summary>Reads a script and its included files.</summary>
+    /// <exception cref="FormulaException">A text is not a program, or a file is missing, includes itself or is not an image.</exception>
     public static ScriptSource Read(string text, string? file, ScriptFiles files) => new Reader(files, file).Read(text, null, null);
 
     private sealed class Reader(ScriptFiles files, string? main)
@@ -82,7 +82,7 @@ internal sealed class ScriptSource
                 ?? throw new FormulaException(read.Diagnostics[0].Code, $"'{name.Text}': {read.Diagnostics[0].Message}", name.Line, name.Column);
             _pixels += (long)image.Width * image.Height;
             if (_pixels > ImageReader.MaxPixels)
-                throw new FormulaException("turtle.file", "The images of the script have more than 100 million pixels in all.", name.Line, name.Column);
+                throw new FormulaException("turtle.file", "The images of the script have more than 100 million pixels in total.", name.Line, name.Column);
             return _images[path] = image;
         }
 

@@ -31,7 +31,7 @@ internal sealed class ScriptValues(ScriptCursor cursor, ScriptNames names)
         return new Argument(node, at);
     }
 
-    /// <summary>Values up to the end of the statement or the next command; separated by spaces or commas.</summary>
+    /// <summary>Values up to the end of the statement or the next command, separated by spaces or commas.</summary>
     public Argument?[] Values(int required, int max, bool mayKeep, Token command, string usage)
     {
         var values = new List<Argument?>();
@@ -41,7 +41,7 @@ internal sealed class ScriptValues(ScriptCursor cursor, ScriptNames names)
             else if (!BeginsValue(Next)) break;
             if (Next.IsWord("keep"))
             {
-                if (!mayKeep || values.Count >= 3) throw Error("turtle.values", "'keep' is only for coordinates of position and jump.", Next);
+                if (!mayKeep || values.Count >= 3) throw Error("turtle.values", "'keep' is only for the coordinates of 'position' and 'jump'.", Next);
                 values.Add(null);
                 cursor.At++;
                 continue;

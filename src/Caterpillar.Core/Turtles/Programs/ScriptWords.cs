@@ -2,7 +2,7 @@ using Caterpillar.Expressions;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>The words of L-systems that a program draws, letter by letter; one letter may draw another word.</summary>
+/// <summary>The L-system words that a program draws, letter by letter. A letter may draw another word.</summary>
 internal sealed class ScriptWords(ScriptCode code, FormulaContext context)
 {
     private readonly List<Letters> _words = [];
@@ -18,7 +18,7 @@ internal sealed class ScriptWords(ScriptCode code, FormulaContext context)
     /// <summary>Ends all words but the first ones.</summary>
     public void CutTo(int count) => _words.RemoveRange(count, _words.Count - count);
 
-    /// <summary>The word on top and its next letter; false at its end.</summary>
+    /// <summary>The word on top and its next letter. False at its end.</summary>
     public bool Next(out LSystemWord word, out int index)
     {
         var letters = _words[_words.Count - 1];
@@ -28,7 +28,7 @@ internal sealed class ScriptWords(ScriptCode code, FormulaContext context)
         return false;
     }
 
-    /// <summary>What letters without a procedure mean, for the step and angle of the script as they are now.</summary>
+    /// <summary>The commands of letters without a procedure, for the current step and angle of the script.</summary>
     public LSystemInterpretation Standard()
     {
         var (step, angle) = (Global(code.StepSlot, 1), Global(code.AngleSlot, 90));

@@ -6,7 +6,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>Applies a shaping block to the steps drawn in it; coordinates are those of the turtle when the block began.</summary>
+/// <summary>Applies a shaping block to the steps drawn in it, in the coordinates of the turtle at the start of the block.</summary>
 internal sealed class Shaper(ShapingRules rules, FormulaContext context, Frame frame, Turtle turtle)
 {
     // Deviation of deformed paths, mm, as in the component.
@@ -14,7 +14,7 @@ internal sealed class Shaper(ShapingRules rules, FormulaContext context, Frame f
 
     private int Slot => rules.Local ? context.Base + rules.Slot : rules.Slot;
 
-    /// <summary>The steps with their paths shaped; null and an error where that fails.</summary>
+    /// <summary>The steps with shaped paths, or null and an error.</summary>
     public Result<IReadOnlyList<Step>> Apply(IReadOnlyList<Step> steps, CancellationToken cancel)
     {
         var isLocal = rules.Kind is ShapingKind.Deform or ShapingKind.Modulate;

@@ -4,7 +4,7 @@ using static Caterpillar.Turtles.ScriptCursor;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>Reads what is in front of a block that shapes the paths drawn in it: <c>deform name = formula, … [</c>.</summary>
+/// <summary>Reads the header of a block that shapes the paths drawn in it: <c>deform name = formula, … [</c>.</summary>
 internal sealed class ShapingHeader(ScriptCursor cursor, ScriptValues values, ScriptScope scope)
 {
     private static readonly Dictionary<string, ModulationMode> Modes = new(System.StringComparer.Ordinal)
@@ -42,7 +42,7 @@ internal sealed class ShapingHeader(ScriptCursor cursor, ScriptValues values, Sc
     {
         var word = cursor.Next;
         if (word.Kind != TokenKind.Name || !Modes.TryGetValue(word.Text, out var mode))
-            throw Error("turtle.values", $"Found {word}, expected what to modulate: speed, flow, left or up.", word);
+            throw Error("turtle.values", $"Found {word}, expected speed, flow, left or up.", word);
         cursor.At++;
         return mode;
     }
@@ -72,7 +72,7 @@ internal sealed class ShapingHeader(ScriptCursor cursor, ScriptValues values, Sc
     {
         var at = rules.At;
         bool flat = rules.Has("x", "y"), round = rules.Has("r", "theta");
-        if (flat && round) throw Error("turtle.values", "x and y do not go together with r and theta: use two blocks, one inside the other.", at);
+        if (flat && round) throw Error("turtle.values", "x and y cannot be combined with r and theta. Use two blocks, one inside the other.", at);
         bool readsFlat = used.Contains("x") || used.Contains("y"), readsRound = used.Contains("r") || used.Contains("theta") || used.Contains("θ");
         rules.IsCylindrical = round || (!flat && !readsFlat);
         rules.NeedsBoth = rules.Kind == ShapingKind.Modulate ? readsRound : rules.IsCylindrical ? readsFlat : readsRound;
@@ -81,6 +81,6 @@ internal sealed class ShapingHeader(ScriptCursor cursor, ScriptValues values, Sc
         if (rules.Kind != ShapingKind.Modulate) return;
         if (!rules.Has("field")) throw Error("turtle.values", "'modulate' needs a field: modulate speed field = noise(x, y, z) [ … ].", at);
         if (rules.Mode is ModulationMode.DisplaceLeft or ModulationMode.DisplaceUp && !rules.Has("high"))
-            throw Error("turtle.values", "'modulate' needs high, the displacement in mm where the field is 1.", at);
+            throw Error("turtle.values", "'modulate left' and 'modulate up' need 'high': the displacement in mm at a field of 1.", at);
     }
 }

@@ -3,7 +3,7 @@ using Caterpillar.Shaping;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>What a block does to the paths that are drawn in it; each is named after a component.</summary>
+/// <summary>The action of a block on the paths drawn in it. Each is named after a component.</summary>
 internal enum ShapingKind : byte
 {
     Deform,
@@ -12,7 +12,7 @@ internal enum ShapingKind : byte
     CoolLayers,
 }
 
-/// <summary>A shaping block as compiled: its kind, and the formulas that its header gives.</summary>
+/// <summary>A compiled shaping block: its kind and the formulas of its header.</summary>
 internal sealed class ShapingRules(ShapingKind kind, ModulationMode mode, int slot, bool local, Token at)
 {
     /// <summary>Coordinates of a formula, in the order of their slots.</summary>
@@ -43,7 +43,7 @@ internal sealed class ShapingRules(ShapingKind kind, ModulationMode mode, int sl
 
     public bool Has(params string[] names) => names.Any(_values.ContainsKey);
 
-    /// <summary>The names that a header may give.</summary>
+    /// <summary>The names that a header may set.</summary>
     public static IReadOnlyList<string> Names(ShapingKind kind) => kind switch
     {
         ShapingKind.Deform => ["x", "y", "z", "r", "theta", "c", "v", "tolerance"],
@@ -52,7 +52,7 @@ internal sealed class ShapingRules(ShapingKind kind, ModulationMode mode, int sl
         _ => ["min_layer_time", "speed_by_length", "min_speed", "max_segment_rate"],
     };
 
-    /// <summary>The coordinates that its formulas see.</summary>
+    /// <summary>The coordinates that its formulas can use.</summary>
     public static IEnumerable<string> Visible(ShapingKind kind) => kind switch
     {
         ShapingKind.Deform => Coordinates.Take(7),

@@ -2,24 +2,24 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>Limits that stop a program that does not end, with an error.</summary>
+/// <summary>Limits that stop an endless program with an error.</summary>
 public sealed record TurtleLimits
 {
-    /// <summary>Statements that are executed; commands and loop iterations count, and a new array for each 64 of its numbers.</summary>
+    /// <summary>Maximum number of steps. Statements and loop iterations count as one, and a new array counts as one per 64 numbers.</summary>
     public long MaxSteps { get; init; } = 50_000_000;
 
-    /// <summary>Moves of the turtle.</summary>
+    /// <summary>Maximum number of moves of the turtle.</summary>
     public long MaxMoves { get; init; } = 10_000_000;
 
-    /// <summary>Nesting depth of procedure calls.</summary>
+    /// <summary>Maximum nesting depth of procedure calls.</summary>
     public int MaxDepth { get; init; } = 10_000;
 
-    /// <summary>Letters of a word of an L-system, and numbers of an array.</summary>
+    /// <summary>Maximum number of letters in an L-system word, and of numbers in an array.</summary>
     public int MaxSymbols { get; init; } = LSystem.DefaultMaxSymbols;
 
-    /// <summary>States that are pushed at one time.</summary>
+    /// <summary>Maximum number of pushed states at one time.</summary>
     public int MaxStates { get; init; } = 1_000_000;
 
-    /// <summary>What the moves, states and arrays of the program may take in all.</summary>
+    /// <summary>Maximum memory of the moves, states and arrays of the program.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 }

@@ -2,7 +2,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Turtles;
 
-/// <summary>A program for a turtle: a script, a list of commands, or a word of an L-system, with all it needs. Immutable.</summary>
+/// <summary>A program for a turtle: a script, a list of commands, or an L-system word, ready to run. Immutable.</summary>
 public sealed class TurtleProgram
 {
     private readonly Func<Turtle, TurtleLimits, CancellationToken, IReadOnlyList<Diagnostic>> _run;
@@ -15,14 +15,13 @@ public sealed class TurtleProgram
         Profiles = profiles ?? [];
     }
 
-    /// <summary>Names of the profiles of printer, material and settings that its script is written for (<c>use</c>); all or the later ones may be
-    /// missing.</summary>
+    /// <summary>Names of the printer, material and settings profiles of the script (<c>use</c>). All or the later ones may be missing.</summary>
     public IReadOnlyList<string> Profiles { get; }
 
-    /// <summary>One line that describes it.</summary>
+    /// <summary>Description in one line.</summary>
     public string Description { get; }
 
-    /// <summary>A script with the values of its parameters.</summary>
+    /// <summary>A program from a script and the values of its parameters.</summary>
     public static TurtleProgram FromScript(TurtleScript script, IReadOnlyDictionary<string, double>? variables = null, int seed = 0)
     {
         if (script is null) throw new ArgumentNullException(nameof(script));
@@ -31,14 +30,14 @@ public sealed class TurtleProgram
             (t, limits, cancel) => script.Run(t, variables, seed, limits, null, cancel), script.Profiles);
     }
 
-    /// <summary>Commands in order.</summary>
+    /// <summary>A program from a list of commands.</summary>
     public static TurtleProgram FromCommands(IEnumerable<TurtleCommand> commands)
     {
         var list = (commands ?? throw new ArgumentNullException(nameof(commands))).ToArray();
         return new TurtleProgram($"{NumberFormatter.Format(list.Length)} commands", (t, limits, cancel) => Run(list, t, limits, cancel));
     }
 
-    /// <summary>A word of an L-system.</summary>
+    /// <summary>A program from an L-system word.</summary>
     public static TurtleProgram FromWord(LSystemWord word, LSystemInterpretation interpretation)
     {
         if (word is null) throw new ArgumentNullException(nameof(word));
@@ -46,7 +45,7 @@ public sealed class TurtleProgram
         return new TurtleProgram($"L-system of {NumberFormatter.Format(word.Count)} letters", (t, _, cancel) => word.Draw(t, interpretation, cancel));
     }
 
-    /// <summary>Programs one after the other, with the same turtle.</summary>
+    /// <summary>A program that runs other programs in order with the same turtle.</summary>
     public static TurtleProgram Sequence(IEnumerable<TurtleProgram> programs)
     {
         var list = (programs ?? throw new ArgumentNullException(nameof(programs))).ToArray();
@@ -62,8 +61,8 @@ public sealed class TurtleProgram
         }, list.Select(p => p.Profiles).FirstOrDefault(p => p.Count > 0));
     }
 
-    /// <summary>Runs it.</summary>
-    /// <returns>The turtle at its end; none if an error stopped it.</returns>
+    /// <summary>Runs the program with a new turtle.</summary>
+    /// <returns>The turtle at the end. Null if an error stopped the program.</returns>
     public Result<Turtle> Run(TurtleOptions? options = null, TurtleLimits? limits = null, IProgress<double>? progress = null,
         CancellationToken cancel = default)
     {

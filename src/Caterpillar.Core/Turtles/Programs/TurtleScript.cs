@@ -4,14 +4,14 @@ using Caterpillar.Expressions;
 namespace Caterpillar.Turtles;
 
 /// <summary>
-/// A turtle program as text, compiled once: commands of <see cref="TurtleCommands"/>, one per line or separated by <c>;</c>, formulas (<see cref="Formula"/>),
-/// variables, <c>repeat</c>, <c>for</c>,
-/// <c>while</c>, <c>if</c> and <c>else</c>, arrays, procedures (<c>def</c>), L-systems, comments. docs/turtle.md is its manual. Problems are diagnostics with
-/// line and column; programs that do not end are stopped by <see cref="TurtleLimits"/>. Immutable; may run on several threads at once.
+/// A compiled turtle program. A script has commands (<see cref="TurtleCommands"/>), formulas (<see cref="Formula"/>), variables, <c>repeat</c>, <c>for</c>,
+/// <c>while</c>, <c>if</c> and <c>else</c>, arrays, procedures (<c>def</c>), L-systems and comments. Statements are on separate lines or separated by
+/// <c>;</c>. docs/turtle.md is the manual. Problems are diagnostics with line and column. <see cref="TurtleLimits"/> stop endless programs. Scripts are
+/// immutable and can run on several threads at once.
 /// </summary>
 public sealed class TurtleScript
 {
-    /// <summary>Code of the notes that are lines printed by the program (<c>print</c>); they come first, in their order.</summary>
+    /// <summary>Code of the notes for lines that the program prints (<c>print</c>). They come first, in their order.</summary>
     public const string PrintCode = "turtle.print";
 
     private readonly ScriptCode _code;
@@ -24,19 +24,19 @@ public sealed class TurtleScript
         _code = code;
     }
 
-    /// <summary>The program.</summary>
+    /// <summary>The text of the script.</summary>
     public string Text { get; }
 
-    /// <summary>Variables that can be set from outside, in order (<c>param name = default</c>).</summary>
+    /// <summary>Names of the parameters, in order (<c>param name = default</c>).</summary>
     public IReadOnlyList<string> Parameters => _code.Parameters;
 
-    /// <summary>Names of the profiles of printer, material and settings that it is written for (<c>use</c>); all or the later ones may be missing.</summary>
+    /// <summary>Names of the printer, material and settings profiles of the script (<c>use</c>). All or the later ones may be missing.</summary>
     public IReadOnlyList<string> Profiles => _code.Profiles;
 
-    /// <summary>Compiles a script. It never throws for the text; at max one error comes back, the first.</summary>
-    /// <param name="text">The script.</param>
+    /// <summary>Compiles a script. Errors in the text are not exceptions. Only the first error is returned.</summary>
+    /// <param name="text">The text of the script.</param>
     /// <param name="file">Its name, for diagnostics.</param>
-    /// <param name="files">The files that it may read (<c>include</c>, <c>image</c>); none by default.</param>
+    /// <param name="files">The files that the script may read (<c>include</c>, <c>image</c>). By default, none.</param>
     public static Result<TurtleScript> Compile(string text, string? file = null, ScriptFiles? files = null)
     {
         if (text is null) throw new ArgumentNullException(nameof(text));
@@ -51,13 +51,13 @@ public sealed class TurtleScript
     }
 
     /// <summary>Runs the script with a new turtle.</summary>
-    /// <param name="options">How the turtle begins.</param>
-    /// <param name="variables">Values of parameters; an unknown name is a warning.</param>
-    /// <param name="seed">Of <c>random()</c>, until the script sets its own.</param>
-    /// <param name="limits">Where it is stopped.</param>
-    /// <param name="progress">Reports 1 at the end, since the length of a run is unknown.</param>
+    /// <param name="options">The initial state of the turtle.</param>
+    /// <param name="variables">Values of parameters. An unknown name is a warning.</param>
+    /// <param name="seed">Seed of <c>random()</c> until the script sets its own.</param>
+    /// <param name="limits">Limits that stop the script.</param>
+    /// <param name="progress">Reports 1 at the end. The length of a run is not known before.</param>
     /// <param name="cancel">Stops with <see cref="OperationCanceledException"/>.</param>
-    /// <returns>The turtle at its end; none if an error stopped it.</returns>
+    /// <returns>The turtle at the end. Null if an error stopped the script.</returns>
     public Result<Turtle> Run(
         TurtleOptions? options = null,
         IReadOnlyDictionary<string, double>? variables = null,
@@ -71,7 +71,7 @@ public sealed class TurtleScript
         return new Result<Turtle>(diagnostics.Any(d => d.Severity == Severity.Error) ? null : turtle, diagnostics);
     }
 
-    /// <summary>Runs the script with an existing turtle; after an error it is where the program stopped.</summary>
+    /// <summary>Runs the script with an existing turtle. After an error, the turtle is where the script stopped.</summary>
     /// <inheritdoc cref="Run(TurtleOptions?, IReadOnlyDictionary{string, double}?, int, TurtleLimits?, IProgress{double}?, CancellationToken)"/>
     public IReadOnlyList<Diagnostic> Run(
         Turtle turtle,
@@ -96,7 +96,7 @@ public sealed class TurtleScript
         {
             machine.Run();
             if (turtle.StackDepth > unclosed)
-                diagnostics.Add(Severity.Note, "turtle.push", $"{NumberFormatter.Format(turtle.StackDepth - unclosed)} pushed states are never popped.",
+                diagnostics.Add(Severity.Note, "turtle.push", $"Pushed states without a pop: {NumberFormatter.Format(turtle.StackDepth - unclosed)}.",
                     _file is null ? null : new SourceLocation(_file));
         }
         catch (FormulaException e)
