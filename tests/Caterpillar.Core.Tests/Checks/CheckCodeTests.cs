@@ -84,7 +84,7 @@ public class CheckCodeTests
             + string.Concat(Enumerable.Range(1, 20).Select(i => $"G1 X{10 + i} E{(i % 2 == 0 ? "-" : "")}0.1\n")) + "M104 S0\n",
         [CheckCodes.NoHoming] = "M109 S200\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 E0.3\nM104 S0\n",
         [CheckCodes.NoHeating] = "G28\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 E0.3\n",
-        [CheckCodes.UnknownPosition] = "G28 X Y\nM109 S200\nM83\nG1 X10 Y10 F3000\nG1 X20 E0.3\nM104 S0\n",
+        [CheckCodes.UnknownPosition] = "G28 X Z\nM109 S200\nM83\nG1 X10 Z0.2 F3000\nG1 X20 E0.3\nM104 S0\n",
         [CheckCodes.HeatLeftOn] = "G28\nM109 S200\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 E0.3\n",
     };
 
@@ -106,6 +106,7 @@ public class CheckCodeTests
         CheckCodes.DigsIn => (Stairs(), null),
         CheckCodes.Unsupported => (At(50, 50, 4).Print(60, 50, 4), null),
         CheckCodes.Doubled => (At(50, 50, 0.2).Print(100, 50, 0.2).Go(100, 50, 5).Go(50, 50, 0.2).Print(100, 50, 0.2), null),
+        CheckCodes.TooLow => (At(50, 50, 0.01).Print(70, 50, 0.01), null),
         CheckCodes.Squeezed => (At(50, 50, 0.04).Print(70, 50, 0.04), null),
         CheckCodes.Width => (At(50, 50, 0.2).Print(60, 50, 0.2, 0.3), null),
         CheckCodes.Height => (At(50, 50, 0.6).InLayer(new Layer(0, 0.6, 0.6)).Print(60, 50, 0.6, 0.4), null),

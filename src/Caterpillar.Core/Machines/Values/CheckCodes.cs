@@ -14,6 +14,7 @@ public static class CheckCodes
     public const string GantryHits = "collision.gantry";
     public const string ClipHit = "collision.clip";
     public const string DigsIn = "nozzle.digs_in";
+    public const string TooLow = "nozzle.too_low";
     public const string Unsupported = "extrusion.unsupported";
     public const string Doubled = "extrusion.duplicate";
     public const string Squeezed = "extrusion.squeezed";
@@ -52,6 +53,7 @@ public static class CheckCodes
         new(GantryHits, Severity.Error, "the gantry goes through what is printed"),
         new(ClipHit, Severity.Error, "nozzle, head or gantry hit a clip on the bed"),
         new(DigsIn, Severity.Note, "the flat of the nozzle digs into a slope of up to 45° beside it"),
+        new(TooLow, Severity.Error, "more than 5 mm of extrusions with a gap below the nozzle of less than 30 % of their height"),
         new(Unsupported, Severity.Warning, "extrusions in the air: more than 5 mm at a free end, or more than 60 mm between two supports"),
         new(Doubled, Severity.Warning, "more than 20 mm of a path in the place of another extrusion"),
         new(Squeezed, Severity.Warning, "more material than fits between the nozzle and what is below it: an extrusion would be more than four nozzles wide, "
