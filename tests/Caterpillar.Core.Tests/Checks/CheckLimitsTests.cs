@@ -127,6 +127,18 @@ public class CheckLimitsTests
         => Expect(new SmallPrint(50, 50, 0.2).Print(70, 50, 0.2).Go(100, 100, 0.2).Prime(volume), CheckCodes.Squeezed, found, 2,
             found > 0 ? "2.53 mm³ in place do not fit into 0.2 mm below the nozzle: the blob would be 4.01 mm wide." : null);
 
+    // A disc of 8 mm and 0.2 mm is 10.05 mm³; above a gap of one nozzle it hangs.
+    [TestCase(0.2, 10, 0)]
+    [TestCase(0.2, 10.1, 1)]
+    [TestCase(0, 0.2, 1)]
+    [TestCase(0.41, 100, 0)]
+    public void A_wide_blob_is_refused(double z, double volume, int found)
+        => Expect(new SmallPrint(50, 50, 0.2).Print(70, 50, 0.2).Go(100, 100, z).Prime(volume), CheckCodes.Blob, found, 2);
+
+    [Test]
+    public void A_wide_blob_is_refused_before_anything_is_printed()
+        => Expect(new SmallPrint(50, 50, 0.2).Prime(300), CheckCodes.Blob, 1, 0);
+
     // Area of a stadium of a width and 0.2 mm height.
     [TestCase(1.2, 0)]
     [TestCase(1.21, 1)]
@@ -283,7 +295,7 @@ public class CheckLimitsTests
         var codes = typeof(CheckCodes).GetFields().Select(f => (string)f.GetValue(null)!).ToArray();
         Assert.That(CheckCodes.All.Select(r => r.Code), Is.Unique.And.EquivalentTo(codes));
         Assert.That(CheckCodes.All.Select(r => r.Summary.Length), Is.All.GreaterThan(10));
-        Assert.That(codes.Length, Is.EqualTo(35));
+        Assert.That(codes.Length, Is.EqualTo(36));
         var manual = System.IO.File.ReadAllText(System.IO.Path.Combine(TestData.Repository, "docs", "checks.md"));
         foreach (var rule in CheckCodes.All)
             Assert.That(manual, Does.Contain($"| `{rule.Code}` | {rule.Severity.ToString().ToLowerInvariant()} | {rule.Summary} |"));

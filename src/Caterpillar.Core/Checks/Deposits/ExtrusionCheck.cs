@@ -28,6 +28,7 @@ internal sealed class ExtrusionCheck
     private const double Thinnest = 0.2;
     private const double WidestSqueezed = 4;
     private const double WidestBlob = 10;
+    private const double RefusedBlob = 20;
 
     // Height over the root of the area on the bed.
     private const double Slenderest = 8;
@@ -58,7 +59,8 @@ internal sealed class ExtrusionCheck
     /// <summary>What it finds.</summary>
     public static IReadOnlyList<string> Codes { get; } =
     [
-        CheckCodes.Unsupported, CheckCodes.Doubled, CheckCodes.Squeezed, CheckCodes.TooLow, CheckCodes.Width, CheckCodes.Height, CheckCodes.FirstLayer,
+        CheckCodes.Unsupported, CheckCodes.Doubled, CheckCodes.Squeezed, CheckCodes.Blob, CheckCodes.TooLow, CheckCodes.Width, CheckCodes.Height,
+            CheckCodes.FirstLayer,
     ];
 
     /// <summary>An extrusion along a straight move; its nominal height and the height that it fills, mm.</summary>
@@ -110,10 +112,12 @@ internal sealed class ExtrusionCheck
     public void Blob(in CheckedMove move)
     {
         var gap = GapBelow(move.End, Math.Min(_usualHeight, move.End.Z));
-        if (!(gap > 0) || gap > _printer.NozzleDiameter || _highest == 0) return;
-        var width = 2 * Math.Sqrt(move.Deposited / (Math.PI * gap));
-        if (!(width > WidestBlob * _printer.NozzleDiameter)) return;
+        // Higher up it hangs from the nozzle.
+        if (gap > _printer.NozzleDiameter || (_highest == 0 && move.Role == Role.Purge)) return;
         var volume = move.Deposited;
+        var width = 2 * Math.Sqrt(volume / (Math.PI * Math.Max(gap, Flat)));
+        if (width > RefusedBlob * _printer.NozzleDiameter) ReportBlob(move.Index, volume, gap, width);
+        if (!(gap > 0) || _highest == 0 || !(width > WidestBlob * _printer.NozzleDiameter)) return;
         _findings.Add(CheckCodes.Squeezed, move.Index, () => $"{Number(volume)} mm³ in place do not fit into {Number(gap)} mm below the nozzle: the blob would "
             + $"be {Number(width)} mm wide.", width);
     }
@@ -226,6 +230,10 @@ internal sealed class ExtrusionCheck
     private void ReportNear(string code, int move, double gap, double height)
         => _findings.Add(code, move, () => $"The nozzle is {Number(gap)} mm above the bed{(_printed.Object is null ? "" : " or the object")}, but the extrusion is "
             + $"{Number(height)} mm high. Raise the path by {Number(height - gap)} mm.", height - gap);
+
+    private void ReportBlob(int move, double volume, double gap, double width)
+        => _findings.Add(CheckCodes.Blob, move, () => $"{Number(volume)} mm³ extruded in place with the nozzle {Number(gap)} mm above the bed "
+            + $"or the print make a blob {Number(width)} mm wide. Extrude less, or raise the nozzle first.", width);
 
     private void Squeezed(in CheckedMove move, double area, double gap)
         => _findings.Add(CheckCodes.Squeezed, move.Index,

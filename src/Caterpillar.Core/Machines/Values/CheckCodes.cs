@@ -18,6 +18,7 @@ public static class CheckCodes
     public const string Unsupported = "extrusion.unsupported";
     public const string Doubled = "extrusion.duplicate";
     public const string Squeezed = "extrusion.squeezed";
+    public const string Blob = "extrusion.blob";
     public const string Width = "extrusion.width";
     public const string Height = "extrusion.height";
     public const string Gap = "extrusion.gap";
@@ -58,6 +59,7 @@ public static class CheckCodes
         new(Doubled, Severity.Warning, "more than 20 mm of a path in the place of another extrusion"),
         new(Squeezed, Severity.Warning, "more material than fits between the nozzle and what is below it: an extrusion would be more than four nozzles wide, "
             + "a blob in place more than ten"),
+        new(Blob, Severity.Error, "material in place that spreads wider than twenty nozzles"),
         new(Width, Severity.Warning, "more than 5 mm of extrusions wider than three nozzles, or thinner than a fifth of one"),
         new(Height, Severity.Warning, "layers higher than the nozzle is wide"),
         new(Gap, Severity.Note, "a straight line of extrusions with a gap of 0.1 to 1 mm"),
