@@ -84,7 +84,7 @@ public class CheckCodeTests
             + string.Concat(Enumerable.Range(1, 20).Select(i => $"G1 X{10 + i} E{(i % 2 == 0 ? "-" : "")}0.1\n")) + "M104 S0\n",
         [CheckCodes.NoHoming] = "M109 S200\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 E0.3\nM104 S0\n",
         [CheckCodes.NoHeating] = "G28\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 E0.3\n",
-        [CheckCodes.UnknownPosition] = "G28 X Y\nM109 S200\nM83\nG1 X10 Y10 F3000\nG1 X20 E0.3\nM104 S0\n",
+        [CheckCodes.UnknownPosition] = "G28 X Z\nM109 S200\nM83\nG1 X10 Z0.2 F3000\nG1 X20 E0.3\nM104 S0\n",
         [CheckCodes.HeatLeftOn] = "G28\nM109 S200\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 E0.3\n",
     };
 
@@ -106,6 +106,8 @@ public class CheckCodeTests
         CheckCodes.DigsIn => (Stairs(), null),
         CheckCodes.Unsupported => (At(50, 50, 4).Print(60, 50, 4), null),
         CheckCodes.Doubled => (At(50, 50, 0.2).Print(100, 50, 0.2).Go(100, 50, 5).Go(50, 50, 0.2).Print(100, 50, 0.2), null),
+        CheckCodes.TooLow => (At(50, 50, 0.01).Print(70, 50, 0.01), null),
+        CheckCodes.Blob => (At(50, 50, 0.2).Print(70, 50, 0.2).Go(100, 100, 0.2).Prime(11), null),
         CheckCodes.Squeezed => (At(50, 50, 0.04).Print(70, 50, 0.04), null),
         CheckCodes.Width => (At(50, 50, 0.2).Print(60, 50, 0.2, 0.3), null),
         CheckCodes.Height => (At(50, 50, 0.6).InLayer(new Layer(0, 0.6, 0.6)).Print(60, 50, 0.6, 0.4), null),
@@ -119,7 +121,7 @@ public class CheckCodeTests
         CheckCodes.Tool => (new SmallPrint().Event(new ToolEvent(3)).Print(30, 10, 0.2, tool: 3), null),
         CheckCodes.NozzleTemperature => (new SmallPrint().Event(new NozzleTemperatureEvent(500)).Print(30, 10, 0.2), null),
         CheckCodes.BedTemperature => (new SmallPrint().Event(new BedTemperatureEvent(300)).Print(30, 10, 0.2), null),
-        CheckCodes.Stationary => (At(10, 10, 0.2).Print(30, 10, 0.2).Prime(600), null),
+        CheckCodes.Stationary => (At(10, 10, 0.2).Print(30, 10, 0.2).Go(30, 10, 5).Prime(600), null),
         CheckCodes.ColdExtrusion => (new SmallPrint().Event(new NozzleTemperatureEvent(50)).Print(30, 10, 0.2), null),
         CheckCodes.FilePosition => (At(10, 10, 0.2).Print(30, 10, 0.2).Event(new RawEvent("G1 X40\nG92 X30")).Print(60, 10, 0.2), null),
         CheckCodes.FileModes => (At(10, 10, 0.2).Print(30, 10, 0.2).Event(new RawEvent("G91")).Print(60, 10, 0.2), null),

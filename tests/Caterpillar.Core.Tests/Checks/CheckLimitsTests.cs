@@ -98,12 +98,46 @@ public class CheckLimitsTests
     public void An_extrusion_needs_a_gap(double z, int found)
         => Expect(new SmallPrint(50, 50, z).Print(70, 50, z), CheckCodes.Squeezed, z == 0 ? 0 : found, 0);
 
+    // 0.08 mm² are 0.2 mm high below a nozzle of 0.4 mm: an error at less than 30 % of it, a warning at less than 60 %.
+    [TestCase(0, "nozzle.too_low")]
+    [TestCase(0.01, "nozzle.too_low")]
+    [TestCase(0.05, "nozzle.too_low")]
+    [TestCase(0.0599, "nozzle.too_low")]
+    [TestCase(0.0601, "extrusion.squeezed")]
+    [TestCase(0.1, "extrusion.squeezed")]
+    [TestCase(0.1199, "extrusion.squeezed")]
+    [TestCase(0.1201, "")]
+    [TestCase(0.15, "")]
+    [TestCase(0.2, "")]
+    public void A_bead_on_the_bed_needs_its_height(double z, string expected)
+    {
+        var print = new SmallPrint(50, 50, z).Print(70, 50, z);
+        foreach (var code in new[] { CheckCodes.TooLow, CheckCodes.Squeezed })
+        {
+            // Under 0.05 mm the extrusion is four nozzles wide, too.
+            if (code == CheckCodes.Squeezed && z < 0.05) continue;
+            Expect(print, code, code == expected ? 1 : 0, 0);
+        }
+    }
+
     // A disc of 4 mm and 0.2 mm is 2.513 mm³.
     [TestCase(2.5, 0)]
     [TestCase(2.53, 1)]
     public void A_blob_needs_a_gap(double volume, int found)
         => Expect(new SmallPrint(50, 50, 0.2).Print(70, 50, 0.2).Go(100, 100, 0.2).Prime(volume), CheckCodes.Squeezed, found, 2,
             found > 0 ? "2.53 mm³ extruded in place do not fit into the 0.2 mm under the nozzle: the blob would be 4.01 mm wide. Extrude less." : null);
+
+    // A disc of 8 mm and 0.2 mm is 10.05 mm³; above a gap of one nozzle it hangs.
+    [TestCase(0.2, 10, 0)]
+    [TestCase(0.2, 10.1, 1)]
+    [TestCase(0, 0.2, 1)]
+    [TestCase(0.41, 100, 0)]
+    public void A_wide_blob_is_refused(double z, double volume, int found)
+        => Expect(new SmallPrint(50, 50, 0.2).Print(70, 50, 0.2).Go(100, 100, z).Prime(volume), CheckCodes.Blob, found, 2);
+
+    [Test]
+    public void A_wide_blob_is_refused_before_anything_is_printed()
+        => Expect(new SmallPrint(50, 50, 0.2).Prime(300), CheckCodes.Blob, 1, 0);
 
     // Area of a stadium of a width and 0.2 mm height.
     [TestCase(1.2, 0)]
@@ -261,7 +295,7 @@ public class CheckLimitsTests
         var codes = typeof(CheckCodes).GetFields().Select(f => (string)f.GetValue(null)!).ToArray();
         Assert.That(CheckCodes.All.Select(r => r.Code), Is.Unique.And.EquivalentTo(codes));
         Assert.That(CheckCodes.All.Select(r => r.Summary.Length), Is.All.GreaterThan(10));
-        Assert.That(codes.Length, Is.EqualTo(34));
+        Assert.That(codes.Length, Is.EqualTo(36));
         var manual = System.IO.File.ReadAllText(System.IO.Path.Combine(TestData.Repository, "docs", "checks.md"));
         foreach (var rule in CheckCodes.All)
             Assert.That(manual, Does.Contain($"| `{rule.Code}` | {rule.Severity.ToString().ToLowerInvariant()} | {rule.Summary} |"));

@@ -134,7 +134,7 @@ public class ProgressLinesTests
     private static string[] Written(string flavor, bool wanted = true)
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
-        for (var i = 1; i <= 60; i++) builder.Add(new Vec3(i, 0, 0), 0.03, 0.03, 0.1, MoveKind.Print, Role.Unspecified, -1, 0, i);
+        for (var i = 1; i <= 60; i++) builder.Add(new Vec3(i, 0, 0.2), 0.03, 0.03, 0.1, MoveKind.Print, Role.Unspecified, -1, 0, i);
         using var memory = new MemoryStream();
         var result = SafeWriter.Write(builder.Build([new ToolpathTool(2.405)]), Setup(flavor, wanted), memory);
         Assert.That(result.Value, Is.Not.Null, string.Join("\n", result.Diagnostics));

@@ -252,7 +252,7 @@ internal sealed class ExampleTests
     private static double VaseRadius(double layer) => 20 + Sum(0, (int)layer - 1, n => 20 * Sin(270 * (n / 200 + 1.0 / 3)) / 100);
 
     // A frond is d (1 + e^30i + e^180i + e^210i) = 0: it closes; the headings do not matter.
-    private static Vec3 PalmEnd() => Walk(65, 0, 1599, PineBase, -9);
+    private static Vec3 PalmEnd() => Walk(65.2, 0, 1599, PineBase, -9);
 
     // Rounds of 10, 9, … 1 dots, 2 mm apart: up and left in turn with headings 90 and 180, then 270 and 0, and so on.
     private static Vec3 PatchEnd()

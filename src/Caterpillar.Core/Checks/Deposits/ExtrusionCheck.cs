@@ -13,16 +13,22 @@ internal sealed class ExtrusionCheck
     public const double MostBridge = 60;
     public const double MostOdd = 5;
     public const double MostDoubled = 20;
+    private const double MostTight = 5;
     private const double Touch = 0.1;
     private const double Flat = 0.002;
     private const double SampleStep = 0.5;
     private const int MostSamples = 256;
+
+    // Gaps below the nozzle, as parts of the height of the bead.
+    private const double TooLow = 0.3;
+    private const double Tight = 0.6;
 
     // In nozzles.
     private const double Widest = 3;
     private const double Thinnest = 0.2;
     private const double WidestSqueezed = 4;
     private const double WidestBlob = 10;
+    private const double RefusedBlob = 20;
 
     // Height over the root of the area on the bed.
     private const double Slenderest = 8;
@@ -36,8 +42,8 @@ internal sealed class ExtrusionCheck
     private bool _isOpen, _anchored, _startsHeld;
     private double _air;
     private int _airMove;
-    private double _wide, _thin, _doubled;
-    private int _wideMove, _thinMove, _doubledMove;
+    private double _wide, _thin, _doubled, _low, _tight;
+    private int _wideMove, _thinMove, _doubledMove, _lowMove, _tightMove;
     private double _standing, _highest;
 
     public ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Findings findings)
@@ -53,7 +59,8 @@ internal sealed class ExtrusionCheck
     /// <summary>Codes of its findings.</summary>
     public static IReadOnlyList<string> Codes { get; } =
     [
-        CheckCodes.Unsupported, CheckCodes.Doubled, CheckCodes.Squeezed, CheckCodes.Width, CheckCodes.Height, CheckCodes.FirstLayer,
+        CheckCodes.Unsupported, CheckCodes.Doubled, CheckCodes.Squeezed, CheckCodes.Blob, CheckCodes.TooLow, CheckCodes.Width, CheckCodes.Height,
+            CheckCodes.FirstLayer,
     ];
 
     /// <summary>An extrusion along a straight move; its nominal height and the height that it fills, mm.</summary>
@@ -75,6 +82,7 @@ internal sealed class ExtrusionCheck
         var reach = 2 * Math.Max(nominal, _printer.NozzleDiameter / 2) + Touch;
         var gap = double.NaN;
         var tight = double.PositiveInfinity;
+        var nearest = double.PositiveInfinity;
         for (var k = 0; k < count; k++)
         {
             var p = Vec3.Lerp(move.Start, move.End, (k + 0.5) / count);
@@ -82,6 +90,7 @@ internal sealed class ExtrusionCheck
             var (top, under) = _printed.Deposit.CellAt(p.X, p.Y);
             gap = Gap(p.Z, top, under, floor, nominal);
             tight = Math.Min(tight, gap);
+            nearest = Math.Min(nearest, p.Z - floor);
             // The gap of a thinner extrusion is never larger.
             if (gap <= reach || Gap(p.Z, top, under, floor, least) <= reach || move.Role == Role.Purge) Land(move.Index);
             else Fly(move.Index, step);
@@ -94,6 +103,7 @@ internal sealed class ExtrusionCheck
         var filled = Math.Max(height, Math.Min(tight, 2 * Math.Sqrt(area / Math.PI)));
         if (move.Role == Role.Purge) return (height, height);
         Dimensions(move, area, height, filled, known);
+        if (move.Role != Role.Ironing) Closeness(move, nearest, least);
         if (tight > 0 && area / tight > WidestSqueezed * _printer.NozzleDiameter) Squeezed(move, area, tight);
         if (_looksForDoubled && move.Role is not (Role.Ironing or Role.GapFill or Role.PrimeTower)) Doubles(move, area, height);
         return (height, known ? height : filled);
@@ -103,10 +113,12 @@ internal sealed class ExtrusionCheck
     public void Blob(in CheckedMove move)
     {
         var gap = GapBelow(move.End, Math.Min(_usualHeight, move.End.Z));
-        if (!(gap > 0) || gap > _printer.NozzleDiameter || _highest == 0) return;
-        var width = 2 * Math.Sqrt(move.Deposited / (Math.PI * gap));
-        if (!(width > WidestBlob * _printer.NozzleDiameter)) return;
+        // Higher up it hangs from the nozzle.
+        if (gap > _printer.NozzleDiameter || (_highest == 0 && move.Role == Role.Purge)) return;
         var volume = move.Deposited;
+        var width = 2 * Math.Sqrt(volume / (Math.PI * Math.Max(gap, Flat)));
+        if (width > RefusedBlob * _printer.NozzleDiameter) ReportBlob(move.Index, volume, gap, width);
+        if (!(gap > 0) || _highest == 0 || !(width > WidestBlob * _printer.NozzleDiameter)) return;
         _findings.Add(CheckCodes.Squeezed, move.Index, () => $"{Number(volume)} mm³ extruded in place do not fit into the {Number(gap)} mm under the nozzle: "
             + $"the blob would be {Number(width)} mm wide. Extrude less.", width);
     }
@@ -204,6 +216,28 @@ internal sealed class ExtrusionCheck
         => _findings.Add(CheckCodes.Width, move, () => $"Extrusions are {Number(width)} mm wide, too {(width > _printer.NozzleDiameter ? "wide" : "narrow")} "
             + $"for a nozzle of {Number(_printer.NozzleDiameter)} mm. Check line width and flow ratio.",
             width > _printer.NozzleDiameter ? width / (Widest * _printer.NozzleDiameter) : Thinnest * _printer.NozzleDiameter / width);
+
+    private void Closeness(in CheckedMove move, double gap, double height)
+    {
+        if (gap < TooLow * height) Near(ref _low, ref _lowMove, move, CheckCodes.TooLow, gap, height);
+        else if (gap < Tight * height) Near(ref _tight, ref _tightMove, move, CheckCodes.Squeezed, gap, height);
+    }
+
+    private void Near(ref double length, ref int first, in CheckedMove move, string code, double gap, double height)
+    {
+        if (length == 0) first = move.Index;
+        var before = length;
+        length += move.Length;
+        if (length > MostTight) ReportNear(code, before > MostTight ? move.Index : first, gap, height);
+    }
+
+    private void ReportNear(string code, int move, double gap, double height)
+        => _findings.Add(code, move, () => $"The nozzle is {Number(gap)} mm above the bed{(_printed.Object is null ? "" : " or the object")}, but the "
+            + $"extrusion is {Number(height)} mm high. Raise the path by {Number(height - gap)} mm.", height - gap);
+
+    private void ReportBlob(int move, double volume, double gap, double width)
+        => _findings.Add(CheckCodes.Blob, move, () => $"{Number(volume)} mm³ extruded in place with the nozzle {Number(gap)} mm above the bed "
+            + $"or the print make a blob {Number(width)} mm wide. Extrude less, or raise the nozzle first.", width);
 
     private void Squeezed(in CheckedMove move, double area, double gap)
         => _findings.Add(CheckCodes.Squeezed, move.Index,

@@ -14,9 +14,11 @@ public static class CheckCodes
     public const string GantryHits = "collision.gantry";
     public const string ClipHit = "collision.clip";
     public const string DigsIn = "collision.slope";
+    public const string TooLow = "nozzle.too_low";
     public const string Unsupported = "extrusion.unsupported";
     public const string Doubled = "extrusion.duplicate";
     public const string Squeezed = "extrusion.squeezed";
+    public const string Blob = "extrusion.blob";
     public const string Width = "extrusion.width";
     public const string Height = "extrusion.height";
     public const string Gap = "extrusion.gap";
@@ -52,9 +54,12 @@ public static class CheckCodes
         new(GantryHits, Severity.Error, "the gantry hits an earlier extrusion"),
         new(ClipHit, Severity.Error, "the nozzle, print head or gantry hits a bed clip"),
         new(DigsIn, Severity.Note, "the flat of the nozzle tip cuts into a slope of up to 45° next to it"),
+        new(TooLow, Severity.Error, "more than 5 mm of extrusions with a gap under the nozzle of less than 30 % of their height"),
         new(Unsupported, Severity.Warning, "extrusions in the air: more than 5 mm with a free end, or more than 60 mm between two supports"),
         new(Doubled, Severity.Warning, "more than 20 mm of a path in the same place as another extrusion"),
-        new(Squeezed, Severity.Warning, "more material than fits under the nozzle: an extrusion wider than 4 nozzle diameters, or a blob wider than 10"),
+        new(Squeezed, Severity.Warning, "more material than fits under the nozzle: an extrusion wider than 4 nozzle diameters, a blob wider than 10, "
+            + "or less than 60 % of the height above the bed"),
+        new(Blob, Severity.Error, "blobs wider than 20 nozzle diameters"),
         new(Width, Severity.Warning, "more than 5 mm of extrusions wider than 3 nozzle diameters, or narrower than a fifth of one"),
         new(Height, Severity.Warning, "layers higher than the nozzle diameter"),
         new(Gap, Severity.Note, "gaps of 0.1 to 1 mm in a straight line of extrusions"),
