@@ -52,7 +52,7 @@ public readonly struct Affine : IEquatable<Affine>
     public static Affine Rotate(Vec3 axis, double degrees)
     {
         var u = axis.Unit();
-        if (!(u.LengthSquared > 0.5)) throw new ArgumentException("The axis of a rotation must have a direction.", nameof(axis));
+        if (!(u.LengthSquared > 0.5)) throw new ArgumentException("The axis of a rotation must not be zero.", nameof(axis));
         var (sin, cos) = Angle.SinCos(degrees);
         Vec3 Turn(Vec3 p) => p * cos + Vec3.Cross(u, p) * sin + u * (Vec3.Dot(u, p) * (1 - cos));
         return new Affine(Turn(Vec3.UnitX), Turn(Vec3.UnitY), Turn(Vec3.UnitZ), Vec3.Zero);

@@ -43,7 +43,7 @@ public readonly struct Frame : IEquatable<Frame>
         if (!(ux.LengthSquared > 0.5)
             || !(uz.LengthSquared > 0.5))
         {
-            throw new ArgumentException("The axes of a frame must be two different directions.", nameof(y));
+            throw new ArgumentException("The axes of a frame must not be parallel or zero.", nameof(y));
         }
         return new Frame(origin, ux, Vec3.Cross(uz, ux), uz);
     }

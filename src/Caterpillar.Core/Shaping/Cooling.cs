@@ -61,7 +61,7 @@ public sealed record Cooling
         for (var k = 0; k < layer.Length; k++) paths[layer[k]] = slowed[k];
         if (reached) return;
         problems.Add(Severity.Note, "shape.layer_time",
-            $"A layer stays below {NumberFormatter.Format(MinLayerTime, 1)} s even at {NumberFormatter.Format(MinPrintSpeed, 1)} mm/s.",
+            $"A layer takes less than {NumberFormatter.Format(MinLayerTime, 1)} s even at {NumberFormatter.Format(MinPrintSpeed, 1)} mm/s.",
             new SourceLocation(Step: layer[0]));
     }
 
@@ -76,7 +76,7 @@ public sealed record Cooling
             if (i >= Window) time -= path.LengthOf(i - Window) / SpeedOf(path, i - Window);
             if (i < Window - 1 || time * MaxSegmentsPerSecond >= Window * (1 - 1e-9)) continue;
             problems.Add(Severity.Warning, "shape.short_segments",
-                $"More than {NumberFormatter.Format(MaxSegmentsPerSecond, 0)} segments per second: merge short strings or print slower.",
+                $"More than {NumberFormatter.Format(MaxSegmentsPerSecond, 0)} segments per second. Merge short segments or print slower.",
                     new SourceLocation(Step: number));
             return;
         }

@@ -56,7 +56,7 @@ public sealed class Deformation
         IReadOnlyList<PrintPath> paths, double tolerance = 0, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (paths is null) throw new ArgumentNullException(nameof(paths));
-        if (!(tolerance >= 0)) throw new ArgumentOutOfRangeException(nameof(tolerance), "The tolerance must be 0 mm or more.");
+        if (!(tolerance >= 0)) throw new ArgumentOutOfRangeException(nameof(tolerance), "The tolerance must not be negative.");
         var problems = new DiagnosticList();
         var mapped = new List<PrintPath>(paths.Count);
         var segments = 0L;
@@ -69,7 +69,7 @@ public sealed class Deformation
             segments += path.SegmentCount;
             if (segments <= PathDivision.MaxSegments) continue;
             problems.Add(Severity.Error, "shape.too_fine",
-                $"The tolerance asks for more than {NumberFormatter.Format(PathDivision.MaxSegments)} segments in all.");
+                $"The paths would have more than {NumberFormatter.Format(PathDivision.MaxSegments)} segments in total. Increase the tolerance.");
             break;
         }
         return new Result<IReadOnlyList<PrintPath>>(problems.HasErrors ? null : mapped, problems.ToList());

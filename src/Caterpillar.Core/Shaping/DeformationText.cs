@@ -45,7 +45,7 @@ public static class DeformationText
         [
             new Diagnostic(
                 Severity.Error, "shape.position_formulas",
-                $"A position needs three formulas, for {names[0]}, {names[1]} and {names[2]}; \"{position.Trim()}\" has {NumberFormatter.Format(parts.Count)}.",
+                $"\"{position.Trim()}\" has {NumberFormatter.Format(parts.Count)} formulas. A position needs three: {names[0]}, {names[1]} and {names[2]}.",
                 (source ?? new SourceLocation()) with { Key = "position" }),
         ]);
     }

@@ -46,7 +46,7 @@ public static class Fields
     /// <summary>A different value in each cell of a grid of <paramref name="cell"/> mm: the same seed gives the same values everywhere.</summary>
     public static Field Noise(int seed, double cell)
     {
-        if (!(cell > 0)) throw new ArgumentOutOfRangeException(nameof(cell), "The cell must be larger than 0 mm.");
+        if (!(cell > 0)) throw new ArgumentOutOfRangeException(nameof(cell), "The cell must be above 0 mm.");
         return place =>
         {
             unchecked

@@ -36,7 +36,7 @@ internal sealed class FormulaSet
         if (compiled.Value is not { UsesRandom: true } formula) return compiled.Value;
         // Its value would depend on the order of evaluation.
         Problems.Add(new Diagnostic(Severity.Error, "formula.random",
-            $"The formula of {purpose} draws random numbers; random(seed) has one value for each seed.",
+            $"The formula of {purpose} uses random numbers. Use random(seed), which has one value for each seed.",
             place));
         return null;
     }

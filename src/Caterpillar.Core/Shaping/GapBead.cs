@@ -13,20 +13,20 @@ namespace Caterpillar.Shaping;
 public sealed record GapBead
 {
     /// <summary>Gaps below this are printed as if they were this high, mm.</summary>
-    public double MinGap { get; init => field = value > 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A gap must be positive."); } = 0.05;
+    public double MinGap { get; init => field = value > 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "The gap must be positive."); } = 0.05;
 
     /// <summary>Gaps above this are printed as if they were this high, mm.</summary>
-    public double MaxGap { get; init => field = value > 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A gap must be positive."); } = 1;
+    public double MaxGap { get; init => field = value > 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "The gap must be positive."); } = 1;
 
     /// <summary>Gaps above this are air: there the bead stays as it is, mm.</summary>
-    public double AirGap { get; init => field = value > 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A gap must be positive."); } = 3;
+    public double AirGap { get; init => field = value > 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "The gap must be positive."); } = 3;
 
     /// <summary>Width of the extrusions in mm; 0 to take it from each bead.</summary>
-    public double Width { get; init => field = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A width is not negative."); }
+    public double Width { get; init => field = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "The width must not be negative."); }
 
     /// <summary>Segments are measured in pieces of at most this length, mm.</summary>
     public double Resolution { get; init => field = value > 0 ? value
-        : throw new ArgumentOutOfRangeException(nameof(value), "A length must be positive."); } = 1;
+        : throw new ArgumentOutOfRangeException(nameof(value), "The resolution must be positive."); } = 1;
 
     /// <summary>Height of the bed, mm; null if there is none.</summary>
     public double? Bed { get; init; } = 0;
@@ -82,7 +82,7 @@ public sealed record GapBead
             var width = Width > 0 ? Width : bead.Height > 0 ? bead.Area / bead.Height : 0;
             if (bead.Area > 0 && !(width > 0))
             {
-                problems.Add(Severity.Error, "gap.no_width", "A bead has no height, and no extrusion width is given.",
+                problems.Add(Severity.Error, "gap.no_width", "A bead has no height. Set the extrusion width.",
                     new SourceLocation(Step: number));
                 return null;
             }
@@ -128,7 +128,7 @@ public sealed record GapBead
     {
         if (!(gap <= AirGap))
         {
-            problems.Add(Severity.Note, "gap.air", "There is nothing underneath a piece of a path: its bead stays as it is.",
+            problems.Add(Severity.Note, "gap.air", "A piece of a path has nothing underneath. Its bead stays unchanged.",
                 new SourceLocation(Step: number));
             return bead;
         }

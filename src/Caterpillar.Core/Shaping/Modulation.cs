@@ -73,7 +73,7 @@ public sealed record Modulation
         if (Resolution > 0 && !(paths.Sum(LengthOf) / Resolution <= PathDivision.MaxSegments))
         {
             problems.Add(Severity.Error, "shape.too_fine",
-                $"The resolution asks for more than {NumberFormatter.Format(PathDivision.MaxSegments)} segments in all.");
+                $"The paths would have more than {NumberFormatter.Format(PathDivision.MaxSegments)} segments in total. Use a coarser resolution.");
             return new Result<IReadOnlyList<PrintPath>>(null, problems.ToList());
         }
         for (var i = 0; i < paths.Count; i++)
@@ -88,8 +88,8 @@ public sealed record Modulation
         if (greatest > 0 && least < MinRatio * greatest * (1 - 1e-12))
         {
             problems.Add(Severity.Warning, "shape.modulation_ratio",
-                $"The extrusions vary by 1 to {NumberFormatter.Format(least / greatest, 2)}; "
-                + $"below 1 to {NumberFormatter.Format(MinRatio, 2)} prints often fail.");
+                $"The extrusions vary by a ratio of 1 to {NumberFormatter.Format(least / greatest, 2)}. "
+                + $"Prints often fail below 1 to {NumberFormatter.Format(MinRatio, 2)}.");
         }
         return new Result<IReadOnlyList<PrintPath>>(problems.HasErrors ? null : modulated, problems.ToList());
     }
@@ -125,7 +125,7 @@ public sealed record Modulation
             var speed = beads[i].Speed > 0 ? beads[i].Speed : ReferenceSpeed;
             if (!(speed > 0))
             {
-                problems.Add(Severity.Error, "shape.no_speed", "The path has no speed of its own: modulating it needs a reference speed.",
+                problems.Add(Severity.Error, "shape.no_speed", "The path has no speed of its own. Set a reference speed to modulate it.",
                     new SourceLocation(Step: number));
                 return null;
             }

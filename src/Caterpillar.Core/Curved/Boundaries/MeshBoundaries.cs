@@ -44,7 +44,7 @@ public sealed class MeshBoundaries
         var fine = Refined(mesh, cancel);
         var (lower, upper) = mesh.OpenEdgeCount > 0 ? BoundaryFinder.OpenEdges(fine) : BoundaryFinder.SmoothFaces(fine);
         return Checked(mesh, fine, lower, upper, mesh.OpenEdgeCount > 0
-            ? "An open mesh needs open edges at its bottom and at its top." : "A closed mesh needs a face with sharp edges at its top.");
+            ? "An open mesh needs naked edges at its bottom and at its top." : "A closed mesh needs a face with sharp edges at its top.");
     }
 
     /// <summary>Given by objects that lie on the part: its vertices that are near them.</summary>
@@ -59,7 +59,7 @@ public sealed class MeshBoundaries
     {
         if (mesh is null) throw new ArgumentNullException(nameof(mesh));
         if (to is null) throw new ArgumentNullException(nameof(to));
-        if (!(near >= 0) || double.IsInfinity(near)) throw new ArgumentOutOfRangeException(nameof(near), "A distance is not negative.");
+        if (!(near >= 0) || double.IsInfinity(near)) throw new ArgumentOutOfRangeException(nameof(near), "The distance must not be negative.");
         var fine = Refined(mesh, cancel);
         int[] Touched(BoundaryShape shape) => near > 0 ? BoundaryFinder.Within(fine, shape, near) : BoundaryFinder.Along(fine, shape, Edge(mesh) / 2);
         var lower = from is null ? BoundaryFinder.Lowest(fine) : Touched(from);
@@ -81,7 +81,7 @@ public sealed class MeshBoundaries
         if (mesh is null) throw new ArgumentNullException(nameof(mesh));
         if (lower is null) throw new ArgumentNullException(nameof(lower));
         if (upper is null) throw new ArgumentNullException(nameof(upper));
-        if (lower.Concat(upper).Any(v => v < 0 || v >= mesh.VertexCount)) throw new ArgumentOutOfRangeException(nameof(lower), "There is no such vertex.");
+        if (lower.Concat(upper).Any(v => v < 0 || v >= mesh.VertexCount)) throw new ArgumentOutOfRangeException(nameof(lower), "The vertex does not exist.");
         var (fine, parents) = MeshRefiner.Refine(mesh, Edge(mesh), MostTriangles, CancellationToken.None);
         return Checked(mesh, fine, BoundaryFinder.Between(fine, mesh.VertexCount, parents, lower),
             BoundaryFinder.Between(fine, mesh.VertexCount, parents, upper), "Each boundary needs vertices.");
@@ -97,7 +97,7 @@ public sealed class MeshBoundaries
         var both = new HashSet<int>(lower);
         foreach (var v in upper)
         {
-            if (both.Contains(v)) return Missing($"The upper and the lower boundary meet at {fine.RawVertices[v]}: there are no layers between them.");
+            if (both.Contains(v)) return Missing($"The upper and lower boundaries meet at {fine.RawVertices[v]} and leave no room for layers.");
         }
         var free = BoundaryFinder.Unreached(fine, lower) ?? BoundaryFinder.Unreached(fine, upper);
         if (free is { } piece) return Missing($"A piece of the part at {fine.RawVertices[piece]} is not connected to both boundaries.");

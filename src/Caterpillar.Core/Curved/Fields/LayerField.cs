@@ -101,7 +101,7 @@ public abstract class LayerField
     public static LayerField Vertical(PlanSurface plan, LayerBlend? blend = null)
     {
         if (plan is null) throw new ArgumentNullException(nameof(plan));
-        if (blend is { } zone && !(zone.From >= 0 && zone.To > zone.From)) throw new ArgumentException("A blend ends above its beginning.", nameof(blend));
+        if (blend is { } zone && !(zone.From >= 0 && zone.To > zone.From)) throw new ArgumentException("A blend must start at 0 or above and end above its start.", nameof(blend));
         return new VerticalField(plan, blend);
     }
 
@@ -139,7 +139,7 @@ public abstract class LayerField
     public static LayerField Between(params PlanSurface[] surfaces)
     {
         if (surfaces is null) throw new ArgumentNullException(nameof(surfaces));
-        if (surfaces.Length < 2) throw new ArgumentException("There is something between two surfaces at least.", nameof(surfaces));
+        if (surfaces.Length < 2) throw new ArgumentException("Layers need at least two surfaces.", nameof(surfaces));
         return new BetweenField((PlanSurface[])surfaces.Clone());
     }
 

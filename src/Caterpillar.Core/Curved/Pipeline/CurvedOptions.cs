@@ -29,7 +29,7 @@ public sealed record CurvedOptions
     public double MaxTilt
     {
         get;
-        init => field = value is >= 0 and <= 90 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A tool tilts by 0 to 90 degrees.");
+        init => field = value is >= 0 and <= 90 ? value : throw new ArgumentOutOfRangeException(nameof(value), "The tilt must be 0 to 90 degrees.");
     }
 
     /// <summary>

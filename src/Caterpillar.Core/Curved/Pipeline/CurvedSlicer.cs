@@ -59,15 +59,15 @@ public static class CurvedSlicer
                 ?? MeshFlattener.Flatten(models[i].Mesh.Mesh, field, setup.Settings.CurvedTolerance, options.Threads, cancel);
             if (mesh is null)
             {
-                problems.Add(Severity.Error, "curved.too_fine", "The bent model would have more than 12 million triangles: the field is too rough, or "
-                    + "curved_tolerance_mm too small.", new SourceLocation(models[i].Mesh.Name));
+                problems.Add(Severity.Error, "curved.too_fine", "The bent model would have more than 12 million faces. Use a smoother field or increase "
+                    + "curved_tolerance_mm.", new SourceLocation(models[i].Mesh.Name));
                 return new Result<CurvedResult>(null, problems.ToList());
             }
             flat.Add(new SliceModel(new NamedMesh(models[i].Mesh.Name, mesh), OnField(models[i].Settings, field)));
         }
         var common = OnField(setup.Settings, field);
         if (setup.Settings.RaftLayers > 0 || (!field.StartsLevel && (setup.Settings.SkirtLoops > 0 || setup.Settings.BrimWidth > 0)))
-            problems.Add(Severity.Note, "curved.no_loops", "Curved layers that do not begin level have no skirt and no brim, and none have a raft.");
+            problems.Add(Severity.Note, "curved.no_loops", "Curved layers have no raft. If they do not start level, they have no skirt or brim either.");
         var limits = new GapLimits(field, part, setup.Settings, MaxGap(setup));
         var sliced = PlanarSlicer.SliceEach(flat, common, new SliceOptions
         {
@@ -90,7 +90,7 @@ public static class CurvedSlicer
         };
         var layers = Lifted(result.Layers, field, rules, options.Threads, problems, progress.Part(0.75, 1), cancel);
         if (layers.Length == 0 && !problems.HasErrors)
-            problems.Add(Severity.Error, "slice.nothing", "Nothing to print: no part of the models lies above the surface, within the plan.");
+            problems.Add(Severity.Error, "slice.nothing", "Nothing to print: no part of the models is above the surface and within the plan.");
         if (problems.HasErrors) return new Result<CurvedResult>(null, problems.ToList());
         return new Result<CurvedResult>(new CurvedResult(PatchOrder.Arrange(layers, setup.Printer, problems), field), problems.ToList());
     }
@@ -201,8 +201,8 @@ public static class CurvedSlicer
         if (first is not { } place) return;
         var share = 100.0 * outside / part.Columns.Count;
         problems.Add(options.Partial ? Severity.Warning : Severity.Error, "curved.outside_plan",
-            $"The plan has no height over {NumberFormatter.Format(share, share < 1 ? 2 : 0)} % of the part, first at x {Text(place.X)}, y {Text(place.Y)} mm: "
-            + (options.Partial ? "that is not printed." : "it is smaller than the part, lies beside it, or has a hole."));
+            $"The plan does not cover {NumberFormatter.Format(share, share < 1 ? 2 : 0)} % of the part, first at x {Text(place.X)}, y {Text(place.Y)} mm. "
+            + (options.Partial ? "That area is not printed." : "It is too small, next to the part or has a hole."));
     }
 
     private static void CheckDefined(LayerField field, PartColumns part, DiagnosticList problems)

@@ -28,7 +28,7 @@ public static class SurfaceProjection
         if (steps is null) throw new ArgumentNullException(nameof(steps));
         if (onto is null) throw new ArgumentNullException(nameof(onto));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
-        if (!(squeeze >= 0) || double.IsInfinity(squeeze)) throw new ArgumentOutOfRangeException(nameof(squeeze), "A squeeze is not negative.");
+        if (!(squeeze >= 0) || double.IsInfinity(squeeze)) throw new ArgumentOutOfRangeException(nameof(squeeze), "The squeeze must not be negative.");
         var problems = new DiagnosticList();
         onto.Check(problems);
         if (problems.HasErrors) return new Result<IReadOnlyList<Step>>(null, problems.ToList());

@@ -75,7 +75,7 @@ public abstract class PlanSurface
     /// <exception cref="ArgumentOutOfRangeException">The angle is steeper.</exception>
     public static PlanSurface Cone(Vec3 axis, double degrees)
     {
-        if (!(Math.Abs(degrees) <= 80)) throw new ArgumentOutOfRangeException(nameof(degrees), "A cone has an angle of at most 80 degrees.");
+        if (!(Math.Abs(degrees) <= 80)) throw new ArgumentOutOfRangeException(nameof(degrees), "The angle of a cone must be at most 80 degrees.");
         var (sin, cos) = Angle.SinCos(degrees);
         return Of((x, y) => -sin / cos * Math.Sqrt((x - axis.X) * (x - axis.X) + (y - axis.Y) * (y - axis.Y)), 5);
     }

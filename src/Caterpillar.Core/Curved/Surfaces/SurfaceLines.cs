@@ -22,7 +22,7 @@ public static class SurfaceLines
     {
         if (surface is null) throw new ArgumentNullException(nameof(surface));
         if (direction is null) throw new ArgumentNullException(nameof(direction));
-        if (!(spacing > 0) || double.IsInfinity(spacing)) throw new ArgumentOutOfRangeException(nameof(spacing), "A distance must be positive.");
+        if (!(spacing > 0) || double.IsInfinity(spacing)) throw new ArgumentOutOfRangeException(nameof(spacing), "The spacing must be positive.");
         return new EvenLines(surface, plan, direction, spacing).Trace(cancel);
     }
 

@@ -14,7 +14,7 @@ public sealed class ArcCurve : Curve
     public ArcCurve(Frame frame, double radius, double sweep = 360)
     {
         if (!(radius > 0) || double.IsInfinity(radius)) throw new ArgumentException("The radius of an arc must be positive.", nameof(radius));
-        if (!(Math.Abs(sweep) <= 360) || sweep == 0) throw new ArgumentException("The sweep of an arc must not be 0 and at most 360 degrees.", nameof(sweep));
+        if (!(Math.Abs(sweep) <= 360) || sweep == 0) throw new ArgumentException("The sweep of an arc must be at most 360 degrees and not 0.", nameof(sweep));
         Finite(frame.Origin, nameof(frame));
         Frame = frame;
         Radius = radius;

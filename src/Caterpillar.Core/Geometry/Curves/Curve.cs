@@ -53,5 +53,5 @@ public abstract class Curve
     private protected double Clamp(double t) => !(t > DomainStart) ? DomainStart : t > DomainEnd ? DomainEnd : t;
 
     private protected static Vec3 Finite(Vec3 point, string name)
-        => point.IsFinite ? point : throw new ArgumentException("A point of a curve is not finite.", name);
+        => point.IsFinite ? point : throw new ArgumentException("The points of a curve must be finite.", name);
 }

@@ -37,11 +37,11 @@ public sealed class NurbsCurve : Curve
                 throw new ArgumentException("Knots must be finite and ascending.", nameof(knots));
             }
         }
-        if (!(_knots[degree] < _knots[controls.Length])) throw new ArgumentException("The knots leave no domain.", nameof(knots));
+        if (!(_knots[degree] < _knots[controls.Length])) throw new ArgumentException("The domain of the knots is empty.", nameof(knots));
         for (var i = degree + 1; i + degree < controls.Length; i++)
         {
             if (_knots[i] == _knots[i + degree] && _knots[i] > _knots[degree] && _knots[i] < _knots[controls.Length])
-                throw new ArgumentException("An inner knot repeated more often than the degree breaks the curve.", nameof(knots));
+                throw new ArgumentException("The multiplicity of an inner knot must not exceed the degree.", nameof(knots));
         }
         _controls = new HomogeneousPoint[controls.Length];
         for (var i = 0; i < controls.Length; i++)
@@ -101,7 +101,7 @@ public sealed class NurbsCurve : Curve
     public static NurbsCurve Periodic(int degree, IReadOnlyList<Vec3> points, IReadOnlyList<double>? weights = null)
     {
         if (points is null) throw new ArgumentNullException(nameof(points));
-        if (points.Count < 3 || degree < 1) throw new ArgumentException("A periodic curve needs three control points.", nameof(points));
+        if (points.Count < 3 || degree < 1) throw new ArgumentException("A periodic curve needs at least three control points and a degree of 1 or more.", nameof(points));
         var count = points.Count + degree;
         var knots = new double[count + degree + 1];
         for (var i = 0; i < knots.Length; i++) knots[i] = i - degree;

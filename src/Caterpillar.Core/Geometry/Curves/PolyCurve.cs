@@ -13,7 +13,7 @@ public sealed class PolyCurve : Curve
     public PolyCurve(IEnumerable<Curve> pieces, double joinTolerance = 1e-3)
     {
         _pieces = (pieces ?? throw new ArgumentNullException(nameof(pieces))).SelectMany(p => p is PolyCurve poly ? poly._pieces : [p]).ToArray();
-        if (_pieces.Length == 0) throw new ArgumentException("A joined curve needs at least one piece.", nameof(pieces));
+        if (_pieces.Length == 0) throw new ArgumentException("A polycurve needs at least one piece.", nameof(pieces));
         for (var i = 1; i < _pieces.Length; i++)
         {
             if (!(_pieces[i - 1].End.DistanceTo(_pieces[i].Start) <= joinTolerance))

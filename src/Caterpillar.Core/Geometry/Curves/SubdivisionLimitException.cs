@@ -9,7 +9,7 @@ internal sealed class SubdivisionLimitException : Exception
     public const int MaxPoints = 5_000_000;
 
     public SubdivisionLimitException()
-        : base($"The division asks for more than {NumberFormatter.Format(MaxPoints)} points on one curve: use a larger distance, tolerance or angle.")
+        : base($"The subdivision would give one curve more than {NumberFormatter.Format(MaxPoints)} points. Use a larger distance, tolerance or angle.")
     {
     }
 }

@@ -52,6 +52,6 @@ public sealed record SubdivisionOptions
         {
             throw new ArgumentException("A subdivision needs a distance, a tolerance, an angle or a maximum length.");
         }
-        if (MaxLength > 0 && MinLength > MaxLength) throw new ArgumentException("The minimum length of a segment is above the maximum.");
+        if (MaxLength > 0 && MinLength > MaxLength) throw new ArgumentException("The minimum segment length must not exceed the maximum.");
     }
 }

@@ -96,15 +96,15 @@ internal sealed class MeshBuilder
         if (NotFinite > 0)
         {
             diagnostics.Add(Severity.Warning, "mesh.not_finite",
-                "Faces with a coordinate that is not finite (or beyond 1e9 mm) are ignored.", source, NotFinite);
+                "A face with a coordinate that is not finite or beyond 1e9 mm is ignored.", source, NotFinite);
         }
         var mesh = ToMesh();
         var degenerate = Degenerate + MeshCleaning.CountFlat(mesh);
         if (degenerate > 0)
         {
             diagnostics.Add(Severity.Note, "mesh.degenerate_faces",
-                Degenerate == 0 ? "Triangles without area."
-                    : $"Triangles without area, {NumberFormatter.Format(Degenerate)} of them with two equal vertices: those are ignored.",
+                Degenerate == 0 ? "A face has no area."
+                    : $"A face has no area. Faces ignored because two vertices are equal: {NumberFormatter.Format(Degenerate)}.",
                 source, degenerate);
         }
         if (mesh.TriangleCount == 0) return mesh;

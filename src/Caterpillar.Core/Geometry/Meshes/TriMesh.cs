@@ -32,13 +32,13 @@ public sealed class TriMesh
     {
         if (points is null) throw new ArgumentNullException(nameof(points));
         if (triangles is null) throw new ArgumentNullException(nameof(triangles));
-        if (triangles.Count % 3 != 0) throw new ArgumentException("Triangles need three numbers each.", nameof(triangles));
+        if (triangles.Count % 3 != 0) throw new ArgumentException("Each triangle needs three indices.", nameof(triangles));
         var builder = new MeshBuilder(points.Count, triangles.Count / 3);
         var ids = new int[points.Count];
         for (var i = 0; i < ids.Length; i++)
         {
             ids[i] = builder.AddVertex(points[i].X, points[i].Y, points[i].Z);
-            if (ids[i] < 0) throw new ArgumentException($"Point {points[i]} is not finite or too far out.", nameof(points));
+            if (ids[i] < 0) throw new ArgumentException($"Point {points[i]} is not finite or beyond 1e9 mm.", nameof(points));
         }
         for (var i = 0; i < triangles.Count; i++)
         {
@@ -106,9 +106,9 @@ public sealed class TriMesh
     public TriMesh Transformed(Affine map)
     {
         var determinant = map.Determinant;
-        if (!(Math.Abs(determinant) > 0)) throw new ArgumentException("The map flattens space or is not finite.", nameof(map));
+        if (!(Math.Abs(determinant) > 0)) throw new ArgumentException("The transform is singular or not finite.", nameof(map));
         var builder = new MeshBuilder(_vertices.Length, TriangleCount);
-        if (!builder.Append(this, map)) throw new ArgumentException("The map moves a vertex too far out.", nameof(map));
+        if (!builder.Append(this, map)) throw new ArgumentException("The transform moves a vertex beyond 1e9 mm.", nameof(map));
         return builder.ToMesh().WithEdgesOf(this);
     }
 

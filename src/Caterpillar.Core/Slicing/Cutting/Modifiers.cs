@@ -47,7 +47,7 @@ internal sealed class Modifiers(IReadOnlyList<SliceModel> models)
         for (var m = 0; m < models.Count; m++)
         {
             if (!_used[m])
-                problems.Add(Severity.Warning, "slice.modifier_outside", $"The modifier {models[m].Mesh.Name} lies in no part, so it changes nothing.");
+                problems.Add(Severity.Warning, "slice.modifier_outside", $"The modifier {models[m].Mesh.Name} is outside all parts and has no effect.");
         }
     }
 

@@ -14,7 +14,7 @@ internal sealed class LevelField
     {
         _formula = request.Formula ?? throw new ArgumentException("The formula is missing.", nameof(request));
         _values = [0, 0, request.Z, request.Layer, request.Spacing, request.Width];
-        if (_formula.Variables.Count > _values.Length) throw new ArgumentException("The formula has more variables than an infill gives.", nameof(request));
+        if (_formula.Variables.Count > _values.Length) throw new ArgumentException("The formula has too many variables for an infill.", nameof(request));
         _context = new FormulaContext(_values);
         Tolerance = request.Tolerance;
     }

@@ -21,7 +21,7 @@ internal static class Lightning
     {
         if (tops.Count != areas.Count || heights.Count != areas.Count)
             throw new ArgumentException("Each layer needs an area, a top and a height.", nameof(tops));
-        if (!(spacing > 0) || double.IsInfinity(spacing)) throw new ArgumentException("It must be a positive number.", nameof(spacing));
+        if (!(spacing > 0) || double.IsInfinity(spacing)) throw new ArgumentException("The spacing must be positive.", nameof(spacing));
         var layers = new IReadOnlyList<Polyline>[areas.Count];
         var forest = new LightningForest(spacing / 2);
         for (var i = areas.Count - 1; i >= 0; i--)

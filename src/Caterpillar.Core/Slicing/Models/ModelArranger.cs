@@ -35,8 +35,8 @@ public static class ModelArranger
         if (missing.Length > 0)
         {
             var names = string.Join(", ", missing.Take(5)) + (missing.Length > 5 ? $" and {NumberFormatter.Format(missing.Length - 5)} more" : "");
-            var text = $"There is no place left on the bed of {printer.Title} for {names}: {NumberFormatter.Format(order.Length - missing.Length)} of "
-                + $"{NumberFormatter.Format(order.Length)} models fit beside each other.";
+            var text = $"No room on the bed of {printer.Title} for {names}: {NumberFormatter.Format(order.Length - missing.Length)} of "
+                + $"{NumberFormatter.Format(order.Length)} models fit. Print fewer at once or reduce their spacing.";
             return new Result<IReadOnlyList<NamedMesh>>(null, [new Diagnostic(Severity.Error, "models.no_place", text)]);
         }
         var result = models.Select((m, i) => placed[i] is { } place ? Stand(m, footprints[i], place) : m).ToArray();

@@ -28,7 +28,7 @@ public static class ModelPlacement
     /// <exception cref="ArgumentOutOfRangeException">A factor is not above 0.</exception>
     public static IReadOnlyList<NamedMesh> Scaled(this IReadOnlyList<NamedMesh> models, Vec3 factors)
     {
-        if (!(factors.X > 0 && factors.Y > 0 && factors.Z > 0)) throw new ArgumentOutOfRangeException(nameof(factors), "Factors must be above 0.");
+        if (!(factors.X > 0 && factors.Y > 0 && factors.Z > 0)) throw new ArgumentOutOfRangeException(nameof(factors), "The factors must be above 0.");
         return About(models, Affine.Scale(factors.X, factors.Y, factors.Z));
     }
 
@@ -46,7 +46,7 @@ public static class ModelPlacement
     /// <exception cref="ArgumentOutOfRangeException">A length is not above 0.</exception>
     public static IReadOnlyList<NamedMesh> ScaledTo(this IReadOnlyList<NamedMesh> models, Vec3 size)
     {
-        if (!(size.X > 0 && size.Y > 0 && size.Z > 0)) throw new ArgumentOutOfRangeException(nameof(size), "Lengths must be above 0.");
+        if (!(size.X > 0 && size.Y > 0 && size.Z > 0)) throw new ArgumentOutOfRangeException(nameof(size), "The lengths must be above 0.");
         var now = BoxOf(models).Size;
         return Scaled(models, new Vec3(now.X > 0 ? size.X / now.X : 1, now.Y > 0 ? size.Y / now.Y : 1, now.Z > 0 ? size.Z / now.Z : 1));
     }
@@ -71,7 +71,7 @@ public static class ModelPlacement
     public static IReadOnlyList<NamedMesh> Copies(this IReadOnlyList<NamedMesh> models, int count)
     {
         if (models is null) throw new ArgumentNullException(nameof(models));
-        if (count < 1) throw new ArgumentOutOfRangeException(nameof(count), "There must be at least one of each.");
+        if (count < 1) throw new ArgumentOutOfRangeException(nameof(count), "The count must be at least 1.");
         var all = new List<NamedMesh>(models.Count * count);
         for (var i = 1; i <= count; i++) all.AddRange(models.Select(m => i == 1 ? m : new NamedMesh($"{m.Name} ({NumberFormatter.Format(i)})", m.Mesh)));
         return all;

@@ -22,12 +22,12 @@ internal sealed class BodyCutter(
         if (mesh.Bounds.Min.Z < -1e-6)
         {
             problems.Add(Severity.Warning, "slice.below_bed",
-                $"The model reaches {NumberFormatter.Format(-mesh.Bounds.Min.Z, 3)} mm below the bed; that part is not printed.", body.Source);
+                $"Model extends {NumberFormatter.Format(-mesh.Bounds.Min.Z, 3)} mm below the bed. That part is not printed.", body.Source);
         }
         if (settings is { InfillPattern: InfillPattern.Curves, InfillCurves.Count: 0 } && (settings.InfillDensityPercent > 0 || settings.InfillSpacing > 0))
         {
             problems.Add(Severity.Warning, "slice.no_curves",
-                "The infill is to be curves, but there are none (infill_curves_mm, --infill-curves FILE): the inside stays empty.", body.Source);
+                "infill_pattern=curves has no curves, so there is no infill. Set infill_curves_mm or --infill-curves FILE.", body.Source);
         }
         var planned = new LayerPlan(mesh, settings).Layers();
         foreach (var problem in planned.Diagnostics) problems.Add(problem with { Source = problem.Source ?? body.Source });

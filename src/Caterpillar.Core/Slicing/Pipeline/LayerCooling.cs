@@ -40,8 +40,8 @@ internal sealed class LayerCooling(PrintSettings settings)
         // Where the machine waits, they do.
         if (_quick == 0 || settings.LayerTimeWait != LayerTimeWait.None) return;
         problems.Add(Severity.Note, "slice.layer_time",
-            $"Layers take less than {NumberFormatter.Format(settings.MinLayerTime, 1)} s even at {NumberFormatter.Format(settings.MinPrintSpeed, 1)} mm/s, "
-            + $"first at z = {NumberFormatter.Format(_first, 3)} mm: they may not cool in time.", null, _quick);
+            $"A layer takes less than {NumberFormatter.Format(settings.MinLayerTime, 1)} s even at {NumberFormatter.Format(settings.MinPrintSpeed, 1)} mm/s "
+            + $"(first at z = {NumberFormatter.Format(_first, 3)} mm) and may not cool in time.", null, _quick);
     }
 
     private static bool LastsLongEnough(IList<SlicedLayer> layers, double wanted, Func<PrintPath, int, double> speed)

@@ -135,11 +135,11 @@ internal sealed class LayerFinish(
         {
             var open = NumberFormatter.Format(settings.CoastingDistance, 2);
             problems.Add(Severity.Warning, "slice.spiral_vase_lag",
-                $"The head leaves the vase after each turn to print other models: coasting_distance_mm opens its wall over {open} mm there. "
-                + "print_sequence=by_object prints one after the other.", body.Source);
+                $"The print head leaves the vase after each turn to print other models, and coasting_distance_mm leaves a gap of {open} mm in its wall. "
+                + "Set print_sequence=by_object to print one model at a time.", body.Source);
         }
         if (spiral.Divided == 0) return;
         problems.Add(Severity.Warning, "slice.spiral_vase_divided",
-            "A vase has one wall: of layers in several pieces only the largest is printed.", body.Source, spiral.Divided);
+            "A layer of the vase has several pieces. Only the largest is printed, because a vase has one wall.", body.Source, spiral.Divided);
     }
 }

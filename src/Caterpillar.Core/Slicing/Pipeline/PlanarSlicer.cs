@@ -42,7 +42,7 @@ public static class PlanarSlicer
         if (common is null) throw new ArgumentNullException(nameof(common));
         if (models.Count > MaxModels)
             return new(null, [new Diagnostic(Severity.Error, "slice.too_many_models",
-                $"{NumberFormatter.Format(models.Count)} models are more than can be printed at once; the most is {NumberFormatter.Format(MaxModels)}.")]);
+                $"The print has {NumberFormatter.Format(models.Count)} models. The maximum is {NumberFormatter.Format(MaxModels)}.")]);
         try
         {
             return Sliced(models, common, options ?? new SliceOptions(), progress, cancel);
@@ -64,9 +64,9 @@ public static class PlanarSlicer
         foreach (var model in models)
         {
             if (PrintWideKeys.SetBy(model.Settings, common) is not { Count: > 0 } ignored) continue;
-            var (keys, hold) = (string.Join(", ", ignored), ignored.Count == 1 ? "holds" : "hold");
+            var (keys, apply) = (string.Join(", ", ignored), ignored.Count == 1 ? "applies" : "apply");
             findings.Add(new Diagnostic(Severity.Warning, "slice.print_wide",
-                $"{keys} {hold} for the whole print: the value for one model is ignored.", new SourceLocation(model.Mesh.Name)));
+                $"{keys} {apply} to the whole print. Values for one model are ignored.", new SourceLocation(model.Mesh.Name)));
         }
         findings.AddRange(IdleSettings.Of(models, common));
         var helpers = models.Where(m => m.Settings.ModelType != ModelType.Part).ToArray();
@@ -74,7 +74,7 @@ public static class PlanarSlicer
         if (models.All(m => m.Settings.Support == SupportKind.None) && helpers.FirstOrDefault(m => m.Settings.ModelType != ModelType.Modifier) is { } idle)
         {
             findings.Add(new Diagnostic(Severity.Warning, "slice.no_support",
-                "It changes nothing, for there are no supports: support=grid or tree builds them, with support_angle_deg=90 only in enforcers.",
+                "This model has no effect because support=none. Set support=grid or support=tree. With support_angle_deg=90, only enforcers get supports.",
                 new SourceLocation(idle.Mesh.Name)));
         }
         if (common.MergeOverlappingModels) models = OverlappingModels.Merge(models, threads, problems, cancel);
@@ -106,15 +106,15 @@ public static class PlanarSlicer
 
     private static string Nothing(IReadOnlyList<SliceModel> models, LayerWork[] layers)
     {
-        if (models.Count == 0) return "Nothing to print: none of the models is a part.";
+        if (models.Count == 0) return "Nothing to print: no model has model_type=part.";
         if (layers.All(l => l.Region.IsEmpty))
         {
-            var sheets = models.Any(m => !m.Mesh.Mesh.IsWatertight) ? " Open surfaces can be printed as single walls (open_contours=walls)." : "";
+            var sheets = models.Any(m => !m.Mesh.Mesh.IsWatertight) ? " Set open_contours=walls to print open surfaces as single walls." : "";
             return "Nothing to print: no layer of the models has a closed contour." + sheets;
         }
         if (models.All(m => m.Settings is { WallCount: 0, InfillDensityPercent: 0, InfillSpacing: 0, TopLayers: 0, BottomLayers: 0 }))
-            return "Nothing to print: the settings ask for no walls, no infill and no top or bottom layers.";
+            return "Nothing to print: the settings have no walls, no infill and no top or bottom layers.";
         var width = NumberFormatter.Format(models[0].Settings.LineWidth, 3);
-        return $"Nothing to print: no contour of the models is as wide as a line ({width} mm), or the settings leave out all that they would hold.";
+        return $"Nothing to print: all contours are narrower than a line ({width} mm), or the settings leave nothing to fill them. Check line_width_mm.";
     }
 }

@@ -60,7 +60,7 @@ public class ThreeMfTests
         Assert.That(read.Diagnostics.Select(d => (d.Code, d.Count)), Is.EqualTo(new[] { ("mesh.ignored", 2) }));
     }
 
-    [TestCase("<resources/><build><item objectid=\"1\"/></build>", "mesh.index", "The object 1 does not exist.")]
+    [TestCase("<resources/><build><item objectid=\"1\"/></build>", "mesh.index", "Object 1 does not exist.")]
     [TestCase("<resources/><build><item objectid=\"x\"/></build>", "mesh.syntax", "<item> needs an integer \"objectid\".")]
     [TestCase("<resources/><build><item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 0 0 0 0\"/></build>", "mesh.syntax",
         "A transform must be twelve numbers that do not flatten space.")]

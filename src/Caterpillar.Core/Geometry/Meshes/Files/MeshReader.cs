@@ -69,7 +69,7 @@ public static class MeshReader
         var good = plain is not null && ReadPlain(new MeshSource(plain, name, diagnostics, options, progress, cancel), meshes);
         if (good && meshes.All(m => m.Mesh.TriangleCount == 0))
         {
-            diagnostics.Add(Severity.Error, "mesh.empty", "There are no triangles in the file.", new SourceLocation(name));
+            diagnostics.Add(Severity.Error, "mesh.empty", "The file has no faces.", new SourceLocation(name));
         }
         progress?.Report(1);
         var value = good && !diagnostics.HasErrors ? meshes.Where(m => m.Mesh.TriangleCount > 0).ToArray() : null;
@@ -89,7 +89,7 @@ public static class MeshReader
             case ".OBJ":
                 return ObjReader.Read(source, meshes);
             case ".PLY":
-                source.ErrorInBinary("mesh.syntax", "A PLY file must begin with a line \"ply\".", 0);
+                source.ErrorInBinary("mesh.syntax", "A PLY file must start with the line \"ply\".", 0);
                 return false;
             case ".3MF":
                 source.ErrorInBinary("mesh.syntax", "A 3MF file must be a zip archive.", 0);
@@ -97,7 +97,7 @@ public static class MeshReader
         }
         if (StlReader.HasBinaryLength(bytes) || StlTextReader.LooksLikeText(bytes)) return StlReader.Read(source, meshes);
         if (LooksLikeObj(bytes)) return ObjReader.Read(source, meshes);
-        source.ErrorInBinary("mesh.unknown_format", "Unknown mesh format; STL, OBJ, PLY and 3MF can be read.", 0);
+        source.ErrorInBinary("mesh.unknown_format", "Unknown mesh format. Use STL, OBJ, PLY or 3MF.", 0);
         return false;
     }
 

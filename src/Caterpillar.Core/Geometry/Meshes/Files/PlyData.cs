@@ -88,7 +88,7 @@ internal sealed class PlyData(MeshSource source, PlyFormat format, int at)
         }
         else
         {
-            source.ErrorInText("mesh.syntax", $"There is a word that is not a number in {what}.", At);
+            source.ErrorInText("mesh.syntax", $"A value in {what} is not a number.", At);
         }
         return false;
     }
