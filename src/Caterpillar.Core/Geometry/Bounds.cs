@@ -15,7 +15,7 @@ public readonly struct Bounds : IEquatable<Bounds>
     /// <exception cref="ArgumentException">A coordinate of <paramref name="max"/> is below that of <paramref name="min"/>.</exception>
     public Bounds(Vec3 min, Vec3 max)
     {
-        if (!(min.X <= max.X && min.Y <= max.Y && min.Z <= max.Z)) throw new ArgumentException("The minimum corner of a box must not exceed the maximum corner.", nameof(max));
+        if (!(min.X <= max.X && min.Y <= max.Y && min.Z <= max.Z)) throw new ArgumentException("The minimum must not exceed the maximum.", nameof(max));
         Min = min;
         Max = max;
         _any = true;

@@ -26,7 +26,8 @@ public class IdleSettingsTests
     [TestCase("wall_count=0", "fuzzy_skin_thickness_mm=0.3", "fuzzy_skin_thickness_mm has no effect with wall_count=0")]
     [TestCase("wall_count=0", "scarf_seam_length_mm=10", "scarf_seam_length_mm has no effect with wall_count=0")]
     [TestCase("wall_count=0", "arc_fitting_tolerance_mm=0.02", "arc_fitting_tolerance_mm has no effect with wall_count=0")]
-    [TestCase("layer_height_formula=0.3", "adaptive_layers=true", "adaptive_layers has no effect with layer_height_formula. The formula sets the layer height.")]
+    [TestCase("layer_height_formula=0.3", "adaptive_layers=true",
+        "adaptive_layers has no effect with layer_height_formula. The formula sets the layer height.")]
     [TestCase("top_layers=0 top_thickness_mm=0", "ironing=true", "ironing has no effect with top_layers=0 and top_thickness_mm=0")]
     [TestCase("infill_density_percent=0", "combine_infill_layers=3",
         "combine_infill_layers has no effect with infill_density_percent=0 and infill_spacing_mm=0")]

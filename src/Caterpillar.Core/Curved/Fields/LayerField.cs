@@ -101,7 +101,7 @@ public abstract class LayerField
     public static LayerField Vertical(PlanSurface plan, LayerBlend? blend = null)
     {
         if (plan is null) throw new ArgumentNullException(nameof(plan));
-        if (blend is { } zone && !(zone.From >= 0 && zone.To > zone.From)) throw new ArgumentException("A blend must start at 0 or above and end above its start.", nameof(blend));
+        if (blend is { } zone && !(zone.From >= 0 && zone.To > zone.From)) throw new ArgumentException("A blend must end above its start.", nameof(blend));
         return new VerticalField(plan, blend);
     }
 

@@ -101,7 +101,7 @@ public sealed class NurbsCurve : Curve
     public static NurbsCurve Periodic(int degree, IReadOnlyList<Vec3> points, IReadOnlyList<double>? weights = null)
     {
         if (points is null) throw new ArgumentNullException(nameof(points));
-        if (points.Count < 3 || degree < 1) throw new ArgumentException("A periodic curve needs at least three control points and a degree of 1 or more.", nameof(points));
+        if (points.Count < 3 || degree < 1) throw new ArgumentException("A periodic curve needs three control points.", nameof(points));
         var count = points.Count + degree;
         var knots = new double[count + degree + 1];
         for (var i = 0; i < knots.Length; i++) knots[i] = i - degree;

@@ -16,7 +16,7 @@ public sealed class PolylineCurve : Curve
     {
         Polyline = polyline ?? throw new ArgumentNullException(nameof(polyline));
         _points = polyline.Raw;
-        if (_points.Length < (polyline.IsClosed ? 3 : 2)) throw new ArgumentException("A polyline needs at least two points, a closed polyline three.", nameof(polyline));
+        if (_points.Length < (polyline.IsClosed ? 3 : 2)) throw new ArgumentException("A polyline needs two points, a closed one three.", nameof(polyline));
         foreach (var p in _points) Finite(p, nameof(polyline));
     }
 

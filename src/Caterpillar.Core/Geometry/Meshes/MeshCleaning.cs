@@ -71,7 +71,7 @@ internal static class MeshCleaning
         }
         if (topology.NonManifoldEdges > 0)
         {
-            diagnostics.Add(Severity.Note, "mesh.non_manifold_edges", "An edge has more than two faces (non-manifold edge).", source, topology.NonManifoldEdges);
+            diagnostics.Add(Severity.Note, "mesh.non_manifold_edges", "An edge has more than two faces.", source, topology.NonManifoldEdges);
         }
         if (topology.WindingConflicts > 0)
         {

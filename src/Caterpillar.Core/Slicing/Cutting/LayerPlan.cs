@@ -39,7 +39,7 @@ internal sealed class LayerPlan(TriMesh mesh, PrintSettings settings)
             var layer = new PlannedLayer(top, thickness, Cut(top, thickness));
             if (!(layer.Cut < _height)) return new(layers.ToArray(), []);
             if (layers.Count == MaxLayers)
-                return new(null, [new Diagnostic(Severity.Error, "slice.too_many_layers", "The print would have more than a million layers. Increase the layer height.")]);
+                return new(null, [new Diagnostic(Severity.Error, "slice.too_many_layers", "More than a million layers. Increase the layer height.")]);
             layers.Add(layer);
             bottom = top;
         }

@@ -39,10 +39,10 @@ internal static class LostLayers
         }
         if (lost.Count == 0) return null;
         var limit = NumberFormatter.Format(maxLossPercent, 2);
-        var left = $"At z {NumberFormatter.Format(sections[worst].Z, 2)} mm, {NumberFormatter.Format(100 * worstPart, 1)} % of the area of the next intact layer is left";
+        var left = NumberFormatter.Format(100 * worstPart, 1);
         return $"More than {limit} % of the area is missing on {HeightRanges.Of(sections, lost)} because contours do not close. "
-            + $"{left}. Repair the model, close wider gaps (slice_gap_closing_mm), allow the loss "
-            + "(max_area_loss_percent=100) or print open surfaces as single walls (open_contours=walls).";
+            + $"At z {NumberFormatter.Format(sections[worst].Z, 2)} mm, {left} % of the area of the next intact layer is left. "
+            + "Repair the model, close wider gaps (slice_gap_closing_mm), allow the loss (max_area_loss_percent=100) or print open surfaces as single walls (open_contours=walls).";
     }
 
     private static bool IsBroken(Section section) => section.OpenLines.Count > 0 || section.Gaps.Length > 0;

@@ -81,8 +81,9 @@ public static class ModelCheck
                 var needed = HeadClearance.Beside(printer, order[earlier].Top);
                 var distance = order[later].Shape.Separation(order[earlier].Shape);
                 if (distance >= needed) continue;
-                var text = $"Model is {NumberFormatter.Format(Math.Max(0, distance), 2)} mm from {order[earlier].Name}, which is printed first. The print head needs "
-                    + $"{NumberFormatter.Format(needed, 2)} mm next to a part {NumberFormatter.Format(order[earlier].Top, 2)} mm high. Move them apart.";
+                var text = $"Model is {NumberFormatter.Format(Math.Max(0, distance), 2)} mm from {order[earlier].Name}, which is printed first. The print "
+                    + $"head needs {NumberFormatter.Format(needed, 2)} mm next to a part "
+                    + $"{NumberFormatter.Format(order[earlier].Top, 2)} mm high. Move them apart.";
                 problems.Add(new Diagnostic(Severity.Error, "models.no_clearance", text, new SourceLocation(order[later].Name)));
             }
         }

@@ -19,7 +19,8 @@ internal static class IdleSettings
             InfillKeys.InfillPattern, InfillKeys.CombineInfillLayers),
         new(Severity.Warning, "above the bottom layers with spiral_vase=true", "The wall of a vase has one width and no seam", s => s.SpiralVase,
             SurfaceKeys.FuzzySkinThickness, SeamKeys.ScarfSeamLength, WallWidthKeys.ArcFittingTolerance, SeamKeys.SeamEnforcers),
-        new(Severity.Note, "above the bottom layers with spiral_vase=true", "A vase has one wall", s => s.SpiralVase && s.WallCount > 1, SettingsKeys.WallCount),
+        new(Severity.Note, "above the bottom layers with spiral_vase=true", "A vase has one wall", s => s.SpiralVase && s.WallCount > 1,
+            SettingsKeys.WallCount),
         new(Severity.Warning, "with wall_count=0", "The print has no walls", s => s is { WallCount: 0, SpiralVase: false },
             SurfaceKeys.FuzzySkinThickness, SeamKeys.ScarfSeamLength, WallWidthKeys.ArcFittingTolerance, SeamKeys.SeamEnforcers),
         new(Severity.Warning, "with layer_height_formula", "The formula sets the layer height", s => s.LayerFormula.Length > 0, LayerKeys.AdaptiveLayers),
@@ -53,7 +54,8 @@ internal static class IdleSettings
         Unless("support=tree", s => s.Support == SupportKind.Grid,
             SupportKeys.TreeTipDistance, SupportKeys.TreeBranchAngle, SupportKeys.TreeBranchDiameter),
         Unless("support=grid", s => s.Support == SupportKind.Tree, SupportKeys.SupportDensityPercent),
-        Unless("support_interface_layers is above 0", s => s.Support != SupportKind.None && s.SupportInterfaceLayers == 0, SupportKeys.SupportInterfaceDensityPercent),
+        Unless("support_interface_layers is above 0", s => s.Support != SupportKind.None && s.SupportInterfaceLayers == 0,
+            SupportKeys.SupportInterfaceDensityPercent),
     ];
 
     /// <summary>One diagnostic for each reason.</summary>

@@ -182,9 +182,9 @@ public class MeshFormatTests
     [TestCase("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "x.obj:4:1: error mesh.index: A face uses vertex 4, but the file has only 3.")]
     [TestCase("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n", "x.obj:4:7: error mesh.index: A face uses a vertex that does not exist.")]
     [TestCase("x.obj", "v 0 0 0\nf 1 -2 1\n", "x.obj:2:5: error mesh.index: A face uses a vertex that does not exist.")]
-    [TestCase("x.obj", "v 0 0 0\nf 1 a 1\n", "x.obj:2:5: error mesh.syntax: A vertex of a face must be a number, or numbers with slashes.")]
+    [TestCase("x.obj", "v 0 0 0\nf 1 a 1\n", "x.obj:2:5: error mesh.syntax: A vertex of a face must be a number or numbers separated by slashes.")]
     [TestCase("x.obj", "# nothing\n", "x.obj: error mesh.empty: The file has no faces.")]
-    [TestCase("x.ply", "plz", "x.ply: error mesh.syntax: A PLY file must begin with a line \"ply\". (byte 0)")]
+    [TestCase("x.ply", "plz", "x.ply: error mesh.syntax: A PLY file must start with the line \"ply\". (byte 0)")]
     [TestCase("x.ply", "ply\nformat ascii 1.0\nelement vertex 99999999999\nproperty float x\nend_header\n0",
         "x.ply:6:1: error mesh.truncated: The PLY header states 99999999999 of \"vertex\", more than the file holds.")]
     [TestCase("x.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 zero\n",
