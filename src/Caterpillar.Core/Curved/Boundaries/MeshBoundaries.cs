@@ -4,7 +4,7 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Curved;
 
 /// <summary>
-/// Where the layers of a mesh begin and end: sets of vertices at its lower and its upper boundaries, of which there may be several. For
+/// The boundaries at which the layers of a mesh start and end: vertices at its lower and upper boundaries, of which it may have several. For
 /// <see cref="LayerField.Harmonic"/> and <see cref="LayerField.Geodesic"/>.
 /// </summary>
 public sealed class MeshBoundaries
@@ -32,12 +32,12 @@ public sealed class MeshBoundaries
     internal TriMesh Original { get; }
 
     /// <summary>
-    /// Found by themselves: of an open mesh the lowest open edges, and all others; of a closed one what it stands on, and its smooth faces that look up and
-    /// fall away at their edges.
+    /// Finds the boundaries. On an open mesh, layers start at the lowest naked edges and end at all others. On a closed mesh, they start at the face on the
+    /// bed and end at upward smooth faces with sharp edges.
     /// </summary>
-    /// <param name="mesh">The part where it is printed, mm.</param>
+    /// <param name="mesh">The part at its position on the bed, mm.</param>
     /// <param name="cancel">Cancels.</param>
-    /// <returns>None, with the error <c>curved.no_boundary</c>, where there are none.</returns>
+    /// <returns>The boundaries, or the error <c>curved.no_boundary</c> if none are found.</returns>
     public static Result<MeshBoundaries> Find(TriMesh mesh, CancellationToken cancel = default)
     {
         if (mesh is null) throw new ArgumentNullException(nameof(mesh));
@@ -47,13 +47,13 @@ public sealed class MeshBoundaries
             ? "An open mesh needs naked edges at its bottom and at its top." : "A closed mesh needs a face with sharp edges at its top.");
     }
 
-    /// <summary>Given by objects that lie on the part: its vertices that are near them.</summary>
-    /// <param name="mesh">The part where it is printed, mm.</param>
-    /// <param name="from">Where layers begin; null for the bottom of the part.</param>
-    /// <param name="to">Where they end; one or several.</param>
-    /// <param name="near">How far vertices may lie from the objects, mm; 0 for those that lie along them, at most half the length of an edge away.</param>
+    /// <summary>Boundaries from shapes on the part: the vertices near them.</summary>
+    /// <param name="mesh">The part at its position on the bed, mm.</param>
+    /// <param name="from">Shape at which layers start. Null = the bottom of the part.</param>
+    /// <param name="to">Shapes at which layers end, one or more.</param>
+    /// <param name="near">Maximum distance of vertices from the shapes, mm. 0 = vertices along the shapes, at most half an edge length away.</param>
     /// <param name="cancel">Cancels.</param>
-    /// <returns>None, with the error <c>curved.no_boundary</c>, where one of them touches nothing.</returns>
+    /// <returns>The boundaries, or the error <c>curved.no_boundary</c> if a shape touches no vertex.</returns>
     public static Result<MeshBoundaries> Near(
         TriMesh mesh, BoundaryShape? from, IReadOnlyList<BoundaryShape> to, double near = 0, CancellationToken cancel = default)
     {
@@ -73,9 +73,9 @@ public sealed class MeshBoundaries
         return Checked(mesh, fine, lower, upper.Distinct().OrderBy(v => v).ToArray(), "The boundaries touch no vertex of the part.");
     }
 
-    /// <summary>Given by vertices of the mesh.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">A number is not that of a vertex.</exception>
-    /// <returns>None, with the error <c>curved.no_boundary</c>, where a set is empty or both share vertices.</returns>
+    /// <summary>Boundaries from vertex indices of the mesh.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A vertex index is out of range.</exception>
+    /// <returns>The boundaries, or the error <c>curved.no_boundary</c> if a set is empty or both share vertices.</returns>
     public static Result<MeshBoundaries> Of(TriMesh mesh, IReadOnlyList<int> lower, IReadOnlyList<int> upper)
     {
         if (mesh is null) throw new ArgumentNullException(nameof(mesh));

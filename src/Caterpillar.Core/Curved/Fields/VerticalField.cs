@@ -4,9 +4,9 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Curved;
 
-/// <summary>Where layers change from level to parallel with the plan, as values of the field, mm.</summary>
-/// <param name="From">Below this layers are level.</param>
-/// <param name="To">Above this they are parallel to the plan; infinite to spread the change over all layers up to the plan.</param>
+/// <summary>Range in which layers change from level to parallel with the plan, as values of the field, mm.</summary>
+/// <param name="From">Layers below this value are level.</param>
+/// <param name="To">Layers above this value are parallel to the plan. Infinity spreads the change over all layers up to the plan.</param>
 public readonly record struct LayerBlend(double From, double To);
 
 /// <summary>

@@ -7,20 +7,20 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Curved;
 
 /// <summary>
-/// Slices meshes along the level sets of a field (Caterpillar 2019, section 3.2, "curved slicer"): the part is bent until its layers are flat, sliced as by
-/// <see cref="PlanarSlicer"/> with all of its settings, and the paths are bent back. Every bead has the volume between its layer and what is below.
+/// Slices meshes along the level sets of a field (Caterpillar 2019, section 3.2, "curved slicer"). The part is bent until its layers are flat, sliced by
+/// <see cref="PlanarSlicer"/> with all of its settings, and the paths are bent back. Each bead fills the gap between its layer and the one below.
 /// </summary>
 public static class CurvedSlicer
 {
     /// <summary>Slices meshes at the positions where they are printed (Z = 0 is the bed).</summary>
-    /// <param name="models">The objects; the field is common to all of them.</param>
-    /// <param name="field">The layers.</param>
-    /// <param name="setup">Settings of layers, walls, skins and infill; the printer's head limits the slope of layers.</param>
-    /// <param name="options">What is printed on, whether a part of the print will do, infill lines, threads and memory.</param>
+    /// <param name="models">The models. All of them use the same field.</param>
+    /// <param name="field">Field whose level sets are the layers.</param>
+    /// <param name="setup">Print settings and printer. The print head limits the slope of the layers.</param>
+    /// <param name="options">Surface to print on, partial printing, infill lines, threads and memory.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels.</param>
-    /// <returns>The layers, whose Z is the value of the field; and what was noticed: the codes of <see cref="PlanarSlicer"/>, and those that begin with
-    /// <c>curved.</c></returns>
+    /// <returns>The layers, whose Z is the value of the field, and diagnostics with the codes of <see cref="PlanarSlicer"/> and <c>curved.*</c>.
+    /// </returns>
     /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
     public static Result<CurvedResult> Slice(
         IReadOnlyList<NamedMesh> models, LayerField field, PrintSetup setup, CurvedOptions? options = null, IProgress<double>? progress = null,
@@ -31,7 +31,7 @@ public static class CurvedSlicer
         return SliceEach(models.Select(m => new SliceModel(m, setup.Settings)).ToArray(), field, setup, options, progress, cancel);
     }
 
-    /// <summary>Slices models that have settings of their own.</summary>
+    /// <summary>Slices models that have their own settings.</summary>
     /// <inheritdoc cref="Slice"/>
     public static Result<CurvedResult> SliceEach(
         IReadOnlyList<SliceModel> models, LayerField field, PrintSetup setup, CurvedOptions? options = null, IProgress<double>? progress = null,

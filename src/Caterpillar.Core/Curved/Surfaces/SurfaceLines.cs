@@ -3,17 +3,17 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Curved;
 
 /// <summary>
-/// Lines on a surface that follow directions, at even distances along the surface: ribs, or infill of <see cref="CurvedOptions.InfillLines"/>.
+/// Evenly spaced lines on a surface that follow directions: ribs, or infill for <see cref="CurvedOptions.InfillLines"/>.
 /// </summary>
 public static class SurfaceLines
 {
-    /// <summary>Lines along a direction field.</summary>
+    /// <summary>Traces lines along a direction field.</summary>
     /// <param name="surface">The surface.</param>
-    /// <param name="plan">Where lines may run, in x and y, mm.</param>
+    /// <param name="plan">Rectangle for the lines in x and y, mm.</param>
     /// <param name="direction">
-    /// The direction at a place in plan, of which X and Y count, with either sign; zero or not finite where there is none: there lines end.
+    /// Returns the direction at a place in plan. Only X and Y count, and the sign does not matter. Lines end where it is zero or not finite.
     /// </param>
-    /// <param name="spacing">Distance of lines, mm, positive. Where directions spread or run together it varies from half of it to twice.</param>
+    /// <param name="spacing">Distance between lines in mm, above 0. It varies from half to twice where directions diverge or converge.</param>
     /// <param name="cancel">Cancels.</param>
     /// <exception cref="ArgumentOutOfRangeException">The spacing is not positive.</exception>
     /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
@@ -26,11 +26,11 @@ public static class SurfaceLines
         return new EvenLines(surface, plan, direction, spacing).Trace(cancel);
     }
 
-    /// <summary>Lines along the principal curvatures of a surface.</summary>
+    /// <summary>Traces lines along the principal curvatures of a surface.</summary>
     /// <param name="surface">The surface.</param>
-    /// <param name="plan">Where lines may run, in x and y, mm.</param>
-    /// <param name="spacing">Distance of lines, mm, positive.</param>
-    /// <param name="across">False for the direction that bends most, true for the one at right angles to it on the surface.</param>
+    /// <param name="plan">Rectangle for the lines in x and y, mm.</param>
+    /// <param name="spacing">Distance between lines in mm, above 0.</param>
+    /// <param name="across">False = the direction of maximum curvature, true = the direction perpendicular to it.</param>
     /// <param name="cancel">Cancels.</param>
     /// <inheritdoc cref="Along(PlanSurface, Bounds, Func{Vec3, Vec3}, double, CancellationToken)"/>
     public static IReadOnlyList<Polyline> AlongCurvature(
@@ -40,11 +40,11 @@ public static class SurfaceLines
         return Along(surface, plan, p => PrincipalDirection(surface, p, across), spacing, cancel);
     }
 
-    /// <summary>Lines that run along with curves: everywhere as the nearest piece of them.</summary>
+    /// <summary>Traces lines parallel to curves: each point follows the nearest curve.</summary>
     /// <param name="surface">The surface.</param>
-    /// <param name="plan">Where lines may run, in x and y, mm.</param>
+    /// <param name="plan">Rectangle for the lines in x and y, mm.</param>
     /// <param name="curves">Curves, of which x and y count, mm; at least one of two points.</param>
-    /// <param name="spacing">Distance of lines, mm, positive.</param>
+    /// <param name="spacing">Distance between lines in mm, above 0.</param>
     /// <param name="cancel">Cancels.</param>
     /// <inheritdoc cref="Along(PlanSurface, Bounds, Func{Vec3, Vec3}, double, CancellationToken)"/>
     public static IReadOnlyList<Polyline> AlongCurves(

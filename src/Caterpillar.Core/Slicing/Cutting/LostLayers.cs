@@ -42,7 +42,8 @@ internal static class LostLayers
         var left = NumberFormatter.Format(100 * worstPart, 1);
         return $"More than {limit} % of the area is missing on {HeightRanges.Of(sections, lost)} because contours do not close. "
             + $"At z {NumberFormatter.Format(sections[worst].Z, 2)} mm, {left} % of the area of the next intact layer is left. "
-            + "Repair the model, close wider gaps (slice_gap_closing_mm), allow the loss (max_area_loss_percent=100) or print open surfaces as single walls (open_contours=walls).";
+            + "Repair the model, close wider gaps (slice_gap_closing_mm), allow the loss (max_area_loss_percent=100) "
+            + "or print open surfaces as single walls (open_contours=walls).";
     }
 
     private static bool IsBroken(Section section) => section.OpenLines.Count > 0 || section.Gaps.Length > 0;

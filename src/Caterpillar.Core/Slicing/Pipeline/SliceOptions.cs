@@ -6,10 +6,10 @@ namespace Caterpillar.Slicing;
 /// <summary>How the slicer works, and what it needs beyond the print settings.</summary>
 public sealed record SliceOptions
 {
-    /// <summary>Degree of parallelism, 0 for all cores. It does not change the result.</summary>
+    /// <summary>Number of threads. 0 = all cores. The result does not depend on it.</summary>
     public int Threads { get; init; }
 
-    /// <summary>How much memory the layers may take; more is the error <see cref="MemoryLimit.Code"/>.</summary>
+    /// <summary>Memory limit for the layers. Exceeding it is the error <see cref="MemoryLimit.Code"/>.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
     /// <summary>

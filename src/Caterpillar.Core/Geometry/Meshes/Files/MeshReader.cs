@@ -4,14 +4,13 @@ using Caterpillar.Files;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Reads mesh files: STL (binary and ASCII), OBJ, PLY (ASCII and both binary orders) and 3MF, also packed with gzip. Coordinates stay doubles;
-/// vertices with equal coordinates become one; polygons are split as fans from their first vertex. The format is detected from the bytes, and from the
-/// name if they are not conclusive. STL, OBJ and PLY give one mesh, 3MF gives one for each item on the plate, in mm (the others are taken as mm). Bytes
-/// that cannot be read give errors, never exceptions.
+/// Reads mesh files: STL (binary and ASCII), OBJ, PLY (ASCII and both binary byte orders) and 3MF, also compressed with gzip. The format is detected from
+/// the bytes, and from the name if they are not conclusive. STL, OBJ and PLY give one mesh, 3MF one per item on the plate. 3MF units are converted to mm;
+/// other files are read as mm. Equal vertices are merged, and polygons are split into fans of triangles. Unreadable bytes give errors, never exceptions.
 /// </summary>
 public static class MeshReader
 {
-    /// <summary>Reads a file. Errors are codes <c>mesh.*</c> with the location in the file.</summary>
+    /// <summary>Reads a file. Errors have codes <c>mesh.*</c> and the location in the file.</summary>
     /// <exception cref="IOException">The file cannot be read from the disk.</exception>
     /// <exception cref="OperationCanceledException">Reading was canceled.</exception>
     public static Result<IReadOnlyList<NamedMesh>> Read(string path, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -20,7 +19,7 @@ public static class MeshReader
         return Read(File.ReadAllBytes(path), path, progress, cancel);
     }
 
-    /// <summary>The same with options.</summary>
+    /// <summary>Reads the bytes of a file with options.</summary>
     /// <inheritdoc cref="Read(byte[], string, IProgress{double}?, CancellationToken)"/>
     public static Result<IReadOnlyList<NamedMesh>> Read(
         byte[] bytes, string name, MeshReadOptions options, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -39,7 +38,7 @@ public static class MeshReader
         }
     }
 
-    /// <summary>Reads the bytes of a file; <paramref name="name"/> is used in messages, and its extension may determine the format.</summary>
+    /// <summary>Reads the bytes of a file. Messages use <paramref name="name"/>, and its extension may determine the format.</summary>
     public static Result<IReadOnlyList<NamedMesh>> Read(byte[] bytes, string name, IProgress<double>? progress = null, CancellationToken cancel = default)
         => Read(bytes, name, new MeshReadOptions(), progress, cancel);
 
