@@ -35,7 +35,7 @@ internal sealed class MeshFlattener
     }
 
     /// <summary>The bent mesh; null where it would take more than 12 million triangles.</summary>
-    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static TriMesh? Flatten(TriMesh mesh, LayerField field, double tolerance, int threads, CancellationToken cancel)
     {
         var options = new ParallelOptions { CancellationToken = cancel, MaxDegreeOfParallelism = threads > 0 ? threads : -1 };

@@ -36,7 +36,7 @@ public sealed class MeshBoundaries
     /// bed and end at upward smooth faces with sharp edges.
     /// </summary>
     /// <param name="mesh">The part at its position on the bed, mm.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="cancel">Cancels the call.</param>
     /// <returns>The boundaries, or the error <c>curved.no_boundary</c> if none are found.</returns>
     public static Result<MeshBoundaries> Find(TriMesh mesh, CancellationToken cancel = default)
     {
@@ -52,7 +52,7 @@ public sealed class MeshBoundaries
     /// <param name="from">Shape at which layers start. Null = the bottom of the part.</param>
     /// <param name="to">Shapes at which layers end, one or more.</param>
     /// <param name="near">Maximum distance of vertices from the shapes, mm. 0 = vertices along the shapes, at most half an edge length away.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="cancel">Cancels the call.</param>
     /// <returns>The boundaries, or the error <c>curved.no_boundary</c> if a shape touches no vertex.</returns>
     public static Result<MeshBoundaries> Near(
         TriMesh mesh, BoundaryShape? from, IReadOnlyList<BoundaryShape> to, double near = 0, CancellationToken cancel = default)

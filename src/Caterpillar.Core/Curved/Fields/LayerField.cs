@@ -148,7 +148,7 @@ public abstract class LayerField
     /// with cotangent weights. Its level curves are the walls; inside, layers span the walls.
     /// </summary>
     /// <param name="boundaries">Boundaries at which layers start and end.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="cancel">Cancels the call.</param>
     public static LayerField Harmonic(MeshBoundaries boundaries, CancellationToken cancel = default)
         => BoundaryField.Of(boundaries ?? throw new ArgumentNullException(nameof(boundaries)), BoundaryField.HarmonicShares(boundaries, cancel));
 

@@ -17,11 +17,11 @@ public static class CurvedSlicer
     /// <param name="field">Field whose level sets are the layers.</param>
     /// <param name="setup">Print settings and printer. The print head limits the slope of the layers.</param>
     /// <param name="options">Surface to print on, partial printing, infill lines, threads and memory.</param>
-    /// <param name="progress">0 to 1.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="progress">Progress, 0 to 1.</param>
+    /// <param name="cancel">Cancels the call.</param>
     /// <returns>The layers, whose Z is the value of the field, and diagnostics with the codes of <see cref="PlanarSlicer"/> and <c>curved.*</c>.
     /// </returns>
-    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static Result<CurvedResult> Slice(
         IReadOnlyList<NamedMesh> models, LayerField field, PrintSetup setup, CurvedOptions? options = null, IProgress<double>? progress = null,
         CancellationToken cancel = default)

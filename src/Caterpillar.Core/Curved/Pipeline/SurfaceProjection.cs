@@ -17,10 +17,10 @@ public static class SurfaceProjection
     /// <param name="setup">Print settings and printer. The print head limits the slope.</param>
     /// <param name="squeeze">Distance by which all paths are lowered, to press the first extrusions onto the surface, mm.</param>
     /// <param name="partial">True leaves out paths that are beyond the surface or too steep, instead of an error.</param>
-    /// <param name="progress">0 to 1.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="progress">Progress, 0 to 1.</param>
+    /// <param name="cancel">Cancels the call.</param>
     /// <exception cref="ArgumentOutOfRangeException">The squeeze is negative or not finite.</exception>
-    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static Result<IReadOnlyList<Step>> Project(
         IReadOnlyList<Step> steps, PlanSurface onto, PrintSetup setup, double squeeze = 0, bool partial = false,
         IProgress<double>? progress = null, CancellationToken cancel = default)

@@ -14,9 +14,9 @@ public static class SurfaceLines
     /// Returns the direction at a place in plan. Only X and Y count, and the sign does not matter. Lines end where it is zero or not finite.
     /// </param>
     /// <param name="spacing">Distance between lines in mm, above 0. It varies from half to twice where directions diverge or converge.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="cancel">Cancels the call.</param>
     /// <exception cref="ArgumentOutOfRangeException">The spacing is not positive.</exception>
-    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static IReadOnlyList<Polyline> Along(
         PlanSurface surface, Bounds plan, Func<Vec3, Vec3> direction, double spacing, CancellationToken cancel = default)
     {
@@ -31,7 +31,7 @@ public static class SurfaceLines
     /// <param name="plan">Rectangle for the lines in x and y, mm.</param>
     /// <param name="spacing">Distance between lines in mm, above 0.</param>
     /// <param name="across">False = the direction of maximum curvature, true = the direction perpendicular to it.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="cancel">Cancels the call.</param>
     /// <inheritdoc cref="Along(PlanSurface, Bounds, Func{Vec3, Vec3}, double, CancellationToken)"/>
     public static IReadOnlyList<Polyline> AlongCurvature(
         PlanSurface surface, Bounds plan, double spacing, bool across = false, CancellationToken cancel = default)
@@ -45,7 +45,7 @@ public static class SurfaceLines
     /// <param name="plan">Rectangle for the lines in x and y, mm.</param>
     /// <param name="curves">Curves, of which x and y count, mm; at least one of two points.</param>
     /// <param name="spacing">Distance between lines in mm, above 0.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="cancel">Cancels the call.</param>
     /// <inheritdoc cref="Along(PlanSurface, Bounds, Func{Vec3, Vec3}, double, CancellationToken)"/>
     public static IReadOnlyList<Polyline> AlongCurves(
         PlanSurface surface, Bounds plan, IReadOnlyList<Polyline> curves, double spacing, CancellationToken cancel = default)

@@ -10,7 +10,7 @@ namespace Caterpillar.Slicing;
 internal static class ModelSections
 {
     /// <summary>Sections at ascending heights; what was noticed is added to <paramref name="problems"/>.</summary>
-    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static IReadOnlyList<Section> Cut(
         NamedMesh model, double[] heights, PrintSettings settings, int threads, List<Diagnostic> problems,
         IProgress<double>? progress, CancellationToken cancel)

@@ -13,7 +13,7 @@ internal sealed class Modifiers(IReadOnlyList<SliceModel> models)
     /// <param name="body">A body with its layers.</param>
     /// <param name="common">The settings of the print.</param>
     /// <param name="threads">Degree of parallelism, 0 for all cores.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="cancel">Cancels the call.</param>
     public void Apply(Body body, PrintSettings common, int threads, CancellationToken cancel)
     {
         var heights = Array.ConvertAll(body.Layers, l => l.Plan.Cut);

@@ -14,7 +14,7 @@ internal static class Lightning
     /// <param name="tops">Per layer what has to be held up from below because a skin lies on it: a part of the same layer's area.</param>
     /// <param name="spacing">Largest distance, in mm, between lines under a skin.</param>
     /// <param name="heights">Height Z of each layer, mm, ascending: branches lean by at most 45°.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="cancel">Cancels the call.</param>
     /// <exception cref="ArgumentException">The lists differ in length, or the spacing is not a positive number.</exception>
     public static IReadOnlyList<Polyline>[] Grow(
         IReadOnlyList<Region> areas, IReadOnlyList<Region> tops, double spacing, IReadOnlyList<double> heights, CancellationToken cancel = default)

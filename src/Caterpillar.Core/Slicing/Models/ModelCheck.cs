@@ -4,12 +4,12 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Looks at placed models before they are sliced: do they fit, and can the head reach them.</summary>
+/// <summary>Checks placed models before slicing: whether they fit, and whether the print head has clearance.</summary>
 public static class ModelCheck
 {
     /// <summary>
-    /// Warnings <c>models.too_large</c> (by how much, and which scale would fit) or <c>models.outside</c> (by how much), and <c>models.excluded_area</c>.
-    /// Warnings, because the check of the finished print has the last word.
+    /// Checks whether models fit the build volume. Returns warnings <c>models.too_large</c> (by how much, and the scale that fits), <c>models.outside</c> (by
+    /// how much) and <c>models.excluded_area</c>. They are warnings because the check of the finished print decides.
     /// </summary>
     public static IReadOnlyList<Diagnostic> Fit(IReadOnlyList<NamedMesh> models, Printer printer)
     {
@@ -48,8 +48,8 @@ public static class ModelCheck
     }
 
     /// <summary>
-    /// Whether models are larger than the build volume by more than the extrusions may keep away from the outline, so that the check of the finished print
-    /// (<c>bed.outside</c>) is bound to refuse them wherever they stand.
+    /// True if models are so much larger than the build volume that the check of the finished print (<c>bed.outside</c>) must fail at any position.
+    /// Differences of a few line widths do not count, because extrusions stay inside the outline.
     /// </summary>
     public static bool IsTooLarge(IReadOnlyList<NamedMesh> models, PrintSetup setup)
     {
@@ -64,8 +64,8 @@ public static class ModelCheck
     }
 
     /// <summary>
-    /// For models that are printed one after the other, the lowest first: errors <c>models.no_clearance</c> where the head would touch a model that
-    /// stands already.
+    /// Checks models that are printed one after the other, the lowest first. Returns errors <c>models.no_clearance</c> if the print head would touch a
+    /// printed model.
     /// </summary>
     public static IReadOnlyList<Diagnostic> Clearance(IReadOnlyList<NamedMesh> models, Printer printer)
     {

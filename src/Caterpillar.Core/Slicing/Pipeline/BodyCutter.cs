@@ -9,7 +9,7 @@ namespace Caterpillar.Slicing;
 /// <param name="memory">Counts the layers.</param>
 /// <param name="problems">Gets what is noticed, counted over all models.</param>
 /// <param name="findings">Gets what is noticed, for each model.</param>
-/// <param name="cancel">Cancels.</param>
+/// <param name="cancel">Cancels the call.</param>
 internal sealed class BodyCutter(
     PrintSettings common, SliceOptions options, SliceMemory memory, DiagnosticList problems, List<Diagnostic> findings, CancellationToken cancel)
 {

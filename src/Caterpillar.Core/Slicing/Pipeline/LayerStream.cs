@@ -17,7 +17,7 @@ internal sealed class LayerStream
 
     /// <param name="layers">The layers of all bodies in the order in which they are wanted.</param>
     /// <param name="threads">Degree of parallelism, 0 for all cores.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="cancel">Cancels the call.</param>
     public LayerStream(LayerWork[] layers, int threads, CancellationToken cancel)
     {
         _layers = layers;

@@ -5,25 +5,25 @@ using Caterpillar.Machines;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Cuts meshes into planar layers and fills them with walls, skins and infill. Where solids of a model overlap their union is printed.
+/// Slices meshes into planar layers with walls, top/bottom surfaces, infill and supports. Overlapping solids of a model are printed as their union.
 /// </summary>
 public static class PlanarSlicer
 {
-    /// <summary>The most models of one print.</summary>
+    /// <summary>Maximum number of models in one print.</summary>
     internal const int MaxModels = 10_000;
 
     /// <summary>Slices meshes at the positions where they are printed (Z = 0 is the bed).</summary>
-    /// <param name="models">The objects; each keeps its own layers.</param>
-    /// <param name="settings">Layers, walls, skins and infill.</param>
-    /// <param name="options">Threads, memory, infill lines, and who gets finished layers.</param>
-    /// <param name="progress">0 to 1.</param>
-    /// <param name="cancel">Cancels.</param>
-    /// <returns>The layers, and what was noticed: <c>slice.nothing</c>, <c>slice.below_bed</c>, <c>slice.too_many_layers</c>, <c>slice.layer_formula</c>,
-    /// <c>slice.spiral_vase_divided</c>, <c>slice.spiral_vase_lag</c>, <c>slice.layer_time</c>, and for each broken mesh <c>slice.broken_mesh</c> (what was
-    /// repaired and what is left out) and <c>slice.lost_layers</c> (an error: there are no layers then), <c>slice.no_curves</c>, settings without effect
-    /// (<c>slice.no_effect</c>, <c>slice.print_wide</c>, <c>slice.no_support</c>), for each model <c>slice.too_thin</c>, and for each modifier without effect
-    /// <c>slice.modifier_outside</c>; <c>slice.too_many_models</c> where there are more than 10,000.</returns>
-    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    /// <param name="models">The models. Each has its own layers.</param>
+    /// <param name="settings">Print settings.</param>
+    /// <param name="options">Threads, memory and infill lines.</param>
+    /// <param name="progress">Progress, 0 to 1.</param>
+    /// <param name="cancel">Cancels the call.</param>
+    /// <returns>The layers, or none on an error, and the diagnostics: <c>slice.nothing</c>, <c>slice.below_bed</c>, <c>slice.too_many_layers</c>,
+    /// <c>slice.too_many_models</c> (over 10,000), <c>slice.layer_formula</c>, <c>slice.spiral_vase_divided</c>, <c>slice.spiral_vase_lag</c>,
+    /// <c>slice.layer_time</c>, <c>slice.no_curves</c>. For settings without effect: <c>slice.no_effect</c>, <c>slice.print_wide</c>, <c>slice.no_support</c>.
+    /// For each broken mesh: <c>slice.broken_mesh</c> (repairs and omissions) and <c>slice.lost_layers</c> (an error). For each model:
+    /// <c>slice.too_thin</c>. For each modifier without effect: <c>slice.modifier_outside</c>.</returns>
+    /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static Result<SliceResult> Slice(
         IReadOnlyList<NamedMesh> models, PrintSettings settings, SliceOptions? options = null, IProgress<double>? progress = null,
         CancellationToken cancel = default)
@@ -32,7 +32,7 @@ public static class PlanarSlicer
         return SliceEach(models.Select(m => new SliceModel(m, settings)).ToArray(), settings, options, progress, cancel);
     }
 
-    /// <summary>Slices models that have settings of their own; what concerns all of them (order, skirt) is taken from <paramref name="common"/>.</summary>
+    /// <summary>Slices models that have their own settings. Settings of the whole print (order, skirt) come from <paramref name="common"/>.</summary>
     /// <inheritdoc cref="Slice"/>
     public static Result<SliceResult> SliceEach(
         IReadOnlyList<SliceModel> models, PrintSettings common, SliceOptions? options = null, IProgress<double>? progress = null,

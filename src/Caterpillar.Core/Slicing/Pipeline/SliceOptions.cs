@@ -3,7 +3,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>How the slicer works, and what it needs beyond the print settings.</summary>
+/// <summary>Options for slicing, apart from the print settings.</summary>
 public sealed record SliceOptions
 {
     /// <summary>Number of threads. 0 = all cores. The result does not depend on it.</summary>
@@ -19,9 +19,8 @@ public sealed record SliceOptions
     internal Action<IReadOnlyList<SlicedLayer>>? Take { get; init; }
 
     /// <summary>
-    /// Gives the lines that take the place of the infill's pattern in a layer, from the height of its top above the bed, mm; of the lines x and y count, mm.
-    /// They are printed where the layer is neither closed nor skin; not where infill is 0 or 100 %. Called from any thread. Null for the pattern of the
-    /// settings.
+    /// Returns the lines that replace the infill pattern in a layer. The argument is the height of its top above the bed, mm. Only x and y of the lines count,
+    /// mm. They are printed in sparse infill only. Called from any thread. Null = the pattern in the settings.
     /// </summary>
     public Func<double, IReadOnlyList<Polyline>>? InfillLines { get; init; }
 

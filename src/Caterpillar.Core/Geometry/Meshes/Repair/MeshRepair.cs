@@ -11,7 +11,7 @@ namespace Caterpillar.Geometry;
 internal static class MeshRepair
 {
     /// <summary>The mesh as a solid, and what was done to it.</summary>
-    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static RepairedMesh ToSolid(TriMesh mesh, CancellationToken cancel = default)
     {
         if (mesh is null) throw new ArgumentNullException(nameof(mesh));

@@ -36,7 +36,7 @@ internal sealed class SparseSystem
     /// <param name="right">The right side.</param>
     /// <param name="x">The guess, and the result.</param>
     /// <param name="accuracy">The rest of the equations in parts of the right side.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="cancel">Cancels the call.</param>
     /// <returns>False where it did not come so far.</returns>
     public bool Solve(double[] right, double[] x, double accuracy, CancellationToken cancel)
     {
