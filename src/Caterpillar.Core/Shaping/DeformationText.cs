@@ -21,8 +21,8 @@ public enum DeformationSystem
 public static class DeformationText
 {
     /// <summary>
-    /// Compiles a deformation, for example <c>r + 1.05 * z, theta, 0.3 * z</c> with the area <c>0.96 * c</c>. A coordinate, area or speed whose formula is empty
-    /// stays unchanged.
+    /// Compiles a deformation, for example <c>r + 1.05 * z, theta, 0.3 * z</c> with the area <c>0.96 * c</c>. A coordinate, area or speed whose formula is
+    /// empty stays unchanged.
     /// </summary>
     /// <param name="position">Three formulas separated by commas, or empty.</param>
     /// <param name="area">Formula for the new area of a segment in mm², with <c>c</c> and the coordinates, or null.</param>

@@ -19,7 +19,7 @@ public class BrokenModelTests
     };
 
     [Test]
-    public void What_was_mended_is_one_diagnostic_for_each_model()
+    public void Repairs_are_one_diagnostic_for_each_model()
     {
         var box = MeshMaker.Box(0, 0, 0, 10, 10, 2);
         var broken = TriMesh.Create(box.Vertices, box.Indices.Take(33).ToArray());

@@ -95,7 +95,7 @@ public class NarrowAreaTests
     }
 
     [Test]
-    public void Trees_hold_up_the_skin_and_leave_what_is_far_below_it_empty()
+    public void Trees_support_the_top_surface_and_leave_the_area_far_below_it_empty()
     {
         var usual = new PrintSettings { MinLayerTime = 0, LayerHeight = 0.4 };
         var lines = Solids.Slice(usual, Solids.Block(0, 0, 0, 30, 30, 32));

@@ -182,8 +182,8 @@ public sealed class Region
     }
 
     /// <summary>
-    /// The region grown or shrunk by a distance. Corners that open up get a join; the others are exact. Raw offset curve, then union by positive winding numbers
-    /// (Chen and McMains, "Polygon offsetting by computing winding numbers", 2005).
+    /// The region grown or shrunk by a distance. Corners that open up get a join; the others are exact. Raw offset curve, then union by positive winding
+    /// numbers (Chen and McMains, "Polygon offsetting by computing winding numbers", 2005).
     /// </summary>
     /// <param name="distance">Distance in mm: positive grows, negative shrinks.</param>
     /// <param name="join">Join style at corners.</param>

@@ -50,7 +50,7 @@ internal static class InfillBridges
             if (!GridBox.Overlap(island.Region.Box, near.Box)) continue;
             foreach (var inside in island.Insides)
             {
-                var sparse = SkinFinder.AreasOf(layer, inside, engine).Sparse;
+                var sparse = TopBottomFinder.AreasOf(layer, inside, engine).Sparse;
                 if (sparse.IsEmpty) continue;
                 var at = found.FindIndex(f => ReferenceEquals(f.Rules, inside.Rules));
                 if (at < 0) found.Add((inside.Rules, [.. sparse.Paths]));

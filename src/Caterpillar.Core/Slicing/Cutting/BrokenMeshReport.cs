@@ -22,9 +22,9 @@ internal static class BrokenMeshReport
         var parts = new List<string>();
         if (repaired.MovedVertices > 0)
             parts.Add($"{Count(repaired.MovedVertices, "vertex", "vertices")} moved by up to {Millimeters(repaired.FarthestMove, 3)} to join naked edges");
-        if (repaired.DoubledFacets > 0) parts.Add($"{Count(repaired.DoubledFacets, "duplicate face", "duplicate faces")} removed");
-        if (repaired.TurnedFacets > 0) parts.Add($"{Count(repaired.TurnedFacets, "inward-facing face", "inward-facing faces")} flipped");
-        if (repaired.TurnedBodies > 0) parts.Add($"{Count(repaired.TurnedBodies, "inside-out body", "inside-out bodies")} flipped");
+        if (repaired.DuplicateFaces > 0) parts.Add($"{Count(repaired.DuplicateFaces, "duplicate face", "duplicate faces")} removed");
+        if (repaired.FlippedFaces > 0) parts.Add($"{Count(repaired.FlippedFaces, "inward-facing face", "inward-facing faces")} flipped");
+        if (repaired.FlippedBodies > 0) parts.Add($"{Count(repaired.FlippedBodies, "inside-out body", "inside-out bodies")} flipped");
         if (repaired.Holes.Count > 0)
         {
             var box = Bounds.Empty;
@@ -37,7 +37,7 @@ internal static class BrokenMeshReport
             var heights = $"z {NumberFormatter.Format(box.Min.Z, 2)} to {NumberFormatter.Format(box.Max.Z, 2)} mm";
             parts.Add($"{Count(repaired.Holes.Count, "hole", "holes")} filled ({heights}, up to {Millimeters(width, 2)} wide)");
         }
-        if (repaired.LooseFacets > 0) parts.Add($"{Count(repaired.LooseFacets, "loose face", "loose faces")} removed at filled holes");
+        if (repaired.LooseFaces > 0) parts.Add($"{Count(repaired.LooseFaces, "loose face", "loose faces")} removed at filled holes");
         return parts;
     }
 

@@ -4,15 +4,15 @@ namespace Caterpillar.Slicing;
 
 /// <summary>
 /// Trees that hold up what lies over an area (after Tricard, Claux and Lefebvre, "Ribbed support vaults for 3D printing of hollowed objects", 2020). They grow
-/// under the skins and are followed downwards: in each layer tips get shorter and bends straighter by what may overhang, so that the trees withdraw into the
+/// under the top surfaces and are followed downwards: in each layer tips get shorter and bends straighter by what may overhang, so that the trees withdraw into the
 /// walls.
 /// </summary>
 internal static class Lightning
 {
     /// <summary>The lines of each layer; they go to <see cref="InfillRequest.Curves"/>.</summary>
     /// <param name="areas">Where infill may run, from the lowest layer up (<see cref="InfillRequest.Area"/>).</param>
-    /// <param name="tops">Per layer what has to be held up from below because a skin lies on it: a part of the same layer's area.</param>
-    /// <param name="spacing">Largest distance, in mm, between lines under a skin.</param>
+    /// <param name="tops">Per layer, the area under a top surface, which needs support from below: a part of the area of the layer.</param>
+    /// <param name="spacing">Maximum distance between lines under a top surface, mm.</param>
     /// <param name="heights">Height Z of each layer, mm, ascending: branches lean by at most 45°.</param>
     /// <param name="cancel">Cancels the call.</param>
     /// <exception cref="ArgumentException">The lists differ in length, or the spacing is not a positive number.</exception>

@@ -27,7 +27,7 @@ internal sealed class BodyCutter(
         if (settings is { InfillPattern: InfillPattern.Curves, InfillCurves.Count: 0 } && (settings.InfillDensityPercent > 0 || settings.InfillSpacing > 0))
         {
             problems.Add(Severity.Warning, "slice.no_curves",
-                "infill_pattern=curves has no curves, so there is no infill. Set infill_curves_mm or --infill-curves FILE.", body.Source);
+                "infill_pattern=curves has no curves, so no infill is printed. Set infill_curves_mm or --infill-curves FILE.", body.Source);
         }
         var planned = new LayerPlan(mesh, settings).Layers();
         foreach (var problem in planned.Diagnostics) problems.Add(problem with { Source = problem.Source ?? body.Source });

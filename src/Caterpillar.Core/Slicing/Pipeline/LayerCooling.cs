@@ -41,7 +41,7 @@ internal sealed class LayerCooling(PrintSettings settings)
         if (_quick == 0 || settings.LayerTimeWait != LayerTimeWait.None) return;
         problems.Add(Severity.Note, "slice.layer_time",
             $"A layer takes less than {NumberFormatter.Format(settings.MinLayerTime, 1)} s even at {NumberFormatter.Format(settings.MinPrintSpeed, 1)} mm/s "
-            + $"(first at z = {NumberFormatter.Format(_first, 3)} mm) and may not cool in time.", null, _quick);
+            + $"(first at z = {NumberFormatter.Format(_first, 3)} mm) and may stay too hot.", null, _quick);
     }
 
     private static bool LastsLongEnough(IList<SlicedLayer> layers, double wanted, Func<PrintPath, int, double> speed)

@@ -67,7 +67,7 @@ internal sealed class StlTextReader
         if (_open)
         {
             var end = _source.PlaceInText(_source.Length);
-            _source.Note(Severity.Warning, "mesh.truncated", "The file ends without \"endsolid\"; it may be incomplete.", end);
+            _source.Note(Severity.Warning, "mesh.truncated", "The file ends without \"endsolid\" and may be incomplete.", end);
         }
         var name = _name.Length > 0 ? _name : MeshReader.PlainName(_source.Name);
         meshes.Add(new NamedMesh(name, _builder.ToMesh(_source.Name, true, _source.Diagnostics)));

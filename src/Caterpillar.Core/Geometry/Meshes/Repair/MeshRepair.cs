@@ -23,7 +23,7 @@ internal static class MeshRepair
         FilledHole[] holes = [];
         if (!mesh.IsWatertight || mesh.Volume < 0)
         {
-            (result, moved, farthest) = RimSnap.Close(result);
+            (result, moved, farthest) = EdgeSnap.Close(result);
             result = MeshCleaning.DropDuplicates(result, place, notes);
             (result, doubled) = OppositeFacets.Drop(result);
             doubled += Count(notes, "mesh.duplicate_faces");
