@@ -63,7 +63,7 @@ public static class Fields
     private static ulong Next(ulong state) => SeededRandom.Mix(unchecked(state + SeededRandom.Golden));
 }
 
-/// <summary>Ways to map an image onto paths.</summary>
+/// <summary>Mappings of images onto paths.</summary>
 public static class ImageMappings
 {
     /// <summary>

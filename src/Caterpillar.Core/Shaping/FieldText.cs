@@ -9,8 +9,8 @@ public static class FieldText
     private static readonly string[] Variables = ["x", "y", "z", "r", "theta", "s", "u", "path", "θ"];
 
     /// <summary>
-    /// Compiles a field with the variables <c>x</c>, <c>y</c>, <c>z</c> (mm), <c>r</c> (mm) and <c>theta</c> (or <c>θ</c>, degrees, −180 to 180) about a vertical
-    /// axis, <c>s</c> (length along the path, mm), <c>u</c> (the same from 0 to 1) and <c>path</c> (index of the path, from 0).
+    /// Compiles a field with the variables <c>x</c>, <c>y</c>, <c>z</c> (mm), <c>r</c> (mm) and <c>theta</c> (or <c>θ</c>, degrees, −180 to 180) about a
+    /// vertical axis, <c>s</c> (length along the path, mm), <c>u</c> (the same from 0 to 1) and <c>path</c> (index of the path, from 0).
     /// For example <c>0.5 + 0.5 * sin(6 * theta + 20 * z)</c>.
     /// </summary>
     /// <param name="text">Formula with values from 0 to 1, for modulations.</param>

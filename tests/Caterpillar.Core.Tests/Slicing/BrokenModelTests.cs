@@ -47,7 +47,7 @@ public class BrokenModelTests
     {
         var result = PlanarSlicer.Slice([new NamedMesh("slit", Slit(1, 4, 2))], Plain with { RepairMeshes = false });
         Assert.That(result.Diagnostics.Single().Message, Is.EqualTo(
-            "The mesh is broken. 8 gaps in contours closed on 8 layers (z 0.25 to 3.75 mm): 16 mm in all, the widest 2 mm."));
+            "The mesh is broken. 8 gaps in contours closed on 8 layers (z 0.25 to 3.75 mm): 16 mm in total, the widest 2 mm."));
         var open = PlanarSlicer.Slice([new NamedMesh("slit", Slit(1, 4, 2))],
             Plain with { RepairMeshes = false, SliceGapClosing = 1, MaxAreaLossPercent = 100 });
         Assert.That(open.Diagnostics.Single(d => d.Code == "slice.broken_mesh").Message, Is.EqualTo(

@@ -68,7 +68,7 @@ public class NarrowAreaTests
         var finding = Solids.Try(new PrintSettings { MinLayerTime = 0 }, models).Diagnostics.Single(d => d.Code == "slice.too_thin");
         Assert.That(finding.Severity, Is.EqualTo(Severity.Warning));
         Assert.That(finding.Count, Is.EqualTo(2 * 10));
-        Assert.That(finding.Message, Does.Contain("6 mm² on 10 layers (z 2.2 to 4 mm)").And.Contain("of 0.3 mm² at X 12.5 Y 2.03 Z 2.2"));
+        Assert.That(finding.Message, Does.Contain("6 mm² on 10 layers (z 2.2 to 4 mm)").And.Contain("the largest 0.3 mm² at X 12.5 Y 2.03 Z 2.2"));
         Assert.That(finding.Source!.ToString(), Does.Contain("test"));
     }
 

@@ -220,7 +220,7 @@ public class PlanarFeatureTests
 
     [TestCase("vase")]
     [TestCase("combine_infill_layers")]
-    [TestCase("skins")]
+    [TestCase("surfaces")]
     public void The_number_of_threads_changes_nothing(string what)
     {
         var every = what == "combine_infill_layers" ? 3 : 1;

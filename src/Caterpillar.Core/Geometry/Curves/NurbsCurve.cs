@@ -41,7 +41,7 @@ public sealed class NurbsCurve : Curve
         for (var i = degree + 1; i + degree < controls.Length; i++)
         {
             if (_knots[i] == _knots[i + degree] && _knots[i] > _knots[degree] && _knots[i] < _knots[controls.Length])
-                throw new ArgumentException("The multiplicity of an inner knot must not exceed the degree.", nameof(knots));
+                throw new ArgumentException("An inner knot that repeats more often than the degree breaks the curve.", nameof(knots));
         }
         _controls = new HomogeneousPoint[controls.Length];
         for (var i = 0; i < controls.Length; i++)

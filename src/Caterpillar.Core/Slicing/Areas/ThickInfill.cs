@@ -46,7 +46,8 @@ internal readonly record struct ThickInfill(Region Area, double Thickness)
         {
             foreach (var inside in island.Insides)
             {
-                if (pattern is null || inside.Rules.Settings.InfillPattern == pattern) paths.AddRange(TopBottomFinder.AreasOf(layer, inside, engine).Sparse.Paths);
+                if (pattern is null || inside.Rules.Settings.InfillPattern == pattern)
+                    paths.AddRange(TopBottomFinder.AreasOf(layer, inside, engine).Sparse.Paths);
             }
         }
         return Region.Own(paths.ToArray());

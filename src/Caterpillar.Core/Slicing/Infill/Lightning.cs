@@ -3,9 +3,9 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Trees that hold up what lies over an area (after Tricard, Claux and Lefebvre, "Ribbed support vaults for 3D printing of hollowed objects", 2020). They grow
-/// under the top surfaces and are followed downwards: in each layer tips get shorter and bends straighter by what may overhang, so that the trees withdraw into the
-/// walls.
+/// Trees that support top surfaces from below (after Tricard, Claux and Lefebvre, "Ribbed support vaults for 3D printing of hollowed objects", 2020). They
+/// grow under the top surfaces and are followed downwards. In each layer, tips get shorter and bends straighter by the allowed overhang, so that the trees
+/// withdraw into the walls.
 /// </summary>
 internal static class Lightning
 {

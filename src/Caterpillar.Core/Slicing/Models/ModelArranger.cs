@@ -6,7 +6,7 @@ namespace Caterpillar.Slicing;
 
 /// <summary>
 /// Arranges models on the bed: the largest first, each as close to the center of the bed as possible, or in rows from the front left if more of them fit
-/// that way. Models are not rotated and take up their convex outline seen from above.
+/// there. Models are not rotated and take up their convex outline seen from above.
 /// </summary>
 public static class ModelArranger
 {

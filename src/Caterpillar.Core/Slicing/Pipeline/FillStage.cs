@@ -4,8 +4,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Second stage of a layer, for which the regions of its neighbors are known: top and bottom surfaces, infill, and the steps that print the layer. What it reads of other
-/// layers is what the first stage wrote.
+/// Second stage of a layer, when the regions of its neighbors are known: top and bottom surfaces, infill, and the steps that print the layer. From other
+/// layers it reads only the results of the first stage.
 /// </summary>
 internal static class FillStage
 {

@@ -204,7 +204,7 @@ public class MeshFormatTests
     {
         var stl = MeshReader.Read(MeshBytes.BinaryStl().Take(300).ToArray(), "x.stl");
         Assert.That(stl.Diagnostics.Single().ToString(),
-            Is.EqualTo("x.stl: error mesh.truncated: The STL header counts 12 facets, but the file ends after 4. (byte 300)"));
+            Is.EqualTo("x.stl: error mesh.truncated: The STL header states 12 facets, but the file ends after 4. (byte 300)"));
         var ply = MeshBytes.BinaryPly(true);
         var cut = MeshReader.Read(ply.Take(ply.Length - 20).ToArray(), "x.ply");
         Assert.That(cut.Diagnostics.Single().Code, Is.EqualTo("mesh.truncated"));
