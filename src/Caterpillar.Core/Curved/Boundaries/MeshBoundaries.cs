@@ -19,7 +19,7 @@ public sealed class MeshBoundaries
         Upper = upper;
     }
 
-    /// <summary>The mesh, its edges divided where they were long.</summary>
+    /// <summary>The mesh with its long edges divided.</summary>
     internal TriMesh Mesh { get; }
 
     /// <summary>Vertices of <see cref="Mesh"/> on the boundaries where layers begin.</summary>

@@ -57,16 +57,16 @@ public abstract class LayerField
     /// <summary>Values at which the field has a crease: a mesh that is bent is divided along them.</summary>
     internal virtual IReadOnlyList<double> Creases => [];
 
-    /// <summary>How far layers at a place lie apart, along Z, for each mm of the field; 1 where that is not known.</summary>
+    /// <summary>Distance of layers along Z at a place, per mm of the field. 1 if unknown.</summary>
     internal virtual double Spread(Vec3 point) => 1;
 
     /// <summary>Whether the field moves points in plan, too.</summary>
     internal virtual bool BendsPlan => false;
 
-    /// <summary>A mesh bent until layers are flat, where the field is made of this very mesh; else null, and it is bent point by point.</summary>
+    /// <summary>A mesh bent until layers are flat, if the field was made from this mesh. Otherwise null, and it is bent point by point.</summary>
     internal virtual TriMesh? FlatMesh(TriMesh mesh) => null;
 
-    /// <summary>What is wrong with the surfaces of the field themselves.</summary>
+    /// <summary>Reports problems of the surfaces of the field.</summary>
     internal virtual void Check(DiagnosticList problems)
     {
     }
@@ -74,7 +74,7 @@ public abstract class LayerField
     /// <summary>The field for a part: constants chosen so that the part begins at the value 0 and the layers meet the surfaces of the field.</summary>
     internal virtual LayerField FitTo(PartColumns part, PrintSettings settings, DiagnosticList problems) => Anchored(this, part, settings);
 
-    /// <summary>A field moved by whole layers, so that the level 0 stays a border of layers and the part lies above 0.</summary>
+    /// <summary>A field moved by whole layers, so that 0 stays a border of layers and the part is above 0.</summary>
     internal static LayerField Anchored(LayerField field, PartColumns part, PrintSettings settings)
     {
         var lowest = double.PositiveInfinity;

@@ -18,7 +18,7 @@ internal sealed class OverhangPlan : PlanSurface
     private readonly int _rows;
     private readonly double[] _distances;
 
-    /// <param name="foot">Where the part stands on the bed.</param>
+    /// <param name="foot">Footprint of the part on the bed.</param>
     /// <param name="bounds">The part.</param>
     /// <param name="degrees">Angle of the layers.</param>
     public OverhangPlan(Region foot, Bounds bounds, double degrees)

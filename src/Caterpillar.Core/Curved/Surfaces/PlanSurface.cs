@@ -32,7 +32,7 @@ public abstract class PlanSurface
     /// <summary>True for a level plane.</summary>
     internal virtual bool IsLevel => false;
 
-    /// <summary>What is wrong with the surface itself: folded, upside down, without triangles.</summary>
+    /// <summary>Reports problems of the surface: folded, upside down, no faces.</summary>
     internal virtual void Check(DiagnosticList problems)
     {
     }

@@ -89,7 +89,7 @@ internal sealed class MeshBuilder
         return TriMesh.Own(MeshCleaning.DropUnused(_vertices ?? _welder.ToArray(), _triangles), _triangles);
     }
 
-    /// <summary>The mesh as read from a file: also without duplicate triangles, with reports of what was dropped and what is open.</summary>
+    /// <summary>The mesh as read from a file, also without duplicate triangles. Reports dropped triangles and naked edges.</summary>
     public TriMesh ToMesh(string name, bool closeCracks, DiagnosticList diagnostics)
     {
         var source = new SourceLocation(name);

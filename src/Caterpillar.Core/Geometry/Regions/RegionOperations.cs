@@ -13,7 +13,7 @@ internal static class RegionOperations
     public static Region Intersect(this Region region, IReadOnlyList<Region> others, RegionEngine engine)
         => Combine([region], others, InsideRule.Intersection, engine);
 
-    /// <summary>What the rule says of the regions of two operands, in one pass.</summary>
+    /// <summary>Combines the regions of two operands by the rule, in one pass.</summary>
     public static Region Combine(IReadOnlyList<Region> first, IReadOnlyList<Region> second, InsideRule rule, RegionEngine engine)
     {
         engine.Clear();

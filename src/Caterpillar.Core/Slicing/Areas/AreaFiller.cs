@@ -11,7 +11,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
     private readonly PrintSettings _settings = rules.Settings;
 
     /// <summary>Adds the steps.</summary>
-    /// <param name="areas">What is filled, and how.</param>
+    /// <param name="areas">Areas by their fill.</param>
     /// <param name="thick">Part of the infill that is printed here for several layers at once, or left to a layer above.</param>
     public void Fill(IslandAreas areas, ThickInfill thick)
     {

@@ -10,7 +10,7 @@ internal static class InfillBridges
 {
     private const double ArcTolerance = 0.005;
 
-    /// <summary>The bridges of an area; none where it is narrow, or the infill below is as good as closed.</summary>
+    /// <summary>The bridges of an area. None if it is narrow, or the infill below is almost solid.</summary>
     public static IReadOnlyList<BridgeArea> Find(LayerWork layer, SliceRules rules, Region solid, RegionEngine engine)
     {
         // A gap between the lines of this many widths or less needs no bridge.

@@ -3,10 +3,10 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Says what was repaired of a broken mesh, on which layers and by how much, and what is left out.</summary>
+/// <summary>Describes the repairs and omissions of a broken mesh, with layers and sizes.</summary>
 internal static class BrokenMeshReport
 {
-    /// <summary>The text, or null where there is nothing to say.</summary>
+    /// <summary>The text, or null if there is nothing to report.</summary>
     public static string? Describe(RepairedMesh repaired, IReadOnlyList<Section> sections)
     {
         var sentences = new List<string>();

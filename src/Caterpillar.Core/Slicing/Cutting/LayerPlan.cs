@@ -16,8 +16,8 @@ internal sealed class LayerPlan(TriMesh mesh, PrintSettings settings)
     // Of the model above the bed, mm.
     private readonly double _height = mesh.Bounds.Max.Z;
 
-    /// <summary>The layers from the bed up. A layer belongs to the plan when the place where it cuts lies below the height of the model.</summary>
-    /// <returns>Null and an error where there would be more than a million layers, or where the formula gives no thickness.</returns>
+    /// <summary>The layers from the bed up. A layer is part of the plan if its cutting plane is below the top of the model.</summary>
+    /// <returns>The layers, or an error if there would be more than a million layers or the formula gives no thickness.</returns>
     public Result<PlannedLayer[]> Layers()
     {
         var layers = new List<PlannedLayer>();

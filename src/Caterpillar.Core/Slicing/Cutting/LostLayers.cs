@@ -4,14 +4,13 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Finds layers that a broken mesh has lost. A layer on which gaps were closed or contours are left out is compared with the nearest layers below and
-/// above it on which nothing is broken: with the smaller of the two, or with the only one. It is lost where its area is smaller by more than the stated
-/// share, and where what is missing of its contours is long enough to enclose that much (length² / 2π, a half circle). Layers of closed meshes are never
-/// looked at: they may grow and shrink as they like.
+/// Finds layers that a broken mesh has lost. A layer with closed gaps or omitted contours is compared with the nearest intact layers below and above: with
+/// the smaller of the two, or with the only one. It is lost if its area is smaller by more than the given share, and if the missing length of its
+/// contours can enclose that area (length² / 2π, a half circle). Layers of closed meshes are never checked, because they may grow and shrink freely.
 /// </summary>
 internal static class LostLayers
 {
-    /// <summary>A text that names the layers, or null where there are none.</summary>
+    /// <summary>A text with the layers, or null if there are none.</summary>
     public static string? Find(IReadOnlyList<Section> sections, double maxLossPercent, CancellationToken cancel)
     {
         if (maxLossPercent >= 100) return null;

@@ -12,7 +12,7 @@ internal sealed class Modifiers(IReadOnlyList<SliceModel> models)
     /// <summary>Gives the layers of a body what the modifiers cover in them.</summary>
     /// <param name="body">A body with its layers.</param>
     /// <param name="common">The settings of the print.</param>
-    /// <param name="threads">Degree of parallelism, 0 for all cores.</param>
+    /// <param name="threads">Number of threads. 0 = all cores.</param>
     /// <param name="cancel">Cancels the call.</param>
     public void Apply(Body body, PrintSettings common, int threads, CancellationToken cancel)
     {
@@ -41,7 +41,7 @@ internal sealed class Modifiers(IReadOnlyList<SliceModel> models)
         }
     }
 
-    /// <summary>Warns of modifiers that lie in no part.</summary>
+    /// <summary>Warns of modifiers outside all parts.</summary>
     public void Report(DiagnosticList problems)
     {
         for (var m = 0; m < models.Count; m++)

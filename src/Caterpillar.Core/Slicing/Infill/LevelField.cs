@@ -3,7 +3,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>A formula over the places of one layer, and where it is zero between two of them.</summary>
+/// <summary>A formula over the area of one layer, and its zeros between two points.</summary>
 internal sealed class LevelField
 {
     private readonly Formula _formula;
@@ -19,7 +19,7 @@ internal sealed class LevelField
         Tolerance = request.Tolerance;
     }
 
-    /// <summary>How far, in mm, lines may lie off the curve.</summary>
+    /// <summary>Maximum deviation of lines from the curve, mm.</summary>
     public double Tolerance { get; }
 
     public double At(double x, double y)

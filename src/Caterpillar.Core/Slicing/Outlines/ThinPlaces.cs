@@ -2,10 +2,10 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>What is too thin to be printed, over all layers of a body.</summary>
+/// <summary>Reports areas that are too thin to print, over all layers of a body.</summary>
 internal static class ThinPlaces
 {
-    /// <summary>One finding with layers, place and area, or none where every place is printed.</summary>
+    /// <summary>Adds one warning with layers, place and area, or none if every area is printed.</summary>
     public static void Report(Body body, List<Diagnostic> findings)
     {
         int layers = 0, places = 0;

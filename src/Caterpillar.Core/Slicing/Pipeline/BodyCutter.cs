@@ -7,13 +7,13 @@ namespace Caterpillar.Slicing;
 /// <param name="common">The settings of the print.</param>
 /// <param name="options">Threads, infill lines, and what divides planned layers further.</param>
 /// <param name="memory">Counts the layers.</param>
-/// <param name="problems">Gets what is noticed, counted over all models.</param>
-/// <param name="findings">Gets what is noticed, for each model.</param>
+/// <param name="problems">Receives diagnostics that are counted over all models.</param>
+/// <param name="findings">Receives diagnostics of each model.</param>
 /// <param name="cancel">Cancels the call.</param>
 internal sealed class BodyCutter(
     PrintSettings common, SliceOptions options, SliceMemory memory, DiagnosticList problems, List<Diagnostic> findings, CancellationToken cancel)
 {
-    /// <summary>A model with its layers, as they are before the first stage; without any where nothing of it is above the bed.</summary>
+    /// <summary>A model with its layers before the first stage, or without layers if no part of it is above the bed.</summary>
     public Body Cut(SliceModel model, int number, IProgress<double>? progress)
     {
         var (mesh, settings) = (model.Mesh.Mesh, model.Settings);

@@ -4,8 +4,8 @@ using Caterpillar.Machines;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Names settings that change nothing because of another one. A value is idle where it is not the usual one and the other key rules it out in all settings of
-/// the print that have it; 0 and false ask for nothing.
+/// Reports settings that have no effect because of another one. A value is idle if it is not the default and the other key rules it out in all settings of
+/// the print that have it. The values 0 and false are never idle.
 /// </summary>
 internal static class IdleSettings
 {
@@ -59,7 +59,7 @@ internal static class IdleSettings
     ];
 
     /// <summary>One diagnostic for each reason.</summary>
-    /// <param name="models">What is printed, and the bodies that change it.</param>
+    /// <param name="models">Models, including modifiers and support blockers and enforcers.</param>
     /// <param name="common">The settings of the print.</param>
     public static IEnumerable<Diagnostic> Of(IReadOnlyList<SliceModel> models, PrintSettings common)
     {

@@ -4,13 +4,13 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Slows small layers down, so that each takes the least time of the settings. Layers of several objects at one height cool together.</summary>
+/// <summary>Slows down small layers to the minimum layer time. Layers of several models at one height cool together.</summary>
 internal sealed class LayerCooling(PrintSettings settings)
 {
     private int _quick;
     private double _first;
 
-    /// <summary>Layers of one height, in place; false where they stay below the time even at the least speed.</summary>
+    /// <summary>Slows down the layers of one height, in place. False if they stay below the time even at the minimum speed.</summary>
     public bool Apply(IList<SlicedLayer> layers)
     {
         double Speed(PrintPath path, int segment)
@@ -34,7 +34,7 @@ internal sealed class LayerCooling(PrintSettings settings)
         return reached;
     }
 
-    /// <summary>Says which layers stay below the time.</summary>
+    /// <summary>Reports layers below the minimum layer time.</summary>
     public void Report(DiagnosticList problems)
     {
         // Where the machine waits, they do.

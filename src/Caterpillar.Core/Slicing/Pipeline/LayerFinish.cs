@@ -5,15 +5,15 @@ using Caterpillar.Machines;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// What depends on the layers before, or on all objects on the bed: seams, vases, supports, raft, skirt and the least time of a layer. Layers are given on
-/// height by height, at once where nothing above them can change them.
+/// Adds everything that depends on earlier layers or on all models on the bed: seams, vases, supports, raft, skirt and minimum layer time. Layers are passed
+/// on height by height, as soon as no layer above can change them.
 /// </summary>
 /// <param name="works">The layers in their order, as they are sliced.</param>
-/// <param name="bodies">What is printed.</param>
+/// <param name="bodies">Models to print.</param>
 /// <param name="settings">The settings of the print.</param>
-/// <param name="supports">Adds supports; null where nobody wants them.</param>
-/// <param name="problems">Gets what is noticed.</param>
-/// <param name="take">Gets finished layers; null for nobody.</param>
+/// <param name="supports">Adds supports. Null = no supports.</param>
+/// <param name="problems">Receives diagnostics.</param>
+/// <param name="take">Receives finished layers, or null.</param>
 internal sealed class LayerFinish(
     LayerWork[] works, IReadOnlyList<Body> bodies, PrintSettings settings, PrintSupports? supports, DiagnosticList problems,
     Action<IReadOnlyList<SlicedLayer>>? take)

@@ -2,7 +2,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Estimates what the layers of a print take, first by their number, then by what is in them.</summary>
+/// <summary>Estimates the memory of the layers of a print, first by their number, then by their points.</summary>
 internal sealed class SliceMemory(MemoryLimit limit)
 {
     // A layer with its section, region, islands and steps; a point of an extrusion with its bead, until it is planned.

@@ -13,8 +13,8 @@ public sealed record SliceOptions
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
     /// <summary>
-    /// Gets the layers as soon as they are finished, those of a height together and from below, on a thread of the slicer; the layers of the result are then
-    /// without steps. With supports the first come once those are found; of objects that are printed one after the other all come at the end.
+    /// Receives finished layers, all of one height together and from bottom to top, on a thread of the slicer. The layers of the result then have no steps.
+    /// With supports, the first come after the supports are found. If models are printed one after the other, all layers come at the end.
     /// </summary>
     internal Action<IReadOnlyList<SlicedLayer>>? Take { get; init; }
 

@@ -77,7 +77,7 @@ internal sealed class PlyData(MeshSource source, PlyFormat format, int at)
         return true;
     }
 
-    /// <summary>Reports what is at the cursor instead of a number.</summary>
+    /// <summary>Reports that there is no number at the cursor.</summary>
     public bool Wrong(string what)
     {
         if (_cursor.At >= source.Length || !IsText)

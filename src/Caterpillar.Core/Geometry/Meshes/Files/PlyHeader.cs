@@ -55,7 +55,7 @@ internal sealed class PlyHeader
     /// <summary>Start of the data.</summary>
     public int DataAt { get; private set; }
 
-    /// <summary>Reads the header; null with an error where it cannot be read.</summary>
+    /// <summary>Reads the header. Null with an error if it is unreadable.</summary>
     public static PlyHeader? Read(MeshSource source)
     {
         var header = new PlyHeader();
