@@ -51,7 +51,7 @@ public class BrokenModelTests
         var open = PlanarSlicer.Slice([new NamedMesh("slit", Slit(1, 4, 2))],
             Plain with { RepairMeshes = false, SliceGapClosing = 1, MaxAreaLossPercent = 100 });
         Assert.That(open.Diagnostics.Single(d => d.Code == "slice.broken_mesh").Message, Is.EqualTo(
-            "The mesh is broken. Left out: 8 contours that do not close, 304 mm in all, on 8 layers (z 0.25 to 3.75 mm)."));
+            "The mesh is broken. 8 open contours left out on 8 layers (z 0.25 to 3.75 mm): 304 mm in total."));
     }
 
     [Test]
