@@ -116,9 +116,9 @@ public class MessageTests : CliFixture
     public void Settings_that_print_nothing_are_named()
     {
         string[] nothing = ["--set", "wall_count=0", "--set", "infill_density_percent=0", "--set", "top_layers=0", "--set", "bottom_layers=0"];
-        Assert.That(Run(["slice", "a.stl", .. nothing]).Messages, Does.Contain("the settings ask for no walls, no infill and no top or bottom layers"));
+        Assert.That(Run(["slice", "a.stl", .. nothing]).Messages, Does.Contain("the settings have no walls, no infill and no top or bottom layers"));
         File.WriteAllText("thin.stl", Box(6, 0.03, 1));
-        Assert.That(Run("slice", "thin.stl").Messages, Does.Contain("no contour of the models is as wide as a line (0.45 mm)"));
+        Assert.That(Run("slice", "thin.stl").Messages, Does.Contain("all contours are narrower than a line (0.45 mm)"));
         Assert.That(Files(), Does.Not.Contain("a.gcode").And.Not.Contain("thin.gcode"));
     }
 

@@ -3,7 +3,7 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// An affine map of space: a linear part, given by the images of the three axes, and a shift in mm. Immutable. Maps points by
+/// An affine transform: the images of the three axes and a translation in mm. Immutable. It maps points by
 /// <c>p ↦ XAxis·p.X + YAxis·p.Y + ZAxis·p.Z + Shift</c>.
 /// </summary>
 public readonly struct Affine : IEquatable<Affine>
@@ -20,7 +20,7 @@ public readonly struct Affine : IEquatable<Affine>
     /// <summary>Image of the origin, mm.</summary>
     public Vec3 Shift { get; }
 
-    /// <summary>The images of the unit vectors, and of the origin (mm).</summary>
+    /// <summary>A transform from the images of the unit vectors and of the origin (mm).</summary>
     public Affine(Vec3 xAxis, Vec3 yAxis, Vec3 zAxis, Vec3 shift)
     {
         XAxis = xAxis;
@@ -29,45 +29,45 @@ public readonly struct Affine : IEquatable<Affine>
         Shift = shift;
     }
 
-    /// <summary>Changes nothing.</summary>
+    /// <summary>The transform that changes nothing.</summary>
     public static Affine Identity => new(Vec3.UnitX, Vec3.UnitY, Vec3.UnitZ, Vec3.Zero);
 
-    /// <summary>Volume factor of the map; negative if it mirrors, zero if it flattens.</summary>
+    /// <summary>Factor by which volumes change: negative if the transform mirrors, zero if it is singular.</summary>
     public double Determinant => Vec3.Dot(XAxis, Vec3.Cross(YAxis, ZAxis));
 
-    /// <summary>A shift, mm.</summary>
+    /// <summary>A translation, mm.</summary>
     public static Affine Move(Vec3 shift) => new(Vec3.UnitX, Vec3.UnitY, Vec3.UnitZ, shift);
 
-    /// <summary>A scaling about the origin.</summary>
+    /// <summary>A uniform scale about the origin.</summary>
     public static Affine Scale(double factor) => Scale(factor, factor, factor);
 
-    /// <summary>Scales along the axes of the world, about the origin.</summary>
+    /// <summary>A scale along the world axes, about the origin.</summary>
     public static Affine Scale(double x, double y, double z) => new(new Vec3(x, 0), new Vec3(0, y), new Vec3(0, 0, z), Vec3.Zero);
 
     /// <summary>
     /// A rotation about an axis through the origin, in degrees, counterclockwise when the axis points at the viewer. Multiples of 90° about a world
     /// axis are exact.
     /// </summary>
-    /// <exception cref="ArgumentException">The axis has no direction.</exception>
+    /// <exception cref="ArgumentException">The axis is zero.</exception>
     public static Affine Rotate(Vec3 axis, double degrees)
     {
         var u = axis.Unit();
-        if (!(u.LengthSquared > 0.5)) throw new ArgumentException("The axis of a rotation must have a direction.", nameof(axis));
+        if (!(u.LengthSquared > 0.5)) throw new ArgumentException("The axis of a rotation must not be zero.", nameof(axis));
         var (sin, cos) = Angle.SinCos(degrees);
         Vec3 Turn(Vec3 p) => p * cos + Vec3.Cross(u, p) * sin + u * (Vec3.Dot(u, p) * (1 - cos));
         return new Affine(Turn(Vec3.UnitX), Turn(Vec3.UnitY), Turn(Vec3.UnitZ), Vec3.Zero);
     }
 
-    /// <summary>The map from coordinates of a frame to the world.</summary>
+    /// <summary>The transform from frame coordinates to world coordinates.</summary>
     public static Affine FromFrame(Frame frame) => new(frame.X, frame.Y, frame.Z, frame.Origin);
 
     /// <summary>The image of a point.</summary>
     public Vec3 Apply(Vec3 p) => XAxis * p.X + YAxis * p.Y + ZAxis * p.Z + Shift;
 
-    /// <summary>The image of a direction: without the shift.</summary>
+    /// <summary>The image of a direction, without the translation.</summary>
     public Vec3 ApplyDirection(Vec3 d) => XAxis * d.X + YAxis * d.Y + ZAxis * d.Z;
 
-    /// <summary>This map first, then the other.</summary>
+    /// <summary>This transform followed by another.</summary>
     public Affine Then(Affine next)
         => new(next.ApplyDirection(XAxis), next.ApplyDirection(YAxis), next.ApplyDirection(ZAxis), next.Apply(Shift));
 

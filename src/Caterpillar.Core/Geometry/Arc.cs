@@ -2,7 +2,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>Plane of an arc, as in G17, G18 and G19. The first two letters turn counterclockwise into each other.</summary>
+/// <summary>Plane of an arc, as in G17, G18 and G19. Counterclockwise is from the first axis to the second.</summary>
 public enum ArcPlane : byte
 {
     /// <summary>G17: X to Y, helix along Z.</summary>
@@ -16,15 +16,15 @@ public enum ArcPlane : byte
 }
 
 /// <summary>
-/// An arc or helix between two points that are known from elsewhere: center, plane and sweep. The coordinate across the plane changes linearly. The radius is
-/// taken at the start; an end slightly off the circle is reached by a linear change of the radius.
+/// Center, plane and sweep of an arc or helix. Its start and end are stored elsewhere and passed to the methods. The coordinate normal to the plane changes
+/// linearly. The radius is measured at the start. If the end is slightly off the circle, the radius changes linearly.
 /// </summary>
-/// <param name="Center">Center in mm; the coordinate across the plane has no meaning.</param>
-/// <param name="Sweep">Degrees, positive counterclockwise; ±360 is a full turn and more are allowed.</param>
-/// <param name="Plane">Plane in which it turns.</param>
+/// <param name="Center">Center, mm. The coordinate normal to the plane has no meaning.</param>
+/// <param name="Sweep">Angle in degrees, positive counterclockwise. ±360 is a full turn; larger values are allowed.</param>
+/// <param name="Plane">Plane of the arc.</param>
 public readonly record struct Arc(Vec3 Center, double Sweep, ArcPlane Plane = ArcPlane.XY)
 {
-    /// <summary>Number of turns, rounded up: 1 up to a full circle, 2 beyond; at most 10⁶.</summary>
+    /// <summary>Number of turns, rounded up: 1 up to a full circle, 2 beyond. At most 10⁶.</summary>
     public int Turns => (int)Math.Min(Math.Max(Math.Ceiling(Math.Abs(Sweep) / 360 - 1e-6), 1), 1e6);
 
     /// <summary>Radius in mm at the start.</summary>
@@ -55,7 +55,7 @@ public readonly record struct Arc(Vec3 Center, double Sweep, ArcPlane Plane = Ar
         return World((u * cos - v * sin) * scale, (v * cos + u * sin) * scale, w + (ew - w) * t);
     }
 
-    /// <summary>The box around the arc from start to end, with its true extremes.</summary>
+    /// <summary>The exact bounding box of the arc from start to end, mm.</summary>
     public Bounds Bounds(Vec3 start, Vec3 end)
     {
         var bounds = Geometry.Bounds.Empty.Include(start).Include(end);
@@ -70,7 +70,7 @@ public readonly record struct Arc(Vec3 Center, double Sweep, ArcPlane Plane = Ar
         return bounds;
     }
 
-    /// <summary>Number of equal chords that deviate at most <paramref name="tolerance"/> mm from the arc; at least 1.</summary>
+    /// <summary>Number of equal chords that deviate from the arc by at most <paramref name="tolerance"/> mm, at least 1.</summary>
     public int ChordCount(Vec3 start, double tolerance)
     {
         if (!(tolerance > 0)) throw new ArgumentOutOfRangeException(nameof(tolerance), "The tolerance must be positive.");
@@ -81,7 +81,7 @@ public readonly record struct Arc(Vec3 Center, double Sweep, ArcPlane Plane = Ar
         return (int)Math.Min(Math.Max(count, 1), 1_000_000);
     }
 
-    /// <summary>The same if the end may lie on a larger circle.</summary>
+    /// <summary>The same for an end that may be on a larger circle.</summary>
     public int ChordCount(Vec3 start, Vec3 end, double tolerance) => Math.Max(ChordCount(start, tolerance), ChordCount(end, tolerance));
 
     /// <summary>The arc from end to start.</summary>

@@ -1,39 +1,39 @@
 namespace Caterpillar.Geometry;
 
-/// <summary>An axis-aligned box in mm, or nothing (<see cref="IsEmpty"/>).</summary>
+/// <summary>An axis-aligned bounding box in mm, which may be empty (<see cref="IsEmpty"/>).</summary>
 public readonly struct Bounds : IEquatable<Bounds>
 {
     private readonly bool _any;
 
-    /// <summary>The corner with the least coordinates, mm.</summary>
+    /// <summary>The corner with the minimum coordinates, mm.</summary>
     public Vec3 Min { get; }
 
-    /// <summary>The corner with the greatest coordinates, mm.</summary>
+    /// <summary>The corner with the maximum coordinates, mm.</summary>
     public Vec3 Max { get; }
 
     /// <summary>A box from its corners.</summary>
-    /// <exception cref="ArgumentException">A coordinate of <paramref name="max"/> is below that of <paramref name="min"/>.</exception>
+    /// <exception cref="ArgumentException">A coordinate of <paramref name="max"/> is below the same one of <paramref name="min"/>.</exception>
     public Bounds(Vec3 min, Vec3 max)
     {
-        if (!(min.X <= max.X && min.Y <= max.Y && min.Z <= max.Z)) throw new ArgumentException("The corners of a box must be ordered.", nameof(max));
+        if (!(min.X <= max.X && min.Y <= max.Y && min.Z <= max.Z)) throw new ArgumentException("The minimum must not exceed the maximum.", nameof(max));
         Min = min;
         Max = max;
         _any = true;
     }
 
-    /// <summary>The box of nothing.</summary>
+    /// <summary>The empty box.</summary>
     public static Bounds Empty => default;
 
-    /// <summary>Nothing is in it, not even a point.</summary>
+    /// <summary>True if the box contains nothing, not even a point.</summary>
     public bool IsEmpty => !_any;
 
-    /// <summary>Extent in mm along each axis; zero when empty.</summary>
+    /// <summary>Size in mm along each axis. Zero if empty.</summary>
     public Vec3 Size => Max - Min;
 
-    /// <summary>The middle, mm.</summary>
+    /// <summary>Center, mm.</summary>
     public Vec3 Center => (Min + Max) * 0.5;
 
-    /// <summary>The box around points; empty for none.</summary>
+    /// <summary>The box around points. Empty if there are none.</summary>
     public static Bounds Of(IEnumerable<Vec3> points)
     {
         var bounds = Empty;
@@ -41,20 +41,20 @@ public readonly struct Bounds : IEquatable<Bounds>
         return bounds;
     }
 
-    /// <summary>The box with a point.</summary>
+    /// <summary>The box extended to include a point.</summary>
     public Bounds Include(Vec3 p) => _any
         ? new Bounds(
             new Vec3(Math.Min(Min.X, p.X), Math.Min(Min.Y, p.Y), Math.Min(Min.Z, p.Z)),
             new Vec3(Math.Max(Max.X, p.X), Math.Max(Max.Y, p.Y), Math.Max(Max.Z, p.Z)))
         : new Bounds(p, p);
 
-    /// <summary>The box of both.</summary>
+    /// <summary>The box around this box and another.</summary>
     public Bounds Include(Bounds other) => other.IsEmpty ? this : Include(other.Min).Include(other.Max);
 
-    /// <summary>The box grown by <paramref name="margin"/> mm on every side; empty stays empty.</summary>
+    /// <summary>The box grown by <paramref name="margin"/> mm on every side. An empty box stays empty.</summary>
     public Bounds Grow(double margin) => _any ? new Bounds(Min - new Vec3(margin, margin, margin), Max + new Vec3(margin, margin, margin)) : this;
 
-    /// <summary>True if the point lies inside or on the box, within <paramref name="tolerance"/> mm.</summary>
+    /// <summary>True if the point is inside or on the box, within <paramref name="tolerance"/> mm.</summary>
     public bool Contains(Vec3 p, double tolerance = 0) => _any
         && p.X >= Min.X - tolerance && p.X <= Max.X + tolerance
         && p.Y >= Min.Y - tolerance && p.Y <= Max.Y + tolerance

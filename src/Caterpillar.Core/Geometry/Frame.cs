@@ -3,21 +3,21 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// A point with three perpendicular unit axes, right-handed. For a turtle X is forward, Y left and Z up. Rotations act about the frame's own axes and
-/// re-orthonormalize, so that a million turns do not drift.
+/// A right-handed coordinate system: an origin and three perpendicular unit axes. For a turtle, X is forward, Y left and Z up. Rotations are about the
+/// frame's own axes and keep them orthonormal, so that a million turns do not drift.
 /// </summary>
 public readonly struct Frame : IEquatable<Frame>
 {
-    /// <summary>Where its axes meet, mm.</summary>
+    /// <summary>Origin, mm.</summary>
     public Vec3 Origin { get; }
 
-    /// <summary>A unit vector.</summary>
+    /// <summary>X axis, a unit vector.</summary>
     public Vec3 X { get; }
 
-    /// <summary>A unit vector, at a right angle to X.</summary>
+    /// <summary>Y axis, a unit vector perpendicular to X.</summary>
     public Vec3 Y { get; }
 
-    /// <summary>A unit vector, X × Y.</summary>
+    /// <summary>Z axis, the unit vector X × Y.</summary>
     public Vec3 Z { get; }
 
     private Frame(Vec3 origin, Vec3 x, Vec3 y, Vec3 z)
@@ -28,13 +28,13 @@ public readonly struct Frame : IEquatable<Frame>
         Z = z;
     }
 
-    /// <summary>The axes of the world at the origin.</summary>
+    /// <summary>The world axes at the origin.</summary>
     public static Frame World => new(Vec3.Zero, Vec3.UnitX, Vec3.UnitY, Vec3.UnitZ);
 
-    /// <summary>The axes of the world at a point.</summary>
+    /// <summary>The world axes at a point (mm).</summary>
     public static Frame At(Vec3 origin) => new(origin, Vec3.UnitX, Vec3.UnitY, Vec3.UnitZ);
 
-    /// <summary>A frame whose X axis has the direction of <paramref name="x"/> and whose XY plane contains <paramref name="y"/>.</summary>
+    /// <summary>A frame whose X axis points along <paramref name="x"/> and whose XY plane contains <paramref name="y"/>.</summary>
     /// <exception cref="ArgumentException">The directions are zero, not finite, or parallel.</exception>
     public static Frame FromAxes(Vec3 origin, Vec3 x, Vec3 y)
     {
@@ -43,39 +43,39 @@ public readonly struct Frame : IEquatable<Frame>
         if (!(ux.LengthSquared > 0.5)
             || !(uz.LengthSquared > 0.5))
         {
-            throw new ArgumentException("The axes of a frame must be two different directions.", nameof(y));
+            throw new ArgumentException("The axes of a frame must not be parallel or zero.", nameof(y));
         }
         return new Frame(origin, ux, Vec3.Cross(uz, ux), uz);
     }
 
-    /// <summary>The same axes at another place, mm.</summary>
+    /// <summary>The same axes at another origin, mm.</summary>
     public Frame WithOrigin(Vec3 origin) => new(origin, X, Y, Z);
 
-    /// <summary>A point given in this frame, in world coordinates.</summary>
+    /// <summary>Converts a point from frame coordinates to world coordinates.</summary>
     public Vec3 ToWorld(Vec3 local) => Origin + X * local.X + Y * local.Y + Z * local.Z;
 
-    /// <summary>A point of the world, in coordinates of this frame.</summary>
+    /// <summary>Converts a point from world coordinates to frame coordinates.</summary>
     public Vec3 ToLocal(Vec3 world)
     {
         var d = world - Origin;
         return new Vec3(Vec3.Dot(d, X), Vec3.Dot(d, Y), Vec3.Dot(d, Z));
     }
 
-    /// <summary>Turns about Z by degrees; positive from X toward Y (a turtle turns left).</summary>
+    /// <summary>Turns about Z, in degrees: positive from X toward Y (a turtle turns left).</summary>
     public Frame Yaw(double degrees)
     {
         var (sin, cos) = Angle.SinCos(degrees);
         return Orthonormal(X * cos + Y * sin, Y * cos - X * sin);
     }
 
-    /// <summary>Turns about Y by degrees; positive from X toward Z (nose up). This is left-handed about Y.</summary>
+    /// <summary>Turns about Y, in degrees: positive from X toward Z (nose up). This is left-handed about Y.</summary>
     public Frame Pitch(double degrees)
     {
         var (sin, cos) = Angle.SinCos(degrees);
         return Orthonormal(X * cos + Z * sin, Y);
     }
 
-    /// <summary>Turns about X by degrees; positive from Y toward Z (the left side rises).</summary>
+    /// <summary>Turns about X, in degrees: positive from Y toward Z (the left side rises).</summary>
     public Frame Roll(double degrees)
     {
         var (sin, cos) = Angle.SinCos(degrees);

@@ -6,7 +6,7 @@ internal static class LineThinner
     private const int Longest = 64;
 
     /// <summary>
-    /// The points that are kept: from each on as far as all points passed lie within the tolerance of the chord. The first is kept always, the last never, so
+    /// The points that are kept: from each on as far as all points passed lie within the tolerance of the chord. The first is always kept, the last never, so
     /// that closed lines, which end at their first point, can do without.
     /// </summary>
     public static List<Vec3> Thin(List<Vec3> line, double tolerance)

@@ -1,11 +1,11 @@
 namespace Caterpillar.Geometry;
 
-/// <summary>Points joined by straight segments, in mm. A closed polyline does not repeat its first point. Immutable.</summary>
+/// <summary>Points in mm, joined by straight segments. A closed polyline does not repeat its first point. Immutable.</summary>
 public sealed class Polyline
 {
     private readonly Vec3[] _points;
 
-    /// <summary>A polyline through a copy of the points.</summary>
+    /// <summary>A polyline through the points (mm), which are copied.</summary>
     public Polyline(IEnumerable<Vec3> points, bool closed = false)
         : this((points ?? throw new ArgumentNullException(nameof(points))).ToArray(), closed)
     {
@@ -17,19 +17,19 @@ public sealed class Polyline
         IsClosed = closed;
     }
 
-    /// <summary>mm; the first is not repeated at the end of a closed one.</summary>
+    /// <summary>The points, mm. A closed polyline does not repeat the first one at the end.</summary>
     public IReadOnlyList<Vec3> Points => _points;
 
     /// <summary>Number of points.</summary>
     public int Count => _points.Length;
 
-    /// <summary>The last point is joined to the first.</summary>
+    /// <summary>True if the last point is joined to the first.</summary>
     public bool IsClosed { get; }
 
     /// <summary>A point, mm.</summary>
     public Vec3 this[int index] => _points[index];
 
-    /// <summary>Number of segments; a closed polyline has one back to its first point.</summary>
+    /// <summary>Number of segments, including the closing one of a closed polyline.</summary>
     public int SegmentCount => _points.Length < 2 ? 0 : IsClosed ? _points.Length : _points.Length - 1;
 
     /// <summary>Length in mm.</summary>
@@ -43,10 +43,10 @@ public sealed class Polyline
         }
     }
 
-    /// <summary>Box of the points, mm.</summary>
+    /// <summary>Bounding box, mm.</summary>
     public Bounds Bounds => Bounds.Of(_points);
 
-    /// <summary>Signed area of the projection on XY in mm²: positive when counterclockwise seen from above.</summary>
+    /// <summary>Signed area in mm² of the projection on the XY plane: positive if counterclockwise seen from above.</summary>
     public double SignedAreaXY
     {
         get

@@ -37,7 +37,7 @@ public readonly struct Vec3 : IEquatable<Vec3>
     /// <summary>Length of the projection on the XY plane, mm.</summary>
     public double LengthXY => Math.Sqrt(X * X + Y * Y);
 
-    /// <summary>True if no coordinate is NaN or infinite.</summary>
+    /// <summary>True if all coordinates are finite numbers.</summary>
     public bool IsFinite => !double.IsNaN(X - X) && !double.IsNaN(Y - Y) && !double.IsNaN(Z - Z);
 
     public static Vec3 operator +(Vec3 a, Vec3 b) => new(a.X + b.X, a.Y + b.Y, a.Z + b.Z);
@@ -69,13 +69,13 @@ public readonly struct Vec3 : IEquatable<Vec3>
 
     public static Vec3 Cross(Vec3 a, Vec3 b) => new(a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X);
 
-    /// <summary>The point at parameter <paramref name="t"/> from <paramref name="a"/> (0) to <paramref name="b"/> (1); both ends are exact.</summary>
+    /// <summary>The point at parameter <paramref name="t"/> from <paramref name="a"/> (0) to <paramref name="b"/> (1). Both ends are exact.</summary>
     public static Vec3 Lerp(Vec3 a, Vec3 b, double t) => t == 1 ? b : a + (b - a) * t;
 
     /// <summary>Distance in mm.</summary>
     public double DistanceTo(Vec3 other) => (other - this).Length;
 
-    /// <summary>The vector of length 1 in this direction; the zero vector stays zero.</summary>
+    /// <summary>The unit vector in the same direction. The zero vector stays zero.</summary>
     public Vec3 Unit()
     {
         var length = Length;

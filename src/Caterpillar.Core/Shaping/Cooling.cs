@@ -4,29 +4,29 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Shaping;
 
 /// <summary>
-/// Slows small layers down so that they cool before the next one: by Kanada's rule, by a minimum layer time, or both. Speeds are only lowered.
+/// Slows down small layers so that they cool before the next one: by Kanada's rule, by a minimum layer time, or both. It never raises a speed.
 /// </summary>
 public sealed record Cooling
 {
-    /// <summary>Minimum layer time in seconds; 0 for none. Paths without a layer form one layer for each height of their first vertex.</summary>
+    /// <summary>Minimum layer time in seconds. 0 = off. Paths without a layer are grouped by the height of their first vertex.</summary>
     public double MinLayerTime { get; init; }
 
-    /// <summary>Kanada's rule (2015, figure 6): a segment is no faster than its length in mm plus 1, in mm/s.</summary>
+    /// <summary>Kanada's rule (2015, figure 6): the maximum speed of a segment in mm/s is its length in mm plus 1.</summary>
     public bool SpeedByLength { get; init; }
 
-    /// <summary>No speed is lowered below this, mm/s.</summary>
+    /// <summary>Minimum print speed, mm/s. No speed is lowered below it.</summary>
     public double MinPrintSpeed { get; init; } = 5;
 
-    /// <summary>Speed in mm/s of beads that use the speed of the settings.</summary>
+    /// <summary>Speed in mm/s of beads without their own speed.</summary>
     public double ReferenceSpeed { get; init; } = 60;
 
-    /// <summary>More segments per second make printers stutter; 0 for no warning.</summary>
+    /// <summary>Maximum number of segments per second without a warning. More make printers stutter. 0 = no limit.</summary>
     public double MaxSegmentsPerSecond { get; init; } = 100;
 
-    /// <summary>The paths in their order with lowered speeds.</summary>
+    /// <summary>Lowers the speeds of the paths.</summary>
     /// <returns>
-    /// The paths; a note <c>shape.layer_time</c> if the minimum speed keeps layers below the time, a warning <c>shape.short_segments</c> if a path asks
-    /// for too many segments per second.
+    /// The paths in the same order, with a note <c>shape.layer_time</c> if the minimum speed prevents the minimum layer time, and a warning
+    /// <c>shape.short_segments</c> if a path has too many segments per second.
     /// </returns>
     public Result<IReadOnlyList<PrintPath>> Apply(IReadOnlyList<PrintPath> paths, CancellationToken cancel = default)
     {
@@ -61,7 +61,7 @@ public sealed record Cooling
         for (var k = 0; k < layer.Length; k++) paths[layer[k]] = slowed[k];
         if (reached) return;
         problems.Add(Severity.Note, "shape.layer_time",
-            $"A layer stays below {NumberFormatter.Format(MinLayerTime, 1)} s even at {NumberFormatter.Format(MinPrintSpeed, 1)} mm/s.",
+            $"A layer takes less than {NumberFormatter.Format(MinLayerTime, 1)} s even at {NumberFormatter.Format(MinPrintSpeed, 1)} mm/s.",
             new SourceLocation(Step: layer[0]));
     }
 
@@ -76,7 +76,7 @@ public sealed record Cooling
             if (i >= Window) time -= path.LengthOf(i - Window) / SpeedOf(path, i - Window);
             if (i < Window - 1 || time * MaxSegmentsPerSecond >= Window * (1 - 1e-9)) continue;
             problems.Add(Severity.Warning, "shape.short_segments",
-                $"More than {NumberFormatter.Format(MaxSegmentsPerSecond, 0)} segments per second: merge short strings or print slower.",
+                $"More than {NumberFormatter.Format(MaxSegmentsPerSecond, 0)} segments per second. Merge short segments or print slower.",
                     new SourceLocation(Step: number));
             return;
         }

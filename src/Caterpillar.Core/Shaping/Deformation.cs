@@ -4,15 +4,15 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Shaping;
 
-/// <summary>A map of positions; in cylindrical deformations X is the radius in mm, Y the angle in degrees, Z the height in mm.</summary>
+/// <summary>Maps a position in mm. In cylindrical deformations, X is the radius in mm, Y the angle in degrees and Z the height in mm.</summary>
 public delegate Vec3 PositionMap(Vec3 position);
 
-/// <summary>A map of a value (area in mm² or speed in mm/s) at a position, in coordinates before the mapping of positions.</summary>
+/// <summary>Maps a value (area in mm² or speed in mm/s) at a position, in coordinates before the position map.</summary>
 public delegate double ValueMap(double value, Vec3 position);
 
 /// <summary>
-/// Deforms print paths by maps of position, area and speed (Kanada 2016, section 3.4: <c>deform_xyz</c>, <c>deform_cylinder</c>). Position maps act on the ends
-/// of segments; area and speed maps give one value per segment, taken at the middle of its coordinates before the mapping. Several deformations compose with
+/// Deforms print paths by maps of position, area and speed (Kanada 2016, section 3.4: <c>deform_xyz</c>, <c>deform_cylinder</c>). Position maps apply to the
+/// ends of segments. Area and speed maps give one value per segment, at its midpoint before the position map. Combine deformations with
 /// <see cref="Then"/>. E follows from the mapped length.
 /// </summary>
 public sealed class Deformation
@@ -33,12 +33,12 @@ public sealed class Deformation
 
     /// <summary>
     /// A deformation of radius (mm), angle (degrees) and height (mm) about the vertical through <paramref name="axis"/>. Along a path the angle continues
-    /// through full turns; on the axis it keeps its last value.
+    /// through full turns. On the axis it keeps its last value.
     /// </summary>
     public static Deformation Cylindrical(PositionMap? position = null, ValueMap? area = null, ValueMap? speed = null, Vec3 axis = default)
         => new([new Stage(position, area, speed, axis.WithZ(0))]);
 
-    /// <summary>This deformation and then another one.</summary>
+    /// <summary>This deformation followed by another.</summary>
     public Deformation Then(Deformation next)
     {
         if (next is null) throw new ArgumentNullException(nameof(next));
@@ -46,17 +46,17 @@ public sealed class Deformation
     }
 
     /// <summary>
-    /// Deforms paths. With a tolerance (mm) segments are first divided until they match the mapped straight or arc segment within it, so that curves stay
-    /// smooth; with 0 every segment stays one straight segment. Arcs become chords.
+    /// Deforms paths. With a tolerance (mm), segments are first divided until they match the mapped line or arc within it, so that curves stay smooth. With a
+    /// tolerance of 0, every segment stays one straight segment. Arcs become chords.
     /// </summary>
-    /// <returns>The paths in their order; none with an error where a map gives a position that is not finite, or an area or speed that is negative or not
+    /// <returns>The paths in the same order, or an error if a map gives a position that is not finite, or an area or speed that is negative or not
     /// finite.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The tolerance is negative.</exception>
     public Result<IReadOnlyList<PrintPath>> Apply(
         IReadOnlyList<PrintPath> paths, double tolerance = 0, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (paths is null) throw new ArgumentNullException(nameof(paths));
-        if (!(tolerance >= 0)) throw new ArgumentOutOfRangeException(nameof(tolerance), "The tolerance must be 0 mm or more.");
+        if (!(tolerance >= 0)) throw new ArgumentOutOfRangeException(nameof(tolerance), "The tolerance must not be negative.");
         var problems = new DiagnosticList();
         var mapped = new List<PrintPath>(paths.Count);
         var segments = 0L;
@@ -69,7 +69,7 @@ public sealed class Deformation
             segments += path.SegmentCount;
             if (segments <= PathDivision.MaxSegments) continue;
             problems.Add(Severity.Error, "shape.too_fine",
-                $"The tolerance asks for more than {NumberFormatter.Format(PathDivision.MaxSegments)} segments in all.");
+                $"The paths would have more than {NumberFormatter.Format(PathDivision.MaxSegments)} segments in total. Increase the tolerance.");
             break;
         }
         return new Result<IReadOnlyList<PrintPath>>(problems.HasErrors ? null : mapped, problems.ToList());

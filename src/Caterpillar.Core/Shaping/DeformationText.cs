@@ -4,7 +4,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Shaping;
 
-/// <summary>The coordinates in which the formulas of a deformation are written.</summary>
+/// <summary>Coordinate system of the formulas of a deformation.</summary>
 public enum DeformationSystem
 {
     /// <summary><c>x</c>, <c>y</c>, <c>z</c> in mm.</summary>
@@ -15,23 +15,23 @@ public enum DeformationSystem
 }
 
 /// <summary>
-/// Deformations as formulas in text (Kanada 2016, section 3.4). Position formulas see the coordinates; the area formula also sees <c>c</c> (mm²), the speed
-/// formula <c>v</c> (mm/s), both with the coordinates of the middle of the segment before the mapping. <see cref="Formula"/> describes formulas.
+/// Deformations from text formulas (Kanada 2016, section 3.4). The variables are the coordinates. The area formula also has <c>c</c> (mm²), the speed
+/// formula <c>v</c> (mm/s), both at the midpoint of the segment before the position map. See <see cref="Formula"/> for the syntax.
 /// </summary>
 public static class DeformationText
 {
     /// <summary>
-    /// Compiles a deformation, for example <c>r + 1.05 * z, theta, 0.3 * z</c> with the area <c>0.96 * c</c>. A coordinate whose formula is empty stays as it
-    /// is, as do area and speed.
+    /// Compiles a deformation, for example <c>r + 1.05 * z, theta, 0.3 * z</c> with the area <c>0.96 * c</c>. A coordinate, area or speed whose formula is
+    /// empty stays unchanged.
     /// </summary>
-    /// <param name="position">Three formulas with commas between them, or an empty text.</param>
-    /// <param name="area">New area of a segment in mm² over <c>c</c> and the coordinates, or null.</param>
-    /// <param name="speed">New speed of a segment in mm/s over <c>v</c> and the coordinates, or null; <c>v</c> is 0 where the path uses the speed of the
-    /// settings.</param>
-    /// <param name="system">The coordinates of the formulas.</param>
+    /// <param name="position">Three formulas separated by commas, or empty.</param>
+    /// <param name="area">Formula for the new area of a segment in mm², with <c>c</c> and the coordinates, or null.</param>
+    /// <param name="speed">Formula for the new speed of a segment in mm/s, with <c>v</c> and the coordinates, or null. <c>v</c> is 0 if the path has no
+    /// speed of its own.</param>
+    /// <param name="system">Coordinate system of the formulas.</param>
     /// <param name="axis">Position of the vertical axis of cylindrical coordinates, mm.</param>
-    /// <param name="source">File of the text, for messages; its key becomes that of the formula (<c>position.r</c>, <c>area</c>, <c>speed</c>).</param>
-    /// <returns>The deformation; none with an error for each wrong formula, with the formula and the column.</returns>
+    /// <param name="source">Source of the text, for messages. Its key becomes the name of the formula (<c>position.r</c>, <c>area</c>, <c>speed</c>).</param>
+    /// <returns>The deformation, or one error for each wrong formula, with the formula and the column.</returns>
     public static Result<Deformation> Compile(
         string position, string? area = null, string? speed = null, DeformationSystem system = DeformationSystem.Cartesian, Vec3 axis = default,
             SourceLocation? source = null)
@@ -45,12 +45,12 @@ public static class DeformationText
         [
             new Diagnostic(
                 Severity.Error, "shape.position_formulas",
-                $"A position needs three formulas, for {names[0]}, {names[1]} and {names[2]}; \"{position.Trim()}\" has {NumberFormatter.Format(parts.Count)}.",
+                $"\"{position.Trim()}\" has {NumberFormatter.Format(parts.Count)} formulas. A position needs three: {names[0]}, {names[1]} and {names[2]}.",
                 (source ?? new SourceLocation()) with { Key = "position" }),
         ]);
     }
 
-    /// <summary>The same with a text for each coordinate.</summary>
+    /// <summary>Compiles a deformation from one formula per coordinate.</summary>
     public static Result<Deformation> Compile(
         string first, string second, string third, string? area, string? speed, DeformationSystem system = DeformationSystem.Cartesian, Vec3 axis = default,
         SourceLocation? source = null)

@@ -6,26 +6,26 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Shaping;
 
-/// <summary>A point on a path, as fields see it.</summary>
-/// <param name="Position">Middle of the segment, or a vertex, mm.</param>
-/// <param name="Distance">Length of the path up to here, mm.</param>
+/// <summary>A point on a path, as the argument of a <see cref="Field"/>.</summary>
+/// <param name="Position">Midpoint of a segment, or a vertex, mm.</param>
+/// <param name="Distance">Length of the path up to this point, mm.</param>
 /// <param name="Length">Length of the whole path, mm.</param>
-/// <param name="Path">Number of the path among those being modulated, from 0.</param>
-/// <param name="Role">What the extrusion is for.</param>
+/// <param name="Path">Index of the path among all modulated paths, from 0.</param>
+/// <param name="Role">Role of the extrusion.</param>
 public readonly record struct PathSample(Vec3 Position, double Distance, double Length, int Path, Role Role);
 
-/// <summary>A value for each point on a path; 0 to 1 unless stated otherwise.</summary>
+/// <summary>Returns a value for a point on a path, 0 to 1 unless stated otherwise.</summary>
 public delegate double Field(PathSample place);
 
 /// <summary>
-/// Position of a point on an image: u from the left, v from the bottom, 0 to 1 across the image. Beyond, the image repeats in u and is clamped in v.
+/// Maps a point on a path to an image: u from the left and v from the bottom, 0 to 1. Outside that range, the image repeats in u and is clamped in v.
 /// </summary>
 public delegate (double U, double V) ImageMapping(PathSample place);
 
-/// <summary>Fields from images, and masks; any other function of a <see cref="PathSample"/> is a field, too.</summary>
+/// <summary>Fields from images, and masks. Any other function of a <see cref="PathSample"/> is a field too.</summary>
 public static class Fields
 {
-    /// <summary>The brightness of an image, 0 (black) to 1 (white): of the nearest pixel, or between pixels where <paramref name="smooth"/> is set.</summary>
+    /// <summary>The brightness of an image, 0 (black) to 1 (white), of the nearest pixel or, if <paramref name="smooth"/>, interpolated.</summary>
     public static Field Image(GrayImage image, ImageMapping mapping, bool smooth = false)
     {
         if (image is null) throw new ArgumentNullException(nameof(image));
@@ -37,16 +37,16 @@ public static class Fields
         };
     }
 
-    /// <summary>1 for the given roles, 0 for others; for masks.</summary>
+    /// <summary>A mask: 1 for the given roles, 0 for others.</summary>
     public static Field OfRole(params Role[] roles) => place => Array.IndexOf(roles, place.Role) >= 0 ? 1 : 0;
 
-    /// <summary>1 inside a box, 0 outside; for masks.</summary>
+    /// <summary>A mask: 1 inside a box, 0 outside.</summary>
     public static Field Inside(Bounds box) => place => box.Contains(place.Position) ? 1 : 0;
 
-    /// <summary>A different value in each cell of a grid of <paramref name="cell"/> mm: the same seed gives the same values everywhere.</summary>
+    /// <summary>A random value from 0 to 1 for each cell of a grid of <paramref name="cell"/> mm. The same seed always gives the same values.</summary>
     public static Field Noise(int seed, double cell)
     {
-        if (!(cell > 0)) throw new ArgumentOutOfRangeException(nameof(cell), "The cell must be larger than 0 mm.");
+        if (!(cell > 0)) throw new ArgumentOutOfRangeException(nameof(cell), "The cell must be above 0 mm.");
         return place =>
         {
             unchecked
@@ -63,12 +63,12 @@ public static class Fields
     private static ulong Next(ulong state) => SeededRandom.Mix(unchecked(state + SeededRandom.Golden));
 }
 
-/// <summary>Mappings of an image onto paths.</summary>
+/// <summary>Mappings of images onto paths.</summary>
 public static class ImageMappings
 {
     /// <summary>
-    /// Around a vertical axis: u is the angle (0 at <paramref name="from"/> degrees, repeated <paramref name="repeats"/> times a turn), v the height between
-    /// two heights in mm.
+    /// Around a vertical axis: u is the angle (0 at <paramref name="from"/> degrees, <paramref name="repeats"/> times per turn), v the height from
+    /// <paramref name="bottom"/> to <paramref name="top"/>, mm.
     /// </summary>
     public static ImageMapping Cylinder(double bottom, double top, Vec3 axis = default, double from = 0, int repeats = 1)
         => place =>
@@ -78,7 +78,7 @@ public static class ImageMappings
             return ((turn - Math.Floor(turn)) * repeats, (place.Position.Z - bottom) / (top - bottom));
         };
 
-    /// <summary>Around a sphere as on a globe: u is the longitude, v the latitude from the south (0) to the north pole (1).</summary>
+    /// <summary>Around a sphere, like a globe: u is the longitude, v the latitude from the south (0) to the north pole (1).</summary>
     public static ImageMapping Globe(Vec3 center, double from = 0)
         => place =>
         {
@@ -87,11 +87,11 @@ public static class ImageMappings
             return (turn - Math.Floor(turn), 0.5 + Angle.Atan2(d.Z, d.LengthXY) / 180);
         };
 
-    /// <summary>From above, on a rectangle of the bed given by its lower left corner and its size in mm.</summary>
+    /// <summary>From above, on a rectangle of the bed with a front left corner and a size in mm.</summary>
     public static ImageMapping Plan(Vec3 corner, double width, double depth)
         => place => ((place.Position.X - corner.X) / width, (place.Position.Y - corner.Y) / depth);
 
-    /// <summary>Along the paths: u runs once along each path, v takes one of <paramref name="rows"/> rows for each path, from the bottom.</summary>
+    /// <summary>Along the paths: u runs once along each path, and each path takes the next of <paramref name="rows"/> rows in v, from the bottom.</summary>
     public static ImageMapping Along(int rows)
         => place => (place.Length > 0 ? place.Distance / place.Length : 0, (place.Path % rows + 0.5) / rows);
 }

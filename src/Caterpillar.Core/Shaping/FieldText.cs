@@ -3,20 +3,20 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Shaping;
 
-/// <summary>Fields as formulas in text.</summary>
+/// <summary>Fields from text formulas.</summary>
 public static class FieldText
 {
     private static readonly string[] Variables = ["x", "y", "z", "r", "theta", "s", "u", "path", "θ"];
 
     /// <summary>
-    /// Compiles a field over <c>x</c>, <c>y</c>, <c>z</c> (mm), <c>r</c> (mm) and <c>theta</c> (or <c>θ</c>, degrees, −180 to 180) about a vertical axis,
-    /// <c>s</c> (length along the path, mm), <c>u</c> (the same from 0 to 1) and <c>path</c> (number of the path, from 0). For example <c>0.5 + 0.5 * sin(6 *
-    /// theta + 20 * z)</c>.
+    /// Compiles a field with the variables <c>x</c>, <c>y</c>, <c>z</c> (mm), <c>r</c> (mm) and <c>theta</c> (or <c>θ</c>, degrees, −180 to 180) about a
+    /// vertical axis, <c>s</c> (length along the path, mm), <c>u</c> (the same from 0 to 1) and <c>path</c> (index of the path, from 0).
+    /// For example <c>0.5 + 0.5 * sin(6 * theta + 20 * z)</c>.
     /// </summary>
-    /// <param name="text">The formula; modulations expect 0 to 1.</param>
+    /// <param name="text">Formula with values from 0 to 1, for modulations.</param>
     /// <param name="axis">Position of the vertical axis, mm.</param>
-    /// <param name="source">File and key of the text, for messages.</param>
-    /// <returns>The field; none with an error that gives the formula and the column.</returns>
+    /// <param name="source">Source of the text, for messages.</param>
+    /// <returns>The field, or an error with the formula and the column.</returns>
     public static Result<Field> Compile(string text, Vec3 axis = default, SourceLocation? source = null)
     {
         if (text is null) throw new ArgumentNullException(nameof(text));

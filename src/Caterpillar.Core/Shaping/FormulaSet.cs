@@ -22,7 +22,7 @@ internal sealed class FormulaSet
 
     /// <summary>A formula, or none with an error that names it and gives the column.</summary>
     /// <param name="text">The formula.</param>
-    /// <param name="purpose">What the formula is for; the key of its diagnostics.</param>
+    /// <param name="purpose">Purpose of the formula, which is the key of its diagnostics.</param>
     public Formula? Compile(string text, string purpose)
     {
         var place = _source with { Key = _source.Key is null ? purpose : _source.Key + "." + purpose };
@@ -36,7 +36,7 @@ internal sealed class FormulaSet
         if (compiled.Value is not { UsesRandom: true } formula) return compiled.Value;
         // Its value would depend on the order of evaluation.
         Problems.Add(new Diagnostic(Severity.Error, "formula.random",
-            $"The formula of {purpose} draws random numbers; random(seed) has one value for each seed.",
+            $"The formula of {purpose} uses random numbers. Use random(seed), which has one value for each seed.",
             place));
         return null;
     }

@@ -6,39 +6,39 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Shaping;
 
 /// <summary>
-/// Beads that fill the gap to what is underneath: earlier paths as they were deposited, a surface, or the bed. For any path, flat or curved, in the order in
-/// which the paths are printed: area = vertical gap · width · (length in plan / length), the gap measured at the ends and in the middle of pieces (Simpson's
-/// rule). The width is that of the given bead, area by height, so that a gap of that height leaves the bead as it is.
+/// Sizes beads to fill the gap below them: to earlier extrusions, a surface or the bed. For any paths, flat or curved, in print order. The area is vertical
+/// gap · width · (length in plan / length). The gap is measured at the ends and in the middle of pieces (Simpson's rule). The width is the area of the given
+/// bead divided by its height, so that a gap of that height keeps the bead unchanged.
 /// </summary>
 public sealed record GapBead
 {
-    /// <summary>Gaps below this are printed as if they were this high, mm.</summary>
-    public double MinGap { get; init => field = value > 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A gap must be positive."); } = 0.05;
+    /// <summary>Minimum gap, mm. Smaller gaps are printed as if they were this high.</summary>
+    public double MinGap { get; init => field = value > 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "The gap must be positive."); } = 0.05;
 
-    /// <summary>Gaps above this are printed as if they were this high, mm.</summary>
-    public double MaxGap { get; init => field = value > 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A gap must be positive."); } = 1;
+    /// <summary>Maximum gap, mm. Larger gaps are printed as if they were this high.</summary>
+    public double MaxGap { get; init => field = value > 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "The gap must be positive."); } = 1;
 
-    /// <summary>Gaps above this are air: there the bead stays as it is, mm.</summary>
-    public double AirGap { get; init => field = value > 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A gap must be positive."); } = 3;
+    /// <summary>Gap in mm above which there is only air and the bead stays unchanged.</summary>
+    public double AirGap { get; init => field = value > 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "The gap must be positive."); } = 3;
 
-    /// <summary>Width of the extrusions in mm; 0 to take it from each bead.</summary>
-    public double Width { get; init => field = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "A width is not negative."); }
+    /// <summary>Width of the extrusions, mm. 0 = width of each bead.</summary>
+    public double Width { get; init => field = value >= 0 ? value : throw new ArgumentOutOfRangeException(nameof(value), "The width must not be negative."); }
 
-    /// <summary>Segments are measured in pieces of at most this length, mm.</summary>
+    /// <summary>Maximum length of the pieces in which segments are measured, mm.</summary>
     public double Resolution { get; init => field = value > 0 ? value
-        : throw new ArgumentOutOfRangeException(nameof(value), "A length must be positive."); } = 1;
+        : throw new ArgumentOutOfRangeException(nameof(value), "The resolution must be positive."); } = 1;
 
-    /// <summary>Height of the bed, mm; null if there is none.</summary>
+    /// <summary>Height of the bed, mm. Null = no bed.</summary>
     public double? Bed { get; init; } = 0;
 
-    /// <summary>A surface below the paths, for example a scanned object; null if there is none.</summary>
+    /// <summary>A surface below the paths, for example a scanned object. Null = no surface.</summary>
     public TriMesh? Surface { get; init; }
 
-    /// <summary>Shape of the extrusions, which gives the width that later paths find below them.</summary>
+    /// <summary>Bead shape, which determines the width that later paths find below them.</summary>
     public BeadShape Shape { get; init; } = BeadShape.Stadium;
 
     /// <summary>
-    /// Limits from print settings: gaps from a quarter of the layer height to twice it, air from four times it, pieces of the subdivision distance.
+    /// Limits from print settings: gaps of 0.25 to 2 layer heights, air above 4 layer heights, pieces of the subdivision distance.
     /// </summary>
     public static GapBead For(PrintSettings settings)
     {
@@ -53,8 +53,8 @@ public sealed record GapBead
         };
     }
 
-    /// <summary>The paths in their order with beads from the gap. Pieces of one segment with the same gap stay one segment.</summary>
-    /// <returns>None if the width of a bead is unknown; notes on gaps that the limits changed.</returns>
+    /// <summary>Sizes the beads of the paths to fill the gap below. Pieces of one segment with the same gap stay one segment.</summary>
+    /// <returns>The paths in the same order, or an error if the width of a bead is unknown. Notes on gaps that the limits changed.</returns>
     public Result<IReadOnlyList<PrintPath>> Apply(IReadOnlyList<PrintPath> paths, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (paths is null) throw new ArgumentNullException(nameof(paths));
@@ -82,7 +82,7 @@ public sealed record GapBead
             var width = Width > 0 ? Width : bead.Height > 0 ? bead.Area / bead.Height : 0;
             if (bead.Area > 0 && !(width > 0))
             {
-                problems.Add(Severity.Error, "gap.no_width", "A bead has no height, and no extrusion width is given.",
+                problems.Add(Severity.Error, "gap.no_width", "A bead has no height. Set the extrusion width.",
                     new SourceLocation(Step: number));
                 return null;
             }
@@ -128,7 +128,7 @@ public sealed record GapBead
     {
         if (!(gap <= AirGap))
         {
-            problems.Add(Severity.Note, "gap.air", "There is nothing underneath a piece of a path: its bead stays as it is.",
+            problems.Add(Severity.Note, "gap.air", "A piece of a path has nothing underneath. Its bead stays unchanged.",
                 new SourceLocation(Step: number));
             return bead;
         }

@@ -3,7 +3,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Shaping;
 
-/// <summary>Measures the gap below the nozzle: to what is deposited, to a surface, to the bed. The bead being deposited does not count.</summary>
+/// <summary>Measures the gap below the nozzle: to earlier extrusions, a surface or the bed. The current bead does not count.</summary>
 internal sealed class GapProbe(GapBead rules)
 {
     private readonly Deposit _deposit = new();

@@ -4,34 +4,34 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Shaping;
 
-/// <summary>What a modulation changes.</summary>
+/// <summary>Property that a modulation changes.</summary>
 public enum ModulationMode
 {
     /// <summary>
-    /// The speed of the head at a constant flow of material: slower extrusions are thicker. This is Kanada's method, since heads respond faster than extruders.
+    /// Print speed at a constant volumetric flow: slower extrusions are thicker. This is Kanada's method, because axes respond faster than extruders.
     /// </summary>
     Speed,
 
-    /// <summary>The area of the extrusion at a constant speed.</summary>
+    /// <summary>Area of the bead at a constant speed.</summary>
     Flow,
 
-    /// <summary>The position of the path, to its left (horizontally).</summary>
+    /// <summary>Position of the path, displaced horizontally to its left.</summary>
     DisplaceLeft,
 
-    /// <summary>The position of the path, upward.</summary>
+    /// <summary>Position of the path, displaced upward.</summary>
     DisplaceUp,
 }
 
 /// <summary>
-/// Modulates the speed, flow or position of paths by a field (an image, a function) (Kanada 2016, section 3.5: <c>modulate_cylinder</c>, here for any
-/// path).
+/// Modulates the speed, flow or position of paths by a field such as an image or a function (Kanada 2016, section 3.5: <c>modulate_cylinder</c>, here for
+/// any path).
 /// </summary>
 public sealed record Modulation
 {
-    /// <summary>The minimum ratio of speeds or areas that prints well (Kanada 2016: 1 to 0.6 or 0.7).</summary>
+    /// <summary>Minimum ratio of speeds or areas that prints well (Kanada 2016: 0.6 or 0.7 to 1).</summary>
     public const double MinRatio = 0.6;
 
-    /// <summary>Low and high are factors of speed or flow, or displacements in mm, where the field is 0 and 1.</summary>
+    /// <summary>A modulation whose factor of speed or flow, or displacement in mm, is low where the field is 0 and high where it is 1.</summary>
     public Modulation(ModulationMode mode, Field field, double low, double high)
     {
         Mode = mode;
@@ -40,29 +40,29 @@ public sealed record Modulation
         High = high;
     }
 
-    /// <summary>What is modulated.</summary>
+    /// <summary>Property that is modulated.</summary>
     public ModulationMode Mode { get; }
 
-    /// <summary>Where, from 0 (low) to 1 (high).</summary>
+    /// <summary>Field, from 0 (low) to 1 (high).</summary>
     public Field Field { get; }
 
-    /// <summary>Where the field is 0: the factor on speed or area, or the displacement in mm.</summary>
+    /// <summary>Factor of speed or area, or displacement in mm, where the field is 0.</summary>
     public double Low { get; }
 
-    /// <summary>Where the field is 1.</summary>
+    /// <summary>Factor of speed or area, or displacement in mm, where the field is 1.</summary>
     public double High { get; }
 
-    /// <summary>Strength of the modulation, 0 to 1 at each point; null is full strength everywhere.</summary>
+    /// <summary>Strength of the modulation at each point, 0 to 1. Null = full strength everywhere.</summary>
     public Field? Mask { get; init; }
 
-    /// <summary>Segments are first divided into parts of at most this length, mm; 0 leaves them as they are.</summary>
+    /// <summary>Maximum length of the parts into which segments are first divided, mm. 0 = not divided.</summary>
     public double Resolution { get; init; }
 
-    /// <summary>Speed in mm/s of beads that use the speed of the settings; only <see cref="ModulationMode.Speed"/> asks for it.</summary>
+    /// <summary>Speed in mm/s of beads without their own speed. Only <see cref="ModulationMode.Speed"/> uses it.</summary>
     public double ReferenceSpeed { get; init; }
 
     /// <summary>Modulates paths, each along its own length.</summary>
-    /// <returns>The paths in their order; none with an error. A warning if the ratio of the minimum to the maximum factor is below
+    /// <returns>The paths in the same order, or an error. A warning if the ratio of the minimum to the maximum factor is below
     /// <see cref="MinRatio"/>.</returns>
     public Result<IReadOnlyList<PrintPath>> Apply(IReadOnlyList<PrintPath> paths, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
@@ -73,7 +73,7 @@ public sealed record Modulation
         if (Resolution > 0 && !(paths.Sum(LengthOf) / Resolution <= PathDivision.MaxSegments))
         {
             problems.Add(Severity.Error, "shape.too_fine",
-                $"The resolution asks for more than {NumberFormatter.Format(PathDivision.MaxSegments)} segments in all.");
+                $"The paths would have more than {NumberFormatter.Format(PathDivision.MaxSegments)} segments in total. Use a coarser resolution.");
             return new Result<IReadOnlyList<PrintPath>>(null, problems.ToList());
         }
         for (var i = 0; i < paths.Count; i++)
@@ -88,8 +88,8 @@ public sealed record Modulation
         if (greatest > 0 && least < MinRatio * greatest * (1 - 1e-12))
         {
             problems.Add(Severity.Warning, "shape.modulation_ratio",
-                $"The extrusions vary by 1 to {NumberFormatter.Format(least / greatest, 2)}; "
-                + $"below 1 to {NumberFormatter.Format(MinRatio, 2)} prints often fail.");
+                $"The extrusions vary by a ratio of 1 to {NumberFormatter.Format(least / greatest, 2)}. "
+                + $"Prints often fail below 1 to {NumberFormatter.Format(MinRatio, 2)}.");
         }
         return new Result<IReadOnlyList<PrintPath>>(problems.HasErrors ? null : modulated, problems.ToList());
     }
@@ -125,7 +125,7 @@ public sealed record Modulation
             var speed = beads[i].Speed > 0 ? beads[i].Speed : ReferenceSpeed;
             if (!(speed > 0))
             {
-                problems.Add(Severity.Error, "shape.no_speed", "The path has no speed of its own: modulating it needs a reference speed.",
+                problems.Add(Severity.Error, "shape.no_speed", "The path has no speed of its own. Set a reference speed to modulate it.",
                     new SourceLocation(Step: number));
                 return null;
             }

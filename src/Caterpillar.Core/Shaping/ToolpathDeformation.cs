@@ -4,19 +4,19 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Shaping;
 
-/// <summary>Deformations of toolpaths, planned or decoded.</summary>
+/// <summary>Deforms planned or decoded toolpaths.</summary>
 public static class ToolpathDeformation
 {
     /// <summary>
-    /// Deforms the chosen extrusions and the chosen moves between them; the rest stays, and travels lead to the new starts of extrusions. Extrusions are
-    /// divided until they match their image within the tolerance, arcs become chords. The material of an extrusion follows its length and the map of areas,
-    /// which sees mm² where the toolpath knows its filament, else E for each mm; the map of speeds acts on what is printed.
+    /// Deforms the selected extrusions and the selected moves between them. The rest stays, and travels lead to the new starts of extrusions. Extrusions are
+    /// divided until they match their image within the tolerance, and arcs become chords. The material of an extrusion follows its length and the area map,
+    /// whose unit is mm² if the toolpath has a filament diameter, otherwise E per mm. The speed map applies to extrusions only.
     /// </summary>
     /// <param name="toolpath">The toolpath.</param>
-    /// <param name="filter">The chosen moves.</param>
+    /// <param name="filter">Selected moves.</param>
     /// <param name="deformation">The deformation.</param>
-    /// <param name="tolerance">mm.</param>
-    /// <returns>The toolpath; none with an error if a map gives a value that is not finite or, for areas and speeds, negative.</returns>
+    /// <param name="tolerance">Tolerance in mm, above 0.</param>
+    /// <returns>The toolpath, or an error if a map gives a value that is not finite or, for areas and speeds, negative.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The tolerance is not positive.</exception>
     public static Result<Toolpath> Deform(this Toolpath toolpath, MoveFilter filter, Deformation deformation, double tolerance = 0.01)
     {
@@ -25,14 +25,14 @@ public static class ToolpathDeformation
         if (deformation is null) throw new ArgumentNullException(nameof(deformation));
         if (!(tolerance > 0) || double.IsInfinity(tolerance))
         {
-            throw new ArgumentOutOfRangeException(nameof(tolerance), tolerance, "The tolerance must be a positive number of mm.");
+            throw new ArgumentOutOfRangeException(nameof(tolerance), tolerance, "The tolerance must be positive.");
         }
         var map = new DeformationRunMap(deformation, tolerance);
         var mapped = new ToolpathMapper(toolpath, MappedMoves.Of(toolpath, filter), map, tolerance).Run(toolpath.Start ?? Vec3.Zero);
         return map.Problem is { } problem ? new Result<Toolpath>(null, [problem]) : new Result<Toolpath>(mapped, []);
     }
 
-    /// <summary>Deforms the part: what lies in layers, or all if there are none. The extrusions of start and end code stay.</summary>
+    /// <summary>Deforms the part: all moves in layers, or all moves if the toolpath has no layers. Start and end G-code stay unchanged.</summary>
     /// <inheritdoc cref="Deform(Toolpath, MoveFilter, Deformation, double)" path="/returns"/>
     /// <inheritdoc cref="Deform(Toolpath, MoveFilter, Deformation, double)" path="/exception"/>
     public static Result<Toolpath> Deform(this Toolpath toolpath, Deformation deformation, double tolerance = 0.01)

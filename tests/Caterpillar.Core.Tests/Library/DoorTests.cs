@@ -16,7 +16,7 @@ namespace Caterpillar.Tests.Library;
 /// <summary>The calls that make programs against the library short.</summary>
 public class DoorTests
 {
-    private static readonly Diagnostic Broken = new(Severity.Error, "mesh.empty", "There are no triangles in the file.", new SourceLocation("a.stl"));
+    private static readonly Diagnostic Broken = new(Severity.Error, "mesh.empty", "The file has no faces.", new SourceLocation("a.stl"));
     private static readonly Diagnostic Open = new(Severity.Warning, "mesh.naked_edges", "3 open edges.");
 
     [Test]
@@ -28,7 +28,7 @@ public class DoorTests
     {
         var thrown = Assert.Throws<DiagnosticException>(() => new Result<string>(null, [Open, Broken, Broken with { Code = "mesh.format" }]).OrThrow())!;
         Assert.That(thrown.Message, Is.EqualTo(
-            "a.stl: error mesh.empty: There are no triangles in the file.\na.stl: error mesh.format: There are no triangles in the file."));
+            "a.stl: error mesh.empty: The file has no faces.\na.stl: error mesh.format: The file has no faces."));
         Assert.That(thrown.Diagnostics, Has.Count.EqualTo(3));
     }
 

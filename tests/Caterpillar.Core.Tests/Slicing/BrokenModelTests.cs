@@ -19,7 +19,7 @@ public class BrokenModelTests
     };
 
     [Test]
-    public void What_was_mended_is_one_diagnostic_for_each_model()
+    public void Repairs_are_one_diagnostic_for_each_model()
     {
         var box = MeshMaker.Box(0, 0, 0, 10, 10, 2);
         var broken = TriMesh.Create(box.Vertices, box.Indices.Take(33).ToArray());
@@ -27,8 +27,8 @@ public class BrokenModelTests
         var result = PlanarSlicer.Slice([new NamedMesh("a", broken), .. others], Plain);
         Assert.That(result.Diagnostics.Select(d => d.ToString()), Is.EqualTo(new[]
         {
-            "a: warning slice.broken_mesh: The mesh is broken. Repaired: 1 hole filled (z 0 to 2 mm, the widest 10.2 mm).",
-            "b: warning slice.broken_mesh: The mesh is broken. Repaired: 1 hole filled (z 0 to 2 mm, the widest 10.2 mm).",
+            "a: warning slice.broken_mesh: The mesh is broken. Repaired: 1 hole filled (z 0 to 2 mm, up to 10.2 mm wide).",
+            "b: warning slice.broken_mesh: The mesh is broken. Repaired: 1 hole filled (z 0 to 2 mm, up to 10.2 mm wide).",
         }));
         Assert.That(result.Value!.Layers.Select(l => l.Region.Area), Is.All.EqualTo(100).Within(1e-6));
     }
@@ -47,11 +47,11 @@ public class BrokenModelTests
     {
         var result = PlanarSlicer.Slice([new NamedMesh("slit", Slit(1, 4, 2))], Plain with { RepairMeshes = false });
         Assert.That(result.Diagnostics.Single().Message, Is.EqualTo(
-            "The mesh is broken. 8 gaps in contours closed on 8 layers (z 0.25 to 3.75 mm): 16 mm in all, the widest 2 mm."));
+            "The mesh is broken. 8 gaps in contours closed on 8 layers (z 0.25 to 3.75 mm): 16 mm in total, the widest 2 mm."));
         var open = PlanarSlicer.Slice([new NamedMesh("slit", Slit(1, 4, 2))],
             Plain with { RepairMeshes = false, SliceGapClosing = 1, MaxAreaLossPercent = 100 });
         Assert.That(open.Diagnostics.Single(d => d.Code == "slice.broken_mesh").Message, Is.EqualTo(
-            "The mesh is broken. Left out: 8 contours that do not close, 304 mm in all, on 8 layers (z 0.25 to 3.75 mm)."));
+            "The mesh is broken. 8 open contours left out on 8 layers (z 0.25 to 3.75 mm): 304 mm in total."));
     }
 
     [Test]
@@ -65,7 +65,7 @@ public class BrokenModelTests
         var error = lost.Diagnostics.Single(d => d.Severity == Severity.Error);
         Assert.That((error.Code, error.Source!.File), Is.EqualTo(("slice.lost_layers", "tower")));
         Assert.That(error.Message, Does.StartWith(
-            "More than 25 % of the area of the layers next to them is lost, because contours do not close, on 8 layers (z 4.25 to 7.75 mm); at z 4.25 mm 0 %"));
+            "More than 25 % of the area is missing on 8 layers (z 4.25 to 7.75 mm) because contours do not close. At z 4.25 mm, 0 %"));
         var allowed = PlanarSlicer.Slice([new NamedMesh("tower", tower)], settings with { MaxAreaLossPercent = 100 });
         Assert.That((allowed.Value is not null, allowed.Diagnostics.Count), Is.EqualTo((true, 1)));
         var closed = PlanarSlicer.Slice([new NamedMesh("tower", tower)], settings with { SliceGapClosing = 2.5 });

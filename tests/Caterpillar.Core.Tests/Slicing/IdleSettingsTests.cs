@@ -13,47 +13,48 @@ public class IdleSettingsTests
     // Leans outwards, closes at the top.
     private static readonly NamedMesh Cup = new("cup", Solids.Cone(0, 6, 4, 10, 24));
 
-    [TestCase("spiral_vase=true", "support=grid", "support changes nothing with spiral_vase=true")]
-    [TestCase("spiral_vase=true", "top_layers=6", "top_layers changes nothing with spiral_vase=true")]
-    [TestCase("spiral_vase=true", "ironing=true", "ironing changes nothing with spiral_vase=true")]
-    [TestCase("spiral_vase=true", "infill_density_percent=50", "infill_density_percent changes nothing with spiral_vase=true")]
-    [TestCase("spiral_vase=true", "infill_pattern=gyroid", "infill_pattern changes nothing with spiral_vase=true")]
-    [TestCase("spiral_vase=true", "combine_infill_layers=3", "combine_infill_layers changes nothing with spiral_vase=true")]
-    [TestCase("spiral_vase=true", "fuzzy_skin_thickness_mm=0.3", "fuzzy_skin_thickness_mm changes nothing above the bottom with spiral_vase=true")]
-    [TestCase("spiral_vase=true", "scarf_seam_length_mm=10", "scarf_seam_length_mm changes nothing above the bottom with spiral_vase=true")]
-    [TestCase("spiral_vase=true", "arc_fitting_tolerance_mm=0.02", "arc_fitting_tolerance_mm changes nothing above the bottom with spiral_vase=true")]
-    [TestCase("spiral_vase=true", "wall_count=3", "wall_count changes nothing above the bottom with spiral_vase=true")]
-    [TestCase("wall_count=0", "fuzzy_skin_thickness_mm=0.3", "fuzzy_skin_thickness_mm changes nothing with wall_count=0")]
-    [TestCase("wall_count=0", "scarf_seam_length_mm=10", "scarf_seam_length_mm changes nothing with wall_count=0")]
-    [TestCase("wall_count=0", "arc_fitting_tolerance_mm=0.02", "arc_fitting_tolerance_mm changes nothing with wall_count=0")]
-    [TestCase("layer_height_formula=0.3", "adaptive_layers=true", "adaptive_layers changes nothing with layer_height_formula: the formula holds.")]
-    [TestCase("top_layers=0 top_thickness_mm=0", "ironing=true", "ironing changes nothing with top_layers=0 and top_thickness_mm=0")]
+    [TestCase("spiral_vase=true", "support=grid", "support has no effect with spiral_vase=true")]
+    [TestCase("spiral_vase=true", "top_layers=6", "top_layers has no effect with spiral_vase=true")]
+    [TestCase("spiral_vase=true", "ironing=true", "ironing has no effect with spiral_vase=true")]
+    [TestCase("spiral_vase=true", "infill_density_percent=50", "infill_density_percent has no effect with spiral_vase=true")]
+    [TestCase("spiral_vase=true", "infill_pattern=gyroid", "infill_pattern has no effect with spiral_vase=true")]
+    [TestCase("spiral_vase=true", "combine_infill_layers=3", "combine_infill_layers has no effect with spiral_vase=true")]
+    [TestCase("spiral_vase=true", "fuzzy_skin_thickness_mm=0.3", "fuzzy_skin_thickness_mm has no effect above the bottom layers with spiral_vase=true")]
+    [TestCase("spiral_vase=true", "scarf_seam_length_mm=10", "scarf_seam_length_mm has no effect above the bottom layers with spiral_vase=true")]
+    [TestCase("spiral_vase=true", "arc_fitting_tolerance_mm=0.02", "arc_fitting_tolerance_mm has no effect above the bottom layers with spiral_vase=true")]
+    [TestCase("spiral_vase=true", "wall_count=3", "wall_count has no effect above the bottom layers with spiral_vase=true")]
+    [TestCase("wall_count=0", "fuzzy_skin_thickness_mm=0.3", "fuzzy_skin_thickness_mm has no effect with wall_count=0")]
+    [TestCase("wall_count=0", "scarf_seam_length_mm=10", "scarf_seam_length_mm has no effect with wall_count=0")]
+    [TestCase("wall_count=0", "arc_fitting_tolerance_mm=0.02", "arc_fitting_tolerance_mm has no effect with wall_count=0")]
+    [TestCase("layer_height_formula=0.3", "adaptive_layers=true",
+        "adaptive_layers has no effect with layer_height_formula. The formula sets the layer height.")]
+    [TestCase("top_layers=0 top_thickness_mm=0", "ironing=true", "ironing has no effect with top_layers=0 and top_thickness_mm=0")]
     [TestCase("infill_density_percent=0", "combine_infill_layers=3",
-        "combine_infill_layers changes nothing with infill_density_percent=0 and infill_spacing_mm=0")]
-    [TestCase("infill_density_percent=0", "infill_pattern=gyroid", "infill_pattern changes nothing with infill_density_percent=0 and infill_spacing_mm=0")]
-    [TestCase("infill_spacing_mm=3", "infill_density_percent=50", "infill_density_percent changes nothing with infill_spacing_mm: the spacing holds.")]
-    [TestCase("", "adaptive_cusp_height_mm=0.05", "adaptive_cusp_height_mm changes nothing without adaptive_layers=true.")]
-    [TestCase("", "ironing_spacing_mm=0.2", "ironing_spacing_mm changes nothing without ironing=true.")]
-    [TestCase("", "infill_formula=sin(x)", "infill_formula changes nothing without infill_pattern=formula.")]
-    [TestCase("bridges=false", "bridge_speed_mm_s=10", "bridge_speed_mm_s changes nothing without bridges=true.")]
-    [TestCase("infill_bridges=false", "infill_bridge_flow_ratio=1.2", "infill_bridge_flow_ratio changes nothing without infill_bridges=true.")]
-    [TestCase("variable_wall_width=false", "max_wall_width_mm=0.9", "max_wall_width_mm changes nothing without variable_wall_width=true.")]
-    [TestCase("", "seam_point_mm=5,5", "seam_point_mm changes nothing without seam_position=point.")]
-    [TestCase("", "seam_seed=7", "seam_seed changes nothing without seam_position=random.")]
-    [TestCase("", "scarf_seam_steps=5", "scarf_seam_steps changes nothing without scarf_seam_length_mm.")]
-    [TestCase("", "fuzzy_skin_point_distance_mm=1", "fuzzy_skin_point_distance_mm changes nothing without fuzzy_skin_thickness_mm.")]
-    [TestCase("", "spiral_vase_min_flow_percent=50", "spiral_vase_min_flow_percent changes nothing without spiral_vase=true.")]
-    [TestCase("min_layer_time_s=0", "min_print_speed_mm_s=15", "min_print_speed_mm_s changes nothing without min_layer_time_s.")]
-    [TestCase("", "skirt_distance_mm=9", "skirt_distance_mm changes nothing without skirt_loops.")]
-    [TestCase("", "brim_type=outer_and_inner", "brim_type changes nothing without brim_width_mm.")]
-    [TestCase("", "raft_layer_height_mm=0.5", "raft_layer_height_mm changes nothing without raft_layers.")]
-    [TestCase("", "support_angle_deg=30", "support_angle_deg changes nothing without support=grid or tree.")]
-    [TestCase("support=grid", "tree_tip_distance_mm=1", "tree_tip_distance_mm changes nothing without support=tree.")]
-    [TestCase("support=grid support_angle_deg=30", "tree_branch_angle_deg=20", "tree_branch_angle_deg changes nothing without support=tree.")]
-    [TestCase("support=tree support_angle_deg=30", "support_density_percent=40", "support_density_percent changes nothing without support=grid.")]
+        "combine_infill_layers has no effect with infill_density_percent=0 and infill_spacing_mm=0")]
+    [TestCase("infill_density_percent=0", "infill_pattern=gyroid", "infill_pattern has no effect with infill_density_percent=0 and infill_spacing_mm=0")]
+    [TestCase("infill_spacing_mm=3", "infill_density_percent=50", "infill_density_percent has no effect with infill_spacing_mm. The spacing sets the density.")]
+    [TestCase("", "adaptive_cusp_height_mm=0.05", "adaptive_cusp_height_mm has no effect unless adaptive_layers=true.")]
+    [TestCase("", "ironing_spacing_mm=0.2", "ironing_spacing_mm has no effect unless ironing=true.")]
+    [TestCase("", "infill_formula=sin(x)", "infill_formula has no effect unless infill_pattern=formula.")]
+    [TestCase("bridges=false", "bridge_speed_mm_s=10", "bridge_speed_mm_s has no effect unless bridges=true.")]
+    [TestCase("infill_bridges=false", "infill_bridge_flow_ratio=1.2", "infill_bridge_flow_ratio has no effect unless infill_bridges=true.")]
+    [TestCase("variable_wall_width=false", "max_wall_width_mm=0.9", "max_wall_width_mm has no effect unless variable_wall_width=true.")]
+    [TestCase("", "seam_point_mm=5,5", "seam_point_mm has no effect unless seam_position=point.")]
+    [TestCase("", "seam_seed=7", "seam_seed has no effect unless seam_position=random.")]
+    [TestCase("", "scarf_seam_steps=5", "scarf_seam_steps has no effect unless scarf_seam_length_mm is above 0.")]
+    [TestCase("", "fuzzy_skin_point_distance_mm=1", "fuzzy_skin_point_distance_mm has no effect unless fuzzy_skin_thickness_mm is above 0.")]
+    [TestCase("", "spiral_vase_min_flow_percent=50", "spiral_vase_min_flow_percent has no effect unless spiral_vase=true.")]
+    [TestCase("min_layer_time_s=0", "min_print_speed_mm_s=15", "min_print_speed_mm_s has no effect unless min_layer_time_s is above 0.")]
+    [TestCase("", "skirt_distance_mm=9", "skirt_distance_mm has no effect unless skirt_loops is above 0.")]
+    [TestCase("", "brim_type=outer_and_inner", "brim_type has no effect unless brim_width_mm is above 0.")]
+    [TestCase("", "raft_layer_height_mm=0.5", "raft_layer_height_mm has no effect unless raft_layers is above 0.")]
+    [TestCase("", "support_angle_deg=30", "support_angle_deg has no effect unless support=grid or support=tree.")]
+    [TestCase("support=grid", "tree_tip_distance_mm=1", "tree_tip_distance_mm has no effect unless support=tree.")]
+    [TestCase("support=grid support_angle_deg=30", "tree_branch_angle_deg=20", "tree_branch_angle_deg has no effect unless support=tree.")]
+    [TestCase("support=tree support_angle_deg=30", "support_density_percent=40", "support_density_percent has no effect unless support=grid.")]
     [TestCase("support=grid support_angle_deg=30 support_interface_layers=0", "support_interface_density_percent=50",
-        "support_interface_density_percent changes nothing without support_interface_layers.")]
-    public void What_changes_nothing_is_named_and_changes_nothing(string first, string idle, string message)
+        "support_interface_density_percent has no effect unless support_interface_layers is above 0.")]
+    public void Settings_without_effect_are_named_and_change_nothing(string first, string idle, string message)
     {
         var (with, without) = (Settings(first, idle), Settings(first));
         var named = PlanarSlicer.Slice([Cup], with).Diagnostics.Where(d => d.Code == "slice.no_effect").Select(d => d.Message);
@@ -68,7 +69,7 @@ public class IdleSettingsTests
         var result = PlanarSlicer.Slice([Cup], Settings("support_angle_deg=30", "support_density_percent=40"));
         Assert.That(result.Diagnostics.Select(d => d.ToString()), Is.EqualTo(new[]
         {
-            "note slice.no_effect: support_angle_deg, support_density_percent change nothing without support=grid or tree.",
+            "note slice.no_effect: support_angle_deg, support_density_percent have no effect unless support=grid or support=tree.",
         }));
     }
 
@@ -100,9 +101,8 @@ public class IdleSettingsTests
         var other = new NamedMesh("other", Cup.Mesh.Moved(new Vec3(40, 0, 0)));
         var settings = Settings("spiral_vase=true", "coasting_distance_mm=2");
         Assert.That(PlanarSlicer.Slice([Cup, other], settings).Diagnostics.Select(d => d.ToString()), Has.One.EqualTo(
-            "cup: warning slice.spiral_vase_lag: The head leaves the vase after each turn to print other models: coasting_distance_mm opens its wall over 2 "
-            + "mm there. "
-            + "print_sequence=by_object prints one after the other. (2 times)"));
+            "cup: warning slice.spiral_vase_lag: The print head leaves the vase after each turn to print other models, and coasting_distance_mm leaves a "
+            + "gap of 2 mm in its wall. Set print_sequence=by_object to print one model at a time. (2 times)"));
         Assert.That(PlanarSlicer.Slice([Cup], settings).Diagnostics.Select(d => d.Code), Has.None.EqualTo("slice.spiral_vase_lag"));
         settings = settings with { PrintSequence = PrintSequence.ByObject };
         Assert.That(PlanarSlicer.Slice([Cup, other], settings).Diagnostics.Select(d => d.Code), Has.None.EqualTo("slice.spiral_vase_lag"));

@@ -37,7 +37,7 @@ public class ModelArrangerTests
         var five = ModelArranger.Arrange(new[] { Block("a", 100, 100, 5) }.Copies(5), new Printer { Title = "Small" });
         Assert.That(five.Value, Is.Null);
         Assert.That(five.Diagnostics.Single().ToString(), Is.EqualTo(
-            "error models.no_space: There is no place left on the bed of Small for a (5): 4 of 5 models fit beside each other."));
+            "error models.no_space: No room on the bed of Small for a (5): 4 of 5 models fit. Print fewer at once or reduce their spacing."));
     }
 
     [Test]
@@ -91,7 +91,7 @@ public class ModelArrangerTests
         var merged = PlanarSlicer.Slice(models, Plain);
         Assert.That(merged.Diagnostics.Select(d => d.ToString()), Is.EqualTo(new[]
         {
-            "note models.merged: a + b overlap: they are printed as one solid (merge_overlapping_models=false prints each).",
+            "note models.merged: a + b overlap and are printed as one solid. merge_overlapping_models=false prints each.",
         }));
         Assert.That(merged.Value!.Layers.Take(2).Select(l => Math.Round(l.Region.Area, 4)), Is.EqualTo(new[] { 136.0, 40 }), "c touches b and stays apart");
         var apart = PlanarSlicer.Slice(models, Plain with { MergeOverlappingModels = false });
@@ -119,7 +119,7 @@ public class ModelArrangerTests
         var sliced = PlanarSlicer.SliceEach([new SliceModel(a, Plain), new SliceModel(b, own)], Plain);
         Assert.That(sliced.Diagnostics.Select(d => d.ToString()), Is.EqualTo(new[]
         {
-            "b: warning slice.whole_print: travel_speed_mm_s, raft_layers hold for the whole print: the value for one model is ignored.",
+            "b: warning slice.whole_print: travel_speed_mm_s, raft_layers apply to the whole print. Values for one model are ignored.",
         }));
         Assert.That(sliced.Value!.Layers.Select(l => l.Layer.Z).Min(), Is.EqualTo(Plain.FirstLayerHeight), "no raft, so no model is raised");
         Assert.That(sliced.Value.Layers.Where(l => l.Layer.Object == "b").Min(l => l.Layer.Z), Is.EqualTo(Plain.FirstLayerHeight));

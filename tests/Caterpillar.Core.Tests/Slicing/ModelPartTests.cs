@@ -80,32 +80,33 @@ public class ModelPartTests
         Section[] sections = [At(0.1, 10, 0), At(0.3, side, open), At(0.5, 12, 0)];
         var text = LostLayers.Find(sections, most, CancellationToken.None);
         Assert.That(text is not null, Is.EqualTo(lost));
-        if (side == 5 && lost) Assert.That(text, Does.Contain("on 1 layer (z 0.3 mm); at z 0.3 mm 25 % of it is left."));
+        const string Left = "on 1 layer (z 0.3 mm) because contours do not close. At z 0.3 mm, 25 % of the area of the next intact layer is left.";
+        if (side == 5 && lost) Assert.That(text, Does.Contain(Left));
         Assert.That(LostLayers.Find([At(0.3, side, open), At(0.5, 10, 0)], most, CancellationToken.None) is not null, Is.EqualTo(lost),
             "the layer above tells");
         Assert.That(LostLayers.Find([At(0.3, side, open), At(0.5, side, open)], most, CancellationToken.None), Is.Null, "nothing to compare with");
     }
 
     [Test]
-    public void What_was_mended_is_told_in_sentences()
+    public void Repairs_are_reported_in_sentences()
     {
         var mesh = MeshMaker.Box(0, 0, 0, 1, 1, 1);
         Assert.That(BrokenMeshReport.Describe(RepairedMesh.Unchanged(mesh), []), Is.Null);
         FilledHole[] holes = [new(new Bounds(new Vec3(0, 0, 1), new Vec3(3, 4, 1)), 1), new(new Bounds(new Vec3(0, 0, 2), new Vec3(0, 0, 2.5)), 1)];
         Assert.That(BrokenMeshReport.Describe(new RepairedMesh(mesh, 1, 0.05, 1, 1, holes, 1, 1), []),
             Is.EqualTo("The mesh is broken. Repaired: 1 vertex moved by up "
-            + "to 0.05 mm to join rims, 1 doubled triangle taken once, 1 triangle turned that faced inwards, 1 body that was inside out turned, 2 holes filled "
-            + "(z 1 to 2.5 mm, the widest 5 mm), 1 loose triangle left out at filled holes."));
+            + "to 0.05 mm to join naked edges, 1 duplicate face removed, 1 inward-facing face flipped, 1 inside-out body flipped, 2 holes filled "
+            + "(z 1 to 2.5 mm, up to 5 mm wide), 1 loose face removed at filled holes."));
         Assert.That(BrokenMeshReport.Describe(new RepairedMesh(mesh, 2, 0.1, 2, 2, [], 2, 2), []),
             Is.EqualTo("The mesh is broken. Repaired: 2 vertices moved by up "
-            + "to 0.1 mm to join rims, 2 doubled triangles taken once, 2 triangles turned that faced inwards, 2 bodies that were inside out turned, "
-            + "2 loose triangles left out at filled holes."));
+            + "to 0.1 mm to join naked edges, 2 duplicate faces removed, 2 inward-facing faces flipped, 2 inside-out bodies flipped, "
+            + "2 loose faces removed at filled holes."));
         Polyline[] open = [new([Vec3.Zero, new Vec3(3, 0)]), new([Vec3.Zero, new Vec3(0, 4.5)])];
         Section[] sections = [new(0.1, [], [], new ClosedGaps(1, 0.5, 0.5)), new(0.3, [], open, new ClosedGaps(2, 0.5, 0.3)), new(0.5, [], [])];
-        const string Gaps = "The mesh is broken. 3 gaps in contours closed on 2 layers (z 0.1 to 0.3 mm): 1 mm in all, the widest 0.5 mm.";
+        const string Gaps = "The mesh is broken. 3 gaps in contours closed on 2 layers (z 0.1 to 0.3 mm): 1 mm in total, the widest 0.5 mm.";
         Assert.That(BrokenMeshReport.Describe(RepairedMesh.Unchanged(mesh), [sections[0], new(0.3, [], [], sections[1].Gaps)]), Is.EqualTo(Gaps));
         Assert.That(BrokenMeshReport.Describe(RepairedMesh.Unchanged(mesh), sections),
-            Is.EqualTo(Gaps + " Left out: 2 contours that do not close, 7.5 mm in all, on 1 layer (z 0.3 mm)."));
+            Is.EqualTo(Gaps + " 2 open contours left out on 1 layer (z 0.3 mm): 7.5 mm in total."));
     }
 
     // A frustum of four sides: each leans by √12.5 over a height of 5, so the cosine of its normal is √(1/3), and a cusp of 0.1 allows 0.173 mm.

@@ -97,14 +97,15 @@ public class ModelPlacementTests
         var printer = new Printer { Title = "Small", BuildVolume = new Vec3(100, 80, 50) };
         var large = new[] { new NamedMesh("large", MeshMaker.Box(0, 0, 0, 125, 60, 60)) }.OnBed(printer);
         Assert.That(ModelCheck.Fit(large, printer).Single().ToString(), Is.EqualTo(
-            "warning models.too_large: What is to be printed is 125 × 60 × 60 mm, 25 mm too long in X, 10 mm too long in Z; Small prints 100 × 80 × 50 mm. "
-            + "It fits at a scale of 0.8."));
+            "warning models.too_large: Model is 125 × 60 × 60 mm: 25 mm too long in X, 10 mm too long in Z for Small (100 × 80 × 50 mm). "
+            + "Scale it to 80 % to fit."));
         Assert.That(ModelCheck.Fit(large.Scaled(new Vec3(0.8, 0.8, 0.8)), printer), Is.Empty);
         var round = printer with { BedShape = BedShape.Round, BuildVolume = new Vec3(100, 100, 100) };
         var square = new[] { new NamedMesh("square", MeshMaker.Box(0, 0, 0, 80, 80, 10)) }.OnBed(round);
-        Assert.That(ModelCheck.Fit(square, round).Single().Message, Does.EndWith("It fits at a scale of 0.8838."), "100 / (80 √2) = 0.88388");
+        Assert.That(ModelCheck.Fit(square, round).Single().Message, Does.EndWith(
+            "mm: too large for Small (100 × 100 × 100 mm, round bed). Scale it to 88.38 % to fit."), "100 / (80 √2) = 0.88388");
         var aside = new[] { new NamedMesh("aside", MeshMaker.Box(-3, 0, 0, 10, 10, 10)) };
-        Assert.That(ModelCheck.Fit(aside, printer).Single().Message, Does.StartWith("The models are 3 mm too far left for the build volume"));
+        Assert.That(ModelCheck.Fit(aside, printer).Single().Message, Is.EqualTo("Model is 3 mm too far left for the build volume of Small. Move it to fit."));
     }
 
     [Test]
@@ -132,7 +133,8 @@ public class ModelPlacementTests
         ];
         Assert.That(ModelCheck.Clearance(Two(4.1, 6), printer), Is.Empty);
         Assert.That(ModelCheck.Clearance(Two(3.9, 6), printer).Single().ToString(), Is.EqualTo(
-            "high: error models.no_clearance: It is printed after low, 3.9 mm beside it; the head needs 4 mm beside something 6 mm high."));
+            "high: error models.no_clearance: Model is 3.9 mm from low, which is printed first. The print head needs 4 mm next to a part 6 mm high. "
+            + "Move them apart."));
         Assert.That(ModelCheck.Clearance(Two(11.9, 9), printer), Has.Count.EqualTo(1), "12 mm at a height of 9 mm");
         Assert.That(ModelCheck.Clearance(Two(12.1, 9), printer), Is.Empty);
         Assert.That(ModelCheck.Clearance(Two(19.9, 30), printer), Has.Count.EqualTo(1));

@@ -91,7 +91,7 @@ public class ModifierTests
     }
 
     [Test]
-    public void Skins_of_a_modifier_lie_where_the_part_ends_and_not_at_the_modifier()
+    public void Surfaces_of_a_modifier_are_at_the_ends_of_the_part_and_not_at_the_modifier()
     {
         var tall = Solids.Block(20, -5, -1, 50, 25, 9);
         var layers = Layers(Plain, tall, Plain with { TopLayers = 3 });

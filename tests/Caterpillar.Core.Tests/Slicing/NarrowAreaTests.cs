@@ -68,7 +68,7 @@ public class NarrowAreaTests
         var finding = Solids.Try(new PrintSettings { MinLayerTime = 0 }, models).Diagnostics.Single(d => d.Code == "slice.too_thin");
         Assert.That(finding.Severity, Is.EqualTo(Severity.Warning));
         Assert.That(finding.Count, Is.EqualTo(2 * 10));
-        Assert.That(finding.Message, Does.Contain("6 mm² on 10 layers (z 2.2 to 4 mm)").And.Contain("of 0.3 mm² at X 12.5 Y 2.03 Z 2.2"));
+        Assert.That(finding.Message, Does.Contain("6 mm² on 10 layers (z 2.2 to 4 mm)").And.Contain("the largest 0.3 mm² at X 12.5 Y 2.03 Z 2.2"));
         Assert.That(finding.Source!.ToString(), Does.Contain("test"));
     }
 
@@ -95,7 +95,7 @@ public class NarrowAreaTests
     }
 
     [Test]
-    public void Trees_hold_up_the_skin_and_leave_what_is_far_below_it_empty()
+    public void Trees_support_the_top_surface_and_leave_the_area_far_below_it_empty()
     {
         var usual = new PrintSettings { MinLayerTime = 0, LayerHeight = 0.4 };
         var lines = Solids.Slice(usual, Solids.Block(0, 0, 0, 30, 30, 32));

@@ -21,7 +21,7 @@ public class PlanarFeatureTests
         [Solids.Block(0, 0, 0, 30, 10, 1), Solids.Block(0, 20, 0, 30, 30, 1), Solids.Block(0, 0, 0, 10, 30, 1), Solids.Block(20, 0, 0, 30, 30, 1)];
 
     [Test]
-    public void A_cube_has_skins_at_the_bottom_and_the_top_and_infill_between()
+    public void A_cube_has_bottom_and_top_surfaces_and_infill_between()
     {
         var layers = Solids.Slice(new PrintSettings { MinLayerTime = 0 }, Solids.Block(0, 0, 0, 20, 20, 10));
         Role[] Inner(int i) => Solids.Paths(layers[i]).Select(p => p.Role).Where(r => r is not (Role.OuterWall or Role.InnerWall)).Distinct().ToArray();
@@ -220,7 +220,7 @@ public class PlanarFeatureTests
 
     [TestCase("vase")]
     [TestCase("combine_infill_layers")]
-    [TestCase("skins")]
+    [TestCase("surfaces")]
     public void The_number_of_threads_changes_nothing(string what)
     {
         var every = what == "combine_infill_layers" ? 3 : 1;

@@ -15,7 +15,7 @@ internal sealed class BentPieces(LayerField field, double tolerance, IReadOnlyLi
     private const int MostSamples = 4096;
     private readonly IReadOnlyList<double> _creases = field.Creases;
 
-    /// <summary>Whether an edge has to be divided, and the point where it would be.</summary>
+    /// <summary>True if an edge must be divided, and the division point.</summary>
     public (bool Divide, Vec3 Part, Vec3 Flat) Test(int a, int b)
     {
         // Shorter ones would not be seen in print.

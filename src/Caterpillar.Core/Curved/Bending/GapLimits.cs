@@ -30,7 +30,7 @@ internal sealed class GapLimits(LayerField field, PartColumns part, PrintSetting
         return result.ToArray();
     }
 
-    /// <summary>The thickest place of all layers, mm; 0 where none was found.</summary>
+    /// <summary>Maximum thickness of all layers, mm. 0 = none found.</summary>
     public double Thickest(IEnumerable<Layer> layers)
     {
         var thickest = 0.0;

@@ -34,8 +34,8 @@ internal sealed class MeshFlattener
         for (var t = 0; t < triangles.Length; t += 3) _faces.Add(FaceOf(triangles[t], triangles[t + 1], triangles[t + 2]));
     }
 
-    /// <summary>The bent mesh; null where it would take more than 12 million triangles.</summary>
-    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    /// <summary>The bent mesh, or null if it would have more than 12 million triangles.</summary>
+    /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static TriMesh? Flatten(TriMesh mesh, LayerField field, double tolerance, int threads, CancellationToken cancel)
     {
         var options = new ParallelOptions { CancellationToken = cancel, MaxDegreeOfParallelism = threads > 0 ? threads : -1 };

@@ -34,7 +34,7 @@ internal sealed class SlopeSamples
     /// <summary>The largest growth of lengths that was found.</summary>
     public double Most { get; private set; } = 1;
 
-    /// <summary>Samples of a part; null where there is nothing to measure.</summary>
+    /// <summary>Samples of a part, or null if it has nothing to measure.</summary>
     public static SlopeSamples? Of(LayerField field, PartColumns part, int nodes, int levels)
     {
         var every = Math.Max(1, part.Columns.Count / Columns);

@@ -36,7 +36,7 @@ internal sealed class StretchedField : LayerField
 
     public override bool StartsLevel => _inner.StartsLevel;
 
-    /// <summary>The field itself where its layers are almost level, or where it already bends the plan.</summary>
+    /// <summary>The field itself if its layers are almost level or it already bends the plan.</summary>
     public static LayerField Of(LayerField field, PartColumns part)
     {
         if (field.BendsPlan) return field;

@@ -2,14 +2,14 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Curved;
 
-/// <summary>A surface or a set of curves that shows where a boundary of layers runs on a part.</summary>
+/// <summary>A surface or a set of curves that marks a boundary of layers on a part.</summary>
 public sealed class BoundaryShape
 {
     private readonly Func<Vec3, double> _distance;
 
     private BoundaryShape(Func<Vec3, double> distance) => _distance = distance;
 
-    /// <summary>A surface, which touches or cuts the part.</summary>
+    /// <summary>A boundary from a surface that touches or cuts the part.</summary>
     /// <exception cref="ArgumentException">The mesh has no triangles.</exception>
     public static BoundaryShape Of(TriMesh surface)
     {
@@ -17,7 +17,7 @@ public sealed class BoundaryShape
         return new BoundaryShape(p => distance.Nearest(p).Point.DistanceTo(p));
     }
 
-    /// <summary>Several at once.</summary>
+    /// <summary>A boundary from several shapes.</summary>
     public static BoundaryShape Of(IReadOnlyList<BoundaryShape> shapes)
     {
         if (shapes is null) throw new ArgumentNullException(nameof(shapes));
@@ -29,7 +29,7 @@ public sealed class BoundaryShape
         });
     }
 
-    /// <summary>Curves on the part.</summary>
+    /// <summary>A boundary from curves on the part.</summary>
     public static BoundaryShape Of(IReadOnlyList<Polyline> curves)
     {
         if (curves is null) throw new ArgumentNullException(nameof(curves));

@@ -4,7 +4,7 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Curved;
 
 /// <summary>
-/// Where the layers of a mesh begin and end: sets of vertices at its lower and its upper boundaries, of which there may be several. For
+/// The boundaries at which the layers of a mesh start and end: vertices at its lower and upper boundaries, of which it may have several. For
 /// <see cref="LayerField.Harmonic"/> and <see cref="LayerField.Geodesic"/>.
 /// </summary>
 public sealed class MeshBoundaries
@@ -19,7 +19,7 @@ public sealed class MeshBoundaries
         Upper = upper;
     }
 
-    /// <summary>The mesh, its edges divided where they were long.</summary>
+    /// <summary>The mesh with its long edges divided.</summary>
     internal TriMesh Mesh { get; }
 
     /// <summary>Vertices of <see cref="Mesh"/> on the boundaries where layers begin.</summary>
@@ -32,34 +32,34 @@ public sealed class MeshBoundaries
     internal TriMesh Original { get; }
 
     /// <summary>
-    /// Found by themselves: of an open mesh the lowest open edges, and all others; of a closed one what it stands on, and its smooth faces that look up and
-    /// fall away at their edges.
+    /// Finds the boundaries. On an open mesh, layers start at the lowest naked edges and end at all others. On a closed mesh, they start at the face on the
+    /// bed and end at upward smooth faces with sharp edges.
     /// </summary>
-    /// <param name="mesh">The part where it is printed, mm.</param>
-    /// <param name="cancel">Cancels.</param>
-    /// <returns>None, with the error <c>curved.no_boundary</c>, where there are none.</returns>
+    /// <param name="mesh">The part at its position on the bed, mm.</param>
+    /// <param name="cancel">Cancels the call.</param>
+    /// <returns>The boundaries, or the error <c>curved.no_boundary</c> if none are found.</returns>
     public static Result<MeshBoundaries> Find(TriMesh mesh, CancellationToken cancel = default)
     {
         if (mesh is null) throw new ArgumentNullException(nameof(mesh));
         var fine = Refined(mesh, cancel);
         var (lower, upper) = mesh.OpenEdgeCount > 0 ? BoundaryFinder.OpenEdges(fine) : BoundaryFinder.SmoothFaces(fine);
         return Checked(mesh, fine, lower, upper, mesh.OpenEdgeCount > 0
-            ? "An open mesh needs open edges at its bottom and at its top." : "A closed mesh needs a face with sharp edges at its top.");
+            ? "An open mesh needs naked edges at its bottom and at its top." : "A closed mesh needs a face with sharp edges at its top.");
     }
 
-    /// <summary>Given by objects that lie on the part: its vertices that are near them.</summary>
-    /// <param name="mesh">The part where it is printed, mm.</param>
-    /// <param name="from">Where layers begin; null for the bottom of the part.</param>
-    /// <param name="to">Where they end; one or several.</param>
-    /// <param name="near">How far vertices may lie from the objects, mm; 0 for those that lie along them, at most half the length of an edge away.</param>
-    /// <param name="cancel">Cancels.</param>
-    /// <returns>None, with the error <c>curved.no_boundary</c>, where one of them touches nothing.</returns>
+    /// <summary>Boundaries from shapes on the part: the vertices near them.</summary>
+    /// <param name="mesh">The part at its position on the bed, mm.</param>
+    /// <param name="from">Shape at which layers start. Null = the bottom of the part.</param>
+    /// <param name="to">Shapes at which layers end, one or more.</param>
+    /// <param name="near">Maximum distance of vertices from the shapes, mm. 0 = vertices along the shapes, at most half an edge length away.</param>
+    /// <param name="cancel">Cancels the call.</param>
+    /// <returns>The boundaries, or the error <c>curved.no_boundary</c> if a shape touches no vertex.</returns>
     public static Result<MeshBoundaries> Near(
         TriMesh mesh, BoundaryShape? from, IReadOnlyList<BoundaryShape> to, double near = 0, CancellationToken cancel = default)
     {
         if (mesh is null) throw new ArgumentNullException(nameof(mesh));
         if (to is null) throw new ArgumentNullException(nameof(to));
-        if (!(near >= 0) || double.IsInfinity(near)) throw new ArgumentOutOfRangeException(nameof(near), "A distance is not negative.");
+        if (!(near >= 0) || double.IsInfinity(near)) throw new ArgumentOutOfRangeException(nameof(near), "The distance must not be negative.");
         var fine = Refined(mesh, cancel);
         int[] Touched(BoundaryShape shape) => near > 0 ? BoundaryFinder.Within(fine, shape, near) : BoundaryFinder.Along(fine, shape, Edge(mesh) / 2);
         var lower = from is null ? BoundaryFinder.Lowest(fine) : Touched(from);
@@ -73,15 +73,15 @@ public sealed class MeshBoundaries
         return Checked(mesh, fine, lower, upper.Distinct().OrderBy(v => v).ToArray(), "The boundaries touch no vertex of the part.");
     }
 
-    /// <summary>Given by vertices of the mesh.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">A number is not that of a vertex.</exception>
-    /// <returns>None, with the error <c>curved.no_boundary</c>, where a set is empty or both share vertices.</returns>
+    /// <summary>Boundaries from vertex indices of the mesh.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">A vertex index is out of range.</exception>
+    /// <returns>The boundaries, or the error <c>curved.no_boundary</c> if a set is empty or both share vertices.</returns>
     public static Result<MeshBoundaries> Of(TriMesh mesh, IReadOnlyList<int> lower, IReadOnlyList<int> upper)
     {
         if (mesh is null) throw new ArgumentNullException(nameof(mesh));
         if (lower is null) throw new ArgumentNullException(nameof(lower));
         if (upper is null) throw new ArgumentNullException(nameof(upper));
-        if (lower.Concat(upper).Any(v => v < 0 || v >= mesh.VertexCount)) throw new ArgumentOutOfRangeException(nameof(lower), "There is no such vertex.");
+        if (lower.Concat(upper).Any(v => v < 0 || v >= mesh.VertexCount)) throw new ArgumentOutOfRangeException(nameof(lower), "The vertex does not exist.");
         var (fine, parents) = MeshRefiner.Refine(mesh, Edge(mesh), MostTriangles, CancellationToken.None);
         return Checked(mesh, fine, BoundaryFinder.Between(fine, mesh.VertexCount, parents, lower),
             BoundaryFinder.Between(fine, mesh.VertexCount, parents, upper), "Each boundary needs vertices.");
@@ -97,7 +97,7 @@ public sealed class MeshBoundaries
         var both = new HashSet<int>(lower);
         foreach (var v in upper)
         {
-            if (both.Contains(v)) return Missing($"The upper and the lower boundary meet at {fine.RawVertices[v]}: there are no layers between them.");
+            if (both.Contains(v)) return Missing($"The upper and lower boundaries meet at {fine.RawVertices[v]} and leave no room for layers.");
         }
         var free = BoundaryFinder.Unreached(fine, lower) ?? BoundaryFinder.Unreached(fine, upper);
         if (free is { } piece) return Missing($"A piece of the part at {fine.RawVertices[piece]} is not connected to both boundaries.");

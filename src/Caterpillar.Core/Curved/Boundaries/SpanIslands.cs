@@ -21,7 +21,7 @@ internal static class SpanIslands
         return members.Select(m => (new MeanValueSpan(m), Bounds.Of(m[0]))).ToList();
     }
 
-    /// <summary>The piece that a place lies in, else the nearest.</summary>
+    /// <summary>The piece that contains a place, or else the nearest.</summary>
     public static MeanValueSpan Nearest(List<(MeanValueSpan Span, Bounds Bounds)> spans, double x, double y)
     {
         if (spans.Count == 1) return spans[0].Span;

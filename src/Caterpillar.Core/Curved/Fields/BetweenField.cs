@@ -90,7 +90,7 @@ internal sealed class BetweenField(PlanSurface[] surfaces) : LayerField
                 if (!(high > low))
                 {
                     problems.Add(Severity.Error, "curved.surfaces_cross",
-                        $"The surfaces that bound the layers meet or cross at {new Vec3(column.X, column.Y, low)}: there is no space for layers.");
+                        $"The bounding surfaces meet or cross at {new Vec3(column.X, column.Y, low)} and leave no room for layers.");
                     return this;
                 }
                 most = Math.Max(most, high - low);

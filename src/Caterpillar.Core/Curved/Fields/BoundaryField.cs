@@ -92,7 +92,7 @@ internal sealed class BoundaryField : LayerField
             // Small places where branches meet do little harm.
             var most = share > 0.05;
             problems.Add(most ? Severity.Error : Severity.Warning, "curved.overhanging_layers",
-                $"On {NumberFormatter.Format(share * 100, 1)} % of the part's surface, most at {place}, the layers overhang or fold back: a nozzle from "
+                $"Layers overhang or fold back on {NumberFormatter.Format(share * 100, 1)} % of the part's surface, most at {place}. A nozzle from "
                 + "above cannot print them" + (most ? "." : " well."));
             if (most) return this;
         }

@@ -63,7 +63,7 @@ internal sealed class DeformedField(Func<Vec3, Vec3> bend) : LayerField
                 var slopes = Slopes(at);
                 var determinant = Vec3.Dot(slopes.X, Vec3.Cross(slopes.Y, slopes.Z));
                 if (determinant > 0 && slopes.Z.Z > 0) continue;
-                problems.Add(Severity.Error, "curved.folded_deformation", $"The deformation folds the part, or turns it upside down, at {at}.");
+                problems.Add(Severity.Error, "curved.folded_deformation", $"The deformation folds the part or turns it upside down at {at}.");
                 return this;
             }
         }

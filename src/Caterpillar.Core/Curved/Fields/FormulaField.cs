@@ -26,7 +26,7 @@ internal sealed class FormulaField(Func<Vec3, double> value, double detail) : La
                 if (!(next > last))
                 {
                     var what = double.IsNaN(next - last) ? "has no value" : "does not rise with z";
-                    problems.Add(Severity.Error, "curved.overhanging_layers", $"The field {what} at {at}: a nozzle from above cannot print such layers.");
+                    problems.Add(Severity.Error, "curved.overhanging_layers", $"The field {what} at {at}. A nozzle from above cannot print such layers.");
                     return this;
                 }
                 last = next;

@@ -5,31 +5,31 @@ using Caterpillar.Machines;
 namespace Caterpillar.Curved;
 
 /// <summary>
-/// A scalar field whose level sets are the layers of a print; planar layers are the field z. The field rises along Z everywhere, so that every layer is a
-/// height field, which a vertical tool can print. Values in mm of layer thickness. Immutable, for any thread.
+/// A scalar field whose level sets are the layers of a print. Planar layers are the field z. The field must increase along Z everywhere, so that every layer
+/// is a height field, which a vertical tool can print. Values are mm of layer thickness. Immutable and thread-safe.
 /// </summary>
 public abstract class LayerField
 {
-    /// <summary>The value at a point in mm; NaN where the field is not defined.</summary>
+    /// <summary>The value at a point (mm). NaN if the field is not defined there.</summary>
     public abstract double Value(Vec3 point);
 
-    /// <summary>The height over (x, y), mm, where the field has a value; NaN if there is none.</summary>
+    /// <summary>The height above (x, y) at which the field has a value, mm. NaN if it has it nowhere.</summary>
     public virtual double Height(double x, double y, double value) => HeightSolver.Solve(this, x, y, value);
 
     /// <summary>Heights of two values over one place, mm.</summary>
     internal virtual (double First, double Second) Heights(double x, double y, double first, double second)
         => (Height(x, y, first), Height(x, y, second));
 
-    /// <summary>False where the surfaces that make the field have no height over (x, y); there the field is continued beyond their edge.</summary>
+    /// <summary>False if the surfaces of the field have no height over (x, y). There the field continues beyond their edge.</summary>
     public virtual bool Covers(double x, double y) => true;
 
-    /// <summary>The field has no features smaller than this in plan, mm; infinite for a plane.</summary>
+    /// <summary>Minimum feature size of the field in plan, mm. Infinite for a plane.</summary>
     public virtual double Detail => 2;
 
-    /// <summary>True if the layers near the bed are level, so that loops around the part can be printed there.</summary>
+    /// <summary>True if the layers near the bed are level, so that a skirt or brim can be printed.</summary>
     public virtual bool StartsLevel => false;
 
-    /// <summary>The unit normal of the layer through a point, upward.</summary>
+    /// <summary>The upward unit normal of the layer through a point (mm).</summary>
     public virtual Vec3 Normal(Vec3 point)
     {
         const double Step = 1e-3;
@@ -38,10 +38,10 @@ public abstract class LayerField
             ToFlat(point + x).Z - ToFlat(point - x).Z, ToFlat(point + y).Z - ToFlat(point - y).Z, ToFlat(point + z).Z - ToFlat(point - z).Z).Unit();
     }
 
-    /// <summary>The point of the bent part with flat layers: x, y and the value of the field.</summary>
+    /// <summary>Maps a point of the part to the bent part with flat layers: x, y and the value of the field, mm.</summary>
     public virtual Vec3 ToFlat(Vec3 point) => point.WithZ(Value(point));
 
-    /// <summary>The point of the part for a point among flat layers; not finite if there is none.</summary>
+    /// <summary>Maps a point of the bent part back to the part, mm. Not finite if the part has no such point.</summary>
     public virtual Vec3 ToPart(Vec3 flat) => flat.WithZ(Height(flat.X, flat.Y, flat.Z));
 
     /// <summary>A point among flat layers in the part, with what an extrusion of a thickness in mm has below it.</summary>
@@ -57,16 +57,16 @@ public abstract class LayerField
     /// <summary>Values at which the field has a crease: a mesh that is bent is divided along them.</summary>
     internal virtual IReadOnlyList<double> Creases => [];
 
-    /// <summary>How far layers at a place lie apart, along Z, for each mm of the field; 1 where that is not known.</summary>
+    /// <summary>Distance of layers along Z at a place, per mm of the field. 1 if unknown.</summary>
     internal virtual double Spread(Vec3 point) => 1;
 
     /// <summary>Whether the field moves points in plan, too.</summary>
     internal virtual bool BendsPlan => false;
 
-    /// <summary>A mesh bent until layers are flat, where the field is made of this very mesh; else null, and it is bent point by point.</summary>
+    /// <summary>A mesh bent until layers are flat, if the field was made from this mesh. Otherwise null, and it is bent point by point.</summary>
     internal virtual TriMesh? FlatMesh(TriMesh mesh) => null;
 
-    /// <summary>What is wrong with the surfaces of the field themselves.</summary>
+    /// <summary>Reports problems of the surfaces of the field.</summary>
     internal virtual void Check(DiagnosticList problems)
     {
     }
@@ -74,7 +74,7 @@ public abstract class LayerField
     /// <summary>The field for a part: constants chosen so that the part begins at the value 0 and the layers meet the surfaces of the field.</summary>
     internal virtual LayerField FitTo(PartColumns part, PrintSettings settings, DiagnosticList problems) => Anchored(this, part, settings);
 
-    /// <summary>A field moved by whole layers, so that the level 0 stays a border of layers and the part lies above 0.</summary>
+    /// <summary>A field moved by whole layers, so that 0 stays a border of layers and the part is above 0.</summary>
     internal static LayerField Anchored(LayerField field, PartColumns part, PrintSettings settings)
     {
         var lowest = double.PositiveInfinity;
@@ -96,28 +96,28 @@ public abstract class LayerField
     /// <summary>Planar layers: the field z.</summary>
     public static LayerField Level => new VerticalField(PlanSurface.Level(0), null);
 
-    /// <summary>Layers that are copies of a plan, moved up and down; with a blend the layers near the bed are level.</summary>
-    /// <exception cref="ArgumentException">The blend ends below its beginning.</exception>
+    /// <summary>Layers that are copies of a plan, moved up and down. With a blend, the layers near the bed are level.</summary>
+    /// <exception cref="ArgumentException">The blend does not end above its start.</exception>
     public static LayerField Vertical(PlanSurface plan, LayerBlend? blend = null)
     {
         if (plan is null) throw new ArgumentNullException(nameof(plan));
-        if (blend is { } zone && !(zone.From >= 0 && zone.To > zone.From)) throw new ArgumentException("A blend ends above its beginning.", nameof(blend));
+        if (blend is { } zone && !(zone.From >= 0 && zone.To > zone.From)) throw new ArgumentException("A blend must end above its start.", nameof(blend));
         return new VerticalField(plan, blend);
     }
 
-    /// <summary>Layers at equal distances from a surface, its normal offsets; the surface has to be a height field.</summary>
+    /// <summary>Layers at equal distances from a surface (normal offsets). The surface must be a height field.</summary>
     /// <exception cref="ArgumentException">The mesh has no triangles.</exception>
     public static LayerField Offset(TriMesh surface) => new OffsetField(surface ?? throw new ArgumentNullException(nameof(surface)));
 
     /// <summary>
-    /// Layers of a part that is bent by a map before it is sliced flat; the paths are bent back. The map must be smooth, must not fold the part, and must be
-    /// callable from any thread.
+    /// Layers of a part that is bent by a map before it is sliced flat. The paths are bent back. The map must be smooth, must not fold the part, and must be
+    /// thread-safe.
     /// </summary>
-    /// <param name="bend">A point of the part, mm, to a point of the bent part, mm.</param>
+    /// <param name="bend">Maps a point of the part to a point of the bent part, mm.</param>
     public static LayerField Deformed(Func<Vec3, Vec3> bend) => new DeformedField(bend ?? throw new ArgumentNullException(nameof(bend)));
 
-    /// <summary>As <see cref="Deformed(Func{Vec3, Vec3})"/>, by formulas for the bent x, y and z in x, y, z, r and theta.</summary>
-    /// <returns>None with an error that gives the column.</returns>
+    /// <summary>Like <see cref="Deformed(Func{Vec3, Vec3})"/>, with formulas for the bent x, y and z in x, y, z, r and theta.</summary>
+    /// <returns>The field, or an error with the column.</returns>
     public static Result<LayerField> Deformed(string x, string y, string z, Vec3 origin = default, SourceLocation? source = null)
     {
         var compiled = new[] { FieldFormula.Compile(x, source), FieldFormula.Compile(y, source), FieldFormula.Compile(z, source) };
@@ -134,44 +134,44 @@ public abstract class LayerField
             problems);
     }
 
-    /// <summary>Layers that divide the space between surfaces, of which each lies above the one before.</summary>
-    /// <exception cref="ArgumentException">Fewer than two surfaces.</exception>
+    /// <summary>Layers that divide the space between surfaces, each above the previous one.</summary>
+    /// <exception cref="ArgumentException">There are fewer than two surfaces.</exception>
     public static LayerField Between(params PlanSurface[] surfaces)
     {
         if (surfaces is null) throw new ArgumentNullException(nameof(surfaces));
-        if (surfaces.Length < 2) throw new ArgumentException("There is something between two surfaces at least.", nameof(surfaces));
+        if (surfaces.Length < 2) throw new ArgumentException("Layers need at least two surfaces.", nameof(surfaces));
         return new BetweenField((PlanSurface[])surfaces.Clone());
     }
 
     /// <summary>
-    /// Layers between boundaries of a mesh that change as evenly as can be, also where it branches: a harmonic field, by Laplace's equation on the surface
-    /// with cotangent weights. Its level curves are the walls; inside of them layers span the walls.
+    /// Layers that change as evenly as possible between the boundaries of a mesh, even at branches: a harmonic field, from Laplace's equation on the surface
+    /// with cotangent weights. Its level curves are the walls; inside, layers span the walls.
     /// </summary>
-    /// <param name="boundaries">Where layers begin and end.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="boundaries">Boundaries at which layers start and end.</param>
+    /// <param name="cancel">Cancels the call.</param>
     public static LayerField Harmonic(MeshBoundaries boundaries, CancellationToken cancel = default)
         => BoundaryField.Of(boundaries ?? throw new ArgumentNullException(nameof(boundaries)), BoundaryField.HarmonicShares(boundaries, cancel));
 
     /// <summary>
-    /// Layers between boundaries of a mesh by distances along its surface: at the share d / (d + e), where d and e are the distances to the lower and to the
-    /// nearest upper boundary (fast marching). Layers are thicker where the boundaries are farther apart; where two upper boundaries are equally far they have
-    /// a crease.
+    /// Layers between the boundaries of a mesh by distance along its surface (fast marching). The value is d / (d + e), with the distances d to the lower and
+    /// e to the nearest upper boundary. Layers are thicker where the boundaries are farther apart. They have a crease where two upper boundaries are equally
+    /// far.
     /// </summary>
     /// <inheritdoc cref="Harmonic"/>
     public static LayerField Geodesic(MeshBoundaries boundaries, CancellationToken cancel = default)
         => BoundaryField.Of(boundaries ?? throw new ArgumentNullException(nameof(boundaries)), BoundaryField.GeodesicShares(boundaries, cancel));
 
-    /// <summary>A field given by a function of the place, in mm of layer thickness; it must rise with z, and be callable from any thread.</summary>
+    /// <summary>A field from a function of the position, in mm of layer thickness. It must increase with z and be thread-safe.</summary>
     /// <param name="value">The value at a point.</param>
-    /// <param name="detail">Size of the smallest features, mm.</param>
+    /// <param name="detail">Minimum feature size, mm.</param>
     public static LayerField Of(Func<Vec3, double> value, double detail = FieldFormula.Detail)
         => new FormulaField(value ?? throw new ArgumentNullException(nameof(value)), detail);
 
-    /// <summary>A field given by a formula in x, y, z (mm), and r and theta, the polar coordinates about the origin: <c>z - 2 * sin(9 * x)</c>.</summary>
+    /// <summary>A field from a formula in x, y, z, r (mm) and theta (degrees), for example <c>z - 2 * sin(9 * x)</c>.</summary>
     /// <param name="text">The formula.</param>
-    /// <param name="origin">Where its origin is, mm.</param>
-    /// <param name="source">Where it comes from, for messages.</param>
-    /// <returns>None with an error that gives the column.</returns>
+    /// <param name="origin">Origin of the coordinates, mm.</param>
+    /// <param name="source">Source of the formula, for messages.</param>
+    /// <returns>The field, or an error with the column.</returns>
     public static Result<LayerField> Formula(string text, Vec3 origin = default, SourceLocation? source = null)
     {
         var compiled = FieldFormula.Compile(text, source);

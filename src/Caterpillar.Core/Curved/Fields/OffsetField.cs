@@ -81,13 +81,12 @@ internal sealed class OffsetField : LayerField
             if (near.OnRim && aside > Edge)
             {
                 problems.Add(Severity.Error, "curved.outside_plan",
-                    $"The surface has no point below {at} along its normal: it is smaller than the part, or has a hole.");
+                    $"The surface has no point below {at} along its normal: it is too small for the part or has a hole.");
                 return false;
             }
             if (!(Normal(at).Z > 1e-3))
             {
-                problems.Add(Severity.Error, "curved.overhanging_layers",
-                    $"The layers stand upright or overhang at {at}: a nozzle from above cannot print them.");
+                problems.Add(Severity.Error, "curved.overhanging_layers", $"Layers are vertical or overhang at {at}. A nozzle from above cannot print them.");
                 return false;
             }
         }

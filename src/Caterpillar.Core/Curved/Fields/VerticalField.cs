@@ -4,9 +4,9 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Curved;
 
-/// <summary>Where layers change from level to parallel with the plan, as values of the field, mm.</summary>
-/// <param name="From">Below this layers are level.</param>
-/// <param name="To">Above this they are parallel to the plan; infinite to spread the change over all layers up to the plan.</param>
+/// <summary>Range in which layers change from level to parallel with the plan, as values of the field, mm.</summary>
+/// <param name="From">Layers below this value are level.</param>
+/// <param name="To">Layers above this value are parallel to the plan. Infinity spreads the change over all layers up to the plan.</param>
 public readonly record struct LayerBlend(double From, double To);
 
 /// <summary>
@@ -87,8 +87,8 @@ internal sealed class VerticalField(PlanSurface plan, LayerBlend? blend, double 
         if (!(to - from > top - low))
         {
             problems.Add(Severity.Error, "curved.blend_too_short",
-                $"Layers cannot change from level to the plan between {Text(from)} and {Text(to)} mm: the plan is {Text(top - low)} mm lower at {lowest} "
-                + $"than at its highest place, and layers would cross. The change needs more than {Text(top - low)} mm.");
+                $"The blend from level layers to the plan between {Text(from)} and {Text(to)} mm is too short: layers would cross. The plan is "
+                + $"{Text(top - low)} mm lower at {lowest} than at its highest point. Make the blend longer than that.");
             return this;
         }
         return new VerticalField(plan, new LayerBlend(from, to), top);

@@ -34,7 +34,7 @@ internal sealed class LayerNeighbors
         return count;
     }
 
-    /// <summary>Whether nothing of the part lies below a place of a layer.</summary>
+    /// <summary>True if no part is below a place of a layer.</summary>
     public bool IsLowest(Layer layer, Vec3 flat) => !Covers(layer, -1, flat);
 
     private bool Covers(Layer layer, int offset, Vec3 flat)

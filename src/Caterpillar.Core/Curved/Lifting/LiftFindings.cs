@@ -2,33 +2,35 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Curved;
 
-/// <summary>Tells what was noticed while paths were brought back.</summary>
+/// <summary>Reports what was noticed while paths were lifted back into the part.</summary>
 internal static class LiftFindings
 {
+    private const string NotPrinted = " They are not printed.";
+
     public static void Add(LiftReport report, LiftRules rules, DiagnosticList problems)
     {
         if (report.Steep.Length > 0)
         {
             problems.Add(rules.Partial ? Severity.Warning : Severity.Error, "curved.too_steep",
-                $"Layers are steeper than the {Text(rules.MaxSlope, 1)} degrees that the head allows, up to {Text(report.Steep.Worst, 1)} degrees at "
-                + $"{report.Steep.Place}, over {Text(report.Steep.Length, 0)} mm of paths" + (rules.Partial ? ", which are not printed." : "."));
+                $"{Text(report.Steep.Length, 0)} mm of paths are steeper than the {Text(rules.MaxSlope, 1)} degrees that the print head allows, up to "
+                + $"{Text(report.Steep.Worst, 1)} degrees at {report.Steep.Place}." + (rules.Partial ? NotPrinted : ""));
         }
         if (report.Below.Length > 0)
         {
             problems.Add(Severity.Warning, "curved.below_surface",
-                $"Paths of {Text(report.Below.Length, 0)} mm lie below the surface that is printed on, first by {Text(report.Below.Worst, 3)} mm at "
-                + $"{report.Below.Place}; they are not printed.");
+                $"{Text(report.Below.Length, 0)} mm of paths are below the surface that is printed on, by up to {Text(report.Below.Worst, 3)} mm at "
+                + $"{report.Below.Place}." + NotPrinted);
         }
         if (report.Uncovered.Length > 0)
         {
             problems.Add(rules.Partial ? Severity.Warning : Severity.Error, "curved.outside_surface",
-                $"Paths of {Text(report.Uncovered.Length, 0)} mm lie beyond the surface that they follow, first at {report.Uncovered.Place}"
-                + (rules.Partial ? "; they are not printed." : "."));
+                $"{Text(report.Uncovered.Length, 0)} mm of paths are beyond the edge of the surface that they follow, first at {report.Uncovered.Place}."
+                + (rules.Partial ? NotPrinted : ""));
         }
         if (report.Thin.Length > 0)
         {
             problems.Add(Severity.Note, "curved.merged_layers",
-                $"Where layers are thinner than {Text(rules.MinGap, 3)} mm several are printed at once, for example at {report.Thin.Place}.");
+                $"Layers thinner than {Text(rules.MinGap, 3)} mm are printed several at once, for example at {report.Thin.Place}.");
         }
     }
 

@@ -2,19 +2,19 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Curved;
 
-/// <summary>What was noticed while paths were brought back. Reports of layers are merged in their order.</summary>
+/// <summary>Problems found while paths were lifted back into the part. Reports of layers are merged in order.</summary>
 internal sealed class LiftReport
 {
     /// <summary>Pieces steeper than the head allows, in degrees.</summary>
     public Spot Steep { get; } = new();
 
-    /// <summary>Pieces that lie below the bed or in the object printed on, in mm.</summary>
+    /// <summary>Pieces below the bed or inside the object printed on, in mm.</summary>
     public Spot Below { get; } = new();
 
     /// <summary>Pieces beyond the plan.</summary>
     public Spot Uncovered { get; } = new();
 
-    /// <summary>Pieces left to another layer, which prints several at once.</summary>
+    /// <summary>Pieces that another layer prints, several layers at once.</summary>
     public Spot Thin { get; } = new();
 
     public void Add(LiftReport other)

@@ -4,9 +4,9 @@ namespace Caterpillar.Curved;
 
 /// <summary>Numbers for bringing paths back from flat layers. Lengths in mm.</summary>
 /// <param name="Settings">The settings of the print.</param>
-/// <param name="MinGap">Thinner extrusions are printed only every second layer, or fourth, and so on; 0 for none.</param>
+/// <param name="MinGap">Minimum gap, mm. Thinner layers are printed only every second time, or fourth, and so on. 0 = off.</param>
 /// <param name="MaxSlope">Degrees; steeper pieces are reported, and left out of partial prints.</param>
-/// <param name="Onto">What is printed on; null where extrusions keep their gap.</param>
+/// <param name="Onto">Surface to print on. Null = extrusions keep their gap.</param>
 /// <param name="Partial">Whether pieces that cannot be printed are left out.</param>
 internal sealed record LiftRules(PrintSettings Settings, double MinGap, double MaxSlope, PlanSurface? Onto, bool Partial)
 {
@@ -16,9 +16,9 @@ internal sealed record LiftRules(PrintSettings Settings, double MinGap, double M
     /// <summary>Change of the gap along one bead, of the gap.</summary>
     public double GapShare { get; } = Settings.CurvedGapStep / 100;
 
-    /// <summary>Extrusions with nothing of the part below them fill up to so much above what is printed on, mm.</summary>
+    /// <summary>Maximum gap above the surface to print on that extrusions fill if no part is below them, mm.</summary>
     public double MaxFill { get; init; }
 
-    /// <summary>Whether paths may lie beyond the surface that they follow, so that its edge has to be found.</summary>
+    /// <summary>True if paths may be beyond the surface that they follow, so that its edge must be found.</summary>
     public bool FindsEdge { get; init; }
 }

@@ -16,7 +16,7 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
     private Layer? _layer;
     private Vec3 _segmentStart;
 
-    /// <summary>What was noticed on all paths so far.</summary>
+    /// <summary>Problems found on all paths so far.</summary>
     public LiftReport Report { get; } = new();
 
     /// <summary>The step in the part: usually one, several where pieces are left out.</summary>

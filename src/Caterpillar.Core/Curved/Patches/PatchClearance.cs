@@ -16,7 +16,7 @@ internal sealed class PatchClearance(Printer printer, double cell, double slack)
     // Below this nothing but nozzle and cone is met.
     private readonly double _boxes = printer.HeadBoxes.Concat(printer.Gantry).Select(b => b.Min.Z).DefaultIfEmpty(double.PositiveInfinity).Min();
 
-    /// <summary>True if the head goes through what is printed of one patch while it prints another.</summary>
+    /// <summary>True if the print head hits one printed patch while it prints another.</summary>
     public bool IsBlocked(LayerPatch printed, LayerPatch next)
     {
         var rise = printed.Top - next.Low;

@@ -36,8 +36,8 @@ internal static class PatchOrder
         if (Sorted(patches, before, under) is { } order)
         {
             var late = order.Where((p, at) => p != at).Count();
-            problems.Add(Severity.Note, "curved.order", $"Layers are printed in pieces: {NumberFormatter.Format(late)} of their "
-                + $"{NumberFormatter.Format(patches.Length)} pieces in another order, in which the head meets nothing that is printed.");
+            problems.Add(Severity.Note, "curved.order", $"Layers are printed in pieces: {NumberFormatter.Format(late)} of "
+                + $"{NumberFormatter.Format(patches.Length)} pieces are out of layer order, so that the print head hits no printed part.");
             return Pieces(layers, patches, order, cell);
         }
         var exact = new PatchClearance(printer, cell, 0);
@@ -45,8 +45,8 @@ internal static class PatchOrder
         {
             var first = Array.FindIndex(hits, h => h.Count > 0);
             var pair = Pair(patches, isBelow, exact) ?? (first, hits[first][0]);
-            problems.Add(Severity.Warning, "curved.blocked_pieces", $"No order of the pieces of layers is free: {Place(layers, patches[pair.A])} and "
-                + $"{Place(layers, patches[pair.B])} block each other. They are printed in the order of layers.");
+            problems.Add(Severity.Warning, "curved.blocked_pieces", $"No collision-free order of layer pieces found: {Place(layers, patches[pair.A])} and "
+                + $"{Place(layers, patches[pair.B])} block each other. They are printed in layer order.");
         }
         return layers;
     }

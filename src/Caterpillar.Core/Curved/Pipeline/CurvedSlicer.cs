@@ -7,21 +7,21 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Curved;
 
 /// <summary>
-/// Slices meshes along the level sets of a field (Caterpillar 2019, section 3.2, "curved slicer"): the part is bent until its layers are flat, sliced as by
-/// <see cref="PlanarSlicer"/> with all of its settings, and the paths are bent back. Every bead has the volume between its layer and what is below.
+/// Slices meshes along the level sets of a field (Caterpillar 2019, section 3.2, "curved slicer"). The part is bent until its layers are flat, sliced by
+/// <see cref="PlanarSlicer"/> with all of its settings, and the paths are bent back. Each bead fills the gap between its layer and the one below.
 /// </summary>
 public static class CurvedSlicer
 {
     /// <summary>Slices meshes at the positions where they are printed (Z = 0 is the bed).</summary>
-    /// <param name="models">The objects; the field is common to all of them.</param>
-    /// <param name="field">The layers.</param>
-    /// <param name="setup">Settings of layers, walls, skins and infill; the printer's head limits the slope of layers.</param>
-    /// <param name="options">What is printed on, whether a part of the print will do, infill lines, threads and memory.</param>
-    /// <param name="progress">0 to 1.</param>
-    /// <param name="cancel">Cancels.</param>
-    /// <returns>The layers, whose Z is the value of the field; and what was noticed: the codes of <see cref="PlanarSlicer"/>, and those that begin with
-    /// <c>curved.</c></returns>
-    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    /// <param name="models">The models. All of them use the same field.</param>
+    /// <param name="field">Field whose level sets are the layers.</param>
+    /// <param name="setup">Print settings and printer. The print head limits the slope of the layers.</param>
+    /// <param name="options">Surface to print on, partial printing, infill lines, threads and memory.</param>
+    /// <param name="progress">Progress, 0 to 1.</param>
+    /// <param name="cancel">Cancels the call.</param>
+    /// <returns>The layers, whose Z is the value of the field, and diagnostics with the codes of <see cref="PlanarSlicer"/> and <c>curved.*</c>.
+    /// </returns>
+    /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static Result<CurvedResult> Slice(
         IReadOnlyList<NamedMesh> models, LayerField field, PrintSetup setup, CurvedOptions? options = null, IProgress<double>? progress = null,
         CancellationToken cancel = default)
@@ -31,7 +31,7 @@ public static class CurvedSlicer
         return SliceEach(models.Select(m => new SliceModel(m, setup.Settings)).ToArray(), field, setup, options, progress, cancel);
     }
 
-    /// <summary>Slices models that have settings of their own.</summary>
+    /// <summary>Slices models that have their own settings.</summary>
     /// <inheritdoc cref="Slice"/>
     public static Result<CurvedResult> SliceEach(
         IReadOnlyList<SliceModel> models, LayerField field, PrintSetup setup, CurvedOptions? options = null, IProgress<double>? progress = null,
@@ -59,15 +59,15 @@ public static class CurvedSlicer
                 ?? MeshFlattener.Flatten(models[i].Mesh.Mesh, field, setup.Settings.CurvedTolerance, options.Threads, cancel);
             if (mesh is null)
             {
-                problems.Add(Severity.Error, "curved.too_fine", "The bent model would have more than 12 million triangles: the field is too rough, or "
-                    + "curved_tolerance_mm too small.", new SourceLocation(models[i].Mesh.Name));
+                problems.Add(Severity.Error, "curved.too_fine", "The bent model would have more than 12 million faces. Use a smoother field or increase "
+                    + "curved_tolerance_mm.", new SourceLocation(models[i].Mesh.Name));
                 return new Result<CurvedResult>(null, problems.ToList());
             }
             flat.Add(new SliceModel(new NamedMesh(models[i].Mesh.Name, mesh), OnField(models[i].Settings, field)));
         }
         var common = OnField(setup.Settings, field);
         if (setup.Settings.RaftLayers > 0 || (!field.StartsLevel && (setup.Settings.SkirtLoops > 0 || setup.Settings.BrimWidth > 0)))
-            problems.Add(Severity.Note, "curved.no_skirt", "Curved layers that do not begin level have no skirt and no brim, and none have a raft.");
+            problems.Add(Severity.Note, "curved.no_skirt", "Curved layers have no raft. If they do not start level, they have no skirt or brim either.");
         var limits = new GapLimits(field, part, setup.Settings, MaxGap(setup));
         var sliced = PlanarSlicer.SliceEach(flat, common, new SliceOptions
         {
@@ -90,7 +90,7 @@ public static class CurvedSlicer
         };
         var layers = Lifted(result.Layers, field, rules, options.Threads, problems, progress.Part(0.75, 1), cancel);
         if (layers.Length == 0 && !problems.HasErrors)
-            problems.Add(Severity.Error, "slice.empty", "Nothing to print: no part of the models lies above the surface, within the plan.");
+            problems.Add(Severity.Error, "slice.empty", "Nothing to print: no part of the models is above the surface and within the plan.");
         if (problems.HasErrors) return new Result<CurvedResult>(null, problems.ToList());
         return new Result<CurvedResult>(new CurvedResult(PatchOrder.Arrange(layers, setup.Printer, problems), field), problems.ToList());
     }
@@ -201,8 +201,8 @@ public static class CurvedSlicer
         if (first is not { } place) return;
         var share = 100.0 * outside / part.Columns.Count;
         problems.Add(options.Partial ? Severity.Warning : Severity.Error, "curved.outside_plan",
-            $"The plan has no height over {NumberFormatter.Format(share, share < 1 ? 2 : 0)} % of the part, first at x {Text(place.X)}, y {Text(place.Y)} mm: "
-            + (options.Partial ? "that is not printed." : "it is smaller than the part, lies beside it, or has a hole."));
+            $"The plan does not cover {NumberFormatter.Format(share, share < 1 ? 2 : 0)} % of the part, first at x {Text(place.X)}, y {Text(place.Y)} mm. "
+            + (options.Partial ? "That area is not printed." : "It is too small, next to the part or has a hole."));
     }
 
     private static void CheckDefined(LayerField field, PartColumns part, DiagnosticList problems)

@@ -6,21 +6,21 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Curved;
 
 /// <summary>
-/// Puts what was made for a level bed onto an object: heights above the bed become heights above the object's surface. For paths from slicing, curves, turtles
-/// and traces.
+/// Projects paths that were made for a flat bed onto an object: heights above the bed become heights above its surface. For paths from slicing, curves,
+/// turtles and traces.
 /// </summary>
 public static class SurfaceProjection
 {
     /// <summary>Projects steps downward onto a surface. Segments are divided until they follow it within <c>curved_tolerance_mm</c>.</summary>
-    /// <param name="steps">Paths, drawn travels and events; events stay as they are.</param>
-    /// <param name="onto">The surface.</param>
-    /// <param name="setup">Tolerance; the head, which limits the slope.</param>
-    /// <param name="squeeze">How much everything is lowered, so that the first extrusions are pressed onto the surface, mm.</param>
-    /// <param name="partial">Leaves out what lies beyond the surface or is too steep, instead of an error.</param>
-    /// <param name="progress">0 to 1.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="steps">Paths, drawn travels and events. Events stay unchanged.</param>
+    /// <param name="onto">Surface to print on.</param>
+    /// <param name="setup">Print settings and printer. The print head limits the slope.</param>
+    /// <param name="squeeze">Distance by which all paths are lowered, to press the first extrusions onto the surface, mm.</param>
+    /// <param name="partial">True leaves out paths that are beyond the surface or too steep, instead of an error.</param>
+    /// <param name="progress">Progress, 0 to 1.</param>
+    /// <param name="cancel">Cancels the call.</param>
     /// <exception cref="ArgumentOutOfRangeException">The squeeze is negative or not finite.</exception>
-    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static Result<IReadOnlyList<Step>> Project(
         IReadOnlyList<Step> steps, PlanSurface onto, PrintSetup setup, double squeeze = 0, bool partial = false,
         IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -28,7 +28,7 @@ public static class SurfaceProjection
         if (steps is null) throw new ArgumentNullException(nameof(steps));
         if (onto is null) throw new ArgumentNullException(nameof(onto));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
-        if (!(squeeze >= 0) || double.IsInfinity(squeeze)) throw new ArgumentOutOfRangeException(nameof(squeeze), "A squeeze is not negative.");
+        if (!(squeeze >= 0) || double.IsInfinity(squeeze)) throw new ArgumentOutOfRangeException(nameof(squeeze), "The squeeze must not be negative.");
         var problems = new DiagnosticList();
         onto.Check(problems);
         if (problems.HasErrors) return new Result<IReadOnlyList<Step>>(null, problems.ToList());

@@ -24,7 +24,7 @@ internal sealed class FieldFormula
         if (compiled.Value is not { } formula) return new Result<FieldFormula>(null, compiled.Diagnostics);
         if (!formula.UsesRandom) return new Result<FieldFormula>(new FieldFormula(formula), compiled.Diagnostics);
         return new Result<FieldFormula>(null, [new Diagnostic(Severity.Error, "formula.random",
-            "The formula of a field draws random numbers; random(seed) has one value for each seed.", source)]);
+            "The formula of the field uses random numbers. Use random(seed), which has one value for each seed.", source)]);
     }
 
     public double At(double x, double y, double z)

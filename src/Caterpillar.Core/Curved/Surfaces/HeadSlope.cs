@@ -3,7 +3,7 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Curved;
 
-/// <summary>The steepest layers that a head can print without touching what lies uphill.</summary>
+/// <summary>Maximum slope of layers that a print head can print without touching the part uphill.</summary>
 internal static class HeadSlope
 {
     /// <summary>Degrees.</summary>

@@ -12,7 +12,7 @@ internal sealed class ImagePlan : PlanSurface
     public ImagePlan(GrayImage image, Bounds box)
     {
         _image = image ?? throw new ArgumentNullException(nameof(image));
-        if (!(box.Size.X > 0 && box.Size.Y > 0)) throw new ArgumentException("The rectangle of a height map needs an area.", nameof(box));
+        if (!(box.Size.X > 0 && box.Size.Y > 0)) throw new ArgumentException("The rectangle of a height map must have an area.", nameof(box));
         _box = box;
     }
 

@@ -35,7 +35,7 @@ internal sealed class MeshPlan(TriMesh mesh) : PlanSurface
     {
         if (mesh.TriangleCount == 0)
         {
-            problems.Add(Severity.Error, "curved.plan_empty", "The plan has no triangles.");
+            problems.Add(Severity.Error, "curved.plan_empty", "The plan has no faces.");
             return;
         }
         if (mesh.IsWatertight) return;
@@ -48,17 +48,17 @@ internal sealed class MeshPlan(TriMesh mesh) : PlanSurface
         }
         if (up == 0 && down == 0)
         {
-            problems.Add(Severity.Error, "curved.plan_vertical", "The plan stands upright: it has no height over the part.");
+            problems.Add(Severity.Error, "curved.plan_vertical", "The plan is vertical: it has no height over the part.");
         }
         else if (up > 0 && down > 0)
         {
             var (a, b, c) = mesh.Triangle(down < up ? firstDown : firstUp);
             var place = (mesh.Vertices[a] + mesh.Vertices[b] + mesh.Vertices[c]) / 3;
-            problems.Add(Severity.Error, "curved.plan_folded", $"The plan is folded over itself, first at {place}: a nozzle from above cannot follow it.");
+            problems.Add(Severity.Error, "curved.plan_folded", $"The plan folds over itself, first at {place}. A nozzle from above cannot follow it.");
         }
         else if (up == 0)
         {
-            problems.Add(Severity.Warning, "curved.plan_upside_down", "The plan faces down; its layers are printed upward all the same.");
+            problems.Add(Severity.Warning, "curved.plan_upside_down", "The plan faces down. Its layers are still printed upward.");
         }
     }
 

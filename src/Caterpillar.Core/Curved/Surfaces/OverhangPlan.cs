@@ -18,7 +18,7 @@ internal sealed class OverhangPlan : PlanSurface
     private readonly int _rows;
     private readonly double[] _distances;
 
-    /// <param name="foot">Where the part stands on the bed.</param>
+    /// <param name="foot">Footprint of the part on the bed.</param>
     /// <param name="bounds">The part.</param>
     /// <param name="degrees">Angle of the layers.</param>
     public OverhangPlan(Region foot, Bounds bounds, double degrees)
@@ -56,7 +56,7 @@ internal sealed class OverhangPlan : PlanSurface
         if (foot.IsEmpty)
         {
             return new Result<PlanSurface>(null, [new Diagnostic(Severity.Error, "curved.nothing_on_bed",
-                "Nothing stands on the bed, from which layers could descend to overhangs.")]);
+                "No part touches the bed, so layers cannot descend from it to the overhangs.")]);
         }
         const double Steep = 45;
         var head = setup.Settings.CurvedMaxSlope > 0 ? setup.Settings.CurvedMaxSlope

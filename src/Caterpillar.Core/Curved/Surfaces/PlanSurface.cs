@@ -5,20 +5,20 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Curved;
 
-/// <summary>A surface that layers follow: one height for each place of the plan, mm. Immutable, for any thread.</summary>
+/// <summary>A surface that layers follow: one height for each (x, y), mm. Immutable and thread-safe.</summary>
 public abstract class PlanSurface
 {
     private protected PlanSurface()
     {
     }
 
-    /// <summary>Height over (x, y), mm; beyond the edge of the surface, where <see cref="Covers"/> is false, it is continued.</summary>
+    /// <summary>Height over (x, y), mm. It continues beyond the edge of the surface, where <see cref="Covers"/> is false.</summary>
     public abstract double Height(double x, double y);
 
-    /// <summary>Whether the surface has a height over (x, y).</summary>
+    /// <summary>True if the surface has a height over (x, y).</summary>
     public virtual bool Covers(double x, double y) => true;
 
-    /// <summary>The surface has no features smaller than this, mm; infinite for a plane.</summary>
+    /// <summary>Minimum feature size, mm. Infinite for a plane.</summary>
     public virtual double Detail => double.PositiveInfinity;
 
     /// <summary>How the height changes with x and with y at a place.</summary>
@@ -32,35 +32,35 @@ public abstract class PlanSurface
     /// <summary>True for a level plane.</summary>
     internal virtual bool IsLevel => false;
 
-    /// <summary>What is wrong with the surface itself: folded, upside down, without triangles.</summary>
+    /// <summary>Reports problems of the surface: folded, upside down, no faces.</summary>
     internal virtual void Check(DiagnosticList problems)
     {
     }
 
-    /// <summary>The surface at another place; the shift in mm.</summary>
+    /// <summary>The surface moved by a vector, mm.</summary>
     public PlanSurface Moved(Vec3 shift) => shift == Vec3.Zero ? this : new MovedPlan(this, shift);
 
-    /// <summary>A level plane.</summary>
+    /// <summary>A level plane at a height in mm.</summary>
     public static PlanSurface Level(double height) => new FunctionPlan((_, _) => height, double.PositiveInfinity, level: true);
 
-    /// <summary>A surface given by a function of x and y, mm.</summary>
-    /// <param name="height">The height, mm; must be callable from any thread.</param>
-    /// <param name="detail">Size of its smallest features in mm; infinite for a plane.</param>
+    /// <summary>A surface from a function of x and y, mm.</summary>
+    /// <param name="height">Height in mm. The function must be thread-safe.</param>
+    /// <param name="detail">Minimum feature size, mm. Infinite for a plane.</param>
     public static PlanSurface Of(Func<double, double, double> height, double detail = double.PositiveInfinity)
         => new FunctionPlan(height ?? throw new ArgumentNullException(nameof(height)), detail);
 
-    /// <summary>The highest faces of a mesh: a surface with edges, or the top of a solid such as a scanned object.</summary>
+    /// <summary>The top faces of a mesh: an open surface, or the top of a solid such as a scanned object.</summary>
     public static PlanSurface Of(TriMesh mesh) => new MeshPlan(mesh ?? throw new ArgumentNullException(nameof(mesh)));
 
-    /// <summary>The top of an object that lies on the bed, and beside it the bed.</summary>
+    /// <summary>The top of an object on the bed, and the bed around it.</summary>
     public static PlanSurface OnBed(TriMesh mesh)
     {
         var surface = Of(mesh);
         return Of((x, y) => surface.Covers(x, y) ? Math.Max(0, surface.Height(x, y)) : 0, surface.Detail);
     }
 
-    /// <summary>A formula in x and y (mm), and in r and theta, the polar coordinates about the origin: <c>10 + 2 * sin(9 * x)</c>.</summary>
-    /// <returns>None with an error that gives the column.</returns>
+    /// <summary>A surface from a formula in x, y, r (mm) and theta (degrees), for example <c>10 + 2 * sin(9 * x)</c>.</summary>
+    /// <returns>The surface, or an error with the column.</returns>
     public static Result<PlanSurface> Formula(string text, SourceLocation? source = null)
     {
         var compiled = FieldFormula.Compile(text, source);
@@ -69,28 +69,28 @@ public abstract class PlanSurface
         return new Result<PlanSurface>(new FunctionPlan((x, y) => formula.At(x, y, 0), detail), compiled.Diagnostics);
     }
 
-    /// <summary>A cone about a vertical axis: layers descend outward by an angle, or rise where it is negative.</summary>
+    /// <summary>A cone about a vertical axis. Layers descend outward by an angle, or rise if it is negative.</summary>
     /// <param name="axis">A point of the axis, mm.</param>
-    /// <param name="degrees">−80 to 80.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The angle is steeper.</exception>
+    /// <param name="degrees">Angle, −80 to 80 degrees.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The angle is out of range.</exception>
     public static PlanSurface Cone(Vec3 axis, double degrees)
     {
-        if (!(Math.Abs(degrees) <= 80)) throw new ArgumentOutOfRangeException(nameof(degrees), "A cone has an angle of at most 80 degrees.");
+        if (!(Math.Abs(degrees) <= 80)) throw new ArgumentOutOfRangeException(nameof(degrees), "The angle of a cone must be at most 80 degrees.");
         var (sin, cos) = Angle.SinCos(degrees);
         return Of((x, y) => -sin / cos * Math.Sqrt((x - axis.X) * (x - axis.X) + (y - axis.Y) * (y - axis.Y)), 5);
     }
 
-    /// <summary>A surface that falls with the distance from where parts stand on the bed, so that overhangs lean on what is printed before them.</summary>
+    /// <summary>A surface that descends with the distance from the footprint of the parts, so that overhangs rest on earlier layers.</summary>
     /// <param name="models">The parts, on the bed.</param>
-    /// <param name="setup">The head limits the angle.</param>
-    /// <param name="degrees">Angle of the layers; null for the least one that makes all overhangs at least 45 degrees steep.</param>
-    /// <returns>None where nothing stands on the bed.</returns>
+    /// <param name="setup">Print settings and printer. The print head limits the angle.</param>
+    /// <param name="degrees">Angle of the layers in degrees. Null = the minimum angle at which all overhangs are at least 45 degrees steep.</param>
+    /// <returns>The surface, or an error if no part touches the bed.</returns>
     public static Result<PlanSurface> AgainstOverhangs(IReadOnlyList<NamedMesh> models, PrintSetup setup, double? degrees = null)
         => OverhangPlan.For(models ?? throw new ArgumentNullException(nameof(models)), setup ?? throw new ArgumentNullException(nameof(setup)), degrees);
 
-    /// <summary>A height map: an image over a rectangle, black the lowest, white the highest; between the middles of its dots smooth (bilinear).</summary>
-    /// <param name="image">Its brightness is the height.</param>
-    /// <param name="box">The place of the image in x and y, and the heights of black and white in z; mm.</param>
+    /// <summary>A height map: an image over a rectangle, black lowest and white highest, interpolated between pixel centers (bilinear).</summary>
+    /// <param name="image">Image whose brightness is the height.</param>
+    /// <param name="box">Position of the image in x and y, and heights of black and white in z, mm.</param>
     /// <exception cref="ArgumentException">The box has no area.</exception>
     public static PlanSurface HeightMap(GrayImage image, Bounds box) => new ImagePlan(image, box);
 

@@ -3,35 +3,35 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Curved;
 
 /// <summary>
-/// Lines on a surface that follow directions, at even distances along the surface: ribs, or infill of <see cref="CurvedOptions.InfillLines"/>.
+/// Evenly spaced lines on a surface that follow directions: ribs, or infill for <see cref="CurvedOptions.InfillLines"/>.
 /// </summary>
 public static class SurfaceLines
 {
-    /// <summary>Lines along a direction field.</summary>
+    /// <summary>Traces lines along a direction field.</summary>
     /// <param name="surface">The surface.</param>
-    /// <param name="plan">Where lines may run, in x and y, mm.</param>
+    /// <param name="plan">Rectangle for the lines in x and y, mm.</param>
     /// <param name="direction">
-    /// The direction at a place in plan, of which X and Y count, with either sign; zero or not finite where there is none: there lines end.
+    /// Returns the direction at a place in plan. Only X and Y count, and the sign does not matter. Lines end where it is zero or not finite.
     /// </param>
-    /// <param name="spacing">Distance of lines, mm, positive. Where directions spread or run together it varies from half of it to twice.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="spacing">Distance between lines in mm, above 0. It varies from half to twice where directions diverge or converge.</param>
+    /// <param name="cancel">Cancels the call.</param>
     /// <exception cref="ArgumentOutOfRangeException">The spacing is not positive.</exception>
-    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static IReadOnlyList<Polyline> Along(
         PlanSurface surface, Bounds plan, Func<Vec3, Vec3> direction, double spacing, CancellationToken cancel = default)
     {
         if (surface is null) throw new ArgumentNullException(nameof(surface));
         if (direction is null) throw new ArgumentNullException(nameof(direction));
-        if (!(spacing > 0) || double.IsInfinity(spacing)) throw new ArgumentOutOfRangeException(nameof(spacing), "A distance must be positive.");
+        if (!(spacing > 0) || double.IsInfinity(spacing)) throw new ArgumentOutOfRangeException(nameof(spacing), "The spacing must be positive.");
         return new EvenLines(surface, plan, direction, spacing).Trace(cancel);
     }
 
-    /// <summary>Lines along the principal curvatures of a surface.</summary>
+    /// <summary>Traces lines along the principal curvatures of a surface.</summary>
     /// <param name="surface">The surface.</param>
-    /// <param name="plan">Where lines may run, in x and y, mm.</param>
-    /// <param name="spacing">Distance of lines, mm, positive.</param>
-    /// <param name="across">False for the direction that bends most, true for the one at right angles to it on the surface.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="plan">Rectangle for the lines in x and y, mm.</param>
+    /// <param name="spacing">Distance between lines in mm, above 0.</param>
+    /// <param name="across">False = the direction of maximum curvature, true = the direction perpendicular to it.</param>
+    /// <param name="cancel">Cancels the call.</param>
     /// <inheritdoc cref="Along(PlanSurface, Bounds, Func{Vec3, Vec3}, double, CancellationToken)"/>
     public static IReadOnlyList<Polyline> AlongCurvature(
         PlanSurface surface, Bounds plan, double spacing, bool across = false, CancellationToken cancel = default)
@@ -40,12 +40,12 @@ public static class SurfaceLines
         return Along(surface, plan, p => PrincipalDirection(surface, p, across), spacing, cancel);
     }
 
-    /// <summary>Lines that run along with curves: everywhere as the nearest piece of them.</summary>
+    /// <summary>Traces lines parallel to curves: each point follows the nearest curve.</summary>
     /// <param name="surface">The surface.</param>
-    /// <param name="plan">Where lines may run, in x and y, mm.</param>
+    /// <param name="plan">Rectangle for the lines in x and y, mm.</param>
     /// <param name="curves">Curves, of which x and y count, mm; at least one of two points.</param>
-    /// <param name="spacing">Distance of lines, mm, positive.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="spacing">Distance between lines in mm, above 0.</param>
+    /// <param name="cancel">Cancels the call.</param>
     /// <inheritdoc cref="Along(PlanSurface, Bounds, Func{Vec3, Vec3}, double, CancellationToken)"/>
     public static IReadOnlyList<Polyline> AlongCurves(
         PlanSurface surface, Bounds plan, IReadOnlyList<Polyline> curves, double spacing, CancellationToken cancel = default)

@@ -3,34 +3,34 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// A circular arc or full circle in any plane, in mm: it starts on the X axis of its frame and turns about the frame's Z axis. The parameter runs from 0 to 1.
+/// A circular arc or full circle in any plane, in mm. It starts on the X axis of its frame and turns about its Z axis. The parameter runs from 0 to 1.
 /// </summary>
 public sealed class ArcCurve : Curve
 {
-    /// <param name="frame">Center and plane; the arc starts in the direction of X.</param>
-    /// <param name="radius">mm.</param>
-    /// <param name="sweep">Degrees, positive from X toward Y; at most a full turn.</param>
+    /// <param name="frame">Center and plane. The arc starts in the X direction.</param>
+    /// <param name="radius">Radius in mm, above 0.</param>
+    /// <param name="sweep">Angle in degrees, positive from X toward Y, at most ±360.</param>
     /// <exception cref="ArgumentException">The radius is not positive, or the sweep is zero, not finite or more than 360°.</exception>
     public ArcCurve(Frame frame, double radius, double sweep = 360)
     {
         if (!(radius > 0) || double.IsInfinity(radius)) throw new ArgumentException("The radius of an arc must be positive.", nameof(radius));
-        if (!(Math.Abs(sweep) <= 360) || sweep == 0) throw new ArgumentException("The sweep of an arc must not be 0 and at most 360 degrees.", nameof(sweep));
+        if (!(Math.Abs(sweep) <= 360) || sweep == 0) throw new ArgumentException("The sweep of an arc must be at most 360 degrees and not 0.", nameof(sweep));
         Finite(frame.Origin, nameof(frame));
         Frame = frame;
         Radius = radius;
         Sweep = sweep;
     }
 
-    /// <summary>Center and plane; the arc starts in the direction of X.</summary>
+    /// <summary>Center and plane. The arc starts in the X direction.</summary>
     public Frame Frame { get; }
 
-    /// <summary>Middle of the circle, mm.</summary>
+    /// <summary>Center, mm.</summary>
     public Vec3 Center => Frame.Origin;
 
-    /// <summary>Distance from the center, mm.</summary>
+    /// <summary>Radius, mm.</summary>
     public double Radius { get; }
 
-    /// <summary>Degrees, positive from the frame's X toward its Y.</summary>
+    /// <summary>Angle in degrees, positive from the X axis of the frame toward its Y axis.</summary>
     public double Sweep { get; }
 
     public override double DomainStart => 0;
@@ -41,7 +41,7 @@ public sealed class ArcCurve : Curve
 
     public override double Length => Radius * Math.Abs(Angle.ToRadians(Sweep));
 
-    /// <summary>A full circle in a horizontal plane, counterclockwise from its point with the largest X.</summary>
+    /// <summary>A full circle in a horizontal plane, counterclockwise from its point with the maximum X.</summary>
     public static ArcCurve Circle(Vec3 center, double radius) => new(Frame.At(center), radius);
 
     public override Vec3 PointAt(double t)
@@ -60,7 +60,7 @@ public sealed class ArcCurve : Curve
         return new ArcCurve(Frame.FromAxes(map.Apply(Center), x, y), Radius * lx, Sweep);
     }
 
-    /// <summary>The same arc as a rational curve of degree 2, a piece for every 90 degrees (Piegl and Tiller, The NURBS Book, 7.3).</summary>
+    /// <summary>The arc as a rational curve of degree 2, with one piece per 90 degrees (Piegl and Tiller, The NURBS Book, 7.3).</summary>
     public NurbsCurve ToNurbs()
     {
         var pieces = Math.Max(1, (int)Math.Ceiling(Math.Abs(Sweep) / 90 - 1e-12));

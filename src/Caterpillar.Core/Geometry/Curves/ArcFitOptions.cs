@@ -1,18 +1,18 @@
 namespace Caterpillar.Geometry;
 
-/// <summary>Options of <see cref="ArcFitter"/>.</summary>
+/// <summary>Options for <see cref="ArcFitter"/>.</summary>
 public sealed record ArcFitOptions
 {
-    /// <summary>Maximum distance in mm between an arc and the vertices and chord midpoints it replaces; also across the plane.</summary>
+    /// <summary>Maximum distance in mm between an arc and the vertices and chord midpoints that it replaces, also normal to the plane.</summary>
     public double Tolerance { get; init; } = 0.02;
 
     /// <summary>Minimum number of segments that an arc replaces.</summary>
     public int MinSegments { get; init; } = 3;
 
-    /// <summary>Maximum radius in mm; flatter runs stay straight.</summary>
+    /// <summary>Maximum radius in mm. Flatter runs stay straight.</summary>
     public double MaxRadius { get; init; } = 2000;
 
-    /// <summary>Maximum sweep of one arc in degrees, at most 350: firmware may read a nearly full turn as none.</summary>
+    /// <summary>Maximum sweep of one arc in degrees, at most 350. Firmware may read a nearly full turn as 0.</summary>
     public double MaxSweep { get; init; } = 330;
 
     /// <exception cref="ArgumentException">A value is out of range.</exception>

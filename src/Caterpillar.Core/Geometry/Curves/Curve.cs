@@ -1,12 +1,12 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// A curve in space, in mm, over an interval of a parameter: <see cref="PolylineCurve"/>, <see cref="ArcCurve"/>,
-/// <see cref="NurbsCurve"/> or several joined (<see cref="PolyCurve"/>). Immutable.
+/// A parametric curve in space, in mm: <see cref="PolylineCurve"/>, <see cref="ArcCurve"/>,
+/// <see cref="NurbsCurve"/> or several joined curves (<see cref="PolyCurve"/>). Immutable.
 /// </summary>
 public abstract class Curve
 {
-    /// <summary>Ends closer than this, in mm, are the same point.</summary>
+    /// <summary>Maximum distance between ends that count as the same point, mm.</summary>
     public const double JoinTolerance = 1e-6;
 
     private protected Curve()
@@ -16,28 +16,28 @@ public abstract class Curve
     /// <summary>Parameter of the start.</summary>
     public abstract double DomainStart { get; }
 
-    /// <summary>Parameter of the end; larger than that of the start.</summary>
+    /// <summary>Parameter of the end, greater than <see cref="DomainStart"/>.</summary>
     public abstract double DomainEnd { get; }
 
     /// <summary>The first point, mm.</summary>
     public Vec3 Start => PointAt(DomainStart);
 
-    /// <summary>The last point, mm; the first one of a closed curve.</summary>
+    /// <summary>The last point, mm. Equal to the first for a closed curve.</summary>
     public Vec3 End => PointAt(DomainEnd);
 
-    /// <summary>True if it ends where it starts, within <see cref="JoinTolerance"/>.</summary>
+    /// <summary>True if the end is at the start, within <see cref="JoinTolerance"/>.</summary>
     public virtual bool IsClosed => Start.DistanceTo(End) <= JoinTolerance;
 
-    /// <summary>The point at a parameter; outside of the domain that of the nearer end.</summary>
+    /// <summary>The point at a parameter, mm. Outside the domain, the nearer end.</summary>
     public abstract Vec3 PointAt(double t);
 
     /// <summary>Length in mm.</summary>
     public virtual double Length => new ArcLength(Spans()).Total;
 
-    /// <summary>The image under an affine map. An arc becomes a NURBS curve if its image is not an arc.</summary>
+    /// <summary>The transformed curve. An arc becomes a NURBS curve if its image is not an arc.</summary>
     public abstract Curve Transformed(Affine map);
 
-    /// <summary>The box around the curve: exact for straight parts and arcs, around the control points for others.</summary>
+    /// <summary>Bounding box in mm: exact for lines and arcs, around the control points for other curves.</summary>
     public abstract Bounds Bounds { get; }
 
     /// <summary>The smooth spans of the curve in order; spans without length are dropped.</summary>
@@ -53,5 +53,5 @@ public abstract class Curve
     private protected double Clamp(double t) => !(t > DomainStart) ? DomainStart : t > DomainEnd ? DomainEnd : t;
 
     private protected static Vec3 Finite(Vec3 point, string name)
-        => point.IsFinite ? point : throw new ArgumentException("A point of a curve is not finite.", name);
+        => point.IsFinite ? point : throw new ArgumentException("The points of a curve must be finite.", name);
 }

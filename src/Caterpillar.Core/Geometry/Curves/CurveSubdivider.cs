@@ -1,14 +1,14 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Turns curves into points. Linear parts (lines, collinear runs of polylines, straight spans of NURBS curves) keep only their end points, curved parts are
-/// divided as requested (Caterpillar 2019, section 4.2). Kinks and the seam of a closed curve are always points.
+/// Turns curves into points. Linear parts (lines, collinear runs of polylines, straight spans of NURBS curves) keep only their end points. Curved parts are
+/// divided by the options (Caterpillar 2019, section 4.2). Kinks and the seam of a closed curve are always points.
 /// </summary>
 public static class CurveSubdivider
 {
     /// <summary>Divides a curve.</summary>
-    /// <exception cref="ArgumentException">The options are out of range, or request nothing.</exception>
-    /// <exception cref="SubdivisionLimitException">They ask for millions of points.</exception>
+    /// <exception cref="ArgumentException">An option is out of range, or no limit is set.</exception>
+    /// <exception cref="SubdivisionLimitException">The options would give too many points.</exception>
     /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static Subdivision Subdivide(Curve curve, SubdivisionOptions options, CancellationToken cancel = default)
     {

@@ -24,7 +24,7 @@ internal sealed class CurvedRun
     /// <param name="spans">The spans, one after the other.</param>
     /// <param name="options">How they are divided.</param>
     /// <param name="mostPoints">More points end in a <see cref="SubdivisionLimitException"/>.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="cancel">Cancels the call.</param>
     public CurvedRun(List<CurveSpan> spans, SubdivisionOptions options, int mostPoints, CancellationToken cancel)
     {
         _options = options;

@@ -1,6 +1,6 @@
 namespace Caterpillar.Geometry;
 
-/// <summary>A straight line from one point to another, in mm; its parameter runs from 0 to 1.</summary>
+/// <summary>A straight line between two points, in mm. The parameter runs from 0 to 1.</summary>
 internal sealed class LineCurve : Curve
 {
     private readonly Vec3 _from;
@@ -25,7 +25,7 @@ internal sealed class LineCurve : Curve
     public override Vec3 PointAt(double t) => Vec3.Lerp(_from, _to, Clamp(t));
 
     /// <inheritdoc/>
-    /// <exception cref="ArgumentException">The map collapses it to a point.</exception>
+    /// <exception cref="ArgumentException">The transform collapses the line to a point.</exception>
     public override Curve Transformed(Affine map) => new LineCurve(map.Apply(_from), map.Apply(_to));
 
     internal override void AddSpans(List<CurveSpan> spans) => spans.Add(CurveSpan.Straight(_from, _to));

@@ -1,8 +1,8 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// A rational B-spline curve of any degree, in mm. Knots are the full vector (control points + degree + 1 of them), clamped or not; the domain lies between the
-/// knots with the numbers degree and count of control points. Weights are positive.
+/// A rational B-spline curve of any degree, in mm. The knot vector is full (control points + degree + 1 knots), clamped or not. The domain is from knot
+/// [degree] to knot [number of control points].
 /// Evaluation is de Boor's algorithm in homogeneous coordinates; Bézier pieces come from its polar form (Ramshaw 1989).
 /// </summary>
 public sealed class NurbsCurve : Curve
@@ -12,12 +12,12 @@ public sealed class NurbsCurve : Curve
     private readonly HomogeneousPoint[] _controls;
     private readonly double[] _knots;
 
-    /// <param name="degree">1 or more.</param>
-    /// <param name="points">Control points in mm, not multiplied with their weights; at least degree + 1.</param>
-    /// <param name="knots">Ascending; control points + degree + 1 of them.</param>
+    /// <param name="degree">Degree, 1 to 64.</param>
+    /// <param name="points">Control points in mm, not multiplied by their weights, at least degree + 1.</param>
+    /// <param name="knots">Knots in ascending order: control points + degree + 1 values.</param>
     /// <param name="weights">A positive weight for each control point, or null for 1.</param>
-    /// <exception cref="ArgumentException">Numbers that do not match or are not finite, knots that descend, break the curve or leave no domain, weights that
-    /// are not positive.</exception>
+    /// <exception cref="ArgumentException">The counts do not match, a value is not finite, the knots are not ascending, break the curve or have an empty
+    /// domain, or a weight is not positive.</exception>
     public NurbsCurve(int degree, IEnumerable<Vec3> points, IEnumerable<double> knots, IEnumerable<double>? weights = null)
     {
         var controls = (points ?? throw new ArgumentNullException(nameof(points))).ToArray();
@@ -37,11 +37,11 @@ public sealed class NurbsCurve : Curve
                 throw new ArgumentException("Knots must be finite and ascending.", nameof(knots));
             }
         }
-        if (!(_knots[degree] < _knots[controls.Length])) throw new ArgumentException("The knots leave no domain.", nameof(knots));
+        if (!(_knots[degree] < _knots[controls.Length])) throw new ArgumentException("The domain of the knots is empty.", nameof(knots));
         for (var i = degree + 1; i + degree < controls.Length; i++)
         {
             if (_knots[i] == _knots[i + degree] && _knots[i] > _knots[degree] && _knots[i] < _knots[controls.Length])
-                throw new ArgumentException("An inner knot repeated more often than the degree breaks the curve.", nameof(knots));
+                throw new ArgumentException("An inner knot that repeats more often than the degree breaks the curve.", nameof(knots));
         }
         _controls = new HomogeneousPoint[controls.Length];
         for (var i = 0; i < controls.Length; i++)
@@ -60,16 +60,16 @@ public sealed class NurbsCurve : Curve
         _knots = knots;
     }
 
-    /// <summary>Degree of its polynomials.</summary>
+    /// <summary>Degree of the curve.</summary>
     public int Degree { get; }
 
-    /// <summary>Control points, not multiplied with their weights.</summary>
+    /// <summary>Control points in mm, not multiplied by their weights.</summary>
     public IReadOnlyList<Vec3> ControlPoints => Array.ConvertAll(_controls, c => c.Point);
 
-    /// <summary>One for each control point.</summary>
+    /// <summary>Weights of the control points.</summary>
     public IReadOnlyList<double> Weights => Array.ConvertAll(_controls, c => c.Weight);
 
-    /// <summary>Control points + degree + 1 of them, ascending.</summary>
+    /// <summary>Knots in ascending order: control points + degree + 1 values.</summary>
     public IReadOnlyList<double> Knots => (double[])_knots.Clone();
 
     public override double DomainStart => _knots[Degree];
@@ -96,7 +96,7 @@ public sealed class NurbsCurve : Curve
         return new NurbsCurve(degree, points, knots, weights);
     }
 
-    /// <summary>A closed smooth curve with uniform knots; the points are given once around.</summary>
+    /// <summary>A smooth closed curve with uniform knots. The first point is not repeated.</summary>
     /// <inheritdoc cref="NurbsCurve(int, IEnumerable{Vec3}, IEnumerable{double}, IEnumerable{double}?)" path="/exception"/>
     public static NurbsCurve Periodic(int degree, IReadOnlyList<Vec3> points, IReadOnlyList<double>? weights = null)
     {

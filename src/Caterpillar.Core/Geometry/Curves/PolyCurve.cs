@@ -1,19 +1,19 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Curves joined end to start; the parameter is the number of the piece plus the share of its domain. Pieces that are joined curves themselves are flattened.
+/// Curves joined end to start. The parameter is the index of the piece plus the fraction of its domain. Nested polycurves are flattened.
 /// </summary>
 public sealed class PolyCurve : Curve
 {
     private readonly Curve[] _pieces;
 
-    /// <param name="pieces">At least one.</param>
+    /// <param name="pieces">The curves, at least one.</param>
     /// <param name="joinTolerance">Maximum gap between the end of one piece and the start of the next, mm.</param>
-    /// <exception cref="ArgumentException">No piece, or a larger gap.</exception>
+    /// <exception cref="ArgumentException">There are no pieces, or a gap is larger.</exception>
     public PolyCurve(IEnumerable<Curve> pieces, double joinTolerance = 1e-3)
     {
         _pieces = (pieces ?? throw new ArgumentNullException(nameof(pieces))).SelectMany(p => p is PolyCurve poly ? poly._pieces : [p]).ToArray();
-        if (_pieces.Length == 0) throw new ArgumentException("A joined curve needs at least one piece.", nameof(pieces));
+        if (_pieces.Length == 0) throw new ArgumentException("A polycurve needs at least one piece.", nameof(pieces));
         for (var i = 1; i < _pieces.Length; i++)
         {
             if (!(_pieces[i - 1].End.DistanceTo(_pieces[i].Start) <= joinTolerance))
@@ -21,7 +21,7 @@ public sealed class PolyCurve : Curve
         }
     }
 
-    /// <summary>In order; each begins where the one before ends.</summary>
+    /// <summary>The pieces in order. Each starts where the previous one ends.</summary>
     public IReadOnlyList<Curve> Pieces => _pieces;
 
     public override double DomainStart => 0;

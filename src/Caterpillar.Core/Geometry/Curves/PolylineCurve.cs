@@ -1,17 +1,17 @@
 namespace Caterpillar.Geometry;
 
-/// <summary>Straight segments through points, in mm; the parameter is the index of the segment plus the fraction of it.</summary>
+/// <summary>A polyline as a curve, in mm. The parameter is the index of the segment plus the fraction along it.</summary>
 public sealed class PolylineCurve : Curve
 {
     private readonly Vec3[] _points;
 
-    /// <exception cref="ArgumentException">Fewer than two points (three if closed), or one that is not finite.</exception>
+    /// <exception cref="ArgumentException">There are fewer than two points (three if closed), or one is not finite.</exception>
     public PolylineCurve(IEnumerable<Vec3> points, bool closed = false)
         : this(new Polyline(points, closed))
     {
     }
 
-    /// <exception cref="ArgumentException">Fewer than two points (three if closed), or one that is not finite.</exception>
+    /// <exception cref="ArgumentException">There are fewer than two points (three if closed), or one is not finite.</exception>
     public PolylineCurve(Polyline polyline)
     {
         Polyline = polyline ?? throw new ArgumentNullException(nameof(polyline));
@@ -20,7 +20,7 @@ public sealed class PolylineCurve : Curve
         foreach (var p in _points) Finite(p, nameof(polyline));
     }
 
-    /// <summary>Its points.</summary>
+    /// <summary>The polyline.</summary>
     public Polyline Polyline { get; }
 
     public override double DomainStart => 0;

@@ -1,7 +1,7 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// A curve as points in mm with straight segments or arcs between them. A closed one does not repeat its first point and has a segment back to it. Immutable.
+/// A curve as points in mm, joined by straight segments or arcs. A closed curve does not repeat its first point and has a closing segment. Immutable.
 /// </summary>
 public sealed class Subdivision
 {
@@ -17,16 +17,16 @@ public sealed class Subdivision
         IsClosed = closed;
     }
 
-    /// <summary>mm; the first is not repeated at the end of a closed curve.</summary>
+    /// <summary>The points, mm. A closed curve does not repeat the first one at the end.</summary>
     public IReadOnlyList<Vec3> Points => _points;
 
-    /// <summary>The last point is joined to the first.</summary>
+    /// <summary>True if the last point is joined to the first.</summary>
     public bool IsClosed { get; }
 
-    /// <summary>Pieces between points.</summary>
+    /// <summary>Number of segments.</summary>
     public int SegmentCount => _linear.Length;
 
-    /// <summary>True if the segment is a linear part of the curve, false if it approximates a piece of a curved part.</summary>
+    /// <summary>True if the segment is a linear part of the curve, false if it approximates a curved part.</summary>
     public bool IsLinear(int segment) => _linear[segment];
 
     /// <summary>End point of a segment.</summary>

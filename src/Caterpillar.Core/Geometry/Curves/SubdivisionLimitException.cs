@@ -2,14 +2,14 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Geometry;
 
-/// <summary>A division asks for more points than can be meant: the distance, tolerance or angle is too small for the curve.</summary>
+/// <summary>A subdivision would give too many points: the distance, tolerance or angle is too small for the curve.</summary>
 internal sealed class SubdivisionLimitException : Exception
 {
-    /// <summary>The most points of one curve.</summary>
+    /// <summary>Maximum number of points of one curve.</summary>
     public const int MaxPoints = 5_000_000;
 
     public SubdivisionLimitException()
-        : base($"The division asks for more than {NumberFormatter.Format(MaxPoints)} points on one curve: use a larger distance, tolerance or angle.")
+        : base($"The subdivision would give one curve more than {NumberFormatter.Format(MaxPoints)} points. Use a larger distance, tolerance or angle.")
     {
     }
 }

@@ -1,37 +1,36 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Options of <see cref="CurveSubdivider"/> for the curved parts of a curve. All requests apply (the finest decides), except that no segment becomes
-/// shorter than
-/// <see cref="MinLength"/>; a curved part between two kinks that is shorter itself becomes one segment.
+/// Options for <see cref="CurveSubdivider"/>, for the curved parts of a curve. The finest of all limits applies, but no segment becomes shorter than
+/// <see cref="MinLength"/>. A curved part between two kinks that is shorter than that becomes one segment.
 /// </summary>
 public sealed record SubdivisionOptions
 {
-    /// <summary>Maximum length of a segment along the curve in mm ("subdivision distance" of Caterpillar 2019, section 4.1); 0 for none.</summary>
+    /// <summary>Maximum length of a segment along the curve in mm ("subdivision distance" of Caterpillar 2019, section 4.1). 0 = no limit.</summary>
     public double Distance { get; init; }
 
-    /// <summary>Maximum distance between curve and segment in mm; 0 for none.</summary>
+    /// <summary>Maximum distance between curve and segment in mm. 0 = no limit.</summary>
     public double ChordTolerance { get; init; }
 
-    /// <summary>Maximum turn of the curve along a segment in degrees; 0 for none.</summary>
+    /// <summary>Maximum turn of the curve along a segment in degrees. 0 = no limit.</summary>
     public double Angle { get; init; }
 
-    /// <summary>Minimum length of a segment of a curved part, mm; takes precedence over the other requests. 0 for none.</summary>
+    /// <summary>Minimum length of a segment of a curved part, mm. Takes precedence over the other limits. 0 = no limit.</summary>
     public double MinLength { get; init; }
 
-    /// <summary>Maximum length of a segment of a curved part, mm; 0 for none.</summary>
+    /// <summary>Maximum length of a segment of a curved part, mm. 0 = no limit.</summary>
     public double MaxLength { get; init; }
 
-    /// <summary>True divides every curved part evenly; false uses the full step and leaves a shorter last segment.</summary>
+    /// <summary>True divides every curved part evenly. False uses the full step, with a shorter last segment.</summary>
     public bool EqualDivision { get; init; } = true;
 
     /// <summary>True keeps arcs in horizontal planes as arcs (full circles as two halves).</summary>
     public bool KeepArcs { get; init; }
 
-    /// <summary>Parts that deviate less than this from their chord count as straight, mm.</summary>
+    /// <summary>Maximum deviation from the chord of parts that count as straight, mm.</summary>
     public double LinearTolerance { get; init; } = 1e-5;
 
-    /// <summary>A larger jump of the direction, in degrees, is a kink: always a vertex.</summary>
+    /// <summary>Minimum change of direction of a kink, in degrees. Kinks always become vertices.</summary>
     public double KinkAngle { get; init; } = 0.5;
 
     /// <summary>Division by distance along the curve, mm.</summary>
@@ -40,7 +39,7 @@ public sealed record SubdivisionOptions
     /// <summary>Division by the distance between curve and chord, mm.</summary>
     public static SubdivisionOptions ByTolerance(double tolerance) => new() { ChordTolerance = tolerance };
 
-    /// <exception cref="ArgumentException">A value is negative or not finite, nothing is requested, or the lengths contradict each other.</exception>
+    /// <exception cref="ArgumentException">A value is negative or not finite, no limit is set, or the lengths contradict each other.</exception>
     internal void Check()
     {
         foreach (var value in new[] { Distance, ChordTolerance, Angle, MinLength, MaxLength, LinearTolerance, KinkAngle })
@@ -52,6 +51,6 @@ public sealed record SubdivisionOptions
         {
             throw new ArgumentException("A subdivision needs a distance, a tolerance, an angle or a maximum length.");
         }
-        if (MaxLength > 0 && MinLength > MaxLength) throw new ArgumentException("The minimum length of a segment is above the maximum.");
+        if (MaxLength > 0 && MinLength > MaxLength) throw new ArgumentException("The minimum segment length must not exceed the maximum.");
     }
 }

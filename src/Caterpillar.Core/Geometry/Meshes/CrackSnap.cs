@@ -31,10 +31,10 @@ internal static class CrackSnap
         var closed = builder.ToMesh();
         if (closed.OpenEdgeCount >= mesh.OpenEdgeCount) return mesh;
         diagnostics.Add(Severity.Warning, "mesh.snapped",
-            $"Cracks were closed by moving vertices on open edges together, at most {NumberFormatter.Format(snap, 9)} mm.", source, moved);
+            $"A vertex on a naked edge was moved by up to {NumberFormatter.Format(snap, 9)} mm to close a crack.", source, moved);
         if (builder.Degenerate > 0)
         {
-            diagnostics.Add(Severity.Note, "mesh.degenerate_faces", "Triangles with two equal vertices are ignored.", source, builder.Degenerate);
+            diagnostics.Add(Severity.Note, "mesh.degenerate_faces", "A face with two equal vertices is ignored.", source, builder.Degenerate);
         }
         return closed;
     }

@@ -89,22 +89,22 @@ internal sealed class MeshBuilder
         return TriMesh.Own(MeshCleaning.DropUnused(_vertices ?? _welder.ToArray(), _triangles), _triangles);
     }
 
-    /// <summary>The mesh as read from a file: also without duplicate triangles, with reports of what was dropped and what is open.</summary>
+    /// <summary>The mesh as read from a file, also without duplicate triangles. Reports dropped triangles and naked edges.</summary>
     public TriMesh ToMesh(string name, bool closeCracks, DiagnosticList diagnostics)
     {
         var source = new SourceLocation(name);
         if (NotFinite > 0)
         {
             diagnostics.Add(Severity.Warning, "mesh.not_finite",
-                "Faces with a coordinate that is not finite (or beyond 1e9 mm) are ignored.", source, NotFinite);
+                "A face with a coordinate that is not finite or beyond 1e9 mm is ignored.", source, NotFinite);
         }
         var mesh = ToMesh();
         var degenerate = Degenerate + MeshCleaning.CountFlat(mesh);
         if (degenerate > 0)
         {
             diagnostics.Add(Severity.Note, "mesh.degenerate_faces",
-                Degenerate == 0 ? "Triangles without area."
-                    : $"Triangles without area, {NumberFormatter.Format(Degenerate)} of them with two equal vertices: those are ignored.",
+                Degenerate == 0 ? "A face has no area."
+                    : $"A face has no area. Faces ignored because two vertices are equal: {NumberFormatter.Format(Degenerate)}.",
                 source, degenerate);
         }
         if (mesh.TriangleCount == 0) return mesh;

@@ -57,7 +57,7 @@ internal static class MeshCleaning
         }
         var dropped = (triangles.Length - kept.Count) / 3;
         if (dropped == 0) return mesh;
-        diagnostics.Add(Severity.Note, "mesh.duplicate_faces", "Duplicate triangles are used once.", source, dropped);
+        diagnostics.Add(Severity.Note, "mesh.duplicate_faces", "A duplicate face was removed.", source, dropped);
         return TriMesh.Own(mesh.RawVertices, kept.ToArray());
     }
 
@@ -67,15 +67,15 @@ internal static class MeshCleaning
         var topology = mesh.Topology;
         if (topology.OpenEdges > 0)
         {
-            diagnostics.Add(Severity.Note, "mesh.naked_edges", "The surface is open: there are edges with only one triangle.", source, topology.OpenEdges);
+            diagnostics.Add(Severity.Note, "mesh.naked_edges", "The mesh is open: an edge has only one face (naked edge).", source, topology.OpenEdges);
         }
         if (topology.NonManifoldEdges > 0)
         {
-            diagnostics.Add(Severity.Note, "mesh.non_manifold_edges", "There are edges with more than two triangles.", source, topology.NonManifoldEdges);
+            diagnostics.Add(Severity.Note, "mesh.non_manifold_edges", "An edge has more than two faces.", source, topology.NonManifoldEdges);
         }
         if (topology.WindingConflicts > 0)
         {
-            const string Message = "There are edges between a triangle and one that is inside out.";
+            const string Message = "The normals of two neighboring faces disagree: one face is inside out.";
             diagnostics.Add(Severity.Note, "mesh.winding_conflicts", Message, source, topology.WindingConflicts);
         }
     }

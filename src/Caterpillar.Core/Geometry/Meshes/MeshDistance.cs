@@ -182,5 +182,5 @@ internal sealed class MeshDistance
 /// <param name="Point">mm.</param>
 /// <param name="Distance">mm; negative on the side away from the normals.</param>
 /// <param name="Normal">Unit normal of the mesh there.</param>
-/// <param name="OnRim">The point lies on the edge of an open mesh.</param>
+/// <param name="OnRim">True if the point is on a naked edge.</param>
 internal readonly record struct NearestOnMesh(Vec3 Point, double Distance, Vec3 Normal, bool OnRim);

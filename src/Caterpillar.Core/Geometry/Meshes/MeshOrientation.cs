@@ -21,10 +21,10 @@ internal static class MeshOrientation
         }
         if (turned > 0)
         {
-            diagnostics.Add(Severity.Warning, "mesh.flipped_faces", "Triangles that were inside out relative to their neighbors were flipped.", source, turned);
+            diagnostics.Add(Severity.Warning, "mesh.flipped_faces", "A face was inside out relative to its neighbors and was flipped.", source, turned);
         }
         if (!result.IsWatertight || result.Volume >= 0) return result;
-        diagnostics.Add(Severity.Warning, "mesh.inside_out", "The mesh was inside out: all triangles were flipped.", source);
+        diagnostics.Add(Severity.Warning, "mesh.inside_out", "The mesh was inside out. All faces were flipped.", source);
         return Flipped(result, null);
     }
 

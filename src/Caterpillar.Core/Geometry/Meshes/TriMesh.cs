@@ -1,12 +1,12 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// A surface of triangles, indexed; lengths in mm. Vertices with equal coordinates are one vertex (−0.0 = 0.0), every vertex is used, and no triangle
-/// has a vertex twice. Triangles run counterclockwise seen from outside. Immutable.
+/// An indexed triangle mesh in mm. Equal vertices are merged (−0.0 = 0.0), every vertex is used, and no triangle has the same vertex twice. Triangles are
+/// counterclockwise seen from outside. Immutable.
 /// </summary>
 public sealed class TriMesh
 {
-    /// <summary>Largest coordinate of a vertex, mm.</summary>
+    /// <summary>Maximum coordinate of a vertex, mm.</summary>
     public const double MaxCoordinate = 1e9;
 
     private readonly Vec3[] _vertices;
@@ -24,21 +24,21 @@ public sealed class TriMesh
     }
 
     /// <summary>
-    /// A mesh from points and triples of point numbers. Equal points are merged, unused ones and triangles with a repeated point are dropped.
+    /// A mesh from points (mm) and three point indices per triangle. Equal points are merged. Unused points and triangles with a repeated point are dropped.
     /// </summary>
-    /// <exception cref="ArgumentException">A number is out of range, the numbers are no triples, or a point is not finite or beyond <see
+    /// <exception cref="ArgumentException">An index is out of range, the number of indices is not a multiple of three, or a point is not finite or beyond <see
     /// cref="MaxCoordinate"/>.</exception>
     public static TriMesh Create(IReadOnlyList<Vec3> points, IReadOnlyList<int> triangles)
     {
         if (points is null) throw new ArgumentNullException(nameof(points));
         if (triangles is null) throw new ArgumentNullException(nameof(triangles));
-        if (triangles.Count % 3 != 0) throw new ArgumentException("Triangles need three numbers each.", nameof(triangles));
+        if (triangles.Count % 3 != 0) throw new ArgumentException("Each triangle needs three indices.", nameof(triangles));
         var builder = new MeshBuilder(points.Count, triangles.Count / 3);
         var ids = new int[points.Count];
         for (var i = 0; i < ids.Length; i++)
         {
             ids[i] = builder.AddVertex(points[i].X, points[i].Y, points[i].Z);
-            if (ids[i] < 0) throw new ArgumentException($"Point {points[i]} is not finite or too far out.", nameof(points));
+            if (ids[i] < 0) throw new ArgumentException($"Point {points[i]} is not finite or beyond 1e9 mm.", nameof(points));
         }
         for (var i = 0; i < triangles.Count; i++)
         {
@@ -48,13 +48,13 @@ public sealed class TriMesh
         return builder.ToMesh();
     }
 
-    /// <summary>A mesh without triangles.</summary>
+    /// <summary>The empty mesh.</summary>
     public static TriMesh Empty { get; } = new([], []);
 
     /// <summary>The vertices, mm.</summary>
     public IReadOnlyList<Vec3> Vertices => _vertices;
 
-    /// <summary>Three vertex numbers for each triangle.</summary>
+    /// <summary>Three vertex indices per triangle.</summary>
     public IReadOnlyList<int> Indices => _triangles;
 
     /// <summary>Number of vertices.</summary>
@@ -63,16 +63,16 @@ public sealed class TriMesh
     /// <summary>Number of triangles.</summary>
     public int TriangleCount => _triangles.Length / 3;
 
-    /// <summary>Box of the vertices, mm.</summary>
+    /// <summary>Bounding box, mm.</summary>
     public Bounds Bounds { get; }
 
-    /// <summary>Vertex numbers of a triangle.</summary>
+    /// <summary>Vertex indices of a triangle.</summary>
     public (int A, int B, int C) Triangle(int index) => (_triangles[3 * index], _triangles[3 * index + 1], _triangles[3 * index + 2]);
 
-    /// <summary>Outward unit normal of a triangle; zero if it has no area.</summary>
+    /// <summary>Outward unit normal of a triangle. Zero if it has no area.</summary>
     public Vec3 Normal(int index) => Cross(3 * index).Unit();
 
-    /// <summary>Area of the surface in mm².</summary>
+    /// <summary>Surface area, mm².</summary>
     public double Area
     {
         get
@@ -84,31 +84,31 @@ public sealed class TriMesh
     }
 
     /// <summary>
-    /// Signed volume in mm³ (divergence theorem): positive for a closed mesh whose triangles face outward; overlaps count twice. For an open mesh
-    /// only a sum.
+    /// Signed volume in mm³ (divergence theorem), positive for a closed mesh whose triangles face outward. Overlaps count twice. Not meaningful for an open
+    /// mesh.
     /// </summary>
     public double Volume => _volume.Value;
 
-    /// <summary>Edges that belong to one triangle only.</summary>
+    /// <summary>Number of naked edges, which have only one triangle.</summary>
     public int OpenEdgeCount => Topology.OpenEdges;
 
-    /// <summary>Edges that belong to more than two triangles.</summary>
+    /// <summary>Number of edges with more than two triangles.</summary>
     public int NonManifoldEdgeCount => Topology.NonManifoldEdges;
 
-    /// <summary>Edges whose two triangles run along them in the same direction: one of the two is inside out.</summary>
+    /// <summary>Number of edges whose two triangles have opposite normals: one of them is inside out.</summary>
     public int WindingConflictCount => Topology.WindingConflicts;
 
-    /// <summary>True if every edge has two triangles with opposite directions. Bodies may still intersect.</summary>
+    /// <summary>True if every edge has two triangles with consistent normals. Bodies may still intersect.</summary>
     public bool IsWatertight => Topology.IsWatertight && _triangles.Length > 0;
 
-    /// <summary>The image of the mesh. A mirroring map flips the triangles, so that they still face outward.</summary>
-    /// <exception cref="ArgumentException">The map flattens space, is not finite, or moves a vertex beyond <see cref="MaxCoordinate"/>.</exception>
+    /// <summary>The transformed mesh. Mirroring flips the triangles, so that they still face outward.</summary>
+    /// <exception cref="ArgumentException">The transform is singular, not finite, or moves a vertex beyond <see cref="MaxCoordinate"/>.</exception>
     public TriMesh Transformed(Affine map)
     {
         var determinant = map.Determinant;
-        if (!(Math.Abs(determinant) > 0)) throw new ArgumentException("The map flattens space or is not finite.", nameof(map));
+        if (!(Math.Abs(determinant) > 0)) throw new ArgumentException("The transform is singular or not finite.", nameof(map));
         var builder = new MeshBuilder(_vertices.Length, TriangleCount);
-        if (!builder.Append(this, map)) throw new ArgumentException("The map moves a vertex too far out.", nameof(map));
+        if (!builder.Append(this, map)) throw new ArgumentException("The transform moves a vertex beyond 1e9 mm.", nameof(map));
         return builder.ToMesh().WithEdgesOf(this);
     }
 
@@ -167,7 +167,7 @@ public sealed class TriMesh
         return welder is null || welder.Count == near;
     }
 
-    /// <summary>Several meshes as one; vertices with equal coordinates become one.</summary>
+    /// <summary>Several meshes merged into one. Equal vertices are merged.</summary>
     public static TriMesh Merge(IEnumerable<TriMesh> meshes)
     {
         var all = (meshes ?? throw new ArgumentNullException(nameof(meshes))).ToArray();

@@ -3,7 +3,7 @@ namespace Caterpillar.Geometry;
 /// <summary>The nearest point of a triangle, by the regions of its corners, edges and face (Ericson, "Real-Time Collision Detection", section 5.1.5).</summary>
 internal static class TriangleDistance
 {
-    /// <summary>The point and its barycentric coordinates, 0 where it lies on the opposite side.</summary>
+    /// <summary>The point and its barycentric coordinates, 0 if it is on the opposite side.</summary>
     public static (Vec3 Point, double U, double V, double W) Nearest(Vec3 p, Vec3 a, Vec3 b, Vec3 c)
     {
         Vec3 ab = b - a, ac = c - a, ap = p - a;

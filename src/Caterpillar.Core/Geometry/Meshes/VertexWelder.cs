@@ -31,7 +31,7 @@ internal sealed class VertexWelder
         return Add(x, y, z, Hash(x, y, z));
     }
 
-    /// <summary>The same where the hash is at hand; −0.0 has to be 0.0.</summary>
+    /// <summary>The same with a known hash. −0.0 must be 0.0.</summary>
     public int Add(double x, double y, double z, ulong hash)
     {
         var mask = _slots.Length - 1;
@@ -55,7 +55,7 @@ internal sealed class VertexWelder
         return _points;
     }
 
-    /// <summary>Bits that depend on all coordinates, equal for equal points; −0.0 has to be 0.0.</summary>
+    /// <summary>A hash of all coordinates, equal for equal points. −0.0 must be 0.0.</summary>
     public static ulong Hash(double x, double y, double z)
     {
         unchecked

@@ -69,7 +69,7 @@ internal static class HatchScanner
                 along[n] = x * cos + y * sin;
                 across[n] = Math.Floor((y * cos - x * sin) * PerStep + 0.5) / PerStep;
                 var k = Math.Ceiling((across[n] - phase) / spacing);
-                if (!(Math.Abs(k) < MaxRows)) throw new ArgumentException("More than 10 million rows.", nameof(spacing));
+                if (!(Math.Abs(k) < MaxRows)) throw new ArgumentException("The spacing would give more than 10 million rows.", nameof(spacing));
                 row[n] = (int)k;
                 low = Math.Min(low, row[n]);
                 high = Math.Max(high, row[n]);

@@ -1,9 +1,9 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// A flat area with holes, bounded by closed contours that do not cross: outers counterclockwise, holes clockwise; they may touch at vertices.
-/// Coordinates are mm in the interface and integers of 10 nm internally, so all decisions are exact; |coordinate| ≤ 5368.709 mm. Z is ignored and
-/// returned as 0. Immutable and thread-safe.
+/// A planar area with holes, bounded by closed contours that do not cross but may touch at vertices. Outlines run counterclockwise, holes clockwise.
+/// Coordinates are in mm, within ±5368.709. Internally they are integers of 10 nm, so that all operations are robust. Z is ignored and returned as 0.
+/// Immutable and thread-safe.
 /// </summary>
 public sealed class Region
 {
@@ -15,16 +15,16 @@ public sealed class Region
 
     private Region(GridPoint[][] paths) => _paths = paths;
 
-    /// <summary>Nothing.</summary>
+    /// <summary>The empty region.</summary>
     public static Region Empty { get; } = new(Array.Empty<GridPoint[]>());
 
     /// <summary>
-    /// The area inside contours, each taken as closed. Crossings, overlaps, spikes and repeated points are resolved by the rule; vertices within about 15 nm of
-    /// another edge are snapped to it; contours of fewer than three points or without area give nothing.
+    /// The area inside contours, all of which count as closed. The fill rule resolves crossings and overlaps; spikes and repeated points are removed. Vertices
+    /// within about 15 nm of another edge snap to it. Contours with fewer than three points or without area are ignored.
     /// </summary>
     /// <param name="contours">Contours in mm, in any order.</param>
-    /// <param name="rule">Which winding numbers are inside.</param>
-    /// <param name="closeHoles">Drop all holes: the outermost outlines remain, filled.</param>
+    /// <param name="rule">Winding numbers that count as inside.</param>
+    /// <param name="closeHoles">True removes all holes and keeps the filled outer outlines.</param>
     /// <exception cref="ArgumentException">A coordinate is not a number or beyond ±5368.709 mm.</exception>
     public static Region From(IEnumerable<Polyline> contours, FillRule rule = FillRule.NonZero, bool closeHoles = false)
     {
@@ -53,7 +53,7 @@ public sealed class Region
         return From(new[] { contour }, rule);
     }
 
-    /// <summary>A rectangle with sides along X and Y, in mm; empty when it has no area.</summary>
+    /// <summary>A rectangle along X and Y, mm. Empty if it has no area.</summary>
     /// <exception cref="ArgumentException">A coordinate is not a number or beyond ±5368.709 mm.</exception>
     public static Region Rectangle(double minX, double minY, double maxX, double maxY)
     {
@@ -63,10 +63,10 @@ public sealed class Region
         return new Region(new[] { new[] { new GridPoint(x0, y0), new GridPoint(x1, y0), new GridPoint(x1, y1), new GridPoint(x0, y1) } });
     }
 
-    /// <summary>It has no area.</summary>
+    /// <summary>True if the region has no area.</summary>
     public bool IsEmpty => _paths.Length == 0;
 
-    /// <summary>Area in mm², without holes.</summary>
+    /// <summary>Area in mm², not counting holes.</summary>
     public double Area
     {
         get
@@ -77,7 +77,7 @@ public sealed class Region
         }
     }
 
-    /// <summary>Length in mm of all contours.</summary>
+    /// <summary>Total length of all contours, mm.</summary>
     public double Perimeter
     {
         get
@@ -97,7 +97,7 @@ public sealed class Region
         }
     }
 
-    /// <summary>Box in mm, with Z 0.</summary>
+    /// <summary>Bounding box in mm, at Z = 0.</summary>
     public Bounds Bounds
     {
         get
@@ -108,7 +108,7 @@ public sealed class Region
         }
     }
 
-    /// <summary>The contours in mm, closed, at Z 0: outers counterclockwise, holes clockwise.</summary>
+    /// <summary>The closed contours in mm at Z = 0: outlines counterclockwise, holes clockwise.</summary>
     public IReadOnlyList<Polyline> Contours
     {
         get
@@ -121,14 +121,14 @@ public sealed class Region
     }
 
     /// <summary>
-    /// The connected pieces: for each the outer contour first, then its holes; in the order of the outers. An island within a hole is a piece of its own.
+    /// The connected pieces, in the order of their outlines. Each has its outline first, then its holes. An island in a hole is a piece of its own.
     /// </summary>
     public IReadOnlyList<Region> Islands => _islands ?? Interlocked.CompareExchange(ref _islands, IslandFinder.Split(this), null) ?? _islands!;
 
-    /// <summary>True if the point (mm) lies inside or within 5 nm of the boundary.</summary>
+    /// <summary>True if the point (mm) is inside or within 5 nm of the boundary.</summary>
     public bool Contains(double x, double y) => Index.Contains(x * Grid.PerMm, y * Grid.PerMm);
 
-    /// <summary>True if the whole straight line from a to b (mm) lies inside; the boundary is inside.</summary>
+    /// <summary>True if the whole straight line from a to b (mm) is inside. The boundary counts as inside.</summary>
     /// <exception cref="ArgumentException">A coordinate is not a number or beyond ±5368.709 mm.</exception>
     public bool ContainsLine(Vec3 a, Vec3 b)
     {
@@ -137,7 +137,7 @@ public sealed class Region
         return !IsEmpty && new PolylineClipper(Index, outside: false).IsWhole(a, b);
     }
 
-    /// <summary>Without islands and holes whose contour encloses less than an area in mm².</summary>
+    /// <summary>The region without islands and holes whose contour encloses less than <paramref name="area"/> mm².</summary>
     /// <exception cref="ArgumentException">The area is negative or not a number.</exception>
     public Region WithoutSmallContours(double area)
     {
@@ -146,13 +146,13 @@ public sealed class Region
         return Own(Array.FindAll(_paths, path => Math.Abs((double)Grid.DoubleArea(path, 0, path.Length)) >= 2 * area * Grid.PerMm * Grid.PerMm));
     }
 
-    /// <summary>The area in this region or the other.</summary>
+    /// <summary>The area in either region.</summary>
     public Region Union(Region other) => this.Union(other, new RegionEngine());
 
-    /// <summary>The area in both.</summary>
+    /// <summary>The area in both regions.</summary>
     public Region Intersect(Region other) => this.Intersect(other, new RegionEngine());
 
-    /// <summary>The area in this region and not in the other.</summary>
+    /// <summary>The area in this region but not in the other.</summary>
     public Region Subtract(Region other) => this.Subtract(other, new RegionEngine());
 
     /// <summary>The area in any of the regions, in one pass.</summary>
@@ -182,21 +182,20 @@ public sealed class Region
     }
 
     /// <summary>
-    /// All points within a distance of the region, or, for a negative distance, all points of the region that are farther than that from the boundary. Corners
-    /// that are convex toward the offset get a join; the others are exact. Raw offset curve, then union by positive winding numbers (Chen and McMains, "Polygon
-    /// offsetting by computing winding numbers", 2005).
+    /// The region grown or shrunk by a distance. Corners that open up get a join; the others are exact. Raw offset curve, then union by positive winding
+    /// numbers (Chen and McMains, "Polygon offsetting by computing winding numbers", 2005).
     /// </summary>
-    /// <param name="distance">mm; positive grows, negative shrinks.</param>
-    /// <param name="join">The join at corners.</param>
-    /// <param name="miterLimit">Miter limit, in distances; at least 1. Longer ones are cut square.</param>
-    /// <param name="arcTolerance">Maximum deviation, in mm, of the chords of round joins from the arc; positive.</param>
-    /// <exception cref="ArgumentException">A parameter is not a number or out of its range, or the result would leave the grid.</exception>
+    /// <param name="distance">Distance in mm: positive grows, negative shrinks.</param>
+    /// <param name="join">Join style at corners.</param>
+    /// <param name="miterLimit">Miter limit as a multiple of the distance, at least 1. Longer miters are cut square.</param>
+    /// <param name="arcTolerance">Maximum deviation of the chords of round joins from the arc, in mm, above 0.</param>
+    /// <exception cref="ArgumentException">A parameter is not a number or out of range, or the result exceeds ±5368.709 mm.</exception>
     public Region Offset(double distance, JoinStyle join = JoinStyle.Miter, double miterLimit = 2, double arcTolerance = 0.005)
         => this.Offset(distance, join, miterLimit, arcTolerance, new RegionEngine());
 
     /// <summary>
-    /// The parts of lines inside the region (or, with <paramref name="outside"/>, outside it). The boundary is inside. Original points and Z stay; new
-    /// points are placed on the boundary, with Z interpolated. A closed polyline that is not cut stays closed; cut ones are open.
+    /// The parts of lines inside the region (or, with <paramref name="outside"/>, outside it). The boundary counts as inside. Original points keep their Z. New
+    /// points are on the boundary, with interpolated Z. A closed polyline stays closed unless it is cut.
     /// </summary>
     /// <exception cref="ArgumentException">A coordinate is not a number or beyond ±5368.709 mm.</exception>
     public IReadOnlyList<Polyline> ClipLines(IEnumerable<Polyline> lines, bool outside = false)
@@ -213,11 +212,11 @@ public sealed class Region
     }
 
     /// <summary>
-    /// The parts inside the region of parallel lines, sorted by row and along the row. A line that runs along a boundary follows the half-open rule: it
-    /// is inside if the region lies on its left.
+    /// The parts of parallel lines inside the region, sorted by row and along the row. A line along a boundary is inside if the region is on its left.
+    /// (The half-open rule.)
     /// </summary>
     /// <param name="angle">Direction of the lines, degrees counterclockwise from +X.</param>
-    /// <param name="spacing">Distance of the lines in mm, positive.</param>
+    /// <param name="spacing">Distance between lines in mm, above 0.</param>
     /// <param name="phase">Distance of row 0 from the origin in mm, positive to the left of the direction.</param>
     /// <exception cref="ArgumentException">A parameter is not a number, the spacing is not positive, or there would be more than 10 million rows.</exception>
     public IReadOnlyList<HatchLine> HatchLines(double angle, double spacing, double phase = 0) => HatchScanner.Scan(_paths, angle, spacing, phase);

@@ -107,7 +107,7 @@ internal static class RegionNeighbors
         return true;
     }
 
-    /// <summary>Whether a small region neither touches this one nor lies in it or around a piece of it.</summary>
+    /// <summary>True if a small region neither touches this one nor is inside it or around a piece of it.</summary>
     public static bool IsApartFrom(this Region region, Region small)
     {
         var box = small.Box;

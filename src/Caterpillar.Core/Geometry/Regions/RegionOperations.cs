@@ -13,7 +13,7 @@ internal static class RegionOperations
     public static Region Intersect(this Region region, IReadOnlyList<Region> others, RegionEngine engine)
         => Combine([region], others, InsideRule.Intersection, engine);
 
-    /// <summary>What the rule says of the regions of two operands, in one pass.</summary>
+    /// <summary>Combines the regions of two operands by the rule, in one pass.</summary>
     public static Region Combine(IReadOnlyList<Region> first, IReadOnlyList<Region> second, InsideRule rule, RegionEngine engine)
     {
         engine.Clear();
@@ -36,7 +36,7 @@ internal static class RegionOperations
             var narrow = Math.Min((double)box.MaxX - box.MinX, (double)box.MaxY - box.MinY) <= 2 * Math.Abs(d);
             // An outline narrower than two distances vanishes with its content; so does a hole that is filled.
             if (narrow && Grid.DoubleArea(path, 0, path.Length) > 0 == d < 0) continue;
-            if (Reach(box) + curve.Reach > Grid.Limit) throw new ArgumentException("The offset would leave ±5368.709 mm.", nameof(distance));
+            if (Reach(box) + curve.Reach > Grid.Limit) throw new ArgumentException("The offset region would exceed ±5368.709 mm.", nameof(distance));
             curve.Build(path);
             engine.Arrangement.Add(curve.Points, 0, curve.Count, 0);
         }

@@ -43,7 +43,7 @@ internal sealed class BoundarySampler
     private readonly BoundarySample[] _touches;
 
     /// <param name="grid">The edges.</param>
-    /// <param name="step">Distance of neighbors where the thickness is not even, mm.</param>
+    /// <param name="step">Distance of neighbors at uneven thickness, mm.</param>
     /// <param name="limit">Discs of this radius and above are infinite, mm.</param>
     /// <param name="wanted">Edges that need discs; the ends of the others have infinite ones. Null for all.</param>
     public BoundarySampler(SegmentGrid grid, double step, double limit, bool[]? wanted)

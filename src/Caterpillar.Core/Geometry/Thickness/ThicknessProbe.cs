@@ -19,9 +19,9 @@ internal sealed class ThicknessProbe(SegmentGrid grid)
 
     /// <param name="point">A point of the boundary.</param>
     /// <param name="normal">Unit vector to the inside.</param>
-    /// <param name="edge">The edge that the point lies on.</param>
+    /// <param name="edge">The edge of the point.</param>
     /// <param name="other">The other edge at it where it is a vertex, else the same.</param>
-    /// <param name="limit">Discs of this radius (mm) and above are not told apart.</param>
+    /// <param name="limit">Maximum radius of discs that are distinguished, mm.</param>
     public InnerDisc At(Vec3 point, Vec3 normal, int edge, int other, double limit)
     {
         // What a disc of the limit can touch; the cells give some more.

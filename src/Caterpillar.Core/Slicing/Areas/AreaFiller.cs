@@ -11,22 +11,22 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
     private readonly PrintSettings _settings = rules.Settings;
 
     /// <summary>Adds the steps.</summary>
-    /// <param name="areas">What is filled, and how.</param>
+    /// <param name="areas">Areas by their fill.</param>
     /// <param name="thick">Part of the infill that is printed here for several layers at once, or left to a layer above.</param>
     public void Fill(IslandAreas areas, ThickInfill thick)
     {
-        var skin = _settings.SolidInfillAngle + (layer.Index % 2 == 0 ? 0 : 90);
+        var angle = _settings.SolidInfillAngle + (layer.Index % 2 == 0 ? 0 : 90);
         foreach (var bridge in areas.Bridges) Solid(bridge.Area, Role.Bridge, InfillPattern.Lines, bridge.Angle, StepRank.Bottom);
-        Solid(areas.Bottom, Role.BottomSurface, _settings.BottomPattern, skin, StepRank.Bottom);
-        var closed = areas.Solid;
+        Solid(areas.Bottom, Role.BottomSurface, _settings.BottomPattern, angle, StepRank.Bottom);
+        var solid = areas.Solid;
         foreach (var bridge in InfillBridges.Find(layer, rules, areas.Solid, tools.Engine))
         {
             Solid(bridge.Area, Role.Bridge, InfillPattern.Lines, bridge.Angle, StepRank.Solid, overInfill: true);
-            closed = closed.Subtract(bridge.Area, tools.Engine);
+            solid = solid.Subtract(bridge.Area, tools.Engine);
         }
-        Solid(closed, Role.SolidInfill, InfillPattern.Lines, skin, StepRank.Solid);
-        Solid(areas.Top, Role.TopSurface, _settings.TopPattern, skin, StepRank.Top);
-        if (_settings.Ironing) Iron(areas.Top, skin);
+        Solid(solid, Role.SolidInfill, InfillPattern.Lines, angle, StepRank.Solid);
+        Solid(areas.Top, Role.TopSurface, _settings.TopPattern, angle, StepRank.Top);
+        if (_settings.Ironing) Iron(areas.Top, angle);
         if (thick.Area.IsEmpty)
         {
             Sparse(areas.Sparse, rules.Thickness);
@@ -87,14 +87,14 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
         return Region.Own(wide.ToArray());
     }
 
-    // The nozzle goes over the skin at its height; its lines keep inside, so that the edge stays sharp.
-    private void Iron(Region top, double skin)
+    // The nozzle goes over the top surface at its height. Its lines stay inside, so that the edge stays sharp.
+    private void Iron(Region top, double angle)
     {
         if (top.IsEmpty || !(_settings.IroningFlowPercent > 0)) return;
         var area = top.Offset(-rules.SolidInfillLineWidth / 2, JoinStyle.Miter, 2, ArcTolerance, tools.Engine);
         var request = new InfillRequest(area, InfillPattern.Monotonic, _settings.IroningSpacing, _settings.IroningSpacing)
         {
-            Angle = skin + 90, Z = layer.Plan.Top, Layer = layer.Index,
+            Angle = angle + 90, Z = layer.Plan.Top, Layer = layer.Index,
         };
         var bead = new Bead(_settings.IroningSpacing * rules.Thickness * _settings.IroningFlowPercent / 100, rules.Thickness);
         Add(tools.Infill.Fill(request), bead, Role.Ironing, StepRank.Ironing);

@@ -17,7 +17,7 @@ internal static class BridgeFinder
     private const double Same = 0.02;
     private const double Shorter = 0.95;
 
-    /// <summary>The best direction in degrees from +X, or null where no direction holds the area.</summary>
+    /// <summary>The best direction in degrees from +X, or null if no direction holds the area.</summary>
     /// <param name="area">The bridge with the anchors into which it reaches.</param>
     /// <param name="below">What the layer below covers.</param>
     /// <param name="width">Width of an extrusion, mm.</param>

@@ -10,7 +10,7 @@ internal static class InfillBridges
 {
     private const double ArcTolerance = 0.005;
 
-    /// <summary>The bridges of an area; none where it is narrow, or the infill below is as good as closed.</summary>
+    /// <summary>The bridges of an area. None if it is narrow, or the infill below is almost solid.</summary>
     public static IReadOnlyList<BridgeArea> Find(LayerWork layer, SliceRules rules, Region solid, RegionEngine engine)
     {
         // A gap between the lines of this many widths or less needs no bridge.
@@ -50,7 +50,7 @@ internal static class InfillBridges
             if (!GridBox.Overlap(island.Region.Box, near.Box)) continue;
             foreach (var inside in island.Insides)
             {
-                var sparse = SkinFinder.AreasOf(layer, inside, engine).Sparse;
+                var sparse = TopBottomFinder.AreasOf(layer, inside, engine).Sparse;
                 if (sparse.IsEmpty) continue;
                 var at = found.FindIndex(f => ReferenceEquals(f.Rules, inside.Rules));
                 if (at < 0) found.Add((inside.Rules, [.. sparse.Paths]));

@@ -3,7 +3,7 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>The trees of a body that hold its skins up from below. They grow downwards, so they need the outlines of all its layers.</summary>
+/// <summary>The trees of a body that support its top surfaces from below. They grow downwards, so they need the outlines of all its layers.</summary>
 internal static class LightningPlan
 {
     /// <summary>The trees of each layer. Grown when they are first asked for, by when all layers have their outlines.</summary>

@@ -5,7 +5,7 @@ namespace Caterpillar.Slicing;
 
 /// <summary>Infill of several layers that is printed at once, with the uppermost of them.</summary>
 /// <param name="Area">What the infill of all these layers has in common.</param>
-/// <param name="Thickness">Thickness of all of them together where this is the uppermost, else 0: it is left to that one.</param>
+/// <param name="Thickness">Total thickness of the combined layers if this is the uppermost, otherwise 0.</param>
 internal readonly record struct ThickInfill(Region Area, double Thickness)
 {
     public static ThickInfill None => new(Region.Empty, 0);
@@ -38,7 +38,7 @@ internal readonly record struct ThickInfill(Region Area, double Thickness)
         return common.IsEmpty || first == last ? None : new ThickInfill(common, layer.Index == last ? thickness : 0);
     }
 
-    /// <summary>The infill of all islands of a layer, or that of one pattern.</summary>
+    /// <summary>The sparse infill of all islands of a layer, or only of one pattern.</summary>
     public static Region SparseOf(LayerWork layer, RegionEngine engine, InfillPattern? pattern = null)
     {
         var paths = new List<GridPoint[]>();
@@ -46,7 +46,8 @@ internal readonly record struct ThickInfill(Region Area, double Thickness)
         {
             foreach (var inside in island.Insides)
             {
-                if (pattern is null || inside.Rules.Settings.InfillPattern == pattern) paths.AddRange(SkinFinder.AreasOf(layer, inside, engine).Sparse.Paths);
+                if (pattern is null || inside.Rules.Settings.InfillPattern == pattern)
+                    paths.AddRange(TopBottomFinder.AreasOf(layer, inside, engine).Sparse.Paths);
             }
         }
         return Region.Own(paths.ToArray());

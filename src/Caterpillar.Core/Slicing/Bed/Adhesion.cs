@@ -4,14 +4,14 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Skirt and brim: loops around what stands on the bed, printed first. A skirt steadies the flow; a brim holds the part on the bed.</summary>
+/// <summary>Skirt and brim: loops around the parts on the bed, printed first. A skirt primes the nozzle, and a brim holds the part on the bed.</summary>
 internal static class Adhesion
 {
     private const double ArcTolerance = 0.05;
 
     /// <summary>The first layer with the loops in front of its steps.</summary>
     /// <param name="first">The layer.</param>
-    /// <param name="covered">What stands on the bed.</param>
+    /// <param name="covered">Area of the parts on the bed.</param>
     /// <param name="settings">The settings of the print.</param>
     public static SlicedLayer Around(SlicedLayer first, Region covered, PrintSettings settings)
     {

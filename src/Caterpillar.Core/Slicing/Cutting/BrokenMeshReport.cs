@@ -3,10 +3,10 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Says what was repaired of a broken mesh, on which layers and by how much, and what is left out.</summary>
+/// <summary>Describes the repairs and omissions of a broken mesh, with layers and sizes.</summary>
 internal static class BrokenMeshReport
 {
-    /// <summary>The text, or null where there is nothing to say.</summary>
+    /// <summary>The text, or null if there is nothing to report.</summary>
     public static string? Describe(RepairedMesh repaired, IReadOnlyList<Section> sections)
     {
         var sentences = new List<string>();
@@ -21,10 +21,10 @@ internal static class BrokenMeshReport
     {
         var parts = new List<string>();
         if (repaired.MovedVertices > 0)
-            parts.Add($"{Count(repaired.MovedVertices, "vertex", "vertices")} moved by up to {Millimeters(repaired.FarthestMove, 3)} to join rims");
-        if (repaired.DoubledFacets > 0) parts.Add($"{Count(repaired.DoubledFacets, "doubled triangle", "doubled triangles")} taken once");
-        if (repaired.TurnedFacets > 0) parts.Add($"{Count(repaired.TurnedFacets, "triangle", "triangles")} turned that faced inwards");
-        if (repaired.TurnedBodies > 0) parts.Add($"{Count(repaired.TurnedBodies, "body that was", "bodies that were")} inside out turned");
+            parts.Add($"{Count(repaired.MovedVertices, "vertex", "vertices")} moved by up to {Millimeters(repaired.FarthestMove, 3)} to join naked edges");
+        if (repaired.DuplicateFaces > 0) parts.Add($"{Count(repaired.DuplicateFaces, "duplicate face", "duplicate faces")} removed");
+        if (repaired.FlippedFaces > 0) parts.Add($"{Count(repaired.FlippedFaces, "inward-facing face", "inward-facing faces")} flipped");
+        if (repaired.FlippedBodies > 0) parts.Add($"{Count(repaired.FlippedBodies, "inside-out body", "inside-out bodies")} flipped");
         if (repaired.Holes.Count > 0)
         {
             var box = Bounds.Empty;
@@ -35,9 +35,9 @@ internal static class BrokenMeshReport
                 width = Math.Max(width, hole.Width);
             }
             var heights = $"z {NumberFormatter.Format(box.Min.Z, 2)} to {NumberFormatter.Format(box.Max.Z, 2)} mm";
-            parts.Add($"{Count(repaired.Holes.Count, "hole", "holes")} filled ({heights}, the widest {Millimeters(width, 2)})");
+            parts.Add($"{Count(repaired.Holes.Count, "hole", "holes")} filled ({heights}, up to {Millimeters(width, 2)} wide)");
         }
-        if (repaired.LooseFacets > 0) parts.Add($"{Count(repaired.LooseFacets, "loose triangle", "loose triangles")} left out at filled holes");
+        if (repaired.LooseFaces > 0) parts.Add($"{Count(repaired.LooseFaces, "loose face", "loose faces")} removed at filled holes");
         return parts;
     }
 
@@ -56,7 +56,7 @@ internal static class BrokenMeshReport
             widest = Math.Max(widest, gaps.Widest);
         }
         if (layers.Count == 0) return null;
-        var sizes = $"{Millimeters(length, 2)} in all, the widest {Millimeters(widest, 2)}";
+        var sizes = $"{Millimeters(length, 2)} in total, the widest {Millimeters(widest, 2)}";
         return $"{Count(count, "gap", "gaps")} in contours closed on {HeightRanges.Of(sections, layers)}: {sizes}.";
     }
 
@@ -73,8 +73,8 @@ internal static class BrokenMeshReport
             foreach (var line in sections[i].OpenLines) length += line.Length;
         }
         if (layers.Count == 0) return null;
-        var contours = Count(count, "contour that does not close", "contours that do not close");
-        return $"Left out: {contours}, {Millimeters(length, 1)} in all, on {HeightRanges.Of(sections, layers)}.";
+        var contours = Count(count, "open contour", "open contours");
+        return $"{contours} left out on {HeightRanges.Of(sections, layers)}: {Millimeters(length, 1)} in total.";
     }
 
     private static string Count(int count, string one, string many) => $"{NumberFormatter.Format(count)} {(count == 1 ? one : many)}";

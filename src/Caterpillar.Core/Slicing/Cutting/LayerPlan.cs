@@ -16,8 +16,8 @@ internal sealed class LayerPlan(TriMesh mesh, PrintSettings settings)
     // Of the model above the bed, mm.
     private readonly double _height = mesh.Bounds.Max.Z;
 
-    /// <summary>The layers from the bed up. A layer belongs to the plan when the place where it cuts lies below the height of the model.</summary>
-    /// <returns>Null and an error where there would be more than a million layers, or where the formula gives no thickness.</returns>
+    /// <summary>The layers from the bed up. A layer is part of the plan if its cutting plane is below the top of the model.</summary>
+    /// <returns>The layers, or an error if there would be more than a million layers or the formula gives no thickness.</returns>
     public Result<PlannedLayer[]> Layers()
     {
         var layers = new List<PlannedLayer>();
@@ -30,15 +30,16 @@ internal sealed class LayerPlan(TriMesh mesh, PrintSettings settings)
             var thickness = layers.Count == 0 ? settings.FirstLayerHeight : ThicknessAt(bottom);
             if (!(thickness >= Thinnest))
             {
-                var what = $"The formula for the layers gives {NumberFormatter.Format(thickness, 4)} mm at z = {NumberFormatter.Format(bottom, 3)} mm.";
-                return new(null, [new Diagnostic(Severity.Error, "slice.layer_formula", what, new SourceLocation(Key: "layer_height_formula"))]);
+                var message = $"The layer height formula gives {NumberFormatter.Format(thickness, 4)} mm at z = {NumberFormatter.Format(bottom, 3)} mm. "
+                    + $"The minimum is {NumberFormatter.Format(Thinnest, 3)} mm.";
+                return new(null, [new Diagnostic(Severity.Error, "slice.layer_formula", message, new SourceLocation(Key: "layer_height_formula"))]);
             }
             if (thickness != last) (origin, alike, last) = (bottom, 0, thickness);
             var top = origin + ++alike * thickness;
             var layer = new PlannedLayer(top, thickness, Cut(top, thickness));
             if (!(layer.Cut < _height)) return new(layers.ToArray(), []);
             if (layers.Count == MaxLayers)
-                return new(null, [new Diagnostic(Severity.Error, "slice.too_many_layers", "More than a million layers: the layers are too thin.")]);
+                return new(null, [new Diagnostic(Severity.Error, "slice.too_many_layers", "More than a million layers. Increase the layer height.")]);
             layers.Add(layer);
             bottom = top;
         }

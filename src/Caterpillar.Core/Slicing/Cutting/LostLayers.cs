@@ -4,14 +4,13 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Finds layers that a broken mesh has lost. A layer on which gaps were closed or contours are left out is compared with the nearest layers below and
-/// above it on which nothing is broken: with the smaller of the two, or with the only one. It is lost where its area is smaller by more than the stated
-/// share, and where what is missing of its contours is long enough to enclose that much (length² / 2π, a half circle). Layers of closed meshes are never
-/// looked at: they may grow and shrink as they like.
+/// Finds layers that a broken mesh has lost. A layer with closed gaps or omitted contours is compared with the nearest intact layers below and above: with
+/// the smaller of the two, or with the only one. It is lost if its area is smaller by more than the given share, and if the missing length of its
+/// contours can enclose that area (length² / 2π, a half circle). Layers of closed meshes are never checked, because they may grow and shrink freely.
 /// </summary>
 internal static class LostLayers
 {
-    /// <summary>A text that names the layers, or null where there are none.</summary>
+    /// <summary>A text with the layers, or null if there are none.</summary>
     public static string? Find(IReadOnlyList<Section> sections, double maxLossPercent, CancellationToken cancel)
     {
         if (maxLossPercent >= 100) return null;
@@ -39,12 +38,11 @@ internal static class LostLayers
         }
         if (lost.Count == 0) return null;
         var limit = NumberFormatter.Format(maxLossPercent, 2);
-        var left = $"at z {NumberFormatter.Format(sections[worst].Z, 2)} mm {NumberFormatter.Format(100 * worstPart, 1)} % of it is left";
-        return $"More than {limit} % of the area of the layers next to them is lost, because contours do not close, on "
-            + $"{HeightRanges.Of(sections, lost)}; {left}. Repair the model, close wider gaps (slice_gap_closing_mm), allow the loss "
-            + "(max_area_loss_percent=100), or "
-                + $"print an open surface as single walls "
-            + "(open_contours=walls).";
+        var left = NumberFormatter.Format(100 * worstPart, 1);
+        return $"More than {limit} % of the area is missing on {HeightRanges.Of(sections, lost)} because contours do not close. "
+            + $"At z {NumberFormatter.Format(sections[worst].Z, 2)} mm, {left} % of the area of the next intact layer is left. "
+            + "Repair the model, close wider gaps (slice_gap_closing_mm), allow the loss (max_area_loss_percent=100) "
+            + "or print open surfaces as single walls (open_contours=walls).";
     }
 
     private static bool IsBroken(Section section) => section.OpenLines.Count > 0 || section.Gaps.Length > 0;

@@ -5,12 +5,12 @@ using Caterpillar.Machines;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Cuts a model for printing: the mesh is repaired, contours are closed over gaps, and one diagnostic says what was done and what is left out.
+/// Cuts a model for printing: repairs the mesh, closes gaps in contours, and reports repairs and omissions in one diagnostic.
 /// </summary>
 internal static class ModelSections
 {
-    /// <summary>Sections at ascending heights; what was noticed is added to <paramref name="problems"/>.</summary>
-    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    /// <summary>Sections at ascending heights. Problems are added to <paramref name="problems"/>.</summary>
+    /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static IReadOnlyList<Section> Cut(
         NamedMesh model, double[] heights, PrintSettings settings, int threads, List<Diagnostic> problems,
         IProgress<double>? progress, CancellationToken cancel)

@@ -12,8 +12,8 @@ internal sealed class Modifiers(IReadOnlyList<SliceModel> models)
     /// <summary>Gives the layers of a body what the modifiers cover in them.</summary>
     /// <param name="body">A body with its layers.</param>
     /// <param name="common">The settings of the print.</param>
-    /// <param name="threads">Degree of parallelism, 0 for all cores.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="threads">Number of threads. 0 = all cores.</param>
+    /// <param name="cancel">Cancels the call.</param>
     public void Apply(Body body, PrintSettings common, int threads, CancellationToken cancel)
     {
         var heights = Array.ConvertAll(body.Layers, l => l.Plan.Cut);
@@ -41,13 +41,13 @@ internal sealed class Modifiers(IReadOnlyList<SliceModel> models)
         }
     }
 
-    /// <summary>Warns of modifiers that lie in no part.</summary>
+    /// <summary>Warns of modifiers outside all parts.</summary>
     public void Report(DiagnosticList problems)
     {
         for (var m = 0; m < models.Count; m++)
         {
             if (!_used[m])
-                problems.Add(Severity.Warning, "slice.modifier_outside", $"The modifier {models[m].Mesh.Name} lies in no part, so it changes nothing.");
+                problems.Add(Severity.Warning, "slice.modifier_outside", $"The modifier {models[m].Mesh.Name} is outside all parts and has no effect.");
         }
     }
 

@@ -23,7 +23,7 @@ internal static class OverlappingModels
                 if (models[i].Settings != models[j].Settings)
                 {
                     problems.Add(Severity.Warning, "models.overlap",
-                        $"{models[j].Mesh.Name} and {models[i].Mesh.Name} overlap and have different settings: both are printed where they do.");
+                        $"{models[j].Mesh.Name} and {models[i].Mesh.Name} overlap and have different settings. The overlap is printed twice.");
                     continue;
                 }
                 int from = Math.Max(group[i], group[j]), to = Math.Min(group[i], group[j]);
@@ -43,7 +43,7 @@ internal static class OverlappingModels
             const int Named = 3;
             var more = members.Length > Named ? $" + {NumberFormatter.Format(members.Length - Named)} more" : "";
             var name = string.Join(" + ", members.Take(Named).Select(m => m.Mesh.Name)) + more;
-            problems.Add(Severity.Note, "models.merged", $"{name} overlap: they are printed as one solid (merge_overlapping_models=false prints each).");
+            problems.Add(Severity.Note, "models.merged", $"{name} overlap and are printed as one solid. merge_overlapping_models=false prints each.");
             merged.Add(new SliceModel(new NamedMesh(name, TriMesh.Merge(members.Select(m => m.Mesh.Mesh))), members[0].Settings));
         }
         return merged;

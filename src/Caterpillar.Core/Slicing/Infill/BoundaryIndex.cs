@@ -44,7 +44,7 @@ internal sealed class BoundaryIndex
     /// <summary>Length of each contour, mm.</summary>
     public double[] Lengths { get; }
 
-    /// <summary>The contour that a point (mm) lies on and the arc length there, mm; false where it is on none.</summary>
+    /// <summary>The contour of a point (mm) and its arc length there, mm. False if it is on none.</summary>
     public bool Find(Vec3 point, out int contour, out double at)
     {
         contour = -1;

@@ -86,7 +86,7 @@ internal sealed class InfillFiller(RegionEngine engine)
 
     private static void Check(double value, string name)
     {
-        if (!(value > 0) || double.IsInfinity(value)) throw new ArgumentException("It must be a positive number.", name);
+        if (!(value > 0) || double.IsInfinity(value)) throw new ArgumentException("The value must be positive.", name);
     }
 
     private static void Clip(InfillRequest request, IReadOnlyList<Polyline> curves, List<InfillLine> lines)

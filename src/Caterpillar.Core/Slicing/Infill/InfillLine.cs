@@ -5,7 +5,7 @@ namespace Caterpillar.Slicing;
 /// <summary>An extrusion of infill.</summary>
 /// <param name="Points">mm, at the height of the request; a closed line does not repeat its first point.</param>
 /// <param name="Closed">A loop.</param>
-/// <param name="Flow">Per segment the share of the requested extrusion's area to deposit, or null where that is 1 throughout.</param>
+/// <param name="Flow">Flow ratio of each segment, or null if it is 1 throughout.</param>
 internal sealed record InfillLine(Vec3[] Points, bool Closed, double[]? Flow = null)
 {
     /// <summary>Length in mm of an extrusion of the full area with the same volume.</summary>

@@ -17,7 +17,7 @@ internal sealed record InfillRequest(Region Area, InfillPattern Pattern, double 
     /// <summary>Direction of the (first) lines, degrees from +X.</summary>
     public double Angle { get; init; }
 
-    /// <summary>Height at which the extrusions lie, mm. Cubic, gyroid and formula differ with it.</summary>
+    /// <summary>Height of the extrusions, mm. Cubic, gyroid and formula depend on it.</summary>
     public double Z { get; init; }
 
     /// <summary>Number of the layer.</summary>
@@ -37,7 +37,7 @@ internal sealed record InfillRequest(Region Area, InfillPattern Pattern, double 
     /// </summary>
     public Formula? Formula { get; init; }
 
-    /// <summary>For <see cref="InfillPattern.Formula"/>: how far, in mm, the lines may lie off the true curve.</summary>
+    /// <summary>For <see cref="InfillPattern.Formula"/>: maximum deviation of the lines from the exact curve, mm.</summary>
     public double Tolerance { get; init; } = 0.02;
 
     /// <summary>For <see cref="InfillPattern.Curves"/> and <see cref="InfillPattern.Lightning"/>: the lines of this layer, in mm.</summary>

@@ -3,7 +3,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>A formula over the places of one layer, and where it is zero between two of them.</summary>
+/// <summary>A formula over the area of one layer, and its zeros between two points.</summary>
 internal sealed class LevelField
 {
     private readonly Formula _formula;
@@ -14,12 +14,12 @@ internal sealed class LevelField
     {
         _formula = request.Formula ?? throw new ArgumentException("The formula is missing.", nameof(request));
         _values = [0, 0, request.Z, request.Layer, request.Spacing, request.Width];
-        if (_formula.Variables.Count > _values.Length) throw new ArgumentException("The formula has more variables than an infill gives.", nameof(request));
+        if (_formula.Variables.Count > _values.Length) throw new ArgumentException("The formula has too many variables for an infill.", nameof(request));
         _context = new FormulaContext(_values);
         Tolerance = request.Tolerance;
     }
 
-    /// <summary>How far, in mm, lines may lie off the curve.</summary>
+    /// <summary>Maximum deviation of lines from the curve, mm.</summary>
     public double Tolerance { get; }
 
     public double At(double x, double y)

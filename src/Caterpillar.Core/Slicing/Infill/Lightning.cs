@@ -3,25 +3,25 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Trees that hold up what lies over an area (after Tricard, Claux and Lefebvre, "Ribbed support vaults for 3D printing of hollowed objects", 2020). They grow
-/// under the skins and are followed downwards: in each layer tips get shorter and bends straighter by what may overhang, so that the trees withdraw into the
-/// walls.
+/// Trees that support top surfaces from below (after Tricard, Claux and Lefebvre, "Ribbed support vaults for 3D printing of hollowed objects", 2020). They
+/// grow under the top surfaces and are followed downwards. In each layer, tips get shorter and bends straighter by the allowed overhang, so that the trees
+/// withdraw into the walls.
 /// </summary>
 internal static class Lightning
 {
     /// <summary>The lines of each layer; they go to <see cref="InfillRequest.Curves"/>.</summary>
     /// <param name="areas">Where infill may run, from the lowest layer up (<see cref="InfillRequest.Area"/>).</param>
-    /// <param name="tops">Per layer what has to be held up from below because a skin lies on it: a part of the same layer's area.</param>
-    /// <param name="spacing">Largest distance, in mm, between lines under a skin.</param>
+    /// <param name="tops">Per layer, the area under a top surface, which needs support from below: a part of the area of the layer.</param>
+    /// <param name="spacing">Maximum distance between lines under a top surface, mm.</param>
     /// <param name="heights">Height Z of each layer, mm, ascending: branches lean by at most 45°.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="cancel">Cancels the call.</param>
     /// <exception cref="ArgumentException">The lists differ in length, or the spacing is not a positive number.</exception>
     public static IReadOnlyList<Polyline>[] Grow(
         IReadOnlyList<Region> areas, IReadOnlyList<Region> tops, double spacing, IReadOnlyList<double> heights, CancellationToken cancel = default)
     {
         if (tops.Count != areas.Count || heights.Count != areas.Count)
             throw new ArgumentException("Each layer needs an area, a top and a height.", nameof(tops));
-        if (!(spacing > 0) || double.IsInfinity(spacing)) throw new ArgumentException("It must be a positive number.", nameof(spacing));
+        if (!(spacing > 0) || double.IsInfinity(spacing)) throw new ArgumentException("The spacing must be positive.", nameof(spacing));
         var layers = new IReadOnlyList<Polyline>[areas.Count];
         var forest = new LightningForest(spacing / 2);
         for (var i = areas.Count - 1; i >= 0; i--)

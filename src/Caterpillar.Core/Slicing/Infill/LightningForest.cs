@@ -2,8 +2,8 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>The trees of one layer. Nodes follow their parents; roots lie on the boundary of the area.</summary>
-/// <param name="reach">How far, in mm, a line holds up what is next to it.</param>
+/// <summary>The trees of one layer. Nodes follow their parents, and roots are on the boundary of the area.</summary>
+/// <param name="reach">Distance up to which a line supports the area next to it, mm.</param>
 internal sealed class LightningForest(double reach)
 {
     // Branches along a wall would only stand in for it.

@@ -23,7 +23,7 @@ internal sealed class NodeCells(double size)
         _maxY = Math.Max(_maxY, key.Y);
     }
 
-    /// <summary>The nearest place within a limit, and its distance in mm; −1 and the limit where there is none. Of equals the first.</summary>
+    /// <summary>The nearest place within a limit and its distance in mm, or −1 and the limit. Of equals, the first.</summary>
     public int Nearest(Vec3 place, IReadOnlyList<Vec3> places, double limit, out double distance)
     {
         var best = -1;

@@ -38,9 +38,9 @@ internal readonly struct PatternFrame
     /// <summary>The place (u, v) in world coordinates, at Z 0.</summary>
     public Vec3 At(double u, double v) => new(u * _cos - v * _sin, u * _sin + v * _cos);
 
-    /// <summary>How far a place lies along the direction.</summary>
+    /// <summary>Distance of a place along the direction.</summary>
     public double U(Vec3 p) => p.X * _cos + p.Y * _sin;
 
-    /// <summary>How far a place lies to the left of the direction.</summary>
+    /// <summary>Distance of a place to the left of the direction.</summary>
     public double V(Vec3 p) => p.Y * _cos - p.X * _sin;
 }

@@ -2,7 +2,7 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Patterns of straight lines. Their rows keep their places in the world, so that what lies in one layer rests on the layer below.</summary>
+/// <summary>Patterns of straight lines. Rows have fixed positions in the world, so that each layer rests on the one below.</summary>
 internal static class StraightPatterns
 {
     private static readonly double Sqrt2 = Math.Sqrt(2);

@@ -3,7 +3,7 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Where on a bed models may stand: rectangle or ellipse, less the margin and the excluded areas.</summary>
+/// <summary>Area of the bed for models: rectangle or ellipse, without the margin and the excluded areas.</summary>
 internal sealed class BedArea(Printer printer, double margin)
 {
     private readonly Bounds _bed = printer.BuildBounds;

@@ -2,7 +2,7 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>How far a head reaches beside its nozzle, as high as something stands.</summary>
+/// <summary>Clearance of the print head next to printed models.</summary>
 internal static class HeadClearance
 {
     /// <summary>

@@ -5,14 +5,13 @@ using Caterpillar.Machines;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Puts models beside each other on a bed: the largest first, each as near to the middle of the bed as it goes, or in
-/// rows from the front left where more of them fit so. Models are taken for as large as their
-/// convex outlines seen from above, and are not turned.
+/// Arranges models on the bed: the largest first, each as close to the center of the bed as possible, or in rows from the front left if more of them fit
+/// there. Models are not rotated and take up their convex outline seen from above.
 /// </summary>
 public static class ModelArranger
 {
-    /// <summary>The models, standing on the bed, in the order in which they were given.</summary>
-    /// <returns>The models, or none and the error <c>models.no_space</c>, which names those that have no place left.</returns>
+    /// <summary>Places the models on the bed.</summary>
+    /// <returns>The models in the same order, or the error <c>models.no_space</c> with the models that do not fit.</returns>
     /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static Result<IReadOnlyList<NamedMesh>> Arrange(
         IReadOnlyList<NamedMesh> models, Printer printer, ArrangeOptions? options = null, CancellationToken cancel = default)
@@ -35,8 +34,8 @@ public static class ModelArranger
         if (missing.Length > 0)
         {
             var names = string.Join(", ", missing.Take(5)) + (missing.Length > 5 ? $" and {NumberFormatter.Format(missing.Length - 5)} more" : "");
-            var text = $"There is no place left on the bed of {printer.Title} for {names}: {NumberFormatter.Format(order.Length - missing.Length)} of "
-                + $"{NumberFormatter.Format(order.Length)} models fit beside each other.";
+            var text = $"No room on the bed of {printer.Title} for {names}: {NumberFormatter.Format(order.Length - missing.Length)} of "
+                + $"{NumberFormatter.Format(order.Length)} models fit. Print fewer at once or reduce their spacing.";
             return new Result<IReadOnlyList<NamedMesh>>(null, [new Diagnostic(Severity.Error, "models.no_space", text)]);
         }
         var result = models.Select((m, i) => placed[i] is { } place ? Stand(m, footprints[i], place) : m).ToArray();

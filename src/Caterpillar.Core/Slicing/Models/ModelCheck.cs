@@ -4,12 +4,12 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Looks at placed models before they are sliced: do they fit, and can the head reach them.</summary>
+/// <summary>Checks placed models before slicing: whether they fit, and whether the print head has clearance.</summary>
 public static class ModelCheck
 {
     /// <summary>
-    /// Warnings <c>models.too_large</c> (by how much, and which scale would fit) or <c>models.outside</c> (by how much), and <c>models.excluded_area</c>.
-    /// Warnings, because the check of the finished print has the last word.
+    /// Checks whether models fit the build volume. Returns warnings <c>models.too_large</c> (by how much, and the scale that fits), <c>models.outside</c> (by
+    /// how much) and <c>models.excluded_area</c>. They are warnings because the check of the finished print decides.
     /// </summary>
     public static IReadOnlyList<Diagnostic> Fit(IReadOnlyList<NamedMesh> models, Printer printer)
     {
@@ -18,20 +18,21 @@ public static class ModelCheck
         var box = ModelPlacement.BoxOf(models);
         if (box.IsEmpty) return problems;
         var bed = printer.BuildBounds;
-        // On a plain rectangle the boxes tell all.
+        var (model, it) = models.Count == 1 ? ("Model is", "it") : ("Models are", "them");
+        // On a plain rectangle the boxes are enough.
         var isPlain = printer.BedShape != BedShape.Round && printer.ExcludedAreas.Count == 0;
         var footprints = isPlain ? [] : models.Where(m => m.Mesh.TriangleCount > 0).Select(m => (m.Name, Shape: Footprint.Of(m.Mesh))).ToArray();
         var scale = LargestScale(footprints.Select(f => f.Shape), box, bed, printer.BedShape);
         if (scale < 1)
         {
             problems.Add(new Diagnostic(Severity.Warning, "models.too_large",
-                $"What is to be printed is {Size(box.Size)} mm{TooMuch(box.Size, bed.Size)}; {printer.Title} prints {Size(bed.Size)} mm"
-                + (printer.BedShape == BedShape.Round ? " on a round bed" : "")
-                + (scale >= 1e-4 ? $". It fits at a scale of {NumberFormatter.Format(Math.Floor(scale * 1e4) / 1e4, 4)}." : ". Is its unit right?")));
+                $"{model} {Size(box.Size)} mm: {TooMuch(box.Size, bed.Size)} for {printer.Title} ({Size(bed.Size)} mm"
+                + (printer.BedShape == BedShape.Round ? ", round bed). " : "). ")
+                + (scale >= 1e-4 ? $"Scale {it} to {NumberFormatter.Format(Math.Floor(scale * 1e4) / 100, 2)} % to fit." : "Check the unit.")));
         }
         else if (Beyond(box, bed) is { } beyond)
         {
-            var text = $"The models are {beyond} for the build volume of {printer.Title}; they fit if they are moved.";
+            var text = $"{model} {beyond} for the build volume of {printer.Title}. Move {it} to fit.";
             problems.Add(new Diagnostic(Severity.Warning, "models.outside", text));
         }
         foreach (var area in printer.ExcludedAreas.Select(Footprint.Of))
@@ -39,7 +40,7 @@ public static class ModelCheck
             foreach (var (name, shape) in footprints)
             {
                 if (shape.Separation(area) >= 0) continue;
-                const string Text = "The model may stand on an excluded area of the bed.";
+                const string Text = "Model may overlap an excluded area of the bed. Move it away.";
                 problems.Add(new Diagnostic(Severity.Warning, "models.excluded_area", Text, new SourceLocation(name)));
             }
         }
@@ -47,8 +48,8 @@ public static class ModelCheck
     }
 
     /// <summary>
-    /// Whether models are larger than the build volume by more than the extrusions may keep away from the outline, so that the check of the finished print
-    /// (<c>bed.outside</c>) is bound to refuse them wherever they stand.
+    /// True if models are so much larger than the build volume that the check of the finished print (<c>bed.outside</c>) must fail at any position.
+    /// Differences of a few line widths do not count, because extrusions stay inside the outline.
     /// </summary>
     public static bool IsTooLarge(IReadOnlyList<NamedMesh> models, PrintSetup setup)
     {
@@ -63,8 +64,8 @@ public static class ModelCheck
     }
 
     /// <summary>
-    /// For models that are printed one after the other, the lowest first: errors <c>models.no_clearance</c> where the head would touch a model that
-    /// stands already.
+    /// Checks models that are printed one after the other, the lowest first. Returns errors <c>models.no_clearance</c> if the print head would touch a
+    /// printed model.
     /// </summary>
     public static IReadOnlyList<Diagnostic> Clearance(IReadOnlyList<NamedMesh> models, Printer printer)
     {
@@ -80,8 +81,9 @@ public static class ModelCheck
                 var needed = HeadClearance.Beside(printer, order[earlier].Top);
                 var distance = order[later].Shape.Separation(order[earlier].Shape);
                 if (distance >= needed) continue;
-                var text = $"It is printed after {order[earlier].Name}, {NumberFormatter.Format(Math.Max(0, distance), 2)} mm beside it; the head needs "
-                    + $"{NumberFormatter.Format(needed, 2)} mm beside something {NumberFormatter.Format(order[earlier].Top, 2)} mm high.";
+                var text = $"Model is {NumberFormatter.Format(Math.Max(0, distance), 2)} mm from {order[earlier].Name}, which is printed first. The print "
+                    + $"head needs {NumberFormatter.Format(needed, 2)} mm next to a part "
+                    + $"{NumberFormatter.Format(order[earlier].Top, 2)} mm high. Move them apart.";
                 problems.Add(new Diagnostic(Severity.Error, "models.no_clearance", text, new SourceLocation(order[later].Name)));
             }
         }
@@ -110,7 +112,7 @@ public static class ModelCheck
     {
         var parts = new (double Over, string Axis)[] { (size.X - bed.X, "X"), (size.Y - bed.Y, "Y"), (size.Z - bed.Z, "Z") }
             .Where(a => a.Over > 0).Select(a => $"{NumberFormatter.Format(a.Over, 2)} mm too long in {a.Axis}").ToArray();
-        return parts.Length == 0 ? "" : ", " + string.Join(", ", parts);
+        return parts.Length == 0 ? "too large" : string.Join(", ", parts);
     }
 
     private static string? Beyond(Bounds box, Bounds bed)

@@ -5,15 +5,15 @@ using Caterpillar.Machines;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Scales, turns and places models on the bed. Every call gives new models and leaves its input as it is. Lengths in mm, Z = 0 is the bed.
+/// Scales, rotates and places models on the bed. Every method returns new models and keeps its input unchanged. Lengths are in mm, and Z = 0 is the bed.
 /// </summary>
 public static class ModelPlacement
 {
-    /// <summary>All models moved together, so that they stand on the bed of a printer, in its middle.</summary>
+    /// <summary>Moves all models together onto the bed of a printer, centered.</summary>
     public static IReadOnlyList<NamedMesh> OnBed(this IReadOnlyList<NamedMesh> models, Printer printer)
         => OnBed(models, (printer ?? throw new ArgumentNullException(nameof(printer))).BuildBounds.Center);
 
-    /// <summary>All models moved together, so that the lowest point stands on Z = 0 and the middle of their box is at a point of the bed.</summary>
+    /// <summary>Moves all models together, with their lowest point at Z = 0 and the center of their bounding box at a point of the bed.</summary>
     public static IReadOnlyList<NamedMesh> OnBed(this IReadOnlyList<NamedMesh> models, Vec3 center)
     {
         var box = BoxOf(models);
@@ -21,18 +21,18 @@ public static class ModelPlacement
         return Moved(models, new Vec3(center.X - box.Center.X, center.Y - box.Center.Y, -box.Min.Z));
     }
 
-    /// <summary>All models moved by a vector.</summary>
+    /// <summary>Moves all models by a vector, mm.</summary>
     public static IReadOnlyList<NamedMesh> Moved(this IReadOnlyList<NamedMesh> models, Vec3 shift) => Each(models, m => m.Moved(shift));
 
-    /// <summary>All models scaled together about the middle of their foot; they keep their places to each other.</summary>
+    /// <summary>Scales all models together about the bottom center of their bounding box.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A factor is not above 0.</exception>
     public static IReadOnlyList<NamedMesh> Scaled(this IReadOnlyList<NamedMesh> models, Vec3 factors)
     {
-        if (!(factors.X > 0 && factors.Y > 0 && factors.Z > 0)) throw new ArgumentOutOfRangeException(nameof(factors), "Factors must be above 0.");
+        if (!(factors.X > 0 && factors.Y > 0 && factors.Z > 0)) throw new ArgumentOutOfRangeException(nameof(factors), "The factors must be above 0.");
         return About(models, Affine.Scale(factors.X, factors.Y, factors.Z));
     }
 
-    /// <summary>All models scaled together and alike on all axes, so that the longest side of their box has this length.</summary>
+    /// <summary>Scales all models together and uniformly, so that the longest side of their bounding box has this length, mm.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The length is not above 0.</exception>
     public static IReadOnlyList<NamedMesh> ScaledTo(this IReadOnlyList<NamedMesh> models, double longestSide)
     {
@@ -42,22 +42,22 @@ public static class ModelPlacement
         return longest > 0 ? Scaled(models, new Vec3(longestSide / longest, longestSide / longest, longestSide / longest)) : models;
     }
 
-    /// <summary>All models scaled together, so that their box has this size; sides of length 0 stay as they are.</summary>
+    /// <summary>Scales all models together, so that their bounding box has this size, mm. Sides of length 0 stay unchanged.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A length is not above 0.</exception>
     public static IReadOnlyList<NamedMesh> ScaledTo(this IReadOnlyList<NamedMesh> models, Vec3 size)
     {
-        if (!(size.X > 0 && size.Y > 0 && size.Z > 0)) throw new ArgumentOutOfRangeException(nameof(size), "Lengths must be above 0.");
+        if (!(size.X > 0 && size.Y > 0 && size.Z > 0)) throw new ArgumentOutOfRangeException(nameof(size), "The lengths must be above 0.");
         var now = BoxOf(models).Size;
         return Scaled(models, new Vec3(now.X > 0 ? size.X / now.X : 1, now.Y > 0 ? size.Y / now.Y : 1, now.Z > 0 ? size.Z / now.Z : 1));
     }
 
-    /// <summary>All models turned together about the middle of their foot, first about X, then about Y, then about Z, degrees, right-handed.</summary>
+    /// <summary>Rotates all models together about the bottom center of their bounding box: about X, then Y, then Z, in degrees, right-handed.</summary>
     public static IReadOnlyList<NamedMesh> Rotated(this IReadOnlyList<NamedMesh> models, Vec3 degrees)
         => About(models, Affine.Rotate(Vec3.UnitX, degrees.X).Then(Affine.Rotate(Vec3.UnitY, degrees.Y)).Then(Affine.Rotate(Vec3.UnitZ, degrees.Z)));
 
     /// <summary>
-    /// Each model turned so that the largest flat face of its convex hull is below, and put on the bed where it is. Of equal faces the one that needs the
-    /// least turning.
+    /// Rotates each model so that the largest flat face of its convex hull is on the bed, and places it at its current position. Of equal faces, the one
+    /// that needs the smallest rotation wins.
     /// </summary>
     public static IReadOnlyList<NamedMesh> LaidFlat(this IReadOnlyList<NamedMesh> models) => Each(models, mesh =>
     {
@@ -66,18 +66,18 @@ public static class ModelPlacement
         return turned.Moved(foot.WithZ(0) - Foot(turned.Bounds));
     });
 
-    /// <summary>The models, and as many copies of them as make <paramref name="count"/> of each; copies are named <c>part (2)</c>, <c>part (3)</c>.</summary>
+    /// <summary>The models with <paramref name="count"/> of each. Copies are named <c>part (2)</c>, <c>part (3)</c>.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The count is below 1.</exception>
     public static IReadOnlyList<NamedMesh> Copies(this IReadOnlyList<NamedMesh> models, int count)
     {
         if (models is null) throw new ArgumentNullException(nameof(models));
-        if (count < 1) throw new ArgumentOutOfRangeException(nameof(count), "There must be at least one of each.");
+        if (count < 1) throw new ArgumentOutOfRangeException(nameof(count), "The count must be at least 1.");
         var all = new List<NamedMesh>(models.Count * count);
         for (var i = 1; i <= count; i++) all.AddRange(models.Select(m => i == 1 ? m : new NamedMesh($"{m.Name} ({NumberFormatter.Format(i)})", m.Mesh)));
         return all;
     }
 
-    /// <summary>The box around all models, mm.</summary>
+    /// <summary>Bounding box of all models, mm.</summary>
     public static Bounds BoxOf(IReadOnlyList<NamedMesh> models)
     {
         var box = Bounds.Empty;

@@ -9,7 +9,7 @@ namespace Caterpillar.Slicing;
 /// segments change.
 /// </summary>
 /// <param name="rules">Those of the walls of an island.</param>
-/// <param name="below">What is below the island.</param>
+/// <param name="below">Area below the island.</param>
 /// <param name="engine">Offsets it.</param>
 internal sealed class OverhangSplitter(SliceRules rules, Region below, RegionEngine engine)
 {
@@ -28,7 +28,7 @@ internal sealed class OverhangSplitter(SliceRules rules, Region below, RegionEng
     /// <summary>True if it is known that no part of the middle line of the last path is over air.</summary>
     public bool IsSupported { get; private set; }
 
-    /// <summary>The path, with other segments and beads where it hangs over.</summary>
+    /// <summary>The path, with other segments and beads at overhangs.</summary>
     public PrintPath Split(PrintPath path)
     {
         _points.Clear();

@@ -2,10 +2,10 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>What is too thin to be printed, over all layers of a body.</summary>
+/// <summary>Reports areas that are too thin to print, over all layers of a body.</summary>
 internal static class ThinPlaces
 {
-    /// <summary>One finding with layers, place and area, or none where every place is printed.</summary>
+    /// <summary>Adds one warning with layers, place and area, or none if every area is printed.</summary>
     public static void Report(Body body, List<Diagnostic> findings)
     {
         int layers = 0, places = 0;
@@ -26,8 +26,8 @@ internal static class ThinPlaces
         if (places == 0) return;
         var heights = layers == 1 ? $"1 layer (z {Mm(from)} mm)" : $"{NumberFormatter.Format(layers)} layers (z {Mm(from)} to {Mm(to)} mm)";
         var largestPlace = $"X {Mm(largest.Place.X)} Y {Mm(largest.Place.Y)} Z {Mm(z)}";
-        var message = $"Places thinner than the narrowest wall are not printed: {Mm(total)} mm² on {heights}, the largest of {Mm(largest.Area)} mm² at "
-            + $"{largestPlace}. Narrower walls (min_wall_width_mm, line_width_mm) or a thicker model fill them.";
+        var message = $"Areas thinner than the narrowest wall are not printed: {Mm(total)} mm² on {heights}, the largest {Mm(largest.Area)} mm² at "
+            + $"{largestPlace}. Reduce min_wall_width_mm or line_width_mm, or make the model thicker.";
         findings.Add(new Diagnostic(Severity.Warning, "slice.too_thin", message, body.Source, places));
     }
 

@@ -22,7 +22,7 @@ internal sealed class VaseSpiral(bool isAlone)
     /// <summary>Layers of which only the largest of several contours was printed.</summary>
     public int Divided { get; private set; }
 
-    /// <summary>The course of the wall in a layer: half a width inside its largest outline. Null where there is none.</summary>
+    /// <summary>Path of the wall in a layer: half a width inside its largest outline. Null if it has none.</summary>
     public static Polyline? Loop(LayerWork layer, RegionEngine engine)
     {
         var outlines = new List<GridPoint[]>();
@@ -65,7 +65,7 @@ internal sealed class VaseSpiral(bool isAlone)
         return _last = layer with { Steps = [.. layer.Steps, path] };
     }
 
-    /// <summary>The last layer of the wall with a level turn more, whose flow runs out; null where there was no wall.</summary>
+    /// <summary>The last layer of the wall with another level turn of decreasing flow. Null if it has no wall.</summary>
     public SlicedLayer? Finish()
     {
         if (_last is null || _lastWork is null || _below is null) return null;

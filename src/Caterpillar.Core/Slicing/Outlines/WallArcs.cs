@@ -3,10 +3,10 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Arcs in the walls of a layer, where they are wanted.</summary>
+/// <summary>Fits arcs to the walls of a layer.</summary>
 internal static class WallArcs
 {
-    /// <summary>Replaces runs of straight segments of walls that stay within a tolerance in mm of an arc; 0 leaves the layer as it is.</summary>
+    /// <summary>Replaces runs of straight wall segments within a tolerance (mm) of an arc. 0 = off.</summary>
     public static SlicedLayer Fit(SlicedLayer layer, double tolerance)
     {
         if (!(tolerance > 0)) return layer;

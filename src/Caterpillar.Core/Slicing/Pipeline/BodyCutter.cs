@@ -7,13 +7,13 @@ namespace Caterpillar.Slicing;
 /// <param name="common">The settings of the print.</param>
 /// <param name="options">Threads, infill lines, and what divides planned layers further.</param>
 /// <param name="memory">Counts the layers.</param>
-/// <param name="problems">Gets what is noticed, counted over all models.</param>
-/// <param name="findings">Gets what is noticed, for each model.</param>
-/// <param name="cancel">Cancels.</param>
+/// <param name="problems">Receives diagnostics that are counted over all models.</param>
+/// <param name="findings">Receives diagnostics of each model.</param>
+/// <param name="cancel">Cancels the call.</param>
 internal sealed class BodyCutter(
     PrintSettings common, SliceOptions options, SliceMemory memory, DiagnosticList problems, List<Diagnostic> findings, CancellationToken cancel)
 {
-    /// <summary>A model with its layers, as they are before the first stage; without any where nothing of it is above the bed.</summary>
+    /// <summary>A model with its layers before the first stage, or without layers if no part of it is above the bed.</summary>
     public Body Cut(SliceModel model, int number, IProgress<double>? progress)
     {
         var (mesh, settings) = (model.Mesh.Mesh, model.Settings);
@@ -22,12 +22,12 @@ internal sealed class BodyCutter(
         if (mesh.Bounds.Min.Z < -1e-6)
         {
             problems.Add(Severity.Warning, "slice.below_bed",
-                $"The model reaches {NumberFormatter.Format(-mesh.Bounds.Min.Z, 3)} mm below the bed; that part is not printed.", body.Source);
+                $"Model extends {NumberFormatter.Format(-mesh.Bounds.Min.Z, 3)} mm below the bed. That part is not printed.", body.Source);
         }
         if (settings is { InfillPattern: InfillPattern.Curves, InfillCurves.Count: 0 } && (settings.InfillDensityPercent > 0 || settings.InfillSpacing > 0))
         {
             problems.Add(Severity.Warning, "slice.no_curves",
-                "The infill is to be curves, but there are none (infill_curves_mm, --infill-curves FILE): the inside stays empty.", body.Source);
+                "infill_pattern=curves has no curves, so no infill is printed. Set infill_curves_mm or --infill-curves FILE.", body.Source);
         }
         var planned = new LayerPlan(mesh, settings).Layers();
         foreach (var problem in planned.Diagnostics) problems.Add(problem with { Source = problem.Source ?? body.Source });

@@ -4,8 +4,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Second stage of a layer, for which the regions of its neighbors are known: skins, infill, and the steps that print the layer. What it reads of other
-/// layers is what the first stage wrote.
+/// Second stage of a layer, when the regions of its neighbors are known: top and bottom surfaces, infill, and the steps that print the layer. From other
+/// layers it reads only the results of the first stage.
 /// </summary>
 internal static class FillStage
 {
@@ -29,8 +29,8 @@ internal static class FillStage
 
     private static int Reach(LayerWork layer)
     {
-        var reach = SkinFinder.Reach(layer, layer.Rules);
-        foreach (var (rules, _) in layer.Modifiers) reach = Math.Max(reach, SkinFinder.Reach(layer, rules));
+        var reach = TopBottomFinder.Reach(layer, layer.Rules);
+        foreach (var (rules, _) in layer.Modifiers) reach = Math.Max(reach, TopBottomFinder.Reach(layer, rules));
         return reach;
     }
 
@@ -45,7 +45,7 @@ internal static class FillStage
             var island = layer.Islands[i];
             WallSteps.Add(layer, island, i, tools.Engine, steps, chains);
             foreach (var inside in island.Insides)
-                new AreaFiller(layer, island, inside.Rules, i, tools, steps).Fill(SkinFinder.AreasOf(layer, inside, tools.Engine), thick);
+                new AreaFiller(layer, island, inside.Rules, i, tools, steps).Fill(TopBottomFinder.AreasOf(layer, inside, tools.Engine), thick);
         }
         if (layer.OpenLines.Count > 0) WallSteps.AddOpen(layer, steps);
         layer.Chains = chains;

@@ -4,8 +4,8 @@ using Caterpillar.Machines;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Names settings that change nothing because of another one. A value is idle where it is not the usual one and the other key rules it out in all settings of
-/// the print that have it; 0 and false ask for nothing.
+/// Reports settings that have no effect because of another one. A value is idle if it is not the default and the other key rules it out in all settings of
+/// the print that have it. The values 0 and false are never idle.
 /// </summary>
 internal static class IdleSettings
 {
@@ -14,50 +14,52 @@ internal static class IdleSettings
     // What was asked for and is not printed is worth a warning, a value for something that is off a note.
     private static readonly Rule[] Rules =
     [
-        new(Severity.Warning, "with spiral_vase=true", "a vase is one wall on a closed bottom, without supports, top or infill", s => s.SpiralVase,
+        new(Severity.Warning, "with spiral_vase=true", "A vase has one wall and solid bottom layers, and no supports, top layers or infill", s => s.SpiralVase,
             SupportKeys.Support, SkinKeys.TopLayers, SkinKeys.TopThickness, SkinKeys.Ironing, SettingsKeys.InfillDensityPercent, SettingsKeys.InfillSpacing,
             InfillKeys.InfillPattern, InfillKeys.CombineInfillLayers),
-        new(Severity.Warning, "above the bottom with spiral_vase=true", "its wall has one width and no seam", s => s.SpiralVase,
+        new(Severity.Warning, "above the bottom layers with spiral_vase=true", "The wall of a vase has one width and no seam", s => s.SpiralVase,
             SurfaceKeys.FuzzySkinThickness, SeamKeys.ScarfSeamLength, WallWidthKeys.ArcFittingTolerance, SeamKeys.SeamEnforcers),
-        new(Severity.Note, "above the bottom with spiral_vase=true", "a vase has one wall", s => s.SpiralVase && s.WallCount > 1, SettingsKeys.WallCount),
-        new(Severity.Warning, "with wall_count=0", "there are no walls", s => s is { WallCount: 0, SpiralVase: false },
+        new(Severity.Note, "above the bottom layers with spiral_vase=true", "A vase has one wall", s => s.SpiralVase && s.WallCount > 1,
+            SettingsKeys.WallCount),
+        new(Severity.Warning, "with wall_count=0", "The print has no walls", s => s is { WallCount: 0, SpiralVase: false },
             SurfaceKeys.FuzzySkinThickness, SeamKeys.ScarfSeamLength, WallWidthKeys.ArcFittingTolerance, SeamKeys.SeamEnforcers),
-        new(Severity.Warning, "with layer_height_formula", "the formula holds", s => s.LayerFormula.Length > 0, LayerKeys.AdaptiveLayers),
-        new(Severity.Warning, "with top_layers=0 and top_thickness_mm=0", "there are no closed layers at the top", s => !s.SpiralVase && !HasTop(s),
+        new(Severity.Warning, "with layer_height_formula", "The formula sets the layer height", s => s.LayerFormula.Length > 0, LayerKeys.AdaptiveLayers),
+        new(Severity.Warning, "with top_layers=0 and top_thickness_mm=0", "The print has no solid top layers", s => !s.SpiralVase && !HasTop(s),
             SkinKeys.Ironing),
-        new(Severity.Warning, "with infill_density_percent=0 and infill_spacing_mm=0", "there is no infill", s => !s.SpiralVase && !HasInfill(s),
+        new(Severity.Warning, "with infill_density_percent=0 and infill_spacing_mm=0", "The print has no infill", s => !s.SpiralVase && !HasInfill(s),
             InfillKeys.InfillPattern, InfillKeys.CombineInfillLayers),
-        new(Severity.Note, "with infill_spacing_mm", "the spacing holds", s => s.InfillSpacing > 0, SettingsKeys.InfillDensityPercent),
-        new(Severity.Note, "with open_contours=walls", "open contours are printed as they are", s => s.OpenContours == OpenContours.Walls,
+        new(Severity.Note, "with infill_spacing_mm", "The spacing sets the density", s => s.InfillSpacing > 0, SettingsKeys.InfillDensityPercent),
+        new(Severity.Note, "with open_contours=walls", "Open contours are printed as they are", s => s.OpenContours == OpenContours.Walls,
             SettingsKeys.SliceGapClosing, SettingsKeys.MaxAreaLossPercent),
-        Without("adaptive_layers=true", s => !s.AdaptiveLayers, LayerKeys.AdaptiveMinHeight, LayerKeys.AdaptiveMaxHeight, LayerKeys.AdaptiveCuspHeight),
-        Without("ironing=true", s => !s.Ironing, SkinKeys.IroningSpacing, SkinKeys.IroningFlowPercent, SkinKeys.IroningSpeed),
-        Without("infill_pattern=formula", s => s.InfillPattern != InfillPattern.Formula, InfillKeys.InfillFormula),
-        Without("infill_pattern=curves", s => s.InfillPattern != InfillPattern.Curves, InfillKeys.InfillCurves),
-        Without("bridges=true", s => !s.Bridges, SkinKeys.BridgeFlowRatio, SkinKeys.BridgeSpeed, SkinKeys.BridgeFanSpeedPercent),
-        Without("infill_bridges=true", s => !s.InfillBridges, SkinKeys.InfillBridgeFlowRatio, SkinKeys.InfillBridgeSpeed),
-        Without("variable_wall_width=true", s => !s.VariableWallWidth, WallWidthKeys.MinWallWidth, WallWidthKeys.MaxWallWidth),
-        Without("seam_position=point", s => s.SeamPosition != SeamPosition.Point, SeamKeys.SeamPoint),
-        Without("seam_position=random", s => s.SeamPosition != SeamPosition.Random, SeamKeys.SeamSeed),
-        Without("scarf_seam_length_mm", s => s.ScarfSeamLength == 0, SeamKeys.ScarfSeamSteps),
-        Without("fuzzy_skin_thickness_mm", s => s.FuzzySkinThickness == 0, SurfaceKeys.FuzzySkinPointDistance, SurfaceKeys.FuzzySkinSeed),
-        Without("spiral_vase=true", s => !s.SpiralVase, SurfaceKeys.SpiralVaseMinFlowPercent),
-        Without("min_layer_time_s", s => s.MinLayerTime == 0, SurfaceKeys.MinPrintSpeed, TravelKeys.LayerTimeWait),
-        Without("skirt_loops", s => s.SkirtLoops == 0, BedKeys.SkirtDistance),
-        Without("brim_width_mm", s => s.BrimWidth == 0, BedKeys.BrimType, BedKeys.BrimGap),
-        Without("raft_layers", s => s.RaftLayers == 0, BedKeys.RaftExpansion, BedKeys.RaftLayerHeight, BedKeys.RaftGap, BedKeys.RaftDensityPercent),
-        Without("support=grid or tree", s => s.Support == SupportKind.None,
+        Unless("adaptive_layers=true", s => !s.AdaptiveLayers, LayerKeys.AdaptiveMinHeight, LayerKeys.AdaptiveMaxHeight, LayerKeys.AdaptiveCuspHeight),
+        Unless("ironing=true", s => !s.Ironing, SkinKeys.IroningSpacing, SkinKeys.IroningFlowPercent, SkinKeys.IroningSpeed),
+        Unless("infill_pattern=formula", s => s.InfillPattern != InfillPattern.Formula, InfillKeys.InfillFormula),
+        Unless("infill_pattern=curves", s => s.InfillPattern != InfillPattern.Curves, InfillKeys.InfillCurves),
+        Unless("bridges=true", s => !s.Bridges, SkinKeys.BridgeFlowRatio, SkinKeys.BridgeSpeed, SkinKeys.BridgeFanSpeedPercent),
+        Unless("infill_bridges=true", s => !s.InfillBridges, SkinKeys.InfillBridgeFlowRatio, SkinKeys.InfillBridgeSpeed),
+        Unless("variable_wall_width=true", s => !s.VariableWallWidth, WallWidthKeys.MinWallWidth, WallWidthKeys.MaxWallWidth),
+        Unless("seam_position=point", s => s.SeamPosition != SeamPosition.Point, SeamKeys.SeamPoint),
+        Unless("seam_position=random", s => s.SeamPosition != SeamPosition.Random, SeamKeys.SeamSeed),
+        Unless("scarf_seam_length_mm is above 0", s => s.ScarfSeamLength == 0, SeamKeys.ScarfSeamSteps),
+        Unless("fuzzy_skin_thickness_mm is above 0", s => s.FuzzySkinThickness == 0, SurfaceKeys.FuzzySkinPointDistance, SurfaceKeys.FuzzySkinSeed),
+        Unless("spiral_vase=true", s => !s.SpiralVase, SurfaceKeys.SpiralVaseMinFlowPercent),
+        Unless("min_layer_time_s is above 0", s => s.MinLayerTime == 0, SurfaceKeys.MinPrintSpeed, TravelKeys.LayerTimeWait),
+        Unless("skirt_loops is above 0", s => s.SkirtLoops == 0, BedKeys.SkirtDistance),
+        Unless("brim_width_mm is above 0", s => s.BrimWidth == 0, BedKeys.BrimType, BedKeys.BrimGap),
+        Unless("raft_layers is above 0", s => s.RaftLayers == 0, BedKeys.RaftExpansion, BedKeys.RaftLayerHeight, BedKeys.RaftGap, BedKeys.RaftDensityPercent),
+        Unless("support=grid or support=tree", s => s.Support == SupportKind.None,
             SupportKeys.SupportPlacement, SupportKeys.SupportAngle, SupportKeys.SupportXyGap, SupportKeys.SupportTopGap, SupportKeys.SupportBottomGap,
             SupportKeys.SupportDensityPercent, SupportKeys.SupportInterfaceLayers, SupportKeys.SupportInterfaceDensityPercent, SupportKeys.TreeTipDistance,
             SupportKeys.TreeBranchAngle, SupportKeys.TreeBranchDiameter, SupportKeys.SupportSpeed),
-        Without("support=tree", s => s.Support == SupportKind.Grid,
+        Unless("support=tree", s => s.Support == SupportKind.Grid,
             SupportKeys.TreeTipDistance, SupportKeys.TreeBranchAngle, SupportKeys.TreeBranchDiameter),
-        Without("support=grid", s => s.Support == SupportKind.Tree, SupportKeys.SupportDensityPercent),
-        Without("support_interface_layers", s => s.Support != SupportKind.None && s.SupportInterfaceLayers == 0, SupportKeys.SupportInterfaceDensityPercent),
+        Unless("support=grid", s => s.Support == SupportKind.Tree, SupportKeys.SupportDensityPercent),
+        Unless("support_interface_layers is above 0", s => s.Support != SupportKind.None && s.SupportInterfaceLayers == 0,
+            SupportKeys.SupportInterfaceDensityPercent),
     ];
 
     /// <summary>One diagnostic for each reason.</summary>
-    /// <param name="models">What is printed, and the bodies that change it.</param>
+    /// <param name="models">Models, including modifiers and support blockers and enforcers.</param>
     /// <param name="common">The settings of the print.</param>
     public static IEnumerable<Diagnostic> Of(IReadOnlyList<SliceModel> models, PrintSettings common)
     {
@@ -66,9 +68,9 @@ internal static class IdleSettings
         {
             var idle = rule.Keys.Where(k => Asking(k, all) is { Length: > 0 } asking && asking.All(rule.Holds)).Select(k => k.Name).ToArray();
             if (idle.Length == 0) continue;
-            var why = rule.Why.Length > 0 ? $": {rule.Why}" : "";
+            var why = rule.Why.Length > 0 ? $" {rule.Why}." : "";
             yield return new Diagnostic(
-                rule.Severity, "slice.no_effect", $"{string.Join(", ", idle)} {(idle.Length == 1 ? "changes" : "change")} nothing {rule.Place}{why}.");
+                rule.Severity, "slice.no_effect", $"{string.Join(", ", idle)} {(idle.Length == 1 ? "has" : "have")} no effect {rule.Place}.{why}");
         }
     }
 
@@ -79,9 +81,9 @@ internal static class IdleSettings
 
     private static bool HasInfill(PrintSettings s) => s.InfillDensityPercent > 0 || s.InfillSpacing > 0;
 
-    private static Rule Without(string what, Func<PrintSettings, bool> isOff, params ProfileKey<PrintSettings>[] keys)
-        => new(Severity.Note, "without " + what, "", isOff, keys);
+    private static Rule Unless(string condition, Func<PrintSettings, bool> isOff, params ProfileKey<PrintSettings>[] keys)
+        => new(Severity.Note, "unless " + condition, "", isOff, keys);
 
-    // Where keys change nothing, and why.
+    // When keys have no effect, and why.
     private sealed record Rule(Severity Severity, string Place, string Why, Func<PrintSettings, bool> Holds, params ProfileKey<PrintSettings>[] Keys);
 }

@@ -4,13 +4,13 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Slows small layers down, so that each takes the least time of the settings. Layers of several objects at one height cool together.</summary>
+/// <summary>Slows down small layers to the minimum layer time. Layers of several models at one height cool together.</summary>
 internal sealed class LayerCooling(PrintSettings settings)
 {
     private int _quick;
     private double _first;
 
-    /// <summary>Layers of one height, in place; false where they stay below the time even at the least speed.</summary>
+    /// <summary>Slows down the layers of one height, in place. False if they stay below the time even at the minimum speed.</summary>
     public bool Apply(IList<SlicedLayer> layers)
     {
         double Speed(PrintPath path, int segment)
@@ -34,14 +34,14 @@ internal sealed class LayerCooling(PrintSettings settings)
         return reached;
     }
 
-    /// <summary>Says which layers stay below the time.</summary>
+    /// <summary>Reports layers below the minimum layer time.</summary>
     public void Report(DiagnosticList problems)
     {
         // Where the machine waits, they do.
         if (_quick == 0 || settings.LayerTimeWait != LayerTimeWait.None) return;
         problems.Add(Severity.Note, "slice.layer_time",
-            $"Layers take less than {NumberFormatter.Format(settings.MinLayerTime, 1)} s even at {NumberFormatter.Format(settings.MinPrintSpeed, 1)} mm/s, "
-            + $"first at z = {NumberFormatter.Format(_first, 3)} mm: they may not cool in time.", null, _quick);
+            $"A layer takes less than {NumberFormatter.Format(settings.MinLayerTime, 1)} s even at {NumberFormatter.Format(settings.MinPrintSpeed, 1)} mm/s "
+            + $"(first at z = {NumberFormatter.Format(_first, 3)} mm) and may stay too hot.", null, _quick);
     }
 
     private static bool LastsLongEnough(IList<SlicedLayer> layers, double wanted, Func<PrintPath, int, double> speed)

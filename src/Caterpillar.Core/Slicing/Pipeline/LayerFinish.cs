@@ -5,15 +5,15 @@ using Caterpillar.Machines;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// What depends on the layers before, or on all objects on the bed: seams, vases, supports, raft, skirt and the least time of a layer. Layers are given on
-/// height by height, at once where nothing above them can change them.
+/// Adds everything that depends on earlier layers or on all models on the bed: seams, vases, supports, raft, skirt and minimum layer time. Layers are passed
+/// on height by height, as soon as no layer above can change them.
 /// </summary>
 /// <param name="works">The layers in their order, as they are sliced.</param>
-/// <param name="bodies">What is printed.</param>
+/// <param name="bodies">Models to print.</param>
 /// <param name="settings">The settings of the print.</param>
-/// <param name="supports">Adds supports; null where nobody wants them.</param>
-/// <param name="problems">Gets what is noticed.</param>
-/// <param name="take">Gets finished layers; null for nobody.</param>
+/// <param name="supports">Adds supports. Null = no supports.</param>
+/// <param name="problems">Receives diagnostics.</param>
+/// <param name="take">Receives finished layers, or null.</param>
 internal sealed class LayerFinish(
     LayerWork[] works, IReadOnlyList<Body> bodies, PrintSettings settings, PrintSupports? supports, DiagnosticList problems,
     Action<IReadOnlyList<SlicedLayer>>? take)
@@ -135,11 +135,11 @@ internal sealed class LayerFinish(
         {
             var open = NumberFormatter.Format(settings.CoastingDistance, 2);
             problems.Add(Severity.Warning, "slice.spiral_vase_lag",
-                $"The head leaves the vase after each turn to print other models: coasting_distance_mm opens its wall over {open} mm there. "
-                + "print_sequence=by_object prints one after the other.", body.Source);
+                $"The print head leaves the vase after each turn to print other models, and coasting_distance_mm leaves a gap of {open} mm in its wall. "
+                + "Set print_sequence=by_object to print one model at a time.", body.Source);
         }
         if (spiral.Divided == 0) return;
         problems.Add(Severity.Warning, "slice.spiral_vase_divided",
-            "A vase has one wall: of layers in several pieces only the largest is printed.", body.Source, spiral.Divided);
+            "A layer of the vase has several pieces. Only the largest is printed, because a vase has one wall.", body.Source, spiral.Divided);
     }
 }

@@ -16,8 +16,8 @@ internal sealed class LayerStream
     private readonly ConcurrentBag<LayerTools> _tools = [];
 
     /// <param name="layers">The layers of all bodies in the order in which they are wanted.</param>
-    /// <param name="threads">Degree of parallelism, 0 for all cores.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="threads">Number of threads. 0 = all cores.</param>
+    /// <param name="cancel">Cancels the call.</param>
     public LayerStream(LayerWork[] layers, int threads, CancellationToken cancel)
     {
         _layers = layers;

@@ -5,25 +5,25 @@ using Caterpillar.Machines;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Cuts meshes into planar layers and fills them with walls, skins and infill. Where solids of a model overlap their union is printed.
+/// Slices meshes into planar layers with walls, top/bottom surfaces, infill and supports. Overlapping solids of a model are printed as their union.
 /// </summary>
 public static class PlanarSlicer
 {
-    /// <summary>The most models of one print.</summary>
+    /// <summary>Maximum number of models in one print.</summary>
     internal const int MaxModels = 10_000;
 
     /// <summary>Slices meshes at the positions where they are printed (Z = 0 is the bed).</summary>
-    /// <param name="models">The objects; each keeps its own layers.</param>
-    /// <param name="settings">Layers, walls, skins and infill.</param>
-    /// <param name="options">Threads, memory, infill lines, and who gets finished layers.</param>
-    /// <param name="progress">0 to 1.</param>
-    /// <param name="cancel">Cancels.</param>
-    /// <returns>The layers, and what was noticed: <c>slice.empty</c>, <c>slice.below_bed</c>, <c>slice.too_many_layers</c>, <c>slice.layer_formula</c>,
-    /// <c>slice.spiral_vase_divided</c>, <c>slice.spiral_vase_lag</c>, <c>slice.layer_time</c>, and for each broken mesh <c>slice.broken_mesh</c> (what was
-    /// repaired and what is left out) and <c>slice.lost_layers</c> (an error: there are no layers then), <c>slice.no_curves</c>, settings without effect
-    /// (<c>slice.no_effect</c>, <c>slice.whole_print</c>, <c>slice.no_support</c>), for each model <c>slice.too_thin</c>, and for each modifier without effect
-    /// <c>slice.modifier_outside</c>; <c>slice.too_many_models</c> where there are more than 10,000.</returns>
-    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    /// <param name="models">The models. Each has its own layers.</param>
+    /// <param name="settings">Print settings.</param>
+    /// <param name="options">Threads, memory and infill lines.</param>
+    /// <param name="progress">Progress, 0 to 1.</param>
+    /// <param name="cancel">Cancels the call.</param>
+    /// <returns>The layers, or none on an error, and the diagnostics: <c>slice.empty</c>, <c>slice.below_bed</c>, <c>slice.too_many_layers</c>,
+    /// <c>slice.too_many_models</c> (over 10,000), <c>slice.layer_formula</c>, <c>slice.spiral_vase_divided</c>, <c>slice.spiral_vase_lag</c>,
+    /// <c>slice.layer_time</c>, <c>slice.no_curves</c>. For settings without effect: <c>slice.no_effect</c>, <c>slice.whole_print</c>, <c>slice.no_support</c>.
+    /// For each broken mesh: <c>slice.broken_mesh</c> (repairs and omissions) and <c>slice.lost_layers</c> (an error). For each model:
+    /// <c>slice.too_thin</c>. For each modifier without effect: <c>slice.modifier_outside</c>.</returns>
+    /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static Result<SliceResult> Slice(
         IReadOnlyList<NamedMesh> models, PrintSettings settings, SliceOptions? options = null, IProgress<double>? progress = null,
         CancellationToken cancel = default)
@@ -32,7 +32,7 @@ public static class PlanarSlicer
         return SliceEach(models.Select(m => new SliceModel(m, settings)).ToArray(), settings, options, progress, cancel);
     }
 
-    /// <summary>Slices models that have settings of their own; what concerns all of them (order, skirt) is taken from <paramref name="common"/>.</summary>
+    /// <summary>Slices models that have their own settings. Settings of the whole print (order, skirt) come from <paramref name="common"/>.</summary>
     /// <inheritdoc cref="Slice"/>
     public static Result<SliceResult> SliceEach(
         IReadOnlyList<SliceModel> models, PrintSettings common, SliceOptions? options = null, IProgress<double>? progress = null,
@@ -42,7 +42,7 @@ public static class PlanarSlicer
         if (common is null) throw new ArgumentNullException(nameof(common));
         if (models.Count > MaxModels)
             return new(null, [new Diagnostic(Severity.Error, "slice.too_many_models",
-                $"{NumberFormatter.Format(models.Count)} models are more than can be printed at once; the most is {NumberFormatter.Format(MaxModels)}.")]);
+                $"The print has {NumberFormatter.Format(models.Count)} models. The maximum is {NumberFormatter.Format(MaxModels)}.")]);
         try
         {
             return Sliced(models, common, options ?? new SliceOptions(), progress, cancel);
@@ -64,9 +64,9 @@ public static class PlanarSlicer
         foreach (var model in models)
         {
             if (PrintWideKeys.SetBy(model.Settings, common) is not { Count: > 0 } ignored) continue;
-            var (keys, hold) = (string.Join(", ", ignored), ignored.Count == 1 ? "holds" : "hold");
+            var (keys, apply) = (string.Join(", ", ignored), ignored.Count == 1 ? "applies" : "apply");
             findings.Add(new Diagnostic(Severity.Warning, "slice.whole_print",
-                $"{keys} {hold} for the whole print: the value for one model is ignored.", new SourceLocation(model.Mesh.Name)));
+                $"{keys} {apply} to the whole print. Values for one model are ignored.", new SourceLocation(model.Mesh.Name)));
         }
         findings.AddRange(IdleSettings.Of(models, common));
         var helpers = models.Where(m => m.Settings.ModelType != ModelType.Part).ToArray();
@@ -74,7 +74,7 @@ public static class PlanarSlicer
         if (models.All(m => m.Settings.Support == SupportKind.None) && helpers.FirstOrDefault(m => m.Settings.ModelType != ModelType.Modifier) is { } idle)
         {
             findings.Add(new Diagnostic(Severity.Warning, "slice.no_support",
-                "It changes nothing, for there are no supports: support=grid or tree builds them, with support_angle_deg=90 only in enforcers.",
+                "This model has no effect because support=none. Set support=grid or support=tree. With support_angle_deg=90, only enforcers get supports.",
                 new SourceLocation(idle.Mesh.Name)));
         }
         if (common.MergeOverlappingModels) models = OverlappingModels.Merge(models, threads, problems, cancel);
@@ -106,15 +106,15 @@ public static class PlanarSlicer
 
     private static string Nothing(IReadOnlyList<SliceModel> models, LayerWork[] layers)
     {
-        if (models.Count == 0) return "Nothing to print: none of the models is a part.";
+        if (models.Count == 0) return "Nothing to print: no model has model_type=part.";
         if (layers.All(l => l.Region.IsEmpty))
         {
-            var sheets = models.Any(m => !m.Mesh.Mesh.IsWatertight) ? " Open surfaces can be printed as single walls (open_contours=walls)." : "";
+            var sheets = models.Any(m => !m.Mesh.Mesh.IsWatertight) ? " Set open_contours=walls to print open surfaces as single walls." : "";
             return "Nothing to print: no layer of the models has a closed contour." + sheets;
         }
         if (models.All(m => m.Settings is { WallCount: 0, InfillDensityPercent: 0, InfillSpacing: 0, TopLayers: 0, BottomLayers: 0 }))
-            return "Nothing to print: the settings ask for no walls, no infill and no top or bottom layers.";
+            return "Nothing to print: the settings have no walls, no infill and no top or bottom layers.";
         var width = NumberFormatter.Format(models[0].Settings.LineWidth, 3);
-        return $"Nothing to print: no contour of the models is as wide as a line ({width} mm), or the settings leave out all that they would hold.";
+        return $"Nothing to print: all contours are narrower than a line ({width} mm), or the settings leave nothing to fill them. Check line_width_mm.";
     }
 }

@@ -2,7 +2,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Estimates what the layers of a print take, first by their number, then by what is in them.</summary>
+/// <summary>Estimates the memory of the layers of a print, first by their number, then by their points.</summary>
 internal sealed class SliceMemory(MemoryLimit limit)
 {
     // A layer with its section, region, islands and steps; a point of an extrusion with its bead, until it is planned.
@@ -15,7 +15,7 @@ internal sealed class SliceMemory(MemoryLimit limit)
     public void Plan(Body body, PlannedLayer[] layers)
     {
         _layers += layers.Length;
-        limit.Check(_layers * BytesPerLayer, NumberFormatter.Format(_layers) + " layers", body.Source, "Thicker layers take less.");
+        limit.Check(_layers * BytesPerLayer, NumberFormatter.Format(_layers) + " layers", body.Source, "Increase the layer height.");
     }
 
     /// <summary>The same layers, counted as they come.</summary>
@@ -30,7 +30,7 @@ internal sealed class SliceMemory(MemoryLimit limit)
             foreach (var step in layer.Steps) points += step.Path.RawPoints.Length;
             if (points * BytesPerPoint > limit.Bytes)
                 limit.Check(points * BytesPerPoint, $"The first {NumberFormatter.Format(done)} of {NumberFormatter.Format(_layers)} layers", null,
-                    "Wider spacing, wider lines or thicker layers take less.");
+                    "Increase the infill spacing, line width or layer height.");
             yield return layer;
         }
     }

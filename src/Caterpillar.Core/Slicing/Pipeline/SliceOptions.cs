@@ -3,25 +3,24 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>How the slicer works, and what it needs beyond the print settings.</summary>
+/// <summary>Options for slicing, apart from the print settings.</summary>
 public sealed record SliceOptions
 {
-    /// <summary>Degree of parallelism, 0 for all cores. It does not change the result.</summary>
+    /// <summary>Number of threads. 0 = all cores. The result does not depend on it.</summary>
     public int Threads { get; init; }
 
-    /// <summary>How much memory the layers may take; more is the error <see cref="MemoryLimit.Code"/>.</summary>
+    /// <summary>Memory limit for the layers. Exceeding it is the error <see cref="MemoryLimit.Code"/>.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
     /// <summary>
-    /// Gets the layers as soon as they are finished, those of a height together and from below, on a thread of the slicer; the layers of the result are then
-    /// without steps. With supports the first come once those are found; of objects that are printed one after the other all come at the end.
+    /// Receives finished layers, all of one height together and from bottom to top, on a thread of the slicer. The layers of the result then have no steps.
+    /// With supports, the first come after the supports are found. If models are printed one after the other, all layers come at the end.
     /// </summary>
     internal Action<IReadOnlyList<SlicedLayer>>? Take { get; init; }
 
     /// <summary>
-    /// Gives the lines that take the place of the infill's pattern in a layer, from the height of its top above the bed, mm; of the lines x and y count, mm.
-    /// They are printed where the layer is neither closed nor skin; not where infill is 0 or 100 %. Called from any thread. Null for the pattern of the
-    /// settings.
+    /// Returns the lines that replace the infill pattern in a layer. The argument is the height of its top above the bed, mm. Only x and y of the lines count,
+    /// mm. They are printed in sparse infill only. Called from any thread. Null = the pattern in the settings.
     /// </summary>
     public Func<double, IReadOnlyList<Polyline>>? InfillLines { get; init; }
 

@@ -2,18 +2,18 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>The layers of all objects, from below.</summary>
+/// <summary>The layers of all models, from bottom to top.</summary>
 public class SliceResult
 {
     internal SliceResult(IReadOnlyList<SlicedLayer> layers) => Layers = layers;
 
     /// <summary>
-    /// By height; layers of equal height in the order of their objects. Curved layers whose pieces the head would have to go through are in pieces, each a
-    /// layer of its own, in the order in which they can be printed.
+    /// The layers by height; layers of equal height in the order of their models. Curved layers may be divided into pieces to keep the print head clear of
+    /// printed parts. Then each piece is a layer of its own, in print order.
     /// </summary>
     public IReadOnlyList<SlicedLayer> Layers { get; }
 
-    /// <summary>All paths as steps for planning.</summary>
+    /// <summary>The paths of all layers, as steps for planning.</summary>
     public IReadOnlyList<Step> ToSteps()
     {
         var steps = new List<Step>();

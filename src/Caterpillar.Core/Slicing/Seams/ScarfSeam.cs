@@ -16,7 +16,7 @@ internal static class ScarfSeam
     // mm, far below what a file can hold.
     private const double Rounding = 1e-9;
 
-    /// <summary>An open path along the loop, longer by the scarf; the loop itself where that is too short.</summary>
+    /// <summary>An open path along the loop, longer by the scarf, or the loop itself if it is too short.</summary>
     public static PrintPath Apply(PrintPath loop, double thickness, PrintSettings settings)
     {
         var scarf = settings.ScarfSeamLength;

@@ -16,7 +16,7 @@ internal sealed class CarriedSupports(SupportStack stack)
     private readonly double _width = stack.Settings.LineWidth;
     private readonly RegionEngine _engine = new();
 
-    /// <summary>Takes away from all levels what is not carried.</summary>
+    /// <summary>Removes all supports that nothing carries.</summary>
     public void Keep(CancellationToken cancel)
     {
         for (var i = 0; i < _levels.Length; i++)

@@ -44,7 +44,7 @@ internal sealed class PrintSupports : IDisposable
         _work = options.MaxDegreeOfParallelism == 1 ? Task.CompletedTask : OwnThread.Run(Work);
     }
 
-    /// <summary>Begins; null where nobody wants supports. The regions of all layers are known afterwards.</summary>
+    /// <summary>Starts the supports, or returns null if no model needs them. Afterwards the regions of all layers are known.</summary>
     /// <param name="works">The layers in their order, before they are sliced.</param>
     /// <param name="bodies">What is printed.</param>
     /// <param name="helpers">Bodies in which supports are blocked or enforced.</param>
@@ -77,7 +77,7 @@ internal sealed class PrintSupports : IDisposable
         return layers.Count;
     }
 
-    /// <summary>Stops where it is not finished, and waits for that.</summary>
+    /// <summary>Stops unfinished work and waits for it.</summary>
     public void Dispose()
     {
         _stop.Cancel();

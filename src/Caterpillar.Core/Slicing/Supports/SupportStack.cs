@@ -22,7 +22,7 @@ internal sealed class SupportLevel(LayerWork work)
     /// <summary>The same and, where it reaches out of that, what is above and below within the gaps.</summary>
     public Region[] Obstacles { get; set; } = [];
 
-    /// <summary>What hangs over too far, of this level.</summary>
+    /// <summary>Overhangs of this level that are too long.</summary>
     public Region Overhang { get; set; } = Region.Empty;
 
     /// <summary>The overhangs of higher levels that are held from right here.</summary>

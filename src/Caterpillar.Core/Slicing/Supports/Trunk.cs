@@ -7,7 +7,7 @@ namespace Caterpillar.Slicing;
 /// <param name="Place">Its middle, mm.</param>
 /// <param name="Radius">Of its corners, mm.</param>
 /// <param name="Branch">Number among the branches of the level.</param>
-/// <param name="Below">Number of the branch that goes on with it on the level below; −1 where it ends.</param>
+/// <param name="Below">Index of the branch that continues it on the level below. −1 = it ends.</param>
 internal readonly record struct Trunk(Vec3 Place, double Radius, int Branch, int Below)
 {
     // mm between the circle and the corners outside, and the sides within.

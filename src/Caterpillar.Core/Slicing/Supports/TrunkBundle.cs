@@ -4,7 +4,7 @@ namespace Caterpillar.Slicing;
 
 /// <summary>Trunks that touch each other on a level, or a single one. Nothing else is near them.</summary>
 /// <param name="Trunks">The trunks.</param>
-/// <param name="Region">What they cover together.</param>
+/// <param name="Region">Area of all trunks.</param>
 internal sealed record TrunkBundle(IReadOnlyList<Trunk> Trunks, Region Region)
 {
     /// <summary>Divides trunks into those that touch each other, directly or through others.</summary>

@@ -2,7 +2,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
 
-/// <summary>Which parts of a loop lie over air. A seam there would be a free end that sags.</summary>
+/// <summary>Parts of a loop over air. A seam there would be a free end that sags.</summary>
 internal sealed class LoopSupport
 {
     // mm that a seam keeps from the air, where there is so much.
@@ -18,15 +18,15 @@ internal sealed class LoopSupport
         IsNowhere = over > length - 1e-6;
     }
 
-    /// <summary>How much of the loop lies on something, 0 to 1.</summary>
+    /// <summary>Supported fraction of the loop, 0 to 1.</summary>
     public double Share { get; }
 
-    /// <summary>Whether all of the loop lies over air.</summary>
+    /// <summary>True if the whole loop is over air.</summary>
     public bool IsNowhere { get; }
 
     /// <summary>The parts of a loop, or null where all of it is supported.</summary>
     /// <param name="loop">The loop.</param>
-    /// <param name="below">Cuts lines to what is outside of the layer below.</param>
+    /// <param name="below">Cuts lines to their parts outside the layer below.</param>
     public static LoopSupport? Of(Vec3[] loop, LineClipper below)
     {
         var air = new List<(double From, double To)>();

@@ -66,7 +66,7 @@ internal sealed class MedialExtrusion
     /// <summary>Distance from a point to the extrusion less the radius there: negative in its bead.</summary>
     public double Clearance(Vec3 p) => Clearance(p, out _);
 
-    /// <summary>True if a point lies in its bead, and not just before one of its ends.</summary>
+    /// <summary>True if a point is inside its bead, and not just before one of its ends.</summary>
     public bool Passes(Vec3 p) => Clearance(p, out var atEnd) < 0 && !atEnd;
 
     private double Clearance(Vec3 p, out bool atEnd)

@@ -18,7 +18,7 @@ internal static class ThinParts
     /// <param name="half">mm.</param>
     /// <param name="smallest">Thin contours with less area than this are none, mm².</param>
     /// <param name="engine">Clips.</param>
-    /// <param name="thick">The other part and somewhat more, or the region itself where nothing is thin.</param>
+    /// <param name="thick">The other part and some more, or the region itself if nothing is thin.</param>
     public static Region Of(Region region, double half, double smallest, RegionEngine engine, out Region thick)
     {
         var core = region.Offset(-half, JoinStyle.Miter, MiterLimit, ArcTolerance, engine);

@@ -83,7 +83,7 @@ internal sealed class VaryingOffset(RegionEngine engine)
         return result;
     }
 
-    /// <summary>What lies beyond twice the distance.</summary>
+    /// <summary>Area beyond twice the distance.</summary>
     /// <param name="more">Added in strips, so that both sides take all, mm.</param>
     public Region Inner(double more)
         => Region.Own(Run(2, more)).Intersect(_region.Offset(-1.8 * _least, JoinStyle.Miter, 2, 0.005, engine), engine);

@@ -12,7 +12,7 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
 
     private readonly VaryingOffset _offset = new(engine);
 
-    /// <summary>The walls along all contours of a region, and what they leave for infill.</summary>
+    /// <summary>The walls along all contours of a region, and the area left for infill.</summary>
     public WallResult Build(Region island)
     {
         var output = new WallOutput(rules);
@@ -24,7 +24,7 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
 
     /// <summary>One wall of one width around an island of supports; single extrusions where it is thin, and gaps that are not filled.</summary>
     /// <param name="island">The island.</param>
-    /// <param name="filled">Whether what is left for infill matters; otherwise it is empty.</param>
+    /// <param name="filled">True if the area for infill is needed. Otherwise it is empty.</param>
     public WallResult Outline(Region island, bool filled)
     {
         const double Coarse = 0.02;

@@ -7,7 +7,7 @@ namespace Caterpillar.Slicing;
 /// <param name="First">Number of the first step.</param>
 /// <param name="Count">Number of loops.</param>
 /// <param name="Outer">Number of the step of the outer wall.</param>
-/// <param name="Supports">For each loop the parts that lie over air, or null where none does.</param>
+/// <param name="Supports">Parts over air of each loop, or null if it has none.</param>
 internal readonly record struct WallChain(int First, int Count, int Outer, LoopSupport?[]? Supports = null)
 {
     /// <summary>The support of the loop of a step.</summary>
@@ -52,7 +52,7 @@ internal static class WallChains
         return chains;
     }
 
-    /// <summary>A loop of a wall, or a single extrusion that is the outline of what it prints.</summary>
+    /// <summary>A loop of a wall, or a single extrusion that is its own outline.</summary>
     public static bool IsLoop(WallPath wall) => wall.Closed && (!wall.IsExtrusion || wall.Index == 0);
 
     /// <summary>Whether the outer wall of a contour is printed first.</summary>

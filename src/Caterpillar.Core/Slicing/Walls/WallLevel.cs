@@ -48,7 +48,7 @@ internal sealed class WallLevel
     private double SmallestThin => 0.05 * _spacing * _spacing;
 
     /// <summary>Lays the loops and extrusions of this round.</summary>
-    /// <param name="area">What is still to be filled, by spacings.</param>
+    /// <param name="area">Area still to be filled, by spacings.</param>
     /// <param name="index">Number of the round.</param>
     /// <param name="output">Takes the paths.</param>
     /// <returns>What is left.</returns>
@@ -62,7 +62,7 @@ internal sealed class WallLevel
         return strips.IsEmpty ? Even(wide, index, output) : Varying(wide, strips, thick.IsEmpty, index, output);
     }
 
-    /// <summary>Lays only the single extrusions. Returns what is wide enough for loops.</summary>
+    /// <summary>Adds only the single extrusions. Returns the area that is wide enough for loops.</summary>
     public Region Extrusions(Region area, int index, WallOutput output)
     {
         // A place that is only just too thin for two beads gets two narrower ones, so that walls of nearly even thickness do not change to an extrusion and

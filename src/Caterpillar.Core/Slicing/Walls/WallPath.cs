@@ -7,7 +7,7 @@ namespace Caterpillar.Slicing;
 /// <param name="Points">mm; a closed path does not repeat its first point.</param>
 /// <param name="Widths">Width at each point, mm; straight in between.</param>
 /// <param name="Closed">Whether it goes back to its first point.</param>
-/// <param name="Index">Number of the wall from the outline, 0 for the outer one.</param>
+/// <param name="Index">Index of the wall from the outline. 0 = outer wall.</param>
 /// <param name="IsExtrusion">Whether it fills a place too thin for a wall on each side.</param>
 internal sealed record WallPath(Vec3[] Points, double[] Widths, bool Closed, int Index, bool IsExtrusion)
 {
@@ -48,7 +48,7 @@ internal sealed record WallPath(Vec3[] Points, double[] Widths, bool Closed, int
         return PrintPath.Own(points, Beads(rules), Closed);
     }
 
-    /// <summary>The beads of the segments: one for all where the width is the same everywhere, else one for each.</summary>
+    /// <summary>Beads of the segments: one for all if the width is constant, otherwise one each.</summary>
     public Bead[] Beads(WallRules rules)
     {
         var even = true;

@@ -21,7 +21,7 @@ internal sealed record WallRules
 
     public BeadShape Shape { get; init; } = BeadShape.Stadium;
 
-    /// <summary>Whether widths follow the local thickness; else all walls have their nominal width, and what is too narrow for one stays open.</summary>
+    /// <summary>True if widths follow the local thickness. Otherwise all walls have their nominal width, and narrower places stay open.</summary>
     public bool VariableWidth { get; init; } = true;
 
     /// <summary>The narrowest bead that prints well.</summary>

@@ -37,7 +37,7 @@ internal sealed class LayerWork(Body body, int index, PlannedLayer plan, SliceRu
     /// <summary>The loops of each contour among the steps of the layer, until their seams are chosen.</summary>
     public IReadOnlyList<WallChain> Chains { get; set; } = [];
 
-    /// <summary>What no wall fits into.</summary>
+    /// <summary>Areas too narrow for a wall.</summary>
     public List<ThinPlace> TooThin { get; } = [];
 
     /// <summary>Contours that do not close and are printed as single walls.</summary>

@@ -4,8 +4,8 @@ using Caterpillar.Machines;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// A model and how it is sliced, with the speeds of its extrusions. Travels and everything else that planning decides come from the settings of the whole
-/// print. A modifier (<see cref="ModelType.Modifier"/>) is not printed: what of the parts lies inside it has its settings for walls, skins, infill and speeds.
+/// A model with its own settings for slicing and print speeds. Travels and other planning use the settings of the whole print. A modifier
+/// (<see cref="ModelType.Modifier"/>) is not printed: parts inside it use its settings for walls, top/bottom surfaces, infill and speeds.
 /// </summary>
 public sealed record SliceModel
 {
@@ -16,9 +16,9 @@ public sealed record SliceModel
         Settings = settings ?? throw new ArgumentNullException(nameof(settings));
     }
 
-    /// <summary>Its place on the bed, mm.</summary>
+    /// <summary>The mesh at its position on the bed, mm.</summary>
     public NamedMesh Mesh { get; }
 
-    /// <summary>Its own settings.</summary>
+    /// <summary>Settings of this model.</summary>
     public PrintSettings Settings { get; }
 }

@@ -7,7 +7,7 @@ namespace Caterpillar.Slicing;
 
 /// <summary>The numbers of the settings that slicing one layer needs. Lengths in mm.</summary>
 /// <param name="Settings">The settings themselves.</param>
-/// <param name="Walls">The rules of its walls; they also know what a bead of a width covers.</param>
+/// <param name="Walls">Rules for the walls, including the spacing of a bead of a width.</param>
 /// <param name="Thickness">Thickness of the layer.</param>
 internal sealed record SliceRules(PrintSettings Settings, WallRules Walls, double Thickness)
 {
@@ -17,7 +17,7 @@ internal sealed record SliceRules(PrintSettings Settings, WallRules Walls, doubl
     /// <summary>The settings of the whole print, which planning takes the usual speeds from.</summary>
     public PrintSettings Common { get; init; } = Settings;
 
-    /// <summary>The formula of the infill, where it has one.</summary>
+    /// <summary>Formula of the infill, or null.</summary>
     public Formula? InfillFormula { get; init; }
 
     /// <param name="settings">The settings that apply.</param>
@@ -42,7 +42,7 @@ internal sealed record SliceRules(PrintSettings Settings, WallRules Walls, doubl
     /// <summary>How far the turns of lines that close an area do: with more, as much is printed twice as stays open with less.</summary>
     public double SolidOverlap => Overlap * 2 / 3;
 
-    /// <summary>Area filled per length of infill; 0 for no infill.</summary>
+    /// <summary>Area filled per length of infill. 0 = no infill.</summary>
     public double InfillSpacing => Settings.InfillSpacing > 0
         ? Settings.InfillSpacing / InfillFiller.Families(Settings.InfillPattern)
         : Settings.InfillDensityPercent > 0 ? Pitch(Width) * 100 / Settings.InfillDensityPercent : 0;
@@ -53,10 +53,10 @@ internal sealed record SliceRules(PrintSettings Settings, WallRules Walls, doubl
     /// <summary>Direction of the infill of a layer, degrees from +X.</summary>
     public double InfillAngle(int layer) => Settings.InfillAngle + layer / Settings.CombineInfillLayers * Settings.InfillRotation;
 
-    /// <summary>Neighbors lie so far apart that the extrusions fill the layer.</summary>
+    /// <summary>Spacing of neighbors at which extrusions fill the layer.</summary>
     public double Pitch(double width) => Walls.Spacing(width);
 
-    /// <summary>A path with the flow of these settings, and with their speed where it is not that of the print.</summary>
+    /// <summary>A path with the flow of these settings, and with their speed if it differs from the print.</summary>
     public PrintPath Own(PrintPath path)
     {
         var first = path.Layer is { Index: 0 };

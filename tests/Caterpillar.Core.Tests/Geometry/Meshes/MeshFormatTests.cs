@@ -179,19 +179,19 @@ public class MeshFormatTests
     [TestCase("x.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendfacet",
         "x.stl:5:1: error mesh.syntax: A facet has fewer than three vertices.")]
     [TestCase("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1\n", "x.obj:3:6: error mesh.syntax: A vertex needs three numbers.")]
-    [TestCase("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "x.obj:4:1: error mesh.index: A face uses vertex 4, but there are 3.")]
+    [TestCase("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n", "x.obj:4:1: error mesh.index: A face uses vertex 4, but the file has only 3.")]
     [TestCase("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 0\n", "x.obj:4:7: error mesh.index: A face uses a vertex that does not exist.")]
     [TestCase("x.obj", "v 0 0 0\nf 1 -2 1\n", "x.obj:2:5: error mesh.index: A face uses a vertex that does not exist.")]
-    [TestCase("x.obj", "v 0 0 0\nf 1 a 1\n", "x.obj:2:5: error mesh.syntax: A vertex of a face must be a number, or numbers with slashes.")]
-    [TestCase("x.obj", "# nothing\n", "x.obj: error mesh.empty: There are no triangles in the file.")]
-    [TestCase("x.ply", "plz", "x.ply: error mesh.syntax: A PLY file must begin with a line \"ply\". (byte 0)")]
+    [TestCase("x.obj", "v 0 0 0\nf 1 a 1\n", "x.obj:2:5: error mesh.syntax: A vertex of a face must be a number or numbers separated by slashes.")]
+    [TestCase("x.obj", "# nothing\n", "x.obj: error mesh.empty: The file has no faces.")]
+    [TestCase("x.ply", "plz", "x.ply: error mesh.syntax: A PLY file must start with the line \"ply\". (byte 0)")]
     [TestCase("x.ply", "ply\nformat ascii 1.0\nelement vertex 99999999999\nproperty float x\nend_header\n0",
-        "x.ply:6:1: error mesh.truncated: The header counts 99999999999 of \"vertex\", which do not fit into the file.")]
+        "x.ply:6:1: error mesh.truncated: The PLY header states 99999999999 of \"vertex\", more than the file holds.")]
     [TestCase("x.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 zero\n",
-        "x.ply:8:5: error mesh.syntax: There is a word that is not a number in the vertices.")]
+        "x.ply:8:5: error mesh.syntax: A value in the vertices is not a number.")]
     [TestCase("x.ply", "ply\nformat ascii 1.0\nelement vertex one\n", "x.ply:3:1: error mesh.syntax: An element needs a name and a count.")]
     [TestCase("x.3mf", "text", "x.3mf: error mesh.syntax: A 3MF file must be a zip archive. (byte 0)")]
-    [TestCase("x.txt", "text", "x.txt: error mesh.unknown_format: Unknown mesh format; STL, OBJ, PLY and 3MF can be read. (byte 0)")]
+    [TestCase("x.txt", "text", "x.txt: error mesh.unknown_format: Unknown mesh format. Use STL, OBJ, PLY or 3MF. (byte 0)")]
     public void Errors_state_what_and_where(string name, string text, string message)
     {
         var read = MeshReader.Read(MeshBytes.Text(text), name);
@@ -204,7 +204,7 @@ public class MeshFormatTests
     {
         var stl = MeshReader.Read(MeshBytes.BinaryStl().Take(300).ToArray(), "x.stl");
         Assert.That(stl.Diagnostics.Single().ToString(),
-            Is.EqualTo("x.stl: error mesh.truncated: The STL header counts 12 facets, but the file ends after 4. (byte 300)"));
+            Is.EqualTo("x.stl: error mesh.truncated: The STL header states 12 facets, but the file ends after 4. (byte 300)"));
         var ply = MeshBytes.BinaryPly(true);
         var cut = MeshReader.Read(ply.Take(ply.Length - 20).ToArray(), "x.ply");
         Assert.That(cut.Diagnostics.Single().Code, Is.EqualTo("mesh.truncated"));

@@ -79,7 +79,7 @@ public class MeshRepairTests
     public void Triangles_that_were_flipped_are_turned_back([Range(0, 11)] int flipped)
     {
         var repaired = MeshRepair.ToSolid(With(Without(Box, flipped), Flipped(Box, flipped)));
-        Assert.That((repaired.Mesh.IsWatertight, repaired.TurnedFacets), Is.EqualTo((true, 1)));
+        Assert.That((repaired.Mesh.IsWatertight, repaired.FlippedFaces), Is.EqualTo((true, 1)));
         Assert.That(repaired.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
     }
 
@@ -90,7 +90,7 @@ public class MeshRepairTests
         foreach (var mesh in new[] { With(Box, copy), TriMesh.Create([.. copy, .. Soup(Box)], Enumerable.Range(0, 39).ToArray()) })
         {
             var repaired = MeshRepair.ToSolid(mesh);
-            Assert.That((repaired.Mesh.IsWatertight, repaired.DoubledFacets, repaired.Mesh.TriangleCount), Is.EqualTo((true, 1, 12)));
+            Assert.That((repaired.Mesh.IsWatertight, repaired.DuplicateFaces, repaired.Mesh.TriangleCount), Is.EqualTo((true, 1, 12)));
             Assert.That(repaired.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
         }
     }
@@ -99,11 +99,11 @@ public class MeshRepairTests
     public void A_shell_that_is_there_twice_inside_out_is_one_solid()
     {
         var same = MeshRepair.ToSolid(TriMesh.Merge([Box, MeshMaker.InsideOut(Box)]));
-        Assert.That((same.Mesh.IsWatertight, same.Mesh.TriangleCount, same.DoubledFacets), Is.EqualTo((true, 12, 12)));
+        Assert.That((same.Mesh.IsWatertight, same.Mesh.TriangleCount, same.DuplicateFaces), Is.EqualTo((true, 12, 12)));
         Assert.That(same.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
         // Not quite the same: no wall of 0.01 mm is meant.
         var near = MeshRepair.ToSolid(TriMesh.Merge([Box, MeshMaker.InsideOut(MeshMaker.Box(0.01, 0.01, 0.01, 9.99, 9.99, 9.99))]));
-        Assert.That(near.TurnedBodies, Is.EqualTo(1));
+        Assert.That(near.FlippedBodies, Is.EqualTo(1));
         Assert.That(AreaAt(near.Mesh, 5), Is.EqualTo(100).Within(1e-6));
     }
 
@@ -113,7 +113,7 @@ public class MeshRepairTests
         var cavity = MeshMaker.InsideOut(MeshMaker.Box(3, 3, 3, 7, 7, 7));
         if (flipped >= 0) cavity = With(Without(cavity, flipped), Flipped(cavity, flipped));
         var repaired = MeshRepair.ToSolid(TriMesh.Merge([Box, cavity]));
-        Assert.That((repaired.TurnedBodies, repaired.TurnedFacets), Is.EqualTo((0, flipped < 0 ? 0 : 1)));
+        Assert.That((repaired.FlippedBodies, repaired.FlippedFaces), Is.EqualTo((0, flipped < 0 ? 0 : 1)));
         Assert.That(AreaAt(repaired.Mesh, 5), Is.EqualTo(84).Within(1e-6));
     }
 
@@ -123,7 +123,7 @@ public class MeshRepairTests
         var other = MeshMaker.InsideOut(MeshMaker.Box(5, 2, 0, 15, 8, 10));
         Assert.That(AreaAt(TriMesh.Merge([Box, other]), 5), Is.EqualTo(100).Within(1e-6), "as it is: 70 left, 30 beside");
         var repaired = MeshRepair.ToSolid(TriMesh.Merge([Box, other]));
-        Assert.That(repaired.TurnedBodies, Is.EqualTo(1));
+        Assert.That(repaired.FlippedBodies, Is.EqualTo(1));
         Assert.That(AreaAt(repaired.Mesh, 5), Is.EqualTo(130).Within(1e-6));
         var alone = MeshRepair.ToSolid(TriMesh.Merge([Box, MeshMaker.InsideOut(MeshMaker.Box(20, 0, 0, 25, 10, 10))]));
         Assert.That(alone.Mesh.Volume, Is.EqualTo(1500).Within(1e-9));
@@ -149,12 +149,12 @@ public class MeshRepairTests
         var sphere = MeshMaker.BumpySphere(24, 12);
         var mesh = With(Without(sphere, 100), Triangle(sphere, 100).Select(p => p + new Vec3(1.5, 1.5, 1.5)).ToArray());
         var repaired = MeshRepair.ToSolid(mesh);
-        Assert.That((repaired.Mesh.IsWatertight, repaired.Holes.Count, repaired.LooseFacets), Is.EqualTo((true, 1, 1)));
+        Assert.That((repaired.Mesh.IsWatertight, repaired.Holes.Count, repaired.LooseFaces), Is.EqualTo((true, 1, 1)));
         Assert.That(repaired.Mesh.Volume, Is.EqualTo(sphere.Volume).Within(1e-6));
     }
 
     [Test]
-    public void Mending_can_be_canceled()
+    public void Repair_can_be_canceled()
     {
         using var source = new CancellationTokenSource();
         source.Cancel();

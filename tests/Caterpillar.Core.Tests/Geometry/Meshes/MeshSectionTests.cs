@@ -106,7 +106,7 @@ public class MeshSectionTests
         Assert.That(result.Value![0].OpenLines[0].Length, Is.EqualTo(4));
         Assert.That(result.Value![0].OpenLines[0][0], Is.EqualTo(new Vec3(0, 0, 1)));
         Assert.That(result.Diagnostics.Single().ToString(),
-            Is.EqualTo("warning mesh.naked_edges: The mesh is open: contours have loose ends, first at z = 1 mm. (4 times)"));
+            Is.EqualTo("warning mesh.naked_edges: The mesh is open: a contour has a loose end, first at z = 1 mm. (4 times)"));
     }
 
     [TestCase(0.05, 0.1, true)]

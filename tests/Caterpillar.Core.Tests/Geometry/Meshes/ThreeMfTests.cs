@@ -60,12 +60,12 @@ public class ThreeMfTests
         Assert.That(read.Diagnostics.Select(d => (d.Code, d.Count)), Is.EqualTo(new[] { ("mesh.ignored", 2) }));
     }
 
-    [TestCase("<resources/><build><item objectid=\"1\"/></build>", "mesh.index", "The object 1 does not exist.")]
+    [TestCase("<resources/><build><item objectid=\"1\"/></build>", "mesh.index", "Object 1 does not exist.")]
     [TestCase("<resources/><build><item objectid=\"x\"/></build>", "mesh.syntax", "<item> needs an integer \"objectid\".")]
     [TestCase("<resources/><build><item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 0 0 0 0\"/></build>", "mesh.syntax",
-        "A transform must be twelve numbers that do not flatten space.")]
+        "A transform must have twelve numbers and must not be singular.")]
     [TestCase("<resources><object id=\"1\"><components><component objectid=\"1\"/></components></object></resources><build><item objectid=\"1\"/></build>",
-        "mesh.syntax", "Components contain each other, or there are too many.")]
+        "mesh.syntax", "Components contain each other, or the file has too many.")]
     [TestCase("<resources><object id=\"1\"><mesh><vertices><vertex x=\"0\" y=\"nan\" z=\"0\"/></vertices></mesh></object></resources>", "mesh.syntax",
         "<vertex> needs a number \"y\".")]
     [TestCase("<resources><object id=\"1\"><mesh><triangles><triangle v1=\"0\" v2=\"1\" v3=\"2\"/></triangles></mesh></object></resources>", "mesh.index",

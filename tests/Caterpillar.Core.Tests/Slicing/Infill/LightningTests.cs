@@ -28,7 +28,7 @@ public class LightningTests
     }
 
     [Test]
-    public void Under_a_skin_no_place_is_farther_from_a_line_than_half_the_spacing()
+    public void Under_a_top_surface_no_place_is_farther_from_a_line_than_half_the_spacing()
     {
         var trees = Lightning.Grow([Holed], [Holed], Spacing, [0.2])[0].ToArray();
         var worst = 0.0;
@@ -47,7 +47,7 @@ public class LightningTests
     public void Each_layer_stands_on_the_one_below()
     {
         const int Layers = 40;
-        // A body that gets wider towards the bed, with a skin at the top and one halfway up.
+        // A body that gets wider towards the bed, with a top surface at the top and one halfway up.
         var areas = Enumerable.Range(0, Layers).Select(i => Holed.Offset((Layers - i) * 0.05, JoinStyle.Miter)).ToArray();
         var tops = areas.Select((area, i) => i == Layers - 1 ? area : i == 20 ? Region.Rectangle(1, 1, 6, 6) : Region.Empty).ToArray();
         var layers = Lightning.Grow(areas, tops, Spacing, Heights(Layers));

@@ -4,14 +4,13 @@ using Caterpillar.Files;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Reads mesh files: STL (binary and ASCII), OBJ, PLY (ASCII and both binary orders) and 3MF, also packed with gzip. Coordinates stay doubles;
-/// vertices with equal coordinates become one; polygons are split as fans from their first vertex. The format is detected from the bytes, and from the
-/// name if they are not conclusive. STL, OBJ and PLY give one mesh, 3MF gives one for each item on the plate, in mm (the others are taken as mm). Bytes
-/// that cannot be read give errors, never exceptions.
+/// Reads mesh files: STL (binary and ASCII), OBJ, PLY (ASCII and both binary byte orders) and 3MF, also compressed with gzip. The format is detected from
+/// the bytes, and from the name if they are not conclusive. STL, OBJ and PLY give one mesh, 3MF one per item on the plate. 3MF units are converted to mm;
+/// other files are read as mm. Equal vertices are merged, and polygons are split into fans of triangles. Unreadable bytes give errors, never exceptions.
 /// </summary>
 public static class MeshReader
 {
-    /// <summary>Reads a file. Errors are codes <c>mesh.*</c> with the location in the file.</summary>
+    /// <summary>Reads a file. Errors have codes <c>mesh.*</c> and the location in the file.</summary>
     /// <exception cref="IOException">The file cannot be read from the disk.</exception>
     /// <exception cref="OperationCanceledException">Reading was canceled.</exception>
     public static Result<IReadOnlyList<NamedMesh>> Read(string path, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -20,7 +19,7 @@ public static class MeshReader
         return Read(File.ReadAllBytes(path), path, progress, cancel);
     }
 
-    /// <summary>The same with options.</summary>
+    /// <summary>Reads the bytes of a file with options.</summary>
     /// <inheritdoc cref="Read(byte[], string, IProgress{double}?, CancellationToken)"/>
     public static Result<IReadOnlyList<NamedMesh>> Read(
         byte[] bytes, string name, MeshReadOptions options, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -39,7 +38,7 @@ public static class MeshReader
         }
     }
 
-    /// <summary>Reads the bytes of a file; <paramref name="name"/> is used in messages, and its extension may determine the format.</summary>
+    /// <summary>Reads the bytes of a file. Messages use <paramref name="name"/>, and its extension may determine the format.</summary>
     public static Result<IReadOnlyList<NamedMesh>> Read(byte[] bytes, string name, IProgress<double>? progress = null, CancellationToken cancel = default)
         => Read(bytes, name, new MeshReadOptions(), progress, cancel);
 
@@ -69,7 +68,7 @@ public static class MeshReader
         var good = plain is not null && ReadPlain(new MeshSource(plain, name, diagnostics, options, progress, cancel), meshes);
         if (good && meshes.All(m => m.Mesh.TriangleCount == 0))
         {
-            diagnostics.Add(Severity.Error, "mesh.empty", "There are no triangles in the file.", new SourceLocation(name));
+            diagnostics.Add(Severity.Error, "mesh.empty", "The file has no faces.", new SourceLocation(name));
         }
         progress?.Report(1);
         var value = good && !diagnostics.HasErrors ? meshes.Where(m => m.Mesh.TriangleCount > 0).ToArray() : null;
@@ -89,7 +88,7 @@ public static class MeshReader
             case ".OBJ":
                 return ObjReader.Read(source, meshes);
             case ".PLY":
-                source.ErrorInBinary("mesh.syntax", "A PLY file must begin with a line \"ply\".", 0);
+                source.ErrorInBinary("mesh.syntax", "A PLY file must start with the line \"ply\".", 0);
                 return false;
             case ".3MF":
                 source.ErrorInBinary("mesh.syntax", "A 3MF file must be a zip archive.", 0);
@@ -97,7 +96,7 @@ public static class MeshReader
         }
         if (StlReader.HasBinaryLength(bytes) || StlTextReader.LooksLikeText(bytes)) return StlReader.Read(source, meshes);
         if (LooksLikeObj(bytes)) return ObjReader.Read(source, meshes);
-        source.ErrorInBinary("mesh.unknown_format", "Unknown mesh format; STL, OBJ, PLY and 3MF can be read.", 0);
+        source.ErrorInBinary("mesh.unknown_format", "Unknown mesh format. Use STL, OBJ, PLY or 3MF.", 0);
         return false;
     }
 

@@ -1,12 +1,12 @@
 namespace Caterpillar.Geometry;
 
-/// <summary>A mesh and its name in the file (or the name of the file if it has none).</summary>
+/// <summary>A mesh with the name that its file gives it, or the file name if it has none.</summary>
 public sealed record NamedMesh
 {
-    /// <summary>As in its file.</summary>
+    /// <summary>The name, for messages and settings of one model.</summary>
     public string Name { get; }
 
-    /// <summary>Its surface, mm.</summary>
+    /// <summary>The mesh, mm.</summary>
     public TriMesh Mesh { get; }
 
     /// <summary>A mesh and its name.</summary>

@@ -38,7 +38,7 @@ internal sealed class ObjReader
         if (reader._largest >= reader._vertices)
         {
             var (index, count) = (NumberFormatter.Format(reader._largest + 1L), NumberFormatter.Format(reader._vertices));
-            source.ErrorInText("mesh.index", $"A face uses vertex {index}, but there are {count}.", reader._largestAt);
+            source.ErrorInText("mesh.index", $"A face uses vertex {index}, but the file has only {count}.", reader._largestAt);
             return false;
         }
         var (ids, corners) = (reader._ids, reader._corners);
@@ -110,7 +110,7 @@ internal sealed class ObjReader
         }
         if (count < 3)
         {
-            _source.Note(Severity.Warning, "mesh.incomplete_faces", "Faces with fewer than three vertices are ignored.", _source.PlaceInText(faceAt));
+            _source.Note(Severity.Warning, "mesh.incomplete_faces", "A face with fewer than three vertices is ignored.", _source.PlaceInText(faceAt));
         }
         return true;
     }
@@ -131,7 +131,7 @@ internal sealed class ObjReader
         }
         if (at == digits || (at < _cursor.At && bytes[at] != '/'))
         {
-            _source.ErrorInText("mesh.syntax", "A vertex of a face must be a number, or numbers with slashes.", start);
+            _source.ErrorInText("mesh.syntax", "A vertex of a face must be a number or numbers separated by slashes.", start);
             return false;
         }
         var absolute = negative ? _vertices - index : index - 1;
@@ -175,11 +175,11 @@ internal sealed class ObjReader
                 or "c_interp" or "d_interp" or "shadow_obj" or "trace_obj" or "ctech" or "stech":
                 return;
             case "cstype" or "deg" or "bmat" or "step" or "curv" or "curv2" or "surf" or "parm" or "trim" or "hole" or "scrv" or "sp" or "end" or "con":
-                const string Message = "Free-form curves and surfaces of OBJ are ignored; only polygons are read.";
+                const string Message = "Free-form curves and surfaces are ignored. Only polygons are read from OBJ files.";
                 _source.Note(Severity.Warning, "mesh.unsupported", Message, _source.PlaceInText(start));
                 return;
             default:
-                _source.Note(Severity.Note, "mesh.ignored", "Lines with unknown keywords are ignored.", _source.PlaceInText(start));
+                _source.Note(Severity.Note, "mesh.ignored", "A line with an unknown keyword is ignored.", _source.PlaceInText(start));
                 return;
         }
     }

@@ -77,7 +77,7 @@ internal sealed class PlyData(MeshSource source, PlyFormat format, int at)
         return true;
     }
 
-    /// <summary>Reports what is at the cursor instead of a number.</summary>
+    /// <summary>Reports that there is no number at the cursor.</summary>
     public bool Wrong(string what)
     {
         if (_cursor.At >= source.Length || !IsText)
@@ -88,7 +88,7 @@ internal sealed class PlyData(MeshSource source, PlyFormat format, int at)
         }
         else
         {
-            source.ErrorInText("mesh.syntax", $"There is a word that is not a number in {what}.", At);
+            source.ErrorInText("mesh.syntax", $"A value in {what} is not a number.", At);
         }
         return false;
     }

@@ -55,7 +55,7 @@ internal sealed class PlyHeader
     /// <summary>Start of the data.</summary>
     public int DataAt { get; private set; }
 
-    /// <summary>Reads the header; null with an error where it cannot be read.</summary>
+    /// <summary>Reads the header. Null with an error if it is unreadable.</summary>
     public static PlyHeader? Read(MeshSource source)
     {
         var header = new PlyHeader();
@@ -74,7 +74,7 @@ internal sealed class PlyHeader
                 case "format":
                     if (words.Length < 2 || !header.SetFormat(words[1]))
                     {
-                        return Wrong(source, at, "Unknown PLY format; expected ascii, binary_little_endian or binary_big_endian.");
+                        return Wrong(source, at, "Unknown PLY format. Use ascii, binary_little_endian or binary_big_endian.");
                     }
                     format = true;
                     break;
@@ -86,11 +86,11 @@ internal sealed class PlyHeader
                     if (!header.AddProperty(words)) return Wrong(source, at, "A property is invalid.");
                     break;
                 case "end_header":
-                    if (!format) return Wrong(source, at, "The header does not state the format.");
+                    if (!format) return Wrong(source, at, "The PLY header has no format.");
                     header.DataAt = cursor.At;
                     return header;
                 default:
-                    return Wrong(source, at, "A line does not belong in a PLY header.");
+                    return Wrong(source, at, "The PLY header has an unknown line.");
             }
         }
         source.ErrorInText("mesh.truncated", "The file ends inside the PLY header.", source.Length);

@@ -45,7 +45,7 @@ internal sealed class PlyReader
         if (!_data.Fits(element))
         {
             var count = NumberFormatter.Format(element.Count);
-            return _data.Error("mesh.truncated", $"The header counts {count} of \"{element.Name}\", which do not fit into the file.");
+            return _data.Error("mesh.truncated", $"The PLY header states {count} of \"{element.Name}\", more than the file holds.");
         }
         if (element.Properties.Count == 0) return true;
         if (element.Name == "vertex") return ReadVertices(element);
@@ -53,7 +53,7 @@ internal sealed class PlyReader
         if (faces >= 0) return ReadFaces(element, faces);
         if (element.Name is "face" or "tristrips")
         {
-            var message = $"The element \"{element.Name}\" has no readable list of vertices; it is ignored.";
+            var message = $"The element \"{element.Name}\" has no readable list of vertices and is ignored.";
             _source.Note(Severity.Warning, "mesh.unsupported", message,
                 new SourceLocation(_source.Name, element.Line));
         }
@@ -67,9 +67,9 @@ internal sealed class PlyReader
 
     private bool ReadVertices(PlyElement element)
     {
-        if (_builder is not null) return _data.Error("mesh.syntax", "There are two elements \"vertex\".");
+        if (_builder is not null) return _data.Error("mesh.syntax", "The PLY file has two elements \"vertex\".");
         var (x, y, z) = (element.Find("x"), element.Find("y"), element.Find("z"));
-        if (x < 0 || y < 0 || z < 0) return _data.Error("mesh.syntax", "The vertices lack x, y or z.");
+        if (x < 0 || y < 0 || z < 0) return _data.Error("mesh.syntax", "The vertices have no x, y or z.");
         var count = (int)element.Count;
         _source.Afford(2L * count);
         _builder = new MeshBuilder(count, Math.Min(2 * (count / 2 + 16), _source.Length / 12));
@@ -105,7 +105,7 @@ internal sealed class PlyReader
             Pulse(i);
             if (!SkipProperties(element, 0, list)) return false;
             if (!_data.Read(lengthType, out var length)) return _data.Wrong("the faces");
-            if (!(length >= 0) || !_data.Fits(length, property.Type)) return _data.Error("mesh.truncated", "A face has an impossible number of vertices.");
+            if (!(length >= 0) || !_data.Fits(length, property.Type)) return _data.Error("mesh.truncated", "The number of vertices of a face is invalid.");
             var corners = (int)length;
             if (corners > _polygon.Length) Array.Resize(ref _polygon, corners * 2);
             for (var k = 0; k < corners; k++)
@@ -124,7 +124,7 @@ internal sealed class PlyReader
         }
         if (shorts > 0)
         {
-            _source.Note(Severity.Warning, "mesh.incomplete_faces", "Faces with fewer than three vertices are ignored.", count: shorts);
+            _source.Note(Severity.Warning, "mesh.incomplete_faces", "A face with fewer than three vertices is ignored.", count: shorts);
         }
         return true;
     }
@@ -138,7 +138,7 @@ internal sealed class PlyReader
             if (property.LengthType is { } lengthType)
             {
                 if (!_data.Read(lengthType, out values)) return _data.Wrong($"\"{element.Name}\"");
-                if (!(values >= 0) || !_data.Fits(values, property.Type)) return _data.Error("mesh.truncated", "A list has an impossible length.");
+                if (!(values >= 0) || !_data.Fits(values, property.Type)) return _data.Error("mesh.truncated", "The length of a list is invalid.");
             }
             if (!_data.Skip(property.Type, (long)values)) return _data.Wrong($"\"{element.Name}\"");
         }

@@ -24,13 +24,13 @@ internal static class StlReader
         var there = (source.Length - HeaderBytes) / FacetBytes;
         if (declared == 0 && there > 0 && (source.Length - HeaderBytes) % FacetBytes == 0)
         {
-            source.Note(Severity.Warning, "mesh.facet_count", "The STL header states no facets; they are counted from the length of the file.");
+            source.Note(Severity.Warning, "mesh.facet_count", "The STL header states 0 facets. They are counted from the file size.");
             declared = there;
         }
         if (declared > there)
         {
             source.ErrorInBinary("mesh.truncated",
-                $"The STL header counts {NumberFormatter.Format(declared)} facets, but the file ends after {NumberFormatter.Format(there)}.", source.Length);
+                $"The STL header states {NumberFormatter.Format(declared)} facets, but the file ends after {NumberFormatter.Format(there)}.", source.Length);
             return false;
         }
         if (HeaderBytes + FacetBytes * declared < source.Length)

@@ -67,7 +67,7 @@ internal sealed class StlTextReader
         if (_open)
         {
             var end = _source.PlaceInText(_source.Length);
-            _source.Note(Severity.Warning, "mesh.truncated", "The file ends without \"endsolid\"; it may be incomplete.", end);
+            _source.Note(Severity.Warning, "mesh.truncated", "The file ends without \"endsolid\" and may be incomplete.", end);
         }
         var name = _name.Length > 0 ? _name : MeshReader.PlainName(_source.Name);
         meshes.Add(new NamedMesh(name, _builder.ToMesh(_source.Name, true, _source.Diagnostics)));
@@ -99,7 +99,7 @@ internal sealed class StlTextReader
             return true;
         }
         var isKnown = _cursor.WordIs(word, "outer") || _cursor.WordIs(word, "loop") || _cursor.WordIs(word, "endloop");
-        return isKnown || Fail("A word does not belong in an ASCII STL file.", word);
+        return isKnown || Fail("Unknown word in an ASCII STL file.", word);
     }
 
     private bool Vertex(int word)
@@ -125,7 +125,7 @@ internal sealed class StlTextReader
 
     private bool EndFacet(int word)
     {
-        if (_facetAt < 0) return Fail("A facet ends that has not begun.", word);
+        if (_facetAt < 0) return Fail("A facet ends without a beginning.", word);
         if (_corners != 3) return Fail("A facet has fewer than three vertices.", word);
         _builder.AddTriangle(_a, _b, _c);
         _facetAt = -1;

@@ -55,7 +55,7 @@ internal sealed class ThreeMfParser
                 case "item":
                     if (_xml.GetAttribute("printable") == "0")
                     {
-                        _source.Note(Severity.Note, "mesh.ignored", "Items marked as not printable are ignored.", Place());
+                        _source.Note(Severity.Note, "mesh.ignored", "An item marked as not printable is ignored.", Place());
                         break;
                     }
                     if (ReadUse() is { } item) _model.Items.Add(item);
@@ -77,7 +77,7 @@ internal sealed class ThreeMfParser
             "meter" => 1000,
             _ => 0,
         };
-        if (_model.Unit == 0) Fail("mesh.unit", $"The unit \"{unit}\" is not one of 3MF.");
+        if (_model.Unit == 0) Fail("mesh.unit", $"\"{unit}\" is not a unit of 3MF.");
         foreach (var prefix in (_xml.GetAttribute("requiredextensions") ?? "").Split([' '], StringSplitOptions.RemoveEmptyEntries))
         {
             var uri = _xml.LookupNamespace(prefix) ?? "";
@@ -93,7 +93,7 @@ internal sealed class ThreeMfParser
         var item = new ThreeMfObject(string.IsNullOrEmpty(named) ? "object " + NumberFormatter.Format(id) : named!, _xml.GetAttribute("type") ?? "model");
         if (_model.Objects.ContainsKey(id))
         {
-            Fail("mesh.syntax", $"Two objects have the number {NumberFormatter.Format(id)}.");
+            Fail("mesh.syntax", $"Two objects have the ID {NumberFormatter.Format(id)}.");
             return;
         }
         _model.Objects.Add(id, item);
@@ -137,11 +137,11 @@ internal sealed class ThreeMfParser
         }
         if (builder.NotFinite > 0)
         {
-            _source.Note(Severity.Warning, "mesh.not_finite", "Triangles with a coordinate beyond 1e9 are ignored.", Place(), builder.NotFinite);
+            _source.Note(Severity.Warning, "mesh.not_finite", "A triangle with a coordinate beyond 1e9 is ignored.", Place(), builder.NotFinite);
         }
         if (builder.Degenerate > 0)
         {
-            _source.Note(Severity.Note, "mesh.degenerate_faces", "Triangles with two equal vertices are ignored.", Place(), builder.Degenerate);
+            _source.Note(Severity.Note, "mesh.degenerate_faces", "A triangle with two equal vertices is ignored.", Place(), builder.Degenerate);
         }
         item.Mesh = builder.ToMesh();
     }
@@ -159,7 +159,7 @@ internal sealed class ThreeMfParser
         _xml.MoveToElement();
         if (!TryMap(_xml.GetAttribute("transform"), out var map))
         {
-            Fail("mesh.syntax", "A transform must be twelve numbers that do not flatten space.");
+            Fail("mesh.syntax", "A transform must have twelve numbers and must not be singular.");
             return null;
         }
         return new ThreeMfUse(path, id, map, place?.LineNumber ?? 0, place?.LinePosition ?? 0);

@@ -6,7 +6,7 @@ namespace Caterpillar.Geometry;
 
 /// <summary>
 /// Reads 3MF packages: a zip archive with models in XML. Every build item becomes one mesh in mm, with the transforms of the item and of its
-/// components applied. Objects for support or other uses are ignored.
+/// components applied. An object of the type support or other is ignored.
 /// </summary>
 internal sealed class ThreeMfReader
 {
@@ -52,14 +52,14 @@ internal sealed class ThreeMfReader
         var root = RootPath();
         if (root is null)
         {
-            _source.Note(Severity.Error, "mesh.empty", "There is no 3D model in the package.");
+            _source.Note(Severity.Error, "mesh.empty", "The 3MF package has no 3D model.");
             return false;
         }
         if (Model(root) is not { } model) return false;
         if (model.Items.Count > MaxItems)
         {
             var (there, most) = (NumberFormatter.Format(model.Items.Count), NumberFormatter.Format(MaxItems));
-            _source.Note(Severity.Error, "mesh.too_large", $"The plate has {there} items; up to {most} are read.");
+            _source.Note(Severity.Error, "mesh.too_large", $"The plate has {there} items. The maximum is {most}.");
             return false;
         }
         _source.Afford(0, model.Items.Count);
@@ -83,19 +83,19 @@ internal sealed class ThreeMfReader
         var place = new SourceLocation(_source.Name, use.Line, use.Column, part);
         if (depth > MaxDepth || ++_uses > MaxUses)
         {
-            _source.Note(Severity.Error, "mesh.syntax", "Components contain each other, or there are too many.", place);
+            _source.Note(Severity.Error, "mesh.syntax", "Components contain each other, or the file has too many.", place);
             return false;
         }
         var path = use.Path ?? part;
         if (Model(path) is not { } model) return false;
         if (!model.Objects.TryGetValue(use.ObjectId, out var item))
         {
-            _source.Note(Severity.Error, "mesh.index", $"The object {NumberFormatter.Format(use.ObjectId)} does not exist.", place);
+            _source.Note(Severity.Error, "mesh.index", $"Object {NumberFormatter.Format(use.ObjectId)} does not exist.", place);
             return false;
         }
         if (item.Type is "support" or "other")
         {
-            _source.Note(Severity.Note, "mesh.ignored", "Objects for support or other uses are ignored.", place);
+            _source.Note(Severity.Note, "mesh.ignored", "An object of the type support or other is ignored.", place);
             return true;
         }
         var map = use.Map.Then(outer);
@@ -104,7 +104,7 @@ internal sealed class ThreeMfReader
             _triangles += mesh.TriangleCount;
             if (_triangles > MaxTriangles)
             {
-                _source.Note(Severity.Error, "mesh.too_large", $"The items have more than {NumberFormatter.Format(MaxTriangles)} triangles.", place);
+                _source.Note(Severity.Error, "mesh.too_large", $"The items have more than {NumberFormatter.Format(MaxTriangles)} triangles in total.", place);
                 return false;
             }
             _source.Afford(_triangles, _uses);
@@ -128,7 +128,7 @@ internal sealed class ThreeMfReader
         }
         else
         {
-            _source.Note(Severity.Error, "mesh.syntax", "A part of the package is missing.", new SourceLocation(_source.Name, Key: path));
+            _source.Note(Severity.Error, "mesh.syntax", "The 3MF package lacks this part.", new SourceLocation(_source.Name, Key: path));
         }
         _models.Add(path, model);
         return model;

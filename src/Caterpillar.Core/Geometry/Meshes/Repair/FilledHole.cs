@@ -1,7 +1,7 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>A hole of a surface that was filled.</summary>
-/// <param name="Box">Extent of its rim, mm.</param>
+/// <param name="Box">Bounding box of its edge, mm.</param>
 /// <param name="Area">Area of the triangles that fill it, mm².</param>
 internal readonly record struct FilledHole(Bounds Box, double Area)
 {

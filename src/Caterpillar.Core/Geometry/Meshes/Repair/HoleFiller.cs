@@ -9,7 +9,7 @@ internal static class HoleFiller
     private const int MaxEdges = 64;
     private const double MaxShare = 0.9;
 
-    /// <summary>The mesh without holes and without what has come off at them, the holes, and the number of triangles that were left out.</summary>
+    /// <summary>The mesh without holes and without loose triangles at them, the holes, and the number of removed triangles.</summary>
     public static (TriMesh Mesh, IReadOnlyList<FilledHole> Holes, int Loose) Fill(TriMesh mesh, CancellationToken cancel)
     {
         if (mesh.Topology.IsPaired) return (mesh, [], 0);

@@ -3,15 +3,14 @@ using Caterpillar.Basics;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Makes a solid of a broken mesh, as far as that can be done without guessing. In this order: doubled triangles are taken once, triangles that are
-/// turned against their neighbors are turned back, holes are filled, pieces that have come off where a hole was filled are left out, bodies that are
-/// inside out are turned. A closed mesh that faces outward is returned as it is. What is still open afterwards is left to <see cref="MeshSections"/>,
-/// which close contours over gaps.
+/// Repairs a broken mesh to a solid, as far as possible without guessing. In this order, it removes duplicate faces, flips faces that are inside out
+/// relative to their neighbors, fills holes, removes loose pieces at filled holes, and flips bodies that are inside out. A closed mesh that faces
+/// outward is returned unchanged. <see cref="MeshSections"/> closes remaining gaps in contours.
 /// </summary>
 internal static class MeshRepair
 {
-    /// <summary>The mesh as a solid, and what was done to it.</summary>
-    /// <exception cref="OperationCanceledException">The call was cancelled.</exception>
+    /// <summary>The mesh as a solid, and its repairs.</summary>
+    /// <exception cref="OperationCanceledException">The call was canceled.</exception>
     public static RepairedMesh ToSolid(TriMesh mesh, CancellationToken cancel = default)
     {
         if (mesh is null) throw new ArgumentNullException(nameof(mesh));
@@ -23,7 +22,7 @@ internal static class MeshRepair
         FilledHole[] holes = [];
         if (!mesh.IsWatertight || mesh.Volume < 0)
         {
-            (result, moved, farthest) = RimSnap.Close(result);
+            (result, moved, farthest) = EdgeSnap.Close(result);
             result = MeshCleaning.DropDuplicates(result, place, notes);
             (result, doubled) = OppositeFacets.Drop(result);
             doubled += Count(notes, "mesh.duplicate_faces");

@@ -1,9 +1,8 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Decides on triangles that are there twice with opposite directions, which cancel each other. The one that continues its neighbors stays. Where a pair
-/// has no neighbors but other pairs (a shell that is doubled as a whole), the first stays; where both continue neighbors (bodies that share a face),
-/// both.
+/// Removes duplicate triangles with opposite directions, which cancel each other. The one that continues its neighbors stays. If the only neighbors of a
+/// pair are other pairs (a shell that is duplicated as a whole), the first stays. If both continue neighbors (bodies that share a face), both stay.
 /// </summary>
 internal static class OppositeFacets
 {

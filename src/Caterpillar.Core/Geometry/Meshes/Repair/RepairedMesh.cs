@@ -1,20 +1,20 @@
 namespace Caterpillar.Geometry;
 
-/// <summary>A mesh after <see cref="MeshRepair"/>, and what was done to it. Immutable.</summary>
-/// <param name="Mesh">The mesh; the same object where nothing was done.</param>
-/// <param name="MovedVertices">Vertices that were moved to join rims that nearly meet.</param>
-/// <param name="FarthestMove">How far at most, mm.</param>
-/// <param name="DoubledFacets">Triangles that were there twice and are taken once.</param>
-/// <param name="TurnedFacets">Triangles that were turned inside out against their neighbors, or all of them.</param>
+/// <summary>A mesh after <see cref="MeshRepair"/>, and its repairs. Immutable.</summary>
+/// <param name="Mesh">The mesh. The same object if nothing was repaired.</param>
+/// <param name="MovedVertices">Number of vertices that were moved to join naked edges.</param>
+/// <param name="FarthestMove">Maximum distance of a move, mm.</param>
+/// <param name="DuplicateFaces">Number of duplicate faces that were removed.</param>
+/// <param name="FlippedFaces">Number of faces that were inside out and were flipped.</param>
 /// <param name="Holes">Holes that were filled.</param>
-/// <param name="LooseFacets">Triangles of loose pieces that enclose nothing, left out.</param>
-/// <param name="TurnedBodies">Closed bodies that were inside out.</param>
+/// <param name="LooseFaces">Number of faces of loose pieces that enclose nothing and were removed.</param>
+/// <param name="FlippedBodies">Number of closed bodies that were inside out and were flipped.</param>
 internal sealed record RepairedMesh(
-    TriMesh Mesh, int MovedVertices, double FarthestMove, int DoubledFacets, int TurnedFacets, IReadOnlyList<FilledHole> Holes,
-    int LooseFacets, int TurnedBodies)
+    TriMesh Mesh, int MovedVertices, double FarthestMove, int DuplicateFaces, int FlippedFaces, IReadOnlyList<FilledHole> Holes,
+    int LooseFaces, int FlippedBodies)
 {
     /// <summary>True if something was changed.</summary>
-    public bool IsChanged => MovedVertices > 0 || DoubledFacets > 0 || TurnedFacets > 0 || Holes.Count > 0 || LooseFacets > 0 || TurnedBodies > 0;
+    public bool IsChanged => MovedVertices > 0 || DuplicateFaces > 0 || FlippedFaces > 0 || Holes.Count > 0 || LooseFaces > 0 || FlippedBodies > 0;
 
     /// <summary>A mesh to which nothing was done.</summary>
     public static RepairedMesh Unchanged(TriMesh mesh) => new(mesh, 0, 0, 0, 0, [], 0, 0);

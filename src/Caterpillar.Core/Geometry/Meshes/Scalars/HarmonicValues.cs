@@ -9,7 +9,7 @@ internal static class HarmonicValues
     /// <summary>A value for every vertex; every piece of the mesh has a vertex with a value.</summary>
     /// <param name="mesh">The mesh.</param>
     /// <param name="given">A value for each vertex that has one, NaN for the others.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="cancel">Cancels the call.</param>
     public static double[] Solve(TriMesh mesh, double[] given, CancellationToken cancel)
     {
         var values = (double[])given.Clone();

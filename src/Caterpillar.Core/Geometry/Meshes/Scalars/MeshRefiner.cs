@@ -19,7 +19,7 @@ internal sealed class MeshRefiner
     /// <param name="mesh">The mesh.</param>
     /// <param name="longest">mm, positive.</param>
     /// <param name="most">No further division from so many triangles on.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="cancel">Cancels the call.</param>
     /// <returns>The mesh, and for each new vertex the two in whose middle it lies.</returns>
     public static (TriMesh Mesh, IReadOnlyList<(int A, int B)> Parents) Refine(TriMesh mesh, double longest, int most, CancellationToken cancel)
     {

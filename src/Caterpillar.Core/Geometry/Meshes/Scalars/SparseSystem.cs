@@ -12,7 +12,7 @@ internal sealed class SparseSystem
 
     /// <summary>A matrix of entries in any order; those of one place add up.</summary>
     /// <param name="size">Rows.</param>
-    /// <param name="entries">Row and column of each entry beside the diagonal, both halves of the matrix.</param>
+    /// <param name="entries">Row and column of each off-diagonal entry, both halves of the matrix.</param>
     /// <param name="values">Their values.</param>
     /// <param name="diagonal">The diagonal.</param>
     public SparseSystem(int size, (int Row, int Column)[] entries, double[] values, double[] diagonal)
@@ -36,8 +36,8 @@ internal sealed class SparseSystem
     /// <param name="right">The right side.</param>
     /// <param name="x">The guess, and the result.</param>
     /// <param name="accuracy">The rest of the equations in parts of the right side.</param>
-    /// <param name="cancel">Cancels.</param>
-    /// <returns>False where it did not come so far.</returns>
+    /// <param name="cancel">Cancels the call.</param>
+    /// <returns>False if it did not converge.</returns>
     public bool Solve(double[] right, double[] x, double accuracy, CancellationToken cancel)
     {
         var n = x.Length;

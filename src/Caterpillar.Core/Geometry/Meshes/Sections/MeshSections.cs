@@ -85,7 +85,7 @@ internal static class MeshSections
         var order = new int[ascending.Length];
         for (var i = 0; i < ascending.Length; i++)
         {
-            if (double.IsNaN(heights[i] - heights[i])) throw new ArgumentException("A height is not a finite number.", nameof(heights));
+            if (double.IsNaN(heights[i] - heights[i])) throw new ArgumentException("The heights must be finite numbers.", nameof(heights));
             order[i] = i;
         }
         Array.Sort(order, (a, b) => heights[a] != heights[b] ? heights[a].CompareTo(heights[b]) : a.CompareTo(b));
@@ -105,7 +105,7 @@ internal static class MeshSections
         if (closed > 0)
         {
             diagnostics.Add(Severity.Warning, "mesh.gap_closed",
-                $"Gaps in contours were closed; the widest is {NumberFormatter.Format(widest, 6)} mm.", null, closed);
+                $"A gap in a contour was closed. The widest gap is {NumberFormatter.Format(widest, 6)} mm.", null, closed);
         }
         var ends = 0;
         Section? first = null;
@@ -117,7 +117,7 @@ internal static class MeshSections
         if (first is not null)
         {
             diagnostics.Add(Severity.Warning, "mesh.naked_edges",
-                $"The mesh is open: contours have loose ends, first at z = {NumberFormatter.Format(first.Z, 6)} mm.", null, ends);
+                $"The mesh is open: a contour has a loose end, first at z = {NumberFormatter.Format(first.Z, 6)} mm.", null, ends);
         }
     }
 }

@@ -23,7 +23,7 @@ internal sealed class Section
     /// <summary>Contours that do not close: sections of open surfaces, with the outside of the surface on their right.</summary>
     public IReadOnlyList<Polyline> OpenLines { get; }
 
-    /// <summary>What was added to close contours of a broken mesh.</summary>
+    /// <summary>Segments added to close contours of a broken mesh.</summary>
     public ClosedGaps Gaps { get; }
 
     /// <summary>Number of loose ends: two for each open line.</summary>

@@ -9,7 +9,7 @@ internal sealed record SectionOptions
     /// </summary>
     public double GapMm { get; init; } = 0.1;
 
-    /// <summary>Maximum number of threads; 0 for all cores. Never changes the result.</summary>
+    /// <summary>Maximum number of threads. 0 = all cores. The result does not depend on it.</summary>
     public int Threads { get; init; }
 
     internal int Degree => Threads > 0 ? Threads : Environment.ProcessorCount;

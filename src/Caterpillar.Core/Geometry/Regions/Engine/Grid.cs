@@ -52,7 +52,7 @@ internal static class Grid
     /// <summary>Nearest integer; halves are rounded up. For values in the range of int.</summary>
     public static int Round(double value) => (int)Math.Floor(value + 0.5);
 
-    /// <summary>Cross product of b − a and c − a: positive when c lies left of the line from a to b. Exact.</summary>
+    /// <summary>Cross product of b − a and c − a: positive if c is left of the line from a to b. Exact.</summary>
     public static long Cross(GridPoint a, GridPoint b, GridPoint c)
         => ((long)b.X - a.X) * ((long)c.Y - a.Y) - ((long)b.Y - a.Y) * ((long)c.X - a.X);
 

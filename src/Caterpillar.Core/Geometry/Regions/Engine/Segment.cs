@@ -20,7 +20,7 @@ internal struct Segment
 
     public readonly GridPoint B => new(Bx, By);
 
-    /// <summary>Positive when the point lies left of the segment. Exact.</summary>
+    /// <summary>Positive if the point is left of the segment. Exact.</summary>
     public readonly long Side(int x, int y) => ((long)Bx - Ax) * ((long)y - Ay) - ((long)By - Ay) * ((long)x - Ax);
 }
 

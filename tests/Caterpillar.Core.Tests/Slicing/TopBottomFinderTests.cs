@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Slicing;
 
-public class SkinFinderTests
+public class TopBottomFinderTests
 {
     private static readonly PrintSettings Plain = new()
     {
@@ -15,7 +15,7 @@ public class SkinFinderTests
     };
 
     [Test]
-    public void The_tread_of_a_stair_is_a_skin_that_reaches_under_the_next_step()
+    public void The_tread_of_a_stair_is_a_top_surface_that_extends_under_the_next_step()
     {
         var stair = Stack(Plain, (10, Region.Rectangle(0, 0, 20, 20)), (10, Region.Rectangle(0, 0, 10, 20)));
         var inside = Region.Rectangle(1, 1, 19, 19);
@@ -25,7 +25,7 @@ public class SkinFinderTests
         Assert.That(tread.Top.Bounds.Min.X, Is.EqualTo(9.4).Within(1e-4));
         Assert.That((tread.Solid.IsEmpty, tread.Bottom.IsEmpty, tread.Bridges.Count), Is.EqualTo((true, true, 0)));
         Assert.That(tread.Sparse.Area, Is.EqualTo(8.4 * 18).Within(1e-3));
-        // Three more closed layers below it, not four.
+        // Three more solid layers below it, not four.
         foreach (var layer in new[] { 8, 7, 6 })
         {
             var below = Areas(stair, layer, inside);
@@ -141,5 +141,5 @@ public class SkinFinderTests
     }
 
     private static IslandAreas Areas(Body body, int layer, Region inside)
-        => new SkinFinder(body.Layers[layer], body.Layers[layer].Rules, new RegionEngine()).Find(inside);
+        => new TopBottomFinder(body.Layers[layer], body.Layers[layer].Rules, new RegionEngine()).Find(inside);
 }

@@ -3,21 +3,21 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Divides the inside of islands into skins and infill: what the layers above (or below) do not all cover is near a surface. Neighbors that surround the inside
-/// with their boundaries apart, as they do wherever walls are steep, cost no region operation.
+/// Divides the inside of islands into top and bottom surfaces, solid and sparse infill. Areas that the layers above or below do not all cover are near a
+/// surface. Neighbors that surround the inside with their boundaries apart, as steep walls do, cost no region operation.
 /// </summary>
-internal sealed class SkinFinder(LayerWork layer, SliceRules rules, RegionEngine engine)
+internal sealed class TopBottomFinder(LayerWork layer, SliceRules rules, RegionEngine engine)
 {
     private readonly int _above = Reach(layer, rules);
     private readonly int _below = Count(layer, -1, rules.Settings.BottomLayers, rules.Settings.BottomThickness);
 
-    /// <summary>How many upper neighbors the skins of a layer depend on.</summary>
+    /// <summary>Number of upper neighbors that the surfaces of a layer depend on.</summary>
     public static int Reach(LayerWork layer, SliceRules rules) => Count(layer, 1, rules.Settings.TopLayers, rules.Settings.TopThickness);
 
-    /// <summary>How a part of a layer is filled. Found when it is first asked for, by when the neighbors of the layer have their outlines.</summary>
+    /// <summary>Areas of a part of a layer by their fill. Found on first use, when the neighbors of the layer have their outlines.</summary>
     public static IslandAreas AreasOf(LayerWork layer, InsideWork inside, RegionEngine engine)
     {
-        lock (inside.Gate) return inside.Areas ??= new SkinFinder(layer, inside.Rules, engine).Find(inside.Region);
+        lock (inside.Gate) return inside.Areas ??= new TopBottomFinder(layer, inside.Rules, engine).Find(inside.Region);
     }
 
     public IslandAreas Find(Region inside)
@@ -28,7 +28,7 @@ internal sealed class SkinFinder(LayerWork layer, SliceRules rules, RegionEngine
         var sparse = Covered(Covered(inside, 1, _above), -1, _below);
         if (sparse.IsEmpty && ReferenceEquals(bottom, inside)) return Bottom(new IslandAreas(), inside);
         if (sparse.IsEmpty && ReferenceEquals(top, inside) && bottom.IsEmpty) return new IslandAreas { Top = inside };
-        // All that is closed, without slivers, and somewhat into the infill.
+        // All solid areas, without slivers, extended into the infill.
         var solid = ReferenceEquals(sparse, inside) ? Region.Empty
             : sparse.IsEmpty ? inside
             : Grown(inside.Subtract(sparse, engine), inside, rules.Settings.SolidInfillExpansion);
@@ -36,14 +36,14 @@ internal sealed class SkinFinder(LayerWork layer, SliceRules rules, RegionEngine
         if (ReferenceEquals(sparse, inside)) return Alone(inside);
         bottom = Grown(bottom, inside, Over(air: layer.Index > 0) ? rules.Settings.BridgeAnchor : rules.Settings.SolidInfillExpansion);
         top = Grown(top, inside, rules.Settings.SolidInfillExpansion).Subtract(bottom, engine);
-        var skins = bottom.IsEmpty ? top : top.IsEmpty ? bottom : bottom.Union(top, engine);
-        if (!skins.IsEmpty && !sparse.IsEmpty) sparse = sparse.Subtract(skins, engine);
-        var rest = skins.IsEmpty ? inside : inside.Subtract(skins, engine);
+        var surfaces = bottom.IsEmpty ? top : top.IsEmpty ? bottom : bottom.Union(top, engine);
+        if (!surfaces.IsEmpty && !sparse.IsEmpty) sparse = sparse.Subtract(surfaces, engine);
+        var rest = surfaces.IsEmpty ? inside : inside.Subtract(surfaces, engine);
         solid = sparse.IsEmpty ? rest : rest.Subtract(sparse, engine);
         return Bottom(new IslandAreas { Top = top, Solid = solid, Sparse = sparse }, bottom);
     }
 
-    // How many neighbors decide: as many as there are closed layers, or more where those would be too thin.
+    // Number of neighbors that decide: the number of solid layers, or more if those are too thin.
     private static int Count(LayerWork layer, int direction, int layers, double thickness)
     {
         if (layers == 0) return 0;
@@ -80,7 +80,7 @@ internal sealed class SkinFinder(LayerWork layer, SliceRules rules, RegionEngine
         return area;
     }
 
-    // Without what is narrower than the least width of skins, and grown by a distance, as far as the inside goes.
+    // Without places narrower than the minimum solid width, and grown by a distance within the inside.
     private Region Grown(Region area, Region inside, double distance)
     {
         if (area.IsEmpty || ReferenceEquals(area, inside)) return area;
@@ -90,7 +90,7 @@ internal sealed class SkinFinder(LayerWork layer, SliceRules rules, RegionEngine
         return core.Offset(half + distance, JoinStyle.Miter, 2, 0.005, engine).Intersect(inside, engine);
     }
 
-    // No skin: all infill, but for small pieces.
+    // No surface: all sparse infill, except small pieces.
     private IslandAreas Alone(Region inside)
     {
         var sparse = WithoutSmall(inside);

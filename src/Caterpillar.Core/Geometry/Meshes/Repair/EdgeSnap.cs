@@ -1,10 +1,10 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Brings rims of a surface together: vertices on open edges that are nearer to each other than a quarter of the shortest edge that meets there (and than
-/// a millimeter) become one. The vertex of the larger piece stays. Kept only where it leaves fewer open edges.
+/// Joins naked edges: vertices on naked edges that are closer to each other than a quarter of the shortest edge at them, and than 1 mm, become one. The
+/// vertex of the larger piece stays. The result is kept only if it has fewer naked edges.
 /// </summary>
-internal static class RimSnap
+internal static class EdgeSnap
 {
     private const double Share = 0.25;
     private const double Largest = 1;
