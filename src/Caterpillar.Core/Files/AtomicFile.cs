@@ -19,7 +19,7 @@ internal sealed class AtomicFile : IDisposable
     {
         _target = FileLinks.Target(Path.GetFullPath(path ?? throw new ArgumentNullException(nameof(path))));
         if (Directory.Exists(_target)) throw new IOException($"{path} is a folder, not a file.");
-        if (!Directory.Exists(Path.GetDirectoryName(_target)!)) throw new DirectoryNotFoundException($"{path}: there is no such folder.");
+        if (!Directory.Exists(Path.GetDirectoryName(_target)!)) throw new DirectoryNotFoundException($"{path}: folder not found.");
         _stream = FileLinks.Special(_target);
         if (_stream is not null) return;
         var name = Path.GetFileName(_target);

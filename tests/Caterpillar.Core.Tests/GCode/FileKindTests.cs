@@ -25,7 +25,7 @@ public class FileKindTests
     [TestCase("%PDF-1.4\n", "PDF")]
     [TestCase("abc\u0000\u0001\u0002def\n", "binary data")]
     public void What_is_no_G_code_says_what_it_looks_like(string text, string kind)
-        => Assert.That(Decode(Encoding.GetEncoding(28591).GetBytes(text)).NotGCode?.Message, Does.StartWith("This is no G-code").And.Contain(kind));
+        => Assert.That(Decode(Encoding.GetEncoding(28591).GetBytes(text)).NotGCode?.Message, Does.StartWith("This is not G-code").And.Contain(kind));
 
     [Test]
     public void A_binary_mesh_is_known_by_its_size()

@@ -116,7 +116,7 @@ internal static class PageHead
         foreach (Role role in Enum.GetValues(typeof(Role)))
         {
             json.WriteStartArray();
-            json.WriteValue(role == Role.Unspecified ? "Without role" : Words.Spaced(role.ToString()));
+            json.WriteValue(Words.Spaced(role.ToString()));
             json.WriteValue(Hex(Palette.Of(role)));
             json.WriteEndArray();
         }

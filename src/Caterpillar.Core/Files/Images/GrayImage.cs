@@ -8,8 +8,8 @@ public sealed class GrayImage
     /// <exception cref="ArgumentException">The number of pixels is not width × height, or a size is below 1.</exception>
     public GrayImage(int width, int height, double[] pixels)
     {
-        if (width < 1 || height < 1) throw new ArgumentException("An image has at least one pixel.", nameof(width));
-        if (pixels is null || pixels.Length != (long)width * height) throw new ArgumentException("An image has width × height pixels.", nameof(pixels));
+        if (width < 1 || height < 1) throw new ArgumentException("An image must have at least one pixel.", nameof(width));
+        if (pixels is null || pixels.Length != (long)width * height) throw new ArgumentException("An image needs width × height pixels.", nameof(pixels));
         Width = width;
         Height = height;
         _pixels = (double[])pixels.Clone();

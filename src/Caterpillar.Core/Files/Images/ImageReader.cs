@@ -29,7 +29,7 @@ public static class ImageReader
             // Mono reports damaged compressed data this way; nothing else here touches a disk.
             return Failed("The compressed data of the image is damaged.", name);
         }
-        return Failed("This is neither a PNG nor a PGM or PBM image.", name);
+        return Failed("The file is not a PNG, PGM or PBM image.", name);
     }
 
     internal static int Pixels(long width, long height)

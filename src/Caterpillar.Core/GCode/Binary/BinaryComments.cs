@@ -135,7 +135,7 @@ internal sealed class BinaryComments
 
     private static IEnumerable<KeyValuePair<byte[], byte[]>> Pairs(BinaryBlock block)
     {
-        if (block.Encoding != 0) throw new InvalidDataException("This encoding of settings is not known.");
+        if (block.Encoding != 0) throw new InvalidDataException("The encoding of the settings is unknown.");
         foreach (var (start, end) in Lines(block.Data))
         {
             var equals = Array.IndexOf(block.Data, (byte)'=', start, end - start);

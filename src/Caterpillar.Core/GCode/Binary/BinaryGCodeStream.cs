@@ -66,9 +66,9 @@ internal sealed class BinaryGCodeStream(Stream file) : ReadStream
         _begun = true;
         var head = new byte[FileHeader];
         if (Fill(file, head, 0, FileHeader) < FileHeader) throw new InvalidDataException("The header is cut off.");
-        if (BinaryBlock.UInt32(head, 4) != 1) throw new InvalidDataException("This version of binary G-code is not known.");
+        if (BinaryBlock.UInt32(head, 4) != 1) throw new InvalidDataException("The version of the binary G-code is unknown.");
         var checksum = BinaryBlock.UInt16(head, 8);
-        if (checksum > 1) throw new InvalidDataException("This kind of checksum is not known.");
+        if (checksum > 1) throw new InvalidDataException("The type of its checksums is unknown.");
         _summed = checksum == 1;
     }
 
@@ -86,7 +86,7 @@ internal sealed class BinaryGCodeStream(Stream file) : ReadStream
                     {
                         0 => block.Data,
                         1 or 2 => MeatPack.Unpack(block.Data),
-                        _ => throw new InvalidDataException("This encoding of G-code is not known."),
+                        _ => throw new InvalidDataException("The encoding of the G-code is unknown."),
                     };
                     if (_code) return code;
                     _code = true;
@@ -111,9 +111,9 @@ internal sealed class BinaryGCodeStream(Stream file) : ReadStream
                     if (block.Data.Length > 0) _settings.Settings(block);
                     break;
             }
-            if (_before.Length + _print.Length + _settings.Length > MaxComments) throw new InvalidDataException("Its settings and images are too large.");
+            if (_before.Length + _print.Length + _settings.Length > MaxComments) throw new InvalidDataException("Its settings and thumbnails are too large.");
         }
-        if (!_code) throw new InvalidDataException("There is no G-code in it; it is cut off.");
+        if (!_code) throw new InvalidDataException("It is cut off and contains no G-code.");
         _ended = true;
         return Tail;
     }

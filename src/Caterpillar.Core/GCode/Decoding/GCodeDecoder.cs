@@ -154,7 +154,7 @@ public static class GCodeDecoder
         interpreter.Machine.Moves.Begin(options.BlockSize, options.Take);
         var problems = interpreter.Machine.Diagnostics.List;
         if (axis != input.Axis && (input.Axis == ExtrusionAxis.E || input.Axis == ExtrusionAxis.Switched))
-            problems.Add(Severity.Warning, "gcode.no_extruder", rules.Title + " has no extruder on " + input.Axis.Name + ": extrusion is left out.");
+            problems.Add(Severity.Warning, "gcode.no_extruder", rules.Title + " has no extruder on " + input.Axis.Name + ". Extrusion is left out.");
         var lines = 0;
         var mark = false;
         var checkpoints = document is null ? null : new List<Checkpoint>(document.Chunks.Count);
@@ -208,10 +208,10 @@ public static class GCodeDecoder
 
     private static void ReportDefault(FlavorRules rules, IReadOnlyDictionary<string, string> settings, DiagnosticList problems)
     {
-        problems.Add(Severity.Note, "gcode.flavor_default", "Nothing in the file says which firmware it is for; read as " + rules.Title + ".");
+        problems.Add(Severity.Note, "gcode.flavor_default", FlavorDetector.NotStated + " It was read as " + rules.Title + ".");
         if (!settings.TryGetValue("gcode_flavor", out var flavor) || FlavorDetector.OfSlicerFlavor(flavor) is not { } meant || meant == rules.Name) return;
         problems.Add(Severity.Warning, "gcode.flavor_late", "The settings at the end of the file name the G-code flavor \"" + flavor
-            + "\"; it was read as " + rules.Title + ". State the flavor.");
+            + "\", but the file was read as " + rules.Title + ". Choose the flavor.");
     }
 
     // What is decoded: the chunks of a text, and what its source knows of it.

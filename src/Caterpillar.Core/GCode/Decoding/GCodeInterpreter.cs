@@ -50,7 +50,7 @@ internal sealed class GCodeInterpreter
     public Arc? LastArc => _machine.Moves.LastArc;
 
     /// <summary>True where G1 to G3 print without any E.</summary>
-    public bool Strokes => _machine.Moves.Strokes;
+    public bool PrintsWithoutE => _machine.Moves.PrintsWithoutE;
 
     /// <summary>Carries out the lines of a chunk; <paramref name="firstLine"/> lines are before it.</summary>
     [MethodImpl(Compile.Optimized)]

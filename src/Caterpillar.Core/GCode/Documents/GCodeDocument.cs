@@ -98,7 +98,7 @@ public sealed class GCodeDocument
     /// <summary>A line by its number, from 1, without its line end; each byte is one character (Latin-1).</summary>
     public string Line(int number)
     {
-        if (number < 1 || number > LineCount) throw new ArgumentOutOfRangeException(nameof(number), "There is no line with this number.");
+        if (number < 1 || number > LineCount) throw new ArgumentOutOfRangeException(nameof(number), "The document has no line with this number.");
         var first = FirstLines();
         var at = Array.BinarySearch(first, number - 1);
         if (at < 0) at = ~at - 1;
@@ -135,7 +135,7 @@ public sealed class GCodeDocument
     /// <exception cref="InvalidOperationException">They are more than an array can hold, 2 GB; <see cref="WriteTo"/> writes them.</exception>
     public byte[] ToBytes()
     {
-        if (Length > int.MaxValue - 64) throw new InvalidOperationException("The document is larger than 2 GB; write it to a stream.");
+        if (Length > int.MaxValue - 64) throw new InvalidOperationException("The document is larger than 2 GB. Write it to a stream.");
         var bytes = new byte[Length];
         var at = 0;
         foreach (var chunk in _chunks)
@@ -164,7 +164,7 @@ public sealed class GCodeDocument
     /// <summary>A number of lines, which is an int.</summary>
     /// <exception cref="InvalidDataException">It would be more.</exception>
     internal static int AddLines(int lines, int more)
-        => lines <= int.MaxValue - more ? lines + more : throw new InvalidDataException("There are more than 2147483647 lines.");
+        => lines <= int.MaxValue - more ? lines + more : throw new InvalidDataException("It has more than 2147483647 lines.");
 
     /// <summary>The error for packed bytes that cannot be unpacked.</summary>
     internal static Diagnostic Broken(InvalidDataException broken, string name)

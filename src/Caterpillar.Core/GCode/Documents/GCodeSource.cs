@@ -109,7 +109,7 @@ internal sealed class GCodeSource : IDisposable
         if (_wide)
         {
             notes.Add(new Diagnostic(Severity.Warning, "gcode.utf16",
-                "The file is UTF-16, which no firmware reads; it is taken as the same text with one byte a character."));
+                "The file is UTF-16, which no firmware can read. It was read as the same text with one byte per character."));
         }
         return notes;
     }

@@ -19,7 +19,7 @@ internal sealed class CodeReplacement
         var (first, last) = PrintedLines(context.Decoding);
         if (last == 0)
         {
-            context.Diagnostics.Add(Severity.Warning, "gcode.no_layers", "The file prints no layer: its start and end code stay.");
+            context.Diagnostics.Add(Severity.Warning, "gcode.no_layers", "The file has no layers. Its start and end G-code were not replaced.");
             return;
         }
         if (options.Start is not null)

@@ -17,7 +17,7 @@ public static class GCodeConverter
     {
         if (decoding is null) throw new ArgumentNullException(nameof(decoding));
         if (options is null) throw new ArgumentNullException(nameof(options));
-        if (decoding.Document is null) throw new ArgumentException("A conversion needs the document of the file.", nameof(decoding));
+        if (decoding.Document is null) throw new ArgumentException(GCodeEditor.NoDocument, nameof(decoding));
         var problems = new DiagnosticList();
         var target = ConvertTarget.Of(decoding, options, problems);
         if (target is null) return problems.ToList();

@@ -31,6 +31,8 @@ public sealed record EditOptions
 /// </summary>
 internal static class GCodeEditor
 {
+    public const string NoDocument = "The decoded file has no document. Decode it from a document or a file, not from a stream.";
+
     /// <summary>
     /// Writes the file with the moves of <paramref name="edited"/>, which comes from the decoding's toolpath by edits that keep the order of its moves.
     /// </summary>
@@ -44,11 +46,11 @@ internal static class GCodeEditor
         if (decoding is null) throw new ArgumentNullException(nameof(decoding));
         if (edited is null) throw new ArgumentNullException(nameof(edited));
         if (options is null) throw new ArgumentNullException(nameof(options));
-        if (decoding.Document is null) throw new ArgumentException("Writing a file again needs its document.", nameof(decoding));
+        if (decoding.Document is null) throw new ArgumentException(NoDocument, nameof(decoding));
         var plan = SplicePlan.Of(decoding, edited);
         if (!plan.InOrder || edited.Source != MoveSource.Lines)
             return [new Diagnostic(Severity.Error, "gcode.reordered",
-                "The moves are not in the order of the file's lines; write the toolpath as new G-code instead.")];
+                "The moves are not in the order of the file's lines. Write the toolpath as new G-code instead.")];
         var splicer = new Splicer(decoding, edited, plan, stream, options: options);
         splicer.Run(progress, cancel);
         return splicer.Diagnostics.ToList();

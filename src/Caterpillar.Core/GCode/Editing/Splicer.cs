@@ -190,7 +190,7 @@ internal sealed class Splicer
             Remove();
             return;
         }
-        _comments.RestoreCut();
+        _comments.WriteCut();
         _comments.Keep();
         if (own == 0 && events > 0) InsertBeforeEvents(events);
         var single = own == 1;

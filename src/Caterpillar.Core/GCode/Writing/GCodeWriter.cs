@@ -102,7 +102,7 @@ internal sealed class GCodeWriter
     /// <inheritdoc cref="Write" path="/exception"/>
     public void WriteBlock(Stream stream, int block)
     {
-        if (block != _nextBlock) throw new InvalidOperationException("The blocks of a toolpath are written in order.");
+        if (block != _nextBlock) throw new InvalidOperationException("Write the blocks of a toolpath in order.");
         _nextBlock++;
         var columns = _toolpath.Blocks[block].Columns;
         var first = _toolpath.FirstOf(block);
@@ -124,7 +124,7 @@ internal sealed class GCodeWriter
     /// <summary>What happens after the last move, and the end code.</summary>
     public void WriteEnd(Stream stream)
     {
-        if (_nextBlock != _toolpath.Blocks.Count) throw new InvalidOperationException("Not all blocks are written.");
+        if (_nextBlock != _toolpath.Blocks.Count) throw new InvalidOperationException("Write all blocks before the end.");
         Events(_toolpath.Count);
         if (_on) Switch(false);
         if (_format.Comments && _object.Length > 0) Object("");

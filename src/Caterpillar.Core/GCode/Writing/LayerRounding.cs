@@ -26,7 +26,7 @@ internal static class LayerRounding
             return new Diagnostic(Severity.Error, "gcode.layers_rounded",
                 $"Rounded to {NumberFormatter.Format(decimals)} decimals, layer {NumberFormatter.Format(layer.Index)} at Z {Format(layer.Z)} mm would be "
                     + (rounded <= 0 ? "printed into the layer below" : $"{Format(rounded)} mm high instead of {Format(height)} mm")
-                        + "; more decimals are needed.",
+                        + ". Use more decimals.",
                 place);
         }
         return null;

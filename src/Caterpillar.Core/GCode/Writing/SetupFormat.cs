@@ -29,13 +29,13 @@ internal static class SetupFormat
         var format = Format(setup, values, layers, tools) with { Start = start, End = end };
         if (format.LacksAmounts(toolpath))
         {
-            problems.Add(Severity.Error, "gcode.no_amounts", "The toolpath prints without any amount of E, and " + printer.Flavor.Title
-                + " needs them; they cannot be guessed. For a machine without an extruder set extrusion_unit to none.");
+            problems.Add(Severity.Error, "gcode.no_amounts", "The toolpath prints but has no E values, which " + printer.Flavor.Title
+                + " needs. If the machine has no extruder, set extrusion_unit to none.");
             return new Result<GCodeFormat>(null, problems.ToList());
         }
         if (format.Switches)
             problems.Add(Severity.Warning, "gcode.amounts_lost", printer.Flavor.Title
-                + " only switches its extruder on and off (M101, M103): amounts of E and retractions are not written.");
+                + " only switches its extruder on and off (M101, M103). E values and retractions are not written.");
         return new Result<GCodeFormat>(format, problems.ToList());
     }
 

@@ -19,11 +19,11 @@ internal sealed class HeadShape
         var points = (outline ?? throw new ArgumentNullException(nameof(outline))).ToArray();
         _radii = Array.ConvertAll(points, p => p.Radius);
         _heights = Array.ConvertAll(points, p => p.Height);
-        if (points.Length == 0 || _heights[0] != 0) throw new ArgumentException("An outline begins at the tip, at height 0.", nameof(outline));
+        if (points.Length == 0 || _heights[0] != 0) throw new ArgumentException("The outline of a head must begin at the tip, at height 0.", nameof(outline));
         for (var i = 1; i < points.Length; i++)
         {
             if (!(_radii[i] > _radii[i - 1]) || !(_heights[i] >= _heights[i - 1]))
-                throw new ArgumentException("Radii and heights of an outline ascend.", nameof(outline));
+                throw new ArgumentException("The radii and heights of an outline must be in ascending order.", nameof(outline));
             if (_heights[i] == 0) FlatRadius = _radii[i];
         }
         FlatRadius = Math.Max(FlatRadius, _radii[0]);

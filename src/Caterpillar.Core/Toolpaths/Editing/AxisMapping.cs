@@ -37,7 +37,7 @@ public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, dou
     /// <summary>The mapping for a drum of a diameter in mm: its circumference is one turn.</summary>
     public static AxisMapping Drum(PathAxis from, OutputAxis to, double diameter, double hold = 0)
         => diameter > 0 ? new AxisMapping(from, to, 360 / (Math.PI * diameter), hold)
-            : throw new ArgumentOutOfRangeException(nameof(diameter), "A drum needs a positive diameter.");
+            : throw new ArgumentOutOfRangeException(nameof(diameter), "The diameter of a drum must be positive.");
 
     /// <summary>
     /// The mapped toolpath; arcs become chords. The speed of a move is changed so that its time stays: it is measured along X, Y and Z if one

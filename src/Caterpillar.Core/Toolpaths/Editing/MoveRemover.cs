@@ -86,7 +86,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
         if (move.Kind == MoveKind.Retract && move.E < 0 && move.Speed > 0) _retractSpeed = move.Speed;
     }
 
-    // Retracted before the travel, restored at its end: a travel carries over what is still retracted.
+    // Retracted before the travel, deretracted at its end: a travel carries over what is still retracted.
     private void Repair(Move move)
     {
         var tool = Of(move.Tool);

@@ -82,7 +82,7 @@ internal sealed class PointRunMap(Func<Vec3, Vec3> map, double tolerance) : RunM
         for (var i = 0; i < run.Points.Count; i++)
         {
             run.Points[i] = map(run.Points[i]);
-            if (!run.Points[i].IsFinite) throw new InvalidOperationException("The map gives a point that is not finite.");
+            if (!run.Points[i].IsFinite) throw new InvalidOperationException("The map returned a point that is not finite.");
         }
     }
 }

@@ -55,7 +55,7 @@ public sealed record ToolTilt(TiltAxes Axes, double MaxTilt = 90)
     /// <param name="lastTurn">The turn of C before, degrees.</param>
     public (double Tilt, double Turn) Angles(Vec3 normal, double lastTurn = 0)
     {
-        if (!(MaxTilt > 0 && MaxTilt <= 90)) throw new InvalidOperationException("The largest tilt is an angle above 0 and at most 90 degrees.");
+        if (!(MaxTilt > 0 && MaxTilt <= 90)) throw new InvalidOperationException("The maximum tilt must be above 0 and at most 90 degrees.");
         var tilt = Math.Min(MaxTilt, Angle.Atan2(normal.LengthXY, normal.Z));
         if (!(tilt > Upright)) return (0, lastTurn);
         var azimuth = Angle.Atan2(normal.Y, normal.X) + (Axes == TiltAxes.AC ? 90 : 0);

@@ -21,7 +21,7 @@ public static class ToolpathEdits
     /// <exception cref="ArgumentOutOfRangeException">The factor is negative or not finite.</exception>
     public static Toolpath ScaleFlow(this Toolpath toolpath, MoveFilter filter, double factor)
     {
-        if (!(factor >= 0) || double.IsInfinity(factor)) throw new ArgumentOutOfRangeException(nameof(factor), factor, "A flow factor must be 0 or more.");
+        if (!(factor >= 0) || double.IsInfinity(factor)) throw new ArgumentOutOfRangeException(nameof(factor), factor, "The flow factor must be 0 or more.");
         return Change(toolpath, filter, (columns, i) =>
         {
             if (columns.Kind[i] is not (MoveKind.Print or MoveKind.Prime)) return;
@@ -75,7 +75,7 @@ public static class ToolpathEdits
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (what is null) throw new ArgumentNullException(nameof(what));
-        if (move < 0 || move > toolpath.Count) throw new ArgumentOutOfRangeException(nameof(move), move, "There is no such move.");
+        if (move < 0 || move > toolpath.Count) throw new ArgumentOutOfRangeException(nameof(move), move, "The toolpath has no move with this number.");
         var events = toolpath.Events.ToList();
         var at = events.FindIndex(e => e.Move > move);
         if (at < 0) at = events.Count;
@@ -103,7 +103,7 @@ public static class ToolpathEdits
                     return new Result<Toolpath>(toolpath.Insert(toolpath.FirstOf(block) + i, what), []);
             }
         }
-        return new Result<Toolpath>(null, [new Diagnostic(Severity.Error, "toolpath.no_layer", $"There is no layer {NumberFormatter.Format(layer)}.")]);
+        return new Result<Toolpath>(null, [new Diagnostic(Severity.Error, "toolpath.no_layer", $"Layer {NumberFormatter.Format(layer)} not found.")]);
     }
 
     private static bool IsOf(Toolpath toolpath, Move move, PrinterEvent what)

@@ -49,7 +49,7 @@ public readonly record struct Bead
             BeadShape.Rectangle => width * height,
             BeadShape.Stadium => width >= height
                 ? height * (width - height) + Math.PI / 4 * height * height
-                : throw new ArgumentOutOfRangeException(nameof(width), "A stadium must be at least as wide as high."),
+                : throw new ArgumentOutOfRangeException(nameof(width), "A stadium must be at least as wide as it is high."),
             _ => Math.PI / 4 * width * width,
         };
         return new Bead(area * Check(multiplier, nameof(multiplier)), height, speed);

@@ -90,7 +90,7 @@ public sealed class TravelStep : Step
     public TravelStep(IEnumerable<Vec3> points, double speed = 0, TravelIntent intent = TravelIntent.AsDrawn)
     {
         _points = (points ?? throw new ArgumentNullException(nameof(points))).ToArray();
-        if (_points.Length == 0 || !_points.All(p => p.IsFinite)) throw new ArgumentException("A travel needs finite points.", nameof(points));
+        if (_points.Length == 0 || !_points.All(p => p.IsFinite)) throw new ArgumentException("A travel move needs one or more finite points.", nameof(points));
         Speed = speed;
         Intent = intent;
     }

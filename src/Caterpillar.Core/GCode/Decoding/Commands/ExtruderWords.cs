@@ -24,8 +24,8 @@ internal sealed class ExtruderWords(Machine machine)
         ref var modes = ref _state.Modes;
         ref var extrusion = ref _state.Extrusion;
         if (modes.IsRelativeEDisputed)
-            machine.Diagnostics.Warn("gcode.flavor_e_mode", "Whether E is absolute or relative here depends on the firmware (order of G90, G91, M82, M83); "
-                + _rules.Title + " takes it as " + (modes.RelativeE ? "relative." : "absolute."));
+            machine.Diagnostics.Warn("gcode.flavor_e_mode", "Whether E is absolute or relative here depends on the firmware (order of G90, G91, M82, M83). "
+                + _rules.Title + " reads it as " + (modes.RelativeE ? "relative." : "absolute."));
         var change = modes.RelativeE ? word : word - extrusion.E;
         extrusion.E += change;
         if (extrusion.HasMarlin2E)

@@ -24,7 +24,7 @@ internal sealed class ModeCommands(Machine machine, PositionCommands positions)
             case 200:
                 _features.G20++;
                 if (_rules.Inches) modes.Inches = true;
-                else machine.Diagnostics.Warn("gcode.inches", _rules.Title + " does not support inches: G20 is refused.");
+                else machine.Diagnostics.Warn("gcode.inches", _rules.Title + " does not support inches. G20 is ignored.");
                 machine.ModesChanged();
                 return true;
             case 210:

@@ -68,8 +68,8 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
     public void BareRename()
     {
         machine.Features.G92All++;
-        machine.Diagnostics.Warn("gcode.flavor_g92", "G92 without letters means different things to different firmwares; it is read as " + _rules.Title
-            + " reads it.");
+        machine.Diagnostics.Warn("gcode.flavor_g92", "G92 without axis letters differs between firmwares. It was read by the rules of " + _rules.Title
+            + ".");
         if (_rules.BareG92 == BareG92Rule.Nothing) return;
         if (_rules.BareG92 == BareG92Rule.ClearShifts)
         {
@@ -109,7 +109,7 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
         work.Selected = system;
         if (system > 0 && work.Origin == Vec3.Zero)
             machine.Diagnostics.Add(Severity.Note, "gcode.workspace",
-                "A coordinate system is selected whose origin the file does not set: it is taken as that of the machine.");
+                "The file selects a coordinate system but does not set its origin. The machine's origin is used.");
         OriginMoved(before);
         return true;
     }

@@ -32,7 +32,7 @@ internal sealed class IgnoredCommands(FlavorRules rules, LineDiagnostics diagnos
 
     public void NotFollowed(string name)
         => diagnostics.Warn("gcode.not_followed",
-            $"{rules.Title}: {name} moves the head or shifts its coordinates in a way that cannot be followed; positions after it may be wrong.");
+            $"{rules.Title}: {name} moves the head or shifts its coordinates, but the decoder cannot follow it. Positions after it may be wrong.");
 
     /// <summary>Adds one note about everything that was ignored.</summary>
     public void Report()

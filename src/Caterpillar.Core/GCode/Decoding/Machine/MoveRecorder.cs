@@ -35,7 +35,7 @@ internal sealed partial class MoveRecorder
         _counters = machine.Counters;
         _balance = rule == ExtrusionRule.Balance;
         _switched = machine.Axis == ExtrusionAxis.Switched;
-        Strokes = _switched || (machine.Axis == ExtrusionAxis.None && machine.Rules.StrokesWithoutE);
+        PrintsWithoutE = _switched || (machine.Axis == ExtrusionAxis.None && machine.Rules.StrokesWithoutE);
     }
 
     public LayerCollector Layers { get; } = new();
@@ -44,7 +44,7 @@ internal sealed partial class MoveRecorder
     public Role Role { get; set; }
 
     /// <summary>True where G1 to G3 print without any E.</summary>
-    public bool Strokes { get; }
+    public bool PrintsWithoutE { get; }
 
     public int Count => _moves.Count;
 
@@ -183,7 +183,7 @@ internal sealed partial class MoveRecorder
         }
         else
         {
-            kind = Strokes && (_state.Extrusion.IsSwitchedOn || !_switched) && code > 0 ? MoveKind.Print : MoveKind.Travel;
+            kind = PrintsWithoutE && (_state.Extrusion.IsSwitchedOn || !_switched) && code > 0 ? MoveKind.Print : MoveKind.Travel;
         }
         if (kind == MoveKind.Print)
         {

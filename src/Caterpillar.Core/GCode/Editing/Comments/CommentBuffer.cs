@@ -31,7 +31,7 @@ internal sealed class CommentBuffer(SpliceContext context)
     }
 
     /// <summary>Writes the comments of moves that were cut out which the moves after them need.</summary>
-    public void RestoreCut()
+    public void WriteCut()
     {
         if (_cut.IsEmpty) return;
         foreach (var line in _lines) _cut.Keep(line);

@@ -148,7 +148,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
         {
             if (move.Tool < context.Rules.ToolLimit) context.Event(new ToolEvent(move.Tool));
             else if (move.Tool > 0)
-                context.Diagnostics.Add(Severity.Warning, "gcode.tools_lost", context.Rules.Title + " has no tool changes: they are left out.");
+                context.Diagnostics.Add(Severity.Warning, "gcode.tools_lost", context.Rules.Title + " has no tool changes. They are left out.");
         }
         var on = _written.State.Extrusion.IsSwitchedOn;
         if (context.Axis == ExtrusionAxis.Switched && move.Kind == MoveKind.Print != on) context.Command(on ? "M103" : "M101");
@@ -157,7 +157,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
 
     // The motion command that a move needs: where nothing says E, G0 travels and G1 prints. -1 for any.
     private int Command(TargetMove move)
-        => !_written.Strokes ? -1 : move.Kind == MoveKind.Print ? 1 : context.Axis == ExtrusionAxis.Switched ? -1 : 0;
+        => !_written.PrintsWithoutE ? -1 : move.Kind == MoveKind.Print ? 1 : context.Axis == ExtrusionAxis.Switched ? -1 : 0;
 
     private bool MustRewrite(FileLine line)
         => conversion.MustRewrite() || (context.Target is { LimitsDecimals: true } && _rewriter.IsTooFine(_line, line.Text));
@@ -198,7 +198,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
         var turns = _written.State.Rotary.Machine;
         return EndsRight(move) && (move.Turns == turns || move.Turns.IsNear(turns)) && Math.Abs(c.E[0] - move.E - carried) <= _toleranceE
             && (!(move.Speed > 0) || Math.Abs(c.Speed[0] - move.Speed) <= 1e-9 * move.Speed)
-            && (!_written.Strokes || c.Kind[0] == MoveKind.Print == (move.Kind == MoveKind.Print));
+            && (!_written.PrintsWithoutE || c.Kind[0] == MoveKind.Print == (move.Kind == MoveKind.Print));
     }
 
     private bool EndsRight(TargetMove move)
@@ -230,7 +230,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
         if (!rules.CounterclockwiseCircles && arc.Sweep > 359.999) return false;
         if (rules.ArcTolerance is { } tolerance && tolerance.Refuses(arc.Radius(head.Machine), arc.Radius(move.End))) return false;
         // With neither E nor switch every arc prints.
-        return !_written.Strokes || context.Axis == ExtrusionAxis.Switched || move.Kind == MoveKind.Print;
+        return !_written.PrintsWithoutE || context.Axis == ExtrusionAxis.Switched || move.Kind == MoveKind.Print;
     }
 
     /// <summary>What rounding has left of the current tool's E.</summary>

@@ -149,7 +149,7 @@ internal sealed class OtherLines(SpliceContext context, MoveConversion conversio
         if (target.RetractionLength <= 0 || context.Extruder == 0)
         {
             context.Diagnostics.Add(Severity.Warning, "gcode.retraction_lost", _rules.Title
-                + " has no G10 and G11, and no retraction length is given: they are left out.", new SourceLocation(Line: context.Number));
+                + " has no G10 and G11, and no retraction length is set. They are left out.", new SourceLocation(Line: context.Number));
             return [];
         }
         var length = retract ? -target.RetractionLength : target.RetractionLength;

@@ -50,7 +50,7 @@ internal sealed class PlainMoves
             && context.Axis.Letter != 0 && context.Axis != ExtrusionAxis.Both
             && context.Target is null or { LimitsDecimals: false, ChangesUnit: false, StatedDiameter: null }
             && KnowsWords(context.Rules.Letters) && KnowsWords(context.Decoding.Flavor.Letters)
-            && !context.Read.Strokes && !context.Written.Strokes && Math.Max(_style.DecimalsXyz, _style.DecimalsE) <= MostDecimals;
+            && !context.Read.PrintsWithoutE && !context.Written.PrintsWithoutE && Math.Max(_style.DecimalsXyz, _style.DecimalsE) <= MostDecimals;
     }
 
     /// <summary>True while the states of both machines allow it; to be asked for again after each line that took the general path.</summary>
@@ -91,7 +91,7 @@ internal sealed class PlainMoves
         if (_edits) _tasks.TakeSingleMove();
         if (!_comments.IsEmpty)
         {
-            _comments.RestoreCut();
+            _comments.WriteCut();
             _comments.Keep();
         }
         if (stays) _context.Text.Copy(text, line.Start, next);

@@ -76,8 +76,8 @@ internal sealed record ConvertTarget
         if (axis == ExtrusionAxis.Switched)
         {
             if (flavor.SwitchedExtruder) return axis;
-            problems.Add(Severity.Error, "gcode.no_amounts", "The file switches its extruder by M101 and M103 and has no amounts of E; " + flavor.Title
-                + " needs them, and they cannot be guessed.");
+            problems.Add(Severity.Error, "gcode.no_amounts", "The file switches its extruder with M101 and M103 and has no E values, but " + flavor.Title
+                + " needs them. Choose a G-code flavor with M101 and M103.");
             return null;
         }
         var letters = flavor.ExtruderLetters;
@@ -90,12 +90,12 @@ internal sealed record ConvertTarget
         if (flavor.SwitchedExtruder)
         {
             problems.Add(Severity.Warning, "gcode.amounts_lost", flavor.Title
-                + " only switches its extruder on and off (M101, M103): amounts of E and retractions are lost.");
+                + " only switches its extruder on and off (M101, M103). E values and retractions are lost.");
             return ExtrusionAxis.Switched;
         }
         problems.Add(
             Severity.Warning, "gcode.no_extruder",
-            flavor.Title + " has no command for extrusion: E, retractions and primes are lost. Prints become G1 to G3, travels G0.");
+            flavor.Title + " has no command for extrusion. E, retractions and primes are lost. Printing moves become G1 to G3, travel moves G0.");
         return ExtrusionAxis.None;
     }
 
@@ -112,12 +112,12 @@ internal sealed record ConvertTarget
         if (volumetric == isVolumetric) return target;
         if (!volumetric && flavor.StartsVolumetric)
         {
-            problems.Add(Severity.Error, "gcode.volumes_only", flavor.Title + " reads E as a volume; lengths would be misread.");
+            problems.Add(Severity.Error, "gcode.volumes_only", flavor.Title + " reads E as a volume and would misread lengths. Convert to volumetric E.");
             return null;
         }
         if (volumetric && !flavor.Volumetric && !flavor.StartsVolumetric)
             problems.Add(Severity.Warning, "gcode.volumes_unknown", flavor.Title
-                + " has no command for volumetric E (M200): the machine has to be set up for it.");
+                + " has no command for volumetric E (M200). Set up the printer for volumetric E.");
         var areas = FilamentFactors.Areas(decoding.Settings, null);
         var factors = new double[tools.Count];
         for (var i = 0; i < factors.Length; i++)
@@ -128,7 +128,7 @@ internal sealed record ConvertTarget
             if (!(area > 0))
             {
                 problems.Add(Severity.Error, "gcode.diameter_unknown", "E in " + (volumetric ? flavor.Title + " is a volume" : "the file is a volume")
-                    + ": converting it needs the filament diameter, which the file does not state.");
+                    + ". The file does not state the filament diameter, which the conversion needs. Enter it.");
                 return null;
             }
             factors[i] = volumetric ? area.Value : 1 / area.Value;
