@@ -1,8 +1,8 @@
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Assigns a range of moves to another tool; a new tool has the properties of the last one. Each tool has its own balance of retraction, so that
-/// a move that deretracted one tool may prime the other; kinds and deposited amounts follow.
+/// Assigns a range of moves to another tool. A new tool has the properties of the last one. Each tool has its own retraction balance: a move that deretracted
+/// one tool may prime the other. Kinds and deposited amounts follow.
 /// </summary>
 internal sealed class ToolReassigner(Toolpath toolpath, int from, int until, int tool)
 {

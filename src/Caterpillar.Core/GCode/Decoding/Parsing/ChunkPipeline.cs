@@ -12,7 +12,7 @@ internal static class ChunkPipeline
     /// <param name="isBeginning">True where the first chunk is that of the file, which may begin with a byte order mark.</param>
     /// <param name="threads">How many threads parse.</param>
     /// <param name="consume">Gets a parsed chunk, and the number of bytes so far.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="cancel">Cancels the work.</param>
     public static void Run(IEnumerable<GCodeChunk> chunks, Func<ChunkParser> newParser, bool isBeginning, int threads, Action<ChunkParser, long> consume,
         CancellationToken cancel)
     {
