@@ -7,7 +7,7 @@ using Newtonsoft.Json;
 
 namespace Caterpillar.Display;
 
-/// <summary>What a viewer page knows besides its columns, as JSON: layers, events, tools, printer, findings and colors.</summary>
+/// <summary>The data of a viewer page besides its columns, as JSON: layers, events, tools, printer, findings and colors.</summary>
 internal static class PageHead
 {
     public static string ToJson(ViewerContent content, MoveColumns? moves)

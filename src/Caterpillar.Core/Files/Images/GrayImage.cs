@@ -21,10 +21,10 @@ public sealed class GrayImage
     /// <summary>Pixels.</summary>
     public int Height { get; }
 
-    /// <summary>Brightness of a pixel; x from the left, y from the top.</summary>
+    /// <summary>Brightness of a pixel, x from the left, y from the top.</summary>
     public double this[int x, int y] => _pixels[y * Width + x];
 
-    /// <summary>The nearest pixel at u from the left and v from the bottom; the image repeats in u and is clamped in v.</summary>
+    /// <summary>The nearest pixel at u from the left and v from the bottom. The image repeats in u and is clamped in v.</summary>
     internal double Nearest(double u, double v)
     {
         if (!IsPlace(u, v)) return double.NaN;

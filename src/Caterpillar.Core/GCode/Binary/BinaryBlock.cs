@@ -13,7 +13,7 @@ internal enum BinaryBlockKind
     Thumbnail,
 }
 
-/// <summary>A block of binary G-code: what it is, its parameters (encoding; or format, width and height of an image) and its data, unpacked.</summary>
+/// <summary>A block of binary G-code: its type, parameters (encoding, or format, width and height of a thumbnail) and unpacked data.</summary>
 internal sealed class BinaryBlock
 {
     public const string CutOff = "A block is cut off.";
@@ -23,7 +23,7 @@ internal sealed class BinaryBlock
 
     public BinaryBlockKind Kind { get; private init; }
 
-    /// <summary>Encoding; of an image its format.</summary>
+    /// <summary>Encoding, or format of a thumbnail.</summary>
     public int Encoding { get; private init; }
 
     public int Width { get; private init; }
@@ -36,10 +36,10 @@ internal sealed class BinaryBlock
     public long Size { get; private init; }
 
     /// <summary>Reads the next block, or null at the end of the file.</summary>
-    /// <param name="file">At the beginning of the block.</param>
-    /// <param name="summed">Blocks end with a CRC-32.</param>
-    /// <param name="limit">The most bytes that the block may unpack to, by its packed size.</param>
-    /// <exception cref="InvalidDataException">The block is broken or of an unknown kind.</exception>
+    /// <param name="file">The file, at the beginning of the block.</param>
+    /// <param name="summed">True if blocks end with a CRC-32.</param>
+    /// <param name="limit">Maximum unpacked size for a packed size, bytes.</param>
+    /// <exception cref="InvalidDataException">The block is broken or has an unknown type.</exception>
     public static BinaryBlock? Read(Stream file, bool summed, Func<long, long> limit)
     {
         var head = new byte[18];

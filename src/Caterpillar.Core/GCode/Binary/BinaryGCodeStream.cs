@@ -3,9 +3,9 @@ using Caterpillar.Files;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Prusa's binary G-code (.bgcode, specification of libbgcode version 1): a header, then blocks with their own compression, encoding and checksum. It is read
-/// as the text that the slicer would have written: producer, data of the printer and thumbnails as comments, then the G-code, then data of the print and the
-/// settings as comments. One block at a time is in memory. Every problem is an <see cref="InvalidDataException"/>.
+/// Reads Prusa's binary G-code (.bgcode, specification of libbgcode version 1): a header, then blocks with their own compression, encoding and checksum. The
+/// result is the text that the slicer would write: producer, printer metadata and thumbnails as comments, then the G-code, then print metadata and settings as
+/// comments. One block at a time is in memory. Every problem is an <see cref="InvalidDataException"/>.
 /// </summary>
 internal sealed class BinaryGCodeStream(Stream file) : ReadStream
 {
@@ -25,16 +25,16 @@ internal sealed class BinaryGCodeStream(Stream file) : ReadStream
     private long _packed = FileHeader;
     private long _plain;
 
-    /// <summary>Bytes of the file that were read.</summary>
+    /// <summary>Bytes read from the file.</summary>
     public long Taken => _packed;
 
-    /// <summary>The comments after the G-code, as far as they are known: Prusa's files have them before the G-code.</summary>
+    /// <summary>The comments after the G-code, as far as read: Prusa's files have them before the G-code.</summary>
     public byte[] Tail => BinaryComments.Join(_print, _settings);
 
     /// <summary>True for the first bytes of a binary file.</summary>
     public static bool IsBinary(byte[] bytes, int count) => count >= 4 && bytes[0] == 'G' && bytes[1] == 'C' && bytes[2] == 'D' && bytes[3] == 'E';
 
-    /// <exception cref="InvalidDataException">The file is broken or of an unknown kind.</exception>
+    /// <exception cref="InvalidDataException">The file is broken or has an unknown version.</exception>
     public override int Read(byte[] buffer, int offset, int count)
     {
         if (count == 0) return 0;

@@ -2,7 +2,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Says of a file that is no G-code what it looks like, by its first bytes.</summary>
+/// <summary>Guesses the kind of a file that is not G-code from its first bytes.</summary>
 internal static class FileKind
 {
     // Bytes of any kind may contain what looks like a command by chance.

@@ -2,7 +2,7 @@ using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Finds the flavor of a file from what its slicer says about it and from commands that only one firmware has.</summary>
+/// <summary>Finds the G-code flavor of a file from slicer comments and from commands that only one firmware has.</summary>
 internal static class FlavorDetector
 {
     public const string NotStated = "The file does not state its G-code flavor.";
@@ -65,7 +65,7 @@ internal static class FlavorDetector
         return new Detection(FlavorTable.Find(name)!, evidence, false);
     }
 
-    /// <summary>True where comments state the flavor, and nothing that counts more says otherwise; a conversion states the new one there.</summary>
+    /// <summary>True if comments state the flavor without stronger evidence for another one. A conversion changes these comments.</summary>
     public static bool IsStated(IReadOnlyList<GCodeChunk> chunks)
     {
         var text = Text(chunks);
@@ -87,7 +87,7 @@ internal static class FlavorDetector
         return name;
     }
 
-    /// <summary>The flavor that a slicer's name of a flavor means, or null. PrusaSlicer's "marlin" is Marlin 1.</summary>
+    /// <summary>The flavor for a slicer's flavor name, or null. PrusaSlicer's "marlin" is Marlin 1.</summary>
     public static string? OfSlicerFlavor(string flavor)
         => flavor.Trim().Equals("marlin", StringComparison.OrdinalIgnoreCase) ? FlavorTable.Marlin1.Name : FlavorTable.Find(flavor)?.Name;
 
@@ -172,5 +172,5 @@ internal static class FlavorDetector
     }
 }
 
-/// <summary>The flavor of a file, why, and whether it is only the default.</summary>
+/// <summary>The flavor of a file, the evidence, and whether it is only the default.</summary>
 internal readonly record struct Detection(FlavorRules Flavor, IReadOnlyList<string> Evidence, bool IsDefault);

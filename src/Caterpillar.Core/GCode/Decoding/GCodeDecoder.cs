@@ -6,9 +6,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Reads G-code into a Toolpath. Any bytes decode to something: what no firmware understands is counted and reported, never fatal. The rules of each
-/// firmware are data (<see cref="FlavorRules"/>); with the flavor <c>slicer</c> and <see cref="ExtrusionRule.Rising"/> they are those of slicers' own
-/// viewers.
+/// Decodes G-code into a toolpath. Any bytes can be decoded: unknown commands are counted and reported, never fatal. The rules of each firmware are data
+/// (<see cref="FlavorRules"/>). The flavor <c>slicer</c> with <see cref="ExtrusionRule.Rising"/> reads files like the viewers of slicers.
 /// </summary>
 public static class GCodeDecoder
 {
@@ -73,8 +72,8 @@ public static class GCodeDecoder
     }
 
     /// <summary>
-    /// Decodes a stream while it is read, without keeping the text: memory is that of the moves. The stream may be packed with gzip or be binary G-code, and
-    /// stays open; one that is broken gives an error. Progress is reported where its length is known.
+    /// Decodes a stream while reading it. Only the moves are kept in memory, not the text. The stream may be gzip or binary G-code. It stays open. A broken
+    /// stream gives an error. Progress is reported if the length of the stream is known.
     /// </summary>
     /// <exception cref="IOException">The stream cannot be read.</exception>
     /// <inheritdoc cref="Decode(GCodeDocument, DecodeOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>

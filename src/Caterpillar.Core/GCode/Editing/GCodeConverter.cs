@@ -3,12 +3,12 @@ using Caterpillar.Basics;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Writes a decoded file for another firmware or in another notation: lines that mean the same stay as they are, the others change in the file's own style.
+/// Converts a decoded file to another G-code flavor or notation. Lines with the same meaning do not change. The others change in the style of the file.
 /// </summary>
 public static class GCodeConverter
 {
     /// <summary>Converts a file that was decoded with its document.</summary>
-    /// <returns>What was noticed; with errors nothing was written.</returns>
+    /// <returns>The diagnostics. If they contain errors, nothing was written.</returns>
     /// <exception cref="ArgumentException">The file was decoded from a stream, without its document.</exception>
     /// <exception cref="IOException">The stream cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>

@@ -3,14 +3,14 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Decimals of Z that are too few for the layers of a print.</summary>
+/// <summary>Finds layers that the decimals of Z cannot represent.</summary>
 internal static class LayerRounding
 {
     // The part of a layer's height that rounding may change.
     private const double LargestShare = 0.2;
 
     /// <summary>
-    /// The error <c>gcode.layers_rounded</c> for the first layer that rounding merges with the one below or makes much thinner or thicker; or null.
+    /// The error <c>gcode.layers_rounded</c> for the first layer that rounding merges with the layer below or makes much thinner or thicker. Otherwise null.
     /// </summary>
     public static Diagnostic? Check(Toolpath toolpath, int decimals, SourceLocation place)
     {

@@ -4,11 +4,11 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>The format in which a printer wants its G-code: flavor, mode of E, decimals, and its templates filled with the values of the print.</summary>
+/// <summary>The G-code format of a printer: flavor, mode of E, decimals, and its templates filled with the values of the print.</summary>
 internal static class SetupFormat
 {
     /// <summary>
-    /// The format for a toolpath; none where a template of the printer is wrong, or where it needs amounts of E that the toolpath does not have.
+    /// The format for a toolpath, or errors if a template of the printer is wrong or the toolpath lacks E values.
     /// </summary>
     public static Result<GCodeFormat> Of(PrintSetup setup, Toolpath toolpath)
     {
@@ -39,7 +39,7 @@ internal static class SetupFormat
         return new Result<GCodeFormat>(format, problems.ToList());
     }
 
-    /// <summary>The same format without end code, for a toolpath that is not known yet; null where a template needs to know it.</summary>
+    /// <summary>The same format without end G-code, for a future toolpath. Null if a template needs the toolpath.</summary>
     internal static GCodeFormat? OfUnknown(PrintSetup setup)
     {
         var printer = setup.Printer;

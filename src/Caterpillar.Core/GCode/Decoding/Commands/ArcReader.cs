@@ -12,7 +12,7 @@ internal sealed class ArcReader(FlavorRules rules, InterpreterState state)
     private bool IsClockwise => (state.Modes.Motion == 2) != (rules.MirroredZx && state.Modes.Plane == ArcPlane.ZX);
 
     /// <summary>Reads an arc in coordinates as written.</summary>
-    /// <returns>Why the firmware refuses it, or null.</returns>
+    /// <returns>The reason why the firmware rejects it, or null.</returns>
     public string? Read(ParsedLine line, Vec3 start, Vec3 end, out Arc arc)
     {
         arc = default;

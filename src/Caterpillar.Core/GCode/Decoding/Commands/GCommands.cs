@@ -2,7 +2,7 @@ using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Lines of G commands and axis words: which of their commands count, and what each does.</summary>
+/// <summary>Executes the G commands and axis words of a line that the firmware accepts.</summary>
 internal sealed class GCommands(Machine machine, EventCommands events, ModeCommands modes, PositionCommands positions, MotionCommands motion)
 {
     private const int NoMotion = -1;

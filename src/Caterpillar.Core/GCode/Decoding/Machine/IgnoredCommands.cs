@@ -4,7 +4,7 @@ using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Commands without effect on the toolpath, by name, and how often they occur.</summary>
+/// <summary>Commands without effect on the toolpath, by name, and their counts.</summary>
 internal sealed class IgnoredCommands(FlavorRules rules, LineDiagnostics diagnostics)
 {
     private const int MaxNames = 1000;

@@ -7,7 +7,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Writes moves: the file's own line as it is, after a line that states the missing mode, with other words, or as lines put in.
+/// Writes moves: with the unchanged line of the file, after a line with the missing mode, with other words, or with new lines.
 /// </summary>
 internal sealed class MoveWriter(SpliceContext context, MoveConversion conversion, bool rewriteAll)
 {
@@ -27,7 +27,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
     // What rounding has left of E, for each tool.
     private double[] _carried = new double[1];
 
-    /// <summary>Makes the current line, or others in its place, do the move.</summary>
+    /// <summary>Writes the current line, or other lines in its place, so that they make the move.</summary>
     public void WriteMove(FileLine line, TargetMove move)
     {
         if (conversion.IsLost(move))
@@ -107,7 +107,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
         _text.AddOwn(_rewriter.Bytes, _rewriter.Count);
     }
 
-    /// <summary>A motion command that moves nothing: it may set F; where it would move now, only that stays.</summary>
+    /// <summary>Writes a motion command without a move. It may set F. If it would move now, only F stays.</summary>
     public void WriteWithoutMove(FileLine line)
     {
         var before = _written.Save();
@@ -233,13 +233,13 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
         return !_written.PrintsWithoutE || context.Axis == ExtrusionAxis.Switched || move.Kind == MoveKind.Print;
     }
 
-    /// <summary>What rounding has left of the current tool's E.</summary>
+    /// <summary>Rounding error of E of the current tool.</summary>
     public double Carried => _written.State.Tool < _carried.Length ? _carried[_written.State.Tool] : 0;
 
-    /// <summary>Within this, E of a line counts as right.</summary>
+    /// <summary>Tolerance of E in a line.</summary>
     public double ToleranceE => _toleranceE;
 
-    /// <summary>What rounding has left of a move goes into the next line that is rewritten.</summary>
+    /// <summary>Adds the rounding error of a move to the next rewritten line.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Carry(double e, double writtenE)
     {

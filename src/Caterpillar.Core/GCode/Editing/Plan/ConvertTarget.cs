@@ -9,10 +9,10 @@ internal sealed record ConvertTarget
 {
     public FlavorRules Flavor { get; private init; } = FlavorTable.Slicer;
 
-    /// <summary>Which words extrude there.</summary>
+    /// <summary>The words that extrude in the target.</summary>
     public ExtrusionAxis Axis { get; private init; } = ExtrusionAxis.None;
 
-    /// <summary>Null keeps what the file has.</summary>
+    /// <summary>Null = no change.</summary>
     public bool? RelativeE { get; private init; }
 
     public bool ExpandArcs { get; private init; }
@@ -33,12 +33,12 @@ internal sealed record ConvertTarget
 
     public bool LimitsDecimals => DecimalsXyz is not null || DecimalsE is not null || DecimalsF is not null;
 
-    /// <summary>E changes from mm to mm³, or back.</summary>
+    /// <summary>True if E changes from mm to mm³, or back.</summary>
     public bool ChangesUnit { get; private init; }
 
     public bool IsVolumetric { get; private init; }
 
-    /// <summary>The diameter that M200 is to state, mm; null for none.</summary>
+    /// <summary>Diameter for M200, mm. Null = none.</summary>
     public double? StatedDiameter { get; private init; }
 
     private double[] Factors { get; init; } = [1];
@@ -46,7 +46,7 @@ internal sealed record ConvertTarget
     /// <summary>Units of the target for one unit of E in the file.</summary>
     public double Factor(int tool) => Factors[Math.Min(Math.Max(tool, 0), Factors.Length - 1)];
 
-    /// <summary>The target, or null where the conversion is refused.</summary>
+    /// <summary>The target, or null if the conversion is not possible.</summary>
     public static ConvertTarget? Of(DecodedGCode decoding, ConvertOptions options, DiagnosticList problems)
     {
         var flavor = options.Flavor ?? decoding.Flavor;
