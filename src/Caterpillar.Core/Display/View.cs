@@ -31,6 +31,6 @@ public sealed class View
     /// <summary>From the front right and above.</summary>
     public static View ThreeQuarter { get; } = new(-60, 28);
 
-    /// <summary>Right and up in the image, and toward the eye; mm.</summary>
+    /// <summary>Coordinates in the image: right, up and toward the eye, mm.</summary>
     public Vec3 Project(Vec3 point) => new(Vec3.Dot(point, _right), Vec3.Dot(point, _up), Vec3.Dot(point, _toEye));
 }

@@ -10,7 +10,7 @@ namespace Caterpillar.Files;
 /// </summary>
 internal sealed class GzipReader : ReadStream
 {
-    /// <summary>Maximum growth of compressed data; meshes and G-code grow 3 to 20 times.</summary>
+    /// <summary>Maximum growth of compressed data. Meshes and G-code grow 3 to 20 times.</summary>
     private const long MaxFactor = 250;
 
     /// <summary>Output that is always allowed, bytes.</summary>

@@ -11,7 +11,7 @@ internal sealed class CodeReplacement
     private readonly IReadOnlyList<string> _start = [];
     private readonly IReadOnlyList<string> _end = [];
 
-    /// <summary>Replaces the lines before the first layer and after the last one by those of the options.</summary>
+    /// <summary>Replaces the lines before the first layer and after the last one by the lines of the options.</summary>
     public CodeReplacement(SpliceContext context, EditOptions options, SplicePlan plan)
     {
         _context = context;

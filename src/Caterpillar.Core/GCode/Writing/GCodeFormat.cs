@@ -13,8 +13,8 @@ internal sealed record GCodeFormat
     public bool RelativeE { get; init; } = true;
 
     /// <summary>
-    /// Relative X, Y and Z (G91): differences of the rounded positions, so that rounding errors do not add up. E is then relative, too. Templates and moves from
-    /// an unknown position are absolute.
+    /// Relative X, Y and Z (G91): differences of the rounded positions, so that rounding errors do not add up. E is then relative, too. Templates and moves
+    /// from an unknown position are absolute.
     /// </summary>
     public bool RelativeXyz { get; init; }
 

@@ -5,8 +5,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Writes motion lines: straight lines, and arcs as G2 and G3 or as chords. It keeps the written position and modes. Unchanged words and moves without words are
-/// left out, compared by the written digits.
+/// Writes motion lines: straight lines, and arcs as G2 and G3 or as chords. It keeps the written position and modes. Unchanged words and moves without words
+/// are left out, compared by the written digits.
 /// </summary>
 internal sealed class MotionLines
 {

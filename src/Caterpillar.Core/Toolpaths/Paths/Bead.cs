@@ -38,7 +38,7 @@ public readonly record struct Bead
         Speed = speed;
     }
 
-    /// <summary>A bead from its width and height in mm; <paramref name="multiplier"/> scales the area.</summary>
+    /// <summary>A bead from its width and height in mm. <paramref name="multiplier"/> scales the area.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A value is negative or not finite, or a stadium is narrower than it is high.</exception>
     public static Bead FromWidth(double width, double height, double multiplier = 1, double speed = 0, BeadShape shape = BeadShape.Rectangle)
     {

@@ -4,7 +4,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>M commands that are events of the toolpath: temperatures, fans, pauses, accelerations; and dwells.</summary>
+/// <summary>M commands that are events of the toolpath: temperatures, fans, pauses, accelerations, dwells.</summary>
 internal sealed class EventCommands(Machine machine)
 {
     private readonly FlavorRules _rules = machine.Rules;

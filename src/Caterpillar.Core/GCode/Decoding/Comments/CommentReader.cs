@@ -13,7 +13,7 @@ internal enum CommentKind : byte
     /// <summary>A layer without number (PrusaSlicer and its relatives, KISSlicer).</summary>
     LayerChange,
 
-    /// <summary>Top of the layer; its thickness.</summary>
+    /// <summary>Top of the layer, and its thickness.</summary>
     Z,
     Height,
     Role,

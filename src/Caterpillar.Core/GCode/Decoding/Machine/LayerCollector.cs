@@ -27,8 +27,8 @@ internal sealed class LayerCollector
     public string Object { get; private set; } = "";
 
     /// <summary>
-    /// A comment begins a layer with a number. Null = the next number. Two marks without an extrusion between them count as one, except for different numbers in
-    /// a file without extrusions.
+    /// A comment begins a layer with a number. Null = the next number. Two marks without an extrusion between them count as one, except for different numbers
+    /// in a file without extrusions.
     /// </summary>
     public void Mark(int? number, double z, double thickness)
     {

@@ -60,8 +60,8 @@ internal sealed class ExtrusionAxis
     }
 
     /// <summary>
-    /// E if a G0 to G3 with an X or Y word has an E word. Otherwise A, B or A+B by the same test, then the switch if the file has M101 or M103, then E if any G0
-    /// to G3 has an E word. Reads chunks until the first is found.
+    /// E if a G0 to G3 with an X or Y word has an E word. Otherwise A, B or A+B by the same test, then the switch if the file has M101 or M103, then E if any
+    /// G0 to G3 has an E word. Reads chunks until the first is found.
     /// </summary>
     public static ExtrusionAxis Detect(IEnumerable<GCodeChunk> chunks)
     {

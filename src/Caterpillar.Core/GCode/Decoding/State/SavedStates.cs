@@ -2,7 +2,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.GCode;
 
-/// <summary>States that a file saves and restores (M120, M121, SAVE_GCODE_STATE), and the offset of SET_GCODE_OFFSET. Homing keeps them.</summary>
+/// <summary>States that a file saves and restores (M120, M121, SAVE_GCODE_STATE), and the offset of SET_GCODE_OFFSET, which homing keeps.</summary>
 internal struct SavedStates
 {
     private const int MaxCount = 100;

@@ -35,7 +35,7 @@ internal sealed class LineStyle
 
     public bool TravelsByG0 { get; private set; }
 
-    /// <summary>Lines begin with numbers; and end with checksums.</summary>
+    /// <summary>Lines begin with numbers and end with checksums.</summary>
     public bool Numbered { get; private set; }
 
     public bool Checksums { get; private set; }
