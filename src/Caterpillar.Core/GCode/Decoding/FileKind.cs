@@ -15,7 +15,7 @@ internal static class FileKind
         if (commands > 0 && (long)commands * LinesPerChance >= lines && (head is null || Mark(head) is null)) return null;
         var kind = head is null || bytes == 0 ? "is empty" : Kind(head, bytes);
         if (commands > 0 && kind is null) return null;
-        return new Diagnostic(Severity.Error, "gcode.none", "This is not G-code. The file " + (kind ?? "contains no G-code commands") + ".");
+        return new Diagnostic(Severity.Error, "gcode.none", "The file is not G-code. It " + (kind ?? "contains no commands") + ".");
     }
 
     private static string? Kind(GCodeChunk head, long bytes)
