@@ -9,7 +9,7 @@ namespace Caterpillar.Display;
 /// </summary>
 public sealed class ExtrusionMesh
 {
-    // Corners of the cross-section, counter-clockwise seen along the path, in half widths and heights: a stadium with cut corners.
+    // Corners of the cross-section, counterclockwise seen along the path, in half widths and heights: a stadium with cut corners.
     private static readonly (double Side, double Down)[] Section =
         [(-0.6, 0), (-1, 0.25), (-1, 0.75), (-0.6, 1), (0.6, 1), (1, 0.75), (1, 0.25), (0.6, 0)];
 

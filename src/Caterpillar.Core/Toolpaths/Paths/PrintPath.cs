@@ -95,7 +95,7 @@ public sealed class PrintPath
     /// <summary>Display name. May be empty.</summary>
     public string Name { get; init; } = "";
 
-    /// <summary>Color for images and baking, 0xRRGGBB. Null = color of the role.</summary>
+    /// <summary>Color for images and baking, 0xRRGGBB. Null = none.</summary>
     public int? Color { get; init; }
 
     /// <summary>Temperature, fan speed and acceleration while the path is printed.</summary>
@@ -207,7 +207,7 @@ public sealed class PrintPath
             Overrides = overrides ?? Overrides,
         };
 
-    /// <summary>The same path with another color, 0xRRGGBB. Null = color of the role.</summary>
+    /// <summary>The same path with another color, 0xRRGGBB. Null = none.</summary>
     public PrintPath WithColor(int? color) => new(this) { Color = color };
 
     /// <summary>Takes ownership of the arrays without a copy, for code that has just made them.</summary>

@@ -89,7 +89,7 @@ internal sealed class ArcReader(FlavorRules rules, InterpreterState state)
         if (chord / 2 > size * (1 + rules.ShortRadius) + rules.ShortRadiusMm + NoChange) return false;
         var height2 = size * size - chord * chord / 4;
         var height = height2 > 0 ? Math.Sqrt(height2) : 0;
-        // Counter-clockwise and short: the center lies to the left of the chord.
+        // Counterclockwise and short: the center lies to the left of the chord.
         var side = clockwise != radius < 0 ? -1 : 1;
         var cu = u / 2 - side * height * v / chord;
         var cv = v / 2 + side * height * u / chord;
