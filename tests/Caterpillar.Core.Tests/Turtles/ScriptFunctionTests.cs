@@ -133,7 +133,7 @@ internal sealed class ScriptFunctionTests
     [TestCase("include \"\"", "design/main.turtle", 1, 9, "turtle.file", "no file")]
     [TestCase("repeat 2 [ include \"lib/late.turtle\" ]", "design/main.turtle", 1, 12, "turtle.syntax", "inside a block")]
     [TestCase("include", "design/main.turtle", 1, 1, "turtle.values", "name of a file")]
-    [TestCase("image map \"lib/late.turtle\"", "design/main.turtle", 1, 11, "image.unreadable", "neither a PNG nor a PGM")]
+    [TestCase("image map \"lib/late.turtle\"", "design/main.turtle", 1, 11, "image.unreadable", "not a PNG, PGM or PBM image")]
     [TestCase("image map \"lib/map.pgm\"\nforward map(1)", "design/main.turtle", 2, 9, "formula.arguments", "takes 2 values, not 1")]
     [TestCase("image map \"lib/map.pgm\"\nimage map \"lib/map.pgm\"", "design/main.turtle", 2, 7, "turtle.name", "declared twice")]
     [TestCase("image map", "design/main.turtle", 1, 1, "turtle.values", "image name \"file\"")]
