@@ -99,7 +99,7 @@ public class DecodeTests : CliFixture
     [Test]
     public void The_objects_have_the_keys_of_the_known_results()
     {
-        var truth = JsonDocument.Parse(File.ReadAllBytes(TestData.Shared("gcode/truth.json"))).RootElement;
+        var truth = JsonDocument.Parse(TestData.GCodeTruth()).RootElement;
         foreach (var name in new[] { "hand_g92_offsets.gcode", "ps_overlap_two_tools.gcode", "cu_overlap_bfb_M101.gcode", "hand_crlf_bom_noeol.gcode" })
         {
             var run = Run("decode", TestData.Shared("gcode/" + name), "--json", "--flavor", "slicer", "--rule", "rising");

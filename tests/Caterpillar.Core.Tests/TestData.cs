@@ -18,6 +18,19 @@ internal static class TestData
         return full;
     }
 
+    /// <summary>The known results of the G-code files as JSON, with our names for six of their keys.</summary>
+    public static string GCodeTruth()
+    {
+        var text = File.ReadAllText(Shared("gcode/truth.json"));
+        (string Theirs, string Ours)[] names =
+        [
+            ("travel_with_retract", "travel_with_retraction"), ("retracts", "retractions"), ("unretracts", "deretractions"),
+            ("fw_retracts", "firmware_retractions"), ("fw_unretracts", "firmware_deretractions"), ("noops", "no_ops"),
+        ];
+        foreach (var (theirs, ours) in names) text = text.Replace($"\"{theirs}\":", $"\"{ours}\":");
+        return text;
+    }
+
     /// <summary>The bytes of a file, decompressed if its name ends in .gz.</summary>
     public static byte[] ReadBytes(string file)
     {

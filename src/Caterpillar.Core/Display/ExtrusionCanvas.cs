@@ -38,7 +38,7 @@ internal sealed class ExtrusionCanvas
         _top = _image.Height / 2.0 + seen.Center.Y * _scale;
     }
 
-    /// <summary>An extrusion of a diameter in mm; 0 draws a thin flat line.</summary>
+    /// <summary>Draws an extrusion with a diameter in mm. 0 = a thin flat line.</summary>
     public void Extrusion(Vec3 from, Vec3 to, double diameter, Rgb color)
     {
         var a = _view.Project(from);

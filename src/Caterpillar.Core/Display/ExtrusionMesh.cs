@@ -4,12 +4,12 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Display;
 
 /// <summary>
-/// Extrusions as solids to look at: along each segment a tube of the true width and height, whose top is the path of the nozzle. Corners are mitered, sharp
-/// ones capped.
+/// Extrusions as a mesh for display: along each segment a tube with the true width and height. Its top is the path of the nozzle. Corners are mitered, sharp
+/// corners are capped.
 /// </summary>
 public sealed class ExtrusionMesh
 {
-    // Corners of the cross-section, counter-clockwise seen along the path, in half widths and heights: a stadium with cut corners.
+    // Corners of the cross-section, counterclockwise seen along the path, in half widths and heights: a stadium with cut corners.
     private static readonly (double Side, double Down)[] Section =
         [(-0.6, 0), (-1, 0.25), (-1, 0.75), (-0.6, 1), (0.6, 1), (1, 0.75), (1, 0.25), (0.6, 0)];
 
@@ -19,17 +19,17 @@ public sealed class ExtrusionMesh
     private readonly List<int> _quads = [];
     private readonly List<int> _moves = [];
 
-    /// <summary>Points in mm.</summary>
+    /// <summary>The vertices, mm.</summary>
     public IReadOnlyList<Vec3> Vertices => _vertices;
 
-    /// <summary>Four indices for each face, outside counter-clockwise.</summary>
+    /// <summary>Four vertex indices per face, counterclockwise seen from outside.</summary>
     public IReadOnlyList<int> Quads => _quads;
 
-    /// <summary>For each vertex the move it belongs to.</summary>
+    /// <summary>The move of each vertex.</summary>
     public IReadOnlyList<int> Moves => _moves;
 
     /// <summary>The extrusions of the moves from <paramref name="first"/> to before <paramref name="end"/>.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">There are no such moves.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The toolpath has no moves with these numbers.</exception>
     public static ExtrusionMesh Of(Toolpath toolpath, int first, int end)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));

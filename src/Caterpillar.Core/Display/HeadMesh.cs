@@ -4,14 +4,13 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Display;
 
-/// <summary>Nozzle and head of a printer as closed surfaces.</summary>
+/// <summary>Nozzle and print head of a printer as closed meshes.</summary>
 public static class HeadMesh
 {
     private const int Corners = 24;
 
     /// <summary>
-    /// The outline of the head around its axis and its boxes, mm, with the tip of the nozzle at the origin; normals point outward. Parts without height are
-    /// left out.
+    /// The outline of the head around its axis and its boxes, mm, with the nozzle tip at the origin. Normals point outward. Parts without height are left out.
     /// </summary>
     public static TriMesh Of(Printer printer)
     {

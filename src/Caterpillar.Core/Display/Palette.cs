@@ -9,7 +9,7 @@ public static class Palette
     private static readonly Rgb[] Scale =
         [new(68, 1, 84), new(59, 82, 139), new(33, 145, 140), new(94, 201, 98), new(253, 231, 37)];
 
-    /// <summary>The color of travels.</summary>
+    /// <summary>The color of travel moves.</summary>
     public static Rgb Travel { get; } = new(150, 160, 180);
 
     /// <summary>The color of a role.</summary>

@@ -5,7 +5,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Display;
 
-/// <summary>What the colors of an image show.</summary>
+/// <summary>The value that the colors of an image show.</summary>
 public enum ColorBy
 {
     /// <summary>The role of the extrusion.</summary>
@@ -20,7 +20,7 @@ public enum ColorBy
     /// <summary>The number of the layer.</summary>
     Layer,
 
-    /// <summary>The place in the order of printing.</summary>
+    /// <summary>The position in the print order.</summary>
     Progress,
 }
 
@@ -33,42 +33,42 @@ public sealed record ToolpathImageOptions
     /// <summary>Pixels.</summary>
     public int Height { get; init; } = 720;
 
-    /// <summary>From where it is seen; the part fills the image.</summary>
+    /// <summary>The view. The part fills the image.</summary>
     public View View { get; init; } = View.ThreeQuarter;
 
-    /// <summary>What the colors of extrusions show.</summary>
+    /// <summary>The value that the colors of extrusions show.</summary>
     public ColorBy ColorBy { get; init; } = ColorBy.Role;
 
     /// <summary>Draw travel moves as thin lines.</summary>
     public bool Travel { get; init; }
 
-    /// <summary>Draw what a pen or a laser does, without material: the moves at the lowest height of the head, as strokes.</summary>
+    /// <summary>Draw the moves at the lowest height of the head as lines, for pens and lasers.</summary>
     public bool Strokes { get; init; }
 
-    /// <summary>Draw what start and end code print.</summary>
+    /// <summary>Draw the extrusions of start and end G-code.</summary>
     public bool Purge { get; init; }
 
-    /// <summary>The moves to draw, for example those of some layers; all by default.</summary>
+    /// <summary>The moves to draw, for example some layers. All by default.</summary>
     public MoveFilter Filter { get; init; } = new();
 
-    /// <summary>Width in mm of extrusions whose area is unknown.</summary>
+    /// <summary>Width of extrusions with unknown area, mm.</summary>
     public double DefaultWidth { get; init; } = 0.4;
 
-    /// <summary>The bed to draw, or empty.</summary>
+    /// <summary>The bed to draw. Empty = none.</summary>
     public Bounds Bed { get; init; }
 
-    /// <summary>How much memory the image may take while it is drawn.</summary>
+    /// <summary>Memory limit for drawing.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
-    /// <summary>The color where nothing is drawn.</summary>
+    /// <summary>The background color.</summary>
     public Rgb Background { get; init; } = new(250, 250, 248);
 }
 
 /// <summary>Draws a toolpath as shaded extrusions, seen from any side.</summary>
 public static class ToolpathImage
 {
-    /// <summary>An image of the toolpath; an empty one for a toolpath that prints nothing.</summary>
-    /// <exception cref="DiagnosticException">It takes more memory than the options allow.</exception>
+    /// <summary>An image of the toolpath. Empty if the toolpath prints nothing.</summary>
+    /// <exception cref="DiagnosticException">The image needs more memory than the limit.</exception>
     public static RasterImage Draw(Toolpath toolpath, ToolpathImageOptions? options = null, IProgress<double>? progress = null,
         CancellationToken cancel = default)
     {
@@ -104,9 +104,9 @@ public static class ToolpathImage
         return canvas.Finish();
     }
 
-    /// <summary>Draws the toolpath and writes the image as a PNG file, whole or not at all.</summary>
-    /// <exception cref="IOException">The disk failed.</exception>
-    /// <exception cref="OperationCanceledException">Canceled; no part of the file is left.</exception>
+    /// <summary>Draws the toolpath and writes the image as a PNG file.</summary>
+    /// <exception cref="IOException">The file cannot be written.</exception>
+    /// <exception cref="OperationCanceledException">Canceled. No part of the file is left.</exception>
     public static void WriteFile(
         Toolpath toolpath, string path, ToolpathImageOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {

@@ -4,7 +4,7 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Display;
 
 /// <summary>
-/// A parallel projection: the direction of the eye around the part (azimuth, degrees from +X counterclockwise) and above the bed (elevation, −90 to 90).
+/// A parallel projection with the direction of the eye: azimuth, in degrees counterclockwise from +X, and elevation above the bed, −90 to 90 degrees.
 /// </summary>
 public sealed class View
 {
@@ -12,7 +12,7 @@ public sealed class View
     private readonly Vec3 _up;
     private readonly Vec3 _toEye;
 
-    /// <summary>Azimuth in degrees from +X counterclockwise, elevation in degrees above the bed, limited to −90 to 90.</summary>
+    /// <summary>Azimuth in degrees counterclockwise from +X, and elevation in degrees above the bed, limited to −90 to 90.</summary>
     public View(double azimuth, double elevation)
     {
         var (sa, ca) = Angle.SinCos(azimuth);
@@ -22,15 +22,15 @@ public sealed class View
         _up = Vec3.Cross(_toEye, _right);
     }
 
-    /// <summary>From above, Y up in the image.</summary>
+    /// <summary>Top view, Y up in the image.</summary>
     public static View Top { get; } = new(-90, 90);
 
-    /// <summary>From the front, Z up in the image.</summary>
+    /// <summary>Front view, Z up in the image.</summary>
     public static View Front { get; } = new(-90, 0);
 
     /// <summary>From the front right and above.</summary>
     public static View ThreeQuarter { get; } = new(-60, 28);
 
-    /// <summary>Right and up in the image, and toward the eye; mm.</summary>
+    /// <summary>Coordinates in the image: right, up and toward the eye, mm.</summary>
     public Vec3 Project(Vec3 point) => new(Vec3.Dot(point, _right), Vec3.Dot(point, _up), Vec3.Dot(point, _toEye));
 }

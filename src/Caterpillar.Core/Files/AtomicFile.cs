@@ -1,9 +1,9 @@
 namespace Caterpillar.Files;
 
 /// <summary>
-/// A file that is written completely or not at all: bytes go to a temporary file beside it, which takes its name in <see cref="Commit"/>. Disposed before that,
-/// it leaves no trace and an older file as it was. A link stays a link to a file that is replaced, and the new file gets the permissions of the older one. What
-/// is not a regular file (a device, a pipe) is written directly.
+/// A file that is written completely or not at all. Bytes go to a temporary file next to it, which gets its name in <see cref="Commit"/>. Disposed before that,
+/// it leaves no trace, and an older file does not change. Links stay links: their target is replaced. The new file gets the permissions of the older one. A
+/// device or a pipe is written directly.
 /// </summary>
 internal sealed class AtomicFile : IDisposable
 {
@@ -14,12 +14,12 @@ internal sealed class AtomicFile : IDisposable
     private FileStream? _stream;
 
     /// <exception cref="IOException">The folder does not exist or cannot be written, or the path is a folder.</exception>
-    /// <exception cref="UnauthorizedAccessException">It may not be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">No permission to write it.</exception>
     public AtomicFile(string path)
     {
         _target = FileLinks.Target(Path.GetFullPath(path ?? throw new ArgumentNullException(nameof(path))));
         if (Directory.Exists(_target)) throw new IOException($"{path} is a folder, not a file.");
-        if (!Directory.Exists(Path.GetDirectoryName(_target)!)) throw new DirectoryNotFoundException($"{path}: there is no such folder.");
+        if (!Directory.Exists(Path.GetDirectoryName(_target)!)) throw new DirectoryNotFoundException($"{path}: folder not found.");
         _stream = FileLinks.Special(_target);
         if (_stream is not null) return;
         var name = Path.GetFileName(_target);
@@ -28,15 +28,15 @@ internal sealed class AtomicFile : IDisposable
         _stream = FileLinks.Create(_temporary, _target);
     }
 
-    /// <summary>Where to write; the temporary file.</summary>
+    /// <summary>The temporary file to write to.</summary>
     public Stream Stream => _stream ?? throw new ObjectDisposedException(nameof(AtomicFile));
 
-    /// <summary>False for a device or a pipe: what is written to it cannot be taken back.</summary>
+    /// <summary>False for a device or a pipe, which are written directly.</summary>
     public bool IsTemporary => _temporary is not null;
 
     /// <summary>Moves the file into place.</summary>
-    /// <exception cref="IOException">The disk is full, or the older file cannot be replaced; it is as it was.</exception>
-    /// <exception cref="UnauthorizedAccessException">The older file may not be replaced.</exception>
+    /// <exception cref="IOException">The disk is full, or the older file cannot be replaced. It does not change.</exception>
+    /// <exception cref="UnauthorizedAccessException">No permission to replace the older file.</exception>
     public void Commit()
     {
         try

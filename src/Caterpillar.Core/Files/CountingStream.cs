@@ -1,6 +1,6 @@
 namespace Caterpillar.Files;
 
-/// <summary>Writes through to another stream, which stays open, and counts the bytes and lines (which LF, CRLF and CR end) of what is written.</summary>
+/// <summary>Writes to another stream, which stays open, and counts the written bytes and lines (LF, CRLF or CR).</summary>
 internal sealed class CountingStream(Stream inner) : WriteStream
 {
     private int _ends;
@@ -8,7 +8,7 @@ internal sealed class CountingStream(Stream inner) : WriteStream
 
     public long Bytes { get; private set; }
 
-    /// <summary>Lines so far; what follows the last line end is one, too.</summary>
+    /// <summary>Lines so far. Text after the last line end is a line, too.</summary>
     public int Lines => _ends + (_last is (byte)'\n' or (byte)'\r' ? 0 : 1);
 
     public override void Write(byte[] buffer, int offset, int count)

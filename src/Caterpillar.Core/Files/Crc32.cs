@@ -5,7 +5,7 @@ internal static class Crc32
 {
     private static readonly uint[] Table = MakeTable();
 
-    /// <summary>The checksum of bytes; <paramref name="before"/> is that of the bytes before them.</summary>
+    /// <summary>The checksum of bytes. <paramref name="before"/> is the checksum of the bytes before them.</summary>
     public static uint Of(byte[] bytes, int start, int count, uint before = 0)
     {
         var table = Table;

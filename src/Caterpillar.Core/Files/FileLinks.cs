@@ -28,9 +28,9 @@ internal static class FileLinks
 #endif
     }
 
-    /// <summary>A file that must not be replaced by a regular file (a device, a pipe), opened to be written directly; null for any other.</summary>
+    /// <summary>Opens a device or a pipe, which must be written directly. Null for regular files.</summary>
     /// <exception cref="IOException">It cannot be written.</exception>
-    /// <exception cref="UnauthorizedAccessException">It may not be written.</exception>
+    /// <exception cref="UnauthorizedAccessException">No permission to write it.</exception>
     public static FileStream? Special(string file)
     {
         if (!IsUnix || !File.Exists(file)) return null;
@@ -55,7 +55,7 @@ internal static class FileLinks
         return null;
     }
 
-    /// <summary>A new file that is going to replace another one.</summary>
+    /// <summary>A new file that will replace another one.</summary>
     public static FileStream Create(string file, string target)
     {
 #if !NET8_0_OR_GREATER

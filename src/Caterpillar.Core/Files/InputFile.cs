@@ -14,7 +14,7 @@ internal static class InputFile
         }
         catch (UnauthorizedAccessException denied)
         {
-            throw new IOException($"'{path}' may not be read.", denied);
+            throw new IOException($"No permission to read '{path}'.", denied);
         }
     }
 }

@@ -3,7 +3,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Files;
 
-/// <summary>Walks over the words and lines of a text file in memory.</summary>
+/// <summary>Reads the words and lines of a text file in memory.</summary>
 internal sealed class TextCursor(byte[] bytes, int at, int end)
 {
     public byte[] Bytes { get; } = bytes;
@@ -24,7 +24,7 @@ internal sealed class TextCursor(byte[] bytes, int at, int end)
         return p < stop;
     }
 
-    /// <summary>Skips spaces within the line; a backslash at the end of a line continues it. False at the end of the line.</summary>
+    /// <summary>Skips spaces within the line. A backslash at the end of a line continues it. False at the end of the line.</summary>
     public bool SkipSpaces()
     {
         for (; At < End; At++)
@@ -72,7 +72,7 @@ internal sealed class TextCursor(byte[] bytes, int at, int end)
     }
 
     /// <summary>
-    /// Reads the word at the cursor as a number; <c>nan</c> and <c>inf</c> in any spelling give NaN. False (and the cursor stays) if it is not a number.
+    /// Reads the word at the cursor as a number. <c>nan</c> and <c>inf</c> in any case give NaN. False, without moving, if it is not a number.
     /// </summary>
     public bool ReadNumber(out double value)
     {
@@ -86,7 +86,7 @@ internal sealed class TextCursor(byte[] bytes, int at, int end)
         return ReadNan(out value);
     }
 
-    /// <summary>The rest of the line, trimmed, as text; at most 200 characters.</summary>
+    /// <summary>The rest of the line, trimmed, at most 200 characters.</summary>
     public string RestOfLine()
     {
         SkipSpaces();

@@ -168,12 +168,12 @@ public class BinaryGCodeTests
     public void What_is_said_in_errors_is_what_is_wrong()
     {
         Assert.That(Message([(byte)'G', (byte)'C', (byte)'D', (byte)'E', 2, 0, 0, 0, 1, 0]), Does.Contain("version"));
-        Assert.That(Message([(byte)'G', (byte)'C', (byte)'D', (byte)'E', 1, 0, 0, 0, 2, 0]), Does.Contain("checksum is not known"));
+        Assert.That(Message([(byte)'G', (byte)'C', (byte)'D', (byte)'E', 1, 0, 0, 0, 2, 0]), Does.Contain("type of its checksums is unknown"));
         Assert.That(Message(new BinaryFile().Table(BinaryFile.Printer, 0, "a=b\n").ToArray()), Does.Contain("no G-code"));
-        Assert.That(Message(new BinaryFile().Block(6, 0, [], 0).ToArray()), Does.Contain("unknown kind"));
+        Assert.That(Message(new BinaryFile().Block(6, 0, [], 0).ToArray()), Does.Contain("unknown type"));
         Assert.That(Message(new BinaryFile().Raw(BinaryFile.GCode, 4, 1, [1], 0).ToArray()), Does.Contain("compression"));
-        Assert.That(Message(new BinaryFile().Block(BinaryFile.GCode, 0, [65], 3).ToArray()), Does.Contain("encoding of G-code"));
-        Assert.That(Message(new BinaryFile().Block(BinaryFile.Printer, 0, [65], 1).ToArray()), Does.Contain("encoding of settings"));
+        Assert.That(Message(new BinaryFile().Block(BinaryFile.GCode, 0, [65], 3).ToArray()), Does.Contain("encoding of the G-code"));
+        Assert.That(Message(new BinaryFile().Block(BinaryFile.Printer, 0, [65], 1).ToArray()), Does.Contain("encoding of the settings"));
     }
 
     [Test]

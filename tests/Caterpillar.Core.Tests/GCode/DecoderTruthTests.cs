@@ -42,7 +42,7 @@ public class DecoderTruthTests
 
     private static JObject Truth(string file)
     {
-        var all = JObject.Parse(File.ReadAllText(TestData.Shared("gcode/truth.json")));
+        var all = JObject.Parse(TestData.GCodeTruth());
         return (JObject)all[file]!;
     }
 

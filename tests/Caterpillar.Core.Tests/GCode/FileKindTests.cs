@@ -12,8 +12,8 @@ public class FileKindTests
 {
     [TestCase("", "is empty")]
     [TestCase(" \n\r\n\n", "blank lines")]
-    [TestCase("Dear all,\nplease find the model enclosed.\n", "has no command")]
-    [TestCase("; only a comment\n(another)\n", "has no command")]
+    [TestCase("Dear all,\nplease find the model enclosed.\n", "contains no commands")]
+    [TestCase("; only a comment\n(another)\n", "contains no commands")]
     [TestCase("solid part\n  facet normal 0 0 1\n    outer loop\n      vertex 0 0 0\n", "ASCII STL")]
     [TestCase("# made by hand\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "OBJ")]
     [TestCase("ply\nformat ascii 1.0\nelement vertex 3\n", "PLY")]
@@ -25,7 +25,7 @@ public class FileKindTests
     [TestCase("%PDF-1.4\n", "PDF")]
     [TestCase("abc\u0000\u0001\u0002def\n", "binary data")]
     public void What_is_no_G_code_says_what_it_looks_like(string text, string kind)
-        => Assert.That(Decode(Encoding.GetEncoding(28591).GetBytes(text)).NotGCode?.Message, Does.StartWith("This is no G-code").And.Contain(kind));
+        => Assert.That(Decode(Encoding.GetEncoding(28591).GetBytes(text)).NotGCode?.Message, Does.StartWith("The file is not G-code. It ").And.Contain(kind));
 
     [Test]
     public void A_binary_mesh_is_known_by_its_size()

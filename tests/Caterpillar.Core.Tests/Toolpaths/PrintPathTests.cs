@@ -19,7 +19,7 @@ public class PrintPathTests
         Assert.That(() => new PrintPath([Vec3.Zero], Beads[0]), Throws.ArgumentException);
         Assert.That(() => new PrintPath([Vec3.Zero, Vec3.UnitX], Beads[0], closed: true), Throws.ArgumentException);
         Assert.That(() => new PrintPath([Vec3.Zero, new Vec3(double.NaN, 0)], Beads[0]), Throws.ArgumentException);
-        Assert.That(() => new PrintPath(Square, Beads), Throws.ArgumentException.With.Message.Contains("3 segments need as many beads, not 4"));
+        Assert.That(() => new PrintPath(Square, Beads), Throws.ArgumentException.With.Message.Contains("3 segments needs 3 beads, not 4"));
         Assert.That(() => new PrintPath(Square, Beads.Take(1)), Throws.ArgumentException);
         Assert.That(() => new PrintPath(Square, Beads, true, [new Arc(Vec3.Zero, 90)]), Throws.ArgumentException.With.Message.Contains("4 segments"));
         Assert.That(() => new PrintPath(Square.Take(2), Beads.Take(1), false, [new Arc(Vec3.Zero, 90, ArcPlane.YZ)]), Throws.ArgumentException);

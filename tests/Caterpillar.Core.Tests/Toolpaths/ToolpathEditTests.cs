@@ -174,7 +174,7 @@ public class ToolpathEditTests
         Assert.That(sample.InsertAtLayer(5, new FanEvent(1)).Value!.Events.Single().Move, Is.EqualTo(3));
         var none = sample.InsertAtLayer(0, new FanEvent(1));
         Assert.That((none.Value, none.Diagnostics.Single().Code, none.Diagnostics.Single().Message),
-            Is.EqualTo(((Toolpath?)null, "toolpath.no_layer", "There is no layer 0.")));
+            Is.EqualTo(((Toolpath?)null, "toolpath.no_layer", "Layer 0 not found.")));
         Assert.That(sample.NumbersOfLayers(), Is.EqualTo(new[] { 4, 5 }));
         Assert.That(sample.Moves().Select(sample.NumberOfLayer), Is.EqualTo(new int?[] { null, 4, 4, 5, 5, null }));
         Assert.That(sample.CountLayers(), Is.EqualTo(2));

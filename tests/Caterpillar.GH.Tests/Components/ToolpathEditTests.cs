@@ -100,7 +100,7 @@ public sealed class ToolpathEditTests
         var canvas = new Canvas<InsertAtLayerComponent>().Feed("Toolpath", Decoded()).Feed("Layers", 0, 1).Solve();
         Assert.That(canvas.Errors, Is.Empty);
         Assert.That(canvas.One<Toolpath>("Toolpath").Events.Count(e => e.Event is PauseEvent), Is.EqualTo(2));
-        Assert.That(canvas.Feed("Layers", 17).Solve().Warnings, Has.One.Contains("There is no layer 17."));
+        Assert.That(canvas.Feed("Layers", 17).Solve().Warnings, Has.One.Contains("Layer 17 not found."));
         canvas.Feed("Layers", 1).Feed("Kind", "Tool").Feed("Value", 1).Solve();
         Assert.That(canvas.One<Toolpath>("Toolpath").Moves().Last().Tool, Is.EqualTo(1));
         Assert.That(canvas.Feed("Value", 1.5).Solve().Errors, Has.One.Contains("number of a tool"));

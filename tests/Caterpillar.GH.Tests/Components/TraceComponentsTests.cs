@@ -33,7 +33,7 @@ public sealed class TraceComponentsTests
         Assert.That(canvas.All("Bead").Select(b => b is null), Is.EqualTo(new[] { false, true, true, true, false }));
         Assert.That(canvas.Errors, Has.Count.EqualTo(3).And.One.EqualTo("{0}[1]: Width: nothing arrives from what is connected."));
         Assert.That(new Canvas<ConstructBeadComponent>().Feed("Width", 0.2).Feed("Height", 0.5).Feed("Cross Section", "Stadium").Solve().Errors.Single(),
-            Does.Contain("at least as wide as high"));
+            Does.Contain("at least as wide as it is high"));
         Assert.That(new Canvas<ConstructBeadComponent>().Feed("Width", 0.2).Feed("Height", 0.5).Feed("Cross Section", 7).Solve().Errors.Single(),
             Does.Contain("no choice 7"));
         Assert.That(new Canvas<ConstructBeadComponent>().FeedTree("Width", [0.4], [0.5, 0.6]).Feed("Height", 0.2).Solve().Paths("Bead"),

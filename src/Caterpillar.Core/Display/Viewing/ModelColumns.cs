@@ -2,7 +2,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Display;
 
-/// <summary>A mesh as columns of a viewer page: coordinates of the vertices in µm, then the numbers of the corners.</summary>
+/// <summary>A mesh as columns of a viewer page: coordinates of the vertices in µm, then the vertex indices of the corners.</summary>
 internal static class ModelColumns
 {
     public static IEnumerable<byte[]> Of(TriMesh model)

@@ -4,12 +4,12 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Display;
 
 /// <summary>
-/// The moves of a toolpath as columns of a viewer page, a row for each straight piece: arcs are divided, moves in place have a row without length. Lengths in
-/// µm, areas in 10⁻⁴ mm², speeds in 0.01 mm/s, times in ms. 5 to 10 bytes a move after packing.
+/// The moves of a toolpath as columns of a viewer page, a row for each straight piece. Arcs are divided. Moves in place have a row without length. Lengths in
+/// µm, areas in 10⁻⁴ mm², speeds in 0.01 mm/s, times in ms. 5 to 10 bytes per move after packing.
 /// </summary>
 internal sealed class MoveColumns
 {
-    /// <summary>Greatest distance of a chord from its arc, mm.</summary>
+    /// <summary>Maximum deviation of chords from arcs, mm.</summary>
     private const double ChordError = 0.02;
 
     private readonly ViewerContent _content;
@@ -32,7 +32,7 @@ internal sealed class MoveColumns
     /// <summary>Number of rows.</summary>
     public int Rows => _x.Count;
 
-    /// <summary>The first row of a move; for the number of moves, the number of rows.</summary>
+    /// <summary>The first row of a move. Number of moves = number of rows.</summary>
     public int RowOf(int move) => _firstRow[Math.Max(0, Math.Min(move, _toolpath.Count))];
 
     public static MoveColumns Of(ViewerContent content, IProgress<double>? progress, CancellationToken cancel)

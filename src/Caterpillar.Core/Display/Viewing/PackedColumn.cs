@@ -1,8 +1,8 @@
 namespace Caterpillar.Display;
 
 /// <summary>
-/// A column of whole numbers as bytes: each as its difference from the one before, seven bits a byte, the sign in the lowest bit. Columns of long equal
-/// runs are written as runs: a difference, then how often the number is repeated.
+/// A column of whole numbers as bytes: differences from the previous number, seven bits per byte, with the sign in the lowest bit. Columns with long equal runs
+/// are written as runs: a difference and the number of repetitions.
 /// </summary>
 internal sealed class PackedColumn
 {

@@ -7,7 +7,7 @@ using Newtonsoft.Json;
 
 namespace Caterpillar.Display;
 
-/// <summary>What a viewer page knows besides its columns, as JSON: layers, events, tools, printer, findings and colors.</summary>
+/// <summary>The data of a viewer page besides its columns, as JSON: layers, events, tools, printer, findings and colors.</summary>
 internal static class PageHead
 {
     public static string ToJson(ViewerContent content, MoveColumns? moves)
@@ -116,7 +116,7 @@ internal static class PageHead
         foreach (Role role in Enum.GetValues(typeof(Role)))
         {
             json.WriteStartArray();
-            json.WriteValue(role == Role.Unspecified ? "Without role" : Words.Spaced(role.ToString()));
+            json.WriteValue(Words.Spaced(role.ToString()));
             json.WriteValue(Hex(Palette.Of(role)));
             json.WriteEndArray();
         }

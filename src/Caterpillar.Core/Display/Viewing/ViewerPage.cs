@@ -6,8 +6,8 @@ using Caterpillar.Files;
 namespace Caterpillar.Display;
 
 /// <summary>
-/// A web page that shows a print or a model in 3D: beads with their true size, colors by role, speed and more, layers and time on sliders, the head, the
-/// lines of the file, findings. One file that needs nothing else; browsers with WebGL 2 show it.
+/// A web page that shows a print or a model in 3D: extrusions in true size, colors by role, speed and more, sliders for layers and time, the print head, the
+/// lines of the file, and findings. A single file without dependencies, for browsers with WebGL 2.
 /// </summary>
 public static class ViewerPage
 {
@@ -29,9 +29,9 @@ public static class ViewerPage
         }
     }
 
-    /// <summary>Writes the page to a file, whole or not at all.</summary>
-    /// <exception cref="IOException">The disk failed.</exception>
-    /// <exception cref="OperationCanceledException">Canceled; no part of the file is left.</exception>
+    /// <summary>Writes the page to a file, completely or not at all.</summary>
+    /// <exception cref="IOException">The file cannot be written.</exception>
+    /// <exception cref="OperationCanceledException">Canceled. No part of the file is left.</exception>
     public static void WriteFile(ViewerContent content, string path, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (path is null) throw new ArgumentNullException(nameof(path));

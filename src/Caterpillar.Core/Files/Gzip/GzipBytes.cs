@@ -5,12 +5,12 @@ namespace Caterpillar.Files;
 /// <summary>Unpacks gzip in memory.</summary>
 internal static class GzipBytes
 {
-    /// <summary>The bytes, decompressed if they are compressed; null with an error if they are damaged, cut off or too many.</summary>
+    /// <summary>The bytes, decompressed if necessary. Null with an error if they are damaged, cut off or too many.</summary>
     /// <param name="bytes">The file.</param>
     /// <param name="name">Name for messages.</param>
     /// <param name="code">Code of the diagnostics.</param>
     /// <param name="diagnostics">Receives the diagnostics.</param>
-    /// <param name="memory">What the bytes may take.</param>
+    /// <param name="memory">Memory limit.</param>
     /// <param name="cancel">Cancels the work.</param>
     public static byte[]? Unpack(byte[] bytes, string name, string code, DiagnosticList diagnostics, MemoryLimit memory, CancellationToken cancel)
     {

@@ -1,8 +1,8 @@
 namespace Caterpillar.Files;
 
 /// <summary>
-/// The packed bytes of a gzip stream, handed to the inflater in small pieces. It takes whole pieces and does not report how much of the last one it used; the
-/// checksum and the length after the data tell: eight bytes that are known once everything is decompressed.
+/// The packed bytes of a gzip stream, in small pieces for the inflater. The inflater does not report how much of the last piece it used. The checksum and the
+/// length after the data show it: eight bytes that are known once everything is decompressed.
 /// </summary>
 internal sealed class GzipInput(Stream source) : ReadStream
 {
@@ -20,7 +20,7 @@ internal sealed class GzipInput(Stream source) : ReadStream
     /// <summary>Bytes read from the source.</summary>
     public long Taken { get; private set; }
 
-    /// <summary>True if the inflater asked for more than there was.</summary>
+    /// <summary>True if the inflater needed more bytes than the source has.</summary>
     public bool RanDry { get; private set; }
 
     /// <summary>True if the source could not be read.</summary>
@@ -55,7 +55,7 @@ internal sealed class GzipInput(Stream source) : ReadStream
         RanDry = false;
     }
 
-    /// <summary>Skips the checksum and the length that end a member; false if they are missing.</summary>
+    /// <summary>Skips the checksum and the length at the end of a member. False if they are missing.</summary>
     public bool SkipTrailer(uint sum, uint length)
     {
         Have(8);

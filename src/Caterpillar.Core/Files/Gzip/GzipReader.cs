@@ -4,13 +4,13 @@ using Caterpillar.Basics;
 namespace Caterpillar.Files;
 
 /// <summary>
-/// Decompresses gzip (RFC 1952) while it is read: all members one after the other, each compared with the checksum and the length at its end, so that a file
-/// that was cut off or damaged anywhere is never taken for a complete one. Zeros after the last member are padding; other bytes there are ignored, as gzip
-/// does. The output is bounded: 250 times the input, or 64 MB. Every problem is an <see cref="InvalidDataException"/>, on .NET and on Mono.
+/// Decompresses gzip (RFC 1952) while reading. The checksum and the length of every member are verified, so that a damaged or cut file is always detected.
+/// Zeros after the last member are padding. Other bytes after it are ignored, as gzip does. The output is limited to 250 times the input, or 64 MB. Every
+/// problem is an <see cref="InvalidDataException"/>, on .NET and on Mono.
 /// </summary>
 internal sealed class GzipReader : ReadStream
 {
-    /// <summary>Maximum growth of compressed data; meshes and G-code grow 3 to 20 times.</summary>
+    /// <summary>Maximum growth of compressed data. Meshes and G-code grow 3 to 20 times.</summary>
     private const long MaxFactor = 250;
 
     /// <summary>Output that is always allowed, bytes.</summary>
@@ -35,7 +35,7 @@ internal sealed class GzipReader : ReadStream
         _leaveOpen = leaveOpen;
     }
 
-    /// <summary>True if, at the end, the last member was followed by bytes that are neither zeros nor another member; they were not read.</summary>
+    /// <summary>True at the end if unread bytes follow the last member that are neither zeros nor another member.</summary>
     public bool HasTrailingBytes { get; private set; }
 
     /// <summary>Maximum decompressed size for this length, bytes.</summary>
@@ -53,7 +53,7 @@ internal sealed class GzipReader : ReadStream
         return IsPacked(head, count) ? new GzipReader(whole, leaveOpen) : whole;
     }
 
-    /// <summary>The warning about such bytes.</summary>
+    /// <summary>The warning about bytes after the last member.</summary>
     public static Diagnostic TrailingBytes(string code, string name)
         => new(Severity.Warning, code, "The gzip data is followed by other bytes, which were not read.", name.Length > 0
             ? new SourceLocation(name) : null);

@@ -8,8 +8,8 @@ public sealed class GrayImage
     /// <exception cref="ArgumentException">The number of pixels is not width × height, or a size is below 1.</exception>
     public GrayImage(int width, int height, double[] pixels)
     {
-        if (width < 1 || height < 1) throw new ArgumentException("An image has at least one pixel.", nameof(width));
-        if (pixels is null || pixels.Length != (long)width * height) throw new ArgumentException("An image has width × height pixels.", nameof(pixels));
+        if (width < 1 || height < 1) throw new ArgumentException("An image must have at least one pixel.", nameof(width));
+        if (pixels is null || pixels.Length != (long)width * height) throw new ArgumentException("An image needs width × height pixels.", nameof(pixels));
         Width = width;
         Height = height;
         _pixels = (double[])pixels.Clone();
@@ -21,10 +21,10 @@ public sealed class GrayImage
     /// <summary>Pixels.</summary>
     public int Height { get; }
 
-    /// <summary>Brightness of a pixel; x from the left, y from the top.</summary>
+    /// <summary>Brightness of a pixel, x from the left, y from the top.</summary>
     public double this[int x, int y] => _pixels[y * Width + x];
 
-    /// <summary>The nearest pixel at u from the left and v from the bottom; the image repeats in u and is clamped in v.</summary>
+    /// <summary>The nearest pixel at u from the left and v from the bottom. The image repeats in u and is clamped in v.</summary>
     internal double Nearest(double u, double v)
     {
         if (!IsPlace(u, v)) return double.NaN;

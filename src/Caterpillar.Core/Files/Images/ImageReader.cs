@@ -8,10 +8,10 @@ public static class ImageReader
     /// <summary>The maximum number of pixels: 100 million.</summary>
     public const long MaxPixels = 100_000_000;
 
-    /// <summary>Reads a file. Throws only if the disk fails; a file that is not an image gives an error.</summary>
+    /// <summary>Reads a file. A file that is not an image gives an error. Throws only if the disk fails.</summary>
     public static Result<GrayImage> Read(string path) => Read(File.ReadAllBytes(path), path);
 
-    /// <summary>Reads the bytes of a file; the name is used in messages. Colors become brightness by Rec. 709, transparency is blended with white.</summary>
+    /// <summary>Reads the bytes of a file. Messages use the name. Colors become brightness by Rec. 709. Transparency is blended with white.</summary>
     public static Result<GrayImage> Read(byte[] bytes, string name)
     {
         if (bytes is null) throw new ArgumentNullException(nameof(bytes));
@@ -29,7 +29,7 @@ public static class ImageReader
             // Mono reports damaged compressed data this way; nothing else here touches a disk.
             return Failed("The compressed data of the image is damaged.", name);
         }
-        return Failed("This is neither a PNG nor a PGM or PBM image.", name);
+        return Failed("The file is not a PNG, PGM or PBM image.", name);
     }
 
     internal static int Pixels(long width, long height)

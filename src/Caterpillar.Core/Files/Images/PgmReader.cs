@@ -15,7 +15,7 @@ internal static class PgmReader
         var width = Number(bytes, ref at);
         var height = Number(bytes, ref at);
         var maximum = bits ? 1 : Number(bytes, ref at);
-        if (maximum is < 1 or > 65535) throw new InvalidDataException("The largest gray value must be 1 to 65535.");
+        if (maximum is < 1 or > 65535) throw new InvalidDataException("The maximum gray value must be 1 to 65535.");
         var pixels = new double[Size(bytes, width, height, kind)];
         if (kind is 4 or 5) at++;
         if (kind == 4) ReadBits(bytes, at, width, height, pixels);
@@ -29,7 +29,7 @@ internal static class PgmReader
         var count = ImageReader.Pixels(width, height);
         // At least this many bytes must follow; a declared size beyond the file is not allocated.
         var least = kind switch { 4 => (width + 7) / 8 * (long)height, _ => count };
-        return least <= bytes.Length ? count : throw new InvalidDataException("The file is shorter than its pixels.");
+        return least <= bytes.Length ? count : throw new InvalidDataException("The file ends before its last pixel.");
     }
 
     private static void ReadPlain(byte[] bytes, int at, int maximum, bool bits, double[] pixels)
@@ -37,7 +37,7 @@ internal static class PgmReader
         for (var i = 0; i < pixels.Length; i++)
         {
             var value = bits ? Bit(bytes, ref at) : Number(bytes, ref at);
-            if (value > maximum) throw new InvalidDataException("A pixel is brighter than the largest gray value.");
+            if (value > maximum) throw new InvalidDataException("A pixel is brighter than the maximum gray value.");
             pixels[i] = bits ? 1 - value : (double)value / maximum;
         }
     }
@@ -45,7 +45,7 @@ internal static class PgmReader
     private static void ReadRaw(byte[] bytes, int at, int maximum, double[] pixels)
     {
         var size = maximum > 255 ? 2 : 1;
-        if (bytes.Length - at < (long)pixels.Length * size) throw new InvalidDataException("The file is shorter than its pixels.");
+        if (bytes.Length - at < (long)pixels.Length * size) throw new InvalidDataException("The file ends before its last pixel.");
         for (var i = 0; i < pixels.Length; i++)
         {
             var value = size == 1 ? bytes[at + i] : (bytes[at + 2 * i] << 8) | bytes[at + 2 * i + 1];
@@ -56,7 +56,7 @@ internal static class PgmReader
     private static void ReadBits(byte[] bytes, int at, int width, int height, double[] pixels)
     {
         var row = (width + 7) / 8;
-        if (bytes.Length - at < (long)row * height) throw new InvalidDataException("The file is shorter than its pixels.");
+        if (bytes.Length - at < (long)row * height) throw new InvalidDataException("The file ends before its last pixel.");
         for (var i = 0; i < pixels.Length; i++)
         {
             int x = i % width, y = i / width;

@@ -95,14 +95,14 @@ internal sealed class PngReader
             }
         }
         // Deflate shrinks at most about 1032 times; a declared size beyond that is not allocated.
-        if (packed.Length < 2 || size > packed.Length * 1100) throw new InvalidDataException("The PNG is cut short.");
+        if (packed.Length < 2 || size > packed.Length * 1100) throw new InvalidDataException("The PNG is cut off.");
         packed.Position = 2;
         var data = new byte[size];
         using var inflate = new DeflateStream(packed, CompressionMode.Decompress);
         for (var got = 0; got < data.Length;)
         {
             var read = inflate.Read(data, got, data.Length - got);
-            if (read == 0) throw new InvalidDataException("The PNG is cut short.");
+            if (read == 0) throw new InvalidDataException("The PNG is cut off.");
             got += read;
         }
         return data;

@@ -3,7 +3,7 @@ using System.Collections.Concurrent;
 namespace Caterpillar.Files;
 
 /// <summary>
-/// Bytes from one thread to another, in pieces that are used again, without keeping them all. The writer waits while many pieces are not read yet.
+/// A pipe for bytes from one thread to another, in reused pieces. The writer waits while many pieces are unread.
 /// </summary>
 internal sealed class BytePipe : IDisposable
 {
@@ -15,10 +15,10 @@ internal sealed class BytePipe : IDisposable
 
     public BytePipe() => Reader = new PipeReader(this);
 
-    /// <summary>What was written, as a stream for the other thread.</summary>
+    /// <summary>The written bytes, as a stream for the other thread.</summary>
     public Stream Reader { get; }
 
-    /// <summary>Copies bytes into the pipe; they are dropped where nobody reads any more.</summary>
+    /// <summary>Copies bytes into the pipe. After <see cref="Stop"/>, they are dropped.</summary>
     public void Write(byte[] buffer, int offset, int count)
     {
         while (count > 0 && !_isStopped)
@@ -34,7 +34,7 @@ internal sealed class BytePipe : IDisposable
         }
     }
 
-    /// <summary>Writes all that comes through the pipe to a stream, up to its end.</summary>
+    /// <summary>Writes all bytes of the pipe to a stream.</summary>
     public void CopyTo(Stream target)
     {
         while (_full.TryTake(out var piece, -1))
@@ -44,10 +44,10 @@ internal sealed class BytePipe : IDisposable
         }
     }
 
-    /// <summary>Nothing more is written.</summary>
+    /// <summary>Ends writing.</summary>
     public void Complete() => _full.CompleteAdding();
 
-    /// <summary>Nothing more is read.</summary>
+    /// <summary>Ends reading.</summary>
     public void Stop() => _isStopped = true;
 
     public void Dispose() => _full.Dispose();
@@ -75,7 +75,7 @@ internal sealed class BytePipe : IDisposable
     }
 }
 
-/// <summary>A stream that gives what is written to it to a stream, if there is one, and to a pipe.</summary>
+/// <summary>A stream that writes to a stream, if any, and to a pipe.</summary>
 internal sealed class PipedStream(Stream? target, BytePipe pipe) : WriteStream
 {
     public override void Write(byte[] buffer, int offset, int count)

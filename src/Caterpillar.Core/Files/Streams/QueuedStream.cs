@@ -3,8 +3,8 @@ using Caterpillar.Basics;
 namespace Caterpillar.Files;
 
 /// <summary>
-/// Writes to another stream on a thread of its own, so that who writes to this one can go on meanwhile. All is written after <see cref="Finish"/>. A problem
-/// of the other stream comes up in the next write, or there.
+/// Writes to another stream on its own thread, so that writing does not wait. Everything is written after <see cref="Finish"/>. An error of the other stream
+/// is thrown by the next write or by <see cref="Finish"/>.
 /// </summary>
 internal sealed class QueuedStream(Stream target) : WriteStream
 {
@@ -18,7 +18,7 @@ internal sealed class QueuedStream(Stream target) : WriteStream
         _pipe.Write(buffer, offset, count);
     }
 
-    /// <summary>Waits until all is written.</summary>
+    /// <summary>Waits until everything is written.</summary>
     public void Finish()
     {
         _pipe.Complete();

@@ -27,7 +27,7 @@ internal abstract class ReadStream : Stream
 
     public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
 
-    /// <summary>Reads until the buffer is full or the stream ends; returns how far it is filled.</summary>
+    /// <summary>Reads until the buffer is full or the stream ends. Returns the number of bytes.</summary>
     internal static int Fill(Stream stream, byte[] buffer, int from, int to)
     {
         while (from < to)
@@ -55,7 +55,7 @@ internal sealed class PeekedStream : ReadStream
         _rest = rest;
     }
 
-    /// <summary>Reads the first bytes into <paramref name="head"/>; the returned stream still begins with them.</summary>
+    /// <summary>Reads the first bytes into <paramref name="head"/>. The returned stream still begins with them.</summary>
     public static Stream Peek(Stream stream, byte[] head, out int count)
     {
         count = Fill(stream, head, 0, head.Length);

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Caterpillar.Files;
 
-/// <summary>UTF-16 with a byte order mark (as some editors save text) as one byte per character; characters beyond Latin-1 become question marks.</summary>
+/// <summary>UTF-16 with a byte order mark as one byte per character. Characters beyond Latin-1 become question marks.</summary>
 internal sealed class Utf16Stream(Stream wide) : ReadStream
 {
     private readonly StreamReader _reader = new(wide, Encoding.Unicode, true, 1 << 16, true);

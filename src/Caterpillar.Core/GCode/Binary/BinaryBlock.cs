@@ -13,7 +13,7 @@ internal enum BinaryBlockKind
     Thumbnail,
 }
 
-/// <summary>A block of binary G-code: what it is, its parameters (encoding; or format, width and height of an image) and its data, unpacked.</summary>
+/// <summary>A block of binary G-code: its type, parameters (encoding, or format, width and height of a thumbnail) and unpacked data.</summary>
 internal sealed class BinaryBlock
 {
     public const string CutOff = "A block is cut off.";
@@ -23,7 +23,7 @@ internal sealed class BinaryBlock
 
     public BinaryBlockKind Kind { get; private init; }
 
-    /// <summary>Encoding; of an image its format.</summary>
+    /// <summary>Encoding, or format of a thumbnail.</summary>
     public int Encoding { get; private init; }
 
     public int Width { get; private init; }
@@ -36,10 +36,10 @@ internal sealed class BinaryBlock
     public long Size { get; private init; }
 
     /// <summary>Reads the next block, or null at the end of the file.</summary>
-    /// <param name="file">At the beginning of the block.</param>
-    /// <param name="summed">Blocks end with a CRC-32.</param>
-    /// <param name="limit">The most bytes that the block may unpack to, by its packed size.</param>
-    /// <exception cref="InvalidDataException">The block is broken or of an unknown kind.</exception>
+    /// <param name="file">The file, at the beginning of the block.</param>
+    /// <param name="summed">True if blocks end with a CRC-32.</param>
+    /// <param name="limit">Maximum unpacked size for a packed size, bytes.</param>
+    /// <exception cref="InvalidDataException">The block is broken or has an unknown type.</exception>
     public static BinaryBlock? Read(Stream file, bool summed, Func<long, long> limit)
     {
         var head = new byte[18];
@@ -48,8 +48,8 @@ internal sealed class BinaryBlock
         if (have < 8) throw new InvalidDataException(CutOff);
         var type = UInt16(head, 0);
         var compression = UInt16(head, 2);
-        if (type > (int)BinaryBlockKind.Thumbnail) throw new InvalidDataException("A block is of an unknown kind.");
-        if (compression > 3) throw new InvalidDataException("The compression of a block is not known.");
+        if (type > (int)BinaryBlockKind.Thumbnail) throw new InvalidDataException("A block has an unknown type.");
+        if (compression > 3) throw new InvalidDataException("A block has an unknown compression.");
         var parameters = type == (int)BinaryBlockKind.Thumbnail ? 6 : 2;
         var header = (compression == 0 ? 8 : 12) + parameters;
         if (ReadStream.Fill(file, head, have, header) < header) throw new InvalidDataException(CutOff);
@@ -67,7 +67,7 @@ internal sealed class BinaryBlock
                 throw new InvalidDataException("The checksum of a block is wrong.");
             }
         }
-        if (compression != 0 && plain > limit(size)) throw new InvalidDataException("A block claims to unpack to more than it can hold.");
+        if (compression != 0 && plain > limit(size)) throw new InvalidDataException("A block states an unpacked size that it cannot have.");
         var at = header - parameters;
         return new BinaryBlock
         {
@@ -118,13 +118,13 @@ internal sealed class BinaryBlock
             throw new InvalidDataException("The deflate data of a block is damaged.");
         }
         // Deflate grows at most 1032 times.
-        if (plain > 1040L * packed.Length) throw new InvalidDataException("A block claims to unpack to more than it can hold.");
+        if (plain > 1040L * packed.Length) throw new InvalidDataException("A block states an unpacked size that it cannot have.");
         using var stream = new DeflateStream(new MemoryStream(packed, 2, packed.Length - 2, false), CompressionMode.Decompress);
         var data = new byte[plain];
         try
         {
             if (ReadStream.Fill(stream, data, 0, plain) < plain) throw new InvalidDataException(CutOff);
-            if (stream.ReadByte() >= 0) throw new InvalidDataException("A block unpacks to more than it says.");
+            if (stream.ReadByte() >= 0) throw new InvalidDataException("A block unpacks to more than its stated size.");
         }
         catch (IOException)
         {

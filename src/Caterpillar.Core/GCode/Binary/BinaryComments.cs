@@ -2,7 +2,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Blocks of binary G-code other than G-code, as the comments that PrusaSlicer writes for them into text.</summary>
+/// <summary>Blocks of binary G-code other than G-code, as comments like PrusaSlicer writes them into text.</summary>
 internal sealed class BinaryComments
 {
     private const int RowLength = 78;
@@ -12,7 +12,7 @@ internal sealed class BinaryComments
 
     public long Length => (long)_text.Count + _json.Count + _ini.Count;
 
-    /// <summary>All of them one after the other; settings as JSON come before those as lines.</summary>
+    /// <summary>All comments in order. Settings as JSON come before settings as lines.</summary>
     public static byte[] Join(BinaryComments first, BinaryComments second)
     {
         var all = new List<byte>();
@@ -30,7 +30,7 @@ internal sealed class BinaryComments
 
     public void Line(string text) => Line(_text, text);
 
-    /// <summary>The block of the file: who made it and when.</summary>
+    /// <summary>The file block: producer and date.</summary>
     public void Producer(BinaryBlock block)
     {
         byte[]? producer = null, on = null, by = null;
@@ -100,7 +100,7 @@ internal sealed class BinaryComments
         Line(_ini, "");
     }
 
-    /// <summary>An image in base64.</summary>
+    /// <summary>A thumbnail in base64.</summary>
     public void ToolpathImage(BinaryBlock block)
     {
         var name = "thumbnail" + block.Encoding switch { 0 => "", 1 => "_JPG", 2 => "_QOI", _ => "_" + NumberFormatter.Format(block.Encoding) };
@@ -135,7 +135,7 @@ internal sealed class BinaryComments
 
     private static IEnumerable<KeyValuePair<byte[], byte[]>> Pairs(BinaryBlock block)
     {
-        if (block.Encoding != 0) throw new InvalidDataException("This encoding of settings is not known.");
+        if (block.Encoding != 0) throw new InvalidDataException("The encoding of the settings is unknown.");
         foreach (var (start, end) in Lines(block.Data))
         {
             var equals = Array.IndexOf(block.Data, (byte)'=', start, end - start);

@@ -3,9 +3,9 @@ using Caterpillar.Files;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Prusa's binary G-code (.bgcode, specification of libbgcode version 1): a header, then blocks with their own compression, encoding and checksum. It is read
-/// as the text that the slicer would have written: producer, data of the printer and thumbnails as comments, then the G-code, then data of the print and the
-/// settings as comments. One block at a time is in memory. Every problem is an <see cref="InvalidDataException"/>.
+/// Reads Prusa's binary G-code (.bgcode, specification of libbgcode version 1): a header, then blocks with their own compression, encoding and checksum. The
+/// result is the text that the slicer would write: producer, printer metadata and thumbnails as comments, then the G-code, then print metadata and settings as
+/// comments. One block at a time is in memory. Every problem is an <see cref="InvalidDataException"/>.
 /// </summary>
 internal sealed class BinaryGCodeStream(Stream file) : ReadStream
 {
@@ -25,16 +25,16 @@ internal sealed class BinaryGCodeStream(Stream file) : ReadStream
     private long _packed = FileHeader;
     private long _plain;
 
-    /// <summary>Bytes of the file that were read.</summary>
+    /// <summary>Bytes read from the file.</summary>
     public long Taken => _packed;
 
-    /// <summary>The comments after the G-code, as far as they are known: Prusa's files have them before the G-code.</summary>
+    /// <summary>The comments after the G-code, as far as read: Prusa's files have them before the G-code.</summary>
     public byte[] Tail => BinaryComments.Join(_print, _settings);
 
     /// <summary>True for the first bytes of a binary file.</summary>
     public static bool IsBinary(byte[] bytes, int count) => count >= 4 && bytes[0] == 'G' && bytes[1] == 'C' && bytes[2] == 'D' && bytes[3] == 'E';
 
-    /// <exception cref="InvalidDataException">The file is broken or of an unknown kind.</exception>
+    /// <exception cref="InvalidDataException">The file is broken or has an unknown version.</exception>
     public override int Read(byte[] buffer, int offset, int count)
     {
         if (count == 0) return 0;
@@ -66,9 +66,9 @@ internal sealed class BinaryGCodeStream(Stream file) : ReadStream
         _begun = true;
         var head = new byte[FileHeader];
         if (Fill(file, head, 0, FileHeader) < FileHeader) throw new InvalidDataException("The header is cut off.");
-        if (BinaryBlock.UInt32(head, 4) != 1) throw new InvalidDataException("This version of binary G-code is not known.");
+        if (BinaryBlock.UInt32(head, 4) != 1) throw new InvalidDataException("The version of the binary G-code is unknown.");
         var checksum = BinaryBlock.UInt16(head, 8);
-        if (checksum > 1) throw new InvalidDataException("This kind of checksum is not known.");
+        if (checksum > 1) throw new InvalidDataException("The type of its checksums is unknown.");
         _summed = checksum == 1;
     }
 
@@ -86,7 +86,7 @@ internal sealed class BinaryGCodeStream(Stream file) : ReadStream
                     {
                         0 => block.Data,
                         1 or 2 => MeatPack.Unpack(block.Data),
-                        _ => throw new InvalidDataException("This encoding of G-code is not known."),
+                        _ => throw new InvalidDataException("The encoding of the G-code is unknown."),
                     };
                     if (_code) return code;
                     _code = true;
@@ -111,9 +111,9 @@ internal sealed class BinaryGCodeStream(Stream file) : ReadStream
                     if (block.Data.Length > 0) _settings.Settings(block);
                     break;
             }
-            if (_before.Length + _print.Length + _settings.Length > MaxComments) throw new InvalidDataException("Its settings and images are too large.");
+            if (_before.Length + _print.Length + _settings.Length > MaxComments) throw new InvalidDataException("Its settings and thumbnails are too large.");
         }
-        if (!_code) throw new InvalidDataException("There is no G-code in it; it is cut off.");
+        if (!_code) throw new InvalidDataException("It is cut off and contains no G-code.");
         _ended = true;
         return Tail;
     }

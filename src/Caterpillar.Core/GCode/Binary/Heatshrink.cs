@@ -4,11 +4,11 @@ namespace Caterpillar.GCode;
 internal static class Heatshrink
 {
     /// <summary>Unpacks <paramref name="plain"/> bytes.</summary>
-    /// <param name="bytes">Packed.</param>
+    /// <param name="bytes">Packed bytes.</param>
     /// <param name="plain">Length of the result.</param>
     /// <param name="window">Bits of a distance.</param>
     /// <param name="lookahead">Bits of a length.</param>
-    /// <exception cref="InvalidDataException">There are fewer.</exception>
+    /// <exception cref="InvalidDataException">The data is too short.</exception>
     public static byte[] Unpack(byte[] bytes, int plain, int window, int lookahead)
     {
         var data = new byte[plain];
@@ -44,7 +44,7 @@ internal static class Heatshrink
         return data;
     }
 
-    /// <summary>Packs bytes; of earlier positions with the same three bytes the nearest thirty-two are tried.</summary>
+    /// <summary>Packs bytes. Tries the nearest 32 earlier positions with the same three bytes.</summary>
     public static byte[] Pack(byte[] data, int window, int lookahead)
     {
         const int Tries = 32, Shortest = 3;

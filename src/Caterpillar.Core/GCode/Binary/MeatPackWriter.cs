@@ -1,8 +1,7 @@
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Packs lines with MeatPack (Scott Mudge), the spaces of G lines left out, so that every reader gives back the same line: what would not come back as it was
-/// is not packed.
+/// Packs lines with MeatPack (Scott Mudge) without the spaces of G lines, so that every reader returns the same line. Other lines are not packed.
 /// </summary>
 internal sealed class MeatPackWriter
 {
@@ -14,7 +13,7 @@ internal sealed class MeatPackWriter
 
     public MeatPackWriter() => Begin();
 
-    /// <summary>The packed lines; the next ones are a block of their own.</summary>
+    /// <summary>Returns the packed lines and begins a new block.</summary>
     public byte[] Take()
     {
         // Prusa's own reader loses a character where a block grows to more than twice its size; commands that change nothing keep it below.

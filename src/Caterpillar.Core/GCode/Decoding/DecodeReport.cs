@@ -5,8 +5,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// What a file does, in numbers. Lengths in mm, E in mm of filament (mm³ in volumetric files); positions as written in the file. Start and end code are
-/// included.
+/// Counts and sums of a file, with start and end G-code. Lengths are in mm, E is in mm of filament (mm³ in volumetric files), and positions are as written in
+/// the file.
 /// </summary>
 public sealed record DecodeReport
 {
@@ -17,61 +17,61 @@ public sealed record DecodeReport
     /// <summary>Name of the file, or empty.</summary>
     public string File { get; init; } = "";
 
-    /// <summary>SHA-256 of the unpacked bytes in hexadecimal, or empty where it was not asked for.</summary>
+    /// <summary>SHA-256 of the unpacked bytes, hexadecimal. Empty if not requested.</summary>
     public string Sha256 { get; init; } = "";
 
-    /// <summary>Length of the text, unpacked.</summary>
+    /// <summary>Length of the unpacked text, bytes.</summary>
     public long Bytes { get; init; }
 
-    /// <summary>E, A, B, A+B, M101 (a switch, no amounts) or none.</summary>
+    /// <summary>E, A, B, A+B, M101 (a switch without E values) or none.</summary>
     public string ExtrusionAxis { get; init; } = "none";
 
-    /// <summary>Straight moves that print.</summary>
+    /// <summary>Number of straight printing moves.</summary>
     public int PrintSegments => _counters.Prints;
 
-    /// <summary>Straight moves that do not print.</summary>
+    /// <summary>Number of straight moves that do not print.</summary>
     public int TravelSegments => _counters.Travels;
 
-    /// <summary>Travels with negative E (wipes).</summary>
+    /// <summary>Number of travel moves with retraction (wipes).</summary>
     public int TravelsWithRetract => _counters.TravelsWithRetract;
 
-    /// <summary>G2 and G3 that print.</summary>
+    /// <summary>Number of printing arcs (G2, G3).</summary>
     public int PrintArcs => _counters.PrintArcs;
 
-    /// <summary>G2 and G3 that do not print.</summary>
+    /// <summary>Number of arcs (G2, G3) that do not print.</summary>
     public int TravelArcs => _counters.TravelArcs;
 
-    /// <summary>Prints by G0, and travels by others.</summary>
+    /// <summary>Number of printing moves with G0.</summary>
     public int PrintsByG0 => _counters.PrintsG0;
 
-    /// <summary>Travels by other commands than G0.</summary>
+    /// <summary>Number of travel moves without G0.</summary>
     public int TravelsByG1 => _counters.TravelsG1;
 
-    /// <summary>Commands G0.</summary>
+    /// <summary>Number of G0 commands.</summary>
     public int RapidMoves => _counters.Rapids;
 
-    /// <summary>Commands G1, G2 and G3.</summary>
+    /// <summary>Number of G1, G2 and G3 commands.</summary>
     public int FeedMoves => _counters.Feeds;
 
-    /// <summary>Retractions in place, by E.</summary>
+    /// <summary>Number of retractions in place by E.</summary>
     public int Retracts => _counters.Retracts;
 
-    /// <summary>Deretractions in place, by E.</summary>
+    /// <summary>Number of deretractions in place by E.</summary>
     public int Unretracts => _counters.Unretracts;
 
-    /// <summary>Retractions by the firmware (G10).</summary>
+    /// <summary>Number of firmware retractions (G10).</summary>
     public int FirmwareRetracts => _counters.FirmwareRetracts;
 
-    /// <summary>Deretractions by the firmware (G11).</summary>
+    /// <summary>Number of firmware deretractions (G11).</summary>
     public int FirmwareUnretracts => _counters.FirmwareUnretracts;
 
-    /// <summary>Commands of motion that change nothing.</summary>
+    /// <summary>Number of motion commands that change nothing.</summary>
     public int NoOps => _counters.NoOps;
 
-    /// <summary>Changes to another tool.</summary>
+    /// <summary>Number of tool changes.</summary>
     public int ToolChanges => _counters.ToolChanges;
 
-    /// <summary>Comments that start a layer.</summary>
+    /// <summary>Number of comments that start a layer.</summary>
     public int LayerMarks => _counters.LayerMarks;
 
     /// <summary>Length of printing moves, mm.</summary>
@@ -83,13 +83,13 @@ public sealed record DecodeReport
     /// <summary>Length of moves that do not print, mm.</summary>
     public double TravelLength => _counters.TravelLength;
 
-    /// <summary>False where the file has no amounts of extrusion; then the amounts below are 0 and mean nothing.</summary>
+    /// <summary>False if the file has no E values. The sums of E are then 0 and have no meaning.</summary>
     public bool HasAmounts { get; init; }
 
     /// <summary>Sum of all increases of E, in its unit.</summary>
     public double EPositive => _counters.EPositive;
 
-    /// <summary>Sum of all decreases of E, in its unit; not positive.</summary>
+    /// <summary>Sum of all decreases of E, in its unit, 0 or negative.</summary>
     public double ENegative => _counters.ENegative;
 
     /// <summary>E of printing moves, in its unit.</summary>
@@ -98,43 +98,43 @@ public sealed record DecodeReport
     /// <summary>Sum of all changes of E, in its unit.</summary>
     public double ENet => _counters.ENet;
 
-    /// <summary>Highest value of the running sum, for each tool by itself, added up: what slicers call filament used.</summary>
+    /// <summary>Filament used: the maximum of the running sum of E of each tool, summed over the tools.</summary>
     public double EUsed { get; init; }
 
-    /// <summary>The highest value of the running sum of E for each tool, ascending by tool.</summary>
+    /// <summary>Filament used by each tool, ascending by tool.</summary>
     public IReadOnlyList<KeyValuePair<int, double>> EUsedByTool { get; init; } = [];
 
-    /// <summary>The sum of E by the rule of Marlin 2 (the last of G90, G91, M82, M83 decides) where it differs, else null.</summary>
+    /// <summary>Sum of E by the rule of Marlin 2 (the last of G90, G91, M82, M83 decides). Null if it does not differ.</summary>
     public double? EByMarlin2Rule { get; init; }
 
-    /// <summary>Different heights (to 1 µm) at the ends of extrusions; the same of flat extrusions only.</summary>
+    /// <summary>Number of different heights (to 1 µm) at the ends of extrusions.</summary>
     public int Heights => _counters.Heights;
 
-    /// <summary>Heights at which a level extrusion is printed.</summary>
+    /// <summary>Number of different heights of level extrusions.</summary>
     public int FlatHeights => _counters.FlatHeights;
 
-    /// <summary>How often the height of printing changes.</summary>
+    /// <summary>Number of height changes while printing.</summary>
     public int HeightChanges => _counters.ZChanges;
 
-    /// <summary>Box of the ends of printing moves, mm, as written in the file.</summary>
+    /// <summary>Bounding box of the ends of printing moves, mm, as written in the file.</summary>
     public Bounds PrintBounds { get; init; }
 
-    /// <summary>Box of the ends of all moves, mm, as written in the file.</summary>
+    /// <summary>Bounding box of the ends of all moves, mm, as written in the file.</summary>
     public Bounds AllBounds { get; init; }
 
-    /// <summary>Where the file ends, mm, as written in it.</summary>
+    /// <summary>Final position, mm, as written in the file.</summary>
     public Vec3 EndPosition { get; init; }
 
-    /// <summary>Number of lines with each notation by which flavors differ.</summary>
+    /// <summary>Number of lines with each feature in which flavors differ.</summary>
     public IReadOnlyList<KeyValuePair<string, int>> Features { get; init; } = [];
 
-    /// <summary>The file began with a byte order mark.</summary>
+    /// <summary>True if the file begins with a byte order mark.</summary>
     public bool ByteOrderMark { get; init; }
 
-    /// <summary>The images of the print in its comments, in their order.</summary>
+    /// <summary>The thumbnails in the comments, in order.</summary>
     public IReadOnlyList<Thumbnail> Thumbnails { get; init; } = [];
 
-    /// <summary>The report as a JSON object; amounts are null where the file has none.</summary>
+    /// <summary>The report as a JSON object. Sums of E are null if the file has no E values.</summary>
     public string ToJson(string indent = "")
     {
         var json = new JsonLines(indent);
@@ -158,18 +158,18 @@ public sealed record DecodeReport
     [
         new("print_segments", PrintSegments),
         new("travel_segments", TravelSegments),
-        new("travel_with_retract", TravelsWithRetract),
+        new("travel_with_retraction", TravelsWithRetract),
         new("print_arcs", PrintArcs),
         new("travel_arcs", TravelArcs),
         new("print_g0", PrintsByG0),
         new("travel_g1", TravelsByG1),
         new("rapid_moves_g0", RapidMoves),
         new("feed_moves_g123", FeedMoves),
-        new("retracts", Retracts),
-        new("unretracts", Unretracts),
-        new("fw_retracts", FirmwareRetracts),
-        new("fw_unretracts", FirmwareUnretracts),
-        new("noops", NoOps),
+        new("retractions", Retracts),
+        new("deretractions", Unretracts),
+        new("firmware_retractions", FirmwareRetracts),
+        new("firmware_deretractions", FirmwareUnretracts),
+        new("no_ops", NoOps),
         new("tool_changes", ToolChanges),
         new("layer_marks", LayerMarks),
         new("print_length", PrintLength),

@@ -14,33 +14,33 @@ public sealed class DecodedGCode
         Flavor = flavor;
     }
 
-    /// <summary>The file, or null where it was decoded from a stream without keeping it.</summary>
+    /// <summary>The text of the file. Null if it was decoded from a stream.</summary>
     public GCodeDocument? Document { get; internal init; }
 
-    /// <summary>What the machine does; positions in machine coordinates (G92 does not move them), sources are lines of the file.</summary>
+    /// <summary>The toolpath in machine coordinates (G92 does not move them). Its sources are lines of the file.</summary>
     public Toolpath Toolpath { get; }
 
     /// <summary>Counts and sums.</summary>
     public DecodeReport Report { get; }
 
-    /// <summary>The flavor by which it was read.</summary>
+    /// <summary>The G-code flavor of the file.</summary>
     public FlavorRules Flavor { get; }
 
-    /// <summary>Why it was read in this flavor, in sentences; empty where the flavor was given.</summary>
+    /// <summary>Evidence for the detected flavor, in sentences. Empty if the flavor was given.</summary>
     public IReadOnlyList<string> Evidence { get; internal init; } = [];
 
-    /// <summary>Settings that the slicer left in comments.</summary>
+    /// <summary>The slicer's settings in the comments.</summary>
     public IReadOnlyDictionary<string, string> Settings { get; internal init; } = new Dictionary<string, string>();
 
-    /// <summary>Commands without effect on the toolpath, and how often.</summary>
+    /// <summary>Commands without effect on the toolpath, and their counts.</summary>
     public IReadOnlyDictionary<string, int> Ignored { get; internal init; } = new Dictionary<string, int>();
 
-    /// <summary>What counted as printing.</summary>
+    /// <summary>Rule that decided which moves print.</summary>
     public ExtrusionRule Rule { get; internal init; }
 
     /// <summary>
-    /// The error <c>gcode.not_gcode</c> for a file without a command, with the kind of file it looks like (a mesh, an image, an archive …); null for G-code. It
-    /// is no diagnostic of decoding, which takes any bytes.
+    /// The error <c>gcode.not_gcode</c> for a file that is not G-code, with its likely kind (mesh, image, archive …). Null for G-code. The decoding diagnostics do
+    /// not contain it, because any bytes can be decoded.
     /// </summary>
     public Diagnostic? NotGCode { get; internal init; }
 
@@ -52,7 +52,7 @@ public sealed class DecodedGCode
     /// <summary>The last line that changes a mode.</summary>
     internal int LastModeLine { get; init; }
 
-    /// <summary>True when words turn rotary axes.</summary>
+    /// <summary>True if words turn rotary axes.</summary>
     internal bool HasTurns
     {
         get
@@ -65,10 +65,10 @@ public sealed class DecodedGCode
         }
     }
 
-    /// <summary>The line where the first layer begins, or 0.</summary>
+    /// <summary>First line of the first layer. 0 = none.</summary>
     internal int FirstLayerLine { get; init; }
 
-    /// <summary>For a panel: moves, layers and flavor.</summary>
+    /// <summary>Moves, layers and flavor, for a panel.</summary>
     public override string ToString()
         => NumberFormatter.Format(Toolpath.Count) + " moves, " + NumberFormatter.Format(Toolpath.CountLayers()) + " layers, " + Flavor.Title;
 }

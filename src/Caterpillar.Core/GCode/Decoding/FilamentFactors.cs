@@ -3,7 +3,7 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.GCode;
 
-/// <summary>mm³ for one unit of E, from the settings that a slicer left in its comments.</summary>
+/// <summary>mm³ per unit of E, from the slicer's settings in the comments.</summary>
 internal static class FilamentFactors
 {
     public static double?[] Of(IReadOnlyDictionary<string, string> settings, double? diameter)
@@ -12,7 +12,7 @@ internal static class FilamentFactors
         return Areas(settings, diameter);
     }
 
-    /// <summary>mm² of the filament of each tool; the diameter that is given where the settings say none.</summary>
+    /// <summary>Filament cross-section of each tool, mm². If the settings state no diameter, the given one applies.</summary>
     public static double?[] Areas(IReadOnlyDictionary<string, string> settings, double? diameter)
     {
         if (settings.TryGetValue("filament_diameter", out var text))

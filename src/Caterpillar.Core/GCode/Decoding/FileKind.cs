@@ -2,7 +2,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Says of a file that is no G-code what it looks like, by its first bytes.</summary>
+/// <summary>Guesses the kind of a file that is not G-code from its first bytes.</summary>
 internal static class FileKind
 {
     // Bytes of any kind may contain what looks like a command by chance.
@@ -15,7 +15,7 @@ internal static class FileKind
         if (commands > 0 && (long)commands * LinesPerChance >= lines && (head is null || Mark(head) is null)) return null;
         var kind = head is null || bytes == 0 ? "is empty" : Kind(head, bytes);
         if (commands > 0 && kind is null) return null;
-        return new Diagnostic(Severity.Error, "gcode.not_gcode", "This is no G-code: the file " + (kind ?? "has no command that a printer understands") + ".");
+        return new Diagnostic(Severity.Error, "gcode.not_gcode", "The file is not G-code. It " + (kind ?? "contains no commands") + ".");
     }
 
     private static string? Kind(GCodeChunk head, long bytes)
@@ -41,7 +41,7 @@ internal static class FileKind
             return true;
         }
         if (Begins((byte)'P', (byte)'K', 3, 4)) return "looks like a ZIP archive or a 3MF model";
-        if (Begins(0x1F, 0x8B)) return "looks like data packed with gzip twice";
+        if (Begins(0x1F, 0x8B)) return "looks like data compressed with gzip twice";
         if (Begins(0x89, (byte)'P', (byte)'N', (byte)'G')) return "looks like an image (PNG)";
         if (Begins(0xFF, 0xD8, 0xFF)) return "looks like an image (JPEG)";
         if (Begins((byte)'G', (byte)'I', (byte)'F', (byte)'8')) return "looks like an image (GIF)";
@@ -60,7 +60,7 @@ internal static class FileKind
     private static string? TextKind(string text)
     {
         var trimmed = text.TrimStart();
-        if (trimmed.Length == 0) return "has nothing but blank lines";
+        if (trimmed.Length == 0) return "contains only blank lines";
         if (trimmed.StartsWith("solid", StringComparison.Ordinal) && trimmed.IndexOf("facet", StringComparison.Ordinal) > 0)
             return "looks like a mesh (ASCII STL)";
         if (trimmed.StartsWith("ply\n", StringComparison.Ordinal) || trimmed.StartsWith("ply\r", StringComparison.Ordinal)) return "looks like a mesh (PLY)";

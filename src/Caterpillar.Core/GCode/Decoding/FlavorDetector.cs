@@ -2,9 +2,11 @@ using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Finds the flavor of a file from what its slicer says about it and from commands that only one firmware has.</summary>
+/// <summary>Finds the G-code flavor of a file from slicer comments and from commands that only one firmware has.</summary>
 internal static class FlavorDetector
 {
+    public const string NotStated = "The file does not state its G-code flavor.";
+
     private const int Head = 96 * 1024;
     private const int Tail = 96 * 1024;
     private const int MaxHead = 8 * 1024 * 1024;
@@ -19,15 +21,15 @@ internal static class FlavorDetector
         ("START_PRINT", "klipper", "the macro START_PRINT"),
         ("PRINT_START", "klipper", "the macro PRINT_START"),
         ("BED_MESH_CALIBRATE", "klipper", "the extended command BED_MESH_CALIBRATE"),
-        ("M620 ", "bambu", "M620 of the filament changer"),
+        ("M620 ", "bambu", "M620 (filament changer)"),
         ("M1002 ", "bambu", "M1002"),
-        ("M862.", "prusa", "M862, the check of Prusa's printers"),
+        ("M862.", "prusa", "M862 (printer check)"),
         ("M566 ", "reprapfirmware", "M566"),
-        ("M572 ", "reprapfirmware", "M572, pressure advance"),
-        ("M98 P", "reprapfirmware", "M98, a macro file"),
-        ("M205 J", "marlin2", "M205 J, junction deviation"),
-        ("M413 ", "marlin2", "M413, power-loss recovery"),
-        ("$H", "grbl", "$H, homing"),
+        ("M572 ", "reprapfirmware", "M572 (pressure advance)"),
+        ("M98 P", "reprapfirmware", "M98 (macro file)"),
+        ("M205 J", "marlin2", "M205 J (junction deviation)"),
+        ("M413 ", "marlin2", "M413 (power-loss recovery)"),
+        ("$H", "grbl", "$H (homing)"),
     ];
 
     public static Detection Detect(IReadOnlyList<GCodeChunk> chunks, ExtrusionAxis axis)
@@ -43,7 +45,7 @@ internal static class FlavorDetector
         name ??= Declared(text, evidence) ?? ByCommand(text, evidence) ?? BySlicerFlavor(text, evidence);
         if (name is null && axis == ExtrusionAxis.Switched)
         {
-            evidence.Add("M101 and M103 switch the extruder, and there are no amounts of E.");
+            evidence.Add("M101 and M103 switch the extruder, and the file has no E values.");
             name = "bfb";
         }
         if (name is null && (axis == ExtrusionAxis.A || axis == ExtrusionAxis.Both || axis == ExtrusionAxis.B))
@@ -56,14 +58,14 @@ internal static class FlavorDetector
         if (name is null && axis == ExtrusionAxis.None
             && (text.IndexOf("\nM3 ", StringComparison.Ordinal) >= 0 || text.IndexOf("\nM5", StringComparison.Ordinal) >= 0))
         {
-            evidence.Add("Nothing extrudes, and M3 or M5 switches a spindle.");
+            evidence.Add("The file has no extrusion, and M3 or M5 switches a spindle.");
             name = "grbl";
         }
-        if (name is null) return new Detection(FlavorTable.Marlin2, ["Nothing in the file says which firmware it is for."], true);
+        if (name is null) return new Detection(FlavorTable.Marlin2, [NotStated], true);
         return new Detection(FlavorTable.Find(name)!, evidence, false);
     }
 
-    /// <summary>True where comments state the flavor, and nothing that counts more says otherwise; a conversion states the new one there.</summary>
+    /// <summary>True if comments state the flavor without stronger evidence for another one. A conversion changes these comments.</summary>
     public static bool IsStated(IReadOnlyList<GCodeChunk> chunks)
     {
         var text = Text(chunks);
@@ -81,11 +83,11 @@ internal static class FlavorDetector
         while (end < text.Length && text[end] > ' ') end++;
         var name = text.Substring(at + Mark.Length, end - at - Mark.Length);
         if (FlavorTable.Find(name) is null) return null;
-        evidence.Add("The header says: flavor " + name + ".");
+        evidence.Add("The header states the flavor " + name + ".");
         return name;
     }
 
-    /// <summary>The flavor that a slicer's name of a flavor means, or null. PrusaSlicer's "marlin" is Marlin 1.</summary>
+    /// <summary>The flavor for a slicer's flavor name, or null. PrusaSlicer's "marlin" is Marlin 1.</summary>
     public static string? OfSlicerFlavor(string flavor)
         => flavor.Trim().Equals("marlin", StringComparison.OrdinalIgnoreCase) ? FlavorTable.Marlin1.Name : FlavorTable.Find(flavor)?.Name;
 
@@ -102,7 +104,7 @@ internal static class FlavorDetector
             // Cura has one name for Marlin 1 and 2.
             if (plain == "marlin" && key[1] == 'F') plain = "marlin2";
             if (OfSlicerFlavor(plain) is not { } found) continue;
-            evidence.Add("A comment says: " + text.Substring(at, end - at).Trim());
+            evidence.Add("A comment states " + text.Substring(at, end - at).Trim());
             return found;
         }
         return null;
@@ -114,7 +116,7 @@ internal static class FlavorDetector
         {
             var at = text.IndexOf("\n" + start, StringComparison.Ordinal);
             if (at < 0 && !text.StartsWith(start, StringComparison.Ordinal)) continue;
-            evidence.Add("The file has " + why + ".");
+            evidence.Add("The file contains " + why + ".");
             return name;
         }
         return null;
@@ -170,5 +172,5 @@ internal static class FlavorDetector
     }
 }
 
-/// <summary>The flavor of a file, why, and whether it is only the default.</summary>
+/// <summary>The flavor of a file, the evidence, and whether it is only the default.</summary>
 internal readonly record struct Detection(FlavorRules Flavor, IReadOnlyList<string> Evidence, bool IsDefault);

@@ -6,9 +6,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Reads G-code into a Toolpath. Any bytes decode to something: what no firmware understands is counted and reported, never fatal. The rules of each
-/// firmware are data (<see cref="FlavorRules"/>); with the flavor <c>slicer</c> and <see cref="ExtrusionRule.Rising"/> they are those of slicers' own
-/// viewers.
+/// Decodes G-code into a toolpath. Any bytes can be decoded: unknown commands are counted and reported, never fatal. The rules of each firmware are data
+/// (<see cref="FlavorRules"/>). The flavor <c>slicer</c> with <see cref="ExtrusionRule.Rising"/> reads files like the viewers of slicers.
 /// </summary>
 public static class GCodeDecoder
 {
@@ -73,8 +72,8 @@ public static class GCodeDecoder
     }
 
     /// <summary>
-    /// Decodes a stream while it is read, without keeping the text: memory is that of the moves. The stream may be packed with gzip or be binary G-code, and
-    /// stays open; one that is broken gives an error. Progress is reported where its length is known.
+    /// Decodes a stream while reading it. Only the moves are kept in memory, not the text. The stream may be gzip or binary G-code. It stays open. A broken
+    /// stream gives an error. Progress is reported if the length of the stream is known.
     /// </summary>
     /// <exception cref="IOException">The stream cannot be read.</exception>
     /// <inheritdoc cref="Decode(GCodeDocument, DecodeOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
@@ -154,7 +153,7 @@ public static class GCodeDecoder
         interpreter.Machine.Moves.Begin(options.BlockSize, options.Take);
         var problems = interpreter.Machine.Diagnostics.List;
         if (axis != input.Axis && (input.Axis == ExtrusionAxis.E || input.Axis == ExtrusionAxis.Switched))
-            problems.Add(Severity.Warning, "gcode.no_extruder", rules.Title + " has no extruder on " + input.Axis.Name + ": extrusion is left out.");
+            problems.Add(Severity.Warning, "gcode.no_extruder", rules.Title + " has no extruder on " + input.Axis.Name + ". Extrusion is left out.");
         var lines = 0;
         var mark = false;
         var checkpoints = document is null ? null : new List<Checkpoint>(document.Chunks.Count);
@@ -208,10 +207,10 @@ public static class GCodeDecoder
 
     private static void ReportDefault(FlavorRules rules, IReadOnlyDictionary<string, string> settings, DiagnosticList problems)
     {
-        problems.Add(Severity.Note, "gcode.flavor_default", "Nothing in the file says which firmware it is for; read as " + rules.Title + ".");
+        problems.Add(Severity.Note, "gcode.flavor_default", FlavorDetector.NotStated + " It was read as " + rules.Title + ".");
         if (!settings.TryGetValue("gcode_flavor", out var flavor) || FlavorDetector.OfSlicerFlavor(flavor) is not { } meant || meant == rules.Name) return;
         problems.Add(Severity.Warning, "gcode.flavor_mismatch", "The settings at the end of the file name the G-code flavor \"" + flavor
-            + "\"; it was read as " + rules.Title + ". State the flavor.");
+            + "\", but the file was read as " + rules.Title + ". Choose the flavor.");
     }
 
     // What is decoded: the chunks of a text, and what its source knows of it.

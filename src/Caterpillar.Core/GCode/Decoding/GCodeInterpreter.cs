@@ -6,7 +6,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Second half of decoding: carries out line after line on a machine.</summary>
+/// <summary>Second half of decoding: executes the lines on a machine.</summary>
 internal sealed class GCodeInterpreter
 {
     private const byte LastFastOp = 1;
@@ -32,12 +32,12 @@ internal sealed class GCodeInterpreter
         _extended = new ExtendedCommands(_machine, modes, events, Comments);
     }
 
-    /// <summary>What the lines so far have done.</summary>
+    /// <summary>The machine after the lines so far.</summary>
     public Machine Machine => _machine;
 
     public CommentInterpreter Comments { get; }
 
-    /// <summary>The state of the machine; it changes with the next line. <see cref="Save()"/> copies it.</summary>
+    /// <summary>The state of the machine. It changes with the next line. <see cref="Save()"/> copies it.</summary>
     public InterpreterState State => _machine.State;
 
     /// <summary>Moves of the last line that was read by <see cref="ReadLine(ParsedLine, byte[], int, out int)"/>.</summary>
@@ -46,13 +46,13 @@ internal sealed class GCodeInterpreter
     /// <summary>Events of the last line.</summary>
     public IReadOnlyList<MoveEvent> LastEvents => _machine.Moves.Events;
 
-    /// <summary>The arc of the last line, where it made one.</summary>
+    /// <summary>The arc of the last line, if any.</summary>
     public Arc? LastArc => _machine.Moves.LastArc;
 
-    /// <summary>True where G1 to G3 print without any E.</summary>
-    public bool Strokes => _machine.Moves.Strokes;
+    /// <summary>True if G1 to G3 print without E.</summary>
+    public bool PrintsWithoutE => _machine.Moves.PrintsWithoutE;
 
-    /// <summary>Carries out the lines of a chunk; <paramref name="firstLine"/> lines are before it.</summary>
+    /// <summary>Executes the lines of a chunk, after <paramref name="firstLine"/> earlier lines.</summary>
     [MethodImpl(Compile.Optimized)]
     public void Run(ChunkParser chunk, int firstLine)
     {
@@ -104,8 +104,8 @@ internal sealed class GCodeInterpreter
     }
 
     /// <summary>
-    /// Reads a line and forgets what came before it; returns the number of moves it makes. <paramref name="commands"/> counts motion commands, also those that
-    /// move nothing.
+    /// Reads a line, forgets the moves before it and returns the number of its moves. <paramref name="commands"/> counts motion commands, with or without
+    /// moves.
     /// </summary>
     public int ReadLine(byte[] text, int start, int end, out int commands)
     {
@@ -131,7 +131,7 @@ internal sealed class GCodeInterpreter
 
     public void Restore(InterpreterState saved) => _machine.Restore(saved);
 
-    /// <summary>The finished toolpath, with the mm³ for one unit of E of each tool.</summary>
+    /// <summary>The finished toolpath, with the mm³ per unit of E of each tool.</summary>
     public Toolpath ToToolpath(double?[] volumePerE)
     {
         var tools = new ToolpathTool[_machine.Extruders.Count];

@@ -4,7 +4,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.GCode;
 
-/// <summary>A JSON object with one entry a line, written without a library so that numbers keep our own format.</summary>
+/// <summary>A JSON object with one entry per line, written without a library so that numbers keep our format.</summary>
 internal sealed class JsonLines
 {
     private const int Decimals = 5;
@@ -22,7 +22,7 @@ internal sealed class JsonLines
 
     public void Number(string key, long value) => Raw(key, NumberFormatter.Format(value));
 
-    /// <summary>Numbers with their keys; null is null.</summary>
+    /// <summary>Numbers with their keys.</summary>
     public void Numbers(IEnumerable<KeyValuePair<string, double?>> numbers)
     {
         foreach (var pair in numbers) Raw(pair.Key, pair.Value is { } value ? Number(value) : "null");

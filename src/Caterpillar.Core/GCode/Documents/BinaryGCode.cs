@@ -3,16 +3,15 @@ using Caterpillar.Files;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Writes Prusa's binary G-code (.bgcode, specification of libbgcode version 1), as PrusaSlicer does: who made it, tables for the printer, the images, the
-/// settings, and the G-code in blocks of 64 KB packed with MeatPack and heatshrink 12/4, which the printers unpack; all with checksums (nothing is packed with
-/// deflate, whose bytes would depend on the runtime). Read again it gives the same lines, but for the comments that became tables or images: those stand at
-/// the beginning and the end then. Lines end with LF.
+/// Writes Prusa's binary G-code (.bgcode, specification of libbgcode version 1) as PrusaSlicer does: producer, printer metadata, thumbnails, settings, and the
+/// G-code in blocks of 64 KB with MeatPack and heatshrink 12/4, all with checksums. Deflate is not used, because its bytes depend on the runtime. Reading it
+/// gives the same lines, except that comments with a block of their own move to the beginning or the end. Lines end with LF.
 /// </summary>
 internal static class BinaryGCode
 {
     private const int BlockText = 65536;
 
-    /// <summary>True for a name that asks for binary G-code: .bgcode or .bgc.</summary>
+    /// <summary>True for the file names of binary G-code: .bgcode or .bgc.</summary>
     public static bool IsName(string file)
     {
         if (file is null) throw new ArgumentNullException(nameof(file));
@@ -21,7 +20,7 @@ internal static class BinaryGCode
 
     /// <summary>Writes a document.</summary>
     /// <exception cref="IOException">The stream cannot be written.</exception>
-    /// <exception cref="OperationCanceledException">Canceled; a part is written.</exception>
+    /// <exception cref="OperationCanceledException">Canceled. A part is written.</exception>
     public static void Write(GCodeDocument document, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (document is null) throw new ArgumentNullException(nameof(document));
@@ -40,7 +39,7 @@ internal static class BinaryGCode
         Code(document, stream, tables, progress, cancel);
     }
 
-    /// <summary>Writes a document in the form that the name of its file asks for: binary, or as it is.</summary>
+    /// <summary>Writes a document as binary G-code if the file name asks for it, otherwise unchanged.</summary>
     /// <inheritdoc cref="Write" path="/exception"/>
     public static void WriteAs(string file, GCodeDocument document, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
@@ -49,7 +48,7 @@ internal static class BinaryGCode
         else document.WriteTo(stream);
     }
 
-    /// <summary>Writes text in the form that the name of its file asks for: binary, or as it is; nothing where there is none.</summary>
+    /// <summary>Writes text as binary G-code if the file name asks for it, otherwise unchanged. Empty text writes nothing.</summary>
     /// <inheritdoc cref="Write" path="/exception"/>
     public static void WriteAs(string file, Stream stream, Action<Stream> writeText, CancellationToken cancel = default)
     {

@@ -3,8 +3,8 @@ using System.Collections;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// The comments of a document that have blocks of their own in binary G-code: who made it, tables for the printer, images, settings. Their lines are left out
-/// of the code.
+/// The comments of a document that have blocks of their own in binary G-code: producer, printer metadata, thumbnails, settings. The G-code does not contain
+/// their lines.
 /// </summary>
 internal sealed class BinaryTables
 {
@@ -63,7 +63,7 @@ internal sealed class BinaryTables
 
     public IReadOnlyList<KeyValuePair<string, string>> Print => Table(PrintKeys);
 
-    /// <summary>True for a line (from 0) that is in a table or an image.</summary>
+    /// <summary>True for a line (from 0) of a table or a thumbnail.</summary>
     public bool Holds(int line) => _held[line];
 
     public static BinaryTables Of(GCodeDocument document, CancellationToken cancel)

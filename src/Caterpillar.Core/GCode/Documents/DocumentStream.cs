@@ -1,6 +1,6 @@
 namespace Caterpillar.GCode;
 
-/// <summary>Collects text that is written to it as the chunks of a document, without copying it again.</summary>
+/// <summary>Collects written text as the chunks of a document, without another copy.</summary>
 internal sealed class DocumentStream : Stream
 {
     private const int FirstBuffer = 64 * 1024;
@@ -20,7 +20,7 @@ internal sealed class DocumentStream : Stream
 
     public override long Position { get => _length; set => throw new NotSupportedException(); }
 
-    /// <summary>The document of everything written; nothing may be written afterwards.</summary>
+    /// <summary>Returns the document. Do not write afterwards.</summary>
     public GCodeDocument ToDocument(string name)
     {
         GCodeChunk.Cut(_buffer, _count, _chunks);

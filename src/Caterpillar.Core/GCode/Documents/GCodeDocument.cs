@@ -4,8 +4,8 @@ using Caterpillar.Files;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// A G-code file, lossless: every byte is kept as it is. Lines end with LF, CRLF or CR, also mixed; a byte order mark belongs to the first line but is no part
-/// of its text. Lines are indexed without copying. Immutable.
+/// A G-code file, with every byte unchanged. Lines end with LF, CRLF or CR, also mixed. A byte order mark belongs to the first line but not to its text. Lines
+/// are indexed without copying. Immutable.
 /// </summary>
 public sealed class GCodeDocument
 {
@@ -27,7 +27,7 @@ public sealed class GCodeDocument
     /// <summary>Number of bytes (unpacked).</summary>
     public long Length { get; }
 
-    /// <summary>Number of lines (no more than 2147483647); what follows the last line end counts as a line when it is not empty.</summary>
+    /// <summary>Number of lines, at most 2147483647. Text after the last line end counts as a line if it is not empty.</summary>
     public int LineCount
     {
         get
@@ -39,12 +39,12 @@ public sealed class GCodeDocument
 
     internal IReadOnlyList<GCodeChunk> Chunks => _chunks;
 
-    /// <summary>What was noticed when it was unpacked.</summary>
+    /// <summary>Diagnostics of unpacking.</summary>
     internal IReadOnlyList<Diagnostic> Notes { get; }
 
     /// <summary>
-    /// A document over bytes, which are not copied and must not be changed afterwards. Packed bytes (gzip, binary G-code) are unpacked; of binary G-code and
-    /// UTF-16 the text is kept.
+    /// A document from bytes. They are not copied: do not change them afterwards. Gzip and binary G-code are unpacked. Of binary G-code and UTF-16, only the
+    /// text is kept.
     /// </summary>
     /// <exception cref="InvalidDataException">The bytes are a broken gzip or binary G-code file, or a line is longer than 512 MB.</exception>
     /// <exception cref="DiagnosticException">Unpacked they take more than half of the machine's memory.</exception>
@@ -57,11 +57,11 @@ public sealed class GCodeDocument
         return new GCodeDocument(chunks.ToArray(), name);
     }
 
-    /// <summary>A document from text; characters beyond Latin-1 are written as UTF-8.</summary>
+    /// <summary>A document from text. Characters beyond Latin-1 are written as UTF-8.</summary>
     public static GCodeDocument FromText(string text, string name = "") => FromBytes(TextEncoding.Encode(text), name);
 
     /// <summary>Reads a file: plain, packed with gzip, or binary G-code (.bgcode).</summary>
-    /// <returns>The document, or none with the error <c>gcode.compression</c> if gzip or binary G-code is broken. Decoding reports all else.</returns>
+    /// <returns>The document, or the error <c>gcode.compression</c> if gzip or binary G-code is broken. Decoding reports everything else.</returns>
     /// <exception cref="IOException">The file cannot be read.</exception>
     public static Result<GCodeDocument> ReadFile(string path, CancellationToken cancel = default)
     {
@@ -75,7 +75,7 @@ public sealed class GCodeDocument
     public static Result<GCodeDocument> Read(Stream stream, string name = "", CancellationToken cancel = default)
         => Read(stream, name, MemoryLimit.Default, cancel);
 
-    /// <summary>The same with a limit of memory; a text that takes more is the error <see cref="MemoryLimit.Code"/>.</summary>
+    /// <summary>The same with a memory limit. A longer text gives the error <see cref="MemoryLimit.Code"/>.</summary>
     /// <inheritdoc cref="Read(Stream, string, CancellationToken)"/>
     public static Result<GCodeDocument> Read(Stream stream, string name, MemoryLimit memory, CancellationToken cancel = default)
     {
@@ -95,10 +95,10 @@ public sealed class GCodeDocument
         }
     }
 
-    /// <summary>A line by its number, from 1, without its line end; each byte is one character (Latin-1).</summary>
+    /// <summary>A line by its number, from 1, without its line end. Each byte is one character (Latin-1).</summary>
     public string Line(int number)
     {
-        if (number < 1 || number > LineCount) throw new ArgumentOutOfRangeException(nameof(number), "There is no line with this number.");
+        if (number < 1 || number > LineCount) throw new ArgumentOutOfRangeException(nameof(number), "The document has no line with this number.");
         var first = FirstLines();
         var at = Array.BinarySearch(first, number - 1);
         if (at < 0) at = ~at - 1;
@@ -121,9 +121,9 @@ public sealed class GCodeDocument
         foreach (var chunk in _chunks) stream.Write(chunk.Text, chunk.Start, chunk.Length);
     }
 
-    /// <summary>Writes it as a file, whole or not at all; binary where its name ends in .bgcode.</summary>
-    /// <exception cref="IOException">The disk failed.</exception>
-    /// <exception cref="OperationCanceledException">Canceled; no part of the file is left.</exception>
+    /// <summary>Writes the whole file or nothing. Binary G-code if its name ends in .bgcode.</summary>
+    /// <exception cref="IOException">The file cannot be written.</exception>
+    /// <exception cref="OperationCanceledException">Canceled. No part of the file is left.</exception>
     public void WriteFile(string path, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         using var file = new AtomicFile(path);
@@ -131,11 +131,11 @@ public sealed class GCodeDocument
         file.Commit();
     }
 
-    /// <summary>A copy of its bytes.</summary>
-    /// <exception cref="InvalidOperationException">They are more than an array can hold, 2 GB; <see cref="WriteTo"/> writes them.</exception>
+    /// <summary>A copy of the bytes.</summary>
+    /// <exception cref="InvalidOperationException">The document is larger than an array can be (2 GB). Use <see cref="WriteTo"/>.</exception>
     public byte[] ToBytes()
     {
-        if (Length > int.MaxValue - 64) throw new InvalidOperationException("The document is larger than 2 GB; write it to a stream.");
+        if (Length > int.MaxValue - 64) throw new InvalidOperationException("The document is larger than 2 GB. Write it to a stream.");
         var bytes = new byte[Length];
         var at = 0;
         foreach (var chunk in _chunks)
@@ -146,7 +146,7 @@ public sealed class GCodeDocument
         return bytes;
     }
 
-    /// <summary>For a panel: name, lines and size.</summary>
+    /// <summary>Name, lines and size, for a panel.</summary>
     public override string ToString()
         => (Name.Length > 0 ? Name + ": " : "") + NumberFormatter.Format(LineCount) + " lines, " + NumberFormatter.Format(Length) + " bytes of G-code";
 
@@ -162,9 +162,9 @@ public sealed class GCodeDocument
     }
 
     /// <summary>A number of lines, which is an int.</summary>
-    /// <exception cref="InvalidDataException">It would be more.</exception>
+    /// <exception cref="InvalidDataException">The number is too large.</exception>
     internal static int AddLines(int lines, int more)
-        => lines <= int.MaxValue - more ? lines + more : throw new InvalidDataException("There are more than 2147483647 lines.");
+        => lines <= int.MaxValue - more ? lines + more : throw new InvalidDataException("It has more than 2147483647 lines.");
 
     /// <summary>The error for packed bytes that cannot be unpacked.</summary>
     internal static Diagnostic Broken(InvalidDataException broken, string name)

@@ -4,8 +4,7 @@ using Caterpillar.Files;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// A stream of G-code as plain text: what is packed with gzip is unpacked, binary G-code and UTF-16 become plain text. The stream itself is left
-/// open.
+/// A stream of G-code as plain text. Gzip is unpacked. Binary G-code and UTF-16 become plain text. The stream itself stays open.
 /// </summary>
 internal sealed class GCodeSource : IDisposable
 {
@@ -42,11 +41,11 @@ internal sealed class GCodeSource : IDisposable
 
     public Stream Text { get; }
 
-    /// <summary>True for the first bytes of what is no plain text.</summary>
+    /// <summary>True if these first bytes are not plain text.</summary>
     public static bool IsPacked(byte[] head, int count)
         => GzipReader.IsPacked(head, count) || BinaryGCodeStream.IsBinary(head, count) || Utf16Stream.IsWide(head, count);
 
-    /// <summary>The end of the text, where some slicers say what it is for; null where it cannot be read yet.</summary>
+    /// <summary>The end of the text, which contains the settings of some slicers. Null if it cannot be read yet.</summary>
     public GCodeChunk? Tail()
     {
         if (_binary is not null)
@@ -64,7 +63,7 @@ internal sealed class GCodeSource : IDisposable
         return new GCodeChunk(bytes, 0, count);
     }
 
-    /// <summary>The end of text that is packed with gzip, for which all of it is unpacked once more; null where that cannot be done.</summary>
+    /// <summary>The end of gzip text, found by unpacking it once more. Null if that is not possible.</summary>
     /// <exception cref="InvalidDataException">The data is cut off or damaged.</exception>
     public GCodeChunk? PackedTail(CancellationToken cancel)
     {
@@ -93,7 +92,7 @@ internal sealed class GCodeSource : IDisposable
         }
     }
 
-    /// <summary>The part that is done after this many bytes of text: 0 to 1, or less than 0 where it is not known.</summary>
+    /// <summary>Progress after this many bytes of text, 0 to 1. Negative = unknown.</summary>
     public double Done(long bytes)
     {
         if (_length <= 0) return -1;
@@ -101,7 +100,7 @@ internal sealed class GCodeSource : IDisposable
         return Math.Min((double)done / _length, 1);
     }
 
-    /// <summary>What was noticed, at the end.</summary>
+    /// <summary>Diagnostics, at the end.</summary>
     public IReadOnlyList<Diagnostic> Notes()
     {
         var notes = new List<Diagnostic>();
@@ -109,7 +108,7 @@ internal sealed class GCodeSource : IDisposable
         if (_wide)
         {
             notes.Add(new Diagnostic(Severity.Warning, "gcode.utf16",
-                "The file is UTF-16, which no firmware reads; it is taken as the same text with one byte a character."));
+                "The file is UTF-16, which no firmware can read. It was read as the same text with one byte per character."));
         }
         return notes;
     }

@@ -2,13 +2,13 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.GCode;
 
-/// <summary>An image of the print in the comments of a file.</summary>
+/// <summary>A thumbnail in the comments of a file.</summary>
 /// <param name="Width">Pixels.</param>
 /// <param name="Height">Pixels.</param>
-/// <param name="Format">PNG, JPG, QOI or what the file calls it.</param>
+/// <param name="Format">PNG, JPG, QOI or another name from the file.</param>
 public sealed record Thumbnail(int Width, int Height, string Format)
 {
-    /// <summary>Reads "thumbnail begin 16x16 616" and "thumbnail_QOI begin 313x173 14412"; null where the line is none.</summary>
+    /// <summary>Reads "thumbnail begin 16x16 616" and "thumbnail_QOI begin 313x173 14412". Null for other lines.</summary>
     internal static Thumbnail? Read(string comment)
     {
         const string Word = "thumbnail", Begin = " begin ";
@@ -21,7 +21,7 @@ public sealed record Thumbnail(int Width, int Height, string Format)
         return new Thumbnail(width, height, format.Length == 0 ? "PNG" : format.Substring(1));
     }
 
-    /// <summary>Such as "16x16 PNG".</summary>
+    /// <summary>For example "16x16 PNG".</summary>
     public override string ToString() => NumberFormatter.Format(Width) + "x" + NumberFormatter.Format(Height) + " " + Format;
 
     private static bool Size(string text, out int size)

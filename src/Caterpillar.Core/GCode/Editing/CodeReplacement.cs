@@ -4,14 +4,14 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Other start and end code around the layers of a file.</summary>
+/// <summary>Replaces start and end G-code around the layers of a file.</summary>
 internal sealed class CodeReplacement
 {
     private readonly SpliceContext _context;
     private readonly IReadOnlyList<string> _start = [];
     private readonly IReadOnlyList<string> _end = [];
 
-    /// <summary>Replaces the lines before the first layer and after the last, as far as the options name others.</summary>
+    /// <summary>Replaces the lines before the first layer and after the last one by the lines of the options.</summary>
     public CodeReplacement(SpliceContext context, EditOptions options, SplicePlan plan)
     {
         _context = context;
@@ -19,7 +19,7 @@ internal sealed class CodeReplacement
         var (first, last) = PrintedLines(context.Decoding);
         if (last == 0)
         {
-            context.Diagnostics.Add(Severity.Warning, "gcode.no_layers", "The file prints no layer: its start and end code stay.");
+            context.Diagnostics.Add(Severity.Warning, "gcode.no_layers", "The file has no layers. Its start and end G-code were not replaced.");
             return;
         }
         if (options.Start is not null)
@@ -34,17 +34,17 @@ internal sealed class CodeReplacement
         plan.Touch(last, int.MaxValue);
     }
 
-    /// <summary>The first and the last line of the file that stay.</summary>
+    /// <summary>The first and the last line of the file to keep.</summary>
     public int FirstKept { get; }
 
     public int LastKept { get; } = int.MaxValue;
 
-    /// <summary>True where there is other code.</summary>
+    /// <summary>True if lines are replaced.</summary>
     public bool Changes => FirstKept > 0 || LastKept < int.MaxValue;
 
     public bool Keeps(int line) => line >= FirstKept && line <= LastKept;
 
-    /// <summary>Writes the start code, and then the state that the first line that stays expects.</summary>
+    /// <summary>Writes the start G-code, then the state that the first kept line expects.</summary>
     public void WriteStart()
     {
         foreach (var line in _start) _context.Command(line);
@@ -65,7 +65,7 @@ internal sealed class CodeReplacement
             _context.Command("G1", 'F', expected.Feed.Rate / unit, _context.Style.DecimalsF);
     }
 
-    /// <summary>Writes the end code.</summary>
+    /// <summary>Writes the end G-code.</summary>
     public void WriteEnd()
     {
         foreach (var line in _end) _context.Command(line);

@@ -3,12 +3,12 @@ using Caterpillar.Basics;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Writes a decoded file for another firmware or in another notation: lines that mean the same stay as they are, the others change in the file's own style.
+/// Converts a decoded file to another G-code flavor or notation. Lines with the same meaning do not change. The others change in the style of the file.
 /// </summary>
 public static class GCodeConverter
 {
     /// <summary>Converts a file that was decoded with its document.</summary>
-    /// <returns>What was noticed; with errors nothing was written.</returns>
+    /// <returns>The diagnostics. If they contain errors, nothing was written.</returns>
     /// <exception cref="ArgumentException">The file was decoded from a stream, without its document.</exception>
     /// <exception cref="IOException">The stream cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
@@ -17,7 +17,7 @@ public static class GCodeConverter
     {
         if (decoding is null) throw new ArgumentNullException(nameof(decoding));
         if (options is null) throw new ArgumentNullException(nameof(options));
-        if (decoding.Document is null) throw new ArgumentException("A conversion needs the document of the file.", nameof(decoding));
+        if (decoding.Document is null) throw new ArgumentException(GCodeEditor.NoDocument, nameof(decoding));
         var problems = new DiagnosticList();
         var target = ConvertTarget.Of(decoding, options, problems);
         if (target is null) return problems.ToList();

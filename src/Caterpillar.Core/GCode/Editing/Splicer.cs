@@ -5,9 +5,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Writes a decoded file again. Two machines read along: one the file as it was, one what is written; a line stays as it is when it makes the right move from
-/// the state that the written lines have led to, otherwise its words are changed or a line that states the missing mode is put before it. Chunks that nothing
-/// touches are copied whole.
+/// Writes a decoded file with changes. One machine reads the original file, another one the written lines. A line is kept if it makes the right move from the
+/// state after the written lines. Otherwise its words change, or a line with the missing mode comes before it. Unchanged chunks are copied whole.
 /// </summary>
 internal sealed class Splicer
 {
@@ -29,7 +28,7 @@ internal sealed class Splicer
     private ChunkParser? _parser;
     private bool _synced = true;
 
-    /// <summary>To write a decoded file with the moves of an edited toolpath, or for a target.</summary>
+    /// <summary>Prepares to write a decoded file with the moves of an edited toolpath, or for a target.</summary>
     public Splicer(DecodedGCode decoding, Toolpath edited, SplicePlan plan, Stream stream, ConvertTarget? target = null, EditOptions? options = null)
     {
         options ??= new EditOptions();
@@ -190,7 +189,7 @@ internal sealed class Splicer
             Remove();
             return;
         }
-        _comments.RestoreCut();
+        _comments.WriteCut();
         _comments.Keep();
         if (own == 0 && events > 0) InsertBeforeEvents(events);
         var single = own == 1;

@@ -13,7 +13,7 @@ internal static class ChunkReader
     public const int LongestLine = 1 << 29;
 
     /// <exception cref="IOException">The stream cannot be read.</exception>
-    /// <exception cref="InvalidDataException">A line is longer than <paramref name="longestLine"/> bytes, or what is packed is broken.</exception>
+    /// <exception cref="InvalidDataException">A line is longer than <paramref name="longestLine"/> bytes, or packed data is broken.</exception>
     public static IEnumerable<GCodeChunk> Read(Stream stream, int bufferSize, CancellationToken cancel, int longestLine = LongestLine)
     {
         var buffer = new byte[Math.Min(bufferSize, stream.CanSeek ? stream.Length - stream.Position + 1 : FirstBuffer)];

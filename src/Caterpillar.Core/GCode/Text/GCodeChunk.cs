@@ -3,7 +3,7 @@ namespace Caterpillar.GCode;
 /// <summary>A part of a document that ends after a line end (or with the file). The buffer is shared and never changed.</summary>
 internal sealed class GCodeChunk(byte[] text, int start, int end)
 {
-    /// <summary>Bytes of a chunk; lines that are longer make it longer.</summary>
+    /// <summary>Bytes of a chunk. Longer lines make it longer.</summary>
     public const int Target = 256 * 1024;
 
     private int[]? _lineStarts;
@@ -27,7 +27,7 @@ internal sealed class GCodeChunk(byte[] text, int start, int end)
         }
     }
 
-    /// <summary>Where the lines begin, and at last the end of the chunk.</summary>
+    /// <summary>Start of each line, and the end of the chunk.</summary>
     public int[] LineStarts()
     {
         var known = Volatile.Read(ref _lineStarts);
@@ -78,6 +78,6 @@ internal static class LineEnds
         return text[at] == '\r' && at + 1 < end && text[at + 1] == '\n' ? at + 2 : at + 1;
     }
 
-    /// <summary>Where the next line begins.</summary>
+    /// <summary>Start of the next line.</summary>
     public static int Next(byte[] text, int at, int end) => Skip(text, Find(text, at, end), end);
 }

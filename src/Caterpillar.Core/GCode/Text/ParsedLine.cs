@@ -4,7 +4,7 @@ namespace Caterpillar.GCode;
 
 internal enum LineShape : byte
 {
-    /// <summary>Nothing but spaces and comments.</summary>
+    /// <summary>Only spaces and comments.</summary>
     Empty,
 
     /// <summary>Words.</summary>
@@ -15,8 +15,7 @@ internal enum LineShape : byte
 }
 
 /// <summary>
-/// The general reader of a line, used where the fast path of <see cref="ChunkParser"/> does not apply. Reused from line to line. Positions are indices into the
-/// text.
+/// General reader of lines that the fast path of <see cref="ChunkParser"/> does not read. Reused from line to line. Positions are indices into the text.
 /// </summary>
 internal sealed class ParsedLine
 {
@@ -31,12 +30,12 @@ internal sealed class ParsedLine
 
     public LineShape Shape { get; private set; }
 
-    /// <summary>Where the words begin (after spaces, / and the N word) and where the code ends (before the checksum and comments).</summary>
+    /// <summary>Start of the words (after spaces, / and the N word) and end of the code (before the checksum and comments).</summary>
     public int CodeStart { get; private set; }
 
     public int CodeEnd { get; private set; }
 
-    /// <summary>Index of the <c>;</c>, or −1; and of the first <c>(</c>, or −1.</summary>
+    /// <summary>Index of the <c>;</c> and of the first <c>(</c>. −1 = none.</summary>
     public int CommentStart { get; private set; }
 
     public int ParenStart { get; private set; }
@@ -78,7 +77,7 @@ internal sealed class ParsedLine
         return false;
     }
 
-    /// <summary>True when one of its G words has this number.</summary>
+    /// <summary>True if one of its G words has this number.</summary>
     public bool HasCode(double code)
     {
         for (var i = 0; i < Count; i++)
@@ -88,7 +87,7 @@ internal sealed class ParsedLine
         return false;
     }
 
-    /// <summary>True when the line has a word with one of these letters.</summary>
+    /// <summary>True if the line has a word with one of these letters.</summary>
     public bool HasAny(string letters)
     {
         foreach (var letter in letters)

@@ -3,13 +3,13 @@ using Caterpillar.Files;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Bytes of G-code are Latin-1, one character a byte; a UTF-8 byte order mark is skipped.</summary>
+/// <summary>Bytes of G-code are Latin-1, one character per byte. A UTF-8 byte order mark is skipped.</summary>
 internal static class TextEncoding
 {
     private static readonly Encoding Latin1 = Encoding.GetEncoding(28591);
     private static readonly Encoding Utf8 = new UTF8Encoding(false);
 
-    /// <summary>3 when the chunk begins with a byte order mark, else 0.</summary>
+    /// <summary>3 if the chunk begins with a byte order mark, otherwise 0.</summary>
     public static int MarkLength(GCodeChunk first) => ByteOrderMark.LengthAt(first.Text, first.Start, first.Start + first.Length);
 
     public static byte[] Encode(string text)

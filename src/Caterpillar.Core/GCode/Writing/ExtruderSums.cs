@@ -3,7 +3,7 @@ using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
-/// <summary>What is written of E: the sums of each tool as they should be and as they were printed, whose difference goes into the next number.</summary>
+/// <summary>Written E: the exact and the written sum of each tool. Their difference goes into the next number.</summary>
 internal sealed class ExtruderSums
 {
     // An absolute E beyond this is set back to 0 where a layer begins: firmwares count with 24 bits.
@@ -28,7 +28,7 @@ internal sealed class ExtruderSums
         _largestSum = NumberFormatter.ToUnits(LargestSum, _decimals);
     }
 
-    /// <summary>The letter of its words, or 0 where there are none.</summary>
+    /// <summary>The letter of E words. 0 = none.</summary>
     public byte Letter { get; }
 
     /// <summary>The number to print for a change of E, and whether the printed sum changes at all.</summary>
@@ -49,7 +49,7 @@ internal sealed class ExtruderSums
     /// <summary>Adds the word of a number to the line.</summary>
     public void Word(long units) => _out.Word(Letter, units, _decimals);
 
-    /// <summary>States whether E is relative, where the firmware has commands for it.</summary>
+    /// <summary>Writes the mode of E if the firmware has commands for it.</summary>
     public void StateMode()
     {
         if (Letter == 0 || _rules.RelativeE == RelativeERule.OnlyG90G91) return;
@@ -57,7 +57,7 @@ internal sealed class ExtruderSums
         _out.EndLine();
     }
 
-    /// <summary>Sets an absolute E back to 0.</summary>
+    /// <summary>Resets absolute E to 0.</summary>
     public void Reset()
     {
         if (Letter == 0 || _relative) return;
@@ -67,13 +67,13 @@ internal sealed class ExtruderSums
         _sum.Forget(_decimals);
     }
 
-    /// <summary>A layer begins, where a large absolute E is set back.</summary>
+    /// <summary>Begins a layer. A large absolute E is reset.</summary>
     public void BeginLayer()
     {
         if (Math.Abs(_sum.Written) > _largestSum) Reset();
     }
 
-    /// <summary>Before the change to another tool: what rounding has left of E belongs to its tool, also where the tools share a position.</summary>
+    /// <summary>Called before a tool change. Each tool keeps its rounding error of E, even if the tools share a position.</summary>
     public void Leave(int tool, int next)
     {
         if (_rules.PositionOfE != PositionOfERule.Shared) return;
@@ -82,7 +82,7 @@ internal sealed class ExtruderSums
         _sum.Exact = _rests.TryGetValue(next, out var rest) ? written + rest : written;
     }
 
-    /// <summary>After the change.</summary>
+    /// <summary>Called after a tool change.</summary>
     public void Enter(int tool)
     {
         if (_rules.PositionOfE == PositionOfERule.Shared) return;

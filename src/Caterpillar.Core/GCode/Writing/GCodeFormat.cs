@@ -3,22 +3,22 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>The format of G-code: everything that the moves themselves do not say.</summary>
+/// <summary>The format of written G-code.</summary>
 internal sealed record GCodeFormat
 {
-    /// <summary>The firmware to write for.</summary>
+    /// <summary>The G-code flavor.</summary>
     public FlavorRules Flavor { get; init; } = FlavorTable.Marlin2;
 
     /// <summary>Relative E (M83) or absolute E (M82).</summary>
     public bool RelativeE { get; init; } = true;
 
     /// <summary>
-    /// X, Y and Z are differences (G91) of the rounded positions, so that rounding does not add up; E is then relative, too. Only a move from an unknown
-    /// position, and what templates do, is absolute.
+    /// Relative X, Y and Z (G91): differences of the rounded positions, so that rounding errors do not add up. E is then relative, too. Templates and moves
+    /// from an unknown position are absolute.
     /// </summary>
     public bool RelativeXyz { get; init; }
 
-    /// <summary>Decimals of X, Y and Z; of E; of F (mm/min).</summary>
+    /// <summary>Decimals of X, Y and Z.</summary>
     public int DecimalsXyz { get; init; } = 3;
 
     /// <summary>Decimals of E.</summary>
@@ -27,46 +27,46 @@ internal sealed record GCodeFormat
     /// <summary>Decimals of F.</summary>
     public int DecimalsF { get; init; }
 
-    /// <summary>Retractions and restores in place are G10 and G11 where the flavor has them.</summary>
+    /// <summary>Firmware retraction: G10 and G11 for retractions and deretractions in place, if the flavor has them.</summary>
     public bool FirmwareRetraction { get; init; }
 
-    /// <summary>False for pens, brushes and bare hot tools: no E is written.</summary>
+    /// <summary>Write E. False for pens, brushes and bare hot tools.</summary>
     public bool HasE { get; init; } = true;
 
-    /// <summary>Arcs are G2 and G3 where the flavor has them; otherwise chords.</summary>
+    /// <summary>Write arcs as G2 and G3 if the flavor has them, otherwise as chords.</summary>
     public bool Arcs { get; init; } = true;
 
-    /// <summary>Largest distance of a chord from its arc, mm.</summary>
+    /// <summary>Maximum deviation of chords from arcs, mm.</summary>
     public double ChordTolerance { get; init; } = 0.01;
 
-    /// <summary>Comments that say where layers, roles and objects begin; the decoder and slicers' viewers read them.</summary>
+    /// <summary>Write comments with layers, roles and objects for the decoder and for the viewers of slicers.</summary>
     public bool Comments { get; init; } = true;
 
-    /// <summary>Comments at the very beginning, without their <c>;</c>.</summary>
+    /// <summary>Comments at the beginning of the file, without <c>;</c>.</summary>
     public IReadOnlyList<string> Header { get; init; } = [];
 
-    /// <summary>Seconds that the print takes, for a line <c>;TIME:</c> as hosts read it; null for none.</summary>
+    /// <summary>Print time in seconds for a line <c>;TIME:</c>, which print hosts read. Null = none.</summary>
     public double? PrintTime { get; init; }
 
-    /// <summary>Lines before the moves (the start code) and after them.</summary>
+    /// <summary>Start G-code.</summary>
     public IReadOnlyList<string> Start { get; init; } = [];
 
-    /// <summary>Lines after the last move.</summary>
+    /// <summary>End G-code.</summary>
     public IReadOnlyList<string> End { get; init; } = [];
 
-    /// <summary>Lines at the beginning of each layer but the first, by the layer; null for none.</summary>
+    /// <summary>Layer change G-code for each layer except the first. Null = none.</summary>
     public Func<Layer, IReadOnlyList<string>>? LayerLines { get; init; }
 
-    /// <summary>Lines for a change of the tool, from one number to another; null or none for the tool command alone.</summary>
+    /// <summary>Tool change G-code from one tool number to another. Null or empty = only the tool command.</summary>
     public Func<int, int, IReadOnlyList<string>>? ToolLines { get; init; }
 
-    /// <summary>The letter of extrusion, or 0 where nothing is extruded by words.</summary>
+    /// <summary>The letter of extrusion. 0 = none.</summary>
     internal byte ExtruderLetter => HasE && Flavor.ExtruderLetters.Length > 0 ? (byte)Flavor.ExtruderLetters[0] : (byte)0;
 
-    /// <summary>True where extrusion is only switched on and off, by M101 and M103.</summary>
+    /// <summary>True if extrusion is only switched on and off (M101, M103).</summary>
     internal bool Switches => HasE && Flavor.ExtruderLetters.Length == 0 && Flavor.SwitchedExtruder;
 
-    /// <summary>True where extrusions need amounts of E that a toolpath does not have: it was decoded from a file that only switches its extruder.</summary>
+    /// <summary>True if the format needs E values that a toolpath does not have: its file only switches the extruder.</summary>
     internal bool LacksAmounts(Toolpath toolpath)
     {
         if (ExtruderLetter == 0 || toolpath.Source != MoveSource.Lines) return false;
@@ -83,6 +83,6 @@ internal sealed record GCodeFormat
         return prints;
     }
 
-    /// <summary>True where E is written as relative. Without M83 (E is an axis like the others) it is absolute.</summary>
+    /// <summary>True if E is written as relative. Without M83, E is an axis like the others and is absolute.</summary>
     internal bool WritesRelative => RelativeXyz || (RelativeE && Flavor.RelativeE != RelativeERule.OnlyG90G91);
 }

@@ -6,10 +6,9 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Writes a Toolpath as new G-code, block by block: <see cref="WriteStart"/>, <see cref="WriteBlock"/> for each block in order, <see cref="WriteEnd"/>. After
-/// the start code it states its own modal state: G90, then M82 or M83, and <c>G92 E0</c> where E is absolute. Printed integers decide what a move is: words
-/// that do not change are left out, and so are moves without any; what rounding leaves of E is carried on, so that the sum of what is written never differs
-/// from the sum of the moves by more than half the last decimal.
+/// Writes a toolpath as new G-code, block by block: <see cref="WriteStart"/>, <see cref="WriteBlock"/> for each block in order, <see cref="WriteEnd"/>. After
+/// the start G-code, it writes its modal state: G90, M82 or M83, and <c>G92 E0</c> for absolute E. Unchanged words and moves without words are left out,
+/// compared by the written digits. Rounding errors of E carry over: the written sum of E differs from the sum of the moves by at most half the last decimal.
 /// </summary>
 internal sealed class GCodeWriter
 {
@@ -45,7 +44,7 @@ internal sealed class GCodeWriter
         _raw = new RawEffects(_rules, _format.ExtruderLetter);
     }
 
-    /// <summary>Takes down which lines belong to each move, event and template; null for nobody.</summary>
+    /// <summary>Records the lines of each move, event and template. Null = off.</summary>
     public WrittenLines? Written { get; init; }
 
     /// <summary>Lines written so far.</summary>
@@ -83,7 +82,7 @@ internal sealed class GCodeWriter
         return memory.ToArray();
     }
 
-    /// <summary>Header, start code and modal state.</summary>
+    /// <summary>Writes header, start G-code and modal state.</summary>
     public void WriteStart(Stream stream)
     {
         foreach (var line in _format.Header) _out.Comment(" " + line);
@@ -97,12 +96,12 @@ internal sealed class GCodeWriter
         Flush(stream);
     }
 
-    /// <summary>The moves of a block and the events between them.</summary>
-    /// <exception cref="InvalidOperationException">Blocks are written in order, each once.</exception>
+    /// <summary>Writes the moves of a block and the events between them.</summary>
+    /// <exception cref="InvalidOperationException">The block is not the next one.</exception>
     /// <inheritdoc cref="Write" path="/exception"/>
     public void WriteBlock(Stream stream, int block)
     {
-        if (block != _nextBlock) throw new InvalidOperationException("The blocks of a toolpath are written in order.");
+        if (block != _nextBlock) throw new InvalidOperationException("Write the blocks of a toolpath in order.");
         _nextBlock++;
         var columns = _toolpath.Blocks[block].Columns;
         var first = _toolpath.FirstOf(block);
@@ -118,13 +117,13 @@ internal sealed class GCodeWriter
         Flush(stream);
     }
 
-    /// <summary>Goes on with a toolpath that begins as the one so far and is longer; its end code may be known only now.</summary>
+    /// <summary>Continues with a longer toolpath that begins like the one so far, and with a format that may have new end G-code.</summary>
     public void GoOn(Toolpath longer, GCodeFormat format) => (_toolpath, _format) = (longer, format);
 
-    /// <summary>What happens after the last move, and the end code.</summary>
+    /// <summary>Writes the events after the last move and the end G-code.</summary>
     public void WriteEnd(Stream stream)
     {
-        if (_nextBlock != _toolpath.Blocks.Count) throw new InvalidOperationException("Not all blocks are written.");
+        if (_nextBlock != _toolpath.Blocks.Count) throw new InvalidOperationException("Write all blocks before the end.");
         Events(_toolpath.Count);
         if (_on) Switch(false);
         if (_format.Comments && _object.Length > 0) Object("");

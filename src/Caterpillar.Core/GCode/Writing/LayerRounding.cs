@@ -3,14 +3,14 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Decimals of Z that are too few for the layers of a print.</summary>
+/// <summary>Finds layers that the decimals of Z cannot represent.</summary>
 internal static class LayerRounding
 {
     // The part of a layer's height that rounding may change.
     private const double LargestShare = 0.2;
 
     /// <summary>
-    /// The error <c>gcode.layers_rounded</c> for the first layer that rounding merges with the one below or makes much thinner or thicker; or null.
+    /// The error <c>gcode.layers_rounded</c> for the first layer that rounding merges with the layer below or makes much thinner or thicker. Otherwise null.
     /// </summary>
     public static Diagnostic? Check(Toolpath toolpath, int decimals, SourceLocation place)
     {
@@ -26,7 +26,7 @@ internal static class LayerRounding
             return new Diagnostic(Severity.Error, "gcode.layers_rounded",
                 $"Rounded to {NumberFormatter.Format(decimals)} decimals, layer {NumberFormatter.Format(layer.Index)} at Z {Format(layer.Z)} mm would be "
                     + (rounded <= 0 ? "printed into the layer below" : $"{Format(rounded)} mm high instead of {Format(height)} mm")
-                        + "; more decimals are needed.",
+                        + ". Use more decimals.",
                 place);
         }
         return null;

@@ -4,10 +4,10 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Limits of the motion as lines of G-code.</summary>
+/// <summary>Motion limits as lines of G-code.</summary>
 internal static class LimitText
 {
-    /// <summary>The line, or null where the firmware has no command for this limit.</summary>
+    /// <summary>The line, or null if the firmware has no command for this limit.</summary>
     public static string? Line(LimitEvent what, LimitCommands commands) => commands switch
     {
         LimitCommands.Marlin => Words(what, 1, "M205") ?? (what.Limit == MotionLimit.RetractionAcceleration ? "M204 R" + Number(what.Value, 3)

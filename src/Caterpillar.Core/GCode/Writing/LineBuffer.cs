@@ -44,7 +44,7 @@ internal sealed class LineBuffer
         Lines++;
     }
 
-    /// <summary>A line as it is; line ends in it begin new lines.</summary>
+    /// <summary>Writes a line unchanged. Line ends in it begin new lines.</summary>
     public void Line(string text)
     {
         // CRLF is one line end, and so is CR alone.
@@ -59,7 +59,7 @@ internal sealed class LineBuffer
         }
     }
 
-    /// <summary>A comment; line ends in it become spaces.</summary>
+    /// <summary>Writes a comment. Line ends in it become spaces.</summary>
     public void Comment(string text) => Line(";" + text.Replace('\r', ' ').Replace('\n', ' '));
 
     private void EnsureSpace(int bytes = LongestWord)

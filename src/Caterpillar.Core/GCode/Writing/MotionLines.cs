@@ -5,8 +5,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Lines of motion: straight ones, and arcs as G2 and G3 or as chords. It knows where the head is as printed, and the modes that it has stated. Printed
-/// integers decide what a move is: words that do not change are left out, and so are moves without any.
+/// Writes motion lines: straight lines, and arcs as G2 and G3 or as chords. It keeps the written position and modes. Unchanged words and moves without words
+/// are left out, compared by the written digits.
 /// </summary>
 internal sealed class MotionLines
 {
@@ -32,7 +32,7 @@ internal sealed class MotionLines
 
     public RotaryWords Rotary { get; }
 
-    /// <summary>False where the next line has to state the whole position.</summary>
+    /// <summary>False if the next line must state the whole position.</summary>
     public bool KnowsPosition { get; private set; }
 
     /// <summary>A straight line by G0 or G1.</summary>
@@ -54,7 +54,7 @@ internal sealed class MotionLines
         KnowsPosition = true;
     }
 
-    /// <summary>An arc; where it becomes chords, they are lines by <paramref name="code"/>.</summary>
+    /// <summary>Writes an arc. Its chords, if any, are lines with <paramref name="code"/>.</summary>
     public void Arc(Vec3 start, Vec3 end, double e, double speed, Arc arc, int code)
     {
         var allowed = _format.Arcs && _rules.Arcs && (arc.Plane == ArcPlane.XY || _rules.Planes)
@@ -63,7 +63,7 @@ internal sealed class MotionLines
         Chords(start, end, e, speed, arc, code);
     }
 
-    /// <summary>G91 or G90; firmware that lets the last of them decide about E is told again.</summary>
+    /// <summary>Writes G91 or G90, and the mode of E again if the firmware lets the last of them decide about E.</summary>
     public void SetRelative(bool relative)
     {
         if (relative == _g91) return;
@@ -81,7 +81,7 @@ internal sealed class MotionLines
         Extruder.Reset();
     }
 
-    /// <summary>Millimeters and the XY plane again, as far as lines from elsewhere have left them.</summary>
+    /// <summary>Writes millimeters and the XY plane again if raw lines changed them.</summary>
     public void StateUnits(RawEffects raw)
     {
         if (raw.Unit && _rules.Inches) Modal(21);
@@ -90,7 +90,7 @@ internal sealed class MotionLines
         Modal(17);
     }
 
-    /// <summary>The head has homed: the next line states the whole position.</summary>
+    /// <summary>Called after homing: the next line states the whole position.</summary>
     public void ForgetPosition() => KnowsPosition = false;
 
     /// <summary>The next line states the speed.</summary>

@@ -2,34 +2,34 @@ using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
-/// <summary>What lines from elsewhere (raw lines, templates) may change for the lines after them.</summary>
+/// <summary>Possible effects of raw lines and templates on the following lines.</summary>
 internal sealed class RawEffects(FlavorRules rules, byte extruder)
 {
     private readonly ParsedLine _line = new();
 
-    /// <summary>Modes: absolute or relative, the mode of E; a unit other than mm; a plane other than XY.</summary>
+    /// <summary>Modes: absolute or relative, mode of E, unit other than mm, plane other than XY.</summary>
     public bool Modes { get; private set; }
 
     public bool Unit { get; private set; }
 
     public bool Plane { get; private set; }
 
-    /// <summary>Where the head is, and its feed rate.</summary>
+    /// <summary>Position of the head, and its feed rate.</summary>
     public bool Position { get; private set; }
 
-    /// <summary>What a position of E is counted from.</summary>
+    /// <summary>Zero of E.</summary>
     public bool E { get; private set; }
 
-    /// <summary>The tool that was selected last, or null.</summary>
+    /// <summary>The last selected tool, or null.</summary>
     public int? Tool { get; private set; }
 
-    /// <summary>The extruder was switched on or off last (M101, M103), or null.</summary>
+    /// <summary>The last switch of the extruder, on or off (M101, M103), or null.</summary>
     public bool? Switch { get; private set; }
 
-    /// <summary>Anything may have changed.</summary>
+    /// <summary>True if anything may have changed.</summary>
     public bool Unknown { get; private set; }
 
-    /// <summary>Forgets what the lines before did, and takes these.</summary>
+    /// <summary>Reads these lines and forgets the effects of earlier ones.</summary>
     public void Read(IEnumerable<string> lines)
     {
         Modes = Unit = Plane = Position = E = Unknown = false;

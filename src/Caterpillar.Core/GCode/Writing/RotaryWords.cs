@@ -3,16 +3,16 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Rotary axes: the words A, B and C, in degrees, of toolpaths that have them. The letter of extrusion is not theirs.</summary>
+/// <summary>Rotary axes: the words A, B and C in degrees, without the letter of extrusion.</summary>
 internal sealed class RotaryWords(LineBuffer output, int decimals, byte extruder)
 {
     private readonly long[] _turns = [long.MinValue, long.MinValue, long.MinValue];
     private readonly long[] _next = new long[3];
 
-    /// <summary>True where an axis is to turn with the next line.</summary>
+    /// <summary>True if an axis turns with the next line.</summary>
     public bool Turns { get; private set; }
 
-    /// <summary>Takes down what the axes are to be after a move.</summary>
+    /// <summary>Sets the axes for the end of a move.</summary>
     public void Aim(ToolpathColumns c, int i)
     {
         Turns = false;
@@ -28,7 +28,7 @@ internal sealed class RotaryWords(LineBuffer output, int decimals, byte extruder
         }
     }
 
-    /// <summary>Adds the words of the axes that turn to the line, as differences where it is relative.</summary>
+    /// <summary>Adds the words of the turning axes to the line, as differences in relative mode.</summary>
     public void Write(bool relative)
     {
         if (!Turns) return;
@@ -42,7 +42,7 @@ internal sealed class RotaryWords(LineBuffer output, int decimals, byte extruder
         Turns = false;
     }
 
-    /// <summary>The turns of a move that becomes several: where the axes are, and where they are to be; null where they stay.</summary>
+    /// <summary>Start and end of the axes in a move that becomes several. Null if they do not turn.</summary>
     public (long[] From, long[] To)? Begin() => Turns ? ((long[])_turns.Clone(), (long[])_next.Clone()) : null;
 
     /// <summary>Aims at a share of such turns.</summary>

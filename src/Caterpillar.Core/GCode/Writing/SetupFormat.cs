@@ -4,11 +4,11 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>The format in which a printer wants its G-code: flavor, mode of E, decimals, and its templates filled with the values of the print.</summary>
+/// <summary>The G-code format of a printer: flavor, mode of E, decimals, and its templates filled with the values of the print.</summary>
 internal static class SetupFormat
 {
     /// <summary>
-    /// The format for a toolpath; none where a template of the printer is wrong, or where it needs amounts of E that the toolpath does not have.
+    /// The format for a toolpath, or errors if a template of the printer is wrong or the toolpath lacks E values.
     /// </summary>
     public static Result<GCodeFormat> Of(PrintSetup setup, Toolpath toolpath)
     {
@@ -29,17 +29,17 @@ internal static class SetupFormat
         var format = Format(setup, values, layers, tools) with { Start = start, End = end };
         if (format.LacksAmounts(toolpath))
         {
-            problems.Add(Severity.Error, "gcode.no_e_values", "The toolpath prints without any amount of E, and " + printer.Flavor.Title
-                + " needs them; they cannot be guessed. For a machine without an extruder set extrusion_unit to none.");
+            problems.Add(Severity.Error, "gcode.no_e_values", "The toolpath prints but has no E values, which " + printer.Flavor.Title
+                + " needs. If the machine has no extruder, set extrusion_unit to none.");
             return new Result<GCodeFormat>(null, problems.ToList());
         }
         if (format.Switches)
             problems.Add(Severity.Warning, "gcode.e_values_lost", printer.Flavor.Title
-                + " only switches its extruder on and off (M101, M103): amounts of E and retractions are not written.");
+                + " only switches its extruder on and off (M101, M103). E values and retractions are not written.");
         return new Result<GCodeFormat>(format, problems.ToList());
     }
 
-    /// <summary>The same format without end code, for a toolpath that is not known yet; null where a template needs to know it.</summary>
+    /// <summary>The same format without end G-code, for a future toolpath. Null if a template needs the toolpath.</summary>
     internal static GCodeFormat? OfUnknown(PrintSetup setup)
     {
         var printer = setup.Printer;

@@ -1,8 +1,8 @@
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Which lines of a file belong to each move, each event and each template. Lines count from 1. While one thread takes them down, others may ask for those that
-/// are written. The file may have lines besides, which were added after.
+/// The lines of each move, event and template in a file, from 1. While one thread records them, others may read the recorded ones. The file may have more lines
+/// that were added later.
 /// </summary>
 internal sealed class WrittenLines
 {
@@ -16,7 +16,7 @@ internal sealed class WrittenLines
     private int _end = int.MaxValue;
     private volatile int _moves;
 
-    /// <summary>Number of moves that are written.</summary>
+    /// <summary>Number of written moves.</summary>
     public int Moves => _moves;
 
     public void EndStart(long lines) => _start = Number(lines);
@@ -41,10 +41,10 @@ internal sealed class WrittenLines
         lock (_events) _events.Add((Number(before), Number(last), index));
     }
 
-    /// <summary>The file has one more line, after as many of those that are taken down here; from above.</summary>
+    /// <summary>Adds a line of the file after this many recorded lines, in ascending order.</summary>
     public void Add(int after) => _added.Add(after);
 
-    /// <summary>The number that a line has in the file.</summary>
+    /// <summary>The number of a line in the file.</summary>
     public int InFile(int line)
     {
         var added = 0;
@@ -52,33 +52,33 @@ internal sealed class WrittenLines
         return line + added;
     }
 
-    /// <summary>Number of lines before an event of a move, of which there may be none.</summary>
+    /// <summary>Number of lines before an event of a move.</summary>
     public int Before(int move, int what) => LineOf(what) is > 0 and var line ? line - 1 : move > 0 ? OfMove(move - 1).Last : _start;
 
-    /// <summary>True for lines of the start code and of the end code.</summary>
+    /// <summary>True for lines of the start or end G-code.</summary>
     public bool IsStart(int line) => line <= _start;
 
     /// <inheritdoc cref="IsStart"/>
     public bool IsEnd(int line) => line > _end;
 
-    /// <summary>First and last line of the motion of a move; the last one is before the first where nothing was written.</summary>
+    /// <summary>First and last line of a move. The last is before the first if nothing was written.</summary>
     public (int First, int Last) OfMove(int move)
     {
         var (part, at) = (_parts[(uint)move / PartSize], (uint)move % PartSize);
         return (part.Before[at] + 1, part.Last[at]);
     }
 
-    /// <summary>The move that a line is the motion of, or −1.</summary>
+    /// <summary>The move of a line, or −1.</summary>
     public int MoveAt(int line)
     {
         var move = NextMove(line);
         return move < _moves && line >= OfMove(move).First ? move : -1;
     }
 
-    /// <summary>The first move whose last line is not before a line; the number of moves after them all.</summary>
+    /// <summary>The first move whose last line is not before a line. Number of moves = none.</summary>
     public int NextMove(int line) => First(_moves, line, i => OfMove(i).Last);
 
-    /// <summary>The event that a line comes from, or −1.</summary>
+    /// <summary>The event of a line, or −1.</summary>
     public int EventAt(int line)
     {
         lock (_events)
@@ -88,7 +88,7 @@ internal sealed class WrittenLines
         }
     }
 
-    /// <summary>The first line of an event; 0 where it has none.</summary>
+    /// <summary>The first line of an event. 0 = none.</summary>
     public int LineOf(int what)
     {
         lock (_events)

@@ -2,7 +2,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Asks what a box meets whose origin goes straight from one point to another.</summary>
+/// <summary>A collision query for a box whose origin moves straight from one point to another.</summary>
 internal readonly struct BoxQuery(Vec3 from, Vec3 to, double tolerance, Bounds box)
 {
     // Rise of a piece of the path of a box that counts as level, mm.
@@ -14,13 +14,13 @@ internal readonly struct BoxQuery(Vec3 from, Vec3 to, double tolerance, Bounds b
 
     public Bounds Box => box;
 
-    /// <summary>The lowest height of its bottom, with the tolerance, mm: what is not above it is not met.</summary>
+    /// <summary>Minimum height of its bottom with the tolerance, mm. Nothing below it collides.</summary>
     public double Lowest { get; } = Math.Min(from.Z, to.Z) + tolerance + box.Min.Z;
 
-    /// <summary>True where it passes a square, seen from above: where its origin passes a rectangle around it.</summary>
+    /// <summary>True if it passes a square, seen from above.</summary>
     public bool Passes(Vec3 center, double half) => Passes(center, half, from, to);
 
-    /// <summary>True where it hits a cell of a height, mm.</summary>
+    /// <summary>True if it hits a cell with a height, mm.</summary>
     public bool Meets(Vec3 center, double top, double cell) => Meets(center, top - tolerance - box.Min.Z, cell, from, to);
 
     // The cell is hit by an origin below a height.

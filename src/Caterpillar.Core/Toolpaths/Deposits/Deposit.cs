@@ -4,9 +4,9 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// What has been printed so far, seen from above: a height field of square cells, with the extrusions in bins for exact answers. One structure for the height
-/// of travels, beads from the gap, the safe return of turtles, support and collision. It grows with the print; extrusions far below the top of their bin are
-/// dropped, and there the cells answer (never too low, and too wide by less than one cell). Not thread-safe.
+/// The print so far, seen from above: a height field of square cells, with the extrusions in bins for exact answers. Used for Z-hop, beads from the gap, the
+/// safe return of turtles, support and collisions. It grows with the print. Extrusions far below the top of their bin are dropped. The cells then answer: never
+/// too low, and too wide by less than one cell. Not thread-safe.
 /// </summary>
 internal sealed class Deposit
 {
@@ -37,8 +37,8 @@ internal sealed class Deposit
     // The last extrusion, if all of it is inside; else −1.
     private int _last = -1;
 
-    /// <param name="cell">Side of a cell, mm; half the width of an extrusion or less.</param>
-    /// <param name="keepDepth">Extrusions this far below the highest one of their bin are dropped, mm.</param>
+    /// <param name="cell">Side of a cell, mm, at most half the width of an extrusion.</param>
+    /// <param name="keepDepth">Depth below the highest extrusion of a bin at which extrusions are dropped, mm.</param>
     /// <exception cref="ArgumentOutOfRangeException">A length is not positive.</exception>
     public Deposit(double cell = 0.25, double keepDepth = 10)
     {
@@ -55,7 +55,7 @@ internal sealed class Deposit
     /// <summary>Side of a cell, mm.</summary>
     public double Cell => _cell;
 
-    /// <summary>Highest point printed, mm; negative infinity before anything is.</summary>
+    /// <summary>Highest printed point, mm. Negative infinity before the first extrusion.</summary>
     public double Highest { get; private set; } = double.NegativeInfinity;
 
     /// <summary>Number of extrusions kept for exact answers.</summary>
@@ -86,7 +86,7 @@ internal sealed class Deposit
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite, or the width is negative.</exception>
     public void Add(Vec3 from, Vec3 to, double halfWidth) => Add(from, to, halfWidth, -1);
 
-    /// <summary>The same with a number for what it is, 0 or more.</summary>
+    /// <summary>The same with a tag, 0 or more.</summary>
     public void Add(Vec3 from, Vec3 to, double halfWidth, int tag)
     {
         if (!from.IsFinite || !to.IsFinite) throw new ArgumentOutOfRangeException(nameof(from), "The ends of an extrusion must be finite.");
@@ -117,7 +117,7 @@ internal sealed class Deposit
         Draw(_last = _store.Add(extrusion), extrusion);
     }
 
-    /// <summary>The extrusion that was added last goes on in its line, at the same width, from its end to another.</summary>
+    /// <summary>Extends the last extrusion in its line, at the same width, to another end.</summary>
     public void GoOn(Vec3 from, Vec3 to, double halfWidth, int tag)
     {
         if (_last < 0 || IsOutside(to, halfWidth, DepositBins.Most * _bins.Side))
@@ -132,8 +132,8 @@ internal sealed class Deposit
     }
 
     /// <summary>
-    /// Highest top, mm, of what lies within <paramref name="radius"/> mm of the line from <paramref name="a"/> to <paramref name="b"/>, all seen from above;
-    /// negative infinity if nothing does.
+    /// Highest top, mm, within <paramref name="radius"/> mm of the line from <paramref name="a"/> to <paramref name="b"/>, seen from above. Negative infinity =
+    /// nothing.
     /// </summary>
     public double TopAlong(Vec3 a, Vec3 b, double radius)
     {
@@ -163,8 +163,7 @@ internal sealed class Deposit
     }
 
     /// <summary>
-    /// Highest top, mm, not above <paramref name="limit"/>, of what lies within <paramref name="radius"/> mm of a point seen from above; negative infinity
-    /// if nothing does.
+    /// Highest top, mm, not above <paramref name="limit"/>, within <paramref name="radius"/> mm of a point, seen from above. Negative infinity = nothing.
     /// </summary>
     public double TopUnder(Vec3 point, double limit, double radius = 0)
     {
@@ -191,8 +190,8 @@ internal sealed class Deposit
     }
 
     /// <summary>
-    /// The height of the cell under a point, and the next height clearly below it, mm; negative infinity where nothing is. A cell is as high as what touches
-    /// it.
+    /// The height of the cell under a point, and the next height clearly below it, mm. Negative infinity = nothing. A cell is as high as the highest extrusion
+    /// that touches it.
     /// </summary>
     public (double Top, double Under) CellAt(double x, double y)
     {
@@ -202,8 +201,8 @@ internal sealed class Deposit
     }
 
     /// <summary>
-    /// True if one of the last extrusions around a point is about as high, as wide, and runs in its place: their axes are less than a quarter of their widths
-    /// apart.
+    /// True if one of the last extrusions around a point is about as high and as wide, and in the same place. Their axes are then less than a quarter of their
+    /// widths apart.
     /// </summary>
     public bool HasParallel(Vec3 p, Vec3 along, double half, double height, out int tag)
     {
@@ -242,14 +241,14 @@ internal sealed class Deposit
     }
 
     /// <summary>
-    /// What the head does to extrusions where its tip goes straight from a to b. Never misses one; extrusions that were dropped count as their cells.
+    /// The contact of the head with extrusions while its tip moves straight from a to b. Finds every contact. Dropped extrusions count as their cells.
     /// </summary>
     /// <param name="a">Start of the segment, mm.</param>
     /// <param name="b">Its end.</param>
-    /// <param name="tolerance">How deep it may touch them, mm.</param>
+    /// <param name="tolerance">Maximum depth of contact, mm.</param>
     /// <param name="head">The underside of the head.</param>
-    /// <param name="hitsOnly">What it only digs into does not count.</param>
-    /// <param name="tag">Number of the extrusion that it hits or digs into, or −1 for one that has none.</param>
+    /// <param name="hitsOnly">Ignore extrusions that the head only digs into.</param>
+    /// <param name="tag">Tag of the extrusion that it hits or digs into. −1 = no tag.</param>
     public HeadContact Meets(Vec3 a, Vec3 b, double tolerance, HeadShape head, bool hitsOnly, out int tag)
     {
         var query = new HeadQuery(a, b, tolerance, head, hitsOnly);
@@ -257,8 +256,8 @@ internal sealed class Deposit
     }
 
     /// <summary>
-    /// A cell more than <paramref name="tolerance"/> above the bottom of a box that is moved from a to b with its origin; the number of an extrusion
-    /// there, or −1.
+    /// True if a box that moves with its origin from a to b meets a cell more than <paramref name="tolerance"/> above its bottom. The tag is the tag of an
+    /// extrusion there, or −1.
     /// </summary>
     public bool MeetsBox(Vec3 a, Vec3 b, double tolerance, Bounds box, out int tag)
     {

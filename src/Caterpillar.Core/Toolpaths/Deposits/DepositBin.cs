@@ -25,7 +25,7 @@ internal sealed class DepositBin
     /// <summary>Highest top in the bin.</summary>
     public double Top = double.NegativeInfinity;
 
-    /// <summary>Highest top among extrusions that were dropped because the print is far above them; there only the cells answer.</summary>
+    /// <summary>Highest top of dropped extrusions, far below the print. Below it, only the cells answer.</summary>
     public double Dropped = double.NegativeInfinity;
 
     private int _compactAt = FirstCompaction;
@@ -79,7 +79,7 @@ internal sealed class DepositBin
     }
 }
 
-/// <summary>An extrusion in a bin. The top of its part here is beside its number: most extrusions lie lower than what is asked for.</summary>
+/// <summary>An extrusion in a bin. The top of its part is next to its number, because most extrusions are lower than a query.</summary>
 internal struct DepositEntry
 {
     public double Top;
@@ -94,10 +94,10 @@ internal struct DepositCell
     // Tops up to so many mm apart are of one layer.
     private const double SameHeight = 0.02;
 
-    /// <summary>Highest top, mm; negative infinity where nothing is.</summary>
+    /// <summary>Highest top, mm. Negative infinity = nothing.</summary>
     public double Top;
 
-    /// <summary>The highest top that is clearly below the highest, mm; negative infinity if there is none.</summary>
+    /// <summary>The next top clearly below the highest one, mm. Negative infinity = none.</summary>
     public double Under;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

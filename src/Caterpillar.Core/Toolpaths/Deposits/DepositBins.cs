@@ -1,8 +1,7 @@
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// The bins of a <see cref="Deposit"/> by column and row, and how high the highest of each square of eight by eight is, so that low ones are passed over at
-/// once.
+/// The bins of a <see cref="Deposit"/> by column and row, and the highest top of each square of 8 × 8 bins, so that low squares are skipped at once.
 /// </summary>
 /// <param name="cell">Side of a cell, mm.</param>
 internal sealed class DepositBins(double cell)
@@ -25,10 +24,10 @@ internal sealed class DepositBins(double cell)
 
     public DepositBin? this[int column, int row] => _bins.Find(column, row);
 
-    /// <summary>The column of a place, or the one of the grid that is nearest to it.</summary>
+    /// <summary>The column of a place, or the nearest column of the grid.</summary>
     public int Column(double x) => Clamp(x, _bins.Left, _bins.Columns);
 
-    /// <summary>The row of a place, or the one of the grid that is nearest to it.</summary>
+    /// <summary>The row of a place, or the nearest row of the grid.</summary>
     public int Row(double y) => Clamp(y, _bins.Bottom, _bins.Rows);
 
     /// <summary>True for places that may have a bin.</summary>
@@ -43,7 +42,7 @@ internal sealed class DepositBins(double cell)
     /// <summary>The highest top in a square, mm.</summary>
     public double TopOf(int squareColumn, int squareRow) => _tops[(squareRow - _topsBottom) * _topsColumns + squareColumn - _topsLeft];
 
-    /// <summary>An extrusion reaches into a bin, where it is up to <paramref name="top"/> mm high.</summary>
+    /// <summary>Adds an extrusion to a bin in which it is up to <paramref name="top"/> mm high.</summary>
     public void Enter(int column, int row, int extrusion, double top, ExtrusionStore store, double keepDepth)
     {
         var bin = _bins.Find(column, row);

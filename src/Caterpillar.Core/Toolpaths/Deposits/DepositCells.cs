@@ -3,8 +3,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// The height field of a <see cref="Deposit"/>: square cells by column and row, in tiles that are made where something is printed. A tile is eight bins wide
-/// and one high, so that a row of cells is seldom cut.
+/// The height field of a <see cref="Deposit"/>: square cells by column and row, in tiles that are created under extrusions. A tile is eight bins wide and one
+/// high, so that rows of cells are seldom cut.
 /// </summary>
 internal sealed class DepositCells
 {
@@ -18,10 +18,10 @@ internal sealed class DepositCells
     // Far more tiles than bins can have.
     private GrowingGrid<DepositCell[]> _tiles = new(1, 4, 1 << 20);
 
-    /// <summary>A cell as it is; empty where nothing was ever laid near it.</summary>
+    /// <summary>A cell. Empty if no extrusion is near it.</summary>
     public DepositCell this[int column, int row] => Find(column, row) is { } tile ? tile[At(column, row)] : Empty[0];
 
-    /// <summary>The tile of a cell; null where there is none.</summary>
+    /// <summary>The tile of a cell, or null.</summary>
     public DepositCell[]? Find(int column, int row) => _tiles.Find(column >> ColumnBits, row >> RowBits);
 
     /// <summary>A cell of a bin, by its number there.</summary>
@@ -32,13 +32,13 @@ internal sealed class DepositCells
     public static Vec3 Center(int column, int row, int cell, double side) => new(
         ((column << DepositBin.Bits) + (cell & (DepositBin.Side - 1)) + 0.5) * side, ((row << DepositBin.Bits) + (cell >> DepositBin.Bits) + 0.5) * side);
 
-    /// <summary>The place of a cell in its tile; the next ones are to the right of it.</summary>
+    /// <summary>Index of a cell in its tile. The next cells are to its right.</summary>
     public static int At(int column, int row) => ((row & (DepositBin.Side - 1)) << ColumnBits) | (column & (Wide - 1));
 
-    /// <summary>Lays a height in mm into a cell.</summary>
+    /// <summary>Adds a height in mm to a cell.</summary>
     public void Lay(int column, int row, double top) => (Find(column, row) ?? Make(column, row))[At(column, row)].Lay(top);
 
-    /// <summary>Lays a height into spans of rows of one tile, which are all between two columns.</summary>
+    /// <summary>Adds a height to spans of rows of one tile, between two columns.</summary>
     public void Lay((int First, int Last)[] spans, int row, int end, int left, int right, double top)
     {
         for (var from = left; from <= right; from = (from | (Wide - 1)) + 1)

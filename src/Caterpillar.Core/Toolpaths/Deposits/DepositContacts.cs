@@ -3,7 +3,7 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// What a head and its boxes meet in a <see cref="Deposit"/> that go straight from one point to another, up or down as well. Nothing is missed.
+/// Finds the contacts of a head and its boxes in a <see cref="Deposit"/> while they move straight from one point to another, also up or down.
 /// </summary>
 internal sealed class DepositContacts(DepositBins bins, DepositCells cells, ExtrusionStore store, double cell)
 {

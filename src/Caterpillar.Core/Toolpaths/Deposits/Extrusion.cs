@@ -19,7 +19,7 @@ internal struct Extrusion
         => new() { Ax = center.X, Ay = center.Y, Az = top, Bx = center.X, By = center.Y, Bz = top, Half = half };
 
     /// <summary>
-    /// Highest top of the part whose footprint comes within a distance of a segment seen from above; negative infinity if none does.
+    /// Highest top of the part whose footprint comes within a distance of a segment, seen from above. Negative infinity = none.
     /// </summary>
     public readonly double TopWithin(Vec3 a, Vec3 b, double distance)
     {
@@ -29,7 +29,7 @@ internal struct Extrusion
     }
 
     /// <summary>
-    /// True if its part within some distance of a segment seen from above is as high as a head in height <paramref name="z"/> allows there.
+    /// True if its part within some distance of a segment, seen from above, touches a head at height <paramref name="z"/>.
     /// </summary>
     public readonly bool Meets(in Vec3 a, in Vec3 b, double z, HeadShape head, bool lenient)
     {
@@ -47,12 +47,12 @@ internal struct Extrusion
         return true;
     }
 
-    /// <summary>True where its axis and a segment are clearly farther apart: their rectangles are, which is cheaper to tell than to clip.</summary>
+    /// <summary>True if the rectangles of its axis and a segment are farther apart, which is faster than clipping.</summary>
     public readonly bool IsBeyond(in Vec3 a, in Vec3 b, double reach)
         => Math.Abs(Ax + Bx - a.X - b.X) > Math.Abs(Bx - Ax) + Math.Abs(b.X - a.X) + 2 * reach
         || Math.Abs(Ay + By - a.Y - b.Y) > Math.Abs(By - Ay) + Math.Abs(b.Y - a.Y) + 2 * reach;
 
-    /// <summary>Top at its point nearest to a point seen from above, if that is within a distance of its footprint; else negative infinity.</summary>
+    /// <summary>Top at its nearest point to a point, seen from above, if within a distance of its footprint. Otherwise negative infinity.</summary>
     public readonly double TopAt(Vec3 p, double distance)
     {
         double dx = Bx - Ax, dy = By - Ay;
@@ -64,12 +64,12 @@ internal struct Extrusion
     }
 }
 
-/// <summary>The part of a segment that lies in the stadium around another, seen from above.</summary>
+/// <summary>The part of a segment inside the stadium around another segment, seen from above.</summary>
 internal static class StadiumClip
 {
     /// <summary>
-    /// Parameters from 0 to 1 along the segment from (x, y) by (dx, dy) between which it is within <paramref name="reach"/> mm of the segment from a to b. A
-    /// stadium is convex, so the part is one piece: the union of the pieces in its rectangle and its two discs.
+    /// Parameters from 0 to 1 along the segment from (x, y) by (dx, dy), between which it is within <paramref name="reach"/> mm of the segment from a to b. The
+    /// part is one piece, because a stadium is convex: the union of the pieces in its rectangle and its two discs.
     /// </summary>
     public static bool TryClip(double x, double y, double dx, double dy, Vec3 a, Vec3 b, double reach, out double from, out double to)
     {
@@ -118,7 +118,7 @@ internal static class StadiumClip
     }
 }
 
-/// <summary>Extrusions by number, in chunks; numbers of extrusions that no bin refers to are reused.</summary>
+/// <summary>Extrusions by number, in chunks. Numbers without a bin are reused.</summary>
 internal sealed class ExtrusionStore
 {
     private const int ChunkBits = 12;
@@ -149,10 +149,10 @@ internal sealed class ExtrusionStore
         return index;
     }
 
-    /// <summary>One bin more refers to an extrusion.</summary>
+    /// <summary>Counts one more bin with an extrusion.</summary>
     public void Use(int index) => _users[index]++;
 
-    /// <summary>One bin less refers to it.</summary>
+    /// <summary>Counts one bin less.</summary>
     public void Release(int index)
     {
         if (--_users[index] > 0) return;

@@ -3,8 +3,8 @@ using System.Runtime.CompilerServices;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// The square cells that an extrusion covers seen from above. In each row the extrusion, wider by half a diagonal, covers a span: between its sides, or the
-/// ends of its discs. Rows that both ends are clear of have the same span, moved along the extrusion. For one extrusion after the other.
+/// The square cells under an extrusion, seen from above. In each row, the extrusion (wider by half a diagonal) covers a span between its sides or the ends of
+/// its discs. Rows away from both ends have the same span, moved along the extrusion. Reused for one extrusion after another.
 /// </summary>
 /// <param name="cell">Side of a cell, mm.</param>
 internal sealed class ExtrusionRows(double cell)
@@ -25,7 +25,7 @@ internal sealed class ExtrusionRows(double cell)
     /// <summary>Number of its last row.</summary>
     public int Last { get; private set; }
 
-    /// <summary>From now on for another extrusion.</summary>
+    /// <summary>Switches to another extrusion.</summary>
     public void Aim(in Extrusion extrusion)
     {
         (_ax, _ay, _half) = (extrusion.Ax, extrusion.Ay, extrusion.Half);
@@ -67,7 +67,7 @@ internal sealed class ExtrusionRows(double cell)
         return cells < index ? index - 1 : index;
     }
 
-    /// <summary>The first and the last column that it covers in a row; none where the last is before the first.</summary>
+    /// <summary>The first and last column that it covers in a row. If the last is before the first, it covers none.</summary>
     public void Span(int row, out int first, out int last)
     {
         var y = (row + 0.5) * cell - _y;
@@ -97,7 +97,7 @@ internal sealed class ExtrusionRows(double cell)
         last = Index(_x + right, _perCell);
     }
 
-    /// <summary>Where the middle of a cell is along the extrusion, 0 at its start and 1 at its end.</summary>
+    /// <summary>Position of the middle of a cell along the extrusion, 0 at its start and 1 at its end.</summary>
     public double Along(in Extrusion extrusion, int column, int row)
         => (((column + 0.5) * cell - _ax) * (extrusion.Bx - _ax) + ((row + 0.5) * cell - _ay) * (extrusion.By - _ay)) * _inverse;
 }

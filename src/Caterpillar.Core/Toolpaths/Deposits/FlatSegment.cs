@@ -22,7 +22,7 @@ internal static class FlatSegment
         return true;
     }
 
-    /// <summary>Keeps the parameters at which start + step * t lies from min to max; false where there are none.</summary>
+    /// <summary>Keeps the parameters t with start + step * t from min to max. False if none are left.</summary>
     public static bool Slab(double start, double step, double min, double max, ref double low, ref double high)
     {
         if (step == 0) return start >= min && start <= max;

@@ -2,10 +2,10 @@ using System.Runtime.CompilerServices;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Objects by column and row, in an array that grows where one is put outside of it.</summary>
+/// <summary>Objects by column and row, in an array that grows as needed.</summary>
 /// <param name="margin">Columns on each side of the first object.</param>
 /// <param name="rowMargin">Rows on each side of it.</param>
-/// <param name="most">Columns and rows on each side of the origin at most.</param>
+/// <param name="most">Maximum number of columns and rows on each side of the origin.</param>
 internal struct GrowingGrid<T>(int margin, int rowMargin, int most)
     where T : class
 {
@@ -29,7 +29,7 @@ internal struct GrowingGrid<T>(int margin, int rowMargin, int most)
         return (uint)x < (uint)Columns && (uint)y < (uint)Rows ? _items[y * Columns + x] : null;
     }
 
-    /// <summary>Puts an object into its place; true where the grid had to grow.</summary>
+    /// <summary>Puts an object in its place. True if the grid had to grow.</summary>
     public bool Put(int column, int row, T item)
     {
         var grows = column < Left || row < Bottom || column >= Left + Columns || row >= Bottom + Rows;

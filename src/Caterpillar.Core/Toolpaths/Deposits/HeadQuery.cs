@@ -3,8 +3,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Asks what a head meets that goes straight from one point to another, up or down as well, and remembers whether it digs into something. Never misses a
-/// extrusion; what rises by less than 0.02 mm counts as level.
+/// A collision query for a head that moves straight from one point to another, also up or down. It records whether the head digs into something. It misses no
+/// extrusion. A rise of less than 0.02 mm counts as level.
 /// </summary>
 internal struct HeadQuery
 {
@@ -17,11 +17,11 @@ internal struct HeadQuery
 
     public readonly Vec3 From, To;
 
-    /// <summary>How deep it may touch extrusions, mm.</summary>
+    /// <summary>Maximum depth of contact, mm.</summary>
     public readonly double Tolerance;
     public readonly HeadShape Head;
 
-    /// <summary>What it only digs into does not count (any more).</summary>
+    /// <summary>Ignore extrusions that the head only digs into.</summary>
     public bool HitsOnly;
     public bool Digs;
 
@@ -47,7 +47,7 @@ internal struct HeadQuery
         if (!_isUpright) _rise = (to.Z - from.Z) / _length;
     }
 
-    /// <summary>From now on extrusions up to so many mm above the lowest tip are shown.</summary>
+    /// <summary>Prepares for extrusions up to this many mm above the lowest tip.</summary>
     public void Aim(double excess)
     {
         _excess = excess;
@@ -57,8 +57,8 @@ internal struct HeadQuery
     }
 
     /// <summary>
-    /// True where an extrusion is clearly out of reach of the endless line of the path: what the head reaches sideways of it grows with the height of an
-    /// extrusion above the slope on which it goes.
+    /// True if an extrusion is clearly out of reach of the infinite line of the path. The sideways reach of the head grows with the height of the extrusion
+    /// above the slope of the path.
     /// </summary>
     public readonly bool IsPassed(in Extrusion extrusion)
     {
@@ -74,7 +74,7 @@ internal struct HeadQuery
         return aside > 0 == bside > 0 || start + _slope * (a + (b - a) * aside / (aside - bside)) < -Same;
     }
 
-    /// <summary>True where it hits; digging is noted.</summary>
+    /// <summary>True if the head hits. Digging is recorded.</summary>
     public bool Meets(in Extrusion extrusion)
     {
         if (IsPassed(extrusion)) return false;
@@ -86,7 +86,7 @@ internal struct HeadQuery
         return false;
     }
 
-    /// <summary>How far a square around a center is from the path at least, seen from above; negative where it may be upon it. mm.</summary>
+    /// <summary>Minimum distance of a square from the path, seen from above, mm. Negative if they may overlap.</summary>
     public readonly double DistanceTo(double x, double y, double half)
     {
         x -= From.X;
@@ -95,7 +95,7 @@ internal struct HeadQuery
         return Math.Max(Math.Abs(y * _ux - x * _uy), Math.Max(-along, along - _length)) - half * _spread;
     }
 
-    /// <summary>Lowest height of the tip within some distance of such a square, mm.</summary>
+    /// <summary>Minimum height of the tip within some distance of such a square, mm.</summary>
     public readonly double LowestNear(double x, double y, double half, double distance)
     {
         if (_rise == 0) return Math.Min(From.Z, To.Z);
@@ -121,12 +121,12 @@ internal struct HeadQuery
     }
 }
 
-/// <summary>What a head does to what is printed.</summary>
+/// <summary>Contact of a head with the print.</summary>
 internal enum HeadContact
 {
     None,
 
-    /// <summary>Only the flat of its tip touches a slope of up to 45° beside it.</summary>
+    /// <summary>Only the flat of its tip touches a slope of up to 45° next to it.</summary>
     Digs,
 
     Hits,

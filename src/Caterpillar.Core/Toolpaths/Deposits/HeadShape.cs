@@ -12,18 +12,18 @@ internal sealed class HeadShape
     // Radius gained for each mm of height above a point of the outline; the last has none.
     private readonly double[] _slopes;
 
-    /// <param name="outline">Radius and height, from the tip outward; both ascend, and the first height is 0.</param>
-    /// <exception cref="ArgumentException">They do not.</exception>
+    /// <param name="outline">Radius and height, ascending from the tip outward. The first height is 0.</param>
+    /// <exception cref="ArgumentException">The outline does not start at 0 or does not ascend.</exception>
     public HeadShape(IEnumerable<(double Radius, double Height)> outline)
     {
         var points = (outline ?? throw new ArgumentNullException(nameof(outline))).ToArray();
         _radii = Array.ConvertAll(points, p => p.Radius);
         _heights = Array.ConvertAll(points, p => p.Height);
-        if (points.Length == 0 || _heights[0] != 0) throw new ArgumentException("An outline begins at the tip, at height 0.", nameof(outline));
+        if (points.Length == 0 || _heights[0] != 0) throw new ArgumentException("The outline of a head must begin at the tip, at height 0.", nameof(outline));
         for (var i = 1; i < points.Length; i++)
         {
             if (!(_radii[i] > _radii[i - 1]) || !(_heights[i] >= _heights[i - 1]))
-                throw new ArgumentException("Radii and heights of an outline ascend.", nameof(outline));
+                throw new ArgumentException("The radii and heights of an outline must be in ascending order.", nameof(outline));
             if (_heights[i] == 0) FlatRadius = _radii[i];
         }
         FlatRadius = Math.Max(FlatRadius, _radii[0]);
@@ -38,7 +38,7 @@ internal sealed class HeadShape
     public double FlatRadius { get; }
 
     /// <summary>
-    /// How far from the axis something may be whose top is <paramref name="excess"/> above the tip and still be touched; negative where it is not above it.
+    /// Reach of the head from its axis for a top <paramref name="excess"/> mm above the tip, mm. Negative if the top is not above the tip.
     /// </summary>
     public double Reach(double excess)
     {
@@ -49,7 +49,7 @@ internal sealed class HeadShape
         return i == radii.Length - 1 ? radii[i] : radii[i] + _slopes[i] * (excess - heights[i]);
     }
 
-    /// <summary>Height of the underside at a distance from the axis, mm, less 1e-9 for rounding; infinite beyond the head.</summary>
+    /// <summary>Height of the underside at a distance from the axis, mm, minus 1e-9 for rounding. Infinite beyond the head.</summary>
     internal double HeightAt(double distance)
     {
         if (!(distance > _radii[0])) return 0;
@@ -62,8 +62,8 @@ internal sealed class HeadShape
     }
 
     /// <summary>
-    /// The same from the axis of the head to that of an extrusion of half a width. Leniently, an extrusion beside the axis that rises from it by less than 45°
-    /// is not counted where only the flat of the tip digs into it.
+    /// Reach from the axis of the head to the axis of an extrusion with half its width. If lenient, an extrusion next to the axis that rises by less than 45°
+    /// does not count if only the flat of the tip digs into it.
     /// </summary>
     internal double AxisReach(double excess, double half, bool lenient)
     {
@@ -75,8 +75,8 @@ internal sealed class HeadShape
     }
 
     /// <summary>
-    /// A line that <see cref="AxisReach"/> does not exceed up to some height: its value for an excess of 0, its slope, and whether half the width of the
-    /// extrusion is to be added.
+    /// A linear upper bound of <see cref="AxisReach"/> up to some height: its value for an excess of 0, its slope, and whether to add half the width of the
+    /// extrusion.
     /// </summary>
     internal (double Start, double Slope, bool AddsHalf) LineAbove(double excess, bool lenient)
     {

@@ -3,8 +3,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// The top of an object that is printed on, for checks: exact heights for what lies on it, and lines over its surface for what the head meets. The lines
-/// are at most 0.005 mm above the surface, so that a nozzle which follows it meets nothing. Immutable.
+/// The top of an object under the print, for checks: exact heights, and lines over its surface for collisions of the head. The lines are at most 0.005 mm above
+/// the surface, so that a nozzle that follows the surface does not collide. Immutable.
 /// </summary>
 internal sealed class ObjectTop
 {
@@ -20,7 +20,7 @@ internal sealed class ObjectTop
     private readonly MeshHeights _heights;
 
     /// <param name="mesh">The object.</param>
-    /// <param name="cell">Distance of lines, mm; more on large objects.</param>
+    /// <param name="cell">Distance of lines, mm. Larger on large objects.</param>
     public ObjectTop(TriMesh mesh, double cell)
     {
         _heights = new MeshHeights(mesh);
@@ -28,10 +28,10 @@ internal sealed class ObjectTop
         if (mesh.TriangleCount > 0) AddLines(mesh, Math.Max(cell, Math.Max(mesh.Bounds.Size.X, mesh.Bounds.Size.Y) / MostSamples));
     }
 
-    /// <summary>What the head may meet.</summary>
+    /// <summary>The lines over the surface, for collisions of the head.</summary>
     public Deposit Lines { get; }
 
-    /// <summary>Highest point of the object on the vertical through a place and not above a limit, mm; negative infinity if there is none.</summary>
+    /// <summary>Highest point of the object at a place, not above a limit, mm. Negative infinity = none.</summary>
     public double Under(double x, double y, double limit) => _heights.TopUnder(x, y, limit);
 
     private void AddLines(TriMesh mesh, double step)

@@ -3,8 +3,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// A tip that goes from a to b past an extrusion that is higher: where the distance seen from above, less some slope times the height of the extrusion above
-/// the tip, is least. That is convex over the places on both, so it is least where they cross or on the border of the places at which the extrusion is higher.
+/// Finds the minimum of a function while a tip moves from a to b past a higher extrusion: the distance seen from above, minus a slope times the height of the
+/// extrusion above the tip. The function is convex, so its minimum is at their crossing or at the border of the part where the extrusion is higher.
 /// </summary>
 internal struct SlopePass
 {
@@ -21,7 +21,7 @@ internal struct SlopePass
         Search();
     }
 
-    /// <summary>The least value, mm; infinite where the extrusion is nowhere higher.</summary>
+    /// <summary>The minimum, mm. Infinite if the extrusion is nowhere higher.</summary>
     public double Least { get; private set; }
 
     /// <summary>The distance there, mm.</summary>

@@ -10,7 +10,7 @@ public enum PathAxis : byte
     Z,
 }
 
-/// <summary>The G-code word that a coordinate is mapped to: a rotary axis, or a linear one whose motor drives something else.</summary>
+/// <summary>The G-code word that a coordinate is mapped to: a rotary axis, or a linear axis with another use.</summary>
 public enum OutputAxis : byte
 {
     A,
@@ -23,25 +23,25 @@ public enum OutputAxis : byte
 
 /// <summary>
 /// Maps a coordinate of the path to another word, scaled, for printers with a rotating platform or other extra axes (Caterpillar 2019, section 6: a sleeve
-/// motor that turns the platform, "generated based on the scaled toolpaths"). The path is planned unrolled, and mapped last: amounts of E stay those of the
-/// unrolled path, and so does the time of every move.
+/// motor that turns the platform, "generated based on the scaled toolpaths"). The path is planned unrolled and mapped last. E and the time of every move do
+/// not change.
 /// </summary>
 /// <param name="From">The source coordinate.</param>
 /// <param name="To">The target word.</param>
-/// <param name="Scale">Degrees of a rotary word, or mm of a linear one, per mm of the coordinate; may be negative.</param>
-/// <param name="Hold">Constant value of the source coordinate itself, mm, if another word replaces it.</param>
+/// <param name="Scale">Degrees (rotary word) or mm (linear word) per mm of the coordinate. May be negative.</param>
+/// <param name="Hold">Constant value of the source coordinate if another word replaces it, mm.</param>
 public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, double Hold = 0)
 {
     private const double ChordTolerance = 0.01;
 
-    /// <summary>The mapping for a drum of a diameter in mm: its circumference is one turn.</summary>
+    /// <summary>The mapping for a drum with a diameter in mm. One circumference is one turn.</summary>
     public static AxisMapping Drum(PathAxis from, OutputAxis to, double diameter, double hold = 0)
         => diameter > 0 ? new AxisMapping(from, to, 360 / (Math.PI * diameter), hold)
-            : throw new ArgumentOutOfRangeException(nameof(diameter), "A drum needs a positive diameter.");
+            : throw new ArgumentOutOfRangeException(nameof(diameter), "The diameter of a drum must be positive.");
 
     /// <summary>
-    /// The mapped toolpath; arcs become chords. The speed of a move is changed so that its time stays: it is measured along X, Y and Z if one
-    /// of them moves, else in degrees per second (as in RS274/NGC section 2.1.2.5).
+    /// The mapped toolpath. Arcs become chords. The speed of each move is adjusted to keep its time. It is measured along X, Y and Z if one of them moves,
+    /// otherwise in degrees per second (as in RS274/NGC section 2.1.2.5).
     /// </summary>
     /// <exception cref="InvalidOperationException">The scale is zero or not finite, or two coordinates would map to one word.</exception>
     public Toolpath Apply(Toolpath toolpath, IProgress<double>? progress = null, CancellationToken cancel = default)

@@ -25,7 +25,7 @@ internal sealed class BlockEditor
         if (_turns) _builder.SetRotary(_a, _b, _c);
     }
 
-    /// <summary>What is added from now on comes from a move of these columns: from its line of the script.</summary>
+    /// <summary>The moves added from now on come from the script line of this move.</summary>
     public void From(ToolpathColumns columns, int i) => _builder.Line = columns.Line?[i] ?? 0;
 
     /// <summary>Sets the rotary axes of the last move from a move of these columns.</summary>

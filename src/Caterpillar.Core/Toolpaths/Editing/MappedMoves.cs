@@ -2,7 +2,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Determines which moves are mapped together with the chosen ones.</summary>
+/// <summary>Finds the moves that are mapped together with the selected moves.</summary>
 internal static class MappedMoves
 {
     public static bool[] All(Toolpath toolpath)
@@ -16,8 +16,8 @@ internal static class MappedMoves
     }
 
     /// <summary>
-    /// The chosen extrusions, the chosen moves between them, and the moves in place at their ends. Travels that lead to the first extrusion or away from the
-    /// last have one end elsewhere: a travel from or to the home position stays.
+    /// The selected extrusions, the selected moves between them, and the moves in place at their ends. Travel moves to the first extrusion or away from
+    /// the last one have one end elsewhere: a travel move from or to the home position does not change.
     /// </summary>
     public static bool[] Of(Toolpath toolpath, MoveFilter filter)
     {

@@ -3,15 +3,15 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Moves, turns and scales paths and toolpaths. Arcs stay arcs if the map keeps circles in the XY plane, else they become chords. Extrusions of a toolpath are
-/// scaled like the part: their heights and widths too, and so their E with the volume. The cross-sections of paths stay, as their design states them.
+/// Moves, rotates and scales paths and toolpaths. Arcs stay arcs if circles stay circles in the XY plane, otherwise they become chords. Scaling a toolpath
+/// also scales the heights, widths and E of its extrusions. Scaling a path keeps its cross-sections, because the design sets them.
 /// </summary>
 public static class Mapping
 {
-    /// <summary>The image of a path.</summary>
+    /// <summary>The transformed path.</summary>
     /// <param name="path">The path.</param>
-    /// <param name="map">The map, shift in mm.</param>
-    /// <param name="tolerance">Maximum deviation of chords from an arc before it is mapped, mm.</param>
+    /// <param name="map">The transformation. Its translation is in mm.</param>
+    /// <param name="tolerance">Maximum deviation of chords from an arc before the transformation, mm.</param>
     public static PrintPath Transformed(this PrintPath path, Affine map, double tolerance = 0.01)
     {
         if (path is null) throw new ArgumentNullException(nameof(path));
@@ -19,7 +19,7 @@ public static class Mapping
         return path.Layer is { } layer ? mapped.With(layer: Image(layer, map)) : mapped;
     }
 
-    /// <summary>The image of a toolpath. Extrusions are scaled as solids, with their cross-section; retractions, primes and speeds stay.</summary>
+    /// <summary>The transformed toolpath. Extrusions are scaled with their cross-sections. Retractions, primes and speeds do not change.</summary>
     /// <inheritdoc cref="Transformed(PrintPath, Affine, double)" path="/param"/>
     public static Toolpath Transform(this Toolpath toolpath, Affine map, double tolerance = 0.01)
     {
@@ -30,8 +30,8 @@ public static class Mapping
     }
 
     /// <summary>
-    /// The same for the chosen extrusions and the chosen moves between them; the rest stays, and travels lead to the new starts of extrusions. Layers that are
-    /// chosen completely (by number and object) get their new heights.
+    /// Transforms only the selected extrusions and the selected moves between them. Travel moves lead to the new starts of extrusions. Layers that are selected
+    /// as a whole (by number and object) get their new heights.
     /// </summary>
     /// <inheritdoc cref="Transform(Toolpath, Affine, double)" path="/param"/>
     public static Toolpath Transform(this Toolpath toolpath, MoveFilter filter, Affine map, double tolerance = 0.01)

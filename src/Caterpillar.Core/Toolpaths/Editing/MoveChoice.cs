@@ -2,7 +2,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>A filter worked out for the layers of one toolpath, so that each of many million moves is a few look-ups.</summary>
+/// <summary>A filter prepared for the layers of one toolpath, so that each move needs only a few look-ups.</summary>
 internal sealed class MoveChoice
 {
     private readonly bool[] _kinds;
@@ -21,7 +21,7 @@ internal sealed class MoveChoice
         (_tool, _box) = (filter.Tool, filter.Box);
     }
 
-    /// <summary>True if a move in the columns of a block is chosen.</summary>
+    /// <summary>True if a move in the columns of a block is selected.</summary>
     public bool Has(ToolpathColumns columns, int i)
     {
         var layer = columns.Layer[i];

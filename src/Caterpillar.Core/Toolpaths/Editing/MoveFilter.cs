@@ -2,37 +2,37 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Chooses moves of a toolpath. All given conditions must hold; without any, all moves are chosen.</summary>
+/// <summary>Selects moves of a toolpath. A move must meet all conditions that are set. An empty filter selects all moves.</summary>
 public sealed record MoveFilter
 {
-    /// <summary>Roles of extrusions; null for all.</summary>
+    /// <summary>Roles of extrusions. Null = all.</summary>
     public IReadOnlyCollection<Role>? Roles { get; init; }
 
-    /// <summary>Kinds of moves; null for all.</summary>
+    /// <summary>Kinds of moves. Null = all.</summary>
     public IReadOnlyCollection<MoveKind>? Kinds { get; init; }
 
     /// <summary>
-    /// First and last number of the layer in its object (<see cref="Layer.Index"/>); null for no limit. Moves without a layer are excluded as soon as one is
-    /// given.
+    /// The first layer, by its number in its object (<see cref="Layer.Index"/>). Null = no limit. If a first or last layer is set, moves without a layer are
+    /// not selected.
     /// </summary>
     public int? FirstLayer { get; init; }
 
-    /// <summary>The last layer, by its number; null for no limit.</summary>
+    /// <summary>The last layer, by its number in its object. Null = no limit.</summary>
     public int? LastLayer { get; init; }
 
-    /// <summary>Names of objects; null for all.</summary>
+    /// <summary>Names of objects. Null = all.</summary>
     public IReadOnlyCollection<string>? Objects { get; init; }
 
-    /// <summary>Number of the tool; null for all.</summary>
+    /// <summary>Number of the tool. Null = all.</summary>
     public int? Tool { get; init; }
 
-    /// <summary>A box in mm that contains the end of the move; null for everywhere.</summary>
+    /// <summary>A box that must contain the end of the move, mm. Null = no limit.</summary>
     public Bounds? Box { get; init; }
 
-    /// <summary>Printing moves.</summary>
+    /// <summary>A filter for printing moves.</summary>
     public static MoveFilter Prints { get; } = new() { Kinds = [MoveKind.Print] };
 
-    /// <summary>True for a move of a layer that the filter lets through.</summary>
+    /// <summary>True if the filter selects this move of this layer.</summary>
     public bool Matches(Move move, Layer? layer)
         => (Roles is null || Roles.Contains(move.Role))
             && (Kinds is null || Kinds.Contains(move.Kind))
@@ -40,21 +40,21 @@ public sealed record MoveFilter
             && (Tool is null || move.Tool == Tool)
             && (Box is null || Box.Value.Contains(move.End));
 
-    /// <summary>The same without the moves that belong to no layer (start and end code of a file), if the toolpath has layers.</summary>
+    /// <summary>The same filter without moves outside of all layers (start and end G-code), if the toolpath has layers.</summary>
     public MoveFilter InLayersOf(Toolpath toolpath)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         return FirstLayer is null && toolpath.Layers.Count > 0 ? this with { FirstLayer = int.MinValue } : this;
     }
 
-    /// <summary>Whether moves of this toolpath are chosen, as a question for each.</summary>
+    /// <summary>A function that is true for the selected moves of this toolpath.</summary>
     public Func<Move, bool> MatchesIn(Toolpath toolpath)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         return move => Matches(toolpath, move);
     }
 
-    /// <summary>Box around the chosen moves of a toolpath, mm; empty if there are none.</summary>
+    /// <summary>Bounding box of the selected moves, mm. Empty if the filter selects none.</summary>
     public Bounds BoundsIn(Toolpath toolpath)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
@@ -79,14 +79,14 @@ public sealed record MoveFilter
         return box;
     }
 
-    /// <summary>True if a layer is chosen completely.</summary>
+    /// <summary>True if a whole layer is selected.</summary>
     internal bool MatchesLayer(Layer layer)
         => Roles is null && Kinds is null && Tool is null && Box is null && Matches(default, layer);
 
-    /// <summary>True if the move of a toolpath is chosen.</summary>
+    /// <summary>True if the move of a toolpath is selected.</summary>
     internal bool Matches(Toolpath toolpath, Move move) => Matches(move, move.Layer >= 0 ? toolpath.Layers[move.Layer] : null);
 
-    /// <summary>True if the moves of a layer are chosen as far as its number and object go; null for moves without one.</summary>
+    /// <summary>True if number and object of a layer meet the filter. Null = no layer.</summary>
     internal bool MatchesNumber(Layer? layer)
         => (FirstLayer is null || (layer is not null && layer.Index >= FirstLayer))
             && (LastLayer is null || (layer is not null && layer.Index <= LastLayer))

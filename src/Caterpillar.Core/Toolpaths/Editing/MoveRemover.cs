@@ -3,8 +3,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Removes moves from a toolpath and repairs the cuts: the travel to the next extrusion, and for each tool the retraction, by E or by the firmware
-/// (G10 and G11). Events stay, and so do homing moves; a dwell is removed with its event. Blocks without cuts are shared.
+/// Removes moves from a toolpath and repairs the cuts. It adds travel moves to the next extrusion, and retractions of each tool by E or firmware (G10, G11).
+/// Events and homing moves stay. A dwell is removed with its event. Blocks without cuts are shared.
 /// </summary>
 internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
 {
@@ -86,7 +86,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
         if (move.Kind == MoveKind.Retract && move.E < 0 && move.Speed > 0) _retractSpeed = move.Speed;
     }
 
-    // Retracted before the travel, restored at its end: a travel carries over what is still retracted.
+    // Retracted before the travel, deretracted at its end: a travel carries over what is still retracted.
     private void Repair(Move move)
     {
         var tool = Of(move.Tool);
@@ -169,7 +169,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
         return true;
     }
 
-    /// <summary>The retraction of a tool, with all moves and with the kept ones.</summary>
+    /// <summary>The retraction of a tool, for all moves and for the kept moves.</summary>
     private sealed class Balance
     {
         private double _before;
@@ -191,10 +191,10 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
 
         public void LevelFirmware() => _firmwareNow = _firmwareBefore;
 
-        private static void Take(Move move, ref double pulled, ref bool firmware)
+        private static void Take(Move move, ref double retracted, ref bool firmware)
         {
-            if (move.E < 0) pulled -= move.E;
-            else if (move.E > 0) pulled = Math.Max(pulled - move.E, 0);
+            if (move.E < 0) retracted -= move.E;
+            else if (move.E > 0) retracted = Math.Max(retracted - move.E, 0);
             else if (move.Kind == MoveKind.Retract) firmware = true;
             else if (move.Kind == MoveKind.Deretract) firmware = false;
         }

@@ -2,7 +2,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Consecutive moves of a toolpath that are mapped together, divided into pieces where the map curves them.</summary>
+/// <summary>Consecutive moves of a toolpath that are mapped together, divided into pieces if the map curves them.</summary>
 internal sealed class MoveRun(Toolpath toolpath, Vec3 start)
 {
     public Toolpath Toolpath => toolpath;
@@ -23,7 +23,7 @@ internal sealed class MoveRun(Toolpath toolpath, Vec3 start)
 
     public List<double> Speeds { get; } = [];
 
-    /// <summary>The points added since the last call are the pieces of a move.</summary>
+    /// <summary>Ends a move: the points added since the last call are its pieces.</summary>
     public void Close(Move move, Arc? arc = null)
     {
         while (Moves.Count < Points.Count - 1)
@@ -40,7 +40,7 @@ internal sealed class MoveRun(Toolpath toolpath, Vec3 start)
 /// <summary>A map of runs of moves.</summary>
 internal abstract class RunMap
 {
-    /// <summary>True where a point is mapped without regard to others, so that runs may be cut anywhere.</summary>
+    /// <summary>True if each point is mapped on its own, so that runs can be cut anywhere.</summary>
     public virtual bool IsLocal => false;
 
     /// <summary>Adds the pieces of a move to a run, before the mapping.</summary>
@@ -50,12 +50,12 @@ internal abstract class RunMap
     public abstract void Map(MoveRun run);
 
     /// <summary>
-    /// The image of a whole block whose first move begins at <paramref name="start"/>, while the head is at <paramref name="position"/>; null where its moves
+    /// The image of a whole block whose first move begins at <paramref name="start"/>, while the head is at <paramref name="position"/>. Null if its moves
     /// must be mapped one by one.
     /// </summary>
     public virtual ToolpathColumns? MapBlock(ToolpathColumns block, Vec3 start, Vec3 position) => null;
 
-    /// <summary>Divides printed moves and arcs so that straight pieces match their images within the tolerance (mm); other moves stay whole.</summary>
+    /// <summary>Divides printed moves and arcs so that straight pieces match their images within the tolerance (mm). Other moves stay whole.</summary>
     protected static void DivideSmoothly(Move move, MoveRun run, double tolerance, Func<Vec3[], Vec3[]> map)
     {
         if (move.Kind == MoveKind.Print || move.Arc is not null) SmoothDivision.Divide(move.Start, move.End, move.Arc, tolerance, map, run.Points, run.Shares);

@@ -2,39 +2,39 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>How a print pauses. Lengths in mm, speeds in mm/s.</summary>
+/// <summary>How the machine pauses a print.</summary>
 public sealed record Pause
 {
-    /// <summary>The command alone, on the spot.</summary>
+    /// <summary>Only the pause command, without moves.</summary>
     public static Pause Plain { get; } = new();
 
-    /// <summary>Height above everything printed so far; 0 stays on the spot, and then nothing is parked or retracted.</summary>
+    /// <summary>Clearance above everything printed so far, mm. 0 = off: the head does not move or retract.</summary>
     public double Lift { get; init; }
 
-    /// <summary>The greatest height of the nozzle.</summary>
+    /// <summary>Maximum height of the nozzle, mm.</summary>
     public double MaxHeight { get; init; } = double.PositiveInfinity;
 
-    /// <summary>Where the head waits; null for the corner with the least X and Y that the print reaches.</summary>
+    /// <summary>Park position of the head, mm. Null = the corner of the print with minimum X and Y.</summary>
     public Vec3? Park { get; init; }
 
-    /// <summary>Filament that is retracted, and what is extruded beyond it afterwards; of the cross-section <see cref="FilamentArea"/>, mm².</summary>
+    /// <summary>Retraction length, mm of filament.</summary>
     public double Retraction { get; init; }
 
-    /// <summary>Filament that is extruded beyond what was retracted, before printing goes on, mm.</summary>
+    /// <summary>Extra length after deretraction, before printing resumes, mm of filament.</summary>
     public double Prime { get; init; }
 
     /// <summary>Cross-section of the filament, mm².</summary>
     public double FilamentArea { get; init; } = 1;
 
-    /// <summary>Speed to the place where the head waits and back, mm/s.</summary>
+    /// <summary>Travel speed to the park position and back, mm/s.</summary>
     public double TravelSpeed { get; init; } = 100;
 
-    /// <summary>Speed up and down, mm/s.</summary>
+    /// <summary>Speed of Z moves, mm/s.</summary>
     public double ZHopSpeed { get; init; } = 10;
 
-    /// <summary>Speed of the filament, mm/s.</summary>
+    /// <summary>Retraction speed, mm/s.</summary>
     public double RetractionSpeed { get; init; } = 35;
 
-    /// <summary>The command, or empty for that of the flavor.</summary>
+    /// <summary>The pause command. Empty = the pause command of the G-code flavor.</summary>
     public string Command { get; init; } = "";
 }

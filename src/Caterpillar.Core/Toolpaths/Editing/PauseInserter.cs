@@ -3,13 +3,13 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Pauses in a finished toolpath.</summary>
+/// <summary>Adds pauses to a finished toolpath.</summary>
 internal static class PauseInserter
 {
     /// <summary>
-    /// Pauses before the first move of a layer, by its number: retracts, lifts, parks and waits, and then comes back and restores.
+    /// Adds a pause before the first move of a layer: retract, raise the head, park, wait, return and deretract.
     /// </summary>
-    /// <returns>The toolpath, or none with the error <c>toolpath.no_layer</c>.</returns>
+    /// <returns>The toolpath, or the error <c>toolpath.no_layer</c>.</returns>
     public static Result<Toolpath> PauseAtLayer(this Toolpath toolpath, int layer, Pause pause)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));

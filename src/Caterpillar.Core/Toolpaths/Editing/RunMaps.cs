@@ -2,7 +2,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Shifts, turns and scales; arcs stay arcs where circles stay circles.</summary>
+/// <summary>Moves, rotates and scales. Arcs stay arcs if circles stay circles.</summary>
 internal sealed class AffineRunMap(Affine map, double tolerance) : RunMap
 {
     private readonly bool _keepsArcs = Mapping.KeepsCircles(map);
@@ -70,7 +70,7 @@ internal sealed class AffineRunMap(Affine map, double tolerance) : RunMap
     }
 }
 
-/// <summary>Maps point by point; printed moves are divided until their image is smooth.</summary>
+/// <summary>Maps point by point. Printed moves are divided until their image is smooth.</summary>
 internal sealed class PointRunMap(Func<Vec3, Vec3> map, double tolerance) : RunMap
 {
     private readonly Func<Vec3[], Vec3[]> _map = points => Array.ConvertAll(points, p => map(p));
@@ -82,7 +82,7 @@ internal sealed class PointRunMap(Func<Vec3, Vec3> map, double tolerance) : RunM
         for (var i = 0; i < run.Points.Count; i++)
         {
             run.Points[i] = map(run.Points[i]);
-            if (!run.Points[i].IsFinite) throw new InvalidOperationException("The map gives a point that is not finite.");
+            if (!run.Points[i].IsFinite) throw new InvalidOperationException("The map returned a point that is not finite.");
         }
     }
 }

@@ -1,9 +1,9 @@
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Makes paths take a given time by lowering their speeds, all by the same factor as far as a least speed allows.</summary>
+/// <summary>Slows paths down to a minimum time, all by the same factor, but not below a minimum speed.</summary>
 internal static class SlowDown
 {
-    /// <summary>Time of a path in s at the speeds of a function of the path and the segment (mm/s).</summary>
+    /// <summary>Time of a path, s, at the speeds that a function returns for each segment (mm/s).</summary>
     public static double TimeOf(PrintPath path, Func<PrintPath, int, double> speedOf)
     {
         var time = 0.0;
@@ -11,12 +11,12 @@ internal static class SlowDown
         return time;
     }
 
-    /// <summary>The paths with lowered speeds; the same ones where they take long enough.</summary>
-    /// <param name="paths">In any order.</param>
+    /// <summary>The paths with lower speeds, or the same paths if they already take long enough.</summary>
+    /// <param name="paths">The paths, in any order.</param>
     /// <param name="speedOf">Speed of a segment of a path, mm/s.</param>
-    /// <param name="wanted">The least time, s.</param>
-    /// <param name="least">No speed is lowered below this, mm/s.</param>
-    /// <param name="reached">False where even the least speed is too fast.</param>
+    /// <param name="wanted">Minimum time, s.</param>
+    /// <param name="least">Minimum speed, mm/s.</param>
+    /// <param name="reached">False if the minimum speed is still too fast.</param>
     public static PrintPath[] To(IReadOnlyList<PrintPath> paths, Func<PrintPath, int, double> speedOf, double wanted, double least, out bool reached)
     {
         var slowed = new PrintPath[paths.Count];

@@ -1,8 +1,8 @@
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Assigns a range of moves to another tool; a new tool has the properties of the last one. Each tool has its own balance of retraction, so that
-/// a move that restored one may prime the other; kinds and deposited amounts follow.
+/// Assigns a range of moves to another tool. A new tool has the properties of the last one. Each tool has its own retraction balance: a move that deretracted
+/// one tool may prime the other. Kinds and deposited amounts follow.
 /// </summary>
 internal sealed class ToolReassigner(Toolpath toolpath, int from, int until, int tool)
 {
@@ -38,26 +38,26 @@ internal sealed class ToolReassigner(Toolpath toolpath, int from, int until, int
     {
         var e = columns.E[i];
         if (e == 0) return;
-        var restored = Restore(_before, columns.Tool[i], e);
-        var restoredNow = Restore(_now, toolNow, e, out var hadRetracted);
-        if (e < 0 || Math.Abs(restored - restoredNow) <= 1e-9) return;
+        var deretracted = Deretract(_before, columns.Tool[i], e);
+        var deretractedNow = Deretract(_now, toolNow, e, out var hadRetracted);
+        if (e < 0 || Math.Abs(deretracted - deretractedNow) <= 1e-9) return;
         copy ??= columns.Copy(columns.Count);
-        var flow = e - restored > 1e-9 && columns.Deposited[i] > 0 ? columns.Deposited[i] / (e - restored) : 1;
-        var deposited = Math.Max(e - restoredNow, 0) * flow;
+        var flow = e - deretracted > 1e-9 && columns.Deposited[i] > 0 ? columns.Deposited[i] / (e - deretracted) : 1;
+        var deposited = Math.Max(e - deretractedNow, 0) * flow;
         var inPlace = columns.Kind[i] is MoveKind.Deretract or MoveKind.Prime;
         copy.Deposited[i] = deposited;
         copy.Kind[i] = inPlace ? (hadRetracted ? MoveKind.Deretract : MoveKind.Prime) : deposited > 0 ? MoveKind.Print : MoveKind.MovingDeretract;
     }
 
-    private static double Restore(Dictionary<int, double> pulled, int tool, double e) => Restore(pulled, tool, e, out _);
+    private static double Deretract(Dictionary<int, double> retracted, int tool, double e) => Deretract(retracted, tool, e, out _);
 
-    // The part of the E that only restores.
-    private static double Restore(Dictionary<int, double> pulled, int tool, double e, out bool hadRetracted)
+    // The part of the E that only deretracts.
+    private static double Deretract(Dictionary<int, double> retracted, int tool, double e, out bool hadRetracted)
     {
-        pulled.TryGetValue(tool, out var before);
+        retracted.TryGetValue(tool, out var before);
         hadRetracted = before > 1e-9;
-        var restored = e > 0 ? Math.Min(before, e) : 0;
-        pulled[tool] = e < 0 ? before - e : before - restored;
-        return restored;
+        var deretracted = e > 0 ? Math.Min(before, e) : 0;
+        retracted[tool] = e < 0 ? before - e : before - deretracted;
+        return deretracted;
     }
 }

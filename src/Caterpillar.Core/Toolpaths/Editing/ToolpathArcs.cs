@@ -6,10 +6,9 @@ namespace Caterpillar.Toolpaths;
 internal static class ToolpathArcs
 {
     /// <summary>
-    /// Replaces runs of straight printing moves with arcs within a tolerance (see <see cref="ArcFitter"/>). A run has one role, layer, tool and speed, material
-    /// per mm that differs by no more than
-    /// <paramref name="evenness"/> (and the rounding of its file), and nothing between its lines. An arc takes the source of its first move and the material of
-    /// all.
+    /// Replaces runs of straight printing moves with arcs within a tolerance (see <see cref="ArcFitter"/>). A run has one role, layer, tool and speed, and
+    /// nothing between its lines. Its material per mm varies by no more than <paramref name="evenness"/> and the rounding of the file. An arc gets the source
+    /// of its first move and the material of all.
     /// </summary>
     public static Toolpath FitArcs(this Toolpath toolpath, ArcFitOptions? options = null, double evenness = 0.02)
     {

@@ -4,12 +4,12 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Changes to a toolpath, planned or decoded. Each gives a new toolpath that shares all blocks that did not change; sources stay, so that a decoded file can be
-/// written again with only the changed lines different.
+/// Edits of a planned or decoded toolpath. Each returns a new toolpath that shares the unchanged blocks. Moves keep their sources, so that only the changed
+/// lines of a decoded file are written differently.
 /// </summary>
 public static class ToolpathEdits
 {
-    /// <summary>Multiplies the speed of the chosen moves.</summary>
+    /// <summary>Multiplies the speed of the selected moves.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The factor is not positive and finite.</exception>
     public static Toolpath ScaleSpeed(this Toolpath toolpath, MoveFilter filter, double factor)
     {
@@ -17,11 +17,11 @@ public static class ToolpathEdits
         return Change(toolpath, filter, (columns, i) => columns.Speed[i] *= factor);
     }
 
-    /// <summary>Multiplies the material of the chosen printing moves; E that only restores a retraction stays.</summary>
+    /// <summary>Multiplies the material of the selected printing moves. Deretraction does not change.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The factor is negative or not finite.</exception>
     public static Toolpath ScaleFlow(this Toolpath toolpath, MoveFilter filter, double factor)
     {
-        if (!(factor >= 0) || double.IsInfinity(factor)) throw new ArgumentOutOfRangeException(nameof(factor), factor, "A flow factor must be 0 or more.");
+        if (!(factor >= 0) || double.IsInfinity(factor)) throw new ArgumentOutOfRangeException(nameof(factor), factor, "The flow factor must be 0 or more.");
         return Change(toolpath, filter, (columns, i) =>
         {
             if (columns.Kind[i] is not (MoveKind.Print or MoveKind.Prime)) return;
@@ -32,12 +32,12 @@ public static class ToolpathEdits
     }
 
     /// <summary>
-    /// Maps the chosen extrusions and the chosen moves between them; the rest stays, and travels lead to the new starts of extrusions. Extrusions are divided
-    /// until they match their image within <paramref name="tolerance"/> mm, arcs become chords, and the material of printing moves follows their length. For
-    /// shifts, turns and scaling see <see cref="Mapping"/>, which keeps arcs.
+    /// Maps the selected extrusions and the selected moves between them. Travel moves lead to the new starts of extrusions. Extrusions are divided until they
+    /// match their image within <paramref name="tolerance"/> mm. Arcs become chords. The material of printing moves follows their length. To move, rotate and
+    /// scale with arcs kept, see <see cref="Mapping"/>.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The tolerance is not positive.</exception>
-    /// <exception cref="InvalidOperationException">The map gives a point that is not finite.</exception>
+    /// <exception cref="InvalidOperationException">The map returned a point that is not finite.</exception>
     public static Toolpath Deform(this Toolpath toolpath, MoveFilter filter, Func<Vec3, Vec3> map, double tolerance = 0.01)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
@@ -48,8 +48,8 @@ public static class ToolpathEdits
     }
 
     /// <summary>
-    /// Removes the chosen moves. If the start of an extrusion is no longer reached, a travel is added, and retraction is carried over for each tool: after the
-    /// cut it is as large as it was, by E or by the firmware. Events stay, and so does homing.
+    /// Removes the selected moves. Adds a travel move if the head no longer reaches the start of an extrusion. After the cut, each tool is retracted as far as
+    /// before, by E or by the firmware. Events and homing stay.
     /// </summary>
     public static Toolpath Remove(this Toolpath toolpath, MoveFilter filter)
     {
@@ -58,7 +58,7 @@ public static class ToolpathEdits
         return new MoveRemover(toolpath, move => filter.Matches(toolpath, move)).Run();
     }
 
-    /// <summary>Keeps only the chosen moves; otherwise as <see cref="Remove"/>.</summary>
+    /// <summary>Keeps only the selected moves. See <see cref="Remove"/>.</summary>
     public static Toolpath Keep(this Toolpath toolpath, MoveFilter filter)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
@@ -67,15 +67,15 @@ public static class ToolpathEdits
     }
 
     /// <summary>
-    /// Inserts an event before a move (its number; the number of moves for the end). After a <see cref="ToolEvent"/> its tool makes the moves up to the next
-    /// one; each tool has its own balance of retraction.
+    /// Inserts an event before a move, or at the end (number of moves). After a <see cref="ToolEvent"/>, its tool makes the moves up to the next one. Each tool
+    /// has its own retraction balance.
     /// </summary>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such move.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The toolpath has no move with this number.</exception>
     public static Toolpath Insert(this Toolpath toolpath, int move, PrinterEvent what)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (what is null) throw new ArgumentNullException(nameof(what));
-        if (move < 0 || move > toolpath.Count) throw new ArgumentOutOfRangeException(nameof(move), move, "There is no such move.");
+        if (move < 0 || move > toolpath.Count) throw new ArgumentOutOfRangeException(nameof(move), move, "The toolpath has no move with this number.");
         var events = toolpath.Events.ToList();
         var at = events.FindIndex(e => e.Move > move);
         if (at < 0) at = events.Count;
@@ -88,9 +88,9 @@ public static class ToolpathEdits
     }
 
     /// <summary>
-    /// Puts an event (a pause, a tool, a temperature) before the first move of a layer by its number in its object.
+    /// Inserts an event (a pause, a tool, a temperature) before the first move of a layer, by its number in its object.
     /// </summary>
-    /// <returns>The toolpath, or none with the error <c>toolpath.no_layer</c>.</returns>
+    /// <returns>The toolpath, or the error <c>toolpath.no_layer</c>.</returns>
     public static Result<Toolpath> InsertAtLayer(this Toolpath toolpath, int layer, PrinterEvent what)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
@@ -103,7 +103,7 @@ public static class ToolpathEdits
                     return new Result<Toolpath>(toolpath.Insert(toolpath.FirstOf(block) + i, what), []);
             }
         }
-        return new Result<Toolpath>(null, [new Diagnostic(Severity.Error, "toolpath.no_layer", $"There is no layer {NumberFormatter.Format(layer)}.")]);
+        return new Result<Toolpath>(null, [new Diagnostic(Severity.Error, "toolpath.no_layer", $"Layer {NumberFormatter.Format(layer)} not found.")]);
     }
 
     private static bool IsOf(Toolpath toolpath, Move move, PrinterEvent what)

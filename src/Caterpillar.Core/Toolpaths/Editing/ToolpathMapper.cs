@@ -3,13 +3,13 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Maps moves of a toolpath, run by run; unaffected blocks are shared. The material of extrusions follows their length. A travel that leads to a
-/// mapped extrusion ends at its new start; moves in place happen at the new position of the head.
+/// Maps moves of a toolpath, run by run. Unaffected blocks are shared. The material of extrusions follows their length. A travel move to a mapped extrusion
+/// ends at its new start. Moves in place happen at the new position of the head.
 /// </summary>
 /// <param name="toolpath">The toolpath.</param>
 /// <param name="mapped">For each move, whether its end is mapped.</param>
 /// <param name="map">The map.</param>
-/// <param name="tolerance">mm; of arcs that can't stay arcs.</param>
+/// <param name="tolerance">Tolerance of arcs that become chords, mm.</param>
 internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap map, double tolerance)
 {
     private const int LongestLocalRun = 2048;

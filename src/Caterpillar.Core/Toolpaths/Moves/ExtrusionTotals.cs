@@ -4,9 +4,9 @@ namespace Caterpillar.Toolpaths;
 
 /// <summary>Sums over the printing moves of a toolpath.</summary>
 /// <param name="Length">Length of motion, mm.</param>
-/// <param name="Deposited">What they deposit, in the units of E of their tools.</param>
-/// <param name="Volume">The same in mm³; null if the factor of a tool is unknown.</param>
-/// <param name="PartBounds">Box around the extrusions of the part, without skirts, purge lines and prime towers, mm.</param>
+/// <param name="Deposited">Deposited material in the units of E of the tools.</param>
+/// <param name="Volume">Deposited material in mm³. Null if the volume per E of a tool is unknown.</param>
+/// <param name="PartBounds">Bounding box of the part, without skirts, purge lines and prime towers, mm.</param>
 internal sealed record ExtrusionTotals(double Length, double Deposited, double? Volume, Bounds PartBounds)
 {
     /// <summary>The sums of a toolpath.</summary>

@@ -3,7 +3,7 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Homing moves: the travels of a <see cref="HomeEvent"/>. They go to the switches, whatever happens to the moves around them.
+/// Homing moves: the travel moves of a <see cref="HomeEvent"/>. They go to the endstops and are never edited.
 /// </summary>
 internal static class Homing
 {

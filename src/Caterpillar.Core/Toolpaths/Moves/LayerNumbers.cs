@@ -1,11 +1,11 @@
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// Layers as they are counted and chosen everywhere: by their number in their object (<see cref="Layer.Index"/>). Objects on the same bed share the numbers.
+/// Layer numbers: layers are counted and selected by their number in their object (<see cref="Layer.Index"/>). Objects on the same bed share the numbers.
 /// </summary>
 public static class LayerNumbers
 {
-    /// <summary>The numbers of the layers of a toolpath, ascending, each once.</summary>
+    /// <summary>The layer numbers of a toolpath, ascending, each once.</summary>
     public static IReadOnlyList<int> NumbersOfLayers(this Toolpath toolpath)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
@@ -14,10 +14,10 @@ public static class LayerNumbers
         return [.. numbers];
     }
 
-    /// <summary>How many layers a toolpath has: those of several objects with the same number are one.</summary>
+    /// <summary>Number of layers of a toolpath. Layers of several objects with the same number count once.</summary>
     public static int CountLayers(this Toolpath toolpath) => toolpath.NumbersOfLayers().Count;
 
-    /// <summary>The number of the layer of a move, or null for a move without one.</summary>
+    /// <summary>The layer number of a move. Null = no layer.</summary>
     public static int? NumberOfLayer(this Toolpath toolpath, Move move)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));

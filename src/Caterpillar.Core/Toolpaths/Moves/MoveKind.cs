@@ -1,29 +1,29 @@
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Kinds of moves, after the retraction balance.</summary>
+/// <summary>Kinds of moves. Deretraction does not count as printing.</summary>
 public enum MoveKind : byte
 {
     /// <summary>Motion that deposits material.</summary>
     Print,
 
-    /// <summary>Motion that deposits nothing.</summary>
+    /// <summary>Motion without extrusion (travel move).</summary>
     Travel,
 
     /// <summary>Motion while filament is retracted.</summary>
     Wipe,
 
-    /// <summary>Filament retracted in place.</summary>
+    /// <summary>Retraction in place.</summary>
     Retract,
 
-    /// <summary>Retracted filament restored in place.</summary>
+    /// <summary>Deretraction in place.</summary>
     Deretract,
 
-    /// <summary>Motion that only restores retracted filament.</summary>
+    /// <summary>Motion that only deretracts.</summary>
     MovingDeretract,
 
-    /// <summary>Material extruded in place, beyond what was retracted.</summary>
+    /// <summary>Extrusion in place, beyond deretraction.</summary>
     Prime,
 
-    /// <summary>Waiting in place; the duration is in the event attached to the move.</summary>
+    /// <summary>Waiting in place. The event of the move states the duration.</summary>
     Dwell,
 }

@@ -2,14 +2,14 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>What is printed in one role.</summary>
+/// <summary>Sums over the printing moves of one role.</summary>
 /// <param name="Role">The role.</param>
 /// <param name="Length">Length of motion, mm.</param>
-/// <param name="Area">Cross-section of the extrusions in mm², averaged over the length; null if the factor of a tool is unknown.</param>
-/// <param name="Width">Width in mm of extrusions with round sides and the height of their layer, averaged and null likewise.</param>
+/// <param name="Area">Mean cross-section of the extrusions, mm². Null if the volume per E of a tool is unknown.</param>
+/// <param name="Width">Mean width in mm of extrusions with round sides and the height of their layer. Null if unknown.</param>
 internal sealed record RoleTotals(Role Role, double Length, double? Area, double? Width)
 {
-    /// <summary>The roles that print, in their order.</summary>
+    /// <summary>The sums of the roles of a toolpath, in the order of roles.</summary>
     public static IReadOnlyList<RoleTotals> Of(Toolpath toolpath)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));

@@ -3,7 +3,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>The meaning of the source column of a toolpath.</summary>
+/// <summary>The source of the moves of a toolpath.</summary>
 public enum MoveSource : byte
 {
     /// <summary>Steps of the design, from 0.</summary>
@@ -13,14 +13,14 @@ public enum MoveSource : byte
     Lines,
 }
 
-/// <summary>A tool as a toolpath needs it.</summary>
-/// <param name="VolumePerE">mm³ per unit of E (π D²/4 for E in mm of filament, 1 for E in mm³); null if a decoded file does not state it.</param>
+/// <summary>A tool of a toolpath.</summary>
+/// <param name="VolumePerE">mm³ per unit of E (π D²/4 for E in mm of filament, 1 for E in mm³). Null if a decoded file does not state it.</param>
 public sealed record ToolpathTool(double? VolumePerE);
 
-/// <summary>An event and the move before which it happens; an event after the last move has the number of moves.</summary>
+/// <summary>An event and the number of the move after it. After the last move, this is the number of moves.</summary>
 public readonly record struct MoveEvent(int Move, PrinterEvent Event)
 {
-    /// <summary>Number of its step (from 0) or line of the file (from 1), according to the toolpath; −1 if it has none.</summary>
+    /// <summary>Line of the file (from 1) or number of the step (from 0), see <see cref="Toolpath.Source"/>. −1 = none.</summary>
     public int Source { get; init; } = -1;
 
     // What happens, and when; not where it is stated.
@@ -30,8 +30,8 @@ public readonly record struct MoveEvent(int Move, PrinterEvent Event)
 }
 
 /// <summary>
-/// What the machine does, move by move, in order: planned from steps or decoded from a file. Columns in shared blocks, so that many million moves fit and an
-/// edit copies only its block. Immutable.
+/// The moves and events of a machine in order, planned from steps or decoded from a file. Moves are stored as columns in shared blocks, so that millions of
+/// moves fit into memory and an edit copies only the changed blocks. Immutable.
 /// </summary>
 public sealed class Toolpath
 {
@@ -63,25 +63,25 @@ public sealed class Toolpath
     /// <summary>Number of moves.</summary>
     public int Count { get; }
 
-    /// <summary>Its moves in shared blocks, in order.</summary>
+    /// <summary>The moves in shared blocks, in order.</summary>
     public IReadOnlyList<ToolpathBlock> Blocks => _blocks;
 
     /// <summary>The layers of the moves, in order of first appearance.</summary>
     public IReadOnlyList<Layer> Layers => _layers;
 
-    /// <summary>Events, ascending by move.</summary>
+    /// <summary>The events, ascending by move.</summary>
     public IReadOnlyList<MoveEvent> Events => _events;
 
     /// <summary>The tools by number.</summary>
     public IReadOnlyList<ToolpathTool> Tools => _tools;
 
-    /// <summary>Position of the head before the first move, mm; null if a decoded file does not state it (moves then start at the origin).</summary>
+    /// <summary>Position of the head before the first move, mm. Null if a decoded file does not state it (the moves then start at the origin).</summary>
     public Vec3? Start { get; }
 
     /// <summary>The meaning of <see cref="Move.Source"/>.</summary>
     public MoveSource Source { get; }
 
-    /// <summary>Where the design states each step; empty, or null for a step, if unknown.</summary>
+    /// <summary>Place of each step in the design. Empty if unknown, or null for an unknown step.</summary>
     internal IReadOnlyList<SourceLocation?> Places { get; }
 
     /// <summary>A move by its number.</summary>
@@ -98,8 +98,8 @@ public sealed class Toolpath
     /// <summary>True if moves have rotary words (A, B, C).</summary>
     public bool HasTurns => Array.Exists(_blocks, b => b.Columns.A is not null || b.Columns.B is not null || b.Columns.C is not null);
 
-    /// <summary>Rotary words in degrees at the end of a move; null where neither it nor the moves around it have any.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such move.</exception>
+    /// <summary>Rotary words at the end of a move, degrees. Null if neither the move nor the moves around it have any.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The toolpath has no move with this number.</exception>
     public (double A, double B, double C)? TurnsOf(int move)
     {
         if (move < 0 || move >= Count) throw new ArgumentOutOfRangeException(nameof(move));
@@ -108,7 +108,7 @@ public sealed class Toolpath
         return c.A is null && c.B is null && c.C is null ? null : (c.A?[i] ?? 0, c.B?[i] ?? 0, c.C?[i] ?? 0);
     }
 
-    /// <summary>All moves in order. For hot loops inside the library use the columns of the blocks.</summary>
+    /// <summary>All moves in order. The columns of the blocks are faster.</summary>
     public IEnumerable<Move> Moves()
     {
         for (var block = 0; block < _blocks.Length; block++)
@@ -118,9 +118,9 @@ public sealed class Toolpath
     }
 
     /// <summary>
-    /// Where the design states a move of a planned toolpath: script and line, file of curves and entry, else the object and its layer; null if unknown.
+    /// Place of a move of a planned toolpath in the design: script and line, or curve file and entry, otherwise object and layer. Null if unknown.
     /// </summary>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such move.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The toolpath has no move with this number.</exception>
     public SourceLocation? PlaceOf(int move)
     {
         if (move < 0 || move >= Count) throw new ArgumentOutOfRangeException(nameof(move));
@@ -131,20 +131,20 @@ public sealed class Toolpath
         return columns.Line is { } lines && lines[i] > 0 ? place with { Line = lines[i] } : place;
     }
 
-    /// <summary>Where the design states a step; null if unknown.</summary>
+    /// <summary>Place of a step in the design. Null if unknown.</summary>
     internal SourceLocation? PlaceOfStep(int step) => Source == MoveSource.Steps && step >= 0 && step < Places.Count ? Places[step] : null;
 
-    /// <summary>The object and the number of a layer; null where there is none.</summary>
+    /// <summary>The object and the number of a layer. Null = no layer.</summary>
     internal SourceLocation? PlaceOfLayer(int layer)
         => layer < 0 || layer >= Layers.Count ? null
             : new SourceLocation(Layers[layer].Object is { Length: > 0 } name ? name : null, Layer: Layers[layer].Index);
 
-    /// <summary>mm³ of material that a move deposits; null if the factor of its tool is unknown.</summary>
+    /// <summary>Deposited volume of a move, mm³. Null if the volume per E of its tool is unknown.</summary>
     public double? VolumeOf(Move move) => VolumePerE(move.Tool) * move.Deposited;
 
     /// <summary>
-    /// The extrusion that a printing move deposits: its area in mm² from what it deposits, its height from the thickness of its layer; null if it prints
-    /// nothing or the factor of its tool is unknown. Slicers assume a <see cref="BeadShape.Stadium"/>, Cura a <see cref="BeadShape.Rectangle"/>.
+    /// The bead of a printing move: its area in mm² from the deposited material, its height from the thickness of its layer. Null if the move does not print
+    /// or the volume per E of its tool is unknown. Slicers assume a <see cref="BeadShape.Stadium"/>, Cura a <see cref="BeadShape.Rectangle"/>.
     /// </summary>
     public Bead? BeadOf(Move move)
     {
@@ -154,13 +154,13 @@ public sealed class Toolpath
         return area >= 0 && !double.IsInfinity(area) ? new Bead(area, ThicknessOf(move.Layer), speed) : null;
     }
 
-    /// <summary>Thickness of a layer in mm; 0 if unknown, or without a layer.</summary>
+    /// <summary>Thickness of a layer, mm. 0 = unknown or no layer.</summary>
     internal double ThicknessOf(int layer) => layer >= 0 ? _layers[layer].Thickness : 0;
 
-    /// <summary>mm³ per unit of E of a tool, or null.</summary>
+    /// <summary>mm³ per unit of E of a tool. Null if unknown.</summary>
     public double? VolumePerE(int tool) => tool >= 0 && tool < _tools.Length ? _tools[tool].VolumePerE : null;
 
-    /// <summary>The same toolpath with other moves in some blocks; for edits.</summary>
+    /// <summary>The same toolpath with other blocks, for edits.</summary>
     internal Toolpath WithBlocks(IEnumerable<ToolpathBlock> blocks, IEnumerable<MoveEvent>? events = null, IEnumerable<Layer>? layers = null)
         => new(blocks, layers ?? Layers, events ?? _events, Tools, Start, Source, Places);
 

@@ -5,18 +5,17 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// A run of up to <see cref="Capacity"/> moves as columns. Blocks are immutable and shared: an edit copies only the blocks it changes, and in them only the
-/// columns.
+/// Up to <see cref="Capacity"/> moves as columns. Blocks are immutable and shared: an edit copies only the changed columns of the changed blocks.
 /// </summary>
 public sealed class ToolpathBlock
 {
     /// <summary>Maximum number of moves in one block.</summary>
     public const int Capacity = 65536;
 
-    /// <summary>The same where others wait for each block.</summary>
+    /// <summary>Maximum number of moves in one block if other threads wait for each block.</summary>
     internal const int FollowedSize = 4096;
 
-    /// <summary>What a move takes in memory, with its share of arcs and lists.</summary>
+    /// <summary>Memory of a move in bytes, with its share of arcs and lists.</summary>
     public const int BytesPerMove = 72;
 
     internal ToolpathBlock(ToolpathColumns columns) => Columns = columns;
@@ -28,7 +27,7 @@ public sealed class ToolpathBlock
 }
 
 /// <summary>
-/// The columns of a block; index i is the i-th move of the block. Filled by the creator of the block and never changed afterwards.
+/// The columns of a block. Index i is the i-th move of the block. The creator of the block fills them. They never change afterwards.
 /// </summary>
 internal sealed class ToolpathColumns
 {
@@ -125,7 +124,7 @@ internal sealed class ToolpathColumns
         return copy;
     }
 
-    /// <summary>Columns with other end points, to be filled in, and perhaps other amounts; the rest is shared. For blocks of straight moves.</summary>
+    /// <summary>Columns with new end points and, if asked for, new amounts to fill in. The rest is shared. For blocks of straight moves.</summary>
     public ToolpathColumns WithGeometry(bool newAmounts) => new(0)
     {
         Count = Count,

@@ -3,7 +3,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Collects moves and events in order and ends in a <see cref="Toolpath"/>. Not thread-safe.</summary>
+/// <summary>Builds a <see cref="Toolpath"/> from moves and events in order. Not thread-safe.</summary>
 public sealed class ToolpathBuilder
 {
     private readonly List<ToolpathBlock> _blocks = [];
@@ -15,7 +15,7 @@ public sealed class ToolpathBuilder
     private ToolpathColumns _columns = new(1024);
     private int _sealed;
 
-    /// <summary>Begins at a position in mm; null where it is unknown.</summary>
+    /// <summary>A builder that starts at a position in mm. Null if unknown.</summary>
     public ToolpathBuilder(MoveSource source, Vec3? start)
     {
         _source = source;
@@ -23,28 +23,28 @@ public sealed class ToolpathBuilder
         Position = start ?? Vec3.Zero;
     }
 
-    /// <summary>Where the first move begins, mm; null where it is unknown.</summary>
+    /// <summary>Start of the first move, mm. Null if unknown.</summary>
     public Vec3? Start { get; }
 
     /// <summary>Position of the head after the moves so far, mm.</summary>
     public Vec3 Position { get; private set; }
 
-    /// <summary>How much memory the moves may take.</summary>
+    /// <summary>Memory limit for the moves.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
     /// <summary>Number of moves in a block.</summary>
     internal int BlockSize { get; init; } = ToolpathBlock.Capacity;
 
-    /// <summary>Hears of each block that is full, before the next move is added.</summary>
+    /// <summary>Called for each full block, before the next move is added.</summary>
     internal Action? Filled { get; init; }
 
     /// <summary>Number of moves so far.</summary>
     public int Count => _sealed + _columns.Count;
 
-    /// <summary>Line of the script that the next moves come from, from 1; 0 if unknown.</summary>
+    /// <summary>Line of the script for the next moves, from 1. 0 = unknown.</summary>
     internal int Line { get; set; }
 
-    /// <summary>Adds a layer and returns the index by which moves refer to it.</summary>
+    /// <summary>Adds a layer and returns its index for moves.</summary>
     public int AddLayer(Layer layer)
     {
         _layers.Add(layer ?? throw new ArgumentNullException(nameof(layer)));
@@ -55,7 +55,7 @@ public sealed class ToolpathBuilder
     public void AddEvent(PrinterEvent what, int source = -1)
         => _events.Add(new MoveEvent(Count, what ?? throw new ArgumentNullException(nameof(what))) { Source = source });
 
-    /// <summary>Adds a move. The parameters are those of <see cref="Move"/>.</summary>
+    /// <summary>Adds a move. For the parameters, see <see cref="Move"/>.</summary>
     /// <exception cref="DiagnosticException">The moves take more than <see cref="Memory"/>.</exception>
     public void Add(Vec3 end, double e, double deposited, double speed, MoveKind kind, Role role, int layer, int tool, int source, Arc? arc = null)
     {
@@ -94,17 +94,17 @@ public sealed class ToolpathBuilder
         columns.C[columns.Count - 1] = c;
     }
 
-    /// <summary>The toolpath. The builder is used up afterwards.</summary>
+    /// <summary>Returns the toolpath. Do not use the builder afterwards.</summary>
     public Toolpath Build(IEnumerable<ToolpathTool> tools) => Build(tools, null);
 
-    /// <summary>The same, with the places in the design of the steps.</summary>
+    /// <summary>The same, with the places of the steps in the design.</summary>
     internal Toolpath Build(IEnumerable<ToolpathTool> tools, IReadOnlyList<SourceLocation?>? places)
     {
         Seal();
         return new Toolpath(_blocks, _layers, _events, tools, Start, _source, places);
     }
 
-    /// <summary>The toolpath as far as its blocks are full. Later ones begin with the same moves, layers and events.</summary>
+    /// <summary>The toolpath of all full blocks. Later toolpaths begin with the same moves, layers and events.</summary>
     internal Toolpath SoFar(IEnumerable<ToolpathTool> tools) => new(_blocks, _layers, _events, tools, Start, _source);
 
     private void Grow()

@@ -2,7 +2,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>What an edit has changed in the moves of a toolpath, where it has as many as before.</summary>
+/// <summary>Counts the moves that an edit changed in a toolpath with the same number of moves.</summary>
 /// <param name="Shifted">Moves that end elsewhere.</param>
 /// <param name="Speeds">Moves with another speed.</param>
 /// <param name="Amounts">Moves that deposit another amount.</param>

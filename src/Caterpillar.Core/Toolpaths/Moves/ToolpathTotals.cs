@@ -5,13 +5,13 @@ namespace Caterpillar.Toolpaths;
 /// <summary>Sums over a toolpath, independent of the machine's accelerations.</summary>
 /// <param name="PrintLength">Length of printing motion, mm.</param>
 /// <param name="TravelLength">Length of motion without printing, mm.</param>
-/// <param name="DepositedE">Deposited E in the units of the tools.</param>
-/// <param name="DepositedVolume">Deposited material in mm³; null if the factor of a tool is unknown.</param>
-/// <param name="PrintMoves">Moves that print.</param>
-/// <param name="TravelMoves">Moves of the head that do not print.</param>
-/// <param name="Retractions">Retractions in place or in motion.</param>
-/// <param name="PrintBounds">Box around the printed moves, both ends and the extremes of arcs, mm.</param>
-/// <param name="AllBounds">Box around the ends of all moves, mm.</param>
+/// <param name="DepositedE">Deposited material in the units of E of the tools.</param>
+/// <param name="DepositedVolume">Deposited material in mm³. Null if the volume per E of a tool is unknown.</param>
+/// <param name="PrintMoves">Number of printing moves.</param>
+/// <param name="TravelMoves">Number of moves of the head that do not print.</param>
+/// <param name="Retractions">Number of retractions, in place or in motion.</param>
+/// <param name="PrintBounds">Bounding box of the printing moves, arcs included, mm.</param>
+/// <param name="AllBounds">Bounding box of the ends of all moves, mm.</param>
 public sealed record ToolpathTotals(
     double PrintLength, double TravelLength, double DepositedE, double? DepositedVolume, int PrintMoves, int TravelMoves, int Retractions, Bounds PrintBounds,
         Bounds AllBounds)

@@ -2,7 +2,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Shape of the cross-section, which determines the width of an extrusion.</summary>
+/// <summary>Shape of a bead, which determines the width of an extrusion.</summary>
 public enum BeadShape : byte
 {
     /// <summary>Width × height (Caterpillar 2019).</summary>
@@ -16,18 +16,18 @@ public enum BeadShape : byte
 }
 
 /// <summary>
-/// The extrusion that is deposited along a segment: cross-section in mm², height in mm if known, speed in mm/s. An area of 0 deposits nothing (a stroke
-/// of a pen, a brush or a bare hot tool).
+/// The cross-section of an extrusion along a segment: area in mm², height in mm if known, and speed in mm/s. An area of 0 deposits nothing (a pen, a brush
+/// or a bare hot tool).
 /// </summary>
 public readonly record struct Bead
 {
     /// <summary>Cross-section in mm², 0 or more.</summary>
     public double Area { get; init => field = Check(value, nameof(Area)); }
 
-    /// <summary>Height of the layer in mm, or 0 if unknown.</summary>
+    /// <summary>Layer height, mm. 0 = unknown.</summary>
     public double Height { get; init => field = Check(value, nameof(Height)); }
 
-    /// <summary>Speed of the head in mm/s, or 0 for the speed of the print settings.</summary>
+    /// <summary>Speed of the head, mm/s. 0 = speed of the print settings.</summary>
     public double Speed { get; init => field = Check(value, nameof(Speed)); }
 
     /// <exception cref="ArgumentOutOfRangeException">A value is negative or not finite.</exception>
@@ -38,7 +38,7 @@ public readonly record struct Bead
         Speed = speed;
     }
 
-    /// <summary>A bead from its width and height in mm; <paramref name="multiplier"/> scales the area.</summary>
+    /// <summary>A bead from its width and height in mm. <paramref name="multiplier"/> scales the area.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A value is negative or not finite, or a stadium is narrower than it is high.</exception>
     public static Bead FromWidth(double width, double height, double multiplier = 1, double speed = 0, BeadShape shape = BeadShape.Rectangle)
     {
@@ -49,15 +49,14 @@ public readonly record struct Bead
             BeadShape.Rectangle => width * height,
             BeadShape.Stadium => width >= height
                 ? height * (width - height) + Math.PI / 4 * height * height
-                : throw new ArgumentOutOfRangeException(nameof(width), "A stadium must be at least as wide as high."),
+                : throw new ArgumentOutOfRangeException(nameof(width), "A stadium must be at least as wide as it is high."),
             _ => Math.PI / 4 * width * width,
         };
         return new Bead(area * Check(multiplier, nameof(multiplier)), height, speed);
     }
 
     /// <summary>
-    /// Width in mm for a shape, from the area and the height. If the height is unknown, or a stadium would be narrower than it is high, the extrusion is
-    /// round.
+    /// Width of the extrusion, mm, from its shape, area and height. If the height is unknown, or a stadium would be narrower than high, the extrusion is round.
     /// </summary>
     public double Width(BeadShape shape = BeadShape.Rectangle)
     {
@@ -68,10 +67,10 @@ public readonly record struct Bead
         return width >= Height ? width : round;
     }
 
-    /// <summary>The same with another cross-section, mm².</summary>
+    /// <summary>The same bead with another area, mm².</summary>
     public Bead WithArea(double area) => new(area, Height, Speed);
 
-    /// <summary>The same with another speed, mm/s.</summary>
+    /// <summary>The same bead with another speed, mm/s.</summary>
     public Bead WithSpeed(double speed) => new(Area, Height, speed);
 
     public override string ToString()

@@ -1,6 +1,6 @@
 namespace Caterpillar.Toolpaths;
 
-/// <summary>What limits the motion of a machine. The four axes of a limit follow each other: X, Y, Z, E.</summary>
+/// <summary>Motion limits of a machine. The four axes of a limit follow each other: X, Y, Z, E.</summary>
 internal enum MotionLimit
 {
     /// <summary>Acceleration of moves of the head with E, mm/s².</summary>
@@ -12,33 +12,33 @@ internal enum MotionLimit
     /// <summary>Acceleration of the extruder alone, mm/s².</summary>
     RetractionAcceleration,
 
-    /// <summary>Highest acceleration of an axis, mm/s².</summary>
+    /// <summary>Maximum acceleration of an axis, mm/s².</summary>
     AccelerationX,
     AccelerationY,
     AccelerationZ,
     AccelerationE,
 
-    /// <summary>Highest speed of an axis, mm/s.</summary>
+    /// <summary>Maximum speed of an axis, mm/s.</summary>
     SpeedX,
     SpeedY,
     SpeedZ,
     SpeedE,
 
-    /// <summary>Highest jump of the speed of an axis, mm/s.</summary>
+    /// <summary>Maximum instantaneous speed change of an axis (jerk), mm/s.</summary>
     JerkX,
     JerkY,
     JerkZ,
     JerkE,
 
-    /// <summary>Distance from a corner within which its path stays, mm.</summary>
+    /// <summary>Junction deviation, mm.</summary>
     JunctionDeviation,
 
-    /// <summary>Speed through a corner of 90°, mm/s.</summary>
+    /// <summary>Square corner velocity (speed through a corner of 90°), mm/s.</summary>
     SquareCornerVelocity,
 
-    /// <summary>Part of a move that must be at constant speed, 0 to 1.</summary>
+    /// <summary>Minimum cruise ratio (part of a move at constant speed), 0 to 1.</summary>
     MinimumCruiseRatio,
 
-    /// <summary>Highest speed of the head, mm/s (Klipper).</summary>
+    /// <summary>Maximum speed of the head, mm/s (Klipper).</summary>
     Speed,
 }

@@ -2,12 +2,12 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Arcs in paths: fitted to straight segments, and expanded into chords.</summary>
+/// <summary>Fits arcs to straight segments of paths, and expands arcs into chords.</summary>
 public static class PathArcs
 {
     /// <summary>
-    /// Replaces runs of straight segments with arcs within a tolerance (see <see cref="ArcFitter"/>). An arc never crosses a change of the bead or the seam of
-    /// a closed path; arcs of the path stay. The bead stays as it is, so that the material per mm is constant within an arc.
+    /// Replaces runs of straight segments with arcs within a tolerance (see <see cref="ArcFitter"/>). Existing arcs stay. A new arc never crosses a change of
+    /// the bead or the seam of a closed path, so that its material per mm is constant.
     /// </summary>
     public static PrintPath Fit(PrintPath path, ArcFitOptions? options = null)
     {

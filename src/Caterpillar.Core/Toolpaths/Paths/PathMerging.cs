@@ -6,9 +6,9 @@ namespace Caterpillar.Toolpaths;
 public static class PathMerging
 {
     /// <summary>
-    /// Joins each open path to the one before it if its start lies within <paramref name="tolerance"/> mm of the end of the other and role,
-    /// layer, tool, name and overrides are equal. The order is kept. With <paramref name="reverse"/> a path is also reversed to fit. The beads stay with
-    /// their segments; the joint is the end of the first path. A chain that returns to its start becomes closed.
+    /// Joins each open path to the previous one if its start is within <paramref name="tolerance"/> mm of the previous end, and role, layer, tool, name and
+    /// overrides are equal. The order does not change. With <paramref name="reverse"/>, paths are also reversed to fit. Segments keep their beads. The joint is
+    /// the end of the first path. A chain that returns to its start becomes closed.
     /// </summary>
     /// <exception cref="ArgumentException">The tolerance is negative or not a number, or a path is null.</exception>
     public static IReadOnlyList<PrintPath> Merge(IReadOnlyList<PrintPath> paths, double tolerance = 0.01, bool reverse = false)

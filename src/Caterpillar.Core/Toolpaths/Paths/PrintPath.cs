@@ -3,8 +3,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
-/// A path to deposit in one go: vertices in mm, the segments between them straight or arcs in the XY plane with linear Z, and the beads of the
-/// segments. A closed path does not repeat its first vertex and has a segment back to it. Immutable.
+/// A path that is printed without a stop: vertices in mm, and a bead for each segment. Segments are straight, or arcs in the XY plane with linear Z. A closed
+/// path does not repeat its first vertex and has a segment back to it. Immutable.
 /// </summary>
 public sealed class PrintPath
 {
@@ -13,15 +13,15 @@ public sealed class PrintPath
     private readonly Arc?[]? _arcs;
 
     /// <summary>A path with one bead for all its segments.</summary>
-    /// <exception cref="ArgumentException">Fewer than two vertices (three for a closed path without arcs), a vertex that is not finite.</exception>
+    /// <exception cref="ArgumentException">Fewer than two vertices (three for a closed path without arcs), or a vertex is not finite.</exception>
     public PrintPath(IEnumerable<Vec3> points, Bead bead, bool closed = false)
         : this((points ?? throw new ArgumentNullException(nameof(points))).ToArray(), [bead], closed, null)
     {
     }
 
     /// <summary>A path with a bead for each segment, and optionally an arc for each (null if it is straight).</summary>
-    /// <exception cref="ArgumentException">As above; or the number of beads or arcs is not that of the segments; or an arc lies in another plane than
-    /// XY.</exception>
+    /// <exception cref="ArgumentException">As above, or the number of beads or arcs is not the number of segments, or an arc is not in the XY
+    /// plane.</exception>
     public PrintPath(IEnumerable<Vec3> points, IEnumerable<Bead> beads, bool closed = false, IEnumerable<Arc?>? arcs = null)
         : this((points ?? throw new ArgumentNullException(nameof(points))).ToArray(),
             (beads ?? throw new ArgumentNullException(nameof(beads))).ToArray(), closed, arcs?.ToArray(), perSegment: true)
@@ -33,22 +33,23 @@ public sealed class PrintPath
         if (arcs is not null && Array.TrueForAll(arcs, a => a is null)) arcs = null;
         if (points.Length < (closed && arcs is null ? 3 : 2))
         {
-            throw new ArgumentException("A path needs at least two vertices, a closed one three.", nameof(points));
+            throw new ArgumentException("A path needs at least two vertices, a closed path at least three.", nameof(points));
         }
         foreach (var p in points)
         {
             if (!p.IsFinite) throw new ArgumentException("A vertex is not finite.", nameof(points));
         }
         var segments = closed ? points.Length : points.Length - 1;
-        if (perSegment && beads.Length != segments) throw new ArgumentException($"{segments} segments need as many beads, not {beads.Length}.", nameof(beads));
+        if (perSegment && beads.Length != segments)
+            throw new ArgumentException($"A path of {segments} segments needs {segments} beads, not {beads.Length}.", nameof(beads));
         if (arcs is not null && arcs.Length != segments)
         {
-            throw new ArgumentException($"{segments} segments need as many arcs or nulls, not {arcs.Length}.", nameof(arcs));
+            throw new ArgumentException($"A path of {segments} segments needs {segments} arcs or nulls, not {arcs.Length}.", nameof(arcs));
         }
         if (arcs is not null && Array.Exists(arcs,
             a => a is { Plane: not ArcPlane.XY }))
         {
-            throw new ArgumentException("Arcs of a path must lie in the XY plane.", nameof(arcs));
+            throw new ArgumentException("Arcs of a path must be in the XY plane.", nameof(arcs));
         }
         _points = points;
         _beads = beads;
@@ -70,40 +71,40 @@ public sealed class PrintPath
         Overrides = other.Overrides;
     }
 
-    /// <summary>The vertices, mm; the first is not repeated at the end of a closed path.</summary>
+    /// <summary>The vertices, mm. A closed path does not repeat the first one at its end.</summary>
     public IReadOnlyList<Vec3> Points => _points;
 
-    /// <summary>The last point is joined to the first.</summary>
+    /// <summary>True if a segment joins the last point to the first.</summary>
     public bool IsClosed { get; }
 
-    /// <summary>Pieces between points.</summary>
+    /// <summary>Number of segments.</summary>
     public int SegmentCount => IsClosed ? _points.Length : _points.Length - 1;
 
-    /// <summary>Some segments are arcs.</summary>
+    /// <summary>True if the path has arcs.</summary>
     public bool HasArcs => _arcs is not null;
 
-    /// <summary>What the extrusion is for.</summary>
+    /// <summary>Role of the extrusion.</summary>
     public Role Role { get; init; }
 
-    /// <summary>The layer it belongs to, or null if there are none.</summary>
+    /// <summary>Layer of the path. Null = no layer.</summary>
     public Layer? Layer { get; init; }
 
     /// <summary>Number of the tool, from 0.</summary>
     public int Tool { get; init; }
 
-    /// <summary>Display name, or empty.</summary>
+    /// <summary>Display name. May be empty.</summary>
     public string Name { get; init; } = "";
 
-    /// <summary>A color chosen by the designer as 0xRRGGBB, for images and baking, or null.</summary>
+    /// <summary>Color for images and baking, 0xRRGGBB. Null = none.</summary>
     public int? Color { get; init; }
 
-    /// <summary>Temperature, fan and acceleration while it is printed.</summary>
+    /// <summary>Temperature, fan speed and acceleration while the path is printed.</summary>
     public PathOverrides? Overrides { get; init; }
 
     /// <summary>The first point, mm.</summary>
     public Vec3 Start => _points[0];
 
-    /// <summary>Where printing ends, mm: the first point of a closed path.</summary>
+    /// <summary>The end, mm. The end of a closed path is its first point.</summary>
     public Vec3 End => IsClosed ? _points[0] : _points[_points.Length - 1];
 
     /// <summary>The bead of a segment.</summary>
@@ -144,7 +145,7 @@ public sealed class PrintPath
         }
     }
 
-    /// <summary>Box of the path, its arcs included, mm.</summary>
+    /// <summary>Bounding box of the path, arcs included, mm.</summary>
     public Bounds Bounds
     {
         get
@@ -158,7 +159,7 @@ public sealed class PrintPath
         }
     }
 
-    /// <summary>The path in the other direction; a closed one keeps its first vertex.</summary>
+    /// <summary>The path in reverse direction. A closed path keeps its first vertex.</summary>
     public PrintPath Reversed()
     {
         var points = (Vec3[])_points.Clone();
@@ -174,7 +175,7 @@ public sealed class PrintPath
         return With(points, beads, arcs);
     }
 
-    /// <summary>A closed path that starts at another of its vertices.</summary>
+    /// <summary>The same closed path with another start vertex.</summary>
     /// <exception cref="InvalidOperationException">The path is open.</exception>
     public PrintPath StartingAt(int vertex)
     {
@@ -183,7 +184,7 @@ public sealed class PrintPath
             : Rotated(_arcs, vertex));
     }
 
-    /// <summary>The same path with another bead for each segment.</summary>
+    /// <summary>The same path with a new bead for each segment.</summary>
     public PrintPath WithBeads(Func<int, Bead> beadOfSegment)
     {
         var beads = new Bead[SegmentCount];
@@ -191,7 +192,7 @@ public sealed class PrintPath
         return With(_points, beads, _arcs);
     }
 
-    /// <summary>The same settings along other geometry.</summary>
+    /// <summary>A path with the same properties and other geometry.</summary>
     /// <inheritdoc cref="PrintPath(IEnumerable{Vec3}, IEnumerable{Bead}, bool, IEnumerable{Arc?})" path="/exception"/>
     public PrintPath WithGeometry(IEnumerable<Vec3> points, IEnumerable<Bead> beads, bool closed, IEnumerable<Arc?>? arcs = null)
         => Settings(new PrintPath(points, beads, closed, arcs));
@@ -206,18 +207,18 @@ public sealed class PrintPath
             Overrides = overrides ?? Overrides,
         };
 
-    /// <summary>The same path in a color, 0xRRGGBB, or in none.</summary>
+    /// <summary>The same path with another color, 0xRRGGBB. Null = none.</summary>
     public PrintPath WithColor(int? color) => new(this) { Color = color };
 
-    /// <summary>Takes ownership of the arrays without a copy; for code that has just made them.</summary>
+    /// <summary>Takes ownership of the arrays without a copy, for code that has just made them.</summary>
     internal static PrintPath Own(Vec3[] points, Bead[] beads, bool closed, Arc?[]? arcs = null) => new(points, beads, closed, arcs, beads.Length != 1);
 
-    /// <summary>The same settings along other geometry; takes ownership of the arrays. One bead is for all segments.</summary>
+    /// <summary>A path with the same properties and other geometry. Takes ownership of the arrays. One bead applies to all segments.</summary>
     internal PrintPath WithOwn(Vec3[] points, Bead[] beads, bool closed) => Settings(Own(points, beads, closed));
 
     internal Vec3[] RawPoints => _points;
 
-    /// <summary>The bead of all segments; null where each has its own.</summary>
+    /// <summary>The bead of all segments. Null if each segment has its own.</summary>
     internal Bead? OnlyBead => _beads.Length == 1 ? _beads[0] : null;
 
     private PrintPath With(Vec3[] points, Bead[] beads, Arc?[]? arcs) => Settings(new PrintPath(points, beads, IsClosed, arcs, beads.Length != 1));

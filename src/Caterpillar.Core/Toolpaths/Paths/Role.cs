@@ -1,59 +1,59 @@
 namespace Caterpillar.Toolpaths;
 
-/// <summary>What a printed extrusion is for.</summary>
+/// <summary>Role of an extrusion in the part.</summary>
 public enum Role : byte
 {
-    /// <summary>Unspecified: turtle drawings, traces, user curves, files without comments.</summary>
+    /// <summary>Unspecified: turtle drawings, traces, curves, and files without comments.</summary>
     Unspecified,
 
-    /// <summary>The wall that is seen.</summary>
+    /// <summary>The outermost wall.</summary>
     OuterWall,
 
-    /// <summary>Walls inside of the outer one.</summary>
+    /// <summary>Walls inside the outer wall.</summary>
     InnerWall,
 
-    /// <summary>Walls that hang over the layer below for more than half of their length.</summary>
+    /// <summary>Walls that overhang the layer below for more than half of their length.</summary>
     OverhangWall,
 
-    /// <summary>Sparse filling.</summary>
+    /// <summary>Sparse infill.</summary>
     Infill,
 
-    /// <summary>Closed layers between skins.</summary>
+    /// <summary>Solid infill between top and bottom surfaces.</summary>
     SolidInfill,
 
-    /// <summary>Closed areas that are seen from above.</summary>
+    /// <summary>Top surfaces.</summary>
     TopSurface,
 
-    /// <summary>Closed areas that are seen from below.</summary>
+    /// <summary>Bottom surfaces.</summary>
     BottomSurface,
 
-    /// <summary>Extrusions over air, held at both ends.</summary>
+    /// <summary>Bridges: extrusions over air, anchored at both ends.</summary>
     Bridge,
 
-    /// <summary>Extrusions in gaps between walls.</summary>
+    /// <summary>Gap fill between walls.</summary>
     GapFill,
 
-    /// <summary>The nozzle smooths a top skin.</summary>
+    /// <summary>Ironing of top surfaces.</summary>
     Ironing,
 
-    /// <summary>Loops around the print that prime the nozzle.</summary>
+    /// <summary>Skirt: loops around the print that prime the nozzle.</summary>
     Skirt,
 
-    /// <summary>Loops on the bed that hold the part.</summary>
+    /// <summary>Brim: loops on the bed that hold the part.</summary>
     Brim,
 
-    /// <summary>Layers below the part.</summary>
+    /// <summary>Raft below the part.</summary>
     Raft,
 
-    /// <summary>What holds up overhangs.</summary>
+    /// <summary>Support of overhangs.</summary>
     Support,
 
-    /// <summary>Dense layers of supports next to the part.</summary>
+    /// <summary>Dense layers between support and part.</summary>
     SupportInterface,
 
-    /// <summary>Where tools are primed after a change.</summary>
+    /// <summary>Prime tower, for priming after a tool change.</summary>
     PrimeTower,
 
-    /// <summary>Printed by start and end code: purge lines.</summary>
+    /// <summary>Purge lines and other extrusions of start and end G-code.</summary>
     Purge,
 }

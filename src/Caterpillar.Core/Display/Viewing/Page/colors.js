@@ -1,4 +1,4 @@
-const kinds = { print: 0, travel: 1, wipe: 2, retract: 3, restore: 4, movingRestore: 5, prime: 6, dwell: 7 };
+const kinds = { print: 0, travel: 1, wipe: 2, retract: 3, deretract: 4, movingDeretract: 5, prime: 6, dwell: 7 };
 
 const rgb = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
 
@@ -34,15 +34,15 @@ function colorings(moves, head) {
   const list = [
     { id: "role", name: "Role", of: (i) => moves.role[i], category: head.roles },
     { id: "speed", name: "Speed", unit: "mm/s", of: (i) => moves.speed[i] },
-    { id: "flow", name: "Flow", unit: "mm³/s", of: (i) => moves.area[i] * moves.speed[i] },
-    { id: "width", name: "Width", unit: "mm", of: (i) => moves.width[i] },
+    { id: "flow", name: "Volumetric flow", unit: "mm³/s", of: (i) => moves.area[i] * moves.speed[i] },
+    { id: "width", name: "Line width", unit: "mm", of: (i) => moves.width[i] },
     { id: "height", name: "Layer height", unit: "mm", of: (i) => (moves.layer[i] >= 0 ? head.layers[moves.layer[i]][2] : 0) },
     { id: "layer", name: "Layer", unit: "", of: (i) => moves.layer[i] },
-    { id: "time", name: "Time", unit: "s", of: head.timed ? (i) => moves.time[i] : (i) => i },
-    { id: "layertime", name: "Time of the layer", unit: "s", lazy: () => layerTimes(moves, head) },
+    head.timed ? { id: "time", name: "Time", unit: "s", of: (i) => moves.time[i] } : { id: "time", name: "Order", unit: "", of: (i) => i },
+    { id: "layertime", name: "Layer time", unit: "s", lazy: () => layerTimes(moves, head) },
     { id: "tool", name: "Tool", of: (i) => Math.max(tools.indexOf(moves.tool[i]), 0), category: tools.map((t, i) => [`T${t}`, toolColors[i % toolColors.length]]) },
     { id: "temperature", name: "Nozzle temperature", unit: "°C", lazy: () => eventValues(moves, head, "nozzle") },
-    { id: "fan", name: "Fan", unit: "%", lazy: () => eventValues(moves, head, "fan").map((v) => v * 100) },
+    { id: "fan", name: "Fan speed", unit: "%", lazy: () => eventValues(moves, head, "fan").map((v) => v * 100) },
   ];
   if (!head.timed) list.splice(list.findIndex((c) => c.id === "layertime"), 1);
   for (const coloring of list) {

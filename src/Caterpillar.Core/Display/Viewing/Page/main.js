@@ -54,7 +54,7 @@ function filter() {
         if (!hidden.has(role)) beads.push(i);
         if (before < 0 && (role === 1 || role === 0)) seams.push(i);
       } else if (kind === kinds.retract) retractions.push(i);
-      else if (kind === kinds.travel || kind === kinds.wipe || kind === kinds.movingRestore) travels.push(i);
+      else if (kind === kinds.travel || kind === kinds.wipe || kind === kinds.movingDeretract) travels.push(i);
     }
     before = role;
   }
@@ -179,23 +179,23 @@ function flip(id) {
 }
 
 const keys = [
-  ["space", "play or stop", () => moves && play()],
-  ["↑ ↓", "one layer more or fewer"],
-  ["← →", "one move back or on (with Shift: 100)"],
-  ["F", "show all", () => camera.fit(camera.box)],
-  ["1", "from above", () => camera.look(-90, 90)],
-  ["2", "from the front", () => camera.look(-90, 0)],
-  ["3", "from the right", () => camera.look(0, 0)],
-  ["4", "from the front right and above", () => camera.look(-60, 28)],
-  ["D", "light or dark", () => theme(!state.dark)],
-  ["?", "these keys", () => byId("keys").showModal()],
+  ["Space", "play or pause", () => moves && play()],
+  ["↑ ↓", "show one layer more or fewer"],
+  ["← →", "one move back or forward (Shift: 100 moves)"],
+  ["F", "fit view", () => camera.fit(camera.box)],
+  ["1", "top view", () => camera.look(-90, 90)],
+  ["2", "front view", () => camera.look(-90, 0)],
+  ["3", "right view", () => camera.look(0, 0)],
+  ["4", "3D view", () => camera.look(-60, 28)],
+  ["D", "light or dark theme", () => theme(!state.dark)],
+  ["?", "keyboard shortcuts", () => byId("keys").showModal()],
 ];
 
 function listen() {
   for (const [id, key] of Object.entries(switches)) {
     byId(id).addEventListener("change", () => flip(id));
     if (byId(id).parentElement.hidden) continue;
-    keys.push([key, byId(id).parentElement.textContent.trim().toLowerCase(), () => {
+    keys.push([key, "show or hide: " + byId(id).parentElement.textContent.trim().toLowerCase(), () => {
       byId(id).checked = !byId(id).checked;
       flip(id);
     }]);
@@ -211,7 +211,7 @@ function listen() {
     } else if (moves && (e.key === "ArrowUp" || e.key === "ArrowDown")) {
       setLayers(Math.min(firstLayer, lastLayer), Math.min(Math.max(lastLayer + (e.key === "ArrowUp" ? 1 : -1), firstLayer), Math.max(heights.length - 1, 0)));
     } else {
-      const entry = keys.find((k) => k[2] && (k[0] === "space" ? e.key === " " : k[0].toLowerCase() === e.key.toLowerCase()));
+      const entry = keys.find((k) => k[2] && (k[0] === "Space" ? e.key === " " : k[0].toLowerCase() === e.key.toLowerCase()));
       if (!entry || (e.key === " " && e.target.matches("button, input, a"))) return;
       entry[2]();
     }
@@ -316,7 +316,7 @@ async function start() {
     lastLayer = Math.max(heights.length - 1, 0);
     layersRange = new Range(byId("layers"), ["First layer", "Last layer"], ([a, b]) => setLayers(a, b));
     layersRange.limits(0, lastLayer);
-    movesRange = new Range(byId("moves"), ["Moment"], ([row]) => {
+    movesRange = new Range(byId("moves"), ["Position in the print"], ([row]) => {
       setMoment(row);
       pickRow(row);
     });

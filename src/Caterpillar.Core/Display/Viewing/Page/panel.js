@@ -47,15 +47,16 @@ function showStatistics(moves, head, total, box, layers) {
   const rows = [];
   const size = [0, 1, 2].map((i) => number(box[1][i] - box[0][i], 1)).join(" × ");
   if (moves) {
-    if (head.timed) rows.push(["Time", duration(moves.rows ? moves.time[moves.rows - 1] : 0)]);
+    if (head.timed) rows.push(["Print time", duration(moves.rows ? moves.time[moves.rows - 1] : 0)]);
     rows.push(["Size", size + " mm"]);
     if (layers) rows.push(["Layers", String(layers)]);
-    rows.push(["Printed path", number(total.printed / 1000) + " m"], ["Travel", number(total.travel / 1000) + " m"]);
+    rows.push(["Print length", number(total.printed / 1000) + " m"]);
+    rows.push(["Travel length", number(total.travel / 1000) + " m"]);
     if (total.volume > 0) rows.push(["Material", number(total.volume / 1000) + " cm³" + (head.density ? `, ${number(total.volume / 1000 * head.density)} g` : "")]);
     rows.push(["Retractions", String(total.retractions)], ["Moves", String(head.moves)]);
   } else rows.push(["Size", size + " mm"]);
   if (head.printer) rows.push(["Printer", head.printer.title]);
-  if (head.timed && head.limits) rows.push(["Times by", head.limits]);
+  if (head.timed && head.limits) rows.push(["Times from", head.limits]);
   fillTable(byId("statistics"), rows);
 }
 
@@ -102,7 +103,7 @@ function showFindings(head, go) {
 
 function showMove(row, moves, head) {
   if (row < 0 || row >= moves.rows) {
-    fillTable(byId("picked"), [["Click an extrusion to see its move and its line.", ""]]);
+    fillTable(byId("picked"), [["Click an extrusion to see its move and line.", ""]]);
     return;
   }
   const layer = moves.layer[row] >= 0 ? head.layers[moves.layer[row]] : null;
@@ -113,8 +114,8 @@ function showMove(row, moves, head) {
   rows.push(["To", `${number(moves.x[row], 3)}, ${number(moves.y[row], 3)}, ${number(moves.z[row], 3)} mm`]);
   rows.push(["Speed", number(moves.speed[row]) + " mm/s"]);
   if (moves.area[row] > 0) {
-    rows.push(["Extrusion", `${number(moves.width[row], 3)} × ${number(moves.height[row] || moves.width[row], 3)} mm`]);
-    rows.push(["Flow", number(moves.area[row] * moves.speed[row], 2) + " mm³/s"]);
+    rows.push(["Width × height", `${number(moves.width[row], 3)} × ${number(moves.height[row] || moves.width[row], 3)} mm`]);
+    rows.push(["Volumetric flow", number(moves.area[row] * moves.speed[row], 2) + " mm³/s"]);
   }
   if (layer) rows.push(["Layer", `${layer[0]}, Z ${number(layer[1], 3)} mm${layer[3] ? ", " + layer[3] : ""}`]);
   if (head.timed) rows.push(["Time", duration(moves.time[row])]);

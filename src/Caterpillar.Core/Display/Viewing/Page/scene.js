@@ -122,7 +122,7 @@ void main() {
 class Scene {
   constructor(canvas, middle) {
     const gl = canvas.getContext("webgl2", { antialias: false, preserveDrawingBuffer: true });
-    if (!gl) throw new Error("This browser has no WebGL 2, which the view needs.");
+    if (!gl) throw new Error("The viewer needs WebGL 2, which this browser does not support. Use another browser.");
     this.gl = gl;
     this.canvas = canvas;
     this.middle = middle;

@@ -12,31 +12,31 @@ internal sealed class ArcReader(FlavorRules rules, InterpreterState state)
     private bool IsClockwise => (state.Modes.Motion == 2) != (rules.MirroredZx && state.Modes.Plane == ArcPlane.ZX);
 
     /// <summary>Reads an arc in coordinates as written.</summary>
-    /// <returns>Why the firmware refuses it, or null.</returns>
+    /// <returns>The reason why the firmware rejects it, or null.</returns>
     public string? Read(ParsedLine line, Vec3 start, Vec3 end, out Arc arc)
     {
         arc = default;
         var plane = state.Modes.Plane;
         if (!rules.Arcs) return rules.Title + " does not support arcs.";
-        if (state.Modes.Relative && !rules.ArcsInRelativeMode) return rules.Title + " refuses arcs in relative mode.";
+        if (state.Modes.Relative && !rules.ArcsInRelativeMode) return rules.Title + " rejects arcs in relative mode.";
         if (rules.ArcNamesEnd && !line.HasAny(plane switch { ArcPlane.XY => "XY", ArcPlane.ZX => "ZX", _ => "YZ" }))
-            return rules.Title + " refuses arcs that do not name their end.";
-        if (line.Find('P') >= 0 && rules.ArcTurns == ArcTurnsRule.Refused) return rules.Title + " refuses arcs with P.";
+            return rules.Title + " rejects arcs without an end point.";
+        if (line.Find('P') >= 0 && rules.ArcTurns == ArcTurnsRule.Refused) return rules.Title + " rejects arcs with P.";
         bool hasI = line.TryGet('I', out var i), hasJ = line.TryGet('J', out var j), hasK = line.TryGet('K', out var k), hasR = line.TryGet('R', out var r);
         var centered = hasI || hasJ || hasK;
-        if (hasR && centered && rules.RadiusAndCenter == RadiusAndCenterRule.Refused) return rules.Title + " refuses arcs with both R and a center.";
+        if (hasR && centered && rules.RadiusAndCenter == RadiusAndCenterRule.Refused) return rules.Title + " rejects arcs with both R and a center.";
         if (hasR && rules.RadiusArcs && (!centered || rules.RadiusAndCenter == RadiusAndCenterRule.RadiusWins))
         {
-            if (rules.RadiusInXyOnly && plane != ArcPlane.XY) return rules.Title + " takes R in the XY plane only.";
+            if (rules.RadiusInXyOnly && plane != ArcPlane.XY) return rules.Title + " accepts R only in the XY plane.";
             return ByRadius(start, end, r * state.Modes.Unit, out arc) ? null
-                : "An arc by R needs two different points that R can reach; " + rules.Title + " refuses others.";
+                : rules.Title + " rejects arcs with R between equal points or points too far apart for R.";
         }
         if (centered)
         {
             var head = state.Head;
             return Centered(line, start, end, new Vec3(Center(head.X, i, hasI), Center(head.Y, j, hasJ), Center(head.Z, k, hasK)), out arc);
         }
-        return hasR ? rules.Title + " does not support arcs by R." : rules.Title + " refuses an arc without a center.";
+        return hasR ? rules.Title + " does not support arcs with R." : rules.Title + " rejects arcs without a center.";
     }
 
     /// <summary>The number of P, or 0.</summary>
@@ -53,16 +53,16 @@ internal sealed class ArcReader(FlavorRules rules, InterpreterState state)
         var (su, sv) = plane.Project(start - center);
         var (eu, ev) = plane.Project(end - center);
         var radius = Math.Sqrt(su * su + sv * sv);
-        if (radius <= NoChange) return rules.Title + " refuses an arc whose center is its start.";
+        if (radius <= NoChange) return rules.Title + " rejects arcs whose center is their start.";
         if (rules.ArcTolerance is { } tolerance && tolerance.Refuses(radius, Math.Sqrt(eu * eu + ev * ev)))
-            return rules.Title + " refuses an arc whose end is not on its circle.";
+            return rules.Title + " rejects arcs whose end is not on their circle.";
         var closed = Math.Abs(su - eu) <= NoChange && Math.Abs(sv - ev) <= NoChange;
         if (line.Find('P') >= 0 && rules.ArcTurns == ArcTurnsRule.OneCircle && (!closed || Turns(line) != 1))
-            return rules.Title + " takes P1 of a full circle only.";
+            return rules.Title + " accepts only P1 of a full circle.";
         double sweep;
         if (closed)
         {
-            if (state.Modes.Motion == 3 && !rules.CounterclockwiseCircles) return rules.Title + " draws no full circle by G3.";
+            if (state.Modes.Motion == 3 && !rules.CounterclockwiseCircles) return rules.Title + " cannot draw a full circle with G3.";
             sweep = 360;
         }
         else
@@ -89,7 +89,7 @@ internal sealed class ArcReader(FlavorRules rules, InterpreterState state)
         if (chord / 2 > size * (1 + rules.ShortRadius) + rules.ShortRadiusMm + NoChange) return false;
         var height2 = size * size - chord * chord / 4;
         var height = height2 > 0 ? Math.Sqrt(height2) : 0;
-        // Counter-clockwise and short: the center lies to the left of the chord.
+        // Counterclockwise and short: the center lies to the left of the chord.
         var side = clockwise != radius < 0 ? -1 : 1;
         var cu = u / 2 - side * height * v / chord;
         var cv = v / 2 + side * height * u / chord;

@@ -4,7 +4,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>M commands that are events of the toolpath: temperatures, fans, pauses, accelerations; and dwells.</summary>
+/// <summary>M commands that are events of the toolpath: temperatures, fans, pauses, accelerations, dwells.</summary>
 internal sealed class EventCommands(Machine machine)
 {
     private readonly FlavorRules _rules = machine.Rules;
@@ -13,7 +13,7 @@ internal sealed class EventCommands(Machine machine)
     /// <summary>The limits of the motion.</summary>
     public LimitReader Limits { get; } = new(machine);
 
-    /// <summary>Takes an M command, its number tenfold; false where it is none of these.</summary>
+    /// <summary>Reads an M command, given ten times its number. False if it is none of these.</summary>
     public bool Take(int code, ParsedLine line)
     {
         if (IsPause(code, line))
@@ -47,7 +47,7 @@ internal sealed class EventCommands(Machine machine)
         }
     }
 
-    /// <summary>True where a pause of the firmware has this name.</summary>
+    /// <summary>Reads a pause command with this name. False if the firmware has none.</summary>
     public bool TakePause(string name)
     {
         foreach (var pause in _rules.Pauses)
@@ -68,7 +68,7 @@ internal sealed class EventCommands(Machine machine)
         _moves.Stay(MoveKind.Dwell);
     }
 
-    /// <summary>G10 P S: the temperature of a tool; false where the line is none.</summary>
+    /// <summary>G10 P S: the temperature of a tool. False if the line is something else.</summary>
     public bool TakeToolTemperature(ParsedLine line)
     {
         if (!_rules.ToolTemperatures || !line.TryGet('S', out var celsius) || !IsTemperature(celsius) || line.Find('L') >= 0) return false;

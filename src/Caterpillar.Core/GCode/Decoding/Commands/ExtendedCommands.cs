@@ -62,7 +62,7 @@ internal sealed class ExtendedCommands(Machine machine, ModeCommands modes, Even
     {
         if (_state.Saved.Named(Word(words, "NAME") ?? "DEFAULT") is not { } saved)
         {
-            machine.Diagnostics.Warn("gcode.unknown_state", "RESTORE_GCODE_STATE of a state that was not saved is refused.");
+            machine.Diagnostics.Warn("gcode.unknown_state", "RESTORE_GCODE_STATE names a state that was not saved. It is ignored.");
             return;
         }
         _state.Extrusion.Flow = saved.Flow;

@@ -2,7 +2,7 @@ using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Words of E: the change that a word asks for, and G92 E.</summary>
+/// <summary>E words: changes of E, and G92 E.</summary>
 internal sealed class ExtruderWords(Machine machine)
 {
     private const double LargestE = MoveRecorder.LargestE;
@@ -10,7 +10,7 @@ internal sealed class ExtruderWords(Machine machine)
     private readonly ExtrusionAxis _axis = machine.Axis;
     private readonly InterpreterState _state = machine.State;
 
-    /// <summary>The change of E that a line asks for; 0 without a word.</summary>
+    /// <summary>The change of E in a line. 0 = no E word.</summary>
     public double Change(ParsedLine line) => TryGet(line, out var word) ? Change(word) : 0;
 
     public double Change(double word)
@@ -24,8 +24,8 @@ internal sealed class ExtruderWords(Machine machine)
         ref var modes = ref _state.Modes;
         ref var extrusion = ref _state.Extrusion;
         if (modes.IsRelativeEDisputed)
-            machine.Diagnostics.Warn("gcode.flavor_e_mode", "Whether E is absolute or relative here depends on the firmware (order of G90, G91, M82, M83); "
-                + _rules.Title + " takes it as " + (modes.RelativeE ? "relative." : "absolute."));
+            machine.Diagnostics.Warn("gcode.flavor_e_mode", "Whether E is absolute or relative here depends on the firmware (order of G90, G91, M82, M83). "
+                + _rules.Title + " reads it as " + (modes.RelativeE ? "relative." : "absolute."));
         var change = modes.RelativeE ? word : word - extrusion.E;
         extrusion.E += change;
         if (extrusion.HasMarlin2E)
@@ -48,7 +48,7 @@ internal sealed class ExtruderWords(Machine machine)
         return hasA || hasB;
     }
 
-    /// <summary>G92 E: the position gets another name. False where the line says none.</summary>
+    /// <summary>G92 E: renames the position. False if the line has no E word.</summary>
     public bool Rename(ParsedLine line)
     {
         if (!_axis.HasAmounts) return false;

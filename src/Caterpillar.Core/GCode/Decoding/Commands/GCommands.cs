@@ -2,7 +2,7 @@ using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Lines of G commands and axis words: which of their commands count, and what each does.</summary>
+/// <summary>Executes the G commands and axis words of a line that the firmware accepts.</summary>
 internal sealed class GCommands(Machine machine, EventCommands events, ModeCommands modes, PositionCommands positions, MotionCommands motion)
 {
     private const int NoMotion = -1;
@@ -29,7 +29,7 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
             if (_rules.Commands == CommandsRule.InOrder && explicitMotion != NoMotion)
             {
                 if (!IsMotion(code)) continue;
-                machine.Diagnostics.Warn("gcode.flavor_commands", "A line has several motions: only the last is read, with the words of all.");
+                machine.Diagnostics.Warn("gcode.flavor_commands", "A line has several motion commands. Only the last one is read, with the words of all.");
             }
             if (IsMotion(code)) explicitMotion = code / 10;
             else if (!modes.Take(code)) action = code;
@@ -64,8 +64,8 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
     {
         machine.Features.ModalLines++;
         if (_rules.ModalMotion == ModalMotionRule.Never)
-            machine.Diagnostics.Warn("gcode.flavor_modal", "A line moves without a G command: " + _rules.Title
-                + " ignores it, others repeat the last motion.");
+            machine.Diagnostics.Warn("gcode.flavor_modal", "A line has coordinates but no G command. " + _rules.Title
+                + " ignores it, other firmware repeats the last motion.");
         else
             motion.Move(line);
     }
@@ -88,7 +88,7 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
         for (var i = 0; i < line.Count; i++)
         {
             if (_rules.Letters.IndexOf(((char)line.Letters[i]).ToString(), StringComparison.Ordinal) >= 0) continue;
-            machine.Diagnostics.Warn("gcode.word_refused", _rules.Title + " refuses lines with the letter " + (char)line.Letters[i] + ".");
+            machine.Diagnostics.Warn("gcode.word_refused", _rules.Title + " rejects lines with the letter " + (char)line.Letters[i] + ".");
             return true;
         }
         return false;
@@ -101,7 +101,7 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
         for (var i = word + 1; i < line.Count && last; i++) last = line.Letters[i] != 'G' || !line.HasValue[i];
         if (number == 1 && last) return true;
         if (last)
-            machine.Diagnostics.Warn("gcode.flavor_commands", "A line has several G commands: " + _rules.Title + " executes only the "
+            machine.Diagnostics.Warn("gcode.flavor_commands", "A line has several G commands. " + _rules.Title + " executes only the "
                 + (_rules.Commands == CommandsRule.First ? "first." : "last."));
         return _rules.Commands == CommandsRule.First ? number == 1 : last;
     }

@@ -10,7 +10,7 @@ internal sealed class LimitReader(Machine machine)
     private readonly FlavorRules _rules = machine.Rules;
     private readonly MoveRecorder _moves = machine.Moves;
 
-    /// <summary>Takes an M command, its number tenfold; false where it is none of these.</summary>
+    /// <summary>Reads an M command, given ten times its number. False if it is none of these.</summary>
     public bool Take(int code, ParsedLine line)
     {
         switch (code)
@@ -36,7 +36,7 @@ internal sealed class LimitReader(Machine machine)
         }
     }
 
-    /// <summary>SET_VELOCITY_LIMIT; the function gives the number of a word.</summary>
+    /// <summary>SET_VELOCITY_LIMIT. The function returns the number of a word.</summary>
     public void TakeVelocityLimit(Func<string, double?> word)
     {
         Named(word("VELOCITY"), MotionLimit.Speed);

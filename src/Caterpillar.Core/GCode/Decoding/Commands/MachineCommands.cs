@@ -3,7 +3,7 @@ using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
-/// <summary>M commands: modes, factors of speed and flow, tools, the switch of the extruder; events are read by <see cref="EventCommands"/>.</summary>
+/// <summary>M commands: modes, speed and flow factors, tools, extruder switch. <see cref="EventCommands"/> reads events.</summary>
 internal sealed class MachineCommands(Machine machine, ModeCommands modes, EventCommands events, CommentInterpreter comments)
 {
     private readonly FlavorRules _rules = machine.Rules;

@@ -9,7 +9,7 @@ internal sealed class ModeCommands(Machine machine, PositionCommands positions)
     private readonly FlavorRules _rules = machine.Rules;
     private readonly Features _features = machine.Features;
 
-    /// <summary>Takes a G command, its number tenfold; false where it is none that only changes a mode.</summary>
+    /// <summary>Reads a G command, given ten times its number. False if it is not a mode command.</summary>
     public bool Take(int code)
     {
         ref var modes = ref machine.State.Modes;
@@ -24,7 +24,7 @@ internal sealed class ModeCommands(Machine machine, PositionCommands positions)
             case 200:
                 _features.G20++;
                 if (_rules.Inches) modes.Inches = true;
-                else machine.Diagnostics.Warn("gcode.inches", _rules.Title + " does not support inches: G20 is refused.");
+                else machine.Diagnostics.Warn("gcode.inches", _rules.Title + " does not support inches. G20 is ignored.");
                 machine.ModesChanged();
                 return true;
             case 210:
@@ -109,7 +109,7 @@ internal sealed class ModeCommands(Machine machine, PositionCommands positions)
         };
     }
 
-    /// <summary>What all firmwares restore: whether positions and E are relative, and the feed rate.</summary>
+    /// <summary>Restores the state that all firmwares restore: relative or absolute positions and E, and the feed rate.</summary>
     public void Restore(SavedState saved, double feedFactor)
     {
         ref var modes = ref machine.State.Modes;

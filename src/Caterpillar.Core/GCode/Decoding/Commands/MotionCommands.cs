@@ -4,7 +4,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>G0 to G3 with their words, and the rotary axes: A, B and C, in degrees, in files where they do not extrude.</summary>
+/// <summary>G0 to G3 with their words, and the rotary axes A, B and C in degrees, if they do not extrude.</summary>
 internal sealed class MotionCommands(Machine machine, ExtruderWords extruder)
 {
     // Firmware takes no more in one command.
@@ -15,7 +15,7 @@ internal sealed class MotionCommands(Machine machine, ExtruderWords extruder)
     private readonly ArcReader _arcs = new(machine.Rules, machine.State);
     private readonly bool _readsTurns = machine.Axis == ExtrusionAxis.E || machine.Axis == ExtrusionAxis.None || machine.Axis == ExtrusionAxis.Switched;
 
-    /// <summary>A line of motion; rotary axes turn with it.</summary>
+    /// <summary>A motion line, with its rotary axes.</summary>
     public void Move(ParsedLine line)
     {
         if (!_readsTurns || !HasTurnWord(line))
@@ -34,7 +34,7 @@ internal sealed class MotionCommands(Machine machine, ExtruderWords extruder)
         _moves.Turn(rotary.Machine);
     }
 
-    /// <summary>A straight move by the words that a mask of <see cref="ChunkParser"/> names.</summary>
+    /// <summary>A straight move with the words in a mask of <see cref="ChunkParser"/>.</summary>
     public void Line(int mask, double x, double y, double z, double e, int code)
     {
         var de = (mask & ChunkParser.HasE) != 0 ? extruder.Change(e) : 0;
@@ -47,7 +47,7 @@ internal sealed class MotionCommands(Machine machine, ExtruderWords extruder)
             code);
     }
 
-    /// <summary>G92 of the rotary axes: their position gets another name.</summary>
+    /// <summary>G92 of the rotary axes: renames their position.</summary>
     public void RenameTurns(ParsedLine line)
     {
         if (!_readsTurns || !HasTurnWord(line)) return;
@@ -56,7 +56,7 @@ internal sealed class MotionCommands(Machine machine, ExtruderWords extruder)
         _state.Rotary = new RotaryPosition(written, new Turns(before.A - written.A, before.B - written.B, before.C - written.C));
     }
 
-    /// <summary>True when a word of the line names a position, so that it may repeat the last motion.</summary>
+    /// <summary>True if a word of the line names a position, so that it may repeat the last motion.</summary>
     public bool HasAxisWord(ParsedLine line)
     {
         for (var i = 0; i < line.Count; i++)

@@ -5,7 +5,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Commands that name positions or go to stored ones: G92, G28, G30, G54 to G59.3, G10 L2 and L20.</summary>
+/// <summary>Commands that rename positions or go to stored ones: G92, G28, G30, G54 to G59.3, G10 L2 and L20.</summary>
 internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
 {
     private const double Largest = MoveRecorder.LargestLength;
@@ -13,7 +13,7 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
     private readonly InterpreterState _state = machine.State;
     private readonly MoveRecorder _moves = machine.Moves;
 
-    /// <summary>G28 and its like where they home.</summary>
+    /// <summary>G28 and similar commands that home.</summary>
     public void Home(ParsedLine line)
     {
         Axes(line, out var x, out var y, out var z);
@@ -30,7 +30,7 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
         if (moves && head.HasMoved) _moves.Stay(MoveKind.Travel);
     }
 
-    /// <summary>G28 and G30 where they go to a stored position: via the point named, in the axes named.</summary>
+    /// <summary>G28 and G30 that go to a stored position via the given point, in the given axes.</summary>
     public void GoToStored(ParsedLine line, Vec3 stored)
     {
         var point = machine.Target(line);
@@ -52,7 +52,7 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
         head.KnownZ |= z;
     }
 
-    /// <summary>G92: the position gets another name; the head stays.</summary>
+    /// <summary>G92: renames the position. The head does not move.</summary>
     public void Rename(ParsedLine line)
     {
         ref var head = ref _state.Head;
@@ -68,8 +68,8 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
     public void BareRename()
     {
         machine.Features.G92All++;
-        machine.Diagnostics.Warn("gcode.flavor_g92", "G92 without letters means different things to different firmwares; it is read as " + _rules.Title
-            + " reads it.");
+        machine.Diagnostics.Warn("gcode.flavor_g92", "G92 without axis letters differs between firmwares. It was read by the rules of " + _rules.Title
+            + ".");
         if (_rules.BareG92 == BareG92Rule.Nothing) return;
         if (_rules.BareG92 == BareG92Rule.ClearShifts)
         {
@@ -86,14 +86,14 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
         _state.Extrusion.A = _state.Extrusion.B = 0;
     }
 
-    /// <summary>Takes back what G92 has shifted; the origin of the selected coordinate system stays.</summary>
+    /// <summary>Resets the shifts of G92. The origin of the selected coordinate system does not change.</summary>
     public void ClearShifts()
     {
         _state.Head.SetShift(_state.Work.Origin);
         _moves.BreakExtrusion();
     }
 
-    /// <summary>Selects a coordinate system, by a G command, its number tenfold; false where it selects none.</summary>
+    /// <summary>Selects a coordinate system by a G command, given ten times its number. False if it selects none.</summary>
     public bool SelectSystem(int code)
     {
         ref var work = ref _state.Work;
@@ -109,12 +109,12 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
         work.Selected = system;
         if (system > 0 && work.Origin == Vec3.Zero)
             machine.Diagnostics.Add(Severity.Note, "gcode.workspace",
-                "A coordinate system is selected whose origin the file does not set: it is taken as that of the machine.");
+                "The file selects a coordinate system but does not set its origin. The machine's origin is used.");
         OriginMoved(before);
         return true;
     }
 
-    /// <summary>G10 L2 (the words are the origin) and L20 (the words are where the head is in the system).</summary>
+    /// <summary>G10 L2 (the words are the origin) and L20 (the words are the position of the head in the system).</summary>
     public void SetSystem(ParsedLine line, bool here)
     {
         var number = line.Get('P', 0);

@@ -1,6 +1,6 @@
 namespace Caterpillar.GCode;
 
-/// <summary>What comments say of the moves after them: layers, roles, objects; and the settings and thumbnails that a slicer leaves.</summary>
+/// <summary>Reads layers, roles and objects of the following moves from comments, and the settings and thumbnails of a slicer.</summary>
 internal sealed class CommentInterpreter(Machine machine)
 {
     private const int MaxSettings = 5000;
@@ -13,7 +13,7 @@ internal sealed class CommentInterpreter(Machine machine)
     private bool _hasBareRoles;
     private bool _hasLayerComments;
 
-    /// <summary>True once comments on lines of their own name roles; then those after moves say nothing new.</summary>
+    /// <summary>True once comments on separate lines name roles. Comments after moves do not count then.</summary>
     public bool HasRoles { get; private set; }
 
     /// <summary>The settings that the slicer wrote as <c>; key = value</c>.</summary>
@@ -66,7 +66,7 @@ internal sealed class CommentInterpreter(Machine machine)
         }
     }
 
-    /// <summary>Slic3r: a comment after a move says what the move is for.</summary>
+    /// <summary>Slic3r: a comment after a move names its role.</summary>
     public void AfterMove(byte[] text, int start)
     {
         var end = LineEnds.Find(text, start, text.Length);

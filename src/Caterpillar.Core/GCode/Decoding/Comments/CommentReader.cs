@@ -13,21 +13,21 @@ internal enum CommentKind : byte
     /// <summary>A layer without number (PrusaSlicer and its relatives, KISSlicer).</summary>
     LayerChange,
 
-    /// <summary>Top of the layer; its thickness.</summary>
+    /// <summary>Top of the layer, and its thickness.</summary>
     Z,
     Height,
     Role,
     ObjectStart,
     ObjectEnd,
 
-    /// <summary>The beginning of an image; its size and format as text.</summary>
+    /// <summary>The beginning of a thumbnail, with its size and format as text.</summary>
     Thumbnail,
 
     /// <summary>A line of a block of settings: <c>key = value</c>.</summary>
     Setting,
 }
 
-/// <summary>What a comment says about the moves after it.</summary>
+/// <summary>Meaning of a comment for the following moves.</summary>
 internal struct CommentMeaning
 {
     public CommentKind Kind;
@@ -97,7 +97,7 @@ internal static class CommentReader
         }
     }
 
-    /// <summary>The role that a whole comment names (Simplify3D, and Slic3r after its moves).</summary>
+    /// <summary>The role in a whole comment (Simplify3D, and Slic3r after its moves).</summary>
     public static Role? WholeRole(byte[] text, int start, int end)
     {
         var at = start + 1;

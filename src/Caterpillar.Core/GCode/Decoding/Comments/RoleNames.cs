@@ -10,7 +10,7 @@ internal static class RoleNames
     /// <summary>The role with this name (case does not matter), or null.</summary>
     public static Role? Find(string name) => Names.TryGetValue(name.Trim().ToLowerInvariant(), out var role) ? role : null;
 
-    /// <summary>The name that the writer uses; PrusaSlicer's viewer reads it too.</summary>
+    /// <summary>The name in written files. PrusaSlicer's viewer reads it, too.</summary>
     public static string Of(Role role) => role switch
     {
         Role.OuterWall => "External perimeter",

@@ -21,7 +21,7 @@ internal sealed class BlockCollector(int blockSize = ToolpathBlock.Capacity)
 
     public bool IsFull => Columns.Count == Columns.X.Length;
 
-    /// <summary>Makes space for more moves; returns the block that is full, if one is.</summary>
+    /// <summary>Makes space for more moves. Returns the full block, if any.</summary>
     public ToolpathColumns? Grow()
     {
         if (Columns.Capacity < blockSize)
@@ -42,14 +42,14 @@ internal sealed class BlockCollector(int blockSize = ToolpathBlock.Capacity)
         _arcs.Add(arc);
     }
 
-    /// <summary>With the last move the rotary axes have turned. The others keep them where they are.</summary>
+    /// <summary>Sets the rotary axes of the last move. Other moves do not turn them.</summary>
     public void Turn(Turns turns)
     {
         _turnMoves.Add(Count - 1);
         _turns.Add(turns);
     }
 
-    /// <summary>Takes the layer from all moves so far; for files whose comments about layers begin late.</summary>
+    /// <summary>Removes the layer of all moves so far, for files whose layer comments begin late.</summary>
     public void ForgetLayers()
     {
         foreach (var block in _blocks) Forget(block.Columns);
@@ -63,10 +63,10 @@ internal sealed class BlockCollector(int blockSize = ToolpathBlock.Capacity)
         Renumber(Columns, places);
     }
 
-    /// <summary>The arc of the last move, where it is one.</summary>
+    /// <summary>The arc of the last move, if any.</summary>
     public Arc? LastArc => _arcMoves.Count > 0 && _arcMoves[_arcMoves.Count - 1] == Columns.Count - 1 ? _arcs[_arcs.Count - 1] : null;
 
-    /// <summary>Forgets the moves so far; only while they fit into one block.</summary>
+    /// <summary>Removes the moves so far, only while they fit into one block.</summary>
     public void Clear()
     {
         Columns.Count = 0;

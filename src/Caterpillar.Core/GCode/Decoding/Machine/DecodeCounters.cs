@@ -1,6 +1,6 @@
 namespace Caterpillar.GCode;
 
-/// <summary>The sums of a decode report while they grow; in coordinates as written.</summary>
+/// <summary>Running sums of a decode report, in coordinates as written.</summary>
 internal sealed class DecodeCounters
 {
     /// <summary>Lines with a G, M or T command.</summary>
@@ -43,7 +43,7 @@ internal sealed class DecodeCounters
 
     public int FlatHeights => _flatHeights.Count;
 
-    /// <summary>An extrusion ends at another height than the one before.</summary>
+    /// <summary>Counts an extrusion that ends at another height than the previous one.</summary>
     public void HeightChanged(double z)
     {
         var height = Micrometers(z);

@@ -2,7 +2,7 @@ using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
-/// <summary>The extruders of the machine: what each of them has extruded and retracted.</summary>
+/// <summary>The extruders of the machine, with their extruded and retracted amounts.</summary>
 internal sealed class Extruders(FlavorRules rules, InterpreterState state, DecodeCounters counters)
 {
     private readonly SortedDictionary<int, Extruder> _byTool = [];
@@ -13,14 +13,14 @@ internal sealed class Extruders(FlavorRules rules, InterpreterState state, Decod
 
     public bool IsRetracted => _current.Retracted > 0;
 
-    /// <summary>What the current tool has extruded so far, and the most it ever was.</summary>
+    /// <summary>The running sum of E of the current tool, and its maximum.</summary>
     public (double Sum, double Highest) Running
     {
         get => (_current.Sum, _current.Highest);
         set => (_current.Sum, _current.Highest) = value;
     }
 
-    /// <summary>E used by each tool that moved filament: the highest value of its running sum.</summary>
+    /// <summary>E used by each tool that moved filament: the maximum of its running sum.</summary>
     public IReadOnlyList<KeyValuePair<int, double>> UsedByTool()
     {
         Store();
@@ -32,7 +32,7 @@ internal sealed class Extruders(FlavorRules rules, InterpreterState state, Decod
         return used;
     }
 
-    /// <summary>E rises: what exceeds the retraction is deposited, and returned.</summary>
+    /// <summary>E rises. Returns the deposited amount: the part beyond the retraction.</summary>
     public double Push(double e)
     {
         var current = _current;
@@ -86,7 +86,7 @@ internal sealed class Extruders(FlavorRules rules, InterpreterState state, Decod
         other.Flow = change(other.Flow);
     }
 
-    /// <summary>The position of E for each tool; none where the tools share one.</summary>
+    /// <summary>The position of E of each tool. Empty if the tools share one.</summary>
     public KeyValuePair<int, double>[] Positions()
     {
         if (rules.PositionOfE != PositionOfERule.PerTool) return [];

@@ -1,6 +1,6 @@
 namespace Caterpillar.GCode;
 
-/// <summary>How many lines have each notation by which flavors differ.</summary>
+/// <summary>Counts lines with features in which flavors differ.</summary>
 internal sealed class Features
 {
     public int Lines;

@@ -67,7 +67,7 @@ internal sealed class GrowingBox
 
 internal static class ArcPlanes
 {
-    /// <summary>The coordinates of a vector in the plane, so that positive angles turn counter-clockwise.</summary>
+    /// <summary>The coordinates of a vector in the plane, so that positive angles turn counterclockwise.</summary>
     public static (double U, double V) Project(this ArcPlane plane, Vec3 d) => plane switch
     {
         ArcPlane.XY => (d.X, d.Y),

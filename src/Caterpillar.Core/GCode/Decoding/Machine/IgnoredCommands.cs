@@ -4,7 +4,7 @@ using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Commands without effect on the toolpath, by name, and how often they occur.</summary>
+/// <summary>Commands without effect on the toolpath, by name, and their counts.</summary>
 internal sealed class IgnoredCommands(FlavorRules rules, LineDiagnostics diagnostics)
 {
     private const int MaxNames = 1000;
@@ -32,7 +32,7 @@ internal sealed class IgnoredCommands(FlavorRules rules, LineDiagnostics diagnos
 
     public void NotFollowed(string name)
         => diagnostics.Warn("gcode.unsupported_motion",
-            $"{rules.Title}: {name} moves the head or shifts its coordinates in a way that cannot be followed; positions after it may be wrong.");
+            $"{rules.Title}: {name} moves the head or shifts its coordinates, but the decoder cannot follow it. Positions after it may be wrong.");
 
     /// <summary>Adds one note about everything that was ignored.</summary>
     public void Report()

@@ -2,7 +2,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Collects the layers while a file is decoded: from comments where there are any, else from the heights of flat extrusions.</summary>
+/// <summary>Collects the layers of a file from its comments. Without comments, from the heights of flat extrusions.</summary>
 internal sealed class LayerCollector
 {
     private readonly List<Draft> _drafts = [];
@@ -15,20 +15,20 @@ internal sealed class LayerCollector
     private bool _used;
     private int _marks;
 
-    /// <summary>Layer of the moves from here on, or −1.</summary>
+    /// <summary>Layer of the following moves. −1 = none.</summary>
     public int Current { get; private set; } = -1;
 
-    /// <summary>True when comments say where layers begin.</summary>
+    /// <summary>True if comments mark the layers.</summary>
     public bool Marked { get; private set; }
 
-    /// <summary>True when the current layer waits for the height of its first flat extrusion.</summary>
+    /// <summary>True if the current layer waits for the height of its first flat extrusion.</summary>
     public bool NeedsZ { get; private set; }
 
     public string Object { get; private set; } = "";
 
     /// <summary>
-    /// A comment begins a layer; its own number or null for the next one. Two marks without an extrusion between them are one, but for those with different
-    /// numbers in a file without any extrusion.
+    /// A comment begins a layer with a number. Null = the next number. Two marks without an extrusion between them count as one, except for different numbers
+    /// in a file without extrusions.
     /// </summary>
     public void Mark(int? number, double z, double thickness)
     {
@@ -101,10 +101,10 @@ internal sealed class LayerCollector
     }
 
     /// <summary>
-    /// Leaves out layers that only have travels: they belong to an object that is printed in the same layer, or to the next mark, where the file has extrusions
-    /// at all. To be called once, after the last move.
+    /// Removes layers with travel moves only: they belong to an object in the same layer or to the next mark. Files without extrusions keep them. Call it once,
+    /// after the last move.
     /// </summary>
-    /// <returns>The layer that takes the place of each, or null where all stay.</returns>
+    /// <returns>The replacement of each layer, or null if all stay.</returns>
     public int[]? MergeEmpty()
     {
         if (!_drafts.Exists(d => d.IsPrinted)) return null;
@@ -123,7 +123,7 @@ internal sealed class LayerCollector
         return places;
     }
 
-    /// <summary>Thickness of each layer that is printed, mm, 0 of the others; null where the comments so far do not say it.</summary>
+    /// <summary>Thickness of each printed layer, mm. 0 = not printed. Null if the comments so far do not state it.</summary>
     public double[]? Thicknesses()
     {
         if (!Marked) return null;

@@ -2,10 +2,10 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Diagnostics with the line that is read.</summary>
+/// <summary>Diagnostics with the current line.</summary>
 internal sealed class LineDiagnostics
 {
-    /// <summary>The line that is read, from 1.</summary>
+    /// <summary>The current line, from 1.</summary>
     public int Line;
 
     public DiagnosticList List { get; } = new();

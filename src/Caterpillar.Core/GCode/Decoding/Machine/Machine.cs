@@ -4,7 +4,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>The machine that a file drives: the rules of its firmware, its state, and what it has done so far.</summary>
+/// <summary>The machine that executes a file: the rules of its firmware, its state and its moves so far.</summary>
 internal sealed class Machine
 {
     public Machine(FlavorRules rules, ExtrusionRule rule, ExtrusionAxis axis)
@@ -91,7 +91,7 @@ internal sealed class Machine
         Moves.AddEvent(new ToolEvent(tool));
     }
 
-    /// <summary>A number of a tool, or null where there is no such tool.</summary>
+    /// <summary>A tool number, or null if it is out of range.</summary>
     public int? ToolNumber(double number) => number >= 0 && number < Rules.ToolLimit ? (int)number : null;
 
     /// <summary>The position as written that the words of a line name.</summary>

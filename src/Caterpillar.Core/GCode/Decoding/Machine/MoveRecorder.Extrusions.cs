@@ -4,18 +4,17 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <content>Extrusions that follow each other at one height, as most lines of a print are: what each of them does, without asking for the state
-/// again.</content>
+/// <content>Fast path for extrusions that follow each other at one height, as most lines of a print do, without checking the state again.</content>
 internal sealed partial class MoveRecorder
 {
     private const double LongestExtrusion2 = 1e6;
     private const double LeastFlow = 1e-6;
 
     /// <summary>
-    /// Carries out the lines of a chunk from one on as long as they are straight extrusions that go on from an extrusion at the same height, in modes without
-    /// special cases; the result is that of <see cref="Line"/>.
+    /// Executes the lines of a chunk as long as they are straight extrusions after an extrusion at the same height, in modes without special cases. The result
+    /// is the same as with <see cref="Line"/>.
     /// </summary>
-    /// <returns>The first line that is something else.</returns>
+    /// <returns>The first other line.</returns>
     [MethodImpl(Compile.Optimized)]
     public int Extrusions(LineRecord[] records, int next, int end, int firstLine)
     {

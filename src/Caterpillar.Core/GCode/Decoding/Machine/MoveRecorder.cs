@@ -3,7 +3,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Turns targets into moves: decides what kind each is, counts it, and collects moves and events.</summary>
+/// <summary>Converts targets to moves: finds the kind of each move, counts it, and collects moves and events.</summary>
 internal sealed partial class MoveRecorder
 {
     // Beyond these a number is no length in mm: such a move is left out and reported.
@@ -35,25 +35,25 @@ internal sealed partial class MoveRecorder
         _counters = machine.Counters;
         _balance = rule == ExtrusionRule.Balance;
         _switched = machine.Axis == ExtrusionAxis.Switched;
-        Strokes = _switched || (machine.Axis == ExtrusionAxis.None && machine.Rules.StrokesWithoutE);
+        PrintsWithoutE = _switched || (machine.Axis == ExtrusionAxis.None && machine.Rules.StrokesWithoutE);
     }
 
     public LayerCollector Layers { get; } = new();
 
-    /// <summary>The role of the extrusions from here on.</summary>
+    /// <summary>Role of the following extrusions.</summary>
     public Role Role { get; set; }
 
-    /// <summary>True where G1 to G3 print without any E.</summary>
-    public bool Strokes { get; }
+    /// <summary>True if G1 to G3 print without E.</summary>
+    public bool PrintsWithoutE { get; }
 
     public int Count => _moves.Count;
 
-    /// <summary>The moves since the last <see cref="Clear"/>, or of the block that is being filled.</summary>
+    /// <summary>The moves since the last <see cref="Clear"/>, or of the current block.</summary>
     public ToolpathColumns Columns => _moves.Columns;
 
     public IReadOnlyList<MoveEvent> Events => _events;
 
-    /// <summary>The arc of the last move, where it is one.</summary>
+    /// <summary>The arc of the last move, if any.</summary>
     public Arc? LastArc => _moves.LastArc;
 
     public static bool IsTooFar(double x, double y, double z)
@@ -67,7 +67,7 @@ internal sealed partial class MoveRecorder
         _events.Clear();
     }
 
-    /// <summary>Where moves go: into blocks of a size, each handed over as soon as it is full if somebody takes them.</summary>
+    /// <summary>Sets the size of blocks, and a function that takes each full block.</summary>
     public void Begin(int blockSize, Action<DecodedBlock>? take)
     {
         _take = take;
@@ -134,7 +134,7 @@ internal sealed partial class MoveRecorder
         (printed ? _counters.PrintEnds : _counters.TravelEnds).Include(arc, start, end);
     }
 
-    /// <summary>A travel that a command makes by itself; none before the first move of the file, where the head is not known.</summary>
+    /// <summary>A travel move of a command. None before the first move of the file, because the position of the head is unknown.</summary>
     public void Travel(Vec3 to)
     {
         ref var head = ref _state.Head;
@@ -149,13 +149,13 @@ internal sealed partial class MoveRecorder
         Emit(head.X, head.Y, head.Z, 0, 0, kind);
     }
 
-    /// <summary>The rotary axes have turned with the last move.</summary>
+    /// <summary>Turns the rotary axes with the last move.</summary>
     public void Turn(Turns turns) => _moves.Turn(turns);
 
-    /// <summary>What follows begins an extrusion of its own.</summary>
+    /// <summary>Ends the current extrusion.</summary>
     public void BreakExtrusion() => _afterPrint = false;
 
-    /// <summary>The first comment that begins a layer: what comes before it has none.</summary>
+    /// <summary>Called at the first comment that begins a layer: the moves before it have no layer.</summary>
     public void ForgetLayers() => _moves.ForgetLayers();
 
     public void BeginLayer(int? number, double z, double thickness)
@@ -183,7 +183,7 @@ internal sealed partial class MoveRecorder
         }
         else
         {
-            kind = Strokes && (_state.Extrusion.IsSwitchedOn || !_switched) && code > 0 ? MoveKind.Print : MoveKind.Travel;
+            kind = PrintsWithoutE && (_state.Extrusion.IsSwitchedOn || !_switched) && code > 0 ? MoveKind.Print : MoveKind.Travel;
         }
         if (kind == MoveKind.Print)
         {

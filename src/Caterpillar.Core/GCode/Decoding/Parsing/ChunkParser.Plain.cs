@@ -3,7 +3,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.GCode;
 
-/// <content>Motions in the usual notation: by far the most lines. Apart from all others, so that what the loop needs stays in registers.</content>
+/// <content>Motions in the usual notation, by far the most lines. Separate from all others, so that the loop stays in registers.</content>
 internal sealed partial class ChunkParser
 {
     private const int LongestNumber = 15;

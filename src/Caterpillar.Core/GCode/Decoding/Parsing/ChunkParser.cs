@@ -1,11 +1,11 @@
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// First half of decoding, without any state: cuts a chunk into lines and reads the words of motions in the usual notation (<c>G1 X1.5 Y2 E.03 F1800 ;
-/// text</c>). Everything else is left to <see cref="ParsedLine"/>. Chunks can be parsed in parallel.
+/// First half of decoding, without state: cuts a chunk into lines and reads the words of motions in the usual notation (<c>G1 X1.5 Y2 E.03 F1800 ;
+/// text</c>). <see cref="ParsedLine"/> reads everything else. Chunks can be parsed in parallel.
 /// </summary>
 /// <param name="extruder">The letter of E, or 0.</param>
-/// <param name="places">True to find out where numbers are, for those who change them.</param>
+/// <param name="places">True to record the places of numbers, for edits.</param>
 internal sealed partial class ChunkParser(byte extruder, bool places = false)
 {
     public const byte Comment = 2;
@@ -18,7 +18,7 @@ internal sealed partial class ChunkParser(byte extruder, bool places = false)
 
     public LineRecord[] Records { get; private set; } = new LineRecord[64];
 
-    /// <summary>Where the words of each record are; none where they are not asked for.</summary>
+    /// <summary>Places of the words of each record. Empty if not requested.</summary>
     public WordPlaces[] Places { get; private set; } = new WordPlaces[places ? 64 : 0];
 
     public int Count { get; private set; }

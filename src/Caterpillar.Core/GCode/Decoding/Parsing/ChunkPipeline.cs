@@ -1,18 +1,18 @@
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Parses chunks on several threads and hands them over in their order, so that one thread follows the state of the machine while others read ahead.
-/// With one thread nothing is started.
+/// Parses chunks on several threads and delivers them in order, so that one thread follows the state of the machine while others read ahead. With one thread,
+/// no other thread is started.
 /// </summary>
 internal static class ChunkPipeline
 {
     /// <summary>Calls <paramref name="consume"/> for each chunk, in order, on the calling thread.</summary>
-    /// <param name="chunks">The chunks; they are asked for on the calling thread.</param>
-    /// <param name="newParser">Makes a parser; a few are used again and again.</param>
-    /// <param name="isBeginning">True where the first chunk is that of the file, which may begin with a byte order mark.</param>
-    /// <param name="threads">How many threads parse.</param>
-    /// <param name="consume">Gets a parsed chunk, and the number of bytes so far.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <param name="chunks">The chunks, read on the calling thread.</param>
+    /// <param name="newParser">Makes a parser. Parsers are reused.</param>
+    /// <param name="isBeginning">True if the first chunk begins the file and may have a byte order mark.</param>
+    /// <param name="threads">Number of parsing threads.</param>
+    /// <param name="consume">Receives a parsed chunk and the number of bytes so far.</param>
+    /// <param name="cancel">Cancels the work.</param>
     public static void Run(IEnumerable<GCodeChunk> chunks, Func<ChunkParser> newParser, bool isBeginning, int threads, Action<ChunkParser, long> consume,
         CancellationToken cancel)
     {

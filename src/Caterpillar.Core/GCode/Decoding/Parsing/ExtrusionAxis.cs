@@ -2,7 +2,7 @@ using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Which words of a file extrude.</summary>
+/// <summary>The words of a file that extrude.</summary>
 internal sealed class ExtrusionAxis
 {
     public static readonly ExtrusionAxis E = new("E");
@@ -14,23 +14,23 @@ internal sealed class ExtrusionAxis
 
     private ExtrusionAxis(string name) => Name = name;
 
-    /// <summary>As reports say it: E, A, B, A+B, M101 or none.</summary>
+    /// <summary>Name in reports: E, A, B, A+B, M101 or none.</summary>
     public string Name { get; }
 
     /// <summary>The letter of the fast path, or 0.</summary>
     public byte Letter => Name.Length == 1 ? (byte)Name[0] : (byte)0;
 
-    /// <summary>True when amounts of extrusion are in the file.</summary>
+    /// <summary>True if the file has E values.</summary>
     public bool HasAmounts => this != Switched && this != None;
 
-    /// <summary>The letter of the amounts (the first of two), or 0.</summary>
+    /// <summary>The letter of the E values (the first of two), or 0.</summary>
     public byte FirstLetter => this == Both ? (byte)'A' : Letter;
 
     /// <summary>The axis with this letter, or <see cref="None"/>.</summary>
     public static ExtrusionAxis Of(char letter) => letter switch { 'E' => E, 'A' => A, 'B' => B, _ => None };
 
     /// <summary>
-    /// What is left of it in a flavor: where A and B are no extruders, they turn axes; where there are no amounts, a switch may be left, or nothing.
+    /// The axis in a flavor. If A and B are not extruders, they turn axes. Without E values, the switch of the extruder may be left, or nothing.
     /// </summary>
     public ExtrusionAxis In(FlavorRules rules)
         => HasAmounts && rules.ExtruderLetters.Length == 0 ? rules.SwitchedExtruder ? Switched : None
@@ -60,8 +60,8 @@ internal sealed class ExtrusionAxis
     }
 
     /// <summary>
-    /// E when some G0 to G3 with an X or Y word has an E word; else A, B or A+B by the same test; else the switch when there is an M101 or M103; else E when
-    /// any G0 to G3 has one. Chunks are read until the first is found.
+    /// E if a G0 to G3 with an X or Y word has an E word. Otherwise A, B or A+B by the same test, then the switch if the file has M101 or M103, then E if any
+    /// G0 to G3 has an E word. Reads chunks until the first is found.
     /// </summary>
     public static ExtrusionAxis Detect(IEnumerable<GCodeChunk> chunks)
     {

@@ -1,6 +1,6 @@
 namespace Caterpillar.GCode;
 
-/// <summary>One line as the fast path leaves it.</summary>
+/// <summary>One line after the fast path.</summary>
 internal struct LineRecord
 {
     public double X;
@@ -9,10 +9,10 @@ internal struct LineRecord
     public double E;
     public double F;
 
-    /// <summary>Where the line begins in the text.</summary>
+    /// <summary>Index of the line in the text.</summary>
     public int Start;
 
-    /// <summary>Of a motion: where its comment begins, or −1. Of other lines: where the line ends (without its line end).</summary>
+    /// <summary>Motions: index of the comment, or −1. Other lines: index of the line end.</summary>
     public int Aux;
 
     /// <summary>Number of the line in its chunk, from 0.</summary>
@@ -21,11 +21,11 @@ internal struct LineRecord
     /// <summary>0 and 1 for G0 and G1 in the usual notation; <see cref="ChunkParser.Comment"/>; <see cref="ChunkParser.Other"/>.</summary>
     public byte Op;
 
-    /// <summary>Words that are there: 1 X, 2 Y, 4 Z, 8 E, 16 F.</summary>
+    /// <summary>Bits of its words: 1 X, 2 Y, 4 Z, 8 E, 16 F.</summary>
     public byte Mask;
 }
 
-/// <summary>Where the numbers of a motion are in its line; slots are the bits of <see cref="LineRecord.Mask"/>.</summary>
+/// <summary>Places of the numbers of a motion in its line. Slots are the bits of <see cref="LineRecord.Mask"/>.</summary>
 internal struct WordPlaces
 {
     // A byte for each slot: where its number begins and ends, counted from the beginning of the line.
@@ -38,7 +38,7 @@ internal struct WordPlaces
     /// <summary>The slots in the order of their words, three bits for each.</summary>
     public uint Order;
 
-    /// <summary>Number of words; 0 where they are not known: other lines, words that are there twice, very long lines.</summary>
+    /// <summary>Number of words. 0 = unknown: other lines, repeated words, very long lines.</summary>
     public int Count;
 
     public readonly int StartOf(int slot) => (int)(Starts >> (8 * slot)) & 255;

@@ -1,11 +1,11 @@
 namespace Caterpillar.GCode;
 
-/// <summary>When E counts as printing.</summary>
+/// <summary>When a rising E prints.</summary>
 public enum ExtrusionRule
 {
-    /// <summary>Only where it exceeds what was retracted, for each tool by itself.</summary>
+    /// <summary>Only beyond the retraction, for each tool separately.</summary>
     Balance,
 
-    /// <summary>Whenever E rises in a motion (the rule of the Caterpillar paper, and of the test data).</summary>
+    /// <summary>In every motion with rising E (the rule of the Caterpillar paper and of the test data).</summary>
     Rising,
 }

@@ -1,6 +1,6 @@
 namespace Caterpillar.GCode;
 
-/// <summary>The position of E as the file counts it, and what changes the amount that is extruded.</summary>
+/// <summary>The position of E in the file, and the modifiers of the extruded amount.</summary>
 internal struct ExtrusionState
 {
     /// <summary>The position of E, mm (mm³ in volumetric files).</summary>

@@ -8,7 +8,7 @@ internal struct FeedState
 
     public double Factor;
 
-    /// <summary>The factor that M220 B has saved.</summary>
+    /// <summary>The factor saved by M220 B.</summary>
     public double SavedFactor;
 
     /// <summary>The speed that follows, mm/s.</summary>

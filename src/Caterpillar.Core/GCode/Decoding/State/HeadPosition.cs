@@ -2,7 +2,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Where the head is, mm: coordinates as written (after G92), and the shift from them to machine coordinates, which G92 does not move.</summary>
+/// <summary>Position of the head, mm: coordinates as written (after G92), and their shift to machine coordinates.</summary>
 internal struct HeadPosition
 {
     public double X;
@@ -30,7 +30,7 @@ internal struct HeadPosition
 
     public readonly bool IsKnown => KnownX && KnownY && KnownZ;
 
-    /// <summary>Moves the origin of the coordinates as written; the head stays.</summary>
+    /// <summary>Moves the origin of the coordinates as written. The head does not move.</summary>
     public void SetShift(Vec3 shift)
     {
         X += ShiftX - shift.X;

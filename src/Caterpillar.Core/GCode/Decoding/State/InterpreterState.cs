@@ -3,11 +3,11 @@ using Caterpillar.Geometry;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// The state of the machine between two lines: all that decides how the next line is read. Its parts are values, so that a copy is a snapshot.
+/// The state of the machine between two lines. It decides how the next line is read. Its parts are values, so that a copy is a snapshot.
 /// </summary>
 internal sealed class InterpreterState
 {
-    /// <summary>mm (or degrees) below which nothing has changed.</summary>
+    /// <summary>Differences below this count as no change, mm or degrees.</summary>
     public const double NoChange = 1e-9;
 
     public HeadPosition Head;
@@ -24,10 +24,10 @@ internal sealed class InterpreterState
 
     public int Tool;
 
-    /// <summary>The tool that M6 will change to, or NaN.</summary>
+    /// <summary>The tool for the next M6, or NaN.</summary>
     public double NextTool = double.NaN;
 
-    /// <summary>The position of E for each tool, where the firmware keeps one for each.</summary>
+    /// <summary>The position of E of each tool, if the firmware keeps one per tool.</summary>
     public KeyValuePair<int, double>[] EByTool = [];
 
     public void CopyFrom(InterpreterState from)
@@ -46,7 +46,7 @@ internal sealed class InterpreterState
         EByTool = from.EByTool;
     }
 
-    /// <summary>True when lines are read alike in both states; where E stays relative, its position does not matter.</summary>
+    /// <summary>True if lines are read alike in both states. With relative E, its position does not matter.</summary>
     public bool ReadsLike(InterpreterState other, bool positionOfEMatters)
         => Head.ReadsLike(other.Head) && (System.Math.Abs(Extrusion.E - other.Extrusion.E) <= NoChange || !positionOfEMatters)
             && Feed.Speed == other.Feed.Speed && Tool == other.Tool && Modes.ReadsLike(other.Modes)
@@ -54,5 +54,5 @@ internal sealed class InterpreterState
             && Stored28 == other.Stored28 && Stored30 == other.Stored30 && Saved.ReadsLike(other.Saved);
 }
 
-/// <summary>The state before a chunk of the document, and how many lines and events come before it.</summary>
+/// <summary>The state before a chunk of the document, and the number of lines and events before it.</summary>
 internal readonly record struct Checkpoint(int Line, InterpreterState State, int Events);

@@ -4,7 +4,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Modal state: what a command changes for all lines after it.</summary>
+/// <summary>Modal state: a command changes it for all following lines.</summary>
 internal struct Modes
 {
     /// <summary>The last motion command: 0 to 3.</summary>
@@ -20,19 +20,19 @@ internal struct Modes
     public bool M83;
     public bool LastRelative;
 
-    /// <summary>True where E words are relative by the firmware's rule.</summary>
+    /// <summary>True if E words are relative by the rule of the firmware.</summary>
     public bool RelativeE;
 
-    /// <summary>True where firmwares disagree whether E words are relative.</summary>
+    /// <summary>True if firmwares disagree whether E words are relative.</summary>
     public bool IsRelativeEDisputed;
 
-    /// <summary>True when the fast path holds: absolute, mm, and no doubt about the mode of E.</summary>
+    /// <summary>True if the fast path applies: absolute, mm, and no doubt about the mode of E.</summary>
     public bool IsPlain;
 
-    /// <summary>mm for one unit of X, Y and Z.</summary>
+    /// <summary>mm per unit of X, Y and Z.</summary>
     public readonly double Unit => Inches ? Units.MmPerInch : 1;
 
-    /// <summary>mm (or mm³) for one unit of E.</summary>
+    /// <summary>mm (or mm³) per unit of E.</summary>
     public readonly double UnitOfE(FlavorRules rules) => !Inches ? 1 : rules.InchesOfE switch
     {
         InchesOfERule.Unchanged => 1,
@@ -40,7 +40,7 @@ internal struct Modes
         _ => Units.MmPerInch,
     };
 
-    /// <summary>After a change of mode: whether E is relative now.</summary>
+    /// <summary>Updates after a change of mode whether E is relative.</summary>
     public void ResolveE(RelativeERule rule)
     {
         var either = Relative || M83;

@@ -1,8 +1,8 @@
 namespace Caterpillar.GCode;
 
-/// <summary>Where the rotary axes are, degrees.</summary>
+/// <summary>Position of the rotary axes, degrees.</summary>
 /// <param name="Written">As written.</param>
-/// <param name="Shift">Machine coordinates minus coordinates as written, which G92 changes.</param>
+/// <param name="Shift">Machine coordinates minus coordinates as written. G92 changes it.</param>
 internal readonly record struct RotaryPosition(Turns Written, Turns Shift)
 {
     public Turns Machine => new(Written.A + Shift.A, Written.B + Shift.B, Written.C + Shift.C);

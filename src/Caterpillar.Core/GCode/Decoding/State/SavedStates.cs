@@ -2,7 +2,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.GCode;
 
-/// <summary>States that a file saves and restores (M120 and M121, SAVE_GCODE_STATE), and the offset of SET_GCODE_OFFSET, which homing keeps.</summary>
+/// <summary>States that a file saves and restores (M120, M121, SAVE_GCODE_STATE), and the offset of SET_GCODE_OFFSET, which homing keeps.</summary>
 internal struct SavedStates
 {
     private const int MaxCount = 100;
@@ -39,7 +39,7 @@ internal struct SavedStates
         => Offset == other.Offset && OffsetE == other.OffsetE && _stack.SequenceEqual(other._stack) && _named.SequenceEqual(other._named);
 }
 
-/// <summary>What a saved state holds.</summary>
+/// <summary>A saved state.</summary>
 internal sealed record SavedState(string Name)
 {
     public bool Relative { get; init; }

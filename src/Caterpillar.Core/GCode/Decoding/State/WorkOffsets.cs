@@ -2,7 +2,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.GCode;
 
-/// <summary>The origins of the coordinate systems G54 to G59.3 in machine coordinates, and which of them is selected.</summary>
+/// <summary>The origins of the coordinate systems G54 to G59.3 in machine coordinates, and the selected one.</summary>
 internal struct WorkOffsets
 {
     public const int Count = 9;

@@ -1,18 +1,18 @@
 namespace Caterpillar.GCode;
 
-/// <summary>Holds back comments until it is known whether the moves after them stay.</summary>
+/// <summary>Holds comments until it is decided whether the moves after them stay.</summary>
 internal sealed class CommentBuffer(SpliceContext context)
 {
     private const int LongestSetting = 100;
     private readonly List<FileLine> _lines = [];
     private readonly CutComments _cut = new();
 
-    /// <summary>True where nothing waits.</summary>
+    /// <summary>True if no comment waits.</summary>
     public bool IsEmpty => _lines.Count == 0 && _cut.IsEmpty;
 
     public void Add(FileLine line) => _lines.Add(line);
 
-    /// <summary>The moves after the comments stay, and so do the comments.</summary>
+    /// <summary>Writes the comments, because the moves after them stay.</summary>
     public void Keep()
     {
         foreach (var line in _lines)
@@ -23,15 +23,15 @@ internal sealed class CommentBuffer(SpliceContext context)
         _lines.Clear();
     }
 
-    /// <summary>The moves after the comments are cut out, and so are the comments, until a move that stays needs them.</summary>
+    /// <summary>Cuts the comments with the moves after them, until a kept move needs them.</summary>
     public void Cut()
     {
         foreach (var line in _lines) _cut.Cut(line);
         _lines.Clear();
     }
 
-    /// <summary>Writes the comments of moves that were cut out which the moves after them need.</summary>
-    public void RestoreCut()
+    /// <summary>Writes the comments of cut moves that the following moves need.</summary>
+    public void WriteCut()
     {
         if (_cut.IsEmpty) return;
         foreach (var line in _lines) _cut.Keep(line);

@@ -5,8 +5,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Heights and widths in comments (<c>;Z:</c>, <c>;HEIGHT:</c>, <c>;WIDTH:</c> and their relatives), which follow an edit that scales or lifts extrusions. The
-/// width after a comment is that of the first extrusion after it.
+/// Updates heights and widths in comments (<c>;Z:</c>, <c>;HEIGHT:</c>, <c>;WIDTH:</c> and similar) after an edit that scales or raises extrusions. A width
+/// comment gets the width of the first extrusion after it.
 /// </summary>
 internal sealed class CommentScale
 {
@@ -27,13 +27,13 @@ internal sealed class CommentScale
         for (var i = 0; IsActive && i < before.Layers.Count; i++) ChangesLayers |= before.Layers[i] != after.Layers[i];
     }
 
-    /// <summary>True where comments may change.</summary>
+    /// <summary>True if comments may change.</summary>
     public bool IsActive { get; }
 
-    /// <summary>True where layers have other heights than before.</summary>
+    /// <summary>True if the heights of layers change.</summary>
     public bool ChangesLayers { get; }
 
-    /// <summary>The comment on a line of its own as it is to be written.</summary>
+    /// <summary>The new text of a comment on a line of its own.</summary>
     public FileLine Image(FileLine line, int number)
     {
         if (!IsActive || line.End - line.Start is < 2 or > LongestComment || !MayChange(line)) return line;

@@ -1,8 +1,8 @@
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Comments before moves that are cut out, as far as the moves after the cut need them: where a layer begins, the role of extrusions, their object. A later
-/// comment of the same kind takes their place.
+/// Comments of cut moves that the moves after the cut need: the start of a layer, the role of extrusions, their object. A later comment of the same kind
+/// replaces them.
 /// </summary>
 internal sealed class CutComments
 {
@@ -12,7 +12,7 @@ internal sealed class CutComments
 
     public bool IsEmpty => _role is null && _object is null && _layer.Count == 0;
 
-    /// <summary>A comment that goes.</summary>
+    /// <summary>Cuts a comment.</summary>
     public void Cut(FileLine line)
     {
         switch (Kind(line))
@@ -36,7 +36,7 @@ internal sealed class CutComments
         }
     }
 
-    /// <summary>A comment that stays.</summary>
+    /// <summary>Keeps a comment.</summary>
     public void Keep(FileLine line)
     {
         switch (Kind(line))
@@ -55,7 +55,7 @@ internal sealed class CutComments
         }
     }
 
-    /// <summary>What has to come before a move that stays; forgotten afterwards.</summary>
+    /// <summary>Returns and removes the comments that must come before a kept move.</summary>
     public IReadOnlyList<FileLine> Take()
     {
         var lines = _layer.ToList();

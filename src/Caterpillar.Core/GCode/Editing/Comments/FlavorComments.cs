@@ -3,7 +3,7 @@ using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Comments that say for which firmware a file is, in a conversion for another one: the result is read by the rules that it was written for.</summary>
+/// <summary>Changes comments that name the G-code flavor in a conversion, so that the result is read in its new flavor.</summary>
 internal sealed class FlavorComments
 {
     private const int LongestComment = 200;
@@ -21,10 +21,10 @@ internal sealed class FlavorComments
             Statement = "; Flavor " + _target.Name;
     }
 
-    /// <summary>A first line that names the flavor where no other comment can; or null.</summary>
+    /// <summary>A first line that names the flavor if no other comment does. Otherwise null.</summary>
     public string? Statement { get; }
 
-    /// <summary>The comment as it is to be written.</summary>
+    /// <summary>The new text of a comment.</summary>
     public FileLine Image(FileLine line)
     {
         if (_target is null || line.End - line.Start is < 8 or > LongestComment || line.Text[line.Start] is not ((byte)';' or (byte)' ')) return line;

@@ -1,10 +1,10 @@
 namespace Caterpillar.GCode;
 
 /// <summary>A line of the file.</summary>
-/// <param name="Text">Bytes of which it is a part; shared and never changed.</param>
-/// <param name="Start">Where it begins.</param>
-/// <param name="End">Where its line end begins.</param>
-/// <param name="Next">Where the next line begins.</param>
+/// <param name="Text">Bytes that contain the line, shared and never changed.</param>
+/// <param name="Start">Index of its first byte.</param>
+/// <param name="End">Index of its line end.</param>
+/// <param name="Next">Index of the next line.</param>
 internal readonly record struct FileLine(byte[] Text, int Start, int End, int Next)
 {
     /// <summary>Other bytes with the same line end.</summary>

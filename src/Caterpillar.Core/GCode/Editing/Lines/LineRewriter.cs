@@ -5,8 +5,8 @@ using Caterpillar.Geometry;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Changes words of a line in place, in the style of its file, so that it makes a move from a given state. With <paramref name="rewriteAll"/> also numbers
-/// that are right are written again.
+/// Changes words of a line in place, in the style of its file, so that it makes a move from a given state. With <paramref name="rewriteAll"/>, correct numbers
+/// are written again, too.
 /// </summary>
 internal sealed class LineRewriter(LineStyle style, FlavorRules rules, ExtrusionAxis axis, ExtrusionAxis source, bool rewriteAll)
 {
@@ -21,8 +21,8 @@ internal sealed class LineRewriter(LineStyle style, FlavorRules rules, Extrusion
     public int Count { get; private set; }
 
     /// <summary>
-    /// Makes a move of a scanned line; <paramref name="command"/> is the G of a straight move, or −1 for that of the line, <paramref name="carried"/> what
-    /// rounding of E has left.
+    /// Makes a scanned line do a move. <paramref name="command"/> is the G number of a straight move, or −1 for the G number of the line.
+    /// <paramref name="carried"/> is the rounding error of E.
     /// </summary>
     public void Rewrite(ParsedLine line, FileLine bytes, TargetMove move, InterpreterState state, int command, double carried)
     {
@@ -58,7 +58,7 @@ internal sealed class LineRewriter(LineStyle style, FlavorRules rules, Extrusion
         _ => 10,
     };
 
-    /// <summary>True where a number has more decimals than are move.</summary>
+    /// <summary>True if a number has more decimals than the limit.</summary>
     public bool IsTooFine(ParsedLine line, byte[] text)
     {
         for (var i = 0; i < line.Count; i++)

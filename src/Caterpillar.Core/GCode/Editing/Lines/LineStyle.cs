@@ -13,14 +13,14 @@ internal sealed class LineStyle
 
     public int DecimalsF { get; private set; } = 3;
 
-    /// <summary>Decimals that are not to be exceeded; null where the file's own may stay.</summary>
+    /// <summary>Maximum decimals. Null = decimals of the file.</summary>
     public int? LimitXyz { get; private set; }
 
     public int? LimitE { get; private set; }
 
     public int? LimitF { get; private set; }
 
-    /// <summary>What rounding may have left of F, mm/min.</summary>
+    /// <summary>Maximum rounding error of F, mm/min.</summary>
     public double FeedTolerance => LimitF is { } decimals ? 0.501 * NumberFormatter.FromUnits(1, decimals) : 0;
 
     public bool LowerCase { get; private set; }
@@ -35,7 +35,7 @@ internal sealed class LineStyle
 
     public bool TravelsByG0 { get; private set; }
 
-    /// <summary>Lines begin with numbers; and end with checksums.</summary>
+    /// <summary>Lines begin with numbers and end with checksums.</summary>
     public bool Numbered { get; private set; }
 
     public bool Checksums { get; private set; }
@@ -89,7 +89,7 @@ internal sealed class LineStyle
         return style;
     }
 
-    /// <summary>The style with other decimals, which are then the most that any number has.</summary>
+    /// <summary>The style with other decimals as maximum.</summary>
     public LineStyle With(int? xyz, int? e, int? f)
     {
         if (xyz is null && e is null && f is null) return this;

@@ -2,7 +2,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Collects the bytes of a spliced file. Where lines are numbered, those after an inserted or dropped line get new numbers and checksums.</summary>
+/// <summary>Collects the bytes of a spliced file. Numbered lines after an inserted or dropped line get new numbers and checksums.</summary>
 internal sealed class SplicedText(Stream stream, LineStyle style)
 {
     private readonly byte[] _buffer = new byte[1 << 18];
@@ -32,7 +32,7 @@ internal sealed class SplicedText(Stream stream, LineStyle style)
         _count += end - start;
     }
 
-    /// <summary>The buffer, with space for so many bytes from <see cref="Count"/> on; null where that is more than it holds.</summary>
+    /// <summary>The buffer, with space for so many bytes from <see cref="Count"/> on. Null if it is too small.</summary>
     public byte[]? Space(int bytes)
     {
         if (bytes > _buffer.Length - _count) Flush();
@@ -59,7 +59,7 @@ internal sealed class SplicedText(Stream stream, LineStyle style)
     /// <summary>A changed line, with the line end that it had.</summary>
     public void Add(byte[] text, int count, FileLine line) => Add(text, 0, count, line);
 
-    /// <summary>A line that is not the file's own.</summary>
+    /// <summary>Adds a new line.</summary>
     public void AddOwn(byte[] text, int count)
     {
         CloseLine();
@@ -81,7 +81,7 @@ internal sealed class SplicedText(Stream stream, LineStyle style)
         Copy(style.LineEnd, 0, style.LineEnd.Length);
     }
 
-    /// <summary>A line of the file is left out.</summary>
+    /// <summary>Drops a line of the file.</summary>
     public void Drop(ParsedLine line)
     {
         if (line.NumberWordAt >= 0) _shift--;

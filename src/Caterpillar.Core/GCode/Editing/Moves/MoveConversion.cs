@@ -3,7 +3,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>What a conversion changes in moves: the unit and the mode of E, arcs, letters; nothing where a file is only edited.</summary>
+/// <summary>Changes of moves in a conversion: the unit and the mode of E, arcs, letters. An edit changes none of them.</summary>
 internal sealed class MoveConversion(SpliceContext context)
 {
     private readonly ConvertTarget? _target = context.Target;
@@ -14,7 +14,7 @@ internal sealed class MoveConversion(SpliceContext context)
 
     public bool ExpandArcs => _target is { ExpandArcs: true };
 
-    /// <summary>The move with E in the unit of the target; and with what M221 did, where it does something else there.</summary>
+    /// <summary>The move with E in the unit of the target, and with the effect of M221 if the target reads it differently.</summary>
     public TargetMove Scale(TargetMove move)
     {
         if (_target is null || move.E == 0) return move;
@@ -24,12 +24,12 @@ internal sealed class MoveConversion(SpliceContext context)
         return move with { E = e * _target.Factor(move.Tool) };
     }
 
-    /// <summary>In a target without E nothing is left of what happens in place.</summary>
+    /// <summary>True for a move in place in a target without E: nothing of it is left.</summary>
     public bool IsLost(TargetMove move)
         => context.Extruder == 0 && _target is not null && context.Decoding.Axis.HasAmounts
             && move.Kind is MoveKind.Retract or MoveKind.Deretract or MoveKind.Prime;
 
-    /// <summary>True for words that the target reads differently, or not at all, although the move would be the same here.</summary>
+    /// <summary>True if the target reads words of the line differently, or not at all, although the move is the same.</summary>
     public bool MustRewrite()
     {
         if (_target is null) return false;
@@ -38,7 +38,7 @@ internal sealed class MoveConversion(SpliceContext context)
         return context.Axis != context.Decoding.Axis && HasExtruderWord();
     }
 
-    /// <summary>True where the current line has a word that extrudes in the file.</summary>
+    /// <summary>True if the current line has a word that extrudes in the file.</summary>
     public bool HasExtruderWord()
     {
         var from = context.Decoding.Axis;
@@ -46,7 +46,7 @@ internal sealed class MoveConversion(SpliceContext context)
     }
 
     /// <summary>
-    /// States the mode of E that is asked for (else that of the file) where another one is in force; and, once, that E is a volume.
+    /// Writes the mode of E of the target (otherwise of the file) if another mode is active, and once that E is a volume.
     /// </summary>
     public void StateModeOfE(double e)
     {

@@ -7,7 +7,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Writes moves: the file's own line as it is, after a line that states the missing mode, with other words, or as lines put in.
+/// Writes moves: with the unchanged line of the file, after a line with the missing mode, with other words, or with new lines.
 /// </summary>
 internal sealed class MoveWriter(SpliceContext context, MoveConversion conversion, bool rewriteAll)
 {
@@ -27,7 +27,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
     // What rounding has left of E, for each tool.
     private double[] _carried = new double[1];
 
-    /// <summary>Makes the current line, or others in its place, do the move.</summary>
+    /// <summary>Writes the current line, or other lines in its place, so that they make the move.</summary>
     public void WriteMove(FileLine line, TargetMove move)
     {
         if (conversion.IsLost(move))
@@ -107,7 +107,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
         _text.AddOwn(_rewriter.Bytes, _rewriter.Count);
     }
 
-    /// <summary>A motion command that moves nothing: it may set F; where it would move now, only that stays.</summary>
+    /// <summary>Writes a motion command without a move. It may set F. If it would move now, only F stays.</summary>
     public void WriteWithoutMove(FileLine line)
     {
         var before = _written.Save();
@@ -148,7 +148,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
         {
             if (move.Tool < context.Rules.ToolLimit) context.Event(new ToolEvent(move.Tool));
             else if (move.Tool > 0)
-                context.Diagnostics.Add(Severity.Warning, "gcode.tools_lost", context.Rules.Title + " has no tool changes: they are left out.");
+                context.Diagnostics.Add(Severity.Warning, "gcode.tools_lost", context.Rules.Title + " has no tool changes. They are left out.");
         }
         var on = _written.State.Extrusion.IsSwitchedOn;
         if (context.Axis == ExtrusionAxis.Switched && move.Kind == MoveKind.Print != on) context.Command(on ? "M103" : "M101");
@@ -157,7 +157,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
 
     // The motion command that a move needs: where nothing says E, G0 travels and G1 prints. -1 for any.
     private int Command(TargetMove move)
-        => !_written.Strokes ? -1 : move.Kind == MoveKind.Print ? 1 : context.Axis == ExtrusionAxis.Switched ? -1 : 0;
+        => !_written.PrintsWithoutE ? -1 : move.Kind == MoveKind.Print ? 1 : context.Axis == ExtrusionAxis.Switched ? -1 : 0;
 
     private bool MustRewrite(FileLine line)
         => conversion.MustRewrite() || (context.Target is { LimitsDecimals: true } && _rewriter.IsTooFine(_line, line.Text));
@@ -198,7 +198,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
         var turns = _written.State.Rotary.Machine;
         return EndsRight(move) && (move.Turns == turns || move.Turns.IsNear(turns)) && Math.Abs(c.E[0] - move.E - carried) <= _toleranceE
             && (!(move.Speed > 0) || Math.Abs(c.Speed[0] - move.Speed) <= 1e-9 * move.Speed)
-            && (!_written.Strokes || c.Kind[0] == MoveKind.Print == (move.Kind == MoveKind.Print));
+            && (!_written.PrintsWithoutE || c.Kind[0] == MoveKind.Print == (move.Kind == MoveKind.Print));
     }
 
     private bool EndsRight(TargetMove move)
@@ -230,16 +230,16 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
         if (!rules.CounterclockwiseCircles && arc.Sweep > 359.999) return false;
         if (rules.ArcTolerance is { } tolerance && tolerance.Refuses(arc.Radius(head.Machine), arc.Radius(move.End))) return false;
         // With neither E nor switch every arc prints.
-        return !_written.Strokes || context.Axis == ExtrusionAxis.Switched || move.Kind == MoveKind.Print;
+        return !_written.PrintsWithoutE || context.Axis == ExtrusionAxis.Switched || move.Kind == MoveKind.Print;
     }
 
-    /// <summary>What rounding has left of the current tool's E.</summary>
+    /// <summary>Rounding error of E of the current tool.</summary>
     public double Carried => _written.State.Tool < _carried.Length ? _carried[_written.State.Tool] : 0;
 
-    /// <summary>Within this, E of a line counts as right.</summary>
+    /// <summary>Tolerance of E in a line.</summary>
     public double ToleranceE => _toleranceE;
 
-    /// <summary>What rounding has left of a move goes into the next line that is rewritten.</summary>
+    /// <summary>Adds the rounding error of a move to the next rewritten line.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Carry(double e, double writtenE)
     {

@@ -4,8 +4,8 @@ using Caterpillar.Flavors;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Lines without motion: modes, names of positions, machine commands, homing, firmware retraction, dwells. A line stays where the target takes it as the
-/// file's firmware does; otherwise what it did is said in the target's words.
+/// Lines without motion: modes, position names, machine commands, homing, firmware retraction, dwells. A line stays if it means the same in the target.
+/// Otherwise it is translated.
 /// </summary>
 internal sealed class OtherLines(SpliceContext context, MoveConversion conversion)
 {
@@ -149,7 +149,7 @@ internal sealed class OtherLines(SpliceContext context, MoveConversion conversio
         if (target.RetractionLength <= 0 || context.Extruder == 0)
         {
             context.Diagnostics.Add(Severity.Warning, "gcode.retraction_lost", _rules.Title
-                + " has no G10 and G11, and no retraction length is given: they are left out.", new SourceLocation(Line: context.Number));
+                + " has no G10 and G11, and no retraction length is set. They are left out.", new SourceLocation(Line: context.Number));
             return [];
         }
         var length = retract ? -target.RetractionLength : target.RetractionLength;

@@ -4,8 +4,8 @@ using Caterpillar.Basics;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// The fast path of the splicer, for most lines of most files: straight moves in the usual notation, in absolute millimeters, each with one move of its own.
-/// Writes byte for byte what <see cref="MoveWriter"/> would, and leaves both machines in the same state; whatever is unusual is left to it.
+/// The fast path of the splicer, for most lines of most files: straight moves in the usual notation, in absolute millimeters, each with one own move. It writes
+/// the same bytes as <see cref="MoveWriter"/> and leaves both machines in the same state. <see cref="MoveWriter"/> handles everything else.
 /// </summary>
 internal sealed class PlainMoves
 {
@@ -50,10 +50,10 @@ internal sealed class PlainMoves
             && context.Axis.Letter != 0 && context.Axis != ExtrusionAxis.Both
             && context.Target is null or { LimitsDecimals: false, ChangesUnit: false, StatedDiameter: null }
             && KnowsWords(context.Rules.Letters) && KnowsWords(context.Decoding.Flavor.Letters)
-            && !context.Read.Strokes && !context.Written.Strokes && Math.Max(_style.DecimalsXyz, _style.DecimalsE) <= MostDecimals;
+            && !context.Read.PrintsWithoutE && !context.Written.PrintsWithoutE && Math.Max(_style.DecimalsXyz, _style.DecimalsE) <= MostDecimals;
     }
 
-    /// <summary>True while the states of both machines allow it; to be asked for again after each line that took the general path.</summary>
+    /// <summary>True while the states of both machines allow the fast path. Check it again after each line on the general path.</summary>
     public bool IsReady { get; private set; }
 
     public void Refresh()
@@ -69,7 +69,7 @@ internal sealed class PlainMoves
     }
 
     /// <summary>
-    /// Writes the move of a motion whose words are known, the line from its start up to <paramref name="next"/>; false where nothing was done.
+    /// Writes the move of a motion whose words are known, the line from its start up to <paramref name="next"/>. False if nothing was done.
     /// </summary>
     [MethodImpl(Compile.Optimized)]
     public bool Write(in LineRecord line, in WordPlaces places, byte[] text, int next, int number)
@@ -91,7 +91,7 @@ internal sealed class PlainMoves
         if (_edits) _tasks.TakeSingleMove();
         if (!_comments.IsEmpty)
         {
-            _comments.RestoreCut();
+            _comments.WriteCut();
             _comments.Keep();
         }
         if (stays) _context.Text.Copy(text, line.Start, next);

@@ -9,10 +9,10 @@ internal sealed record ConvertTarget
 {
     public FlavorRules Flavor { get; private init; } = FlavorTable.Slicer;
 
-    /// <summary>Which words extrude there.</summary>
+    /// <summary>The words that extrude in the target.</summary>
     public ExtrusionAxis Axis { get; private init; } = ExtrusionAxis.None;
 
-    /// <summary>Null keeps what the file has.</summary>
+    /// <summary>Null = no change.</summary>
     public bool? RelativeE { get; private init; }
 
     public bool ExpandArcs { get; private init; }
@@ -33,12 +33,12 @@ internal sealed record ConvertTarget
 
     public bool LimitsDecimals => DecimalsXyz is not null || DecimalsE is not null || DecimalsF is not null;
 
-    /// <summary>E changes from mm to mm³, or back.</summary>
+    /// <summary>True if E changes from mm to mm³, or back.</summary>
     public bool ChangesUnit { get; private init; }
 
     public bool IsVolumetric { get; private init; }
 
-    /// <summary>The diameter that M200 is to state, mm; null for none.</summary>
+    /// <summary>Diameter for M200, mm. Null = none.</summary>
     public double? StatedDiameter { get; private init; }
 
     private double[] Factors { get; init; } = [1];
@@ -46,7 +46,7 @@ internal sealed record ConvertTarget
     /// <summary>Units of the target for one unit of E in the file.</summary>
     public double Factor(int tool) => Factors[Math.Min(Math.Max(tool, 0), Factors.Length - 1)];
 
-    /// <summary>The target, or null where the conversion is refused.</summary>
+    /// <summary>The target, or null if the conversion is not possible.</summary>
     public static ConvertTarget? Of(DecodedGCode decoding, ConvertOptions options, DiagnosticList problems)
     {
         var flavor = options.Flavor ?? decoding.Flavor;
@@ -76,8 +76,8 @@ internal sealed record ConvertTarget
         if (axis == ExtrusionAxis.Switched)
         {
             if (flavor.SwitchedExtruder) return axis;
-            problems.Add(Severity.Error, "gcode.no_e_values", "The file switches its extruder by M101 and M103 and has no amounts of E; " + flavor.Title
-                + " needs them, and they cannot be guessed.");
+            problems.Add(Severity.Error, "gcode.no_e_values", "The file switches its extruder with M101 and M103 and has no E values, but " + flavor.Title
+                + " needs them. Choose a G-code flavor with M101 and M103.");
             return null;
         }
         var letters = flavor.ExtruderLetters;
@@ -90,12 +90,12 @@ internal sealed record ConvertTarget
         if (flavor.SwitchedExtruder)
         {
             problems.Add(Severity.Warning, "gcode.e_values_lost", flavor.Title
-                + " only switches its extruder on and off (M101, M103): amounts of E and retractions are lost.");
+                + " only switches its extruder on and off (M101, M103). E values and retractions are lost.");
             return ExtrusionAxis.Switched;
         }
         problems.Add(
             Severity.Warning, "gcode.no_extruder",
-            flavor.Title + " has no command for extrusion: E, retractions and primes are lost. Prints become G1 to G3, travels G0.");
+            flavor.Title + " has no command for extrusion. E, retractions and primes are lost. Printing moves become G1 to G3, travel moves G0.");
         return ExtrusionAxis.None;
     }
 
@@ -112,12 +112,12 @@ internal sealed record ConvertTarget
         if (volumetric == isVolumetric) return target;
         if (!volumetric && flavor.StartsVolumetric)
         {
-            problems.Add(Severity.Error, "gcode.volumetric_only", flavor.Title + " reads E as a volume; lengths would be misread.");
+            problems.Add(Severity.Error, "gcode.volumetric_only", flavor.Title + " reads E as a volume and would misread lengths. Convert to volumetric E.");
             return null;
         }
         if (volumetric && !flavor.Volumetric && !flavor.StartsVolumetric)
             problems.Add(Severity.Warning, "gcode.volumetric_setup", flavor.Title
-                + " has no command for volumetric E (M200): the machine has to be set up for it.");
+                + " has no command for volumetric E (M200). Set up the printer for volumetric E.");
         var areas = FilamentFactors.Areas(decoding.Settings, null);
         var factors = new double[tools.Count];
         for (var i = 0; i < factors.Length; i++)
@@ -128,7 +128,7 @@ internal sealed record ConvertTarget
             if (!(area > 0))
             {
                 problems.Add(Severity.Error, "gcode.diameter_unknown", "E in " + (volumetric ? flavor.Title + " is a volume" : "the file is a volume")
-                    + ": converting it needs the filament diameter, which the file does not state.");
+                    + ". The file does not state the filament diameter, which the conversion needs. Enter it.");
                 return null;
             }
             factors[i] = volumetric ? area.Value : 1 / area.Value;

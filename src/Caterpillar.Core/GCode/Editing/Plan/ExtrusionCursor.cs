@@ -2,7 +2,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Goes through the extrusions of a toolpath, forward only.</summary>
+/// <summary>Reads the extrusions of a toolpath, forward only.</summary>
 internal sealed class ExtrusionCursor(Toolpath toolpath)
 {
     private int _block;

@@ -2,7 +2,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Walks through the moves of a toolpath, skipping some blocks where asked to.</summary>
+/// <summary>Reads the moves of a toolpath and skips given blocks.</summary>
 internal sealed class MoveCursor
 {
     private readonly Toolpath _toolpath;
@@ -34,7 +34,7 @@ internal sealed class MoveCursor
         if (++Index >= Columns.Count) NextBlock();
     }
 
-    /// <summary>Moves on to the first move whose line is not before this one.</summary>
+    /// <summary>Skips to the first move whose line is not before this one.</summary>
     public void SkipTo(int line)
     {
         while (Valid)

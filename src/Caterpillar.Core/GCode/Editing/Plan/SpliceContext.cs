@@ -6,7 +6,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// What the parts of the splicer share: the file, and two machines that read along: one the file as it was, one what is written.
+/// Shared state of the splicer: the file, a machine that reads the original file, and a machine that reads the written lines.
 /// </summary>
 internal sealed class SpliceContext
 {
@@ -26,23 +26,23 @@ internal sealed class SpliceContext
 
     public DecodedGCode Decoding { get; }
 
-    /// <summary>Null where the file is edited and not converted.</summary>
+    /// <summary>Null if the file is edited and not converted.</summary>
     public ConvertTarget? Target { get; }
 
     public LineStyle Style { get; }
 
-    /// <summary>The firmware to write for, and the words that extrude there.</summary>
+    /// <summary>The G-code flavor of the output, and the words that extrude in it.</summary>
     public FlavorRules Rules { get; }
 
     public ExtrusionAxis Axis { get; }
 
-    /// <summary>The letter of the amounts of E that are written, or 0.</summary>
+    /// <summary>The letter of written E values, or 0.</summary>
     public byte Extruder => Axis.FirstLetter;
 
-    /// <summary>Reads the file as it was.</summary>
+    /// <summary>Reads the original file.</summary>
     public GCodeInterpreter Read { get; }
 
-    /// <summary>Reads what is written.</summary>
+    /// <summary>Reads the written lines.</summary>
     public GCodeInterpreter Written { get; }
 
     public SplicedText Text { get; }
@@ -54,16 +54,16 @@ internal sealed class SpliceContext
 
     public DiagnosticList Diagnostics { get; } = new();
 
-    /// <summary>mm for one unit of X, Y and Z as they are written now.</summary>
+    /// <summary>mm per unit of X, Y and Z in the current output.</summary>
     public double Unit => Written.State.Modes.Unit;
 
-    /// <summary>mm (or mm³) for one unit of E as it is written now.</summary>
+    /// <summary>mm (or mm³) per unit of E in the current output.</summary>
     public double UnitOfE => Written.State.Modes.UnitOfE(Rules);
 
-    /// <summary>True where the current line brings inches that are to go.</summary>
+    /// <summary>True if the current line switches to inches that are converted.</summary>
     public bool LineBringsInches => Target is { Millimeters: true } && Line.HasCode(20);
 
-    /// <summary>True where the current line homed.</summary>
+    /// <summary>True if the current line homes.</summary>
     public bool LineHomes
     {
         get
@@ -76,7 +76,7 @@ internal sealed class SpliceContext
         }
     }
 
-    /// <summary>Writes a line that is not the file's own.</summary>
+    /// <summary>Writes a new line.</summary>
     public void Command(string line)
     {
         var bytes = TextEncoding.Encode(Style.LowerCase ? line.ToLowerInvariant() : line);
@@ -91,7 +91,7 @@ internal sealed class SpliceContext
         foreach (var line in EventText.Lines(what, Rules)) Command(line);
     }
 
-    /// <summary>The modes of the current line in lines of their own, so that its other words can be worked out from them; true where there were any.</summary>
+    /// <summary>Writes the modes of the current line in separate lines before its other words. True if there were any.</summary>
     public bool WriteModes()
     {
         var any = false;
@@ -107,13 +107,13 @@ internal sealed class SpliceContext
     public bool IsMode(int word)
         => Line.Letters[word] == 'G' && Line.HasValue[word] && Line.Values[word] is 17 or 18 or 19 or 20 or 21 or 90 or 91 or 90.1 or 91.1;
 
-    /// <summary>The comment of the current line, to be put after another command.</summary>
+    /// <summary>The comment of the current line, for another command.</summary>
     public string Comment(FileLine line) => Line.CommentStart >= 0 ? " " + TextEncoding.Decode(line.Text, Line.CommentStart, line.End) : "";
 
-    /// <summary>True where coordinates as written mean the same position in the file and in what is written.</summary>
+    /// <summary>True if the same coordinates mean the same position in the file and in the output.</summary>
     public bool HasSameShift => Read.State.Head.HasShiftOf(Written.State.Head);
 
-    /// <summary>G92 that names the position where the head is so that coordinates mean what they mean in the file.</summary>
+    /// <summary>The G92 line after which coordinates have the same meaning as in the file.</summary>
     public string RenamePosition(bool x, bool y, bool z, bool e)
     {
         var file = Read.State;
@@ -127,7 +127,7 @@ internal sealed class SpliceContext
         return line;
     }
 
-    /// <summary>A number of mm in another unit; an inch is coarser and gets more decimals.</summary>
+    /// <summary>A length in mm in another unit. Inches get more decimals.</summary>
     public static string Format(double value, double unit = 1) => NumberFormatter.Format(value / unit, unit > 1000 ? 11 : unit > 1 ? 8 : 6);
 
     /// <summary>A position, as words.</summary>

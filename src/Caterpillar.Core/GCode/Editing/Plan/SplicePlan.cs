@@ -2,7 +2,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Which chunks of a file an edited toolpath touches.</summary>
+/// <summary>Finds the chunks of a file that an edited toolpath changes.</summary>
 internal sealed class SplicePlan
 {
     private readonly Checkpoint[] _checkpoints;
@@ -15,15 +15,15 @@ internal sealed class SplicePlan
         _dirty = new bool[checkpoints.Length];
     }
 
-    /// <summary>False where the moves are in another order than their lines.</summary>
+    /// <summary>False if the moves are not in the order of their lines.</summary>
     public bool InOrder { get; private set; } = true;
 
-    /// <summary>The events of the edited toolpath, and of each whether it is not in the file.</summary>
+    /// <summary>The events of the edited toolpath, and for each whether it is new.</summary>
     public IReadOnlyList<MoveEvent> Events { get; private set; } = [];
 
     public bool[] IsNew { get; private set; } = [];
 
-    /// <summary>Index of an event of the file in <see cref="Events"/>; −1 where it is gone.</summary>
+    /// <summary>Index of an event of the file in <see cref="Events"/>. −1 = removed.</summary>
     public int IndexOf(PrinterEvent what) => _indices.TryGetValue(what, out var index) ? index : -1;
 
     public bool IsDirty(int chunk) => _dirty[chunk];

@@ -3,8 +3,7 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Gives each line of the file what it has to do: moves of its own, and moves and events to insert before them. It goes through the edited toolpath in step
-/// with the lines.
+/// Assigns tasks to each line of the file: its own moves, and moves and events to insert before them. It reads the edited toolpath in step with the lines.
 /// </summary>
 internal sealed class SpliceTasks(SpliceContext context, SplicePlan plan, MoveCursor moves)
 {
@@ -15,16 +14,16 @@ internal sealed class SpliceTasks(SpliceContext context, SplicePlan plan, MoveCu
     // The move before which the next event happens.
     private int _eventMove = EventMove(plan, 0);
 
-    /// <summary>What there is to do, in order. A single move of the line's own is the last.</summary>
+    /// <summary>The tasks in order. A single own move of the line is the last.</summary>
     public IReadOnlyList<SpliceTask> Tasks => _tasks;
 
     /// <summary>The number of tasks that are moves of the line's own.</summary>
     public int OwnMoves { get; private set; }
 
-    /// <summary>Moves on to the first move of a line, or of the lines after it.</summary>
+    /// <summary>Skips to the first move of a line or of the lines after it.</summary>
     public void SkipTo(int line) => moves.SkipTo(line);
 
-    /// <summary>Reading continues at a place in the file that this many events come before.</summary>
+    /// <summary>Continues at a place in the file with this many events before it.</summary>
     public void StartAt(int events) => _eventsRead = events;
 
     public void SkipEvents(int count) => _eventsRead += count;
@@ -57,7 +56,7 @@ internal sealed class SpliceTasks(SpliceContext context, SplicePlan plan, MoveCu
         }
     }
 
-    /// <summary>True where a line has one move of its own, and nothing is inserted before it or after it; nothing is taken yet.</summary>
+    /// <summary>True if a line has one own move, and nothing is inserted before or after it. Does not take it yet.</summary>
     public bool HasSingleMove(int line, out ToolpathColumns columns, out int index)
     {
         columns = null!;
@@ -72,7 +71,7 @@ internal sealed class SpliceTasks(SpliceContext context, SplicePlan plan, MoveCu
     /// <summary>Takes the move of <see cref="HasSingleMove"/>.</summary>
     public void TakeSingleMove() => moves.Next();
 
-    /// <summary>What is inserted before the events of the current line, of which it has this many.</summary>
+    /// <summary>Takes the insertions before the events of the current line, given their number.</summary>
     public void TakeBeforeEvents(int count)
     {
         Clear();
@@ -90,7 +89,7 @@ internal sealed class SpliceTasks(SpliceContext context, SplicePlan plan, MoveCu
         }
     }
 
-    /// <summary>What is inserted after the last line.</summary>
+    /// <summary>Takes the insertions after the last line.</summary>
     public void TakeRest()
     {
         Clear();
@@ -122,5 +121,5 @@ internal sealed class SpliceTasks(SpliceContext context, SplicePlan plan, MoveCu
     private static int EventMove(SplicePlan plan, int index) => index < plan.Events.Count ? plan.Events[index].Move : int.MaxValue;
 }
 
-/// <summary>Something that a line has to do: an event, or a move.</summary>
+/// <summary>A task of a line: an event or a move.</summary>
 internal readonly record struct SpliceTask(PrinterEvent? Event, TargetMove Move);
