@@ -3,9 +3,9 @@ using Caterpillar.GH.Goos;
 namespace Caterpillar.GH.Params;
 
 /// <summary>Extrusions of paths.</summary>
-public sealed class BeadParam()
-    : StoredParam<BeadGoo>("Bead", "Bead",
-        "Contains extrusions of paths: cross-section in mm², height in mm, speed in mm/s; a number is a width in mm, text is width x height.", Panel.Setup)
+public sealed class BeadParam() : StoredParam<BeadGoo>(
+    "Bead", "Bead",
+        "Contains beads of extrusions: area in mm², height in mm, speed in mm/s. A number is read as a width in mm, text as width x height.", Panel.Setup)
 {
     private protected override string Question => "Width of the extrusion in mm, or width x height";
 

@@ -3,13 +3,13 @@ using Caterpillar.GH.Goos;
 namespace Caterpillar.GH.Params;
 
 /// <summary>G-code files; text is G-code.</summary>
-public sealed class GCodeParam() : VolatileParam<GCodeGoo>("G-code", "GCode", "Contains G-code files; text is G-code.", Panel.GCode)
+public sealed class GCodeParam() : VolatileParam<GCodeGoo>("G-code", "GCode", "Contains G-code files. Text is read as G-code.", Panel.GCode)
 {
     public override Guid ComponentGuid => new("c626418d-8e36-4127-935e-c83c2c852506");
 }
 
 /// <summary>Steps of a design: print paths, travels and events.</summary>
-public sealed class StepParam() : VolatileParam<StepGoo>("Step", "Step", "Contains steps of a design: print paths, travels and events.", Panel.Path)
+public sealed class StepParam() : VolatileParam<StepGoo>("Step", "Step", "Contains steps of a design: print paths, travel moves and events.", Panel.Path)
 {
     public override Guid ComponentGuid => new("9338155d-65ee-4cc2-939c-d876fc935887");
 
@@ -20,7 +20,7 @@ public sealed class StepParam() : VolatileParam<StepGoo>("Step", "Step", "Contai
 
 /// <summary>Fields of layers; surfaces and formulas are fields, too.</summary>
 public sealed class LayerFieldParam() : VolatileParam<LayerFieldGoo>(
-    "Layer Field", "Field", "Contains fields whose level sets are layers; a surface is one that layers copy upward, text the formula of one.", Panel.Slice)
+    "Layer Field", "Field", "Contains fields whose level sets are layers. Layers copy a surface upward. Text is read as a formula.", Panel.Slice)
 {
     public override Guid ComponentGuid => new("0b9f3f5e-6d0c-4a35-8f3e-2c7d9c1b6a57");
 }

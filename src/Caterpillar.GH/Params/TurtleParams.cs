@@ -3,8 +3,8 @@ using Caterpillar.GH.Goos;
 namespace Caterpillar.GH.Params;
 
 /// <summary>Turtle programs.</summary>
-public sealed class TurtleProgramParam()
-    : StoredParam<TurtleProgramGoo>("Turtle Program", "Program", "Contains turtle programs; text is a script.", Panel.Design)
+public sealed class TurtleProgramParam() : StoredParam<TurtleProgramGoo>(
+    "Turtle Program", "Program", "Contains turtle programs. Text is read as a script.", Panel.Design)
 {
     private protected override string Question => "Script of the turtle, such as: repeat 4 [ forward 10; left 90 ]";
 

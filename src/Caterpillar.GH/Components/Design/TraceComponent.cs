@@ -25,16 +25,14 @@ public abstract class TraceComponent(string name, string nickname, string descri
     private protected sealed override void Inputs(InputPorts ports)
     {
         ports.Add(new Param_Plane(), "Plane", "Pl",
-            "Position of the shape, in document units: its center at the origin, its axis along Z, its start along X. World XY by default.",
-            optional: true);
+            "Base plane: the center is at its origin, the axis along Z, the start along X. Default: World XY.", optional: true);
         ShapePorts(ports);
-        ports.Add(new BeadParam(), "Bead", "B", "Extrusion and speed; by default 0.45 mm wide and 0.2 mm high, at the speed of the print settings.",
-            optional: true);
-        ports.Integer("Segments Per Turn", "N", "Number of straight strings per turn.", Trace.DefaultStringsPerTurn);
+        ports.Bead();
+        ports.Integer("Segments Per Turn", "N", "Number of segments per turn.", Trace.DefaultStringsPerTurn);
         MorePorts(ports);
     }
 
-    private protected sealed override void Outputs(OutputPorts ports) => ports.Add(new PrintPathParam(), "Print Path", "P", "The strings as one path.");
+    private protected sealed override void Outputs(OutputPorts ports) => ports.Add(new PrintPathParam(), "Print Path", "P", "Print path.");
 
     /// <summary>The ports of the shape, from 1 on.</summary>
     private protected abstract void ShapePorts(InputPorts ports);

@@ -11,7 +11,7 @@ namespace Caterpillar.GH.Components.Design;
 public abstract class TurtleCommandComponent(string name, string nickname, string description)
     : CaterpillarComponent(name, nickname, description, Panel.Design, GH_Exposure.secondary)
 {
-    private protected sealed override void Outputs(OutputPorts ports) => ports.Add(new TurtleCommandParam(), "Command", "C", "The command.");
+    private protected sealed override void Outputs(OutputPorts ports) => ports.Add(new TurtleCommandParam(), "Command", "C", "Turtle command.");
 
     private protected sealed override void Solve(Run run) => run.Set(0, new TurtleCommandGoo(Command(run)));
 
@@ -37,17 +37,17 @@ public enum TurtleMoveKind
 }
 
 /// <summary>A move of the turtle.</summary>
-public sealed class TurtleMoveComponent()
-    : TurtleCommandComponent("Turtle Move", "TMove", "A move of the turtle. With the pen down it prints, except for lifts, jumps and moves without printing.")
+public sealed class TurtleMoveComponent() : TurtleCommandComponent(
+    "Turtle Move", "TMove", "Moves the turtle. With the pen down it prints, except for lifts, jumps and moves without printing.")
 {
     public override Guid ComponentGuid => new("3a5d0f91-8c7e-4d54-9d0e-7b2f6c1a4e15");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Choice("Kind", "K", "Kind of the move.", TurtleMoveKind.Forward);
+        ports.Choice("Kind", "K", "Kind of move.", TurtleMoveKind.Forward);
         ports.Number("Distance", "D", "Distance, radius of arcs and circles, or side of polygons, in mm.", 10);
         ports.Number("Height", "H", "Distance along up, in mm: of Forward And Up, and the climb of an arc; lifts use Distance.", 0);
-        ports.Add(new Param_Point(), "Point", "Pt", "Point to go or jump to, in document units.", optional: true);
+        ports.Add(new Param_Point(), "Point", "Pt", "Target of Go To and Jump.", optional: true);
         ports.Angle("Angle", "A", "Turn of an arc, in degrees; positive to the left.", 90);
         ports.Integer("Count", "N", "Number of segments of arcs and circles (0: as many as needed), or of sides of polygons.", 0);
     }
@@ -84,16 +84,16 @@ public enum TurtleRotateKind
 
 /// <summary>A turn of the turtle.</summary>
 public sealed class TurtleRotateComponent() : TurtleCommandComponent(
-    "Turtle Rotate", "TRotate", "Turns the turtle: positive yaw to the left, positive pitch raises the nose, positive roll lifts the left side. Yaw comes "
-        + "first, then pitch, then roll.")
+    "Turtle Rotate", "TRotate",
+        "Turns the turtle. Positive yaw turns left, positive pitch raises the nose, positive roll raises the left side. The order is yaw, pitch, roll.")
 {
     public override Guid ComponentGuid => new("c1b64e0a-37f5-4a0b-8f66-2f6d8f0b5d16");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Angle("Yaw", "Y", "Turn about up, in degrees.", 0);
-        ports.Angle("Pitch", "P", "Turn about left, in degrees.", 0);
-        ports.Angle("Roll", "R", "Turn about forward, in degrees.", 0);
+        ports.Angle("Yaw", "Y", "Rotation about the up axis, in degrees.", 0);
+        ports.Angle("Pitch", "P", "Rotation about the left axis, in degrees.", 0);
+        ports.Angle("Roll", "R", "Rotation about the forward axis, in degrees.", 0);
         ports.Choice("Kind", "K", "Turn about its own axes, set the heading relative to the world axes, or add to the angles of the heading.",
             TurtleRotateKind.Turn);
     }
@@ -115,12 +115,12 @@ public sealed class TurtleRotateComponent() : TurtleCommandComponent(
 }
 
 /// <summary>Pen up or down.</summary>
-public sealed class TurtlePenComponent()
-    : TurtleCommandComponent("Turtle Pen", "TPen", "Puts the pen down, so that moves print, or lifts it. Nothing is retracted: planning does that.")
+public sealed class TurtlePenComponent() : TurtleCommandComponent(
+    "Turtle Pen", "TPen", "Puts the pen down to print, or lifts it. Plan Toolpath adds the retractions.")
 {
     public override Guid ComponentGuid => new("5e2c9f37-d1a8-4f39-9b7d-b0d7a3f24c17");
 
-    private protected override void Inputs(InputPorts ports) => ports.Boolean("Down", "D", "True: moves print. False: they do not.", true);
+    private protected override void Inputs(InputPorts ports) => ports.Boolean("Down", "D", "Put the pen down. Moves print until it is lifted.", true);
 
     private protected override TurtleCommand Command(Run run) => TurtleCommand.Of(run.Get<bool>(0) ? TurtleAction.PenDown : TurtleAction.PenUp);
 }
@@ -134,8 +134,8 @@ public enum TurtleExtrusionKind
 }
 
 /// <summary>How much the turtle extrudes, and how fast it moves.</summary>
-public sealed class TurtleExtrusionComponent()
-    : TurtleCommandComponent("Turtle Extrusion", "TExtrude", "Sets how much the following moves extrude, and how fast they are.")
+public sealed class TurtleExtrusionComponent() : TurtleCommandComponent(
+    "Turtle Extrusion", "TExtrude", "Sets the extrusion and the speed of the following moves.")
 {
     public override Guid ComponentGuid => new("a84f1b2d-6e3c-47d0-8a19-5c9e0d7f1b18");
 
@@ -145,7 +145,7 @@ public sealed class TurtleExtrusionComponent()
             TurtleExtrusionKind.FilamentPerMm);
         ports.Number("Value", "V", "The amount: mm per mm, mm², or the width in mm.", 0.05);
         ports.Number("Height", "H", "Height of the extrusion, in mm; 0 if unknown.", 0);
-        ports.OptionalNumber("Speed", "S", "Speed of the following moves, in mm/s; unchanged by default.");
+        ports.OptionalNumber("Speed", "S", "Speed of the following moves, in mm/s. Default: unchanged.");
     }
 
     private protected override TurtleCommand Command(Run run)
@@ -189,8 +189,8 @@ public enum TurtleEventKind
 }
 
 /// <summary>A command other than a move, or a tag.</summary>
-public sealed class TurtleEventComponent()
-    : TurtleCommandComponent("Turtle Event", "TEvent", "A command other than a move, a tag for what follows, or a branching point.")
+public sealed class TurtleEventComponent() : TurtleCommandComponent(
+    "Turtle Event", "TEvent", "Adds an event, a tag for the following moves, or a branching point.")
 {
     public override Guid ComponentGuid => new("f3d7c8e1-0b5a-4c92-a7e4-9a1c6b2d8f19");
 
@@ -234,7 +234,7 @@ public sealed class TurtleRepeatComponent() : TurtleCommandComponent("Turtle Rep
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new TurtleCommandParam(), "Commands", "C", "Commands in order.", GH_ParamAccess.list);
+        ports.Add(new TurtleCommandParam(), "Commands", "C", "Turtle commands, in order.", GH_ParamAccess.list);
         ports.Integer("Count", "N", "Number of repetitions.", 4);
     }
 

@@ -9,21 +9,21 @@ namespace Caterpillar.GH.Components.Design;
 
 /// <summary>Makes a turtle program from a script, from commands, or from both.</summary>
 public sealed class TurtleProgramComponent() : CaterpillarComponent(
-    "Turtle Program", "Program", "Makes a turtle program from a script or from commands. With both, the script comes first.", Panel.Design)
+    "Turtle Program", "Program", "Creates a turtle program from a script or from commands. If both are given, the script runs first.", Panel.Design)
 {
     public override Guid ComponentGuid => new("6f4c2a10-0d83-4c6d-8e51-8a2a3f6b1c11");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Text("Script", "S", "Script of turtle commands; the items of a list are its lines.", access: GH_ParamAccess.list, optional: true);
-        ports.Add(new TurtleCommandParam(), "Commands", "C", "Commands in order.", GH_ParamAccess.list, optional: true);
-        ports.Text("Variables", "V", "Values for the script's parameters, each as name=value.", access: GH_ParamAccess.list, optional: true);
-        ports.Integer("Seed", "Sd", "Seed of the script's random numbers, from 0.", 0);
+        ports.Text("Script", "S", "Script of turtle commands. Items of a list are its lines.", access: GH_ParamAccess.list, optional: true);
+        ports.Add(new TurtleCommandParam(), "Commands", "C", "Turtle commands, in order.", GH_ParamAccess.list, optional: true);
+        ports.Text("Variables", "V", "Values of the script's parameters, as name=value.", access: GH_ParamAccess.list, optional: true);
+        ports.Seed();
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new TurtleProgramParam(), "Program", "P", "The program.");
+        ports.Add(new TurtleProgramParam(), "Program", "P", "Turtle program.");
         ports.Diagnostics();
     }
 

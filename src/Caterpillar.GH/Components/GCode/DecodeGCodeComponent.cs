@@ -18,19 +18,19 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.File("File", "F", "File to read: plain, binary (.bgcode) or gzip.", "G-code|*.gcode;*.bgcode;*.gco;*.g;*.nc;*.gcode.gz|All files|*.*",
-            optional: true);
-        ports.Add(new GCodeParam(), "G-code", "G", "G-code to read instead of a file; text is G-code.", optional: true);
-        ports.Text("Flavor", "D", "Flavor of the firmware, such as marlin2, klipper or reprapfirmware; \"detect\" takes it from the file.", Detect);
-        ports.Choice("Rule", "R", "What counts as printing: E beyond what was retracted (Balance), or any rise of E (Rising).", ExtrusionRule.Balance);
+        ports.File("File", "F",
+            "G-code file: plain, binary (.bgcode) or gzip.", "G-code|*.gcode;*.bgcode;*.gco;*.g;*.nc;*.gcode.gz|All files|*.*", optional: true);
+        ports.Add(new GCodeParam(), "G-code", "G", "G-code or its text, instead of a file.", optional: true);
+        ports.Text("Flavor", "Fl", "G-code flavor, such as marlin2, klipper or reprapfirmware. detect = from the file.", Detect);
+        ports.Choice("Rule", "R", "What counts as printing: E beyond the retracted length (Balance), or any increase of E (Rising).", ExtrusionRule.Balance);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "What the file makes the printer do, move by move.");
-        ports.Add(new GCodeParam(), "G-code", "G", "The file, byte for byte.");
-        ports.Text("Settings", "S", "Settings that the slicer wrote into comments, as key=value.", GH_ParamAccess.list);
-        ports.Text("Flavor", "Di", "Flavor that was used for reading.");
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath.");
+        ports.Add(new GCodeParam(), "G-code", "G", "G-code of the file, byte for byte.");
+        ports.Text("Settings", "S", "Slicer settings in the comments of the file, as key=value.", GH_ParamAccess.list);
+        ports.Text("Flavor", "Fl", "G-code flavor used for decoding.");
         ports.Diagnostics();
     }
 

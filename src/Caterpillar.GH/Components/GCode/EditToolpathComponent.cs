@@ -10,7 +10,7 @@ namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Changes speed, flow and position of some moves.</summary>
 public sealed class EditToolpathComponent() : CaterpillarComponent(
-    "Edit Toolpath", "EditTP", "Changes speed, flow and position of moves, chosen by role, layer, object or box.", Panel.GCode)
+    "Edit Toolpath", "EditT", "Changes speed, flow and position of moves, selected by role, layer, object or box.", Panel.GCode)
 {
     private const int After = 1 + MoveFilterPorts.Count;
 
@@ -18,15 +18,15 @@ public sealed class EditToolpathComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to change, planned or decoded.");
+        ports.Toolpath();
         MoveFilterPorts.Declare(ports);
-        ports.Number("Speed Factor", "S", "Factor for the speed of the chosen moves.", 1);
-        ports.Number("Flow Factor", "Fl", "Factor for the material of the chosen moves.", 1);
+        ports.Number("Speed Factor", "S", "Speed factor of the selected moves.", 1);
+        ports.Number("Flow Factor", "Fl", "Flow ratio of the selected moves.", 1);
         ports.Add(new Param_Transform(), "Transform", "X",
-            "Moves, turns or scales the chosen extrusions, in document units; start and end code stay where they are.", optional: true);
+            "Transformation of the selected extrusions. Start and end G-code keep their position.", optional: true);
     }
 
-    private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "The changed toolpath.");
+    private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "Changed toolpath.");
 
     private protected override void Solve(Run run)
     {

@@ -8,7 +8,7 @@ namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Some lines of a G-code file as text.</summary>
 public sealed class GCodeTextComponent() : CaterpillarComponent(
-    "G-code Text", "Text", "Some lines of a G-code file as text, so that wires and panels stay light.", Panel.GCode)
+    "G-code Text", "Text", "Shows some lines of G-code as text, so that wires and panels stay light.", Panel.GCode)
 {
     // A Panel cannot show more.
     private const int MaxLines = 100_000;
@@ -18,11 +18,11 @@ public sealed class GCodeTextComponent() : CaterpillarComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Add(new GCodeParam(), "G-code", "G", "G-code to show.");
-        ports.Integer("Start", "S", "Number of the first line, from 1; a negative number counts from the end.", 1);
+        ports.Integer("Start", "S", "First line, from 1. Negative numbers count from the end.", 1);
         ports.Integer("Count", "N", "Number of lines, at most 100000.", 200);
     }
 
-    private protected override void Outputs(OutputPorts ports) => ports.Text("Lines", "L", "The lines of the file.", GH_ParamAccess.list);
+    private protected override void Outputs(OutputPorts ports) => ports.Text("Lines", "L", "Lines of G-code.", GH_ParamAccess.list);
 
     private protected override void Solve(Run run)
     {

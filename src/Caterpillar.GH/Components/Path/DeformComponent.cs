@@ -12,9 +12,9 @@ public sealed class DeformComponent() : PathShapingComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        PathsPort(ports);
+        ports.PrintPaths();
         DeformationPorts.Declare(ports);
-        PlanePort(ports);
+        ports.FormulaPlane();
     }
 
     private protected override void Solve(Run run)

@@ -12,16 +12,9 @@ namespace Caterpillar.GH.Components.Path;
 public abstract class PathShapingComponent(string name, string nickname, string description)
     : CaterpillarComponent(name, nickname, description, Panel.Path, GH_Exposure.secondary)
 {
-    private protected static void PathsPort(InputPorts ports)
-        => ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths in printing order.", GH_ParamAccess.list);
-
-    private protected static void PlanePort(InputPorts ports)
-        => ports.Add(new Param_Plane(), "Plane", "Pl",
-            "Frame of the coordinates, in document units; its Z is the axis of angles. World XY by default.", optional: true);
-
     private protected sealed override void Outputs(OutputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "The paths in their order; null where the result is invalid.", GH_ParamAccess.list);
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "Print paths, in the same order. Null if the result is invalid.", GH_ParamAccess.list);
         ports.Diagnostics();
     }
 

@@ -9,8 +9,7 @@ using Grasshopper.Kernel;
 namespace Caterpillar.GH.Components.Simulate;
 
 /// <summary>Runs through a print as time passes.</summary>
-public sealed class PlayComponent() : CaterpillarComponent(
-    "Play", "Play", "Gives a position that moves through a print as time passes, for Simulate.", Panel.Simulate)
+public sealed class PlayComponent() : CaterpillarComponent("Play", "Play", "Moves a position through a print as time passes, for Simulate.", Panel.Simulate)
 {
     private const int FrameMilliseconds = 40;
     private readonly Stopwatch _clock = Stopwatch.StartNew();
@@ -42,14 +41,14 @@ public sealed class PlayComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to run through: its print time is how long it takes.");
-        ports.Boolean("Run", "R", "Starts when this changes from false to true; false stops.", false);
-        ports.Number("Speed", "V", "Factor for the speed: 1 takes as long as the print.", 60);
-        ports.Boolean("Reset", "Re", "True goes back to the start.", false);
+        ports.Toolpath();
+        ports.Boolean("Run", "R", "Starts when this changes from false to true. Stops when false.", false);
+        ports.Number("Speed", "V", "Speed factor. 1 = as long as the print.", 60);
+        ports.Boolean("Reset", "Re", "Go back to the start.", false);
         SetupPorts.Printer(ports);
     }
 
-    private protected override void Outputs(OutputPorts ports) => ports.Number("Position", "t", "Position in the print by time, 0 to 1.");
+    private protected override void Outputs(OutputPorts ports) => ports.Number("Position", "t", "Position in the print by time, from 0 to 1.");
 
     private protected override void Prepare(Run run)
     {

@@ -7,19 +7,19 @@ namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>Puts solids next to each other on a bed.</summary>
 public sealed class ArrangeModelsComponent() : ModelMovingComponent(
-    "Arrange Models", "Arrange", "Puts solids, or several of each, next to each other on the bed of a printer, from the middle outward.")
+    "Arrange Models", "Arrange", "Arranges solids, or several copies of each, on the bed of a printer, from the center outward.")
 {
     public override Guid ComponentGuid => new("3c7e9a41-50bd-4d18-8e26-91f4a0b7c5d2");
 
     private protected override void Inputs(InputPorts ports)
     {
         GeometryPort(ports);
-        ports.Add(new PrinterParam(), "Printer", "P", "Printer, or the name of its profile; the generic one by default.", optional: true);
-        ports.Integer("Count", "C", "Number of pieces of each solid.", 1);
-        ports.Number("Spacing", "S", "Smallest distance between two solids as seen from above, in mm.", new ArrangeOptions().Spacing);
-        ports.Number("Margin", "M", "Smallest distance from the edge of the bed, in mm.", new ArrangeOptions().Margin);
-        ports.Boolean("Sequential", "Sq", "True leaves as much space as the head needs to print one solid after the other.", false);
-        ports.Number("Tolerance", "T", "Maximum deviation of facets from a curved solid, in mm.", 0.05);
+        ports.Printer("P", "Default: generic.");
+        ports.Integer("Count", "C", "Number of copies of each solid.", 1);
+        ports.Number("Spacing", "S", "Minimum distance between solids, seen from above, in mm.", new ArrangeOptions().Spacing);
+        ports.Number("Margin", "M", "Minimum distance to the edge of the bed, in mm.", new ArrangeOptions().Margin);
+        ports.Boolean("Sequential", "Sq", "Leave room for the print head to print one solid after the other.", false);
+        ports.MeshTolerance();
     }
 
     private protected override void Solve(Run run)

@@ -14,25 +14,23 @@ namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>Cuts solids into planar layers and fills them.</summary>
 public sealed class PlanarSlicerComponent() : SlicerComponent(
-    "Planar Slicer", "Slice", "Cuts solids that stand on the bed (Z = 0) into planar layers and fills them with walls and infill.")
+    "Planar Slicer", "Slice", "Slices solids on the bed (Z = 0) into planar layers and fills them with walls and infill.")
 {
     public override Guid ComponentGuid => new("378f4dfe-ec2e-4716-a6dd-c0709743ec9b");
 
     private protected override void Inputs(InputPorts ports)
     {
         GeometryPort(ports);
-        ports.Add(new SettingsParam(), "Settings", "S", "Print settings; the standard ones by default.", optional: true);
-        TolerancePort(ports);
-        ports.Geometry("Modifiers", "M",
-            "Solids that are not printed, in document units: what lies inside them is printed with Modifier Settings, or supported or not, as model_type of "
-                + "those states.", GH_ParamAccess.list, optional: true);
-        ports.Add(new SettingsParam(), "Modifier Settings", "MS", "Print settings of each modifier in turn; the last ones are those of all that follow.",
-            GH_ParamAccess.list, optional: true);
+        ports.Settings("S", "Default: standard.");
+        ports.MeshTolerance();
+        ports.Geometry("Modifiers", "M", "Solids that are not printed. By their model_type, they change the settings inside them, or enforce or "
+            + "block supports.", GH_ParamAccess.list, optional: true);
+        ports.Add(new SettingsParam(), "Modifier Settings", "MS",
+            "Print settings of each modifier. The last ones apply to all that follow.", GH_ParamAccess.list, optional: true);
         ports.Add(new Param_Curve { Optional = true }, "Infill Curves", "C",
-            "Curves that the infill of every layer follows instead of its pattern, seen from above, in document units.", GH_ParamAccess.list, optional: true);
-        ports.Add(new SettingsParam(), "Part Settings", "PS",
-            "Print settings of each solid in turn instead of Settings, which still decide travels, skirt, brim and raft; the last ones are "
-                + "those of all solids that follow.", GH_ParamAccess.list, optional: true);
+            "Curves for the infill of every layer, seen from above, instead of the infill pattern.", GH_ParamAccess.list, optional: true);
+        ports.Add(new SettingsParam(), "Part Settings", "PS", "Print settings of each solid, instead of Settings. The last ones apply to all that follow. "
+            + "Settings still control travel moves, skirt, brim and raft.", GH_ParamAccess.list, optional: true);
     }
 
     private protected override void Solve(Run run)
