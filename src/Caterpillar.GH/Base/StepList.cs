@@ -3,7 +3,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GH.Base;
 
-/// <summary>The steps of a list input, which stay one object from solve to solve as long as all of them stay the same.</summary>
+/// <summary>The steps of a list input. They stay one object from solve to solve while they stay the same.</summary>
 internal sealed class StepList
 {
     public StepList(IReadOnlyList<StepGoo> goos)

@@ -26,9 +26,8 @@ internal static class DeformationPorts
 
     public static Request Read(Run run, int first)
     {
-        var tolerance = run.Finite(first + 6);
-        if (tolerance < 0) throw new InputProblem("Tolerance must be 0 or more.");
-        return new Request(run.Choice<DeformationSystem>(first), Enumerable.Range(first + 1, 5).Select(i => run.Maybe<string>(i) ?? "").ToArray(), tolerance);
+        return new Request(run.Choice<DeformationSystem>(first), Enumerable.Range(first + 1, 5).Select(i => run.Maybe<string>(i) ?? "").ToArray(),
+            run.NotNegative(first + 6));
     }
 
     /// <summary>The values of the ports.</summary>

@@ -16,7 +16,7 @@ internal static class SetupPorts
 
     public static void Settings(InputPorts ports) => ports.Settings("S", "Default: as planned, or the default of the printer.");
 
-    /// <summary>The setup for a printer, or, without one, for that of the toolpath.</summary>
+    /// <summary>The setup for a printer, by default the printer of the toolpath.</summary>
     public static PrintSetup Of(Run run, ToolpathGoo goo, Printer? printer, Material? material = null, PrintSettings? settings = null)
     {
         var planned = goo.Setup;

@@ -1,8 +1,8 @@
 namespace Caterpillar.GH.Conversion;
 
 /// <summary>
-/// Polyline curves that Rhino calls valid: neighbors at one place are dropped, and a line there and back gets a point in its middle, as three points of
-/// which the ends meet would be a closed curve without an inside.
+/// Polyline curves that are valid for Rhino. Duplicate neighbors are dropped. A line there and back gets a point in its middle, because three points whose
+/// ends meet would be a closed curve without an inside.
 /// </summary>
 internal static class PolylineMaker
 {

@@ -2,7 +2,7 @@ using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Conversion;
 
-/// <summary>What script components hand out arrives wrapped: goo takes what is inside.</summary>
+/// <summary>Unwraps the outputs of script components.</summary>
 internal static class Wrapped
 {
     public static object? Bare(object? source)

@@ -6,7 +6,7 @@ namespace Caterpillar.GH.Params;
 public sealed class TurtleProgramParam() : StoredParam<TurtleProgramGoo>(
     "Turtle Program", "Program", "Contains turtle programs. Text is read as a script.", Panel.Design)
 {
-    private protected override string Question => "Script of the turtle, such as: repeat 4 [ forward 10; left 90 ]";
+    private protected override string Question => "Turtle script, for example: repeat 4 [ forward 10; left 90 ]";
 
     public override Guid ComponentGuid => new("51a3b9f4-7a3f-4c0e-9a55-2f1d7fbd4a01");
 }

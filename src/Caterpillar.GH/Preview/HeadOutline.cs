@@ -7,7 +7,7 @@ using Caterpillar.Turtles;
 
 namespace Caterpillar.GH.Preview;
 
-/// <summary>The head of a printer as rings and edges, its profile and mesh, and the turtle that shows where it goes, at any place.</summary>
+/// <summary>The print head as rings and edges, its profile and mesh, and a turtle that points in the direction of motion.</summary>
 internal sealed class HeadOutline
 {
     private const int Corners = 24;

@@ -35,8 +35,8 @@ public sealed class CylinderTraceComponent() : TraceComponent(
 
     private protected override void ShapePorts(InputPorts ports)
     {
-        ports.Number("Radius", "R", "Radius of the cylinder, in mm.");
-        ports.Number("Height", "H", "Height of the cylinder, in mm.");
+        ports.Number("Radius", "R", "Radius, in mm.");
+        ports.Number("Height", "H", "Height, in mm.");
         ports.Number("Vertical Pitch", "V", "Distance between spirals, in mm.");
         ports.Number("Horizontal Pitch", "P", "Distance between the turns of a spiral, in mm.");
     }
@@ -59,7 +59,7 @@ public sealed class ConeTraceComponent() : TraceComponent(
     {
         ports.Number("Bottom Radius", "R", "Radius at the bottom, in mm. 0 = tip.");
         ports.Number("Top Radius", "T", "Radius at the top, in mm. 0 = tip.");
-        ports.Number("Height", "H", "Height of the cone, in mm.");
+        ports.Number("Height", "H", "Height, in mm.");
         ports.Number("Pitch", "P", "Rise per turn, in mm.");
     }
 

@@ -25,7 +25,7 @@ public sealed class SpiralTraceComponent() : TraceComponent("Spiral Trace", "Spi
     private protected override void ShapePorts(InputPorts ports)
     {
         ports.Number("Radius", "R", "Radius of the outermost turn, in mm.");
-        ports.Number("Pitch", "P", "Distance between the turns, in mm.");
+        ports.Number("Pitch", "P", "Distance between turns, in mm.");
     }
 
     private protected override void MorePorts(InputPorts ports) => ports.Boolean("Inward", "I", "Start at the radius instead of the center.", false);
@@ -37,7 +37,7 @@ public sealed class SpiralTraceComponent() : TraceComponent("Spiral Trace", "Spi
     }
 }
 
-/// <summary>Rings around a part that prime the flow.</summary>
+/// <summary>Skirt loops around a part.</summary>
 public sealed class SkirtTraceComponent() : TraceComponent(
     "Skirt Trace", "Skirt", "Skirt loops around a part, from the outside in, that prime the nozzle.", bead: 4)
 {
@@ -45,15 +45,15 @@ public sealed class SkirtTraceComponent() : TraceComponent(
 
     private protected override void ShapePorts(InputPorts ports)
     {
-        ports.Number("Radius", "R", "Radius of the innermost ring, in mm.");
+        ports.Number("Radius", "R", "Radius of the innermost loop, in mm.");
         ports.Integer("Loop Count", "Lo", "Number of skirt loops.", 1);
-        ports.Number("Pitch", "P", "Distance between the rings, in mm.", 0.5);
+        ports.Number("Pitch", "P", "Distance between loops, in mm.", 0.5);
     }
 
     private protected override Shape ShapeOf(Run run)
     {
         var (radius, loops, pitch) = (run.Positive(1), run.Get<int>(2), run.Positive(3));
-        if (loops is < 1 or > 1000) throw new InputProblem("Ring Count must be 1 to 1000.");
+        if (loops is < 1 or > 1000) throw new InputProblem("Loop Count must be 1 to 1000.");
         return new Shape([radius, loops, pitch], (trace, strings) => trace.Skirt(Vec3.Zero, radius, loops, pitch, strings));
     }
 }

@@ -18,7 +18,7 @@ public enum TraceRamp
     Both,
 }
 
-/// <summary>Base of the shapes made of strings: a plane first, then what the shape needs, a bead, and what the shape may have.</summary>
+/// <summary>Base of the traces: a plane first, then the ports of the shape, a bead, and optional ports.</summary>
 public abstract class TraceComponent(string name, string nickname, string description, int bead)
     : CaterpillarComponent(name, nickname, description, Panel.Design, GH_Exposure.tertiary)
 {
@@ -46,9 +46,9 @@ public abstract class TraceComponent(string name, string nickname, string descri
 
     private protected static void RampPorts(InputPorts ports)
     {
-        ports.Choice("Ramp", "Ra", "Which end has reduced flow: the gap to the bed grows from nothing along the first turn, and the last turn ends level.",
-            TraceRamp.None);
-        ports.Number("Minimum Flow", "L", "Flow at the very end of a ramp, from 0 to 1 of the full flow.", 0.2);
+        ports.Choice("Ramp", "Ra", "Ends with reduced flow. At the start, the gap to the bed grows from 0 during the first turn. "
+            + "At the end, the last turn ends level.", TraceRamp.None);
+        ports.Number("Minimum Flow", "L", "Flow ratio at the very end of a ramp, from 0 to 1.", 0.2);
     }
 
     private protected FlowRamp? RampOf(Run run)
@@ -68,14 +68,14 @@ public abstract class TraceComponent(string name, string nickname, string descri
         {
             var trace = new Trace(extrusion.Area).SetSpeed(extrusion.Speed);
             draw(trace, strings);
-            var path = trace.ToPaths().FirstOrDefault() ?? throw new InputProblem("The shape is smaller than one string.");
+            var path = trace.ToPaths().FirstOrDefault() ?? throw new InputProblem("The shape is smaller than one string. Make it larger.");
             if (extrusion.Height > 0) path = path.WithBeads(i => new Bead(path.BeadOf(i).Area, extrusion.Height, extrusion.Speed));
             return path.Transformed(Affine.FromFrame(frame));
         });
         run.Set(0, new PrintPathGoo(path));
-        run.Summarize($"{Basics.NumberFormatter.Format(path.SegmentCount)} strings");
+        run.Summarize($"{Basics.NumberFormatter.Format(path.SegmentCount)} segments");
     }
 
-    /// <summary>What is drawn with a number of strings per turn, and what tells it from others.</summary>
+    /// <summary>A drawing with a number of strings per turn, and the values that it depends on.</summary>
     private protected sealed record Shape(object?[] Key, Action<Trace, int> Draw);
 }

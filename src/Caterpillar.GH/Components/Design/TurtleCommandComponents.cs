@@ -46,10 +46,10 @@ public sealed class TurtleMoveComponent() : TurtleCommandComponent(
     {
         ports.Choice("Kind", "K", "Kind of move.", TurtleMoveKind.Forward);
         ports.Number("Distance", "D", "Distance, radius of arcs and circles, or side of polygons, in mm.", 10);
-        ports.Number("Height", "H", "Distance along up, in mm: of Forward And Up, and the climb of an arc; lifts use Distance.", 0);
+        ports.Number("Height", "H", "Rise of Forward And Up and of arcs, in mm. Lifts use Distance.", 0);
         ports.Add(new Param_Point(), "Point", "Pt", "Target of Go To and Jump.", optional: true);
-        ports.Angle("Angle", "A", "Turn of an arc, in degrees; positive to the left.", 90);
-        ports.Integer("Count", "N", "Number of segments of arcs and circles (0: as many as needed), or of sides of polygons.", 0);
+        ports.Angle("Angle", "A", "Angle of an arc, in degrees. Positive = to the left.", 90);
+        ports.Integer("Count", "N", "Number of segments of arcs and circles (0 = automatic), or of sides of polygons.", 0);
     }
 
     private protected override TurtleCommand Command(Run run)
@@ -69,7 +69,7 @@ public sealed class TurtleMoveComponent() : TurtleCommandComponent(
             case TurtleMoveKind.Circle: return TurtleCommand.Of(TurtleAction.Circle, d, n);
             case TurtleMoveKind.Polygon: return TurtleCommand.Of(TurtleAction.Polygon, n, d);
         }
-        var point = run.MaybePoint(3) ?? throw new InputProblem("Point is missing.");
+        var point = run.MaybePoint(3) ?? throw new InputProblem("Point is missing for Go To or Jump.");
         return TurtleCommand.Of(run.Choice<TurtleMoveKind>(0) == TurtleMoveKind.GoTo ? TurtleAction.Position : TurtleAction.Jump, point.X, point.Y, point.Z);
     }
 }
@@ -94,7 +94,7 @@ public sealed class TurtleRotateComponent() : TurtleCommandComponent(
         ports.Angle("Yaw", "Y", "Rotation about the up axis, in degrees.", 0);
         ports.Angle("Pitch", "P", "Rotation about the left axis, in degrees.", 0);
         ports.Angle("Roll", "R", "Rotation about the forward axis, in degrees.", 0);
-        ports.Choice("Kind", "K", "Turn about its own axes, set the heading relative to the world axes, or add to the angles of the heading.",
+        ports.Choice("Kind", "K", "Turn about the turtle's own axes, set the heading in world axes, or add to the angles of the heading.",
             TurtleRotateKind.Turn);
     }
 
@@ -125,7 +125,7 @@ public sealed class TurtlePenComponent() : TurtleCommandComponent(
     private protected override TurtleCommand Command(Run run) => TurtleCommand.Of(run.Get<bool>(0) ? TurtleAction.PenDown : TurtleAction.PenUp);
 }
 
-/// <summary>How an amount of extrusion is given.</summary>
+/// <summary>How an extrusion is given.</summary>
 public enum TurtleExtrusionKind
 {
     FilamentPerMm,
@@ -133,7 +133,7 @@ public enum TurtleExtrusionKind
     WidthAndHeight,
 }
 
-/// <summary>How much the turtle extrudes, and how fast it moves.</summary>
+/// <summary>Extrusion and speed of the turtle.</summary>
 public sealed class TurtleExtrusionComponent() : TurtleCommandComponent(
     "Turtle Extrusion", "TExtrude", "Sets the extrusion and the speed of the following moves.")
 {
@@ -141,10 +141,10 @@ public sealed class TurtleExtrusionComponent() : TurtleCommandComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Choice("Kind", "K", "mm of filament per mm of path, cross-section of the extrusion in mm², or its width and height in mm.",
+        ports.Choice("Kind", "K", "Extrusion by filament per mm of path, by area of the cross-section, or by width and height.",
             TurtleExtrusionKind.FilamentPerMm);
-        ports.Number("Value", "V", "The amount: mm per mm, mm², or the width in mm.", 0.05);
-        ports.Number("Height", "H", "Height of the extrusion, in mm; 0 if unknown.", 0);
+        ports.Number("Value", "V", "Filament in mm per mm of path, area in mm², or width in mm.", 0.05);
+        ports.Number("Height", "H", "Bead height, in mm. 0 = unknown.", 0);
         ports.OptionalNumber("Speed", "S", "Speed of the following moves, in mm/s. Default: unchanged.");
     }
 
@@ -160,7 +160,7 @@ public sealed class TurtleExtrusionComponent() : TurtleCommandComponent(
                 TurtleExtrusionKind.FilamentPerMm => TurtleCommand.Of(TurtleAction.Density, value),
                 TurtleExtrusionKind.Area => TurtleCommand.Of(TurtleAction.Area, value, height),
                 _ => TurtleCommand.Of(TurtleAction.Bead, value, height > 0 ? height
-                    : throw new InputProblem("Height must be greater than zero if the width is given.")),
+                    : throw new InputProblem("Height must be greater than zero for Width And Height.")),
             },
         };
         if (run.MaybeValue<double>(3) is not null) commands.Add(TurtleCommand.Of(TurtleAction.Speed, run.Positive(3)));
@@ -188,7 +188,7 @@ public enum TurtleEventKind
     Pop,
 }
 
-/// <summary>A command other than a move, or a tag.</summary>
+/// <summary>An event, a tag, or a branching point.</summary>
 public sealed class TurtleEventComponent() : TurtleCommandComponent(
     "Turtle Event", "TEvent", "Adds an event, a tag for the following moves, or a branching point.")
 {
@@ -196,10 +196,10 @@ public sealed class TurtleEventComponent() : TurtleCommandComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Choice("Kind", "K", "What happens.", TurtleEventKind.Dwell);
-        ports.Number("Value", "V", "mm of filament, milliseconds, °C (waits until reached), fan speed 0 to 1, number of a tool or layer, or thickness of the "
-            + "next layer in mm.", 0);
-        ports.Text("Text", "T", "Comment, raw line, message of a pause, name, or color as #rrggbb.", "");
+        ports.Choice("Kind", "K", "Kind of event.", TurtleEventKind.Dwell);
+        ports.Number("Value", "V", "Filament in mm, milliseconds, temperature in °C (waits until reached), fan speed from 0 to 1, "
+            + "tool or layer number, or height of the next layer in mm.", 0);
+        ports.Text("Text", "T", "Message of a pause, comment, line of G-code, name, or color as #rrggbb.", "");
     }
 
     private protected override TurtleCommand Command(Run run)

@@ -44,7 +44,7 @@ public sealed class TurtlePreviewComponent() : CaterpillarComponent(
     {
         var steps = run.Some<Step>(0);
         var part = run.Finite(1);
-        if (part is < 0 or > 1) throw new InputProblem("Position must be 0 to 1.");
+        if (part is < 0 or > 1) throw new InputProblem("Position must be from 0 to 1.");
         var size = run.Positive(2);
         var units = run.Units;
         var timeline = run.Work("Drawing", steps.Cast<object?>().ToArray(), (_, _) => new TurtleTimeline(steps));

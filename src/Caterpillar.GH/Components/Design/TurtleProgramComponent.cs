@@ -31,7 +31,7 @@ public sealed class TurtleProgramComponent() : CaterpillarComponent(
     {
         var lines = run.List<string>(0);
         var commands = run.List<TurtleCommand>(1);
-        if (lines.Count == 0 && commands.Count == 0) throw new InputProblem("Script or Commands are missing.") { IsMissing = true };
+        if (lines.Count == 0 && commands.Count == 0) throw new InputProblem("Script or Commands is missing.") { IsMissing = true };
         var programs = new List<TurtleProgram>();
         if (lines.Count > 0)
         {
@@ -49,9 +49,9 @@ public sealed class TurtleProgramComponent() : CaterpillarComponent(
         {
             var cut = text.IndexOf("=", StringComparison.Ordinal);
             if (cut < 1 || !NumberReader.TryParse(text.Substring(cut + 1).Trim(), out var value))
-                throw new InputProblem($"Variables: '{text}' is not name=value.");
+                throw new InputProblem($"Variables: expected name=value, not '{text}'.");
             var name = text.Substring(0, cut).Trim();
-            if (!script.Parameters.Contains(name)) run.Report(GH_RuntimeMessageLevel.Warning, $"The script has no parameter '{name}' (param {name} = …).");
+            if (!script.Parameters.Contains(name)) run.Report(GH_RuntimeMessageLevel.Warning, $"The script has no parameter '{name}'. Declare it: param {name} = …");
             else variables[name] = value;
         }
         return variables;

@@ -39,7 +39,7 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
         var options = new DecodeOptions { Flavor = Flavor(run.Maybe<string>(2)), Rule = run.Choice<ExtrusionRule>(3) };
         var wired = run.Maybe<GCodeDocument>(1);
         if (wired is not null && !string.IsNullOrEmpty(run.Maybe<string>(0)))
-            run.Report(GH_RuntimeMessageLevel.Warning, "File is ignored, because G-code is connected.");
+            run.Report(GH_RuntimeMessageLevel.Warning, "File is ignored because G-code is connected.");
         var source = wired ?? Read(run);
         var result = run.Work("Decoding", [source, options], (progress, cancel) => GCodeDecoder.Decode(source, options, progress, cancel));
         var none = result.Value?.NotGCode;
@@ -60,7 +60,7 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
     {
         if (string.IsNullOrWhiteSpace(name) || string.Equals(name, Detect, StringComparison.OrdinalIgnoreCase)) return null;
         return FlavorTable.Find(name!) ?? throw new InputProblem(
-            $"There is no flavor {name}; there are {Detect}, {string.Join(", ", FlavorTable.All.Select(d => d.Name))}.");
+            $"G-code flavor \"{name}\" not found. Use {Detect}, {string.Join(", ", FlavorTable.All.Select(d => d.Name))}.");
     }
 
     private static GCodeDocument Read(Run run)

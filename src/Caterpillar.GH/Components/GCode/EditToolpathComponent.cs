@@ -32,10 +32,9 @@ public sealed class EditToolpathComponent() : CaterpillarComponent(
     {
         var goo = run.Get<ToolpathGoo>(0);
         var filter = MoveFilterPorts.Read(run, 1);
-        var (speed, flow) = (run.Positive(After), run.Finite(After + 1));
-        if (flow < 0) throw new InputProblem("Flow Factor must be 0 or more.");
+        var (speed, flow) = (run.Positive(After), run.NotNegative(After + 1));
         var map = run.MaybeValue<Rg.Transform>(After + 2) is { } transform
-            ? RhinoGeometry.ToAffine(transform, run.Units) ?? throw new InputProblem("Transform must keep lines parallel: it moves, turns, scales or shears.")
+            ? RhinoGeometry.ToAffine(transform, run.Units) ?? throw new InputProblem("Transform must be affine: move, rotate, scale or shear.")
             : (Affine?)null;
         var edited = run.Work("Editing", [goo.Value, speed, flow, map, MoveFilterPorts.Key(filter)], (_, _) => Edit(goo.Value, filter, speed, flow, map));
         run.Set(0, goo.With(edited));

@@ -28,7 +28,7 @@ public sealed class GCodeTextComponent() : CaterpillarComponent(
     {
         var document = run.Get<GCodeDocument>(0);
         var (start, count) = (run.Get<int>(1), run.Get<int>(2));
-        if (start == 0) throw new InputProblem("Start counts from 1, or from -1 at the end.");
+        if (start == 0) throw new InputProblem("Start must be 1 or more, or -1 or less to count from the end.");
         if (count is < 0 or > MaxLines) throw new InputProblem($"Count must be from 0 to {NumberFormatter.Format(MaxLines)}.");
         var first = start > 0 ? start : Math.Max(1, document.LineCount + start + 1);
         run.SetList(0, document.Lines(first, count));

@@ -45,7 +45,7 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
         if (rewriteAll && (start ?? end) is not null)
         {
             run.Report(GH_RuntimeMessageLevel.Warning,
-                "Start G-code and End G-code apply to decoded files whose lines are kept; this one is rewritten, with the code of its printer.");
+                "Start G-code and End G-code have no effect: the file is rewritten with the G-code of its printer.");
         }
         var code = new EditOptions { Start = start is null ? null : TextLines.Of(start), End = end is null ? null : TextLines.Of(end) };
         var result = run.Work("Writing", [goo.Value, setup, reason, rewriteAll, start, end], (progress, cancel) => rewriteAll
@@ -59,7 +59,7 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
     private static PrintSetup Setup(Run run, PrintSetup? planned)
     {
         var printer = run.Maybe<Printer>(1) ?? planned?.Printer
-            ?? throw new InputProblem("Printer is missing: the toolpath was not planned for one.") { IsMissing = true };
+            ?? throw new InputProblem("Printer is missing. The toolpath was not planned for one.") { IsMissing = true };
         return SetupPorts.For(run, printer, run.Maybe<Material>(2) ?? planned?.Material, run.Maybe<PrintSettings>(3) ?? planned?.Settings)
             with { PrintedOn = planned?.PrintedOn };
     }

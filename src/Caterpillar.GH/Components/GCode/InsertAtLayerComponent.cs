@@ -8,7 +8,7 @@ using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Components.GCode;
 
-/// <summary>What is inserted before a layer.</summary>
+/// <summary>Events to insert before a layer.</summary>
 public enum LayerEventKind
 {
     Pause,
@@ -70,12 +70,12 @@ public sealed class InsertAtLayerComponent() : CaterpillarComponent(
         return run.Choice<LayerEventKind>(2) switch
         {
             LayerEventKind.Pause => new PauseEvent(text),
-            LayerEventKind.Tool => new ToolEvent(AtLeast(0, 99, "the number of a tool") is var tool
-                && tool == Math.Floor(tool) ? (int)tool : throw new InputProblem("Value must be the number of a tool.")),
-            LayerEventKind.NozzleTemperature => new NozzleTemperatureEvent(AtLeast(0, 600, "a temperature in °C"), Wait: true),
-            LayerEventKind.BedTemperature => new BedTemperatureEvent(AtLeast(0, 300, "a temperature in °C"), Wait: true),
+            LayerEventKind.Tool => new ToolEvent(AtLeast(0, 99, "a tool number from 0 to 99") is var tool
+                && tool == Math.Floor(tool) ? (int)tool : throw new InputProblem("Value must be a tool number from 0 to 99.")),
+            LayerEventKind.NozzleTemperature => new NozzleTemperatureEvent(AtLeast(0, 600, "a temperature from 0 to 600 °C"), Wait: true),
+            LayerEventKind.BedTemperature => new BedTemperatureEvent(AtLeast(0, 300, "a temperature from 0 to 300 °C"), Wait: true),
             LayerEventKind.Fan => new FanEvent(AtLeast(0, 1, "a fan speed from 0 to 1")),
-            LayerEventKind.Dwell => new DwellEvent(AtLeast(0, 1e6, "a number of seconds")),
+            LayerEventKind.Dwell => new DwellEvent(AtLeast(0, 1e6, "a number of seconds from 0 to 1000000")),
             LayerEventKind.Comment => new CommentEvent(text),
             _ => new RawEvent(text.Trim().Length > 0 ? text : throw new InputProblem("Text is missing.") { IsMissing = true }),
         };

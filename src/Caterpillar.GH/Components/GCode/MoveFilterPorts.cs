@@ -33,7 +33,7 @@ internal static class MoveFilterPorts
         };
         if (run.Maybe<IGH_GeometricGoo>(first + 4) is not { } geometry) return filter;
         var box = geometry.Boundingbox;
-        if (!box.IsValid) throw new InputProblem("Box has no extent.");
+        if (!box.IsValid) throw new InputProblem("Box is empty: connect geometry with a valid bounding box.");
         return filter with { Box = RhinoGeometry.ToBounds(box, run.Units) };
     }
 

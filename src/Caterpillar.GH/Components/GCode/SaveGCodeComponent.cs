@@ -44,7 +44,7 @@ public sealed class SaveGCodeComponent() : CaterpillarComponent(
 
     private void Write(Run run, GCodeDocument document, string file, bool overwrite)
     {
-        if (File.Exists(file) && !overwrite) throw new InputProblem($"{file} already exists, and Overwrite is false.");
+        if (File.Exists(file) && !overwrite) throw new InputProblem($"{file} already exists. Set Overwrite to true to replace it.");
         run.Wait("Saving", (progress, cancel) =>
         {
             document.WriteFile(file, progress, cancel);

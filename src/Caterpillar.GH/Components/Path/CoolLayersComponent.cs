@@ -25,17 +25,14 @@ public sealed class CoolLayersComponent() : PathShapingComponent(
         var before = PathsOf(run);
         var cooling = new Cooling
         {
-            MinLayerTime = AtLeast0(run, 1),
+            MinLayerTime = run.NotNegative(1),
             SpeedByLength = run.Get<bool>(2),
             MinPrintSpeed = run.Positive(3),
             ReferenceSpeed = run.Positive(4),
-            MaxSegmentsPerSecond = AtLeast0(run, 5),
+            MaxSegmentsPerSecond = run.NotNegative(5),
         };
         var shaped = run.Work("Cool Layers", [cooling, before],
             (_, cancel) => Shaped.Of(cooling.Apply(before.Paths, cancel), Frame.World));
         SetPaths(run, before, shaped);
     }
-
-    private static double AtLeast0(Run run, int input)
-        => run.Finite(input) is >= 0 and var value ? value : throw new InputProblem("Times and rates must be 0 or more.");
 }

@@ -28,7 +28,7 @@ public sealed class DeformComponent() : PathShapingComponent(
             var problems = new DiagnosticList();
             var local = ToLocal(before.Paths, frame);
             if (request.HasSpeed && local.Any(p => Enumerable.Range(0, p.SegmentCount).Any(i => p.BeadOf(i).Speed == 0)))
-                problems.Add(Severity.Warning, "shape.no_speed", "Some paths have no speed of their own: v is 0 there.");
+                problems.Add(Severity.Warning, "shape.no_speed", "Some paths have no speed of their own, so v is 0 for them.");
             // One by one: a path that can't be deformed does not stop the others.
             var paths = new PrintPath?[local.Length];
             for (var i = 0; i < local.Length; i++)

@@ -7,7 +7,7 @@ using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.Path;
 
-/// <summary>Gives print paths beads that fill the gap to what is underneath.</summary>
+/// <summary>Gives print paths beads that fill the gap below them.</summary>
 public sealed class GapBeadComponent() : CaterpillarComponent(
     "Gap Bead", "Gap", "Gives print paths beads that fill the gap to earlier paths, a surface or the bed below them.", Panel.Path)
 {
@@ -42,7 +42,7 @@ public sealed class GapBeadComponent() : CaterpillarComponent(
         var gap = GapBead.For(run.Maybe<PrintSettings>(2) ?? new PrintSettings()) with { Width = run.Finite(5), Bed = run.Get<bool>(6) ? 0 : null };
         if (run.MaybeValue<double>(3) is not null) gap = gap with { MinGap = run.Positive(3) };
         if (run.MaybeValue<double>(4) is not null) gap = gap with { MaxGap = run.Positive(4), AirGap = Math.Max(gap.AirGap, 2 * run.Positive(4)) };
-        if (gap.MinGap > gap.MaxGap) throw new InputProblem("Minimum Gap must not be above Maximum Gap.");
+        if (gap.MinGap > gap.MaxGap) throw new InputProblem("Minimum Gap must not be greater than Maximum Gap.");
         var result = run.Work("Measuring gaps", [paths, .. below, gap],
             (progress, cancel) => (gap with { Surface = ModelMesh.Joined(below) }).Apply(paths.Paths, progress, cancel));
         var shaped = run.Require(result);

@@ -49,11 +49,11 @@ public sealed class ModulateComponent() : PathShapingComponent(
         var file = run.Maybe<string>(1);
         var expression = run.Maybe<string>(2);
         if (file is null == expression is null)
-            throw new InputProblem(file is null ? "Image or Expression is missing." : "Give an Image or an Expression, not both.") { IsMissing = file is null };
+            throw new InputProblem(file is null ? "Image or Expression is missing." : "Connect either Image or Expression, not both.") { IsMissing = file is null };
         if (file is not null) file = run.PathTo(file);
         var (mode, low, high) = (run.Choice<ModulationMode>(3), run.Finite(4), run.Finite(5));
         var mask = run.Maybe<string>(6);
-        var resolution = run.Finite(7) is >= 0 and var length ? length : throw new InputProblem("Resolution must be 0 or more.");
+        var resolution = run.NotNegative(7);
         var frame = run.FrameOf(8);
         var (lay, smooth, speed) = (run.Choice<ImageProjection>(9), run.Get<bool>(11), run.Finite(12));
         var repeat = run.Get<int>(10) is >= 1 and var times ? times : throw new InputProblem("Repeat must be 1 or more.");
@@ -80,7 +80,7 @@ public sealed class ModulateComponent() : PathShapingComponent(
         foreach (var path in paths) box = box.Include(path.Bounds);
         var size = box.Size;
         if ((lay == ImageProjection.Cylinder && !(size.Z > 0)) || (lay == ImageProjection.Plan && !(size.X > 0 && size.Y > 0)))
-            throw new InputProblem($"The paths are too flat for the mapping {lay}.");
+            throw new InputProblem($"The paths are too flat for the mapping {lay}. Choose another one.");
         var mapping = lay switch
         {
             ImageProjection.Cylinder => ImageMappings.Cylinder(box.Min.Z, box.Max.Z, repeats: repeat),

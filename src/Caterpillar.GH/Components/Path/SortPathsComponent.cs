@@ -38,7 +38,7 @@ public sealed class SortPathsComponent() : CaterpillarComponent(
         var paths = run.Paths(0);
         if (paths.Count == 0) throw run.Missing(0);
         var start = run.MaybePoint(4);
-        if (start is { IsFinite: false }) throw new InputProblem("Start must be a point with finite coordinates.");
+        if (start is { IsFinite: false }) throw new InputProblem("Start must have finite coordinates.");
         var options = new SortOptions(run.Choice<SortRule>(1), run.Get<bool>(2), run.Get<bool>(3), start);
         var sorted = run.Work("Sorting", [paths, options], (progress, cancel) => Sorted.Of(paths.Paths, options, progress, cancel));
         run.SetList(0, sorted.Paths);

@@ -59,14 +59,14 @@ public sealed class ConstructPrinterComponent() : ProfileComponent(
         var volume = bed.Size.Z > 0 ? bed.Size : bed.Size.WithZ(printer.BuildVolume.Z);
         var corner = Math.Abs(bed.Min.X) <= OriginTolerance && Math.Abs(bed.Min.Y) <= OriginTolerance;
         var centered = Math.Abs(bed.Center.X) <= OriginTolerance && Math.Abs(bed.Center.Y) <= OriginTolerance;
-        if (!corner && !centered) throw new InputProblem("The origin must be at the front left corner of the bed or in its middle.");
+        if (!corner && !centered) throw new InputProblem("The origin must be the front left corner of the bed or its center. Move the bed.");
         return printer with { BuildVolume = volume, Origin = corner ? BedOrigin.Corner : BedOrigin.Center, BedShape = BedShape.Rectangle };
     }
 
     private static Bounds BoundsOf(IGH_GeometricGoo goo, DocumentUnits units)
     {
         var box = goo.Boundingbox;
-        if (!box.IsValid) throw new InputProblem("Bed or Head Parts have no extent.");
+        if (!box.IsValid) throw new InputProblem("Bed or Head Parts is empty: connect geometry with a valid bounding box.");
         return RhinoGeometry.ToBounds(box, units);
     }
 }

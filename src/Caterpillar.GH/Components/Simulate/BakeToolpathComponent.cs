@@ -51,7 +51,7 @@ public sealed class BakeToolpathComponent() : CaterpillarComponent(
         var item = run.Iteration;
         if (_pressed && run.MayAct())
         {
-            if (RhinoDoc.ActiveDoc is null) throw new InputProblem("There is no Rhino document to bake into.");
+            if (RhinoDoc.ActiveDoc is null) throw new InputProblem("No Rhino document is open. Open one to bake.");
             // Documents must not change while a solution runs.
             run.Document?.ScheduleSolution(1, _ => Bake(toolpath, name, kind, item));
         }

@@ -66,7 +66,7 @@ public sealed class PlayComponent() : CaterpillarComponent("Play", "Play", "Move
 
     private protected override void Solve(Run run)
     {
-        if (run.Iteration > 0) throw new InputProblem("Play runs through one toolpath.");
+        if (run.Iteration > 0) throw new InputProblem("Play takes only one toolpath. Use one Play for each.");
         var goo = run.Get<ToolpathGoo>(0);
         var speed = run.Positive(2);
         if (run.Get<bool>(3)) _position = 0;

@@ -60,7 +60,7 @@ public sealed class SimulateComponent() : CaterpillarComponent(
         var goo = run.Get<ToolpathGoo>(0);
         var position = run.Finite(2);
         var by = run.Choice<PositionBy>(3);
-        if (by <= PositionBy.Layer && position is < 0 or > 1) throw new InputProblem("Position must be 0 to 1.");
+        if (by <= PositionBy.Layer && position is < 0 or > 1) throw new InputProblem("Position must be from 0 to 1.");
         var toolpath = goo.Value;
         if (toolpath.Count == 0) throw new InputProblem("The toolpath has no moves.");
         var setup = run.Cached([goo.Value, goo.Setup, goo.DecodedGCode, run.Maybe<Printer>(1)], () => SetupPorts.Of(run, goo, run.Maybe<Printer>(1)));
@@ -86,7 +86,7 @@ public sealed class SimulateComponent() : CaterpillarComponent(
         if (by == PositionBy.Time) return timeline.AtFraction(position);
         if (by == PositionBy.Length) return timeline.AtLength(position);
         if (by == PositionBy.Seconds) return timeline.At(position);
-        if (by != PositionBy.Layer) return AtNumber(timeline, position, by) ?? throw new InputProblem("The print has nothing at this position.");
+        if (by != PositionBy.Layer) return AtNumber(timeline, position, by) ?? throw new InputProblem("The toolpath has no such layer, line or step.");
         var layers = timeline.Toolpath.Layers.Count;
         if (layers == 0 || position >= 1) return timeline.AtFraction(position);
         // Within a layer by time.

@@ -58,7 +58,7 @@ public sealed class StatisticsComponent() : CaterpillarComponent(
             + $"moves";
         if (s.GreatestFlow is { } flow)
         {
-            yield return $"Greatest flow {N(flow, 2)} mm³/s in move {N(s.GreatestFlowMove, 0)}, greatest speed {N(s.GreatestSpeed, 1)} mm/s";
+            yield return $"Maximum flow {N(flow, 2)} mm³/s in move {N(s.GreatestFlowMove, 0)}, maximum speed {N(s.GreatestSpeed, 1)} mm/s";
         }
         foreach (var role in s.Roles) yield return $"{role.Role}: {N(role.Time, 1)} s, {N(role.Length / 1000, 2)} m";
     }

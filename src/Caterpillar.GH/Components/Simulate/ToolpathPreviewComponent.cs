@@ -48,7 +48,7 @@ public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
         if (beads && toolpath.Count > ToolpathScene.MostBeads)
         {
             run.Report(GH_RuntimeMessageLevel.Remark,
-                "There are too many moves to show their beads: lines are shown. Choose fewer layers with Filter Toolpath.");
+                "Too many moves for beads: lines are shown. Select fewer layers with Filter Toolpath.");
             beads = false;
         }
         bool Shown(int i)

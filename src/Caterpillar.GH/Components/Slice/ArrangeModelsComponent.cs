@@ -27,8 +27,7 @@ public sealed class ArrangeModelsComponent() : ModelMovingComponent(
         var geometry = GeometryOf(run);
         var printer = run.Maybe<Printer>(1) ?? new Printer();
         var pieces = run.Get<int>(2) is >= 1 and <= 10000 and var count ? count : throw new InputProblem("Count must be 1 to 10000.");
-        var (spacing, margin) = (run.Finite(3), run.Finite(4));
-        if (spacing < 0 || margin < 0) throw new InputProblem("Spacing and Margin must not be negative.");
+        var (spacing, margin) = (run.NotNegative(3), run.NotNegative(4));
         var options = new ArrangeOptions { Spacing = spacing, Margin = margin, OneAfterTheOther = run.Get<bool>(5) };
         var models = Models(run, geometry, run.Positive(6));
         object[] meshes = Array.ConvertAll(models, m => (object)m.Mesh);

@@ -49,7 +49,7 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         SetResult(run, models, solids, result);
     }
 
-    // Solids that are null count, so that each keeps the settings beside it.
+    // Solids that are null count, so that each keeps its own settings.
     private static SliceModel[] Parts(Run run, NamedMesh[] solids, PrintSettings common)
     {
         var own = run.List<SettingsGoo>(6);
@@ -58,14 +58,14 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         if (own.Count > geometry.Count)
         {
             var (given, solid) = (NumberFormatter.Format(own.Count), NumberFormatter.Format(geometry.Count));
-            run.Report(GH_RuntimeMessageLevel.Warning, $"Part Settings are {given}, for {solid} solids: the last ones are not used.");
+            run.Report(GH_RuntimeMessageLevel.Warning, $"{given} Part Settings for {solid} solids: the last ones are not used.");
         }
         var places = Enumerable.Range(0, geometry.Count).Where(i => geometry[i] is not null).ToArray();
         return solids.Select((m, i) =>
         {
             var settings = own[Math.Min(places[i], own.Count - 1)].Value;
             if (settings.ModelType != ModelType.Part)
-                throw new InputProblem($"Part Settings of {m.Name} are for a solid that is not printed: it belongs to Modifiers.");
+                throw new InputProblem($"Part Settings of {m.Name} have a model_type that is not printed. Connect the solid to Modifiers.");
             return new SliceModel(m, WithCurves(settings, common));
         }).ToArray();
     }
@@ -81,7 +81,7 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         var settings = run.List<SettingsGoo>(4);
         if (geometry.Count == 0 && settings.Count > 0)
         {
-            run.Report(GH_RuntimeMessageLevel.Warning, "Modifier Settings apply to Modifiers, of which there are none.");
+            run.Report(GH_RuntimeMessageLevel.Warning, "Modifier Settings have no effect without Modifiers.");
         }
         if (geometry.Count == 0) return [];
         if (settings.Count == 0) throw run.Missing(4);

@@ -36,7 +36,7 @@ public abstract class SlicerComponent(string name, string nickname, string descr
     private protected static NamedMesh[] Named(IReadOnlyList<ModelMesh> models)
         => models.Select((m, i) => new NamedMesh($"Solid {NumberFormatter.Format(i)}", m.Triangles)).ToArray();
 
-    /// <summary>Hands out the layers and what was noticed.</summary>
+    /// <summary>Gives the layers and the problems.</summary>
     private protected static void SetResult(Run run, IReadOnlyList<ModelMesh> models, IReadOnlyList<NamedMesh> solids, Result<SliceResult> result)
     {
         var units = run.Units;
@@ -53,7 +53,7 @@ public abstract class SlicerComponent(string name, string nickname, string descr
     }
 
     private static Diagnostic Open(NamedMesh model) => new(Severity.Warning, "mesh.naked_edges",
-        $"The surface has {NumberFormatter.Format(model.Mesh.OpenEdgeCount)} open edges, which the output Naked Edges shows.", new SourceLocation(model.Name));
+        $"The mesh has {NumberFormatter.Format(model.Mesh.OpenEdgeCount)} naked edges. See the output Naked Edges.", new SourceLocation(model.Name));
 
     private static bool IsWall(Role role) => role is Role.OuterWall or Role.InnerWall or Role.OverhangWall;
 
