@@ -43,7 +43,7 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager, ISet
     public void Target(string name, string nick, string description, string filter)
         => Add(new Param_FilePath { FileFilter = filter }, name, nick, description, Item);
 
-    /// <summary>Several choices among the values of an enum; none means all.</summary>
+    /// <summary>Several choices among the values of an enum. None means all.</summary>
     public void Choices<T>(string name, string nick, string description)
         where T : struct, Enum
         => Add(ChoiceParam.Of<T>(), name, nick, description, GH_ParamAccess.list, optional: true);
@@ -66,7 +66,7 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager, ISet
     public void Bead(string more = "Default: 0.45 × 0.2 mm, at the speed of the print settings.")
         => Add(new BeadParam(), "Bead", "B", "Bead, or its width in mm. " + more, optional: true);
 
-    /// <summary>An optional printer. <paramref name="more"/> says what it is used for, and the default.</summary>
+    /// <summary>An optional printer. <paramref name="more"/> states its use and its default.</summary>
     public void Printer(string nick, string more, string name = "Printer")
         => Add(new PrinterParam(), name, nick, "Printer, or the name of a printer profile. " + more, optional: true);
 

@@ -97,7 +97,7 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
         where T : class
         => Goos(input).ConvertAll(goo => goo as T);
 
-    /// <summary>A list with one item at least; its nulls are reported.</summary>
+    /// <summary>A list with one item at least. Its nulls are reported.</summary>
     /// <exception cref="InputProblem">It is empty.</exception>
     public List<T> Some<T>(int input)
         where T : class
@@ -120,7 +120,7 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
     public double NotNegative(int input) => Finite(input) is >= 0 and var value
         ? value : throw new InputProblem($"{Component.Params.Input[input].Name} must be 0 or more.");
 
-    /// <summary>A finite number; from an angle port always in degrees.</summary>
+    /// <summary>A finite number. From an angle port always in degrees.</summary>
     public double Finite(int input)
     {
         var value = Get<double>(input);
@@ -136,7 +136,7 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
         where T : struct, Enum
         => ToChoice<T>(input, Get<int>(input));
 
-    /// <summary>The values of a port for several choices; null for none, which means all.</summary>
+    /// <summary>The values of a port for several choices. Null for none, which means all.</summary>
     /// <inheritdoc cref="Choice" path="/exception"/>
     public IReadOnlyList<T>? Choices<T>(int input)
         where T : struct, Enum
@@ -145,10 +145,10 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
         return numbers.Count == 0 ? null : numbers.Select(n => ToChoice<T>(input, n.Value)).ToArray();
     }
 
-    /// <summary>A point in mm; null if there is none.</summary>
+    /// <summary>A point in mm. Null if there is none.</summary>
     public Vec3? MaybePoint(int input) => MaybeValue<Rg.Point3d>(input) is { } point ? RhinoGeometry.ToVec(point, Units) : null;
 
-    /// <summary>A plane as a frame in mm; the world's by default.</summary>
+    /// <summary>A plane as a frame in mm. The world's by default.</summary>
     public Frame FrameOf(int input) => MaybeValue<Rg.Plane>(input) is { } plane ? RhinoGeometry.ToFrame(plane, Units) : Frame.World;
 
     /// <summary>The full path of a file: relative paths start at the folder of the definition, if it has been saved.</summary>

@@ -83,7 +83,7 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
         where T : class
         => Accept(result) ?? throw new NoResult();
 
-    /// <summary>The value of a result whose diagnostics are reported; null if it has none.</summary>
+    /// <summary>The value of a result whose diagnostics are reported. Null if it has none.</summary>
     public T? Accept<T>(Result<T> result)
         where T : class
     {
@@ -128,7 +128,7 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
     /// <summary>The path of this item's data in an output.</summary>
     public GH_Path PathOf(int output) => Access.ParameterTargetPath(output);
 
-    /// <summary>Null for every item output; lists and trees stay empty.</summary>
+    /// <summary>Null for every item output. Lists and trees stay empty.</summary>
     public void SetNulls()
     {
         for (var i = 0; i < Component.Params.Output.Count; i++)

@@ -16,7 +16,7 @@ internal sealed class SolveCache
         if (_current.Count > 0) End();
     }
 
-    /// <summary>A solve ends; it is not complete while long work for it goes on.</summary>
+    /// <summary>A solve ends. It is not complete while long work for it goes on.</summary>
     public void End(bool complete = true)
     {
         _last = _current;

@@ -24,7 +24,7 @@ internal sealed class StepList
         return true;
     }
 
-    /// <summary>True if planning sees no difference; goo may make a new step of the same path.</summary>
+    /// <summary>True if planning sees no difference. Goo may make a new step of the same path.</summary>
     public static bool Same(Step a, Step b) => ReferenceEquals(a, b) || (a is PathStep p && b is PathStep q && ReferenceEquals(p.Path, q.Path)
         && p.Group == q.Group && p.KeepStart == q.KeepStart && p.Joined == q.Joined && ReferenceEquals(p.Region, q.Region) && Equals(p.Source, q.Source));
 }

@@ -10,11 +10,11 @@ namespace Caterpillar.GH.Components;
 /// <summary>The printer, material and settings of a toolpath: from ports, else from its plan, else from the file it was decoded from.</summary>
 internal static class SetupPorts
 {
-    public static void Printer(InputPorts ports) => ports.Printer("P", "Default: as planned, the limits in the file, or generic.");
+    public static void Printer(InputPorts ports) => ports.Printer("P", "Default: as used for planning, the limits in the file, or generic.");
 
-    public static void Material(InputPorts ports) => ports.Material("M", "Default: as planned, or the default of the printer.");
+    public static void Material(InputPorts ports) => ports.Material("M", "Default: as used for planning, or as in the printer profile.");
 
-    public static void Settings(InputPorts ports) => ports.Settings("S", "Default: as planned, or the default of the printer.");
+    public static void Settings(InputPorts ports) => ports.Settings("S", "Default: as used for planning, or as in the printer profile.");
 
     /// <summary>The setup for a printer, by default the printer of the toolpath.</summary>
     public static PrintSetup Of(Run run, ToolpathGoo goo, Printer? printer, Material? material = null, PrintSettings? settings = null)

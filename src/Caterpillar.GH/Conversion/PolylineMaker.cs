@@ -9,7 +9,7 @@ internal static class PolylineMaker
     // Rhino's own limit is 2.3e-10 units.
     private const double Least = 1e-9;
 
-    /// <summary>A curve through points; null if it would have no length.</summary>
+    /// <summary>A curve through points. Null if it would have no length.</summary>
     public static Rg.PolylineCurve? Of(IEnumerable<Rg.Point3d> points)
     {
         var kept = new List<Rg.Point3d>();

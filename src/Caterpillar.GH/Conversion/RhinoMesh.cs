@@ -30,8 +30,8 @@ internal static class RhinoMesh
         };
     }
 
-    /// <summary>The triangles of a mesh; quadrilaterals are split along their shorter diagonal. Document units become mm.</summary>
-    /// <remarks>A face with two corners at one place makes a mesh invalid for Rhino; here it is harmless, and the library drops it.</remarks>
+    /// <summary>The triangles of a mesh. Quadrilaterals are split along their shorter diagonal. Document units become mm.</summary>
+    /// <remarks>A face with two corners at one place makes a mesh invalid for Rhino. Here it is harmless, and the library drops it.</remarks>
     /// <exception cref="InputProblem">The mesh is empty, a face refers to no vertex, or a vertex is not finite.</exception>
     public static TriMesh ToTriangles(Rg.Mesh mesh, DocumentUnits units)
     {

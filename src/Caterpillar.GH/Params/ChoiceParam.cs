@@ -12,7 +12,7 @@ using Grasshopper.Kernel.Types;
 namespace Caterpillar.GH.Params;
 
 /// <summary>
-/// An integer with named values that also takes the names as text, whatever their case and spaces. Extracted from a component, it keeps the names, also in
+/// An integer with named values that also takes the names as text. Case and spaces do not matter. Extracted from a component, it keeps the names, also in
 /// the file. Without names, it takes those of the choices that it is connected to.
 /// </summary>
 public sealed class ChoiceParam : Param_Integer
@@ -31,7 +31,7 @@ public sealed class ChoiceParam : Param_Integer
 
     protected override Bitmap? Icon => Icons.Load(nameof(ChoiceParam));
 
-    /// <summary>A choice among the values of an enum; <c>OuterWall</c> is shown as "Outer Wall".</summary>
+    /// <summary>A choice among the values of an enum. <c>OuterWall</c> is shown as "Outer Wall".</summary>
     public static ChoiceParam Of<T>()
         where T : struct, Enum
     {

@@ -42,7 +42,7 @@ internal sealed class PreviewColors
     /// <param name="toolpath">The moves.</param>
     /// <param name="shown">Whether a move is shown.</param>
     /// <param name="by">What the colors show.</param>
-    /// <param name="timeline">When the moves happen; needed for times only.</param>
+    /// <param name="timeline">When the moves happen. Needed for times only.</param>
     public static PreviewColors Of(Toolpath toolpath, Func<int, bool> shown, PreviewColor by, Timeline? timeline)
     {
         if (by == PreviewColor.Role) return OfRoles(toolpath, shown);

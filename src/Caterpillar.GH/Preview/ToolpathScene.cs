@@ -12,8 +12,7 @@ namespace Caterpillar.GH.Preview;
 internal sealed record SceneContent(bool Beads, bool Travels, bool Seams, Printer? Printer);
 
 /// <summary>
-/// A toolpath ready to be drawn: an array of lines for each color, for travel moves and for the printer, points of retractions and seams, and meshes of
-/// beads.
+/// A toolpath ready to be drawn: arrays of lines for each color, for travel moves and for the printer. Retractions and seams are points, beads are meshes.
 /// </summary>
 internal sealed class ToolpathScene : IDrawn
 {

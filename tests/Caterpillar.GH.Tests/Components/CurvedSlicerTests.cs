@@ -218,7 +218,8 @@ public sealed class CurvedSlicerTests
         Assert.That(Make(FieldKind.Vertical, ("Expressions", ["x", "y"])).Errors, Has.One.Contains("needs exactly one surface"));
         Assert.That(Make(FieldKind.Cone, ("Angle", [89.0])).Errors, Has.One.Contains("-80 to 80"));
         Assert.That(Make(FieldKind.Vertical, ("Expressions", ["x"]), ("Blend From", [2.0])).Errors, Has.One.Contains("needs Blend To"));
-        Assert.That(Make(FieldKind.Vertical, ("Expressions", ["x"]), ("Blend From", [2.0]), ("Blend To", [1.0])).Errors, Has.One.Contains("greater than Blend From"));
+        Assert.That(Make(FieldKind.Vertical, ("Expressions", ["x"]), ("Blend From", [2.0]), ("Blend To", [1.0])).Errors,
+            Has.One.Contains("greater than Blend From"));
         Assert.That(Make(FieldKind.Vertical, ("Image", ["/nowhere.png"])).Errors, Has.One.Contains("File not found"));
         Assert.That(Make(FieldKind.Vertical, ("Image", ["/nowhere.png"]), ("Low", [3.0])).Errors, Is.Not.Empty);
         Assert.That(Slice("z + ", Shapes.Box()).Errors, Has.Some.StartsWith("Field: ").And.Some.Contains("formula."));

@@ -174,6 +174,9 @@ public sealed class SetupTests
 
     [Test]
     public void An_unknown_base_is_answered_with_the_profiles()
-        => Assert.That(new Canvas<ConstructPrintSettingsComponent>().Feed("Base", "no such settings").Solve().Errors,
-            Has.Some.Contains("\"no such settings\"").And.Some.Contains("clay, fine, pen, standard").And.Member("{0}[0]: Base: the connected source gives no valid data."));
+    {
+        var errors = new Canvas<ConstructPrintSettingsComponent>().Feed("Base", "no such settings").Solve().Errors;
+        Assert.That(errors, Has.One.Matches<string>(e => e.StartsWith("Base: ") && e.Contains("\"no such settings\"") && e.Contains("clay, fine, pen, standard")));
+        Assert.That(errors, Has.Member("{0}[0]: Base: the connected source gives no valid data."));
+    }
 }

@@ -174,8 +174,8 @@ public sealed class ShapingComponentsTests
         var kanada = new Canvas<CoolLayersComponent>().Feed("Print Paths", Line).Feed("Minimum Layer Time", 0.0).Feed("Speed By Length", true).Solve()
             .One<PrintPath>("Print Paths");
         Assert.That(kanada.BeadOf(0).Speed, Is.EqualTo(11));
-        Assert.That(new Canvas<CoolLayersComponent>().Feed("Print Paths", Ring(1, 0.2)).Feed("Maximum Segment Rate", 50.0).Feed("Minimum Layer Time", 0.0).Solve()
-            .Warnings.Single(), Does.Contain("shape.short_segments"));
+        Assert.That(new Canvas<CoolLayersComponent>().Feed("Print Paths", Ring(1, 0.2)).Feed("Maximum Segment Rate", 50.0).Feed("Minimum Layer Time", 0.0)
+            .Solve().Warnings.Single(), Does.Contain("shape.short_segments"));
     }
 
     [Test]

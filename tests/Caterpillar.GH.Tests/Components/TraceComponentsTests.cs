@@ -112,7 +112,8 @@ public sealed class TraceComponentsTests
             .Feed("Minimum Flow", 2.0)),
             Does.Contain("between 0 and 1"));
         Assert.That(Error(new Canvas<SpiralTraceComponent>().Feed("Radius", double.PositiveInfinity).Feed("Pitch", 0.5)), Does.Contain("finite"));
-        Assert.That(new Canvas<CircleTraceComponent>().Feed("Radius", 10.0).Feed("Bead", "wide").Solve().Errors, Has.Member("Bead: This is not a bead. Use a width in mm, or width x height: 0.5 x 0.2."));
+        Assert.That(new Canvas<CircleTraceComponent>().Feed("Radius", 10.0).Feed("Bead", "wide").Solve().Errors,
+            Has.Member("Bead: This is not a bead. Use a width in mm, or width x height: 0.5 x 0.2."));
         Assert.That(new Canvas<CylinderTraceComponent>().Solve().All("Print Path"), Is.Empty.Or.EqualTo(new object?[] { null }));
         Assert.That(new Canvas<CircleTraceComponent>().FeedTree("Radius", [1.0], [2.0, 3.0]).Solve().Paths("Print Path"), Is.EqualTo(new[] { "{0}", "{1}" }));
     }

@@ -163,7 +163,7 @@ internal static class Definitions
 
     private static GH_Document Check(string name)
     {
-        var s = new Sketch(name, "A check before printing. Change the panel X to x + 215: the ring leaves the bed, Check refuses it, and the points show where.");
+        var s = new Sketch(name, "A check before printing. Change the panel X to x + 215: the ring leaves the bed, and Check refuses it. Points show where.");
         var plan = Ring(s);
         var check = s.Component<CheckComponent>(4, ("Toolpath", plan));
         return Write(s, 5, check);

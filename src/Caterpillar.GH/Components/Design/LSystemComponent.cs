@@ -22,7 +22,7 @@ public sealed class LSystemComponent() : CaterpillarComponent(
         ports.Text("Rules", "R", "Rewriting rules. Example: F -> F[+F]F[-F]F. Rules may have a probability (0.3 F -> FF) or values (A(l) : l > 1 -> "
             + "F(l)A(l*0.7)).", access: GH_ParamAccess.list);
         ports.Integer("Generations", "G", "Number of times the word is rewritten.");
-        ports.Angle("Angle", "An", "Angle of + - ^ & \\ /, in degrees.", 90);
+        ports.Angle("Angle", "An", "Turning angle of + - ^ & \\ /, in degrees.", 90);
         ports.Seed();
         ports.Number("Step", "St", "Length of F and f, in mm.", 1);
     }

@@ -197,8 +197,8 @@ public sealed class TurtleEventComponent() : TurtleCommandComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Choice("Kind", "K", "Kind of event.", TurtleEventKind.Dwell);
-        ports.Number("Value", "V", "Filament in mm, milliseconds, temperature in °C (waits until reached), fan speed from 0 to 1, "
-            + "tool or layer number, or height of the next layer in mm.", 0);
+        ports.Number("Value", "V", "Filament in mm, milliseconds, temperature in °C (waits until reached), or fan speed from 0 to 1. "
+            + "Also tool or layer number, or height of the next layer in mm.", 0);
         ports.Text("Text", "T", "Message of a pause, comment, line of G-code, name, or color as #rrggbb.", "");
     }
 

@@ -51,8 +51,10 @@ public sealed class TurtleProgramComponent() : CaterpillarComponent(
             if (cut < 1 || !NumberReader.TryParse(text.Substring(cut + 1).Trim(), out var value))
                 throw new InputProblem($"Variables: expected name=value, not '{text}'.");
             var name = text.Substring(0, cut).Trim();
-            if (!script.Parameters.Contains(name)) run.Report(GH_RuntimeMessageLevel.Warning, $"The script has no parameter '{name}'. Declare it: param {name} = …");
-            else variables[name] = value;
+            if (!script.Parameters.Contains(name))
+                run.Report(GH_RuntimeMessageLevel.Warning, $"The script has no parameter '{name}'. Declare it: param {name} = …");
+            else
+                variables[name] = value;
         }
         return variables;
     }

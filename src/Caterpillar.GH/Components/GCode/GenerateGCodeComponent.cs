@@ -18,7 +18,7 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Toolpath();
-        ports.Printer("P", "Default: as planned.");
+        ports.Printer("P", "Default: as used for planning.");
         SetupPorts.Material(ports);
         SetupPorts.Settings(ports);
         ports.Text("Override Reason", "R", "Reason to ignore errors of the checks, written to the file as a comment. Empty = obey the checks.", "");

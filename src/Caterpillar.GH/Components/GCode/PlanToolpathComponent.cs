@@ -22,8 +22,8 @@ public sealed class PlanToolpathComponent() : CaterpillarComponent(
     {
         ports.Flattened(new StepParam(), "Steps", "S", "Print paths, travel moves and events, in order. Branches are joined in order.");
         ports.Add(new PrinterParam(), "Printer", "P", "Printer, or the name of a printer profile.");
-        ports.Material("M", "Default: the default of the printer.");
-        ports.Settings("Se", "Default: the default of the printer.");
+        ports.Material("M", "Default: as in the printer profile.");
+        ports.Settings("Se", "Default: as in the printer profile.");
         ports.Choice("Mode", "Mo", "What planning adds: everything in the settings (Printer), or nothing (As Drawn).", PlanPolicy.Printer);
         ports.Choice("Sort", "So", "Order of paths within the groups of a slicer. Other paths keep their order.", SortRule.Tour);
         ports.Geometry("Obstacles", "O", "Objects on the bed to print on. Travel moves stay above them, and the first one rises before it goes there. Checks "

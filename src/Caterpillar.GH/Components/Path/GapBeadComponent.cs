@@ -21,8 +21,9 @@ public sealed class GapBeadComponent() : CaterpillarComponent(
         ports.PrintPaths();
         ports.Geometry("Geometry", "G", "Objects below the paths: meshes, Breps, SubDs, extrusions or surfaces.", GH_ParamAccess.list, optional: true);
         ports.Settings("S", "Used for the limits of the gap. Default: standard.");
-        ports.OptionalNumber("Minimum Gap", "Min", "Minimum gap, in mm. Smaller gaps are printed this high. Default: a quarter of the layer height.");
-        ports.OptionalNumber("Maximum Gap", "Max", "Maximum gap, in mm. Larger gaps are printed this high. Default: twice the layer height.");
+        ports.OptionalNumber("Minimum Gap", "Min",
+            "Minimum gap, in mm. Smaller gaps are printed as if they were this high. Default: a quarter of the layer height.");
+        ports.OptionalNumber("Maximum Gap", "Max", "Maximum gap, in mm. Larger gaps are printed as if they were this high. Default: twice the layer height.");
         ports.Number("Width", "W", "Line width, in mm. 0 = width of each bead.", 0);
         ports.Boolean("Bed", "B", "Fill the gap to the bed (Z = 0) as well.", true);
     }

@@ -49,7 +49,7 @@ public sealed class ModulateComponent() : PathShapingComponent(
         var file = run.Maybe<string>(1);
         var expression = run.Maybe<string>(2);
         if (file is null == expression is null)
-            throw new InputProblem(file is null ? "Image or Expression is missing." : "Connect either Image or Expression, not both.") { IsMissing = file is null };
+            throw new InputProblem(file is null ? "Image or Expression is missing." : "Connect Image or Expression, not both.") { IsMissing = file is null };
         if (file is not null) file = run.PathTo(file);
         var (mode, low, high) = (run.Choice<ModulationMode>(3), run.Finite(4), run.Finite(5));
         var mask = run.Maybe<string>(6);

@@ -31,7 +31,7 @@ public abstract class PathShapingComponent(string name, string nickname, string 
         run.SetList(0, run.Cached([before, shaped], () => shaped.Paths.Select((path, i) => path is null ? null : before.Goos[i].With(path)).ToArray()));
     }
 
-    /// <summary>Paths in the coordinates of a frame; unchanged for the world frame.</summary>
+    /// <summary>Paths in the coordinates of a frame. Unchanged for the world frame.</summary>
     private protected static PrintPath[] ToLocal(IEnumerable<PrintPath> paths, Frame frame)
     {
         if (frame == Frame.World) return paths.ToArray();

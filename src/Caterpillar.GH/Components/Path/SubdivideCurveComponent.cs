@@ -31,9 +31,9 @@ public sealed class SubdivideCurveComponent() : CaterpillarComponent(
     {
         ports.Add(new Param_Curve(), "Curve", "C", "Curve to divide.");
         ports.Choice("Mode", "M", "Division of curved parts: by distance, chord tolerance or angle.", SubdivisionMode.Distance);
-        ports.Number("Distance", "D", "Maximum segment length by Distance, in mm.", 1);
-        ports.Number("Tolerance", "T", "Maximum distance between curve and segment by Tolerance, in mm.", 0.05);
-        ports.Angle("Angle", "A", "Maximum turn of the curve along a segment by Angle, in degrees.", 5);
+        ports.Number("Distance", "D", "For Distance: maximum segment length on curved parts, in mm.", 1);
+        ports.Number("Tolerance", "T", "For Tolerance: maximum distance between curve and segment, in mm.", 0.05);
+        ports.Angle("Angle", "A", "For Angle: maximum turn of the curve along a segment, in degrees.", 5);
         ports.Number("Minimum Length", "Min", "Minimum segment length on curved parts, in mm. 0 = no limit.", 0);
         ports.Number("Maximum Length", "Max", "Maximum segment length on curved parts, in mm. 0 = no limit.", 0);
     }

@@ -19,7 +19,7 @@ public sealed class PlayComponent() : CaterpillarComponent("Play", "Play", "Move
 
     public override Guid ComponentGuid => new("d7f20c3c-2a54-4a39-9c8e-5f0a6f5a7a02");
 
-    /// <summary>Seconds of the clock; a test has its own.</summary>
+    /// <summary>Seconds of the clock. A test has its own.</summary>
     internal Func<double>? Seconds { get; set; }
 
     /// <summary>True while the position moves.</summary>

@@ -27,7 +27,7 @@ public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
         ports.OptionalInteger("Last Layer", "L", "Last layer, by its number in the file or from 0. Default: no limit.");
         ports.Boolean("Solid", "B", "Show beads of true width and height instead of lines.", false);
         ports.Boolean("Travel", "Tr", "Show travel moves and retractions.", false);
-        ports.Printer("P", "Shows the bed and build volume, and sets the print times. Default: not shown, times of the planned printer.");
+        ports.Printer("P", "Shows the bed and build volume, and sets the print times. Default: no bed, and times of the printer used for planning.");
         ports.Boolean("Seam", "Se", "Show seams: points at which walls begin.", false);
     }
 

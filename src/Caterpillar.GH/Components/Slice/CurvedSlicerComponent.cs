@@ -20,11 +20,11 @@ public sealed class CurvedSlicerComponent() : SlicerComponent(
     {
         GeometryPort(ports);
         ports.Add(new LayerFieldParam(), "Field", "F",
-            "Layers to follow: a field from Layer Field, a surface that layers copy upward, or a formula in x, y, z, r (mm) and theta (degrees).");
+            "Layers to follow: a field from Layer Field, a surface to copy upward, or a formula in x, y, z, r (mm) and theta (degrees).");
         ports.Settings("S", "Default: standard.");
         ports.Printer("P", "Its print head limits the slope of the layers. Default: generic.");
-        ports.Geometry("Objects", "O", "Objects on the bed to print on. Nothing is printed below their surface, and the first extrusions fill the "
-            + "gap to it.", GH_ParamAccess.list, optional: true);
+        ports.Geometry("Objects", "O", "Objects on the bed to print on. Nothing is printed below their surface, and the first extrusions fill "
+            + "the gap to it.", GH_ParamAccess.list, optional: true);
         ports.Boolean("Partial", "Pa", "Print only parts that are inside the surfaces of the field and not too steep, instead of refusing the solids.", false);
         ports.MeshTolerance();
     }

@@ -15,7 +15,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
 {
     private static readonly SourceLocation Expressions = new(Key: "expressions");
 
-    /// <summary>The recipe; null after problems.</summary>
+    /// <summary>The recipe. Null after problems.</summary>
     /// <exception cref="InputProblem">Inputs contradict each other.</exception>
     public FieldRecipe? Read()
     {
@@ -132,7 +132,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
         _ => throw new InputProblem("Vertical needs exactly one surface. Use Between for several."),
     };
 
-    /// <summary>The surfaces from geometry, formulas and the image, in this order; null after problems.</summary>
+    /// <summary>The surfaces from geometry, formulas and the image, in this order. Null after problems.</summary>
     private List<Plan>? Plans(string[] texts, Vec3? origin)
     {
         var plans = new List<Plan>();

@@ -44,7 +44,7 @@ public sealed class LayerFieldComponent() : CaterpillarComponent(
         ports.Number("High", "H", "Height of white, in mm.", 2);
         ports.OptionalNumber("Blend From", "F", "For Vertical: layers are level up to this height, in mm. Default: the first layer.");
         ports.OptionalNumber("Blend To", "To", "For Vertical: layers follow the surface from this height on, in mm. Default: all layers follow it.");
-        ports.OptionalAngle("Angle", "A", "For Cone and Overhangs: slope of the layers, in degrees. Positive = down to the outside. Default of Overhangs: the "
+        ports.OptionalAngle("Angle", "A", "For Cone and Overhangs: slope of the layers, in degrees. Positive = falling outward. Default of Overhangs: the "
             + "minimum that makes all overhangs at least 45 degrees steep.");
         ports.Add(new Param_Point(), "Origin", "O",
             "Origin of the formulas (default: world origin) or axis of the cone (default: center of the solids).", optional: true);

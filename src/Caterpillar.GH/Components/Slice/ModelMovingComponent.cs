@@ -27,7 +27,7 @@ public abstract class ModelMovingComponent(string name, string nickname, string 
     private protected static NamedMesh[] Models(Run run, IReadOnlyList<IGH_GeometricGoo> geometry, double tolerance)
         => geometry.Select((g, i) => new NamedMesh($"Solid {NumberFormatter.Format(i)}", run.ModelOf(g, tolerance).Triangles)).ToArray();
 
-    /// <summary>Moves the geometry as its meshes were moved; copies follow in rounds.</summary>
+    /// <summary>Moves the geometry like its meshes. Copies repeat the list of solids.</summary>
     private protected static void SetMoved(Run run, IReadOnlyList<IGH_GeometricGoo> geometry, IReadOnlyList<NamedMesh> before, IReadOnlyList<NamedMesh> after)
     {
         var maps = after.Select((m, i) => RhinoGeometry.ToTransform(Map(before[i % before.Count].Mesh, m.Mesh), run.Units)).ToArray();

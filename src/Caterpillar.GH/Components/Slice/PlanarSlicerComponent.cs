@@ -23,7 +23,7 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         GeometryPort(ports);
         ports.Settings("S", "Default: standard.");
         ports.MeshTolerance();
-        ports.Geometry("Modifiers", "M", "Solids that are not printed. By their model_type, they change the settings inside them, or enforce or "
+        ports.Geometry("Modifiers", "M", "Solids that are not printed. Depending on their model_type, they change the settings inside them, or enforce or "
             + "block supports.", GH_ParamAccess.list, optional: true);
         ports.Add(new SettingsParam(), "Modifier Settings", "MS",
             "Print settings of each modifier. The last ones apply to all that follow.", GH_ParamAccess.list, optional: true);
