@@ -43,7 +43,7 @@ public sealed class LSystemComponent() : CaterpillarComponent(
         var (step, angle) = (run.Finite(5), run.Finite(3));
         var seed = run.Get<int>(4);
         var system = run.Require(LSystem.Parse(axiom, rules));
-        var word = run.Require(run.Work("L-System", [axiom, string.Join("\n", rules), generations, seed],
+        var word = run.Require(run.Work("Growing", [axiom, string.Join("\n", rules), generations, seed],
             (progress, cancel) => system.Grow(generations, seed, LSystem.DefaultMaxSymbols, progress, cancel)));
         run.Set(0, new TurtleProgramGoo(run.Cached([word, step, angle],
             () => TurtleProgram.FromWord(word, LSystemInterpretation.Standard(step, angle)))));

@@ -64,7 +64,7 @@ public abstract class TraceComponent(string name, string nickname, string descri
         var frame = run.FrameOf(0);
         var extrusion = run.MaybeValue<Bead>(bead) ?? Bead.FromWidth(0.45, 0.2);
         var strings = run.Get<int>(bead + 1);
-        var path = run.Work("Trace", [frame, extrusion, strings, key], (_, _) =>
+        var path = run.Work("Tracing", [frame, extrusion, strings, key], (_, _) =>
         {
             var trace = new Trace(extrusion.Area).SetSpeed(extrusion.Speed);
             draw(trace, strings);

@@ -53,7 +53,7 @@ public sealed class TurtleComponent() : CaterpillarComponent(
             KeepPoses = run.Get<bool>(4),
             Bead = run.Maybe<BeadGoo>(2) is { IsValid: true } bead ? bead.Value : null,
         };
-        var result = run.Work("Turtle", [program, setup, options.Start, options.KeepPoses, options.Bead], (progress, cancel) =>
+        var result = run.Work("Running", [program, setup, options.Start, options.KeepPoses, options.Bead], (progress, cancel) =>
         {
             var done = program.Run(options, null, progress, cancel);
             return new Done(done.Value?.ToSteps() ?? [], done.Value is null ? [] : options.KeepPoses ? done.Value.Poses : [done.Value.Pose], done.Diagnostics);

@@ -32,7 +32,7 @@ public sealed class DeconstructToolpathComponent() : CaterpillarComponent(
     {
         var toolpath = run.Get<Toolpath>(0);
         var (units, root) = (run.Units, run.PathOf(0));
-        var parts = run.Work("Taking apart", [toolpath, units.ToMillimeters, root.ToString()], (_, _) => new ToolpathParts(toolpath, units, root));
+        var parts = run.Work("Deconstructing", [toolpath, units.ToMillimeters, root.ToString()], (_, _) => new ToolpathParts(toolpath, units, root));
         run.SetTree(0, parts.Points);
         run.SetTree(1, parts.Amounts);
         run.SetTree(2, parts.Speeds);

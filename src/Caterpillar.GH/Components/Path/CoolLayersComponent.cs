@@ -31,7 +31,7 @@ public sealed class CoolLayersComponent() : PathShapingComponent(
             ReferenceSpeed = run.Positive(4),
             MaxSegmentsPerSecond = run.NotNegative(5),
         };
-        var shaped = run.Work("Cool Layers", [cooling, before],
+        var shaped = run.Work("Cooling layers", [cooling, before],
             (_, cancel) => Shaped.Of(cooling.Apply(before.Paths, cancel), Frame.World));
         SetPaths(run, before, shaped);
     }

@@ -23,7 +23,7 @@ public sealed class DeformComponent() : PathShapingComponent(
         var request = DeformationPorts.Read(run, 1);
         var frame = run.FrameOf(1 + DeformationPorts.Count);
         var deformation = run.Require(request.Compile());
-        var shaped = run.Work("Deform", [frame, .. request.Key, before], (progress, cancel) =>
+        var shaped = run.Work("Deforming", [frame, .. request.Key, before], (progress, cancel) =>
         {
             var problems = new DiagnosticList();
             var local = ToLocal(before.Paths, frame);

@@ -59,7 +59,7 @@ public sealed class ModulateComponent() : PathShapingComponent(
         var repeat = run.Get<int>(10) is >= 1 and var times ? times : throw new InputProblem("Repeat must be 1 or more.");
         object? written = file is null ? null : File.GetLastWriteTimeUtc(file);
         object?[] key = [file, written, expression, mode, low, high, mask, resolution, frame, lay, repeat, smooth, speed, before];
-        SetPaths(run, before, run.Work("Modulate", key, (progress, cancel) =>
+        SetPaths(run, before, run.Work("Modulating", key, (progress, cancel) =>
         {
             var problems = new List<Diagnostic>();
             var local = ToLocal(before.Paths, frame);
