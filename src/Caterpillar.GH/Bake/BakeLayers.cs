@@ -4,7 +4,7 @@ using Rhino.DocObjects;
 
 namespace Caterpillar.GH.Bake;
 
-/// <summary>The layers of a Rhino document that baked objects lie on, by path; made where they are missing.</summary>
+/// <summary>The layers of a Rhino document for baked objects, by path. Missing layers are added.</summary>
 internal static class BakeLayers
 {
     public const string Root = "Caterpillar";

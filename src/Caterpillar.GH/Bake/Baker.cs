@@ -9,8 +9,8 @@ using Rhino.DocObjects;
 namespace Caterpillar.GH.Bake;
 
 /// <summary>
-/// Bakes what is printed on layers by object and role, each extrusion with its color, the width of its bead as plot weight and facts as user text; what is
-/// baked under one name is one group.
+/// Bakes extrusions on layers by object and role, with their color, with the bead width as plot weight, and with facts as user text. Objects of one name
+/// form a group.
 /// </summary>
 internal sealed class Baker(RhinoDoc document, ObjectAttributes attributes, List<Guid> ids)
 {
@@ -19,10 +19,10 @@ internal sealed class Baker(RhinoDoc document, ObjectAttributes attributes, List
 
     private readonly DocumentUnits _units = DocumentUnits.Of(document);
 
-    /// <summary>The group of what follows.</summary>
+    /// <summary>The group of the following objects.</summary>
     public int? Group { get; init; }
 
-    /// <summary>The name of what follows; empty for that of the attributes.</summary>
+    /// <summary>The name of the following objects. Empty = name of the attributes.</summary>
     public string Name { get; init; } = "";
 
     public void Add(PrintPath path)
@@ -82,7 +82,7 @@ internal sealed class Baker(RhinoDoc document, ObjectAttributes attributes, List
         if (id != Guid.Empty) ids.Add(id);
     }
 
-    /// <summary>What is known of a baked object.</summary>
+    /// <summary>Facts about a baked object.</summary>
     private sealed record Facts(Role Role, Layer? Layer, string Name)
     {
         public Bead? Bead { get; init; }

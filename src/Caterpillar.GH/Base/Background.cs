@@ -8,14 +8,14 @@ using Rhino;
 namespace Caterpillar.GH.Base;
 
 /// <summary>
-/// The long work of one component. A solve waits for half a second; what takes longer goes on without it, one piece after the other, and the component is
-/// solved again when all is done. Where nobody would see that (on a server, in a cluster, in a script) a solve waits for the end.
+/// The long work of one component. A solve waits for half a second. Longer work goes on after it, one job after the other, and the component is solved
+/// again when all is done. On a server, in a cluster or in a script, a solve waits for the end.
 /// </summary>
 [SuppressMessage("Design", "CA1001", Justification = "Grasshopper never disposes of components: the timer is disposed when the last work ends.")]
 internal sealed class Background
 {
     public const string WaitSetting = "Caterpillar:Wait";
-    // While inputs change again and again, as with a slider, earlier work is given up: each solve is short.
+    // While inputs change again and again, as with a slider, earlier work is canceled: each solve is short.
     private const int HurriedMilliseconds = 50;
     private const int PulseMilliseconds = 100;
     private readonly CaterpillarComponent _component;
@@ -33,22 +33,22 @@ internal sealed class Background
         MayLeave = IsOnCanvas;
     }
 
-    /// <summary>True where a solution may end before the work; a test has its own rule.</summary>
+    /// <summary>True if a solution may end before the work. Tests set their own rule.</summary>
     public Func<GH_Document?, bool> MayLeave { get; set; }
 
-    /// <summary>Runs something on the UI thread; a test has its own.</summary>
+    /// <summary>Runs an action on the UI thread. Tests set their own.</summary>
     public Action<Action> Post { get; set; } = action => RhinoApp.InvokeOnUiThread(action);
 
-    /// <summary>Milliseconds that a solve waits if nothing is at work when it begins; a test waits less.</summary>
+    /// <summary>Milliseconds that a solve waits if no work is running when it begins. Tests wait less.</summary>
     public int UsualPatience { get; set; } = 500;
 
-    /// <summary>Milliseconds that this solve waits for all of its work; the greatest number for ever.</summary>
+    /// <summary>Milliseconds that this solve waits for all of its work. int.MaxValue = no limit.</summary>
     public int Patience { get; private set; }
 
-    /// <summary>What has to end before the next work begins; a test holds it back with that.</summary>
+    /// <summary>The work that must end before the next one begins. Tests hold work back with it.</summary>
     public Task Queue { get; set; } = Task.CompletedTask;
 
-    /// <summary>What is done, and how much of it.</summary>
+    /// <summary>The current work and its progress in percent.</summary>
     public string Words
     {
         get
@@ -70,7 +70,7 @@ internal sealed class Background
         return leaves;
     }
 
-    /// <summary>The result of some work, which begins if it has not yet.</summary>
+    /// <summary>The result of some work, which begins now if it has not begun.</summary>
     /// <exception cref="StillWorking">It takes longer than this solve waits.</exception>
     /// <exception cref="OperationCanceledException">The user pressed Escape.</exception>
     public T Get<T>(SolveKey key, string label, Func<IProgress<double>, CancellationToken, T> work)
@@ -90,7 +90,7 @@ internal sealed class Background
         return (T)job.Result;
     }
 
-    /// <summary>A solve ends: what it did not ask for is canceled, and the rest watched.</summary>
+    /// <summary>A solve ends: work that it did not request is canceled, the rest is watched.</summary>
     public void End()
     {
         foreach (var key in _jobs.Keys.Where(key => !_asked.Contains(key)).ToList())
@@ -102,7 +102,7 @@ internal sealed class Background
         else _timer ??= new Timer(_ => PostPulse(), null, PulseMilliseconds, PulseMilliseconds);
     }
 
-    /// <summary>Gives up all work.</summary>
+    /// <summary>Cancels all work.</summary>
     public void Cancel()
     {
         foreach (var job in _jobs.Values) job.Cancel();
@@ -110,13 +110,13 @@ internal sealed class Background
         Stop();
     }
 
-    /// <summary>Asks for a solution if all work is done, as after a time in which the document was not shown.</summary>
+    /// <summary>Requests a solution if all work is done, for example after the document was hidden.</summary>
     public void Collect()
     {
         if (_jobs.Count > 0 && _jobs.Values.All(j => j.IsDone)) _component.OnPingDocument()?.ScheduleSolution(1, _ => _component.ExpireSolution(false));
     }
 
-    /// <summary>Looks after the work, on the UI thread: shows the progress, hears the Escape key, and asks for a solution at the end.</summary>
+    /// <summary>Watches the work on the UI thread: shows progress, checks the Escape key, and requests a solution at the end.</summary>
     public void Pulse()
     {
         Interlocked.Exchange(ref _posted, 0);

@@ -1,14 +1,14 @@
 namespace Caterpillar.GH.Base;
 
 /// <summary>
-/// A Boolean input as one button for each item, pressed in the solution in which it changes from false to true. One that has not been seen at false is not
-/// pressed: a definition that was saved with a toggle at true does nothing when it opens.
+/// A Boolean input as one button for each item, pressed in the solution in which it changes from false to true. It must have been false before: a
+/// definition that was saved with a toggle at true does nothing when it opens.
 /// </summary>
 internal sealed class Buttons(int input)
 {
     private readonly Dictionary<int, bool> _down = [];
 
-    /// <summary>True if the button of the item is pressed now. A press counts for this solution: one while other inputs are bad is not made up for.</summary>
+    /// <summary>True if the button of the item is pressed now. A press counts for this solution only, even if other inputs are bad.</summary>
     public bool IsPressed(Run run)
     {
         var down = run.MaybeValue<bool>(input) ?? true;

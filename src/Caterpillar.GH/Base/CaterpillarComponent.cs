@@ -9,8 +9,8 @@ using Rhino.DocObjects;
 namespace Caterpillar.GH.Base;
 
 /// <summary>
-/// Base of all components: declares ports, solves item by item, keeps the version in the file, and corrects what Grasshopper's own base class does with
-/// previews and baking.
+/// Base of all components: declares ports, solves item by item, and keeps the version in the file. It corrects how Grasshopper's base class previews
+/// and bakes.
 /// </summary>
 public abstract class CaterpillarComponent : GH_Component
 {
@@ -34,7 +34,7 @@ public abstract class CaterpillarComponent : GH_Component
     /// <summary>True if an output can be previewed.</summary>
     public sealed override bool IsPreviewCapable => Params.Output.OfType<IGH_PreviewObject>().Any(p => p.IsPreviewCapable) || DrawsItself;
 
-    /// <summary>Of the outputs that are shown; empty while hidden, which Grasshopper's own does not check.</summary>
+    /// <summary>Bounds of the outputs that are shown. Empty while hidden, which Grasshopper's own property does not check.</summary>
     public override Rg.BoundingBox ClippingBox
     {
         get
@@ -46,7 +46,7 @@ public abstract class CaterpillarComponent : GH_Component
         }
     }
 
-    /// <summary>True if an output can be baked; Grasshopper's own checks the inputs.</summary>
+    /// <summary>True if an output can be baked. Grasshopper's own property checks the inputs.</summary>
     public sealed override bool IsBakeCapable => Params.Output.OfType<IGH_BakeAwareObject>().Any(p => p.IsBakeCapable);
 
     /// <inheritdoc cref="Solver.Pending"/>
@@ -78,13 +78,13 @@ public abstract class CaterpillarComponent : GH_Component
         foreach (var drawn in Drawn) drawn.DrawMeshes(args, IsSelected);
     }
 
-    /// <summary>Does nothing if nothing can be baked; the menu item does not check.</summary>
+    /// <summary>Does nothing if nothing can be baked, which the menu item does not check.</summary>
     public sealed override void BakeGeometry(RhinoDoc doc, ObjectAttributes att, List<Guid> obj_ids)
     {
         if (IsBakeCapable) base.BakeGeometry(doc, att, obj_ids);
     }
 
-    /// <summary>Forgets the message too: without inputs there is no solve that would replace it.</summary>
+    /// <summary>Clears the message as well: without inputs, no solve replaces it.</summary>
     public override void ClearData()
     {
         Message = "";
@@ -147,7 +147,7 @@ public abstract class CaterpillarComponent : GH_Component
         if (_newer is not null)
         {
             AddRuntimeMessage(GH_RuntimeMessageLevel.Warning,
-                $"This component was saved by version {_newer} of Caterpillar; this is {PluginInfo.Current}. Some of what it stored may be lost.");
+                $"This component was saved by Caterpillar {_newer}, but this is {PluginInfo.Current}. Some of its data may be lost. Update Caterpillar.");
         }
         _solver.Begin();
     }

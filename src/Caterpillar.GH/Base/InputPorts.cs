@@ -4,7 +4,7 @@ using Grasshopper.Kernel.Parameters;
 
 namespace Caterpillar.GH.Base;
 
-/// <summary>Declares the inputs of a component. Descriptions are full sentences that name the unit.</summary>
+/// <summary>Declares the inputs of a component. Descriptions end with a period and name the unit. Ports of several components are declared here once.</summary>
 internal sealed class InputPorts(GH_Component.GH_InputParamManager manager, ISet<int> required)
 {
     private const GH_ParamAccess Item = GH_ParamAccess.item;
@@ -19,10 +19,10 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager, ISet
     public void Angle(string name, string nick, string description, double fallback)
         => Add(Default(new Param_Number { AngleParameter = true, UseDegrees = true }, fallback), name, nick, description, Item);
 
-    /// <summary>An optional number; without it the component falls back to something that is not a number.</summary>
+    /// <summary>An optional number, whose default is not a number.</summary>
     public void OptionalNumber(string name, string nick, string description) => Add(new Param_Number { Optional = true }, name, nick, description, Item);
 
-    /// <summary>An angle that may be absent: degrees, or radians if the user switches the port.</summary>
+    /// <summary>An optional angle: degrees, or radians if the user switches the port.</summary>
     public void OptionalAngle(string name, string nick, string description)
         => Add(new Param_Number { AngleParameter = true, UseDegrees = true, Optional = true }, name, nick, description, Item);
 
@@ -43,7 +43,7 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager, ISet
     public void Target(string name, string nick, string description, string filter)
         => Add(new Param_FilePath { FileFilter = filter }, name, nick, description, Item);
 
-    /// <summary>Several choices among the values of an enum; none means all.</summary>
+    /// <summary>Several choices among the values of an enum. None means all.</summary>
     public void Choices<T>(string name, string nick, string description)
         where T : struct, Enum
         => Add(ChoiceParam.Of<T>(), name, nick, description, GH_ParamAccess.list, optional: true);
@@ -58,10 +58,46 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager, ISet
         Add(Default(param, Convert.ToInt32(fallback, System.Globalization.CultureInfo.InvariantCulture)), name, nick, description, Item);
     }
 
+    /// <summary>The print paths that a component changes.</summary>
+    public void PrintPaths() => Add(new PrintPathParam(), "Print Paths", "P", "Print paths, in printing order.", GH_ParamAccess.list);
+
+    public void Toolpath() => Add(new ToolpathParam(), "Toolpath", "T", "Toolpath, from Plan Toolpath or Decode G-code.");
+
+    public void Bead(string more = "Default: 0.45 × 0.2 mm, at the speed of the print settings.")
+        => Add(new BeadParam(), "Bead", "B", "Bead, or its width in mm. " + more, optional: true);
+
+    /// <summary>An optional printer. <paramref name="more"/> states its use and its default.</summary>
+    public void Printer(string nick, string more, string name = "Printer")
+        => Add(new PrinterParam(), name, nick, "Printer, or the name of a printer profile. " + more, optional: true);
+
+    /// <summary>An optional material.</summary>
+    public void Material(string nick, string more)
+        => Add(new MaterialParam(), "Material", nick, "Material, or the name of a material profile. " + more, optional: true);
+
+    /// <summary>Optional print settings.</summary>
+    public void Settings(string nick, string more, string name = "Settings")
+        => Add(new SettingsParam(), name, nick, "Print settings, or the name of a settings profile. " + more, optional: true);
+
+    /// <summary>Values of a profile by their keys.</summary>
+    public void Overrides(string example)
+        => Text("Overrides", "O", $"Other values, as key=value. Example: {example}. Keys include their unit.", access: GH_ParamAccess.list, optional: true);
+
+    /// <summary>Deviation of meshes from curved surfaces.</summary>
+    public void MeshTolerance() => Number("Tolerance", "T", "Maximum deviation of the mesh from a curved surface, in mm.", 0.05);
+
+    /// <summary>Length of the segments of curves.</summary>
+    public void Subdivision(string nick) => Number("Subdivision", nick, "Maximum segment length on curves, in mm.", 1);
+
+    public void Seed() => Integer("Seed", "Sd", "Seed of the random numbers, from 0.", 0);
+
+    /// <summary>The coordinates of formulas.</summary>
+    public void FormulaPlane()
+        => Add(new Param_Plane(), "Plane", "Pl", "Plane of the coordinates. Its Z is the axis of the angles. Default: World XY.", optional: true);
+
     public void Geometry(string name, string nick, string description, GH_ParamAccess access = Item, bool optional = false)
         => Add(new Param_Geometry { Optional = optional }, name, nick, description, access);
 
-    /// <summary>A parameter of the plug-in whose branches become one list, in their order; the user may switch that off on the port.</summary>
+    /// <summary>A parameter of the plug-in whose branches become one list, in order. The user may switch that off on the port.</summary>
     public void Flattened(IGH_Param param, string name, string nick, string description)
     {
         param.DataMapping = GH_DataMapping.Flatten;

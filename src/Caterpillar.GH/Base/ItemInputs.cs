@@ -1,13 +1,14 @@
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Params;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Parameters;
 using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Base;
 
-/// <summary>The inputs of one item of a solve. What is missing or wrong is an <see cref="InputProblem"/> that names its port.</summary>
+/// <summary>The inputs of one item of a solve. A missing or wrong input is an <see cref="InputProblem"/> that names its port.</summary>
 internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAccess access)
 {
     private readonly Dictionary<int, List<IGH_Goo?>> _lists = [];
@@ -23,7 +24,7 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
             if (_units is { } known) return known;
             var units = DocumentUnits.Current;
             if (!units.AreMillimeters)
-                Component.AddRuntimeMessage(GH_RuntimeMessageLevel.Remark, $"Geometry is scaled: the document is in {units.Name}, Caterpillar works in mm.");
+                Component.AddRuntimeMessage(GH_RuntimeMessageLevel.Remark, $"The document is in {units.Name}. Geometry is scaled to mm.");
             _units = units;
             return units;
         }
@@ -34,17 +35,17 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
     protected IGH_DataAccess Access { get; } = access;
 
     /// <summary>
-    /// Checks that every connected port that could do without gets something: what failed upstream must not turn into a default. Required items are checked
-    /// where they are read. Of a required list some may be null, of an optional one none, as it would mean something else without them.
+    /// Checks that every connected port that is not required gets data: a failure upstream must not turn into a default. Required items are checked
+    /// when they are read. A required list may contain nulls. An optional list may not, because its meaning would change without them.
     /// </summary>
-    /// <exception cref="InputProblem">A connected port gets nothing.</exception>
+    /// <exception cref="InputProblem">A connected port gets no valid data.</exception>
     public void CheckSources()
     {
         for (var i = 0; i < Component.Params.Input.Count; i++)
         {
             var port = Component.Params.Input[i];
             if (port.SourceCount > 0 && !Arrives(i, port.Access, Component.IsRequired(i)))
-                throw new InputProblem($"{port.Name}: nothing arrives from what is connected.");
+                throw new InputProblem($"{port.Name}: the connected source gives no valid data.");
         }
     }
 
@@ -91,12 +92,12 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
         return some;
     }
 
-    /// <summary>A list with its nulls, whose items stand beside those of another list.</summary>
+    /// <summary>A list with its nulls, for items that belong to the items of another list.</summary>
     public IReadOnlyList<T?> WithNulls<T>(int input)
         where T : class
         => Goos(input).ConvertAll(goo => goo as T);
 
-    /// <summary>A list with one item at least; its nulls are reported.</summary>
+    /// <summary>A list with one item at least. Its nulls are reported.</summary>
     /// <exception cref="InputProblem">It is empty.</exception>
     public List<T> Some<T>(int input)
         where T : class
@@ -114,7 +115,12 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
             + $"{NumberFormatter.Format(value, 6)}.");
     }
 
-    /// <summary>A finite number; from an angle port always in degrees.</summary>
+    /// <summary>A number of 0 or more.</summary>
+    /// <exception cref="InputProblem">It is missing, not finite, or negative.</exception>
+    public double NotNegative(int input) => Finite(input) is >= 0 and var value
+        ? value : throw new InputProblem($"{Component.Params.Input[input].Name} must be 0 or more.");
+
+    /// <summary>A finite number. From an angle port always in degrees.</summary>
     public double Finite(int input)
     {
         var value = Get<double>(input);
@@ -125,12 +131,12 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
     }
 
     /// <summary>The value of a choice port.</summary>
-    /// <exception cref="InputProblem">There is no such choice.</exception>
+    /// <exception cref="InputProblem">The number is not one of the choices.</exception>
     public T Choice<T>(int input)
         where T : struct, Enum
         => ToChoice<T>(input, Get<int>(input));
 
-    /// <summary>The values of a port for several choices; null for none, which means all.</summary>
+    /// <summary>The values of a port for several choices. Null for none, which means all.</summary>
     /// <inheritdoc cref="Choice" path="/exception"/>
     public IReadOnlyList<T>? Choices<T>(int input)
         where T : struct, Enum
@@ -139,10 +145,10 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
         return numbers.Count == 0 ? null : numbers.Select(n => ToChoice<T>(input, n.Value)).ToArray();
     }
 
-    /// <summary>A point in mm; null if there is none.</summary>
+    /// <summary>A point in mm. Null if there is none.</summary>
     public Vec3? MaybePoint(int input) => MaybeValue<Rg.Point3d>(input) is { } point ? RhinoGeometry.ToVec(point, Units) : null;
 
-    /// <summary>A plane as a frame in mm; the world's by default.</summary>
+    /// <summary>A plane as a frame in mm. The world's by default.</summary>
     public Frame FrameOf(int input) => MaybeValue<Rg.Plane>(input) is { } plane ? RhinoGeometry.ToFrame(plane, Units) : Frame.World;
 
     /// <summary>The full path of a file: relative paths start at the folder of the definition, if it has been saved.</summary>
@@ -152,12 +158,12 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
         return Path.GetFullPath(folder is not null && !Path.IsPathRooted(file) ? Path.Combine(folder, file) : file);
     }
 
-    /// <summary>A file that is there; its name as in <see cref="PathTo"/>.</summary>
-    /// <exception cref="InputProblem">There is none.</exception>
+    /// <summary>An existing file. The name is read as in <see cref="PathTo"/>.</summary>
+    /// <exception cref="InputProblem">It does not exist.</exception>
     public FileInfo FileAt(string name)
     {
         var file = new FileInfo(PathTo(name));
-        return file.Exists ? file : throw new InputProblem($"There is no file {file.FullName}.");
+        return file.Exists ? file : throw new InputProblem($"File not found: {file.FullName}");
     }
 
     /// <summary>A message that names the branch and the item.</summary>
@@ -206,7 +212,7 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
     {
         if (lost == 0) return;
         Report(GH_RuntimeMessageLevel.Warning,
-            $"{Component.Params.Input[input].Name} has {lost} null {(lost == 1 ? "item, which is" : "items, which are")} ignored.");
+            $"{Component.Params.Input[input].Name}: {lost} null {(lost == 1 ? "item is" : "items are")} ignored.");
     }
 
     private T ToChoice<T>(int input, int number)
@@ -216,8 +222,7 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
         {
             if (Convert.ToInt32(value, System.Globalization.CultureInfo.InvariantCulture) == number) return value;
         }
-        throw new InputProblem($"{Component.Params.Input[input].Name} has no choice {NumberFormatter.Format(number)}; there are "
-            + $"{string.Join(", ", Enum.GetNames(typeof(T)))}.");
+        throw new InputProblem(((ChoiceParam)Component.Params.Input[input]).Refuse(NumberFormatter.Format(number)));
     }
 
     // The path of an item output is the branch of the inputs; a list output of an item appends the index of the item.

@@ -35,7 +35,7 @@ internal sealed class Job : IProgress<double>
     public Task Task => _task;
 
     /// <summary>The result, once it is done.</summary>
-    /// <exception cref="OperationCanceledException">It was canceled; other exceptions are those of the work itself.</exception>
+    /// <exception cref="OperationCanceledException">It was canceled. Other exceptions are those of the work itself.</exception>
     public object Result
     {
         get
@@ -50,7 +50,7 @@ internal sealed class Job : IProgress<double>
 
     public void Cancel() => _cancel.Cancel();
 
-    /// <summary>Waits for its end; false if that takes longer.</summary>
+    /// <summary>Waits for its end. False if that takes longer.</summary>
     public bool Wait(int milliseconds)
     {
         try

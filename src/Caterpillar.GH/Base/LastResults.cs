@@ -2,7 +2,7 @@ using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Base;
 
-/// <summary>What each item gave when it was last solved, to be given again while its new result is worked on.</summary>
+/// <summary>The last outputs of each item, given again while its new result is computed.</summary>
 internal sealed class LastResults
 {
     private readonly Dictionary<int, IReadOnlyList<Action<IGH_DataAccess>>> _items = [];

@@ -19,7 +19,7 @@ internal static class LongWork
         return (T)job.Result;
     }
 
-    /// <summary>Waits for the end of a job, or for so many milliseconds; true if it has ended. Escape cancels it.</summary>
+    /// <summary>Waits for the end of a job, or for so many milliseconds. True if it has ended. Escape cancels it.</summary>
     public static bool Wait(Job job, int patience = int.MaxValue)
     {
         var waited = Stopwatch.StartNew();

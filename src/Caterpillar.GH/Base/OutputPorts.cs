@@ -21,7 +21,7 @@ internal sealed class OutputPorts(GH_Component.GH_OutputParamManager manager)
 
     public void Curve(string name, string nick, string description, GH_ParamAccess access = Item) => Add(new Param_Curve(), name, nick, description, access);
 
-    /// <summary>The diagnostics of the solve, which are given by themselves.</summary>
+    /// <summary>The diagnostics of the solve. The base class sets them.</summary>
     public void Diagnostics() => Text(DiagnosticsName, "D", "Notes, warnings and errors, one line per kind.", GH_ParamAccess.list);
 
     /// <summary>A parameter of the plug-in.</summary>

@@ -3,7 +3,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GH.Base;
 
-/// <summary>The print paths of a list input, which stay one object from solve to solve as long as all of them stay the same: one part of a key.</summary>
+/// <summary>The print paths of a list input. They stay one object from solve to solve while they stay the same, as part of a key.</summary>
 internal sealed class PathList
 {
     public PathList(IReadOnlyList<PrintPathGoo> goos)

@@ -4,7 +4,7 @@ using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Base;
 
-/// <summary>A component that reads profiles: it solves again when one of the user's own changes.</summary>
+/// <summary>A component that reads profiles. It is solved again when a profile of the user changes.</summary>
 [SuppressMessage("Design", "CA1001",
     Justification = "Grasshopper never disposes of components: the watcher is disposed when the component leaves its document.")]
 public abstract class ProfileComponent(string name, string nickname, string description)

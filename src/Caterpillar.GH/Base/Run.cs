@@ -9,13 +9,13 @@ using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Base;
 
-/// <summary>One item of a solve: its inputs, what is kept or worked on for it, its outputs and its messages.</summary>
+/// <summary>One item of a solve: its inputs, its cached and running work, its outputs and its messages.</summary>
 internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access, SolveCache cache, Background background) : ItemInputs(component, access)
 {
     private readonly List<Action<IGH_DataAccess>> _given = [];
     private readonly List<string> _diagnostics = [];
 
-    /// <summary>What the item gives, in order.</summary>
+    /// <summary>The outputs of the item, in order.</summary>
     public IReadOnlyList<Action<IGH_DataAccess>> Given => _given;
 
     /// <summary>Number of the item in this solution, from 0.</summary>
@@ -54,7 +54,7 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
         => cache.Get(key, _ => make());
 
     /// <summary>
-    /// A value that may take long, kept like the others. It is made on another thread, which may neither ask this run nor report to it.
+    /// A value that may take long, cached like the others. It is made on another thread, which must not use this run.
     /// </summary>
     /// <exception cref="OperationCanceledException">The user pressed Escape.</exception>
     public T Work<T>(string label, object?[] key, Func<IProgress<double>, CancellationToken, T> work)
@@ -67,11 +67,11 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
         where T : class
         => LongWork.Run(label, work);
 
-    /// <summary>True if all inputs are up to date; false, with a warning, while something before this component is at work or was canceled.</summary>
+    /// <summary>True if all inputs are up to date. False, with a warning, while a component upstream is working or was canceled.</summary>
     public bool MayAct()
     {
         if (Component.Pending is not { } name) return true;
-        Component.AddRuntimeMessage(GH_RuntimeMessageLevel.Warning, $"Nothing was done: the result of {name} is not up to date. Press again when it is.");
+        Component.AddRuntimeMessage(GH_RuntimeMessageLevel.Warning, $"Nothing was done because {name} is not up to date. Press again when it is.");
         return false;
     }
 
@@ -83,7 +83,7 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
         where T : class
         => Accept(result) ?? throw new NoResult();
 
-    /// <summary>The value of a result whose diagnostics are reported; null if it has none.</summary>
+    /// <summary>The value of a result whose diagnostics are reported. Null if it has none.</summary>
     public T? Accept<T>(Result<T> result)
         where T : class
     {
@@ -91,7 +91,7 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
         return result.Value;
     }
 
-    /// <summary>Messages for diagnostics, whose texts are also what the output for diagnostics gives.</summary>
+    /// <summary>Messages for diagnostics. The output Diagnostics gives the same texts.</summary>
     public void Report(IEnumerable<Diagnostic> diagnostics)
     {
         foreach (var diagnostic in diagnostics)
@@ -128,7 +128,7 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
     /// <summary>The path of this item's data in an output.</summary>
     public GH_Path PathOf(int output) => Access.ParameterTargetPath(output);
 
-    /// <summary>Null for every item output; lists and trees stay empty.</summary>
+    /// <summary>Null for every item output. Lists and trees stay empty.</summary>
     public void SetNulls()
     {
         for (var i = 0; i < Component.Params.Output.Count; i++)
@@ -137,14 +137,14 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
         }
     }
 
-    /// <summary>Hands out what was set.</summary>
+    /// <summary>Gives the outputs that were set.</summary>
     public void Give()
     {
         SetDiagnostics();
         foreach (var give in _given) give(Access);
     }
 
-    /// <summary>Hands out what was set as far as it is no item, which is null.</summary>
+    /// <summary>Gives null for items, and the lists and trees that were set.</summary>
     public void GiveNulls()
     {
         SetNulls();
@@ -152,7 +152,7 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
         foreach (var give in _given) give(Access);
     }
 
-    /// <summary>Hands out nothing of what was set.</summary>
+    /// <summary>Gives null for items and nothing else.</summary>
     public void GiveOnlyNulls()
     {
         _given.Clear();

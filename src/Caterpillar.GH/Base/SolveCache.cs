@@ -1,8 +1,8 @@
 namespace Caterpillar.GH.Base;
 
 /// <summary>
-/// Results of the last solve of one component. What a complete solve does not request is dropped at its end; while something is still worked on, the
-/// results of the last complete solve are kept as well.
+/// Results of the last solve of one component. A complete solve drops results that it did not request. While work goes on, the results of the last
+/// complete solve are kept as well.
 /// </summary>
 internal sealed class SolveCache
 {
@@ -10,13 +10,13 @@ internal sealed class SolveCache
     private Dictionary<SolveKey, object> _last = [];
     private Dictionary<SolveKey, object> _current = [];
 
-    /// <summary>A solve begins. Where the end of the one before was not heard of, as after an abort, what it had is kept.</summary>
+    /// <summary>A solve begins. If the previous one did not end, as after an abort, its results are kept.</summary>
     public void Begin()
     {
         if (_current.Count > 0) End();
     }
 
-    /// <summary>A solve ends; it is not complete while long work for it goes on.</summary>
+    /// <summary>A solve ends. It is not complete while long work for it goes on.</summary>
     public void End(bool complete = true)
     {
         _last = _current;
@@ -31,7 +31,7 @@ internal sealed class SolveCache
         _current = [];
     }
 
-    /// <summary>What a key had in the last solves is looked at first: the new value may be the old one.</summary>
+    /// <summary>Makes a value from the last one of its key, which may be kept.</summary>
     public T Renew<T>(object?[] parts, Func<T?, T> renew)
         where T : class
     {

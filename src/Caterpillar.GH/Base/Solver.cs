@@ -3,8 +3,8 @@ using Grasshopper.Kernel;
 namespace Caterpillar.GH.Base;
 
 /// <summary>
-/// Solves a component item by item, so that a bad one does not stop the rest. Long work goes on after a solution; until its result is there, an item gives
-/// what it gave last.
+/// Solves a component item by item, so that a bad one does not stop the rest. Long work goes on after a solution. Until it is done, an item gives its
+/// last result.
 /// </summary>
 internal sealed class Solver
 {
@@ -29,7 +29,7 @@ internal sealed class Solver
 
     public Background Background { get; }
 
-    /// <summary>The name of the component whose new result is still worked on, this one or one before it; null if all that is given is up to date.</summary>
+    /// <summary>The name of the component that still computes a new result, this one or one upstream. Null if all outputs are up to date.</summary>
     public string? Pending => _pending > 0 ? _component.NickName : _waitsFor;
 
     private string Progress => Background.Words + (_shownLast > 0 ? ", last result" : "");
@@ -57,7 +57,7 @@ internal sealed class Solver
             return;
         }
         _component.Message = Progress;
-        if (_shownLast > 0) Say(GH_RuntimeMessageLevel.Remark, "The last result is shown while the new one is worked on.");
+        if (_shownLast > 0) Say(GH_RuntimeMessageLevel.Remark, "The last result is shown while the new one is computed.");
     }
 
     /// <summary>Solves one item.</summary>
@@ -85,7 +85,7 @@ internal sealed class Solver
         }
         catch (InputProblem) when (_waitsFor is not null)
         {
-            // What is missing or wrong may come with the new result.
+            // A missing or wrong input may come with the new result.
             run.GiveNulls();
         }
         catch (InputProblem problem)
@@ -100,7 +100,7 @@ internal sealed class Solver
         }
     }
 
-    /// <summary>Gives up all work and forgets all results.</summary>
+    /// <summary>Cancels all work and forgets all results.</summary>
     public void Clear()
     {
         Background.Cancel();
@@ -117,11 +117,11 @@ internal sealed class Solver
         _component.OnDisplayExpired(true);
     }
 
-    /// <summary>Says that long work was given up; the last result stays.</summary>
+    /// <summary>Reports that long work was canceled. The last result stays.</summary>
     public void ShowCanceled()
     {
         _component.Message = _shownLast > 0 ? "canceled, last result" : "canceled";
-        Say(GH_RuntimeMessageLevel.Warning, "Canceled; recompute to start again.");
+        Say(GH_RuntimeMessageLevel.Warning, "Canceled. Recompute to start again.");
         _component.OnDisplayExpired(true);
     }
 

@@ -3,7 +3,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GH.Base;
 
-/// <summary>The steps of a list input, which stay one object from solve to solve as long as all of them stay the same.</summary>
+/// <summary>The steps of a list input. They stay one object from solve to solve while they stay the same.</summary>
 internal sealed class StepList
 {
     public StepList(IReadOnlyList<StepGoo> goos)
@@ -24,7 +24,7 @@ internal sealed class StepList
         return true;
     }
 
-    /// <summary>True if planning sees no difference; goo may make a new step of the same path.</summary>
+    /// <summary>True if planning sees no difference. Goo may make a new step of the same path.</summary>
     public static bool Same(Step a, Step b) => ReferenceEquals(a, b) || (a is PathStep p && b is PathStep q && ReferenceEquals(p.Path, q.Path)
         && p.Group == q.Group && p.KeepStart == q.KeepStart && p.Joined == q.Joined && ReferenceEquals(p.Region, q.Region) && Equals(p.Source, q.Source));
 }

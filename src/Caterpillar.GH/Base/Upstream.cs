@@ -2,10 +2,10 @@ using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Base;
 
-/// <summary>Looks along the wires to where data comes from.</summary>
+/// <summary>Looks upstream along the wires.</summary>
 internal static class Upstream
 {
-    /// <summary>The name of a component whose new result is still worked on, so that what arrives here is old; null if there is none.</summary>
+    /// <summary>The name of a component upstream that still computes a new result, so that the data here is old. Null if none.</summary>
     public static string? Pending(IGH_Component component) => Pending(component.Params.Input, []);
 
     private static string? Pending(IEnumerable<IGH_Param> inputs, HashSet<object> seen)

@@ -11,26 +11,23 @@ internal static class DeformationPorts
 
     public static void Declare(InputPorts ports)
     {
-        ports.Choice("System", "S", "Coordinates of the formulas: x, y, z in mm (Cartesian), or r in mm, theta in degrees and z in mm (Cylindrical).",
-            DeformationSystem.Cartesian);
-        ports.Text("X", "X", "Formula of the new x, or of the new r in cylindrical coordinates, for example r + 1.05 * z; by default the coordinate is "
-            + "unchanged.",
-            optional: true);
-        ports.Text("Y", "Y", "Formula of the new y, or of the new theta in degrees, for example theta + 3 * z; by default the coordinate is unchanged.",
-            optional: true);
-        ports.Text("Z", "Z", "Formula of the new z, for example 0.3 * z; by default the coordinate is unchanged.", optional: true);
-        ports.Text("Area", "A", "Formula of the new cross-section in mm², in c (the old one) and the coordinates before the mapping, for example 0.96 * c.",
-            optional: true);
-        ports.Text("Speed", "V", "Formula of the new speed in mm/s, in v (the old one) and the coordinates before the mapping, for example 0.5 * v.",
-            optional: true);
-        ports.Number("Tolerance", "To", "Maximum deviation in mm; segments are divided to stay within it. 0 divides none.", 0.01);
+        ports.Choice("System", "S",
+            "Coordinates of the formulas: x, y, z in mm (Cartesian), or r in mm, theta in degrees and z in mm (Cylindrical).", DeformationSystem.Cartesian);
+        ports.Text("X", "X", "Formula of the new x, or of the new r if cylindrical. Example: r + 1.05 * z. Default: unchanged.", optional: true);
+        ports.Text("Y", "Y",
+            "Formula of the new y, or of the new theta in degrees if cylindrical. Example: theta + 3 * z. Default: unchanged.", optional: true);
+        ports.Text("Z", "Z", "Formula of the new z. Example: 0.3 * z. Default: unchanged.", optional: true);
+        ports.Text("Area", "A",
+            "Formula of the new cross-section in mm², from the old one (c) and the old coordinates. Example: 0.96 * c. Default: unchanged.", optional: true);
+        ports.Text("Speed", "V",
+            "Formula of the new speed in mm/s, from the old one (v) and the old coordinates. Example: 0.5 * v. Default: unchanged.", optional: true);
+        ports.Number("Tolerance", "To", "Maximum deviation, in mm. Segments are divided to stay within it. 0 = do not divide.", 0.01);
     }
 
     public static Request Read(Run run, int first)
     {
-        var tolerance = run.Finite(first + 6);
-        if (tolerance < 0) throw new InputProblem("Tolerance must be 0 or more.");
-        return new Request(run.Choice<DeformationSystem>(first), Enumerable.Range(first + 1, 5).Select(i => run.Maybe<string>(i) ?? "").ToArray(), tolerance);
+        return new Request(run.Choice<DeformationSystem>(first), Enumerable.Range(first + 1, 5).Select(i => run.Maybe<string>(i) ?? "").ToArray(),
+            run.NotNegative(first + 6));
     }
 
     /// <summary>The values of the ports.</summary>

@@ -10,16 +10,13 @@ namespace Caterpillar.GH.Components;
 /// <summary>The printer, material and settings of a toolpath: from ports, else from its plan, else from the file it was decoded from.</summary>
 internal static class SetupPorts
 {
-    public static void Printer(InputPorts ports) => ports.Add(new PrinterParam(), "Printer", "P",
-        "Printer, or the name of its profile; by default the one it was planned for, the limits in its file, or the generic one.", optional: true);
+    public static void Printer(InputPorts ports) => ports.Printer("P", "Default: as used for planning, the limits in the file, or generic.");
 
-    public static void Material(InputPorts ports) => ports.Add(new MaterialParam(), "Material", "M",
-        "Material, or the name of its profile; by default the one it was planned for.", optional: true);
+    public static void Material(InputPorts ports) => ports.Material("M", "Default: as used for planning, or as in the printer profile.");
 
-    public static void Settings(InputPorts ports) => ports.Add(new SettingsParam(), "Settings", "S",
-        "Print settings, or the name of their profile; by default those it was planned for.", optional: true);
+    public static void Settings(InputPorts ports) => ports.Settings("S", "Default: as used for planning, or as in the printer profile.");
 
-    /// <summary>The setup for a printer, or, without one, for that of the toolpath.</summary>
+    /// <summary>The setup for a printer, by default the printer of the toolpath.</summary>
     public static PrintSetup Of(Run run, ToolpathGoo goo, Printer? printer, Material? material = null, PrintSettings? settings = null)
     {
         var planned = goo.Setup;

@@ -9,7 +9,7 @@ internal sealed class CurveJoiner(DocumentUnits units)
     private readonly List<Rg.Line> _lines = [];
     private Rg.PolyCurve? _joined;
 
-    /// <summary>The course of a path, with its horizontal arcs as arcs; null if it has no length.</summary>
+    /// <summary>The course of a path, with its horizontal arcs as arcs. Null if it has no length.</summary>
     public static Rg.Curve? ToCurve(PrintPath path, DocumentUnits units)
     {
         var joiner = new CurveJoiner(units);
@@ -17,7 +17,7 @@ internal sealed class CurveJoiner(DocumentUnits units)
         return joiner.Finish();
     }
 
-    /// <summary>The course of the head through all moves of a toolpath; null if it has no length.</summary>
+    /// <summary>The course of the head through all moves of a toolpath. Null if it has no length.</summary>
     public static Rg.Curve? ToCurve(Toolpath toolpath, DocumentUnits units)
     {
         var joiner = new CurveJoiner(units);
@@ -57,7 +57,7 @@ internal sealed class CurveJoiner(DocumentUnits units)
         }
     }
 
-    /// <summary>The curve; null if nothing has a length.</summary>
+    /// <summary>The curve. Null if nothing has a length.</summary>
     public Rg.Curve? Finish()
     {
         if (_joined is null) return PolylineMaker.Of(_lines);

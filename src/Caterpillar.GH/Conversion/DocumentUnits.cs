@@ -14,7 +14,7 @@ internal readonly struct DocumentUnits
         Name = known ? name : "mm";
     }
 
-    /// <summary>Those of the active document; mm if there is none.</summary>
+    /// <summary>Units of the active document, mm without a document.</summary>
     public static DocumentUnits Current => RhinoDoc.ActiveDoc is { } document ? Of(document) : Of(UnitSystem.Millimeters);
 
     /// <summary>mm per document unit.</summary>

@@ -6,7 +6,7 @@ namespace Caterpillar.GH.Conversion;
 /// <summary>Extrusions as Rhino meshes.</summary>
 internal static class ExtrusionMeshes
 {
-    /// <summary>One mesh, with a color for each vertex by its move if colors are given; null without extrusions.</summary>
+    /// <summary>One mesh, with a color for each vertex by its move if colors are given. Null without extrusions.</summary>
     public static Rg.Mesh? ToMesh(ExtrusionMesh extrusions, DocumentUnits units, Func<int, Color>? colorOfMove)
     {
         if (extrusions.Quads.Count == 0) return null;

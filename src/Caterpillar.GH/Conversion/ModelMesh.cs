@@ -13,7 +13,7 @@ internal sealed record ModelMesh(Rg.Mesh Mesh, TriMesh Triangles)
         return new ModelMesh(mesh, RhinoMesh.ToTriangles(mesh, units));
     }
 
-    /// <summary>The triangles of several models as one mesh; null for none.</summary>
+    /// <summary>The triangles of several models as one mesh. Null for none.</summary>
     public static TriMesh? Joined(IReadOnlyCollection<ModelMesh> models) => models.Count == 0 ? null : TriMesh.Merge(models.Select(m => m.Triangles));
 
     /// <summary>Parts of a key that change with the geometry. Rhino's checksum of a mesh is taken from single-precision points, which is too coarse.</summary>

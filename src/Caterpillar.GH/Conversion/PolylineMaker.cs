@@ -1,15 +1,15 @@
 namespace Caterpillar.GH.Conversion;
 
 /// <summary>
-/// Polyline curves that Rhino calls valid: neighbors at one place are dropped, and a line there and back gets a point in its middle, as three points of
-/// which the ends meet would be a closed curve without an inside.
+/// Polyline curves that are valid for Rhino. Duplicate neighbors are dropped. A line there and back gets a point in its middle, because three points whose
+/// ends meet would be a closed curve without an inside.
 /// </summary>
 internal static class PolylineMaker
 {
     // Rhino's own limit is 2.3e-10 units.
     private const double Least = 1e-9;
 
-    /// <summary>A curve through points; null if it would have no length.</summary>
+    /// <summary>A curve through points. Null if it would have no length.</summary>
     public static Rg.PolylineCurve? Of(IEnumerable<Rg.Point3d> points)
     {
         var kept = new List<Rg.Point3d>();

@@ -9,7 +9,7 @@ internal static class RhinoCurves
     // Points closer than this, in mm, are one.
     private const double LeastSegment = 1e-9;
 
-    /// <summary>The curve in anything that is one: curves, lines, polylines, arcs and circles, bare or on a wire; null for anything else.</summary>
+    /// <summary>The curve of any curve type: curves, lines, polylines, arcs and circles, bare or on a wire. Null for anything else.</summary>
     public static Rg.Curve? In(object? source) => Wrapped.Bare(source) switch
     {
         Rg.Curve curve => curve,

@@ -35,7 +35,7 @@ internal static class RhinoGeometry
         => Frame.FromAxes(ToVec(plane.Origin, units), new Vec3(plane.XAxis.X, plane.XAxis.Y, plane.XAxis.Z),
             new Vec3(plane.YAxis.X, plane.YAxis.Y, plane.YAxis.Z));
 
-    /// <summary>A map of document units as a map of mm; null if it is a perspective map.</summary>
+    /// <summary>A map of document units as a map of mm. Null if it is a perspective map.</summary>
     public static Affine? ToAffine(Rg.Transform t, DocumentUnits units)
     {
         if (t.M30 != 0 || t.M31 != 0 || t.M32 != 0 || !(t.M33 != 0)) return null;
@@ -56,7 +56,7 @@ internal static class RhinoGeometry
         };
     }
 
-    /// <summary>A path as a polyline; a closed one ends at its start. Null if it has no length.</summary>
+    /// <summary>A path as a polyline. A closed one ends at its start. Null if it has no length.</summary>
     public static Rg.PolylineCurve? ToCurve(PrintPath path, DocumentUnits units)
     {
         var lines = new List<Rg.Line>();
@@ -80,7 +80,7 @@ internal static class RhinoGeometry
         }
     }
 
-    /// <summary>One segment, an arc as chords; nothing if it has no length.</summary>
+    /// <summary>One segment, an arc as chords. Nothing if it has no length.</summary>
     public static void AddLines(List<Rg.Line> lines, Vec3 start, Vec3 end, Arc? arc, DocumentUnits units)
     {
         if (arc is not { } turn)

@@ -26,21 +26,21 @@ internal static class RhinoMesh
             Rg.Extrusion extrusion => Joined(Rg.Mesh.CreateFromBrep(extrusion.ToBrep(false), parameters)),
             Rg.Surface surface => Joined([Rg.Mesh.CreateFromSurface(surface, parameters)]),
             Rg.SubD subd => Joined([Rg.Mesh.CreateFromSubD(subd, 4)]),
-            _ => throw new InputProblem($"A {geometry.GetType().Name} has no surface to slice: use a mesh, box, Brep, SubD, extrusion or surface."),
+            _ => throw new InputProblem($"A {geometry.GetType().Name} cannot be sliced. Use a mesh, box, Brep, SubD, extrusion or surface."),
         };
     }
 
-    /// <summary>The triangles of a mesh; quadrilaterals are split along their shorter diagonal. Document units become mm.</summary>
-    /// <remarks>A face with two corners at one place makes a mesh invalid for Rhino; here it is harmless, and the library drops it.</remarks>
-    /// <exception cref="InputProblem">The mesh is empty, a face has no such corner, or a point is not finite.</exception>
+    /// <summary>The triangles of a mesh. Quadrilaterals are split along their shorter diagonal. Document units become mm.</summary>
+    /// <remarks>A face with two corners at one place makes a mesh invalid for Rhino. Here it is harmless, and the library drops it.</remarks>
+    /// <exception cref="InputProblem">The mesh is empty, a face refers to no vertex, or a vertex is not finite.</exception>
     public static TriMesh ToTriangles(Rg.Mesh mesh, DocumentUnits units)
     {
-        if (mesh.Faces.Count == 0) throw new InputProblem("A mesh without faces can't be sliced.");
+        if (mesh.Faces.Count == 0) throw new InputProblem("A mesh has no faces.");
         var points = mesh.Vertices.ToPoint3dArray();
         var vertices = new Vec3[points.Length];
         for (var i = 0; i < points.Length; i++)
         {
-            if (!points[i].IsValid) throw new InputProblem($"Point {NumberFormatter.Format(i)} of a mesh is not finite.");
+            if (!points[i].IsValid) throw new InputProblem($"Vertex {NumberFormatter.Format(i)} of a mesh is not finite.");
             vertices[i] = RhinoGeometry.ToVec(points[i], units);
         }
         var triangles = new List<int>(3 * mesh.Faces.Count);
@@ -48,7 +48,7 @@ internal static class RhinoMesh
         {
             var f = mesh.Faces[i];
             if (Math.Min(Math.Min(f.A, f.B), Math.Min(f.C, f.D)) < 0 || Math.Max(Math.Max(f.A, f.B), Math.Max(f.C, f.D)) >= points.Length)
-                throw new InputProblem($"Face {NumberFormatter.Format(i)} of a mesh has a corner that is none of its points.");
+                throw new InputProblem($"Face {NumberFormatter.Format(i)} of a mesh refers to a vertex that does not exist.");
             if (f.IsTriangle)
             {
                 triangles.AddRange([f.A, f.B, f.C]);

@@ -27,7 +27,7 @@ internal static class ToolpathExtrusions
         if (first >= 0) yield return new ToolpathExtrusion(first, toolpath.Count);
     }
 
-    /// <summary>An extrusion as a polyline, or with its arcs as arcs; null if it has no length.</summary>
+    /// <summary>An extrusion as a polyline, or with its arcs as arcs. Null if it has no length.</summary>
     public static Rg.Curve? ToCurve(Toolpath toolpath, ToolpathExtrusion extrusion, DocumentUnits units)
     {
         var joiner = new CurveJoiner(units);

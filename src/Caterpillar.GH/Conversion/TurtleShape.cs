@@ -6,7 +6,7 @@ namespace Caterpillar.GH.Conversion;
 /// <summary>The turtle's triangle as Rhino geometry.</summary>
 internal static class TurtleShape
 {
-    /// <summary>A closed outline; size in mm.</summary>
+    /// <summary>A closed outline. Size in mm.</summary>
     public static Rg.PolylineCurve Outline(Frame pose, double size, DocumentUnits units)
     {
         var points = Turtle.TriangleOf(pose, size).Select(p => RhinoGeometry.ToPoint(p, units)).ToList();
@@ -14,7 +14,7 @@ internal static class TurtleShape
         return new Rg.PolylineCurve(points);
     }
 
-    /// <summary>A mesh of one face; size in mm.</summary>
+    /// <summary>A mesh of one face. Size in mm.</summary>
     public static Rg.Mesh Face(Frame pose, double size, DocumentUnits units)
     {
         var mesh = new Rg.Mesh();

@@ -2,7 +2,7 @@ using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Conversion;
 
-/// <summary>What script components hand out arrives wrapped: goo takes what is inside.</summary>
+/// <summary>Unwraps the outputs of script components.</summary>
 internal static class Wrapped
 {
     public static object? Bare(object? source)
@@ -11,7 +11,7 @@ internal static class Wrapped
         return source;
     }
 
-    /// <summary>The text of a string or of text on a wire; null for anything else.</summary>
+    /// <summary>The text of a string or of text on a wire. Null for anything else.</summary>
     public static string? Text(object? source) => Bare(source) switch
     {
         string text => text,
@@ -19,7 +19,7 @@ internal static class Wrapped
         _ => null,
     };
 
-    /// <summary>A number, bare or on a wire; null for anything else.</summary>
+    /// <summary>A number, bare or on a wire. Null for anything else.</summary>
     public static double? Number(object? source) => Bare(source) switch
     {
         double number => number,

@@ -7,13 +7,13 @@ using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 
-/// <summary>The extrusion of a path on a wire. A number is its width in mm, with the height of a standard layer; text is "width x height".</summary>
-public sealed class BeadGoo : GH_Goo<Bead>
+/// <summary>A bead on a wire. A number is its width in mm, with the height of a standard layer. Text is "width x height".</summary>
+public sealed class BeadGoo : GH_Goo<Bead>, IReadsText
 {
     private static readonly char[] Separators = ['x', '×', ',', ';', ' '];
     private static readonly double Height = new PrintSettings().LayerHeight;
 
-    // A stroke without extrusion is a bead of zeros.
+    // A bead without extrusion has only zeros.
     private bool _isSet;
 
     public BeadGoo()
@@ -28,11 +28,13 @@ public sealed class BeadGoo : GH_Goo<Bead>
 
     public override bool IsValid => _isSet;
 
-    public override string IsValidWhyNot => _isSet ? "" : "There is no bead.";
+    public override string IsValidWhyNot => _isSet ? "" : "No bead.";
 
     public override string TypeName => "Bead";
 
-    public override string TypeDescription => "An extrusion: cross-section in mm², height in mm, speed in mm/s.";
+    public override string TypeDescription => "A bead of an extrusion: area in mm², height in mm, speed in mm/s.";
+
+    public string? Problem => _isSet ? null : "This is not a bead. Use a width in mm, or width x height: 0.5 x 0.2.";
 
     public override IGH_Goo Duplicate() => _isSet ? new BeadGoo(Value) : new BeadGoo();
 

@@ -10,7 +10,7 @@ using Rhino.DocObjects;
 namespace Caterpillar.GH.Goos;
 
 /// <summary>
-/// Goo that is drawn as one thin wire in the given color; not drawn if it is very large. Its lines in document units are computed once for each unit.
+/// Goo that is drawn as one thin wire in the given color, unless it is very large. Its lines in document units are computed once for each unit.
 /// Parameters of the plug-in draw all of theirs in one call instead. Baked as several objects, it has the id of the first.
 /// </summary>
 public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData, IGH_BakeAwareData, IBakes, IWires
@@ -20,7 +20,7 @@ public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData, IGH_Bak
 
     public override bool IsValid => Value is not null;
 
-    public override string IsValidWhyNot => IsValid ? "" : $"There is no {TypeName.ToLowerInvariant()}.";
+    public override string IsValidWhyNot => IsValid ? "" : $"No {TypeName.ToLowerInvariant()}.";
 
     public override Rg.BoundingBox Boundingbox => Value is null ? Rg.BoundingBox.Empty : RhinoGeometry.ToBox(Bounds, DocumentUnits.Current);
 
@@ -30,7 +30,7 @@ public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData, IGH_Bak
 
     int IWires.SegmentCount => Value is null ? 0 : SegmentCount;
 
-    /// <summary>Bounds of what is printed, mm.</summary>
+    /// <summary>Bounds of the extrusions, mm.</summary>
     private protected abstract Bounds Bounds { get; }
 
     /// <summary>Number of segments or moves, arcs counted as one.</summary>
@@ -49,7 +49,7 @@ public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData, IGH_Bak
         return Value is not null;
     }
 
-    // By reference as in GH_Goo; GH_GeometricGoo shows the same method with an out parameter, which is the same to the runtime.
+    // By reference as in GH_Goo. GH_GeometricGoo shows the same method with an out parameter, which is the same to the runtime.
     public override bool CastTo<Q>(ref Q target)
     {
         if (Value is null) return false;
@@ -98,10 +98,10 @@ public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData, IGH_Bak
         if (Value is not null) AddWires(lines, units);
     }
 
-    /// <summary>Takes what is neither such a value nor goo with one.</summary>
+    /// <summary>Casts any source that is neither such a value nor goo with one.</summary>
     private protected virtual bool CastFromOther(object? source) => false;
 
-    /// <summary>The value as geometry of Rhino or Grasshopper; null where there is none of that type.</summary>
+    /// <summary>The value as geometry of Rhino or Grasshopper. Null if it has none of that type.</summary>
     private protected abstract object? Native(Type wanted, DocumentUnits units);
 
     private protected abstract void Bake(Baker baker);

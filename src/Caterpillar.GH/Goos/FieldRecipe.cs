@@ -7,7 +7,7 @@ using Caterpillar.Slicing;
 
 namespace Caterpillar.GH.Goos;
 
-/// <summary>A field of layers that is made when the models are known. Recipes from the same parts are equal, so that nothing is sliced twice.</summary>
+/// <summary>A field of layers that is made for given models. Recipes from the same parts are equal, so that nothing is sliced twice.</summary>
 public sealed class FieldRecipe : IEquatable<FieldRecipe>
 {
     private readonly string _text;
@@ -26,7 +26,7 @@ public sealed class FieldRecipe : IEquatable<FieldRecipe>
     {
     }
 
-    /// <summary>The field for models at the positions where they are printed, mm.</summary>
+    /// <summary>The field for models in their print position, mm.</summary>
     /// <param name="models">The models.</param>
     /// <param name="setup">Its head limits overhangs.</param>
     public Result<LayerField> For(IReadOnlyList<NamedMesh> models, PrintSetup setup) => _make(models, setup);

@@ -4,7 +4,7 @@ using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 
-/// <summary>A G-code file on a wire, as one value: a Panel shows a summary, the component G-code Text its lines.</summary>
+/// <summary>A G-code file on a wire, as one value. A Panel shows a summary, G-code Text shows its lines.</summary>
 public sealed class GCodeGoo(GCodeDocument? document) : ValueGoo<GCodeDocument>(document)
 {
     public GCodeGoo()
@@ -18,7 +18,7 @@ public sealed class GCodeGoo(GCodeDocument? document) : ValueGoo<GCodeDocument>(
 
     public override IGH_Goo Duplicate() => new GCodeGoo(Value);
 
-    /// <summary>Text is G-code at a port for G-code; the full path of a file is what the file holds.</summary>
+    /// <summary>Text is G-code. The full path of a file is the G-code of that file.</summary>
     public override bool CastFrom(object source)
     {
         if (base.CastFrom(source)) return true;

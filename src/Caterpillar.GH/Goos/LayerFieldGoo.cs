@@ -6,8 +6,8 @@ using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 
-/// <summary>A field of layers on a wire. A mesh, surface or Brep is one whose layers are its copies; text is the formula of one.</summary>
-public sealed class LayerFieldGoo(FieldRecipe? recipe) : ValueGoo<FieldRecipe>(recipe)
+/// <summary>A field of layers on a wire. Layers copy a mesh, surface or Brep. Text is the formula of a field.</summary>
+public sealed class LayerFieldGoo(FieldRecipe? recipe) : ValueGoo<FieldRecipe>(recipe), IReadsText
 {
     // Deviation of the facets of a curved surface, mm.
     private const double Tolerance = 0.05;
@@ -20,6 +20,8 @@ public sealed class LayerFieldGoo(FieldRecipe? recipe) : ValueGoo<FieldRecipe>(r
     public override string TypeName => "Layer Field";
 
     public override string TypeDescription => "A field whose level sets are the layers of a print, in mm.";
+
+    public string? Problem { get; private set; }
 
     public override IGH_Goo Duplicate() => new LayerFieldGoo(Value);
 
@@ -39,7 +41,9 @@ public sealed class LayerFieldGoo(FieldRecipe? recipe) : ValueGoo<FieldRecipe>(r
 
     private bool FromFormula(string text)
     {
-        if (LayerField.Formula(text).Value is not { } field) return false;
+        var read = LayerField.Formula(text);
+        Problem = TextProblem.Of(read);
+        if (read.Value is not { } field) return false;
         Value = new FieldRecipe("Formula " + text.Trim(), [], field);
         return true;
     }

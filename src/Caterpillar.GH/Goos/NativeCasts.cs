@@ -5,7 +5,7 @@ using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 
-/// <summary>Paths and toolpaths as geometry of Rhino and Grasshopper, of the type that is asked for; null where there is none of that type.</summary>
+/// <summary>Paths and toolpaths as geometry of Rhino and Grasshopper. Null if they have none of the requested type.</summary>
 internal static class NativeCasts
 {
     public static object? Of(PrintPath path, Type wanted, DocumentUnits units)

@@ -8,7 +8,7 @@ using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 
-/// <summary>A print path on a wire: moves, turns and scales like a curve, and is one for native components.</summary>
+/// <summary>A print path on a wire. Native components move, rotate and scale it like a curve, and can use it as one.</summary>
 public sealed class PrintPathGoo : DrawnGoo<PrintPath>
 {
     private PathStep? _step;
@@ -22,7 +22,7 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>
         Value = path!;
     }
 
-    /// <summary>A path from a slicer or a turtle, with what planning has to know of it: its group, whether its start is fixed, its layer, its source.</summary>
+    /// <summary>A path from a slicer or a turtle, with its data for planning: group, fixed start, layer and source.</summary>
     public PrintPathGoo(PathStep? step)
         : this(step?.Path)
     {
@@ -31,14 +31,14 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>
 
     public override string TypeName => "Print Path";
 
-    public override string TypeDescription => "A path to deposit, with its beads in mm² and speeds in mm/s.";
+    public override string TypeDescription => "A path to print, with its beads in mm² and speeds in mm/s.";
 
     public override IGH_GeometricGoo DuplicateGeometry() => Value is null ? new PrintPathGoo() : new PrintPathGoo(ToStep());
 
     /// <summary>The path as a step of a design.</summary>
     public PathStep ToStep() => ReferenceEquals(_step?.Path, Value) ? _step! : _step = new PathStep(Value);
 
-    /// <summary>The same with another path, which leaves the region of its layer.</summary>
+    /// <summary>The same with another path, without the region of its layer.</summary>
     public PrintPathGoo With(PrintPath path) => ReferenceEquals(path, Value) ? this : new PrintPathGoo(ToStep().With(path, null));
 
     public override IGH_GeometricGoo? Morph(Rg.SpaceMorph xmorph)

@@ -17,7 +17,7 @@ public sealed class PrinterGoo(Printer? printer) : ProfileGoo<Printer>(printer)
 
     public override string TypeName => "Printer";
 
-    public override string TypeDescription => "A printer: its build volume in mm, its limits and its G-code.";
+    public override string TypeDescription => "A printer: build volume in mm, limits and G-code.";
 
     public override IGH_Goo Duplicate() => new PrinterGoo(Value);
 
@@ -44,7 +44,7 @@ public sealed class MaterialGoo(Material? material) : ProfileGoo<Material>(mater
 
     public override string TypeName => "Material";
 
-    public override string TypeDescription => "A material: temperatures in °C, diameter in mm, flow.";
+    public override string TypeDescription => "A material: temperatures in °C, filament diameter in mm, flow ratio.";
 
     public override IGH_Goo Duplicate() => new MaterialGoo(Value);
 
@@ -87,16 +87,20 @@ public sealed class SettingsGoo(PrintSettings? settings) : ProfileGoo<PrintSetti
     private protected override string NameOf(PrintSettings value) => value.Name;
 }
 
-/// <summary>What printers, materials and settings have in common: a name, and a form in JSON in which a definition keeps them.</summary>
-public abstract class ProfileGoo<T>(T? value) : ValueGoo<T>(value)
+/// <summary>Base of printers, materials and settings: a name, and the JSON that a definition stores.</summary>
+public abstract class ProfileGoo<T>(T? value) : ValueGoo<T>(value), IReadsText
     where T : class
 {
+    public string? Problem { get; private set; }
+
     public override bool CastFrom(object source)
     {
         if (base.CastFrom(source)) return true;
-        if (Wrapped.Text(source) is not { } name || Find(Profiles.Library, name).Value is not { } found) return false;
-        Value = found;
-        return true;
+        if (Wrapped.Text(source) is not { } name) return false;
+        var found = Find(Profiles.Library, name);
+        Problem = TextProblem.Of(found);
+        Value = found.Value!;
+        return Value is not null;
     }
 
     public override bool Write(GH_IWriter writer)

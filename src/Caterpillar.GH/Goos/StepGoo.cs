@@ -4,7 +4,7 @@ using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 
-/// <summary>One entry of a design on a wire: a print path, a travel or an event. Print paths are steps too.</summary>
+/// <summary>A step of a design on a wire: a print path, a travel move or an event.</summary>
 public sealed class StepGoo(Step? step) : ValueGoo<Step>(step)
 {
     public StepGoo()
@@ -14,7 +14,7 @@ public sealed class StepGoo(Step? step) : ValueGoo<Step>(step)
 
     public override string TypeName => "Step";
 
-    public override string TypeDescription => "A print path, a travel or an event, in the order of the design.";
+    public override string TypeDescription => "A step of a design: a print path, a travel move or an event.";
 
     public override IGH_Goo Duplicate() => new StepGoo(Value);
 

@@ -2,7 +2,7 @@ using Newtonsoft.Json;
 
 namespace Caterpillar.GH.Goos;
 
-/// <summary>Text as it is stored in definitions: pure ASCII, as the form in XML drops rare characters.</summary>
+/// <summary>Text as it is stored in definitions: pure ASCII, because their XML drops rare characters.</summary>
 internal static class StoredText
 {
     /// <summary>Version of the form in which values are stored in definitions.</summary>
@@ -17,7 +17,7 @@ internal static class StoredText
         return writer.ToString();
     }
 
-    /// <summary>The text; what is no packed text stays as it is.</summary>
+    /// <summary>The text. Text that is not packed stays as it is.</summary>
     public static string Unpack(string stored)
     {
         if (stored.Length < 2 || stored[0] != '"') return stored;

@@ -10,8 +10,8 @@ using Grasshopper.Kernel.Types;
 namespace Caterpillar.GH.Goos;
 
 /// <summary>
-/// A toolpath on a wire. Native Move, Orient and Scale work on it; its preview is one thin wire along what is printed. As a curve it is the course of the
-/// head through all moves; as a mesh what is printed.
+/// A toolpath on a wire. Native Move, Orient and Scale work on it. Its preview is one thin wire along the extrusions. As a curve it is the path of the
+/// print head through all moves, as a mesh the extrusions.
 /// </summary>
 public sealed class ToolpathGoo : DrawnGoo<Toolpath>
 {
@@ -47,7 +47,7 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
         DecodedGCode = other.DecodedGCode;
     }
 
-    /// <summary>The toolpath, made now if it has not been asked for yet.</summary>
+    /// <summary>The toolpath, made when it is first used.</summary>
     public override Toolpath Value
     {
         get
@@ -70,12 +70,12 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
     /// <summary>The setup it was planned for, if known.</summary>
     public PrintSetup? Setup { get; }
 
-    /// <summary>The file that it was decoded from, if any: when written again, lines that no edit touches keep their bytes.</summary>
+    /// <summary>The file that it was decoded from, if any. When it is written again, unedited lines stay byte for byte.</summary>
     public DecodedGCode? DecodedGCode { get; }
 
     public override string TypeName => "Toolpath";
 
-    public override string TypeDescription => "What the printer does, move by move: positions in mm, speeds in mm/s.";
+    public override string TypeDescription => "All moves of the printer: positions in mm, speeds in mm/s.";
 
     private ToolpathTotals Totals => _totals ??= ToolpathTotals.Of(Value);
 
@@ -84,7 +84,7 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
     /// <summary>The same for another setup.</summary>
     public ToolpathGoo Planned(PrintSetup setup) => new(this, Value, setup);
 
-    /// <summary>What has happened before a move, and a part of that; made when it is asked for.</summary>
+    /// <summary>All moves before one, and a part of that move. Made when it is first used.</summary>
     public ToolpathGoo Until(int move, Vec3 position, double done)
     {
         var whole = Value;
@@ -94,7 +94,7 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
     /// <summary>An edit of it.</summary>
     public ToolpathGoo With(Toolpath edited) => new(this, edited);
 
-    /// <summary>Deforms the layers; start and end code stay.</summary>
+    /// <summary>Deforms the layers. Start and end G-code stay.</summary>
     public override IGH_GeometricGoo? Morph(Rg.SpaceMorph xmorph)
     {
         if (Value is null) return null;

@@ -5,8 +5,8 @@ using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 
-/// <summary>A turtle program on a wire. Text becomes one if it compiles.</summary>
-public sealed class TurtleProgramGoo(TurtleProgram? program) : ValueGoo<TurtleProgram>(program)
+/// <summary>A turtle program on a wire. Text is its script.</summary>
+public sealed class TurtleProgramGoo(TurtleProgram? program) : ValueGoo<TurtleProgram>(program), IReadsText
 {
     private string? _text;
 
@@ -19,18 +19,23 @@ public sealed class TurtleProgramGoo(TurtleProgram? program) : ValueGoo<TurtlePr
 
     public override string TypeDescription => "A program for a turtle: a script, commands or an L-system.";
 
+    public string? Problem { get; private set; }
+
     public override IGH_Goo Duplicate() => new TurtleProgramGoo(Value) { _text = _text };
 
     public override bool CastFrom(object source)
     {
         if (base.CastFrom(source)) return true;
-        if (Wrapped.Text(source) is not { } text || TurtleScript.Compile(text).Value is not { } script) return false;
+        if (Wrapped.Text(source) is not { } text) return false;
+        var compiled = TurtleScript.Compile(text);
+        Problem = TextProblem.Of(compiled);
+        if (compiled.Value is not { } script) return false;
         Value = TurtleProgram.FromScript(script);
         _text = text;
         return true;
     }
 
-    /// <summary>A definition keeps programs that were given as text.</summary>
+    /// <summary>A definition stores programs that were given as text.</summary>
     public override bool Write(GH_IWriter writer)
     {
         if (_text is null) return true;

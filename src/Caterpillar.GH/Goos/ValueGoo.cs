@@ -11,7 +11,7 @@ public abstract class ValueGoo<T> : GH_Goo<T>
 
     public override bool IsValid => Value is not null;
 
-    public override string IsValidWhyNot => IsValid ? "" : $"There is no {TypeName}.";
+    public override string IsValidWhyNot => IsValid ? "" : $"No {TypeName}.";
 
     /// <summary>The value for script components.</summary>
     public override object? ScriptVariable() => Value;

@@ -1,6 +1,8 @@
 using System.Drawing;
 using System.Globalization;
+using Caterpillar.Expressions;
 using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
 using Caterpillar.GH.Plugin;
 using GH_IO.Serialization;
 using Grasshopper.Kernel;
@@ -10,14 +12,15 @@ using Grasshopper.Kernel.Types;
 namespace Caterpillar.GH.Params;
 
 /// <summary>
-/// An integer with named values that also takes the names as text, whatever their case and spaces. Extracted from a component it keeps the names, in the
-/// file too; one that has none takes those of the choices it is connected to.
+/// An integer with named values that also takes the names as text. Case and spaces do not matter. Extracted from a component, it keeps the names, also in
+/// the file. Without names, it takes those of the choices that it is connected to.
 /// </summary>
 public sealed class ChoiceParam : Param_Integer
 {
     private const string CountKey = "ChoiceCount";
     private const string NameKey = "ChoiceName";
     private const string ValueKey = "ChoiceValue";
+    private readonly List<GH_Integer> _refused = [];
 
     public override Guid ComponentGuid => new("0affb938-c607-4099-91df-066bc62dce25");
 
@@ -28,7 +31,7 @@ public sealed class ChoiceParam : Param_Integer
 
     protected override Bitmap? Icon => Icons.Load(nameof(ChoiceParam));
 
-    /// <summary>A choice among the values of an enum; <c>OuterWall</c> is shown as "Outer Wall".</summary>
+    /// <summary>A choice among the values of an enum. <c>OuterWall</c> is shown as "Outer Wall".</summary>
     public static ChoiceParam Of<T>()
         where T : struct, Enum
     {
@@ -67,8 +70,24 @@ public sealed class ChoiceParam : Param_Integer
         {
             if (string.Equals(Joined(choice.Key), name, StringComparison.OrdinalIgnoreCase)) return new GH_Integer(choice.Value);
         }
-        return null;
+        var number = new GH_Integer();
+        if (number.CastFrom(data) || !Known().Any()) return null;
+        AddRuntimeMessage(GH_RuntimeMessageLevel.Error, Refuse($"\"{text}\""));
+        _refused.Add(number);
+        return number;
     }
+
+    // Null on the wire, instead of a number that nobody chose.
+    protected override void OnVolatileDataCollected()
+    {
+        TextProblem.Clean(m_data, _refused.Contains);
+        _refused.Clear();
+    }
+
+    /// <summary>The answer to a value that is not one of the choices.</summary>
+    internal string Refuse(string given) => $"{Name} has no choice {given}."
+        + (SpellingSuggestion.Hint(given.Trim('"'), Known().Select(c => c.Key)) is { Length: > 0 } hint ? hint
+            : $" Choose one of: {string.Join(", ", Known().Select(c => c.Key))}.");
 
     private IEnumerable<KeyValuePair<string, int>> Known()
         => Choices.Count > 0 ? Choices : Recipients.OfType<ChoiceParam>().Select(r => r.Choices).FirstOrDefault(c => c.Count > 0) ?? [];

@@ -2,14 +2,14 @@ using Caterpillar.GH.Goos;
 
 namespace Caterpillar.GH.Params;
 
-/// <summary>G-code files; text is G-code.</summary>
-public sealed class GCodeParam() : VolatileParam<GCodeGoo>("G-code", "GCode", "Contains G-code files; text is G-code.", Panel.GCode)
+/// <summary>G-code files. Text is G-code.</summary>
+public sealed class GCodeParam() : VolatileParam<GCodeGoo>("G-code", "GCode", "Contains G-code files. Text is read as G-code.", Panel.GCode)
 {
     public override Guid ComponentGuid => new("c626418d-8e36-4127-935e-c83c2c852506");
 }
 
-/// <summary>Steps of a design: print paths, travels and events.</summary>
-public sealed class StepParam() : VolatileParam<StepGoo>("Step", "Step", "Contains steps of a design: print paths, travels and events.", Panel.Path)
+/// <summary>Steps of a design: print paths, travel moves and events.</summary>
+public sealed class StepParam() : VolatileParam<StepGoo>("Step", "Step", "Contains steps of a design: print paths, travel moves and events.", Panel.Path)
 {
     public override Guid ComponentGuid => new("9338155d-65ee-4cc2-939c-d876fc935887");
 
@@ -18,9 +18,13 @@ public sealed class StepParam() : VolatileParam<StepGoo>("Step", "Step", "Contai
         => data is PrintPathGoo { Value: not null } path ? new StepGoo(path.ToStep()) : base.PreferredCast(data);
 }
 
-/// <summary>Fields of layers; surfaces and formulas are fields, too.</summary>
+/// <summary>Fields of layers. Surfaces and formulas are fields as well.</summary>
 public sealed class LayerFieldParam() : VolatileParam<LayerFieldGoo>(
-    "Layer Field", "Field", "Contains fields whose level sets are layers; a surface is one that layers copy upward, text the formula of one.", Panel.Slice)
+    "Layer Field", "Field", "Contains fields whose level sets are layers. Layers copy a surface upward. Text is read as a formula.", Panel.Slice)
 {
     public override Guid ComponentGuid => new("0b9f3f5e-6d0c-4a35-8f3e-2c7d9c1b6a57");
+
+    protected override LayerFieldGoo PreferredCast(object data) => TextProblem.Read(this, InstantiateT(), data)!;
+
+    protected override void OnVolatileDataCollected() => TextProblem.Clean(m_data, goo => !goo.IsValid);
 }

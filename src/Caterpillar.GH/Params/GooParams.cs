@@ -1,4 +1,5 @@
 using System.Drawing;
+using Caterpillar.GH.Goos;
 using Caterpillar.GH.Plugin;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Types;
@@ -17,7 +18,7 @@ public abstract class VolatileParam<T>(string name, string nickname, string desc
     protected override Bitmap? Icon => Icons.Load(Icons.NameOf(GetType()));
 }
 
-/// <summary>Data that a user may also keep in the definition.</summary>
+/// <summary>Data that a user may also store in the definition. Text that cannot be read is answered with the reason.</summary>
 public abstract class StoredParam<T>(string name, string nickname, string description, string panel)
     : GH_PersistentParam<T>(name, nickname, description, PluginInfo.Tab, panel)
     where T : class, IGH_Goo
@@ -26,7 +27,11 @@ public abstract class StoredParam<T>(string name, string nickname, string descri
 
     protected override Bitmap? Icon => Icons.Load(Icons.NameOf(GetType()));
 
-    /// <summary>Asks for text on Rhino's command line, so that it works on every platform: what the goo makes of it is kept.</summary>
+    protected override T PreferredCast(object data) => TextProblem.Read(this, InstantiateT(), data)!;
+
+    protected override void OnVolatileDataCollected() => TextProblem.Clean(m_data, goo => !goo.IsValid);
+
+    /// <summary>Asks for text on Rhino's command line, which works on every platform.</summary>
     protected override GH_GetterResult Prompt_Singular(ref T value)
     {
         var text = "";
@@ -50,8 +55,8 @@ public abstract class StoredParam<T>(string name, string nickname, string descri
         return GH_GetterResult.success;
     }
 
-    /// <summary>What the user is asked for.</summary>
-    private protected virtual string Question => $"Name of a profile for {Name}";
+    /// <summary>The prompt.</summary>
+    private protected virtual string Question => $"{Name} profile";
 
     private T? Made(string text)
     {

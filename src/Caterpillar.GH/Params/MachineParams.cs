@@ -2,21 +2,22 @@ using Caterpillar.GH.Goos;
 
 namespace Caterpillar.GH.Params;
 
-/// <summary>Printers; text is the name of a profile.</summary>
-public sealed class PrinterParam() : StoredParam<PrinterGoo>("Printer", "Printer", "Contains printers; text is the name of a profile.", Panel.Setup)
+/// <summary>Printers. Text is the name of a profile.</summary>
+public sealed class PrinterParam() : StoredParam<PrinterGoo>("Printer", "Printer", "Contains printers. Text is read as the name of a profile.", Panel.Setup)
 {
     public override Guid ComponentGuid => new("496bcf2b-b6ed-43f1-8b3d-8c504772512c");
 }
 
-/// <summary>Materials; text is the name of a profile.</summary>
-public sealed class MaterialParam() : StoredParam<MaterialGoo>("Material", "Material", "Contains materials; text is the name of a profile.", Panel.Setup)
+/// <summary>Materials. Text is the name of a profile.</summary>
+public sealed class MaterialParam() : StoredParam<MaterialGoo>(
+    "Material", "Material", "Contains materials. Text is read as the name of a profile.", Panel.Setup)
 {
     public override Guid ComponentGuid => new("103ba614-b4c1-4392-9ef2-5de22cbbe88a");
 }
 
-/// <summary>Print settings; text is the name of a profile.</summary>
-public sealed class SettingsParam()
-    : StoredParam<SettingsGoo>("Print Settings", "Settings", "Contains print settings; text is the name of a profile.", Panel.Setup)
+/// <summary>Print settings. Text is the name of a profile.</summary>
+public sealed class SettingsParam() : StoredParam<SettingsGoo>(
+    "Print Settings", "Settings", "Contains print settings. Text is read as the name of a profile.", Panel.Setup)
 {
     public override Guid ComponentGuid => new("af3fca63-c2d4-4ddd-aa9a-d8a1ed78e443");
 }

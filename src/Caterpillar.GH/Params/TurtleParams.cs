@@ -3,10 +3,10 @@ using Caterpillar.GH.Goos;
 namespace Caterpillar.GH.Params;
 
 /// <summary>Turtle programs.</summary>
-public sealed class TurtleProgramParam()
-    : StoredParam<TurtleProgramGoo>("Turtle Program", "Program", "Contains turtle programs; text is a script.", Panel.Design)
+public sealed class TurtleProgramParam() : StoredParam<TurtleProgramGoo>(
+    "Turtle Program", "Program", "Contains turtle programs. Text is read as a script.", Panel.Design)
 {
-    private protected override string Question => "Script of the turtle, such as: repeat 4 [ forward 10; left 90 ]";
+    private protected override string Question => "Turtle script, for example: repeat 4 [ forward 10; left 90 ]";
 
     public override Guid ComponentGuid => new("51a3b9f4-7a3f-4c0e-9a55-2f1d7fbd4a01");
 }

@@ -5,7 +5,7 @@ using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Plugin;
 
-/// <summary>What Grasshopper shows about the plug-in, and what package restore looks for.</summary>
+/// <summary>Information about the plug-in for Grasshopper and for package restore.</summary>
 public sealed class PluginInfo : GH_AssemblyInfo
 {
     /// <summary>Name of the tab.</summary>

@@ -7,7 +7,7 @@ using Caterpillar.Turtles;
 
 namespace Caterpillar.GH.Preview;
 
-/// <summary>The head of a printer as rings and edges, its profile and mesh, and the turtle that shows where it goes, at any place.</summary>
+/// <summary>The print head as rings and edges, its profile and mesh, and a turtle that points in the direction of motion.</summary>
 internal sealed class HeadOutline
 {
     private const int Corners = 24;
@@ -55,7 +55,7 @@ internal sealed class HeadOutline
         }
     }
 
-    /// <summary>The head with the nozzle at the origin of a frame, and a triangle with its sharp corner forward; the array is used again.</summary>
+    /// <summary>The head with the nozzle at the origin of a frame, and a triangle with its sharp corner forward. The array is used again.</summary>
     public Rg.Line[] At(Frame pose)
     {
         var tip = RhinoGeometry.ToPoint(pose.Origin, _units);
@@ -67,14 +67,14 @@ internal sealed class HeadOutline
         return _moved;
     }
 
-    /// <summary>The profile of the head in the plane of X and Z, with the nozzle at a point; null for a head without extent.</summary>
+    /// <summary>The profile of the head in the plane of X and Z, with the nozzle at a point. Null for a head without extent.</summary>
     public Rg.Curve? ProfileAt(Rg.Point3d tip)
     {
         var by = new Rg.Vector3d(tip.X, tip.Y, tip.Z);
         return PolylineMaker.Of(System.Array.ConvertAll(_profile, p => p + by));
     }
 
-    /// <summary>Nozzle, head and boxes with the nozzle at a point; null for a head without extent.</summary>
+    /// <summary>Nozzle, head and boxes with the nozzle at a point. Null for a head without extent.</summary>
     public Rg.Mesh? MeshAt(Rg.Point3d tip)
     {
         if (_mesh.Faces.Count == 0) return null;

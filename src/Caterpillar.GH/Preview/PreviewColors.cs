@@ -7,7 +7,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GH.Preview;
 
-/// <summary>What colors show.</summary>
+/// <summary>Value shown by the colors.</summary>
 public enum PreviewColor
 {
     Role,
@@ -18,7 +18,7 @@ public enum PreviewColor
     Time,
 }
 
-/// <summary>A band of colors for each move that is shown: roles, or sixteen steps of a number between its least and its greatest value.</summary>
+/// <summary>A color band for each visible move: roles, or sixteen steps of a number from its minimum to its maximum.</summary>
 internal sealed class PreviewColors
 {
     private const int Steps = 16;
@@ -34,7 +34,7 @@ internal sealed class PreviewColors
     /// <summary>The color of each band.</summary>
     public IReadOnlyList<Color> Colors { get; }
 
-    /// <summary>What each band means.</summary>
+    /// <summary>Meaning of each band.</summary>
     public IReadOnlyList<string> Texts { get; }
 
     public int BandOf(int move) => _bands[move];
@@ -42,7 +42,7 @@ internal sealed class PreviewColors
     /// <param name="toolpath">The moves.</param>
     /// <param name="shown">Whether a move is shown.</param>
     /// <param name="by">What the colors show.</param>
-    /// <param name="timeline">When the moves happen; needed for times only.</param>
+    /// <param name="timeline">When the moves happen. Needed for times only.</param>
     public static PreviewColors Of(Toolpath toolpath, Func<int, bool> shown, PreviewColor by, Timeline? timeline)
     {
         if (by == PreviewColor.Role) return OfRoles(toolpath, shown);

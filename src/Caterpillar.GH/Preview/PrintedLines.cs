@@ -5,8 +5,8 @@ using Rhino.Display;
 namespace Caterpillar.GH.Preview;
 
 /// <summary>
-/// What a toolpath prints as lines in its order, in at most a hundred blocks, so that the part up to any move is drawn in few calls. Only the block in which
-/// that part ends is copied when it moves, into one array that is used again.
+/// The extrusions of a toolpath as lines, in order and in at most a hundred blocks, so that the part up to any move is drawn in few calls. Only the block
+/// in which that part ends is copied when it moves, into one array that is used again.
 /// </summary>
 internal sealed class PrintedLines
 {
@@ -52,7 +52,7 @@ internal sealed class PrintedLines
     /// <summary>Number of whole blocks that are drawn now.</summary>
     public int Blocks { get; private set; }
 
-    /// <summary>The lines after the whole blocks; those that are not printed yet lie at one point.</summary>
+    /// <summary>The lines after the whole blocks. Lines that are not printed yet are at one point.</summary>
     public Rg.Line[] End { get; }
 
     /// <summary>Shows the moves before one, and a part of that from 0 to 1 of its lines.</summary>

@@ -8,11 +8,11 @@ using Rhino.Display;
 
 namespace Caterpillar.GH.Preview;
 
-/// <summary>What is shown of a toolpath: beads instead of lines, travels with the places of retractions, seams, and the bed and volume of a printer.</summary>
+/// <summary>The visible parts of a toolpath: beads instead of lines, travel moves with retractions, seams, and the bed and volume of a printer.</summary>
 internal sealed record SceneContent(bool Beads, bool Travels, bool Seams, Printer? Printer);
 
 /// <summary>
-/// A toolpath ready to be drawn: one array of lines for each color, one for travels, one for the printer, points of retractions and seams, and meshes of beads.
+/// A toolpath ready to be drawn: arrays of lines for each color, for travel moves and for the printer. Retractions and seams are points, beads are meshes.
 /// </summary>
 internal sealed class ToolpathScene : IDrawn
 {

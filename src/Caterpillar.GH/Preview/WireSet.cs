@@ -8,7 +8,7 @@ namespace Caterpillar.GH.Preview;
 /// <summary>Something that is drawn as lines.</summary>
 internal interface IWires
 {
-    /// <summary>Bounds of what is printed, mm.</summary>
+    /// <summary>Bounds of the extrusions, mm.</summary>
     Bounds Bounds { get; }
 
     int SegmentCount { get; }
@@ -19,7 +19,7 @@ internal interface IWires
 /// <summary>Everything that one parameter shows, as lines for a single call and one box, made once for the units of the document.</summary>
 internal sealed class WireSet(IReadOnlyList<IWires> items, DocumentUnits units)
 {
-    /// <summary>With more segments than this nothing is drawn.</summary>
+    /// <summary>Maximum number of segments to draw. With more, nothing is drawn.</summary>
     public const int MaxSegments = 1_000_000;
 
     private Rg.Line[]? _lines;

@@ -188,7 +188,7 @@ public sealed class BackgroundTests
         feed("M84\n");
         save.Feed("Save", true).Solve();
         Assert.That(File.Exists(file), Is.False);
-        Assert.That(save.Warnings, Has.One.Contains("the result of Slow is not up to date"));
+        Assert.That(save.Warnings, Has.One.Contains("because Slow is not up to date"));
         slow.Open();
         Assert.That(slow.Until(() => slow.Message == "done"), Is.True);
         Assert.That(File.Exists(file), Is.False, "A press is not made up for.");

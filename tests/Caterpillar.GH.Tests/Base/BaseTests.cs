@@ -74,7 +74,7 @@ public sealed class BaseTests
     {
         Assert.That(Reopened(text => text).Warnings, Is.Empty);
         var newer = Reopened(text => System.Text.RegularExpressions.Regex.Replace(text, "(name=\"CaterpillarVersion\"[^>]*>)[0-9.]+", "${1}99.0.0.0"));
-        Assert.That(newer.Warnings, Has.One.Contains("saved by version 99.0.0.0 of Caterpillar"));
+        Assert.That(newer.Warnings, Has.One.Contains("saved by Caterpillar 99.0.0.0"));
         Assert.That(newer.Output("Printer").VolatileDataCount, Is.EqualTo(1));
     }
 

@@ -61,7 +61,7 @@ public sealed class CurvedSlicerTests
         foreach (var (x, y) in corners) top.Vertices.Add(x, y, high.Z);
         top.Faces.AddFace(0, 1, 2, 3);
         var edge = new Rg.PolylineCurve(corners.Append(corners[0]).Select(c => new Rg.Point3d(c.Item1, c.Item2, low.Z)));
-        var field = given ? Make(kind, ("Surfaces", new object?[] { top }), ("Lower Ends", new object?[] { edge })) : Make(kind);
+        var field = given ? Make(kind, ("Surfaces", new object?[] { top }), ("Lower Boundaries", new object?[] { edge })) : Make(kind);
         Assert.That(field.Errors, Is.Empty);
         var curved = Slice(field.One<FieldRecipe?>("Field"), box);
         Assert.That(curved.Errors, Is.Empty);
@@ -76,7 +76,7 @@ public sealed class CurvedSlicerTests
         var far = Shapes.Box(160);
         var curved = Slice(Field(FieldKind.Harmonic, ("Surfaces", new object?[] { far })), Shapes.Box());
         Assert.That(curved.Errors.Single(), Does.Contain("touches no vertex"));
-        Assert.That(Make(FieldKind.Harmonic, ("Lower Ends", new object?[] { far })).Errors.Single(), Does.Contain("Lower Ends go with Surfaces"));
+        Assert.That(Make(FieldKind.Harmonic, ("Lower Boundaries", new object?[] { far })).Errors.Single(), Does.Contain("Lower Boundaries need Surfaces"));
     }
 
     [Test]
@@ -199,8 +199,8 @@ public sealed class CurvedSlicerTests
 
     [TestCase(FieldKind.Vertical, "needs a surface")]
     [TestCase(FieldKind.Normal, "needs a surface")]
-    [TestCase(FieldKind.Between, "needs a surface")]
-    [TestCase(FieldKind.Formula, "needs one expression")]
+    [TestCase(FieldKind.Between, "needs at least one surface")]
+    [TestCase(FieldKind.Formula, "needs exactly one expression")]
     [TestCase(FieldKind.Cone, "needs an angle")]
     [TestCase(FieldKind.Deformed, "needs three expressions")]
     public void A_field_names_what_it_lacks(FieldKind kind, string text)
@@ -215,13 +215,14 @@ public sealed class CurvedSlicerTests
     {
         Assert.That(Make(FieldKind.Formula, ("Expressions", ["z +"])).Errors, Is.Not.Empty);
         Assert.That(Make(FieldKind.Vertical, ("Expressions", ["x *"])).Errors, Is.Not.Empty);
-        Assert.That(Make(FieldKind.Vertical, ("Expressions", ["x", "y"])).Errors, Has.One.Contains("needs one surface"));
+        Assert.That(Make(FieldKind.Vertical, ("Expressions", ["x", "y"])).Errors, Has.One.Contains("needs exactly one surface"));
         Assert.That(Make(FieldKind.Cone, ("Angle", [89.0])).Errors, Has.One.Contains("-80 to 80"));
-        Assert.That(Make(FieldKind.Vertical, ("Expressions", ["x"]), ("Blend From", [2.0])).Errors, Has.One.Contains("goes with Blend To"));
-        Assert.That(Make(FieldKind.Vertical, ("Expressions", ["x"]), ("Blend From", [2.0]), ("Blend To", [1.0])).Errors, Has.One.Contains("above Blend From"));
-        Assert.That(Make(FieldKind.Vertical, ("Image", ["/nowhere.png"])).Errors, Has.One.Contains("There is no file"));
+        Assert.That(Make(FieldKind.Vertical, ("Expressions", ["x"]), ("Blend From", [2.0])).Errors, Has.One.Contains("needs Blend To"));
+        Assert.That(Make(FieldKind.Vertical, ("Expressions", ["x"]), ("Blend From", [2.0]), ("Blend To", [1.0])).Errors,
+            Has.One.Contains("greater than Blend From"));
+        Assert.That(Make(FieldKind.Vertical, ("Image", ["/nowhere.png"])).Errors, Has.One.Contains("File not found"));
         Assert.That(Make(FieldKind.Vertical, ("Image", ["/nowhere.png"]), ("Low", [3.0])).Errors, Is.Not.Empty);
-        Assert.That(Slice("z + ", Shapes.Box()).Errors, Has.Some.Contains("Data conversion failed from Text to Layer Field"));
+        Assert.That(Slice("z + ", Shapes.Box()).Errors, Has.Some.StartsWith("Field: ").And.Some.Contains("formula."));
         Assert.That(Slice("sin(x)", Shapes.Box()).Errors, Has.Some.Contains("curved."));
     }
 

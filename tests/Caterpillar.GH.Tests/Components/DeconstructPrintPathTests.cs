@@ -57,6 +57,6 @@ public sealed class DeconstructPrintPathTests
         using var _ = new InDocument(UnitSystem.Centimeters);
         var canvas = new Canvas<DeconstructPrintPathComponent>().Feed("Print Path", Path()).Solve();
         Assert.That(((Rg.Point3d)canvas.All("Points")[1]!).DistanceTo(new Rg.Point3d(1, 0, 0.02)), Is.LessThan(1e-12));
-        Assert.That(canvas.Notes, Is.EqualTo(new[] { "Geometry is scaled: the document is in centimeters, Caterpillar works in mm." }));
+        Assert.That(canvas.Notes, Is.EqualTo(new[] { "The document is in centimeters. Geometry is scaled to mm." }));
     }
 }

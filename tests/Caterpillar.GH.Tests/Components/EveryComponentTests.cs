@@ -34,7 +34,7 @@ public sealed class EveryComponentTests
     public void A_port_whose_source_failed_makes_it_red_without_a_result(Type type, string port)
     {
         var component = Solve(type, port, out _);
-        Assert.That(Recipes.Errors(component), Has.Some.Contains(port + ": nothing arrives from what is connected."));
+        Assert.That(Recipes.Errors(component), Has.Some.Contains(port + ": the connected source gives no valid data."));
         foreach (var output in component.Params.Output)
             Assert.That(output.VolatileData.Paths.SelectMany(p => output.VolatileData.get_Branch(p)!.Cast<IGH_Goo?>()), Has.All.Null, output.Name);
     }

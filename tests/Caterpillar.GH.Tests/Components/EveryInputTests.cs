@@ -82,7 +82,7 @@ public sealed class EveryInputTests
         var list = Solved(type, port, 2);
         if (type.Name == "PlayComponent")
         {
-            Assert.That(Recipes.Errors(list), Has.One.Contains("Play runs through one toolpath."));
+            Assert.That(Recipes.Errors(list), Has.One.Contains("Play takes only one toolpath. Use one Play for each."));
             return;
         }
         Assert.That(Recipes.Errors(list), Is.Empty);

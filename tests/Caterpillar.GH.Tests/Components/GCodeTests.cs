@@ -92,8 +92,8 @@ public sealed class GCodeTests
             .Feed("Sort", "none").Solve();
         Assert.That(canvas.Errors, Is.Empty);
         Assert.That(canvas.One<Toolpath>("Toolpath").Moves().Select(m => m.Kind), Has.None.EqualTo(MoveKind.Retract));
-        Assert.That(canvas.Feed("Mode", "sideways").Solve().Errors, Has.Member("Data conversion failed from Text to Integer"));
-        Assert.That(canvas.Feed("Mode", 7).Solve().Errors, Is.EqualTo(new[] { "{0}[0]: Mode has no choice 7; there are Printer, AsDrawn." }));
+        Assert.That(canvas.Feed("Mode", "sideways").Solve().Errors, Has.Member("Mode has no choice \"sideways\". Choose one of: Printer, As Drawn."));
+        Assert.That(canvas.Feed("Mode", 7).Solve().Errors, Is.EqualTo(new[] { "{0}[0]: Mode has no choice 7. Choose one of: Printer, As Drawn." }));
     }
 
     [Test]
@@ -101,8 +101,8 @@ public sealed class GCodeTests
     {
         var canvas = new Canvas<PlanToolpathComponent>().Feed("Steps", Line(20), null).Feed("Printer", "generic", null, "ender3", "nothing").Solve();
         Assert.That(canvas.All("Toolpath").Select(t => t is null), Is.EqualTo(new[] { false, true, false, true }));
-        Assert.That(canvas.Warnings, Has.Member("{0}[0]: Steps has 1 null item, which is ignored.").And.Member("{0}[1]: Printer is missing."));
-        Assert.That(canvas.Errors, Is.EqualTo(new[] { "Data conversion failed from Text to Printer" }));
+        Assert.That(canvas.Warnings, Has.Member("{0}[0]: Steps: 1 null item is ignored.").And.Member("{0}[1]: Printer is missing."));
+        Assert.That(canvas.Errors.Single(), Does.StartWith("Printer: ").And.Contain("\"nothing\""));
     }
 
     [Test]
@@ -111,7 +111,7 @@ public sealed class GCodeTests
         Assert.That(new Canvas<PlanToolpathComponent>().Feed("Printer", "generic").Solve().Warnings,
             Is.EqualTo(new[] { "Input parameter S failed to collect data" }));
         Assert.That(new Canvas<PlanToolpathComponent>().Feed("Printer", "generic").Feed("Steps", null).Solve().Errors,
-            Has.Member("{0}[0]: Steps: nothing arrives from what is connected."));
+            Has.Member("{0}[0]: Steps: the connected source gives no valid data."));
     }
 
     [Test]
@@ -130,7 +130,7 @@ public sealed class GCodeTests
     {
         var canvas = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", Planned(), null).Solve();
         Assert.That(canvas.All("G-code"), Is.EqualTo(new object?[] { null, null }));
-        Assert.That(canvas.Warnings, Is.EqualTo(new[] { "{0}[0]: Printer is missing: the toolpath was not planned for one.", "{0}[1]: Toolpath is missing." }));
+        Assert.That(canvas.Warnings, Is.EqualTo(new[] { "{0}[0]: Printer is missing. The toolpath was not planned for one.", "{0}[1]: Toolpath is missing." }));
         canvas.Feed("Printer", "generic").Solve();
         Assert.That(canvas.All("G-code").Select(g => g is null), Is.EqualTo(new[] { false, true }));
     }
@@ -161,7 +161,7 @@ public sealed class GCodeTests
         var canvas = new Canvas<GCodeTextComponent>().FeedTree("G-code", [Small], [Small, null]).Feed("Start", 1).Feed("Count", 1).Solve();
         Assert.That(canvas.Paths("Lines"), Is.EqualTo(new[] { "{0;0}", "{1;0}", "{1;1}" }));
         Assert.That(canvas.Warnings, Is.EqualTo(new[] { "{1}[1]: G-code is missing." }));
-        Assert.That(canvas.Feed("Start", 0).Solve().Errors, Has.Some.Contains("Start counts from 1"));
+        Assert.That(canvas.Feed("Start", 0).Solve().Errors, Has.Some.Contains("Start must be 1 or more"));
         Assert.That(canvas.Feed("Start", 1).Feed("Count", -1).Solve().Errors, Has.Some.Contains("Count must be from 0 to 100000."));
     }
 
@@ -182,8 +182,8 @@ public sealed class GCodeTests
             files.Feed("File", "small.gcode", "none.gcode", null).Feed("Flavor", "klipper").Feed("Rule", "rising").Solve();
             Assert.That(files.All("Toolpath").Select(t => t is null), Is.EqualTo(new[] { false, true, true }));
             Assert.That(files.All("Flavor")[0], Is.EqualTo("klipper"));
-            Assert.That(files.Errors, Has.One.Contains("{0}[1]: There is no file ").And.One.Contains("none.gcode"));
-            Assert.That(files.Errors, Has.Member("{0}[2]: File: nothing arrives from what is connected."));
+            Assert.That(files.Errors, Has.One.Contains("{0}[1]: File not found: ").And.One.Contains("none.gcode"));
+            Assert.That(files.Errors, Has.Member("{0}[2]: File: the connected source gives no valid data."));
             File.WriteAllText(file, Small + "G1 X30 E1\n");
             files.Component.ExpireSolution(false);
             files.Solve();
@@ -203,7 +203,7 @@ public sealed class GCodeTests
     public void A_file_next_to_connected_G_code_is_ignored_with_a_warning()
     {
         var canvas = new Canvas<DecodeGCodeComponent>().Feed("G-code", Small).Feed("File", "other.gcode").Solve();
-        Assert.That(canvas.Warnings, Is.EqualTo(new[] { "{0}[0]: File is ignored, because G-code is connected." }));
+        Assert.That(canvas.Warnings, Is.EqualTo(new[] { "{0}[0]: File is ignored because G-code is connected." }));
         Assert.That(canvas.All("Toolpath"), Has.Count.EqualTo(1).And.None.Null);
     }
 
@@ -213,6 +213,6 @@ public sealed class GCodeTests
         var canvas = new Canvas<DecodeGCodeComponent>().FeedTree("G-code", [Small], ["\u0001 what? G1 X1e999 %%", ""]).Solve();
         Assert.That(canvas.All("Toolpath").Select(t => t is null), Is.EqualTo(new[] { false, true, true }));
         Assert.That(canvas.Errors, Has.Some.StartsWith("{1}[0]: ").And.Some.StartsWith("{1}[1]: "));
-        Assert.That(canvas.Feed("Flavor", "cobol").Solve().Errors, Has.Some.Contains("There is no flavor cobol; there are detect, slicer, "));
+        Assert.That(canvas.Feed("Flavor", "cobol").Solve().Errors, Has.Some.Contains("G-code flavor \"cobol\" not found. Use detect, slicer, "));
     }
 }

@@ -65,7 +65,7 @@ public sealed class ModelPlacingTests
         Assert.That(canvas.All("Geometry"), Is.Empty);
         Assert.That(new Canvas<ArrangeModelsComponent>().Feed("Geometry", Shapes.Box()).Feed("Count", 0).Solve().Errors, Has.One.Contains("Count must be"));
         Assert.That(new Canvas<ArrangeModelsComponent>().Feed("Geometry", Shapes.Box()).Feed("Spacing", -1).Solve().Errors,
-            Has.One.Contains("not be negative"));
+            Has.One.Contains("Spacing must be 0 or more"));
     }
 
     [Test]
@@ -167,6 +167,6 @@ public sealed class ModelPlacingTests
         {
             File.Delete(file);
         }
-        Assert.That(new Canvas<ReadCurvesComponent>().Feed("File", file).Solve().Errors, Has.One.Contains("There is no file"));
+        Assert.That(new Canvas<ReadCurvesComponent>().Feed("File", file).Solve().Errors, Has.One.Contains("File not found"));
     }
 }

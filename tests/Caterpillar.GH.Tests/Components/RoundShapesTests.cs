@@ -72,6 +72,6 @@ public sealed class RoundShapesTests
         Assert.That(bead, Is.EqualTo(goo.Value));
         var plane = default(Rg.Plane);
         Assert.That(goo.CastTo(ref plane), Is.False);
-        Assert.That((new BeadGoo().IsValidWhyNot, goo.IsValidWhyNot), Is.EqualTo(("There is no bead.", "")));
+        Assert.That((new BeadGoo().IsValidWhyNot, goo.IsValidWhyNot), Is.EqualTo(("No bead.", "")));
     }
 }

@@ -51,7 +51,7 @@ public sealed class SetupTests
         var canvas = new Canvas<PrinterComponent>().Feed("Name", "ender33", null, "generic").Solve();
         Assert.That(canvas.All("Printer").Select(p => p is null), Is.EqualTo(new[] { true, true, false }));
         Assert.That(canvas.Errors, Has.One.StartsWith("{0}[0]: ").And.Contain("did you mean ender3?"));
-        Assert.That(canvas.Errors, Has.Member("{0}[1]: Name: nothing arrives from what is connected."), "Not the printer of the default name.");
+        Assert.That(canvas.Errors, Has.Member("{0}[1]: Name: the connected source gives no valid data."), "Not the printer of the default name.");
     }
 
     [Test]
@@ -173,7 +173,10 @@ public sealed class SetupTests
     }
 
     [Test]
-    public void An_unknown_base_is_a_failed_conversion()
-        => Assert.That(new Canvas<ConstructPrintSettingsComponent>().Feed("Base", "no such settings").Solve().Errors,
-            Has.Member("Data conversion failed from Text to Print Settings").And.Member("{0}[0]: Base: nothing arrives from what is connected."));
+    public void An_unknown_base_is_answered_with_the_profiles()
+    {
+        var errors = new Canvas<ConstructPrintSettingsComponent>().Feed("Base", "no such settings").Solve().Errors;
+        Assert.That(errors, Has.One.Matches<string>(e => e.StartsWith("Base: ") && e.Contains("\"no such settings\"") && e.Contains("fine, pen, standard")));
+        Assert.That(errors, Has.Member("{0}[0]: Base: the connected source gives no valid data."));
+    }
 }

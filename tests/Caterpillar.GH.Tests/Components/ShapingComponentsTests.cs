@@ -156,7 +156,7 @@ public sealed class ShapingComponentsTests
         Assert.That(With("High", 0.3).Warnings.Single(), Does.Contain("shape.modulation_ratio"));
         Assert.That(With("Resolution", -1.0).Errors.Single(), Does.Contain("Resolution must be 0 or more"));
         Assert.That(With("Repeat", 0).Errors.Single(), Does.Contain("Repeat must be 1 or more"));
-        Assert.That(With("Print Paths", null).Errors, Has.Some.Contain("Print Paths: nothing arrives"));
+        Assert.That(With("Print Paths", null).Errors, Has.Some.Contain("Print Paths: the connected source gives no valid data"));
         Assert.That(With("Print Paths", new PrintPath([Vec3.Zero, Vec3.UnitX], new Bead(0.2))).Errors.Single(), Does.Contain("reference speed"));
         var tree = new Canvas<ModulateComponent>().FeedTree("Print Paths", [Line], [Line, Helix]).Feed("Expression", "u").Solve();
         Assert.That(tree.Paths("Print Paths"), Is.EqualTo(new[] { "{0;0}", "{1;0}" }));
@@ -166,26 +166,26 @@ public sealed class ShapingComponentsTests
     public void Small_layers_slow_down()
     {
         PrintPath Ring(double radius, double z) => new Trace(0.196, new Vec3(0, 0, z)).SetSpeed(50).Circle(new Vec3(0, 0, z), radius, 36).ToPaths().Single();
-        var canvas = new Canvas<CoolLayersComponent>().Feed("Print Paths", Ring(5, 0.2), Ring(100, 0.4)).Feed("Min Layer Time", 4.0).Solve();
+        var canvas = new Canvas<CoolLayersComponent>().Feed("Print Paths", Ring(5, 0.2), Ring(100, 0.4)).Feed("Minimum Layer Time", 4.0).Solve();
         Assert.That(canvas.Errors, Is.Empty);
         var paths = canvas.All("Print Paths").Cast<PrintPath>().ToArray();
         Assert.That(paths[0].Length / paths[0].BeadOf(0).Speed, Is.EqualTo(4).Within(1e-9));
         Assert.That(paths[1].BeadOf(0).Speed, Is.EqualTo(50));
-        var kanada = new Canvas<CoolLayersComponent>().Feed("Print Paths", Line).Feed("Min Layer Time", 0.0).Feed("Speed By Length", true).Solve()
+        var kanada = new Canvas<CoolLayersComponent>().Feed("Print Paths", Line).Feed("Minimum Layer Time", 0.0).Feed("Speed By Length", true).Solve()
             .One<PrintPath>("Print Paths");
         Assert.That(kanada.BeadOf(0).Speed, Is.EqualTo(11));
-        Assert.That(new Canvas<CoolLayersComponent>().Feed("Print Paths", Ring(1, 0.2)).Feed("Max Segment Rate", 50.0).Feed("Min Layer Time", 0.0).Solve()
-            .Warnings.Single(), Does.Contain("shape.short_segments"));
+        Assert.That(new Canvas<CoolLayersComponent>().Feed("Print Paths", Ring(1, 0.2)).Feed("Maximum Segment Rate", 50.0).Feed("Minimum Layer Time", 0.0)
+            .Solve().Warnings.Single(), Does.Contain("shape.short_segments"));
     }
 
     [Test]
     public void Bad_cooling_is_named()
     {
         Assert.That(new Canvas<CoolLayersComponent>().Solve().Warnings.Single(), Does.Contain("failed to collect data"));
-        Assert.That(new Canvas<CoolLayersComponent>().Feed("Print Paths", Line).Feed("Min Layer Time", -1.0).Solve().Errors.Single(),
+        Assert.That(new Canvas<CoolLayersComponent>().Feed("Print Paths", Line).Feed("Minimum Layer Time", -1.0).Solve().Errors.Single(),
             Does.Contain("0 or more"));
-        Assert.That(new Canvas<CoolLayersComponent>().Feed("Print Paths", Line).Feed("Min Speed", 0.0).Solve().Errors.Single(),
-            Does.Contain("Min Speed must be greater than zero"));
+        Assert.That(new Canvas<CoolLayersComponent>().Feed("Print Paths", Line).Feed("Minimum Speed", 0.0).Solve().Errors.Single(),
+            Does.Contain("Minimum Speed must be greater than zero"));
         var canvas = new Canvas<CoolLayersComponent>().FeedTree("Print Paths", [Line, null], [Helix]).Solve();
         Assert.That(canvas.Paths("Print Paths"), Is.EqualTo(new[] { "{0;0}", "{1;0}" }));
         Assert.That(canvas.Warnings, Has.Some.Contain("1 null item"));

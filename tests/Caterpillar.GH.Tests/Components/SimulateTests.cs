@@ -78,7 +78,7 @@ public sealed class SimulateTests
         var source = goo.Value[goo.Value.Count - 1].Source;
         Assert.That(At("Line", source).One<double>("Time"), Is.EqualTo(timeline.AtSource(source)!.Value.Time));
         foreach (var (by, position) in new[] { ("Layer Number", 2.0), ("Layer Number", -1), ("Line", 1e12), ("Line", -1) })
-            Assert.That(At(by, position).Errors, Has.One.Contains("nothing at this position"), by);
+            Assert.That(At(by, position).Errors, Has.One.Contains("has no such layer, line or step"), by);
     }
 
     [Test]
@@ -218,7 +218,7 @@ public sealed class SimulateTests
         var bed = new Rg.Box(new Rg.BoundingBox(-90, -80, 0, 90, 80, 200));
         var head = new Rg.Box(new Rg.BoundingBox(-20, -30, 4, 20, 30, 40));
         var canvas = new Canvas<ConstructPrinterComponent>().Feed("Bed", bed).Feed("Nozzle", 0.6).Feed("Head Parts", head)
-            .Feed("Limits", "max_flow_mm3_s=20").Feed("Start G-code", "G28\nM420 S1").Feed("Name", "Mine").Solve();
+            .Feed("Overrides", "max_flow_mm3_s=20").Feed("Start G-code", "G28\nM420 S1").Feed("Name", "Mine").Solve();
         Assert.That(canvas.Errors, Is.Empty);
         var printer = canvas.One<Printer>("Printer");
         Assert.That((printer.BuildVolume, printer.Origin, printer.NozzleDiameter, printer.MaxFlow),
@@ -227,7 +227,7 @@ public sealed class SimulateTests
         Assert.That(printer.StartGCode, Is.EqualTo(new[] { "G28", "M420 S1" }));
         Assert.That(new Canvas<ConstructPrinterComponent>().Feed("Bed", new Rg.Box(new Rg.BoundingBox(5, 5, 0, 90, 80, 200))).Solve().Errors,
             Has.One.Contains("The origin must be"));
-        Assert.That(new Canvas<ConstructPrinterComponent>().Feed("Limits", "max_flow=20").Solve().Errors, Has.Some.Contains("max_flow"));
+        Assert.That(new Canvas<ConstructPrinterComponent>().Feed("Overrides", "max_flow=20").Solve().Errors, Has.Some.Contains("max_flow"));
     }
 
     [Test]
@@ -246,7 +246,7 @@ public sealed class SimulateTests
             Assert.That(canvas.One<Printer>("Printer").ExtrusionMode, Is.EqualTo(ExtrusionMode.Absolute));
             Assert.That(canvas.One<Material>("Material").BedTemperature, Is.EqualTo(60));
             Assert.That(canvas.One<Rg.Point3d>("Start").DistanceTo(new Rg.Point3d(10, 10, 5)), Is.LessThan(1e-9));
-            Assert.That(new Canvas<ImportHeaderComponent>().Feed("Header", header + "x").Solve().Errors, Has.One.Contains("There is no file"));
+            Assert.That(new Canvas<ImportHeaderComponent>().Feed("Header", header + "x").Solve().Errors, Has.One.Contains("File not found"));
         }
         finally
         {
@@ -257,11 +257,11 @@ public sealed class SimulateTests
     [Test]
     public void A_skirt_has_its_rings_from_the_outside_in()
     {
-        var canvas = new Canvas<Caterpillar.GH.Components.Design.SkirtTraceComponent>().Feed("Radius", 10.0).Feed("Ring Count", 3).Feed("Pitch", 1.0).Solve();
+        var canvas = new Canvas<Caterpillar.GH.Components.Design.SkirtTraceComponent>().Feed("Radius", 10.0).Feed("Loop Count", 3).Feed("Pitch", 1.0).Solve();
         Assert.That(canvas.Errors, Is.Empty);
         var path = canvas.One<PrintPath>("Print Path");
         Assert.That((path.Bounds.Max.X, path.Start.LengthXY), Is.EqualTo((12.0, 12.0)).Within(1e-9));
-        Assert.That(new Canvas<Caterpillar.GH.Components.Design.SkirtTraceComponent>().Feed("Radius", 10.0).Feed("Ring Count", 0).Solve().Errors,
+        Assert.That(new Canvas<Caterpillar.GH.Components.Design.SkirtTraceComponent>().Feed("Radius", 10.0).Feed("Loop Count", 0).Solve().Errors,
             Has.One.Contains("1 to 1000"));
     }
 

@@ -99,7 +99,7 @@ public sealed class SortAndGapTests
         Assert.That(canvas.One<PrintPath>("Print Paths").BeadOf(0).Height, Is.EqualTo(0.5).Within(1e-9));
         Assert.That(((PrintPathGoo)canvas.Output("Print Paths").VolatileData.get_Branch(0)[0]!).ToStep().Group, Is.EqualTo(new StepGroup(3, 1)));
         Assert.That(canvas.All("Diagnostics"), Has.One.Contains("gap.wide"));
-        Assert.That(canvas.Feed("Minimum Gap", 0.6).Solve().Errors, Has.One.Contains("Minimum Gap must not be above Maximum Gap"));
+        Assert.That(canvas.Feed("Minimum Gap", 0.6).Solve().Errors, Has.One.Contains("Minimum Gap must not be greater than Maximum Gap"));
         Assert.That(canvas.Feed("Minimum Gap", -1).Solve().Errors, Has.One.Contains("Minimum Gap must be greater than zero"));
     }
 
@@ -107,7 +107,7 @@ public sealed class SortAndGapTests
     public void Gap_beads_reject_what_has_no_surface_and_beads_without_a_width()
     {
         var curve = new Canvas<GapBeadComponent>().Feed("Print Paths", Line(0, 10)).Feed("Geometry", new Rg.Point3d(0, 0, 0)).Solve();
-        Assert.That(curve.Errors, Has.One.Contains("has no surface"));
+        Assert.That(curve.Errors, Has.One.Contains("cannot be sliced"));
         var bare = new PrintPath([new Vec3(0, 0, 0.2), new Vec3(9, 0, 0.2)], new Bead(0.1));
         Assert.That(new Canvas<GapBeadComponent>().Feed("Print Paths", bare).Solve().Errors, Has.One.Contains("gap.no_width"));
         Assert.That(new Canvas<GapBeadComponent>().Feed("Print Paths", bare).Feed("Width", 0.5).Solve().One<PrintPath>("Print Paths").BeadOf(0).Area,

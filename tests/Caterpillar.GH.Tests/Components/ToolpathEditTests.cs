@@ -33,7 +33,7 @@ public sealed class ToolpathEditTests
         Assert.That(canvas.All("Kinds"), Is.EqualTo(Value(Decoded()).Moves().Select(m => m.Kind.ToString())));
         Assert.That(canvas.All("Roles"), Has.Member("InnerWall").And.Member("Infill"));
         Assert.That(canvas.All("Sources"), Has.Member(9).And.Member(11));
-        Assert.That(canvas.All("Amounts").Cast<double>().Sum(), Is.EqualTo(1.5).Within(1e-9));
+        Assert.That(canvas.All("E Values").Cast<double>().Sum(), Is.EqualTo(1.5).Within(1e-9));
         Assert.That(canvas.All("Points").Last(), Is.EqualTo(new Rg.Point3d(10, 20, 0.4)));
     }
 
@@ -103,7 +103,7 @@ public sealed class ToolpathEditTests
         Assert.That(canvas.Feed("Layers", 17).Solve().Warnings, Has.One.Contains("Layer 17 not found."));
         canvas.Feed("Layers", 1).Feed("Kind", "Tool").Feed("Value", 1).Solve();
         Assert.That(canvas.One<Toolpath>("Toolpath").Moves().Last().Tool, Is.EqualTo(1));
-        Assert.That(canvas.Feed("Value", 1.5).Solve().Errors, Has.One.Contains("number of a tool"));
+        Assert.That(canvas.Feed("Value", 1.5).Solve().Errors, Has.One.Contains("a tool number from 0 to 99"));
         Assert.That(canvas.Feed("Kind", "Fan").Feed("Value", 2).Solve().Errors, Has.One.Contains("from 0 to 1"));
         var raw = canvas.Feed("Kind", "Raw Line").Feed("Text", "M117 nuts").Solve();
         Assert.That(Written(raw.Output("Toolpath").VolatileData.get_Branch(0)[0]), Is.EqualTo(File.Replace("G1 X20 Y20 Z0.4", "M117 nuts\nG1 X20 Y20 Z0.4")));
@@ -178,7 +178,7 @@ public sealed class ToolpathEditTests
             Assert.That(System.IO.File.ReadAllText(file), Is.EqualTo("changed"), "Held down, it does not write again.");
             Assert.That(canvas.Errors, Is.Empty, "Nor does it try to.");
             canvas.Feed("Save", false).Solve().Feed("Save", true).Solve();
-            Assert.That(canvas.Errors, Has.One.Contains("already exists, and Overwrite is false."));
+            Assert.That(canvas.Errors, Has.One.Contains("already exists. Set Overwrite to true"));
             Assert.That(System.IO.File.ReadAllText(file), Is.EqualTo("changed"));
             canvas.Feed("Save", false).Feed("Overwrite", true).Solve().Feed("Save", true).Solve();
             Assert.That(System.IO.File.ReadAllText(file), Is.EqualTo(File));

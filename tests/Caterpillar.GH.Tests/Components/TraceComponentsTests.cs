@@ -31,7 +31,7 @@ public sealed class TraceComponentsTests
     {
         var canvas = new Canvas<ConstructBeadComponent>().Feed("Width", 0.5, null, -1.0, double.NaN, 0.6).Feed("Height", 0.2).Solve();
         Assert.That(canvas.All("Bead").Select(b => b is null), Is.EqualTo(new[] { false, true, true, true, false }));
-        Assert.That(canvas.Errors, Has.Count.EqualTo(3).And.One.EqualTo("{0}[1]: Width: nothing arrives from what is connected."));
+        Assert.That(canvas.Errors, Has.Count.EqualTo(3).And.One.EqualTo("{0}[1]: Width: the connected source gives no valid data."));
         Assert.That(new Canvas<ConstructBeadComponent>().Feed("Width", 0.2).Feed("Height", 0.5).Feed("Cross Section", "Stadium").Solve().Errors.Single(),
             Does.Contain("at least as wide as it is high"));
         Assert.That(new Canvas<ConstructBeadComponent>().Feed("Width", 0.2).Feed("Height", 0.5).Feed("Cross Section", 7).Solve().Errors.Single(),
@@ -112,7 +112,8 @@ public sealed class TraceComponentsTests
             .Feed("Minimum Flow", 2.0)),
             Does.Contain("between 0 and 1"));
         Assert.That(Error(new Canvas<SpiralTraceComponent>().Feed("Radius", double.PositiveInfinity).Feed("Pitch", 0.5)), Does.Contain("finite"));
-        Assert.That(new Canvas<CircleTraceComponent>().Feed("Radius", 10.0).Feed("Bead", "wide").Solve().Errors, Has.Some.Contains("conversion"));
+        Assert.That(new Canvas<CircleTraceComponent>().Feed("Radius", 10.0).Feed("Bead", "wide").Solve().Errors,
+            Has.Member("Bead: This is not a bead. Use a width in mm, or width x height: 0.5 x 0.2."));
         Assert.That(new Canvas<CylinderTraceComponent>().Solve().All("Print Path"), Is.Empty.Or.EqualTo(new object?[] { null }));
         Assert.That(new Canvas<CircleTraceComponent>().FeedTree("Radius", [1.0], [2.0, 3.0]).Solve().Paths("Print Path"), Is.EqualTo(new[] { "{0}", "{1}" }));
     }

@@ -42,7 +42,7 @@ internal static class Definitions
 
     private static GH_Document TurtleStar(string name)
     {
-        var s = new Sketch(name, "A star by a turtle: the script is in the panel. Change the number of points and see the G-code change.");
+        var s = new Sketch(name, "A star drawn by a turtle. The script is in the panel. Change the number of points to change the G-code.");
         var script = s.Text(0, "Script", "param points = 7\njump 110 110 0.2\nbead 0.5 0.2\nspeed 30\nrepeat points [ forward 40; left 180 - 180 / points ]\n");
         var points = s.Text(0, "Points", "points=9", lines: true);
         var program = s.Component<TurtleProgramComponent>(1, ("Script", script), ("Variables", points));
@@ -53,7 +53,7 @@ internal static class Definitions
 
     private static GH_Document TurtleCommands(string name)
     {
-        var s = new Sketch(name, "The same turtle from components instead of a script: a square of commands, repeated.");
+        var s = new Sketch(name, "A turtle program from components instead of a script: commands repeated to a square.");
         var forward = s.Component<TurtleMoveComponent>(1, ("Distance", s.Slider(0, "Side", 30, 5, 80, 0)));
         var turn = s.Component<TurtleRotateComponent>(1, ("Yaw", s.Slider(0, "Yaw", 90, 0, 180, 0)));
         var bead = s.Component<TurtleExtrusionComponent>(1, ("Kind", s.Text(0, "Kind", "Width And Height")), ("Value", s.Slider(0, "Width", 0.5, 0.2, 2)),
@@ -68,7 +68,7 @@ internal static class Definitions
 
     private static GH_Document Tree(string name)
     {
-        var s = new Sketch(name, "A branching tree as an L-system: F draws, + and - turn, [ and ] branch and return safely over what is printed.");
+        var s = new Sketch(name, "A branching tree as an L-system. F draws, + and - turn, [ and ] branch and return above the print.");
         var system = s.Component<LSystemComponent>(1, ("Axiom", s.Text(0, "Axiom", "F")), ("Rules", s.Text(0, "Rules", "F -> F[+F]F[-F]F", lines: true)),
             ("Generations", s.Slider(0, "Generations", 3, 0, 5, 0)), ("Angle", s.Slider(0, "Angle", 25.7, 0, 90, 1)),
                 ("Step", s.Slider(0, "Step", 2, 0.5, 10, 1)));
@@ -80,9 +80,9 @@ internal static class Definitions
 
     private static GH_Document HelixToSphere(string name)
     {
-        var s = new Sketch(name, "A helix becomes a barrel: the radius grows with the height and shrinks again. Forms without slicing, after Kanada.");
+        var s = new Sketch(name, "A helix becomes a barrel: the radius grows with the height and shrinks again. Shapes without slicing, after Kanada.");
         var helix = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 15, 5, 50, 0)), ("Height", s.Slider(0, "Height", 4, 1, 40, 1)),
-            ("Pitch", s.Slider(0, "Pitch", 0.4, 0.1, 2)), ("Segments Per Turn", s.Slider(0, "Strings", 36, 12, 144, 0)));
+            ("Pitch", s.Slider(0, "Pitch", 0.4, 0.1, 2)), ("Segments Per Turn", s.Slider(0, "Segments", 36, 12, 144, 0)));
         var round = s.Component<DeformComponent>(2, ("Print Paths", helix), ("System", s.Text(1, "System", "Cylindrical")),
             ("X", s.Text(1, "New radius", "r + 0.5 * z * (4.2 - z)")));
         return Print(s, 4, Moved(s, 3, round));
@@ -90,9 +90,8 @@ internal static class Definitions
 
     private static GH_Document CupWithSkirt(string name)
     {
-        var s = new Sketch(name, "A cup: a skirt first, then a floor of spirals, then a wall that widens. Steps from several sources are printed in their "
-            + "order.");
-        var skirt = s.Component<SkirtTraceComponent>(1, ("Radius", s.Slider(0, "Skirt", 22, 10, 60, 0)), ("Ring Count", s.Slider(0, "Rings", 2, 1, 10, 0)));
+        var s = new Sketch(name, "A cup: first a skirt, then a spiral floor, then a widening wall. Steps from several sources are printed in order.");
+        var skirt = s.Component<SkirtTraceComponent>(1, ("Radius", s.Slider(0, "Skirt", 22, 10, 60, 0)), ("Loop Count", s.Slider(0, "Loops", 2, 1, 10, 0)));
         var floor = s.Component<SpiralTraceComponent>(1, ("Radius", s.Slider(0, "Floor", 15, 5, 50, 0)), ("Pitch", s.Slider(0, "Pitch", 0.5, 0.2, 2)));
         var wall = s.Component<ConeTraceComponent>(1, ("Bottom Radius", s.Slider(0, "Bottom", 15, 5, 50, 0)), ("Top Radius", s.Slider(0, "Top", 18, 5, 50, 0)),
             ("Height", s.Slider(0, "Height", 2, 1, 40, 1)), ("Pitch", s.Slider(0, "Rise", 0.25, 0.1, 1)));
@@ -104,9 +103,9 @@ internal static class Definitions
 
     private static GH_Document GapBead(string name)
     {
-        var s = new Sketch(name, "Waves on a flat ring: each extrusion gets just the material that fills the gap to what is under it.");
+        var s = new Sketch(name, "Waves on a flat ring. Each extrusion gets the material that fills the gap below it.");
         var ring = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 15, 5, 50, 0)), ("Height", s.Slider(0, "Height", 1.2, 1, 40, 1)),
-            ("Pitch", s.Slider(0, "Pitch", 0.3, 0.1, 2)), ("Segments Per Turn", s.Slider(0, "Strings", 48, 12, 144, 0)));
+            ("Pitch", s.Slider(0, "Pitch", 0.3, 0.1, 2)), ("Segments Per Turn", s.Slider(0, "Segments", 48, 12, 144, 0)));
         var waves = s.Component<DeformComponent>(2, ("Print Paths", ring), ("System", s.Text(1, "System", "Cylindrical")),
             ("Z", s.Text(1, "New height", "z + 0.1 * z * sin(6 * theta)")));
         var gap = s.Component<GapBeadComponent>(3, ("Print Paths", waves), ("Width", s.Slider(2, "Width", 0.5, 0.2, 2)));
@@ -115,9 +114,9 @@ internal static class Definitions
 
     private static GH_Document ModulatedRing(string name)
     {
-        var s = new Sketch(name, "A pattern by displacement: a formula pushes the wall in and out along its length.");
+        var s = new Sketch(name, "A pattern by displacement. A formula pushes the wall in and out along its length.");
         var ring = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 15, 5, 50, 0)), ("Height", s.Slider(0, "Height", 2, 1, 40, 1)),
-            ("Pitch", s.Slider(0, "Pitch", 0.25, 0.1, 2)), ("Segments Per Turn", s.Slider(0, "Strings", 72, 12, 144, 0)));
+            ("Pitch", s.Slider(0, "Pitch", 0.25, 0.1, 2)), ("Segments Per Turn", s.Slider(0, "Segments", 72, 12, 144, 0)));
         var pattern = s.Component<ModulateComponent>(2, ("Print Paths", ring), ("Expression", s.Text(1, "Pattern", "0.5 + 0.5 * sin(12 * theta)")),
             ("Mode", s.Text(1, "Mode", "Displace Left")), ("Low", s.Slider(1, "Low", 0, -2, 2)), ("High", s.Slider(1, "High", 0.8, -2, 2)));
         return Print(s, 4, Moved(s, 3, pattern));
@@ -125,9 +124,9 @@ internal static class Definitions
 
     private static GH_Document CustomPrinter(string name)
     {
-        var s = new Sketch(name, "A printer, a material and settings of one's own, without a file: values by their keys.");
+        var s = new Sketch(name, "Your own printer, material and settings without a file. Values are set by their keys.");
         var printer = s.Component<ConstructPrinterComponent>(1, ("Base", s.Text(0, "Base", "generic")), ("Nozzle", s.Slider(0, "Nozzle", 0.6, 0.2, 2)),
-            ("Limits", s.Text(0, "Limits", "max_flow_mm3_s=20\nprint_acceleration_mm_s2=600", lines: true)), ("Name", s.Text(0, "Name", "my_printer")));
+            ("Overrides", s.Text(0, "Overrides", "max_flow_mm3_s=20\nprint_acceleration_mm_s2=600", lines: true)), ("Name", s.Text(0, "Name", "my_printer")));
         var material = s.Component<MaterialComponent>(1, ("Name", s.Text(0, "Material", "petg")),
             ("Overrides", s.Text(0, "Values", "nozzle_temperature_c=235", lines: true)));
         var settings = s.Component<ConstructPrintSettingsComponent>(1, ("Layer Height", s.Slider(0, "Layer", 0.3, 0.05, 1)),
@@ -139,7 +138,7 @@ internal static class Definitions
 
     private static GH_Document DecodeAndRemix(string name)
     {
-        var s = new Sketch(name, "G-code is read, slowed down, paused at a layer and written again; lines that no edit touches keep their bytes.");
+        var s = new Sketch(name, "Reads G-code, slows it down, adds a pause at a layer and writes it again. Unedited lines stay byte for byte.");
         var code = s.Text(0, "G-code",
             "; generated by a slicer\nG28\nG90\nM83\nM109 S200\n;LAYER:0\nG1 X60 Y60 Z0.2 F6000\nG1 X100 Y60 E1.5 F1800\nG1 X100 Y100 E1.5\n"
             + ";LAYER:1\nG1 X60 Y60 Z0.4 F6000\nG1 X100 Y60 E1.5 F1800\nG1 X100 Y100 E1.5\nM104 S0\n");
@@ -153,7 +152,7 @@ internal static class Definitions
 
     private static GH_Document Simulate(string name)
     {
-        var s = new Sketch(name, "A print in motion: drag the slider, or switch Run off and on and connect Play to Position.");
+        var s = new Sketch(name, "A print in motion. Drag the slider, or connect Play to Position and switch Run off and on.");
         var plan = Ring(s);
         s.Component<SimulateComponent>(4, ("Toolpath", plan), ("Position", s.Slider(3, "Position", 0.42, 0, 1, 3)));
         s.Component<PlayComponent>(4, ("Toolpath", plan), ("Run", s.Toggle(3, "Run")), ("Speed", s.Slider(3, "Speed", 20, 1, 200, 0)));
@@ -164,7 +163,7 @@ internal static class Definitions
 
     private static GH_Document Check(string name)
     {
-        var s = new Sketch(name, "A check before printing: move the ring with the slider beyond the bed, and it is refused; the points show where.");
+        var s = new Sketch(name, "A check before printing. Change the panel X to x + 215: the ring leaves the bed, and Check refuses it. Points show where.");
         var plan = Ring(s);
         var check = s.Component<CheckComponent>(4, ("Toolpath", plan));
         return Write(s, 5, check);
@@ -172,7 +171,7 @@ internal static class Definitions
 
     private static GH_Document Bake(string name)
     {
-        var s = new Sketch(name, "What is printed as objects of Rhino: switch Bake off and on. The same name replaces what was baked before.");
+        var s = new Sketch(name, "Extrusions as Rhino objects. Switch Bake off and on. Baking again under the same name replaces the objects.");
         var plan = Ring(s);
         s.Component<BakeToolpathComponent>(4, ("Toolpath", plan), ("Name", s.Text(3, "Name", "Ring")), ("Bake", s.Toggle(3, "Bake")),
             ("Kind", s.Text(3, "Kind", "Beads")));
@@ -182,7 +181,7 @@ internal static class Definitions
 
     private static GH_Document PlanarSlice(string name)
     {
-        var s = new Sketch(name, "A model from a file, laid flat, arranged on the bed and sliced into planar layers.");
+        var s = new Sketch(name, "A model from a file, arranged on the bed and sliced into planar layers.");
         var (models, settings) = Model(s, "../models/bracket.stl", 0.3, "infill_density_percent=15");
         var slices = s.Component<PlanarSlicerComponent>(4, ("Geometry", models), ("Settings", settings));
         return Print(s, 5, slices, settings);
@@ -190,7 +189,7 @@ internal static class Definitions
 
     private static GH_Document Vase(string name)
     {
-        var s = new Sketch(name, "A vase as one continuous wall that rises all the time: spiral mode is a setting of the planar slicer.");
+        var s = new Sketch(name, "A vase as one continuous rising wall. Spiral vase is a setting of the planar slicer.");
         var (models, settings) = Model(s, "../models/vase.stl", 0.6, "spiral_vase=true", "line_width_mm=0.8");
         var slices = s.Component<PlanarSlicerComponent>(4, ("Geometry", models), ("Settings", settings));
         return Print(s, 5, slices, settings, "nozzle_diameter_mm=0.8");
@@ -198,7 +197,7 @@ internal static class Definitions
 
     private static GH_Document CurvedRoof(string name)
     {
-        var s = new Sketch(name, "Layers that follow the roof of the model: level on the bed, parallel to the roof from the height Blend To on.");
+        var s = new Sketch(name, "Layers that follow the roof of the model. They are level on the bed, and parallel to the roof from Blend To on.");
         var (models, settings) = Model(s, "../models/saddle_roof.stl", 0.6, "infill_density_percent=10", "line_width_mm=0.8", "skirt_loops=0");
         var field = s.Component<LayerFieldComponent>(4, ("Surfaces", models), ("Blend From", s.Slider(3, "Level up to", 2, 0, 20)),
             ("Blend To", s.Slider(3, "Curved from", 18, 1, 40)));
@@ -209,8 +208,8 @@ internal static class Definitions
 
     private static GH_Document BetweenBoundaries(string name)
     {
-        var s = new Sketch(name, "As many layers everywhere between the bed and the roof: they are thick where the part is high, and each bead has its own "
-            + "volume.");
+        var s = new Sketch(name, "The same number of layers everywhere between the bed and the roof. Layers are thicker in high places, and each "
+            + "bead has its own volume.");
         var (models, settings) = Model(s, "../models/saddle_roof.stl", 0.6, "infill_density_percent=10", "line_width_mm=0.8", "skirt_loops=0");
         var field = s.Component<LayerFieldComponent>(4, ("Kind", s.Text(3, "Kind", "Between")), ("Surfaces", models));
         var slices = s.Component<CurvedSlicerComponent>(5, ("Geometry", models), ("Field", field), ("Settings", settings),
@@ -220,7 +219,7 @@ internal static class Definitions
 
     private static GH_Document PrintOnTerrain(string name)
     {
-        var s = new Sketch(name, "A drawing on a piece of terrain that lies on the bed: the paths follow its surface, travels stay above it.");
+        var s = new Sketch(name, "A drawing on a piece of terrain on the bed. The paths follow its surface, travel moves stay above it.");
         var terrain = Placed(s, "../models/terrain.stl");
         var spiral = s.Component<SpiralTraceComponent>(2, ("Radius", s.Slider(1, "Radius", 6, 2, 50, 0)), ("Pitch", s.Slider(1, "Pitch", 3, 0.5, 10)));
         var project = s.Component<ProjectPathsComponent>(4, ("Print Paths", Moved(s, 3, spiral)), ("Geometry", terrain),
@@ -232,9 +231,9 @@ internal static class Definitions
 
     private static GH_Document GlobeFromImage(string name)
     {
-        var s = new Sketch(name, "A globe: where the image is white the extrusion is slower and so thinner. The sphere is a helix that is deformed.");
+        var s = new Sketch(name, "A globe from an image. White areas get less flow, so extrusions are thinner there. The sphere is a deformed helix.");
         var helix = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 10, 5, 50, 0)), ("Height", s.Slider(0, "Height", 12, 1, 40, 1)),
-            ("Pitch", s.Slider(0, "Pitch", 1, 0.1, 2)), ("Segments Per Turn", s.Slider(0, "Strings", 48, 12, 144, 0)));
+            ("Pitch", s.Slider(0, "Pitch", 1, 0.1, 2)), ("Segments Per Turn", s.Slider(0, "Segments", 48, 12, 144, 0)));
         var sphere = s.Component<DeformComponent>(2, ("Print Paths", helix), ("System", s.Text(1, "System", "Cylindrical")),
             ("X", s.Text(1, "New radius", "sqrt(64 - (z - 6) ^ 2) + r - 10")));
         var image = s.Component<ModulateComponent>(3, ("Print Paths", sphere), ("Image", s.Text(2, "Image", "../turtle/world_map.pbm")),
@@ -245,7 +244,7 @@ internal static class Definitions
 
     private static GH_Document UserCurves(string name)
     {
-        var s = new Sketch(name, "Curves from a file, printed exactly as drawn and in their order, without anything that is not drawn.");
+        var s = new Sketch(name, "Curves from a file, printed exactly as drawn, in file order. Nothing is added.");
         var curves = s.Component<ReadCurvesComponent>(1, ("File", s.Text(0, "File", "../curves/calligraphy.svg")));
         var plan = s.Component<PlanToolpathComponent>(3, ("Steps", (curves, "Steps")), ("Printer", s.Text(2, "Printer", "pen_plotter")),
             ("Mode", s.Text(2, "Mode", "As Drawn")));
@@ -254,8 +253,8 @@ internal static class Definitions
 
     private static GH_Document CheckAndRepair(string name)
     {
-        var s = new Sketch(name, "A file of another program is checked. Its last layer is too fast for the printer: set Speed to 1 and Check turns red. "
-            + "Slowed down, it passes.");
+        var s = new Sketch(name, "Checks a file of another program. Its last layer is too fast for the printer. Slowed down, it passes. Set Speed to 1, "
+            + "and Check turns red.");
         var code = s.Text(0, "G-code",
             "; generated by a slicer\nG28\nG90\nM83\nM109 S200\n;LAYER:0\nG1 X60 Y60 Z0.2 F6000\nG1 X100 Y60 E1.5 F1800\nG1 X100 Y100 E1.5\n"
             + ";LAYER:1\nG1 X60 Y60 Z0.4 F6000\nG1 X100 Y60 E1.5 F90000\nG1 X100 Y100 E1.5\nM104 S0\n");
@@ -278,12 +277,12 @@ internal static class Definitions
     }
 
     private static ConstructPrinterComponent Nozzle(Sketch s, int column, string limits)
-        => s.Component<ConstructPrinterComponent>(column, ("Limits", s.Text(column - 1, "Limits", limits, lines: true)));
+        => s.Component<ConstructPrinterComponent>(column, ("Overrides", s.Text(column - 1, "Overrides", limits, lines: true)));
 
     private static PlanToolpathComponent Ring(Sketch s)
     {
         var ring = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 12, 5, 50, 0)), ("Height", s.Slider(0, "Height", 1, 1, 40, 1)),
-            ("Pitch", s.Slider(0, "Pitch", 0.25, 0.1, 2)), ("Segments Per Turn", s.Slider(0, "Strings", 36, 12, 144, 0)));
+            ("Pitch", s.Slider(0, "Pitch", 0.25, 0.1, 2)), ("Segments Per Turn", s.Slider(0, "Segments", 36, 12, 144, 0)));
         return s.Component<PlanToolpathComponent>(3, ("Steps", Moved(s, 2, ring)), ("Printer", s.Text(2, "Printer", "generic")));
     }
 

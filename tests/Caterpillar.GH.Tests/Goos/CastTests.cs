@@ -1,6 +1,7 @@
 using System.Linq;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Components.GCode;
+using Caterpillar.GH.Components.Path;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.GH.Tests.Host;
@@ -39,6 +40,24 @@ public sealed class CastTests
         Assert.That(goo.CastFrom(new GH_ObjectWrapper { Value = value }), Is.True);
         Assert.That(goo.IsValid, Is.True);
         Assert.That(goo.CastFrom(new GH_ObjectWrapper { Value = new GH_ObjectWrapper { Value = this } }), Is.False);
+    }
+
+    [Test]
+    public void Text_that_cannot_be_read_is_answered_as_in_the_terminal()
+    {
+        var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", Path).Feed("Printer", "ender 3").Feed("Settings", "fine").Solve();
+        Assert.That(plan.Errors.Single(), Does.StartWith("Printer: ").And.Contain("\"ender 3\"").And.Contain("id you mean ender3?"));
+        Assert.That(plan.All("Toolpath"), Is.EqualTo(new object?[] { null }));
+        var path = new Canvas<ConstructPrintPathComponent>().Feed("Curve", new Rhino.Geometry.LineCurve(default, new Rhino.Geometry.Point3d(9, 0, 0)));
+        Assert.That(path.Feed("Role", "wall").Solve().Errors, Has.One.StartsWith("Role has no choice \"wall\". Choose one of: Unspecified, Outer Wall, Inner"));
+        Assert.That(path.All("Print Path"), Is.EqualTo(new object?[] { null }));
+        Assert.That(path.Feed("Role", "outter wall").Solve().Errors, Has.One.EqualTo("Role has no choice \"outter wall\". Did you mean 'Outer Wall'?"));
+        Assert.That(path.Feed("Role", "outer wall", "2").Solve().Errors, Is.Empty);
+        Assert.That(path.All("Print Path").Cast<PrintPath>().Select(p => p.Role), Is.EqualTo(new[] { Role.OuterWall, Role.InnerWall }));
+        var bead = new Canvas<ConstructPrintPathComponent>().Feed("Curve", new Rhino.Geometry.LineCurve(default, new Rhino.Geometry.Point3d(9, 0, 0)));
+        Assert.That(bead.Feed("Bead", "0.5 x 0.3", "wide").Solve().Errors, Has.One.EqualTo("Bead: This is not a bead. Use a width in mm, or width x height: "
+            + "0.5 x 0.2."));
+        Assert.That(bead.All("Print Path").Select(p => p is null), Is.EqualTo(new[] { false, true }));
     }
 
     [Test]

@@ -7,6 +7,7 @@ using Caterpillar.GH.Base;
 using Caterpillar.GH.Params;
 using Caterpillar.GH.Plugin;
 using Grasshopper.Kernel;
+using Grasshopper.Kernel.Parameters;
 using NUnit.Framework;
 
 namespace Caterpillar.GH.Tests.Plugin;
@@ -79,7 +80,8 @@ public sealed class ManualTests
             .Append("|---|---|---|---|").Append(required is null ? "" : "---|").Append("---|\n");
         foreach (var port in ports)
         {
-            text.Append("| ").Append(port.Name).Append(" | ").Append(port.NickName).Append(" | ").Append(port is ChoiceParam ? "Choice" : port.TypeName)
+            text.Append("| ").Append(port.Name).Append(" | ").Append(port.NickName).Append(" | ")
+                .Append(port is ChoiceParam ? "Choice" : port is Param_Geometry ? "Geometry" : port.TypeName)
                 .Append(" | ")
                 .Append(port.Access).Append(" | ");
             if (required is not null) text.Append(required(port)).Append(" | ");

@@ -75,7 +75,7 @@ public sealed class MetadataTests
     public void Numbers_state_their_unit(Type type)
     {
         var unit = new Regex(
-            @"\b(mm|mm²|mm³|mm/s|°C|degrees|percent|seconds|ratio|[Ff]actor|from [01-9]|from -?1|[Nn]umber of|[Cc]ounts?)\b|mm²|mm³|°C|0 to 1");
+            @"\b(mm|mm²|mm³|mm/s|°C|degrees|percent|seconds|grams|currency|ratio|[Ff]actor|from [01-9]|from -?1|[Nn]umber of|[Cc]ounts?)\b|mm²|mm³|°C|0 to 1");
         var component = PluginTypes.Make<GH_Component>(type);
         foreach (var port in component.Params.Where(p => p is Param_Number or Param_Integer && p is not ChoiceParam))
             Assert.That(unit.IsMatch(port.Description), $"{port.Name}: {port.Description}");

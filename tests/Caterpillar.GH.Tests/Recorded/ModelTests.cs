@@ -36,7 +36,7 @@ public sealed class ModelTests
     {
         var wall = new Rg.PlaneSurface(new Rg.Plane(new Rg.Point3d(100, 100, 0), Rg.Vector3d.XAxis, Rg.Vector3d.ZAxis), new Rg.Interval(0, 10),
             new Rg.Interval(0, 2));
-        Assert.That(Slice(wall).Warnings, Has.Some.Contains("open"));
+        Assert.That(Slice(wall).Warnings, Has.Some.Contains("naked edges"));
         Assert.That(Slice(wall).All("Naked Edges"), Is.Not.Empty);
     }
 

@@ -124,7 +124,7 @@ public sealed class SceneTests
     public void Without_a_document_nothing_is_baked()
     {
         var canvas = new Canvas<BakeToolpathComponent>().Feed("Toolpath", Planned()).Solve().Feed("Bake", true).Solve();
-        Assert.That(canvas.Errors, Has.One.Contains("There is no Rhino document"));
+        Assert.That(canvas.Errors, Has.One.Contains("No Rhino document is open"));
         Assert.That(canvas.Document.ScheduledCount, Is.Zero);
     }
 }

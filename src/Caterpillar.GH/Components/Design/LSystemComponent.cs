@@ -8,7 +8,7 @@ namespace Caterpillar.GH.Components.Design;
 
 /// <summary>Grows an L-system into a turtle program.</summary>
 public sealed class LSystemComponent() : CaterpillarComponent(
-    "L-System", "LSys", "Grows a word by rules and makes a turtle program of it: F draws, f moves without drawing, + - ^ & \\ / | turn, [ ] branch and "
+    "L-System", "LSys", "Grows a word by rules and turns it into a turtle program. F draws, f moves without drawing, + - ^ & \\ / | turn, [ and ] branch and "
         + "return.", Panel.Design)
 {
     // A longer word is shown shortened.
@@ -18,19 +18,19 @@ public sealed class LSystemComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Text("Axiom", "A", "Word of generation 0, for example F.");
-        ports.Text("Rules", "R", "Rules, for example F -> F[+F]F[-F]F; 0.3 F -> FF applies by chance; A(l) : l > 1 -> F(l)A(l*0.7) has values.",
-            access: GH_ParamAccess.list);
+        ports.Text("Axiom", "A", "Word of generation 0. Example: F.");
+        ports.Text("Rules", "R", "Rewriting rules. Example: F -> F[+F]F[-F]F. Rules may have a probability (0.3 F -> FF) or values (A(l) : l > 1 -> "
+            + "F(l)A(l*0.7)).", access: GH_ParamAccess.list);
         ports.Integer("Generations", "G", "Number of times the word is rewritten.");
-        ports.Angle("Angle", "An", "Turn of + - ^ & \\ /, in degrees.", 90);
-        ports.Integer("Seed", "Sd", "Seed of the random choices, from 0.", 0);
+        ports.Angle("Angle", "An", "Turning angle of + - ^ & \\ /, in degrees.", 90);
+        ports.Seed();
         ports.Number("Step", "St", "Length of F and f, in mm.", 1);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new TurtleProgramParam(), "Program", "P", "The grown word as a turtle program.");
-        ports.Text("Text", "T", "The grown word; only its beginning if it is very long.");
+        ports.Add(new TurtleProgramParam(), "Program", "P", "Turtle program.");
+        ports.Text("Text", "T", "Grown word. Long words are cut off.");
         ports.Diagnostics();
     }
 
@@ -43,7 +43,7 @@ public sealed class LSystemComponent() : CaterpillarComponent(
         var (step, angle) = (run.Finite(5), run.Finite(3));
         var seed = run.Get<int>(4);
         var system = run.Require(LSystem.Parse(axiom, rules));
-        var word = run.Require(run.Work("L-System", [axiom, string.Join("\n", rules), generations, seed],
+        var word = run.Require(run.Work("Growing", [axiom, string.Join("\n", rules), generations, seed],
             (progress, cancel) => system.Grow(generations, seed, LSystem.DefaultMaxSymbols, progress, cancel)));
         run.Set(0, new TurtleProgramGoo(run.Cached([word, step, angle],
             () => TurtleProgram.FromWord(word, LSystemInterpretation.Standard(step, angle)))));

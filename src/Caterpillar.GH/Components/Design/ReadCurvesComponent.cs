@@ -11,25 +11,24 @@ namespace Caterpillar.GH.Components.Design;
 
 /// <summary>Reads curves to print from a file.</summary>
 public sealed class ReadCurvesComponent() : CaterpillarComponent(
-    "Read Curves", "Curves", "Reads curves to print, exactly as drawn and in their order, from a file of points, lines or SVG paths.", Panel.Design,
-        GH_Exposure.tertiary)
+    "Read Curves", "Curves", "Reads curves to print from a file of points, lines or SVG paths. They are printed exactly as drawn, in "
+        + "file order.", Panel.Design, GH_Exposure.tertiary)
 {
     public override Guid ComponentGuid => new("6f20d4c9-b318-4e7a-8c45-d3a7f9e01b68");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.File("File", "F", "File to read: points as CSV or JSON, lines of OBJ, or paths of SVG; also packed with gzip.",
-            "Curves (*.csv;*.json;*.obj;*.svg;*.gz)|*.csv;*.json;*.obj;*.svg;*.gz|All files|*.*");
-        ports.Add(new SettingsParam(), "Settings", "S", "Print settings for curves without their own width, height and speed; the standard ones by default.",
-            optional: true);
-        ports.Number("Unit", "U", "Length of one unit in files that state none, in mm.", 1);
-        ports.Number("Subdivision", "Su", "Maximum length of the segments of curved parts, in mm.", 1);
+        ports.File("File", "F", "File to read: points (CSV, JSON), lines (OBJ) or paths (SVG). May be packed "
+            + "with gzip.", "Curves (*.csv;*.json;*.obj;*.svg;*.gz)|*.csv;*.json;*.obj;*.svg;*.gz|All files|*.*");
+        ports.Settings("S", "Used for curves without width, height or speed. Default: standard.");
+        ports.Number("Unit", "U", "Length of one unit in mm, if the file does not state its unit.", 1);
+        ports.Subdivision("Su");
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "The paths in their order.", GH_ParamAccess.list);
-        ports.Add(new StepParam(), "Steps", "St", "The paths, and the dots of material between them, for planning.", GH_ParamAccess.list);
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "Print paths, in file order.", GH_ParamAccess.list);
+        ports.Add(new StepParam(), "Steps", "St", "Print paths and the dots between them, for Plan Toolpath.", GH_ParamAccess.list);
         ports.Diagnostics();
     }
 

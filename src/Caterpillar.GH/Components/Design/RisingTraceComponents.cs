@@ -4,15 +4,15 @@ using Caterpillar.GH.Base;
 namespace Caterpillar.GH.Components.Design;
 
 /// <summary>A hollow cylinder as one string, without layers or seams (Kanada's helix).</summary>
-public sealed class HelixTraceComponent()
-    : TraceComponent("Helix Trace", "Helix", "A hollow cylinder as one string, without layers or seams (Kanada's helix).", bead: 4)
+public sealed class HelixTraceComponent() : TraceComponent(
+    "Helix Trace", "Helix", "Hollow cylinder as one string, without layers or seams (Kanada's helix).", bead: 4)
 {
     public override Guid ComponentGuid => new("2f9e6a84-b57c-4e13-a0d8-7c4b1e5f3d33");
 
     private protected override void ShapePorts(InputPorts ports)
     {
-        ports.Number("Radius", "R", "Radius of the wall, in mm.");
-        ports.Number("Height", "H", "Height of the wall, in mm.");
+        ports.Number("Radius", "R", "Radius, in mm.");
+        ports.Number("Height", "H", "Height, in mm.");
         ports.Number("Pitch", "P", "Rise per turn, in mm.");
     }
 
@@ -29,15 +29,15 @@ public sealed class HelixTraceComponent()
 
 /// <summary>A filled cylinder of stacked flat spirals, alternately outward and inward (Kanada's cylinder).</summary>
 public sealed class CylinderTraceComponent() : TraceComponent(
-    "Cylinder Trace", "Cylinder", "A filled cylinder of stacked flat spirals, alternately outward and inward (Kanada's cylinder).", bead: 5)
+    "Cylinder Trace", "Cylinder", "Filled cylinder of stacked flat spirals, alternately outward and inward (Kanada's cylinder).", bead: 5)
 {
     public override Guid ComponentGuid => new("96d4c2b7-1a8e-4f75-b3e9-0e5d7f6c4e34");
 
     private protected override void ShapePorts(InputPorts ports)
     {
-        ports.Number("Radius", "R", "Radius of the cylinder, in mm.");
-        ports.Number("Height", "H", "Height of the cylinder, in mm.");
-        ports.Number("Vertical Pitch", "V", "Distance between the spirals, in mm.");
+        ports.Number("Radius", "R", "Radius, in mm.");
+        ports.Number("Height", "H", "Height, in mm.");
+        ports.Number("Vertical Pitch", "V", "Distance between spirals, in mm.");
         ports.Number("Horizontal Pitch", "P", "Distance between the turns of a spiral, in mm.");
     }
 
@@ -50,16 +50,16 @@ public sealed class CylinderTraceComponent() : TraceComponent(
 }
 
 /// <summary>A hollow cone, or its frustum, as one string: a helix whose radius changes with the height.</summary>
-public sealed class ConeTraceComponent()
-    : TraceComponent("Cone Trace", "Cone", "A hollow cone, or its frustum, as one string: a helix whose radius changes with the height.", bead: 5)
+public sealed class ConeTraceComponent() : TraceComponent(
+    "Cone Trace", "Cone", "Hollow cone or frustum as one string: a helix whose radius changes with the height.", bead: 5)
 {
     public override Guid ComponentGuid => new("e07a3d59-4c6b-4182-9f0d-3b8e5c1a6f35");
 
     private protected override void ShapePorts(InputPorts ports)
     {
-        ports.Number("Bottom Radius", "R", "Radius of the wall at the bottom, in mm; 0 for a tip.");
-        ports.Number("Top Radius", "T", "Radius of the wall at the top, in mm; 0 for a tip.");
-        ports.Number("Height", "H", "Height of the cone, in mm.");
+        ports.Number("Bottom Radius", "R", "Radius at the bottom, in mm. 0 = tip.");
+        ports.Number("Top Radius", "T", "Radius at the top, in mm. 0 = tip.");
+        ports.Number("Height", "H", "Height, in mm.");
         ports.Number("Pitch", "P", "Rise per turn, in mm.");
     }
 

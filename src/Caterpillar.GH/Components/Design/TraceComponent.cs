@@ -18,23 +18,21 @@ public enum TraceRamp
     Both,
 }
 
-/// <summary>Base of the shapes made of strings: a plane first, then what the shape needs, a bead, and what the shape may have.</summary>
+/// <summary>Base of the traces: a plane first, then the ports of the shape, a bead, and optional ports.</summary>
 public abstract class TraceComponent(string name, string nickname, string description, int bead)
     : CaterpillarComponent(name, nickname, description, Panel.Design, GH_Exposure.tertiary)
 {
     private protected sealed override void Inputs(InputPorts ports)
     {
         ports.Add(new Param_Plane(), "Plane", "Pl",
-            "Position of the shape, in document units: its center at the origin, its axis along Z, its start along X. World XY by default.",
-            optional: true);
+            "Base plane: the center is at its origin, the axis along Z, the start along X. Default: World XY.", optional: true);
         ShapePorts(ports);
-        ports.Add(new BeadParam(), "Bead", "B", "Extrusion and speed; by default 0.45 mm wide and 0.2 mm high, at the speed of the print settings.",
-            optional: true);
-        ports.Integer("Segments Per Turn", "N", "Number of straight strings per turn.", Trace.DefaultStringsPerTurn);
+        ports.Bead();
+        ports.Integer("Segments Per Turn", "N", "Number of segments per turn.", Trace.DefaultStringsPerTurn);
         MorePorts(ports);
     }
 
-    private protected sealed override void Outputs(OutputPorts ports) => ports.Add(new PrintPathParam(), "Print Path", "P", "The strings as one path.");
+    private protected sealed override void Outputs(OutputPorts ports) => ports.Add(new PrintPathParam(), "Print Path", "P", "Print path.");
 
     /// <summary>The ports of the shape, from 1 on.</summary>
     private protected abstract void ShapePorts(InputPorts ports);
@@ -48,9 +46,9 @@ public abstract class TraceComponent(string name, string nickname, string descri
 
     private protected static void RampPorts(InputPorts ports)
     {
-        ports.Choice("Ramp", "Ra", "Which end has reduced flow: the gap to the bed grows from nothing along the first turn, and the last turn ends level.",
-            TraceRamp.None);
-        ports.Number("Minimum Flow", "L", "Flow at the very end of a ramp, from 0 to 1 of the full flow.", 0.2);
+        ports.Choice("Ramp", "Ra", "Ends with reduced flow. At the start, the gap to the bed grows from 0 during the first turn. "
+            + "At the end, the last turn ends level.", TraceRamp.None);
+        ports.Number("Minimum Flow", "L", "Flow ratio at the very end of a ramp, from 0 to 1.", 0.2);
     }
 
     private protected FlowRamp? RampOf(Run run)
@@ -66,18 +64,18 @@ public abstract class TraceComponent(string name, string nickname, string descri
         var frame = run.FrameOf(0);
         var extrusion = run.MaybeValue<Bead>(bead) ?? Bead.FromWidth(0.45, 0.2);
         var strings = run.Get<int>(bead + 1);
-        var path = run.Work("Trace", [frame, extrusion, strings, key], (_, _) =>
+        var path = run.Work("Tracing", [frame, extrusion, strings, key], (_, _) =>
         {
             var trace = new Trace(extrusion.Area).SetSpeed(extrusion.Speed);
             draw(trace, strings);
-            var path = trace.ToPaths().FirstOrDefault() ?? throw new InputProblem("The shape is smaller than one string.");
+            var path = trace.ToPaths().FirstOrDefault() ?? throw new InputProblem("The shape is smaller than one string. Make it larger.");
             if (extrusion.Height > 0) path = path.WithBeads(i => new Bead(path.BeadOf(i).Area, extrusion.Height, extrusion.Speed));
             return path.Transformed(Affine.FromFrame(frame));
         });
         run.Set(0, new PrintPathGoo(path));
-        run.Summarize($"{Basics.NumberFormatter.Format(path.SegmentCount)} strings");
+        run.Summarize($"{Basics.NumberFormatter.Format(path.SegmentCount)} segments");
     }
 
-    /// <summary>What is drawn with a number of strings per turn, and what tells it from others.</summary>
+    /// <summary>A drawing with a number of strings per turn, and the values that it depends on.</summary>
     private protected sealed record Shape(object?[] Key, Action<Trace, int> Draw);
 }

@@ -11,7 +11,7 @@ namespace Caterpillar.GH.Components.Design;
 public abstract class TurtleCommandComponent(string name, string nickname, string description)
     : CaterpillarComponent(name, nickname, description, Panel.Design, GH_Exposure.secondary)
 {
-    private protected sealed override void Outputs(OutputPorts ports) => ports.Add(new TurtleCommandParam(), "Command", "C", "The command.");
+    private protected sealed override void Outputs(OutputPorts ports) => ports.Add(new TurtleCommandParam(), "Command", "C", "Turtle command.");
 
     private protected sealed override void Solve(Run run) => run.Set(0, new TurtleCommandGoo(Command(run)));
 
@@ -37,19 +37,19 @@ public enum TurtleMoveKind
 }
 
 /// <summary>A move of the turtle.</summary>
-public sealed class TurtleMoveComponent()
-    : TurtleCommandComponent("Turtle Move", "TMove", "A move of the turtle. With the pen down it prints, except for lifts, jumps and moves without printing.")
+public sealed class TurtleMoveComponent() : TurtleCommandComponent(
+    "Turtle Move", "TMove", "Moves the turtle. With the pen down it prints, except for lifts, jumps and moves without printing.")
 {
     public override Guid ComponentGuid => new("3a5d0f91-8c7e-4d54-9d0e-7b2f6c1a4e15");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Choice("Kind", "K", "Kind of the move.", TurtleMoveKind.Forward);
+        ports.Choice("Kind", "K", "Kind of move.", TurtleMoveKind.Forward);
         ports.Number("Distance", "D", "Distance, radius of arcs and circles, or side of polygons, in mm.", 10);
-        ports.Number("Height", "H", "Distance along up, in mm: of Forward And Up, and the climb of an arc; lifts use Distance.", 0);
-        ports.Add(new Param_Point(), "Point", "Pt", "Point to go or jump to, in document units.", optional: true);
-        ports.Angle("Angle", "A", "Turn of an arc, in degrees; positive to the left.", 90);
-        ports.Integer("Count", "N", "Number of segments of arcs and circles (0: as many as needed), or of sides of polygons.", 0);
+        ports.Number("Height", "H", "Rise of Forward And Up and of arcs, in mm. Lifts use Distance.", 0);
+        ports.Add(new Param_Point(), "Point", "Pt", "Target of Go To and Jump.", optional: true);
+        ports.Angle("Angle", "A", "Angle of an arc, in degrees. Positive = to the left.", 90);
+        ports.Integer("Count", "N", "Number of segments of arcs and circles (0 = automatic), or of sides of polygons.", 0);
     }
 
     private protected override TurtleCommand Command(Run run)
@@ -69,7 +69,7 @@ public sealed class TurtleMoveComponent()
             case TurtleMoveKind.Circle: return TurtleCommand.Of(TurtleAction.Circle, d, n);
             case TurtleMoveKind.Polygon: return TurtleCommand.Of(TurtleAction.Polygon, n, d);
         }
-        var point = run.MaybePoint(3) ?? throw new InputProblem("Point is missing.");
+        var point = run.MaybePoint(3) ?? throw new InputProblem("Point is missing for Go To or Jump.");
         return TurtleCommand.Of(run.Choice<TurtleMoveKind>(0) == TurtleMoveKind.GoTo ? TurtleAction.Position : TurtleAction.Jump, point.X, point.Y, point.Z);
     }
 }
@@ -84,17 +84,17 @@ public enum TurtleRotateKind
 
 /// <summary>A turn of the turtle.</summary>
 public sealed class TurtleRotateComponent() : TurtleCommandComponent(
-    "Turtle Rotate", "TRotate", "Turns the turtle: positive yaw to the left, positive pitch raises the nose, positive roll lifts the left side. Yaw comes "
-        + "first, then pitch, then roll.")
+    "Turtle Rotate", "TRotate",
+        "Turns the turtle. Positive yaw turns left, positive pitch raises the nose, positive roll raises the left side. The order is yaw, pitch, roll.")
 {
     public override Guid ComponentGuid => new("c1b64e0a-37f5-4a0b-8f66-2f6d8f0b5d16");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Angle("Yaw", "Y", "Turn about up, in degrees.", 0);
-        ports.Angle("Pitch", "P", "Turn about left, in degrees.", 0);
-        ports.Angle("Roll", "R", "Turn about forward, in degrees.", 0);
-        ports.Choice("Kind", "K", "Turn about its own axes, set the heading relative to the world axes, or add to the angles of the heading.",
+        ports.Angle("Yaw", "Y", "Rotation about the up axis, in degrees.", 0);
+        ports.Angle("Pitch", "P", "Rotation about the left axis, in degrees.", 0);
+        ports.Angle("Roll", "R", "Rotation about the forward axis, in degrees.", 0);
+        ports.Choice("Kind", "K", "Turn about the turtle's own axes, set the heading in world axes, or add to the angles of the heading.",
             TurtleRotateKind.Turn);
     }
 
@@ -115,17 +115,17 @@ public sealed class TurtleRotateComponent() : TurtleCommandComponent(
 }
 
 /// <summary>Pen up or down.</summary>
-public sealed class TurtlePenComponent()
-    : TurtleCommandComponent("Turtle Pen", "TPen", "Puts the pen down, so that moves print, or lifts it. Nothing is retracted: planning does that.")
+public sealed class TurtlePenComponent() : TurtleCommandComponent(
+    "Turtle Pen", "TPen", "Puts the pen down to print, or lifts it. Plan Toolpath adds the retractions.")
 {
     public override Guid ComponentGuid => new("5e2c9f37-d1a8-4f39-9b7d-b0d7a3f24c17");
 
-    private protected override void Inputs(InputPorts ports) => ports.Boolean("Down", "D", "True: moves print. False: they do not.", true);
+    private protected override void Inputs(InputPorts ports) => ports.Boolean("Down", "D", "Put the pen down. Moves print until it is lifted.", true);
 
     private protected override TurtleCommand Command(Run run) => TurtleCommand.Of(run.Get<bool>(0) ? TurtleAction.PenDown : TurtleAction.PenUp);
 }
 
-/// <summary>How an amount of extrusion is given.</summary>
+/// <summary>How an extrusion is given.</summary>
 public enum TurtleExtrusionKind
 {
     FilamentPerMm,
@@ -133,19 +133,19 @@ public enum TurtleExtrusionKind
     WidthAndHeight,
 }
 
-/// <summary>How much the turtle extrudes, and how fast it moves.</summary>
-public sealed class TurtleExtrusionComponent()
-    : TurtleCommandComponent("Turtle Extrusion", "TExtrude", "Sets how much the following moves extrude, and how fast they are.")
+/// <summary>Extrusion and speed of the turtle.</summary>
+public sealed class TurtleExtrusionComponent() : TurtleCommandComponent(
+    "Turtle Extrusion", "TExtrude", "Sets the extrusion and the speed of the following moves.")
 {
     public override Guid ComponentGuid => new("a84f1b2d-6e3c-47d0-8a19-5c9e0d7f1b18");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Choice("Kind", "K", "mm of filament per mm of path, cross-section of the extrusion in mm², or its width and height in mm.",
+        ports.Choice("Kind", "K", "Extrusion by filament per mm of path, by area of the cross-section, or by width and height.",
             TurtleExtrusionKind.FilamentPerMm);
-        ports.Number("Value", "V", "The amount: mm per mm, mm², or the width in mm.", 0.05);
-        ports.Number("Height", "H", "Height of the extrusion, in mm; 0 if unknown.", 0);
-        ports.OptionalNumber("Speed", "S", "Speed of the following moves, in mm/s; unchanged by default.");
+        ports.Number("Value", "V", "Filament in mm per mm of path, area in mm², or width in mm.", 0.05);
+        ports.Number("Height", "H", "Bead height, in mm. 0 = unknown.", 0);
+        ports.OptionalNumber("Speed", "S", "Speed of the following moves, in mm/s. Default: unchanged.");
     }
 
     private protected override TurtleCommand Command(Run run)
@@ -160,7 +160,7 @@ public sealed class TurtleExtrusionComponent()
                 TurtleExtrusionKind.FilamentPerMm => TurtleCommand.Of(TurtleAction.Density, value),
                 TurtleExtrusionKind.Area => TurtleCommand.Of(TurtleAction.Area, value, height),
                 _ => TurtleCommand.Of(TurtleAction.Bead, value, height > 0 ? height
-                    : throw new InputProblem("Height must be greater than zero if the width is given.")),
+                    : throw new InputProblem("Height must be greater than zero for Width And Height.")),
             },
         };
         if (run.MaybeValue<double>(3) is not null) commands.Add(TurtleCommand.Of(TurtleAction.Speed, run.Positive(3)));
@@ -188,18 +188,18 @@ public enum TurtleEventKind
     Pop,
 }
 
-/// <summary>A command other than a move, or a tag.</summary>
-public sealed class TurtleEventComponent()
-    : TurtleCommandComponent("Turtle Event", "TEvent", "A command other than a move, a tag for what follows, or a branching point.")
+/// <summary>An event, a tag, or a branching point.</summary>
+public sealed class TurtleEventComponent() : TurtleCommandComponent(
+    "Turtle Event", "TEvent", "Adds an event, a tag for the following moves, or a branching point.")
 {
     public override Guid ComponentGuid => new("f3d7c8e1-0b5a-4c92-a7e4-9a1c6b2d8f19");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Choice("Kind", "K", "What happens.", TurtleEventKind.Dwell);
-        ports.Number("Value", "V", "mm of filament, milliseconds, °C (waits until reached), fan speed 0 to 1, number of a tool or layer, or thickness of the "
-            + "next layer in mm.", 0);
-        ports.Text("Text", "T", "Comment, raw line, message of a pause, name, or color as #rrggbb.", "");
+        ports.Choice("Kind", "K", "Kind of event.", TurtleEventKind.Dwell);
+        ports.Number("Value", "V", "Filament in mm, milliseconds, temperature in °C (waits until reached), or fan speed from 0 to 1. "
+            + "Also tool or layer number, or height of the next layer in mm.", 0);
+        ports.Text("Text", "T", "Message of a pause, comment, line of G-code, name, or color as #rrggbb.", "");
     }
 
     private protected override TurtleCommand Command(Run run)
@@ -234,7 +234,7 @@ public sealed class TurtleRepeatComponent() : TurtleCommandComponent("Turtle Rep
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new TurtleCommandParam(), "Commands", "C", "Commands in order.", GH_ParamAccess.list);
+        ports.Add(new TurtleCommandParam(), "Commands", "C", "Turtle commands, in order.", GH_ParamAccess.list);
         ports.Integer("Count", "N", "Number of repetitions.", 4);
     }
 

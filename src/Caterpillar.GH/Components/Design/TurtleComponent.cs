@@ -14,39 +14,32 @@ namespace Caterpillar.GH.Components.Design;
 
 /// <summary>Runs turtle programs.</summary>
 public sealed class TurtleComponent() : CaterpillarComponent(
-    "Turtle", "Turtle", "Runs a turtle program: print paths, and all steps in order for planning.", Panel.Design)
+    "Turtle", "Turtle", "Runs a turtle program. Gives its print paths, and all steps in order for planning.", Panel.Design)
 {
     public override Guid ComponentGuid => new("4d9e2c17-86ab-4f50-b3e1-7c05d8a9f264");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new TurtleProgramParam(), "Program", "P", "Program to run; text is read as a script.");
-        ports.Add(new Param_Plane(), "Start Plane", "Pl",
-            "Initial pose of the turtle, in document units: X is forward, Y left. World XY by default.", optional: true);
-        ports.Add(new BeadParam(), "Bead", "B", "Initial extrusion, instead of 0.05 mm of filament per mm; commands of the program change it.", optional: true);
-        ports.Number("Filament Diameter", "D", "Diameter of the filament, in mm, which turns mm of filament into extrusions.", 1.75);
-        ports.Boolean("Every Pose", "E", "True gives the pose and triangle after every command, false only the last.", false);
-        ports.Add(new PrinterParam(), "Printer", "Pr",
-            "Printer, or the name of its profile, whose Z axis limits drawn lifts; by default the one that the script names (use), or generic.",
-            optional: true);
-        ports.Add(new MaterialParam(), "Material", "M",
-            "Material, or the name of its profile, whose filament and flow are used; by default the one that the script names, or Filament Diameter.",
-            optional: true);
-        ports.Add(new SettingsParam(), "Settings", "Se",
-            "Print settings, or the name of their profile, which state the shape of beads; by default those that the script names, or those of the printer.",
-            optional: true);
+        ports.Add(new TurtleProgramParam(), "Program", "P", "Turtle program, or its script as text.");
+        ports.Add(new Param_Plane(), "Start Plane", "Pl", "Start pose of the turtle: X points forward, Y left. Default: World XY.", optional: true);
+        ports.Bead("Commands of the program change it. Default: 0.05 mm of filament per mm.");
+        ports.Number("Filament Diameter", "D", "Filament diameter, in mm.", 1.75);
+        ports.Boolean("Every Pose", "E", "Give the pose and triangle after every command, not only the last.", false);
+        ports.Printer("Pr", "Its maximum Z speed limits vertical moves. Default: as the script states (use), or generic.");
+        ports.Material("M", "Used for filament diameter and flow ratio. Default: as the script states, or Filament Diameter.");
+        ports.Settings("Se", "Used for the bead shape. Default: as the script states, or the settings of the printer.");
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "What is deposited, in order.", GH_ParamAccess.list);
-        ports.Add(new StepParam(), "Steps", "S", "Paths, drawn travels and events, in order.", GH_ParamAccess.list);
-        ports.Add(new Param_Plane(), "Planes", "Pl", "Poses of the turtle, in document units.", GH_ParamAccess.list);
-        ports.Curve("Triangles", "T", "The turtle as triangles that point forward, in document units.", GH_ParamAccess.list);
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "Print paths, in order.", GH_ParamAccess.list);
+        ports.Add(new StepParam(), "Steps", "S", "Print paths, travel moves and events, in order, for Plan Toolpath.", GH_ParamAccess.list);
+        ports.Add(new Param_Plane(), "Planes", "Pl", "Poses of the turtle.", GH_ParamAccess.list);
+        ports.Curve("Triangles", "T", "Turtle as triangles that point forward.", GH_ParamAccess.list);
         ports.Diagnostics();
-        ports.Add(new PrinterParam(), "Printer", "Pr", "The printer of the program, for planning.");
-        ports.Add(new MaterialParam(), "Material", "M", "The material of the program, for planning.");
-        ports.Add(new SettingsParam(), "Settings", "Se", "The print settings of the program, for planning.");
+        ports.Add(new PrinterParam(), "Printer", "Pr", "Printer of the program, for Plan Toolpath.");
+        ports.Add(new MaterialParam(), "Material", "M", "Material of the program, for Plan Toolpath.");
+        ports.Add(new SettingsParam(), "Settings", "Se", "Print settings of the program, for Plan Toolpath.");
     }
 
     private protected override void Solve(Run run)
@@ -60,7 +53,7 @@ public sealed class TurtleComponent() : CaterpillarComponent(
             KeepPoses = run.Get<bool>(4),
             Bead = run.Maybe<BeadGoo>(2) is { IsValid: true } bead ? bead.Value : null,
         };
-        var result = run.Work("Turtle", [program, setup, options.Start, options.KeepPoses, options.Bead], (progress, cancel) =>
+        var result = run.Work("Running", [program, setup, options.Start, options.KeepPoses, options.Bead], (progress, cancel) =>
         {
             var done = program.Run(options, null, progress, cancel);
             return new Done(done.Value?.ToSteps() ?? [], done.Value is null ? [] : options.KeepPoses ? done.Value.Poses : [done.Value.Pose], done.Diagnostics);

@@ -13,7 +13,7 @@ namespace Caterpillar.GH.Components.Design;
 
 /// <summary>Shows a turtle along its path.</summary>
 public sealed class TurtlePreviewComponent() : CaterpillarComponent(
-    "Turtle Preview", "TPrev", "Shows the turtle as a triangle at a position on its path, and what it has printed so far.", Panel.Design, GH_Exposure.secondary)
+    "Turtle Preview", "TPrev", "Shows the turtle as a triangle at a position on its path, and the extrusions up to there.", Panel.Design, GH_Exposure.secondary)
 {
     private static readonly Color PrintedColor = Color.FromArgb(214, 110, 40);
     private static readonly Color OutlineColor = Color.FromArgb(30, 120, 60);
@@ -28,23 +28,23 @@ public sealed class TurtlePreviewComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new StepParam(), "Steps", "S", "Steps of the turtle, or print paths.", GH_ParamAccess.list);
-        ports.Number("Position", "t", "Position along the path by length, 0 to 1.", 1);
+        ports.Add(new StepParam(), "Steps", "S", "Steps of a turtle, or print paths.", GH_ParamAccess.list);
+        ports.Number("Position", "t", "Position along the path by length, from 0 to 1.", 1);
         ports.Number("Size", "Sz", "Half the width of the triangle, in mm.", 2);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
         // The component draws it itself.
-        ports.Add(new Param_Curve { Hidden = true }, "Triangle", "T", "The turtle as a closed triangle that points forward, in document units.");
-        ports.Add(new Param_Plane(), "Plane", "Pl", "Pose of the turtle, in document units: X forward, Y left.");
+        ports.Add(new Param_Curve { Hidden = true }, "Triangle", "T", "Turtle as a closed triangle that points forward.");
+        ports.Add(new Param_Plane(), "Plane", "Pl", "Pose of the turtle: X points forward, Y left.");
     }
 
     private protected override void Solve(Run run)
     {
         var steps = run.Some<Step>(0);
         var part = run.Finite(1);
-        if (part is < 0 or > 1) throw new InputProblem("Position must be 0 to 1.");
+        if (part is < 0 or > 1) throw new InputProblem("Position must be from 0 to 1.");
         var size = run.Positive(2);
         var units = run.Units;
         var timeline = run.Work("Drawing", steps.Cast<object?>().ToArray(), (_, _) => new TurtleTimeline(steps));

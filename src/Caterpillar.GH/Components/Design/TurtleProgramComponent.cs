@@ -9,21 +9,21 @@ namespace Caterpillar.GH.Components.Design;
 
 /// <summary>Makes a turtle program from a script, from commands, or from both.</summary>
 public sealed class TurtleProgramComponent() : CaterpillarComponent(
-    "Turtle Program", "Program", "Makes a turtle program from a script or from commands. With both, the script comes first.", Panel.Design)
+    "Turtle Program", "Program", "Creates a turtle program from a script or from commands. If both are given, the script runs first.", Panel.Design)
 {
     public override Guid ComponentGuid => new("6f4c2a10-0d83-4c6d-8e51-8a2a3f6b1c11");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Text("Script", "S", "Script of turtle commands; the items of a list are its lines.", access: GH_ParamAccess.list, optional: true);
-        ports.Add(new TurtleCommandParam(), "Commands", "C", "Commands in order.", GH_ParamAccess.list, optional: true);
-        ports.Text("Variables", "V", "Values for the script's parameters, each as name=value.", access: GH_ParamAccess.list, optional: true);
-        ports.Integer("Seed", "Sd", "Seed of the script's random numbers, from 0.", 0);
+        ports.Text("Script", "S", "Script of turtle commands. Items of a list are its lines.", access: GH_ParamAccess.list, optional: true);
+        ports.Add(new TurtleCommandParam(), "Commands", "C", "Turtle commands, in order.", GH_ParamAccess.list, optional: true);
+        ports.Text("Variables", "V", "Values of the script's parameters, as name=value.", access: GH_ParamAccess.list, optional: true);
+        ports.Seed();
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new TurtleProgramParam(), "Program", "P", "The program.");
+        ports.Add(new TurtleProgramParam(), "Program", "P", "Turtle program.");
         ports.Diagnostics();
     }
 
@@ -31,7 +31,7 @@ public sealed class TurtleProgramComponent() : CaterpillarComponent(
     {
         var lines = run.List<string>(0);
         var commands = run.List<TurtleCommand>(1);
-        if (lines.Count == 0 && commands.Count == 0) throw new InputProblem("Script or Commands are missing.") { IsMissing = true };
+        if (lines.Count == 0 && commands.Count == 0) throw new InputProblem("Script or Commands is missing.") { IsMissing = true };
         var programs = new List<TurtleProgram>();
         if (lines.Count > 0)
         {
@@ -49,10 +49,12 @@ public sealed class TurtleProgramComponent() : CaterpillarComponent(
         {
             var cut = text.IndexOf("=", StringComparison.Ordinal);
             if (cut < 1 || !NumberReader.TryParse(text.Substring(cut + 1).Trim(), out var value))
-                throw new InputProblem($"Variables: '{text}' is not name=value.");
+                throw new InputProblem($"Variables: expected name=value, not '{text}'.");
             var name = text.Substring(0, cut).Trim();
-            if (!script.Parameters.Contains(name)) run.Report(GH_RuntimeMessageLevel.Warning, $"The script has no parameter '{name}' (param {name} = …).");
-            else variables[name] = value;
+            if (!script.Parameters.Contains(name))
+                run.Report(GH_RuntimeMessageLevel.Warning, $"The script has no parameter '{name}'. Declare it: param {name} = …");
+            else
+                variables[name] = value;
         }
         return variables;
     }

@@ -18,19 +18,19 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.File("File", "F", "File to read: plain, binary (.bgcode) or gzip.", "G-code|*.gcode;*.bgcode;*.gco;*.g;*.nc;*.gcode.gz|All files|*.*",
-            optional: true);
-        ports.Add(new GCodeParam(), "G-code", "G", "G-code to read instead of a file; text is G-code.", optional: true);
-        ports.Text("Flavor", "D", "Flavor of the firmware, such as marlin2, klipper or reprapfirmware; \"detect\" takes it from the file.", Detect);
-        ports.Choice("Rule", "R", "What counts as printing: E beyond what was retracted (Balance), or any rise of E (Rising).", ExtrusionRule.Balance);
+        ports.File("File", "F",
+            "G-code file: plain, binary (.bgcode) or gzip.", "G-code|*.gcode;*.bgcode;*.gco;*.g;*.nc;*.gcode.gz|All files|*.*", optional: true);
+        ports.Add(new GCodeParam(), "G-code", "G", "G-code or its text, instead of a file.", optional: true);
+        ports.Text("Flavor", "Fl", "G-code flavor, such as marlin2, klipper or reprapfirmware. detect = from the file.", Detect);
+        ports.Choice("Rule", "R", "What counts as printing: E beyond the retracted length (Balance), or any increase of E (Rising).", ExtrusionRule.Balance);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "What the file makes the printer do, move by move.");
-        ports.Add(new GCodeParam(), "G-code", "G", "The file, byte for byte.");
-        ports.Text("Settings", "S", "Settings that the slicer wrote into comments, as key=value.", GH_ParamAccess.list);
-        ports.Text("Flavor", "Di", "Flavor that was used for reading.");
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath.");
+        ports.Add(new GCodeParam(), "G-code", "G", "G-code of the file, byte for byte.");
+        ports.Text("Settings", "S", "Slicer settings in the comments of the file, as key=value.", GH_ParamAccess.list);
+        ports.Text("Flavor", "Fl", "G-code flavor used for decoding.");
         ports.Diagnostics();
     }
 
@@ -39,7 +39,7 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
         var options = new DecodeOptions { Flavor = Flavor(run.Maybe<string>(2)), Rule = run.Choice<ExtrusionRule>(3) };
         var wired = run.Maybe<GCodeDocument>(1);
         if (wired is not null && !string.IsNullOrEmpty(run.Maybe<string>(0)))
-            run.Report(GH_RuntimeMessageLevel.Warning, "File is ignored, because G-code is connected.");
+            run.Report(GH_RuntimeMessageLevel.Warning, "File is ignored because G-code is connected.");
         var source = wired ?? Read(run);
         var result = run.Work("Decoding", [source, options], (progress, cancel) => GCodeDecoder.Decode(source, options, progress, cancel));
         var none = result.Value?.NotGCode;
@@ -60,7 +60,7 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
     {
         if (string.IsNullOrWhiteSpace(name) || string.Equals(name, Detect, StringComparison.OrdinalIgnoreCase)) return null;
         return FlavorTable.Find(name!) ?? throw new InputProblem(
-            $"There is no flavor {name}; there are {Detect}, {string.Join(", ", FlavorTable.All.Select(d => d.Name))}.");
+            $"G-code flavor \"{name}\" not found. Use {Detect}, {string.Join(", ", FlavorTable.All.Select(d => d.Name))}.");
     }
 
     private static GCodeDocument Read(Run run)

@@ -10,9 +10,8 @@ namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Deforms a toolpath by formulas.</summary>
 public sealed class DeformToolpathComponent() : CaterpillarComponent(
-    "Deform Toolpath", "DeformTP", "Deforms what a toolpath prints by formulas for position, area and speed; the material follows the length of the "
-    + "extrusions.",
-        Panel.GCode)
+    "Deform Toolpath", "DeformT",
+        "Deforms the extrusions of a toolpath by formulas for position, area and speed. The material follows their new length.", Panel.GCode)
 {
     private const int Formulas = 1 + MoveFilterPorts.Count;
 
@@ -20,16 +19,15 @@ public sealed class DeformToolpathComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to deform, planned or decoded.");
+        ports.Toolpath();
         MoveFilterPorts.Declare(ports);
         DeformationPorts.Declare(ports);
-        ports.Add(new Param_Plane(), "Plane", "Pl", "Frame of the coordinates, in document units; its Z is the axis of angles. World XY by default.",
-            optional: true);
+        ports.FormulaPlane();
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "The deformed toolpath.");
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "Deformed toolpath.");
         ports.Diagnostics();
     }
 
@@ -45,7 +43,7 @@ public sealed class DeformToolpathComponent() : CaterpillarComponent(
         {
             deformation = Deformation.Cartesian(p => frame.ToLocal(p)).Then(deformation).Then(Deformation.Cartesian(p => frame.ToWorld(p)));
         }
-        var result = run.Work("Deform", [goo.Value, frame, .. MoveFilterPorts.Key(filter), .. request.Key],
+        var result = run.Work("Deforming", [goo.Value, frame, .. MoveFilterPorts.Key(filter), .. request.Key],
             (_, _) => goo.Value.Deform(filter, deformation, request.Tolerance));
         run.Set(0, goo.With(run.Require(result)));
     }

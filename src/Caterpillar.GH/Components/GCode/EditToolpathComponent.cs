@@ -10,7 +10,7 @@ namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Changes speed, flow and position of some moves.</summary>
 public sealed class EditToolpathComponent() : CaterpillarComponent(
-    "Edit Toolpath", "EditTP", "Changes speed, flow and position of moves, chosen by role, layer, object or box.", Panel.GCode)
+    "Edit Toolpath", "EditT", "Changes speed, flow and position of moves, selected by role, layer, object or box.", Panel.GCode)
 {
     private const int After = 1 + MoveFilterPorts.Count;
 
@@ -18,24 +18,23 @@ public sealed class EditToolpathComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to change, planned or decoded.");
+        ports.Toolpath();
         MoveFilterPorts.Declare(ports);
-        ports.Number("Speed Factor", "S", "Factor for the speed of the chosen moves.", 1);
-        ports.Number("Flow Factor", "Fl", "Factor for the material of the chosen moves.", 1);
+        ports.Number("Speed Factor", "S", "Speed factor of the selected moves.", 1);
+        ports.Number("Flow Factor", "Fl", "Flow ratio of the selected moves.", 1);
         ports.Add(new Param_Transform(), "Transform", "X",
-            "Moves, turns or scales the chosen extrusions, in document units; start and end code stay where they are.", optional: true);
+            "Transformation of the selected extrusions. Start and end G-code keep their position.", optional: true);
     }
 
-    private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "The changed toolpath.");
+    private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "Changed toolpath.");
 
     private protected override void Solve(Run run)
     {
         var goo = run.Get<ToolpathGoo>(0);
         var filter = MoveFilterPorts.Read(run, 1);
-        var (speed, flow) = (run.Positive(After), run.Finite(After + 1));
-        if (flow < 0) throw new InputProblem("Flow Factor must be 0 or more.");
+        var (speed, flow) = (run.Positive(After), run.NotNegative(After + 1));
         var map = run.MaybeValue<Rg.Transform>(After + 2) is { } transform
-            ? RhinoGeometry.ToAffine(transform, run.Units) ?? throw new InputProblem("Transform must keep lines parallel: it moves, turns, scales or shears.")
+            ? RhinoGeometry.ToAffine(transform, run.Units) ?? throw new InputProblem("Transform must be affine: move, rotate, scale or shear.")
             : (Affine?)null;
         var edited = run.Work("Editing", [goo.Value, speed, flow, map, MoveFilterPorts.Key(filter)], (_, _) => Edit(goo.Value, filter, speed, flow, map));
         run.Set(0, goo.With(edited));

@@ -8,19 +8,19 @@ namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Keeps some moves of a toolpath, or removes them.</summary>
 public sealed class FilterToolpathComponent() : CaterpillarComponent(
-    "Filter Toolpath", "FilterTP", "Keeps or removes moves, chosen by role, layer, object or box; travels and retractions are repaired at the cuts.",
-        Panel.GCode)
+    "Filter Toolpath", "FilterT",
+        "Keeps or removes moves, selected by role, layer, object or box. Travel moves and retractions are repaired at the cuts.", Panel.GCode)
 {
     public override Guid ComponentGuid => new("3db465e0-e208-4bcc-8814-4b292260c251");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to cut, planned or decoded.");
+        ports.Toolpath();
         MoveFilterPorts.Declare(ports);
-        ports.Boolean("Remove", "Re", "True removes the chosen moves, false keeps only them.", false);
+        ports.Boolean("Remove", "Re", "Remove the selected moves instead of keeping only them.", false);
     }
 
-    private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "What is left.");
+    private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "Remaining toolpath.");
 
     private protected override void Solve(Run run)
     {

@@ -8,7 +8,7 @@ namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Some lines of a G-code file as text.</summary>
 public sealed class GCodeTextComponent() : CaterpillarComponent(
-    "G-code Text", "Text", "Some lines of a G-code file as text, so that wires and panels stay light.", Panel.GCode)
+    "G-code Text", "Text", "Shows some lines of G-code as text, so that wires and panels stay light.", Panel.GCode)
 {
     // A Panel cannot show more.
     private const int MaxLines = 100_000;
@@ -18,17 +18,17 @@ public sealed class GCodeTextComponent() : CaterpillarComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Add(new GCodeParam(), "G-code", "G", "G-code to show.");
-        ports.Integer("Start", "S", "Number of the first line, from 1; a negative number counts from the end.", 1);
+        ports.Integer("Start", "S", "First line, from 1. Negative numbers count from the end.", 1);
         ports.Integer("Count", "N", "Number of lines, at most 100000.", 200);
     }
 
-    private protected override void Outputs(OutputPorts ports) => ports.Text("Lines", "L", "The lines of the file.", GH_ParamAccess.list);
+    private protected override void Outputs(OutputPorts ports) => ports.Text("Lines", "L", "Lines of G-code.", GH_ParamAccess.list);
 
     private protected override void Solve(Run run)
     {
         var document = run.Get<GCodeDocument>(0);
         var (start, count) = (run.Get<int>(1), run.Get<int>(2));
-        if (start == 0) throw new InputProblem("Start counts from 1, or from -1 at the end.");
+        if (start == 0) throw new InputProblem("Start must be 1 or more, or -1 or less to count from the end.");
         if (count is < 0 or > MaxLines) throw new InputProblem($"Count must be from 0 to {NumberFormatter.Format(MaxLines)}.");
         var first = start > 0 ? start : Math.Max(1, document.LineCount + start + 1);
         run.SetList(0, document.Lines(first, count));

@@ -11,29 +11,26 @@ namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Checks a toolpath and writes it as G-code.</summary>
 public sealed class GenerateGCodeComponent() : CaterpillarComponent(
-    "Generate G-code", "GCode", "Checks a toolpath against the printer and writes it as G-code; what could damage the machine is not written.", Panel.GCode)
+    "Generate G-code", "GCode", "Checks a toolpath against the printer and writes G-code. Toolpaths that could damage the machine are refused.", Panel.GCode)
 {
     public override Guid ComponentGuid => new("a6c5f777-8567-40ff-8b2c-76e275996590");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to write.");
-        ports.Add(new PrinterParam(), "Printer", "P", "Target printer, or the name of its profile; by default the one it was planned for.",
-            optional: true);
+        ports.Toolpath();
+        ports.Printer("P", "Default: as used for planning.");
         SetupPorts.Material(ports);
         SetupPorts.Settings(ports);
-        ports.Text("Override Reason", "R",
-            "Reason to ignore the findings of the checks; it is kept in the file as a comment. Empty obeys the checks.", "");
+        ports.Text("Override Reason", "R", "Reason to ignore errors of the checks, written to the file as a comment. Empty = obey the checks.", "");
         ports.Boolean("Rewrite All", "A",
-            "False keeps all lines of a decoded file that no edit changes; true rewrites all of it, with the printer's start and end code.", false);
-        ports.Text("Start G-code", "SC", "Lines that replace everything before the first layer of a decoded file; by default that is kept.",
-            optional: true);
-        ports.Text("End G-code", "EC", "Lines that replace everything after the last layer of a decoded file; by default that is kept.", optional: true);
+            "Rewrite a decoded file completely, with the printer's start and end G-code. Otherwise, unedited lines stay as they are.", false);
+        ports.Text("Start G-code", "SC", "G-code that replaces everything before the first layer of a decoded file. Default: unchanged.", optional: true);
+        ports.Text("End G-code", "EC", "G-code that replaces everything after the last layer of a decoded file. Default: unchanged.", optional: true);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new GCodeParam(), "G-code", "G", "The G-code, as one value.");
+        ports.Add(new GCodeParam(), "G-code", "G", "G-code, as one value.");
         ports.Diagnostics();
     }
 
@@ -48,7 +45,7 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
         if (rewriteAll && (start ?? end) is not null)
         {
             run.Report(GH_RuntimeMessageLevel.Warning,
-                "Start G-code and End G-code apply to decoded files whose lines are kept; this one is rewritten, with the code of its printer.");
+                "Start G-code and End G-code have no effect: the file is rewritten with the G-code of its printer.");
         }
         var code = new EditOptions { Start = start is null ? null : TextLines.Of(start), End = end is null ? null : TextLines.Of(end) };
         var result = run.Work("Writing", [goo.Value, setup, reason, rewriteAll, start, end], (progress, cancel) => rewriteAll
@@ -62,7 +59,7 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
     private static PrintSetup Setup(Run run, PrintSetup? planned)
     {
         var printer = run.Maybe<Printer>(1) ?? planned?.Printer
-            ?? throw new InputProblem("Printer is missing: the toolpath was not planned for one.") { IsMissing = true };
+            ?? throw new InputProblem("Printer is missing. The toolpath was not planned for one.") { IsMissing = true };
         return SetupPorts.For(run, printer, run.Maybe<Material>(2) ?? planned?.Material, run.Maybe<PrintSettings>(3) ?? planned?.Settings)
             with { PrintedOn = planned?.PrintedOn };
     }

@@ -8,7 +8,7 @@ using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Components.GCode;
 
-/// <summary>What is inserted before a layer.</summary>
+/// <summary>Events to insert before a layer.</summary>
 public enum LayerEventKind
 {
     Pause,
@@ -23,20 +23,20 @@ public enum LayerEventKind
 
 /// <summary>Inserts pauses, tool changes and other events before layers.</summary>
 public sealed class InsertAtLayerComponent() : CaterpillarComponent(
-    "Insert At Layer", "InsertTP", "Inserts a pause, a tool change, a temperature or a line of G-code before layers of a toolpath.", Panel.GCode)
+    "Insert At Layer", "Insert", "Inserts a pause, a tool change, a temperature or a line of G-code before layers of a toolpath.", Panel.GCode)
 {
     public override Guid ComponentGuid => new("b4c1e0d7-58a2-4f6b-9e31-7d90a2c4f615");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to change, planned or decoded.");
-        ports.Integer("Layers", "L", "Numbers of the layers, from 0, before which it happens.", access: GH_ParamAccess.list);
-        ports.Choice("Kind", "K", "What happens.", LayerEventKind.Pause);
-        ports.Number("Value", "V", "Number of the tool, °C, fan speed from 0 to 1, or seconds.", 0);
+        ports.Toolpath();
+        ports.Integer("Layers", "L", "Layer numbers, from 0. The event is inserted before each of these layers.", access: GH_ParamAccess.list);
+        ports.Choice("Kind", "K", "Kind of event.", LayerEventKind.Pause);
+        ports.Number("Value", "V", "Tool number, temperature in °C, fan speed from 0 to 1, or seconds.", 0);
         ports.Text("Text", "Tx", "Message of a pause, comment, or line of G-code.", "");
     }
 
-    private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "The changed toolpath.");
+    private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "Changed toolpath.");
 
     private protected override void Solve(Run run)
     {
@@ -70,12 +70,12 @@ public sealed class InsertAtLayerComponent() : CaterpillarComponent(
         return run.Choice<LayerEventKind>(2) switch
         {
             LayerEventKind.Pause => new PauseEvent(text),
-            LayerEventKind.Tool => new ToolEvent(AtLeast(0, 99, "the number of a tool") is var tool
-                && tool == Math.Floor(tool) ? (int)tool : throw new InputProblem("Value must be the number of a tool.")),
-            LayerEventKind.NozzleTemperature => new NozzleTemperatureEvent(AtLeast(0, 600, "a temperature in °C"), Wait: true),
-            LayerEventKind.BedTemperature => new BedTemperatureEvent(AtLeast(0, 300, "a temperature in °C"), Wait: true),
+            LayerEventKind.Tool => new ToolEvent(AtLeast(0, 99, "a tool number from 0 to 99") is var tool
+                && tool == Math.Floor(tool) ? (int)tool : throw new InputProblem("Value must be a tool number from 0 to 99.")),
+            LayerEventKind.NozzleTemperature => new NozzleTemperatureEvent(AtLeast(0, 600, "a temperature from 0 to 600 °C"), Wait: true),
+            LayerEventKind.BedTemperature => new BedTemperatureEvent(AtLeast(0, 300, "a temperature from 0 to 300 °C"), Wait: true),
             LayerEventKind.Fan => new FanEvent(AtLeast(0, 1, "a fan speed from 0 to 1")),
-            LayerEventKind.Dwell => new DwellEvent(AtLeast(0, 1e6, "a number of seconds")),
+            LayerEventKind.Dwell => new DwellEvent(AtLeast(0, 1e6, "a number of seconds from 0 to 1000000")),
             LayerEventKind.Comment => new CommentEvent(text),
             _ => new RawEvent(text.Trim().Length > 0 ? text : throw new InputProblem("Text is missing.") { IsMissing = true }),
         };

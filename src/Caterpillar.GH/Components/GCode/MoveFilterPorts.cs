@@ -13,13 +13,11 @@ internal static class MoveFilterPorts
 
     public static void Declare(InputPorts ports)
     {
-        ports.Choices<Role>("Roles", "R", "Roles of the chosen moves, such as Outer Wall or Infill; all by default.");
-        ports.OptionalInteger("First Layer", "F", "Number of the first chosen layer, from 0; no limit by default.");
-        ports.OptionalInteger("Last Layer", "L", "Number of the last chosen layer, from 0; no limit by default.");
-        ports.Text("Objects", "O", "Names of the chosen objects, as in the file; all by default.", access: GH_ParamAccess.list,
-            optional: true);
-        ports.Geometry("Box", "B", "Geometry whose bounding box contains the ends of the chosen moves, in document units; everywhere by default.",
-            optional: true);
+        ports.Choices<Role>("Roles", "R", "Roles of the moves to select, such as Outer Wall or Infill. Default: all.");
+        ports.OptionalInteger("First Layer", "F", "First layer, by its number in the file or from 0. Default: no limit.");
+        ports.OptionalInteger("Last Layer", "L", "Last layer, by its number in the file or from 0. Default: no limit.");
+        ports.Text("Objects", "O", "Names of the objects to select, as in the file. Default: all.", access: GH_ParamAccess.list, optional: true);
+        ports.Geometry("Box", "B", "Geometry whose bounding box contains the end points of the moves to select. Default: no limit.", optional: true);
     }
 
     /// <summary>The filter of the ports from <paramref name="first"/> on.</summary>
@@ -35,7 +33,7 @@ internal static class MoveFilterPorts
         };
         if (run.Maybe<IGH_GeometricGoo>(first + 4) is not { } geometry) return filter;
         var box = geometry.Boundingbox;
-        if (!box.IsValid) throw new InputProblem("Box has no extent.");
+        if (!box.IsValid) throw new InputProblem("Box is empty: connect geometry with a valid bounding box.");
         return filter with { Box = RhinoGeometry.ToBounds(box, run.Units) };
     }
 

@@ -11,7 +11,7 @@ namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Turns a design into machine moves.</summary>
 public sealed class PlanToolpathComponent() : CaterpillarComponent(
-    "Plan Toolpath", "Plan", "Turns print paths and other steps into a toolpath: adds travels, lifts, retractions and amounts of material.", Panel.GCode)
+    "Plan Toolpath", "Plan", "Turns print paths and other steps into a toolpath: adds travel moves, Z-hop, retraction and E.", Panel.GCode)
 {
     // Deviation of the facets of a curved obstacle, mm.
     private const double ObstacleTolerance = 0.1;
@@ -20,23 +20,19 @@ public sealed class PlanToolpathComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Flattened(new StepParam(), "Steps", "S", "Print paths, travels and events in the order of the design; branches are joined in order.");
-        ports.Add(new PrinterParam(), "Printer", "P", "Target printer, or the name of its profile.");
-        ports.Add(new MaterialParam(), "Material", "M", "Material, or the name of its profile; by default that of the printer.", optional: true);
-        ports.Add(new SettingsParam(), "Settings", "Se", "Print settings, or the name of their profile; by default those of the printer.",
-            optional: true);
-        ports.Choice("Mode", "Mo", "What planning may add: everything in the settings (Printer), or nothing (As Drawn).",
-            PlanPolicy.Printer);
-        ports.Choice("Sort", "So", "How paths are sorted inside the groups of a slicer; other paths keep their order.", SortRule.Tour);
-        ports.Geometry("Obstacles", "O",
-            "Objects on the bed that are printed on, in document units: travels stay above them, the first one rises before it goes there, and the checks know "
-            + "of them.",
-            GH_ParamAccess.list, optional: true);
+        ports.Flattened(new StepParam(), "Steps", "S", "Print paths, travel moves and events, in order. Branches are joined in order.");
+        ports.Add(new PrinterParam(), "Printer", "P", "Printer, or the name of a printer profile.");
+        ports.Material("M", "Default: as in the printer profile.");
+        ports.Settings("Se", "Default: as in the printer profile.");
+        ports.Choice("Mode", "Mo", "What planning adds: everything in the settings (Printer), or nothing (As Drawn).", PlanPolicy.Printer);
+        ports.Choice("Sort", "So", "Order of paths within the groups of a slicer. Other paths keep their order.", SortRule.Tour);
+        ports.Geometry("Obstacles", "O", "Objects on the bed to print on. Travel moves stay above them, and the first one rises before it goes there. Checks "
+            + "include them.", GH_ParamAccess.list, optional: true);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "What the printer does, move by move.");
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath.");
         ports.Diagnostics();
     }
 

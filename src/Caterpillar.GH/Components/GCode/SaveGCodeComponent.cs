@@ -7,7 +7,7 @@ namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Writes G-code to a file when a button is pressed.</summary>
 public sealed class SaveGCodeComponent() : CaterpillarComponent(
-    "Save G-code", "Save", "Writes G-code to a file when Save becomes true; the file is written completely or not at all.", Panel.GCode)
+    "Save G-code", "Save", "Saves G-code to a file when Save becomes true. The file is written completely or not at all.", Panel.GCode)
 {
     private readonly Buttons _save = new(input: 2);
 
@@ -19,14 +19,14 @@ public sealed class SaveGCodeComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new GCodeParam(), "G-code", "G", "G-code to write.");
-        ports.Target("File", "F", "File to write, binary where its name ends in .bgcode; relative to the definition's own file.",
-            "G-code|*.gcode|Binary G-code|*.bgcode");
-        ports.Boolean("Save", "S", "The file is written when this changes from false to true: connect a button.", false);
-        ports.Boolean("Overwrite", "O", "True replaces an existing file.", false);
+        ports.Add(new GCodeParam(), "G-code", "G", "G-code to save.");
+        ports.Target("File", "F", "File to write. Names that end in .bgcode give binary G-code. Relative paths start at the folder of the "
+            + "definition.", "G-code|*.gcode|Binary G-code|*.bgcode");
+        ports.Boolean("Save", "S", "Saves the file when this changes from false to true. Connect a button.", false);
+        ports.Boolean("Overwrite", "O", "Overwrite an existing file.", false);
     }
 
-    private protected override void Outputs(OutputPorts ports) => ports.Text("Path", "P", "Path of the file, once this G-code has been written to it.");
+    private protected override void Outputs(OutputPorts ports) => ports.Text("Path", "P", "Path of the file, once this G-code is saved.");
 
     private protected override void Prepare(Run run) => _pressed = _save.IsPressed(run);
 
@@ -44,7 +44,7 @@ public sealed class SaveGCodeComponent() : CaterpillarComponent(
 
     private void Write(Run run, GCodeDocument document, string file, bool overwrite)
     {
-        if (File.Exists(file) && !overwrite) throw new InputProblem($"{file} already exists, and Overwrite is false.");
+        if (File.Exists(file) && !overwrite) throw new InputProblem($"{file} already exists. Set Overwrite to true to replace it.");
         run.Wait("Saving", (progress, cancel) =>
         {
             document.WriteFile(file, progress, cancel);

@@ -11,23 +11,23 @@ namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Makes a path to deposit from any curve.</summary>
 public sealed class ConstructPrintPathComponent() : CaterpillarComponent(
-    "Construct Print Path", "PPath", "Makes a path to deposit along any curve, exactly as drawn; straight parts keep only their end points.", Panel.Path)
+    "Construct Print Path", "PPath", "Creates a print path along any curve, exactly as drawn. Straight parts keep only their end points.", Panel.Path)
 {
     public override Guid ComponentGuid => new("8afcdcac-2cb3-4ad3-ad72-aedf7b5930c7");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new Param_Curve(), "Curve", "C", "Curve to print along, in document units.");
-        ports.Add(new BeadParam(), "Bead", "B", "Extrusion to deposit; 0.45 × 0.2 mm by default.", optional: true);
-        ports.Choice("Role", "R", "What the path is for.", Role.Unspecified);
-        ports.Number("Subdivision", "S", "Maximum length of the segments of curved parts, in mm.", 1);
-        ports.Boolean("Keep Arc", "A", "True keeps horizontal arcs and circles as arcs.", false);
-        ports.Integer("Layer", "L", "Number of the layer, from 0; -1 for none.", -1);
+        ports.Add(new Param_Curve(), "Curve", "C", "Curve to print.");
+        ports.Bead();
+        ports.Choice("Role", "R", "Role of the path.", Role.Unspecified);
+        ports.Subdivision("S");
+        ports.Boolean("Keep Arc", "A", "Keep horizontal arcs and circles as arcs.", false);
+        ports.Integer("Layer", "L", "Layer number, from 0. -1 = no layer.", -1);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Path", "P", "The path.");
+        ports.Add(new PrintPathParam(), "Print Path", "P", "Print path.");
         ports.Diagnostics();
     }
 

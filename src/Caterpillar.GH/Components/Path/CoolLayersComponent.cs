@@ -6,18 +6,18 @@ namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Slows small layers down.</summary>
 public sealed class CoolLayersComponent() : PathShapingComponent(
-    "Cool Layers", "Cool", "Slows small layers down so that they cool before the next one. Speeds are only lowered.")
+    "Cool Layers", "Cool", "Slows down small layers so that they cool before the next one. Speeds are never raised.")
 {
     public override Guid ComponentGuid => new("d5f90b3e-26c1-4a8d-9e47-0f7b3d6a1c43");
 
     private protected override void Inputs(InputPorts ports)
     {
-        PathsPort(ports);
-        ports.Number("Min Layer Time", "T", "Minimum time for a layer, in seconds; 0 for none. Paths without a layer form one layer for each height.", 5);
-        ports.Boolean("Speed By Length", "K", "True also limits the speed of each segment, in mm/s, to its length in mm plus 1 (Kanada's rule).", false);
-        ports.Number("Min Speed", "M", "Speeds are not lowered below this, in mm/s.", 5);
-        ports.Number("Reference Speed", "V", "Speed in mm/s of paths that use the speed of the print settings.", 60);
-        ports.Number("Max Segment Rate", "R", "Number of segments per second above which there is a warning; 0 for none.", 100);
+        ports.PrintPaths();
+        ports.Number("Minimum Layer Time", "T", "Minimum layer time, in seconds. 0 = off. Paths without a layer form one layer for each height.", 5);
+        ports.Boolean("Speed By Length", "K", "Limit the speed of each segment, in mm/s, to its length in mm plus 1 (Kanada's rule).", false);
+        ports.Number("Minimum Speed", "M", "Minimum speed, in mm/s. Speeds are not lowered below it.", 5);
+        ports.Number("Reference Speed", "V", "Speed of paths that use the speed of the print settings, in mm/s.", 60);
+        ports.Number("Maximum Segment Rate", "R", "Maximum number of segments per second. Higher rates give a warning. 0 = off.", 100);
     }
 
     private protected override void Solve(Run run)
@@ -25,17 +25,14 @@ public sealed class CoolLayersComponent() : PathShapingComponent(
         var before = PathsOf(run);
         var cooling = new Cooling
         {
-            MinLayerTime = AtLeast0(run, 1),
+            MinLayerTime = run.NotNegative(1),
             SpeedByLength = run.Get<bool>(2),
             MinPrintSpeed = run.Positive(3),
             ReferenceSpeed = run.Positive(4),
-            MaxSegmentsPerSecond = AtLeast0(run, 5),
+            MaxSegmentsPerSecond = run.NotNegative(5),
         };
-        var shaped = run.Work("Cool Layers", [cooling, before],
+        var shaped = run.Work("Cooling layers", [cooling, before],
             (_, cancel) => Shaped.Of(cooling.Apply(before.Paths, cancel), Frame.World));
         SetPaths(run, before, shaped);
     }
-
-    private static double AtLeast0(Run run, int input)
-        => run.Finite(input) is >= 0 and var value ? value : throw new InputProblem("Times and rates must be 0 or more.");
 }

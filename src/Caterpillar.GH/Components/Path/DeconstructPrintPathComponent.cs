@@ -8,20 +8,20 @@ namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Takes a print path apart.</summary>
 public sealed class DeconstructPrintPathComponent() : CaterpillarComponent(
-    "Deconstruct Print Path", "DePPath", "Takes a print path apart into its points, its cross-sections in mm² and its speeds in mm/s.", Panel.Path)
+    "Deconstruct Print Path", "DePPath", "Deconstructs a print path into points, areas and speeds.", Panel.Path)
 {
     public override Guid ComponentGuid => new("e6ce3d42-9733-467d-adc0-7f8b0c87d00c");
 
     private protected override void Inputs(InputPorts ports)
-        => ports.Add(new PrintPathParam(), "Print Path", "P", "Path to take apart.");
+        => ports.Add(new PrintPathParam(), "Print Path", "P", "Print path to deconstruct.");
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Point("Points", "Pt", "Points of the path, in document units; a closed path does not repeat its first one.", GH_ParamAccess.list);
-        ports.Number("Areas", "A", "Cross-section of each segment, in mm².", GH_ParamAccess.list);
-        ports.Number("Speeds", "V", "Speed of each segment, in mm/s; 0 is the speed of the print settings.", GH_ParamAccess.list);
-        ports.Text("Role", "R", "What the path is for, such as OuterWall or Infill.");
-        ports.Integer("Layer", "L", "Number of its layer, from 0; -1 if it has none.");
+        ports.Point("Points", "Pt", "Points of the path. A closed path does not repeat its first point.", GH_ParamAccess.list);
+        ports.Number("Areas", "A", "Area of the cross-section of each segment, in mm².", GH_ParamAccess.list);
+        ports.Number("Speeds", "V", "Speed of each segment, in mm/s. 0 = speed of the print settings.", GH_ParamAccess.list);
+        ports.Text("Role", "R", "Role of the path, such as OuterWall or Infill.");
+        ports.Integer("Layer", "L", "Layer number, from 0. -1 = no layer.");
     }
 
     private protected override void Solve(Run run)

@@ -12,9 +12,9 @@ public sealed class DeformComponent() : PathShapingComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        PathsPort(ports);
+        ports.PrintPaths();
         DeformationPorts.Declare(ports);
-        PlanePort(ports);
+        ports.FormulaPlane();
     }
 
     private protected override void Solve(Run run)
@@ -23,12 +23,12 @@ public sealed class DeformComponent() : PathShapingComponent(
         var request = DeformationPorts.Read(run, 1);
         var frame = run.FrameOf(1 + DeformationPorts.Count);
         var deformation = run.Require(request.Compile());
-        var shaped = run.Work("Deform", [frame, .. request.Key, before], (progress, cancel) =>
+        var shaped = run.Work("Deforming", [frame, .. request.Key, before], (progress, cancel) =>
         {
             var problems = new DiagnosticList();
             var local = ToLocal(before.Paths, frame);
             if (request.HasSpeed && local.Any(p => Enumerable.Range(0, p.SegmentCount).Any(i => p.BeadOf(i).Speed == 0)))
-                problems.Add(Severity.Warning, "shape.no_speed", "Some paths have no speed of their own: v is 0 there.");
+                problems.Add(Severity.Warning, "shape.no_speed", "Some paths have no speed of their own, so v is 0 for them.");
             // One by one: a path that can't be deformed does not stop the others.
             var paths = new PrintPath?[local.Length];
             for (var i = 0; i < local.Length; i++)

@@ -10,19 +10,19 @@ namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Replaces runs of segments with arcs.</summary>
 public sealed class FitArcsComponent() : CaterpillarComponent(
-    "Fit Arcs", "FitArcs", "Replaces runs of straight segments with arcs within a tolerance, flat or helical, for smaller and smoother G-code.", Panel.Path,
-        GH_Exposure.secondary)
+    "Fit Arcs", "FitArcs",
+        "Replaces straight segments with flat or helical arcs within a tolerance, for smaller and smoother G-code.", Panel.Path, GH_Exposure.secondary)
 {
     public override Guid ComponentGuid => new("ce1b33da-ca9c-4052-913f-de8e63260a7c");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths whose segments become arcs if they lie on one.", GH_ParamAccess.list);
+        ports.PrintPaths();
         ports.Number("Tolerance", "T", "Maximum distance between an arc and the segments it replaces, in mm.", new ArcFitOptions().Tolerance);
     }
 
     private protected override void Outputs(OutputPorts ports)
-        => ports.Add(new PrintPathParam(), "Print Paths", "P", "The paths with arcs.", GH_ParamAccess.list);
+        => ports.Add(new PrintPathParam(), "Print Paths", "P", "Print paths with arcs.", GH_ParamAccess.list);
 
     private protected override void Solve(Run run)
     {

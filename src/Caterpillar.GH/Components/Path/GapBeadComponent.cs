@@ -7,9 +7,9 @@ using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.Path;
 
-/// <summary>Gives print paths beads that fill the gap to what is underneath.</summary>
+/// <summary>Gives print paths beads that fill the gap below them.</summary>
 public sealed class GapBeadComponent() : CaterpillarComponent(
-    "Gap Bead", "Gap", "Gives print paths beads that fill the gap to what is underneath: earlier paths of the list, a surface, or the bed.", Panel.Path)
+    "Gap Bead", "Gap", "Gives print paths beads that fill the gap to earlier paths, a surface or the bed below them.", Panel.Path)
 {
     // Deviation of the facets of a curved surface, mm.
     private const double Tolerance = 0.05;
@@ -18,20 +18,19 @@ public sealed class GapBeadComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths in printing order; each lies on the ones before it.",
-            GH_ParamAccess.list);
-        ports.Geometry("Geometry", "G", "Objects below the paths, in document units: meshes, Breps, SubDs, extrusions or surfaces.", GH_ParamAccess.list,
-            optional: true);
-        ports.Add(new SettingsParam(), "Settings", "S", "Print settings that determine the limits; the standard ones by default.", optional: true);
-        ports.OptionalNumber("Minimum Gap", "Min", "Smaller gaps are printed as if they were this high, in mm; a quarter of the layer height by default.");
-        ports.OptionalNumber("Maximum Gap", "Max", "Larger gaps are printed as if they were this high, in mm; twice the layer height by default.");
-        ports.Number("Width", "W", "Width of the extrusions in mm; 0 uses that of each bead.", 0);
-        ports.Boolean("Bed", "B", "True if the bed, at Z = 0, is underneath too.", true);
+        ports.PrintPaths();
+        ports.Geometry("Geometry", "G", "Objects below the paths: meshes, Breps, SubDs, extrusions or surfaces.", GH_ParamAccess.list, optional: true);
+        ports.Settings("S", "Used for the limits of the gap. Default: standard.");
+        ports.OptionalNumber("Minimum Gap", "Min",
+            "Minimum gap, in mm. Smaller gaps are printed as if they were this high. Default: a quarter of the layer height.");
+        ports.OptionalNumber("Maximum Gap", "Max", "Maximum gap, in mm. Larger gaps are printed as if they were this high. Default: twice the layer height.");
+        ports.Number("Width", "W", "Line width, in mm. 0 = width of each bead.", 0);
+        ports.Boolean("Bed", "B", "Fill the gap to the bed (Z = 0) as well.", true);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "The same paths with new beads; segments over an uneven gap are divided.", GH_ParamAccess.list);
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "Print paths with new beads. Segments over an uneven gap are divided.", GH_ParamAccess.list);
         ports.Diagnostics();
     }
 
@@ -44,7 +43,7 @@ public sealed class GapBeadComponent() : CaterpillarComponent(
         var gap = GapBead.For(run.Maybe<PrintSettings>(2) ?? new PrintSettings()) with { Width = run.Finite(5), Bed = run.Get<bool>(6) ? 0 : null };
         if (run.MaybeValue<double>(3) is not null) gap = gap with { MinGap = run.Positive(3) };
         if (run.MaybeValue<double>(4) is not null) gap = gap with { MaxGap = run.Positive(4), AirGap = Math.Max(gap.AirGap, 2 * run.Positive(4)) };
-        if (gap.MinGap > gap.MaxGap) throw new InputProblem("Minimum Gap must not be above Maximum Gap.");
+        if (gap.MinGap > gap.MaxGap) throw new InputProblem("Minimum Gap must not be greater than Maximum Gap.");
         var result = run.Work("Measuring gaps", [paths, .. below, gap],
             (progress, cancel) => (gap with { Surface = ModelMesh.Joined(below) }).Apply(paths.Paths, progress, cancel));
         var shaped = run.Require(result);

@@ -9,20 +9,20 @@ namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Joins paths whose ends touch.</summary>
 public sealed class MergePathsComponent() : CaterpillarComponent(
-    "Merge Paths", "Merge", "Joins paths whose ends touch if role, layer, tool and name are equal; each segment keeps its extrusion.", Panel.Path,
-        GH_Exposure.secondary)
+    "Merge Paths", "Merge", "Joins print paths whose ends touch, if their role, layer, tool and name are equal. Each segment keeps its "
+        + "extrusion.", Panel.Path, GH_Exposure.secondary)
 {
     public override Guid ComponentGuid => new("53edb3ac-450f-4275-a38f-0ca4dd43c9b1");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths in printing order.", GH_ParamAccess.list);
+        ports.PrintPaths();
         ports.Number("Tolerance", "T", "Maximum gap to close, in mm.", 0.01);
-        ports.Boolean("Reverse", "Re", "True reverses paths if that makes them fit.", false);
+        ports.Boolean("Reverse", "Re", "Reverse paths if that makes them fit.", false);
     }
 
     private protected override void Outputs(OutputPorts ports)
-        => ports.Add(new PrintPathParam(), "Print Paths", "P", "Fewer and longer paths.", GH_ParamAccess.list);
+        => ports.Add(new PrintPathParam(), "Print Paths", "P", "Joined print paths.", GH_ParamAccess.list);
 
     private protected override void Solve(Run run)
     {

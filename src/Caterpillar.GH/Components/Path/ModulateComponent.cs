@@ -24,25 +24,23 @@ public sealed class ModulateComponent() : PathShapingComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        PathsPort(ports);
-        ports.File("Image", "I", "Image (PNG, PGM, PBM): black is 0, white is 1.", "Images (*.png;*.pgm;*.pbm)|*.png;*.pgm;*.pbm|All files|*.*",
-            optional: true);
-        ports.Text("Expression", "E",
-            "Formula of the field, 0 to 1, instead of an image, in x, y, z, r in mm, theta in degrees, s (length along the path in mm) and u (the same from 0 "
-                + "to 1), for example 0.5 + 0.5 * sin(6 * theta).",
-            optional: true);
-        ports.Choice("Mode", "M", "What changes: the speed at a constant flow of material, the flow at a constant speed, or the position, to the left of the "
-            + "path or upward.", ModulationMode.Speed);
-        ports.Number("Low", "L", "Amount where the field is 0: factor for speed or flow, or displacement in mm.", 1);
-        ports.Number("High", "H", "Amount where the field is 1: factor for speed or flow, or displacement in mm.", 0.65);
-        ports.Text("Mask", "Ma", "Formula in the same variables for the strength of the effect, 0 to 1; full strength by default.", optional: true);
-        ports.Number("Resolution", "R", "Segments are first divided into parts of at most this length, in mm; 0 leaves them as they are.", 0);
-        PlanePort(ports);
-        ports.Choice("Mapping", "W", "How the image is mapped onto the paths: around them, as on a globe, seen from above, or one row for each path; it is as "
-            + "large as they are.", ImageProjection.Cylinder);
+        ports.PrintPaths();
+        ports.File("Image", "I", "Image (PNG, PGM, PBM). Black = 0, white = 1.", "Images (*.png;*.pgm;*.pbm)|*.png;*.pgm;*.pbm|All files|*.*", optional: true);
+        ports.Text("Expression", "E", "Formula from 0 to 1, instead of an image. Example: 0.5 + 0.5 * sin(6 * theta). Variables: x, y, z, r in mm, theta in "
+            + "degrees, s (length along the path in mm), u (the same from 0 to 1).", optional: true);
+        ports.Choice("Mode", "M", "Value to change: speed at constant volumetric flow, flow at constant speed, or position (to the left of the path, or "
+            + "upward).", ModulationMode.Speed);
+        ports.Number("Low", "L", "Value for black or 0: factor for speed or flow, or displacement in mm.", 1);
+        ports.Number("High", "H", "Value for white or 1: factor for speed or flow, or displacement in mm.", 0.65);
+        ports.Text("Mask", "Ma",
+            "Formula for the strength of the effect, from 0 to 1, with the variables of Expression. Default: full strength.", optional: true);
+        ports.Number("Resolution", "R", "Maximum segment length, in mm. Longer segments are divided first. 0 = do not divide.", 0);
+        ports.FormulaPlane();
+        ports.Choice("Mapping", "W", "Projection of the image: around the paths, as on a globe, from above, or one row of pixels for each path. The image "
+            + "covers all paths.", ImageProjection.Cylinder);
         ports.Integer("Repeat", "N", "Number of times the image is repeated around a cylinder.", 1);
-        ports.Boolean("Smooth", "Sm", "True interpolates between pixels, false takes the nearest pixel.", false);
-        ports.Number("Reference Speed", "V", "Speed in mm/s of paths that have none of their own; 0 if all have one.", 0);
+        ports.Boolean("Smooth", "Sm", "Interpolate between pixels instead of using the nearest one.", false);
+        ports.Number("Reference Speed", "V", "Speed of paths that use the speed of the print settings, in mm/s. 0 = all paths have their own.", 0);
     }
 
     private protected override void Solve(Run run)
@@ -51,17 +49,17 @@ public sealed class ModulateComponent() : PathShapingComponent(
         var file = run.Maybe<string>(1);
         var expression = run.Maybe<string>(2);
         if (file is null == expression is null)
-            throw new InputProblem(file is null ? "Image or Expression is missing." : "Give an Image or an Expression, not both.") { IsMissing = file is null };
+            throw new InputProblem(file is null ? "Image or Expression is missing." : "Connect Image or Expression, not both.") { IsMissing = file is null };
         if (file is not null) file = run.PathTo(file);
         var (mode, low, high) = (run.Choice<ModulationMode>(3), run.Finite(4), run.Finite(5));
         var mask = run.Maybe<string>(6);
-        var resolution = run.Finite(7) is >= 0 and var length ? length : throw new InputProblem("Resolution must be 0 or more.");
+        var resolution = run.NotNegative(7);
         var frame = run.FrameOf(8);
         var (lay, smooth, speed) = (run.Choice<ImageProjection>(9), run.Get<bool>(11), run.Finite(12));
         var repeat = run.Get<int>(10) is >= 1 and var times ? times : throw new InputProblem("Repeat must be 1 or more.");
         object? written = file is null ? null : File.GetLastWriteTimeUtc(file);
         object?[] key = [file, written, expression, mode, low, high, mask, resolution, frame, lay, repeat, smooth, speed, before];
-        SetPaths(run, before, run.Work("Modulate", key, (progress, cancel) =>
+        SetPaths(run, before, run.Work("Modulating", key, (progress, cancel) =>
         {
             var problems = new List<Diagnostic>();
             var local = ToLocal(before.Paths, frame);
@@ -82,7 +80,7 @@ public sealed class ModulateComponent() : PathShapingComponent(
         foreach (var path in paths) box = box.Include(path.Bounds);
         var size = box.Size;
         if ((lay == ImageProjection.Cylinder && !(size.Z > 0)) || (lay == ImageProjection.Plan && !(size.X > 0 && size.Y > 0)))
-            throw new InputProblem($"The paths are too flat for the mapping {lay}.");
+            throw new InputProblem($"The paths are too flat for the mapping {lay}. Choose another one.");
         var mapping = lay switch
         {
             ImageProjection.Cylinder => ImageMappings.Cylinder(box.Min.Z, box.Max.Z, repeats: repeat),

@@ -9,21 +9,21 @@ namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Reverses or rotates paths so that they start near the end of the previous one.</summary>
 public sealed class OrientPathsComponent() : CaterpillarComponent(
-    "Orient Paths", "Orient", "Keeps the order of paths, and reverses or rotates each so that it starts near the end of the previous one.", Panel.Path,
-        GH_Exposure.secondary)
+    "Orient Paths", "Orient",
+        "Keeps the order of print paths, and reverses or rotates each to start near the end of the previous one.", Panel.Path, GH_Exposure.secondary)
 {
     public override Guid ComponentGuid => new("b290ed56-f49f-4df9-98de-9e1484c57e53");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths in printing order.", GH_ParamAccess.list);
-        ports.Boolean("Reverse", "Re", "True if open paths may be printed from their other end.", true);
-        ports.Boolean("Rotate", "Ro", "True if closed paths may start at any of their vertices.", true);
+        ports.PrintPaths();
+        ports.Boolean("Reverse", "Re", "Allow open paths to be printed from their other end.", true);
+        ports.Boolean("Rotate", "Ro", "Allow closed paths to start at any vertex.", true);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "The same paths in the same order.", GH_ParamAccess.list);
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "Print paths, in the same order.", GH_ParamAccess.list);
         ports.Number("Travel", "T", "Total distance from the end of each path to the start of the next, in mm.");
     }
 

@@ -12,16 +12,9 @@ namespace Caterpillar.GH.Components.Path;
 public abstract class PathShapingComponent(string name, string nickname, string description)
     : CaterpillarComponent(name, nickname, description, Panel.Path, GH_Exposure.secondary)
 {
-    private protected static void PathsPort(InputPorts ports)
-        => ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths in printing order.", GH_ParamAccess.list);
-
-    private protected static void PlanePort(InputPorts ports)
-        => ports.Add(new Param_Plane(), "Plane", "Pl",
-            "Frame of the coordinates, in document units; its Z is the axis of angles. World XY by default.", optional: true);
-
     private protected sealed override void Outputs(OutputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "The paths in their order; null where the result is invalid.", GH_ParamAccess.list);
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "Print paths, in the same order. Null if the result is invalid.", GH_ParamAccess.list);
         ports.Diagnostics();
     }
 
@@ -38,7 +31,7 @@ public abstract class PathShapingComponent(string name, string nickname, string 
         run.SetList(0, run.Cached([before, shaped], () => shaped.Paths.Select((path, i) => path is null ? null : before.Goos[i].With(path)).ToArray()));
     }
 
-    /// <summary>Paths in the coordinates of a frame; unchanged for the world frame.</summary>
+    /// <summary>Paths in the coordinates of a frame. Unchanged for the world frame.</summary>
     private protected static PrintPath[] ToLocal(IEnumerable<PrintPath> paths, Frame frame)
     {
         if (frame == Frame.World) return paths.ToArray();

@@ -12,26 +12,23 @@ namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Sorts print paths for short travel.</summary>
 public sealed class SortPathsComponent() : CaterpillarComponent(
-    "Sort Paths", "Sort", "Sorts print paths for short travel; none is lost. Unsorted paths are printed in their order.",
-        Panel.Path)
+    "Sort Paths", "Sort", "Sorts print paths for short travel moves. Paths that are not sorted are printed in their order.", Panel.Path)
 {
     public override Guid ComponentGuid => new("b1d0a5ee-6f0e-4b7c-9a55-61c2f1a7d3e4");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths to sort.", GH_ParamAccess.list);
-        ports.Choice("Rule", "R",
-            "The order: as given (None), as given but each from its nearest end (Orient), from each end to the nearest start, by layer, by lowest point, or "
-                + "the shortest tour found.",
-            SortRule.Nearest);
-        ports.Boolean("Reverse", "Re", "True if open paths may be printed from their other end.", true);
-        ports.Boolean("Rotate", "Ro", "True if closed paths may start at any of their vertices.", true);
-        ports.Add(new Param_Point(), "Start", "S", "Start position of the head, in document units; by default the first path stays first.", optional: true);
+        ports.PrintPaths();
+        ports.Choice("Rule", "R", "Sorting rule. None: as given. Orient: as given, each from its nearest end. Nearest: from each end to the nearest start. "
+            + "Layer: by layer. Z: by lowest point. Tour: shortest tour found.", SortRule.Nearest);
+        ports.Boolean("Reverse", "Re", "Allow open paths to be printed from their other end.", true);
+        ports.Boolean("Rotate", "Ro", "Allow closed paths to start at any vertex.", true);
+        ports.Add(new Param_Point(), "Start", "S", "Start position of the print head. Default: the first path stays first.", optional: true);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "The paths in their new order, reversed and rotated if allowed.", GH_ParamAccess.list);
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "Sorted print paths, reversed and rotated if allowed.", GH_ParamAccess.list);
         ports.Integer("Indices", "I", "Index of each path in the input, from 0.", GH_ParamAccess.list);
         ports.Number("Travel", "T", "Total distance from the end of each path to the start of the next, in mm.");
     }
@@ -41,7 +38,7 @@ public sealed class SortPathsComponent() : CaterpillarComponent(
         var paths = run.Paths(0);
         if (paths.Count == 0) throw run.Missing(0);
         var start = run.MaybePoint(4);
-        if (start is { IsFinite: false }) throw new InputProblem("Start must be a point with finite coordinates.");
+        if (start is { IsFinite: false }) throw new InputProblem("Start must have finite coordinates.");
         var options = new SortOptions(run.Choice<SortRule>(1), run.Get<bool>(2), run.Get<bool>(3), start);
         var sorted = run.Work("Sorting", [paths, options], (progress, cancel) => Sorted.Of(paths.Paths, options, progress, cancel));
         run.SetList(0, sorted.Paths);

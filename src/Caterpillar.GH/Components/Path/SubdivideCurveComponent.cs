@@ -22,27 +22,27 @@ public enum SubdivisionMode
 
 /// <summary>Divides a curve as it will be printed.</summary>
 public sealed class SubdivideCurveComponent() : CaterpillarComponent(
-    "Subdivide Curve", "SubCrv", "Separates the linear from the curved parts of a curve; linear parts keep only their end points, curved parts are divided.",
-        Panel.Path)
+    "Subdivide Curve", "SubCrv",
+        "Separates the linear and the curved parts of a curve. Linear parts keep only their end points, curved parts are divided.", Panel.Path)
 {
     public override Guid ComponentGuid => new("a31cc893-fa2f-4120-a76b-5b2d09d19c7c");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new Param_Curve(), "Curve", "C", "Curve to divide, in document units.");
-        ports.Choice("Mode", "M", "How curved parts are divided: by distance, by chord tolerance or by angle.", SubdivisionMode.Distance);
-        ports.Number("Distance", "D", "Maximum length of a segment of a curved part, in mm.", 1);
-        ports.Number("Tolerance", "T", "Maximum distance between curve and segment, in mm.", 0.05);
-        ports.Angle("Angle", "A", "Maximum turn of the curve along a segment, in degrees.", 5);
-        ports.Number("Shortest", "S", "Minimum length of a segment of a curved part, in mm; 0 for no limit.", 0);
-        ports.Number("Longest", "L", "Maximum length of a segment of a curved part, in mm; 0 for no limit.", 0);
+        ports.Add(new Param_Curve(), "Curve", "C", "Curve to divide.");
+        ports.Choice("Mode", "M", "Division of curved parts: by distance, chord tolerance or angle.", SubdivisionMode.Distance);
+        ports.Number("Distance", "D", "For Distance: maximum segment length on curved parts, in mm.", 1);
+        ports.Number("Tolerance", "T", "For Tolerance: maximum distance between curve and segment, in mm.", 0.05);
+        ports.Angle("Angle", "A", "For Angle: maximum turn of the curve along a segment, in degrees.", 5);
+        ports.Number("Minimum Length", "Min", "Minimum segment length on curved parts, in mm. 0 = no limit.", 0);
+        ports.Number("Maximum Length", "Max", "Maximum segment length on curved parts, in mm. 0 = no limit.", 0);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Point("Points", "Pt", "Points of the divided curve, in document units; a closed curve does not repeat its first one.", GH_ParamAccess.list);
-        ports.Curve("Lines", "Li", "The linear parts, one line each.", GH_ParamAccess.list);
-        ports.Curve("Curved Parts", "Cu", "The divided curved parts, one polyline each.", GH_ParamAccess.list);
+        ports.Point("Points", "Pt", "Points of the divided curve. A closed curve does not repeat its first point.", GH_ParamAccess.list);
+        ports.Curve("Lines", "Li", "Linear parts, one line each.", GH_ParamAccess.list);
+        ports.Curve("Curved Parts", "Cu", "Divided curved parts, one polyline each.", GH_ParamAccess.list);
     }
 
     private protected override void Solve(Run run)

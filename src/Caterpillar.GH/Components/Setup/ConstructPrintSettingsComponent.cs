@@ -9,25 +9,24 @@ namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>Print settings from a profile, with some values overridden.</summary>
 public sealed class ConstructPrintSettingsComponent() : ProfileComponent(
-    "Construct Print Settings", "Settings", "Print settings from a profile, with some values overridden.")
+    "Construct Print Settings", "Settings", "Creates print settings from a profile and some values of your own.")
 {
     public override Guid ComponentGuid => new("eb1bc290-3166-4963-b83d-d36f484b35cb");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new SettingsParam(), "Base", "B", "Settings to start from, or the name of their profile; the standard ones by default.", optional: true);
-        ports.OptionalNumber("Layer Height", "H", "Height of a layer, in mm; that of the base by default.");
-        ports.OptionalNumber("Line Width", "W", "Width of a line, in mm; that of the base by default.");
-        ports.OptionalNumber("Print Speed", "P", "Speed of printing moves, in mm/s; that of the base by default.");
-        ports.OptionalNumber("Travel Speed", "T", "Speed of travel moves, in mm/s; that of the base by default.");
-        ports.OptionalNumber("Subdivision Distance", "S", "Distance between points on curved paths, in mm; that of the base by default.");
-        ports.Text("Overrides", "O", "Other values to override, as key=value, for example wall_count=3 or infill_density_percent=15; keys include their unit.",
-            access: GH_ParamAccess.list, optional: true);
+        ports.Settings("B", "Default: standard.", "Base");
+        ports.OptionalNumber("Layer Height", "H", "Layer height, in mm. Default: as in Base.");
+        ports.OptionalNumber("Line Width", "W", "Line width, in mm. Default: as in Base.");
+        ports.OptionalNumber("Print Speed", "P", "Speed of printing moves, in mm/s. Default: as in Base.");
+        ports.OptionalNumber("Travel Speed", "T", "Speed of travel moves, in mm/s. Default: as in Base.");
+        ports.OptionalNumber("Subdivision Distance", "S", "Segment length of subdivided curves, in mm. Default: as in Base.");
+        ports.Overrides("wall_count=3 or infill_density_percent=15");
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new SettingsParam(), "Settings", "S", "The print settings.");
+        ports.Add(new SettingsParam(), "Settings", "S", "Print settings.");
         ports.Diagnostics();
     }
 

@@ -11,7 +11,7 @@ namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>Makes a printer from its bed, its head and its limits.</summary>
 public sealed class ConstructPrinterComponent() : ProfileComponent(
-    "Construct Printer", "CPrinter", "Makes a printer from another, with its bed, nozzle, head, limits and code, without a file.")
+    "Construct Printer", "CPrinter", "Creates a printer from another one, with its own bed, nozzle, print head, limits and G-code.")
 {
     // mm; a bed that begins this close to the origin begins there.
     private const double OriginTolerance = 0.001;
@@ -20,25 +20,23 @@ public sealed class ConstructPrinterComponent() : ProfileComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new PrinterParam(), "Base", "B", "Printer to start from, or the name of its profile; the generic one by default.", optional: true);
-        ports.Geometry("Bed", "Be", "Box of the build volume or rectangle of the bed, in document units, with the origin at a corner or in the middle; that of "
-            + "the base by default.", optional: true);
-        ports.OptionalNumber("Nozzle", "N", "Diameter of the nozzle, in mm; that of the base by default.");
-        ports.Geometry("Head Parts", "H",
-            "Parts of the head around the nozzle, whose tip is at the origin, in document units: their boxes must not touch the print.",
-            GH_ParamAccess.list, optional: true);
-        ports.Text("Limits", "L", "Other values, as key=value, for example max_flow_mm3_s=20; keys include their unit.", access: GH_ParamAccess.list,
-            optional: true);
-        ports.Text("Start G-code", "SC", "Lines before the print, with {nozzle_temperature} and other names; those of the base by default.",
-            access: GH_ParamAccess.item, optional: true);
-        ports.Text("End G-code", "EC", "Lines after the print; those of the base by default.", optional: true);
+        ports.Printer("B", "Default: generic.", "Base");
+        ports.Geometry("Bed", "Be",
+            "Box of the build volume, or rectangle of the bed. The origin must be its front left corner or its center. Default: as in Base.", optional: true);
+        ports.OptionalNumber("Nozzle", "N", "Nozzle diameter, in mm. Default: as in Base.");
+        ports.Geometry("Head Parts", "H", "Parts of the print head, with the nozzle tip at the origin. Their bounding boxes must not touch the print. Default: "
+            + "as in Base.", GH_ParamAccess.list, optional: true);
+        ports.Overrides("max_flow_mm3_s=20");
+        ports.Text("Start G-code", "SC",
+            "Start G-code, with placeholders such as {nozzle_temperature_c}. Default: as in Base.", access: GH_ParamAccess.item, optional: true);
+        ports.Text("End G-code", "EC", "End G-code, with placeholders such as {nozzle_temperature_c}. Default: as in Base.", optional: true);
         ports.Text("Name", "Na", "Name of the printer.", "custom");
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new PrinterParam(), "Printer", "P", "The printer.");
-        ports.Curve("Bed", "B", "Outline of the bed, in document units.");
+        ports.Add(new PrinterParam(), "Printer", "P", "Printer.");
+        ports.Curve("Bed", "B", "Outline of the bed.");
         ports.Diagnostics();
     }
 
@@ -61,14 +59,14 @@ public sealed class ConstructPrinterComponent() : ProfileComponent(
         var volume = bed.Size.Z > 0 ? bed.Size : bed.Size.WithZ(printer.BuildVolume.Z);
         var corner = Math.Abs(bed.Min.X) <= OriginTolerance && Math.Abs(bed.Min.Y) <= OriginTolerance;
         var centered = Math.Abs(bed.Center.X) <= OriginTolerance && Math.Abs(bed.Center.Y) <= OriginTolerance;
-        if (!corner && !centered) throw new InputProblem("The origin must be at the front left corner of the bed or in its middle.");
+        if (!corner && !centered) throw new InputProblem("The origin must be the front left corner of the bed or its center. Move the bed.");
         return printer with { BuildVolume = volume, Origin = corner ? BedOrigin.Corner : BedOrigin.Center, BedShape = BedShape.Rectangle };
     }
 
     private static Bounds BoundsOf(IGH_GeometricGoo goo, DocumentUnits units)
     {
         var box = goo.Boundingbox;
-        if (!box.IsValid) throw new InputProblem("Bed or Head Parts have no extent.");
+        if (!box.IsValid) throw new InputProblem("Bed or Head Parts is empty: connect geometry with a valid bounding box.");
         return RhinoGeometry.ToBounds(box, units);
     }
 }

@@ -9,8 +9,8 @@ namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>Makes a printer from header and footer files.</summary>
 public sealed class ImportHeaderComponent() : CaterpillarComponent(
-    "Import Header", "Header", "Makes a printer and a material from the G-code before and after a print, as ExtruderTurtle and other programs keep it.",
-        Panel.Setup, GH_Exposure.secondary)
+    "Import Header", "Header", "Creates a printer and a material from files with start and end G-code, as ExtruderTurtle and other "
+        + "programs use them.", Panel.Setup, GH_Exposure.secondary)
 {
     private const string Filter = "G-code|*.gcode;*.txt;*.g|All files|*.*";
 
@@ -18,17 +18,16 @@ public sealed class ImportHeaderComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.File("Header", "H", "File with the lines before the print.", Filter);
-        ports.File("Footer", "F", "File with the lines after the print; none by default.", Filter, optional: true);
-        ports.Add(new PrinterParam(), "Base", "B", "A similar printer for what the files do not state, or the name of its profile; the generic one by default.",
-            optional: true);
+        ports.File("Header", "H", "File with the start G-code.", Filter);
+        ports.File("Footer", "F", "File with the end G-code. Default: none.", Filter, optional: true);
+        ports.Printer("B", "Used for values that the files do not contain. Default: generic.", "Base");
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new PrinterParam(), "Printer", "P", "The printer.");
-        ports.Add(new MaterialParam(), "Material", "M", "A material with the temperatures of the header, in °C.");
-        ports.Point("Start", "S", "Where the header leaves the nozzle, in document units; null if it does not say.");
+        ports.Add(new PrinterParam(), "Printer", "P", "Printer.");
+        ports.Add(new MaterialParam(), "Material", "M", "Material with the temperatures of the header, in °C.");
+        ports.Point("Start", "S", "Nozzle position after the header. Null if the header does not contain it.");
         ports.Diagnostics();
     }
 

@@ -8,22 +8,20 @@ using Grasshopper.Kernel;
 namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>A material from a profile.</summary>
-public sealed class MaterialComponent() : ProfileComponent("Material", "Material", "A material from a profile or a file.")
+public sealed class MaterialComponent() : ProfileComponent("Material", "Material", "Loads a material from a profile or a file.")
 {
     public override Guid ComponentGuid => new("b38a4d05-4122-429f-8b49-c7313ba87d9d");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Text("Name", "N", "Name of the profile, such as pla, petg or clay.", "pla");
-        ports.File("File", "F", "File of a profile of your own (JSON); it takes precedence over the name.", "Material profile|*.json", optional: true);
-        ports.Text("Overrides", "O", "Values to override, as key=value, for example nozzle_temperature_c=215; keys include their unit.",
-            access: GH_ParamAccess.list,
-            optional: true);
+        ports.Text("Name", "N", "Name of the material profile, such as pla, petg or clay.", "pla");
+        ports.File("File", "F", "File of your own profile (JSON). Replaces Name.", "Material profile|*.json", optional: true);
+        ports.Overrides("nozzle_temperature_c=215");
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new MaterialParam(), "Material", "M", "The material.");
+        ports.Add(new MaterialParam(), "Material", "M", "Material.");
         ports.Diagnostics();
     }
 

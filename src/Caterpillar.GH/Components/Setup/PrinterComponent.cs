@@ -7,20 +7,20 @@ using Caterpillar.GH.Plugin;
 namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>A printer from a profile.</summary>
-public sealed class PrinterComponent() : ProfileComponent("Printer", "Printer", "A printer from a profile or a file.")
+public sealed class PrinterComponent() : ProfileComponent("Printer", "Printer", "Loads a printer from a profile or a file.")
 {
     public override Guid ComponentGuid => new("7974af61-1fa1-4de7-9ff5-cbf83ddab480");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Text("Name", "N", "Name of the profile, such as generic, ender3 or prusa_mk3s.", "generic");
-        ports.File("File", "F", "File of a profile of your own (JSON); it takes precedence over the name.", "Printer profile|*.json", optional: true);
+        ports.Text("Name", "N", "Name of the printer profile, such as generic, ender3 or prusa_mk3s.", "generic");
+        ports.File("File", "F", "File of your own profile (JSON). Replaces Name.", "Printer profile|*.json", optional: true);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new PrinterParam(), "Printer", "P", "The printer.");
-        ports.Curve("Bed", "B", "Outline of the bed, in document units.");
+        ports.Add(new PrinterParam(), "Printer", "P", "Printer.");
+        ports.Curve("Bed", "B", "Outline of the bed.");
         ports.Diagnostics();
     }
 

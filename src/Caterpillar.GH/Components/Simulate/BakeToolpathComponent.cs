@@ -18,9 +18,8 @@ public enum BakeKind
 
 /// <summary>Bakes a toolpath when a button is pressed.</summary>
 public sealed class BakeToolpathComponent() : CaterpillarComponent(
-    "Bake Toolpath", "Bake", "Bakes what a toolpath prints when Bake becomes true: on layers by object and role, grouped under a name; the same name "
-        + "replaces it.",
-        Panel.Simulate, GH_Exposure.secondary)
+    "Bake Toolpath", "Bake", "Bakes the extrusions of a toolpath when Bake becomes true, on layers by object and role. Baking again under the same name "
+        + "replaces them.", Panel.Simulate, GH_Exposure.secondary)
 {
     private readonly Buttons _bake = new(input: 2);
 
@@ -32,14 +31,14 @@ public sealed class BakeToolpathComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to bake, planned or decoded.");
-        ports.Text("Name", "N", "Name of the baked objects; what was baked under it before is replaced.", "Toolpath");
-        ports.Boolean("Bake", "B", "The toolpath is baked when this changes from false to true: connect a button.", false);
+        ports.Toolpath();
+        ports.Text("Name", "N", "Name of the baked objects and of their group. Objects baked under this name are replaced.", "Toolpath");
+        ports.Boolean("Bake", "B", "Bakes the toolpath when this changes from false to true. Connect a button.", false);
         ports.Choice("Kind", "K", "Curves along the extrusions, or beads of true width and height as meshes.", BakeKind.Curves);
     }
 
     private protected override void Outputs(OutputPorts ports)
-        => ports.Text("Ids", "I", "Ids of the objects that were baked last.", GH_ParamAccess.list);
+        => ports.Text("Ids", "I", "IDs of the objects that were baked last.", GH_ParamAccess.list);
 
     private protected override void Prepare(Run run) => _pressed = _bake.IsPressed(run);
 
@@ -52,7 +51,7 @@ public sealed class BakeToolpathComponent() : CaterpillarComponent(
         var item = run.Iteration;
         if (_pressed && run.MayAct())
         {
-            if (RhinoDoc.ActiveDoc is null) throw new InputProblem("There is no Rhino document to bake into.");
+            if (RhinoDoc.ActiveDoc is null) throw new InputProblem("No Rhino document is open. Open one to bake.");
             // Documents must not change while a solution runs.
             run.Document?.ScheduleSolution(1, _ => Bake(toolpath, name, kind, item));
         }

@@ -12,13 +12,13 @@ namespace Caterpillar.GH.Components.Simulate;
 
 /// <summary>Checks a toolpath against a printer.</summary>
 public sealed class CheckComponent() : CaterpillarComponent(
-    "Check", "Check", "Checks a toolpath against its printer: where the head goes and what it would hit, extrusions, speeds, flow, heat.", Panel.Simulate)
+    "Check", "Check", "Checks a toolpath against its printer: positions, collisions, extrusions, speeds, flow and temperatures.", Panel.Simulate)
 {
     public override Guid ComponentGuid => new("5f3ef7a5-7d2b-4d0f-b2f4-6a2f4b0c8d04");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to check, planned or decoded.");
+        ports.Toolpath();
         SetupPorts.Printer(ports);
         SetupPorts.Material(ports);
         SetupPorts.Settings(ports);
@@ -26,10 +26,10 @@ public sealed class CheckComponent() : CaterpillarComponent(
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new ToolpathParam { Hidden = true }, "Checked Toolpath", "T", "The toolpath if no check found an error; else null.");
+        ports.Add(new ToolpathParam { Hidden = true }, "Checked Toolpath", "T", "Toolpath, if no check found an error. Otherwise null.");
         ports.Add(new Param_Boolean(), "OK", "OK", "True if no check found an error.");
         ports.Diagnostics();
-        ports.Add(new Param_Point(), "Points", "P", "Where each finding happens first, in document units.", GH_ParamAccess.list);
+        ports.Add(new Param_Point(), "Points", "P", "First position of each problem.", GH_ParamAccess.list);
     }
 
     private protected override void Solve(Run run)

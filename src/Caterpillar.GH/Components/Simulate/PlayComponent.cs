@@ -9,8 +9,7 @@ using Grasshopper.Kernel;
 namespace Caterpillar.GH.Components.Simulate;
 
 /// <summary>Runs through a print as time passes.</summary>
-public sealed class PlayComponent() : CaterpillarComponent(
-    "Play", "Play", "Gives a position that moves through a print as time passes, for Simulate.", Panel.Simulate)
+public sealed class PlayComponent() : CaterpillarComponent("Play", "Play", "Moves a position through a print as time passes, for Simulate.", Panel.Simulate)
 {
     private const int FrameMilliseconds = 40;
     private readonly Stopwatch _clock = Stopwatch.StartNew();
@@ -20,7 +19,7 @@ public sealed class PlayComponent() : CaterpillarComponent(
 
     public override Guid ComponentGuid => new("d7f20c3c-2a54-4a39-9c8e-5f0a6f5a7a02");
 
-    /// <summary>Seconds of the clock; a test has its own.</summary>
+    /// <summary>Seconds of the clock. A test has its own.</summary>
     internal Func<double>? Seconds { get; set; }
 
     /// <summary>True while the position moves.</summary>
@@ -42,14 +41,14 @@ public sealed class PlayComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to run through: its print time is how long it takes.");
-        ports.Boolean("Run", "R", "Starts when this changes from false to true; false stops.", false);
-        ports.Number("Speed", "V", "Factor for the speed: 1 takes as long as the print.", 60);
-        ports.Boolean("Reset", "Re", "True goes back to the start.", false);
+        ports.Toolpath();
+        ports.Boolean("Run", "R", "Starts when this changes from false to true. Stops when false.", false);
+        ports.Number("Speed", "V", "Speed factor. 1 = as long as the print.", 60);
+        ports.Boolean("Reset", "Re", "Go back to the start.", false);
         SetupPorts.Printer(ports);
     }
 
-    private protected override void Outputs(OutputPorts ports) => ports.Number("Position", "t", "Position in the print by time, 0 to 1.");
+    private protected override void Outputs(OutputPorts ports) => ports.Number("Position", "t", "Position in the print by time, from 0 to 1.");
 
     private protected override void Prepare(Run run)
     {
@@ -67,7 +66,7 @@ public sealed class PlayComponent() : CaterpillarComponent(
 
     private protected override void Solve(Run run)
     {
-        if (run.Iteration > 0) throw new InputProblem("Play runs through one toolpath.");
+        if (run.Iteration > 0) throw new InputProblem("Play takes only one toolpath. Use one Play for each.");
         var goo = run.Get<ToolpathGoo>(0);
         var speed = run.Positive(2);
         if (run.Get<bool>(3)) _position = 0;

@@ -25,9 +25,8 @@ public enum PositionBy
 
 /// <summary>Shows the machine at a moment of a print.</summary>
 public sealed class SimulateComponent() : CaterpillarComponent(
-    "Simulate", "Sim", "Shows the machine at a moment of a print: the head, a turtle that points where it goes, and what is printed by then. Connect a "
-        + "slider or Play to the position.",
-        Panel.Simulate)
+    "Simulate", "Sim", "Shows the machine at a moment of the print: print head, direction of motion, and extrusions so far. Connect a slider or Play to "
+        + "Position.", Panel.Simulate)
 {
     private static readonly Color Printed = Color.FromArgb(240, 136, 62);
     private static readonly Color HeadColor = Color.FromArgb(60, 70, 80);
@@ -37,24 +36,23 @@ public sealed class SimulateComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to simulate, planned or decoded.");
+        ports.Toolpath();
         SetupPorts.Printer(ports);
-        ports.Number("Position", "t", "Position in the print: from 0 to 1, or as By says.", 1);
-        ports.Choice("Position Unit", "U", "What the position counts. From 0 to 1: time, length of the path or layers; else seconds, the number of a layer "
-            + "as in the "
-            + "file, or the line of a file, from 1, or step of a design, from 0.", PositionBy.Time);
+        ports.Number("Position", "t", "Position in the print, from 0 to 1 or in another Position Unit.", 1);
+        ports.Choice("Position Unit", "U", "Unit of Position. Time, Length, Layer: from 0 to 1. Seconds: time. Layer Number: as in the file. Line: line of the "
+            + "file, from 1, or step of the design, from 0.", PositionBy.Time);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new Param_Plane(), "Plane", "Pl", "Tip of the nozzle, in document units: X along the motion.");
-        ports.Add(new ToolpathParam { Hidden = true }, "Printed", "Pr", "What has happened by then, as a toolpath that is made when something asks for it.");
-        ports.Add(new Param_Curve { Hidden = true }, "Current", "C", "The move in progress up to the position, in document units; null if there is none.");
+        ports.Add(new Param_Plane(), "Plane", "Pl", "Plane at the nozzle tip, with X along the motion.");
+        ports.Add(new ToolpathParam { Hidden = true }, "Printed", "Pr", "Toolpath up to the position, made only if it is used.");
+        ports.Add(new Param_Curve { Hidden = true }, "Current", "C", "Current move up to the position. Null if none.");
         ports.Number("Time", "Ti", "Time since the start, in seconds.");
-        ports.Integer("Line", "L", "Line number in the file, from 1, or number of the step, from 0; -1 if there is none.");
-        ports.Add(new Param_Curve { Hidden = true }, "Head", "H", "Outline of the head above the nozzle, in document units.");
-        ports.Text("State", "S", "What the machine does, in words.");
-        ports.Add(new Param_Mesh { Hidden = true }, "Head Mesh", "HM", "Nozzle and head with its boxes, in document units; null for a head without extent.");
+        ports.Integer("Line", "L", "Line number in the file, from 1, or number of the step in the design, from 0. -1 = none.");
+        ports.Add(new Param_Curve { Hidden = true }, "Head", "H", "Outline of the print head above the nozzle.");
+        ports.Text("State", "S", "State of the machine as text.");
+        ports.Add(new Param_Mesh { Hidden = true }, "Head Mesh", "HM", "Mesh of the nozzle and the print head. Null if the printer has no head shape.");
     }
 
     private protected override void Solve(Run run)
@@ -62,7 +60,7 @@ public sealed class SimulateComponent() : CaterpillarComponent(
         var goo = run.Get<ToolpathGoo>(0);
         var position = run.Finite(2);
         var by = run.Choice<PositionBy>(3);
-        if (by <= PositionBy.Layer && position is < 0 or > 1) throw new InputProblem("Position must be 0 to 1.");
+        if (by <= PositionBy.Layer && position is < 0 or > 1) throw new InputProblem("Position must be from 0 to 1.");
         var toolpath = goo.Value;
         if (toolpath.Count == 0) throw new InputProblem("The toolpath has no moves.");
         var setup = run.Cached([goo.Value, goo.Setup, goo.DecodedGCode, run.Maybe<Printer>(1)], () => SetupPorts.Of(run, goo, run.Maybe<Printer>(1)));
@@ -88,7 +86,7 @@ public sealed class SimulateComponent() : CaterpillarComponent(
         if (by == PositionBy.Time) return timeline.AtFraction(position);
         if (by == PositionBy.Length) return timeline.AtLength(position);
         if (by == PositionBy.Seconds) return timeline.At(position);
-        if (by != PositionBy.Layer) return AtNumber(timeline, position, by) ?? throw new InputProblem("The print has nothing at this position.");
+        if (by != PositionBy.Layer) return AtNumber(timeline, position, by) ?? throw new InputProblem("The toolpath has no such layer, line or step.");
         var layers = timeline.Toolpath.Layers.Count;
         if (layers == 0 || position >= 1) return timeline.AtFraction(position);
         // Within a layer by time.

@@ -10,30 +10,30 @@ namespace Caterpillar.GH.Components.Simulate;
 
 /// <summary>Time and material of a print.</summary>
 public sealed class StatisticsComponent() : CaterpillarComponent(
-    "Statistics", "Stats", "Time and material of a print, by the accelerations and corner rules of its printer.", Panel.Simulate)
+    "Statistics", "Stats", "Print time and material of a toolpath, by the accelerations and cornering of its printer.", Panel.Simulate)
 {
     public override Guid ComponentGuid => new("0a6f6d0e-94d1-4b0f-8a77-2f0f3b8f9b03");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to measure, planned or decoded.");
+        ports.Toolpath();
         SetupPorts.Printer(ports);
         SetupPorts.Material(ports);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Number("Time", "T", "Time of the print, in seconds.");
-        ports.Number("Filament", "F", "Deposited filament, in mm (or mm³ if the machine counts volume).");
-        ports.Number("Volume", "V", "Deposited material, in mm³; null if the diameter of the filament is unknown.");
-        ports.Number("Mass", "M", "Mass of the material in grams, from its volume in mm³ and its density; null if unknown.");
-        ports.Number("Cost", "C", "Cost of the material, a factor of its mass in the currency of the profile; null if unknown.");
-        ports.Number("Print Length", "L", "Length of all extrusions, in mm.");
-        ports.Number("Travel Length", "Tr", "Length of all travels, in mm.");
+        ports.Number("Time", "T", "Print time, in seconds.");
+        ports.Number("Filament", "F", "Extruded filament, in mm (or mm³ for volumetric E).");
+        ports.Number("Volume", "V", "Volume of the extrusions, in mm³. Null if the filament diameter is unknown.");
+        ports.Number("Mass", "M", "Mass of the extrusions, in grams. Null if unknown.");
+        ports.Number("Cost", "C", "Cost of the material, in the currency of its profile. Null if unknown.");
+        ports.Number("Print Length", "L", "Total length of extrusions, in mm.");
+        ports.Number("Travel Length", "Tr", "Total length of travel moves, in mm.");
         ports.Integer("Retraction Count", "R", "Number of retractions.");
-        ports.Number("Peak Flow", "Q", "Greatest flow, in mm³/s; null if unknown.");
+        ports.Number("Peak Flow", "Q", "Maximum volumetric flow, in mm³/s. Null if unknown.");
         ports.Number("Layer Times", "Lt", "Time of each layer, in seconds.", GH_ParamAccess.list);
-        ports.Text("Summary", "S", "The same in words, and the time in each role.", GH_ParamAccess.list);
+        ports.Text("Summary", "S", "Statistics as text, with the time of each role.", GH_ParamAccess.list);
     }
 
     private protected override void Solve(Run run)
@@ -58,7 +58,7 @@ public sealed class StatisticsComponent() : CaterpillarComponent(
             + $"moves";
         if (s.GreatestFlow is { } flow)
         {
-            yield return $"Greatest flow {N(flow, 2)} mm³/s in move {N(s.GreatestFlowMove, 0)}, greatest speed {N(s.GreatestSpeed, 1)} mm/s";
+            yield return $"Maximum flow {N(flow, 2)} mm³/s in move {N(s.GreatestFlowMove, 0)}, maximum speed {N(s.GreatestSpeed, 1)} mm/s";
         }
         foreach (var role in s.Roles) yield return $"{role.Role}: {N(role.Time, 1)} s, {N(role.Length / 1000, 2)} m";
     }

@@ -12,8 +12,8 @@ namespace Caterpillar.GH.Components.Simulate;
 
 /// <summary>Shows a toolpath in colors.</summary>
 public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
-    "Toolpath Preview", "Preview", "Shows a toolpath in colors by role, speed, flow, layer, order or time, as lines or as beads of true width and height.",
-        Panel.Simulate)
+    "Toolpath Preview", "Preview",
+        "Shows a toolpath in colors by role, speed, flow, layer, order or time, as lines or as beads of true width and height.", Panel.Simulate)
 {
     public override Guid ComponentGuid => new("e2b8a4c6-0b7b-4b7c-9a40-6a2d0d7e2f05");
 
@@ -21,22 +21,20 @@ public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath to show, planned or decoded.");
-        ports.Choice("Color By", "C", "What the colors show.", PreviewColor.Role);
-        ports.OptionalInteger("First Layer", "F", "Number of the first layer, from 0, as in the file; all by default.");
-        ports.OptionalInteger("Last Layer", "L", "Number of the last layer, from 0, as in the file; all by default.");
-        ports.Boolean("Solid", "B", "True shows extrusions of true width and height, false lines.", false);
-        ports.Boolean("Travel", "Tr", "True shows travels and the places of retractions, too.", false);
-        ports.Add(new PrinterParam(), "Printer", "P",
-            "Printer, or the name of its profile, whose bed and build volume are shown, and whose limits give the times; by default none is shown, and times "
-                + "are those of the printer it was planned for.", optional: true);
-        ports.Boolean("Seam", "Se", "True marks where the walls of each layer begin.", false);
+        ports.Toolpath();
+        ports.Choice("Color By", "C", "Value shown by the colors.", PreviewColor.Role);
+        ports.OptionalInteger("First Layer", "F", "First layer, by its number in the file or from 0. Default: no limit.");
+        ports.OptionalInteger("Last Layer", "L", "Last layer, by its number in the file or from 0. Default: no limit.");
+        ports.Boolean("Solid", "B", "Show beads of true width and height instead of lines.", false);
+        ports.Boolean("Travel", "Tr", "Show travel moves and retractions.", false);
+        ports.Printer("P", "Shows the bed and build volume, and sets the print times. Default: no bed, and times of the printer used for planning.");
+        ports.Boolean("Seam", "Se", "Show seams: points at which walls begin.", false);
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Text("Tags", "Ta", "What each color means.", GH_ParamAccess.list);
-        ports.Add(new Param_Colour(), "Colors", "C", "The colors of the legend.", GH_ParamAccess.list);
+        ports.Text("Tags", "Ta", "Meaning of each color.", GH_ParamAccess.list);
+        ports.Add(new Param_Colour(), "Colors", "C", "Colors of the legend.", GH_ParamAccess.list);
     }
 
     private protected override void Solve(Run run)
@@ -50,7 +48,7 @@ public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
         if (beads && toolpath.Count > ToolpathScene.MostBeads)
         {
             run.Report(GH_RuntimeMessageLevel.Remark,
-                "There are too many moves to show their beads: lines are shown. Choose fewer layers with Filter Toolpath.");
+                "Too many moves for beads: lines are shown. Select fewer layers with Filter Toolpath.");
             beads = false;
         }
         bool Shown(int i)

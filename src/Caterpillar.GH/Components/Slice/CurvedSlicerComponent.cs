@@ -12,8 +12,7 @@ namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>Cuts solids along the level sets of a field and fills the layers.</summary>
 public sealed class CurvedSlicerComponent() : SlicerComponent(
-    "Curved Slicer", "CSlice", "Cuts solids into curved layers, the level sets of a field, and fills them: every bead has the volume between its layer and "
-        + "what is below.")
+    "Curved Slicer", "CSlice", "Slices solids into the curved layers of a field and fills them. Each bead has the volume of the gap below its layer.")
 {
     public override Guid ComponentGuid => new("5be0b3c2-1d3a-4cf2-9b57-0f2a7c6d41e8");
 
@@ -21,15 +20,13 @@ public sealed class CurvedSlicerComponent() : SlicerComponent(
     {
         GeometryPort(ports);
         ports.Add(new LayerFieldParam(), "Field", "F",
-            "Layers to follow: from Layer Field; a mesh, surface or Brep, which layers copy upward; or a formula in x, y, z (mm), r and theta.");
-        ports.Add(new SettingsParam(), "Settings", "S", "Print settings; the standard ones by default.", optional: true);
-        ports.Add(new PrinterParam(), "Printer", "P", "Printer, or the name of its profile, whose head limits the slope of layers; the generic one by default.",
-            optional: true);
-        ports.Geometry("Objects", "O",
-            "Objects on the bed that are printed on, in document units: nothing is printed below their surface, and the first extrusions fill the gap to it.",
-            GH_ParamAccess.list, optional: true);
-        ports.Boolean("Partial", "Pa", "True prints what lies within the surfaces of the field and is not too steep, instead of refusing the solids.", false);
-        TolerancePort(ports);
+            "Layers to follow: a field from Layer Field, a surface to copy upward, or a formula in x, y, z, r (mm) and theta (degrees).");
+        ports.Settings("S", "Default: standard.");
+        ports.Printer("P", "Its print head limits the slope of the layers. Default: generic.");
+        ports.Geometry("Objects", "O", "Objects on the bed to print on. Nothing is printed below their surface, and the first extrusions fill "
+            + "the gap to it.", GH_ParamAccess.list, optional: true);
+        ports.Boolean("Partial", "Pa", "Print only parts that are inside the surfaces of the field and not too steep, instead of refusing the solids.", false);
+        ports.MeshTolerance();
     }
 
     private protected override void Solve(Run run)

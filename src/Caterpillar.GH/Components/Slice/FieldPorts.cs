@@ -15,8 +15,8 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
 {
     private static readonly SourceLocation Expressions = new(Key: "expressions");
 
-    /// <summary>The recipe; null after problems.</summary>
-    /// <exception cref="InputProblem">Ports do not go together.</exception>
+    /// <summary>The recipe. Null after problems.</summary>
+    /// <exception cref="InputProblem">Inputs contradict each other.</exception>
     public FieldRecipe? Read()
     {
         var kind = run.Choice<FieldKind>(0);
@@ -28,7 +28,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
             case FieldKind.Normal: return Normal();
             case FieldKind.Between: return Between(Plans(texts, origin));
             case FieldKind.Formula:
-                if (texts.Length != 1) throw new InputProblem("Formula needs one expression.");
+                if (texts.Length != 1) throw new InputProblem("Formula needs exactly one expression.");
                 var level = LayerField.Formula(texts[0], origin ?? Vec3.Zero, Expressions);
                 return Accept(level) is { } formula ? new FieldRecipe("Formula " + texts[0], [origin], formula) : null;
             case FieldKind.Cone: return Cone(origin);
@@ -38,7 +38,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
                 var bent = LayerField.Deformed(texts[0], texts[1], texts[2], origin ?? Vec3.Zero, Expressions);
                 return Accept(bent) is { } deformed ? new FieldRecipe("Deformed " + string.Join("; ", texts), [origin], deformed) : null;
             case FieldKind.Harmonic or FieldKind.Geodesic: return BetweenEnds(kind);
-            default: throw new InputProblem("There is no such kind of field.");
+            default: throw new InputProblem("Kind is not a kind of field.");
         }
     }
 
@@ -46,8 +46,8 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
     {
         if (plan is null) return null;
         var (from, to) = (run.MaybeValue<double>(6) is null ? 0 : run.Finite(6), run.MaybeValue<double>(7) is null ? (double?)null : run.Positive(7));
-        if (to is null && from != 0) throw new InputProblem("Blend From goes with Blend To.");
-        if (to is { } end && !(from >= 0 && end > from)) throw new InputProblem("Blend To must be above Blend From, which is not negative.");
+        if (to is null && from != 0) throw new InputProblem("Blend From needs Blend To.");
+        if (to is { } end && !(from >= 0 && end > from)) throw new InputProblem("Blend To must be greater than Blend From, and Blend From must be 0 or more.");
         LayerBlend? blend = to is { } top ? new LayerBlend(from, top) : null;
         return new FieldRecipe("Vertical", [plan.Key, from, to], (models, _) => new Result<LayerField>(LayerField.Vertical(plan.Make(models), blend), []));
     }
@@ -62,7 +62,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
     private FieldRecipe? Between(IReadOnlyList<Plan>? plans)
     {
         if (plans is null) return null;
-        if (plans.Count == 0) throw new InputProblem("Between needs a surface at least.") { IsMissing = true };
+        if (plans.Count == 0) throw new InputProblem("Between needs at least one surface.") { IsMissing = true };
         return new FieldRecipe("Between", [.. plans.Select(p => p.Key)], (models, _) =>
         {
             var surfaces = plans.Select(p => p.Make(models)).ToList();
@@ -75,7 +75,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
     private FieldRecipe BetweenEnds(FieldKind kind)
     {
         var (upper, lower) = (Ends(1), Ends(11));
-        if (upper.Length == 0 && lower.Length > 0) throw new InputProblem("Lower Ends go with Surfaces, where layers end.");
+        if (upper.Length == 0 && lower.Length > 0) throw new InputProblem("Lower Boundaries need Surfaces at which layers end.");
         return new FieldRecipe(kind.ToString(), [.. upper.Select(e => e.Key), "from", .. lower.Select(e => e.Key)], (models, _) =>
         {
             var part = models.Count == 1 ? models[0].Mesh : TriMesh.Merge(models.Select(m => m.Mesh));
@@ -87,7 +87,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
         });
     }
 
-    // Curves and surfaces on the solids, with what tells them from others.
+    // Curves and surfaces on the solids, with their keys.
     private (BoundaryShape Shape, object Key)[] Ends(int port)
     {
         var tolerance = run.Positive(10);
@@ -122,17 +122,17 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
         });
     }
 
-    private double Angle() => run.Finite(8) is >= -80 and <= 80 and var angle ? angle : throw new InputProblem("Angle must be -80 to 80 degrees.");
+    private double Angle() => run.Finite(8) is >= -80 and <= 80 and var angle ? angle : throw new InputProblem("Angle must be from -80 to 80 degrees.");
 
     private static Plan? Only(IReadOnlyList<Plan>? plans) => plans switch
     {
         null => null,
         { Count: 1 } => plans[0],
         { Count: 0 } => throw new InputProblem("Vertical needs a surface, an expression for its height, or an image.") { IsMissing = true },
-        _ => throw new InputProblem("Vertical needs one surface: several go with Between."),
+        _ => throw new InputProblem("Vertical needs exactly one surface. Use Between for several."),
     };
 
-    /// <summary>The surfaces from geometry, formulas and the image, in this order; null after problems.</summary>
+    /// <summary>The surfaces from geometry, formulas and the image, in this order. Null after problems.</summary>
     private List<Plan>? Plans(string[] texts, Vec3? origin)
     {
         var plans = new List<Plan>();
@@ -160,7 +160,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
     private Plan? HeightMap(FileInfo file)
     {
         var (low, high) = (run.Finite(4), run.Finite(5));
-        if (!(high >= low)) throw new InputProblem("High must not be below Low.");
+        if (!(high >= low)) throw new InputProblem("High must not be less than Low.");
         var (path, written) = (file.FullName, file.LastWriteTimeUtc);
         if (Accept(run.Cached([path, written], () => ImageReader.Read(path))) is not { } image) return null;
         return new Plan((path, written, low, high), models =>
@@ -177,6 +177,6 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
         return result.HasErrors ? null : result.Value;
     }
 
-    /// <summary>A surface that may depend on the models, and what tells it from others.</summary>
+    /// <summary>A surface that may depend on the models, and a key for it.</summary>
     private sealed record Plan(object Key, Func<IReadOnlyList<NamedMesh>, PlanSurface> Make);
 }

@@ -5,14 +5,14 @@ namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>Turns solids onto their largest flat face.</summary>
 public sealed class LayFlatComponent() : ModelMovingComponent(
-    "Lay Flat", "Flat", "Turns each solid so that its largest flat face is below, and puts it onto the bed (Z = 0) where it is.")
+    "Lay Flat", "Flat", "Turns each solid onto its largest flat face and puts it on the bed (Z = 0), without moving it sideways.")
 {
     public override Guid ComponentGuid => new("b24f8d6a-7e19-4c53-a0d8-5e3b1c6f9720");
 
     private protected override void Inputs(InputPorts ports)
     {
         GeometryPort(ports);
-        ports.Number("Tolerance", "T", "Maximum deviation of facets from a curved solid, in mm.", 0.05);
+        ports.MeshTolerance();
     }
 
     private protected override void Solve(Run run)

@@ -13,12 +13,12 @@ public abstract class ModelMovingComponent(string name, string nickname, string 
     : CaterpillarComponent(name, nickname, description, Panel.Slice, GH_Exposure.tertiary)
 {
     private protected static void GeometryPort(InputPorts ports)
-        => ports.Geometry("Geometry", "G", "Solids, in document units: meshes, boxes, Breps, SubDs, extrusions or surfaces.", GH_ParamAccess.list);
+        => ports.Geometry("Geometry", "G", "Solids: meshes, boxes, Breps, SubDs, extrusions or surfaces.", GH_ParamAccess.list);
 
     private protected sealed override void Outputs(OutputPorts ports)
     {
-        ports.Add(new Param_Geometry(), "Geometry", "G", "The solids in their places, in document units.", GH_ParamAccess.list);
-        ports.Add(new Param_Transform(), "Transforms", "X", "How each of them got there, in document units.", GH_ParamAccess.list);
+        ports.Add(new Param_Geometry(), "Geometry", "G", "Solids in their new position.", GH_ParamAccess.list);
+        ports.Add(new Param_Transform(), "Transforms", "X", "Transformation of each solid.", GH_ParamAccess.list);
         ports.Diagnostics();
     }
 
@@ -27,7 +27,7 @@ public abstract class ModelMovingComponent(string name, string nickname, string 
     private protected static NamedMesh[] Models(Run run, IReadOnlyList<IGH_GeometricGoo> geometry, double tolerance)
         => geometry.Select((g, i) => new NamedMesh($"Solid {NumberFormatter.Format(i)}", run.ModelOf(g, tolerance).Triangles)).ToArray();
 
-    /// <summary>Moves the geometry as its meshes were moved; copies follow in rounds.</summary>
+    /// <summary>Moves the geometry like its meshes. Copies repeat the list of solids.</summary>
     private protected static void SetMoved(Run run, IReadOnlyList<IGH_GeometricGoo> geometry, IReadOnlyList<NamedMesh> before, IReadOnlyList<NamedMesh> after)
     {
         var maps = after.Select((m, i) => RhinoGeometry.ToTransform(Map(before[i % before.Count].Mesh, m.Mesh), run.Units)).ToArray();

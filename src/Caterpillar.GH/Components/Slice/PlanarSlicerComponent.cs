@@ -14,25 +14,23 @@ namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>Cuts solids into planar layers and fills them.</summary>
 public sealed class PlanarSlicerComponent() : SlicerComponent(
-    "Planar Slicer", "Slice", "Cuts solids that stand on the bed (Z = 0) into planar layers and fills them with walls and infill.")
+    "Planar Slicer", "Slice", "Slices solids on the bed (Z = 0) into planar layers and fills them with walls and infill.")
 {
     public override Guid ComponentGuid => new("378f4dfe-ec2e-4716-a6dd-c0709743ec9b");
 
     private protected override void Inputs(InputPorts ports)
     {
         GeometryPort(ports);
-        ports.Add(new SettingsParam(), "Settings", "S", "Print settings; the standard ones by default.", optional: true);
-        TolerancePort(ports);
-        ports.Geometry("Modifiers", "M",
-            "Solids that are not printed, in document units: what lies inside them is printed with Modifier Settings, or supported or not, as model_type of "
-                + "those states.", GH_ParamAccess.list, optional: true);
-        ports.Add(new SettingsParam(), "Modifier Settings", "MS", "Print settings of each modifier in turn; the last ones are those of all that follow.",
-            GH_ParamAccess.list, optional: true);
+        ports.Settings("S", "Default: standard.");
+        ports.MeshTolerance();
+        ports.Geometry("Modifiers", "M", "Solids that are not printed. Depending on their model_type, they change the settings inside them, or enforce or "
+            + "block supports.", GH_ParamAccess.list, optional: true);
+        ports.Add(new SettingsParam(), "Modifier Settings", "MS",
+            "Print settings of each modifier. The last ones apply to all that follow.", GH_ParamAccess.list, optional: true);
         ports.Add(new Param_Curve { Optional = true }, "Infill Curves", "C",
-            "Curves that the infill of every layer follows instead of its pattern, seen from above, in document units.", GH_ParamAccess.list, optional: true);
-        ports.Add(new SettingsParam(), "Part Settings", "PS",
-            "Print settings of each solid in turn instead of Settings, which still decide travels, skirt, brim and raft; the last ones are "
-                + "those of all solids that follow.", GH_ParamAccess.list, optional: true);
+            "Curves for the infill of every layer, seen from above, instead of the infill pattern.", GH_ParamAccess.list, optional: true);
+        ports.Add(new SettingsParam(), "Part Settings", "PS", "Print settings of each solid, instead of Settings. The last ones apply to all that follow. "
+            + "Settings still control travel moves, skirt, brim and raft.", GH_ParamAccess.list, optional: true);
     }
 
     private protected override void Solve(Run run)
@@ -51,7 +49,7 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         SetResult(run, models, solids, result);
     }
 
-    // Solids that are null count, so that each keeps the settings beside it.
+    // Solids that are null count, so that each keeps its own settings.
     private static SliceModel[] Parts(Run run, NamedMesh[] solids, PrintSettings common)
     {
         var own = run.List<SettingsGoo>(6);
@@ -60,14 +58,14 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         if (own.Count > geometry.Count)
         {
             var (given, solid) = (NumberFormatter.Format(own.Count), NumberFormatter.Format(geometry.Count));
-            run.Report(GH_RuntimeMessageLevel.Warning, $"Part Settings are {given}, for {solid} solids: the last ones are not used.");
+            run.Report(GH_RuntimeMessageLevel.Warning, $"{given} Part Settings for {solid} solids: the last ones are not used.");
         }
         var places = Enumerable.Range(0, geometry.Count).Where(i => geometry[i] is not null).ToArray();
         return solids.Select((m, i) =>
         {
             var settings = own[Math.Min(places[i], own.Count - 1)].Value;
             if (settings.ModelType != ModelType.Part)
-                throw new InputProblem($"Part Settings of {m.Name} are for a solid that is not printed: it belongs to Modifiers.");
+                throw new InputProblem($"Part Settings of {m.Name} have a model_type that is not printed. Connect the solid to Modifiers.");
             return new SliceModel(m, WithCurves(settings, common));
         }).ToArray();
     }
@@ -83,7 +81,7 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         var settings = run.List<SettingsGoo>(4);
         if (geometry.Count == 0 && settings.Count > 0)
         {
-            run.Report(GH_RuntimeMessageLevel.Warning, "Modifier Settings apply to Modifiers, of which there are none.");
+            run.Report(GH_RuntimeMessageLevel.Warning, "Modifier Settings have no effect without Modifiers.");
         }
         if (geometry.Count == 0) return [];
         if (settings.Count == 0) throw run.Missing(4);

@@ -14,26 +14,25 @@ namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>Puts paths that were made for a level bed onto an object.</summary>
 public sealed class ProjectPathsComponent() : CaterpillarComponent(
-    "Project Paths", "Project", "Puts paths that were made for a level bed onto an object: heights above the bed become heights above its surface.",
-        Panel.Slice, GH_Exposure.secondary)
+    "Project Paths", "Project", "Projects print paths for a level bed at Z = 0 onto an object. Heights above the bed become heights above "
+        + "its surface.", Panel.Slice, GH_Exposure.secondary)
 {
     public override Guid ComponentGuid => new("a9d6b1f0-84c7-4e2b-bd35-7f1e0c9a5d64");
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "Paths in printing order, as for a level bed at Z = 0.", GH_ParamAccess.list);
-        ports.Geometry("Geometry", "G", "Objects that are printed on, in document units: meshes, Breps, SubDs, extrusions or surfaces.", GH_ParamAccess.list);
-        ports.Number("Offset", "O", "How much the paths are raised above the surface, in mm; negative values press them onto it.", 0);
-        ports.Add(new SettingsParam(), "Settings", "S", "Print settings with tolerance and steepest slope; the standard ones by default.", optional: true);
-        ports.Add(new PrinterParam(), "Printer", "Pr", "Printer, or the name of its profile, whose head limits the slope; the generic one by default.",
-            optional: true);
-        ports.Boolean("Partial", "Pa", "True leaves out what lies beyond the surface or is too steep, instead of an error.", false);
-        ports.Number("Tolerance", "T", "Maximum deviation of facets from a curved surface, in mm.", 0.05);
+        ports.PrintPaths();
+        ports.Geometry("Geometry", "G", "Objects to print on: meshes, Breps, SubDs, extrusions or surfaces.", GH_ParamAccess.list);
+        ports.Number("Offset", "O", "Distance of the paths above the surface, in mm. Negative values press them onto it.", 0);
+        ports.Settings("S", "Used for tolerance and maximum slope. Default: standard.");
+        ports.Printer("Pr", "Its print head limits the slope. Default: generic.");
+        ports.Boolean("Partial", "Pa", "Leave out parts that are beyond the surface or too steep, instead of refusing the paths.", false);
+        ports.MeshTolerance();
     }
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "The paths on the surface; paths that leave it become several.", GH_ParamAccess.list);
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "Print paths on the surface. Paths that leave it are split.", GH_ParamAccess.list);
         ports.Diagnostics();
     }
 

@@ -12,13 +12,13 @@ public sealed class ReadModelComponent() : CaterpillarComponent(
 {
     public override Guid ComponentGuid => new("d80b6e35-29f7-4ac1-95be-40c6f1e7a982");
 
-    private protected override void Inputs(InputPorts ports) => ports.File("File", "F", "File to read: STL, OBJ, PLY or 3MF, also packed with gzip.",
-        "Models (*.stl;*.obj;*.ply;*.3mf;*.gz)|*.stl;*.obj;*.ply;*.3mf;*.gz|All files|*.*");
+    private protected override void Inputs(InputPorts ports) => ports.File("File", "F",
+        "File to read: STL, OBJ, PLY or 3MF. May be packed with gzip.", "Models (*.stl;*.obj;*.ply;*.3mf;*.gz)|*.stl;*.obj;*.ply;*.3mf;*.gz|All files|*.*");
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new Param_Mesh(), "Meshes", "M", "The models where they are in the file, in document units.", GH_ParamAccess.list);
-        ports.Text("Names", "N", "Their names in the file.", GH_ParamAccess.list);
+        ports.Add(new Param_Mesh(), "Meshes", "M", "Models, at their position in the file.", GH_ParamAccess.list);
+        ports.Text("Names", "N", "Names of the models in the file.", GH_ParamAccess.list);
         ports.Diagnostics();
     }
 

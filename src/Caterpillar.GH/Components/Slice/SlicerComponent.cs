@@ -17,20 +17,16 @@ namespace Caterpillar.GH.Components.Slice;
 public abstract class SlicerComponent(string name, string nickname, string description) : CaterpillarComponent(name, nickname, description, Panel.Slice)
 {
     private protected static void GeometryPort(InputPorts ports) => ports.Geometry("Geometry", "G",
-        "Solids to slice, in document units, at the position where they are printed: meshes, boxes, Breps, SubDs, extrusions or surfaces.",
-        GH_ParamAccess.list);
-
-    private protected static void TolerancePort(InputPorts ports)
-        => ports.Number("Tolerance", "T", "Maximum deviation of facets from a curved solid, in mm.", 0.05);
+        "Solids to slice, in their print position: meshes, boxes, Breps, SubDs, extrusions or surfaces.", GH_ParamAccess.list);
 
     private protected sealed override void Outputs(OutputPorts ports)
     {
-        ports.Add(new PrintPathParam(), "Print Paths", "P", "All paths, one branch per layer, in mm on the wire.", GH_ParamAccess.tree);
-        ports.Add(new PrintPathParam { Hidden = true }, "Walls", "W", "The walls alone, one branch per layer.", GH_ParamAccess.tree);
-        ports.Add(new PrintPathParam { Hidden = true }, "Infill", "I", "The infill alone, one branch per layer.", GH_ParamAccess.tree);
+        ports.Add(new PrintPathParam(), "Print Paths", "P", "All print paths, one branch per layer.", GH_ParamAccess.tree);
+        ports.Add(new PrintPathParam { Hidden = true }, "Walls", "W", "Walls, one branch per layer.", GH_ParamAccess.tree);
+        ports.Add(new PrintPathParam { Hidden = true }, "Infill", "I", "Infill, one branch per layer.", GH_ParamAccess.tree);
         ports.Add(new Param_Curve { Hidden = true }, "Regions", "R",
-            "Outlines of what each layer covers, one branch per layer, in document units; of curved layers as seen from above.", GH_ParamAccess.tree);
-        ports.Curve("Naked Edges", "E", "Edges where the surface of a solid is open, in document units.", GH_ParamAccess.list);
+            "Outlines of the layers, one branch per layer. Curved layers are seen from above.", GH_ParamAccess.tree);
+        ports.Curve("Naked Edges", "E", "Naked edges of the solids.", GH_ParamAccess.list);
         ports.Diagnostics();
     }
 
@@ -40,7 +36,7 @@ public abstract class SlicerComponent(string name, string nickname, string descr
     private protected static NamedMesh[] Named(IReadOnlyList<ModelMesh> models)
         => models.Select((m, i) => new NamedMesh($"Solid {NumberFormatter.Format(i)}", m.Triangles)).ToArray();
 
-    /// <summary>Hands out the layers and what was noticed.</summary>
+    /// <summary>Gives the layers and the problems.</summary>
     private protected static void SetResult(Run run, IReadOnlyList<ModelMesh> models, IReadOnlyList<NamedMesh> solids, Result<SliceResult> result)
     {
         var units = run.Units;
@@ -57,7 +53,7 @@ public abstract class SlicerComponent(string name, string nickname, string descr
     }
 
     private static Diagnostic Open(NamedMesh model) => new(Severity.Warning, "mesh.naked_edges",
-        $"The surface has {NumberFormatter.Format(model.Mesh.OpenEdgeCount)} open edges, which the output Naked Edges shows.", new SourceLocation(model.Name));
+        $"The mesh has {NumberFormatter.Format(model.Mesh.OpenEdgeCount)} naked edges. See the output Naked Edges.", new SourceLocation(model.Name));
 
     private static bool IsWall(Role role) => role is Role.OuterWall or Role.InnerWall or Role.OverhangWall;
 
