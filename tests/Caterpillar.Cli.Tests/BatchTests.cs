@@ -105,7 +105,7 @@ public class BatchTests : CliFixture
         Assert.That(Run(words).Code, Is.Zero);
         var first = Summary("s.csv");
         var again = Run(words);
-        Assert.That(again.Messages, Does.Contain("[1/3] out/a.gcode: done before, skipped").And.Contain("0 of 3 done, 3 skipped"));
+        Assert.That(again.Messages, Does.Contain("[1/3] out/a.gcode: already done, skipped").And.Contain("0 of 3 done, 3 skipped"));
         Assert.That(Column(Summary("s.csv"), "time_s"), Is.EqualTo(Column(first, "time_s")), "figures are kept");
 
         File.Delete("out/a.gcode");
@@ -140,7 +140,7 @@ public class BatchTests : CliFixture
         stop.Cancel();
         var run = Run([], ["slice", "--each", "models/*.stl", "-o", "out/", "--summary", "s.csv"], stop.Token);
         Assert.That(run.Code, Is.EqualTo(130));
-        Assert.That(run.Messages, Does.Contain("0 of 2 done").And.Contain("--resume goes on"));
+        Assert.That(run.Messages, Does.Contain("0 of 2 done").And.Contain("repeat the command with --resume"));
         Assert.That(Names("out"), Is.Empty);
         Assert.That(Column(Summary("s.csv"), "status"), Is.All.EqualTo("not started"));
     }
@@ -181,7 +181,7 @@ public class BatchTests : CliFixture
     [TestCase("models/a.stl is named besides --each", "slice", "models/a.stl", "--each", "models/b.stl")]
     [TestCase("--resume needs --each or --table.", "slice", "models/a.stl", "--resume")]
     [TestCase("--resume needs the summary", "slice", "--each", "models/*.stl", "--resume")]
-    [TestCase("Many results cannot go to standard output", "slice", "--each", "models/*.stl", "-o", "-")]
+    [TestCase("Several outputs cannot go to standard output", "slice", "--each", "models/*.stl", "-o", "-")]
     [TestCase("means an image, but this writes G-code", "slice", "--each", "models/*.stl", "-o", "{name}.png")]
     [TestCase("this would replace the input models/a.stl", "slice", "--each", "models/*.stl", "-o", "{folder}/{name}.stl")]
     [TestCase("--part 3/2: expected a part", "slice", "--each", "models/*.stl", "--part", "3/2")]
@@ -197,8 +197,8 @@ public class BatchTests : CliFixture
         Assert.That(Files(), Is.EqualTo(before));
     }
 
-    [TestCase("No file is called models/*.obj.", "slice", "--each", "models/*.obj")]
-    [TestCase("models/none.stl: there is no such file.", "slice", "--each", "models/none.stl")]
+    [TestCase("No file matches models/*.obj.", "slice", "--each", "models/*.obj")]
+    [TestCase("models/none.stl: file not found.", "slice", "--each", "models/none.stl")]
     [TestCase("models is a folder: name the files in it, such as 'models/*'.", "slice", "--each", "models")]
     [TestCase("long.csv:3: 2 cells for 1 columns.", "turtle", "star.turtle", "--table", "long.csv")]
     [TestCase("open.csv:2: a quote is not closed.", "turtle", "star.turtle", "--table", "open.csv")]
@@ -223,7 +223,7 @@ public class BatchTests : CliFixture
         Assert.That(File.ReadAllText("b.gcode"), Does.Contain("F1500"));
         var run = Run("convert", "--each", "b.gcode", "--in-place", "--speed", "50%", "--summary", "s.csv", "--resume");
         Assert.That((run.Code, run.Messages), Is.EqualTo((2, run.Messages)));
-        Assert.That(run.Messages, Does.Contain("--resume cannot tell"));
+        Assert.That(run.Messages, Does.Contain("--resume cannot be combined with --in-place"));
     }
 
     [Test]

@@ -17,9 +17,11 @@ internal sealed record CompletionTable(IReadOnlyList<CompletedVerb> Verbs)
         return new CompletionTable(verbs);
     }
 
-    /// <summary>The first sentence, up to a colon or semicolon.</summary>
+    /// <summary>The first sentence, up to a colon or semicolon, without a condition ("With --import: ").</summary>
     public static string Brief(string description)
     {
+        if (description.StartsWith("With --", StringComparison.Ordinal) && description.IndexOf(": ", StringComparison.Ordinal) is > 0 and var colon)
+            description = char.ToUpperInvariant(description[colon + 2]) + description[(colon + 3)..];
         var end = description.AsSpan().IndexOfAny(".;:(");
         while (end > 0 && end + 1 < description.Length && description[end] == '.' && description[end + 1] != ' ')
         {

@@ -4,8 +4,8 @@ namespace Caterpillar.Cli;
 internal sealed class ModelSettingOptions
 {
     private readonly Described<string[]> _for = new("--for",
-        "Settings for one model, named by its file or by its name in the file, such as lid.stl:wall_count=3. With model_type=modifier: settings inside its "
-            + "volume. Repeatable.", "MODEL:KEY=VALUE,...");
+        "Settings for one model. MODEL is its file or its name in the file, as in lid.stl:wall_count=3. With model_type=modifier: settings inside its volume. "
+            + "Repeatable.", "MODEL:KEY=VALUE,...");
 
     public Option[] All => [_for];
 
