@@ -15,7 +15,7 @@ internal sealed class CheckVerb : Verb
 
     private readonly Option<string?> _flavor = CommonOptions.Flavor();
     private readonly Described<string?> _onto = new("--onto",
-        "Object that is printed on, at its position in the file. It supports extrusions, and collisions with it are errors.", "FILE");
+        "Object that is printed on, at its position in the file. It supports extrusions, and collisions with it are reported.", "FILE");
 
     private readonly SetupOptions _setup = new();
     private readonly Option<int> _threads = CommonOptions.Threads();

@@ -19,7 +19,7 @@ internal sealed class ImageVerb : Verb
     private readonly Described<string?> _view = new("--view",
         "View direction, or azimuth and elevation in degrees. Default: -60,28, or top for flat drawings.", "top|front|AZIMUTH,ELEVATION");
 
-    private readonly Described<ColorBy> _color = new("--color", "Property that colors show.", "role|speed|height|layer|progress") { DefaultValueFactory = _ => ColorBy.Role };
+    private readonly Described<ColorBy> _color = new("--color", "Property that colors show. Default: role.", "role|speed|height|layer|progress");
 
     private readonly Described<bool> _travel = new("--travel", "Draw travel moves as thin lines.");
 

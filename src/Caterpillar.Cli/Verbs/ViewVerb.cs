@@ -24,7 +24,7 @@ internal sealed class ViewVerb : Verb
         "Serve the page on this machine instead, and update it when the file changes, until Ctrl-C. Default port: 8417.", "PORT") { Arity = ArgumentArity.ZeroOrOne };
 
     private readonly Described<bool> _noGCode = new("--no-gcode", "Leave the G-code text out of the page, to make it smaller.");
-    private readonly SetupOptions _setup = new("If given, its checks are shown. " + SetupOptions.FromFile);
+    private readonly SetupOptions _setup = new("If given, findings of its checks are shown. " + SetupOptions.FromFile);
 
     public ViewVerb()
         : base("view", "Show a print, model or design in 3D in the browser.")
