@@ -59,7 +59,7 @@ internal sealed class BatchOptions
         if (words.Length != 2 || !NumberReader.TryParseInt(words[0], out var part) || !NumberReader.TryParseInt(words[1], out var parts) || part < 1
             || part > parts)
         {
-            throw new CliException(ExitCode.Usage, $"--part {text}: expected I/N, such as 3/20.");
+            throw new CliException(ExitCode.Usage, $"--part needs I/N, such as 3/20, not \"{text}\".");
         }
         return jobs.Where((_, i) => i % parts == part - 1).ToArray();
     }

@@ -20,7 +20,7 @@ internal static class CommonOptions
 
     public static Described<string> Plan(string policy)
     {
-        var option = new Described<string>("--plan", "Moves to write. drawn: only those of the drawing. printer: also retraction and Z-hop.", "drawn|printer")
+        var option = new Described<string>("--plan", "Moves to write. drawn: only the drawing. printer: also retraction and Z-hop.", "drawn|printer")
         {
             DefaultValueFactory = _ => policy,
         };

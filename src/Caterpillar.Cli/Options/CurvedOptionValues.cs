@@ -10,8 +10,8 @@ internal sealed class CurvedOptionValues
     private static readonly string[] MeshEndings = [".stl", ".obj", ".ply", ".3mf", ".gz"];
 
     private readonly Described<string[]> _surface = new("--surface",
-        "Surface that layers follow: a mesh, a formula for its height in x and y (10 + 2 * sin(9 * x)), or an image (PNG, PGM) over the model, with the heights "
-            + "of black and white. Repeatable with --field between, lowest first.", "FILE|FORMULA|IMAGE:LOW,HIGH");
+        "Surface that layers follow. FILE: a mesh. FORMULA: its height in x and y, such as 10 + 2 * sin(9 * x). IMAGE: a height map (PNG, PGM) over the model, "
+            + "with the heights of black and white. Repeatable with --field between, lowest first.", "FILE|FORMULA|IMAGE:LOW,HIGH");
 
     private readonly Described<string?> _field = new("--field",
         "Course of the layers. vertical: copies of the surface, moved up. normal: offset copies. between: evenly from the bed to the surface, or between several. "

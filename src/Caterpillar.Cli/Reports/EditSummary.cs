@@ -18,7 +18,7 @@ internal static class EditSummary
     private static void Compare(Toolpath before, Toolpath after, List<string> parts)
     {
         var changed = ToolpathDifference.Of(before, after);
-        if (changed.Shifted > 0) parts.Add(Count(changed.Shifted, "move") + " moved");
+        if (changed.Shifted > 0) parts.Add("position of " + Count(changed.Shifted, "move") + " changed");
         if (changed.Speeds > 0) parts.Add("speed of " + Count(changed.Speeds, "move") + " changed");
         if (changed.Amounts > 0) parts.Add("flow of " + Count(changed.Amounts, "move") + " changed");
     }
