@@ -200,7 +200,7 @@ public class BatchTests : CliFixture
     [TestCase("No file matches models/*.obj.", "slice", "--each", "models/*.obj")]
     [TestCase("models/none.stl: file not found.", "slice", "--each", "models/none.stl")]
     [TestCase("models is a folder. Give the files in it, such as 'models/*'.", "slice", "--each", "models")]
-    [TestCase("long.csv:3: the row has more cells (2) than the table has columns (1).", "turtle", "star.turtle", "--table", "long.csv")]
+    [TestCase("long.csv:3: 2 cells for 1 column.", "turtle", "star.turtle", "--table", "long.csv")]
     [TestCase("open.csv:2: a quote is not closed.", "turtle", "star.turtle", "--table", "open.csv")]
     [TestCase("empty.csv: the table is empty", "turtle", "star.turtle", "--table", "empty.csv")]
     [TestCase("the table has no rows", "turtle", "star.turtle", "--table", "names.csv")]

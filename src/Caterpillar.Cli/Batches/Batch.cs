@@ -155,7 +155,7 @@ internal sealed class Batch
         if (!_parsed.GetValue(_verb.Batch!.Resume)) return null;
         if (SummaryFile is not { } file || file == "-")
             throw new CliException(ExitCode.Usage, "--resume needs the summary of the earlier run. Give --summary FILE.csv.");
-        if (_verb.ReplacesInput(_parsed)) throw new CliException(ExitCode.Usage, "--resume cannot be combined with --in-place: replaced inputs are not recognized. Use --output.");
+        if (_verb.ReplacesInput(_parsed)) throw new CliException(ExitCode.Usage, "--resume cannot be combined with --in-place. Use --output.");
         if (File.Exists(file)) _summary.ReadEarlier(File.ReadAllText(file), file);
         return _summary;
     }

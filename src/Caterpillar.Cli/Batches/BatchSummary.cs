@@ -28,7 +28,7 @@ internal sealed class BatchSummary
         var table = CsvTable.Parse(text, file);
         var places = new[] { "fingerprint", "status", "output", "bytes" }.Select(n => table.Columns.ToList().IndexOf(n)).ToArray();
         var figures = FigureNames.Select(n => table.Columns.ToList().IndexOf(n)).ToArray();
-        if (places.Concat(figures).Contains(-1)) throw new CliException(ExitCode.BadInput, $"{file} is not the summary of an earlier run, which --resume needs.");
+        if (places.Concat(figures).Contains(-1)) throw new CliException(ExitCode.BadInput, $"{file} is not a summary of an earlier run. --resume needs one.");
         foreach (var row in table.Rows.Where(r => r[places[1]] is DoneWord or "skipped" && r[places[0]].Length > 0))
         {
             var (output, bytes) = (row[places[2]], row[places[3]]);

@@ -26,7 +26,8 @@ internal sealed record CsvTable(IReadOnlyList<string> Columns, IReadOnlyList<IRe
                 if (cells.Contains("")) throw Bad(file, line, "a column has no name.");
                 continue;
             }
-            if (cells.Count > columns.Count) throw Bad(file, line, $"the row has more cells ({Count(cells.Count)}) than the table has columns ({Count(columns.Count)}).");
+            if (cells.Count > columns.Count)
+                throw Bad(file, line, $"{Count(cells.Count)} cells for {Count(columns.Count)} column{(columns.Count == 1 ? "" : "s")}.");
             rows.Add([.. cells, .. Enumerable.Repeat("", columns.Count - cells.Count)]);
         }
         return new CsvTable(columns ?? throw new CliException(ExitCode.BadInput, $"{file}: the table is empty. Its first row must name the columns."), rows);

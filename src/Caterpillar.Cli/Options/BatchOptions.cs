@@ -6,11 +6,12 @@ namespace Caterpillar.Cli;
 internal sealed class BatchOptions
 {
     public Described<string[]> Each { get; } = new("--each",
-        "Run once for each of these files or patterns ('models/*.stl', 'models/**/*.stl'), instead of the input above.", "FILE|PATTERN") { AllowMultipleArgumentsPerToken = true };
+        "Run once for each of these files or patterns ('models/*.stl', 'models/**/*.stl'), instead of the input above.",
+        "FILE|PATTERN") { AllowMultipleArgumentsPerToken = true };
 
     public Described<string?> Table { get; } = new("--table",
-        "Run once for each row of a CSV table. Columns are keys (layer_height_mm), parameters of a turtle program or options (--scale). A column \"name\" names "
-            + "the rows.", "FILE.csv");
+        "Run once for each row of a CSV table. Columns are keys (layer_height_mm), parameters of a turtle program or options (--scale). A column \"name\" "
+            + "names the rows.", "FILE.csv");
 
     public Described<string?> Summary { get; } = new("--summary",
         "Output CSV table with a row for each run: status, message, layers, size, material, time; - = standard output.", "FILE.csv");

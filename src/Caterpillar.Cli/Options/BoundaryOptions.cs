@@ -9,10 +9,11 @@ internal sealed class BoundaryOptions
     private static readonly string[] CurveEndings = [".csv", ".svg", ".json"];
 
     private readonly Described<string?> _from = new("--from",
-        "With --field harmonic or geodesic: mesh or curves (CSV, JSON, SVG, OBJ lines) on the model where layers start. Default: found automatically.",
+        "With --field harmonic or geodesic: start of the layers, as a mesh or curves on the model (CSV, JSON, SVG, OBJ lines). Default: found automatically.",
         "FILE");
 
-    private readonly Described<string[]> _to = new("--to", "With --field harmonic or geodesic: mesh or curves where layers end. Repeatable.", "FILE");
+    private readonly Described<string[]> _to = new("--to",
+        "With --field harmonic or geodesic: end of the layers, as a mesh or curves on the model. Repeatable.", "FILE");
 
     public Option[] All => [_from, _to];
 

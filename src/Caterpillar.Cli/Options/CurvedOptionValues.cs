@@ -14,16 +14,16 @@ internal sealed class CurvedOptionValues
             + "with the heights of black and white. Repeatable with --field between, lowest first.", "FILE|FORMULA|IMAGE:LOW,HIGH");
 
     private readonly Described<string?> _field = new("--field",
-        "Course of the layers. vertical: copies of the surface, moved up. normal: offset copies. between: evenly from the bed to the surface, or between several. "
-            + "harmonic, geodesic: evenly from the lower to the upper ends of the model, even if it branches (geodesic: by distances). FORMULA: level sets in x, y, "
-            + "z, r and theta, such as z - 2 * sin(9 * x).", "vertical|normal|between|harmonic|geodesic|FORMULA");
+        "Course of the layers. vertical: copies of the surface, moved up. normal: offset copies. between: evenly from the bed to the surface, or between "
+            + "several. harmonic, geodesic: evenly from the lower to the upper ends of the model, even if it branches (geodesic: by distances). FORMULA: level "
+            + "sets in x, y, z, r and theta, such as z - 2 * sin(9 * x).", "vertical|normal|between|harmonic|geodesic|FORMULA");
 
     private readonly Described<string?> _blend = new("--blend",
         "Layers are flat up to FROM, follow the surface from TO on, and blend in between, in mm. Default for FROM: the first layer.", "[FROM,]TO");
 
     private readonly OntoOptions _onto = new(
-        "Object to print onto, such as a scanned mesh. The bottom of the model follows its surface. With --surface or --field, the model stays in place and only "
-            + "the part above the object is printed.");
+        "Object to print onto, such as a scanned mesh. The bottom of the model follows its surface. With --surface or --field, the model stays in place and "
+            + "only the part above the object is printed.");
 
     private readonly Described<string?> _deform = new("--deform",
         "Bend the model, slice it flat, and bend the toolpath back. cone=DEG: layers descend outward, or rise if negative. overhangs: layers descend from the "
@@ -61,7 +61,8 @@ internal sealed class CurvedOptionValues
         if (ends && surfaces.Length > 0) throw Usage($"--field {kind} cannot be combined with --surface. Use --from and --to.");
         if (Tilt(arguments) is not null && !HasField(arguments)) throw Usage("--tilt needs --surface, --field or --deform.");
         if (!ends && kind is "vertical" or "normal" && surfaces.Length == 0 && field is not null) throw Usage($"--field {kind} needs --surface.");
-        if (!ends && kind is not ("vertical" or "normal" or "between") && surfaces.Length > 0) throw Usage("--field with a formula cannot be combined with --surface.");
+        if (!ends && kind is not ("vertical" or "normal" or "between") && surfaces.Length > 0)
+            throw Usage("--field with a formula cannot be combined with --surface.");
         if (kind is "vertical" or "normal" && surfaces.Length > 1) throw Usage("Several surfaces need --field between.");
         if (_along.IsGiven(arguments) && surfaces.Length == 0) throw Usage("--infill-along needs --surface.");
         if (arguments.GetValue(_blend) is { } blend)

@@ -16,7 +16,8 @@ internal sealed class DivisionOptions
 
     private readonly Described<string?> _max = new("--max-length", "Maximum segment length of curved parts.", "MM");
 
-    private readonly Described<bool> _full = new("--full-steps", "Keep the exact segment length and make the last segment shorter, instead of dividing evenly.");
+    private readonly Described<bool> _full = new("--full-steps",
+        "Keep the exact segment length and make the last segment shorter, instead of dividing evenly.");
 
     private readonly Described<bool> _arcs = new("--arcs", "Keep horizontal arcs and circles as G2 and G3.");
 

@@ -7,9 +7,9 @@ namespace Caterpillar.Cli;
 internal sealed class InfillAlong
 {
     private readonly Described<string?> _along = new("--infill-along",
-        "With --surface: direction of infill lines. curvature: along the strongest principal curvature of the surface. across: along the other one. both: along "
-            + "both. DX;DY: two formulas in x and y, such as \"-y; x\". FILE: along curves (CSV, JSON, SVG, OBJ lines). infill_density_percent sets their "
-            + "distance.",
+        "With --surface: direction of infill lines. curvature: along the strongest principal curvature of the surface. across: along the other one. both: "
+            + "along both. DX;DY: two formulas in x and y, such as \"-y; x\". FILE: along curves (CSV, JSON, SVG, OBJ lines). infill_density_percent sets "
+            + "their distance.",
         "curvature|across|both|DX;DY|FILE");
 
     public Option[] All => [_along];

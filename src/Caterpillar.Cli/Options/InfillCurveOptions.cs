@@ -9,7 +9,7 @@ internal sealed class InfillCurveOptions
     private const double Tolerance = 0.01;
 
     private readonly Described<string?> _file = new("--infill-curves",
-        "Curves (CSV, JSON, OBJ, SVG) to use as infill of each layer, clipped to its walls. Coordinates: X and Y of the model files.", "FILE");
+        "Infill of each layer from curves (CSV, JSON, OBJ, SVG), clipped to its walls. Coordinates: X and Y of the model files.", "FILE");
 
     public Option[] All => [_file];
 

@@ -7,7 +7,7 @@ namespace Caterpillar.Cli;
 internal sealed class ModelOptions
 {
     private readonly Described<string?> _scale = new("--scale",
-        "Scale the models by a factor (one number) or by factors for X, Y and Z. With mm: to a length of the longest side, or to a size.",
+        "Scale the models. One number: factor. Three: factors for X, Y and Z. With mm: longest side, or size in X, Y and Z.",
         "FACTOR|%|X,Y,Z|LENGTHmm|X,Y,Zmm");
 
     private readonly Described<string?> _rotate = new("--rotate", "Rotate the models about Z, counterclockwise from above, or about X, then Y, then Z.",

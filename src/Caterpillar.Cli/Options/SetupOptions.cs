@@ -11,7 +11,8 @@ internal sealed class SetupOptions
     /// <param name="otherwise">What happens without a printer.</param>
     public SetupOptions(string otherwise = "Default: generic.")
     {
-        Printer = new Described<string?>("--printer", "Printer profile: name (listed by \"caterpillar printers\") or JSON file. " + otherwise, "NAME|FILE", "-p");
+        Printer = new Described<string?>("--printer",
+            "Printer profile: name (listed by \"caterpillar printers\") or JSON file. " + otherwise, "NAME|FILE", "-p");
         Printer.CompletionSources.Add(_ => new ProfileLibrary().PrinterNames.Select(n => new CompletionItem(n)));
         Material.CompletionSources.Add(_ => new ProfileLibrary().MaterialNames.Select(n => new CompletionItem(n)));
         Settings.CompletionSources.Add(_ => new ProfileLibrary().SettingsNames.Select(n => new CompletionItem(n)));
@@ -26,7 +27,8 @@ internal sealed class SetupOptions
     public Described<string?> Settings { get; } = new("--settings", "Print settings: name or JSON file. Default: set by the printer.", "NAME|FILE", "-s");
 
     public Described<string[]> Set { get; } = new("--set",
-        "Override a key of printer, material or settings, such as layer_height_mm=0.3. Repeatable. \"caterpillar printers --keys\" lists all keys.", "KEY=VALUE");
+        "Override a key of printer, material or settings, such as layer_height_mm=0.3. Repeatable. \"caterpillar printers --keys\" lists all keys.",
+        "KEY=VALUE");
 
     public Option[] All => [Printer, Material, Settings, Set];
 

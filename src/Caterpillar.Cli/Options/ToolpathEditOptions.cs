@@ -15,7 +15,7 @@ internal sealed class ToolpathEditOptions
     private readonly Described<double?> _turn = new("--rotate", "Rotate the selection about its center, counterclockwise from above.", "DEGREES");
     private readonly Described<string?> _move = new("--move", "Move the selection.", "X,Y,Z");
     private readonly Described<string?> _deform = new("--deform", "Deform the selection: formulas for the new x, y, z from the old, in mm.", "FORMULAS");
-    private readonly Described<string?> _axis = new("--axis", "With --deform: formulas in r, theta (degrees) and z about this vertical axis.", "X,Y|center");
+    private readonly Described<string?> _axis = new("--axis", "With --deform: vertical axis for formulas in r, theta (degrees) and z.", "X,Y|center");
     private readonly Described<bool> _remove = new("--remove", "Remove the selection.");
     private readonly Described<int[]> _pauses = new("--pause-at-layer",
         "Pause before a layer. The pause keys of the printer set lift and parking position. Repeatable.", "N");

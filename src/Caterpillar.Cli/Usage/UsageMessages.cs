@@ -56,7 +56,8 @@ internal static partial class UsageMessages
         if (WrongWord().Match(message) is { Success: true } word) return NoneOf(error, word);
         if (MissingValue().Match(message) is { Success: true } missing)
         {
-            return missing.Groups["kind"].Value == "command" ? $"The {command.Arguments[0].Name} is missing." : $"{missing.Groups["name"].Value} needs a value.";
+            return missing.Groups["kind"].Value == "command" ? $"The {command.Arguments[0].Name} is missing."
+                : $"{missing.Groups["name"].Value} needs a value.";
         }
         return message == "Required command was not provided." ? "The command is missing." : message;
     }

@@ -18,7 +18,7 @@ internal sealed class ConvertVerb : Verb
     private readonly Described<string?> _e = new("--e-mode", "E mode: relative (M83) or absolute (M82).", "relative|absolute");
     private readonly Described<string?> _unit = new("--e-unit", "Unit of E: mm of filament, or mm³.", "mm|mm3");
     private readonly Described<double?> _diameter = CommonOptions.FilamentDiameter();
-    private readonly Described<string?> _arcs = new("--arcs", "Fit arcs (G2, G3) to extrusions, or expand arcs into straight moves.", "fit|expand");
+    private readonly Described<string?> _arcs = new("--arcs", "Fit arcs to extrusions, or expand arcs into straight moves.", "fit|expand");
     private readonly Described<double> _tolerance = new("--tolerance",
         "Maximum deviation of fitted, expanded or deformed paths.", "MM") { DefaultValueFactory = _ => 0.02 };
     private readonly Described<bool> _millimeters = new("--mm", "Convert inches to millimeters.");
@@ -84,7 +84,8 @@ internal sealed class ConvertVerb : Verb
         string[] parts =
         [
             edits, job.Code.Start is null ? "" : "start G-code replaced", job.Code.End is null ? "" : "end G-code replaced",
-            job.Flavor != job.File.Flavor ? $"converted from {job.File.Flavor.Title} to {job.Flavor.Title}" : job.Target is not null ? "notation converted" : "",
+            job.Flavor != job.File.Flavor ? $"converted from {job.File.Flavor.Title} to {job.Flavor.Title}"
+                : job.Target is not null ? "notation converted" : "",
         ];
         var changes = string.Join(", ", parts.Where(p => p.Length > 0));
         return changes.Length > 0 ? changes : "nothing changed";

@@ -14,8 +14,8 @@ internal sealed class CurvesVerb : Verb
     private readonly DivisionOptions _division = new();
 
     private readonly Described<string> _sort = new("--sort",
-        "Print order. none: as given. orient: only reversed. nearest: nearest start next. layer, z: by layer or height. tour: short travel moves.", "none|orient|nearest|layer|z|tour")
-        { DefaultValueFactory = _ => "none" };
+        "Print order. none: as given. orient: only reversed. nearest: nearest start next. layer, z: by layer or height. tour: short travel moves.",
+        "none|orient|nearest|layer|z|tour") { DefaultValueFactory = _ => "none" };
 
     private readonly Described<string?> _move = new("--move", "Move the curves by an offset in mm, or to the center of the bed.", "X,Y[,Z]|center");
 

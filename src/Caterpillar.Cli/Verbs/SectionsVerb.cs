@@ -89,7 +89,7 @@ internal sealed class SectionsVerb : Verb
         var count = top > 0 ? Math.Ceiling(top / every - 0.5) : 0;
         if (count > MaxHeights)
         {
-            throw new CliException(ExitCode.Usage, $"--every {NumberFormatter.Format(every, 9)} gives more than {NumberFormatter.Format(MaxHeights)} planes. Increase it.");
+            throw new CliException(ExitCode.Usage, $"--every {NumberFormatter.Format(every, 9)} gives more than {NumberFormatter.Format(MaxHeights)} planes.");
         }
         var heights = new double[(int)Math.Max(0, count)];
         for (var i = 0; i < heights.Length; i++) heights[i] = (i + 0.5) * every;

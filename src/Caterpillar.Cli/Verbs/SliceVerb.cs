@@ -77,7 +77,7 @@ internal sealed class SliceVerb : Verb
         var own = _own.Resolve(arguments, setup, session);
         var curves = _infill.Read(arguments, setup, session);
         if (curves is not null && _placing.Turns(arguments) is { } option)
-            throw new CliException(ExitCode.Usage, $"{option} cannot be combined with --infill-curves: it does not change the curves. Transform model and curves beforehand.");
+            throw new CliException(ExitCode.Usage, $"{option} cannot be combined with --infill-curves. Transform the model and the curves beforehand.");
         var sources = new List<string>();
         var read = session.Run("Reading", progress => Meshes.Read(files, session, progress, sources));
         var settings = own.For(read, sources);

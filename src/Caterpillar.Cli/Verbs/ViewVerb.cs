@@ -11,8 +11,8 @@ internal sealed class ViewVerb : Verb
 
     private readonly Argument<string> _file = new("FILE")
     {
-        Description = "G-code (text, .bgcode, gzip), mesh (STL, OBJ, PLY, 3MF), turtle program (.turtle) or curves (.csv, .svg, .json); - = G-code from standard "
-            + "input.",
+        Description = "G-code (text, .bgcode, gzip), mesh (STL, OBJ, PLY, 3MF), turtle program (.turtle) or curves (.csv, .svg, .json); - = G-code from "
+            + "standard input.",
     };
 
     private readonly Described<string?> _out = new("--output",
@@ -21,7 +21,8 @@ internal sealed class ViewVerb : Verb
     private readonly Described<bool> _open = new("--open", "Open the page in the browser.");
 
     private readonly Described<int?> _serve = new("--serve",
-        "Serve the page on this machine instead, and update it when the file changes, until Ctrl-C. Default port: 8417.", "PORT") { Arity = ArgumentArity.ZeroOrOne };
+        "Serve the page on this machine instead, and update it when the file changes, until Ctrl-C. Default port: 8417.",
+        "PORT") { Arity = ArgumentArity.ZeroOrOne };
 
     private readonly Described<bool> _noGCode = new("--no-gcode", "Leave the G-code text out of the page, to make it smaller.");
     private readonly SetupOptions _setup = new("If given, findings of its checks are shown. " + SetupOptions.FromFile);

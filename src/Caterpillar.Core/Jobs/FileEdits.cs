@@ -59,7 +59,7 @@ public sealed record FileEdits
         var filter = Filter.InLayersOf(toolpath);
         var extrusions = filter with { Kinds = [MoveKind.Print] };
         if (Filter != new MoveFilter() && !toolpath.Moves().Any(extrusions.MatchesIn(toolpath)))
-            found.Add(new Diagnostic(Severity.Warning, "edit.nothing_selected", "The selection has no extrusions in this file, so nothing is edited. Check layers, roles, objects, tool and box."));
+            found.Add(new Diagnostic(Severity.Warning, "edit.nothing_selected", "The selection has no extrusions in this file, so nothing is edited."));
         if (Speed is { } speed) toolpath = toolpath.ScaleSpeed(extrusions, speed);
         if (Flow is { } flow) toolpath = toolpath.ScaleFlow(extrusions, flow);
         if (Scale is { } scale) found.AddRange(ScaleNotes(toolpath, extrusions, scale));
@@ -109,7 +109,7 @@ public sealed record FileEdits
             yield return new Diagnostic(Severity.Warning, "edit.no_amounts", "The extrusions have no E, so only their paths are scaled.");
         else if (scale.X != scale.Y || scale.Y != scale.Z)
             yield return new Diagnostic(Severity.Note, "edit.scaled_apart",
-                "The axes have different scale factors, so the flow of each extrusion depends on its direction. A width in a comment is correct only for the next "
-                + "extrusion.");
+                "The axes have different scale factors, so the flow of each extrusion depends on its direction. A width in a comment is correct only for the "
+                + "next extrusion.");
     }
 }
