@@ -30,7 +30,7 @@ public class MessageTests : CliFixture
         "--layer-height", "0.3")]
     [TestCase("Unknown option --support-angle. Set the key: --set support_angle_deg=50", "slice", "a.stl", "--support-angle", "50")]
     [TestCase("Unknown option --wall-order. Set the key: --set wall_order=VALUE", "slice", "a.stl", "--wall-order", "outside_in")]
-    [TestCase("Unknown option --temperature-at-height. Use: caterpillar convert --gcode-at-layer \"N=M104 S210\"", "slice", "a.stl",
+    [TestCase("Unknown option --temperature-at-height. Use: caterpillar convert FILE --gcode-at-layer \"N=M104 S210\"", "slice", "a.stl",
         "--temperature-at-height", "5")]
     [TestCase("Unknown option --pause-at-height. Use --pause-at-layer N", "convert", "l.gcode", "--pause-at-height", "5")]
     [TestCase("Unknown option --pause-at-layer. It is an option of convert.", "slice", "a.stl", "--pause-at-layer", "3")]

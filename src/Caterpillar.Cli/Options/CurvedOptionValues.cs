@@ -14,7 +14,7 @@ internal sealed class CurvedOptionValues
             + "with the heights of black and white. Repeatable with --field between, lowest first.", "FILE|FORMULA|IMAGE:LOW,HIGH");
 
     private readonly Described<string?> _field = new("--field",
-        "Course of the layers. vertical: copies of the surface, moved up. normal: offset copies. between: evenly from the bed to the surface, or between "
+        "Shape of the layers. vertical: copies of the surface, moved up. normal: offset copies. between: evenly from the bed to the surface, or between "
             + "several. harmonic, geodesic: evenly from the lower to the upper ends of the model, even if it branches (geodesic: by distances). FORMULA: level "
             + "sets in x, y, z, r and theta, such as z - 2 * sin(9 * x).", "vertical|normal|between|harmonic|geodesic|FORMULA");
 

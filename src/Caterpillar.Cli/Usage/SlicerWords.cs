@@ -8,7 +8,7 @@ internal static class SlicerWords
     /// <summary>Words for a key with an example value, or for an option of a verb (* = any verb that has it).</summary>
     public static readonly (string Words, string Answer)[] Table =
     [
-        ("support supports support_material enable_support support_enable support_type generate_support", "support=tree"),
+        ("support supports tree support_material enable_support support_enable support_type generate_support", "support=tree"),
         ("brim", "brim_width_mm=5"),
         ("raft", "raft_layers=3"),
         ("skirt skirts", "skirt_loops=2"),
@@ -89,7 +89,8 @@ internal static class SlicerWords
         }
         var parts = answer.Split(' ', 2);
         if (parts[0] == "*") return verb.Options.Any(o => o.Name == parts[1].Split(' ')[0]) ? $"Use {parts[1]}" : null;
-        return parts[0] == verb.Name ? $"Use {parts[1]}" : $"Use: caterpillar {answer}";
+        var input = verbs.FirstOrDefault(v => v.Name == parts[0])?.Arguments.FirstOrDefault(a => a.Arity.MinimumNumberOfValues > 0);
+        return parts[0] == verb.Name ? $"Use {parts[1]}" : $"Use: caterpillar {parts[0]} {(input is null ? "" : input.Name + " ")}{parts[1]}";
     }
 
     // A key with or without its unit.

@@ -72,7 +72,7 @@ internal sealed class SimulateVerb : Verb
         var over = s.Move >= toolpath.Count;
         yield return ["  Time", $"{StatisticsText.Duration(s.Time)}, {StatisticsText.Duration(s.TimeLeft)} left"];
         var source = s.Source >= 0 ? $", line {NumberFormatter.Format(s.Source)}" : "";
-        var move = $"{NumberFormatter.Format(s.Move)} of {NumberFormatter.Format(toolpath.Count)}, {Number(100 * s.Done, 1)} % done";
+        var move = $"{NumberFormatter.Format(s.Move)} of {NumberFormatter.Format(toolpath.Count)} ({Number(100 * s.Done, 1)} % done)";
         yield return ["  Move", over ? $"all {NumberFormatter.Format(toolpath.Count)} done" : move + source];
         var role = s.Kind == Toolpaths.MoveKind.Print && s.Role != Toolpaths.Role.Unspecified ? ", " + Words.Spaced(s.Role.ToString()) : "";
         if (!over) yield return ["  Action", s.Waits ? "Waiting" : Words.Spaced(s.Kind.ToString()) + role];
