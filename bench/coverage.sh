@@ -15,7 +15,7 @@ for mesh in "$@"; do
   # Not every program reads OBJ and PLY.
   dotnet "$out/bench/Caterpillar.Bench.dll" stl "$mesh" "$out/model.stl" >/dev/null
   files=()
-  "$out/caterpillar/Caterpillar.Cli" slice "$mesh" --center --set layer_height_mm=0.2 --set first_layer_height_mm=0.2 --set line_width_mm=0.45 --set wall_count=2 --set infill_density_percent=100 \
+  "$out/caterpillar/Caterpillar.Cli" slice "$mesh" --set layer_height_mm=0.2 --set first_layer_height_mm=0.2 --set line_width_mm=0.45 --set wall_count=2 --set infill_density_percent=100 \
     --set skirt_loops=0 --set top_layers=0 --set bottom_layers=0 -o "$out/caterpillar.gcode" >/dev/null 2>"$out/log" && files+=("$out/caterpillar.gcode") || failed Caterpillar
   if command -v prusa-slicer >/dev/null; then
     prusa-slicer --export-gcode --loglevel 0 -o "$out/prusa.gcode" --nozzle-diameter 0.4 --filament-diameter 1.75 --layer-height 0.2 --first-layer-height 0.2 --center 110,110 --perimeters 2 \

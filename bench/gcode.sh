@@ -16,7 +16,7 @@ caterpillar="$out/caterpillar/Caterpillar.Cli"
 jobs=(decode again relative)
 decode() { "$caterpillar" decode "$gcode" --json; }
 again() { "$caterpillar" convert "$gcode" -o /dev/null; }
-relative() { "$caterpillar" convert "$gcode" --e relative -o /dev/null; }
+relative() { "$caterpillar" convert "$gcode" --e-mode relative -o /dev/null; }
 
 if command -v node >/dev/null; then
   peer=${2:-$out/peer}

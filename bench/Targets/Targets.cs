@@ -60,13 +60,13 @@ internal static class Targets
         yield return new Target($"`view`, {megabytes} MB: a page with its lines", "s", double.NaN, whole.Wall,
             string.Create(CultureInfo.InvariantCulture, $"{whole.Remark}, a page of {size / 1e6:0} MB"));
         var moves = GCodeDecoder.DecodeFile(gcode).OrThrow().Toolpath.Count;
-        ProcessRuns.Of(program, ["view", gcode, "-o", page, "--quiet", "--no-lines"], 1);
+        ProcessRuns.Of(program, ["view", gcode, "-o", page, "--quiet", "--no-gcode"], 1);
         yield return new Target("bytes of that page for a move, without the lines", "bytes", 10, (double)new FileInfo(page).Length / moves);
         var sphere = Path.Combine(work, "page.stl");
         Samples.WriteSphere(20_000, sphere);
         var print = Path.Combine(work, "page.gcode");
         ProcessRuns.Of(program, ["slice", sphere, "-o", print, "--quiet"], 1);
-        ProcessRuns.Of(program, ["view", print, "-o", page, "--quiet", "--no-lines"], 1);
+        ProcessRuns.Of(program, ["view", print, "-o", page, "--quiet", "--no-gcode"], 1);
         moves = GCodeDecoder.DecodeFile(print).OrThrow().Toolpath.Count;
         yield return new Target("the same for a sliced sphere", "bytes", 10, (double)new FileInfo(page).Length / moves, $"{moves} moves");
     }
@@ -84,7 +84,7 @@ internal static class Targets
         var size = megabytes.ToString("0", CultureInfo.InvariantCulture) + " MB";
         yield return Whole($"`decode --json`, {size}", megabytes / 200, "decode", gcode, "--json");
         yield return Whole($"`convert` without a change, {size}", megabytes / 200, "convert", gcode, "-o", output);
-        yield return Whole($"`convert --e relative`, {size}", megabytes / 300, "convert", gcode, "--e", "relative", "-o", output);
+        yield return Whole($"`convert --e-mode relative`, {size}", megabytes / 300, "convert", gcode, "--e-mode", "relative", "-o", output);
         yield return Whole($"`convert --move 10,5`, {size}", megabytes / 300, "convert", gcode, "--move", "10,5", "-o", output);
         yield return Whole($"`convert --scale 0.5`, {size}", megabytes / 300, "convert", gcode, "--scale", "0.5", "-o", output);
         yield return Whole($"`convert --speed 90%`, {size}", megabytes / 300, "convert", gcode, "--speed", "90%", "-o", output);

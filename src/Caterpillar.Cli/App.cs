@@ -10,8 +10,10 @@ internal static class App
     {
         // A file that was cut off is an error, not a shorter file.
         AppContext.SetSwitch("System.IO.Compression.UseStrictValidation", true);
-        var root = new Command("caterpillar", "Turns designs into 3D-printer motion, and G-code back into toolpaths.") { new HelpOption(),
-            new VersionOption() };
+        var root = new Command("caterpillar", "Slice models, turn designs into G-code, and edit, check and view G-code.")
+        {
+            new HelpOption { Description = "Show help." }, new VersionOption { Description = "Show the version." },
+        };
         var general = new GeneralOptions();
         foreach (var option in general.All) root.Options.Add(option);
         foreach (var verb in Verbs.All()) root.Subcommands.Add(verb);

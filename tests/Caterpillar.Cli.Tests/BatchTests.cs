@@ -105,7 +105,7 @@ public class BatchTests : CliFixture
         Assert.That(Run(words).Code, Is.Zero);
         var first = Summary("s.csv");
         var again = Run(words);
-        Assert.That(again.Messages, Does.Contain("[1/3] out/a.gcode: done before, skipped").And.Contain("0 of 3 done, 3 skipped"));
+        Assert.That(again.Messages, Does.Contain("[1/3] out/a.gcode: already done, skipped").And.Contain("0 of 3 done, 3 skipped"));
         Assert.That(Column(Summary("s.csv"), "time_s"), Is.EqualTo(Column(first, "time_s")), "figures are kept");
 
         File.Delete("out/a.gcode");
@@ -140,7 +140,7 @@ public class BatchTests : CliFixture
         stop.Cancel();
         var run = Run([], ["slice", "--each", "models/*.stl", "-o", "out/", "--summary", "s.csv"], stop.Token);
         Assert.That(run.Code, Is.EqualTo(130));
-        Assert.That(run.Messages, Does.Contain("0 of 2 done").And.Contain("--resume goes on"));
+        Assert.That(run.Messages, Does.Contain("0 of 2 done").And.Contain("repeat the command with --resume"));
         Assert.That(Names("out"), Is.Empty);
         Assert.That(Column(Summary("s.csv"), "status"), Is.All.EqualTo("not started"));
     }
@@ -174,17 +174,17 @@ public class BatchTests : CliFixture
         Assert.That(Column(Summary("s.csv"), "error")[0], Is.EqualTo("bed.outside"));
     }
 
-    [TestCase("two results would be called x.gcode", "slice", "--each", "models/*.stl", "-o", "x.gcode")]
-    [TestCase("there is no {nam}; there are {name}, {input}, {folder}.", "slice", "--each", "models/*.stl", "-o", "{nam}.gcode")]
+    [TestCase("two outputs would be named x.gcode", "slice", "--each", "models/*.stl", "-o", "x.gcode")]
+    [TestCase("unknown placeholder {nam}. Placeholders: {name}, {input}, {folder}.", "slice", "--each", "models/*.stl", "-o", "{nam}.gcode")]
     [TestCase("Did you mean --printer?", "slice", "--each", "models/*.stl", "--pritner", "x")]
     [TestCase("--set needs a value.", "slice", "--each", "models/*.stl", "--set")]
-    [TestCase("models/a.stl is named besides --each", "slice", "models/a.stl", "--each", "models/b.stl")]
+    [TestCase("models/a.stl cannot be combined with --each", "slice", "models/a.stl", "--each", "models/b.stl")]
     [TestCase("--resume needs --each or --table.", "slice", "models/a.stl", "--resume")]
     [TestCase("--resume needs the summary", "slice", "--each", "models/*.stl", "--resume")]
-    [TestCase("Many results cannot go to standard output", "slice", "--each", "models/*.stl", "-o", "-")]
-    [TestCase("means an image, but this writes G-code", "slice", "--each", "models/*.stl", "-o", "{name}.png")]
-    [TestCase("this would replace the input models/a.stl", "slice", "--each", "models/*.stl", "-o", "{folder}/{name}.stl")]
-    [TestCase("--part 3/2: expected a part", "slice", "--each", "models/*.stl", "--part", "3/2")]
+    [TestCase("Several outputs cannot go to standard output", "slice", "--each", "models/*.stl", "-o", "-")]
+    [TestCase("means an image, but the output is G-code", "slice", "--each", "models/*.stl", "-o", "{name}.png")]
+    [TestCase("{folder}/{name}.stl would replace the input models/a.stl", "slice", "--each", "models/*.stl", "-o", "{folder}/{name}.stl")]
+    [TestCase("--part needs I/N, such as 3/20, not \"3/2\".", "slice", "--each", "models/*.stl", "--part", "3/2")]
     [TestCase("--jobs needs a number from 1", "slice", "--each", "models/*.stl", "--jobs", "0")]
     [TestCase("turtle has no option --sede", "turtle", "star.turtle", "--table", "bad.csv")]
     public void Wrong_usage_is_found_before_any_work(string message, params string[] words)
@@ -197,10 +197,10 @@ public class BatchTests : CliFixture
         Assert.That(Files(), Is.EqualTo(before));
     }
 
-    [TestCase("No file is called models/*.obj.", "slice", "--each", "models/*.obj")]
-    [TestCase("models/none.stl: there is no such file.", "slice", "--each", "models/none.stl")]
-    [TestCase("models is a folder: name the files in it, such as 'models/*'.", "slice", "--each", "models")]
-    [TestCase("long.csv:3: 2 cells for 1 columns.", "turtle", "star.turtle", "--table", "long.csv")]
+    [TestCase("No file matches models/*.obj.", "slice", "--each", "models/*.obj")]
+    [TestCase("models/none.stl: file not found.", "slice", "--each", "models/none.stl")]
+    [TestCase("models is a folder. Give the files in it, such as 'models/*'.", "slice", "--each", "models")]
+    [TestCase("long.csv:3: 2 cells for 1 column.", "turtle", "star.turtle", "--table", "long.csv")]
     [TestCase("open.csv:2: a quote is not closed.", "turtle", "star.turtle", "--table", "open.csv")]
     [TestCase("empty.csv: the table is empty", "turtle", "star.turtle", "--table", "empty.csv")]
     [TestCase("the table has no rows", "turtle", "star.turtle", "--table", "names.csv")]
@@ -223,7 +223,7 @@ public class BatchTests : CliFixture
         Assert.That(File.ReadAllText("b.gcode"), Does.Contain("F1500"));
         var run = Run("convert", "--each", "b.gcode", "--in-place", "--speed", "50%", "--summary", "s.csv", "--resume");
         Assert.That((run.Code, run.Messages), Is.EqualTo((2, run.Messages)));
-        Assert.That(run.Messages, Does.Contain("--resume cannot tell"));
+        Assert.That(run.Messages, Does.Contain("--resume cannot be combined with --in-place"));
     }
 
     [Test]

@@ -32,7 +32,7 @@ public class CompletionTests : CliFixture
     [TestCase("caterpillar|slice|part.stl|--infill-c", "--infill-curves")]
     [TestCase("caterpillar|slice|--lay", "--lay-flat")]
     [TestCase("caterpillar|slice|--set|layer_height_m", "layer_height_mm=")]
-    [TestCase("caterpillar|-q|convert|--e|rel", "relative")]
+    [TestCase("caterpillar|-q|convert|--e-mode|rel", "relative")]
     [TestCase("caterpillar|decode|prin", "print.gcode")]
     [TestCase("caterpillar|completions|f", "fish")]
     public void Bash_completes(string words, string expected)
@@ -47,7 +47,7 @@ public class CompletionTests : CliFixture
     [TestCase("caterpillar sli", "slice")]
     [TestCase("caterpillar slice --printer ender", "ender3")]
     [TestCase("caterpillar slice --lay", "--lay-flat")]
-    [TestCase("caterpillar convert --e rel", "relative")]
+    [TestCase("caterpillar convert --e-mode rel", "relative")]
     [TestCase("caterpillar decode prin", "print.gcode")]
     public void Fish_completes(string line, string expected)
     {

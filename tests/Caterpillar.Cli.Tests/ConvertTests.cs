@@ -19,7 +19,7 @@ public class ConvertTests : CliFixture
     public void Absolute_E_becomes_relative()
     {
         File.WriteAllText("a.gcode", File1);
-        Assert.That(Run("convert", "a.gcode", "-o", "-", "--e", "relative").Text, Is.EqualTo(
+        Assert.That(Run("convert", "a.gcode", "-o", "-", "--e-mode", "relative").Text, Is.EqualTo(
             File1.Replace("M82\n", "").Replace("G1 X10 E1", "M83\nG1 X10 E1").Replace("G1 X0 E2", "G1 X0 E1")));
     }
 
@@ -118,13 +118,13 @@ public class ConvertTests : CliFixture
     [TestCase("--box", "1,2,3")]
     [TestCase("--object", "nobody")]
     [TestCase("--deform", "x, y")]
-    [TestCase("--axis", "middle")]
+    [TestCase("--axis", "center")]
     [TestCase("--tool-at-layer", "1")]
     [TestCase("--role", "Nose")]
     [TestCase("--move", "a,b")]
     [TestCase("--flavor", "basic")]
     [TestCase("--remove", "--mm")]
-    [TestCase("--e", "sideways")]
+    [TestCase("--e-mode", "sideways")]
     [TestCase("--decimals", "3,x")]
     [TestCase("--decimals", "1,2,3,4")]
     public void Wrong_options_are_wrong_usage(string option, string value)

@@ -98,6 +98,13 @@ public partial class ManualTests : CliFixture
             Assert.That(index, Does.Contain($"({page})"), page);
     }
 
+    [Test]
+    public void The_page_of_the_terminal_lists_every_verb()
+    {
+        var page = File.ReadAllText(Path.Combine(TestData.Repository, "docs", "terminal.md"));
+        foreach (var verb in VerbNames) Assert.That(page, Does.Contain($"\n| `{verb}` | "));
+    }
+
     [TestCase("caterpillar a 'b c' \"d, e\"=f # g", "caterpillar|a|b c|d, e=f", null)]
     [TestCase("caterpillar decode x.gcode --csv > moves.csv", "caterpillar|decode|x.gcode|--csv", "moves.csv")]
     public void Lines_are_read_as_shells_do(string line, string words, string? output)

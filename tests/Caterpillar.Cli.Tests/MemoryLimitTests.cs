@@ -49,6 +49,6 @@ public class MemoryLimitTests : CliFixture
         var session = new Session(() => Stream.Null, () => throw new OutOfMemoryException(), messages) { EnforceMemory = limit => kept = limit };
         Assert.That(App.Run(["printers", "--memory-limit", "100MB"], session), Is.EqualTo(1));
         Assert.That(kept, Is.EqualTo(new MemoryLimit(100 << 20)));
-        Assert.That(messages.ToString(), Does.Contain("100 MB").And.Contain("nothing was written"));
+        Assert.That(messages.ToString(), Does.Contain("100 MB").And.Contain("Nothing was written"));
     }
 }

@@ -25,8 +25,8 @@ public class ModelOptionTests : CliFixture
     [TestCase("105.225 100.225", "114.775 119.775", "--rotate", "90")]
     [TestCase("100.225 109.225", "119.775 110.775", "--rotate", "90,0,0")]
     [TestCase("100.225 105.225", "119.775 114.775", "--rotate", "90,0,0", "--lay-flat")]
-    [TestCase("20.225 35.225", "39.775 44.775", "--place", "30,40")]
-    [TestCase("100.225 105.225", "119.775 114.775", "--center")]
+    [TestCase("20.225 35.225", "39.775 44.775", "--center", "30,40")]
+    [TestCase("100.225 105.225", "119.775 114.775")]
     [TestCase("100.225 105.225", "119.775 114.775", "--arrange")]
     public void Options_place_the_model(string least, string most, params string[] options)
     {
@@ -48,11 +48,11 @@ public class ModelOptionTests : CliFixture
     [TestCase("--scale", "-5mm")]
     [TestCase("--rotate", "1,2")]
     [TestCase("--rotate", "x")]
-    [TestCase("--place", "5")]
+    [TestCase("--center", "5")]
     [TestCase("--copies", "0")]
-    [TestCase("--copies", "2", "--place", "5,5")]
+    [TestCase("--copies", "2", "--center", "5,5")]
     [TestCase("--arrange", "--keep-position")]
-    [TestCase("--center", "--place", "5,5")]
+    [TestCase("--keep-position", "--center", "5,5")]
     [TestCase("--spacing", "-1")]
     [TestCase("--arrange", "--for", "part.stl:model_type=modifier")]
     [TestCase("--lay-flat", "--for", "part.stl:model_type=support_blocker")]
@@ -103,7 +103,7 @@ public class ModelOptionTests : CliFixture
     public void Modifiers_move_along_with_the_part_and_are_not_printed()
     {
         File.WriteAllText("big.stl", Box(60, 60, 40));
-        var run = Run(["slice", "part.stl", "big.stl", "--place", "30,40", "--for", "big.stl:model_type=modifier,wall_count=3", .. Walls]);
+        var run = Run(["slice", "part.stl", "big.stl", "--center", "30,40", "--for", "big.stl:model_type=modifier,wall_count=3", .. Walls]);
         Assert.That(run.Code, Is.Zero, run.Messages);
         var lines = File.ReadAllLines("part.gcode");
         Assert.That(lines.Count(l => l.StartsWith(";LAYER_CHANGE", System.StringComparison.Ordinal)), Is.EqualTo(10), "only the part is printed");
@@ -115,7 +115,7 @@ public class ModelOptionTests : CliFixture
     public void Curves_of_a_file_are_the_infill_where_the_model_stands()
     {
         File.WriteAllText("web.csv", "x,y\n-100,3\n100,3\n");
-        var run = Run(["slice", "part.stl", "--infill-curves", "web.csv", "--place", "30,40", .. Walls, "--set", "infill_density_percent=20"]);
+        var run = Run(["slice", "part.stl", "--infill-curves", "web.csv", "--center", "30,40", .. Walls, "--set", "infill_density_percent=20"]);
         Assert.That(run.Code, Is.Zero, run.Messages);
         var lines = File.ReadAllLines("part.gcode");
         Assert.That(lines.Count(l => l == ";TYPE:Internal infill"), Is.EqualTo(10));

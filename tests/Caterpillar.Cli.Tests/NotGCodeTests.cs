@@ -10,7 +10,7 @@ public class NotGCodeTests : CliFixture
     [TestCase("image", "m.stl", "-o", "m.png")]
     [TestCase("check", "m.stl")]
     [TestCase("simulate", "m.stl")]
-    [TestCase("convert", "m.stl", "-o", "m.gcode", "--e", "relative")]
+    [TestCase("convert", "m.stl", "-o", "m.gcode", "--e-mode", "relative")]
     [TestCase("printers", "--import", "m.stl", "-", "-o", "p.json")]
     public void A_mesh_is_refused_and_named(params string[] arguments)
     {

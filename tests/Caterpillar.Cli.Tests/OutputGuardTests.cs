@@ -45,7 +45,7 @@ public class OutputGuardTests : CliFixture
         File.WriteAllText("l.gcode", Program);
         var run = Run(words);
         Assert.That(run.Code, Is.EqualTo(2), run.Messages);
-        Assert.That(run.Messages, Does.Contain(words[3]).And.Contain("ending"));
+        Assert.That(run.Messages, Does.Contain(words[3]).And.Contain("extension"));
         Assert.That(File.Exists(words[3]), Is.False);
     }
 

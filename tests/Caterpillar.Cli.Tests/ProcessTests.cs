@@ -18,7 +18,7 @@ public class ProcessTests : CliFixture
         Assert.That(Start("slice part.stl -o -", out var output, out _), Is.Zero);
         Assert.That(output, Does.Contain("G1 X").And.Not.Contain("\r"));
         Assert.That(Start("slice none.stl", out output, out var messages), Is.EqualTo(1));
-        Assert.That((output, messages), Is.EqualTo(("", "none.stl: there is no such file." + Environment.NewLine)));
+        Assert.That((output, messages), Is.EqualTo(("", "none.stl: file not found." + Environment.NewLine)));
         Assert.That(Start("printers generic", out output, out _), Is.Zero);
         Assert.That(output, Does.Contain("220 × 220"));
     }
@@ -53,7 +53,7 @@ public class ProcessTests : CliFixture
         process.WaitForExit();
         Assert.That(process.ExitCode, Is.EqualTo(130), messages);
         Assert.That(first, Does.StartWith("[1/90] out/01.gcode"));
-        Assert.That(messages, Does.Contain("of 90 done").And.Contain("Interrupted. The same command with --resume goes on"));
+        Assert.That(messages, Does.Contain("of 90 done").And.Contain("Interrupted. To continue, repeat the command with --resume."));
         var written = Directory.GetFileSystemEntries("out").Length;
         Assert.That(written, Is.InRange(1, 89));
         Assert.That(File.ReadLines("s.csv").Count(l => l.Contains(",done,", StringComparison.Ordinal)), Is.EqualTo(written), "whole files only");

@@ -39,7 +39,7 @@ public class SimulateTests : CliFixture
         File.WriteAllText("a.gcode", Program);
         var text = Run(["simulate", "a.gcode", "--at", "move:1", .. Limits]).Text;
         Assert.That(text, Does.Contain("Print, Solid infill").And.Contain("100, 0, 0 mm, tool 0").And.Contain("1 of 4").And.Contain("line 6"));
-        Assert.That(Run(["simulate", "a.gcode", "--at", "100%", .. Limits]).Text, Does.Contain("all 4 are over").And.Contain("0 s left"));
+        Assert.That(Run(["simulate", "a.gcode", "--at", "100%", .. Limits]).Text, Does.Contain("all 4 done").And.Contain("0 s left"));
     }
 
     [TestCase("line:0")]
@@ -87,8 +87,8 @@ public class SimulateTests : CliFixture
     {
         File.WriteAllText("a.gcode", ";FLAVOR:BFB\n;LAYER:0\n;TYPE:FILL\nG1 X10 Y10 Z0.3 F3000\nM101\nG1 X60\nM103\nG1 X70\n");
         var text = Run("decode", "a.gcode", "--stats").Text;
-        Assert.That(text, Does.Contain("50 mm in 1 move, 1 layer").And.Contain("no amounts of E").And.Match("Material +none"));
-        Assert.That(text, Does.Not.Contain("mm wide").And.Not.Contain("Greatest flow"));
+        Assert.That(text, Does.Contain("50 mm in 1 move, 1 layer").And.Contain("no E").And.Match("Material +none"));
+        Assert.That(text, Does.Not.Contain("mm wide").And.Not.Contain("Maximum flow"));
         var s = JsonDocument.Parse(Run("decode", "a.gcode", "--stats", "--json").Output).RootElement[0];
         Assert.That(s.GetProperty("greatest_flow_mm3_s").ValueKind, Is.EqualTo(JsonValueKind.Null));
         Assert.That(s.GetProperty("greatest_flow_move").ValueKind, Is.EqualTo(JsonValueKind.Null));

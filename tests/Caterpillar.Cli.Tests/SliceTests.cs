@@ -55,7 +55,7 @@ public class SliceTests : CliFixture
     {
         var run = Run("slice", "none.stl");
         Assert.That(run.Code, Is.EqualTo(1));
-        Assert.That(run.Messages, Is.EqualTo("none.stl: there is no such file." + Environment.NewLine));
+        Assert.That(run.Messages, Is.EqualTo("none.stl: file not found." + Environment.NewLine));
     }
 
     [Test]
@@ -87,10 +87,10 @@ public class SliceTests : CliFixture
         Assert.That(run.Code, Is.EqualTo(3), run.Messages);
         Assert.That(run.Messages, Does.Contain("models.too_large").And.Contain("80 mm too long in X").And.Contain("error write.refused"));
         Assert.That(run.Messages, Does.Not.Contain("bed.outside").And.Not.Contain("--scale"), "nothing is sliced");
-        Assert.That(Run("slice", "part.stl", "--scale", "60").Messages, Does.Contain("--scale 60mm makes the longest side that long."));
+        Assert.That(Run("slice", "part.stl", "--scale", "60").Messages, Does.Contain("use --scale 60mm."));
         // Where it stands outside, but would fit, the finished print is looked at.
         File.WriteAllText("part.stl", Box(30, 10, 1));
-        run = Run("slice", "part.stl", "--place", "0,0");
+        run = Run("slice", "part.stl", "--center", "0,0");
         Assert.That((run.Code, run.Messages.Contains("error bed.outside", System.StringComparison.Ordinal)), Is.EqualTo((3, true)));
         Assert.That(File.ReadAllText("part.gcode"), Is.EqualTo("old"));
         Assert.That(Files(), Is.EqualTo(new[] { "part.gcode", "part.stl" }));

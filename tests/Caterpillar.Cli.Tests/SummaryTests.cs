@@ -26,12 +26,12 @@ public class SummaryTests : CliFixture
     [TestCase("c.gcode: ", "curves", "c.csv")]
     [TestCase("o.gcode: speed of 2 moves changed; 1 layer, 10.5 × 10.5 × 0.2 mm, 0.7 mm of filament (0.00221 g)", "convert", "l.gcode", "-o", "o.gcode",
         "--speed", "2")]
-    [TestCase("o.gcode: material of 2 moves changed; 1 layer, 10.9 × 10.9 × 0.2 mm, 1.5 mm of filament", "convert", "l.gcode", "-o", "o.gcode", "--flow",
+    [TestCase("o.gcode: flow of 2 moves changed; 1 layer, 10.9 × 10.9 × 0.2 mm, 1.5 mm of filament", "convert", "l.gcode", "-o", "o.gcode", "--flow",
         "200%")]
-    [TestCase("o.gcode: 3 moves shifted; 1 layer", "convert", "l.gcode", "-o", "o.gcode", "--move", "1,1")]
+    [TestCase("o.gcode: position of 3 moves changed; 1 layer", "convert", "l.gcode", "-o", "o.gcode", "--move", "1,1")]
     [TestCase("o.gcode: 1 command inserted; ", "convert", "l.gcode", "-o", "o.gcode", "--gcode-at-layer", "0=M300")]
-    [TestCase("o.gcode: Marlin 2 became Klipper; ", "convert", "l.gcode", "-o", "o.gcode", "--flavor", "klipper")]
-    [TestCase("o.gcode: in another notation; ", "convert", "l.gcode", "-o", "o.gcode", "--e", "absolute")]
+    [TestCase("o.gcode: converted from Marlin 2 to Klipper; ", "convert", "l.gcode", "-o", "o.gcode", "--flavor", "klipper")]
+    [TestCase("o.gcode: notation converted; ", "convert", "l.gcode", "-o", "o.gcode", "--e-mode", "absolute")]
     [TestCase("o.gcode: nothing changed; 1 layer", "convert", "l.gcode", "-o", "o.gcode")]
     [TestCase("l.png: 64 × 48 pixels; l.gcode: 1 layer, 10.5 × 10.5 × 0.2 mm", "image", "l.gcode", "--width", "64")]
     [TestCase("l.html: ", "view", "l.gcode")]
@@ -63,7 +63,7 @@ public class SummaryTests : CliFixture
     public void Quiet_keeps_what_is_wrong()
     {
         var run = Run("slice", "none.stl", "-q");
-        Assert.That((run.Code, run.Messages), Is.EqualTo((1, "none.stl: there is no such file." + Environment.NewLine)));
+        Assert.That((run.Code, run.Messages), Is.EqualTo((1, "none.stl: file not found." + Environment.NewLine)));
         File.WriteAllText("big.stl", Box(900, 10, 2));
         run = Run("slice", "big.stl", "-q");
         Assert.That((run.Code, run.Messages.Contains("models.too_large", StringComparison.Ordinal)), Is.EqualTo((3, true)));

@@ -51,7 +51,7 @@ public class TurtleTests : CliFixture
 
     [TestCase("forwrd 10", 1, "standard input:1:1: error turtle.unknown: Unknown command 'forwrd'. Did you mean 'forward'?")]
     [TestCase("forward 1\nforward 1 / 0", 1, "standard input:2:9: error turtle.not_finite")]
-    [TestCase("left 90", 1, "draws nothing")]
+    [TestCase("left 90", 1, "prints nothing")]
     [TestCase("forward 1000", 3, "bed.outside")]
     public void Bad_programs_are_reported_and_nothing_is_written(string script, int code, string message)
     {

@@ -68,7 +68,7 @@ public class ViewTests : CliFixture
     public void The_text_of_the_file_can_be_left_out()
     {
         File.WriteAllText("a.gcode", Code);
-        Run("view", "a.gcode", "--no-lines");
+        Run("view", "a.gcode", "--no-gcode");
         Assert.That(Part("a.html", "gcodeData"), Is.Empty);
     }
 

@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Many calls in one process. What each writes is what a single call would write.</summary>
+/// <summary>Many runs in one process. Each writes the same output as a single run.</summary>
 internal sealed class Batch
 {
     // As large as that of a main thread: designs may nest deeply.
@@ -32,7 +32,7 @@ internal sealed class Batch
 
     private string? SummaryFile => _parsed.GetValue(_verb.Batch!.Summary);
 
-    /// <summary>Runs the calls, says what became of each in the order of the list, and returns the code of the first that failed.</summary>
+    /// <summary>Runs all runs, prints their outcomes in the order of the list, and returns the exit code of the first that failed.</summary>
     /// <exception cref="CliException">The command line is wrong; nothing was done.</exception>
     public static int Run(Verb verb, ParseResult parsed, Session session) => new Batch(verb, parsed, session).Run();
 
@@ -77,7 +77,7 @@ internal sealed class Batch
         }
     }
 
-    // Says what became of each call when its turn comes. What needed more than its share of the memory is done again alone, with all of it.
+    // Prints the outcomes in order. Runs that need more than their share of the memory are repeated alone, with all of it.
     private void Report(bool shared)
     {
         var watch = Stopwatch.StartNew();
@@ -110,7 +110,7 @@ internal sealed class Batch
     {
         var outcome = _outcomes[index];
         if (outcome.Output is { Length: > 0 } bytes) _session.Write("-", stream => stream.Write(bytes));
-        var messages = outcome.Status == BatchStatus.Skipped && !_session.Quiet ? (outcome.Job.Output ?? outcome.Title) + ": done before, skipped"
+        var messages = outcome.Status == BatchStatus.Skipped && !_session.Quiet ? (outcome.Job.Output ?? outcome.Title) + ": already done, skipped"
             : outcome.Messages;
         foreach (var line in messages.Split('\n', StringSplitOptions.RemoveEmptyEntries))
             _session.Messages.WriteLine($"[{Count(index + 1)}/{Count(_jobs.Count)}] {line.TrimEnd('\r')}");
@@ -141,8 +141,8 @@ internal sealed class Batch
         }
         if (done + skipped + failed.Length < _jobs.Count)
         {
-            _session.Messages.WriteLine("Interrupted. " + (SummaryFile is null ? "With --summary, --resume can go on where this ended."
-                : "The same command with --resume goes on where this ended."));
+            _session.Messages.WriteLine("Interrupted. " + (SummaryFile is null ? "With --summary, an interrupted list can be continued with --resume."
+                : "To continue, repeat the command with --resume."));
             return ExitCode.Interrupted;
         }
         return failed.Length > 0 ? failed[0].Code : ExitCode.Done;
@@ -154,8 +154,8 @@ internal sealed class Batch
     {
         if (!_parsed.GetValue(_verb.Batch!.Resume)) return null;
         if (SummaryFile is not { } file || file == "-")
-            throw new CliException(ExitCode.Usage, "--resume needs the summary of the earlier run: --summary FILE.csv.");
-        if (_verb.ReplacesInput(_parsed)) throw new CliException(ExitCode.Usage, "--resume cannot tell which inputs have been replaced; use --output.");
+            throw new CliException(ExitCode.Usage, "--resume needs the summary of the earlier run. Give --summary FILE.csv.");
+        if (_verb.ReplacesInput(_parsed)) throw new CliException(ExitCode.Usage, "--resume cannot be combined with --in-place. Use --output.");
         if (File.Exists(file)) _summary.ReadEarlier(File.ReadAllText(file), file);
         return _summary;
     }

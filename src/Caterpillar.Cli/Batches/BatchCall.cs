@@ -2,10 +2,10 @@ using System.Diagnostics;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Runs one call of a batch as the program runs a single call, with messages and output kept for their turn.</summary>
+/// <summary>Runs one job of a batch like a single run. Messages and output are kept until its turn.</summary>
 internal sealed class BatchCall(Verb verb, Session session, BatchSummary? earlier, bool hashes)
 {
-    /// <param name="job">The call.</param>
+    /// <param name="job">The job.</param>
     /// <param name="memory">Its share of the memory.</param>
     /// <param name="threads">Its share of the cores.</param>
     public BatchOutcome Run(BatchJob job, MemoryLimit memory, int threads)
@@ -41,7 +41,7 @@ internal sealed class BatchCall(Verb verb, Session session, BatchSummary? earlie
         };
     }
 
-    /// <summary>The command line of a call after the verb.</summary>
+    /// <summary>The command line of a job, without the verb.</summary>
     public static string[] Words(Verb verb, BatchJob job, int threads)
     {
         var takesThreads = verb.Options.Any(o => o.Name == "--threads") && !job.Words.Contains("--threads");

@@ -2,15 +2,15 @@ using System.CommandLine.Parsing;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Makes the list of calls of a command line, and finds what is wrong with it before any work begins.</summary>
+/// <summary>Makes the list of runs of a command line, and checks it before any work begins.</summary>
 internal sealed class BatchList(Verb verb, ParseResult parsed, Session session)
 {
     private readonly BatchOptions _options = verb.Batch!;
 
-    /// <summary>The columns of the table; none without one.</summary>
+    /// <summary>The columns of the table, if any.</summary>
     public IReadOnlyList<string> Columns { get; private set; } = [];
 
-    /// <exception cref="CliException">Options do not go together or a file is missing.</exception>
+    /// <exception cref="CliException">Options cannot be combined, or a file is missing.</exception>
     public IReadOnlyList<BatchJob> Jobs()
     {
         var table = parsed.GetValue(_options.Table) is { } file ? Table(file) : null;
@@ -19,7 +19,7 @@ internal sealed class BatchList(Verb verb, ParseResult parsed, Session session)
         var output = verb.Options.FirstOrDefault(o => o.Name == "--output") is Option<string?> option ? parsed.GetValue(option) : null;
         if (output == "-")
         {
-            throw new CliException(ExitCode.Usage, "Many results cannot go to standard output: give a pattern, such as -o 'out/{name}" + verb.Ending + "'.");
+            throw new CliException(ExitCode.Usage, "Several outputs cannot go to standard output. Give a pattern, such as -o 'out/{name}" + verb.Ending + "'.");
         }
         var pattern = verb.Ending is { } ending && !verb.ReplacesInput(parsed) ? new OutputPattern(output, ending, table) : null;
         var shared = _options.Shared(parsed, verb).ToArray();
@@ -33,7 +33,7 @@ internal sealed class BatchList(Verb verb, ParseResult parsed, Session session)
                 jobs.Add(new BatchJob(jobs.Count + 1, files, cells, pattern?.For(files[0], row, table), words));
             }
         }
-        if (jobs.Count == 0) throw new CliException(ExitCode.BadInput, "There is nothing to do: the table has no rows.");
+        if (jobs.Count == 0) throw new CliException(ExitCode.BadInput, "Nothing to do: the table has no rows.");
         CheckOutputs(jobs, pattern);
         return _options.PartOf(jobs, parsed);
     }
@@ -42,7 +42,7 @@ internal sealed class BatchList(Verb verb, ParseResult parsed, Session session)
     {
         var named = parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(a => a.Tokens).Select(t => t.Value).ToArray();
         if (parsed.GetResult(_options.Each) is not { Implicit: false }) return [named];
-        if (named.Length > 0) throw new CliException(ExitCode.Usage, $"{named[0]} is named besides --each: put it after --each.");
+        if (named.Length > 0) throw new CliException(ExitCode.Usage, $"{named[0]} cannot be combined with --each. Put it after --each.");
         return FilePattern.Files(parsed.GetValue(_options.Each) ?? []).Select(f => new[] { f }).ToArray();
     }
 
@@ -53,10 +53,10 @@ internal sealed class BatchList(Verb verb, ParseResult parsed, Session session)
         foreach (var column in table.Columns.Where(c => c != "name"))
         {
             if (column.StartsWith("--", StringComparison.Ordinal) && verb.Options.All(o => o.Name != column.Split(' ')[0]))
-                throw new CliException(ExitCode.Usage, $"{file}: {verb.Name} has no option {column}.");
+                throw new CliException(ExitCode.Usage, $"{file}: {verb.Name} has no option {column}. Rename the column.");
             if (!column.StartsWith('-') && Option(column) is null)
                 throw new CliException(ExitCode.Usage,
-                    $"{file}: {verb.Name} has no settings; a column \"{column}\" can only be an option, such as --{column}.");
+                    $"{file}: {verb.Name} has no settings, so column \"{column}\" must be an option, such as --{column}.");
         }
         return table;
     }
@@ -82,7 +82,7 @@ internal sealed class BatchList(Verb verb, ParseResult parsed, Session session)
         return order.FirstOrDefault(name => verb.Options.Any(o => o.Name == name));
     }
 
-    // Names that would be taken for options.
+    // File names that look like options.
     private static string Safe(string file) => file.StartsWith('-') && file.Length > 1 ? "./" + file : file;
 
     private static void CheckOutputs(List<BatchJob> jobs, OutputPattern? pattern)
@@ -94,14 +94,14 @@ internal sealed class BatchList(Verb verb, ParseResult parsed, Session session)
         {
             if (!writers.TryAdd(Path.GetFullPath(job.Output!), job))
             {
-                throw new CliException(ExitCode.Usage, $"--output {pattern}: two results would be called {job.Output}; "
-                    + (job.Cells.Count > 0 ? "{row} or the name of a column tells them apart." : "{name} or {folder} tells them apart."));
+                throw new CliException(ExitCode.Usage, $"--output {pattern}: two outputs would be named {job.Output}. "
+                    + (job.Cells.Count > 0 ? "Add {row} or a column." : "Add {name} or {folder}."));
             }
         }
         foreach (var input in jobs.SelectMany(j => j.Inputs))
         {
             if (writers.ContainsKey(Path.GetFullPath(input)))
-                throw new CliException(ExitCode.Usage, $"--output {pattern}: this would replace the input {input}. Choose another name.");
+                throw new CliException(ExitCode.Usage, $"--output {pattern} would replace the input {input}. Give another name.");
         }
     }
 }

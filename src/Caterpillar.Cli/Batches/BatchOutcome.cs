@@ -1,6 +1,6 @@
 namespace Caterpillar.Cli;
 
-/// <summary>What became of a call.</summary>
+/// <summary>State of a run.</summary>
 internal enum BatchStatus
 {
     NotStarted,
@@ -10,30 +10,30 @@ internal enum BatchStatus
     Interrupted,
 }
 
-/// <summary>What became of a call, and what it said.</summary>
+/// <summary>Outcome of a run, with its messages.</summary>
 internal sealed record BatchOutcome(BatchJob Job, BatchStatus Status, int Code = ExitCode.Done, string Messages = "", byte[]? Output = null)
 {
     /// <summary>Code of the first error, such as <c>mesh.empty</c>.</summary>
     public string ErrorCode { get; init; } = "";
 
-    /// <summary>What went wrong, as a sentence.</summary>
+    /// <summary>The error as a sentence.</summary>
     public string Error { get; init; } = "";
 
-    /// <summary>The figures of what was written, as text in the order of <see cref="BatchSummary.FigureNames"/>.</summary>
+    /// <summary>The figures of the written file, as text in the order of <see cref="BatchSummary.FigureNames"/>.</summary>
     public IReadOnlyList<string> Figures { get; init; } = [];
 
-    /// <summary>How long it took, s.</summary>
+    /// <summary>Time of the run, s.</summary>
     public double Seconds { get; init; }
 
     public string Fingerprint { get; init; } = "";
 
-    /// <summary>It asked for more than its share of the memory.</summary>
+    /// <summary>It needs more than its share of the memory.</summary>
     public bool NeedsMemory { get; init; }
 
     /// <summary>Its inputs, for messages.</summary>
     public string Title => string.Join(" ", Job.Inputs) + (Job.Cells.Count > 0 ? $" ({string.Join(", ", Job.Cells)})" : "");
 
-    /// <summary>Figures of a file that was written.</summary>
+    /// <summary>Figures of a written file.</summary>
     public static IReadOnlyList<string> FiguresOf(WrittenFigures? written, string? file)
     {
         var bytes = file is not null && File.Exists(file) ? NumberFormatter.Format(new FileInfo(file).Length) : "";

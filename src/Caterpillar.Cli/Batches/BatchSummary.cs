@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Caterpillar.Cli;
 
-/// <summary>The table of what the calls of a batch made, as CSV, and what an earlier one says is done.</summary>
+/// <summary>The results of a batch as a CSV table, and the runs that an earlier table lists as done.</summary>
 internal sealed class BatchSummary
 {
     private const string DoneWord = "done";
@@ -14,21 +14,21 @@ internal sealed class BatchSummary
     {
         string[] before = ["job", "input"];
         string[] after = ["output", "status", "exit_code", "error", "message", .. FigureNames, "work_s", "fingerprint"];
-        // A column of the values may be called like one of the results.
+        // A column of the values may have the name of a result.
         _header = [.. before, .. columns.Select(c => before.Contains(c) || after.Contains(c) ? "given_" + c : c), .. after];
     }
 
-    /// <summary>Names of the columns for what was written.</summary>
+    /// <summary>Names of the columns for the written files.</summary>
     public static IReadOnlyList<string> FigureNames { get; } = [.. PrintFigures.Names, "lines", "bytes"];
 
     /// <summary>Reads the summary of an earlier run.</summary>
-    /// <exception cref="CliException">It is another table.</exception>
+    /// <exception cref="CliException">It is not a summary.</exception>
     public void ReadEarlier(string text, string file)
     {
         var table = CsvTable.Parse(text, file);
         var places = new[] { "fingerprint", "status", "output", "bytes" }.Select(n => table.Columns.ToList().IndexOf(n)).ToArray();
         var figures = FigureNames.Select(n => table.Columns.ToList().IndexOf(n)).ToArray();
-        if (places.Concat(figures).Contains(-1)) throw new CliException(ExitCode.BadInput, $"{file} is no summary of an earlier run; --resume needs one.");
+        if (places.Concat(figures).Contains(-1)) throw new CliException(ExitCode.BadInput, $"{file} is not a summary of an earlier run. --resume needs one.");
         foreach (var row in table.Rows.Where(r => r[places[1]] is DoneWord or "skipped" && r[places[0]].Length > 0))
         {
             var (output, bytes) = (row[places[2]], row[places[3]]);
@@ -37,7 +37,7 @@ internal sealed class BatchSummary
         }
     }
 
-    /// <summary>The figures of a call that an earlier run has done; null where it has to be done.</summary>
+    /// <summary>The figures of a run that is already done, or null.</summary>
     public IReadOnlyList<string>? Earlier(string fingerprint) => _earlier.GetValueOrDefault(fingerprint);
 
     /// <summary>Writes the table.</summary>

@@ -3,12 +3,12 @@ using System.Text;
 namespace Caterpillar.Cli;
 
 /// <summary>
-/// A table of text: the first row names the columns. Cells are separated by commas, or by semicolons or tabs where the first row has more of them, and quoted
-/// as spreadsheets do (RFC 4180). Empty rows and rows that begin with # are left out.
+/// A table of text with column names in the first row. Cells are separated by commas, or by semicolons or tabs if the first row has more of them, and quoted
+/// as in spreadsheets (RFC 4180). Empty rows and rows that start with # are skipped.
 /// </summary>
 internal sealed record CsvTable(IReadOnlyList<string> Columns, IReadOnlyList<IReadOnlyList<string>> Rows)
 {
-    /// <exception cref="CliException">It is no table (bad input).</exception>
+    /// <exception cref="CliException">It is not a table (bad input).</exception>
     public static CsvTable Parse(string text, string file)
     {
         if (text.StartsWith('\uFEFF')) text = text[1..];
@@ -22,14 +22,15 @@ internal sealed record CsvTable(IReadOnlyList<string> Columns, IReadOnlyList<IRe
             if (columns is null)
             {
                 columns = cells;
-                if (cells.FirstOrDefault(c => cells.Count(d => d == c) > 1) is { } twice) throw Bad(file, line, $"the column \"{twice}\" is there twice.");
+                if (cells.FirstOrDefault(c => cells.Count(d => d == c) > 1) is { } twice) throw Bad(file, line, $"there are two columns \"{twice}\".");
                 if (cells.Contains("")) throw Bad(file, line, "a column has no name.");
                 continue;
             }
-            if (cells.Count > columns.Count) throw Bad(file, line, $"{Count(cells.Count)} cells for {Count(columns.Count)} columns.");
+            if (cells.Count > columns.Count)
+                throw Bad(file, line, $"{Count(cells.Count)} cells for {Count(columns.Count)} column{(columns.Count == 1 ? "" : "s")}.");
             rows.Add([.. cells, .. Enumerable.Repeat("", columns.Count - cells.Count)]);
         }
-        return new CsvTable(columns ?? throw new CliException(ExitCode.BadInput, $"{file}: the table is empty; its first row names the columns."), rows);
+        return new CsvTable(columns ?? throw new CliException(ExitCode.BadInput, $"{file}: the table is empty. Its first row must name the columns."), rows);
     }
 
     /// <summary>A row of cells, quoted where necessary.</summary>

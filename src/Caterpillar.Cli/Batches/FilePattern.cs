@@ -3,12 +3,12 @@ using System.IO.Enumeration;
 namespace Caterpillar.Cli;
 
 /// <summary>
-/// Files by patterns: <c>*</c> and <c>?</c> within a name, <c>**</c> for folders of any depth. Shells that expand patterns themselves are fine, too.
+/// Files by patterns: <c>*</c> and <c>?</c> within a name, <c>**</c> for folders of any depth. Shells may expand the patterns instead.
 /// </summary>
 internal static class FilePattern
 {
     /// <summary>The files, in the order of the patterns and of their names, each once.</summary>
-    /// <exception cref="CliException">A pattern has no file (bad input), or is none (wrong usage).</exception>
+    /// <exception cref="CliException">A pattern matches no file (bad input), or is invalid (wrong usage).</exception>
     public static IReadOnlyList<string> Files(IEnumerable<string> patterns)
     {
         var files = new List<string>();
@@ -22,15 +22,15 @@ internal static class FilePattern
 
     private static IReadOnlyList<string> Matches(string pattern)
     {
-        if (pattern is "-" or "") throw new CliException(ExitCode.Usage, "--each needs names of files or patterns.");
+        if (pattern is "-" or "") throw new CliException(ExitCode.Usage, "--each needs file names or patterns.");
         if (File.Exists(pattern)) return [pattern];
-        if (Directory.Exists(pattern)) throw new CliException(ExitCode.BadInput, $"{pattern} is a folder: name the files in it, such as '{Inside(pattern)}'.");
+        if (Directory.Exists(pattern)) throw new CliException(ExitCode.BadInput, $"{pattern} is a folder. Give the files in it, such as '{Inside(pattern)}'.");
         var slashed = pattern.Replace('\\', '/');
-        if (slashed.IndexOfAny(['*', '?']) < 0) throw new CliException(ExitCode.BadInput, $"{pattern}: there is no such file.");
+        if (slashed.IndexOfAny(['*', '?']) < 0) throw new CliException(ExitCode.BadInput, $"{pattern}: file not found.");
         var parts = slashed.Split('/');
         var begin = slashed.StartsWith('/') ? "/" : "";
         var found = Under(begin, parts.Where(p => p.Length > 0).ToArray(), 0).Distinct().OrderBy(f => f, StringComparer.Ordinal).ToArray();
-        return found.Length > 0 ? found : throw new CliException(ExitCode.BadInput, $"No file is called {pattern}.");
+        return found.Length > 0 ? found : throw new CliException(ExitCode.BadInput, $"No file matches {pattern}.");
     }
 
     private static string Inside(string folder) => folder.TrimEnd('/', '\\') + "/*";
@@ -72,7 +72,7 @@ internal static class FilePattern
     private static IEnumerable<string> Folders(string folder)
         => Names(Directory.EnumerateDirectories, folder, "*").Where(n => new DirectoryInfo(Path.Combine(folder, n)).LinkTarget is null);
 
-    // Names with a dot in front are hidden, unless the pattern has it, too.
+    // Names that start with a dot are hidden, unless the pattern starts with one.
     private static IEnumerable<string> Names(Func<string, IEnumerable<string>> list, string folder, string pattern)
         => (Directory.Exists(folder) ? list(folder) : []).Select(p => Path.GetFileName(p))
             .Where(n => (n[0] != '.' || pattern[0] == '.') && FileSystemName.MatchesSimpleExpression(pattern, n, !OperatingSystem.IsLinux()));

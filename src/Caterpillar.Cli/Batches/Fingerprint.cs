@@ -3,11 +3,11 @@ using System.Text;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Tells whether a call is the one of an earlier run: the same program, the same options, the same files.</summary>
+/// <summary>Identifies a run: equal for the same program, options and files.</summary>
 internal static class Fingerprint
 {
     /// <param name="verb">The verb.</param>
-    /// <param name="job">Its words; those that name a file count with its bytes.</param>
+    /// <param name="job">Its words. If a word is a file name, the contents of the file count too.</param>
     public static string Of(Verb verb, BatchJob job)
     {
         using var hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);

@@ -7,10 +7,10 @@ internal sealed partial class OutputPattern
 {
     private readonly string _pattern;
 
-    /// <param name="given">What follows -o: a pattern, or a folder; null for names as single calls have them.</param>
-    /// <param name="ending">The usual ending of what is written.</param>
-    /// <param name="table">The table, where there is one.</param>
-    /// <exception cref="CliException">It has an unknown part (wrong usage).</exception>
+    /// <param name="given">The value of -o: a pattern or a folder; null = the same names as for single runs.</param>
+    /// <param name="ending">The usual extension of the output.</param>
+    /// <param name="table">The table, or null.</param>
+    /// <exception cref="CliException">It has an unknown placeholder (wrong usage).</exception>
     public OutputPattern(string? given, string ending, CsvTable? table)
     {
         var usual = (table is null ? "{input}" : table.Columns.Contains("name") ? "{input}_{name}" : "{input}_{row}") + ending;
@@ -20,13 +20,13 @@ internal sealed partial class OutputPattern
         {
             if (!known.Contains(part))
                 throw new CliException(ExitCode.Usage,
-                    $"--output {_pattern}: there is no {{{part}}}; there are {string.Join(", ", known.Select(k => $"{{{k}}}"))}.");
+                    $"--output {_pattern}: unknown placeholder {{{part}}}. Placeholders: {string.Join(", ", known.Select(k => $"{{{k}}}"))}.");
         }
     }
 
     /// <param name="input">The first input.</param>
     /// <param name="row">The number of the row, from 1.</param>
-    /// <param name="table">The table, where there is one.</param>
+    /// <param name="table">The table, or null.</param>
     public string For(string input, int row, CsvTable? table)
     {
         var name = Path.GetFileName(input);
@@ -47,7 +47,7 @@ internal sealed partial class OutputPattern
 
     public override string ToString() => _pattern;
 
-    // A value is part of a name, and cannot lead to another folder.
+    // A value is part of a name and cannot change the folder.
     private static string Plain(string value)
     {
         var plain = string.Concat(value.Select(c => c < ' ' || "/\\:*?\"<>|".Contains(c, StringComparison.Ordinal) ? '_' : c));

@@ -1,12 +1,12 @@
 namespace Caterpillar.Cli;
 
-/// <summary>Completions of bash 4 and later.</summary>
+/// <summary>Completions for bash 4 and later.</summary>
 internal static class BashCompletions
 {
     public static void Write(TextWriter text, CompletionTable table)
     {
         text.WriteLine("""
-            # bash completions of caterpillar: source this file, or put it into ~/.local/share/bash-completion/completions/caterpillar
+            # bash completions for caterpillar: source this file, or put it into ~/.local/share/bash-completion/completions/caterpillar
             _caterpillar() {
               local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} verb='' word
               for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do

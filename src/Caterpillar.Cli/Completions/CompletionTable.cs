@@ -2,7 +2,7 @@ using System.CommandLine.Completions;
 
 namespace Caterpillar.Cli;
 
-/// <summary>What shells complete: the verbs with their options and values, read from the options themselves.</summary>
+/// <summary>Verbs, options and values for the completions of shells.</summary>
 internal sealed record CompletionTable(IReadOnlyList<CompletedVerb> Verbs)
 {
     /// <param name="root">The program with its verbs.</param>
@@ -17,9 +17,11 @@ internal sealed record CompletionTable(IReadOnlyList<CompletedVerb> Verbs)
         return new CompletionTable(verbs);
     }
 
-    /// <summary>The first sentence, or its part before a colon or semicolon.</summary>
+    /// <summary>The first sentence, up to a colon or semicolon, without a condition ("With --import: ").</summary>
     public static string Brief(string description)
     {
+        if (description.StartsWith("With --", StringComparison.Ordinal) && description.IndexOf(": ", StringComparison.Ordinal) is > 0 and var colon)
+            description = char.ToUpperInvariant(description[colon + 2]) + description[(colon + 3)..];
         var end = description.AsSpan().IndexOfAny(".;:(");
         while (end > 0 && end + 1 < description.Length && description[end] == '.' && description[end + 1] != ' ')
         {
@@ -32,20 +34,20 @@ internal sealed record CompletionTable(IReadOnlyList<CompletedVerb> Verbs)
     public static IEnumerable<string> Words(IEnumerable<CompletionItem> items) => items.Select(i => i.InsertText ?? i.Label).Distinct();
 }
 
-/// <summary>A verb: its options, the words that its argument may be, and whether it takes files.</summary>
+/// <summary>A verb: its options, the values of its argument, and whether it takes files.</summary>
 internal sealed record CompletedVerb(string Name, string Description, IReadOnlyList<CompletedOption> Options, IReadOnlyList<string> Words, bool TakesFiles);
 
-/// <summary>An option: its names, the long one first, and what follows it.</summary>
+/// <summary>An option: its names, the long one first, and its values.</summary>
 /// <param name="Names">The names with their dashes.</param>
 /// <param name="Description">A few words.</param>
-/// <param name="Takes">What stands for the value in the help; empty for a switch.</param>
-/// <param name="Words">Values that are known.</param>
+/// <param name="Takes">Placeholder of the value in the help; empty for a switch.</param>
+/// <param name="Words">Known values.</param>
 /// <param name="TakesFiles">Its values are files or folders.</param>
 internal sealed record CompletedOption(IReadOnlyList<string> Names, string Description, string Takes, IReadOnlyList<string> Words, bool TakesFiles)
 {
     public string Name => Names[0];
 
-    /// <summary>More follows the known part of a value: <c>layer_height_mm=</c>.</summary>
+    /// <summary>Known values are only the start of a value: <c>layer_height_mm=</c>.</summary>
     public bool Continues => Words.Count > 0 && Words.All(w => w.EndsWith('='));
 
     public static CompletedOption Of(Option option)

@@ -1,11 +1,11 @@
 namespace Caterpillar.Cli;
 
-/// <summary>Completions of fish.</summary>
+/// <summary>Completions for fish.</summary>
 internal static class FishCompletions
 {
     public static void Write(TextWriter text, CompletionTable table)
     {
-        text.WriteLine("# fish completions of caterpillar: put this file into ~/.config/fish/completions/caterpillar.fish");
+        text.WriteLine("# fish completions for caterpillar: put this file into ~/.config/fish/completions/caterpillar.fish");
         text.WriteLine("complete -c caterpillar -f");
         foreach (var verb in table.Verbs)
             text.WriteLine($"complete -c caterpillar -n __fish_use_subcommand -a {verb.Name} -d {Quoted(verb.Description)}");

@@ -1,11 +1,11 @@
 namespace Caterpillar.Cli;
 
-/// <summary>Completions of PowerShell 5 and later.</summary>
+/// <summary>Completions for PowerShell 5 and later.</summary>
 internal static class PowerShellCompletions
 {
     public static void Write(TextWriter text, CompletionTable table)
     {
-        text.WriteLine("# PowerShell completions of caterpillar: caterpillar completions powershell | Out-String | Invoke-Expression, in $PROFILE");
+        text.WriteLine("# PowerShell completions for caterpillar. In $PROFILE: caterpillar completions powershell | Out-String | Invoke-Expression");
         text.WriteLine("Register-ArgumentCompleter -Native -CommandName 'caterpillar', 'Caterpillar.Cli' -ScriptBlock {");
         text.WriteLine("  param($word, $ast, $cursor)");
         text.WriteLine("  $verbs = [ordered]@{");

@@ -1,12 +1,12 @@
 namespace Caterpillar.Cli;
 
-/// <summary>Completions of zsh.</summary>
+/// <summary>Completions for zsh.</summary>
 internal static class ZshCompletions
 {
     public static void Write(TextWriter text, CompletionTable table)
     {
         text.WriteLine("#compdef caterpillar");
-        text.WriteLine("# zsh completions of caterpillar: put this file into a folder of $fpath under the name _caterpillar");
+        text.WriteLine("# zsh completions for caterpillar: put this file into a folder of $fpath, with the name _caterpillar");
         text.WriteLine("_caterpillar() {");
         text.WriteLine("  local context state line");
         text.WriteLine("  typeset -A opt_args");

@@ -2,48 +2,48 @@ using System.CommandLine.Parsing;
 
 namespace Caterpillar.Cli;
 
-/// <summary>The options that make many calls of one.</summary>
+/// <summary>The options that run a verb many times.</summary>
 internal sealed class BatchOptions
 {
     public Described<string[]> Each { get; } = new("--each",
-        "Do the same with each of these files, instead of the files named above; patterns such as 'models/*.stl' and 'models/**/*.stl' are understood.",
+        "Run once for each of these files or patterns ('models/*.stl', 'models/**/*.stl'), instead of the input above.",
         "FILE|PATTERN") { AllowMultipleArgumentsPerToken = true };
 
     public Described<string?> Table { get; } = new("--table",
-        "Do the same for each row of a table (CSV). Its columns are settings (layer_height_mm), parameters of a turtle program, or options (--scale); a column "
-            + "called name names the rows.", "FILE.csv");
+        "Run once for each row of a CSV table. Columns are keys (layer_height_mm), parameters of a turtle program or options (--scale). A column \"name\" "
+            + "names the rows.", "FILE.csv");
 
     public Described<string?> Summary { get; } = new("--summary",
-        "Write a table of what each call of --each or --table made: status, message, layers, size, material, time; - is standard output.", "FILE.csv");
+        "Output CSV table with a row for each run: status, message, layers, size, material, time; - = standard output.", "FILE.csv");
 
     public Described<bool> Resume { get; } = new("--resume",
-        "Skip what the summary of an earlier run says is done, where options, inputs and output are still the same.");
+        "Skip runs that the --summary file lists as done, if their options, inputs and output are unchanged.");
 
     public Described<int?> Jobs { get; } = new("--jobs",
-        "How many calls of --each or --table run at a time; by default one for each core. They share the memory.", "N");
+        "Number of parallel runs of --each or --table, which share the memory. Default: one per core.", "N");
 
-    public Described<string?> Part { get; } = new("--part", "Do only the I-th of N equal parts of the list, for array jobs of clusters.", "I/N");
+    public Described<string?> Part { get; } = new("--part", "Run only part I of N equal parts of the list, for array jobs on clusters.", "I/N");
 
     public Option[] All => [Each, Table, Summary, Resume, Jobs, Part];
 
     public bool Holds(Option option) => All.Contains(option);
 
-    /// <summary>True if many calls are wanted.</summary>
+    /// <summary>True if there are many runs.</summary>
     public bool IsGiven(ParseResult parsed) => IsGiven(parsed, Each) || IsGiven(parsed, Table);
 
-    /// <summary>True if the command line is right but for arguments that are missing because <c>--each</c> names them.</summary>
+    /// <summary>True if the command line has no error, apart from arguments that <c>--each</c> replaces.</summary>
     public bool IsComplete(ParseResult parsed)
         => parsed.UnmatchedTokens.Count == 0
             && (parsed.Errors.Count == 0 || (IsGiven(parsed, Each) && parsed.Errors.All(e => e.SymbolResult is not OptionResult)));
 
-    /// <exception cref="CliException">An option of batches stands without one that makes a batch (wrong usage).</exception>
+    /// <exception cref="CliException">An option of batches is given without <c>--each</c> or <c>--table</c>.</exception>
     public void RefuseAlone(ParseResult parsed)
     {
         if (Array.Find<Option>([Summary, Resume, Jobs, Part], o => IsGiven(parsed, o)) is { } option)
             throw new CliException(ExitCode.Usage, $"{option.Name} needs --each or --table.");
     }
 
-    /// <exception cref="CliException">It is no number of calls.</exception>
+    /// <exception cref="CliException"><c>--jobs</c> is out of range.</exception>
     public int Workers(ParseResult parsed, int calls)
     {
         if (parsed.GetValue(Jobs) is not { } given) return Math.Max(1, Math.Min(Environment.ProcessorCount, calls));
@@ -51,8 +51,8 @@ internal sealed class BatchOptions
         return Math.Max(1, Math.Min(given, calls));
     }
 
-    /// <summary>The calls of this part of the list.</summary>
-    /// <exception cref="CliException">It is no part.</exception>
+    /// <summary>The runs of this part of the list.</summary>
+    /// <exception cref="CliException"><c>--part</c> is invalid.</exception>
     public IReadOnlyList<T> PartOf<T>(IReadOnlyList<T> jobs, ParseResult parsed)
     {
         if (parsed.GetValue(Part) is not { } text) return jobs;
@@ -60,12 +60,12 @@ internal sealed class BatchOptions
         if (words.Length != 2 || !NumberReader.TryParseInt(words[0], out var part) || !NumberReader.TryParseInt(words[1], out var parts) || part < 1
             || part > parts)
         {
-            throw new CliException(ExitCode.Usage, $"--part {text}: expected a part and their number, such as 3/20.");
+            throw new CliException(ExitCode.Usage, $"--part needs I/N, such as 3/20, not \"{text}\".");
         }
         return jobs.Where((_, i) => i % parts == part - 1).ToArray();
     }
 
-    /// <summary>The options of the command line that each call gets, as words.</summary>
+    /// <summary>The options that all runs share, as words.</summary>
     public IEnumerable<string> Shared(ParseResult parsed, Command verb)
     {
         foreach (var given in parsed.CommandResult.Children.OfType<OptionResult>())

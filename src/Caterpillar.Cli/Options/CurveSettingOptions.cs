@@ -5,26 +5,26 @@ namespace Caterpillar.Cli;
 /// <summary>Extrusion options for curves without settings of their own.</summary>
 internal sealed class CurveSettingOptions
 {
-    private readonly Described<string?> _width = new("--width", "Width of the extrusion: mm, or percent of the nozzle.", "MM|%");
+    private readonly Described<string?> _width = new("--width", "Extrusion width, in mm or % of the nozzle diameter.", "MM|%");
 
-    private readonly Described<string?> _height = new("--height", "Height of the extrusion: mm, or percent of the layer height.", "MM|%");
+    private readonly Described<string?> _height = new("--height", "Extrusion height, in mm or % of the layer height.", "MM|%");
 
-    private readonly Described<string?> _flow = new("--flow", "Flow multiplier; 1 or 100% for the plain bead.", "NUMBER|%");
+    private readonly Described<string?> _multiplier = new("--flow", "Flow ratio; 1 or 100% = unchanged.", "RATIO|%");
 
-    private readonly Described<string?> _speed = new("--speed", "Print speed: mm/s, or percent of the speed in the settings.", "MM/S|%");
+    private readonly Described<string?> _speed = new("--speed", "Printing speed, in mm/s or % of print_speed_mm_s.", "MM/S|%");
 
     private readonly Described<string?> _shape = new("--shape",
-        "Cross-section of width and height: rectangle (the Caterpillar paper), stadium or circle.", "SHAPE");
+        "Cross-section of extrusions; rectangle = as in the Caterpillar paper. Default: bead_shape.", "rectangle|stadium|circle");
 
-    private readonly Described<bool> _strokes = new("--pen", "Draw without extruding: pen, brush, bare hot tool.");
+    private readonly Described<bool> _strokes = new("--pen", "Draw without extrusion: pen, brush or bare hot tool.");
 
-    private readonly Described<bool> _steps = new("--steps", "Values along a curve hold from their point to the next, instead of changing evenly.");
+    private readonly Described<bool> _steps = new("--steps", "Keep the values of each point up to the next one, instead of changing them evenly.");
 
-    private readonly Described<string?> _dots = new("--dots", "Every point becomes a dot of this volume; nothing is drawn between them.", "MM3");
+    private readonly Described<string?> _dots = new("--dots", "Print each point as a dot of this volume, without lines between them.", "MM3");
 
-    private readonly Described<string?> _dotSpeed = new("--dot-speed", "Speed of the filament for dots; 2 mm/s by default.", "MM/S");
+    private readonly Described<string?> _dotSpeed = new("--dot-speed", "Filament speed for dots. Default: 2 mm/s.", "MM/S");
 
-    private readonly Described<string?> _unit = new("--unit", "Millimeters per unit of CSV, OBJ, and JSON without \"units\".", "MM");
+    private readonly Described<string?> _unit = new("--unit", "Length of one unit in CSV, OBJ, and JSON without \"units\". Default: 1 mm.", "MM");
 
     public CurveSettingOptions() => _shape.AcceptOnlyFromAmong("rectangle", "stadium", "circle");
 

@@ -4,35 +4,33 @@ using Caterpillar.Slicing;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Options of slicing along surfaces. Surfaces and formulas are in the coordinates of the model's file and move with the model.</summary>
+/// <summary>Options for slicing along surfaces. Surfaces and formulas use the coordinates of the model's file and move with the model.</summary>
 internal sealed class CurvedOptionValues
 {
     private static readonly string[] MeshEndings = [".stl", ".obj", ".ply", ".3mf", ".gz"];
 
     private readonly Described<string[]> _surface = new("--surface",
-        "Slice along a surface: a mesh file, a formula for its height in x and y (10 + 2 * sin(9 * x)), or an image (PNG, PGM) as a height map over the model "
-            + "with its heights: FILE:LOW,HIGH. Repeated with --field between, from below.", "PLAN");
+        "Surface that layers follow. FILE: a mesh. FORMULA: its height in x and y, such as 10 + 2 * sin(9 * x). IMAGE: a height map (PNG, PGM) over the model, "
+            + "with the heights of black and white. Repeatable with --field between, lowest first.", "FILE|FORMULA|IMAGE:LOW,HIGH");
 
     private readonly Described<string?> _field = new("--field",
-        "Layers are copies of the surface, moved up (vertical) or offset (normal); divide the space from the bed to the surface, or between several (between); "
-            + "change evenly along the model from its lower to its upper ends, also where it branches (harmonic, or geodesic by distances); or are level sets "
-            + "of a formula in x, y, z, r, theta, such as z - 2 * sin(9 * x).", "vertical|normal|between|harmonic|geodesic|FORMULA");
+        "Shape of the layers. vertical: copies of the surface, moved up. normal: offset copies. between: evenly from the bed to the surface, or between "
+            + "several. harmonic, geodesic: evenly from the lower to the upper ends of the model, even if it branches (geodesic: by distances). FORMULA: level "
+            + "sets in x, y, z, r and theta, such as z - 2 * sin(9 * x).", "vertical|normal|between|harmonic|geodesic|FORMULA");
 
     private readonly Described<string?> _blend = new("--blend",
-        "Layers are level up to FROM mm (the first layer), and follow the surface from TO mm on; between, they change from one to the other.", "[FROM,]TO");
+        "Layers are flat up to FROM, follow the surface from TO on, and blend in between, in mm. Default for FROM: the first layer.", "[FROM,]TO");
 
     private readonly OntoOptions _onto = new(
-        "Print onto an object, a scanned mesh for example: the bottom of the model is put onto its surface; with --surface or --field the model stays where it "
-            + "is, and nothing is printed below the object's surface.",
-        "Print what lies within the surface and is not too steep, instead of refusing the model.");
+        "Object to print onto, such as a scanned mesh. The bottom of the model follows its surface. With --surface or --field, the model stays in place and "
+            + "only the part above the object is printed.");
 
     private readonly Described<string?> _deform = new("--deform",
-        "Bend the model, slice it flat, and bend the paths back: cone=DEGREES (layers descend outward, or rise where negative), overhangs or overhangs=DEGREES "
-            + "(layers descend from where the model stands on the bed), or formulas for the bent \"x; y; z\".", "cone=DEG|overhangs[=DEG]|X;Y;Z");
+        "Bend the model, slice it flat, and bend the toolpath back. cone=DEG: layers descend outward, or rise if negative. overhangs: layers descend from the "
+            + "model's footprint on the bed. X;Y;Z: formulas for the bent point.", "cone=DEG|overhangs[=DEG]|X;Y;Z");
 
     private readonly Described<string?> _tilt = new("--tilt",
-        "Tilt the tool along the normals of the layers, on machines with tool center point control: words B and C, or A and C, by at most so many degrees.",
-        "bc|ac[=DEG]");
+        "Tilt the tool along the layer normals, by at most DEG. bc, ac: rotary axes of the machine, which needs tool center point control.", "bc|ac[=DEG]");
 
     private readonly BoundaryOptions _boundaries = new();
     private readonly InfillAlong _along = new();
@@ -43,11 +41,11 @@ internal sealed class CurvedOptionValues
 
     public bool IsPartial(ParseResult arguments) => _onto.IsPartial(arguments);
 
-    /// <summary>True where layers are curved, false where level layers are put onto an object.</summary>
+    /// <summary>True if layers are curved, false if flat layers are put onto an object.</summary>
     public bool HasField(ParseResult arguments)
         => arguments.GetValue(_surface) is { Length: > 0 } || arguments.GetValue(_field) is not null || arguments.GetValue(_deform) is not null;
 
-    /// <summary>Wrong usage is found before files are read.</summary>
+    /// <summary>Finds wrong usage before files are read.</summary>
     /// <exception cref="CliException">Options do not go together.</exception>
     public void Check(ParseResult arguments)
     {
@@ -55,30 +53,31 @@ internal sealed class CurvedOptionValues
         if (arguments.GetValue(_deform) is not null
             && (surfaces.Length > 0 || field is not null))
         {
-            throw Usage("--deform and --surface or --field exclude each other.");
+            throw Usage("--deform cannot be combined with --surface or --field.");
         }
         var kind = field ?? "vertical";
         var ends = IsBetweenEnds(kind, surfaces);
-        if (_boundaries.IsGiven(arguments) && !ends) throw Usage("--from and --to go with --field harmonic or geodesic.");
-        if (ends && surfaces.Length > 0) throw Usage($"--field {kind} goes without --surface: give --from and --to.");
-        if (Tilt(arguments) is not null && !HasField(arguments)) throw Usage("--tilt goes with --surface, --field or --deform.");
+        if (_boundaries.IsGiven(arguments) && !ends) throw Usage("--from and --to need --field harmonic or geodesic.");
+        if (ends && surfaces.Length > 0) throw Usage($"--field {kind} cannot be combined with --surface. Use --from and --to.");
+        if (Tilt(arguments) is not null && !HasField(arguments)) throw Usage("--tilt needs --surface, --field or --deform.");
         if (!ends && kind is "vertical" or "normal" && surfaces.Length == 0 && field is not null) throw Usage($"--field {kind} needs --surface.");
-        if (!ends && kind is not ("vertical" or "normal" or "between") && surfaces.Length > 0) throw Usage("A formula for --field goes without --surface.");
-        if (kind is "vertical" or "normal" && surfaces.Length > 1) throw Usage("Several surfaces go with --field between.");
-        if (_along.IsGiven(arguments) && surfaces.Length == 0) throw Usage("--infill-along goes with --surface.");
+        if (!ends && kind is not ("vertical" or "normal" or "between") && surfaces.Length > 0)
+            throw Usage("--field with a formula cannot be combined with --surface.");
+        if (kind is "vertical" or "normal" && surfaces.Length > 1) throw Usage("Several surfaces need --field between.");
+        if (_along.IsGiven(arguments) && surfaces.Length == 0) throw Usage("--infill-along needs --surface.");
         if (arguments.GetValue(_blend) is { } blend)
         {
-            if (kind != "vertical" || surfaces.Length == 0) throw Usage("--blend goes with --surface and --field vertical.");
+            if (kind != "vertical" || surfaces.Length == 0) throw Usage("--blend needs --surface and --field vertical.");
             _ = Blend(blend);
         }
         _onto.Check(arguments, !HasField(arguments));
     }
 
-    /// <summary>The field of the layers, and the uppermost surface that it follows, if it does.</summary>
+    /// <summary>The field of the layers, and the uppermost surface that it follows, if any.</summary>
     /// <param name="arguments">The command line.</param>
-    /// <param name="models">The models where they are printed.</param>
-    /// <param name="shift">How far they were moved from their places in their files.</param>
-    /// <param name="setup">Its head limits overhangs.</param>
+    /// <param name="models">The models at their print positions.</param>
+    /// <param name="shift">Their offset from the positions in their files.</param>
+    /// <param name="setup">The printer, whose head limits overhangs.</param>
     /// <param name="session">Reads files.</param>
     public LayerField Field(
         ParseResult arguments, IReadOnlyList<NamedMesh> models, Vec3 shift, PrintSetup setup, Session session, out PlanSurface? surface)
@@ -113,13 +112,13 @@ internal sealed class CurvedOptionValues
         }
     }
 
-    /// <summary>The object that is printed on; none where it was not given.</summary>
+    /// <summary>The object that is printed on, or null.</summary>
     /// <param name="arguments">The command line.</param>
-    /// <param name="shift">How far the models were moved in x and y.</param>
+    /// <param name="shift">Offset of the models in x and y.</param>
     /// <param name="session">Reads files.</param>
     public TriMesh? Onto(ParseResult arguments, Vec3 shift, Session session) => _onto.Read(arguments, shift, session);
 
-    /// <summary>Lines that take the place of the infill's pattern, along directions of a surface; null for the pattern.</summary>
+    /// <summary>Infill lines along directions of a surface, instead of the infill pattern; null = pattern.</summary>
     /// <inheritdoc cref="Field" path="/param"/>
     public IReadOnlyList<Polyline>? InfillLines(
         ParseResult arguments, PlanSurface? surface, IReadOnlyList<NamedMesh> models, Vec3 shift, PrintSetup setup, Session session)
@@ -127,13 +126,13 @@ internal sealed class CurvedOptionValues
 
     public double Squeeze(ParseResult arguments) => _onto.Squeeze(arguments);
 
-    /// <summary>How the tool is tilted; null where it stays upright.</summary>
+    /// <summary>Tilt of the tool; null = upright.</summary>
     public ToolTilt? Tilt(ParseResult arguments)
     {
         if (arguments.GetValue(_tilt) is not { } text) return null;
         var (word, number) = text.Split('=', 2) is [var w, var n] ? (w.Trim(), n) : (text.Trim(), "90");
         if (word is not ("bc" or "ac") || Numbers.List(number, "--tilt") is not [var most and > 0 and <= 90])
-            throw Usage("--tilt needs bc or ac, or one of them with an angle of 0 to 90 degrees: bc=45.");
+            throw Usage("--tilt needs bc or ac, optionally with an angle of 0 to 90 degrees, such as bc=45.");
         return new ToolTilt(word == "bc" ? TiltAxes.BC : TiltAxes.AC, most);
     }
 
@@ -168,13 +167,13 @@ internal sealed class CurvedOptionValues
             if (Numbers.List(text[(colon + 1)..], "--surface") is not [var low, var high]
                 || !(high >= low))
             {
-                throw Usage("A height map needs FILE:LOW,HIGH in mm.");
+                throw Usage("--surface: a height map needs IMAGE:LOW,HIGH with two heights in mm.");
             }
             var image = session.ValueOrFail(ImageReader.Read(session.ReadBytes(text[..colon]), text[..colon]));
             var bounds = Bounds.Of(models.SelectMany(m => new[] { m.Mesh.Bounds.Min, m.Mesh.Bounds.Max }));
             return PlanSurface.HeightMap(image, new Bounds(bounds.Min.WithZ(low + shift.Z), bounds.Max.WithZ(high + shift.Z)));
         }
-        if (IsImage(text)) throw Usage("A height map needs the heights of black and white: FILE:LOW,HIGH in mm.");
+        if (IsImage(text)) throw Usage("--surface: a height map needs the heights of black and white in mm: IMAGE:LOW,HIGH.");
         if (MeshEndings.Any(e => text.EndsWith(e, StringComparison.OrdinalIgnoreCase)) || File.Exists(text))
             return PlanSurface.Of(Meshes.ReadAsOne(text, session).Moved(shift));
         return session.ValueOrFail(PlanSurface.Formula(text, new SourceLocation(Key: "--surface")), ExitCode.Usage).Moved(shift);
@@ -187,7 +186,7 @@ internal sealed class CurvedOptionValues
     {
         [var to and > 0] => new LayerBlend(0, to),
         [var from and >= 0, var to] when to > from => new LayerBlend(from, to),
-        _ => throw Usage("--blend needs the height in mm where layers follow the surface, or that and where they leave the level: FROM,TO."),
+        _ => throw Usage("--blend needs TO or FROM,TO: heights in mm, FROM below TO."),
     };
 
     private static CliException Usage(string message) => new(ExitCode.Usage, message);

@@ -2,27 +2,28 @@ using Caterpillar.Drawings;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Options for dividing curved parts and for arcs.</summary>
+/// <summary>Options for the division of curved parts and for arcs.</summary>
 internal sealed class DivisionOptions
 {
     private readonly Described<string?> _distance = new("--distance",
-        "Divide curved parts by distance; subdivision_distance_mm of the settings by default.", "MM");
+        "Segment length of curved parts. Default: subdivision_distance_mm.", "MM");
 
-    private readonly Described<string?> _tolerance = new("--tolerance", "Divide curved parts so that chords deviate no more than this.", "MM");
+    private readonly Described<string?> _tolerance = new("--tolerance", "Maximum deviation of segments from curved parts.", "MM");
 
-    private readonly Described<string?> _angle = new("--angle", "Divide curved parts so that no segment turns more than this.", "DEGREES");
+    private readonly Described<string?> _angle = new("--angle", "Maximum angle that a curved part turns in one segment.", "DEGREES");
 
-    private readonly Described<string?> _min = new("--min-length", "Shortest segment of a curved part.", "MM");
+    private readonly Described<string?> _min = new("--min-length", "Minimum segment length of curved parts.", "MM");
 
-    private readonly Described<string?> _max = new("--max-length", "Longest segment of a curved part.", "MM");
+    private readonly Described<string?> _max = new("--max-length", "Maximum segment length of curved parts.", "MM");
 
-    private readonly Described<bool> _full = new("--full-steps", "Use the full step and leave a shorter last segment instead of dividing evenly.");
+    private readonly Described<bool> _full = new("--full-steps",
+        "Keep the exact segment length and make the last segment shorter, instead of dividing evenly.");
 
     private readonly Described<bool> _arcs = new("--arcs", "Keep horizontal arcs and circles as G2 and G3.");
 
-    private readonly Described<string?> _fit = new("--fit-arcs", "Fit arcs to printed moves, within this tolerance.", "MM");
+    private readonly Described<string?> _fit = new("--fit-arcs", "Fit arcs to printing moves within this tolerance.", "MM");
 
-    private readonly Described<string?> _merge = new("--merge", "Join curves whose ends touch within this distance.", "MM");
+    private readonly Described<string?> _merge = new("--merge", "Join curves whose ends are within this distance.", "MM");
 
     public Option[] All => [_distance, _tolerance, _angle, _min, _max, _full, _arcs, _fit, _merge];
 

@@ -8,14 +8,14 @@ internal sealed class GeneralOptions
 
     private static readonly (string Name, double Bytes)[] Units = [("KB", 1 << 10), ("MB", 1 << 20), ("GB", 1 << 30), ("TB", 1L << 40)];
 
-    private readonly Described<bool> _quiet = new("--quiet", "Say only what is wrong: no summary, no notes.", null, "-q") { Recursive = true };
+    private readonly Described<bool> _quiet = new("--quiet", "Print only errors and warnings.", null, "-q") { Recursive = true };
 
     private readonly Described<string?> _memory = new("--memory-limit",
-        "How much memory the work may take, such as 500MB, 4GB or 75%; half of the machine's by default.", "SIZE") { Recursive = true };
+        "Maximum memory, such as 500MB, 4GB or 75%. Default: half of the machine's memory.", "SIZE") { Recursive = true };
 
     public Option[] All => [_quiet, _memory];
 
-    /// <exception cref="CliException">The limit is no size.</exception>
+    /// <exception cref="CliException">The limit is not a size.</exception>
     public void Apply(ParseResult parsed, Session session)
     {
         session.Quiet = parsed.GetValue(_quiet);
@@ -23,8 +23,8 @@ internal sealed class GeneralOptions
         session.EnforceMemory?.Invoke(session.Memory);
     }
 
-    /// <summary>The memory of a size, at least what the program needs to run.</summary>
-    /// <exception cref="CliException">It is no size.</exception>
+    /// <summary>The memory limit of a size such as <c>4GB</c> or <c>75%</c>.</summary>
+    /// <exception cref="CliException">The text is not a size.</exception>
     public static MemoryLimit Limit(string text)
     {
         var plain = text.Trim();
@@ -44,6 +44,6 @@ internal sealed class GeneralOptions
         }
         return bytes is >= LeastMemory and < 1L << 60
             ? new MemoryLimit((long)bytes)
-            : throw new CliException(ExitCode.Usage, $"--memory-limit: \"{text}\" is not a size of at least 64 MB, such as 500MB, 4GB or 75%.");
+            : throw new CliException(ExitCode.Usage, $"--memory-limit needs a size of at least 64 MB, such as 500MB, 4GB or 75%, not \"{text}\".");
     }
 }

@@ -3,20 +3,20 @@ using Caterpillar.Slicing;
 
 namespace Caterpillar.Cli;
 
-/// <summary>The option for infill whose lines follow directions of the surface.</summary>
+/// <summary>The option for infill lines that follow directions of the surface.</summary>
 internal sealed class InfillAlong
 {
     private readonly Described<string?> _along = new("--infill-along",
-        "With --surface: lines of the infill follow the principal curvature of the surface where it bends most (curvature), the other one (across), or both; a "
-            + "direction by two formulas in x and y: \"-y; x\"; or curves of a file (CSV, JSON, SVG, lines of OBJ). infill_density_percent gives their "
-            + "distance.",
+        "With --surface: direction of infill lines. curvature: along the strongest principal curvature of the surface. across: along the other one. both: "
+            + "along both. DX;DY: two formulas in x and y, such as \"-y; x\". FILE: along curves (CSV, JSON, SVG, OBJ lines). infill_density_percent sets "
+            + "their distance.",
         "curvature|across|both|DX;DY|FILE");
 
     public Option[] All => [_along];
 
     public bool IsGiven(ParseResult arguments) => arguments.GetValue(_along) is not null;
 
-    /// <summary>The lines over the models; null where the option was not given.</summary>
+    /// <summary>The lines over the models, or null without the option.</summary>
     public IReadOnlyList<Polyline>? Lines(
         ParseResult arguments, PlanSurface surface, IReadOnlyList<NamedMesh> models, Vec3 shift, PrintSetup setup, Session session)
     {
@@ -25,8 +25,7 @@ internal sealed class InfillAlong
         if (percent is <= 0 or >= 100)
         {
             session.Print([new Diagnostic(Severity.Warning, "curved.no_infill_lines",
-                $"--infill-along changes nothing: infill_density_percent is {NumberFormatter.Format(percent, 2)}, and lines have distances between 0 and "
-                + "100 %.")]);
+                $"--infill-along has no effect: infill_density_percent is {NumberFormatter.Format(percent, 2)}. Set it above 0 and below 100.")]);
             return null;
         }
         var spacing = setup.Settings.LineWidth * 100 / percent;
@@ -48,7 +47,7 @@ internal sealed class InfillAlong
             return SurfaceLines.Along(surface, plan, Direction, spacing, session.Cancel);
         }
         if (!File.Exists(text))
-            throw new CliException(ExitCode.Usage, "--infill-along needs curvature, across, both, two formulas \"DX; DY\", or a file of curves.");
+            throw new CliException(ExitCode.Usage, $"--infill-along {text}: expected curvature, across, both, two formulas \"DX; DY\", or a file of curves.");
         var curves = Curves.ReadPolylines(text, shift, session);
         return SurfaceLines.AlongCurves(surface, plan, curves.Where(c => c.Count > 1).ToArray(), spacing, session.Cancel);
     }

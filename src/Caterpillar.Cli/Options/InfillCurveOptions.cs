@@ -3,21 +3,21 @@ using Caterpillar.Slicing;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Curves of the user as infill: <c>--infill-curves web.svg</c>.</summary>
+/// <summary>User curves as infill: <c>--infill-curves web.svg</c>.</summary>
 internal sealed class InfillCurveOptions
 {
     private const double Tolerance = 0.01;
 
     private readonly Described<string?> _file = new("--infill-curves",
-        "Curves (CSV, JSON, OBJ, SVG) that are the infill of each layer, cut at its walls; seen from above, in the coordinates of the models' files.", "FILE");
+        "Infill of each layer from curves (CSV, JSON, OBJ, SVG), clipped to its walls. Coordinates: X and Y of the model files.", "FILE");
 
     public Option[] All => [_file];
 
-    /// <summary>The setup with the pattern, where curves are given.</summary>
+    /// <summary>The setup, with the pattern for curves if any are given.</summary>
     public PrintSetup Resolve(ParseResult arguments, PrintSetup setup)
         => arguments.GetValue(_file) is null ? setup : setup with { Settings = setup.Settings with { InfillPattern = InfillPattern.Curves } };
 
-    /// <summary>The curves of the file, or null where none is given.</summary>
+    /// <summary>The curves of the file, or null if none is given.</summary>
     public IReadOnlyList<Polyline>? Read(ParseResult arguments, PrintSetup setup, Session session)
     {
         if (arguments.GetValue(_file) is not { } file) return null;
@@ -27,7 +27,7 @@ internal sealed class InfillCurveOptions
         return paths.Select(p => new Polyline(p.Points.Select(v => v.WithZ(0)), p.IsClosed)).ToArray();
     }
 
-    /// <summary>Settings with curves that move along with the models.</summary>
+    /// <summary>Settings with curves that are moved with the models.</summary>
     public static IReadOnlyList<PrintSettings> With(IReadOnlyList<PrintSettings> settings, IReadOnlyList<Polyline>? curves, Vec3 shift)
     {
         if (curves is null) return settings;

@@ -3,33 +3,32 @@ using Caterpillar.Slicing;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Options that scale, turn and place models. They act in the order in which they stand here, whatever the order on the command line.</summary>
+/// <summary>Options that scale, rotate and place models. They act in this order, not in the order of the command line.</summary>
 internal sealed class ModelOptions
 {
     private readonly Described<string?> _scale = new("--scale",
-        "Scale the models: by a factor, by one for each axis, or so that the longest side (one length) or the box (three) has a size.",
+        "Scale the models. One number: factor. Three: factors for X, Y and Z. With mm: longest side, or size in X, Y and Z.",
         "FACTOR|%|X,Y,Z|LENGTHmm|X,Y,Zmm");
 
-    private readonly Described<string?> _rotate = new("--rotate",
-        "Turn the models, counter-clockwise from above; or about X, then Y, then Z.", "DEGREES|X,Y,Z");
+    private readonly Described<string?> _rotate = new("--rotate", "Rotate the models about Z, counterclockwise from above, or about X, then Y, then Z.",
+        "DEGREES|X,Y,Z");
 
-    private readonly Described<bool> _layFlat = new("--lay-flat", "Turn each model so that its largest flat face is on the bed.");
-    private readonly Described<int> _copies = new("--copies", "Print so many of each model, arranged on the bed.", "N") { DefaultValueFactory = _ => 1 };
+    private readonly Described<bool> _layFlat = new("--lay-flat", "Rotate each model so that its largest flat face is on the bed.");
+    private readonly Described<int> _copies = new("--copies", "Number of copies of each model, arranged on the bed.", "N") { DefaultValueFactory = _ => 1 };
 
     private readonly Described<bool> _arrange = new("--arrange",
-        "Put the models beside each other, from the middle of the bed outwards; with print_sequence=by_object so far apart that the head passes.");
+        "Arrange the models next to each other, from the center of the bed outward. With print_sequence=by_object, the head can pass between them.");
 
     private readonly Described<string> _spacing = new("--spacing",
-        "Smallest distance between arranged models in mm.", "MM") { DefaultValueFactory = _ => NumberFormatter.Format(new ArrangeOptions().Spacing, 9) };
+        "Minimum distance between arranged models.", "MM") { DefaultValueFactory = _ => NumberFormatter.Format(new ArrangeOptions().Spacing, 9) };
 
-    private readonly Described<string?> _place = new("--place", "Put the middle of the models at a point of the bed.", "X,Y");
-    private readonly Described<bool> _center = new("--center", "Put the middle of the models in the middle of the bed (what happens anyway).");
-    private readonly Described<bool> _keepPosition = new("--keep-position", "Print where the model stands in its file, instead of the middle of the bed.");
+    private readonly Described<string?> _center = new("--center", "Center of the models on the bed. Default: center of the bed.", "X,Y");
+    private readonly Described<bool> _keepPosition = new("--keep-position", "Keep the position of the models in their files.");
 
-    public Option[] All => [_scale, _rotate, _layFlat, _copies, _arrange, _spacing, _place, _center, _keepPosition];
+    public Option[] All => [_scale, _rotate, _layFlat, _copies, _arrange, _spacing, _center, _keepPosition];
 
-    /// <summary>Wrong usage is found before files are read.</summary>
-    /// <exception cref="CliException">Options do not go together.</exception>
+    /// <summary>Finds wrong usage before files are read.</summary>
+    /// <exception cref="CliException">Options cannot be combined.</exception>
     public void Check(ParseResult arguments)
     {
         var copies = arguments.GetValue(_copies);
@@ -38,37 +37,36 @@ internal sealed class ModelOptions
         string[] given =
         [
             .. arrange ? [arguments.GetValue(_arrange) ? "--arrange" : "--copies"] : (string[])[],
-            .. arguments.GetValue(_place) is null ? (string[])[] : ["--place"],
-            .. arguments.GetValue(_center) ? ["--center"] : (string[])[],
+            .. arguments.GetValue(_center) is null ? (string[])[] : ["--center"],
             .. arguments.GetValue(_keepPosition) ? ["--keep-position"] : (string[])[],
         ];
-        if (given.Length > 1) throw new CliException(ExitCode.Usage, $"{given[0]} and {given[1]} both say where the models stand: give one.");
+        if (given.Length > 1) throw new CliException(ExitCode.Usage, $"{given[0]} cannot be combined with {given[1]}: both place the models.");
         _ = Placing(arguments);
     }
 
-    /// <summary>The option given that does more than move all models together, or null.</summary>
+    /// <summary>The given option that does more than move all models together, or null.</summary>
     public string? Turns(ParseResult arguments)
         => arguments.GetValue(_scale) is not null ? "--scale" : arguments.GetValue(_rotate) is not null ? "--rotate" : MovesApart(arguments);
 
-    /// <summary>A sentence for those who may have meant a length by a large factor, or nothing.</summary>
+    /// <summary>A hint if a large factor may have been meant as a length, or nothing.</summary>
     public string ScaleAdvice(ParseResult arguments)
         => arguments.GetValue(_scale)?.Trim() is { } text && NumberReader.TryParse(text, out var factor) && factor >= 5
-            ? $" --scale {text} is a factor; --scale {text}mm makes the longest side that long." : "";
+            ? $" --scale {text} is a factor. For a longest side of {text} mm, use --scale {text}mm." : "";
 
-    /// <summary>The models as they are printed. What does not fit is printed as a warning.</summary>
+    /// <summary>The models at their print positions. Prints a warning for models that do not fit.</summary>
     /// <param name="models">The models.</param>
-    /// <param name="isPart">Which of them are printed; the others keep their places to these.</param>
+    /// <param name="isPart">The models that are printed. The others keep their positions relative to them.</param>
     /// <param name="arguments">The options.</param>
     /// <param name="setup">The printer.</param>
-    /// <param name="session">Takes warnings.</param>
-    /// <exception cref="CliException">There is no place for all of them, or the head cannot pass between them.</exception>
+    /// <param name="session">Prints warnings.</param>
+    /// <exception cref="CliException">They do not all fit, or the head cannot pass between them.</exception>
     public IReadOnlyList<NamedMesh> Placed(
         IReadOnlyList<NamedMesh> models, IReadOnlyList<bool> isPart, ParseResult arguments, PrintSetup setup, Session session)
     {
         if (isPart.Contains(false) && MovesApart(arguments) is { } option)
         {
             var name = models[isPart.ToList().IndexOf(false)].Name;
-            throw new CliException(ExitCode.Usage, $"{option} would move {name}, which is not printed, away from its part: place the parts with --place.");
+            throw new CliException(ExitCode.Usage, $"{option} would move {name}, which is not printed, away from its part. Place the models with --center.");
         }
         var placed = Placing(arguments).Place(models, setup, isPart, session.Cancel);
         session.Print(placed.Diagnostics);
@@ -80,7 +78,7 @@ internal sealed class ModelOptions
 
     private ModelPlacing Placing(ParseResult arguments)
     {
-        var placing = new ModelPlacing { Center = arguments.GetValue(_place) is { } place ? Place(place) : null };
+        var placing = new ModelPlacing { Center = arguments.GetValue(_center) is { } center ? Center(center) : null };
         if (arguments.GetValue(_scale) is { } scale) placing = Scaled(placing, scale);
         return placing with
         {
@@ -101,7 +99,7 @@ internal sealed class ModelOptions
             (false, [var x, var y, var z]) => placing with { Scale = new Vec3(x, y, z) },
             (true, [var longest]) => placing with { LongestSide = longest },
             (true, [var x, var y, var z]) => placing with { Size = new Vec3(x, y, z) },
-            _ => throw new CliException(ExitCode.Usage, "--scale needs a factor or a length, or one for each of X,Y,Z."),
+            _ => throw new CliException(ExitCode.Usage, "--scale needs a factor or a length, or three of them: X,Y,Z."),
         };
     }
 
@@ -109,16 +107,16 @@ internal sealed class ModelOptions
     {
         [var z] => new Vec3(0, 0, z),
         [var x, var y, var z] => new Vec3(x, y, z),
-        _ => throw new CliException(ExitCode.Usage, "--rotate needs degrees about Z, or X,Y,Z."),
+        _ => throw new CliException(ExitCode.Usage, "--rotate needs degrees about Z, or three angles: X,Y,Z."),
     };
 
-    private static Vec3 Place(string text)
+    private static Vec3 Center(string text)
     {
-        if (Numbers.List(text, "--place").Length != 2) throw new CliException(ExitCode.Usage, "--place needs X,Y in mm.");
-        return Numbers.Vector(text, "--place");
+        if (Numbers.List(text, "--center").Length != 2) throw new CliException(ExitCode.Usage, "--center needs X,Y in mm.");
+        return Numbers.Vector(text, "--center");
     }
 
     private double Spacing(ParseResult arguments)
         => NumberReader.TryParse(arguments.GetValue(_spacing), out var spacing) && spacing is >= 0 and < 1e6 ? spacing
-            : throw new CliException(ExitCode.Usage, "--spacing needs a distance from 0 mm on.");
+            : throw new CliException(ExitCode.Usage, "--spacing needs a distance of 0 mm or more.");
 }

@@ -4,7 +4,7 @@ using Caterpillar.Simulation;
 namespace Caterpillar.Cli;
 
 /// <summary>
-/// By which limits a file is timed: those of the printer that was named; else those that a slicer left in the file; else those of the generic printer.
+/// Motion limits for the time of a file: from the given printer, else from the slicer's settings in the file, else from the generic printer.
 /// </summary>
 internal sealed record MotionSetup(PrintSetup Setup, string Limits)
 {

@@ -2,38 +2,38 @@ using Caterpillar.Expressions;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Options that choose moves of a decoded file.</summary>
+/// <summary>Options that select moves of a decoded file.</summary>
 internal sealed class MoveFilterOptions
 {
-    private readonly Described<int?> _first = new("--first-layer", "First layer to edit, by its number in the file, or counted from 0.", "N");
+    private readonly Described<int?> _first = new("--first-layer", "First layer to edit: its number in the file, or counted from 0.", "N");
     private readonly Described<int?> _last = new("--last-layer", "Last layer to edit.", "N");
-    private readonly Described<string[]> _roles = new("--role", "Edit only extrusions of this role (\"outer wall\", infill …); may be repeated.", "ROLE");
-    private readonly Described<string[]> _objects = new("--object", "Edit only this object; may be repeated.", "NAME");
-    private readonly Described<int?> _tool = new("--tool", "Edit only what this tool prints.", "N");
-    private readonly Described<string?> _box = new("--box", "Edit only moves that end in this box: two corners in mm.", "X,Y,Z,X,Y,Z");
+    private readonly Described<string[]> _roles = new("--role", "Edit only extrusions with this role, such as \"outer wall\" or infill. Repeatable.", "ROLE");
+    private readonly Described<string[]> _objects = new("--object", "Edit only this object. Repeatable.", "NAME");
+    private readonly Described<int?> _tool = new("--tool", "Edit only moves of this tool.", "N");
+    private readonly Described<string?> _box = new("--box", "Edit only moves that end in this box, given by two corners in mm.", "X,Y,Z,X,Y,Z");
 
     public Option[] All => [_first, _last, _roles, _objects, _tool, _box];
 
-    /// <summary>True if something is chosen.</summary>
+    /// <summary>True if there is a selection.</summary>
     public bool IsGiven(ParseResult arguments)
         => arguments.GetValue(_first) is not null || arguments.GetValue(_last) is not null || arguments.GetValue(_roles) is { Length: > 0 }
             || arguments.GetValue(_objects) is { Length: > 0 }
             || arguments.GetValue(_tool) is not null || arguments.GetValue(_box) is not null;
 
-    /// <summary>The chosen moves.</summary>
-    /// <exception cref="CliException">There is no such role or object, or the box is invalid.</exception>
+    /// <summary>The selected moves.</summary>
+    /// <exception cref="CliException">A role or object is not found, or the box is invalid.</exception>
     public MoveFilter Of(Toolpath toolpath, ParseResult arguments)
     {
         var objects = arguments.GetValue(_objects) is { Length: > 0 } named ? named : null;
         foreach (var name in objects ?? [])
         {
             if (toolpath.Layers.All(l => l.Object != name))
-                throw new CliException(ExitCode.Usage, $"There is no object \"{name}\"; there are "
+                throw new CliException(ExitCode.Usage, $"--object: \"{name}\" not found. Objects: "
                     + string.Join(", ", toolpath.Layers.Select(l => $"\"{l.Object}\"").Distinct().Take(20)) + ".");
         }
         if (arguments.GetValue(_first) > arguments.GetValue(_last))
-            throw new CliException(ExitCode.Usage, "--first-layer is above --last-layer.");
-        if (arguments.GetValue(_tool) < 0) throw new CliException(ExitCode.Usage, "--tool needs a number of 0 or more.");
+            throw new CliException(ExitCode.Usage, "--first-layer must not be above --last-layer.");
+        if (arguments.GetValue(_tool) < 0) throw new CliException(ExitCode.Usage, "--tool needs 0 or more.");
         return new MoveFilter
         {
             FirstLayer = arguments.GetValue(_first),
@@ -55,9 +55,8 @@ internal sealed class MoveFilterOptions
     private static Role RoleOf(string name)
         => Enum.TryParse<Role>(name.Replace("-", "").Replace("_", "").Replace(" ", ""), true, out var role) && Enum.IsDefined(role)
             ? role
-            : throw new CliException(ExitCode.Usage, $"There is no role \"{name}\"; there are {string.Join(", ", Shown)}."
-                + SpellingSuggestion.Hint(name, Shown));
+            : throw new CliException(ExitCode.Usage, $"Unknown role \"{name}\".{SpellingSuggestion.Hint(name, Shown)} Roles: {string.Join(", ", Shown)}.");
 
-    // As tables and images show them; identifiers work as well.
+    // As shown in tables and images. Identifiers work as well.
     private static IEnumerable<string> Shown => Enum.GetNames<Role>().Select(Words.Spaced);
 }

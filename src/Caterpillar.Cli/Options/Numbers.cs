@@ -1,6 +1,6 @@
 namespace Caterpillar.Cli;
 
-/// <summary>Numbers in the values of options. Errors are wrong usage.</summary>
+/// <summary>Reads numbers in option values. Errors are wrong usage.</summary>
 internal static class Numbers
 {
     public static double[] List(string text, string option) => text.Split(',').Select(part => Number(part, option)).ToArray();
@@ -13,18 +13,18 @@ internal static class Numbers
     {
         var numbers = List(text, option);
         if (numbers.Length is not (2 or 3)) throw new CliException(ExitCode.Usage, option + " needs X,Y or X,Y,Z in mm.");
-        if (numbers.Any(n => System.Math.Abs(n) > Farthest)) throw new CliException(ExitCode.Usage, option + " is limited to 1 km.");
+        if (numbers.Any(n => System.Math.Abs(n) > Farthest)) throw new CliException(ExitCode.Usage, option + " needs coordinates up to 1 km.");
         return new Vec3(numbers[0], numbers[1], numbers.Length > 2 ? numbers[2] : 0);
     }
 
-    /// <summary>One factor for all axes, or one for each.</summary>
+    /// <summary>A factor for all axes, or one for each.</summary>
     public static Vec3 Scale(string text)
     {
         var scale = List(text, "--scale") switch
         {
             [var all] => new Vec3(all, all, all),
             [var x, var y, var z] => new Vec3(x, y, z),
-            _ => throw new CliException(ExitCode.Usage, "--scale needs a factor, or X,Y,Z."),
+            _ => throw new CliException(ExitCode.Usage, "--scale needs a factor, or three of them: X,Y,Z."),
         };
         return new Vec3(Factor(scale.X, "--scale", 1e-6), Factor(scale.Y, "--scale", 1e-6), Factor(scale.Z, "--scale", 1e-6));
     }
@@ -41,7 +41,7 @@ internal static class Numbers
             : throw new CliException(ExitCode.Usage, option
                 + (least > 0 ? " needs a factor above 0 and below a million." : " needs a factor from 0 to a million."));
 
-    /// <summary>A diameter in mm, where one is given.</summary>
+    /// <summary>A diameter in mm, or null.</summary>
     public static double? Diameter(double? value, string option)
         => value is null or (>= 0.01 and <= 1000) ? value : throw new CliException(ExitCode.Usage, option + " needs a diameter of 0.01 to 1000 mm.");
 
@@ -50,13 +50,13 @@ internal static class Numbers
     {
         var at = text.IndexOf('=');
         return at > 0 && Whole(text[..at]) is { } number ? (number, text[(at + 1)..])
-            : throw new CliException(ExitCode.Usage, $"{option} needs N=…, found \"{text}\".");
+            : throw new CliException(ExitCode.Usage, $"{option} needs N=…, not \"{text}\".");
     }
 
-    /// <summary>A integer, or null.</summary>
+    /// <summary>An integer, or null.</summary>
     public static int? Whole(string text) => NumberReader.TryParseInt(text, out var number) ? number : null;
 
     private static double Number(string text, string option)
         => NumberReader.TryParse(text.Trim(), out var value)
-            && double.IsFinite(value) ? value : throw new CliException(ExitCode.Usage, $"{option}: \"{text}\" is not a number.");
+            && double.IsFinite(value) ? value : throw new CliException(ExitCode.Usage, $"{option} needs a number, not \"{text}\".");
 }

@@ -1,13 +1,13 @@
 namespace Caterpillar.Cli;
 
-/// <summary>Reads numbers and percentages in the values of options.</summary>
+/// <summary>Reads numbers and percentages in option values.</summary>
 internal static class OptionValues
 {
-    /// <exception cref="CliException">It is not a number, or is too small (wrong usage).</exception>
+    /// <exception cref="CliException">The text is not a number, or the number is too small (wrong usage).</exception>
     public static double Number(string text, string option, double least)
     {
         if (NumberReader.TryParse(text.Trim(), out var value) && value >= least) return value;
-        throw new CliException(ExitCode.Usage, $"{option}: \"{text}\" is not a number{(least >= 0 ? " of at least 0" : "")}.");
+        throw new CliException(ExitCode.Usage, $"{option} needs a number{(least >= 0 ? " of 0 or more" : "")}, not \"{text}\".");
     }
 
     public static double? OptionalNumber(string? text, string option, double least) => text is null ? null : Number(text, option, least);
@@ -32,7 +32,7 @@ internal static class AxisMappings
         {
             if (to < OutputAxis.X || to - OutputAxis.X == (int)from) return new AxisMapping(from, to, scale);
         }
-        throw new CliException(ExitCode.Usage, $"--map {text}: expected for example X=A*2.86 (degrees per mm) or Y=Y*0.5.");
+        throw new CliException(ExitCode.Usage, $"--map {text}: expected AXIS=WORD*SCALE, such as X=A*2.86 (degrees per mm) or Y=Y*0.5.");
     }
 
     private static PathAxis? Axis(char c) => c switch { 'X' or 'x' => PathAxis.X, 'Y' or 'y' => PathAxis.Y, 'Z' or 'z' => PathAxis.Z, _ => null };

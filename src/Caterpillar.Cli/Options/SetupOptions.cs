@@ -2,20 +2,17 @@ using System.CommandLine.Completions;
 
 namespace Caterpillar.Cli;
 
-/// <summary>The options that choose printer, material and settings; for every verb that needs them.</summary>
+/// <summary>The options that select printer, material and settings; for every verb that needs them.</summary>
 internal sealed class SetupOptions
 {
-    public Described<string> Printer { get; } = new("--printer",
-        "Printer profile: a name (see \"caterpillar printers\") or a JSON file.", "NAME|FILE", "-p") { DefaultValueFactory = _ => "generic" };
+    /// <summary>Description of the printer of a G-code file.</summary>
+    public const string FromFile = "Default: motion limits from the slicer's settings in the file, or generic.";
 
-    public Described<string?> Material { get; } = new("--material", "Material profile; the printer's default if omitted.", "NAME|FILE", "-m");
-
-    public Described<string?> Settings { get; } = new("--settings", "Print settings; the printer's default if omitted.", "NAME|FILE", "-s");
-
-    public Described<string[]> Set { get; } = new("--set", "Override any key of the three profiles, for example layer_height_mm=0.3.", "KEY=VALUE");
-
-    public SetupOptions()
+    /// <param name="otherwise">What happens without a printer.</param>
+    public SetupOptions(string otherwise = "Default: generic.")
     {
+        Printer = new Described<string?>("--printer",
+            "Printer profile: name (listed by \"caterpillar printers\") or JSON file. " + otherwise, "NAME|FILE", "-p");
         Printer.CompletionSources.Add(_ => new ProfileLibrary().PrinterNames.Select(n => new CompletionItem(n)));
         Material.CompletionSources.Add(_ => new ProfileLibrary().MaterialNames.Select(n => new CompletionItem(n)));
         Settings.CompletionSources.Add(_ => new ProfileLibrary().SettingsNames.Select(n => new CompletionItem(n)));
@@ -23,12 +20,22 @@ internal sealed class SetupOptions
             .Select(k => new CompletionItem(k.Name + "=")));
     }
 
+    public Described<string?> Printer { get; }
+
+    public Described<string?> Material { get; } = new("--material", "Material profile: name or JSON file. Default: set by the printer.", "NAME|FILE", "-m");
+
+    public Described<string?> Settings { get; } = new("--settings", "Print settings: name or JSON file. Default: set by the printer.", "NAME|FILE", "-s");
+
+    public Described<string[]> Set { get; } = new("--set",
+        "Override a key of printer, material or settings, such as layer_height_mm=0.3. Repeatable. \"caterpillar printers --keys\" lists all keys.",
+        "KEY=VALUE");
+
     public Option[] All => [Printer, Material, Settings, Set];
 
-    /// <summary>True if a printer was named, and not just the default one.</summary>
+    /// <summary>True if a printer is given.</summary>
     public bool IsGiven(ParseResult arguments) => arguments.GetResult(Printer) is { Implicit: false };
 
-    /// <summary>The options as they were given, for another verb.</summary>
+    /// <summary>The given options, for another verb.</summary>
     public IEnumerable<string> Given(ParseResult arguments)
     {
         foreach (var option in All)
@@ -42,13 +49,13 @@ internal sealed class SetupOptions
         }
     }
 
-    /// <summary>The requested setup; its problems are printed. Without a named printer, <paramref name="own"/> are the profiles named in the input.</summary>
-    /// <exception cref="CliException">There is no such profile or key (wrong usage), or a profile is bad (bad input).</exception>
+    /// <summary>The setup; its problems are printed. Without <c>--printer</c>, the profiles that the input names (<paramref name="own"/>) are used.</summary>
+    /// <exception cref="CliException">A profile or key is not found (wrong usage), or a profile is invalid (bad input).</exception>
     public PrintSetup Resolve(ParseResult arguments, Session session, IReadOnlyList<string>? own = null)
     {
         var values = arguments.GetValue(Set) ?? [];
         if (own is null || IsGiven(arguments)) own = [];
-        var printer = own.Count > 0 ? own[0] : arguments.GetValue(Printer)!;
+        var printer = own.Count > 0 ? own[0] : arguments.GetValue(Printer) ?? "generic";
         var material = arguments.GetValue(Material) ?? (own.Count > 1 ? own[1] : null);
         var settings = arguments.GetValue(Settings) ?? (own.Count > 2 ? own[2] : null);
         var plain = session.Profiles.Setup(printer, material, settings);

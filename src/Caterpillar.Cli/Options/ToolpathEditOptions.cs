@@ -4,33 +4,33 @@ using Caterpillar.Shaping;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Options that change what a decoded file prints. They act on the chosen layers; start and end code belong to no layer and stay.</summary>
+/// <summary>Options that edit a decoded file. They act on the selected layers. Start and end G-code are outside of layers and stay unchanged.</summary>
 internal sealed class ToolpathEditOptions
 {
     private readonly MoveFilterOptions _filter = new();
-    private readonly Described<string?> _speed = new("--speed", "Multiply the speed of the chosen extrusions.", "FACTOR|%");
-    private readonly Described<string?> _flow = new("--flow", "Multiply the material of the chosen extrusions.", "FACTOR|%");
+    private readonly Described<string?> _speed = new("--speed", "Speed factor of the selected extrusions.", "FACTOR|%");
+    private readonly Described<string?> _flow = new("--flow", "Flow factor of the selected extrusions.", "FACTOR|%");
     private readonly Described<string?> _scale = new("--scale",
-        "Scale the selection about the middle of its base, extrusions and their amounts of E included.", "FACTOR|X,Y,Z");
-    private readonly Described<double?> _turn = new("--rotate", "Turn the selection about its middle, counterclockwise seen from above.", "DEGREES");
+        "Scale the selection about the center of its base, with E.", "FACTOR|X,Y,Z");
+    private readonly Described<double?> _turn = new("--rotate", "Rotate the selection about its center, counterclockwise from above.", "DEGREES");
     private readonly Described<string?> _move = new("--move", "Move the selection.", "X,Y,Z");
-    private readonly Described<string?> _deform = new("--deform", "Deform the selection: the new x, y, z in mm as formulas of the old.", "FORMULAS");
-    private readonly Described<string?> _axis = new("--axis", "Formulas in r, theta (degrees) and z about this vertical axis.", "X,Y|middle");
+    private readonly Described<string?> _deform = new("--deform", "Deform the selection: formulas for the new x, y, z from the old, in mm.", "FORMULAS");
+    private readonly Described<string?> _axis = new("--axis", "With --deform: vertical axis for formulas in r, theta (degrees) and z.", "X,Y|center");
     private readonly Described<bool> _remove = new("--remove", "Remove the selection.");
     private readonly Described<int[]> _pauses = new("--pause-at-layer",
-        "Insert a pause before a layer, lifted and parked by the printer's keys; may be repeated.", "N");
+        "Pause before a layer. The pause keys of the printer set lift and parking position. Repeatable.", "N");
 
-    private readonly Described<bool> _plainPause = new("--plain-pause", "Pause on the spot, by the command alone.");
-    private readonly Described<string[]> _tools = new("--tool-at-layer", "Change the tool before a layer; may be repeated.", "N=TOOL");
-    private readonly Described<string[]> _lines = new("--gcode-at-layer", "Insert a line of G-code before a layer; may be repeated.", "N=LINE");
-    private readonly Described<string?> _start = new("--start-gcode", "File with lines that replace everything before the first layer.", "FILE");
-    private readonly Described<string?> _end = new("--end-gcode", "File with lines that replace everything after the last layer.", "FILE");
+    private readonly Described<bool> _plainPause = new("--plain-pause", "Pause in place: write only the pause command.");
+    private readonly Described<string[]> _tools = new("--tool-at-layer", "Change the tool before a layer. Repeatable.", "N=TOOL");
+    private readonly Described<string[]> _lines = new("--gcode-at-layer", "Insert a line of G-code before a layer. Repeatable.", "N=LINE");
+    private readonly Described<string?> _start = new("--start-gcode", "File with start G-code that replaces everything before the first layer.", "FILE");
+    private readonly Described<string?> _end = new("--end-gcode", "File with end G-code that replaces everything after the last layer.", "FILE");
 
     public Option[] All =>
         [.. _filter.All, _speed, _flow, _scale, _turn, _move, _deform, _axis, _remove, _pauses, _plainPause, _tools, _lines, _start, _end];
 
-    /// <summary>What is to be edited in a toolpath.</summary>
-    /// <exception cref="CliException">An option is wrong.</exception>
+    /// <summary>The edits of a toolpath.</summary>
+    /// <exception cref="CliException">An option is invalid.</exception>
     public FileEdits Of(Toolpath toolpath, double tolerance, Func<Pause> pause, ParseResult arguments, Session session)
     {
         var edits = new FileEdits
@@ -52,24 +52,24 @@ internal sealed class ToolpathEditOptions
         if (edits.PauseAtLayers.Count > 0 && !plain) edits = edits with { Pause = pause() };
         edits = edits with { AtLayers = [.. (arguments.GetValue(_tools) ?? []).Select(Tool), .. (arguments.GetValue(_lines) ?? []).Select(Line)] };
         return !edits.Remove || _filter.IsGiven(arguments) ? edits
-            : throw new CliException(ExitCode.Usage, "--remove needs layers, roles, objects, a tool or a box to cut out.");
+            : throw new CliException(ExitCode.Usage, "--remove needs a selection: --first-layer, --last-layer, --role, --object, --tool or --box.");
     }
 
-    /// <summary>New start and end code.</summary>
+    /// <summary>New start and end G-code.</summary>
     public EditOptions Code(ParseResult arguments)
         => new() { Start = Lines(arguments.GetValue(_start), "--start-gcode"), End = Lines(arguments.GetValue(_end), "--end-gcode") };
 
     private static string[]? Lines(string? file, string option)
     {
         if (file is null) return null;
-        return file.Trim().Length > 0 ? File.ReadAllLines(file) : throw new CliException(ExitCode.Usage, $"{option} needs the name of a file.");
+        return file.Trim().Length > 0 ? File.ReadAllLines(file) : throw new CliException(ExitCode.Usage, $"{option} needs a file name.");
     }
 
     private static (int Layer, PrinterEvent What) Tool(string text)
     {
         var (layer, tool) = Numbers.Pair(text, "--tool-at-layer");
         return Numbers.Whole(tool) is >= 0 and < 100 and var number ? (layer, new ToolEvent(number))
-            : throw new CliException(ExitCode.Usage, $"--tool-at-layer: \"{tool}\" is not the number of a tool.");
+            : throw new CliException(ExitCode.Usage, $"--tool-at-layer needs a tool number from 0 to 99, not \"{tool}\".");
     }
 
     private static (int Layer, PrinterEvent What) Line(string text)
@@ -79,7 +79,7 @@ internal sealed class ToolpathEditOptions
             : throw new CliException(ExitCode.Usage, "--gcode-at-layer needs one line of G-code: N=LINE.");
     }
 
-    // Null where nothing is deformed.
+    // Null without deformation.
     private Func<Vec3, Deformation>? Deformation(ParseResult arguments, Session session)
     {
         var axis = arguments.GetValue(_axis);
@@ -87,7 +87,7 @@ internal sealed class ToolpathEditOptions
             return axis is null ? null : throw new CliException(ExitCode.Usage, "--axis needs --deform.");
         if (formulas.Trim().Length == 0) throw new CliException(ExitCode.Usage, "--deform needs formulas, for example \"x + 0.1*z, y, z\".");
         var system = axis is null ? DeformationSystem.Cartesian : DeformationSystem.Cylindrical;
-        var at = axis is null or "middle" ? (Vec3?)null : Numbers.Vector(axis, "--axis");
+        var at = axis is null or "center" ? (Vec3?)null : Numbers.Vector(axis, "--axis");
         return middle => session.ValueOrFail(DeformationText.Compile(
             formulas, null, null, system, axis is null ? Vec3.Zero : (at ?? middle).WithZ(0), new SourceLocation("--deform")), ExitCode.Usage);
     }

@@ -4,37 +4,38 @@ using Caterpillar.Simulation;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Where G-code is written, and the reason to write despite the checks; for every verb that makes G-code.</summary>
+/// <summary>The output file, and the reason to write despite the checks; for every verb that makes G-code.</summary>
 internal sealed class WriteOptions
 {
-    private readonly Described<string?> _output = new("--output",
-        "The G-code file, binary where its name ends in .bgcode, or - for standard output. By default the name of the first input with .gcode, in the current "
-            + "folder.", "FILE", "-o");
+    /// <summary>Description of the output file.</summary>
+    public const string Description = "Output G-code file; .bgcode = binary, - = standard output.";
+
+    private readonly Described<string?> _output = new("--output", Description + " " + CommonOptions.DefaultOutput, "FILE", "-o");
 
     private readonly Described<string?> _reason = Override();
 
     public Option[] All => [_output, _reason];
 
     public static Described<string?> Override()
-        => new("--override", "Write despite what the checks found; the reason is kept in the file as a comment.", "REASON");
+        => new("--override", "Write despite errors of the checks. The file keeps the reason as a comment.", "REASON");
 
-    /// <summary>Whether to write despite what checks find.</summary>
+    /// <summary>Whether to write despite errors of the checks.</summary>
     public bool Overrides(ParseResult arguments) => arguments.GetValue(_reason) is not null;
 
-    /// <summary>The file to write: the one asked for, or named after an input (standard output for standard input).</summary>
+    /// <summary>The output file: as given, or named after an input (standard output for standard input).</summary>
     public string FileFor(ParseResult arguments, string input)
     {
-        if (arguments.GetValue(_output) is { } given) return given.Length > 0 ? given : throw new CliException(ExitCode.Usage, "--output needs a name.");
+        if (arguments.GetValue(_output) is { } given) return given.Length > 0 ? given : throw new CliException(ExitCode.Usage, "--output needs a file name.");
         if (input == "-") return "-";
         var name = Path.GetFileName(input);
         if (name.EndsWith(".gz", StringComparison.OrdinalIgnoreCase)) name = Path.GetFileNameWithoutExtension(name);
         var file = Path.GetFileNameWithoutExtension(name) + ".gcode";
         return Path.GetFullPath(file) != Path.GetFullPath(input) ? file
-            : throw new CliException(ExitCode.Usage, $"{input} would be overwritten: choose another file with -o.");
+            : throw new CliException(ExitCode.Usage, $"The output would replace the input {input}. Give another name with -o.");
     }
 
-    /// <summary>Checks and writes a print, and says what was written; a file larger than <paramref name="maxBytes"/> is not.</summary>
-    /// <exception cref="CliException">A check refused, or the file would be too large.</exception>
+    /// <summary>Checks and writes a print and prints a summary. Files larger than <paramref name="maxBytes"/> are not written.</summary>
+    /// <exception cref="CliException">A check refused the print, or the file would be too large.</exception>
     public WrittenFile Write(ParseResult arguments, Session session, PrintJob job, string file, double maxBytes = double.PositiveInfinity)
     {
         WrittenGCode? written = null;
@@ -47,14 +48,14 @@ internal sealed class WriteOptions
             Result<WrittenGCode> Write(IProgress<double>? progress) => job.Write(stream, file, isDraft, reason, progress, session.Cancel);
             // A progress bar and the G-code would mix on a terminal.
             var result = file == "-" ? Write(null) : session.WithProgress("Writing", Write);
-            // What the checks merely note on is for "caterpillar check".
+            // Notes of the checks are for "caterpillar check".
             session.Print(result.Diagnostics.Where(d => d.Severity != Severity.Note || CheckCodes.Find(d.Code) is null));
             if (FindingSummary.Of(result.Diagnostics) is { } summary) session.Say(() => summary);
             findings = result.Diagnostics.Where(d => CheckCodes.Find(d.Code) is not null).ToArray();
             written = session.WrittenOrFail(result);
             if (written.Bytes > maxBytes)
                 throw new CliException(ExitCode.Refused,
-                    $"{file}: {Count(written.Lines)} lines, {Count(written.Bytes)} bytes are more than --max-size allows; nothing was written.");
+                    $"{file}: {Count(written.Bytes)} bytes ({Count(written.Lines)} lines) exceed --max-size. Nothing was written.");
         });
         // Start and end code apart; written files of some printers are not timed.
         session.Made(() => figures.Result with { Seconds = written!.PrintTime ?? Timeline.Of(job.Toolpath, job.Setup, null, session.Cancel).Duration },

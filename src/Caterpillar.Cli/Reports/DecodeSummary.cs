@@ -2,7 +2,7 @@ using Caterpillar.GCode;
 
 namespace Caterpillar.Cli;
 
-/// <summary>What a decoded file does, in lines to read.</summary>
+/// <summary>Summary of a decoded file as text.</summary>
 internal static class DecodeSummary
 {
     public static void Write(TextWriter text, DecodedGCode decoding, DecodeReport report)
@@ -15,7 +15,7 @@ internal static class DecodeSummary
             ["  Printed", $"{Mm(report.PrintLength)} in {Count(report.PrintSegments + report.PrintArcs, "move")}, {Count(moves.CountLayers(), "layer")}"],
             ["  Traveled", $"{Mm(report.TravelLength)} in {Count(report.TravelSegments + report.TravelArcs, "move")}, "
                 + Count(report.Retracts + report.FirmwareRetracts, "retraction")],
-            ["  Extruded", report.HasAmounts ? $"{Number(report.EUsed)} {unit} of E, net {Number(report.ENet)} {unit}" : "no amounts of E"],
+            ["  Extruded", report.HasAmounts ? $"{Number(report.EUsed)} {unit} of E, net {Number(report.ENet)} {unit}" : "no E"],
             ["  Printed box", Box(report.PrintBounds)],
             new[] { "  All moves", Box(report.AllBounds) },
         };
@@ -29,7 +29,7 @@ internal static class DecodeSummary
         }
     }
 
-    // What is printed in each role, if the file has roles: its length, and the width that follows from its volume.
+    // Length of each role, if the file has roles, and the width that follows from its volume.
     private static IEnumerable<string[]> Roles(Toolpath toolpath)
     {
         var totals = RoleTotals.Of(toolpath);

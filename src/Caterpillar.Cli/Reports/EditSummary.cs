@@ -1,6 +1,6 @@
 namespace Caterpillar.Cli;
 
-/// <summary>What edits have changed, in words.</summary>
+/// <summary>Summary of edits.</summary>
 internal static class EditSummary
 {
     public static string Of(Toolpath before, Toolpath after)
@@ -8,7 +8,7 @@ internal static class EditSummary
         if (ReferenceEquals(before, after)) return "";
         var parts = new List<string>();
         if (before.Count == after.Count) Compare(before, after, parts);
-        else parts.Add($"{Count(before.Count, "move")} became {Count(after.Count)}");
+        else parts.Add($"{Count(after.Count)} instead of {Count(before.Count, "move")}");
         var events = after.Events.Count - before.Events.Count;
         if (events > 0) parts.Add(Count(events, "command") + " inserted");
         if (events < 0) parts.Add(Count(-events, "command") + " removed");
@@ -18,9 +18,9 @@ internal static class EditSummary
     private static void Compare(Toolpath before, Toolpath after, List<string> parts)
     {
         var changed = ToolpathDifference.Of(before, after);
-        if (changed.Shifted > 0) parts.Add(Count(changed.Shifted, "move") + " shifted");
+        if (changed.Shifted > 0) parts.Add("position of " + Count(changed.Shifted, "move") + " changed");
         if (changed.Speeds > 0) parts.Add("speed of " + Count(changed.Speeds, "move") + " changed");
-        if (changed.Amounts > 0) parts.Add("material of " + Count(changed.Amounts, "move") + " changed");
+        if (changed.Amounts > 0) parts.Add("flow of " + Count(changed.Amounts, "move") + " changed");
     }
 
     private static string Count(int count, string thing) => $"{Count(count)} {thing}{(count == 1 ? "" : "s")}";

@@ -2,13 +2,13 @@ using Newtonsoft.Json;
 
 namespace Caterpillar.Cli;
 
-/// <summary>What the checks found: in one line, and as JSON.</summary>
+/// <summary>Findings of the checks: in one line, and as JSON.</summary>
 internal static class FindingSummary
 {
-    // Kinds that are named; more are counted.
+    // Number of kinds that are named. The others are counted.
     private const int Named = 6;
 
-    /// <summary>The kinds of errors and warnings with their counts; null where there is one kind or none, which its own message says.</summary>
+    /// <summary>The kinds of errors and warnings with their counts; null for a single kind, which has its own message.</summary>
     public static string? Of(IEnumerable<Diagnostic> diagnostics)
     {
         var kinds = diagnostics.Where(d => d.Severity != Severity.Note && CheckCodes.Find(d.Code) is not null)

@@ -2,25 +2,25 @@ using Caterpillar.GCode;
 
 namespace Caterpillar.Cli;
 
-/// <summary>What a print is, in numbers.</summary>
-/// <param name="Layers">Count of layers; 0 where there are none.</param>
-/// <param name="Size">From edge to edge in mm, without skirt and purge; null where nothing is laid down. Z is 0 for flat drawings.</param>
-/// <param name="Printed">Length of all extrusions and strokes in mm.</param>
-/// <param name="E">What is deposited, in units of E.</param>
-/// <param name="Volume">What is deposited in mm³; null where the unit of E is not known.</param>
-/// <param name="Filament">Length of filament in mm; null where there is none or its diameter is not known.</param>
-/// <param name="Mass">In g; null where the density is not known.</param>
-/// <param name="Seconds">How long it takes; null where that is not known.</param>
+/// <summary>Figures of a print.</summary>
+/// <param name="Layers">Number of layers.</param>
+/// <param name="Size">Outer dimensions in mm, without skirt and purge; null without extrusions. Z is 0 for flat drawings.</param>
+/// <param name="Printed">Length of all extrusions and pen lines in mm.</param>
+/// <param name="E">Extruded material in units of E.</param>
+/// <param name="Volume">Extruded material in mm³; null if the unit of E is unknown.</param>
+/// <param name="Filament">Length of filament in mm; null if there is none or its diameter is unknown.</param>
+/// <param name="Mass">In g; null if the density is unknown.</param>
+/// <param name="Seconds">Print time in s; null if unknown.</param>
 internal sealed record PrintFigures(
     int Layers, Vec3? Size, double Printed, double E, double? Volume, double? Filament, double? Mass, double? Seconds)
 {
-    // mm; what is thicker is pushed by a plunger.
+    // mm. Thicker material is pushed by a plunger.
     private const double ThickestFilament = 3.5;
 
     /// <summary>Names of the columns of <see cref="Values"/>.</summary>
     public static IReadOnlyList<string> Names { get; } = ["layers", "x_mm", "y_mm", "z_mm", "printed_mm", "volume_mm3", "filament_mm", "mass_g", "time_s"];
 
-    /// <summary>The figures in the order of <see cref="Names"/>; null where one is not known.</summary>
+    /// <summary>The figures in the order of <see cref="Names"/>; null = unknown.</summary>
     public IReadOnlyList<double?> Values => [Layers, Size?.X, Size?.Y, Size?.Z, Printed, Volume, Filament, Mass, Seconds];
 
     /// <summary>Of a plan.</summary>
@@ -31,7 +31,7 @@ internal sealed record PrintFigures(
     public static PrintFigures Of(DecodedGCode decoding, Toolpath toolpath)
         => Of(toolpath, Setting(decoding, "filament_diameter"), Setting(decoding, "filament_density"), null);
 
-    // Diameter in mm and density in g/cm³ are 0 where they are not known.
+    // Diameter in mm and density in g/cm³; 0 = unknown.
     private static PrintFigures Of(Toolpath toolpath, double diameter, double density, double? seconds)
     {
         var (length, e, volume, box) = ExtrusionTotals.Of(toolpath);

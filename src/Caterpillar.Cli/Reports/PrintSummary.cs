@@ -1,6 +1,6 @@
 namespace Caterpillar.Cli;
 
-/// <summary>What a print is, in one line: layers, size, material, time.</summary>
+/// <summary>Summary of a print in one line: layers, size, material, time.</summary>
 internal static class PrintSummary
 {
     public static string Of(PrintFigures print)
@@ -8,12 +8,12 @@ internal static class PrintSummary
         var parts = new List<string>();
         if (print.Layers > 0) parts.Add(print.Layers == 1 ? "1 layer" : Number(print.Layers, 0) + " layers");
         if (print.Size is { } size) parts.Add(Size(size));
-        parts.Add(print.Printed == 0 ? "nothing is printed" : Amount(print));
+        parts.Add(print.Printed == 0 ? "nothing printed" : Amount(print));
         if (print.Seconds is > 0 and var time) parts.Add("about " + Duration(time));
         return string.Join(", ", parts);
     }
 
-    /// <summary>Bytes as people read them: <c>1.2 MB</c>.</summary>
+    /// <summary>A number of bytes as text: <c>1.2 MB</c>.</summary>
     public static string Size(long bytes) => bytes == 1 ? "1 byte" : MemoryLimit.Text(bytes);
 
     /// <summary>Hours and minutes, or minutes and seconds.</summary>
@@ -31,7 +31,7 @@ internal static class PrintSummary
 
     private static string Amount(PrintFigures print)
     {
-        if (print.E == 0) return $"{Meters(print.Printed)} of strokes";
+        if (print.E == 0) return $"{Meters(print.Printed)} of pen lines";
         if (print.Volume is not > 0) return $"{Meters(print.Printed)} of extrusions, E {Number(print.E, 1)}";
         var mass = print.Mass is { } grams ? $" ({Grams(grams)})" : "";
         return print.Filament is { } filament ? $"{Meters(filament)} of filament{mass}" : $"{Number(print.Volume.Value / 1000, 2)} cm³{mass}";

@@ -5,7 +5,7 @@ using Caterpillar.Simulation;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Statistics and states as JSON: snake_case keys with their units; null for what is not known.</summary>
+/// <summary>Statistics and states as JSON: snake_case keys with their units; null = unknown.</summary>
 internal static class SimulationJson
 {
     /// <summary>A JSON array with one object for each item.</summary>

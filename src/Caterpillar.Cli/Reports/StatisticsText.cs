@@ -2,7 +2,7 @@ using Caterpillar.Simulation;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Statistics of a print as tables, with a histogram of the times of its layers.</summary>
+/// <summary>Statistics of a print as tables, with a histogram of layer times.</summary>
 internal static class StatisticsText
 {
     private const int Bins = 10;
@@ -12,10 +12,10 @@ internal static class StatisticsText
     {
         TextTable.Write(text,
         [
-            ["  Time", $"{Duration(s.Duration)} by the limits of {limits}"],
+            ["  Time", $"{Duration(s.Duration)} with the limits of {limits}"],
             ["  Printing", Duration(s.PrintTime)],
             ["  Traveling", Duration(s.TravelTime)],
-            ["  Extruder alone", $"{Duration(s.ExtruderTime)}, {NumberFormatter.Format(s.Retractions)} retraction{(s.Retractions == 1 ? "" : "s")}"],
+            ["  Extruder only", $"{Duration(s.ExtruderTime)}, {NumberFormatter.Format(s.Retractions)} retraction{(s.Retractions == 1 ? "" : "s")}"],
             .. Waits(s.Waits),
             ["  Material", Material(s)],
             .. Flow(s),
@@ -48,8 +48,8 @@ internal static class StatisticsText
 
     private static IEnumerable<string[]> Flow(PrintStatistics s)
     {
-        if (s.GreatestFlow is { } flow) yield return ["  Greatest flow", $"{Number(flow, 2)} mm³/s in move {NumberFormatter.Format(s.GreatestFlowMove)}"];
-        yield return ["  Greatest speed", $"{Number(s.GreatestSpeed, 1)} mm/s"];
+        if (s.GreatestFlow is { } flow) yield return ["  Maximum flow", $"{Number(flow, 2)} mm³/s in move {NumberFormatter.Format(s.GreatestFlowMove)}"];
+        yield return ["  Maximum speed", $"{Number(s.GreatestSpeed, 1)} mm/s"];
     }
 
     private static void Roles(TextWriter text, PrintStatistics s)
@@ -73,7 +73,7 @@ internal static class StatisticsText
         TextTable.Write(text, [["  Tool", "time", "filament", "mass"], .. rows]);
     }
 
-    // How many layers take how long.
+    // Number of layers by their time.
     private static void Histogram(TextWriter text, PrintStatistics s)
     {
         var times = s.Layers.Select(l => l.Time).ToArray();
@@ -83,7 +83,7 @@ internal static class StatisticsText
         var slow = s.Layers[Array.IndexOf(times, most)];
         text.WriteLine();
         var layers = $"  {NumberFormatter.Format(times.Length)} layers of {Duration(least)} to {Duration(most)}";
-        text.WriteLine($"{layers}; the longest begins after {Duration(slow.Start)}");
+        text.WriteLine($"{layers}. The slowest starts after {Duration(slow.Start)}.");
         var rows = counts.Select((count, i) => new[]
         {
             "  " + Number(least + (most - least) * i / counts.Length, 1) + " s",

@@ -3,14 +3,14 @@ using Newtonsoft.Json;
 
 namespace Caterpillar.Cli;
 
-/// <summary>What a verb reports about what it planned and wrote, as JSON: mm, mm³, bytes.</summary>
+/// <summary>Report of a plan and its output file as JSON, in mm, mm³ and bytes.</summary>
 internal static class WorkReport
 {
-    /// <param name="inputs">The files that were read.</param>
-    /// <param name="output">The file that was written.</param>
-    /// <param name="counts">Counts of the verb itself, which come first.</param>
-    /// <param name="plan">The plan; its toolpath is measured.</param>
-    /// <param name="written">What was written, and what the checks found.</param>
+    /// <param name="inputs">The input files.</param>
+    /// <param name="output">The output file.</param>
+    /// <param name="counts">Counts of the verb, which come first.</param>
+    /// <param name="plan">The plan, whose toolpath is measured.</param>
+    /// <param name="written">The written file and the findings of the checks.</param>
     public static string ToJson(
         IReadOnlyList<string> inputs, string output, IEnumerable<KeyValuePair<string, double>> counts, Plan plan, WrittenFile written)
     {

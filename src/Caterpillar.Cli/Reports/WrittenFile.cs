@@ -2,5 +2,5 @@ using Caterpillar.Checks;
 
 namespace Caterpillar.Cli;
 
-/// <summary>A G-code file that was written, and what the checks found in it.</summary>
+/// <summary>A written G-code file and the findings of the checks.</summary>
 internal sealed record WrittenFile(WrittenGCode GCode, IReadOnlyList<Diagnostic> Findings);

@@ -2,7 +2,7 @@ using Caterpillar.Drawings;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Reads files of curves that options name.</summary>
+/// <summary>Reads curve files of options.</summary>
 internal static class Curves
 {
     private const double Tolerance = 0.05;

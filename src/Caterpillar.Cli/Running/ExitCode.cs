@@ -1,6 +1,6 @@
 namespace Caterpillar.Cli;
 
-/// <summary>What the program answers to its caller.</summary>
+/// <summary>Exit codes of the program.</summary>
 internal static class ExitCode
 {
     public const int Done = 0;

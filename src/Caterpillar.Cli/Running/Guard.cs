@@ -2,7 +2,7 @@ using System.Text.RegularExpressions;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Turns all that work may throw into a message and an exit code.</summary>
+/// <summary>Turns every exception into a message and an exit code.</summary>
 internal static partial class Guard
 {
     /// <summary>Does the work.</summary>
@@ -19,7 +19,7 @@ internal static partial class Guard
         }
         catch (OperationCanceledException)
         {
-            session.Messages.WriteLine("Interrupted; nothing was written.");
+            session.Messages.WriteLine("Interrupted. Nothing was written.");
             return ExitCode.Interrupted;
         }
         catch (Exception disk) when (disk is IOException or UnauthorizedAccessException or InvalidDataException)
@@ -35,13 +35,13 @@ internal static partial class Guard
         catch (Exception full) when (IsOutOfMemory(full))
         {
             session.LacksMemory = true;
-            session.Messages.WriteLine($"This takes more memory than the limit of {MemoryLimit.Text(session.Memory.Bytes)}; nothing was written. "
+            session.Messages.WriteLine($"Out of memory: the limit is {MemoryLimit.Text(session.Memory.Bytes)}. Nothing was written. "
                 + Session.MoreMemory);
             return ExitCode.BadInput;
         }
         catch (Exception bug)
         {
-            session.Messages.WriteLine("This is an internal error; please report it together with the input that caused it:");
+            session.Messages.WriteLine("Internal error. Please report it with the input that caused it:");
             session.Messages.WriteLine(bug.ToString());
             return ExitCode.Bug;
         }
@@ -50,13 +50,13 @@ internal static partial class Guard
     private static bool IsOutOfMemory(Exception problem)
         => problem is OutOfMemoryException || (problem is AggregateException several && several.Flatten().InnerExceptions.Any(IsOutOfMemory));
 
-    // The runtime's messages give the full path; users know the one they typed as an argument.
+    // Messages of the runtime have full paths. Users expect the path that they typed.
     private static string Sentence(Exception disk) => disk switch
     {
-        FileNotFoundException { FileName: { } file } => $"{Short(file)}: there is no such file.",
+        FileNotFoundException { FileName: { } file } => $"{Short(file)}: file not found.",
         DirectoryNotFoundException when Quoted().Match(disk.Message) is { Success: true } path
-            => $"{Short(path.Groups[1].Value)}: there is no such folder.",
-        UnauthorizedAccessException when Quoted().Match(disk.Message) is { Success: true } path => $"{Short(path.Groups[1].Value)}: access is denied.",
+            => $"{Short(path.Groups[1].Value)}: folder not found.",
+        UnauthorizedAccessException when Quoted().Match(disk.Message) is { Success: true } path => $"{Short(path.Groups[1].Value)}: access denied.",
         _ => disk.Message,
     };
 

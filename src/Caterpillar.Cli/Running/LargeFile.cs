@@ -1,6 +1,6 @@
 namespace Caterpillar.Cli;
 
-/// <summary>Reads large files in pieces side by side: most of the time goes into copying them from the memory of the system.</summary>
+/// <summary>Reads large files in parallel pieces: most of the time goes into copying them from system memory.</summary>
 internal static class LargeFile
 {
     private const int PieceSize = 4 << 20;

@@ -4,8 +4,8 @@ namespace Caterpillar.Cli;
 internal static class Meshes
 {
     /// <summary>All meshes of all files, or none if one of them cannot be read.</summary>
-    /// <param name="files">What is read, in this order.</param>
-    /// <param name="session">Where standard input is.</param>
+    /// <param name="files">The files, in this order.</param>
+    /// <param name="session">Reads files and standard input.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="sources">Gets the file of each mesh.</param>
     public static Result<IReadOnlyList<NamedMesh>> Read(

@@ -6,13 +6,13 @@ using Spectre.Console;
 
 namespace Caterpillar.Cli;
 
-/// <summary>What a verb works with: streams, profiles, cancellation, progress and messages.</summary>
+/// <summary>Environment of a verb: streams, profiles, cancellation, progress and messages.</summary>
 internal sealed class Session
 {
-    /// <summary>The advice after what took too much.</summary>
-    public const string MoreMemory = "--memory-limit 8GB, or any other size, lets the work take more.";
+    /// <summary>Advice if the memory limit is exceeded.</summary>
+    public const string MoreMemory = "Raise the limit, for example with --memory-limit 8GB.";
 
-    /// <summary>Code of the note about words of a file that do nothing here, such as M84.</summary>
+    /// <summary>Code of the note about words of a file without effect, such as M84.</summary>
     public const string Harmless = "gcode.ignored";
 
     private readonly Func<Stream> _input;
@@ -25,7 +25,7 @@ internal sealed class Session
         Messages = messages;
     }
 
-    /// <summary>Where messages go: standard error.</summary>
+    /// <summary>Output for messages: standard error.</summary>
     public TextWriter Messages { get; }
 
     public CancellationToken Cancel { get; init; }
@@ -35,16 +35,16 @@ internal sealed class Session
 
     public ProfileLibrary Profiles { get; init; } = new();
 
-    /// <summary>Only what is wrong is said.</summary>
+    /// <summary>Only errors and warnings are printed.</summary>
     public bool Quiet { get; set; }
 
-    /// <summary>The work is a part of other work, which says itself what was made.</summary>
+    /// <summary>The work is part of other work, which prints its own summary.</summary>
     public bool IsPart { get; init; }
 
-    /// <summary>The work is one of many; what it makes is wanted for a table.</summary>
+    /// <summary>The work is one of many runs, whose figures are collected for a table.</summary>
     public bool Collects { get; init; }
 
-    /// <summary>What was written, where it was asked for.</summary>
+    /// <summary>Figures of the written file, if they are collected.</summary>
     public WrittenFigures? Written { get; private set; }
 
     /// <summary>The work ended because memory ran out.</summary>
@@ -53,10 +53,10 @@ internal sealed class Session
     /// <summary>The first error that was found.</summary>
     public Diagnostic? FirstError { get; private set; }
 
-    /// <summary>How much memory the work may take.</summary>
+    /// <summary>Memory limit of the work.</summary>
     public MemoryLimit Memory { get; set; } = MemoryLimit.Default;
 
-    /// <summary>Makes the runtime keep the limit where an estimate fails; null where others live in the process.</summary>
+    /// <summary>Makes the runtime enforce the limit if an estimate fails; null = other code shares the process.</summary>
     public Action<MemoryLimit>? EnforceMemory { get; init; }
 
     /// <summary>The bytes of a file, or of standard input for <c>-</c>.</summary>
@@ -90,7 +90,7 @@ internal sealed class Session
     /// <summary>Writes a file whole or not at all, or standard output for <c>-</c>.</summary>
     public void Write(string file, Action<Stream> write) => Write(file, (stream, _) => write(stream));
 
-    /// <summary>The same; the second argument of <paramref name="write"/> is true where what is written is thrown away if it fails.</summary>
+    /// <summary>The same. The second argument of <paramref name="write"/> is true if the output is discarded on failure.</summary>
     public void Write(string file, Action<Stream, bool> write)
     {
         if (file == "-")
@@ -114,13 +114,13 @@ internal sealed class Session
         write(writer);
     });
 
-    /// <summary>A line that closes the work, for whoever watches it.</summary>
+    /// <summary>Prints a line of the summary.</summary>
     public void Say(Func<string> line)
     {
         if (!Quiet) Messages.WriteLine(line());
     }
 
-    /// <summary>Says what was written, and keeps its figures for a table.</summary>
+    /// <summary>Prints the summary of the written file, and keeps its figures for a table.</summary>
     public void Made(Func<PrintFigures> print, long lines, long bytes, Func<PrintFigures, string> line)
     {
         if (Quiet && !Collects) return;
@@ -129,7 +129,7 @@ internal sealed class Session
         if (!Quiet && !IsPart) Messages.WriteLine(line(figures));
     }
 
-    /// <summary>Notes that a verb keeps for its end.</summary>
+    /// <summary>Prints notes at the end of a verb.</summary>
     public void Say(IEnumerable<Diagnostic> notes)
     {
         foreach (var note in notes) Say(note.ToString);
@@ -138,7 +138,7 @@ internal sealed class Session
     /// <summary>Keeps the first error of findings that are not printed as messages.</summary>
     public void Found(IEnumerable<Diagnostic> findings) => FirstError ??= findings.FirstOrDefault(d => d.Severity == Severity.Error);
 
-    /// <summary>Prints diagnostics, one line each. Words without effect belong to reports about a file, and are left out.</summary>
+    /// <summary>Prints diagnostics, one line each, except the note about words without effect.</summary>
     public void Print(IEnumerable<Diagnostic> diagnostics)
     {
         foreach (var diagnostic in diagnostics)
@@ -150,19 +150,19 @@ internal sealed class Session
         }
     }
 
-    /// <summary>The decoded file; one that is no G-code is bad input, whatever else was noticed in it.</summary>
-    /// <exception cref="CliException">There is none.</exception>
+    /// <summary>The decoded file. A file that is not G-code is bad input.</summary>
+    /// <exception cref="CliException">The file cannot be decoded.</exception>
     public DecodedGCode GCodeOrFail(Result<DecodedGCode> result)
         => result.Value?.NotGCode is { } none ? ValueOrFail(new Result<DecodedGCode>(null, [none])) : ValueOrFail(result);
 
-    /// <summary>The result of long work, with a progress bar on a terminal; its diagnostics are printed.</summary>
-    /// <exception cref="CliException">There is none.</exception>
+    /// <summary>The result of long work, with a progress bar on a terminal. Its diagnostics are printed.</summary>
+    /// <exception cref="CliException">The work failed.</exception>
     public T Run<T>(string label, Func<IProgress<double>?, Result<T>> work)
         where T : class
         => ValueOrFail(WithProgress(label, work));
 
     /// <summary>Decodes a file while it is read.</summary>
-    /// <exception cref="CliException">It is no G-code.</exception>
+    /// <exception cref="CliException">It is not G-code.</exception>
     public DecodedGCode Decode(string file, DecodeOptions options)
     {
         using var stream = OpenRead(file);
@@ -173,13 +173,13 @@ internal sealed class Session
     public Result<DecodedGCode> Decode(Stream stream, string name, DecodeOptions options)
         => WithProgress("Reading " + name, progress => GCodeDecoder.DecodeStream(stream, options, name, progress, Cancel));
 
-    /// <summary>What was written.</summary>
-    /// <exception cref="CliException">Nothing was.</exception>
+    /// <summary>The written file.</summary>
+    /// <exception cref="CliException">Nothing was written.</exception>
     public WrittenGCode WrittenOrFail(Result<WrittenGCode> result)
         => result.Value ?? throw new CliException(result.Diagnostics.Any(d => d.Code == SafeWriter.Refused) ? ExitCode.Refused : ExitCode.BadInput);
 
     /// <summary>Prints the diagnostics and returns the value.</summary>
-    /// <exception cref="CliException">There is none.</exception>
+    /// <exception cref="CliException">The result has no value.</exception>
     public T ValueOrFail<T>(Result<T> result, int code = ExitCode.BadInput)
         where T : class
     {
@@ -199,7 +199,7 @@ internal sealed class Session
 
     private static void NoFolder(string file)
     {
-        if (string.IsNullOrWhiteSpace(file)) throw new CliException(ExitCode.Usage, "The name of a file is empty.");
+        if (string.IsNullOrWhiteSpace(file)) throw new CliException(ExitCode.Usage, "A file name is empty.");
         if (Directory.Exists(file)) throw new CliException(ExitCode.BadInput, $"{file} is a folder, not a file.");
     }
 
@@ -209,5 +209,5 @@ internal sealed class Session
     }
 }
 
-/// <summary>A G-code file that was written: its print, its lines and bytes.</summary>
+/// <summary>A written G-code file: its print, lines and bytes.</summary>
 internal sealed record WrittenFigures(PrintFigures Print, long Lines, long Bytes);

@@ -2,14 +2,14 @@ using System.CommandLine.Parsing;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Before any work begins: no output may be an input, and the ending of its name must fit what is written.</summary>
+/// <summary>Checks before any work begins that no output is an input, and that its extension fits its contents.</summary>
 internal static class OutputGuard
 {
-    // Options whose values are files that are read; all arguments are.
+    // Options whose values are input files. All arguments are.
     private static readonly string[] Inputs = ["--printer", "--material", "--settings", "--import", "--base"];
     private static readonly string[] Outputs = ["--output", "--material-output"];
 
-    // Endings that people would take for something else than what a verb writes.
+    // Extensions that suggest other contents than a verb writes.
     private static readonly Dictionary<string, string> Kinds = new(StringComparer.OrdinalIgnoreCase)
     {
         [".stl"] = "a mesh", [".obj"] = "a mesh", [".ply"] = "a mesh", [".3mf"] = "a mesh", [".step"] = "a model", [".stp"] = "a model", [".3dm"] = "a model",
@@ -19,7 +19,7 @@ internal static class OutputGuard
         [".gz"] = "a packed file", [".zip"] = "a packed file",
     };
 
-    /// <exception cref="CliException">An output is an input, or is named as something else (wrong usage).</exception>
+    /// <exception cref="CliException">An output is an input, or its extension is wrong (wrong usage).</exception>
     public static void Check(Verb verb, ParseResult parsed)
     {
         var inputs = Arguments(parsed).Concat(Inputs.SelectMany(name => Values(parsed, name))).Where(f => f != "-" && File.Exists(f)).ToArray();
@@ -30,7 +30,7 @@ internal static class OutputGuard
             {
                 CheckName(name, output, name == "--output" ? verb.Writes : ["JSON"]);
                 if (inputs.FirstOrDefault(input => IsSame(input, output)) is { } input)
-                    throw new CliException(ExitCode.Usage, $"{name} {output}: this would replace the input {input}. Choose another name.");
+                    throw new CliException(ExitCode.Usage, $"{name} {output} would replace the input {input}. Give another name.");
             }
         }
     }
@@ -38,7 +38,8 @@ internal static class OutputGuard
     private static void CheckName(string option, string output, string[] kinds)
     {
         if (kinds.Length == 0 || !Kinds.TryGetValue(Path.GetExtension(output), out var named) || kinds.Contains(named)) return;
-        throw new CliException(ExitCode.Usage, $"{option} {output}: the ending {Path.GetExtension(output)} means {named}, but this writes {kinds[0]}.");
+        throw new CliException(
+            ExitCode.Usage, $"{option} {output}: the extension {Path.GetExtension(output)} means {named}, but the output is {kinds[0]}. Give another name.");
     }
 
     private static IEnumerable<string> Arguments(ParseResult parsed)
@@ -50,7 +51,7 @@ internal static class OutputGuard
     private static bool IsSame(string a, string b)
         => string.Equals(Real(a), Real(b), OperatingSystem.IsLinux() ? StringComparison.Ordinal : StringComparison.OrdinalIgnoreCase);
 
-    // The path without links in any of its folders; what is not there yet has no links of its own.
+    // The path without links in any of its folders.
     private static string Real(string path)
     {
         var full = Path.GetFullPath(path);

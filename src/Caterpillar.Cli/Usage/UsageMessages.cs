@@ -4,62 +4,77 @@ using Caterpillar.Expressions;
 
 namespace Caterpillar.Cli;
 
-/// <summary>What is wrong with a command line, in sentences that name what was probably meant.</summary>
+/// <summary>Messages for a wrong command line, with suggestions.</summary>
 internal static partial class UsageMessages
 {
-    /// <summary>The sentences; none where nothing is wrong.</summary>
+    /// <summary>The messages; none if the command line is right.</summary>
     public static IEnumerable<string> Of(ParseResult parsed, Command root)
     {
         if (UnknownVerb(parsed, root) is { } verb) return [verb];
         if (UnknownOption(parsed) is { } option) return [option];
-        return parsed.Errors.Select(e => Plain(e.Message)).Distinct();
+        return parsed.Errors.Select(e => Plain(e, parsed.CommandResult.Command)).Distinct();
     }
 
-    /// <summary>A misspelled option, which the parser takes for the value of an argument where that accepts any text.</summary>
+    /// <summary>The message for an unknown option, which the parser takes for the value of an argument, or null.</summary>
     public static string? UnknownOption(ParseResult parsed)
     {
         if (parsed.Tokens.Any(t => t.Type == TokenType.DoubleDash)) return null;
         var many = parsed.CommandResult.Command is Verb { Batch: { } batch } ? parsed.GetResult(batch.Each)?.Tokens ?? [] : [];
         var arguments = parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(a => a.Tokens).Concat(many).Select(t => t.Value);
         if (arguments.Concat(parsed.UnmatchedTokens).FirstOrDefault(v => v.Length > 1 && v[0] == '-' && !IsNumber(v)) is not { } word) return null;
-        var known = parsed.CommandResult.Command.Options.Concat(parsed.RootCommandResult.Command.Options).Select(o => o.Name);
-        var name = word.Split('=', ':')[0];
-        return $"There is no option {name}." + (SpellingSuggestion.Nearest(name, known) is { } near ? $" Did you mean {near}?"
-            : $" For a file of this name write ./{name}");
+        var (verb, root) = (parsed.CommandResult.Command, parsed.RootCommandResult.Command);
+        var parts = word.Split(['=', ':'], 2);
+        var name = parts[0];
+        var next = parsed.Tokens.SkipWhile(t => t.Value != word).Skip(1).FirstOrDefault()?.Value;
+        var value = new[] { parts.ElementAtOrDefault(1), next }.FirstOrDefault(v => v is not null && IsNumber(v));
+        var known = verb.Options.Concat(root.Options).Select(o => o.Name.TrimStart('-'));
+        return $"Unknown option {name}. " + (SlicerWords.Advice(name, value, verb, root.Subcommands)
+            ?? (SpellingSuggestion.Nearest(name.TrimStart('-'), known) is { } near ? $"Did you mean --{near}?" : $"If it is a file, write ./{name}"));
     }
 
     private static string? UnknownVerb(ParseResult parsed, Command root)
     {
         if (parsed.CommandResult.Command is Verb || parsed.UnmatchedTokens.Count == 0) return null;
         var word = parsed.UnmatchedTokens[0];
-        return word.StartsWith('-') ? null : $"There is no verb {word}." + SpellingSuggestion.Hint(word, root.Subcommands.Select(v => v.Name));
+        return word.StartsWith('-') ? null : $"Unknown command {word}." + SpellingSuggestion.Hint(word, root.Subcommands.Select(v => v.Name));
     }
 
     private static bool IsNumber(string word) => Basics.NumberReader.TryParse(word.Split(',', '%')[0], out _);
 
-    // The parser names types of the runtime, and lists choices over many lines.
-    private static string Plain(string message)
+    // The parser names types of the runtime, and lists choices on many lines.
+    private static string Plain(ParseError error, Command command)
     {
-        if (WrongChoice().Match(message) is { Success: true } choice) return NoneOf(choice.Groups["value"].Value, choice.Groups["choices"].Value);
+        var message = error.Message;
+        if (WrongChoice().Match(message) is { Success: true } choice) return NoneOf(error, choice);
         if (WrongType().Match(message) is { Success: true } wrong)
         {
             var type = wrong.Groups["type"].Value;
             var what = type.Contains("Int", StringComparison.Ordinal) ? "a whole number" : type.Contains("Double", StringComparison.Ordinal) ? "a number"
-                : type.Contains("Boolean", StringComparison.Ordinal) ? "nothing, true or false" : "another value";
+                : type.Contains("Boolean", StringComparison.Ordinal) ? "no value, true or false" : "another value";
             return $"{wrong.Groups["option"].Value} needs {what}, not \"{wrong.Groups["value"].Value}\".";
         }
-        if (WrongWord().Match(message) is { Success: true } word) return NoneOf(word.Groups["value"].Value, word.Groups["choices"].Value);
+        if (WrongWord().Match(message) is { Success: true } word) return NoneOf(error, word);
         if (MissingValue().Match(message) is { Success: true } missing)
         {
-            return $"{missing.Groups["name"].Value} needs {(missing.Groups["kind"].Value == "command" ? "a file." : "a value.")}";
+            return missing.Groups["kind"].Value == "command" ? $"The {command.Arguments[0].Name} is missing."
+                : $"{missing.Groups["name"].Value} needs a value.";
         }
-        return message == "Required command was not provided." ? "Say what to do: a verb is missing." : message;
+        return message == "Required command was not provided." ? "The command is missing." : message;
     }
 
-    private static string NoneOf(string value, string lines)
+    private static string NoneOf(ParseError error, Match match)
     {
-        var choices = lines.Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries).Select(c => c.Trim('\'')).ToArray();
-        return $"\"{value}\" is none of {string.Join(", ", choices)}." + SpellingSuggestion.Hint(value, choices);
+        var value = match.Groups["value"].Value;
+        var choices = match.Groups["choices"].Value.Split('\n', StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)
+            .Select(c => c.Trim('\'').ToLowerInvariant()).ToArray();
+        var name = error.SymbolResult switch
+        {
+            OptionResult o => o.Option.Name,
+            ArgumentResult { Parent: OptionResult o } => o.Option.Name,
+            ArgumentResult a => a.Argument.Name,
+            _ => "The value",
+        };
+        return $"{name} needs {Words.Either(choices)}, not \"{value}\"." + SpellingSuggestion.Hint(value, choices);
     }
 
     [GeneratedRegex("argument '(?<value>.*)' for option .*Did you mean one of the following\\?(?<choices>.*)$", RegexOptions.Singleline)]

@@ -4,25 +4,25 @@ using Newtonsoft.Json;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Finds what a printer cannot or must not do in G-code files.</summary>
+/// <summary>Checks G-code files against a printer.</summary>
 internal sealed class CheckVerb : Verb
 {
     private readonly Argument<string[]> _files = new("FILE")
     {
-        Description = "G-code files, also binary (.bgcode) or packed with gzip, or - for standard input.",
+        Description = CommonOptions.GCodeInput,
         Arity = ArgumentArity.OneOrMore,
     };
 
     private readonly Option<string?> _flavor = CommonOptions.Flavor();
     private readonly Described<string?> _onto = new("--onto",
-        "An object that lies on the bed where its file says, and is printed on: extrusions may lie on it, and the head must not go through it.", "SCAN");
+        "Object that is printed on, at its position in the file. It supports extrusions, and collisions with it are reported.", "FILE");
 
     private readonly SetupOptions _setup = new();
     private readonly Option<int> _threads = CommonOptions.Threads();
     private readonly Described<bool> _json = new("--json", "Print the findings as a JSON array.");
 
     public CheckVerb()
-        : base("check", "Check G-code files against a printer: where the head goes and what it would hit, extrusions, speeds, flow, temperatures.")
+        : base("check", "Check G-code files against a printer: print area, collisions, extrusions, speeds, flow and temperatures.")
     {
         Arguments.Add(_files);
         Add([.. _setup.All, _flavor, _onto, _threads, _json]);
@@ -31,8 +31,8 @@ internal sealed class CheckVerb : Verb
 
     public override IReadOnlyList<(string Line, string Does)> Examples =>
     [
-        ("check part.gcode --printer ender3", "what a printer cannot or must not do"),
-        ("check part.gcode --json", "the same as data, with object, layer and line"),
+        ("check part.gcode --printer ender3", "Check a file against a printer"),
+        ("check part.gcode --json", "Print findings as JSON, with object, layer and line"),
     ];
 
     public override int Run(ParseResult arguments, Session session)

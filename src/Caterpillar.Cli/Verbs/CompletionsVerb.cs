@@ -1,12 +1,12 @@
 namespace Caterpillar.Cli;
 
-/// <summary>Writes the completions of a shell.</summary>
+/// <summary>Writes completions for a shell.</summary>
 internal sealed class CompletionsVerb : Verb
 {
-    private readonly Argument<string> _shell = new("SHELL") { Description = "bash, zsh, fish or powershell." };
+    private readonly Argument<string> _shell = new("SHELL") { Description = "Shell to write completions for." };
 
     public CompletionsVerb()
-        : base("completions", "Write what a shell needs to complete verbs, options and values.")
+        : base("completions", "Write shell completions for commands, options and values.")
     {
         _shell.AcceptOnlyFromAmong("bash", "zsh", "fish", "powershell");
         Arguments.Add(_shell);
@@ -14,9 +14,9 @@ internal sealed class CompletionsVerb : Verb
 
     public override IReadOnlyList<(string Line, string Does)> Examples =>
     [
-        ("completions bash > caterpillar.bash", "to be sourced in ~/.bashrc"),
-        ("completions zsh > _caterpillar", "for a folder of $fpath"),
-        ("completions fish > caterpillar.fish", "for ~/.config/fish/completions"),
+        ("completions bash > caterpillar.bash", "For bash: source this file in ~/.bashrc"),
+        ("completions zsh > _caterpillar", "For zsh: put this file into a folder of $fpath"),
+        ("completions fish > caterpillar.fish", "For fish: put this file into ~/.config/fish/completions"),
     ];
 
     public override int Run(ParseResult arguments, Session session)

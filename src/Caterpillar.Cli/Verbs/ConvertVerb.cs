@@ -5,34 +5,33 @@ using Caterpillar.Jobs;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Decodes a G-code file and writes it again: edited, for another firmware, in another notation. Lines that need no change keep their bytes.</summary>
+/// <summary>Edits a G-code file, or converts it to another flavor or notation. Lines that need no change keep their bytes.</summary>
 internal sealed class ConvertVerb : Verb
 {
-    private readonly Argument<string> _file = new("FILE") { Description = "G-code file, also binary (.bgcode) or packed with gzip, or - for standard input." };
-    private readonly Described<string?> _out = new("--output", "File to write, binary where its name ends in .bgcode; - is standard output.", "FILE", "-o");
+    private readonly Argument<string> _file = new("FILE") { Description = CommonOptions.GCodeInput };
+    private readonly Described<string?> _out = new("--output", WriteOptions.Description, "FILE", "-o");
 
-    private readonly Described<bool> _inPlace = new("--in-place", "Replace the input itself, instead of --output.");
+    private readonly Described<bool> _inPlace = new("--in-place", "Replace the input file.");
 
-    private readonly Described<string?> _from = CommonOptions.Flavor("--from",
-        "Firmware the file was made for; detected from the file by default.", "FLAVOR");
-    private readonly Described<string?> _to = CommonOptions.Flavor("--flavor", "Firmware to write for.", "FLAVOR");
-    private readonly Described<string?> _e = new("--e", "Relative (M83) or absolute (M82) E.", "relative|absolute");
-    private readonly Described<string?> _unit = new("--e-unit", "E in mm of filament or in mm³.", "mm|mm3");
-    private readonly Described<double?> _diameter = new("--filament-diameter", "Filament diameter, if the file does not state it.", "MM");
-    private readonly Described<string?> _arcs = new("--arcs", "Fit arcs to extrusions, or expand arcs into chords.", "fit|expand");
+    private readonly Described<string?> _from = CommonOptions.Flavor("--from-flavor", "G-code flavor of the input. Default: detected.");
+    private readonly Described<string?> _to = CommonOptions.Flavor("--flavor", "G-code flavor of the output. Default: same as the input.");
+    private readonly Described<string?> _e = new("--e-mode", "E mode: relative (M83) or absolute (M82).", "relative|absolute");
+    private readonly Described<string?> _unit = new("--e-unit", "Unit of E: mm of filament, or mm³.", "mm|mm3");
+    private readonly Described<double?> _diameter = CommonOptions.FilamentDiameter();
+    private readonly Described<string?> _arcs = new("--arcs", "Fit arcs to extrusions, or expand arcs into straight moves.", "fit|expand");
     private readonly Described<double> _tolerance = new("--tolerance",
-        "Maximum deviation of fitted arcs and of chords.", "MM") { DefaultValueFactory = _ => 0.02 };
+        "Maximum deviation of fitted, expanded or deformed paths.", "MM") { DefaultValueFactory = _ => 0.02 };
     private readonly Described<bool> _millimeters = new("--mm", "Convert inches to millimeters.");
     private readonly Described<double> _retraction = new("--retraction",
-        "Retraction, in units of E, that replaces G10 and G11 where the target lacks them.", "E");
+        "Retraction length, in units of E, that replaces G10 and G11 if the output flavor lacks them.", "E");
     private readonly Described<string?> _decimals = new("--decimals",
-        "Maximum decimals of X, Y and Z, of E and of F, such as 3,5,0; later ones may be omitted.", "XYZ,E,F");
+        "Maximum decimals of X, Y and Z, of E and of F, such as 3,5,0. The last ones may be omitted.", "XYZ,E,F");
     private readonly ToolpathEditOptions _edits = new();
-    private readonly SetupOptions _setup = new();
+    private readonly SetupOptions _setup = new("Without it, nothing is checked.");
     private readonly Option<string?> _reason = WriteOptions.Override();
 
     public ConvertVerb()
-        : base("convert", "Decode a G-code file and write it again: edited, for another firmware, in another notation.")
+        : base("convert", "Edit a G-code file, or convert it to another flavor or notation. With --printer, the result is checked.")
     {
         Arguments.Add(_file);
         Add([_out, _inPlace, _from, _to, _e, _unit, _diameter, _arcs, _tolerance, _millimeters, _retraction, _decimals]);
@@ -45,10 +44,10 @@ internal sealed class ConvertVerb : Verb
 
     public override IReadOnlyList<(string Line, string Does)> Examples =>
     [
-        ("convert part.gcode -o slow.gcode --speed 70% --role \"outer wall\"", "slower outer walls"),
-        ("convert part.gcode -o nut.gcode --pause-at-layer 3", "a pause at a layer"),
-        ("convert part.gcode -o klipper.gcode --flavor klipper --e relative", "for other firmware"),
-        ("convert part.gcode -o twisted.gcode --deform \"r, theta + 2*z, z\" --axis middle", "twisted about its middle"),
+        ("convert part.gcode -o slow.gcode --speed 70% --role \"outer wall\"", "Slow down the outer walls"),
+        ("convert part.gcode -o nut.gcode --pause-at-layer 3", "Pause before a layer"),
+        ("convert part.gcode -o klipper.gcode --flavor klipper --e-mode relative", "Convert to another flavor"),
+        ("convert part.gcode -o twisted.gcode --deform \"r, theta + 2*z, z\" --axis center", "Twist the print about its center"),
     ];
 
     public override string[] Writes => ["G-code"];
@@ -68,7 +67,7 @@ internal sealed class ConvertVerb : Verb
         var document = Read(file, session);
         var decoding = session.GCodeOrFail(session.WithProgress("Reading", progress => GCodeDecoder.Decode(document, reading, progress, session.Cancel)));
         var job = Edited(new FileJob(decoding, reading), arguments, session) with { Code = _edits.Code(arguments), Target = target };
-        // Summed up while the file is written.
+        // While the file is being written.
         var summary = session.Quiet && !session.Collects ? null
             : Task.Run(() => (Edits: EditSummary.Of(decoding.Toolpath, job.Toolpath), Print: PrintFigures.Of(decoding, job.Toolpath)));
         var written = Write(output, job, arguments, session);
@@ -84,8 +83,9 @@ internal sealed class ConvertVerb : Verb
     {
         string[] parts =
         [
-            edits, job.Code.Start is null ? "" : "start code replaced", job.Code.End is null ? "" : "end code replaced",
-            job.Flavor != job.File.Flavor ? $"{job.File.Flavor.Title} became {job.Flavor.Title}" : job.Target is not null ? "in another notation" : "",
+            edits, job.Code.Start is null ? "" : "start G-code replaced", job.Code.End is null ? "" : "end G-code replaced",
+            job.Flavor != job.File.Flavor ? $"converted from {job.File.Flavor.Title} to {job.Flavor.Title}"
+                : job.Target is not null ? "notation converted" : "",
         ];
         var changes = string.Join(", ", parts.Where(p => p.Length > 0));
         return changes.Length > 0 ? changes : "nothing changed";
@@ -94,11 +94,11 @@ internal sealed class ConvertVerb : Verb
     private string Output(string file, ParseResult arguments)
     {
         var output = arguments.GetValue(_out);
-        if (!arguments.GetValue(_inPlace)) return output ?? throw new CliException(ExitCode.Usage, "Say where to write: --output FILE, or --in-place.");
-        if (output is not null) throw new CliException(ExitCode.Usage, "--in-place and --output cannot go together.");
+        if (!arguments.GetValue(_inPlace)) return output ?? throw new CliException(ExitCode.Usage, "The output is missing. Give --output FILE or --in-place.");
+        if (output is not null) throw new CliException(ExitCode.Usage, "--in-place cannot be combined with --output.");
         if (file == "-") throw new CliException(ExitCode.Usage, "--in-place needs a file, not standard input.");
         return !file.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? file
-            : throw new CliException(ExitCode.Usage, $"--in-place: {file} is packed, and G-code is written unpacked; use --output.");
+            : throw new CliException(ExitCode.Usage, $"--in-place cannot write gzip files such as {file}. Use --output.");
     }
 
     private static GCodeDocument Read(string file, Session session)
@@ -112,18 +112,18 @@ internal sealed class ConvertVerb : Verb
         var tolerance = Tolerance(arguments);
         var edits = _edits.Of(job.Toolpath, tolerance, () => Pause(arguments, session), arguments, session);
         var edited = job.Edit(arguments.GetValue(_arcs) == "fit" ? edits with { FitArcs = new ArcFitOptions { Tolerance = tolerance } } : edits);
-        // A layer that is not there was asked for on the command line.
+        // A missing layer is an error of the command line.
         if (edited.Diagnostics.FirstOrDefault(d => d.Code == "toolpath.no_layer") is not { } none) return session.ValueOrFail(edited);
         session.Print(edited.Diagnostics.Where(d => d != none));
         throw new CliException(ExitCode.Usage, none.Message);
     }
 
-    // Checked only if a printer is named: the one that the file was made for is unknown.
+    // Checked only if a printer is given: the printer of the file is unknown.
     private WrittenGCode Write(string output, FileJob job, ParseResult arguments, Session session)
     {
         var reason = arguments.GetValue(_reason);
         var isChecked = _setup.IsGiven(arguments);
-        if (!isChecked && reason is not null) throw new CliException(ExitCode.Usage, "--override needs --printer: without it nothing is checked.");
+        if (!isChecked && reason is not null) throw new CliException(ExitCode.Usage, "--override needs --printer. Without it, nothing is checked.");
         var setup = isChecked ? _setup.Resolve(arguments, session) : null;
         WrittenGCode? written = null;
         session.Write(output, (stream, _) =>
@@ -135,7 +135,7 @@ internal sealed class ConvertVerb : Verb
         return written!;
     }
 
-    // How high a printer goes is known only of one that is named.
+    // The maximum height is known only of a given printer.
     private Pause Pause(ParseResult arguments, Session session)
     {
         var pause = PauseMoves.Of(_setup.Resolve(arguments, session));
@@ -170,7 +170,7 @@ internal sealed class ConvertVerb : Verb
         var decimals = new int?[3];
         if (arguments.GetValue(_decimals) is not { } text) return decimals;
         var parts = text.Split(',');
-        if (parts.Length > 3) throw new CliException(ExitCode.Usage, "--decimals takes at most three numbers: of X, Y and Z, of E and of F.");
+        if (parts.Length > 3) throw new CliException(ExitCode.Usage, "--decimals needs at most three numbers: for X, Y and Z, for E and for F.");
         for (var i = 0; i < parts.Length; i++)
         {
             if (!NumberReader.TryParseInt(parts[i].Trim(), out var count)
@@ -185,8 +185,5 @@ internal sealed class ConvertVerb : Verb
 
     private double Tolerance(ParseResult arguments)
         => arguments.GetValue(_tolerance) is > 0 and < 1000 and var tolerance ? tolerance
-            : throw new CliException(ExitCode.Usage, "--tolerance needs a positive number of mm.");
-
-    /// <summary>A step of the work whose result goes to a stream (and nothing where there are errors) or into memory.</summary>
-    private sealed record Stage(Func<Stream, IReadOnlyList<Diagnostic>> Write, Func<Result<GCodeDocument>> ToDocument);
+            : throw new CliException(ExitCode.Usage, "--tolerance needs a length above 0 and below 1000 mm.");
 }

@@ -10,9 +10,9 @@ internal static class CurvedSlicing
     /// <param name="curved">The options.</param>
     /// <param name="arguments">The command line.</param>
     /// <param name="read">The models as they were read.</param>
-    /// <param name="models">The same where they are printed.</param>
+    /// <param name="models">The same at their print positions.</param>
     /// <param name="setup">The printer, material and settings.</param>
-    /// <param name="options">What else was asked for.</param>
+    /// <param name="options">Other options of the print.</param>
     /// <param name="session">Reads files.</param>
     public static PrintJob Run(
         CurvedOptionValues curved, ParseResult arguments, IReadOnlyList<NamedMesh> read, IReadOnlyList<SliceModel> models, PrintSetup setup,
@@ -46,6 +46,6 @@ internal static class CurvedSlicing
             moved = to.Min.DistanceTo(from.Min + shift) < Rounding && to.Max.DistanceTo(from.Max + shift) < Rounding;
         }
         return moved ? shift : throw new CliException(ExitCode.Usage,
-            "Models that are sliced along a surface cannot be scaled, turned, copied or arranged: the surface would not go with them.");
+            "With --surface, --field, --deform or --onto, models cannot be scaled, rotated, copied or arranged: the surface would not follow them.");
     }
 }

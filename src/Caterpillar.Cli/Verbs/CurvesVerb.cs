@@ -4,40 +4,39 @@ using Caterpillar.Planning;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Prints curves as drawn, in their order.</summary>
+/// <summary>Prints curves as drawn, in the given order.</summary>
 internal sealed class CurvesVerb : Verb
 {
     private readonly Argument<string> _file =
-        new("FILE") { Description = "Curves: points as CSV or JSON, lines of OBJ, paths of SVG, also gzipped; - is standard input." };
+        new("FILE") { Description = "Curves: CSV or JSON points, OBJ lines or SVG paths, also gzip; - = standard input." };
 
     private readonly CurveSettingOptions _extrusion = new();
     private readonly DivisionOptions _division = new();
 
     private readonly Described<string> _sort = new("--sort",
-        "Order: none (as given), orient (only turned around), nearest, layer, z or tour.") { DefaultValueFactory = _ => "none" };
+        "Print order. none: as given. orient: only reversed. nearest: nearest start next. layer, z: by layer or height. tour: short travel moves.",
+        "none|orient|nearest|layer|z|tour") { DefaultValueFactory = _ => "none" };
 
-    private readonly Described<string?> _move = new("--move", "Moves the curves by an offset in mm, or to the \"center\" of the bed.", "X,Y[,Z]|center");
+    private readonly Described<string?> _move = new("--move", "Move the curves by an offset in mm, or to the center of the bed.", "X,Y[,Z]|center");
 
     private readonly Described<string[]> _map = new("--map",
-        "Maps a coordinate to another axis word, scaled: X=A*2.86 turns A by 2.86 degrees per mm of X; Y=Y*0.5 scales Y. Applied last.", "AXIS=WORD*SCALE");
+        "Map a coordinate to an axis word, scaled. X=A*2.86 turns A by 2.86° per mm of X, Y=Y*0.5 scales Y. Applied last. Repeatable.", "AXIS=WORD*SCALE");
 
-    private readonly Described<string> _plan = new("--plan",
-        "\"printer\": with the printer's retraction and lifts; \"drawn\": only the curves.") { DefaultValueFactory = _ => "printer" };
+    private readonly Described<string> _plan = CommonOptions.Plan("printer");
 
-    private readonly Described<bool> _json = new("--json", "Print what was planned and written as JSON.");
+    private readonly Described<bool> _json = new("--json", "Print a report of plan and output as JSON.");
 
-    private readonly OntoOptions _onto = new(OntoOptions.Drawn, OntoOptions.DrawnPartial);
+    private readonly OntoOptions _onto = new();
 
-    private readonly Described<string?> _maxSize = new("--max-size", "Largest file that the printer accepts, in MB; a larger one is not written.", "MB");
+    private readonly Described<string?> _maxSize = new("--max-size", "Maximum file size. Larger files are not written.", "MB");
 
     private readonly SetupOptions _setup = new();
     private readonly WriteOptions _write = new();
 
     public CurvesVerb()
-        : base("curves", "Turn user curves into G-code, as drawn and in their order.")
+        : base("curves", "Turn curves into G-code, as drawn and in the given order.")
     {
         _sort.AcceptOnlyFromAmong("none", "orient", "nearest", "layer", "z", "tour");
-        _plan.AcceptOnlyFromAmong("drawn", "printer");
         Arguments.Add(_file);
         Add([.. _write.All, .. _extrusion.All, .. _division.All, _sort, _move, _map, _plan, _json, _maxSize, .. _onto.All, .. _setup.All]);
         AllowBatches();
@@ -45,8 +44,8 @@ internal sealed class CurvesVerb : Verb
 
     public override IReadOnlyList<(string Line, string Does)> Examples =>
     [
-        ("curves curves.csv -o curves.gcode", "the curves of a table, in their order"),
-        ("curves drawing.svg --printer pen_plotter --move center -o drawing.gcode", "a drawing for a pen"),
+        ("curves curves.csv -o curves.gcode", "Print curves from a table, in the given order"),
+        ("curves drawing.svg --printer pen_plotter --move center -o drawing.gcode", "Draw with a pen, in the center of the bed"),
     ];
 
     public override string[] Writes => ["G-code"];
@@ -58,7 +57,7 @@ internal sealed class CurvesVerb : Verb
         var file = arguments.GetValue(_file)!;
         var target = _write.FileFor(arguments, file);
         var json = arguments.GetValue(_json);
-        if (json && target == "-") throw new CliException(ExitCode.Usage, "Standard output can hold the G-code or the JSON, not both: give -o FILE.");
+        if (json && target == "-") throw new CliException(ExitCode.Usage, "--json cannot be combined with G-code on standard output. Give -o FILE.");
         var mappings = (arguments.GetValue(_map) ?? []).Select(AxisMappings.Parse).ToArray();
         var limit = OptionValues.OptionalNumber(arguments.GetValue(_maxSize), "--max-size", 0) * 1e6 ?? double.PositiveInfinity;
         _onto.Check(arguments);
@@ -104,7 +103,7 @@ internal sealed class CurvesVerb : Verb
         else
         {
             var numbers = text.Split(',').Select(w => OptionValues.Number(w, "--move", double.NegativeInfinity)).ToArray();
-            if (numbers.Length is not (2 or 3)) throw new CliException(ExitCode.Usage, "--move: give X,Y or X,Y,Z in mm, or center.");
+            if (numbers.Length is not (2 or 3)) throw new CliException(ExitCode.Usage, "--move needs X,Y or X,Y,Z in mm, or center.");
             shift = new Vec3(numbers[0], numbers[1], numbers.Length > 2 ? numbers[2] : 0);
         }
         var map = Affine.Move(shift);

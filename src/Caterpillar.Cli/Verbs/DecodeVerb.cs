@@ -5,43 +5,42 @@ using Caterpillar.Simulation;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Describes what G-code files do.</summary>
+/// <summary>Reports the contents of G-code files.</summary>
 internal sealed class DecodeVerb : Verb
 {
-    private readonly Argument<string[]> _files =
-        new("FILE") { Description = "G-code files, also binary (.bgcode) or packed with gzip, or - for standard input.", Arity = ArgumentArity.OneOrMore };
+    private readonly Argument<string[]> _files = new("FILE") { Description = CommonOptions.GCodeInput, Arity = ArgumentArity.OneOrMore };
     private readonly Described<bool> _json = new("--json", "Print a JSON array with one object per file.");
-    private readonly Described<bool> _csv = new("--csv", "Print a table with one row per move.");
+    private readonly Described<bool> _csv = new("--csv", "Print a CSV table with one row per move.");
     private readonly Described<bool> _stats = new("--stats",
-        "Print times, material, roles, tools and layers too, by the limits of --printer; without it those of the slicer's settings in the file.");
+        "Also print times, material, roles, tools and layers. Times depend on --printer.");
 
-    private readonly SetupOptions _setup = new();
+    private readonly SetupOptions _setup = new(SetupOptions.FromFile);
     private readonly Option<string?> _flavor = CommonOptions.Flavor();
-    private readonly Described<double?> _diameter = new("--filament-diameter", "Filament diameter, if the file does not state it.", "MM");
+    private readonly Described<double?> _diameter = CommonOptions.FilamentDiameter();
     private readonly Option<int> _threads = CommonOptions.Threads();
 
     private readonly Described<string> _rule = new("--rule",
-        "When E counts as printing: beyond what was retracted (balance), or whenever it rises (rising).",
+        "E that counts as extrusion. balance: beyond the retracted length. rising: any increase of E.",
         "balance|rising") { DefaultValueFactory = _ => "balance" };
 
     public DecodeVerb()
-        : base("decode", "Describe what G-code files do.")
+        : base("decode", "Report the contents of G-code files: moves, extrusion, layers and roles.")
     {
         Arguments.Add(_files);
         Add([_json, _csv, _stats, _flavor, _rule, _diameter, _threads, .. _setup.All]);
         _rule.AcceptOnlyFromAmong("balance", "rising");
         Validators.Add(result =>
         {
-            if (result.GetValue(_json) && result.GetValue(_csv)) result.AddError("Use --json or --csv, not both.");
-            if (result.GetValue(_stats) && result.GetValue(_csv)) result.AddError("Use --stats or --csv, not both.");
+            if (result.GetValue(_json) && result.GetValue(_csv)) result.AddError("--json cannot be combined with --csv.");
+            if (result.GetValue(_stats) && result.GetValue(_csv)) result.AddError("--stats cannot be combined with --csv.");
         });
     }
 
     public override IReadOnlyList<(string Line, string Does)> Examples =>
     [
-        ("decode part.gcode", "what the file prints"),
-        ("decode part.gcode --stats", "times, material and layers"),
-        ("decode part.gcode --csv > moves.csv", "a row for each move"),
+        ("decode part.gcode", "Summarize a file"),
+        ("decode part.gcode --stats", "Print times, material and layers"),
+        ("decode part.gcode --csv > moves.csv", "Write a table with one row per move"),
     ];
 
     public override int Run(ParseResult arguments, Session session)
@@ -65,7 +64,7 @@ internal sealed class DecodeVerb : Verb
             }
             catch (CliException stop) when (stop.Message.Length == 0)
             {
-                // Already reported; the other files are decoded as well.
+                // Already reported. The other files are decoded as well.
                 bad = true;
             }
         }
@@ -85,7 +84,7 @@ internal sealed class DecodeVerb : Verb
         return ExitCode.Done;
     }
 
-    // Masses need a diameter: where the file does not say, that of the material.
+    // Masses need a diameter: from the material if the file does not state it.
     private double? Diameter(ParseResult arguments, Session session)
         => Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter")
             ?? (arguments.GetValue(_stats) ? _setup.Resolve(arguments, session).Material.FilamentDiameter : null);

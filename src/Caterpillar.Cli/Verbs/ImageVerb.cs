@@ -4,29 +4,29 @@ using Caterpillar.GCode;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Draws what a G-code file prints.</summary>
+/// <summary>Draws an image of a print.</summary>
 internal sealed class ImageVerb : Verb
 {
-    private readonly Argument<string> _file = new("FILE") { Description = "G-code, also binary (.bgcode) or packed with gzip; - is standard input." };
+    private readonly Argument<string> _file = new("FILE") { Description = CommonOptions.GCodeInput };
 
     private readonly Described<string?> _out = new("--output",
-        "ToolpathImage (PNG); - is standard output. By default the name of the input with .png, in the current folder.", "FILE.png", "-o");
+        "Output PNG file; - = standard output. " + CommonOptions.DefaultOutput, "FILE.png", "-o");
 
-    private readonly Described<int?> _layer = new("--layer", "Draw only this layer, by its number in the file, or counted from 0.", "N");
+    private readonly Described<int?> _layer = new("--layer", "Draw only this layer: its number in the file, or counted from 0.", "N");
 
-    private readonly Described<int?> _upTo = new("--to-layer", "Draw only the layers up to this one.", "N");
+    private readonly Described<int?> _upTo = new("--to-layer", "Draw only layers up to this one.", "N");
 
     private readonly Described<string?> _view = new("--view",
-        "Direction of view: top, front, or azimuth,elevation in degrees; -60,28 by default, top for flat drawings.", "VIEW");
+        "View direction, or azimuth and elevation in degrees. Default: -60,28, or top for flat drawings.", "top|front|AZIMUTH,ELEVATION");
 
-    private readonly Described<ColorBy> _color = new("--color", "What the colors show.") { DefaultValueFactory = _ => ColorBy.Role };
+    private readonly Described<ColorBy> _color = new("--color", "Property that colors show. Default: role.", "role|speed|height|layer|progress");
 
-    private readonly Described<bool> _travel = new("--travel", "Draw travels as thin lines.");
+    private readonly Described<bool> _travel = new("--travel", "Draw travel moves as thin lines.");
 
-    private readonly Described<int> _width = new("--width", "Width in pixels; the height is three quarters of it.") { DefaultValueFactory = _ => 960 };
+    private readonly Described<int> _width = new("--width", "Image width. The height is 3/4 of it.", "PIXELS") { DefaultValueFactory = _ => 960 };
 
     public ImageVerb()
-        : base("image", "Draw an image of paths or of one layer.")
+        : base("image", "Draw an image of a print, or of one layer.")
     {
         Arguments.Add(_file);
         Add([_out, _layer, _upTo, _view, _color, _travel, _width]);
@@ -35,8 +35,8 @@ internal sealed class ImageVerb : Verb
 
     public override IReadOnlyList<(string Line, string Does)> Examples =>
     [
-        ("image part.gcode -o part.png", "all layers"),
-        ("image part.gcode --layer 3 --view top --color speed -o layer.png", "one layer from above, colored by speed"),
+        ("image part.gcode -o part.png", "Draw all layers"),
+        ("image part.gcode --layer 3 --view top --color speed -o layer.png", "Draw one layer from above, colored by speed"),
     ];
 
     public override string[] Writes => ["an image"];
@@ -51,14 +51,14 @@ internal sealed class ImageVerb : Verb
         var view = arguments.GetValue(_view) is { } named ? ViewOf(named) : (View?)null;
         var decoding = session.Decode(file, new DecodeOptions { Memory = session.Memory });
         var toolpath = decoding.Toolpath;
-        // Pens and lasers move, and lay nothing.
+        // Pens and lasers move without extrusion.
         var drawing = !toolpath.Moves().Any(m => m.Deposited > 0 && m.Role != Role.Purge);
         var options = new ToolpathImageOptions
         {
             Width = width,
             Height = width * 3 / 4,
             View = view ?? (drawing ? View.Top : View.ThreeQuarter),
-            // Some firmware tells strokes from travels.
+            // Some firmware distinguishes pen moves from travel moves.
             Strokes = drawing && !toolpath.Moves().Any(m => m.Kind == MoveKind.Print && m.Role != Role.Purge),
             ColorBy = arguments.GetValue(_color),
             Memory = session.Memory,
@@ -83,7 +83,7 @@ internal sealed class ImageVerb : Verb
             ? new MoveFilter { FirstLayer = only, LastLayer = last }
             : throw new CliException(ExitCode.BadInput, layers.Count == 0
                 ? "The file has no layers."
-                : $"There is no layer {last}; the file has layers {layers[0]} to {layers[^1]}.");
+                : $"Layer {last} not found. The file has layers {layers[0]} to {layers[^1]}.");
     }
 
     private static View ViewOf(string text)

@@ -14,7 +14,7 @@ internal sealed class Moment
         _find = find;
     }
 
-    /// <exception cref="CliException">It is no moment (wrong usage).</exception>
+    /// <exception cref="CliException">The text is not a moment (wrong usage).</exception>
     public static Moment Parse(string text)
     {
         var plain = text.Trim();
@@ -26,12 +26,12 @@ internal sealed class Moment
         if (After(plain, "layer:") is { } layer && Numbers.Whole(layer) is >= 0 and var wanted) return new(plain, t => AtLayer(t, wanted));
         if (After(plain, "z:") is { } height && NumberReader.TryParse(height, out var z)) return new(plain, t => t.AtHeight(z));
         if (Seconds(plain) is { } seconds) return new(plain, t => t.At(seconds));
-        throw new CliException(ExitCode.Usage, $"--at \"{text}\": write 42%, a time such as 90s or 1h12m30s, line:N, move:N, layer:N or z:MM.");
+        throw new CliException(ExitCode.Usage, $"--at needs a moment, not \"{text}\": 42%, a time such as 90s or 1h12m30s, line:N, move:N, layer:N or z:MM.");
     }
 
     /// <exception cref="CliException">The print has no such moment (bad input).</exception>
     public MachineState Of(Timeline timeline)
-        => _find(timeline) ?? throw new CliException(ExitCode.BadInput, $"--at {_text}: there is no such place in the print, which has {Places(timeline)}.");
+        => _find(timeline) ?? throw new CliException(ExitCode.BadInput, $"--at {_text} is not in the print, which has {Places(timeline)}.");
 
     private static string Places(Timeline timeline)
     {

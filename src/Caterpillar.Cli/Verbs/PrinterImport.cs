@@ -3,7 +3,7 @@ using Caterpillar.GCode;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Makes profiles from a header and a footer.</summary>
+/// <summary>Creates profiles from a header and a footer.</summary>
 internal static class PrinterImport
 {
     public static void Run(string header, string footer, string? like, string output, string? materialOutput, Session session)
@@ -13,7 +13,7 @@ internal static class PrinterImport
         var headerBytes = session.ReadBytes(header);
         if (GCodeDecoder.Decode(headerBytes).Value?.NotGCode is { } none)
             session.ValueOrFail(new Result<DecodedGCode>(null, [none with { Source = new SourceLocation(Session.NameOf(header)) }]));
-        // A dash for the header is standard input; one for the footer means none.
+        // A dash as header is standard input, as footer it means none.
         var footerText = footer == "-" ? "" : Text(footer, session);
         var imported = session.ValueOrFail(HeaderImport.Read(
             Encoding.UTF8.GetString(headerBytes), footerText, string.IsNullOrWhiteSpace(name)
@@ -24,12 +24,12 @@ internal static class PrinterImport
         else if (imported.Material.NozzleTemperature > 0)
         {
             session.Messages.WriteLine(
-                $"The header heats to {Number(imported.Material.NozzleTemperature)} °C and the bed to {Number(imported.Material.BedTemperature)} °C; "
-                    + $"--material-output writes a material with these.");
+                $"The header sets the nozzle to {Number(imported.Material.NozzleTemperature)} °C and the bed to {Number(imported.Material.BedTemperature)} °C. "
+                    + $"To write a material with these temperatures, add --material-output FILE.json.");
         }
         if (imported.Start is { } start)
         {
-            session.Messages.WriteLine($"The header leaves the nozzle at X {Number(start.X)}, Y {Number(start.Y)}, Z {Number(start.Z)} mm.");
+            session.Messages.WriteLine($"After the header, the nozzle is at X {Number(start.X)}, Y {Number(start.Y)}, Z {Number(start.Z)} mm.");
         }
     }
 

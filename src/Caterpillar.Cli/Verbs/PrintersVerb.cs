@@ -2,32 +2,32 @@ using System.CommandLine.Completions;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Lists the profiles, shows one as JSON with all its keys, or makes one from a header and a footer.</summary>
+/// <summary>Lists profiles, shows one as JSON with all its keys, or creates one from a header and a footer.</summary>
 internal sealed class PrintersVerb : Verb
 {
     private readonly Argument<string?> _name = new("NAME")
     {
-        Description = "Printer, material or settings to show as JSON; material/clay or settings/clay where both have that name.",
+        Description = "Printer, material or settings to show as JSON. If a name is ambiguous: material/NAME or settings/NAME.",
         HelpName = "NAME",
         Arity = ArgumentArity.ZeroOrOne,
     };
 
-    private readonly Described<bool> _keys = new("--keys", "List the keys of profiles with their range and meaning.");
+    private readonly Described<bool> _keys = new("--keys", "List the keys of profiles with their ranges and descriptions.");
 
     private readonly Described<string[]> _import = new("--import",
-        "Make a printer profile from the G-code before and after a print, such as the headers and footers of ExtruderTurtle; - for no footer.",
+        "Create a printer profile from two files with start and end G-code, such as those of ExtruderTurtle. As FOOTER: - = none.",
         "HEADER FOOTER") { Arity = new ArgumentArity(2, 2), AllowMultipleArgumentsPerToken = true };
 
-    private readonly Described<string?> _like = new("--base", "With --import: a similar printer for all that the files do not state.", "NAME|FILE");
+    private readonly Described<string?> _like = new("--base", "With --import: similar printer for values that the files do not state.", "NAME|FILE");
 
     private readonly Described<string> _output = new("--output",
-        "File for the JSON; standard output by default.", "FILE.json", "-o") { DefaultValueFactory = _ => "-" };
+        "Output file; - = standard output.", "FILE.json", "-o") { DefaultValueFactory = _ => "-" };
 
     private readonly Described<string?> _material = new("--material-output",
-        "With --import: a material profile with the temperatures of the header.", "FILE.json");
+        "With --import: output file for a material with the temperatures of the header.", "FILE.json");
 
     public PrintersVerb()
-        : base("printers", "List or make profiles of printers, materials and settings.")
+        : base("printers", "List, show or create profiles of printers, materials and settings.")
     {
         _name.CompletionSources.Add(_ => new ProfileLibrary().PrinterNames.Select(n => new CompletionItem(n)));
         Arguments.Add(_name);
@@ -36,9 +36,9 @@ internal sealed class PrintersVerb : Verb
 
     public override IReadOnlyList<(string Line, string Does)> Examples =>
     [
-        ("printers", "all profiles"),
-        ("printers ender3 -o mine.json", "a profile to start from"),
-        ("printers --keys", "all keys with their range and meaning"),
+        ("printers", "List all profiles"),
+        ("printers ender3 -o mine.json", "Copy a profile to edit it"),
+        ("printers --keys", "List all keys with their ranges and descriptions"),
     ];
 
     public override string[] Writes => ["JSON", "a table"];
@@ -57,7 +57,7 @@ internal sealed class PrintersVerb : Verb
         return ExitCode.Done;
     }
 
-    // Bad profiles are reported; the others are still listed.
+    // Invalid profiles are reported. The others are still listed.
     private static int List(string output, Session session)
     {
         var good = true;

@@ -7,25 +7,25 @@ internal sealed class SectionsVerb : Verb
 
     private readonly Argument<string[]> _models = new("MODEL")
     {
-        Description = "Mesh files: STL, OBJ, PLY or 3MF, also gzipped; - is standard input.",
+        Description = CommonOptions.MeshInput,
         Arity = ArgumentArity.OneOrMore,
     };
 
-    private readonly Described<string?> _heights = new("--heights", "Heights of the planes in mm, separated by commas.", "Z,Z,...");
+    private readonly Described<string?> _heights = new("--heights", "Heights of the planes, in mm.", "Z,Z,...");
 
     private readonly Described<string?> _every = new("--every",
-        "Instead of --heights: planes in the middle of layers of this thickness in mm, from Z = 0 to the top.", "MM");
+        "Distance of planes, instead of --heights. The first is at half of it above Z = 0.", "MM");
 
     private readonly Described<string> _gap = new("--gap",
-        "Close gaps in the contours of broken meshes up to this distance in mm.",
+        "Widest gap to close in contours of broken meshes.",
         "MM") { DefaultValueFactory = _ => NumberFormatter.Format(new SectionOptions().GapMm, 9) };
 
     private readonly Described<bool> _json = new("--json", "Print JSON instead of a table.");
 
-    private readonly Described<string> _output = new("--output", "Where to write; - is standard output.", "FILE", "-o") { DefaultValueFactory = _ => "-" };
+    private readonly Described<string> _output = new("--output", "Output file; - = standard output.", "FILE", "-o") { DefaultValueFactory = _ => "-" };
 
     public SectionsVerb()
-        : base("sections", "Measure exact plane sections of a model: length, area, contours.")
+        : base("sections", "Measure exact plane sections of models: length, area and contours.")
     {
         Arguments.Add(_models);
         Add([_heights, _every, _gap, _json, _output]);
@@ -33,7 +33,7 @@ internal sealed class SectionsVerb : Verb
 
     public override IReadOnlyList<(string Line, string Does)> Examples =>
     [
-        ("sections part.stl --heights 0.1,0.5 --json", "length, area and loops of two sections"),
+        ("sections part.stl --heights 0.1,0.5 --json", "Measure two sections, as JSON"),
     ];
 
     public override string[] Writes => ["JSON", "a table"];
@@ -73,13 +73,13 @@ internal sealed class SectionsVerb : Verb
     {
         var text = arguments.GetValue(_heights);
         if (text is null) return null;
-        if (arguments.GetValue(_every) is not null) throw new CliException(ExitCode.Usage, "Give --heights or --every, not both.");
+        if (arguments.GetValue(_every) is not null) throw new CliException(ExitCode.Usage, "--heights cannot be combined with --every.");
         return text.Split(',').Select(word => OptionValues.Number(word.Trim(), "--heights", double.NegativeInfinity)).ToArray();
     }
 
     private double Every(ParseResult arguments)
     {
-        var text = arguments.GetValue(_every) ?? throw new CliException(ExitCode.Usage, "Choose the planes: --heights 0.1,0.3 or --every 0.2");
+        var text = arguments.GetValue(_every) ?? throw new CliException(ExitCode.Usage, "The planes are missing. Give --heights 0.1,0.3 or --every 0.2.");
         var every = OptionValues.Number(text, "--every", 0);
         return every > 0 ? every : throw new CliException(ExitCode.Usage, "--every must be above 0.");
     }

@@ -4,25 +4,22 @@ using Caterpillar.Simulation;
 
 namespace Caterpillar.Cli;
 
-/// <summary>What the machine does at some moments of a file.</summary>
+/// <summary>Reports the state of the machine at moments of a file.</summary>
 internal sealed class SimulateVerb : Verb
 {
-    private readonly Argument<string> _file = new("FILE")
-    {
-        Description = "A G-code file, also binary (.bgcode) or packed with gzip, or - for standard input.",
-    };
+    private readonly Argument<string> _file = new("FILE") { Description = CommonOptions.GCodeInput };
 
     private readonly Described<string[]> _at = new("--at",
-        "A moment: part of the time (42%), time (90, 90s, 12m30s, 1h5m), line:N, move:N, layer:N (from 0) or z:MM. May be given several times.",
+        "Moment: % of the time (42%), time (90, 90s, 12m30s, 1h5m), line:N, move:N, layer:N or z:MM. Repeatable. Default: 0%.",
         "MOMENT") { Arity = ArgumentArity.OneOrMore };
 
-    private readonly Described<bool> _json = new("--json", "Print a JSON array with an object for each moment.");
+    private readonly Described<bool> _json = new("--json", "Print a JSON array with one object per moment.");
     private readonly Option<string?> _flavor = CommonOptions.Flavor();
-    private readonly SetupOptions _setup = new();
+    private readonly SetupOptions _setup = new(SetupOptions.FromFile);
     private readonly Option<int> _threads = CommonOptions.Threads();
 
     public SimulateVerb()
-        : base("simulate", "Say where the machine is and what it does at a time, move, line, layer or height of a G-code file.")
+        : base("simulate", "Report the state of the machine at a time, move, line, layer or height of a G-code file.")
     {
         Arguments.Add(_file);
         Add([_at, _json, _flavor, .. _setup.All, _threads]);
@@ -30,8 +27,8 @@ internal sealed class SimulateVerb : Verb
 
     public override IReadOnlyList<(string Line, string Does)> Examples =>
     [
-        ("simulate part.gcode --at 42%", "the machine after 42 % of the time"),
-        ("simulate part.gcode --at line:100 --at layer:3 --json", "at a line and at a layer, as data"),
+        ("simulate part.gcode --at 42%", "Report the state after 42 % of the time"),
+        ("simulate part.gcode --at line:100 --at layer:3 --json", "Report the states at a line and at a layer, as JSON"),
     ];
 
     public override int Run(ParseResult arguments, Session session)
@@ -61,7 +58,7 @@ internal sealed class SimulateVerb : Verb
 
     private static void Write(TextWriter text, MachineState[] states, Timeline timeline, string limits)
     {
-        text.WriteLine($"{StatisticsText.Duration(timeline.Duration)} by the limits of {limits}");
+        text.WriteLine($"{StatisticsText.Duration(timeline.Duration)} with the limits of {limits}");
         foreach (var s in states)
         {
             text.WriteLine();
@@ -75,10 +72,10 @@ internal sealed class SimulateVerb : Verb
         var over = s.Move >= toolpath.Count;
         yield return ["  Time", $"{StatisticsText.Duration(s.Time)}, {StatisticsText.Duration(s.TimeLeft)} left"];
         var source = s.Source >= 0 ? $", line {NumberFormatter.Format(s.Source)}" : "";
-        var move = $"{NumberFormatter.Format(s.Move)} of {NumberFormatter.Format(toolpath.Count)}, {Number(100 * s.Done, 1)} % of it done";
-        yield return ["  Move", over ? $"all {NumberFormatter.Format(toolpath.Count)} are over" : move + source];
+        var move = $"{NumberFormatter.Format(s.Move)} of {NumberFormatter.Format(toolpath.Count)} ({Number(100 * s.Done, 1)} % done)";
+        yield return ["  Move", over ? $"all {NumberFormatter.Format(toolpath.Count)} done" : move + source];
         var role = s.Kind == Toolpaths.MoveKind.Print && s.Role != Toolpaths.Role.Unspecified ? ", " + Words.Spaced(s.Role.ToString()) : "";
-        if (!over) yield return ["  Doing", s.Waits ? "Waiting" : Words.Spaced(s.Kind.ToString()) + role];
+        if (!over) yield return ["  Action", s.Waits ? "Waiting" : Words.Spaced(s.Kind.ToString()) + role];
         yield return ["  Nozzle", $"{Number(s.Position.X, 3)}, {Number(s.Position.Y, 3)}, {Number(s.Position.Z, 3)} mm, tool {NumberFormatter.Format(s.Tool)}"];
         yield return ["  Speed", $"{Number(s.Speed, 2)} mm/s" + (s.Flow is { } flow ? $", {Number(flow, 3)} mm³/s" : "")];
         if (s.Layer >= 0) yield return ["  Layer", $"{NumberFormatter.Format(toolpath.Layers[s.Layer].Index)}, Z {Number(toolpath.Layers[s.Layer].Z, 3)} mm"];

@@ -3,13 +3,12 @@ using Caterpillar.Slicing;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Slices meshes into G-code, by planar layers or along a surface.</summary>
+/// <summary>Slices meshes into G-code, in planar layers or along a surface.</summary>
 internal sealed class SliceVerb : Verb
 {
     private readonly Argument<string[]> _models = new("MODEL")
     {
-        Description = "Mesh files (STL, OBJ, PLY, 3MF, also packed with gzip), or - for standard input. Several files are parts of one print and keep their "
-            + "places relative to each other.",
+        Description = CommonOptions.MeshInput + " Several files are parts of one print and keep their relative positions.",
         Arity = ArgumentArity.OneOrMore,
     };
 
@@ -17,7 +16,7 @@ internal sealed class SliceVerb : Verb
     private readonly ModelSettingOptions _own = new();
     private readonly InfillCurveOptions _infill = new();
     private readonly CurvedOptionValues _curved = new();
-    private readonly Described<bool> _json = new("--json", "Print what was planned and written as JSON.");
+    private readonly Described<bool> _json = new("--json", "Print a report of plan and output as JSON.");
     private readonly SetupOptions _setup = new();
     private readonly WriteOptions _write = new();
     private readonly Option<int> _threads = CommonOptions.Threads();
@@ -32,11 +31,11 @@ internal sealed class SliceVerb : Verb
 
     public override IReadOnlyList<(string Line, string Does)> Examples =>
     [
-        ("slice part.stl --printer ender3 -o part.gcode", "a part for a printer"),
-        ("slice part.stl --set layer_height_mm=0.15 --set infill_density_percent=35 --set support=tree", "with other settings"),
-        ("slice a.stl b.stl --arrange --copies 2 -o plate.gcode", "two of each, arranged on the bed"),
-        ("slice part.stl --surface roof.stl -o curved.gcode", "layers that follow a surface"),
-        ("slice --each 'models/*.stl' -o 'out/{name}.gcode' --summary summary.csv", "each model of a folder"),
+        ("slice part.stl --printer ender3 -o part.gcode", "Slice a part for a printer"),
+        ("slice part.stl --set layer_height_mm=0.15 --set infill_density_percent=35 --set support=tree", "Change settings"),
+        ("slice a.stl b.stl --arrange --copies 2 -o plate.gcode", "Arrange two copies of each model on the bed"),
+        ("slice part.stl --surface roof.stl -o curved.gcode", "Let layers follow a surface"),
+        ("slice --each 'models/*.stl' -o 'out/{name}.gcode' --summary summary.csv", "Slice each model of a folder"),
     ];
 
     public override string[] Writes => ["G-code"];
@@ -48,7 +47,7 @@ internal sealed class SliceVerb : Verb
         var files = arguments.GetValue(_models)!;
         var output = _write.FileFor(arguments, files[0]);
         var json = arguments.GetValue(_json);
-        if (json && output == "-") throw new CliException(ExitCode.Usage, "Standard output can hold the G-code or the JSON, not both: give -o FILE.");
+        if (json && output == "-") throw new CliException(ExitCode.Usage, "--json cannot be combined with G-code on standard output. Give -o FILE.");
         _placing.Check(arguments);
         _curved.Check(arguments);
         using var job = Planned(files, arguments, session);
@@ -66,7 +65,7 @@ internal sealed class SliceVerb : Verb
         if (!_write.Overrides(arguments) && ModelCheck.IsTooLarge([.. models.Where(m => m.Settings.ModelType == ModelType.Part).Select(m => m.Mesh)], setup))
         {
             session.Print([new Diagnostic(Severity.Error, "write.refused",
-                $"Nothing was sliced: it would not fit. --override slices it all the same.{_placing.ScaleAdvice(arguments)}")]);
+                $"Nothing was sliced because the models do not fit. To slice them anyway, add --override REASON.{_placing.ScaleAdvice(arguments)}")]);
             throw new CliException(ExitCode.Refused);
         }
         return session.Run("Slicing", progress => PrintJob.Slice(models, setup, options, progress, session.Cancel));
@@ -78,7 +77,7 @@ internal sealed class SliceVerb : Verb
         var own = _own.Resolve(arguments, setup, session);
         var curves = _infill.Read(arguments, setup, session);
         if (curves is not null && _placing.Turns(arguments) is { } option)
-            throw new CliException(ExitCode.Usage, $"{option} does not change the curves of --infill-curves: scale and turn model and curves beforehand.");
+            throw new CliException(ExitCode.Usage, $"{option} cannot be combined with --infill-curves. Transform the model and the curves beforehand.");
         var sources = new List<string>();
         var read = session.Run("Reading", progress => Meshes.Read(files, session, progress, sources));
         var settings = own.For(read, sources);

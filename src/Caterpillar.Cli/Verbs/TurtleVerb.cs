@@ -9,31 +9,29 @@ namespace Caterpillar.Cli;
 internal sealed class TurtleVerb : Verb
 {
     private readonly Argument<string> _script =
-        new("SCRIPT") { Description = "Turtle program (the language is in docs/turtle.md); - is standard input." };
+        new("SCRIPT") { Description = "Turtle program (see docs/turtle.md); - = standard input." };
 
-    private readonly Described<string[]> _values = new("--var", "Value for a parameter of the script (param NAME = …).", "NAME=VALUE");
+    private readonly Described<string[]> _values = new("--var", "Value of a parameter of the program (param NAME = ...). Repeatable.", "NAME=VALUE");
 
-    private readonly Described<int> _seed = new("--seed", "Seed of random().") { DefaultValueFactory = _ => 0 };
+    private readonly Described<int> _seed = new("--seed", "Random seed.", "N") { DefaultValueFactory = _ => 0 };
 
-    private readonly Described<string> _plan = new("--plan",
-        "\"drawn\": exactly what the turtle does; \"printer\": with the printer's retraction and lifts.") { DefaultValueFactory = _ => "drawn" };
+    private readonly Described<string> _plan = CommonOptions.Plan("drawn");
 
     private readonly Described<string[]> _folders = new("--include",
-        "A folder whose files the script may include or read as images, besides its own.", "FOLDER");
+        "Another folder with files that the program may include or read as images. Repeatable.", "FOLDER");
 
-    private readonly OntoOptions _onto = new(OntoOptions.Drawn, OntoOptions.DrawnPartial);
+    private readonly OntoOptions _onto = new();
 
     private readonly Described<bool> _commands = new("--commands", "List the commands of the language.");
 
     private readonly WriteOptions _write = new();
 
-    private readonly SetupOptions _setup = new();
+    private readonly SetupOptions _setup = new("Default: set by the program, or generic.");
 
     public TurtleVerb()
         : base("turtle", "Turn a turtle program or L-system into G-code.")
     {
         _script.Arity = ArgumentArity.ZeroOrOne;
-        _plan.AcceptOnlyFromAmong("drawn", "printer");
         Arguments.Add(_script);
         Add([.. _write.All, _values, _seed, _plan, _folders, _commands, .. _onto.All, .. _setup.All]);
         AllowBatches();
@@ -41,10 +39,10 @@ internal sealed class TurtleVerb : Verb
 
     public override IReadOnlyList<(string Line, string Does)> Examples =>
     [
-        ("turtle star.turtle -o star.gcode", "a turtle program"),
-        ("turtle star.turtle --var layers=4 --plan printer -o star4.gcode", "with a value of a parameter, retraction and lifts"),
-        ("turtle star.turtle --table values.csv -o 'out/{row}.gcode' --summary study.csv", "a study: one print for each row of a table"),
-        ("turtle --commands", "the commands of the language"),
+        ("turtle star.turtle -o star.gcode", "Run a turtle program"),
+        ("turtle star.turtle --var layers=4 --plan printer -o star4.gcode", "Set a parameter, and add retraction and Z-hop"),
+        ("turtle star.turtle --table values.csv -o 'out/{row}.gcode' --summary study.csv", "Run once for each row of a table"),
+        ("turtle --commands", "List the commands of the language"),
     ];
 
     public override string[] Writes => ["G-code"];
@@ -59,7 +57,7 @@ internal sealed class TurtleVerb : Verb
                 TurtleCommands.All.Select(c => new[] { c.Usage, c.Help, string.Join(" ", c.Aliases) }).ToList()));
             return ExitCode.Done;
         }
-        var file = arguments.GetValue(_script) ?? throw new CliException(ExitCode.Usage, "A script is missing. See: caterpillar turtle --help");
+        var file = arguments.GetValue(_script) ?? throw new CliException(ExitCode.Usage, "The turtle program is missing. See: caterpillar turtle --help");
         _onto.Check(arguments);
         var target = _write.FileFor(arguments, file);
         var variables = Variables(arguments.GetValue(_values) ?? []);
@@ -76,14 +74,14 @@ internal sealed class TurtleVerb : Verb
             Policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn, Memory = session.Memory,
         };
         using var job = _onto.Draw(arguments, turtle.ToSteps(), setup, options, session);
-        if (job.Toolpath.Count == 0) throw new CliException(ExitCode.BadInput, $"{Session.NameOf(file)}: the program draws nothing.");
+        if (job.Toolpath.Count == 0) throw new CliException(ExitCode.BadInput, $"{Session.NameOf(file)}: the program prints nothing.");
         _write.Write(arguments, session, job, target);
         return ExitCode.Done;
     }
 
     private static ScriptFiles Files(string script, string[] more)
     {
-        foreach (var folder in more.Where(f => !Directory.Exists(f))) throw new CliException(ExitCode.Usage, $"--include {folder}: there is no such folder.");
+        foreach (var folder in more.Where(f => !Directory.Exists(f))) throw new CliException(ExitCode.Usage, $"--include {folder}: folder not found.");
         return new ScriptFiles([script == "-" ? "." : Path.GetDirectoryName(Path.GetFullPath(script))!, .. more]);
     }
 
@@ -95,9 +93,9 @@ internal sealed class TurtleVerb : Verb
             var cut = text.IndexOf('=');
             if (cut < 1 || !NumberReader.TryParse(text[(cut + 1)..].Trim(), out var value))
             {
-                throw new CliException(ExitCode.Usage, $"--var {text}: expected NAME=VALUE with a number.");
+                throw new CliException(ExitCode.Usage, $"--var {text}: expected NAME=NUMBER.");
             }
-            if (!variables.TryAdd(text[..cut].Trim(), value)) throw new CliException(ExitCode.Usage, $"--var {text}: this name already has a value.");
+            if (!variables.TryAdd(text[..cut].Trim(), value)) throw new CliException(ExitCode.Usage, $"--var {text}: this parameter already has a value.");
         }
         return variables;
     }

@@ -3,19 +3,19 @@ namespace Caterpillar.Cli;
 /// <summary>A verb of the program. Its file declares its arguments and options and does its work; <see cref="Verbs"/> lists it.</summary>
 internal abstract class Verb(string name, string description) : Command(name, description)
 {
-    /// <summary>Command lines for the help, each with what it does.</summary>
+    /// <summary>Command lines for the help, each with its description.</summary>
     public abstract IReadOnlyList<(string Line, string Does)> Examples { get; }
 
-    /// <summary>What kinds of files it writes, in the words of <see cref="OutputGuard"/>.</summary>
+    /// <summary>Kinds of files that it writes, in the words of <see cref="OutputGuard"/>.</summary>
     public virtual string[] Writes => [];
 
-    /// <summary>The usual ending of what it writes for each input, such as <c>.gcode</c>; null where it writes no file.</summary>
+    /// <summary>The usual extension of its output, such as <c>.gcode</c>; null if it writes no file.</summary>
     public virtual string? Ending => null;
 
-    /// <summary>The options of batches, where many calls make sense.</summary>
+    /// <summary>The options of batches, or null.</summary>
     public BatchOptions? Batch { get; private set; }
 
-    /// <summary>True where it was told that its output may replace its input.</summary>
+    /// <summary>True if its output may replace its input.</summary>
     public virtual bool ReplacesInput(ParseResult arguments) => false;
 
     /// <summary>Does the work and returns the exit code. Problems may also end in a <see cref="CliException"/>; I/O exceptions may pass through.</summary>

@@ -19,6 +19,6 @@ internal static class Verbs
         new CompletionsVerb(),
     ];
 
-    /// <summary>A new verb of a name that is one.</summary>
+    /// <summary>A new instance of a verb.</summary>
     public static Verb Named(string name) => All().First(v => v.Name == name);
 }

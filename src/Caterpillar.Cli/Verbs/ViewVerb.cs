@@ -7,34 +7,34 @@ namespace Caterpillar.Cli;
 /// <summary>Writes or serves a web page that shows a print, a model or a design in 3D.</summary>
 internal sealed class ViewVerb : Verb
 {
-    private const string Reason = "Made to be looked at in a viewer page, not to be printed.";
+    private const string Reason = "For a viewer page, not for printing.";
 
     private readonly Argument<string> _file = new("FILE")
     {
-        Description = "G-code (also binary or packed with gzip), a mesh (STL, OBJ, PLY, 3MF), a turtle program (.turtle) or curves (.csv, .svg, .json); "
-            + "- is G-code from standard input.",
+        Description = "G-code (text, .bgcode, gzip), mesh (STL, OBJ, PLY, 3MF), turtle program (.turtle) or curves (.csv, .svg, .json); - = G-code from "
+            + "standard input.",
     };
 
     private readonly Described<string?> _out = new("--output",
-        "The page, one file that needs no network; - is standard output. By default the name of the input with .html, in the current folder.",
-        "FILE.html", "-o");
+        "Output HTML file, which needs no network; - = standard output. " + CommonOptions.DefaultOutput, "FILE.html", "-o");
 
     private readonly Described<bool> _open = new("--open", "Open the page in the browser.");
 
     private readonly Described<int?> _serve = new("--serve",
-        "Serve the page on this machine instead, and keep it up to date while the file changes, until Ctrl-C.", "PORT") { Arity = ArgumentArity.ZeroOrOne };
+        "Serve the page on this machine instead, and update it when the file changes, until Ctrl-C. Default port: 8417.",
+        "PORT") { Arity = ArgumentArity.ZeroOrOne };
 
-    private readonly Described<bool> _noLines = new("--no-lines", "Leave the text of the G-code out of the page, which is smaller then.");
-    private readonly SetupOptions _setup = new();
+    private readonly Described<bool> _noGCode = new("--no-gcode", "Leave the G-code text out of the page, to make it smaller.");
+    private readonly SetupOptions _setup = new("If given, findings of its checks are shown. " + SetupOptions.FromFile);
 
     public ViewVerb()
-        : base("view", "Show a print, a model or a design in 3D in the browser.")
+        : base("view", "Show a print, model or design in 3D in the browser.")
     {
         Arguments.Add(_file);
-        Add([_out, _open, _serve, _noLines, .. _setup.All]);
+        Add([_out, _open, _serve, _noGCode, .. _setup.All]);
         Validators.Add(result =>
         {
-            if (result.GetResult(_serve) is not null && result.GetResult(_out) is not null) result.AddError("Use --serve or --output, not both.");
+            if (result.GetResult(_serve) is not null && result.GetResult(_out) is not null) result.AddError("--serve cannot be combined with --output.");
             if (result.GetResult(_serve) is not null && result.GetValue(_file) == "-") result.AddError("--serve needs a file, not standard input.");
         });
         AllowBatches();
@@ -42,8 +42,8 @@ internal sealed class ViewVerb : Verb
 
     public override IReadOnlyList<(string Line, string Does)> Examples =>
     [
-        ("view part.gcode -o part.html", "one page to look at or to send"),
-        ("view part.gcode --printer ender3", "with the bed of a printer, and what its checks find"),
+        ("view part.gcode -o part.html", "Write a page to view or send"),
+        ("view part.gcode --printer ender3", "Show the bed of a printer and the findings of its checks"),
     ];
 
     public override string[] Writes => ["a page"];
@@ -53,10 +53,10 @@ internal sealed class ViewVerb : Verb
     public override int Run(ParseResult arguments, Session session)
     {
         var file = arguments.GetValue(_file)!;
-        var source = new ViewSource(_setup, arguments, !arguments.GetValue(_noLines), design => GCodeOf(design, arguments, session), session);
+        var source = new ViewSource(_setup, arguments, !arguments.GetValue(_noGCode), design => GCodeOf(design, arguments, session), session);
         if (arguments.GetResult(_serve) is not null) return Serve(file, source, arguments, session);
         var output = arguments.GetValue(_out) ?? Path.GetFileNameWithoutExtension(file == "-" ? "view" : file) + ".html";
-        if (output == "-" && arguments.GetValue(_open)) throw new CliException(ExitCode.Usage, "--open needs a file to open: give -o FILE.html.");
+        if (output == "-" && arguments.GetValue(_open)) throw new CliException(ExitCode.Usage, "--open needs an output file. Give -o FILE.html.");
         var content = source.Read(file);
         var bytes = Page(content, session);
         session.Write(output, stream => stream.Write(bytes));
@@ -65,7 +65,7 @@ internal sealed class ViewVerb : Verb
         return ExitCode.Done;
     }
 
-    // The verb writes what it would write for a printer, whatever the checks find: that is what is looked at.
+    // The same G-code as for a printer, even if a check would refuse it.
     private byte[] GCodeOf(string file, ParseResult arguments, Session session)
     {
         using var memory = new MemoryStream();
@@ -97,7 +97,7 @@ internal sealed class ViewVerb : Verb
         using var server = Started(port);
         var read = File.GetLastWriteTimeUtc(file);
         server.Show(Page(source.Read(file), session));
-        session.Messages.WriteLine($"{server.Address} shows {file}; Ctrl-C stops.");
+        session.Messages.WriteLine($"Serving {file} at {server.Address}. Press Ctrl-C to stop.");
         var answering = server.Run(session.Cancel);
         if (arguments.GetValue(_open)) Open(server.Address);
         while (!session.Cancel.WaitHandle.WaitOne(300))
@@ -107,11 +107,11 @@ internal sealed class ViewVerb : Verb
             try
             {
                 server.Show(Page(source.Read(file), session));
-                session.Messages.WriteLine($"{file} has changed; the page shows it.");
+                session.Messages.WriteLine($"{file} changed. The page is updated.");
             }
             catch (Exception bad) when (bad is CliException or IOException)
             {
-                // The last good page stays until the file is repaired.
+                // The last good page stays until the file is corrected.
                 if (bad.Message.Length > 0) session.Messages.WriteLine(bad.Message);
             }
         }
@@ -127,7 +127,7 @@ internal sealed class ViewVerb : Verb
         }
         catch (HttpListenerException taken)
         {
-            throw new CliException(ExitCode.BadInput, $"Port {port} cannot be used: {taken.Message} Choose another with --serve PORT.");
+            throw new CliException(ExitCode.BadInput, $"Port {port} is not available: {taken.Message} Choose another one with --serve PORT.");
         }
     }
 
@@ -139,7 +139,7 @@ internal sealed class ViewVerb : Verb
         }
         catch (Exception none) when (none is System.ComponentModel.Win32Exception or PlatformNotSupportedException)
         {
-            throw new CliException(ExitCode.BadInput, $"No browser could be started; open {place} yourself.");
+            throw new CliException(ExitCode.BadInput, $"The browser could not be started. Open {place} manually.");
         }
     }
 }

@@ -3,7 +3,7 @@ using System.Text;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Serves one page on this machine only. Open pages ask once a second for its version, and load it again when that has changed.</summary>
+/// <summary>Serves one page on this machine only. Open pages poll its version once a second, and reload it after a change.</summary>
 internal sealed class PageServer : IDisposable
 {
     private const string Reload = """
@@ -29,7 +29,7 @@ internal sealed class PageServer : IDisposable
 
     public string Address { get; }
 
-    /// <summary>Shows another page from now on.</summary>
+    /// <summary>Replaces the page.</summary>
     public void Show(byte[] page)
     {
         var version = Guid.NewGuid().ToString("N");

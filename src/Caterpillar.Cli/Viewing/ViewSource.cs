@@ -6,15 +6,15 @@ using Caterpillar.Simulation;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Reads what a viewer page shows: G-code, meshes, or a design, which is turned into G-code first.</summary>
+/// <summary>Reads the contents of a viewer page: G-code, meshes, or a design, which is turned into G-code first.</summary>
 /// <param name="setup">The options of the printer.</param>
 /// <param name="arguments">The command line.</param>
-/// <param name="withLines">The page holds the text of the G-code.</param>
+/// <param name="withLines">Whether the page contains the G-code text.</param>
 /// <param name="design">The G-code of a turtle program or of curves.</param>
 /// <param name="session">Reads files.</param>
 internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool withLines, Func<string, byte[]> design, Session session)
 {
-    /// <summary>What was read last, in one line.</summary>
+    /// <summary>Summary of the last file in one line.</summary>
     public string Summary { get; private set; } = "";
 
     /// <exception cref="CliException">The file cannot be read.</exception>
@@ -25,7 +25,7 @@ internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool
         _ => GCode(file, session.ReadBytes(file)),
     };
 
-    /// <summary>The ending of a file, in capitals, before that of gzip.</summary>
+    /// <summary>The extension of a file in capitals, without .gz.</summary>
     public static string Ending(string file)
         => Path.GetExtension(file.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? file[..^3] : file).ToUpperInvariant();
 

@@ -6,51 +6,51 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Jobs;
 
 /// <summary>
-/// Changes to what a file prints, made in the order of these properties. They act on chosen moves of its layers; start and end code belong to none and stay.
+/// Edits of a file, applied in the order of these properties. They act on selected moves of its layers. Start and end G-code are outside of layers and stay.
 /// </summary>
 public sealed record FileEdits
 {
-    /// <summary>What is changed; all layers by default.</summary>
+    /// <summary>The selection; all layers by default.</summary>
     public MoveFilter Filter { get; init; } = new();
 
-    /// <summary>Factor of the speed of extrusions; null where it stays.</summary>
+    /// <summary>Speed factor of extrusions; null = unchanged.</summary>
     public double? Speed { get; init; }
 
-    /// <summary>Factor of the material of extrusions; null where it stays.</summary>
+    /// <summary>Flow factor of extrusions; null = unchanged.</summary>
     public double? Flow { get; init; }
 
-    /// <summary>Factors that scale the selection about the middle of its base, amounts of E included; null where it keeps its size.</summary>
+    /// <summary>Scale factors of the selection about the center of its base, which also scale E; null = unchanged.</summary>
     public Vec3? Scale { get; init; }
 
-    /// <summary>Degrees by which the selection is turned about its middle, counterclockwise seen from above; null where it is not.</summary>
+    /// <summary>Rotation of the selection about its center in degrees, counterclockwise from above; null = unchanged.</summary>
     public double? Turn { get; init; }
 
-    /// <summary>How far the selection is moved, mm; null where it is not.</summary>
+    /// <summary>Offset of the selection, mm; null = unchanged.</summary>
     public Vec3? Move { get; init; }
 
-    /// <summary>The deformation of the selection, given the middle of its base; null where it keeps its shape.</summary>
+    /// <summary>Deformation of the selection, from the center of its base; null = unchanged.</summary>
     public Func<Vec3, Deformation>? Deform { get; init; }
 
-    /// <summary>Numbers of the layers before which the print pauses.</summary>
+    /// <summary>Layers before which the print pauses, by number.</summary>
     public IReadOnlyList<int> PauseAtLayers { get; init; } = [];
 
-    /// <summary>How it pauses.</summary>
+    /// <summary>Moves and commands of a pause.</summary>
     public Pause Pause { get; init; } = Pause.Plain;
 
-    /// <summary>Events (a tool, a temperature, a line of G-code) with the numbers of the layers before which they happen.</summary>
+    /// <summary>Events (tool, temperature, line of G-code) before layers, by number.</summary>
     public IReadOnlyList<(int Layer, PrinterEvent What)> AtLayers { get; init; } = [];
 
-    /// <summary>The selection is removed: its extrusions where roles or a box are chosen, else layers and objects with their travel.</summary>
+    /// <summary>Remove the selection: only extrusions if roles or a box are selected, else layers and objects with their travel moves.</summary>
     public bool Remove { get; init; }
 
-    /// <summary>Arcs are fitted to extrusions; null where they are not.</summary>
+    /// <summary>Fit arcs to extrusions; null = off.</summary>
     public ArcFitOptions? FitArcs { get; init; }
 
-    /// <summary>Maximum deviation of extrusions that are mapped or deformed, mm.</summary>
+    /// <summary>Maximum deviation of transformed or deformed extrusions, mm.</summary>
     public double Tolerance { get; init; } = 0.01;
 
-    /// <summary>The changed toolpath; the same one if no change is asked for.</summary>
-    /// <returns>The toolpath, or none where a layer is missing (<c>toolpath.no_layer</c>) or a deformation gives no point; the warnings
+    /// <summary>The edited toolpath, or the same one without edits.</summary>
+    /// <returns>The toolpath, or none if a layer is missing (<c>toolpath.no_layer</c>) or a deformation gives no point; the warnings
     /// <c>edit.nothing_selected</c> and <c>edit.no_e_values</c>, and the note <c>edit.nonuniform_scale</c>.</returns>
     public Result<Toolpath> Apply(Toolpath toolpath)
     {
@@ -59,7 +59,7 @@ public sealed record FileEdits
         var filter = Filter.InLayersOf(toolpath);
         var extrusions = filter with { Kinds = [MoveKind.Print] };
         if (Filter != new MoveFilter() && !toolpath.Moves().Any(extrusions.MatchesIn(toolpath)))
-            found.Add(new Diagnostic(Severity.Warning, "edit.nothing_selected", "The selection prints nothing in this file, so nothing is edited."));
+            found.Add(new Diagnostic(Severity.Warning, "edit.nothing_selected", "The selection has no extrusions in this file, so nothing is edited."));
         if (Speed is { } speed) toolpath = toolpath.ScaleSpeed(extrusions, speed);
         if (Flow is { } flow) toolpath = toolpath.ScaleFlow(extrusions, flow);
         if (Scale is { } scale) found.AddRange(ScaleNotes(toolpath, extrusions, scale));
@@ -76,7 +76,7 @@ public sealed record FileEdits
         return new Result<Toolpath>(toolpath, found);
     }
 
-    // Those that may fail.
+    // Edits that may fail.
     private IEnumerable<Func<Toolpath, Result<Toolpath>>> Changes(MoveFilter filter, MoveFilter extrusions)
     {
         if (Deform is not null) yield return toolpath => toolpath.Deform(filter, Deform(Foot(toolpath, extrusions)), Tolerance);
@@ -95,21 +95,21 @@ public sealed record FileEdits
         return map.Then(Affine.Move(foot + (Move ?? Vec3.Zero)));
     }
 
-    // The middle of what the extrusions cover, on the bed.
+    // The center of the extrusions, on the bed.
     private static Vec3 Foot(Toolpath toolpath, MoveFilter extrusions)
     {
         var box = extrusions.BoundsIn(toolpath);
         return box.IsEmpty ? Vec3.Zero : box.Center.WithZ(0);
     }
 
-    // What scaling cannot know.
+    // Limits of scaling.
     private static IEnumerable<Diagnostic> ScaleNotes(Toolpath toolpath, MoveFilter extrusions, Vec3 scale)
     {
         if (toolpath.Moves().Where(extrusions.MatchesIn(toolpath)).All(m => m.Deposited == 0))
-            yield return new Diagnostic(Severity.Warning, "edit.no_e_values", "The extrusions have no amounts of E: only their paths are scaled.");
+            yield return new Diagnostic(Severity.Warning, "edit.no_e_values", "The extrusions have no E, so only their paths are scaled.");
         else if (scale.X != scale.Y || scale.Y != scale.Z)
             yield return new Diagnostic(Severity.Note, "edit.nonuniform_scale",
-                "Axes are scaled apart: each extrusion gets the area that its direction gives it; a width in a comment is that of the first extrusion after "
-                + "it.");
+                "The axes have different scale factors, so the flow of each extrusion depends on its direction. A width in a comment is correct only for the "
+                + "next extrusion.");
     }
 }

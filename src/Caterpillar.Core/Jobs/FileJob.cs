@@ -8,18 +8,18 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Jobs;
 
-/// <summary>A G-code file that is edited, converted and written again. Lines that no change touches keep their bytes. Immutable.</summary>
+/// <summary>Edits and converts a G-code file and writes it again. Unchanged lines keep their bytes. Immutable.</summary>
 public sealed record FileJob
 {
     private readonly DecodeOptions _reading;
 
     /// <param name="file">A file that was decoded with its document.</param>
-    /// <param name="reading">How it was decoded: what was written of it is read by the same options.</param>
+    /// <param name="reading">The options it was decoded with. The result is read back with the same options.</param>
     /// <exception cref="ArgumentException">The file was decoded from a stream, without its document.</exception>
     public FileJob(DecodedGCode file, DecodeOptions? reading = null)
     {
         File = file ?? throw new ArgumentNullException(nameof(file));
-        if (file.Document is null) throw new ArgumentException("Writing a file again needs its document.", nameof(file));
+        if (file.Document is null) throw new ArgumentException("The file has no document. Decode it with its document to write it again.", nameof(file));
         _reading = reading ?? new DecodeOptions();
         Toolpath = file.Toolpath;
     }
@@ -27,19 +27,19 @@ public sealed record FileJob
     /// <summary>The file as it was read.</summary>
     public DecodedGCode File { get; }
 
-    /// <summary>What the file does after all edits so far; they keep the order of its moves.</summary>
+    /// <summary>The toolpath after all edits so far, which keep the order of its moves.</summary>
     public Toolpath Toolpath { get; init; }
 
-    /// <summary>Other start and end code.</summary>
+    /// <summary>New start and end G-code.</summary>
     public EditOptions Code { get; init; } = new();
 
-    /// <summary>What the edited file is converted to; null where it keeps firmware and notation.</summary>
+    /// <summary>Conversion of the edited file; null = same flavor and notation.</summary>
     public ConvertOptions? Target { get; init; }
 
-    /// <summary>The firmware for which it is written.</summary>
+    /// <summary>The flavor of the output.</summary>
     public FlavorRules Flavor => Target?.Flavor ?? File.Flavor;
 
-    /// <summary>Reads a file: plain, packed with gzip, or binary G-code. One without a command is no G-code and an error.</summary>
+    /// <summary>Reads a G-code file: text, gzip or binary. A file without a command is not G-code and an error.</summary>
     /// <exception cref="IOException">The file cannot be read.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
     public static Result<FileJob> Open(string path, DecodeOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -58,13 +58,12 @@ public sealed record FileJob
     }
 
     /// <summary>Writes the file, whole or not at all.</summary>
-    /// <param name="path">The file, binary where its name ends in .bgcode; an older one is replaced.</param>
-    /// <param name="setup">What the result is checked against, before anyone gets it. Null where the printer it was made for is not known: then nothing is
-    /// checked.</param>
-    /// <param name="reason">Why findings of the checks are to be ignored, in words that stay in the file; null where they are not.</param>
+    /// <param name="path">The output file; .bgcode = binary. An existing file is replaced.</param>
+    /// <param name="setup">The setup to check the result against before it is written; null = no checks, for an unknown printer.</param>
+    /// <param name="reason">Reason to write despite errors of the checks, which the file keeps as a comment; null = refuse.</param>
     /// <param name="progress">0 to 1.</param>
-    /// <param name="cancel">Cancels; no part of the file is left.</param>
-    /// <returns>What was written, or none and what is wrong: with <see cref="SafeWriter.Refused"/> where a check found it.</returns>
+    /// <param name="cancel">Cancels. No partial file is left.</param>
+    /// <returns>The written file, or errors: <see cref="SafeWriter.Refused"/> if a check refused it.</returns>
     /// <exception cref="IOException">The disk failed.</exception>
     public Result<WrittenGCode> WriteFile(
         string path, PrintSetup? setup, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -75,11 +74,11 @@ public sealed record FileJob
         return written;
     }
 
-    /// <summary>Writes the file to a stream; where there is no value, what was written must be thrown away.</summary>
-    /// <param name="stream">Where to write.</param>
-    /// <param name="name">The name for the result, which says whether it is binary.</param>
-    /// <param name="setup">What the result is checked against; null where nothing is checked.</param>
-    /// <param name="reason">Why findings of the checks are to be ignored; null where they are not.</param>
+    /// <summary>Writes the file to a stream. If there is no value, discard the output.</summary>
+    /// <param name="stream">The output stream.</param>
+    /// <param name="name">The name of the output; .bgcode = binary.</param>
+    /// <param name="setup">The setup to check the result against; null = no checks.</param>
+    /// <param name="reason">Reason to write despite errors of the checks; null = refuse.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels.</param>
     /// <inheritdoc cref="WriteFile" path="/returns"/>
@@ -89,7 +88,7 @@ public sealed record FileJob
         var source = Edited(progress.Part(0, Target is null ? 0 : 0.4), cancel);
         if (source.Value is not { } file) return new Result<WrittenGCode>(null, source.Diagnostics);
         var rest = progress.Part(Target is null ? 0 : 0.4, 1);
-        // Straight into the stream, unless the whole is needed before: to be checked, to become binary.
+        // Directly into the stream, unless the whole text is needed first: for checks, or for a binary file.
         if (IsChanged && setup is null && !BinaryGCode.IsName(name))
         {
             using var counted = new CountingStream(stream);
@@ -103,11 +102,11 @@ public sealed record FileJob
         return Written(new WrittenGCode(text.Length, text.LineCount, guard?.Overridden ?? 0), source.Diagnostics, document.Diagnostics);
     }
 
-    // The whole text, checked where there is a setup.
+    // The whole text, checked if there is a setup.
     private (Result<GCodeDocument> Document, WriteGuard? Guard) Whole(
         DecodedGCode file, PrintSetup? setup, string? reason, IProgress<double>? progress, CancellationToken cancel)
     {
-        // Edits alone are compared with what was written.
+        // If there are only edits, they are compared with the output.
         if (setup is not null && IsEdited && Target is null && !HasOwnCode) return SafeWriter.Edited(file, Toolpath, setup, reason, null, progress, cancel);
         var text = !IsChanged ? new Result<GCodeDocument>(file.Document, []) : Target is null
             ? GCodeEditor.ToDocument(file, Toolpath, Code, progress, cancel) : GCodeConverter.ToDocument(file, Target, progress.Part(0, 0.6), cancel);
@@ -122,7 +121,7 @@ public sealed record FileJob
 
     private bool IsChanged => IsEdited || Target is not null;
 
-    // The file to convert, whose lines are those of the edited text; else the file as it was read.
+    // The file to convert, with the lines of the edited text, or else the file as it was read.
     private Result<DecodedGCode> Edited(IProgress<double>? progress, CancellationToken cancel)
     {
         if (Target is null || !IsEdited) return new Result<DecodedGCode>(File, []);

@@ -5,46 +5,45 @@ using Caterpillar.Slicing;
 
 namespace Caterpillar.Jobs;
 
-/// <summary>How models are scaled, turned and placed, in the order of these properties. By default they stand together in the middle of the bed.</summary>
+/// <summary>Scales, rotates and places models, in the order of these properties. By default they are together in the center of the bed.</summary>
 public sealed record ModelPlacing
 {
-    /// <summary>Factors for the axes; null for 1.</summary>
+    /// <summary>Scale factors of the axes; null = 1.</summary>
     public Vec3? Scale { get; init; }
 
-    /// <summary>The size of the box of all models, mm; null where they are not scaled to it.</summary>
+    /// <summary>Size of the bounding box of all models, mm; null = unchanged.</summary>
     public Vec3? Size { get; init; }
 
-    /// <summary>The longest side of the box of all models, mm; null where they are not scaled to it.</summary>
+    /// <summary>Longest side of the bounding box of all models, mm; null = unchanged.</summary>
     public double? LongestSide { get; init; }
 
-    /// <summary>Degrees about X, then about Y, then about Z, right-handed; null where they are not turned.</summary>
+    /// <summary>Rotation in degrees about X, then Y, then Z, right-handed; null = unchanged.</summary>
     public Vec3? Rotate { get; init; }
 
-    /// <summary>Each model is turned so that its largest flat face is on the bed.</summary>
+    /// <summary>Rotate each model so that its largest flat face is on the bed.</summary>
     public bool LayFlat { get; init; }
 
-    /// <summary>So many of each model are printed, arranged on the bed.</summary>
+    /// <summary>Number of copies of each model, arranged on the bed.</summary>
     public int Copies { get; init; } = 1;
 
-    /// <summary>Models are put beside each other, so far apart that the head passes where they are printed one after the other.</summary>
+    /// <summary>Arrange models next to each other, with space for the head if they are printed one by one.</summary>
     public bool Arrange { get; init; }
 
-    /// <summary>Smallest distance between arranged models, mm.</summary>
+    /// <summary>Minimum distance between arranged models, mm.</summary>
     public double Spacing { get; init; } = new ArrangeOptions().Spacing;
 
-    /// <summary>Models stay where they are in x, y and z.</summary>
+    /// <summary>Keep the positions of models in x, y and z.</summary>
     public bool KeepPosition { get; init; }
 
-    /// <summary>Where the middle of the models is put, mm; null for the middle of the bed.</summary>
+    /// <summary>Center of the models on the bed, mm; null = center of the bed.</summary>
     public Vec3? Center { get; init; }
 
-    /// <summary>The models where they are printed, copies in the order of the originals.</summary>
+    /// <summary>The models at their print positions, copies in the order of the originals.</summary>
     /// <param name="models">The models.</param>
-    /// <param name="setup">The printer, and whether models are printed one after the other.</param>
-    /// <param name="isPart">Which of them are printed; the others move along with these. Null for all.</param>
+    /// <param name="setup">The printer, and whether models are printed one by one.</param>
+    /// <param name="isPart">The models that are printed; the others are moved with them. Null = all.</param>
     /// <param name="cancel">Cancels.</param>
-    /// <returns>The models with the findings of <see cref="ModelCheck"/>; none where there is no place for all of them, or the head cannot pass between
-    /// them.</returns>
+    /// <returns>The models with the findings of <see cref="ModelCheck"/>; none if they do not all fit, or the head cannot pass between them.</returns>
     public Result<IReadOnlyList<NamedMesh>> Place(
         IReadOnlyList<NamedMesh> models, PrintSetup setup, IReadOnlyList<bool>? isPart = null, CancellationToken cancel = default)
     {
@@ -67,7 +66,7 @@ public sealed record ModelPlacing
         else if (!KeepPosition)
         {
             var center = Center ?? printer.BuildBounds.Center;
-            // Bodies that are not printed move along with the parts.
+            // Bodies that are not printed are moved with the parts.
             var box = ModelPlacement.BoxOf(Parts());
             if (!box.IsEmpty) models = models.Moved(new Vec3(center.X - box.Center.X, center.Y - box.Center.Y, -box.Min.Z));
         }

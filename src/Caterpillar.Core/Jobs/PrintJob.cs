@@ -14,8 +14,8 @@ using Caterpillar.Turtles;
 namespace Caterpillar.Jobs;
 
 /// <summary>
-/// A print from models, paths, a turtle program or curves: planned, and ready to be checked and written. Models are planned and checked while higher layers are
-/// still being sliced: a job that is not written has to be disposed. To be used by one thread.
+/// A planned print of models, paths, a turtle program or curves, ready to be checked and written. Planning and checks run while higher layers are still being
+/// sliced, so dispose a job that is not written. For use by one thread.
 /// </summary>
 public sealed class PrintJob : IDisposable
 {
@@ -24,25 +24,25 @@ public sealed class PrintJob : IDisposable
     private PrintJob(Plan plan, Toolpath toolpath, PrintSetup setup, int layers, Overlap? overlap)
         => (Plan, Toolpath, Setup, Layers, _overlap) = (plan, toolpath, setup, layers, overlap);
 
-    /// <summary>The plan, and how often each of its rules had an effect.</summary>
+    /// <summary>The plan, with the number of uses of each rule.</summary>
     public Plan Plan { get; }
 
-    /// <summary>What is written: the plan, with its tool tilted and its axes mapped where that was asked for.</summary>
+    /// <summary>The toolpath to write: the plan with tilted tool and mapped axes, if requested.</summary>
     public Toolpath Toolpath { get; }
 
-    /// <summary>What it is checked against and written for: the setup it was made with, and the object that is printed on.</summary>
+    /// <summary>The setup for checks and output, with the object that is printed on.</summary>
     public PrintSetup Setup { get; }
 
     /// <summary>Number of sliced layers; 0 for drawings.</summary>
     public int Layers { get; }
 
-    /// <summary>Slices a mesh file (STL, OBJ, PLY, 3MF) in the middle of the bed.</summary>
+    /// <summary>Slices a mesh file (STL, OBJ, PLY, 3MF) in the center of the bed.</summary>
     /// <inheritdoc cref="Slice(IReadOnlyList{string}, PrintSetup, ModelPlacing?, PrintJobOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
     public static Result<PrintJob> Slice(
         string model, PrintSetup setup, PrintJobOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
         => Slice([model], setup, null, options, progress, cancel);
 
-    /// <summary>Slices mesh files; those of one print keep their places to each other unless they are arranged.</summary>
+    /// <summary>Slices mesh files. They keep their relative positions unless they are arranged.</summary>
     /// <exception cref="IOException">A file cannot be read.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
     public static Result<PrintJob> Slice(
@@ -68,7 +68,7 @@ public sealed class PrintJob : IDisposable
         return After(found, Slice(parts, setup, options, progress.Part(0.1, 1), cancel));
     }
 
-    /// <summary>Slices models that have settings of their own at the positions where they are printed (Z = 0 is the bed), or onto an object.</summary>
+    /// <summary>Slices models with their own settings at their print positions (Z = 0 is the bed), or onto an object.</summary>
     /// <inheritdoc cref="Slice(IReadOnlyList{string}, PrintSetup, ModelPlacing?, PrintJobOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
     public static Result<PrintJob> Slice(
         IReadOnlyList<SliceModel> models, PrintSetup setup, PrintJobOptions? options = null, IProgress<double>? progress = null,
@@ -118,16 +118,16 @@ public sealed class PrintJob : IDisposable
         return After(sliced.Diagnostics, Planned(plan, over, options, layers.Layers.Count, null, layers.Field, cancel));
     }
 
-    /// <summary>Plans a drawing: what a turtle, a trace or curves give as steps, or paths of any points (<see cref="PathSteps.ToSteps"/>).</summary>
+    /// <summary>Plans a drawing: the steps of a turtle, trace or curves, or paths of any points (<see cref="PathSteps.ToSteps"/>).</summary>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
     public static Result<PrintJob> Draw(
         IReadOnlyList<Step> steps, PrintSetup setup, PrintJobOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
         => Draw(steps, setup, options ?? new PrintJobOptions(), 0, progress, cancel);
 
-    /// <summary>Runs a turtle program of a file and draws what it does as it is, which adds nothing to it, unless the options say otherwise.</summary>
-    /// <param name="script">The file; it may include others of its folder.</param>
+    /// <summary>Runs the turtle program of a file. The drawing is printed as it is, without added moves, unless the options request them.</summary>
+    /// <param name="script">The file, which may include other files of its folder.</param>
     /// <param name="setup">The printer, material and settings.</param>
-    /// <param name="variables">Values of the program's parameters; their own where they are missing.</param>
+    /// <param name="variables">Values of parameters; missing ones keep their default.</param>
     /// <param name="options">What planning may add, and what is printed on.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels.</param>
@@ -144,10 +144,10 @@ public sealed class PrintJob : IDisposable
             : After(run.Diagnostics, Draw(run.Value.ToSteps(), setup, options, progress, cancel));
     }
 
-    /// <summary>Draws the curves of a file (CSV, JSON, SVG, lines of OBJ) in their order.</summary>
+    /// <summary>Draws the curves of a file (CSV, JSON, SVG, OBJ lines) in their order.</summary>
     /// <param name="file">The file.</param>
     /// <param name="setup">The printer, material and settings.</param>
-    /// <param name="curves">Extrusions and division of the curves; null for those of the settings.</param>
+    /// <param name="curves">Extrusion and division of the curves; null = from the settings.</param>
     /// <param name="options">What planning may add, and what is printed on.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels.</param>
@@ -165,11 +165,11 @@ public sealed class PrintJob : IDisposable
     }
 
     /// <summary>Checks the print and writes it as a file, whole or not at all.</summary>
-    /// <param name="path">The file, binary where its name ends in .bgcode; an older one is replaced.</param>
-    /// <param name="reason">Why findings of the checks are to be ignored, in words that stay in the file; null where they are not.</param>
+    /// <param name="path">The output file; .bgcode = binary. An existing file is replaced.</param>
+    /// <param name="reason">Reason to write despite errors of the checks, which the file keeps as a comment; null = refuse.</param>
     /// <param name="progress">0 to 1.</param>
-    /// <param name="cancel">Cancels; no part of the file is left.</param>
-    /// <returns>What was written, or none with the findings and <see cref="SafeWriter.Refused"/>.</returns>
+    /// <param name="cancel">Cancels. No partial file is left.</param>
+    /// <returns>The written file, or none with the findings and <see cref="SafeWriter.Refused"/>.</returns>
     /// <exception cref="IOException">The disk failed.</exception>
     public Result<WrittenGCode> WriteFile(string path, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
@@ -180,11 +180,10 @@ public sealed class PrintJob : IDisposable
     }
 
     /// <summary>Checks the print and writes it to a stream.</summary>
-    /// <param name="stream">Where to write.</param>
-    /// <param name="name">The name for the result, which says whether it is binary.</param>
-    /// <param name="isDraft">True where what was written is thrown away if it is refused: then it is checked while it is written. Otherwise nothing is
-    /// written where it is refused.</param>
-    /// <param name="reason">Why findings of the checks are to be ignored; null where they are not.</param>
+    /// <param name="stream">The output stream.</param>
+    /// <param name="name">The name of the output; .bgcode = binary.</param>
+    /// <param name="isDraft">True if a refused output is discarded, so that checks run during writing. Otherwise all checks run first.</param>
+    /// <param name="reason">Reason to write despite errors of the checks; null = refuse.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels.</param>
     /// <inheritdoc cref="WriteFile" path="/returns"/>
@@ -202,7 +201,7 @@ public sealed class PrintJob : IDisposable
             : SafeWriter.Write(Toolpath, Setup, text, reason, progress, cancel);
     }
 
-    /// <summary>Stops checks that are still going on.</summary>
+    /// <summary>Stops checks that are still running.</summary>
     public void Dispose() => _overlap?.Dispose();
 
     private static Result<PrintJob> Draw(
@@ -252,7 +251,7 @@ public sealed class PrintJob : IDisposable
 
     private static Result<PrintJob> After(IReadOnlyList<Diagnostic> earlier, Result<PrintJob> job) => new(job.Value, [.. earlier, .. job.Diagnostics]);
 
-    /// <summary>Planning and checks that go on beside slicing, stopped by either of two calls: the one that slices and the one that writes.</summary>
+    /// <summary>Planning and checks in parallel with slicing. Both the slicing call and the writing call can cancel them.</summary>
     private sealed class Overlap : IDisposable
     {
         private readonly CancellationTokenSource _stop;

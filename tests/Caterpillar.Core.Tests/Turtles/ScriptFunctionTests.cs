@@ -132,7 +132,7 @@ internal sealed class ScriptFunctionTests
     [TestCase("include \"lib\"", "design/main.turtle", 1, 9, "turtle.file", "is a folder")]
     [TestCase("include \"\"", "design/main.turtle", 1, 9, "turtle.file", "not found")]
     [TestCase("repeat 2 [ include \"lib/late.turtle\" ]", "design/main.turtle", 1, 12, "turtle.syntax", "inside a block")]
-    [TestCase("include", "design/main.turtle", 1, 1, "turtle.values", "name of a file")]
+    [TestCase("include", "design/main.turtle", 1, 1, "turtle.values", "needs a file name")]
     [TestCase("image map \"lib/late.turtle\"", "design/main.turtle", 1, 11, "image.unreadable", "not a PNG, PGM or PBM image")]
     [TestCase("image map \"lib/map.pgm\"\nforward map(1)", "design/main.turtle", 2, 9, "formula.arguments", "takes 2 values, not 1")]
     [TestCase("image map \"lib/map.pgm\"\nimage map \"lib/map.pgm\"", "design/main.turtle", 2, 7, "turtle.name", "declared twice")]
