@@ -9,7 +9,7 @@ internal sealed class CurveSettingOptions
 
     private readonly Described<string?> _height = new("--height", "Extrusion height, in mm or % of the layer height.", "MM|%");
 
-    private readonly Described<string?> _multiplier = new("--flow", "Flow ratio; 1 or 100% = unchanged.", "RATIO|%");
+    private readonly Described<string?> _flow = new("--flow", "Flow ratio; 1 or 100% = unchanged.", "RATIO|%");
 
     private readonly Described<string?> _speed = new("--speed", "Printing speed, in mm/s or % of print_speed_mm_s.", "MM/S|%");
 
