@@ -66,7 +66,7 @@ public class CheckCodeTests : CliFixture
 
     private static string Printer(string code) => code switch
     {
-        CheckCodes.PrintArea => "\"bed_exclude_areas_mm\": [[100, 50, 120, 70]]",
+        CheckCodes.ExcludedArea => "\"bed_exclude_areas_mm\": [[100, 50, 120, 70]]",
         CheckCodes.HeadHits => "\"head_boxes_mm\": [[-25, -45, 8, 50, 30, 60]]",
         CheckCodes.GantryHits => "\"gantry_mm\": [[20, 8, 60, 60]]",
         CheckCodes.ClipHit => "\"bed_clips_mm\": [[0, 100, 0, 12, 110, 5]]",
@@ -79,15 +79,15 @@ public class CheckCodeTests : CliFixture
     {
         CheckCodes.Outside => "G1 X230\n",
         CheckCodes.Below => "G1 Z-1\n",
-        CheckCodes.PrintArea => To(80, 60, 0.2) + Extrusion(130, 60, 50),
+        CheckCodes.ExcludedArea => To(80, 60, 0.2) + Extrusion(130, 60, 50),
         CheckCodes.NozzleHits => Wall(4) + To(70, 30, 3) + Extrusion(70, 70, 40),
         CheckCodes.TravelHits => Wall(4) + To(70, 30, 3) + "G1 Y70\n",
         CheckCodes.HeadHits => Wall(12) + To(70, 30, 1),
         CheckCodes.GantryHits => Wall(12) + To(200, 10, 1),
         CheckCodes.ClipHit => To(50, 105, 3) + "G1 X5\n",
-        CheckCodes.DigsIn => string.Concat(Enumerable.Range(0, 5).Select(k => To(50, 50 + 0.4 * k, 5 - 0.2 * k) + Extrusion(60, 50 + 0.4 * k, 10))),
+        CheckCodes.Slope => string.Concat(Enumerable.Range(0, 5).Select(k => To(50, 50 + 0.4 * k, 5 - 0.2 * k) + Extrusion(60, 50 + 0.4 * k, 10))),
         CheckCodes.Unsupported => To(50, 50, 4) + Extrusion(60, 50, 10),
-        CheckCodes.Doubled => To(50, 50, 0.2) + Extrusion(100, 50, 50) + To(50, 50, 0.2) + Extrusion(100, 50, 50),
+        CheckCodes.Duplicate => To(50, 50, 0.2) + Extrusion(100, 50, 50) + To(50, 50, 0.2) + Extrusion(100, 50, 50),
         CheckCodes.Squeezed => To(50, 50, 0.04) + Extrusion(70, 50, 20),
         CheckCodes.Width => To(50, 50, 0.2) + Extrusion(70, 50, 80),
         CheckCodes.Height => ";LAYER_CHANGE\n;Z:0.6\n;HEIGHT:0.6\n" + To(50, 50, 0.6) + Extrusion(60, 50, 50),

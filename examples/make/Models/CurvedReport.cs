@@ -15,7 +15,7 @@ namespace Caterpillar.Examples;
 internal sealed class CurvedReport
 {
     // On slopes, the machine does not reach all speeds, and the flat nozzle tip touches. Some lines do not quite meet.
-    private static readonly string[] Usual = [CheckCodes.Speed, CheckCodes.DigsIn, CheckCodes.Gap];
+    private static readonly string[] Usual = [CheckCodes.Speed, CheckCodes.Slope, CheckCodes.Gap];
 
     private static readonly Dictionary<string, string[]> Also = new(StringComparer.Ordinal)
     {

@@ -40,7 +40,7 @@ internal sealed class ToolpathEditOptions
             Flow = arguments.GetValue(_flow) is { } flow ? Numbers.Factor(flow, "--flow", 0) : null,
             Scale = arguments.GetValue(_scale) is { } scales ? Numbers.Scale(scales) : null,
             Move = arguments.GetValue(_move) is { } vector ? Numbers.Vector(vector, "--move") : null,
-            Turn = arguments.GetValue(_turn) is not { } turn || double.IsFinite(turn) ? arguments.GetValue(_turn)
+            Rotate = arguments.GetValue(_turn) is not { } turn || double.IsFinite(turn) ? arguments.GetValue(_turn)
                 : throw new CliException(ExitCode.Usage, "--rotate needs an angle in degrees."),
             Deform = Deformation(arguments, session),
             PauseAtLayers = arguments.GetValue(_pauses) ?? [],

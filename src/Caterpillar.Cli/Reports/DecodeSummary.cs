@@ -14,7 +14,7 @@ internal static class DecodeSummary
         {
             ["  Printed", $"{Mm(report.PrintLength)} in {Count(report.PrintSegments + report.PrintArcs, "move")}, {Count(moves.CountLayers(), "layer")}"],
             ["  Traveled", $"{Mm(report.TravelLength)} in {Count(report.TravelSegments + report.TravelArcs, "move")}, "
-                + Count(report.Retracts + report.FirmwareRetracts, "retraction")],
+                + Count(report.Retractions + report.FirmwareRetractions, "retraction")],
             ["  Extruded", report.HasAmounts ? $"{Number(report.EUsed)} {unit} of E, net {Number(report.ENet)} {unit}" : "no E"],
             ["  Printed box", Box(report.PrintBounds)],
             new[] { "  All moves", Box(report.AllBounds) },

@@ -23,7 +23,7 @@ public sealed record FileEdits
     public Vec3? Scale { get; init; }
 
     /// <summary>Rotation of the selection about its center in degrees, counterclockwise from above; null = unchanged.</summary>
-    public double? Turn { get; init; }
+    public double? Rotate { get; init; }
 
     /// <summary>Offset of the selection, mm; null = unchanged.</summary>
     public Vec3? Move { get; init; }
@@ -87,11 +87,11 @@ public sealed record FileEdits
     // Null if nothing is moved.
     private Affine? Map(Toolpath toolpath, MoveFilter extrusions)
     {
-        if (Scale is null && Turn is null) return Move is { } shift ? Affine.Move(shift) : null;
+        if (Scale is null && Rotate is null) return Move is { } shift ? Affine.Move(shift) : null;
         var foot = Foot(toolpath, extrusions);
         var map = Affine.Move(-foot);
         if (Scale is { } scale) map = map.Then(Affine.Scale(scale.X, scale.Y, scale.Z));
-        if (Turn is { } degrees) map = map.Then(Affine.Rotate(Vec3.UnitZ, degrees));
+        if (Rotate is { } degrees) map = map.Then(Affine.Rotate(Vec3.UnitZ, degrees));
         return map.Then(Affine.Move(foot + (Move ?? Vec3.Zero)));
     }
 

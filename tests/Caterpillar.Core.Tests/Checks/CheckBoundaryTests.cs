@@ -34,7 +34,7 @@ public class CheckBoundaryTests
         var setup = SmallPrint.Setup(p => p with { ExcludedAreas = new(new Bounds(new Vec3(100, 50), new Vec3(120, 70))) });
         var (sin, cos) = Angle.SinCos(5);
         var print = new SmallPrint(x, 60, 0.2).Arc(x - 5 + 5 * cos, 60 + 5 * sin, 0.2, new Vec3(x - 5, 60, 0.2), 5, SmallPrint.Area);
-        Assert.That(Count(print, CheckCodes.PrintArea, setup), Is.EqualTo(found));
+        Assert.That(Count(print, CheckCodes.ExcludedArea, setup), Is.EqualTo(found));
     }
 
     // F in a file is whole mm/min.

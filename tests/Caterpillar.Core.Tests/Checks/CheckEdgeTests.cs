@@ -42,7 +42,7 @@ public class CheckEdgeTests
         for (var x = 50; x < 80; x += 10) print.Go(x + gap / 2, 50, 0.2).Print(x + 10 - gap / 2, 50, 0.2).Go(print.At.X, 50, 5);
         print.Go(50, 50, 5).Go(50, 50, 0.2);
         for (var x = 52; x <= 80; x += 2) print.Print(x, 50, 0.2);
-        Assert.That(SmallPrint.Find(print.Go(20, 20, 5).Build(), Setup, CheckCodes.Doubled).Length, Is.EqualTo(found));
+        Assert.That(SmallPrint.Find(print.Go(20, 20, 5).Build(), Setup, CheckCodes.Duplicate).Length, Is.EqualTo(found));
     }
 
     [TestCase(0.6, "3")]
@@ -77,9 +77,9 @@ public class CheckEdgeTests
     public void Extrusions_of_any_length_keep_off_excluded_areas(double length)
     {
         var setup = SmallPrint.Setup(p => p with { ExcludedAreas = new(new Bounds(new Vec3(100, 50), new Vec3(140, 70))) });
-        var found = SmallPrint.Find(new SmallPrint(105, 60, 0.2).Print(105 + length, 60, 0.2).Build(), setup, CheckCodes.PrintArea);
+        var found = SmallPrint.Find(new SmallPrint(105, 60, 0.2).Print(105 + length, 60, 0.2).Build(), setup, CheckCodes.ExcludedArea);
         Assert.That(found, Has.Exactly(1).Items);
-        Assert.That(SmallPrint.Find(new SmallPrint(105, 60, 0.2).Prime(0.1).Build(), setup, CheckCodes.PrintArea), Is.Empty, "a blob is no extrusion");
+        Assert.That(SmallPrint.Find(new SmallPrint(105, 60, 0.2).Prime(0.1).Build(), setup, CheckCodes.ExcludedArea), Is.Empty, "a blob is no extrusion");
     }
 
     [Test]
@@ -125,7 +125,7 @@ public class CheckEdgeTests
     {
         var last = new SmallPrint().Print(30, 10, 0.2).Event(new NozzleTemperatureEvent(1e9)).Build();
         var found = PrintableNumbers.Check(last)!;
-        Assert.That((found.Code, found.Source!.Step, found.Source.Move), Is.EqualTo((SafeWriter.Unprintable, (int?)null, (int?)1)));
+        Assert.That((found.Code, found.Source!.Step, found.Source.Move), Is.EqualTo((SafeWriter.InvalidNumber, (int?)null, (int?)1)));
         var arc = new SmallPrint().Go(30, 10, 0.2).Go(40, 10, 0.2).Arc(50, 10, 0.2, new Vec3(45, 2e7, 0.2), 1).Build();
         Assert.That(PrintableNumbers.Check(arc)!.Source!.Move, Is.EqualTo(2));
         Assert.That(PrintableNumbers.Check(arc)!.Message, Does.StartWith("The center of an arc cannot be written"));

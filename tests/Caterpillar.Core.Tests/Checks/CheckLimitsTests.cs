@@ -33,12 +33,12 @@ public class CheckLimitsTests
     public void Nothing_is_printed_on_excluded_areas(double x, int found)
     {
         var setup = SmallPrint.Setup(p => p with { ExcludedAreas = new(new Bounds(new Vec3(100, 50), new Vec3(120, 70))) });
-        Expect(new SmallPrint(80, 60, 0.2).Print(x, 60, 0.2), CheckCodes.PrintArea, found, 0, null, setup);
-        Expect(new SmallPrint(80, 60, 0.2).Go(110, 60, 0.2), CheckCodes.PrintArea, 0, 0, null, setup);
-        Expect(new SmallPrint(80, 50, 0.2).Print(130, 50, 0.2), CheckCodes.PrintArea, 0, 0, null, setup);
-        Expect(new SmallPrint(80, 60, 0.2).Print(130, 60, 0.2), CheckCodes.PrintArea, 1, 0, null, setup);
-        Expect(new SmallPrint(110, 45, 0.2).Arc(110, 75, 0.2, new Vec3(110, 60), 180, 0.08), CheckCodes.PrintArea, 0, 0, null, setup);
-        Expect(new SmallPrint(110, 45, 0.2).Arc(110, 65, 0.2, new Vec3(110, 55), 180, 0.08), CheckCodes.PrintArea, 1, 0, null, setup);
+        Expect(new SmallPrint(80, 60, 0.2).Print(x, 60, 0.2), CheckCodes.ExcludedArea, found, 0, null, setup);
+        Expect(new SmallPrint(80, 60, 0.2).Go(110, 60, 0.2), CheckCodes.ExcludedArea, 0, 0, null, setup);
+        Expect(new SmallPrint(80, 50, 0.2).Print(130, 50, 0.2), CheckCodes.ExcludedArea, 0, 0, null, setup);
+        Expect(new SmallPrint(80, 60, 0.2).Print(130, 60, 0.2), CheckCodes.ExcludedArea, 1, 0, null, setup);
+        Expect(new SmallPrint(110, 45, 0.2).Arc(110, 75, 0.2, new Vec3(110, 60), 180, 0.08), CheckCodes.ExcludedArea, 0, 0, null, setup);
+        Expect(new SmallPrint(110, 45, 0.2).Arc(110, 65, 0.2, new Vec3(110, 55), 180, 0.08), CheckCodes.ExcludedArea, 1, 0, null, setup);
     }
 
     // 5 mm free and 60 mm between supports; 4 mm above the bed. Lying ends at the fresh extrusion's cells.
@@ -70,7 +70,7 @@ public class CheckLimitsTests
     [TestCase(0.1, 1)]
     [TestCase(0.12, 0)]
     public void The_same_place_printed_twice_is_found(double aside, int found)
-        => Expect(new SmallPrint(50, 50, 0.2).Print(100, 50, 0.2).Go(100, 50, 5).Go(50, 50 + aside, 0.2).Print(100, 50 + aside, 0.2), CheckCodes.Doubled, found,
+        => Expect(new SmallPrint(50, 50, 0.2).Print(100, 50, 0.2).Go(100, 50, 5).Go(50, 50 + aside, 0.2).Print(100, 50 + aside, 0.2), CheckCodes.Duplicate, found,
             3,
             found > 0 ? "Extrusions are in the same place as earlier ones (move 0). Remove the duplicates." : null);
 
@@ -80,7 +80,7 @@ public class CheckLimitsTests
     {
         var print = new SmallPrint(50, 50, 0.2).Print(150, 50, 0.2).Go(150, 50, 5).Go(50, 50, 0.2);
         for (var x = 1; x <= length * 2; x++) print.Print(50 + 0.5 * x, 50, 0.2);
-        Expect(print.Go(80, 80, 5), CheckCodes.Doubled, found, 3);
+        Expect(print.Go(80, 80, 5), CheckCodes.Duplicate, found, 3);
     }
 
     [Test]
@@ -88,7 +88,7 @@ public class CheckLimitsTests
     {
         var print = new SmallPrint(50, 50, 0.2).Print(100, 50, 0.2).Go(100, 50, 5);
         for (var x = 51; x < 100; x++) print.Go(x, 40, 5).Go(x, 40, 0.2).Print(x, 60, 0.2).Go(x, 60, 5);
-        Expect(print.Go(50, 50, 5).Go(50, 50, 0.4).Print(100, 50, 0.4), CheckCodes.Doubled, 0, 0);
+        Expect(print.Go(50, 50, 5).Go(50, 50, 0.4).Print(100, 50, 0.4), CheckCodes.Duplicate, 0, 0);
     }
 
     // 0.08 mm² above the bed: four nozzles of 0.4 at 0.05.

@@ -65,15 +65,15 @@ public class CheckRuleTests
         foreach (var swap in new[] { false, true })
         {
             var print = swap ? new SmallPrint(y, 40, 0.2).Print(y, 90, 0.2) : new SmallPrint(40, y, 0.2).Print(90, y, 0.2);
-            Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.PrintArea).Length, Is.EqualTo(found), $"{swap}");
+            Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.ExcludedArea).Length, Is.EqualTo(found), $"{swap}");
             var back = swap ? new SmallPrint(y, 90, 0.2).Print(y, 40, 0.2) : new SmallPrint(90, y, 0.2).Print(40, y, 0.2);
-            Assert.That(SmallPrint.Find(back.Build(), setup, CheckCodes.PrintArea).Length, Is.EqualTo(found), $"{swap}, back");
+            Assert.That(SmallPrint.Find(back.Build(), setup, CheckCodes.ExcludedArea).Length, Is.EqualTo(found), $"{swap}, back");
         }
         // It ends before the area, or begins after it.
-        Assert.That(SmallPrint.Find(new SmallPrint(40, 60, 0.2).Print(49.9, 60, 0.2).Build(), setup, CheckCodes.PrintArea), Is.Empty);
-        Assert.That(SmallPrint.Find(new SmallPrint(70.1, 60, 0.2).Print(90, 60, 0.2).Build(), setup, CheckCodes.PrintArea), Is.Empty);
-        Assert.That(SmallPrint.Find(new SmallPrint(40, 72, 0.2).Print(72, 40, 0.2).Build(), setup, CheckCodes.PrintArea), Has.Exactly(1).Items, "a corner");
-        Assert.That(SmallPrint.Find(new SmallPrint(40, 55, 0.2).Print(55, 40, 0.2).Build(), setup, CheckCodes.PrintArea), Is.Empty, "past a corner");
+        Assert.That(SmallPrint.Find(new SmallPrint(40, 60, 0.2).Print(49.9, 60, 0.2).Build(), setup, CheckCodes.ExcludedArea), Is.Empty);
+        Assert.That(SmallPrint.Find(new SmallPrint(70.1, 60, 0.2).Print(90, 60, 0.2).Build(), setup, CheckCodes.ExcludedArea), Is.Empty);
+        Assert.That(SmallPrint.Find(new SmallPrint(40, 72, 0.2).Print(72, 40, 0.2).Build(), setup, CheckCodes.ExcludedArea), Has.Exactly(1).Items, "a corner");
+        Assert.That(SmallPrint.Find(new SmallPrint(40, 55, 0.2).Print(55, 40, 0.2).Build(), setup, CheckCodes.ExcludedArea), Is.Empty, "past a corner");
     }
 
     [TestCase(Role.OuterWall, 1)]
@@ -104,7 +104,7 @@ public class CheckRuleTests
     public void Ironing_gap_fill_and_prime_towers_may_lie_on_others(Role role, int found)
     {
         var print = new SmallPrint(50, 50, 0.2).Print(100, 50, 0.2).Go(100, 50, 5).Go(50, 50, 0.2).Print(100, 50, 0.2, SmallPrint.Area, role);
-        Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.Doubled).Length, Is.EqualTo(found));
+        Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.Duplicate).Length, Is.EqualTo(found));
     }
 
     // A wall of 25 mm on 8 mm² beside a patch of 200 mm².

@@ -26,7 +26,7 @@ public class CollisionComparisonTests
             var print = Random(random);
             var toolpath = print.Build();
             var found = PrintCheck.Run(toolpath, SmallPrint.Setup())
-                .Where(d => d.Code is CheckCodes.NozzleHits or CheckCodes.TravelHits or CheckCodes.DigsIn).ToArray();
+                .Where(d => d.Code is CheckCodes.NozzleHits or CheckCodes.TravelHits or CheckCodes.Slope).ToArray();
             var (must, may) = (Search(toolpath, -Cell), Search(toolpath, Cell));
             var (mustCount, mayCount) = (must.Count(h => h), may.Count(h => h));
             var count = found.Sum(d => d.Count);

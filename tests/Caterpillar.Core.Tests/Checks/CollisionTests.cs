@@ -75,7 +75,7 @@ public class CollisionTests
             // Of the wall only what is above the tip counts; flush is 0.05.
             var tip = 20 - below - CollisionCheck.Flush;
             var print = new SmallPrint().Wall(60, 80, 50, 20).Go(20, y, 200).Go(20, y, tip).Go(120, y, tip);
-            var found = PrintCheck.Run(print.Build(), Plain).Where(d => d.Code is CheckCodes.TravelHits or CheckCodes.DigsIn);
+            var found = PrintCheck.Run(print.Build(), Plain).Where(d => d.Code is CheckCodes.TravelHits or CheckCodes.Slope);
             Assert.That(found.Sum(d => d.Count), Is.EqualTo(hits), $"{aside} mm");
         }
     }
@@ -138,8 +138,8 @@ public class CollisionTests
         for (var k = 0; k < 5; k++) print.Go(50, 50 + 0.4 * k, 5 - 0.2 * k).Print(60, 50 + 0.4 * k, 5 - 0.2 * k).Go(60, 50 + 0.4 * k, 100)
             .Go(50, 50 + 0.4 * k + 0.4, 100);
         var found = PrintCheck.Run(print.Build(), Plain).Where(d => d.Code.StartsWith("collision.", StringComparison.Ordinal)
-            || d.Code == CheckCodes.DigsIn).ToArray();
-        Assert.That(found.Select(d => (d.Code, d.Severity)), Is.EqualTo(new[] { (CheckCodes.DigsIn, Severity.Note) }));
+            || d.Code == CheckCodes.Slope).ToArray();
+        Assert.That(found.Select(d => (d.Code, d.Severity)), Is.EqualTo(new[] { (CheckCodes.Slope, Severity.Note) }));
         Assert.That(found[0].Message,
             Is.EqualTo("The flat of the nozzle tip cuts into a slope next to it by more than 0.05 mm between (50, 50.4, 100) and (50, 50.4, 4.8). "
                 + "A narrower tip or a gentler slope avoids this."));
@@ -171,8 +171,8 @@ public class CollisionTests
     {
         var setup = SmallPrint.Setup(p => p with { HeadOutline = new(new HeadPoint(0.5, 0), new(4, 6)) });
         var print = new SmallPrint(50, 50, 5).Print(60, 50, 5).Go(60, 50.3, 4.3);
-        Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.DigsIn).Select(d => (d.Count, d.Source!.Move)), Is.EqualTo(new[] { (1, (int?)1) }));
-        Assert.That(SmallPrint.Find(print.Build(), setup, "collision.").Select(d => d.Code), Is.EqualTo(new[] { CheckCodes.DigsIn }));
+        Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.Slope).Select(d => (d.Count, d.Source!.Move)), Is.EqualTo(new[] { (1, (int?)1) }));
+        Assert.That(SmallPrint.Find(print.Build(), setup, "collision.").Select(d => d.Code), Is.EqualTo(new[] { CheckCodes.Slope }));
     }
 
     [Test]

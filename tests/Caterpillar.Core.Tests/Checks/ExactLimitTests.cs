@@ -52,7 +52,7 @@ public class ExactLimitTests
     [TestCase(4, 0)]
     [TestCase(4.5, 1)]
     public void Extrusions_may_lie_in_the_place_of_others_for_20_mm(double length, int found)
-        => Assert.That(Found(CheckCodes.Doubled, new Vec3(0, 0, 0.25), Area, (new Vec3(16, 0, 0.25), Role.Infill),
+        => Assert.That(Found(CheckCodes.Duplicate, new Vec3(0, 0, 0.25), Area, (new Vec3(16, 0, 0.25), Role.Infill),
             (new Vec3(16 + length, 0, 0.25), Role.Infill)), Is.EqualTo(found));
 
     // In a gap of 0.25 mm.
@@ -142,7 +142,7 @@ public class ExactLimitTests
     {
         var findings = new Findings(Setup.Printer, _ => null, _ => null);
         var printed = new PrintedSoFar(Setup, null);
-        if (code == CheckCodes.Doubled) printed.Deposit.Add(new Vec3(-10, 0, 0.25), new Vec3(50, 0, 0.25), 0.25, 0);
+        if (code == CheckCodes.Duplicate) printed.Deposit.Add(new Vec3(-10, 0, 0.25), new Vec3(50, 0, 0.25), 0.25, 0);
         var check = new ExtrusionCheck(Setup, printed, findings);
         foreach (var (end, role) in extrusions)
         {

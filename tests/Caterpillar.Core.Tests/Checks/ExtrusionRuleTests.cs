@@ -180,10 +180,10 @@ public class ExtrusionRuleTests
     {
         var print = new SmallPrint(50, 50, 0.2).Print(150, 50, 0.2).Go(150, 50, 5).Go(50, 50, 5).Go(50, 50, 0.2).Print(60, 50, 0.2).Print(60, 55, 0.2)
             .Print(70, 55, 0.2).Print(70, 50, 0.2).Print(100, 50, 0.2);
-        Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.Doubled).Single().Source!.Move, Is.EqualTo(8));
+        Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.Duplicate).Single().Source!.Move, Is.EqualTo(8));
         // The same after a travel.
         print.Go(100, 50, 5).Go(120, 50, 5).Go(120, 50, 0.2).Print(145, 50, 0.2);
-        Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.Doubled).Single().Count, Is.EqualTo(2));
+        Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.Duplicate).Single().Count, Is.EqualTo(2));
     }
 
     // 0.02 mm² by a nozzle of 0.4 mm are 0.05 mm high: half of that decides.
@@ -193,7 +193,7 @@ public class ExtrusionRuleTests
     {
         var print = new SmallPrint(50, 50, 0.2).Print(100, 50, 0.2, 0.02).Go(100, 50, 5).Go(50, 50, 5).Go(50, 50, 0.2 + above)
             .Print(100, 50, 0.2 + above, 0.02);
-        Assert.That(Count(print, CheckCodes.Doubled), Is.EqualTo(found));
+        Assert.That(Count(print, CheckCodes.Duplicate), Is.EqualTo(found));
     }
 
     [TestCase(2e6, 20)]

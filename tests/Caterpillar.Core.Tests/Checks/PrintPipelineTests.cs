@@ -74,7 +74,7 @@ public sealed class PrintPipelineTests
         var written = pipeline.Write(new MemoryStream(), true, "a test");
 
         Assert.That(written.Diagnostics, Is.EqualTo(whole.Diagnostics));
-        Assert.That(written.Diagnostics.Single(d => d.Code == CheckCodes.Doubled).Message, Does.Contain("(line "));
+        Assert.That(written.Diagnostics.Single(d => d.Code == CheckCodes.Duplicate).Message, Does.Contain("(line "));
     }
 
     [Test]

@@ -77,7 +77,7 @@ public class BoundaryFieldTests
         boundaries = Ends(tube);
         Assert.That(boundaries.Lower.All(v => boundaries.Mesh.Vertices[v].Z == 0));
         Assert.That(boundaries.Upper.Select(v => boundaries.Mesh.Vertices[v]).All(p => Math.Abs(p.Z - 8 - 0.2 * p.X) < 1e-9));
-        Assert.That(boundaries.Mesh.OpenEdgeCount, Is.EqualTo(boundaries.Lower.Count + boundaries.Upper.Count));
+        Assert.That(boundaries.Mesh.NakedEdgeCount, Is.EqualTo(boundaries.Lower.Count + boundaries.Upper.Count));
     }
 
     [Test]

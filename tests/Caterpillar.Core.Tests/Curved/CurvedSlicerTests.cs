@@ -176,7 +176,7 @@ public class CurvedSlicerTests
         var sliced = CurvedSlicer.Slice([new NamedMesh("part", part)], LayerField.Between(PlanSurface.Level(0), PlanSurface.Of(Roof)), setup);
         Assert.That(sliced.Diagnostics.Any(d => d.Code == "curved.merged_layers"), Is.EqualTo(least == 0));
         var findings = PrintCheck.Run(Planner.Plan(sliced.Value!.ToSteps(), setup).OrThrow(), setup);
-        Assert.That(findings.Select(f => f.Code), Has.No.Member(CheckCodes.Doubled).And.No.Member(CheckCodes.Unsupported));
+        Assert.That(findings.Select(f => f.Code), Has.No.Member(CheckCodes.Duplicate).And.No.Member(CheckCodes.Unsupported));
         var paths = sliced.Value.Layers.SelectMany(l => l.Steps).Select(s => s.Path);
         var heights = paths.SelectMany(p => Enumerable.Range(0, p.SegmentCount).Select(k => p.BeadOf(k).Height));
         Assert.That(heights.Min(), least == 0 ? Is.GreaterThan(0.06) : Is.LessThan(0.05));

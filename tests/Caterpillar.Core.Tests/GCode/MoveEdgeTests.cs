@@ -34,9 +34,9 @@ public class MoveEdgeTests
     {
         var report = Decode("M83\nG28\nG0 X1 Y1 Z1 F600\nG1 X4 Y5 E1\nG0 X4 Y10 E1\nG1 X9 E-0.5\nG1 E-1\nG1 E1.5\nG1 E0.25\nG1 X9\nG1 X19\nG0 X9\nG2 X9 Y10 "
             + "I5 E2\n").Report;
-        Assert.That((report.PrintSegments, report.TravelSegments, report.TravelsWithRetract), Is.EqualTo((3, 4, 1)));
+        Assert.That((report.PrintSegments, report.TravelSegments, report.TravelsWithRetraction), Is.EqualTo((3, 4, 1)));
         Assert.That((report.PrintArcs, report.TravelArcs, report.PrintsByG0, report.TravelsByG1), Is.EqualTo((1, 0, 1, 2)));
-        Assert.That((report.RapidMoves, report.FeedMoves, report.Retracts, report.Unretracts, report.NoOps), Is.EqualTo((3, 8, 1, 2, 1)));
+        Assert.That((report.RapidMoves, report.FeedMoves, report.Retractions, report.Deretractions, report.NoOps), Is.EqualTo((3, 8, 1, 2, 1)));
         Assert.That(report.PrintLength, Is.EqualTo(5 + 5 + 10 * Math.PI).Within(1e-9));
         Assert.That(report.TravelLength, Is.EqualTo(Math.Sqrt(3) + 5 + 10 + 10).Within(1e-9));
         Assert.That((report.EPositive, report.ENegative, report.EPrint, report.ENet), Is.EqualTo((5.75, -1.5, 4.0, 4.25)));

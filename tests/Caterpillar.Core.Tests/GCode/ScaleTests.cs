@@ -51,7 +51,7 @@ public class ScaleTests
         Assert.That(after.Toolpath.CountLayers(), Is.EqualTo(before.Toolpath.CountLayers()));
         var top = after.Toolpath.Layers[after.Toolpath.Layers.Count - 1];
         Assert.That(top.Z, Is.EqualTo(before.Toolpath.Layers[before.Toolpath.Layers.Count - 1].Z / 2).Within(1e-6));
-        Assert.That(after.Report.Retracts, Is.EqualTo(before.Report.Retracts));
+        Assert.That(after.Report.Retractions, Is.EqualTo(before.Report.Retractions));
     }
 
     private static string Scale(string text, Affine map)

@@ -67,7 +67,7 @@ public class FileJobTests
     [Test]
     public void Scaling_is_about_the_middle_of_the_base_and_comes_before_turning_and_moving()
     {
-        var edited = Job.Edit(new FileEdits { Scale = new Vec3(2, 2, 1), Turn = 90, Move = new Vec3(0, 100) }).OrThrow().Toolpath;
+        var edited = Job.Edit(new FileEdits { Scale = new Vec3(2, 2, 1), Rotate = 90, Move = new Vec3(0, 100) }).OrThrow().Toolpath;
         var box = MoveFilter.Prints.BoundsIn(edited);
         Assert.That((box.Center.WithZ(0) - new Vec3(60, 160)).Length + (box.Size - new Vec3(40, 40, 0.2)).Length, Is.LessThan(1e-9));
     }

@@ -30,7 +30,7 @@ public sealed class ModelKindTests
         var mesh = Triangles(Models[kind]);
         Assert.That(mesh.Bounds.Min.DistanceTo(new Vec3(10, 10, 0)), Is.LessThan(1e-6));
         Assert.That(mesh.Bounds.Max.DistanceTo(new Vec3(30, 30, 20)), Is.LessThan(1e-6));
-        Assert.That(mesh.OpenEdgeCount, Is.Zero);
+        Assert.That(mesh.NakedEdgeCount, Is.Zero);
         Assert.That(mesh.Volume, Is.EqualTo(8000).Within(1e-3));
     }
 
@@ -45,7 +45,7 @@ public sealed class ModelKindTests
     public void A_plane_surface_is_a_sheet_with_open_edges()
     {
         var mesh = Triangles(() => new Rg.PlaneSurface(Rg.Plane.WorldXY, new Rg.Interval(0, 20), new Rg.Interval(0, 10)));
-        Assert.That(mesh.OpenEdgeCount, Is.GreaterThan(0));
+        Assert.That(mesh.NakedEdgeCount, Is.GreaterThan(0));
         Assert.That(mesh.Bounds.Size.DistanceTo(new Vec3(20, 10, 0)), Is.LessThan(1e-9));
     }
 

@@ -13,7 +13,7 @@ internal sealed class CollisionCheck
     /// <summary>Codes of its findings.</summary>
     public static IReadOnlyList<string> Codes { get; } =
     [
-        CheckCodes.NozzleHits, CheckCodes.TravelHits, CheckCodes.HeadHits, CheckCodes.GantryHits, CheckCodes.ClipHit, CheckCodes.DigsIn,
+        CheckCodes.NozzleHits, CheckCodes.TravelHits, CheckCodes.HeadHits, CheckCodes.GantryHits, CheckCodes.ClipHit, CheckCodes.Slope,
     ];
 
     /// <summary>Height in mm that travel moves may touch: slicers travel across new extrusions.</summary>
@@ -140,7 +140,7 @@ internal sealed class CollisionCheck
         });
 
     private void Digs(in CheckedMove move, Vec3 a, Vec3 b, double tolerance)
-        => _findings.Add(CheckCodes.DigsIn, move.Index,
+        => _findings.Add(CheckCodes.Slope, move.Index,
             () => $"The flat of the nozzle tip cuts into a slope next to it by more than {NumberFormatter.Format(tolerance, 2)} mm between {a} and {b}. "
                 + "A narrower tip or a gentler slope avoids this.");
 

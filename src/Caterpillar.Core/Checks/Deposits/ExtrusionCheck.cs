@@ -51,7 +51,7 @@ internal sealed class ExtrusionCheck
         _printer = setup.Printer;
         _printed = printed;
         _findings = findings;
-        (_isAsked, _looksForDoubled) = (findings.LooksFor(Codes), findings.LooksFor([CheckCodes.Doubled]));
+        (_isAsked, _looksForDoubled) = (findings.LooksFor(Codes), findings.LooksFor([CheckCodes.Duplicate]));
         _shape = setup.Settings.BeadShape;
         _usualHeight = Math.Max(setup.Settings.LayerHeight, setup.Settings.FirstLayerHeight);
     }
@@ -59,7 +59,7 @@ internal sealed class ExtrusionCheck
     /// <summary>Codes of its findings.</summary>
     public static IReadOnlyList<string> Codes { get; } =
     [
-        CheckCodes.Unsupported, CheckCodes.Doubled, CheckCodes.Squeezed, CheckCodes.Blob, CheckCodes.TooLow, CheckCodes.Width, CheckCodes.Height,
+        CheckCodes.Unsupported, CheckCodes.Duplicate, CheckCodes.Squeezed, CheckCodes.Blob, CheckCodes.TooLow, CheckCodes.Width, CheckCodes.Height,
             CheckCodes.FirstLayer,
     ];
 
@@ -267,6 +267,6 @@ internal sealed class ExtrusionCheck
     }
 
     private void ReportDoubled(int move, int other)
-        => _findings.AddNaming(CheckCodes.Doubled, move, () => () => "Extrusions are in the same place as earlier ones"
+        => _findings.AddNaming(CheckCodes.Duplicate, move, () => () => "Extrusions are in the same place as earlier ones"
             + (other >= 0 && _findings.PlaceOf(other) is { } place ? $" ({place with { Origin = null, Step = null }})" : "") + ". Remove the duplicates.");
 }

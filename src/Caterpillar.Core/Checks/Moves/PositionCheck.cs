@@ -12,7 +12,7 @@ internal sealed class PositionCheck(Printer printer, Findings findings) : IMoveC
     private const double Tolerance = 0.001;
     private const double ArcTolerance = 0.05;
 
-    public IReadOnlyList<string> Codes => [CheckCodes.Outside, CheckCodes.Below, CheckCodes.PrintArea];
+    public IReadOnlyList<string> Codes => [CheckCodes.Outside, CheckCodes.Below, CheckCodes.ExcludedArea];
 
     public void Event(MoveEvent what)
     {
@@ -48,7 +48,7 @@ internal sealed class PositionCheck(Printer printer, Findings findings) : IMoveC
     }
 
     private void Report(int move, Vec3 end, Bounds area)
-        => findings.Add(CheckCodes.PrintArea, move, () => $"An extrusion to {end} crosses an excluded area of {printer.Title}: {area}. Move the print.");
+        => findings.Add(CheckCodes.ExcludedArea, move, () => $"An extrusion to {end} crosses an excluded area of {printer.Title}: {area}. Move the print.");
 
     private bool ReachesAlong(Arc arc, Vec3 start, Vec3 end)
     {

@@ -10,7 +10,7 @@ internal static class PrintableNumbers
     private const double Largest = 1e7;
     private const double LargestFinite = 1e100;
 
-    /// <summary>The error <see cref="SafeWriter.Unprintable"/> about the first such number; null = none.</summary>
+    /// <summary>The error <see cref="SafeWriter.InvalidNumber"/> about the first such number; null = none.</summary>
     public static Diagnostic? Check(Toolpath toolpath) => Check(toolpath, Largest);
 
     /// <summary>True if all numbers are finite, with many orders of magnitude to spare.</summary>
@@ -65,6 +65,6 @@ internal static class PrintableNumbers
     {
         var number = double.IsNaN(value) || double.IsInfinity(value) ? "not finite" : LongWords.Shorten(NumberFormatter.Format(value, 3)) + ", beyond 10⁷";
         var place = Findings.PlaceIn(toolpath, move) ?? new SourceLocation(Move: move);
-        return new Diagnostic(Severity.Error, SafeWriter.Unprintable, $"{what} cannot be written: it is {number}.", place);
+        return new Diagnostic(Severity.Error, SafeWriter.InvalidNumber, $"{what} cannot be written: it is {number}.", place);
     }
 }

@@ -16,7 +16,7 @@ public static class SafeWriter
     public const string Refused = "write.refused";
 
     /// <summary>Code of the error about a number that cannot be written; no reason overrides it.</summary>
-    public const string Unprintable = "write.invalid_number";
+    public const string InvalidNumber = "write.invalid_number";
 
     /// <summary>Checks a toolpath and writes it as a file, whole or not at all.</summary>
     /// <param name="toolpath">The toolpath.</param>

@@ -42,8 +42,8 @@ public sealed class MeshBoundaries
     {
         if (mesh is null) throw new ArgumentNullException(nameof(mesh));
         var fine = Refined(mesh, cancel);
-        var (lower, upper) = mesh.OpenEdgeCount > 0 ? BoundaryFinder.OpenEdges(fine) : BoundaryFinder.SmoothFaces(fine);
-        return Checked(mesh, fine, lower, upper, mesh.OpenEdgeCount > 0
+        var (lower, upper) = mesh.NakedEdgeCount > 0 ? BoundaryFinder.OpenEdges(fine) : BoundaryFinder.SmoothFaces(fine);
+        return Checked(mesh, fine, lower, upper, mesh.NakedEdgeCount > 0
             ? "An open mesh needs naked edges at its bottom and at its top." : "A closed mesh needs a face with sharp edges at its top.");
     }
 

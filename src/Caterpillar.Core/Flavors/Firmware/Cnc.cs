@@ -35,7 +35,7 @@ internal static class Cnc
         ToolByM6 = true,
         FanLetter = 'P',
         ExtruderLetters = "AEB",
-        StrokesWithoutE = true,
+        PrintsWithoutE = true,
         Pauses = ["M0", "M1", "M60"],
         NotFollowed =
         [

@@ -30,7 +30,7 @@ internal static class Grbl
         ToolLimit = 0,
         Fan = FanScale.None,
         ExtruderLetters = "",
-        StrokesWithoutE = true,
+        PrintsWithoutE = true,
         Pauses = ["M0"],
         NotFollowed = ["G10", "G38.2", "G38.3", "G38.4", "G38.5", "G43.1"],
     };

@@ -16,7 +16,7 @@ public sealed partial record FlavorRules
     internal bool SwitchedTools { get; init; }
 
     /// <summary>G1 to G3 of a file without any extrusion are strokes of a pen or another tool.</summary>
-    internal bool StrokesWithoutE { get; init; }
+    internal bool PrintsWithoutE { get; init; }
 
     /// <summary>M200 D makes E a volume in mm³.</summary>
     internal bool Volumetric { get; init; }

@@ -33,7 +33,7 @@ public sealed record DecodeReport
     public int TravelSegments => _counters.Travels;
 
     /// <summary>Number of travel moves with retraction (wipes).</summary>
-    public int TravelsWithRetract => _counters.TravelsWithRetract;
+    public int TravelsWithRetraction => _counters.TravelsWithRetraction;
 
     /// <summary>Number of printing arcs (G2, G3).</summary>
     public int PrintArcs => _counters.PrintArcs;
@@ -54,16 +54,16 @@ public sealed record DecodeReport
     public int FeedMoves => _counters.Feeds;
 
     /// <summary>Number of retractions in place by E.</summary>
-    public int Retracts => _counters.Retracts;
+    public int Retractions => _counters.Retractions;
 
     /// <summary>Number of deretractions in place by E.</summary>
-    public int Unretracts => _counters.Unretracts;
+    public int Deretractions => _counters.Deretractions;
 
     /// <summary>Number of firmware retractions (G10).</summary>
-    public int FirmwareRetracts => _counters.FirmwareRetracts;
+    public int FirmwareRetractions => _counters.FirmwareRetractions;
 
     /// <summary>Number of firmware deretractions (G11).</summary>
-    public int FirmwareUnretracts => _counters.FirmwareUnretracts;
+    public int FirmwareDeretractions => _counters.FirmwareDeretractions;
 
     /// <summary>Number of motion commands that change nothing.</summary>
     public int NoOps => _counters.NoOps;
@@ -158,17 +158,17 @@ public sealed record DecodeReport
     [
         new("print_segments", PrintSegments),
         new("travel_segments", TravelSegments),
-        new("travel_with_retraction", TravelsWithRetract),
+        new("travel_with_retraction", TravelsWithRetraction),
         new("print_arcs", PrintArcs),
         new("travel_arcs", TravelArcs),
         new("print_g0", PrintsByG0),
         new("travel_g1", TravelsByG1),
         new("rapid_moves_g0", RapidMoves),
         new("feed_moves_g123", FeedMoves),
-        new("retractions", Retracts),
-        new("deretractions", Unretracts),
-        new("firmware_retractions", FirmwareRetracts),
-        new("firmware_deretractions", FirmwareUnretracts),
+        new("retractions", Retractions),
+        new("deretractions", Deretractions),
+        new("firmware_retractions", FirmwareRetractions),
+        new("firmware_deretractions", FirmwareDeretractions),
         new("no_ops", NoOps),
         new("tool_changes", ToolChanges),
         new("layer_marks", LayerMarks),

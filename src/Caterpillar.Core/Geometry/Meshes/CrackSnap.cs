@@ -29,7 +29,7 @@ internal static class CrackSnap
         var triangles = mesh.RawTriangles;
         for (var t = 0; t < triangles.Length; t += 3) builder.AddTriangle(ids[triangles[t]], ids[triangles[t + 1]], ids[triangles[t + 2]]);
         var closed = builder.ToMesh();
-        if (closed.OpenEdgeCount >= mesh.OpenEdgeCount) return mesh;
+        if (closed.NakedEdgeCount >= mesh.NakedEdgeCount) return mesh;
         diagnostics.Add(Severity.Warning, "mesh.snapped",
             $"A vertex on a naked edge was moved by up to {NumberFormatter.Format(snap, 9)} mm to close a crack.", source, moved);
         if (builder.Degenerate > 0)

@@ -90,7 +90,7 @@ public sealed class TriMesh
     public double Volume => _volume.Value;
 
     /// <summary>Number of naked edges, which have only one triangle.</summary>
-    public int OpenEdgeCount => Topology.OpenEdges;
+    public int NakedEdgeCount => Topology.OpenEdges;
 
     /// <summary>Number of edges with more than two triangles.</summary>
     public int NonManifoldEdgeCount => Topology.NonManifoldEdges;

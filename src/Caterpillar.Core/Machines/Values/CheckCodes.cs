@@ -7,16 +7,16 @@ public static class CheckCodes
 {
     public const string Outside = "bed.outside";
     public const string Below = "bed.below";
-    public const string PrintArea = "bed.excluded_area";
+    public const string ExcludedArea = "bed.excluded_area";
     public const string NozzleHits = "collision.nozzle";
     public const string TravelHits = "collision.travel";
     public const string HeadHits = "collision.head";
     public const string GantryHits = "collision.gantry";
     public const string ClipHit = "collision.clip";
-    public const string DigsIn = "collision.slope";
+    public const string Slope = "collision.slope";
     public const string TooLow = "nozzle.too_low";
     public const string Unsupported = "extrusion.unsupported";
-    public const string Doubled = "extrusion.duplicate";
+    public const string Duplicate = "extrusion.duplicate";
     public const string Squeezed = "extrusion.squeezed";
     public const string Blob = "extrusion.blob";
     public const string Width = "extrusion.width";
@@ -47,16 +47,16 @@ public static class CheckCodes
     [
         new(Outside, Severity.Error, "moves outside the build volume"),
         new(Below, Severity.Error, "moves below the bed"),
-        new(PrintArea, Severity.Error, "extrusions in an excluded area of the bed"),
+        new(ExcludedArea, Severity.Error, "extrusions in an excluded area of the bed"),
         new(NozzleHits, Severity.Error, "the nozzle hits an earlier extrusion while it prints"),
         new(TravelHits, Severity.Error, "the nozzle hits an earlier extrusion on a travel move"),
         new(HeadHits, Severity.Error, "a box of the print head hits an earlier extrusion"),
         new(GantryHits, Severity.Error, "the gantry hits an earlier extrusion"),
         new(ClipHit, Severity.Error, "the nozzle, print head or gantry hits a bed clip"),
-        new(DigsIn, Severity.Note, "the flat of the nozzle tip cuts into a slope of up to 45° next to it"),
+        new(Slope, Severity.Note, "the flat of the nozzle tip cuts into a slope of up to 45° next to it"),
         new(TooLow, Severity.Error, "more than 5 mm of extrusions with a gap under the nozzle of less than 30 % of their height"),
         new(Unsupported, Severity.Warning, "extrusions in the air: more than 5 mm with a free end, or more than 60 mm between two supports"),
-        new(Doubled, Severity.Warning, "more than 20 mm of a path in the same place as another extrusion"),
+        new(Duplicate, Severity.Warning, "more than 20 mm of a path in the same place as another extrusion"),
         new(Squeezed, Severity.Warning, "more material than fits under the nozzle: an extrusion wider than 4 nozzle diameters, a blob wider than 10, "
             + "or less than 60 % of the height above the bed"),
         new(Blob, Severity.Error, "blobs wider than 20 nozzle diameters"),

@@ -40,8 +40,8 @@ public abstract class SlicerComponent(string name, string nickname, string descr
     private protected static void SetResult(Run run, IReadOnlyList<ModelMesh> models, IReadOnlyList<NamedMesh> solids, Result<SliceResult> result)
     {
         var units = run.Units;
-        run.SetList(4, models.Where(m => m.Triangles.OpenEdgeCount > 0).SelectMany(m => m.Mesh.GetNakedEdges() ?? []).Select(p => p.ToPolylineCurve()));
-        run.Report(solids.Where(m => m.Mesh.OpenEdgeCount > 0).Select(Open));
+        run.SetList(4, models.Where(m => m.Triangles.NakedEdgeCount > 0).SelectMany(m => m.Mesh.GetNakedEdges() ?? []).Select(p => p.ToPolylineCurve()));
+        run.Report(solids.Where(m => m.Mesh.NakedEdgeCount > 0).Select(Open));
         var slices = run.Require(result);
         var root = run.PathOf(0);
         var trees = run.Cached([slices, root.ToString(), units.ToMillimeters], () => new LayerTrees(slices, root, units));
@@ -53,7 +53,7 @@ public abstract class SlicerComponent(string name, string nickname, string descr
     }
 
     private static Diagnostic Open(NamedMesh model) => new(Severity.Warning, "mesh.naked_edges",
-        $"The mesh has {NumberFormatter.Format(model.Mesh.OpenEdgeCount)} naked edges. See the output Naked Edges.", new SourceLocation(model.Name));
+        $"The mesh has {NumberFormatter.Format(model.Mesh.NakedEdgeCount)} naked edges. See the output Naked Edges.", new SourceLocation(model.Name));
 
     private static bool IsWall(Role role) => role is Role.OuterWall or Role.InnerWall or Role.OverhangWall;
 

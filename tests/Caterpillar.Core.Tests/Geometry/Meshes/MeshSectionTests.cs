@@ -123,7 +123,7 @@ public class MeshSectionTests
             if (soup[i].X == 1) soup[i] = new Vec3(1 - gap, 0, soup[i].Z);
         }
         var mesh = TriMesh.Create(soup, Enumerable.Range(0, soup.Length).ToArray());
-        Assert.That(mesh.OpenEdgeCount, Is.GreaterThan(0));
+        Assert.That(mesh.NakedEdgeCount, Is.GreaterThan(0));
         var result = MeshSections.At(mesh, [1.5], new SectionOptions { GapMm = limit });
         Assert.That(result.Value![0].Loops.Count, Is.EqualTo(closes ? 1 : 0));
         Assert.That(result.Diagnostics.Single().Code, Is.EqualTo(closes ? "mesh.gap_closed" : "mesh.naked_edges"));

@@ -49,7 +49,7 @@ public class ParallelMeshTests
         for (var h = 0; h < corners.Count; h++) edges[(corners[h], corners[MeshTopology.Next(h)])] = h;
         var expected = corners.Select((c, h) => edges.TryGetValue((corners[MeshTopology.Next(h)], c), out var other) ? other : -1);
         Assert.That(mesh.Topology.Partner.SequenceEqual(expected));
-        Assert.That((mesh.OpenEdgeCount, mesh.NonManifoldEdgeCount, mesh.WindingConflictCount), Is.EqualTo((3 * 7 - 2 * 6, 0, 0)));
+        Assert.That((mesh.NakedEdgeCount, mesh.NonManifoldEdgeCount, mesh.WindingConflictCount), Is.EqualTo((3 * 7 - 2 * 6, 0, 0)));
         Assert.That(mesh.Topology.IsPaired, Is.False);
     }
 

@@ -30,7 +30,7 @@ public class SharedMeshTests
             Assert.That(Count(read.Diagnostics, "mesh.degenerate_faces"), Is.EqualTo((int)truth["degenerate_faces"]!), "degenerate");
             Assert.That(Count(read.Diagnostics, "mesh.duplicate_faces"), Is.EqualTo((int)truth["duplicate_faces"]!), "duplicates");
             Assert.That(mesh.VertexCount, Is.EqualTo((int)truth["vertices_merged"]!), "vertices");
-            Assert.That(mesh.OpenEdgeCount, Is.EqualTo((int)truth["open_edges"]!), "open edges");
+            Assert.That(mesh.NakedEdgeCount, Is.EqualTo((int)truth["open_edges"]!), "open edges");
             Assert.That(mesh.NonManifoldEdgeCount, Is.EqualTo((int)truth["nonmanifold_edges"]!), "non-manifold edges");
             Assert.That(mesh.WindingConflictCount, Is.EqualTo((int)truth["winding_conflict_edges"]!), "winding conflicts");
             Assert.That(mesh.IsWatertight, Is.EqualTo((bool)truth["watertight"]!), "watertight");

@@ -22,14 +22,14 @@ public class TriMeshTests
         var (moved, image) = (mesh.Moved(new Vec3(shift, -shift, shift)), mesh.Transformed(Affine.Move(new Vec3(shift, -shift, shift))));
         Assert.That(moved.Vertices, Is.EqualTo(image.Vertices));
         Assert.That(moved.Indices, Is.EqualTo(image.Indices));
-        Assert.That(moved.OpenEdgeCount, Is.EqualTo(image.OpenEdgeCount));
+        Assert.That(moved.NakedEdgeCount, Is.EqualTo(image.NakedEdgeCount));
     }
 
     [Test]
     public void Box_has_its_measures()
     {
         var box = MeshMaker.Box(100, 0, 0, 101, 2, 3);
-        Assert.That((box.VertexCount, box.TriangleCount, box.OpenEdgeCount, box.NonManifoldEdgeCount, box.WindingConflictCount), Is.EqualTo((8, 12, 0, 0, 0)));
+        Assert.That((box.VertexCount, box.TriangleCount, box.NakedEdgeCount, box.NonManifoldEdgeCount, box.WindingConflictCount), Is.EqualTo((8, 12, 0, 0, 0)));
         Assert.That((box.IsWatertight, box.BodyCount()), Is.EqualTo((true, 1)));
         Assert.That(box.Volume, Is.EqualTo(6).Within(1e-12));
         Assert.That(box.Area, Is.EqualTo(22).Within(1e-12));
@@ -45,7 +45,7 @@ public class TriMeshTests
             [1, 2, 3, 5, 6, 3, 1, 4, 2]);
         Assert.That(mesh.Vertices, Is.EqualTo(new Vec3[] { new(0, 0), new(1, 0), new(0, 1), new(1, 1) }));
         Assert.That(mesh.Indices, Is.EqualTo(new[] { 0, 1, 2, 1, 3, 2 }));
-        Assert.That((mesh.OpenEdgeCount, mesh.BodyCount()), Is.EqualTo((4, 1)));
+        Assert.That((mesh.NakedEdgeCount, mesh.BodyCount()), Is.EqualTo((4, 1)));
         Assert.That(1 / mesh.Vertices[0].X, Is.EqualTo(double.PositiveInfinity), "no negative zero is left");
     }
 
@@ -102,7 +102,7 @@ public class TriMeshTests
     {
         var box = MeshBytes.Box;
         var halves = new[] { 0, 18 }.Select(from => TriMesh.Create(box.Vertices, box.Indices.Skip(from).Take(18).ToArray())).ToArray();
-        Assert.That(halves.All(h => h.OpenEdgeCount > 0));
+        Assert.That(halves.All(h => h.NakedEdgeCount > 0));
         Assert.That(TriMesh.Merge(halves).IsWatertight);
         var two = TriMesh.Merge([box, box.Moved(new Vec3(5, 0))]);
         Assert.That((two.BodyCount(), two.IsWatertight, two.TriangleCount), Is.EqualTo((2, true, 24)));
@@ -115,14 +115,14 @@ public class TriMeshTests
         var indices = box.Indices.ToArray();
         (indices[0], indices[1]) = (indices[1], indices[0]);
         var mesh = TriMesh.Create(box.Vertices, indices);
-        Assert.That((mesh.OpenEdgeCount, mesh.WindingConflictCount, mesh.IsWatertight), Is.EqualTo((0, 3, false)));
+        Assert.That((mesh.NakedEdgeCount, mesh.WindingConflictCount, mesh.IsWatertight), Is.EqualTo((0, 3, false)));
     }
 
     [Test]
     public void Boxes_that_touch_along_an_edge_stay_apart()
     {
         var mesh = TriMesh.Merge([MeshMaker.Box(0, 0, 0, 1, 1, 1), MeshMaker.Box(1, 1, 0, 2, 2, 1), MeshMaker.Box(-1, 0, 0, 0, 1, 1).Moved(new Vec3(0, -5))]);
-        Assert.That((mesh.NonManifoldEdgeCount, mesh.OpenEdgeCount), Is.EqualTo((1, 0)));
+        Assert.That((mesh.NonManifoldEdgeCount, mesh.NakedEdgeCount), Is.EqualTo((1, 0)));
         var section = MeshSections.At(mesh, [0.5]).Value![0];
         Assert.That(section.Loops.Select(l => l.SignedAreaXY), Is.EqualTo(new[] { 1.0, 1.0, 1.0 }));
         Assert.That(section.OpenLines, Is.Empty);

@@ -151,8 +151,8 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
     private void FirmwareRetraction(bool retract)
     {
         machine.Features.FirmwareRetraction++;
-        if (retract) machine.Counters.FirmwareRetracts++;
-        else machine.Counters.FirmwareUnretracts++;
+        if (retract) machine.Counters.FirmwareRetractions++;
+        else machine.Counters.FirmwareDeretractions++;
         machine.Moves.Stay(retract ? Toolpaths.MoveKind.Retract : Toolpaths.MoveKind.Deretract);
     }
 

@@ -35,7 +35,7 @@ internal sealed partial class MoveRecorder
         _counters = machine.Counters;
         _balance = rule == ExtrusionRule.Balance;
         _switched = machine.Axis == ExtrusionAxis.Switched;
-        PrintsWithoutE = _switched || (machine.Axis == ExtrusionAxis.None && machine.Rules.StrokesWithoutE);
+        PrintsWithoutE = _switched || (machine.Axis == ExtrusionAxis.None && machine.Rules.PrintsWithoutE);
     }
 
     public LayerCollector Layers { get; } = new();
@@ -201,7 +201,7 @@ internal sealed partial class MoveRecorder
         else
         {
             counters.Travels++;
-            if (e < 0) counters.TravelsWithRetract++;
+            if (e < 0) counters.TravelsWithRetraction++;
             if (code == 1) counters.TravelsG1++;
             counters.TravelLength += length;
             counters.TravelEnds.Include(x, y, z);
@@ -230,14 +230,14 @@ internal sealed partial class MoveRecorder
     {
         if (e > 0)
         {
-            _counters.Unretracts++;
+            _counters.Deretractions++;
             var wasRetracted = _extruders.IsRetracted;
             var deposited = _extruders.Push(e);
             Emit(x, y, z, e, _balance ? deposited : 0, wasRetracted || !_balance ? MoveKind.Deretract : MoveKind.Prime);
         }
         else if (e < 0)
         {
-            _counters.Retracts++;
+            _counters.Retractions++;
             _extruders.Pull(-e);
             Emit(x, y, z, e, 0, MoveKind.Retract);
         }

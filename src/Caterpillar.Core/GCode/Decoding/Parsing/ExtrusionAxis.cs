@@ -35,7 +35,7 @@ internal sealed class ExtrusionAxis
     public ExtrusionAxis In(FlavorRules rules)
         => HasAmounts && rules.ExtruderLetters.Length == 0 ? rules.SwitchedExtruder ? Switched : None
             : this == Switched && !rules.SwitchedExtruder
-                ? rules.StrokesWithoutE || rules.ExtruderLetters.IndexOf("E", StringComparison.Ordinal) < 0 ? None : E
+                ? rules.PrintsWithoutE || rules.ExtruderLetters.IndexOf("E", StringComparison.Ordinal) < 0 ? None : E
             : this == A && rules.ExtruderLetters.IndexOf("A", StringComparison.Ordinal) < 0 || this == B
                 && rules.ExtruderLetters.IndexOf("B", StringComparison.Ordinal) < 0
             || this == Both && rules.ExtruderLetters.IndexOf("A", StringComparison.Ordinal) < 0 ? None : this;

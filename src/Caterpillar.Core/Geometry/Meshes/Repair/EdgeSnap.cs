@@ -11,7 +11,7 @@ internal static class EdgeSnap
 
     public static (TriMesh Mesh, int Moved, double Farthest) Close(TriMesh mesh)
     {
-        if (mesh.OpenEdgeCount == 0) return (mesh, 0, 0);
+        if (mesh.NakedEdgeCount == 0) return (mesh, 0, 0);
         var reach = Reaches(mesh);
         var (targets, moved, farthest) = Targets(mesh, reach);
         if (moved == 0) return (mesh, 0, 0);
@@ -25,7 +25,7 @@ internal static class EdgeSnap
         var triangles = mesh.RawTriangles;
         for (var t = 0; t < triangles.Length; t += 3) builder.AddTriangle(ids[triangles[t]], ids[triangles[t + 1]], ids[triangles[t + 2]]);
         var closed = builder.ToMesh();
-        return closed.OpenEdgeCount < mesh.OpenEdgeCount ? (closed, moved, farthest) : (mesh, 0, 0);
+        return closed.NakedEdgeCount < mesh.NakedEdgeCount ? (closed, moved, farthest) : (mesh, 0, 0);
     }
 
     // How far each vertex may go, 0 for those on no open edge.
