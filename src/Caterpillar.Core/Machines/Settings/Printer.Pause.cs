@@ -9,17 +9,17 @@ public sealed partial record Printer
     /// <summary>Height of the nozzle above the print during a pause.</summary> <value>mm.</value> <remarks>0 for a pause on the spot.</remarks>
     public double PauseLift { get; init => field = PauseKeys.PauseLift.Check(value); } = 10;
 
-    /// <summary>Where the head waits during a pause; without it, the corner with the least X and Y that the print reaches.</summary>
+    /// <summary>Position of the head during a pause; empty = corner of the print with minimum X and Y.</summary>
     /// <value>mm.</value> <remarks>One point, or none.</remarks>
     public ValueList<Vec3> PausePark { get; init => field = PauseKeys.PausePark.Check(value); } = new();
 
-    /// <summary>Filament retracted during a pause.</summary> <value>mm.</value>
+    /// <summary>Retraction length for a pause.</summary> <value>mm.</value>
     public double PauseRetraction { get; init => field = PauseKeys.PauseRetraction.Check(value); } = 2;
 
-    /// <summary>Extra filament after a pause, beyond what was retracted.</summary> <value>mm.</value>
+    /// <summary>Extra filament extruded after a pause.</summary> <value>mm.</value>
     public double PausePrime { get; init => field = PauseKeys.PausePrime.Check(value); }
 
-    /// <summary>Lines that pause; without them, the command of the flavor.</summary>
+    /// <summary>G-code for a pause; empty = command of the flavor.</summary>
     public ValueList<string> PauseGCode { get; init => field = PauseKeys.PauseGCode.Check(value); } = new();
 }
 
