@@ -30,7 +30,7 @@ internal static class SetupFormat
         if (format.LacksAmounts(toolpath))
         {
             problems.Add(Severity.Error, "gcode.no_amounts", "The toolpath prints without any amount of E, and " + printer.Flavor.Title
-                + " needs them; they cannot be guessed. For a machine without an extruder set extrusion_unit to none.");
+                + " needs them; they cannot be guessed. For a machine without an extruder set e_unit to none.");
             return new Result<GCodeFormat>(null, problems.ToList());
         }
         if (format.Switches)

@@ -4,7 +4,7 @@ using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Material,
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// What is extruded. The keys of profiles are in <see cref="ProfileKeys"/>; a value outside its key's range throws an
+/// A material. The keys of profiles are in <see cref="ProfileKeys"/>. A value outside its key's range throws an
 /// <see cref="System.ArgumentOutOfRangeException"/>. Immutable.
 /// </summary>
 public sealed record Material
@@ -27,7 +27,7 @@ public sealed record Material
     /// <summary>Bed temperature; 0 = off.</summary> <value>°C.</value>
     public double BedTemperature { get; init => field = MaterialKeys.BedTemperature.Check(value); } = 60;
 
-    /// <summary>Flow ratio of all extrusions.</summary> <remarks>1 for material that fills exactly the requested bead.</remarks>
+    /// <summary>Flow ratio of all extrusions.</summary> <remarks>1 if the material exactly fills the requested bead.</remarks>
     public double FlowRatio { get; init => field = MaterialKeys.FlowRatio.Check(value); } = 1;
 
     /// <summary>Minimum fan speed.</summary> <value>%.</value>

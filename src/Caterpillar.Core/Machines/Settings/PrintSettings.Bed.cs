@@ -37,7 +37,7 @@ public sealed partial record PrintSettings
     public double RaftDensityPercent { get; init => field = BedKeys.RaftDensityPercent.Check(value); } = 40;
 }
 
-/// <summary>Keys of print settings: what is printed around and below a part.</summary>
+/// <summary>Keys of print settings: skirt, brim and raft.</summary>
 internal static class BedKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();

@@ -27,7 +27,7 @@ public sealed partial record PrintSettings
     public double CurvedMaxSlope { get; init => field = CurvedKeys.CurvedMaxSlope.Check(value); }
 }
 
-/// <summary>Keys of print settings: layers that follow a surface.</summary>
+/// <summary>Keys of print settings: curved layers.</summary>
 internal static class CurvedKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();

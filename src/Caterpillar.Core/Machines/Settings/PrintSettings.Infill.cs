@@ -29,12 +29,12 @@ public sealed partial record PrintSettings
     public bool InfillFirst { get; init; }
 }
 
-/// <summary>Keys of print settings: what fills the inside of a part.</summary>
+/// <summary>Keys of print settings: infill.</summary>
 internal static class InfillKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();
 
-    /// <summary>Patterns that close an area.</summary>
+    /// <summary>Patterns for solid infill.</summary>
     public static readonly InfillPattern[] Solid =
         [Machines.InfillPattern.Monotonic, Machines.InfillPattern.Lines, Machines.InfillPattern.Concentric, Machines.InfillPattern.Hilbert];
 

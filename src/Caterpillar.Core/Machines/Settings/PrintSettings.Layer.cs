@@ -37,7 +37,7 @@ public sealed partial record PrintSettings
     public double ElephantFootCompensation { get; init => field = LayerKeys.ElephantFootCompensation.Check(value); }
 }
 
-/// <summary>Keys of print settings: how a model is divided into layers.</summary>
+/// <summary>Keys of print settings: layers and compensations.</summary>
 internal static class LayerKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();
@@ -46,7 +46,7 @@ internal static class LayerKeys
         = All.Choice("slicing_plane", s => s.SlicingPlane, (s, v) => s with { SlicingPlane = v });
     public static readonly ProfileKey<PrintSettings, ValueList<LayerRange>> LayerRanges = All.Of(
         "height_ranges_mm",
-        new RowsFormat<LayerRange>(["from", "to", "thickness"], 1000, 0, 100_000, LayerRange.Of, r => [r.From, r.To, r.Thickness], LayerRange.Problem),
+        new RowsFormat<LayerRange>(["from", "to", "layer height"], 1000, 0, 100_000, LayerRange.Of, r => [r.From, r.To, r.Thickness], LayerRange.Problem),
         s => s.LayerRanges, (s, v) => s with { LayerRanges = v });
     public static readonly ProfileKey<PrintSettings, string> LayerFormula
         = All.Of("layer_height_formula", new FormulaFormat("z"), s => s.LayerFormula, (s, v) => s with { LayerFormula = v });

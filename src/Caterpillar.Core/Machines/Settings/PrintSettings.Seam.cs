@@ -20,7 +20,7 @@ public sealed partial record PrintSettings
     public int SeamSeed { get; init => field = SeamKeys.SeamSeed.Check(value); } = 1;
 
     /// <summary>Gap left at the end of each closed wall to prevent a blob, at most a tenth of the wall; 0 = off.</summary>
-    /// <value>mm.</value> <remarks>Beads begin and end round, so that two ends in one place would be a blob.</remarks>
+    /// <value>mm.</value> <remarks>Beads have round ends. Two ends in one place would form a blob.</remarks>
     public double SeamGap { get; init => field = SeamKeys.SeamGap.Check(value); } = 0.06;
 
     /// <summary>Length of scarf seams; 0 = off.</summary> <value>mm.</value>
@@ -36,7 +36,7 @@ public sealed partial record PrintSettings
     public OverhangWallOrder OverhangWallOrder { get; init; } = OverhangWallOrder.Same;
 }
 
-/// <summary>Keys of print settings: where loops begin, and in which order the walls of a contour are printed.</summary>
+/// <summary>Keys of print settings: seams and the order of walls.</summary>
 internal static class SeamKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();

@@ -92,7 +92,7 @@ public sealed partial record PrintSettings
     public ValueList<OverhangClass> OverhangClasses { get; init => field = SkinKeys.OverhangClasses.Check(value); } = OverhangClass.Usual;
 }
 
-/// <summary>Keys of print settings: the closed layers at the top and the bottom of a part, and bridges.</summary>
+/// <summary>Keys of print settings: top and bottom layers, ironing, bridges, overhangs.</summary>
 internal static class SkinKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();

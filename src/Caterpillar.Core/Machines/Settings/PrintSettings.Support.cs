@@ -49,7 +49,7 @@ public sealed partial record PrintSettings
     public ModelType ModelType { get; init; } = ModelType.Part;
 }
 
-/// <summary>Keys of print settings: what holds up the parts of a print that hang in the air.</summary>
+/// <summary>Keys of print settings: supports.</summary>
 internal static class SupportKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();

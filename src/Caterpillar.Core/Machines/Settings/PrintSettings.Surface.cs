@@ -32,7 +32,7 @@ public sealed partial record PrintSettings
     public double MinPrintSpeed { get; init => field = SurfaceKeys.MinPrintSpeed.Check(value); } = 10;
 }
 
-/// <summary>Keys of print settings: vase mode, open meshes, rough surfaces and the time of layers.</summary>
+/// <summary>Keys of print settings: spiral vase, open contours, fuzzy skin, layer time.</summary>
 internal static class SurfaceKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();

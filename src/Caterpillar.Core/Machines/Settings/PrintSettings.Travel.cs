@@ -12,7 +12,7 @@ public sealed partial record PrintSettings
     public LayerTimeWait LayerTimeWait { get; init; } = LayerTimeWait.None;
 }
 
-/// <summary>Keys of print settings: how the head gets from path to path, and what it does while a layer cools.</summary>
+/// <summary>Keys of print settings: travel moves, and waits for layers to cool.</summary>
 internal static class TravelKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();

@@ -16,11 +16,11 @@ public sealed partial record PrintSettings
     public double MaxWallWidth { get; init => field = WallWidthKeys.MaxWallWidth.Check(value); }
 
     /// <summary>Fit arcs (G2, G3) to the walls of planar layers within this tolerance; 0 = off.</summary>
-    /// <value>mm.</value> <remarks>No arc crosses a change of width or flow, or a seam; spiral vases have none.</remarks>
+    /// <value>mm.</value> <remarks>No arc crosses a seam or a change of width or flow. Spiral vases have no arcs.</remarks>
     public double ArcFittingTolerance { get; init => field = WallWidthKeys.ArcFittingTolerance.Check(value); }
 }
 
-/// <summary>Keys of print settings: how wide walls are, and whether they have arcs.</summary>
+/// <summary>Keys of print settings: wall widths and arc fitting.</summary>
 internal static class WallWidthKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();

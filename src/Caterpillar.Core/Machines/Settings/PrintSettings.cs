@@ -6,7 +6,7 @@ using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSett
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// Print settings. Lengths in mm, speeds in mm/s. The keys of profiles are in <see cref="ProfileKeys"/>; a value outside its key's range throws an
+/// Print settings. Lengths in mm, speeds in mm/s. The keys of profiles are in <see cref="ProfileKeys"/>. A value outside its key's range throws an
 /// <see cref="System.ArgumentOutOfRangeException"/>. Immutable.
 /// </summary>
 public sealed partial record PrintSettings
@@ -132,7 +132,7 @@ public sealed partial record PrintSettings
     public override string ToString() => Title;
 }
 
-/// <summary>Keys of print settings: sizes, speeds and what is planned.</summary>
+/// <summary>Keys of print settings: sizes, speeds, travel moves.</summary>
 internal static class SettingsKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();

@@ -16,7 +16,7 @@ public sealed partial record Printer
     public ValueList<Bounds> HeadBoxes { get; init => field = HeadKeys.HeadBoxes.Check(value); } = ValueList<Bounds>.Empty;
 
     /// <summary>Beams along X across the whole bed that hold the head, relative to the nozzle tip.</summary>
-    /// <value>mm.</value> <remarks>X has no meaning.</remarks>
+    /// <value>mm.</value> <remarks>X is ignored.</remarks>
     public ValueList<Bounds> Gantry { get; init => field = HeadKeys.Gantry.Check(value); } = ValueList<Bounds>.Empty;
 
     /// <summary>Boxes around bed clips and other obstacles on the bed, in machine coordinates.</summary> <value>mm.</value>
@@ -26,11 +26,11 @@ public sealed partial record Printer
     public ValueList<Bounds> ExcludedAreas { get; init => field = HeadKeys.ExcludedAreas.Check(value); } = ValueList<Bounds>.Empty;
 
     /// <summary>Severities of checks that differ from the default. Errors refuse the file.</summary>
-    /// <remarks>The usual ones are in <see cref="CheckCodes.All"/>.</remarks>
+    /// <remarks>Defaults are in <see cref="CheckCodes.All"/>.</remarks>
     public ValueList<CheckSeverity> CheckSeverities { get; init => field = HeadKeys.CheckSeverities.Check(value); } = ValueList<CheckSeverity>.Empty;
 }
 
-/// <summary>Keys of printers: tools, head, and what it must not hit.</summary>
+/// <summary>Keys of printers: tools, head and obstacles.</summary>
 internal static class HeadKeys
 {
     public static readonly KeyTable<Printer> All = new();

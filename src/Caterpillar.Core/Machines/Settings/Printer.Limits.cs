@@ -21,7 +21,7 @@ public sealed partial record Printer
     public double MaxStationaryVolume { get; init => field = LimitKeys.MaxStationaryVolume.Check(value); } = 500;
 }
 
-/// <summary>Keys of printers: how much and how hot it extrudes.</summary>
+/// <summary>Keys of printers: flow and temperatures.</summary>
 internal static class LimitKeys
 {
     public static readonly KeyTable<Printer> All = new();

@@ -58,7 +58,7 @@ public sealed partial record Printer
     public double HomingTime { get; init => field = MotionKeys.HomingTime.Check(value); }
 }
 
-/// <summary>Keys of printers: speeds, accelerations, and what takes time.</summary>
+/// <summary>Keys of printers: speeds, accelerations, times.</summary>
 internal static class MotionKeys
 {
     public static readonly KeyTable<Printer> All = new();

@@ -6,7 +6,7 @@ namespace Caterpillar.Machines;
 // What a pause does that is put into a print.
 public sealed partial record Printer
 {
-    /// <summary>Height of the nozzle above the print during a pause.</summary> <value>mm.</value> <remarks>0 for a pause on the spot.</remarks>
+    /// <summary>Height of the nozzle above the print during a pause.</summary> <value>mm.</value> <remarks>0 = no lift.</remarks>
     public double PauseLift { get; init => field = PauseKeys.PauseLift.Check(value); } = 10;
 
     /// <summary>Position of the head during a pause; empty = corner of the print with minimum X and Y.</summary>
@@ -36,5 +36,5 @@ internal static class PauseKeys
         = All.Number("pause_retraction_mm", 0, 1000, p => p.PauseRetraction, (p, v) => p with { PauseRetraction = v });
     public static readonly NumberKey PausePrime = All.Number("pause_prime_mm", 0, 1000, p => p.PausePrime, (p, v) => p with { PausePrime = v });
     public static readonly ProfileKey<Printer, ValueList<string>> PauseGCode
-        = All.Of("pause_gcode", new LinesFormat(PrintTemplate.Problem), p => p.PauseGCode, (p, v) => p with { PauseGCode = v });
+        = All.Of("pause_gcode", new LinesFormat(), p => p.PauseGCode, (p, v) => p with { PauseGCode = v });
 }

@@ -31,7 +31,7 @@ public sealed partial record Printer
     public double ZHopSpeed { get; init => field = RetractionKeys.ZHopSpeed.Check(value); } = 10;
 }
 
-/// <summary>Keys of printers: retraction, lifts and the progress of a print.</summary>
+/// <summary>Keys of printers: retraction, Z-hop and progress.</summary>
 internal static class RetractionKeys
 {
     public static readonly KeyTable<Printer> All = new();

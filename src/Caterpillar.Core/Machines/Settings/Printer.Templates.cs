@@ -16,12 +16,12 @@ public sealed partial record Printer
     public ValueList<string> ToolChangeGCode { get; init => field = TemplateKeys.ToolChangeGCode.Check(value); } = ValueList<string>.Empty;
 }
 
-/// <summary>Keys of printers: lines that go into every file.</summary>
+/// <summary>Keys of printers: G-code templates.</summary>
 internal static class TemplateKeys
 {
     public static readonly KeyTable<Printer> All = new();
 
-    private static readonly LinesFormat Lines = new(PrintTemplate.Problem);
+    private static readonly LinesFormat Lines = new();
 
     public static readonly ProfileKey<Printer, ValueList<string>> StartGCode
         = All.Of("start_gcode", Lines, p => p.StartGCode, (p, v) => p with { StartGCode = v });

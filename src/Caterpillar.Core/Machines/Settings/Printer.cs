@@ -8,7 +8,7 @@ namespace Caterpillar.Machines;
 
 /// <summary>
 /// A printer: its build volume, its limits and its style of G-code. Lengths in mm, speeds in mm/s, accelerations in mm/s². The keys of profiles are in
-/// <see cref="ProfileKeys"/>; a value outside its key's range throws an <see cref="ArgumentOutOfRangeException"/>. Immutable.
+/// <see cref="ProfileKeys"/>. A value outside its key's range throws an <see cref="ArgumentOutOfRangeException"/>. Immutable.
 /// </summary>
 public sealed partial record Printer
 {
@@ -70,7 +70,7 @@ public sealed partial record Printer
         }
     }
 
-    /// <summary>True if the nozzle can reach it, within <paramref name="tolerance"/> mm.</summary>
+    /// <summary>True if the nozzle can reach the point, within <paramref name="tolerance"/> mm.</summary>
     public bool CanReach(Vec3 point, double tolerance = 0)
     {
         var bounds = BuildBounds;
@@ -85,7 +85,7 @@ public sealed partial record Printer
     public override string ToString() => Title;
 }
 
-/// <summary>Keys of printers: the space that they reach, and how they want their G-code.</summary>
+/// <summary>Keys of printers: build volume and G-code format.</summary>
 internal static class PrinterKeys
 {
     public static readonly KeyTable<Printer> All = new();

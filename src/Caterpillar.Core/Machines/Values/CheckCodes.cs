@@ -2,7 +2,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Machines;
 
-/// <summary>What is checked, by the codes of its findings. A printer's <c>check_severities</c> change how serious each is.</summary>
+/// <summary>The checks, by the codes of their findings. The key <c>check_severities</c> of a printer changes their severities.</summary>
 public static class CheckCodes
 {
     public const string Outside = "bed.outside";
@@ -40,44 +40,44 @@ public static class CheckCodes
     public const string UnknownPosition = "file.unknown_position";
     public const string HeatLeftOn = "file.heat_left_on";
 
-    /// <summary>All of them, with their usual severity and what they find.</summary>
+    /// <summary>All checks, with their default severities and descriptions.</summary>
     public static IReadOnlyList<CheckRule> All { get; } =
     [
-        new(Outside, Severity.Error, "a move outside the space that the nozzle can reach"),
+        new(Outside, Severity.Error, "a move outside the build volume"),
         new(Below, Severity.Error, "a move below the bed"),
         new(PrintArea, Severity.Error, "an extrusion on an excluded area of the bed"),
-        new(NozzleHits, Severity.Error, "the nozzle goes through what is printed, while it prints"),
-        new(TravelHits, Severity.Error, "the nozzle goes through what is printed, on a travel"),
-        new(HeadHits, Severity.Error, "a box of the head goes through what is printed"),
-        new(GantryHits, Severity.Error, "the gantry goes through what is printed"),
-        new(ClipHit, Severity.Error, "nozzle, head or gantry hit a clip on the bed"),
-        new(DigsIn, Severity.Note, "the flat of the nozzle digs into a slope of up to 45° beside it"),
-        new(Unsupported, Severity.Warning, "extrusions in the air: more than 5 mm at a free end, or more than 60 mm between two supports"),
-        new(Doubled, Severity.Warning, "more than 20 mm of a path in the place of another extrusion"),
-        new(Squeezed, Severity.Warning, "more material than fits between the nozzle and what is below it: an extrusion would be more than four nozzles wide, "
-            + "a blob in place more than ten"),
-        new(Width, Severity.Warning, "more than 5 mm of extrusions wider than three nozzles, or thinner than a fifth of one"),
-        new(Height, Severity.Warning, "layers higher than the nozzle is wide"),
-        new(Gap, Severity.Note, "a straight line of extrusions with a gap of 0.1 to 1 mm"),
-        new(FirstLayer, Severity.Warning, "a print that is higher than eight times the root of the area on which it stands"),
-        new(Flow, Severity.Error, "more material than hot end and material allow"),
-        new(Speed, Severity.Warning, "extrusions faster than the axes or the extruder"),
-        new(TravelSpeed, Severity.Note, "travels faster than the axes, retractions faster than the extruder"),
-        new(Acceleration, Severity.Note, "accelerations above those of the axes"),
-        new(Raised, Severity.Note, "a command that raises a limit of speed or jerk above that of the printer"),
+        new(NozzleHits, Severity.Error, "the nozzle collides with the print during extrusion"),
+        new(TravelHits, Severity.Error, "the nozzle collides with the print during a travel move"),
+        new(HeadHits, Severity.Error, "a box of the print head collides with the print"),
+        new(GantryHits, Severity.Error, "the gantry collides with the print"),
+        new(ClipHit, Severity.Error, "nozzle, head or gantry collides with a clip on the bed"),
+        new(DigsIn, Severity.Note, "the flat of the nozzle digs into a neighboring slope of up to 45°"),
+        new(Unsupported, Severity.Warning, "unsupported extrusions: more than 5 mm at a free end, or more than 60 mm between two supports"),
+        new(Doubled, Severity.Warning, "more than 20 mm of a path that repeats another extrusion"),
+        new(Squeezed, Severity.Warning, "more material than fits under the nozzle: an extrusion of more than four nozzle diameters, "
+            + "or a blob of more than ten"),
+        new(Width, Severity.Warning, "more than 5 mm of extrusions wider than three nozzle diameters, or narrower than a fifth of one"),
+        new(Height, Severity.Warning, "layers higher than the nozzle diameter"),
+        new(Gap, Severity.Note, "a gap of 0.1 to 1 mm in a straight line of extrusions"),
+        new(FirstLayer, Severity.Warning, "a print higher than eight times the square root of its first layer area"),
+        new(Flow, Severity.Error, "more volumetric flow than hot end and material allow"),
+        new(Speed, Severity.Warning, "extrusions faster than the axes or the extruder allow"),
+        new(TravelSpeed, Severity.Note, "travel moves faster than the axes allow, or retractions faster than the extruder allows"),
+        new(Acceleration, Severity.Note, "accelerations above the limits of the axes"),
+        new(Raised, Severity.Note, "a command that raises a limit of speed or jerk above the printer's limit"),
         new(Tool, Severity.Error, "a tool that the printer does not have"),
-        new(NozzleTemperature, Severity.Error, "a nozzle hotter than the printer allows"),
-        new(BedTemperature, Severity.Error, "a bed hotter than the printer allows"),
-        new(Stationary, Severity.Error, "too much material pushed out, or pulled back, while the head stands still"),
+        new(NozzleTemperature, Severity.Error, "a nozzle temperature above the printer's maximum"),
+        new(BedTemperature, Severity.Error, "a bed temperature above the printer's maximum"),
+        new(Stationary, Severity.Error, "too much material extruded or retracted while the head does not move"),
         new(ColdExtrusion, Severity.Error, "extrusion with a cold nozzle"),
-        new(FilePosition, Severity.Error, "a line of the file that moves the head elsewhere than was planned"),
-        new(FileExtrusion, Severity.Error, "a line of the file that extrudes another amount than was planned"),
-        new(FileModes, Severity.Error, "a raw line that leaves the machine in another mode"),
-        new(ExtrusionMode, Severity.Error, "amounts of E that make sense only in the other mode, absolute or relative"),
-        new(NoHoming, Severity.Warning, "a file that prints and does not home"),
-        new(NoHeating, Severity.Warning, "a file that extrudes and does not heat the nozzle"),
-        new(UnknownPosition, Severity.Warning, "extrusions before all three axes have a position"),
-        new(HeatLeftOn, Severity.Warning, "a nozzle or a bed that is still heated at the end"),
+        new(FilePosition, Severity.Error, "a line that moves the head to another position than planned"),
+        new(FileExtrusion, Severity.Error, "a line that extrudes another amount than planned"),
+        new(FileModes, Severity.Error, "a line of raw G-code that leaves the machine in another mode"),
+        new(ExtrusionMode, Severity.Error, "values of E that make sense only in the other mode, absolute or relative"),
+        new(NoHoming, Severity.Warning, "a file that prints without homing"),
+        new(NoHeating, Severity.Warning, "a file that extrudes without heating the nozzle"),
+        new(UnknownPosition, Severity.Warning, "extrusions before all three axes have a known position"),
+        new(HeatLeftOn, Severity.Warning, "a nozzle or bed that is still heated at the end"),
     ];
 
     /// <summary>The rule of a code, or null.</summary>
@@ -86,18 +86,18 @@ public static class CheckCodes
 
 /// <summary>A check.</summary>
 /// <param name="Code">Code of its findings.</param>
-/// <param name="Severity">How serious they are, unless the printer says otherwise.</param>
-/// <param name="Summary">What it finds, after "finds".</param>
+/// <param name="Severity">Default severity of its findings.</param>
+/// <param name="Summary">Description of its findings, as the end of "finds …".</param>
 public sealed record CheckRule(string Code, Severity Severity, string Summary);
 
-/// <summary>How serious the findings of a check are on a printer.</summary>
+/// <summary>Severity of a check on a printer.</summary>
 /// <param name="Code">A code of <see cref="CheckCodes"/>.</param>
-/// <param name="Severity">Null: it is not checked.</param>
+/// <param name="Severity">Null = off.</param>
 public readonly record struct CheckSeverity(string Code, Severity? Severity)
 {
     private static readonly string[] Words = ["note", "warning", "error"];
 
-    /// <summary>Reads <c>code=severity</c>; null, and the problem, where it is wrong.</summary>
+    /// <summary>Reads <c>code=severity</c>; null and the problem if it is wrong.</summary>
     internal static CheckSeverity? Parse(string text, out string? problem)
     {
         problem = null;
@@ -106,7 +106,7 @@ public readonly record struct CheckSeverity(string Code, Severity? Severity)
         var word = cut < 0 ? "" : text.Substring(cut + 1).Trim();
         if (CheckCodes.Find(code) is null)
         {
-            problem = $"has \"{code}\", which is not a code of a check";
+            problem = $"has \"{code}\", which is not the code of a check";
             return null;
         }
         if (word == "off") return new CheckSeverity(code, null);
