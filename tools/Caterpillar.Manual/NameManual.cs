@@ -19,8 +19,8 @@ internal static class NameManual
 
             <!-- Made from the table of names: CATERPILLAR_RENEW=1 ./test.sh rewrites it. -->
 
-            Which setting of PrusaSlicer, OrcaSlicer or Cura is which key of Caterpillar. A key ends in its unit. `--set` and profiles know these
-            names and answer with the key and the converted value:
+            Settings of PrusaSlicer, OrcaSlicer and Cura, and the keys of Caterpillar for them. Keys end in their unit. If you use a name of
+            another slicer with `--set` or in a profile, the error contains the key and the converted value:
 
             ```
             caterpillar slice part.stl --set fill_density=15%
@@ -50,7 +50,10 @@ internal static class NameManual
         }
     }
 
-    private static string Shown(SlicerName name) => (name.Conversion == "?" && name.Name != name.Key.Name ? "≈ `" : "`") + name.Name + "`" + name.Conversion switch
+    private static string Shown(SlicerName name)
+        => (name.Conversion == "?" && name.Name != name.Key.Name ? "≈ `" : "`") + name.Name + "`" + Conversion(name.Conversion);
+
+    private static string Conversion(string text) => text switch
     {
         "90-" => " (90 − value)",
         var factor when factor.StartsWith("*", StringComparison.Ordinal) => " (× " + factor.Substring(1).Replace('-', '−') + ")",

@@ -17,7 +17,7 @@ public sealed partial record Printer
     /// <summary>Maximum bed temperature; 0 = bed is not heated.</summary> <value>°C.</value>
     public double MaxBedTemperature { get; init => field = LimitKeys.MaxBedTemperature.Check(value); } = 120;
 
-    /// <summary>Maximum volume to extrude or retract while the head stands still.</summary> <value>mm³.</value>
+    /// <summary>Maximum volume to extrude or retract while the head does not move.</summary> <value>mm³.</value>
     public double MaxStationaryVolume { get; init => field = LimitKeys.MaxStationaryVolume.Check(value); } = 500;
 }
 

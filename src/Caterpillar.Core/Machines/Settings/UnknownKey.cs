@@ -32,7 +32,8 @@ internal static class UnknownKey
         }
         var message = $"{key} is not a key of {kinds}.";
         if (!names.Contains(key) && ProfileKinds.KindOf(key) is not null) message += Belongs(key);
-        else if (AtLayer.IsMatch(plain)) message += " For G-code at a layer or height, use layer_change_gcode with layer or layer_z_mm, or convert --gcode-at-layer.";
+        else if (AtLayer.IsMatch(plain))
+            message += " For G-code at a layer or height, use layer_change_gcode with layer or layer_z_mm, or convert --gcode-at-layer.";
         else if (group.Count > 0) message += $" Did you mean {Words.Either(group)}?";
         else if (SpellingSuggestion.Nearest(plain, names) is { } near) message += $" Did you mean {near}?";
         else if (KeyAdvice.Alike(plain, names, whole: false) is { Count: > 0 } alike) message += $" Did you mean {Words.Either(alike)}?";

@@ -71,13 +71,15 @@ public sealed record PrintSetup
                 "line_width_mm is less than the layer height. bead_shape=stadium does not allow that. Use rectangle or circle.",
                 new SourceLocation(Key: "line_width_mm"));
         if (Printer.ExtrusionUnit != ExtrusionUnit.None && Math.Max(Settings.LayerHeight, Settings.FirstLayerHeight) > Printer.NozzleDiameter)
-            diagnostics.Add(Severity.Warning, "setup.high_layer", "The layer height exceeds the nozzle diameter: extrusions will bond poorly. Use thinner layers or a larger nozzle.",
+            diagnostics.Add(Severity.Warning, "setup.high_layer",
+                "The layer height exceeds the nozzle diameter: extrusions will bond poorly. Use thinner layers or a larger nozzle.",
                 new SourceLocation(Key: "layer_height_mm"));
         if (Settings.AdaptiveLayers && Settings.AdaptiveMinHeight > Settings.AdaptiveMaxHeight)
             diagnostics.Add(Severity.Error, "setup.adaptive_heights", "adaptive_min_height_mm is greater than adaptive_max_height_mm.",
                 new SourceLocation(Key: "adaptive_min_height_mm"));
         if (Printer.FirmwareRetraction && !Printer.Flavor.FirmwareRetraction)
-            diagnostics.Add(Severity.Error, "setup.no_firmware_retraction", $"{Printer.Flavor.Title} has no firmware retraction. Set firmware_retraction=false.",
+            diagnostics.Add(Severity.Error, "setup.no_firmware_retraction",
+                $"{Printer.Flavor.Title} has no firmware retraction: set firmware_retraction=false.",
                 new SourceLocation(Key: "firmware_retraction"));
         return diagnostics.ToList();
     }
