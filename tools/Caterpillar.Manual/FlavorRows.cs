@@ -110,7 +110,7 @@ internal static class FlavorRows
 
     private static string Arcs(FlavorRules d) => !d.Arcs ? "refused" : "I J K"
         + (d.ArcsInRelativeMode ? "" : "; refused in G91")
-        + (d.ArcWithoutCenterIsLine ? "; without center: a line" : "; without center: refused")
+        + (d.ArcWithoutCenterIsLine ? "; without center: a line" : "; refused without center")
         + (d.ArcNamesEnd ? ", or without end" : "")
         + (d.CounterclockwiseCircles ? "" : "; full circles by G2 only")
         + (d.HelixRisesFirst ? "; Z moves before the circle" : "");

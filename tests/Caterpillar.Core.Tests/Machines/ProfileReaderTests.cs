@@ -58,7 +58,7 @@ public class ProfileReaderTests
         Assert.That(errors.Select(e => e.Code), Is.All.EqualTo("profile.unknown_key"));
         Assert.That(errors.Select(e => e.Source!.Key), Is.EqualTo(new[] { "wal_count", "colour", "filament_diameter_mm" }));
         Assert.That(errors[0].Message, Does.Contain("Did you mean wall_count?"));
-        Assert.That(errors[2].Message, Does.Contain("belongs to materials"));
+        Assert.That(errors[2].Message, Does.Contain("a key of materials"));
     }
 
     [TestCase("""{ "layer_height_mm": "0.2 mm" }""", "profile.wrong_kind", "layer_height_mm")]
