@@ -38,7 +38,7 @@ internal static class FlavorManual
             + "do nothing.\n");
         text.Append("- A file does not contain the zero of a machine, its stored positions, or its own retraction. Homing ends at 0, and stored "
             + "positions are 0 until the file stores others.\n");
-        text.Append("\n## Not supported\n\nThese commands move the head or change its coordinates in unsupported ways. A warning "
+        text.Append("\n## Not supported\n\nThese commands move the head or change its coordinates and are not supported. A warning "
             + "(`gcode.not_followed`) names the line. Positions after it may be wrong.\n\n");
         foreach (var flavor in all.Where(d => d.NotFollowed.Count > 0 || d.RestorePoints))
         {

@@ -78,7 +78,8 @@ internal static class FlavorRows
             _ => "0 after a tool change" }),
         ("tool change", Tools),
         ("fan, `M106 S`", d => d.Fan switch { FanScale.Byte => "0 to 255", FanScale.FractionOrByte => "0 to 1, or 0 to 255",
-            FanScale.Switch => "0 = off, others = on", _ => "nothing" } + (d.FanLetter != 'S' ? " (" + d.FanLetter + ")" : "") + (d.ValveIsFan ? "; also `M126`, `M127`" : "")),
+            FanScale.Switch => "0 = off, others = on", _ => "nothing" }
+            + (d.FanLetter != 'S' ? " (" + d.FanLetter + ")" : "") + (d.ValveIsFan ? "; also `M126`, `M127`" : "")),
         ("extruder", d => (d.ExtruderLetters.Length == 0 ? "" : string.Join(", ", d.ExtruderLetters.Select(c => c.ToString())))
             + (d.SwitchedExtruder ? (d.ExtruderLetters.Length == 0 ? "" : ", or ") + "`M101`" + (d.SwitchedTools ? ", `M201` …" : "") + ", `M103`"
                 : d.ExtruderLetters.Length == 0 ? "none" : "")),

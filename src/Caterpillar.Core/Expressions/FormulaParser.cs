@@ -220,11 +220,10 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
     {
         if (!Next.Is(bracket))
         {
-            var what = Next.Kind is TokenKind.End or TokenKind.NewLine || Next.Is(";") || Next.Is("[")
-                ? $"'{open.Text}' has no closing '{bracket}'."
-                : $"Found {Next}, expected '{bracket}'.";
-            var where = what.StartsWith("'" + open.Text + "' is", System.StringComparison.Ordinal) ? open : Next;
-            throw new FormulaException("formula.bracket", what, where.Line, where.Column);
+            var unclosed = Next.Kind is TokenKind.End or TokenKind.NewLine || Next.Is(";") || Next.Is("[");
+            var at = unclosed ? open : Next;
+            throw new FormulaException(
+                "formula.bracket", unclosed ? $"'{open.Text}' has no closing '{bracket}'." : $"Found {Next}, expected '{bracket}'.", at.Line, at.Column);
         }
         At++;
     }

@@ -102,8 +102,11 @@ internal sealed class ChoiceFormat<TValue>(params (string Word, TValue Value)[] 
 }
 
 /// <summary>Lines of a template.</summary>
-internal sealed class LinesFormat() : KeyFormat<ValueList<string>>(KeyKind.Lines, "a list of lines")
+internal sealed class LinesFormat(Func<ValueList<string>, Diagnostic?> check) : KeyFormat<ValueList<string>>(KeyKind.Lines, "a list of lines")
 {
+    /// <summary>The code of the first error of the template, or null.</summary>
+    public string? ErrorCode(object raw) => TryRead(raw, out var lines) ? check(lines!)?.Code : null;
+
     public override string Range => "a list of lines of text";
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema
@@ -122,5 +125,5 @@ internal sealed class LinesFormat() : KeyFormat<ValueList<string>>(KeyKind.Lines
 
     public override string? Problem(ValueList<string> value)
         => value.Any(l => l is null || l.IndexOfAny(['\n', '\r']) >= 0) ? "has an entry of more than one line"
-            : PrintTemplate.Error(value) is { } error ? $"has an error in {error.Source}: {error.Message.TrimEnd('.')}" : null;
+            : check(value) is { } error ? $"has an error in {error.Source}: {error.Message.TrimEnd('.')}" : null;
 }

@@ -36,5 +36,5 @@ internal static class PauseKeys
         = All.Number("pause_retraction_mm", 0, 1000, p => p.PauseRetraction, (p, v) => p with { PauseRetraction = v });
     public static readonly NumberKey PausePrime = All.Number("pause_prime_mm", 0, 1000, p => p.PausePrime, (p, v) => p with { PausePrime = v });
     public static readonly ProfileKey<Printer, ValueList<string>> PauseGCode
-        = All.Of("pause_gcode", new LinesFormat(), p => p.PauseGCode, (p, v) => p with { PauseGCode = v });
+        = All.Of("pause_gcode", new LinesFormat(PrintTemplate.Error), p => p.PauseGCode, (p, v) => p with { PauseGCode = v });
 }

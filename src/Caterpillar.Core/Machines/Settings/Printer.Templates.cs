@@ -21,7 +21,7 @@ internal static class TemplateKeys
 {
     public static readonly KeyTable<Printer> All = new();
 
-    private static readonly LinesFormat Lines = new();
+    private static readonly LinesFormat Lines = new(PrintTemplate.Error);
 
     public static readonly ProfileKey<Printer, ValueList<string>> StartGCode
         = All.Of("start_gcode", Lines, p => p.StartGCode, (p, v) => p with { StartGCode = v });

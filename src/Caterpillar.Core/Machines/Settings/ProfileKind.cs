@@ -37,9 +37,9 @@ internal sealed class ProfileKind<T>(string noun, string folder, IReadOnlyList<P
         }
         var changed = found.Set(profile, raw, out var problem);
         if (changed is not null) return changed;
-        var code = problem!.StartsWith("needs", StringComparison.Ordinal) ? "profile.wrong_kind" : "profile.out_of_range";
-        if (found.Format is LinesFormat lines && lines.TryRead(raw, out var template) && PrintTemplate.Error(template!) is { } error) code = error.Code;
-        problem += problem.EndsWith("?", StringComparison.Ordinal) ? "" : ".";
+        var code = (found.Format as LinesFormat)?.ErrorCode(raw)
+            ?? (problem!.StartsWith("needs", StringComparison.Ordinal) ? "profile.wrong_kind" : "profile.out_of_range");
+        problem += problem!.EndsWith("?", StringComparison.Ordinal) ? "" : ".";
         diagnostics.Add(new Diagnostic(Severity.Error, code, $"{key} {problem}" + (raw is string word ? found.Format.Hint(word) : ""), place));
         return profile;
     }
