@@ -20,12 +20,8 @@ internal static class NameManual
             <!-- Made from the table of names: CATERPILLAR_RENEW=1 ./test.sh rewrites it. -->
 
             Settings of PrusaSlicer, OrcaSlicer and Cura, and the keys of Caterpillar for them. Keys end in their unit. If you use a name of
-            another slicer with `--set` or in a profile, the error contains the key and the converted value:
-
-            ```
-            caterpillar slice part.stl --set fill_density=15%
-            fill_density: error profile.unknown_key: fill_density (PrusaSlicer) is infill_density_percent here: infill_density_percent=15.
-            ```
+            another slicer with `--set` or in a profile, the error contains the key and the converted value. For `--set fill_density=15%` it is
+            "fill_density (PrusaSlicer) is infill_density_percent here: infill_density_percent=15."
 
             A name after ≈ has the same purpose, but another unit or other values. [Profiles](profiles.md) describes all keys and their ranges.
 

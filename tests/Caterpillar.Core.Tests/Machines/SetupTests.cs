@@ -56,6 +56,10 @@ public class SetupTests
     [TestCase("wall_line_count=3", "profile.unknown_key", "wall_count=3.")]
     [TestCase("walls=3", "profile.unknown_key", "wall_count")]
     [TestCase("nonsense=3", "profile.unknown_key", "settings.")]
+    [TestCase("start_gcode=M104 S{nozzle_temperature}", "template.unknown_name",
+        "start_gcode has an error in line 1:8: Unknown variable 'nozzle_temperature'. Did you mean 'nozzle_temperature_c'?")]
+    [TestCase("start_gcode={if 1}", "template.no_endif", "start_gcode has an error in line 1:2: {if} without {endif}.")]
+    [TestCase("layer_height_formula=0.2 +", "profile.out_of_range", "layer_height_formula is not a valid formula: ")]
     [TestCase("wall_count=1e99", "profile.wrong_kind", "integer")]
     [TestCase("overhang_classes=101 20 100 1", "profile.out_of_range", "up to 100")]
     [TestCase("overhang_classes=50 20 101 1", "profile.out_of_range", "up to 100")]
