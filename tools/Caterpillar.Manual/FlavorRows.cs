@@ -6,7 +6,7 @@ using Caterpillar.Flavors;
 
 namespace Caterpillar.Manual;
 
-/// <summary>The rows of the tables in <c>docs/gcode.md</c>: a word, and what a flavor makes of it.</summary>
+/// <summary>The rows of the tables in <c>docs/gcode.md</c>: a word and its meaning in a flavor.</summary>
 internal static class FlavorRows
 {
     public static IReadOnlyList<(string Word, Func<FlavorRules, string> Says)> All { get; } =
@@ -22,11 +22,11 @@ internal static class FlavorRows
         {
             BareG92Rule.Nothing => "nothing",
             BareG92Rule.ZeroAll => "X Y Z E are 0 here",
-            _ => "takes shifts of X Y Z back, E is 0",
+            _ => "resets the offsets of X Y Z, E is 0",
         }),
-        ("takes `G92 X…` back", d => List(d.ShiftResets)),
+        ("resets `G92 X…`", d => List(d.ShiftResets)),
         ("several G in a line", d => (d.Commands switch { CommandsRule.All => "all count, modes first", CommandsRule.InOrder => "one after the other",
-            CommandsRule.First => "the first counts", _ => "the last counts" }) + (d.Letters.Length > 0 ? "; unknown letters refuse the line" : "")),
+            CommandsRule.First => "the first counts", _ => "the last counts" }) + (d.Letters.Length > 0 ? "; unknown letters: line refused" : "")),
         ("axis words without G", d => d.ModalMotion switch
         {
             ModalMotionRule.Never => "nothing",
@@ -34,9 +34,9 @@ internal static class FlavorRows
             _ => "the last motion again, also after modal words",
         }),
         ("homing", d => List(d.HomingCommands)
-            + (d.Homing == HomingRule.HomesToZero ? ": named axes, or all" : ": over the point named to the stored position (`G28.1`, `G30.1`)")
+            + (d.Homing == HomingRule.HomesToZero ? ": named axes, or all" : ": via the named point to the stored position (`G28.1`, `G30.1`)")
             + (d.HomingSelectsXy ? "; then `G17`" : "") + (d.HomingKeepsShifts ? "; `G92 X…` stays" : "")
-            + (d.HomesToNumber ? "; a number but 0 is the place" : "")),
+            + (d.HomesToNumber ? "; a number other than 0 is the position" : "")),
         ("`G20`", d => !d.Inches ? "refused"
             : d.InchesOfE switch { InchesOfERule.Inches => "inches, E too", InchesOfERule.InchesOrCubic => "inches, E too (in³ in `M200`)",
             _ => "inches, not E" }),
@@ -49,8 +49,8 @@ internal static class FlavorRows
         ("P of an arc", d => !d.Arcs ? "–" : d.ArcTurns switch
         {
             ArcTurnsRule.Ignored => "nothing",
-            ArcTurnsRule.Count => "turns in all",
-            ArcTurnsRule.Added => "turns more",
+            ArcTurnsRule.Count => "total turns",
+            ArcTurnsRule.Added => "additional turns",
             ArcTurnsRule.CirclesFirst => "flat circles before it, without E",
             ArcTurnsRule.OneCircle => "P1 of a full circle only",
             _ => "refused",
@@ -60,30 +60,31 @@ internal static class FlavorRows
         ("`G18`, `G19`", d => !d.Arcs ? "–" : !d.Planes ? "nothing" : d.MirroredZx ? "planes XZ (G3 from X to Z) and YZ" : "planes ZX and YZ"),
         ("`G90.1`, `G91.1`", d => !d.Arcs ? "–" : d.AbsoluteCenters ? "centers absolute, relative" : "centers always relative"),
         ("`G10`, `G11`", d => d.FirmwareRetraction
-            ? "retract, restore" + (d.NoRetractionWith.Length > 0 ? "; not with " + string.Join(" ", d.NoRetractionWith.Select(c => c.ToString())) : "")
+            ? "retract, deretract" + (d.NoRetractionWith.Length > 0 ? "; not with " + string.Join(" ", d.NoRetractionWith.Select(c => c.ToString())) : "")
             : "no retraction"),
         ("`G4 P`", d => d.DwellP == 1 ? "seconds" : "milliseconds"),
-        ("`G4 S`", d => d.DwellS == 0 ? "nothing" : d.DwellSums ? "seconds more" : "seconds, instead of P"),
+        ("`G4 S`", d => d.DwellS == 0 ? "nothing" : d.DwellSums ? "additional seconds" : "seconds, instead of P"),
         ("`M220 S`", d => !d.SpeedFactor ? "nothing"
-            : "% of speed" + (d.SpeedMemory != SpeedMemoryRule.None ? "; B keeps, R brings back" : "") + (d.FactorsReset ? "; alone 100 %" : "")),
+            : "% of speed" + (d.SpeedMemory != SpeedMemoryRule.None ? "; B saves, R restores" : "") + (d.FactorsReset ? "; alone 100 %" : "")),
         ("`M221 S`", d => d.FlowFactor switch
         {
             FlowFactorRule.Ignored => "nothing",
-            FlowFactorRule.AllTools => "% of material",
-            FlowFactorRule.PerTool => "% of the tool's material" + (d.FlowToolLetter.Length > 0 ? " (" + d.FlowToolLetter + ")" : ""),
-            _ => "% of material, until the tool changes",
+            FlowFactorRule.AllTools => "% of flow",
+            FlowFactorRule.PerTool => "% of the tool's flow" + (d.FlowToolLetter.Length > 0 ? " (" + d.FlowToolLetter + ")" : ""),
+            _ => "% of flow, until the tool changes",
         } + (d.FactorsReset ? "; alone 100 %" : "")),
         ("`M200 D`", d => d.StartsVolumetric ? "nothing: E is in mm³ from the start" : d.Volumetric ? "E in mm³; D0 in mm" : "nothing"),
-        ("position of E", d => d.PositionOfE switch { PositionOfERule.Shared => "shared by the tools", PositionOfERule.PerTool => "each tool its own",
-            _ => "0 at a change of the tool" }),
+        ("position of E", d => d.PositionOfE switch { PositionOfERule.Shared => "shared by the tools", PositionOfERule.PerTool => "separate for each tool",
+            _ => "0 after a tool change" }),
         ("tool change", Tools),
-        ("fan, `M106 S`", d => d.Fan switch { FanScale.Byte => "0 to 255", FanScale.FractionOrByte => "0 to 1, or 0 to 255", FanScale.Switch => "0 or not",
-            _ => "nothing" } + (d.FanLetter != 'S' ? " (" + d.FanLetter + ")" : "") + (d.ValveIsFan ? "; also `M126`, `M127`" : "")),
+        ("fan, `M106 S`", d => d.Fan switch { FanScale.Byte => "0 to 255", FanScale.FractionOrByte => "0 to 1, or 0 to 255",
+            FanScale.Switch => "0 = off, others = on", _ => "nothing" }
+            + (d.FanLetter != 'S' ? " (" + d.FanLetter + ")" : "") + (d.ValveIsFan ? "; also `M126`, `M127`" : "")),
         ("extruder", d => (d.ExtruderLetters.Length == 0 ? "" : string.Join(", ", d.ExtruderLetters.Select(c => c.ToString())))
             + (d.SwitchedExtruder ? (d.ExtruderLetters.Length == 0 ? "" : ", or ") + "`M101`" + (d.SwitchedTools ? ", `M201` …" : "") + ", `M103`"
                 : d.ExtruderLetters.Length == 0 ? "none" : "")),
-        ("without extrusion", d => d.PrintsWithoutE ? "G1 to G3 are strokes" : "all motion is travel"),
-        ("limits of the motion", d => d.Limits switch
+        ("without extrusion", d => d.StrokesWithoutE ? "G1 to G3 draw" : "all moves are travel moves"),
+        ("motion limits", d => d.Limits switch
         {
             LimitCommands.Marlin => "`M201`, `M203` (mm/s), `M204 S P T R`, `M205` (jerk; J)",
             LimitCommands.RepRapFirmware => "`M201`, `M203` (mm/min), `M204 S P T`, `M566`",
@@ -93,13 +94,13 @@ internal static class FlavorRows
         ("progress, `M73`", d => d.Progress switch
         {
             ProgressCommand.Percent => "P: percent",
-            ProgressCommand.PercentAndMinutes => "P: percent, R: minutes left",
+            ProgressCommand.PercentAndMinutes => "P: percent, R: remaining minutes",
             _ => "–",
         }),
-        ("keeps and brings back", d => d.ModeStack ? "`M120`, `M121`: the modes" : d.ExtendedCommands
+        ("saves and restores", d => d.ModeStack ? "`M120`, `M121`: the modes" : d.ExtendedCommands
             ? "`SAVE_GCODE_STATE`, `RESTORE_GCODE_STATE`; `SET_GCODE_OFFSET`" : "–"),
         ("pause", d => List(d.Pauses)),
-        ("also waits", d => d.Dwells.Count > 1 ? List(d.Dwells.Skip(1).ToArray()) + " with S or P" : "–"),
+        ("also wait", d => d.Dwells.Count > 1 ? List(d.Dwells.Skip(1).ToArray()) + " with S or P" : "–"),
     ];
 
     public static string Code(string word) => "`" + word + "`";
@@ -110,7 +111,7 @@ internal static class FlavorRows
 
     private static string Arcs(FlavorRules d) => !d.Arcs ? "refused" : "I J K"
         + (d.ArcsInRelativeMode ? "" : "; refused in G91")
-        + (d.ArcWithoutCenterIsLine ? "; a line without center" : "; refused without center")
+        + (d.ArcWithoutCenterIsLine ? "; without center: a line" : "; refused without center")
         + (d.ArcNamesEnd ? ", or without end" : "")
         + (d.CounterclockwiseCircles ? "" : "; full circles by G2 only")
         + (d.HelixRisesFirst ? "; Z moves before the circle" : "");
@@ -121,8 +122,8 @@ internal static class FlavorRows
 
     private static string Tools(FlavorRules d)
     {
-        if (d.ToolLimit == 0) return "none (T is only remembered)";
-        var text = d.ToolByM6 ? "`T` chooses, `M6` changes" : "`T`" + (d.ToolLimit < 1000 ? " below " + NumberFormatter.Format(d.ToolLimit) : "");
+        if (d.ToolLimit == 0) return "none (T is only stored)";
+        var text = d.ToolByM6 ? "`T` selects, `M6` changes" : "`T`" + (d.ToolLimit < 1000 ? " below " + NumberFormatter.Format(d.ToolLimit) : "");
         return d.ToolCommands.Count == 0 ? text : text + ", " + List(d.ToolCommands);
     }
 }

@@ -18,26 +18,25 @@ internal static class ProfileManual
 
             <!-- Made from the table of keys: CATERPILLAR_RENEW=1 ./test.sh rewrites it. -->
 
-            A print needs three profiles: a **printer** (its build volume, its limits, the style of its G-code), a **material**
-            (what is extruded) and **settings** (how it is printed). They are JSON files with one key per line; keys include
-            their unit. They live in `printers/`, `printers/materials/` and `printers/settings/`, come with the library,
-            and profiles in a folder of your own override them
+            A print needs three profiles: a **printer** (build volume, limits, G-code format), a **material** and **settings** (how to print).
+            They are JSON files with one key per line. Keys end in their unit. The built-in profiles are in `printers/`, `printers/materials/` and
+            `printers/settings/`. Profiles in your own folder override them
             (`~/.config/Caterpillar/printers` in the terminal; `%APPDATA%\Caterpillar\printers` on Windows).
 
             ```
             caterpillar printers                    # all profiles
-            caterpillar printers ender3             # one of them with all its keys, a starting point for your own
-            caterpillar printers --import HEADER FOOTER -o mine.json    # a printer from two files of G-code, such as those of ExtruderTurtle
+            caterpillar printers ender3             # all keys of a profile, to start your own
+            caterpillar printers --import HEADER FOOTER -o mine.json    # a printer from two G-code files, as in ExtruderTurtle
             caterpillar slice part.stl --printer ender3 --material petg --settings fine --set layer_height_mm=0.15
             ```
 
-            `--printer`, `--material` and `--settings` take a name or a file; without them the printer is `generic`, and material and settings are those that
-            the printer names. `--set key=value` changes any
-            key of the three; lists are written with commas (`build_volume_mm=300,300,400`), lists of lists also with semicolons.
+            `--printer`, `--material` and `--settings` take a name or a file. The default printer is `generic`, with its default material and
+            settings. `--set key=value` changes any key of the three. Write lists with commas (`build_volume_mm=300,300,400`), and lists of lists
+            with semicolons between them.
 
-            A profile may begin with `"inherits": "name"` and states only what differs; your profile may inherit the
-            built-in one of the same name. Keys that do not exist, keys with another unit (`layer_height_cm`) and values
-            outside their range are errors that name file, line and key.
+            A profile may begin with `"inherits": "name"`. Then it contains only keys that differ. Your profile may inherit the built-in one of
+            the same name. Unknown keys, keys with another unit (`layer_height_cm`) and values out of range are errors that name file, line and
+            key. [Names in other slicers](names.md) lists the names of PrusaSlicer, OrcaSlicer and Cura for these keys.
 
 
             """);
@@ -49,9 +48,8 @@ internal static class ProfileManual
             ## Templates
 
             `start_gcode` and `end_gcode` are the lines before and after the print, `layer_change_gcode` those before each layer except the first,
-            `tool_change_gcode` those for a tool change. Braces contain any key of
-            the three profiles, any name from the list below, or a formula of these (`{min(print_max_z_mm + 10, bed_max_z_mm)}`); `{{` and `}}` are literal
-            braces. Numbers are written with up to five decimals.
+            `tool_change_gcode` those for a tool change. Braces contain any key of the three profiles, any name from the list below, or a formula
+            (`{min(print_max_z_mm + 10, bed_max_z_mm)}`). `{{` and `}}` are literal braces. Numbers are written with up to five decimals.
 
             ```
             {if bed_temperature_c > 0}
@@ -63,9 +61,9 @@ internal static class ProfileManual
             {endif}
             ```
 
-            A line with only a directive gives no line. A wrong name is an error with the line and column of the template. After the start code
-            Caterpillar states its own modes (`G90`, then
-            `M82` or `M83`, and `G92 E0` if E is absolute), so a template cannot leave the print in the wrong ones.
+            A line with only a directive gives no line. An unknown name is an error with line and column of the template. After the start G-code
+            Caterpillar writes its own modes (`G90`, then `M82` or `M83`, and `G92 E0` if E is absolute), so a template cannot leave the print in
+            the wrong ones.
 
 
             """);

@@ -5,7 +5,7 @@ using Caterpillar.Machines;
 namespace Caterpillar.Manual;
 
 /// <summary>
-/// JSON schemas of the profiles (draft 2020-12), made from the table of keys; they are in <c>printers/schema/</c> and let editors complete and check.
+/// JSON schemas of the profiles (draft 2020-12), made from the table of keys, in <c>printers/schema/</c>. Editors use them for completion and checks.
 /// </summary>
 internal sealed class ProfileSchema(SettingDocs docs)
 {
@@ -23,7 +23,7 @@ internal sealed class ProfileSchema(SettingDocs docs)
         var properties = new List<KeyValuePair<string, object>>
         {
             Entry("$schema", Text("The schema, for editors.")),
-            Entry("inherits", Text("Profile to start from; the profile's own name means the one that comes with Caterpillar.")),
+            Entry("inherits", Text("Profile to start from. The profile's own name refers to the built-in profile.")),
         };
         foreach (var key in keys) properties.Add(Entry(key.Name, key.Format.Schema.Concat([Entry("description", docs[key].Sentence)]).ToArray()));
         return ProfileJson.Write(

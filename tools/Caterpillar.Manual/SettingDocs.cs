@@ -9,10 +9,10 @@ using Caterpillar.Machines;
 
 namespace Caterpillar.Manual;
 
-/// <summary>What stands in the source at the property of a setting: the sentence, and what its value is, which begins with the unit.</summary>
+/// <summary>Documentation of a setting in the source: its summary, and its value, which begins with the unit.</summary>
 internal sealed record SettingDoc(string Sentence, string Value);
 
-/// <summary>Reads the sentences of all settings where they are written: at the properties of printers, materials and print settings.</summary>
+/// <summary>Reads the summaries of all settings from the source: the properties of printers, materials and print settings.</summary>
 internal sealed class SettingDocs
 {
     private static readonly Regex Properties = new(@"((?:^ *///[^\n]*\n)+) *public [^\n(]+ (\w+) \{ get; init", RegexOptions.Multiline);

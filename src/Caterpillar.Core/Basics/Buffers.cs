@@ -1,9 +1,9 @@
 namespace Caterpillar.Basics;
 
-/// <summary>Memory for those who fill it.</summary>
+/// <summary>Uninitialized memory.</summary>
 internal static class Buffers
 {
-    /// <summary>An array with any content, which must be written before it is read; it costs less than one of zeros.</summary>
+    /// <summary>An array with arbitrary content, to be written before it is read. Faster than an array of zeros.</summary>
     public static T[] Unfilled<T>(int length)
 #if NET8_0_OR_GREATER
         => System.GC.AllocateUninitializedArray<T>(length);

@@ -1,7 +1,7 @@
 namespace Caterpillar.Basics;
 
 /// <summary>
-/// Work on a thread of its own. For all that waits for others: the few threads that the runtime shares would be used up by it, and more come only slowly.
+/// Runs work on its own thread. For work that waits: it would use up the thread pool, which grows slowly.
 /// </summary>
 internal static class OwnThread
 {
@@ -10,10 +10,10 @@ internal static class OwnThread
 
     public static Task Run(Action work) => Task.Factory.StartNew(work, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
 
-    /// <summary>Waits for the end, whatever it is.</summary>
+    /// <summary>Waits for the end, successful or not.</summary>
     public static void Wait(Task work) => ((IAsyncResult)work).AsyncWaitHandle.WaitOne();
 
-    /// <summary>The result, or the problem of the work as it was thrown.</summary>
+    /// <summary>The result, or the original exception of the work.</summary>
     public static T Join<T>(Task<T> work)
     {
         Wait(work);

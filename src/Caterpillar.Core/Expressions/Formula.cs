@@ -3,10 +3,10 @@ using Caterpillar.Basics;
 namespace Caterpillar.Expressions;
 
 /// <summary>
-/// A formula in text, compiled once to delegates. It has numbers, variables, <c>+ - * / % ^</c>, comparisons, <c>and or not</c>, <c>a ? b : c</c>, the
+/// A formula from text, compiled once to delegates. It supports numbers, variables, <c>+ - * / % ^</c>, comparisons, <c>and or not</c>, <c>a ? b : c</c>, the
 /// constants <c>pi</c> and <c>tau</c> and
 /// the functions of <see cref="FormulaFunctions"/>. Angles are degrees. True is 1, false is 0. The same text gives the same bits on every runtime.
-/// Division by zero and the like give infinities or NaN, as in all double arithmetic; the caller checks the value.
+/// Division by zero gives infinities or NaN, as in all double arithmetic. The caller checks the value.
 /// </summary>
 internal sealed class Formula
 {
@@ -21,7 +21,7 @@ internal sealed class Formula
         UsesRandom = usesRandom;
     }
 
-    /// <summary>The text it was compiled from.</summary>
+    /// <summary>The source text.</summary>
     public string Text { get; }
 
     /// <summary>Names of the variables by slot.</summary>
@@ -35,8 +35,8 @@ internal sealed class Formula
 
     /// <summary>Compiles a formula.</summary>
     /// <param name="text">For example <c>10 + 2 * sin(3 * t)</c>.</param>
-    /// <param name="variables">Names it may use, by slot.</param>
-    /// <param name="source">Where the text comes from; its file and key are kept in diagnostics, line and column come from the text.</param>
+    /// <param name="variables">Names of variables, by slot.</param>
+    /// <param name="source">Origin of the text. Diagnostics have its file and key, and line and column of the text.</param>
     public static Result<Formula> Compile(string text, IReadOnlyList<string>? variables = null, SourceLocation? source = null)
     {
         if (text is null) throw new ArgumentNullException(nameof(text));
@@ -62,12 +62,12 @@ internal sealed class Formula
     /// <exception cref="ArgumentException">Fewer values than variables.</exception>
     public double Evaluate(params double[] values) => Evaluate(new FormulaContext(values));
 
-    /// <summary>The value in a reusable context: nothing is allocated.</summary>
+    /// <summary>The value in a reusable context, without allocations.</summary>
     /// <exception cref="ArgumentException">Fewer values than variables.</exception>
     public double Evaluate(FormulaContext context)
     {
         if (context is null) throw new ArgumentNullException(nameof(context));
-        if (context.Values.Length < Variables.Count) throw new ArgumentException("The formula has more variables than there are values.", nameof(context));
+        if (context.Values.Length < Variables.Count) throw new ArgumentException("Fewer values than variables.", nameof(context));
         return _evaluate(context);
     }
 

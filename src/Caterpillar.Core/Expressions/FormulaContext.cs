@@ -1,13 +1,13 @@
 namespace Caterpillar.Expressions;
 
 /// <summary>
-/// What a formula reads while it is evaluated: the values of its variables by slot, and the random numbers. One context serves one thread at a time; its values
-/// may be changed between evaluations.
+/// Input of the evaluation of a formula: the values of its variables by slot, and random numbers. One thread at a time may use a context. Its values
+/// may change between evaluations.
 /// </summary>
 internal sealed class FormulaContext
 {
-    /// <param name="values">Values of the variables in the order in which they were named to <see cref="Formula.Compile"/>; kept, not copied.</param>
-    /// <param name="random">Source of <c>random()</c>; a new one with seed 0 when missing.</param>
+    /// <param name="values">Values of the variables in the order of <see cref="Formula.Compile"/>; kept, not copied.</param>
+    /// <param name="random">Source of <c>random()</c>; null = a new one with seed 0.</param>
     public FormulaContext(double[] values, SeededRandom? random = null)
     {
         Values = values ?? throw new ArgumentNullException(nameof(values));

@@ -1,6 +1,6 @@
 namespace Caterpillar.Expressions;
 
-/// <summary>Stops the compilation or run of a formula or a script; the public classes turn it into a diagnostic.</summary>
+/// <summary>Stops the compilation or run of a formula or script. Public classes turn it into a diagnostic.</summary>
 internal sealed class FormulaException(string code, string message, int line, int column) : Exception(message)
 {
     public string Code { get; } = code;
@@ -9,6 +9,6 @@ internal sealed class FormulaException(string code, string message, int line, in
 
     public int Column { get; } = column;
 
-    /// <summary>The included file; null for the text itself.</summary>
+    /// <summary>The included file; null = the text itself.</summary>
     public string? File { get; set; }
 }

@@ -98,7 +98,7 @@ internal interface IFormulaScope
     /// <summary>Names of its own functions, for suggestions.</summary>
     IEnumerable<string> Functions { get; }
 
-    /// <summary>A call of one of its own functions, or null if it has none of that name.</summary>
+    /// <summary>A call of one of its own functions, or null if it has no function of that name.</summary>
     FormulaNode? Call(Token name, List<FormulaNode> arguments);
 
     /// <summary>An element of the array of that name, or null.</summary>

@@ -1,6 +1,6 @@
 namespace Caterpillar.Expressions;
 
-/// <summary>Recursive descent over tokens. Scripts may start it anywhere; it stops after the formula.</summary>
+/// <summary>Recursive descent over tokens. Scripts may start it at any token. It stops after the formula.</summary>
 internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope scope)
 {
     // Keeps parsing and evaluation from overflowing any thread's stack.
@@ -24,7 +24,7 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
     public FormulaNode Parse() => Complete(argument: false);
 
     /// <summary>
-    /// One of several arguments separated by spaces: a minus or plus with a space before but none after begins the next argument, as in Logo.
+    /// One of several arguments separated by spaces. A minus or plus with a space only before it begins the next argument, as in Logo.
     /// </summary>
     public FormulaNode ParseArgument() => Complete(argument: true);
 
@@ -89,10 +89,10 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
     private FormulaNode Comparison()
     {
         var node = Sum();
-        if (Next.Is("=")) throw new FormulaException("formula.syntax", "A single '=' does not compare; use '=='.", Next.Line, Next.Column);
+        if (Next.Is("=")) throw new FormulaException("formula.syntax", "'=' does not compare. Use '=='.", Next.Line, Next.Column);
         if (!IsComparison(Next)) return node;
         node = Binary(Next.Text, node, 3);
-        if (IsComparison(Next)) throw new FormulaException("formula.syntax", "Comparisons do not chain; join them with 'and'.", Next.Line, Next.Column);
+        if (IsComparison(Next)) throw new FormulaException("formula.syntax", "Comparisons cannot be chained. Join them with 'and'.", Next.Line, Next.Column);
         return node;
     }
 
@@ -188,12 +188,12 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
         if (FormulaFunctions.Knows(name.Text)) throw new FormulaException("formula.syntax", $"The function '{name.Text}' needs '('.", name.Line, name.Column);
         if (scope.IsArray(name.Text))
         {
-            throw new FormulaException("formula.syntax", $"'{name.Text}' is an array; use {name.Text}[index].", name.Line, name.Column);
+            throw new FormulaException("formula.syntax", $"'{name.Text}' is an array. Use {name.Text}[index].", name.Line, name.Column);
         }
         var function = Next.Is("(") && !Next.SpaceBefore;
         var known = function ? scope.Functions.Concat(FormulaFunctions.Names) : scope.Names.Concat(["pi", "tau"]).Concat(FormulaFunctions.Names);
         throw new FormulaException("formula.unknown",
-            $"There is no {(function ? "function" : "variable")} '{name.Text}'.{SpellingSuggestion.Hint(name.Text, known)}", name.Line, name.Column);
+            $"Unknown {(function ? "function" : "variable")} '{name.Text}'.{SpellingSuggestion.Hint(name.Text, known)}", name.Line, name.Column);
     }
 
     private FormulaNode Call(Token name)
@@ -220,11 +220,10 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
     {
         if (!Next.Is(bracket))
         {
-            var what = Next.Kind is TokenKind.End or TokenKind.NewLine || Next.Is(";") || Next.Is("[")
-                ? $"'{open.Text}' is never closed by '{bracket}'."
-                : $"Found {Next}, expected '{bracket}'.";
-            var where = what.StartsWith("'" + open.Text + "' is", System.StringComparison.Ordinal) ? open : Next;
-            throw new FormulaException("formula.bracket", what, where.Line, where.Column);
+            var unclosed = Next.Kind is TokenKind.End or TokenKind.NewLine || Next.Is(";") || Next.Is("[");
+            var at = unclosed ? open : Next;
+            throw new FormulaException(
+                "formula.bracket", unclosed ? $"'{open.Text}' has no closing '{bracket}'." : $"Found {Next}, expected '{bracket}'.", at.Line, at.Column);
         }
         At++;
     }

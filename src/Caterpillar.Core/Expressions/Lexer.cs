@@ -42,7 +42,7 @@ internal readonly struct Token(TokenKind kind, string text, double value, int li
     };
 }
 
-/// <summary>Cuts text into tokens. Comments begin with # or // and end with the line.</summary>
+/// <summary>Splits text into tokens. Comments begin with # or // and end with the line.</summary>
 internal static class Lexer
 {
     private static readonly string[] Pairs = ["==", "!=", "<>", "<=", ">=", "&&", "||", "+=", "-=", "*=", "/=", "->"];
@@ -95,7 +95,7 @@ internal static class Lexer
                 word = text.Substring(start, i - start);
                 if (!NumberReader.TryParse(word, out value)) throw new FormulaException("formula.number", $"'{word}' is not a number.", line, column);
                 if (i < text.Length && (char.IsLetter(text[i]) || text[i] == '_'))
-                    throw new FormulaException("formula.number", $"A letter directly follows the number {word}; use * to multiply.", line, column);
+                    throw new FormulaException("formula.number", $"A letter directly follows the number {word}. Use * to multiply.", line, column);
             }
             else if (char.IsLetter(c) || c == '_')
             {
@@ -141,7 +141,7 @@ internal static class Lexer
         if (c == '\u2212') return "-";
         if (c is '\u00D7' or '\u00B7') return "*";
         if (c < 128 && Singles[c].Length > 0) return Singles[c];
-        throw new FormulaException("formula.character", $"The character '{c}' has no meaning here.", line, column);
+        throw new FormulaException("formula.character", $"Unexpected character '{c}'.", line, column);
     }
 
     private static int NumberEnd(string text, int i)

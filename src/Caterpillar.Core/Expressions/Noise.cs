@@ -9,7 +9,7 @@ internal static class Noise
     // Beyond, neighboring numbers are too far apart for a fraction.
     private const double Farthest = 1e9;
 
-    /// <summary>A value from 0 to 1, 0.5 on average and at whole numbers; NaN for coordinates beyond a billion.</summary>
+    /// <summary>A value from 0 to 1, with 0.5 on average and at integers; NaN for coordinates beyond a billion.</summary>
     public static double At(int seed, double x, double y, double z)
     {
         if (!(Math.Abs(x) <= Farthest && Math.Abs(y) <= Farthest && Math.Abs(z) <= Farthest)) return double.NaN;

@@ -18,7 +18,7 @@ internal sealed class SeededRandom
         _state = Mix(unchecked((ulong)seed * Golden + Golden));
     }
 
-    /// <summary>What it began with.</summary>
+    /// <summary>The seed.</summary>
     public int Seed { get; }
 
     /// <summary>The next number, at least 0 and below 1.</summary>
@@ -32,7 +32,7 @@ internal sealed class SeededRandom
     /// <exception cref="ArgumentOutOfRangeException">High is below low.</exception>
     public long NextInteger(long low, long high)
     {
-        if (high < low) throw new ArgumentOutOfRangeException(nameof(high), "The upper limit is below the lower one.");
+        if (high < low) throw new ArgumentOutOfRangeException(nameof(high), "The upper limit is below the lower limit.");
         return low + (long)Math.Min(Math.Floor(NextDouble() * ((double)high - low + 1)), (double)high - low);
     }
 

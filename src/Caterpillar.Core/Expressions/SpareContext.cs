@@ -1,6 +1,6 @@
 namespace Caterpillar.Expressions;
 
-/// <summary>Lends contexts of one formula or of several over the same variables to any thread, and keeps one for the next caller.</summary>
+/// <summary>Lends contexts of formulas with the same variables to any thread, and keeps one for the next caller.</summary>
 internal sealed class SpareContext
 {
     private readonly int _variables;
@@ -8,7 +8,7 @@ internal sealed class SpareContext
 
     public SpareContext(int variables) => _variables = variables;
 
-    /// <summary>A context with values to set; no other thread uses it until it is returned.</summary>
+    /// <summary>A context to fill with values. No other thread uses it until it is returned.</summary>
     public FormulaContext Rent() => Interlocked.Exchange(ref _spare, null) ?? new FormulaContext(new double[_variables]);
 
     public void Return(FormulaContext context) => Volatile.Write(ref _spare, context);

@@ -3,7 +3,7 @@ namespace Caterpillar.Expressions;
 /// <summary>Suggests the word that was probably meant.</summary>
 internal static class SpellingSuggestion
 {
-    /// <summary>The nearest of the known words (fewest changed, missing, added or swapped letters; the first of equals), or null if none is close.</summary>
+    /// <summary>The nearest known word (fewest changed, missing, added or swapped letters), or null if none is close.</summary>
     public static string? Nearest(string word, IEnumerable<string> known)
     {
         string? best = null;

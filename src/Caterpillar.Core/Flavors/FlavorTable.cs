@@ -1,9 +1,9 @@
 namespace Caterpillar.Flavors;
 
-/// <summary>The flavors of G-code that are known; the rules, the notes and the source of each are one file of <c>Firmware</c>.</summary>
+/// <summary>All G-code flavors. Each has its rules, notes and source in a file of <c>Firmware</c>.</summary>
 public static class FlavorTable
 {
-    /// <summary>The neutral reading: the rules of slicers' own viewers.</summary>
+    /// <summary>Neutral rules, as in the viewers of slicers.</summary>
     public static FlavorRules Slicer { get; } = Flavors.Slicer.Rules;
 
     /// <summary>Marlin 2.</summary>
@@ -15,7 +15,7 @@ public static class FlavorTable
     /// <summary>Prusa-Firmware.</summary>
     public static FlavorRules Prusa { get; } = Flavors.Prusa.Rules;
 
-    /// <summary>Firmware of Bambu Lab's printers.</summary>
+    /// <summary>Firmware of Bambu Lab printers.</summary>
     public static FlavorRules Bambu { get; } = Flavors.Bambu.Rules;
 
     /// <summary>Klipper.</summary>
@@ -39,17 +39,17 @@ public static class FlavorTable
     /// <summary>UltiGCode.</summary>
     public static FlavorRules Ultigcode { get; } = Flavors.Ultigcode.Rules;
 
-    /// <summary>Bits from Bytes, whose extruders are switched on and off.</summary>
+    /// <summary>Bits from Bytes, with extruders that are switched on and off.</summary>
     public static FlavorRules Bfb { get; } = Flavors.Bfb.Rules;
 
     /// <summary>Grbl, for pens and lasers.</summary>
     public static FlavorRules Grbl { get; } = Flavors.Grbl.Rules;
 
-    /// <summary>All of them; the first is the neutral one, the second is taken where a file says nothing.</summary>
+    /// <summary>All flavors. The first is neutral. The second is the default if a file does not indicate one.</summary>
     public static IReadOnlyList<FlavorRules> All { get; } =
         [Slicer, Marlin2, Marlin1, Prusa, Bambu, Klipper, RepRapFirmware, Repetier, Smoothie, Sailfish, Cnc, Ultigcode, Bfb, Grbl];
 
-    /// <summary>The flavor with this name (case, spaces and signs do not matter; common other names are known), or null.</summary>
+    /// <summary>The flavor with this name or common alias, ignoring case, spaces and punctuation; null if unknown.</summary>
     public static FlavorRules? Find(string name)
     {
         if (name is null) throw new ArgumentNullException(nameof(name));

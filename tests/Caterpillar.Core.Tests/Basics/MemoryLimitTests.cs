@@ -14,10 +14,10 @@ public class MemoryLimitTests
         Assert.That(() => limit.Check(1000, "It"), Throws.Nothing);
     }
 
-    [TestCase(1001, "It would take about 1 KB of memory; the limit is 1 KB.")]
-    [TestCase(1536 * 1024 * 1024.0, "It would take about 1.5 GB of memory; the limit is 1 KB.")]
-    [TestCase(double.PositiveInfinity, "It would take more than a million TB of memory; the limit is 1 KB.")]
-    [TestCase(double.NaN, "It would take more than a million TB of memory; the limit is 1 KB.")]
+    [TestCase(1001, "It would take about 1 KB of memory. The limit is 1 KB.")]
+    [TestCase(1536 * 1024 * 1024.0, "It would take about 1.5 GB of memory. The limit is 1 KB.")]
+    [TestCase(double.PositiveInfinity, "It would take more than a million TB of memory. The limit is 1 KB.")]
+    [TestCase(double.NaN, "It would take more than a million TB of memory. The limit is 1 KB.")]
     public void What_does_not_fit_is_an_error_that_says_how_much(double bytes, string message)
     {
         var error = new MemoryLimit(1000).Refuse(bytes, "It");
@@ -34,7 +34,7 @@ public class MemoryLimitTests
     [Test]
     public void The_remedy_follows()
         => Assert.That(new MemoryLimit(64).Refuse(65, "It", remedy: "Use less.")!.Message,
-            Is.EqualTo("It would take about 65 bytes of memory; the limit is 64 bytes. Use less."));
+            Is.EqualTo("It would take about 65 bytes of memory. The limit is 64 bytes. Use less."));
 
     [Test]
     public void Half_of_the_machine_is_the_default()

@@ -204,9 +204,9 @@ internal sealed class FormulaTests
         Assert.That(Formula.Compile("2 * x", ["x"]).Value!.IsConstant, Is.False);
     }
 
-    [TestCase("(1 + 2", "'(' is never closed by ')'.")]
-    [TestCase("(1 + 2 [3]", "'(' is never closed by ')'.")]
-    [TestCase("(1 + 2; 3", "'(' is never closed by ')'.")]
+    [TestCase("(1 + 2", "'(' has no closing ')'.")]
+    [TestCase("(1 + 2 [3]", "'(' has no closing ')'.")]
+    [TestCase("(1 + 2; 3", "'(' has no closing ')'.")]
     public void A_bracket_that_is_not_closed_is_named_where_it_opens(string text, string message)
     {
         var error = Error(text);

@@ -57,8 +57,8 @@ public class ProfileReaderTests
         var errors = Settings("""{ "wal_count": 2, "colour": "red", "filament_diameter_mm": 1.75 }""");
         Assert.That(errors.Select(e => e.Code), Is.All.EqualTo("profile.unknown_key"));
         Assert.That(errors.Select(e => e.Source!.Key), Is.EqualTo(new[] { "wal_count", "colour", "filament_diameter_mm" }));
-        Assert.That(errors[0].Message, Does.Contain("did you mean wall_count?"));
-        Assert.That(errors[2].Message, Does.Contain("belongs to materials"));
+        Assert.That(errors[0].Message, Does.Contain("Did you mean wall_count?"));
+        Assert.That(errors[2].Message, Does.Contain("a key of materials"));
     }
 
     [TestCase("""{ "layer_height_mm": "0.2 mm" }""", "profile.wrong_type", "layer_height_mm")]

@@ -95,7 +95,7 @@ public class ProfileSchemaTests
         return kind switch { "printer" => schema.Printer, "material" => schema.Material, _ => schema.Settings };
     }
 
-    private static void Current(string file, string expected)
+    internal static void Current(string file, string expected)
     {
         if (Environment.GetEnvironmentVariable("CATERPILLAR_RENEW") == "1")
         {

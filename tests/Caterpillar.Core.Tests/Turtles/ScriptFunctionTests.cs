@@ -64,7 +64,7 @@ internal sealed class ScriptFunctionTests
     [TestCase("forward noise(2e9)", 1, 9, "turtle.not_finite", "not a number")]
     [TestCase("include \"other.turtle\"", 1, 9, "turtle.file", "no folder")]
     [TestCase("print 3 [", 1, 9, "turtle.values", "expected a text")]
-    [TestCase("print nothing", 1, 7, "formula.unknown", "no variable 'nothing'")]
+    [TestCase("print nothing", 1, 7, "formula.unknown", "Unknown variable 'nothing'")]
     public void Errors_of_functions_state_what_and_where(string text, int line, int column, string code, string message)
     {
         var error = Error(text);
@@ -126,7 +126,7 @@ internal sealed class ScriptFunctionTests
     [TestCase("include \"../secret.turtle\"", "design/main.turtle", 1, 9, "turtle.file", "outside the folders")]
     [TestCase("include \"/etc/hosts\"", "design/main.turtle", 1, 9, "turtle.file", "outside the folders")]
     [TestCase("\ninclude \"lib/circle.turtle\"", "design/lib/circle.turtle", 2, 9, "turtle.include", "'circle.turtle' includes itself.")]
-    [TestCase("include \"lib/wrong.turtle\"", "design/lib/wrong.turtle", 3, 9, "formula.unknown", "no variable 'nothing'")]
+    [TestCase("include \"lib/wrong.turtle\"", "design/lib/wrong.turtle", 3, 9, "formula.unknown", "Unknown variable 'nothing'")]
     [TestCase("include \"lib/late.turtle\"\nlate", "design/lib/late.turtle", 2, 10, "turtle.not_finite", "infinite")]
     [TestCase("include \"lib/late.turtle\"\nforward value()", "design/lib/late.turtle", 4, 27, "turtle.not_finite", "infinite")]
     [TestCase("include \"lib\"", "design/main.turtle", 1, 9, "turtle.file", "is a folder")]

@@ -183,8 +183,8 @@ internal sealed class ScriptShapingTests
     [TestCase("deform z = z, tolerance = -1 [ forward 1 ]", 1, 27, "turtle.value", "'tolerance' must be a number from 0 to 100")]
     [TestCase("modulate field = u [ forward 1 ]", 1, 10, "turtle.values", "speed, flow, left or up")]
     [TestCase("modulate speed [ forward 1 ]", 1, 1, "turtle.values", "needs a field")]
-    [TestCase("modulate up field = u [ forward 1 ]", 1, 1, "turtle.values", "need 'high'")]
-    [TestCase("modulate flow field = c [ forward 1 ]", 1, 23, "formula.unknown", "no variable 'c'")]
+    [TestCase("modulate up field = u [ forward 1 ]", 1, 1, "turtle.values", "needs high")]
+    [TestCase("modulate flow field = c [ forward 1 ]", 1, 23, "formula.unknown", "Unknown variable 'c'")]
     [TestCase("modulate speed field = u, high = -1 [ forward 1 ]", 1, 1, "shape.modulation", "stay positive")]
     [TestCase("gap_bead [ forward 1 ]", 1, 1, "gap.no_width", "no height")]
     [TestCase("gap_bead min_gap = 2, max_gap = 1 [ forward 1 ]", 1, 1, "turtle.value", "above max_gap")]
@@ -195,7 +195,7 @@ internal sealed class ScriptShapingTests
     [TestCase("circle_trace 10 3.5", 1, 1, "turtle.value", "expected an integer")]
     [TestCase("cylinder_trace 10 1e9 0.001 0.001", 1, 1, "turtle.too_many_moves", "moves")]
     [TestCase("skirt_trace 10 0", 1, 1, "turtle.value", "at least one loop")]
-    [TestCase("x = 1\ndeform z = z [ forward 1 ]\nforward z", 3, 9, "formula.unknown", "no variable 'z'")]
+    [TestCase("x = 1\ndeform z = z [ forward 1 ]\nforward z", 3, 9, "formula.unknown", "Unknown variable 'z'")]
     public void Errors_state_what_and_where(string text, int line, int column, string code, string message)
     {
         var script = TurtleScript.Compile(text, "p");

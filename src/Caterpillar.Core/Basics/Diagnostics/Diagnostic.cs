@@ -5,19 +5,19 @@ namespace Caterpillar.Basics;
 /// <summary>How serious a <see cref="Diagnostic"/> is.</summary>
 public enum Severity
 {
-    /// <summary>Worth knowing; the result is complete.</summary>
+    /// <summary>For information. The result is complete.</summary>
     Note,
 
-    /// <summary>There is a result, but it needs attention.</summary>
+    /// <summary>The result exists, but needs attention.</summary>
     Warning,
 
-    /// <summary>There is no result, or it must not be used.</summary>
+    /// <summary>The result is missing or must not be used.</summary>
     Error,
 }
 
 /// <summary>
-/// Where a <see cref="Diagnostic"/> comes from. Any part may be missing; lines and columns count from 1, steps, moves and layers from 0. The origin is the
-/// place in the design that it was made from: the line of a script, an entry of a file of curves, an object and its layer.
+/// Source of a <see cref="Diagnostic"/>. Any part may be missing. Lines and columns count from 1; steps, moves and layers from 0. The origin is the
+/// source in the design: a line of a script, an entry of a curve file, an object and its layer.
 /// </summary>
 public sealed record SourceLocation(
     string? File = null, int? Line = null, int? Column = null, string? Key = null, int? Step = null, int? Move = null, SourceLocation? Origin = null,
@@ -40,25 +40,25 @@ public sealed record SourceLocation(
     }
 }
 
-/// <summary>A problem in the input, as data: what is wrong and where. Problems of one kind are reported once, with a count.</summary>
+/// <summary>A problem in the input: what is wrong and where. Problems of the same kind are reported once, with a count.</summary>
 /// <param name="Severity">How serious it is.</param>
-/// <param name="Code">Kind of the problem as <c>subject.problem</c>, for example <c>bed.outside</c> or <c>mesh.naked_edges</c>.</param>
+/// <param name="Code">Kind of problem as <c>subject.problem</c>, for example <c>bed.outside</c> or <c>mesh.naked_edges</c>.</param>
 /// <param name="Message">A sentence, with units.</param>
-/// <param name="Source">Where it was first found.</param>
-/// <param name="Count">How often it was found.</param>
+/// <param name="Source">Location of the first occurrence.</param>
+/// <param name="Count">Number of occurrences.</param>
 public sealed record Diagnostic(Severity Severity, string Code, string Message, SourceLocation? Source = null, int Count = 1)
 {
-    /// <summary>A sentence for the user, with units. What it quotes is shortened where it is longer than a line.</summary>
+    /// <summary>A sentence for the user, with units. Long quotations are shortened.</summary>
     public string Message { get; init; } = LongWords.Shorten(Message);
 
-    /// <summary>The worst of several, where that is known and not the first.</summary>
+    /// <summary>The worst of several occurrences, if known and not the first.</summary>
     public Diagnostic? Worst { get; init; }
 
-    /// <summary>The same with other places, also of the worst.</summary>
+    /// <summary>The same with another source, also for the worst.</summary>
     internal Diagnostic WithSource(Func<SourceLocation?, SourceLocation?> change)
         => this with { Source = change(Source), Worst = Worst?.WithSource(change) };
 
-    /// <summary>For example <c>part.stl: warning mesh.naked_edges: 12 open edges. (3 times)</c>.</summary>
+    /// <summary>For example <c>part.stl: warning mesh.naked_edges: 12 naked edges. (3 times)</c>.</summary>
     public override string ToString()
     {
         var text = new StringBuilder();

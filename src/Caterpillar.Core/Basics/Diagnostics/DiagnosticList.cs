@@ -12,7 +12,7 @@ public sealed class DiagnosticList
     /// <summary>True if at least one error was added.</summary>
     public bool HasErrors { get; private set; }
 
-    /// <summary>Adds a finding, or counts it if one of its kind is there already.</summary>
+    /// <summary>Adds a finding, or increases the count of its kind.</summary>
     public void Add(Severity severity, string code, string message, SourceLocation? source = null, int count = 1)
         => Add(new Diagnostic(severity, code, message, source, count));
 
@@ -37,7 +37,7 @@ public sealed class DiagnosticList
         foreach (var diagnostic in diagnostics) Add(diagnostic);
     }
 
-    /// <summary>True if a finding of this kind was added, so that its message need not be built again.</summary>
+    /// <summary>True if the list has a finding of this kind, so that its message need not be built again.</summary>
     public bool Contains(string code, Severity severity) => _index.ContainsKey((code, severity));
 
     /// <summary>The findings so far, as an immutable copy.</summary>

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace Caterpillar.Basics;
 
-/// <summary>Keeps messages readable that quote what somebody wrote: numbers of hundreds of digits, whole files on one line.</summary>
+/// <summary>Shortens quotations in messages: numbers of hundreds of digits, whole files on one line.</summary>
 internal static class LongWords
 {
     // Paths of ordinary length stay whole.
@@ -11,7 +11,7 @@ internal static class LongWords
     private const int Tail = 20;
     private const int MostDigits = 24;
 
-    /// <summary>The text with every word of more than 120 characters cut in its middle, and numbers of more than 24 digits as powers of ten.</summary>
+    /// <summary>The text with words of more than 120 characters shortened in the middle, and numbers of more than 24 digits as powers of ten.</summary>
     public static string Shorten(string text)
     {
         if (text is null) return text!;

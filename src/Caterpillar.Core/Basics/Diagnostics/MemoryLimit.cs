@@ -3,8 +3,8 @@ using System.Globalization;
 namespace Caterpillar.Basics;
 
 /// <summary>
-/// How much memory one call may take. Work estimates what it needs before it begins, and readers count as they go; what would need more is an error
-/// (<c>memory.limit</c>) that says what takes how much. The estimates concern what grows with the input, not what the runtime takes for itself.
+/// Memory limit of a call. Work estimates its need before it begins, and readers count as they go. Exceeding the limit is an error
+/// (<c>memory.limit</c>) with the amount and the cause. The estimates cover data that grows with the input, not the needs of the runtime.
 /// </summary>
 public sealed record MemoryLimit
 {
@@ -15,32 +15,32 @@ public sealed record MemoryLimit
     private const long UsualMachine = 8L << 30;
 
     /// <param name="bytes">At least one.</param>
-    /// <exception cref="ArgumentOutOfRangeException">It is zero or negative.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The number is zero or negative.</exception>
     public MemoryLimit(long bytes) => Bytes = bytes > 0 ? bytes : throw new ArgumentOutOfRangeException(nameof(bytes));
 
-    /// <summary>Half of the machine's memory (of the container's, where it has a limit of its own).</summary>
+    /// <summary>Half of the memory of the machine, or of the container if it has a limit.</summary>
     public static MemoryLimit Default { get; } = new(Machine() / 2);
 
     /// <summary>No limit.</summary>
     public static MemoryLimit None { get; } = new(long.MaxValue);
 
-    /// <summary>What may be taken, bytes.</summary>
+    /// <summary>The limit in bytes.</summary>
     public long Bytes { get; }
 
-    /// <summary>Null where this many bytes may be taken, otherwise the error.</summary>
-    /// <param name="bytes">What the work needs in all.</param>
-    /// <param name="what">What takes it, as the beginning of a sentence: "An array of 3 numbers".</param>
-    /// <param name="source">Where that is asked for.</param>
-    /// <param name="remedy">A sentence that says what to change, or null.</param>
+    /// <summary>An error if this many bytes exceed the limit, otherwise null.</summary>
+    /// <param name="bytes">Total need of the work.</param>
+    /// <param name="what">Subject of the sentence: "An array of 3 numbers".</param>
+    /// <param name="source">Source of the request.</param>
+    /// <param name="remedy">A sentence with the remedy, or null.</param>
     internal Diagnostic? Refuse(double bytes, string what, SourceLocation? source = null, string? remedy = null)
     {
         if (bytes <= Bytes) return null;
-        var message = $"{what} would take {About(bytes)} of memory; the limit is {Text(Bytes)}.";
+        var message = $"{what} would take {About(bytes)} of memory. The limit is {Text(Bytes)}.";
         return new Diagnostic(Severity.Error, Code, remedy is null ? message : message + " " + remedy, source);
     }
 
-    /// <summary>The same for work that has no other way to report.</summary>
-    /// <exception cref="DiagnosticException">It would take more than the limit.</exception>
+    /// <summary>The same for work that cannot return diagnostics.</summary>
+    /// <exception cref="DiagnosticException">The need exceeds the limit.</exception>
     public void Check(double bytes, string what, SourceLocation? source = null, string? remedy = null)
     {
         if (Refuse(bytes, what, source, remedy) is { } error) throw new DiagnosticException([error]);

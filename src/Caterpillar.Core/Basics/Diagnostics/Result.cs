@@ -1,6 +1,6 @@
 namespace Caterpillar.Basics;
 
-/// <summary>A value, or none, and the diagnostics. Without a value there is at least one error.</summary>
+/// <summary>A value or null, and the diagnostics. Without a value, at least one diagnostic is an error.</summary>
 public sealed class Result<T>
     where T : class
 {
@@ -10,7 +10,7 @@ public sealed class Result<T>
     /// <summary>The diagnostics, one entry per kind, in the order of first appearance.</summary>
     public IReadOnlyList<Diagnostic> Diagnostics { get; }
 
-    /// <summary>A value or null, and what was found; both may be there.</summary>
+    /// <summary>A value or null, and diagnostics.</summary>
     public Result(T? value, IReadOnlyList<Diagnostic> diagnostics)
     {
         Value = value;
@@ -20,7 +20,7 @@ public sealed class Result<T>
     /// <summary>True if a diagnostic is an error.</summary>
     public bool HasErrors => Diagnostics.Any(d => d.Severity == Severity.Error);
 
-    /// <summary>The value; for callers that treat errors in the input as exceptions. Warnings and notes do not throw.</summary>
-    /// <exception cref="DiagnosticException">There is no value, or an error says that it must not be used.</exception>
+    /// <summary>The value, or an exception if the diagnostics contain errors. Warnings and notes do not throw.</summary>
+    /// <exception cref="DiagnosticException">The value is missing, or the diagnostics contain an error.</exception>
     public T OrThrow() => Value is { } value && !HasErrors ? value : throw new DiagnosticException(Diagnostics);
 }

@@ -1,7 +1,7 @@
 namespace Caterpillar.Basics;
 
 /// <summary>
-/// Trigonometry in degrees that gives the same bits on every runtime. Multiples of 30 and 90 degrees are exact where the true value is, so
+/// Trigonometry in degrees that gives the same bits on every runtime. Multiples of 30 and 90 degrees are exact if the true value is, so
 /// right angles stay right. The error is below one unit in the last place.
 /// </summary>
 public static class Angle

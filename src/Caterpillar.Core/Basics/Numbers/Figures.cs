@@ -1,12 +1,12 @@
 namespace Caterpillar.Basics;
 
-/// <summary>Numbers in sentences: as short as they can be without becoming 0 or a page of digits.</summary>
+/// <summary>Numbers in sentences: short, but neither rounded to 0 nor a page of digits.</summary>
 internal static class Figures
 {
     private const int Figure = 3;
     private const double Large = 1e9;
 
-    /// <summary>Two decimals, more for what is smaller than 0.1, and powers of ten from a thousand million on.</summary>
+    /// <summary>Two decimals, more for numbers below 0.1, and powers of ten from a billion on.</summary>
     public static string Short(double value)
     {
         if (double.IsNaN(value)) return "not a number";

@@ -5,7 +5,7 @@ using System.Runtime.CompilerServices;
 namespace Caterpillar.Basics;
 
 /// <summary>
-/// Formats numbers for all text the project writes: the same bytes on every runtime and culture. Never an exponent, never <c>-0</c>,
+/// Formats numbers in all output: the same bytes on every runtime and culture. Never an exponent, never <c>-0</c>,
 /// no trailing zeros, ties rounded away from zero.
 /// </summary>
 public static class NumberFormatter
@@ -151,9 +151,9 @@ public static class NumberFormatter
         return scaled < 0 ? -units : units;
     }
 
-    private static void ThrowNotFinite() => throw new ArgumentOutOfRangeException("value", "Only finite numbers can be written.");
+    private static void ThrowNotFinite() => throw new ArgumentOutOfRangeException("value", "The number is not finite.");
 
-    private static void ThrowTooLarge() => throw new ArgumentOutOfRangeException("value", "The number is too large for that many decimals.");
+    private static void ThrowTooLarge() => throw new ArgumentOutOfRangeException("value", "The number is too large for this many decimals.");
 
     private static void ThrowDecimals() => throw new ArgumentOutOfRangeException("decimals", "Decimals must be 0 to 15.");
 

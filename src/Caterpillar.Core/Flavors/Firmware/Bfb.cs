@@ -9,9 +9,9 @@ internal static class Bfb
         Title = "Bits from Bytes",
         Source = "CuraEngine of 2026-08-20, src/gcode_export/gcodeExport.cpp (writeMoveBFB, writeRetraction, writeDelay, processInitialLayerTemperature)",
         Notes =
-            "The firmware is closed: these are the words that CuraEngine writes for it. M108 S sets the revolutions of the extruder per minute (others "
-            + "write ten times that), M227 its own retraction; there are no amounts, so none are made up. G92 as most machines take it, T and M0 as a "
-            + "pause are not from there; what else the firmware knows is not known.",
+            "The firmware is closed source. These are the words that CuraEngine writes for it. M108 S sets the revolutions per minute of the extruder (others "
+            + "write ten times that), M227 its own retraction. Files contain no amounts of E, so none are guessed. G92 as on most machines, T, and M0 as a "
+            + "pause are assumptions. Other commands of the firmware are unknown.",
         Inches = false,
         Arcs = false,
         FirmwareRetraction = false,

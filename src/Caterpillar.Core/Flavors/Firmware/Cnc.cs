@@ -13,8 +13,8 @@ internal static class Cnc
             + "convert_coordinate_system, convert_stop), interp_arc.cc (arc_data_ijk, arc_data_r), interp_check.cc (check_g_codes), interp_internal.cc "
             + "(enhance_block), interp_find.cc (find_ends)",
         Notes =
-            "The source of Mach3 is closed: its rules are taken to be those of LinuxCNC. The extruder is a rotary axis, so G20 does not scale it. M1 "
-            + "waits only where the operator wants it. Canned cycles are not followed.",
+            "Mach3 is closed source and is assumed to follow the rules of LinuxCNC. The extruder is a rotary axis, so G20 does not scale it. M1 "
+            + "waits only if the operator has enabled it. Canned cycles are not supported.",
         Commands = CommandsRule.All,
         RelativeE = RelativeERule.OnlyG90G91,
         ShiftResets = ["G92.1", "G92.2"],

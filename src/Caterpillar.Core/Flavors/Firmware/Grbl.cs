@@ -9,7 +9,7 @@ internal static class Grbl
         Title = "Grbl",
         Source = "Grbl 1.1h, grbl/gcode.c (gc_execute_line), grbl/gcode.h, grbl/motion_control.c (mc_arc, mc_dwell)",
         Notes =
-            "A line with an unknown letter (E, A), or with words that its commands do not use, is refused whole. T is remembered only: there is no tool "
+            "A line with an unknown letter (E, A), or with words that its commands do not use, is refused. T is stored only, without a tool "
             + "change. M1 does nothing.",
         Letters = "ABCFGIJKLMNPRSTXYZ", // A B C: of builds with turning axes.
         Commands = CommandsRule.All,

@@ -13,8 +13,8 @@ internal static class Klipper
             "Klipper of 2026-08-07, klippy/extras/gcode_move.py (GCodeMove), gcode_arcs.py (ArcSupport), firmware_retraction.py, fan.py, "
             + "pause_resume.py, virtual_sdcard.py; klippy/toolhead.py (cmd_G4), klippy/kinematics/extruder.py (cmd_ACTIVATE_EXTRUDER)",
         Notes =
-            "T, M600 and the words of a printer's own macros are what its configuration makes of them; T is taken as a change of the extruder, M600 as "
-            + "a pause, others do nothing. G2, G3, G10 and G11 need their sections in the configuration, taken as there.",
+            "T, M600 and other macros depend on the configuration of the printer. Here T changes the extruder, M600 is "
+            + "a pause, and other macros do nothing. G2, G3, G10 and G11 need sections in the configuration, which are assumed to be present.",
         BareG92 = BareG92Rule.ZeroAll,
         Inches = false,
         RadiusArcs = false,

@@ -12,7 +12,7 @@ internal static class Prusa
         Source =
             "Prusa-Firmware of 2024-03-28 (MK3), Firmware/Marlin_main.cpp: get_coordinates, process_commands (G2, G3, G4, G21, G90, G91, M82, M83, "
             + "M200, M220, M221, M600, M601), gcode_G28, gcode_G92; Firmware/motion_control.cpp: mc_arc",
-        Notes = "8-bit printers up to the MK3; the MK4, XL and Mini run a Marlin 2.",
+        Notes = "8-bit printers up to the MK3. The MK4, XL and Mini run Marlin 2.",
         RelativeE = RelativeERule.OnlyM82M83,
         ShiftResets = [],
         HomingSelectsXy = false,

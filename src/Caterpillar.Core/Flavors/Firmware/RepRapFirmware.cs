@@ -15,8 +15,8 @@ internal static class RepRapFirmware
             + "GCodes2.cpp (HandleGcode, HandleMcode, HandleTcode), GCodes3.cpp (SetPositions, GetSetWorkplaceCoordinates), GCodeMachineState.cpp, "
             + "GCodeBuffer/StringParser.cpp (DecodeCommand, FindParameters)",
         Notes =
-            "M0 and M1 end the print. Of an E with several numbers (mixing) the first is read. Homing and tool changes run macros of the machine, which "
-            + "the file does not show.",
+            "M0 and M1 end the print. If E has several numbers (mixing), the first one counts. Homing and tool changes run macros of the printer, which "
+            + "are not in the file.",
         Commands = CommandsRule.InOrder,
         RelativeE = RelativeERule.OnlyM82M83,
         Workspaces = true,

@@ -13,8 +13,8 @@ internal static class Sailfish
             "GPX of 2020-11-26, src/gpx/gpx.c (gpx_convert_line, calculate_target_position, queue_ext_point, do_tool_change), which translates G-code "
             + "to the s3g commands that Sailfish executes",
         Notes =
-            "The machine itself reads no G-code: GPX decides, or MakerWare, whose source is closed. A position after homing is the machine's own, "
-            + "stored in it, and taken as 0.",
+            "The printer itself does not read G-code: GPX or MakerWare (closed source) translates it. The position after homing is "
+            + "stored in the printer and assumed to be 0.",
         Commands = CommandsRule.Last,
         ModalMotion = ModalMotionRule.WithoutG,
         HomingCommands = ["G28", "G161", "G162"],

@@ -1,6 +1,6 @@
 namespace Caterpillar.Flavors;
 
-/// <summary>The rules of slicers' own viewers, which the test data follows.</summary>
+/// <summary>The rules of the slicers' viewers, which the test data follow.</summary>
 internal static class Slicer
 {
     public static FlavorRules Rules { get; } = new()
@@ -11,8 +11,8 @@ internal static class Slicer
         Source =
             "PrusaSlicer 2.9.4, src/libslic3r/GCode/GCodeProcessor.cpp: process_gcode_line, process_G1, process_G2_G3, process_G28, process_G92, process_T",
         Notes =
-            "The neutral reading of files. Where the processor of PrusaSlicer stops, it goes on as most machines do: lines without G repeat the last motion, "
-            + "arcs may lie in other planes, have absolute centers or P, and one without a center is a line; M101 and M103 and the letters A and B extrude.",
+            "Neutral rules. Beyond the processor of PrusaSlicer they follow most machines. Lines without G repeat the last motion. "
+            + "Arcs may be in other planes and have absolute centers or P. An arc without a center is a line. M101, M103 and the letters A and B extrude.",
         Commands = CommandsRule.All,
         BareG92 = BareG92Rule.ZeroAll,
         ShiftResets = ["G92.1", "G92.2"],

@@ -11,7 +11,7 @@ internal static class Smoothie
         Source =
             "Smoothieware of 2023-07-31, src/modules/robot/Robot.cpp (on_gcode_received, process_move, append_arc), src/modules/tools/extruder/Extruder.cpp "
             + "(on_gcode_received), src/modules/communication/GcodeDispatch.cpp, src/modules/utils/player/Player.cpp",
-        Notes = "In its mode for 3D printers; in Grbl mode P of G4 is seconds and G28 goes to a stored position.",
+        Notes = "For the 3D printer mode. In Grbl mode, P of G4 is in seconds and G28 moves to a stored position.",
         Commands = CommandsRule.InOrder,
         RelativeE = RelativeERule.LastWins,
         BareG92 = BareG92Rule.ClearShifts,

@@ -12,7 +12,7 @@ internal static class Ultigcode
             "Ultimaker2Marlin of 2018-09-16, Marlin/Marlin_main.cpp (get_coordinates, process_commands), Marlin/motion_control.cpp (mc_arc), "
             + "Marlin/planner.cpp (volume_to_filament_length), Marlin/UltiLCD2_menu_print.cpp (;FLAVOR:UltiGCode)",
         Notes =
-            "The line ;FLAVOR:UltiGCode makes E a volume, with the diameter that the machine knows; M200 is unknown. Before the file the machine homes, "
+            "The line ;FLAVOR:UltiGCode switches E to a volume, with the filament diameter of the printer. M200 is unknown. Before the file the printer homes, "
             + "heats and primes by itself.",
         HomesToNumber = true,
         Inches = false,

@@ -6,56 +6,56 @@ public sealed partial record FlavorRules
     /// <summary>Which commands make E relative.</summary>
     internal RelativeERule RelativeE { get; init; } = RelativeERule.EitherG91OrM83;
 
-    /// <summary>Letters of extrusion, best first. What the file uses decides.</summary>
+    /// <summary>Letters of extrusion, preferred first. The file decides which one counts.</summary>
     internal string ExtruderLetters { get; init; } = "E";
 
     /// <summary>M101 and M103 switch the extruder on and off.</summary>
     internal bool SwitchedExtruder { get; init; }
 
-    /// <summary>M201, M301 … without words switch on the second extruder, the third …</summary>
+    /// <summary>M201, M301 … without words switch on the second, third … extruder.</summary>
     internal bool SwitchedTools { get; init; }
 
-    /// <summary>G1 to G3 of a file without any extrusion are strokes of a pen or another tool.</summary>
-    internal bool PrintsWithoutE { get; init; }
+    /// <summary>In a file without extrusion, G1 to G3 draw with a pen or another tool.</summary>
+    internal bool StrokesWithoutE { get; init; }
 
-    /// <summary>M200 D makes E a volume in mm³.</summary>
+    /// <summary>M200 D switches E to mm³.</summary>
     internal bool Volumetric { get; init; }
 
     /// <summary>E is in mm³ from the start.</summary>
     internal bool StartsVolumetric { get; init; }
 
-    /// <summary>G10 and G11 retract and restore.</summary>
+    /// <summary>G10 and G11 retract and deretract.</summary>
     internal bool FirmwareRetraction { get; init; } = true;
 
-    /// <summary>Letters with which G10 and G11 are something else.</summary>
+    /// <summary>Letters that give G10 and G11 another meaning.</summary>
     internal string NoRetractionWith { get; init; } = "";
 
-    /// <summary>What M221 S scales by percent.</summary>
+    /// <summary>What M221 S scales, in percent.</summary>
     internal FlowFactorRule FlowFactor { get; init; }
 
     /// <summary>The letter that names the tool of M221, or none.</summary>
     internal string FlowToolLetter { get; init; } = "";
 
-    /// <summary>What the position of E is after a tool change.</summary>
+    /// <summary>Position of E after a tool change.</summary>
     internal PositionOfERule PositionOfE { get; init; }
 
-    /// <summary>M6 changes to the tool named by T; otherwise T alone does.</summary>
+    /// <summary>M6 changes to the tool of T. Otherwise T alone does.</summary>
     internal bool ToolByM6 { get; init; }
 
-    /// <summary>Further commands that change to the tool that a word names: <c>M135 T</c>.</summary>
+    /// <summary>Other commands that change the tool: <c>M135 T</c>.</summary>
     internal IReadOnlyList<string> ToolCommands { get; init; } = [];
 
-    /// <summary>Numbers of T from here on are commands of a filament changer, or nothing, and no tools.</summary>
+    /// <summary>T numbers from here on are no tools, but commands of a filament changer or nothing.</summary>
     internal int ToolLimit { get; init; } = 1000;
 
     /// <summary>G10 P S is the temperature of a tool.</summary>
     internal bool ToolTemperatures { get; init; }
 }
 
-/// <summary>Which of G90, G91, M82 and M83 decide whether numbers of E are increments.</summary>
+/// <summary>Which of G90, G91, M82 and M83 make E relative.</summary>
 internal enum RelativeERule
 {
-    /// <summary>E is relative when G91 or M83 is in force.</summary>
+    /// <summary>E is relative if G91 or M83 is active.</summary>
     EitherG91OrM83,
 
     /// <summary>The last of G90, G91, M82 and M83 decides.</summary>
@@ -77,22 +77,22 @@ internal enum FlowFactorRule
     /// <summary>The extrusion of all tools.</summary>
     AllTools,
 
-    /// <summary>The extrusion of one tool: the present one, or the one that is named.</summary>
+    /// <summary>The extrusion of one tool: the current or named one.</summary>
     PerTool,
 
     /// <summary>The extrusion until the tool changes.</summary>
     UntilToolChange,
 }
 
-/// <summary>Where E stands after a change of the tool.</summary>
+/// <summary>Position of E after a tool change.</summary>
 internal enum PositionOfERule
 {
-    /// <summary>The tools have one position of E in common.</summary>
+    /// <summary>All tools share one position of E.</summary>
     Shared,
 
     /// <summary>Each tool has its own.</summary>
     PerTool,
 
-    /// <summary>At each change it is 0.</summary>
+    /// <summary>It is 0 after each change.</summary>
     ZeroAtChange,
 }

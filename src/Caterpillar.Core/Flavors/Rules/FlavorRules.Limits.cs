@@ -1,19 +1,19 @@
 namespace Caterpillar.Flavors;
 
-/// <summary>Limits of the motion, and the display of progress.</summary>
+/// <summary>Motion limits and the display of progress.</summary>
 public sealed partial record FlavorRules
 {
-    /// <summary>Which commands set limits of speed and acceleration.</summary>
+    /// <summary>Commands that set limits of speed and acceleration.</summary>
     internal LimitCommands Limits { get; init; }
 
     /// <summary>What M73 shows.</summary>
     internal ProgressCommand Progress { get; init; }
 }
 
-/// <summary>Which commands set limits of the motion.</summary>
+/// <summary>Commands that set motion limits.</summary>
 internal enum LimitCommands
 {
-    /// <summary>M204 S, or else P, is the acceleration; others are not known.</summary>
+    /// <summary>M204 S or P is the acceleration. Other commands are unknown.</summary>
     None,
 
     /// <summary>M201 X Y Z E in mm/s², M203 X Y Z E in mm/s, M204 S P T R, M205 X Y Z E (jerk in mm/s) and J (junction deviation in mm).</summary>
@@ -26,15 +26,15 @@ internal enum LimitCommands
     Klipper,
 }
 
-/// <summary>What M73 shows on the display of a machine.</summary>
+/// <summary>What M73 shows on the display of the printer.</summary>
 internal enum ProgressCommand
 {
-    /// <summary>It is not known.</summary>
+    /// <summary>Unknown command.</summary>
     None,
 
-    /// <summary>P is the percent that is done.</summary>
+    /// <summary>P is the progress in percent.</summary>
     Percent,
 
-    /// <summary>P is the percent that is done, R the minutes that are left.</summary>
+    /// <summary>P is the progress in percent, R the remaining minutes.</summary>
     PercentAndMinutes,
 }

@@ -3,19 +3,19 @@ namespace Caterpillar.Flavors;
 /// <summary>Waiting, speed factors and the fan.</summary>
 public sealed partial record FlavorRules
 {
-    /// <summary>Commands that wait for a time; the first is the one to write.</summary>
+    /// <summary>Commands that wait for a time. The writer uses the first.</summary>
     internal IReadOnlyList<string> Dwells { get; init; } = ["G4"];
 
-    /// <summary>Seconds for one unit of P in G4.</summary>
+    /// <summary>Seconds per unit of P in G4.</summary>
     internal double DwellP { get; init; } = 0.001;
 
-    /// <summary>Seconds for one unit of S in G4, which counts instead of P; 0 where S is ignored.</summary>
+    /// <summary>Seconds per unit of S in G4, which replaces P; 0 = S is ignored.</summary>
     internal double DwellS { get; init; } = 1;
 
     /// <summary>P and S of G4 add up.</summary>
     internal bool DwellSums { get; init; }
 
-    /// <summary>M220 S scales the speed by percent.</summary>
+    /// <summary>M220 S scales the speed, in percent.</summary>
     internal bool SpeedFactor { get; init; }
 
     /// <summary>What B and R of M220 do.</summary>
@@ -24,13 +24,13 @@ public sealed partial record FlavorRules
     /// <summary>M220 and M221 without S mean 100 %.</summary>
     internal bool FactorsReset { get; init; }
 
-    /// <summary>What the number of M106 means.</summary>
+    /// <summary>Meaning of the number of M106.</summary>
     internal FanScale Fan { get; init; } = FanScale.Byte;
 
-    /// <summary>The letter of M106 with the speed of the fan.</summary>
+    /// <summary>The letter of the fan speed in M106.</summary>
     internal char FanLetter { get; init; } = 'S';
 
-    /// <summary>M126 and M127 switch the fan of the part.</summary>
+    /// <summary>M126 and M127 switch the part cooling fan.</summary>
     internal bool ValveIsFan { get; init; }
 
     /// <summary>Seconds that a dwell with these words takes; null for a missing word.</summary>
@@ -42,7 +42,7 @@ public sealed partial record FlavorRules
     }
 }
 
-/// <summary>What B and R of M220 do: B keeps the speed factor, R brings it back.</summary>
+/// <summary>Order of B and R of M220: B saves the speed factor, R restores it.</summary>
 internal enum SpeedMemoryRule
 {
     /// <summary>Nothing.</summary>
@@ -55,16 +55,16 @@ internal enum SpeedMemoryRule
     RestoresFirst,
 }
 
-/// <summary>How the number of M106 S is meant.</summary>
+/// <summary>Meaning of the number of M106 S.</summary>
 internal enum FanScale
 {
     /// <summary>0 to 255.</summary>
     Byte,
 
-    /// <summary>0 to 1, and 0 to 255 above that.</summary>
+    /// <summary>0 to 1; numbers above 1 are 0 to 255.</summary>
     FractionOrByte,
 
-    /// <summary>0 is off, all others are on.</summary>
+    /// <summary>0 = off, other numbers = on.</summary>
     Switch,
 
     /// <summary>M106 and M107 are unknown.</summary>

@@ -29,8 +29,8 @@ internal static class SetupFormat
         var format = Format(setup, values, layers, tools) with { Start = start, End = end };
         if (format.LacksAmounts(toolpath))
         {
-            problems.Add(Severity.Error, "gcode.no_e_values", "The toolpath prints but has no E values, which " + printer.Flavor.Title
-                + " needs. If the machine has no extruder, set extrusion_unit to none.");
+            problems.Add(Severity.Error, "gcode.no_e_values", "The toolpath prints without any amount of E, and " + printer.Flavor.Title
+                + " needs them; they cannot be guessed. For a machine without an extruder set e_unit to none.");
             return new Result<GCodeFormat>(null, problems.ToList());
         }
         if (format.Switches)

@@ -4,7 +4,7 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Machines;
 
-/// <summary>Follows the commands of a header or footer and collects what they state about the machine.</summary>
+/// <summary>Follows the commands of a header or footer and collects facts about the printer.</summary>
 internal sealed class HeaderFacts
 {
     private static readonly Regex Size = new(
@@ -22,13 +22,13 @@ internal sealed class HeaderFacts
 
     public bool Inches { get; private set; }
 
-    /// <summary>There are moves before the first G90 or G91: they depend on the mode set before.</summary>
+    /// <summary>True if moves before the first G90 or G91 depend on the mode set before.</summary>
     public bool NeedsMode { get; private set; }
 
-    /// <summary>There is E before the first M82 or M83.</summary>
+    /// <summary>True if E occurs before the first M82 or M83.</summary>
     public bool NeedsModeE { get; private set; }
 
-    /// <summary>The last temperature above 0 that is set as a number, °C.</summary>
+    /// <summary>The last temperature above 0 that is a number, °C.</summary>
     public double? NozzleTemperature { get; private set; }
 
     public double? BedTemperature { get; private set; }
@@ -46,7 +46,7 @@ internal sealed class HeaderFacts
 
     public bool IsPrusa { get; private set; }
 
-    /// <summary>Final position of the nozzle, or null if unknown.</summary>
+    /// <summary>Last position of the nozzle, or null if unknown.</summary>
     public Vec3? Position => _position[0] is { } x && _position[1] is { } y && _position[2] is { } z && Moved
         && new Vec3(x, y, z) is { IsFinite: true } p ? p : null;
 
@@ -95,7 +95,7 @@ internal sealed class HeaderFacts
         }
     }
 
-    /// <summary>The temperature above 0 that a line sets as a number.</summary>
+    /// <summary>The temperature above 0 that a line sets with a number.</summary>
     public static double? TemperatureOf(HeaderLine line)
         => line['S'] is > 0 and <= 2000 and var set ? set : line['R'] is > 0 and <= 2000 and var reach ? reach : null;
 

@@ -7,8 +7,8 @@ namespace Caterpillar.Machines;
 /// <summary>
 /// Makes a printer from the header and footer files of ExtruderTurtle: G-code before and after a print, with fixed numbers or with <c>{x}</c>, <c>{y}</c>,
 /// <c>{z}</c>, <c>{feedrate}</c>,
-/// <c>{hotend_temp}</c> and <c>{bed_temp}</c>. The lines become templates; temperatures come from the material, and the mode of E, the size of the bed and the
-/// position of the nozzle are taken from the lines. Similar files of other programs work too.
+/// <c>{hotend_temp}</c> and <c>{bed_temp}</c>. The lines become templates with the temperatures of the material. The lines also give the mode of E, the size of
+/// the bed and the position of the nozzle. Similar files of other programs work too.
 /// </summary>
 public static class HeaderImport
 {
@@ -17,15 +17,15 @@ public static class HeaderImport
 
     /// <summary>Imports the text of two files.</summary>
     /// <param name="header">Lines before the print.</param>
-    /// <param name="footer">Lines after it; may be empty.</param>
+    /// <param name="footer">Lines after the print; may be empty.</param>
     /// <param name="name">Name of the new profiles.</param>
-    /// <param name="like">A similar printer for everything that the files do not state, such as nozzle, speeds and head; the generic one if null.</param>
+    /// <param name="like">A similar printer for everything that the files do not contain, such as nozzle, speeds and head; null = generic.</param>
     /// <param name="headerFile">Name of the header in messages.</param>
     /// <param name="footerFile">Name of the footer in messages.</param>
     /// <returns>
-    /// The printer; none with an error if the header leaves the machine in inches. Invalid lines give warnings (<c>header.bad_word</c>,
+    /// The printer, or an error if the header leaves the machine in inches. Invalid lines give warnings (<c>header.bad_word</c>,
     /// <c>header.no_command</c>,
-    /// <c>header.merge_conflict</c>, <c>header.unknown_name</c>) with their location and stay as comments; notes state what was guessed.
+    /// <c>header.merge_conflict</c>, <c>header.unknown_name</c>) with their location and stay as comments. Notes report guessed values.
     /// </returns>
     public static Result<ImportedPrinter> Read(
         string header, string footer, string name = "imported", Printer? like = null, string headerFile = "header", string footerFile = "footer")
@@ -40,7 +40,7 @@ public static class HeaderImport
         if (head.Lines.Count == 0) problems.Add(Severity.Warning, "header.empty", "The header has no lines.", new SourceLocation(headerFile));
         if (facts.Inches)
         {
-            problems.Add(Severity.Error, "header.inches", "The header leaves the machine in inches (G20); toolpaths are in mm.",
+            problems.Add(Severity.Error, "header.inches", "The header leaves the machine in inches (G20). Toolpaths are in mm: use G21.",
                 new SourceLocation(headerFile));
         }
         if (problems.HasErrors) return new Result<ImportedPrinter>(null, problems.ToList());
@@ -67,12 +67,12 @@ public static class HeaderImport
         if (nozzle <= 0)
         {
             if (like is null) printer = printer with { DefaultMaterial = "clay", DefaultSettings = "clay", MaxFlow = 0 };
-            problems.Add(Severity.Note, "header.no_heating", "The header does not heat the nozzle: material is extruded cold, like clay.",
+            problems.Add(Severity.Note, "header.no_heating", "The header does not heat the nozzle. The printer extrudes cold material such as clay.",
                 new SourceLocation(headerFile));
         }
         if (facts.RelativeE is null)
         {
-            problems.Add(Severity.Note, "header.e_mode", "The header has neither M82 nor M83: E is written as relative (M83).",
+            problems.Add(Severity.Note, "header.e_mode", "The header has neither M82 nor M83. The printer uses relative E (M83).",
                 new SourceLocation(headerFile));
         }
         var material = new Material { Name = name, Title = name, NozzleTemperature = Math.Min(nozzle, 2000), BedTemperature = Math.Min(bed, 500) };
@@ -98,7 +98,7 @@ public static class HeaderImport
         else if (origin == BedOrigin.Corner && facts.Position is { X: >= 20, Y: >= 20 } start)
         {
             (x, y) = (2 * start.X, 2 * start.Y);
-            reason = "twice the position where the header ends";
+            reason = "twice the last position of the header";
         }
         var needs = origin == BedOrigin.Center
             ? new Vec3(2 * Math.Max(-seen.Min.X, seen.Max.X), 2 * Math.Max(-seen.Min.Y, seen.Max.Y), seen.Max.Z)
@@ -106,12 +106,12 @@ public static class HeaderImport
         if (needs.X > x || needs.Y > y || needs.Z > z)
         {
             (x, y, z) = (Math.Max(x, needs.X), Math.Max(y, needs.Y), Math.Max(z, needs.Z));
-            reason = "the range of the header's moves";
+            reason = "from the range of the header's moves";
         }
         var volume = new Vec3(Fit(x), Fit(y), Fit(z));
         problems.Add(Severity.Note, "header.bed_size", reason.Length == 0
-            ? $"The header does not state the machine's size: {Text(volume)} is that of the similar printer."
-            : $"The machine's size is {Text(volume)}, {reason}; the height and everything not stated are those of the similar printer.", place);
+            ? $"The header does not contain the build volume. {Text(volume)} is from the similar printer."
+            : $"The build volume is {Text(volume)}, {reason}. The height and all missing values are from the similar printer.", place);
         return (volume, origin);
     }
 

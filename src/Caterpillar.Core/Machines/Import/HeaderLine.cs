@@ -2,7 +2,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Machines;
 
-/// <summary>A word of a line: its letter, its value (NaN if it has none or a name in braces) and the position of the value in the line.</summary>
+/// <summary>A word of a line: its letter, its value (NaN if missing or a name in braces) and the position of the value in the line.</summary>
 internal readonly record struct HeaderWord(char Letter, double Value, int From, int To)
 {
     public bool HasValue => To > From;
@@ -20,7 +20,7 @@ internal sealed class HeaderLine
 
     public string Text { get; }
 
-    /// <summary>The command as in <c>G1</c> or <c>M104</c>; empty for empty lines, comments and macros of the firmware.</summary>
+    /// <summary>The command, such as <c>G1</c> or <c>M104</c>; empty for empty lines, comments and firmware macros.</summary>
     public string Command { get; private set; } = "";
 
     /// <summary>The words after the command.</summary>
@@ -63,7 +63,7 @@ internal sealed class HeaderLine
             if (c == '*' && _words.Count > 0) return;
             if (c is < 'A' or > 'Z')
             {
-                Bad(from, $"\"{Token(from)}\" has no letter before it.");
+                Bad(from, $"\"{Token(from)}\" has no letter in front of it.");
                 return;
             }
             if (Command.Length == 0 && _words.Count == 0 && at + 1 < Text.Length && (Upper(Text[at + 1]) is >= 'A' and <= 'Z' or '_'))
@@ -74,7 +74,7 @@ internal sealed class HeaderLine
                 if (c == 'N' && word.HasValue) continue;
                 if (c is not ('G' or 'M' or 'T' or 'D'))
                 {
-                    Error = ("header.no_command", $"\"{Text.Trim()}\" has no command before it, as in G1 {Text.Trim()}.", from + 1);
+                    Error = ("header.no_command", $"\"{Text.Trim()}\" has no command. Did you mean G1 {Text.Trim()}?", from + 1);
                     return;
                 }
                 Command = c + (double.IsNaN(word.Value) ? "" : NumberFormatter.Format(word.Value, 3));
@@ -85,7 +85,7 @@ internal sealed class HeaderLine
             _words.Add(word);
             if (!word.HasValue && IsCommand("G0", "G1", "G2", "G3"))
             {
-                Bad(from, $"The word {c} of {Command} has no number.");
+                Bad(from, $"{c} of {Command} has no number.");
                 return;
             }
         }

@@ -3,7 +3,7 @@ using System.Text;
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// The names in braces that ExtruderTurtle fills into its headers (<c>setup</c>, written with Python's <c>str.format</c>), and what replaces them in
+/// Names in braces that ExtruderTurtle fills in in its headers (<c>setup</c>, with Python's <c>str.format</c>), and their replacements in
 /// templates.
 /// </summary>
 internal static class HeaderNames
@@ -19,7 +19,7 @@ internal static class HeaderNames
     ];
 
     /// <summary>
-    /// The text as a line of a template. Braces around other things become braces of the text; they are added to <paramref name="unknown"/> with their column
+    /// The text as a line of a template. Other text in braces keeps literal braces and is added to <paramref name="unknown"/> with its column
     /// from 1.
     /// </summary>
     public static string ToTemplate(string text, List<string> used, List<(string Name, int Column)> unknown)

@@ -2,7 +2,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Machines;
 
-/// <summary>Turns the lines of a header or footer into those of a template.</summary>
+/// <summary>Turns the lines of a header or footer into lines of a template.</summary>
 internal sealed class HeaderTemplate(HeaderText header, string file, DiagnosticList problems)
 {
     private readonly List<string> _lines = [];
@@ -21,7 +21,7 @@ internal sealed class HeaderTemplate(HeaderText header, string file, DiagnosticL
         return new ValueList<string>(_lines);
     }
 
-    /// <summary>The footer; modes that it relies on from the header are stated first, and lifts end below the top of the machine.</summary>
+    /// <summary>The footer. Modes that it inherits from the header are set first, and lifts end below the top of the build volume.</summary>
     public ValueList<string> End(HeaderFacts before)
     {
         var relative = before.Relative == true;
@@ -45,7 +45,7 @@ internal sealed class HeaderTemplate(HeaderText header, string file, DiagnosticL
         if (unknown.Count > 0)
         {
             problems.Add(Severity.Warning, "header.unknown_name",
-                $"{unknown[0].Name} is not one of {{x}}, {{y}}, {{z}}, {{feedrate}}, {{hotend_temp}} and {{bed_temp}}; it stays as it is.",
+                $"{unknown[0].Name} is not {{x}}, {{y}}, {{z}}, {{feedrate}}, {{hotend_temp}} or {{bed_temp}}. It stays unchanged.",
                 new SourceLocation(file, null, unknown[0].Column));
         }
         return converted;
@@ -64,7 +64,7 @@ internal sealed class HeaderTemplate(HeaderText header, string file, DiagnosticL
             if (temperature is not null && temperature != own)
             {
                 problems.Add(Severity.Note, "header.other_temperature",
-                    $"The header also sets {NumberFormatter.Format(temperature.Value, 1)} °C; that line keeps its number.", new SourceLocation(file));
+                    $"The header also sets {NumberFormatter.Format(temperature.Value, 1)} °C. That line keeps its number.", new SourceLocation(file));
             }
             return;
         }
@@ -86,7 +86,7 @@ internal sealed class HeaderTemplate(HeaderText header, string file, DiagnosticL
         _lines.Add(Convert(line.Text.Substring(0, word.From)) + "{max(0, min(" + rise + ", bed_max_z_mm - print_max_z_mm - 5))}"
             + Convert(line.Text.Substring(word.To)));
         problems.Add(Severity.Note, "header.end_height",
-            $"The footer raises the head by {rise} mm from where it is; in the template the lift ends 5 mm below the top of the machine.",
+            $"The footer raises the head by {rise} mm. In the template the lift ends at most 5 mm below the top of the build volume.",
             new SourceLocation(file));
     }
 }

@@ -2,7 +2,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Machines;
 
-/// <summary>A header or footer: its valid lines, what they state, and its errors.</summary>
+/// <summary>A header or footer: its valid lines, facts and errors.</summary>
 internal sealed class HeaderText
 {
     private readonly List<HeaderLine> _lines = [];
@@ -17,7 +17,7 @@ internal sealed class HeaderText
 
     public HeaderFacts Facts { get; } = new();
 
-    /// <summary>The lines in use. Invalid lines are kept as comments; the other side of a merge conflict is dropped.</summary>
+    /// <summary>The lines. Invalid lines are kept as comments. The second side of a merge conflict is dropped.</summary>
     public IReadOnlyList<HeaderLine> Lines => _lines;
 
     public static HeaderText Read(string text, string file, DiagnosticList problems)
@@ -42,7 +42,7 @@ internal sealed class HeaderText
             {
                 side = text[0] switch { '<' => 1, '=' => 2, _ => 0 };
                 _problems.Add(Severity.Warning, "header.merge_conflict",
-                    "The file has merge conflict markers; the first version of each conflict is used.", Place(i + 1));
+                    "Merge conflict markers. The first version of each conflict is used.", Place(i + 1));
                 continue;
             }
             if (side == 2) continue;

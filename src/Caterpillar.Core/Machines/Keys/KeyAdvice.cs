@@ -1,6 +1,6 @@
 namespace Caterpillar.Machines;
 
-/// <summary>Advice on a key that does not exist.</summary>
+/// <summary>Advice on an unknown key.</summary>
 internal static class KeyAdvice
 {
     // Longest first: the unit of a key is the longest of these that it ends in.
@@ -8,12 +8,12 @@ internal static class KeyAdvice
     {
         "mm3_s", "mm_s2", "mm_s3", "mm_min", "mm_sec", "mm_s", "mm2", "mm3", "mm", "cm3_s", "cm_s", "cm", "m_s2", "m_s", "m", "um", "micron", "microns", "inch",
             "inches", "in_s", "in_min", "in",
-        "g_cm3", "kg_m3", "g_ml", "g", "c", "celsius", "f", "fahrenheit", "k", "kelvin", "deg", "degrees", "degree", "rad", "radians", "percent", "pct",
+        "g_cm3", "kg_m3", "g_ml", "g", "c_s", "c", "celsius", "f", "fahrenheit", "k", "kelvin", "deg", "degrees", "degree", "rad", "radians", "percent", "pct",
             "ratio", "factor", "s", "sec", "seconds", "ms", "min",
         "moves", "count", "per_kg", "per_g",
     }.OrderByDescending(u => u.Length).ThenBy(u => u, StringComparer.Ordinal).ToArray();
 
-    /// <summary>The key that was probably meant by one with another unit (<c>layer_height_cm</c>) or none (<c>layer_height</c>), or null.</summary>
+    /// <summary>The key that was probably meant by a name with another unit (<c>layer_height_cm</c>) or no unit (<c>layer_height</c>), or null.</summary>
     public static string? OtherUnit(string key, IEnumerable<string> known)
     {
         var stem = Stem(key);
@@ -21,8 +21,8 @@ internal static class KeyAdvice
     }
 
     /// <summary>
-    /// The keys that have most of the words of a name (<c>brim</c>, <c>wall_line_count</c>), in the order in which they are known: what is switched on comes
-    /// before how it is done. Only those that have all the words where <paramref name="whole"/> is true.
+    /// The keys that share the most words with a name (<c>brim</c>, <c>wall_line_count</c>), in the order of the keys. If <paramref name="whole"/> is true,
+    /// only keys with all words.
     /// </summary>
     public static IReadOnlyList<string> Alike(string name, IEnumerable<string> known, bool whole)
     {

@@ -2,12 +2,12 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Machines;
 
-/// <summary>How the value of a key is read, written and limited.</summary>
+/// <summary>How the value of a key is read, written and checked.</summary>
 internal abstract class KeyFormat(KeyKind kind, string expected)
 {
     public KeyKind Kind => kind;
 
-    /// <summary>What is expected, for messages: <c>a number</c>.</summary>
+    /// <summary>The expected value, for messages: <c>a number</c>.</summary>
     public string Expected => expected;
 
     public abstract string Range { get; }
@@ -15,10 +15,10 @@ internal abstract class KeyFormat(KeyKind kind, string expected)
     /// <summary>Constraints as a JSON schema: keys and raw values in order.</summary>
     public abstract IReadOnlyList<KeyValuePair<string, object>> Schema { get; }
 
-    /// <summary>Reads text as written after <c>key=</c>; null if it is of another kind.</summary>
+    /// <summary>Reads text after <c>key=</c>; null if it has another type.</summary>
     public abstract object? Parse(string text);
 
-    /// <summary>The sentence " Did you mean …?" about a word that it does not take, or nothing.</summary>
+    /// <summary>The sentence " Did you mean …?" for an unknown word, or nothing.</summary>
     public virtual string Hint(string word) => "";
 
     public static string Describe(object raw) => raw switch
@@ -38,6 +38,6 @@ internal abstract class KeyFormat<TValue>(KeyKind kind, string expected) : KeyFo
 
     public abstract object Write(TValue value);
 
-    /// <summary>The problem of a value, or null.</summary>
+    /// <summary>What is wrong with a value, or null.</summary>
     public abstract string? Problem(TValue value);
 }

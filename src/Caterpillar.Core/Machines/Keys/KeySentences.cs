@@ -3,7 +3,7 @@ using Newtonsoft.Json;
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// What each key means: the sentences at the properties of printers, materials and settings, which <c>printers/schema</c> carries (a test holds them together).
+/// Descriptions of the keys: the summaries of the properties of printers, materials and settings, as <c>printers/schema</c> contains them (a test compares).
 /// </summary>
 internal static class KeySentences
 {

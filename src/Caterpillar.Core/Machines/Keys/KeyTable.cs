@@ -3,11 +3,11 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Machines;
 
-/// <summary>Keys of one kind of profile, in the order in which they are declared: each adds itself.</summary>
+/// <summary>Keys of one kind of profile, in the order of declaration.</summary>
 internal sealed class KeyTable<T> : List<ProfileKey<T>>
     where T : class
 {
-    /// <summary>A key whose value has a format of its own.</summary>
+    /// <summary>A key with its own format.</summary>
     public ProfileKey<T, TValue> Of<TValue>(string name, KeyFormat<TValue> format, Func<T, TValue> get, Func<T, TValue, T> set)
     {
         var key = new ProfileKey<T, TValue>(name, format, get, set);
@@ -18,7 +18,7 @@ internal sealed class KeyTable<T> : List<ProfileKey<T>>
     public ProfileKey<T, double> Number(string name, double min, double max, Func<T, double> get, Func<T, double, T> set)
         => Of(name, new NumberFormat(min, max), get, set);
 
-    /// <summary>A number for which 0 means something else (off, or the value of another key), and very small ones mean nothing.</summary>
+    /// <summary>A number that is 0 (off, or the value of another key) or at least <paramref name="least"/>.</summary>
     public ProfileKey<T, double> NumberOrZero(string name, double least, double max, Func<T, double> get, Func<T, double, T> set)
         => Of(name, new NumberFormat(0, max, least), get, set);
 
@@ -29,7 +29,7 @@ internal sealed class KeyTable<T> : List<ProfileKey<T>>
 
     public ProfileKey<T, string> Text(string name, Func<T, string> get, Func<T, string, T> set) => Of(name, new TextFormat(), get, set);
 
-    /// <summary>One of the values of an enum, all or some, by their names: <c>inside_out</c>.</summary>
+    /// <summary>A value of an enum, from all or some of its members, by name: <c>inside_out</c>.</summary>
     public ProfileKey<T, TValue> Choice<TValue>(string name, Func<T, TValue> get, Func<T, TValue, T> set, params TValue[] some)
         where TValue : struct, Enum
     {

@@ -2,7 +2,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Machines;
 
-/// <summary>A value made of a list of numbers of fixed length.</summary>
+/// <summary>A value from a list of numbers of fixed length.</summary>
 internal sealed class NumbersFormat<TValue>(string[] parts, double min, double max, Func<double[], TValue> make, Func<TValue, double[]> take)
     : KeyFormat<TValue>(KeyKind.Numbers, $"a list of {parts.Length} numbers [{string.Join(", ", parts)}]")
 {
@@ -39,7 +39,7 @@ internal sealed class RowsFormat<TItem>(
     : KeyFormat<ValueList<TItem>>(KeyKind.Rows, $"a list of lists [{string.Join(", ", parts)}]")
     where TItem : struct
 {
-    /// <summary>How many rows there must be.</summary>
+    /// <summary>Minimum number of rows.</summary>
     public int Fewest { get; init; }
 
     public override string Range => $"{NumberFormatter.Format(Fewest)} to {NumberFormatter.Format(most)} lists [{string.Join(", ", parts)}]";

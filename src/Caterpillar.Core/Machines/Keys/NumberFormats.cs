@@ -21,7 +21,7 @@ internal sealed class NumberFormat(double min, double max, double leastAboveZero
 
     public override string? Problem(double value)
     {
-        if (value > 0 && value < leastAboveZero) return "must be 0, or at least " + NumberFormatter.Shortest(leastAboveZero) + ", not " + Shown(value);
+        if (value > 0 && value < leastAboveZero) return "must be 0 or at least " + NumberFormatter.Shortest(leastAboveZero) + ", not " + Shown(value);
         return value >= min && value <= max ? null : "must be " + Range + (double.IsNaN(value) ? "" : ", not " + Shown(value));
     }
 

@@ -1,6 +1,6 @@
 namespace Caterpillar.Machines;
 
-/// <summary>Kinds of values of keys.</summary>
+/// <summary>Types of values of keys.</summary>
 internal enum KeyKind : byte
 {
     Number,
@@ -20,7 +20,7 @@ internal enum KeyKind : byte
 }
 
 /// <summary>
-/// A key of a profile: its name with the unit, its range and its meaning. Reader, writer, schema, templates and manual all read the keys from
+/// A key of a profile: its name with the unit, its range and its description. Reader, writer, schema, templates and manual all use the keys of
 /// <see cref="ProfileKeys"/>.
 /// </summary>
 internal abstract class ProfileKey
@@ -30,10 +30,10 @@ internal abstract class ProfileKey
     /// <summary>For example <c>layer_height_mm</c>.</summary>
     public string Name { get; }
 
-    /// <summary>One sentence that explains it.</summary>
+    /// <summary>Description of the key.</summary>
     public string Summary => KeySentences.Of(Name);
 
-    /// <summary>What kind of value it takes.</summary>
+    /// <summary>Type of the value.</summary>
     internal abstract KeyKind Kind { get; }
 
     /// <summary>The range of the value in words: <c>0.01 to 100</c>, <c>corner or center</c>.</summary>
@@ -41,13 +41,16 @@ internal abstract class ProfileKey
 
     internal abstract KeyFormat Format { get; }
 
+    /// <summary>What is wrong with a raw value, after the name of the key; null if nothing.</summary>
+    internal abstract string? Problem(object raw);
+
     public override string ToString() => Name;
 }
 
 /// <summary>A key of one kind of profile.</summary>
 internal abstract class ProfileKey<TProfile>(string name) : ProfileKey(name)
 {
-    /// <summary>The value as JSON has it: text, double, bool or a list of these.</summary>
+    /// <summary>The value as in JSON: text, double, bool or a list of these.</summary>
     public abstract object Get(TProfile profile);
 
     /// <summary>Whether two profiles have the same value.</summary>
@@ -69,8 +72,8 @@ internal sealed class ProfileKey<TProfile, TValue>(
 
     internal override KeyFormat Format => format;
 
-    /// <summary>The value itself if it lies in the key's range.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">It does not.</exception>
+    /// <summary>The value itself if it is in the range of the key.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">It is not.</exception>
     public TValue Check(TValue value)
     {
         if (value is null) throw new ArgumentNullException(nameof(value), Name);
@@ -81,11 +84,12 @@ internal sealed class ProfileKey<TProfile, TValue>(
 
     public override bool IsSame(TProfile one, TProfile other) => EqualityComparer<TValue>.Default.Equals(get(one), get(other));
 
+    internal override string? Problem(object raw)
+        => format.TryRead(raw, out var value) ? format.Problem(value!) : "needs " + format.Expected + ", not " + KeyFormat.Describe(raw);
+
     public override TProfile? Set(TProfile profile, object raw, out string? problem)
     {
-        problem = null;
-        if (!format.TryRead(raw, out var value)) problem = "needs " + format.Expected + ", not " + KeyFormat.Describe(raw);
-        else problem = format.Problem(value!);
-        return problem is null ? set(profile, value!) : null;
+        problem = Problem(raw);
+        return problem is null && format.TryRead(raw, out var value) ? set(profile, value!) : null;
     }
 }

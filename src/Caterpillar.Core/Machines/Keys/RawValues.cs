@@ -3,7 +3,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Machines;
 
-/// <summary>Values as JSON has them: text, double, bool, and lists of these.</summary>
+/// <summary>Values as in JSON: text, double, bool, and lists of these.</summary>
 internal static class RawValues
 {
     public static string Range(double min, double max) => NumberFormatter.Shortest(min) + " to " + NumberFormatter.Shortest(max);
@@ -13,7 +13,7 @@ internal static class RawValues
 
     public static object List(params double[] values) => values.Cast<object>().ToArray();
 
-    /// <summary>Numbers separated by commas, spaces or x, in brackets or not; null if one is not a number.</summary>
+    /// <summary>Numbers separated by commas, spaces or x, with or without brackets; null if one is not a number.</summary>
     public static object? ParseNumbers(string text)
     {
         text = text.Trim();

@@ -1,6 +1,6 @@
 namespace Caterpillar.Machines;
 
-/// <summary>How serious findings are: a list of texts such as <c>limit.flow=warning</c>.</summary>
+/// <summary>Severities of checks: a list of texts such as <c>limit.flow=warning</c>.</summary>
 internal sealed class SeverityFormat() : KeyFormat<ValueList<CheckSeverity>>(KeyKind.Lines, "a list of texts such as \"limit.flow=warning\"")
 {
     private const char Wrong = '!';
@@ -42,7 +42,7 @@ internal sealed class SeverityFormat() : KeyFormat<ValueList<CheckSeverity>>(Key
         {
             if (CheckCodes.Find(item.Code) is not null) continue;
             CheckSeverity.Parse(item.Code.TrimStart(Wrong), out var problem);
-            return problem ?? $"has \"{item.Code}\", which is not a code of a check";
+            return problem ?? $"has \"{item.Code}\", which is not the code of a check";
         }
         return null;
     }

@@ -49,7 +49,7 @@ internal class TextFormat(string expected = "text") : KeyFormat<string>(KeyKind.
         => value.Length == 0 ? "must not be empty" : value.IndexOfAny(['\n', '\r']) >= 0 ? "must be on one line" : null;
 }
 
-/// <summary>A formula in some variables, or nothing.</summary>
+/// <summary>A formula in some variables, or empty.</summary>
 internal sealed class FormulaFormat(params string[] variables) : TextFormat("a formula")
 {
     public override string Range => "a formula in " + string.Join(", ", variables) + ", or empty";
@@ -60,7 +60,7 @@ internal sealed class FormulaFormat(params string[] variables) : TextFormat("a f
     {
         if (value.Length == 0) return null;
         var formula = Formula.Compile(value, variables);
-        return formula.Value is null ? "is no formula: " + formula.Diagnostics[0].Message.TrimEnd('.') : null;
+        return formula.Value is null ? "is not a valid formula: " + formula.Diagnostics[0].Message.TrimEnd('.') : null;
     }
 }
 
@@ -94,7 +94,7 @@ internal sealed class ChoiceFormat<TValue>(params (string Word, TValue Value)[] 
         {
             if (EqualityComparer<TValue>.Default.Equals(choice.Value, value)) return choice.Word;
         }
-        throw new ArgumentOutOfRangeException(nameof(value), value, "Not one of the choices.");
+        throw new ArgumentOutOfRangeException(nameof(value), value, "Unknown choice.");
     }
 
     public override string? Problem(TValue value)
@@ -102,8 +102,11 @@ internal sealed class ChoiceFormat<TValue>(params (string Word, TValue Value)[] 
 }
 
 /// <summary>Lines of a template.</summary>
-internal sealed class LinesFormat(Func<ValueList<string>, string?> check) : KeyFormat<ValueList<string>>(KeyKind.Lines, "a list of lines")
+internal sealed class LinesFormat(Func<ValueList<string>, Diagnostic?> check) : KeyFormat<ValueList<string>>(KeyKind.Lines, "a list of lines")
 {
+    /// <summary>The code of the first error of the template, or null.</summary>
+    public string? ErrorCode(object raw) => TryRead(raw, out var lines) ? check(lines!)?.Code : null;
+
     public override string Range => "a list of lines of text";
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema
@@ -121,5 +124,6 @@ internal sealed class LinesFormat(Func<ValueList<string>, string?> check) : KeyF
     public override object Write(ValueList<string> value) => value.Cast<object>().ToArray();
 
     public override string? Problem(ValueList<string> value)
-        => value.Any(l => l is null || l.IndexOfAny(['\n', '\r']) >= 0) ? "has an entry with more than one line" : check(value);
+        => value.Any(l => l is null || l.IndexOfAny(['\n', '\r']) >= 0) ? "has an entry of more than one line"
+            : check(value) is { } error ? $"has an error in {error.Source}: {error.Message.TrimEnd('.')}" : null;
 }

@@ -6,7 +6,7 @@ namespace Caterpillar.Machines;
 /// <summary>A key of a JSON object with its value and its position.</summary>
 internal sealed record JsonEntry(string Key, object? Value, int Line, int Column);
 
-/// <summary>Reads a JSON object with scalars and lists; numbers by <see cref="NumberReader"/>, so that they are the same everywhere.</summary>
+/// <summary>Reads a JSON object with scalars and lists. <see cref="NumberReader"/> reads the numbers, so that they are the same everywhere.</summary>
 internal static class JsonFlat
 {
     /// <summary>The keys in their order, or null and an error.</summary>
@@ -34,7 +34,7 @@ internal static class JsonFlat
             {
                 throw new JsonReaderException("The object is not closed.", reader.Path, reader.LineNumber, reader.LinePosition, null);
             }
-            if (Next(reader)) throw new JsonReaderException("There is text after the object.", reader.Path, reader.LineNumber, reader.LinePosition, null);
+            if (Next(reader)) throw new JsonReaderException("Text after the object.", reader.Path, reader.LineNumber, reader.LinePosition, null);
             return entries;
         }
         catch (JsonReaderException bad)
@@ -98,6 +98,6 @@ internal static class JsonFlat
     private static string Sentence(string message)
     {
         var at = message.IndexOf(" Path '", StringComparison.Ordinal);
-        return "This is not JSON: " + (at > 0 ? message.Substring(0, at) : message);
+        return "Invalid JSON: " + (at > 0 ? message.Substring(0, at) : message);
     }
 }

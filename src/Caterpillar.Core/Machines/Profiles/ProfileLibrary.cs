@@ -5,25 +5,25 @@ using Caterpillar.Expressions;
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// The profiles by name: those that come with Caterpillar, overridden by those of a user's folder, which has printers as <c>*.json</c>, materials in
+/// Profiles by name: the built-in ones and the ones of a user folder, which contains printers as <c>*.json</c>, materials in <c>materials/</c> and settings in
 /// <c>materials/</c> and settings in
-/// <c>settings/</c>. A user's profile replaces the one of the same name; it may also inherit it. Profiles are read on request, so a library sees
-/// changes of the folder.
+/// <c>settings/</c>. A user's profile overrides the built-in one of the same name and may inherit it. Profiles are read on request, so changes of the
+/// folder take effect at once.
 /// </summary>
 public sealed class ProfileLibrary
 {
     private readonly string? _userFolder;
 
-    /// <param name="userFolder">Folder of the user's profiles, which need not exist; null for none.</param>
+    /// <param name="userFolder">Folder of the user's profiles; null = none. It need not exist.</param>
     public ProfileLibrary(string? userFolder = null) => _userFolder = userFolder;
 
-    /// <summary>Names of the printers that are found, sorted.</summary>
+    /// <summary>Names of all printers, sorted.</summary>
     public IReadOnlyList<string> PrinterNames => Names(ProfileKinds.Printer);
 
-    /// <summary>Names of the materials that are found, sorted.</summary>
+    /// <summary>Names of all materials, sorted.</summary>
     public IReadOnlyList<string> MaterialNames => Names(ProfileKinds.Material);
 
-    /// <summary>Names of the print settings that are found, sorted.</summary>
+    /// <summary>Names of all print settings, sorted.</summary>
     public IReadOnlyList<string> SettingsNames => Names(ProfileKinds.Settings);
 
     /// <summary>A printer by its name, or from a file (a name with a folder or with <c>.json</c>).</summary>
@@ -39,8 +39,8 @@ public sealed class ProfileLibrary
     public Result<PrintSettings> Settings(string nameOrFile) => Find(ProfileKinds.Settings, nameOrFile);
 
     /// <summary>
-    /// A complete setup. Material and settings are by default those that the printer names; <paramref name="values"/> are <c>key=value</c> for any key of the
-    /// three, applied in their order.
+    /// A complete setup. Material and settings default to the printer's <c>default_material</c> and <c>default_settings</c>. <paramref name="values"/> are
+    /// <c>key=value</c> for any key of the three, applied in order.
     /// </summary>
     /// <inheritdoc cref="Printer" path="/exception"/>
     public Result<PrintSetup> Setup(string printer = "generic", string? material = null, string? settings = null, IEnumerable<string>? values = null)
@@ -64,7 +64,7 @@ public sealed class ProfileLibrary
         if (nameOrFile is null) throw new ArgumentNullException(nameof(nameOrFile));
         if (!IsFile(nameOrFile)) return Named(kind, nameOrFile, []);
         if (!File.Exists(nameOrFile))
-            return Failed<T>("profile.not_found", $"There is no file {nameOrFile}.", new SourceLocation(nameOrFile));
+            return Failed<T>("profile.not_found", $"File {nameOrFile} not found.", new SourceLocation(nameOrFile));
         return Read(kind, new Source(nameOrFile, Path.GetFileNameWithoutExtension(nameOrFile), () => File.ReadAllText(nameOrFile)), []);
     }
 
@@ -78,13 +78,13 @@ public sealed class ProfileLibrary
         }
         if (chain.Count > 0 && Sources(kind, name).Any())
         {
-            return Failed<T>("profile.circular_inheritance", $"The {kind.Noun} \"{name}\" inherits itself.", new SourceLocation(chain[0]));
+            return Failed<T>("profile.circular_inheritance", $"The {kind.Noun} \"{name}\" inherits itself. Change its inherits.", new SourceLocation(chain[0]));
         }
         var names = Names(kind);
         var near = SpellingSuggestion.Nearest(name, names);
         return Failed<T>(
-            "profile.not_found", $"There is no {kind.Noun} \"{name}\"; "
-                + (near is not null ? $"did you mean {near}?" : "there are " + string.Join(", ", names) + "."), null);
+            "profile.not_found", $"{char.ToUpperInvariant(kind.Noun[0])}{kind.Noun.Substring(1)} \"{name}\" not found. "
+                + (near is not null ? $"Did you mean {near}?" : "Available: " + string.Join(", ", names) + "."), null);
     }
 
     private Result<T> Read<T>(ProfileKind<T> kind, Source source, IReadOnlyList<string> chain)

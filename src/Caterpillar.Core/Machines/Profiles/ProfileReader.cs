@@ -3,21 +3,21 @@ using Caterpillar.Basics;
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// Reads profiles from JSON. Unknown keys, keys with another unit, values of another kind and values outside their range are errors that name the file, the
+/// Reads profiles from JSON. Unknown keys, keys with another unit, values of another type and values out of range are errors that name the file, the
 /// line and the key.
-/// <c>inherits</c> names a profile to start from; without it the values are those of the generic printer, PLA and the standard settings.
+/// <c>inherits</c> names a profile to start from. Without it, missing values default to the generic printer, PLA and standard settings.
 /// </summary>
 public static class ProfileReader
 {
-    /// <summary>Reads a printer; <paramref name="parent"/> finds the profile that it inherits.</summary>
+    /// <summary>Reads a printer. <paramref name="parent"/> finds the profile that it inherits.</summary>
     public static Result<Printer> ReadPrinter(string json, string file, string name, Func<string, Result<Printer>>? parent = null)
         => Read(ProfileKinds.Printer, json, file, name, parent);
 
-    /// <summary>Reads a material; <paramref name="parent"/> finds the profile that it inherits.</summary>
+    /// <summary>Reads a material. <paramref name="parent"/> finds the profile that it inherits.</summary>
     public static Result<Material> ReadMaterial(string json, string file, string name, Func<string, Result<Material>>? parent = null)
         => Read(ProfileKinds.Material, json, file, name, parent);
 
-    /// <summary>Reads print settings; <paramref name="parent"/> finds the profile that they inherit.</summary>
+    /// <summary>Reads print settings. <paramref name="parent"/> finds the profile that they inherit.</summary>
     public static Result<PrintSettings> ReadSettings(string json, string file, string name, Func<string, Result<PrintSettings>>? parent = null)
         => Read(ProfileKinds.Settings, json, file, name, parent);
 
@@ -33,7 +33,7 @@ public static class ProfileReader
         foreach (var entry in entries)
         {
             var place = new SourceLocation(file, entry.Line, entry.Column, entry.Key);
-            if (!seen.Add(entry.Key)) diagnostics.Add(new Diagnostic(Severity.Error, "profile.duplicate_key", "This key is repeated.",
+            if (!seen.Add(entry.Key)) diagnostics.Add(new Diagnostic(Severity.Error, "profile.duplicate_key", "Repeated key. Delete one of the two.",
                 place));
             else if (entry.Key is not ("inherits" or "$schema")) profile = kind.Apply(profile, entry.Key, entry.Value, place, diagnostics);
         }
@@ -55,7 +55,7 @@ public static class ProfileReader
         var found = parent?.Invoke(wanted);
         if (found?.Value is null)
         {
-            diagnostics.Add(new Diagnostic(Severity.Error, "profile.no_parent", $"The {kind.Noun} \"{wanted}\" to inherit from cannot be read.", place));
+            diagnostics.Add(new Diagnostic(Severity.Error, "profile.no_parent", $"The inherited {kind.Noun} \"{wanted}\" is missing or has errors.", place));
         }
         if (found is not null) diagnostics.AddRange(found.Diagnostics);
         return found?.Value is { } value ? kind.Named(value, name) : kind.Empty(name);

@@ -1,6 +1,6 @@
 namespace Caterpillar.Machines;
 
-/// <summary>Writes profiles as JSON, with all their keys. Reading the text gives an equal profile.</summary>
+/// <summary>Writes profiles as JSON with all keys. Reading the text gives an equal profile.</summary>
 public static class ProfileWriter
 {
     /// <summary>A printer as JSON with all its keys.</summary>

@@ -4,7 +4,7 @@ using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Material,
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// What is extruded. The keys of profiles are in <see cref="ProfileKeys"/>; a value outside its key's range throws an
+/// A material. The keys of profiles are in <see cref="ProfileKeys"/>. A value outside its key's range throws an
 /// <see cref="System.ArgumentOutOfRangeException"/>. Immutable.
 /// </summary>
 public sealed record Material
@@ -18,40 +18,37 @@ public sealed record Material
     /// <summary>Diameter of the filament, or of the plunger whose travel E measures.</summary> <value>mm.</value>
     public double FilamentDiameter { get; init => field = MaterialKeys.FilamentDiameter.Check(value); } = 1.75;
 
-    /// <summary>Temperature of the nozzle; 0 = off.</summary> <value>°C.</value>
+    /// <summary>Nozzle temperature; 0 = off.</summary> <value>°C.</value>
     public double NozzleTemperature { get; init => field = MaterialKeys.NozzleTemperature.Check(value); } = 210;
 
-    /// <summary>Temperature of the nozzle in the first layer; 0 for that of the other layers.</summary> <value>°C.</value>
+    /// <summary>Nozzle temperature of the first layer; 0 = nozzle_temperature_c.</summary> <value>°C.</value>
     public double FirstLayerNozzleTemperature { get; init => field = MaterialKeys.FirstLayerNozzleTemperature.Check(value); }
 
-    /// <summary>Temperature of the bed; 0 = off.</summary> <value>°C.</value>
+    /// <summary>Bed temperature; 0 = off.</summary> <value>°C.</value>
     public double BedTemperature { get; init => field = MaterialKeys.BedTemperature.Check(value); } = 60;
 
-    /// <summary>Scales E of all extrusions.</summary> <remarks>1 for material that fills exactly the requested bead.</remarks>
+    /// <summary>Flow ratio of all extrusions.</summary> <remarks>1 if the material exactly fills the requested bead.</remarks>
     public double FlowRatio { get; init => field = MaterialKeys.FlowRatio.Check(value); } = 1;
 
-    /// <summary>Part cooling.</summary> <value>%.</value>
+    /// <summary>Minimum fan speed.</summary> <value>%.</value>
     public double MinFanSpeedPercent { get; init => field = MaterialKeys.MinFanSpeedPercent.Check(value); } = 100;
 
-    /// <summary>Part cooling of the quickest layers; less than min_fan_speed_percent means the same as that.</summary> <value>%.</value>
+    /// <summary>Maximum fan speed, for the shortest layers. Values below the minimum have no effect.</summary> <value>%.</value>
     public double MaxFanSpeedPercent { get; init => field = MaterialKeys.MaxFanSpeedPercent.Check(value); } = 100;
 
-    /// <summary>
-    /// Layers that take less time than this get more part cooling, up to max_fan_speed_percent at min_layer_time_s; 0 for the same in all layers.
-    /// </summary>
-    /// <value>s.</value>
+    /// <summary>Layer time below which the fan speeds up, to the maximum at min_layer_time_s; 0 = off.</summary> <value>s.</value>
     public double FanLayerTime { get; init => field = MaterialKeys.FanLayerTime.Check(value); }
 
-    /// <summary>Number of first layers that are printed without part cooling.</summary>
+    /// <summary>Number of first layers without fan.</summary>
     public int FanOffLayers { get; init => field = MaterialKeys.FanOffLayers.Check(value); } = 1;
 
-    /// <summary>Mass per volume.</summary> <value>g/cm³.</value>
+    /// <summary>Density of the material.</summary> <value>g/cm³.</value>
     public double Density { get; init => field = MaterialKeys.Density.Check(value); } = 1.24;
 
-    /// <summary>Price of a kilogram in any currency; 0 if unknown.</summary>
+    /// <summary>Cost per kilogram, in any currency; 0 = unknown.</summary>
     public double CostPerKg { get; init => field = MaterialKeys.CostPerKg.Check(value); }
 
-    /// <summary>Material that can be melted or pumped; 0 if unknown.</summary> <value>mm³/s.</value>
+    /// <summary>Maximum volumetric flow of the material; 0 = unknown.</summary> <value>mm³/s.</value>
     public double MaxFlow { get; init => field = MaterialKeys.MaxFlow.Check(value); }
 
     public override string ToString() => Title;

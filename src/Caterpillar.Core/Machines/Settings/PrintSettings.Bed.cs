@@ -6,38 +6,38 @@ namespace Caterpillar.Machines;
 // What is printed around and below a part.
 public sealed partial record PrintSettings
 {
-    /// <summary>Loops around the first layer; 0 for none.</summary>
+    /// <summary>Number of skirt loops; 0 = off.</summary>
     public int SkirtLoops { get; init => field = BedKeys.SkirtLoops.Check(value); }
 
     /// <summary>Distance of the skirt from the part.</summary> <value>mm.</value>
     public double SkirtDistance { get; init => field = BedKeys.SkirtDistance.Check(value); } = 5;
 
-    /// <summary>Width of a brim, which holds the first layer on the bed; 0 for none.</summary> <value>mm.</value>
+    /// <summary>Brim width; 0 = off.</summary> <value>mm.</value>
     public double BrimWidth { get; init => field = BedKeys.BrimWidth.Check(value); }
 
-    /// <summary>On which side of the outlines the brim lies: around the part, in its holes, or both.</summary>
+    /// <summary>Brim around the part, inside its holes, or both.</summary>
     public BrimType BrimType { get; init; }
 
-    /// <summary>Distance of the brim from the part.</summary> <value>mm.</value>
+    /// <summary>Gap between brim and part.</summary> <value>mm.</value>
     public double BrimGap { get; init => field = BedKeys.BrimGap.Check(value); }
 
-    /// <summary>Layers of a raft below the part; 0 for none.</summary>
+    /// <summary>Number of raft layers; 0 = off.</summary>
     public int RaftLayers { get; init => field = BedKeys.RaftLayers.Check(value); }
 
-    /// <summary>How far a raft reaches beyond the part.</summary> <value>mm.</value>
+    /// <summary>Distance by which the raft extends beyond the part.</summary> <value>mm.</value>
     public double RaftExpansion { get; init => field = BedKeys.RaftExpansion.Check(value); } = 3;
 
-    /// <summary>Thickness of a layer of the raft.</summary> <value>mm.</value>
+    /// <summary>Layer height of the raft.</summary> <value>mm.</value>
     public double RaftLayerHeight { get; init => field = BedKeys.RaftLayerHeight.Check(value); } = 0.3;
 
-    /// <summary>Air between the raft and the part.</summary> <value>mm.</value>
+    /// <summary>Gap between raft and part.</summary> <value>mm.</value>
     public double RaftGap { get; init => field = BedKeys.RaftGap.Check(value); } = 0.2;
 
-    /// <summary>How much of the lower layers of the raft is filled; the uppermost one is closed.</summary> <value>%.</value>
+    /// <summary>Density of the lower raft layers. The top layer is solid.</summary> <value>%.</value>
     public double RaftDensityPercent { get; init => field = BedKeys.RaftDensityPercent.Check(value); } = 40;
 }
 
-/// <summary>Keys of print settings: what is printed around and below a part.</summary>
+/// <summary>Keys of print settings: skirt, brim and raft.</summary>
 internal static class BedKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();

@@ -5,34 +5,29 @@ namespace Caterpillar.Machines;
 // Layers that follow a surface.
 public sealed partial record PrintSettings
 {
-    /// <summary>Distance of printed chords from their curved path, and of the bent model from the exact one.</summary> <value>mm.</value>
+    /// <summary>Maximum deviation of curved paths and of the deformed model.</summary> <value>mm.</value>
     public double CurvedTolerance { get; init => field = CurvedKeys.CurvedTolerance.Check(value); } = 0.01;
 
-    /// <summary>Change of the gap between curved layers along one move, beyond which the move is divided.</summary> <value>% of the gap.</value>
+    /// <summary>Maximum change of the gap between curved layers along a move. Moves that exceed it are divided.</summary> <value>% of the gap.</value>
     public double CurvedGapStep { get; init => field = CurvedKeys.CurvedGapStep.Check(value); } = 10;
 
-    /// <summary>Where curved layers are thinner than this, several are printed at once; 0 for 0.15 nozzles, at most half of the layer height.</summary>
+    /// <summary>Minimum thickness of curved layers. Thinner ones are combined; 0 = 0.15 × nozzle diameter, at most half the layer height.</summary>
     /// <value>mm.</value>
     public double CurvedMinGap { get; init => field = CurvedKeys.CurvedMinGap.Check(value); }
 
-    /// <summary>
-    /// Curved layers that are thicker than this somewhere are divided; 0 for three quarters of the nozzle, or the layer height if that is more.
-    /// </summary>
+    /// <summary>Maximum thickness of curved layers. Thicker ones are divided; 0 = 0.75 × nozzle diameter, or the layer height if greater.</summary>
     /// <value>mm.</value>
     public double CurvedMaxGap { get; init => field = CurvedKeys.CurvedMaxGap.Check(value); }
 
-    /// <summary>
-    /// The thickest extrusion of curved layers is at most so many times as high as the thinnest: where layers are thinner, several are printed at once; 0 for
-    /// any.
-    /// </summary>
+    /// <summary>Maximum ratio of the thickest to the thinnest extrusion of curved layers. Thinner layers are combined; 0 = any.</summary>
     /// <remarks>2 or more.</remarks>
     public double CurvedMaxGapRatio { get; init => field = CurvedKeys.CurvedMaxGapRatio.Check(value); }
 
-    /// <summary>Steepest curved layers; 0 takes what the head of the printer allows.</summary> <value>Degrees.</value>
+    /// <summary>Maximum slope of curved layers; 0 = as steep as the print head allows.</summary> <value>Degrees.</value>
     public double CurvedMaxSlope { get; init => field = CurvedKeys.CurvedMaxSlope.Check(value); }
 }
 
-/// <summary>Keys of print settings: layers that follow a surface.</summary>
+/// <summary>Keys of print settings: curved layers.</summary>
 internal static class CurvedKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();

@@ -7,35 +7,34 @@ namespace Caterpillar.Machines;
 // What fills the inside of a part.
 public sealed partial record PrintSettings
 {
-    /// <summary>What the lines of the infill look like.</summary>
+    /// <summary>Infill pattern.</summary>
     public InfillPattern InfillPattern { get; init; }
 
-    /// <summary>By how much the direction of the infill turns from layer to layer.</summary> <value>Degrees.</value>
+    /// <summary>Rotation of infill lines from layer to layer.</summary> <value>Degrees.</value>
     public double InfillRotation { get; init => field = InfillKeys.InfillRotation.Check(value); } = 90;
 
-    /// <summary>For the pattern formula: the extrusions run where this formula in x, y, z (mm), layer, spacing and width is zero.</summary>
+    /// <summary>With infill_pattern=formula: extrusions follow the zero set of this formula in x, y, z (mm), layer, spacing and width.</summary>
     public string InfillFormula { get; init => field = InfillKeys.InfillFormula.Check(value); } = "";
 
     /// <summary>
-    /// For the pattern curves: the extrusions of each layer, cut at its walls; a list of points [curve, x, y] of the bed. slice --infill-curves reads them from
-    /// a file.
+    /// With infill_pattern=curves: curves that fill every layer, as points [curve, x, y] on the bed. slice --infill-curves reads them from a file.
     /// </summary>
     /// <value>mm.</value>
     public ValueList<InfillPoint> InfillCurves { get; init => field = InfillKeys.InfillCurves.Check(value); } = ValueList<InfillPoint>.Empty;
 
-    /// <summary>The infill of so many layers is printed at once, as thick as all of them.</summary>
+    /// <summary>Combine the infill of this many layers into one thicker layer.</summary>
     public int CombineInfillLayers { get; init => field = InfillKeys.CombineInfillLayers.Check(value); } = 1;
 
-    /// <summary>The infill of an island is printed before its walls.</summary>
+    /// <summary>Print the infill of an island before its walls.</summary>
     public bool InfillFirst { get; init; }
 }
 
-/// <summary>Keys of print settings: what fills the inside of a part.</summary>
+/// <summary>Keys of print settings: infill.</summary>
 internal static class InfillKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();
 
-    /// <summary>Patterns that close an area.</summary>
+    /// <summary>Patterns for solid infill.</summary>
     public static readonly InfillPattern[] Solid =
         [Machines.InfillPattern.Monotonic, Machines.InfillPattern.Lines, Machines.InfillPattern.Concentric, Machines.InfillPattern.Hilbert];
 

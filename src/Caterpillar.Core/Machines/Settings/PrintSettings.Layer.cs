@@ -6,39 +6,38 @@ namespace Caterpillar.Machines;
 // How a model is divided into layers.
 public sealed partial record PrintSettings
 {
-    /// <summary>Where in its thickness a layer cuts the model.</summary>
+    /// <summary>Height at which a layer cuts the model: its middle or its bottom.</summary>
     public SlicingPlane SlicingPlane { get; init; }
 
-    /// <summary>Heights between which layers have a thickness of their own: a list of [from, to, thickness].</summary> <value>mm.</value>
+    /// <summary>Height ranges with their own layer height: a list of [from, to, layer height].</summary> <value>mm.</value>
     public ValueList<LayerRange> LayerRanges { get; init => field = LayerKeys.LayerRanges.Check(value); } = ValueList<LayerRange>.Empty;
 
-    /// <summary>Thickness of the layers as a formula in z, the height in mm at which a layer begins: 0.1 + 0.1 * z / 40; empty for layer_height_mm.</summary>
+    /// <summary>Layer height as a formula in z (mm), such as 0.1 + 0.1 * z / 40; empty = layer_height_mm.</summary>
     public string LayerFormula { get; init => field = LayerKeys.LayerFormula.Check(value); } = "";
 
-    /// <summary>Layers get thinner where the surface is shallow.</summary>
+    /// <summary>Use thinner layers where the surface is shallow.</summary>
     public bool AdaptiveLayers { get; init; }
 
-    /// <summary>Thinnest layer of adaptive layers.</summary> <value>mm.</value>
+    /// <summary>Minimum height of adaptive layers.</summary> <value>mm.</value>
     public double AdaptiveMinHeight { get; init => field = LayerKeys.AdaptiveMinHeight.Check(value); } = 0.08;
 
-    /// <summary>Thickest layer of adaptive layers.</summary> <value>mm.</value>
+    /// <summary>Maximum height of adaptive layers.</summary> <value>mm.</value>
     public double AdaptiveMaxHeight { get; init => field = LayerKeys.AdaptiveMaxHeight.Check(value); } = 0.28;
 
-    /// <summary>Adaptive layers: largest distance between the steps of the layers and the surface, measured across the surface.</summary> <value>mm.</value>
+    /// <summary>Maximum cusp height of adaptive layers: distance between steps and surface, normal to the surface.</summary> <value>mm.</value>
     public double AdaptiveCuspHeight { get; init => field = LayerKeys.AdaptiveCuspHeight.Check(value); } = 0.1;
 
-    /// <summary>Outlines of the part are moved outwards by this much, or inwards where it is negative.</summary> <value>mm.</value>
+    /// <summary>Grow outlines by this much; negative = shrink.</summary> <value>mm.</value>
     public double XySizeCompensation { get; init => field = LayerKeys.XySizeCompensation.Check(value); }
 
-    /// <summary>Holes are made larger by this much on every side, or smaller where it is negative.</summary> <value>mm.</value>
+    /// <summary>Enlarge holes by this much on each side; negative = shrink.</summary> <value>mm.</value>
     public double XyHoleCompensation { get; init => field = LayerKeys.XyHoleCompensation.Check(value); }
 
-    /// <summary>The outline of the first layer is moved outwards by this much, or inwards where it is negative (an elephant's foot).</summary>
-    /// <value>mm.</value>
+    /// <summary>Grow the outline of the first layer by this much; negative = shrink, against elephant foot.</summary> <value>mm.</value>
     public double ElephantFootCompensation { get; init => field = LayerKeys.ElephantFootCompensation.Check(value); }
 }
 
-/// <summary>Keys of print settings: how a model is divided into layers.</summary>
+/// <summary>Keys of print settings: layers and compensations.</summary>
 internal static class LayerKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();
@@ -47,7 +46,7 @@ internal static class LayerKeys
         = All.Choice("slicing_plane", s => s.SlicingPlane, (s, v) => s with { SlicingPlane = v });
     public static readonly ProfileKey<PrintSettings, ValueList<LayerRange>> LayerRanges = All.Of(
         "height_ranges_mm",
-        new RowsFormat<LayerRange>(["from", "to", "thickness"], 1000, 0, 100_000, LayerRange.Of, r => [r.From, r.To, r.Thickness], LayerRange.Problem),
+        new RowsFormat<LayerRange>(["from", "to", "layer height"], 1000, 0, 100_000, LayerRange.Of, r => [r.From, r.To, r.Thickness], LayerRange.Problem),
         s => s.LayerRanges, (s, v) => s with { LayerRanges = v });
     public static readonly ProfileKey<PrintSettings, string> LayerFormula
         = All.Of("layer_height_formula", new FormulaFormat("z"), s => s.LayerFormula, (s, v) => s with { LayerFormula = v });

@@ -7,40 +7,36 @@ namespace Caterpillar.Machines;
 // Where loops begin, and in which order the walls of a contour are printed.
 public sealed partial record PrintSettings
 {
-    /// <summary>
-    /// Where outer walls begin: in a corner and above the seam of the layer below, where the head comes from, at the back, near seam_point_mm, anywhere, or in
-    /// the most concave corner of each layer.
-    /// </summary>
+    /// <summary>Start of outer walls: aligned, nearest, rear, near seam_point_mm, random, or in the sharpest concave corner.</summary>
     public SeamPosition SeamPosition { get; init; } = SeamPosition.Aligned;
 
-    /// <summary>For seam_position point: seams lie on the side of this point of the bed.</summary> <value>mm.</value>
+    /// <summary>With seam_position=point: seams face this point of the bed.</summary> <value>mm.</value>
     public Vec3 SeamPoint { get; init => field = SeamKeys.SeamPoint.Check(value); }
 
-    /// <summary>Painted places for seams: a list of balls [x, y, z, radius]; loops that pass one begin there, whatever seam_position is.</summary>
-    /// <value>mm.</value>
+    /// <summary>Seam enforcers: spheres [x, y, z, radius]. Walls that pass through one start there.</summary> <value>mm.</value>
     public ValueList<SeamMark> SeamEnforcers { get; init => field = SeamKeys.SeamEnforcers.Check(value); } = ValueList<SeamMark>.Empty;
 
-    /// <summary>Seed of the random numbers of seam_position random.</summary>
+    /// <summary>Random seed of seam_position=random.</summary>
     public int SeamSeed { get; init => field = SeamKeys.SeamSeed.Check(value); } = 1;
 
-    /// <summary>So far before it has gone around a wall the extruder stops, for the extrusion begins round; at most a tenth of the wall. 0 for none.</summary>
-    /// <value>mm.</value> <remarks>Beads begin and end round, so that two ends in one place would be a blob.</remarks>
+    /// <summary>Gap left at the end of each closed wall to prevent a blob, at most a tenth of the wall; 0 = off.</summary>
+    /// <value>mm.</value> <remarks>Beads have round ends. Two ends in one place would form a blob.</remarks>
     public double SeamGap { get; init => field = SeamKeys.SeamGap.Check(value); } = 0.06;
 
-    /// <summary>Length over which an outer wall rises at its start and runs out over that ramp at its end; 0 for a plain seam.</summary> <value>mm.</value>
+    /// <summary>Length of scarf seams; 0 = off.</summary> <value>mm.</value>
     public double ScarfSeamLength { get; init => field = SeamKeys.ScarfSeamLength.Check(value); }
 
-    /// <summary>Steps of the ramp of a scarf seam.</summary>
+    /// <summary>Number of steps of a scarf seam.</summary>
     public int ScarfSeamSteps { get; init => field = SeamKeys.ScarfSeamSteps.Check(value); } = 12;
 
-    /// <summary>Order of the walls of a contour: the outer wall last, first, or alternating from layer to layer.</summary>
+    /// <summary>Print walls from inside out, outside in, or alternating by layer.</summary>
     public WallOrder WallOrder { get; init; } = WallOrder.InsideOut;
 
-    /// <summary>Order of the walls of contours that hang over the layer below somewhere.</summary>
+    /// <summary>Order of walls with overhangs.</summary>
     public OverhangWallOrder OverhangWallOrder { get; init; } = OverhangWallOrder.Same;
 }
 
-/// <summary>Keys of print settings: where loops begin, and in which order the walls of a contour are printed.</summary>
+/// <summary>Keys of print settings: seams and the order of walls.</summary>
 internal static class SeamKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();

@@ -6,53 +6,50 @@ namespace Caterpillar.Machines;
 // What holds up the parts of a print that hang in the air.
 public sealed partial record PrintSettings
 {
-    /// <summary>What holds up parts of the print that hang in the air: nothing, columns of lines, or branches.</summary>
+    /// <summary>Supports: none, grid, or tree.</summary>
     public SupportKind Support { get; init; } = SupportKind.None;
 
-    /// <summary>Supports stand on bed and part, or on the bed only.</summary>
+    /// <summary>Supports everywhere, or on the build plate only.</summary>
     public SupportPlacement SupportPlacement { get; init; } = SupportPlacement.Everywhere;
 
-    /// <summary>Surfaces that lean farther out than this from the vertical are supported; 90 for none but those in enforcers.</summary> <value>Degrees.</value>
+    /// <summary>Overhang angle from the vertical above which supports are added; 90 = only in enforcers.</summary> <value>Degrees.</value>
     public double SupportAngle { get; init => field = SupportKeys.SupportAngle.Check(value); } = 50;
 
-    /// <summary>Air between supports and the walls of the part.</summary> <value>mm.</value>
+    /// <summary>Horizontal gap between supports and part.</summary> <value>mm.</value>
     public double SupportXyGap { get; init => field = SupportKeys.SupportXyGap.Check(value); } = 0.6;
 
-    /// <summary>Least air between a support and the part above it; it is rounded up to whole layers.</summary> <value>mm.</value>
+    /// <summary>Minimum vertical gap between a support and the part above, rounded up to whole layers.</summary> <value>mm.</value>
     public double SupportTopGap { get; init => field = SupportKeys.SupportTopGap.Check(value); } = 0.2;
 
-    /// <summary>Least air between a support and the part below it; it is rounded up to whole layers.</summary> <value>mm.</value>
+    /// <summary>Minimum vertical gap between a support and the part below, rounded up to whole layers.</summary> <value>mm.</value>
     public double SupportBottomGap { get; init => field = SupportKeys.SupportBottomGap.Check(value); } = 0.2;
 
-    /// <summary>How much of the columns of support grid is filled.</summary> <value>%.</value>
+    /// <summary>Density of grid supports.</summary> <value>%.</value>
     public double SupportDensityPercent { get; init => field = SupportKeys.SupportDensityPercent.Check(value); } = 15;
 
-    /// <summary>Dense layers at the top of supports.</summary>
+    /// <summary>Number of interface layers at the top of supports.</summary>
     public int SupportInterfaceLayers { get; init => field = SupportKeys.SupportInterfaceLayers.Check(value); } = 2;
 
-    /// <summary>How much of the dense layers is filled.</summary> <value>%.</value>
+    /// <summary>Density of support interface layers.</summary> <value>%.</value>
     public double SupportInterfaceDensityPercent { get; init => field = SupportKeys.SupportInterfaceDensityPercent.Check(value); } = 75;
 
-    /// <summary>Distance between the tips of support tree.</summary> <value>mm.</value>
+    /// <summary>Distance between the tips of tree supports.</summary> <value>mm.</value>
     public double TreeTipDistance { get; init => field = SupportKeys.TreeTipDistance.Check(value); } = 2.5;
 
-    /// <summary>How far the branches of support tree lean, from the vertical.</summary> <value>Degrees.</value>
+    /// <summary>Maximum angle of tree branches from the vertical.</summary> <value>Degrees.</value>
     public double TreeBranchAngle { get; init => field = SupportKeys.TreeBranchAngle.Check(value); } = 40;
 
-    /// <summary>Greatest diameter of the branches of support tree.</summary> <value>mm.</value>
+    /// <summary>Maximum diameter of tree branches.</summary> <value>mm.</value>
     public double TreeBranchDiameter { get; init => field = SupportKeys.TreeBranchDiameter.Check(value); } = 5;
 
-    /// <summary>Speed of supports; 0 for the print speed.</summary> <value>mm/s.</value>
+    /// <summary>Speed of supports; 0 = printing speed.</summary> <value>mm/s.</value>
     public double SupportSpeed { get; init => field = SupportKeys.SupportSpeed.Check(value); }
 
-    /// <summary>
-    /// What a model is for (--for MODEL:model_type=...): to be printed; or as a body in which nothing is supported, everything that is seen from below is, or
-    /// parts have its settings.
-    /// </summary>
+    /// <summary>Type of a model: part, support blocker, support enforcer, or modifier.</summary>
     public ModelType ModelType { get; init; } = ModelType.Part;
 }
 
-/// <summary>Keys of print settings: what holds up the parts of a print that hang in the air.</summary>
+/// <summary>Keys of print settings: supports.</summary>
 internal static class SupportKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();

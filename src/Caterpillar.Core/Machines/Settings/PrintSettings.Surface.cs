@@ -7,32 +7,32 @@ namespace Caterpillar.Machines;
 // Vase mode, open meshes, rough surfaces and the time of layers.
 public sealed partial record PrintSettings
 {
-    /// <summary>One wall that climbs without a seam, on a closed bottom of bottom_layers.</summary>
+    /// <summary>Spiral vase: one wall that rises continuously, on a solid bottom of bottom_layers.</summary>
     public bool SpiralVase { get; init; }
 
-    /// <summary>Least flow at the beginning of the first turn and the end of the last one of a vase.</summary> <value>%.</value>
+    /// <summary>Minimum flow at the start of the first turn and the end of the last turn of a spiral vase.</summary> <value>%.</value>
     public double SpiralVaseMinFlowPercent { get; init => field = SurfaceKeys.SpiralVaseMinFlowPercent.Check(value); } = 20;
 
-    /// <summary>What becomes of contours that do not close: they are left out, or printed as single walls.</summary>
+    /// <summary>Ignore contours that do not close, or print them as single walls.</summary>
     public OpenContours OpenContours { get; init; }
 
-    /// <summary>Outer walls wander in and out at random by up to this much; 0 for smooth walls.</summary> <value>mm.</value>
+    /// <summary>Fuzzy skin: maximum random offset of outer walls; 0 = off.</summary> <value>mm.</value>
     public double FuzzySkinThickness { get; init => field = SurfaceKeys.FuzzySkinThickness.Check(value); }
 
-    /// <summary>Distance between the points of rough walls.</summary> <value>mm.</value>
+    /// <summary>Distance between the points of fuzzy skin.</summary> <value>mm.</value>
     public double FuzzySkinPointDistance { get; init => field = SurfaceKeys.FuzzySkinPointDistance.Check(value); } = 0.5;
 
-    /// <summary>Seed of the random numbers of rough walls.</summary>
+    /// <summary>Random seed of fuzzy skin.</summary>
     public int FuzzySkinSeed { get; init => field = SurfaceKeys.FuzzySkinSeed.Check(value); } = 1;
 
-    /// <summary>Shortest time for a layer: a smaller one is printed more slowly, so that it can cool.</summary> <value>s.</value>
+    /// <summary>Minimum layer time. Shorter layers are slowed down to cool.</summary> <value>s.</value>
     public double MinLayerTime { get; init => field = SurfaceKeys.MinLayerTime.Check(value); } = 5;
 
-    /// <summary>No layer is slowed down below this speed.</summary> <value>mm/s.</value>
+    /// <summary>Minimum speed of layers that are slowed down.</summary> <value>mm/s.</value>
     public double MinPrintSpeed { get; init => field = SurfaceKeys.MinPrintSpeed.Check(value); } = 10;
 }
 
-/// <summary>Keys of print settings: vase mode, open meshes, rough surfaces and the time of layers.</summary>
+/// <summary>Keys of print settings: spiral vase, open contours, fuzzy skin, layer time.</summary>
 internal static class SurfaceKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();

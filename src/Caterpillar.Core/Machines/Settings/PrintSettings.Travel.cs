@@ -5,17 +5,14 @@ namespace Caterpillar.Machines;
 // How the head gets from path to path, and what it does while a layer cools.
 public sealed partial record PrintSettings
 {
-    /// <summary>So much longer than straight a travel inside the part may be, around its corners, to avoid a retraction; 0 for straight ones only.</summary>
-    /// <value>mm.</value>
+    /// <summary>Maximum detour to avoid crossing walls; 0 = straight travel moves only.</summary> <value>mm.</value>
     public double AvoidCrossingMaxDetour { get; init => field = TravelKeys.AvoidCrossingMaxDetour.Check(value); } = 15;
 
-    /// <summary>
-    /// What happens where a layer takes less than min_layer_time_s even at min_print_speed_mm_s: nothing, the head waits above it, or beside it.
-    /// </summary>
+    /// <summary>What to do if a layer takes less than min_layer_time_s even at min_print_speed_mm_s: nothing, wait above it, or wait next to it.</summary>
     public LayerTimeWait LayerTimeWait { get; init; } = LayerTimeWait.None;
 }
 
-/// <summary>Keys of print settings: how the head gets from path to path, and what it does while a layer cools.</summary>
+/// <summary>Keys of print settings: travel moves, and waits for layers to cool.</summary>
 internal static class TravelKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();

@@ -6,25 +6,21 @@ namespace Caterpillar.Machines;
 // How wide walls are, and whether they have arcs.
 public sealed partial record PrintSettings
 {
-    /// <summary>
-    /// Walls follow the local thickness: thin places get one extrusion, others an even number that shares what is there. Otherwise all walls have the line
-    /// width, and what is too narrow for one stays open.
-    /// </summary>
+    /// <summary>Let wall widths follow the local thickness (Arachne). Otherwise all walls have the line width, and thinner places stay open.</summary>
     public bool VariableWallWidth { get; init; } = true;
 
-    /// <summary>Width of the narrowest wall where widths vary; 0 for 45 % of the line width. Places of less than half of it are not printed.</summary>
-    /// <value>mm.</value>
+    /// <summary>Minimum width of variable-width walls; 0 = 45 % of the line width. Places thinner than half of it stay open.</summary> <value>mm.</value>
     public double MinWallWidth { get; init => field = WallWidthKeys.MinWallWidth.Check(value); }
 
-    /// <summary>Width of the widest wall where widths vary; 0 for 180 % of the line width.</summary> <value>mm.</value>
+    /// <summary>Maximum width of variable-width walls; 0 = 180 % of the line width.</summary> <value>mm.</value>
     public double MaxWallWidth { get; init => field = WallWidthKeys.MaxWallWidth.Check(value); }
 
-    /// <summary>Walls of planar layers become arcs (G2, G3) where they stay within this distance of one; 0 for straight segments only.</summary>
-    /// <value>mm.</value> <remarks>No arc crosses a change of width or flow, or a seam; spiral vases have none.</remarks>
+    /// <summary>Fit arcs (G2, G3) to the walls of planar layers within this tolerance; 0 = off.</summary>
+    /// <value>mm.</value> <remarks>No arc crosses a seam or a change of width or flow. Spiral vases have no arcs.</remarks>
     public double ArcFittingTolerance { get; init => field = WallWidthKeys.ArcFittingTolerance.Check(value); }
 }
 
-/// <summary>Keys of print settings: how wide walls are, and whether they have arcs.</summary>
+/// <summary>Keys of print settings: wall widths and arc fitting.</summary>
 internal static class WallWidthKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();

@@ -6,7 +6,7 @@ using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSett
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// Print settings. Lengths in mm, speeds in mm/s. The keys of profiles are in <see cref="ProfileKeys"/>; a value outside its key's range throws an
+/// Print settings. Lengths in mm, speeds in mm/s. The keys of profiles are in <see cref="ProfileKeys"/>. A value outside its key's range throws an
 /// <see cref="System.ArgumentOutOfRangeException"/>. Immutable.
 /// </summary>
 public sealed partial record PrintSettings
@@ -17,99 +17,98 @@ public sealed partial record PrintSettings
     /// <summary>Display name.</summary>
     public string Title { get; init => field = SettingsKeys.Title.Check(value); } = "Standard";
 
-    /// <summary>Height of a layer.</summary> <value>mm.</value>
+    /// <summary>Layer height.</summary> <value>mm.</value>
     public double LayerHeight { get; init => field = SettingsKeys.LayerHeight.Check(value); } = 0.2;
 
-    /// <summary>Height of the layer on the bed.</summary> <value>mm.</value>
+    /// <summary>Height of the first layer.</summary> <value>mm.</value>
     public double FirstLayerHeight { get; init => field = SettingsKeys.FirstLayerHeight.Check(value); } = 0.2;
 
-    /// <summary>Width of an extrusion.</summary> <value>mm.</value>
+    /// <summary>Width of extrusions.</summary> <value>mm.</value>
     public double LineWidth { get; init => field = SettingsKeys.LineWidth.Check(value); } = 0.45;
 
-    /// <summary>Shape of the cross-section, which relates area and width of an extrusion.</summary>
+    /// <summary>Shape of the cross-section of an extrusion, which relates its area to its width.</summary>
     public BeadShape BeadShape { get; init; } = BeadShape.Stadium;
 
-    /// <summary>Number of walls around each region.</summary>
+    /// <summary>Number of walls.</summary>
     public int WallCount { get; init => field = SettingsKeys.WallCount.Check(value); } = 2;
 
-    /// <summary>Share of the inside that is filled; ignored if infill_spacing_mm is given.</summary> <value>%.</value>
+    /// <summary>Infill density. infill_spacing_mm takes precedence.</summary> <value>%.</value>
     public double InfillDensityPercent { get; init => field = SettingsKeys.InfillDensityPercent.Check(value); } = 20;
 
-    /// <summary>Distance between the lines of the infill; 0 to take it from infill_density_percent.</summary>
+    /// <summary>Distance between infill lines; 0 = from infill_density_percent.</summary>
     /// <value>mm.</value> <remarks>The "density" of Caterpillar 2019.</remarks>
     public double InfillSpacing { get; init => field = SettingsKeys.InfillSpacing.Check(value); }
 
-    /// <summary>Direction of the infill in the first layer, from +X.</summary> <value>Degrees.</value>
+    /// <summary>Direction of infill lines in the first layer, counterclockwise from +X.</summary> <value>Degrees.</value>
     public double InfillAngle { get; init => field = SettingsKeys.InfillAngle.Check(value); } = 45;
 
-    /// <summary>Overlap of the infill with the innermost wall, % of the line width; lines of closed areas overlap by two thirds of it.</summary>
-    /// <value>%.</value>
+    /// <summary>Overlap of infill with the innermost wall, in % of the line width. Solid infill overlaps by two thirds of it.</summary> <value>%.</value>
     public double InfillOverlapPercent { get; init => field = SettingsKeys.InfillOverlapPercent.Check(value); } = 15;
 
     /// <summary>Maximum deviation of simplified contours.</summary> <value>mm.</value>
     public double Resolution { get; init => field = SettingsKeys.Resolution.Check(value); } = 0.0125;
 
-    /// <summary>Models that run through each other are printed as one solid; without it the place where they overlap is printed twice.</summary>
+    /// <summary>Print overlapping models as one solid. Otherwise their overlap is printed twice.</summary>
     public bool MergeOverlappingModels { get; init; } = true;
 
-    /// <summary>Several models are printed layer by layer, or one after the other, the lowest first.</summary>
+    /// <summary>Print several models layer by layer, or one by one, lowest first.</summary>
     public PrintSequence PrintSequence { get; init; } = PrintSequence.ByLayer;
 
-    /// <summary>Meshes that are not closed are made solid before they are sliced: rims joined, holes filled, triangles and bodies turned outwards.</summary>
+    /// <summary>Repair meshes that are not closed: join naked edges, fill holes, turn faces outward.</summary>
     public bool RepairMeshes { get; init; } = true;
 
-    /// <summary>Gaps in the contours of broken meshes are closed up to this width; 0 closes none.</summary> <value>mm.</value>
+    /// <summary>Widest gap to close in contours of broken meshes; 0 = off.</summary> <value>mm.</value>
     public double SliceGapClosing { get; init => field = SettingsKeys.SliceGapClosing.Check(value); } = 10;
 
-    /// <summary>A layer of a broken mesh that loses more than this of the area of its neighbors is an error; 100 allows any loss.</summary> <value>%.</value>
+    /// <summary>Maximum loss of area of a layer of a broken mesh, compared with its neighbors; 100 = no limit.</summary> <value>%.</value>
     public double MaxAreaLossPercent { get; init => field = SettingsKeys.MaxAreaLossPercent.Check(value); } = 25;
 
-    /// <summary>Length of the pieces of subdivided curves.</summary> <value>mm.</value>
+    /// <summary>Segment length of subdivided curves.</summary> <value>mm.</value>
     public double SubdivisionDistance { get; init => field = SettingsKeys.SubdivisionDistance.Check(value); } = 1;
 
-    /// <summary>Speed of printing moves.</summary> <value>mm/s.</value>
+    /// <summary>Printing speed.</summary> <value>mm/s.</value>
     public double PrintSpeed { get; init => field = SettingsKeys.PrintSpeed.Check(value); } = 60;
 
-    /// <summary>Speed of outer walls; 0 for the print speed.</summary> <value>mm/s.</value>
+    /// <summary>Speed of outer walls; 0 = printing speed.</summary> <value>mm/s.</value>
     public double OuterWallSpeed { get; init => field = SettingsKeys.OuterWallSpeed.Check(value); } = 40;
 
-    /// <summary>Speed of infill; 0 for the print speed.</summary> <value>mm/s.</value>
+    /// <summary>Speed of sparse infill; 0 = printing speed.</summary> <value>mm/s.</value>
     public double InfillSpeed { get; init => field = SettingsKeys.InfillSpeed.Check(value); }
 
-    /// <summary>Maximum print speed in the first layer; 0 for no limit.</summary> <value>mm/s.</value>
+    /// <summary>Maximum speed of the first layer; 0 = no limit.</summary> <value>mm/s.</value>
     public double FirstLayerSpeed { get; init => field = SettingsKeys.FirstLayerSpeed.Check(value); } = 25;
 
-    /// <summary>Speed of travel moves.</summary> <value>mm/s.</value>
+    /// <summary>Travel speed.</summary> <value>mm/s.</value>
     public double TravelSpeed { get; init => field = SettingsKeys.TravelSpeed.Check(value); } = 150;
 
-    /// <summary>Lift for travels: above everything printed, above what lies under the path of the travel, or none.</summary>
+    /// <summary>Z-hop over everything printed, only over extrusions below the travel move, or none.</summary>
     public ZHopType ZHopType { get; init; } = ZHopType.AbovePrint;
 
-    /// <summary>Travels up to this length are made without a lift.</summary> <value>mm.</value>
+    /// <summary>Travel moves up to this length have no Z-hop.</summary> <value>mm.</value>
     public double ZHopMinTravel { get; init => field = SettingsKeys.ZHopMinTravel.Check(value); } = 2;
 
-    /// <summary>Travels go around printed parts if that is faster than over them.</summary>
+    /// <summary>Let travel moves go around printed parts if that is faster than over them.</summary>
     public bool Detour { get; init; }
 
-    /// <summary>Travels within a layer that stay inside the part are made without lift and retraction.</summary>
+    /// <summary>Keep travel moves inside the part, without retraction and Z-hop.</summary>
     public bool Comb { get; init; } = true;
 
-    /// <summary>Travels up to this length are made without a retraction.</summary> <value>mm.</value>
+    /// <summary>Travel moves up to this length have no retraction.</summary> <value>mm.</value>
     public double RetractionMinTravel { get; init => field = SettingsKeys.RetractionMinTravel.Check(value); } = 1.5;
 
-    /// <summary>Distance back along the path during which filament is retracted; 0 for none.</summary> <value>mm.</value>
+    /// <summary>Length of the wipe back along the path during retraction; 0 = off.</summary> <value>mm.</value>
     public double WipeDistance { get; init => field = SettingsKeys.WipeDistance.Check(value); }
 
-    /// <summary>Retracted filament is restored while the head descends to a path, not afterwards.</summary>
+    /// <summary>Deretract while the head descends to the start of a path, instead of afterwards.</summary>
     public bool DeretractDuringDescent { get; init; }
 
-    /// <summary>Length of bead extruded in place before a path starts, for materials with a delayed response.</summary> <value>mm.</value>
+    /// <summary>Length of bead extruded in place before a path starts, for materials that respond late.</summary> <value>mm.</value>
     public double StartDistance { get; init => field = SettingsKeys.StartDistance.Check(value); }
 
-    /// <summary>The extruder stops this far before the end of a path (coasting).</summary> <value>mm.</value>
+    /// <summary>Coasting: stop the extruder this far before the end of a path.</summary> <value>mm.</value>
     public double CoastingDistance { get; init => field = SettingsKeys.CoastingDistance.Check(value); }
 
-    /// <summary>Sliced paths are sorted inside their groups, for short travels.</summary>
+    /// <summary>Sort sliced paths within their groups for short travel moves.</summary>
     public bool SortPaths { get; init; } = true;
 
     /// <summary>Speed in mm/s of paths without their own.</summary>
@@ -133,7 +132,7 @@ public sealed partial record PrintSettings
     public override string ToString() => Title;
 }
 
-/// <summary>Keys of print settings: sizes, speeds and what is planned.</summary>
+/// <summary>Keys of print settings: sizes, speeds, travel moves.</summary>
 internal static class SettingsKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();

@@ -1,6 +1,6 @@
 namespace Caterpillar.Machines;
 
-/// <summary>Keys of print settings that hold for a whole print: one of several models cannot have a value of its own.</summary>
+/// <summary>Keys of print settings that apply to a whole print: a model cannot have its own value.</summary>
 internal static class PrintWideKeys
 {
     private static readonly IReadOnlyList<ProfileKey<PrintSettings>> All =
@@ -11,7 +11,7 @@ internal static class PrintWideKeys
         SurfaceKeys.MinLayerTime, SurfaceKeys.MinPrintSpeed, TravelKeys.LayerTimeWait, .. BedKeys.All,
     ];
 
-    /// <summary>Names of such keys that a model sets: their values differ from those of the print, and from the defaults.</summary>
+    /// <summary>Names of these keys that a model sets: values that differ from the print and from the defaults.</summary>
     public static IReadOnlyList<string> SetBy(PrintSettings model, PrintSettings print)
     {
         if (ReferenceEquals(print, model)) return [];

@@ -5,33 +5,32 @@ namespace Caterpillar.Machines;
 // Tools, head, and what it must not hit.
 public sealed partial record Printer
 {
-    /// <summary>Offsets of the tools from the first; one for each tool.</summary> <value>mm.</value>
+    /// <summary>Offset of each tool from the first one.</summary> <value>mm.</value>
     public ValueList<Vec3> ToolOffsets { get; init => field = HeadKeys.ToolOffsets.Check(value); } = new(Vec3.Zero);
 
-    /// <summary>Outline of nozzle and head around their axis, from the tip outward.</summary> <value>mm.</value> <remarks>Radius and height ascend.</remarks>
+    /// <summary>Profile of nozzle and head: radius at each height above the tip.</summary> <value>mm.</value> <remarks>Radius and height ascend.</remarks>
     public ValueList<HeadPoint> HeadOutline { get; init => field = HeadKeys.HeadOutline.Check(value); }
         = new(new HeadPoint(0.5, 0), new(4, 6), new(20, 12));
 
-    /// <summary>Boxes around parts of head and gantry that are not round, relative to the tip of the nozzle.</summary> <value>mm.</value>
+    /// <summary>Boxes around parts of the head that are not round, relative to the nozzle tip.</summary> <value>mm.</value>
     public ValueList<Bounds> HeadBoxes { get; init => field = HeadKeys.HeadBoxes.Check(value); } = ValueList<Bounds>.Empty;
 
-    /// <summary>Beams along X over the whole bed that carry the head, relative to the tip of the nozzle.</summary>
-    /// <value>mm.</value> <remarks>X has no meaning.</remarks>
+    /// <summary>Beams along X across the whole bed that hold the head, relative to the nozzle tip.</summary>
+    /// <value>mm.</value> <remarks>X is ignored.</remarks>
     public ValueList<Bounds> Gantry { get; init => field = HeadKeys.Gantry.Check(value); } = ValueList<Bounds>.Empty;
 
-    /// <summary>Boxes around what stands on the bed before the print, for example clips, in the machine's coordinates.</summary> <value>mm.</value>
+    /// <summary>Boxes around bed clips and other obstacles on the bed, in machine coordinates.</summary> <value>mm.</value>
     public ValueList<Bounds> Clips { get; init => field = HeadKeys.Clips.Check(value); } = ValueList<Bounds>.Empty;
 
-    /// <summary>Rectangles of the bed on which nothing may stand, for example where clips hold the plate.</summary>
-    /// <value>mm.</value> <remarks>In the machine's coordinates.</remarks>
+    /// <summary>Rectangles of the bed to keep free.</summary> <value>mm.</value> <remarks>In the machine's coordinates.</remarks>
     public ValueList<Bounds> ExcludedAreas { get; init => field = HeadKeys.ExcludedAreas.Check(value); } = ValueList<Bounds>.Empty;
 
-    /// <summary>How serious the findings of checks are on this printer, where that differs from the usual; errors refuse the file.</summary>
-    /// <remarks>The usual ones are in <see cref="CheckCodes.All"/>.</remarks>
+    /// <summary>Severities of checks that differ from the default. Errors refuse the file.</summary>
+    /// <remarks>Defaults are in <see cref="CheckCodes.All"/>.</remarks>
     public ValueList<CheckSeverity> CheckSeverities { get; init => field = HeadKeys.CheckSeverities.Check(value); } = ValueList<CheckSeverity>.Empty;
 }
 
-/// <summary>Keys of printers: tools, head, and what it must not hit.</summary>
+/// <summary>Keys of printers: tools, head and obstacles.</summary>
 internal static class HeadKeys
 {
     public static readonly KeyTable<Printer> All = new();

@@ -5,23 +5,23 @@ namespace Caterpillar.Machines;
 // How much and how hot it extrudes.
 public sealed partial record Printer
 {
-    /// <summary>Material that the hot end or pump can push; 0 if unknown.</summary> <value>mm³/s.</value>
+    /// <summary>Maximum volumetric flow of the hot end or pump; 0 = unknown.</summary> <value>mm³/s.</value>
     public double MaxFlow { get; init => field = LimitKeys.MaxFlow.Check(value); } = 12;
 
-    /// <summary>Minimum nozzle temperature for extrusion; 0 for materials that are not heated.</summary> <value>°C.</value>
+    /// <summary>Minimum nozzle temperature for extrusion; 0 = material is not heated.</summary> <value>°C.</value>
     public double MinExtrusionTemperature { get; init => field = LimitKeys.MinExtrusionTemperature.Check(value); } = 170;
 
-    /// <summary>Highest temperature that the hot end stands; 0 for a nozzle that cannot be heated.</summary> <value>°C.</value>
+    /// <summary>Maximum nozzle temperature; 0 = nozzle is not heated.</summary> <value>°C.</value>
     public double MaxNozzleTemperature { get; init => field = LimitKeys.MaxNozzleTemperature.Check(value); } = 300;
 
-    /// <summary>Highest temperature of the bed; 0 for a bed that cannot be heated.</summary> <value>°C.</value>
+    /// <summary>Maximum bed temperature; 0 = bed is not heated.</summary> <value>°C.</value>
     public double MaxBedTemperature { get; init => field = LimitKeys.MaxBedTemperature.Check(value); } = 120;
 
-    /// <summary>Most material that may be pushed out, or pulled back, while the head stands still.</summary> <value>mm³.</value>
+    /// <summary>Maximum volume to extrude or retract while the head does not move.</summary> <value>mm³.</value>
     public double MaxStationaryVolume { get; init => field = LimitKeys.MaxStationaryVolume.Check(value); } = 500;
 }
 
-/// <summary>Keys of printers: how much and how hot it extrudes.</summary>
+/// <summary>Keys of printers: flow and temperatures.</summary>
 internal static class LimitKeys
 {
     public static readonly KeyTable<Printer> All = new();

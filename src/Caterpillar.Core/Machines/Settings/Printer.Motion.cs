@@ -15,50 +15,50 @@ public sealed partial record Printer
     /// <summary>Acceleration of printing moves.</summary> <value>mm/s².</value>
     public double PrintAcceleration { get; init => field = MotionKeys.PrintAcceleration.Check(value); } = 800;
 
-    /// <summary>Acceleration of travels.</summary> <value>mm/s².</value>
+    /// <summary>Acceleration of travel moves.</summary> <value>mm/s².</value>
     public double TravelAcceleration { get; init => field = MotionKeys.TravelAcceleration.Check(value); } = 1000;
 
-    /// <summary>Acceleration of moves of the extruder alone.</summary> <value>mm/s².</value>
+    /// <summary>Acceleration of retraction and deretraction.</summary> <value>mm/s².</value>
     public double RetractionAcceleration { get; init => field = MotionKeys.RetractionAcceleration.Check(value); } = 1000;
 
-    /// <summary>How the firmware limits the speed in corners.</summary>
+    /// <summary>How the firmware limits speed in corners.</summary>
     public Cornering Cornering { get; init; } = Cornering.JunctionDeviation;
 
-    /// <summary>Sudden change of speed allowed for each axis, for cornering jerk.</summary> <value>mm/s.</value>
+    /// <summary>Jerk of each axis, with cornering=jerk.</summary> <value>mm/s.</value>
     public AxisValues Jerk { get; init => field = MotionKeys.Jerk.Check(value); } = new(8, 8, 0.4, 5);
 
-    /// <summary>For cornering junction_deviation.</summary> <value>mm.</value>
+    /// <summary>Junction deviation, with cornering=junction_deviation.</summary> <value>mm.</value>
     public double JunctionDeviation { get; init => field = MotionKeys.JunctionDeviation.Check(value); } = 0.013;
 
-    /// <summary>For cornering square_corner_velocity.</summary> <value>mm/s.</value>
+    /// <summary>Square corner velocity, with cornering=square_corner_velocity.</summary> <value>mm/s.</value>
     public double SquareCornerVelocity { get; init => field = MotionKeys.SquareCornerVelocity.Check(value); } = 5;
 
-    /// <summary>Klipper's minimum share of a move at constant speed.</summary>
+    /// <summary>Klipper's minimum cruise ratio.</summary>
     public double MinimumCruiseRatio { get; init => field = MotionKeys.MinimumCruiseRatio.Check(value); }
 
-    /// <summary>For cornering square_corner_velocity: jump of the speed of the extruder.</summary> <value>mm/s.</value>
+    /// <summary>Klipper's instantaneous corner velocity of the extruder, with cornering=square_corner_velocity.</summary> <value>mm/s.</value>
     public double InstantaneousCornerVelocity { get; init => field = MotionKeys.InstantaneousCornerVelocity.Check(value); } = 1;
 
-    /// <summary>Moves that the firmware plans ahead; 0 for all.</summary>
+    /// <summary>Number of moves that the firmware plans ahead; 0 = all.</summary>
     public int LookaheadMoves { get; init => field = MotionKeys.LookaheadMoves.Check(value); } = 16;
 
-    /// <summary>Length of the straight pieces in which the firmware goes through arcs.</summary> <value>mm.</value>
+    /// <summary>Length of the segments that the firmware divides arcs into.</summary> <value>mm.</value>
     public double ArcSegment { get; init => field = MotionKeys.ArcSegment.Check(value); } = 1;
 
-    /// <summary>Degrees per second by which a nozzle heats up; 0 leaves waits for heat out of times.</summary> <value>°C/s.</value>
+    /// <summary>Heating rate of the nozzle, in °C per second; 0 = do not count heating in print times.</summary> <value>°C/s.</value>
     public double NozzleHeating { get; init => field = MotionKeys.NozzleHeating.Check(value); } = 2;
 
-    /// <summary>Degrees per second by which the bed heats up; 0 leaves waits for heat out of times.</summary> <value>°C/s.</value>
+    /// <summary>Heating rate of the bed, in °C per second; 0 = do not count heating in print times.</summary> <value>°C/s.</value>
     public double BedHeating { get; init => field = MotionKeys.BedHeating.Check(value); } = 0.5;
 
-    /// <summary>Time for a change of the tool beside its moves.</summary> <value>s.</value>
+    /// <summary>Time of a tool change, not counting its moves.</summary> <value>s.</value>
     public double ToolChangeTime { get; init => field = MotionKeys.ToolChangeTime.Check(value); }
 
-    /// <summary>Time for homing.</summary> <value>s.</value>
+    /// <summary>Time of homing.</summary> <value>s.</value>
     public double HomingTime { get; init => field = MotionKeys.HomingTime.Check(value); }
 }
 
-/// <summary>Keys of printers: speeds, accelerations, and what takes time.</summary>
+/// <summary>Keys of printers: speeds, accelerations, times.</summary>
 internal static class MotionKeys
 {
     public static readonly KeyTable<Printer> All = new();

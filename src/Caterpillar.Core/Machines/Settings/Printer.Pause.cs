@@ -6,20 +6,20 @@ namespace Caterpillar.Machines;
 // What a pause does that is put into a print.
 public sealed partial record Printer
 {
-    /// <summary>Height of the nozzle above the print during a pause.</summary> <value>mm.</value> <remarks>0 for a pause on the spot.</remarks>
+    /// <summary>Height of the nozzle above the print during a pause.</summary> <value>mm.</value> <remarks>0 = no lift.</remarks>
     public double PauseLift { get; init => field = PauseKeys.PauseLift.Check(value); } = 10;
 
-    /// <summary>Where the head waits during a pause; without it, the corner with the least X and Y that the print reaches.</summary>
+    /// <summary>Position of the head during a pause; empty = corner of the print with minimum X and Y.</summary>
     /// <value>mm.</value> <remarks>One point, or none.</remarks>
     public ValueList<Vec3> PausePark { get; init => field = PauseKeys.PausePark.Check(value); } = new();
 
-    /// <summary>Filament retracted during a pause.</summary> <value>mm.</value>
+    /// <summary>Retraction length for a pause.</summary> <value>mm.</value>
     public double PauseRetraction { get; init => field = PauseKeys.PauseRetraction.Check(value); } = 2;
 
-    /// <summary>Extra filament after a pause, beyond what was retracted.</summary> <value>mm.</value>
+    /// <summary>Extra filament extruded after a pause.</summary> <value>mm.</value>
     public double PausePrime { get; init => field = PauseKeys.PausePrime.Check(value); }
 
-    /// <summary>Lines that pause; without them, the command of the flavor.</summary>
+    /// <summary>G-code for a pause; empty = command of the flavor.</summary>
     public ValueList<string> PauseGCode { get; init => field = PauseKeys.PauseGCode.Check(value); } = new();
 }
 
@@ -36,5 +36,5 @@ internal static class PauseKeys
         = All.Number("pause_retraction_mm", 0, 1000, p => p.PauseRetraction, (p, v) => p with { PauseRetraction = v });
     public static readonly NumberKey PausePrime = All.Number("pause_prime_mm", 0, 1000, p => p.PausePrime, (p, v) => p with { PausePrime = v });
     public static readonly ProfileKey<Printer, ValueList<string>> PauseGCode
-        = All.Of("pause_gcode", new LinesFormat(PrintTemplate.Problem), p => p.PauseGCode, (p, v) => p with { PauseGCode = v });
+        = All.Of("pause_gcode", new LinesFormat(PrintTemplate.Error), p => p.PauseGCode, (p, v) => p with { PauseGCode = v });
 }

@@ -6,32 +6,32 @@ namespace Caterpillar.Machines;
 // Retraction, lifts and the progress of a print.
 public sealed partial record Printer
 {
-    /// <summary>Filament retracted before a travel; 0 for none.</summary> <value>mm.</value>
+    /// <summary>Retraction length; 0 = off.</summary> <value>mm.</value>
     public double RetractionLength { get; init => field = RetractionKeys.RetractionLength.Check(value); } = 0.8;
 
-    /// <summary>Speed of retraction, of the filament.</summary> <value>mm/s.</value>
+    /// <summary>Retraction speed.</summary> <value>mm/s.</value>
     public double RetractionSpeed { get; init => field = RetractionKeys.RetractionSpeed.Check(value); } = 35;
 
-    /// <summary>Speed of restoring, of the filament; 0 for the retraction speed.</summary> <value>mm/s.</value>
+    /// <summary>Deretraction speed; 0 = retraction speed.</summary> <value>mm/s.</value>
     public double DeretractionSpeed { get; init => field = RetractionKeys.DeretractionSpeed.Check(value); }
 
-    /// <summary>Extra filament when restoring, beyond what was retracted.</summary> <value>mm.</value>
+    /// <summary>Extra filament extruded after each deretraction.</summary> <value>mm.</value>
     public double DeretractionExtra { get; init => field = RetractionKeys.DeretractionExtra.Check(value); }
 
-    /// <summary>Retraction by the firmware (G10, G11), with its own distance and speed.</summary>
+    /// <summary>Retract with G10 and G11. Length and speed are set in the firmware.</summary>
     public bool FirmwareRetraction { get; init; }
 
-    /// <summary>Files state the print time (;TIME) and the progress (M73), if the flavor knows it.</summary>
+    /// <summary>Write the print time (;TIME) and the progress (M73), if the flavor supports it.</summary>
     public bool ProgressCommands { get; init; } = true;
 
-    /// <summary>Clearance of travels above what was printed.</summary> <value>mm.</value>
+    /// <summary>Z-hop: height of travel moves above what has been printed.</summary> <value>mm.</value>
     public double ZHop { get; init => field = RetractionKeys.ZHop.Check(value); } = 0.4;
 
-    /// <summary>Speed of moves straight up and down.</summary> <value>mm/s.</value>
+    /// <summary>Speed of vertical travel moves.</summary> <value>mm/s.</value>
     public double ZHopSpeed { get; init => field = RetractionKeys.ZHopSpeed.Check(value); } = 10;
 }
 
-/// <summary>Keys of printers: retraction, lifts and the progress of a print.</summary>
+/// <summary>Keys of printers: retraction, Z-hop and progress.</summary>
 internal static class RetractionKeys
 {
     public static readonly KeyTable<Printer> All = new();

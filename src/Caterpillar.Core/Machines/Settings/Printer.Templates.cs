@@ -3,25 +3,25 @@ namespace Caterpillar.Machines;
 // Lines that go into every file.
 public sealed partial record Printer
 {
-    /// <summary>Lines before the print.</summary>
+    /// <summary>Start G-code.</summary>
     public ValueList<string> StartGCode { get; init => field = TemplateKeys.StartGCode.Check(value); } = ValueList<string>.Empty;
 
-    /// <summary>Lines after the print.</summary>
+    /// <summary>End G-code.</summary>
     public ValueList<string> EndGCode { get; init => field = TemplateKeys.EndGCode.Check(value); } = ValueList<string>.Empty;
 
-    /// <summary>Lines before each layer except the first.</summary>
+    /// <summary>G-code before each layer except the first.</summary>
     public ValueList<string> LayerChangeGCode { get; init => field = TemplateKeys.LayerChangeGCode.Check(value); } = ValueList<string>.Empty;
 
-    /// <summary>Lines for a tool change; without them only the tool number (T1).</summary>
+    /// <summary>G-code for a tool change; empty = tool number only (T1).</summary>
     public ValueList<string> ToolChangeGCode { get; init => field = TemplateKeys.ToolChangeGCode.Check(value); } = ValueList<string>.Empty;
 }
 
-/// <summary>Keys of printers: lines that go into every file.</summary>
+/// <summary>Keys of printers: G-code templates.</summary>
 internal static class TemplateKeys
 {
     public static readonly KeyTable<Printer> All = new();
 
-    private static readonly LinesFormat Lines = new(PrintTemplate.Problem);
+    private static readonly LinesFormat Lines = new(PrintTemplate.Error);
 
     public static readonly ProfileKey<Printer, ValueList<string>> StartGCode
         = All.Of("start_gcode", Lines, p => p.StartGCode, (p, v) => p with { StartGCode = v });

@@ -8,7 +8,7 @@ namespace Caterpillar.Machines;
 
 /// <summary>
 /// A printer: its build volume, its limits and its style of G-code. Lengths in mm, speeds in mm/s, accelerations in mm/s². The keys of profiles are in
-/// <see cref="ProfileKeys"/>; a value outside its key's range throws an <see cref="ArgumentOutOfRangeException"/>. Immutable.
+/// <see cref="ProfileKeys"/>. A value outside its key's range throws an <see cref="ArgumentOutOfRangeException"/>. Immutable.
 /// </summary>
 public sealed partial record Printer
 {
@@ -18,7 +18,7 @@ public sealed partial record Printer
     /// <summary>Display name.</summary>
     public string Title { get; init => field = PrinterKeys.Title.Check(value); } = "Generic printer";
 
-    /// <summary>Rules by which the firmware reads G-code.</summary>
+    /// <summary>Firmware flavor of the G-code.</summary>
     public FlavorRules Flavor { get; init => field = value ?? throw new ArgumentNullException(nameof(value)); } = FlavorTable.Marlin2;
 
     /// <summary>Size of the space that the nozzle can reach.</summary> <value>mm.</value>
@@ -33,19 +33,19 @@ public sealed partial record Printer
     /// <summary>Diameter of the nozzle, or width of the pen.</summary> <value>mm.</value>
     public double NozzleDiameter { get; init => field = PrinterKeys.NozzleDiameter.Check(value); } = 0.4;
 
-    /// <summary>Material that is used if none is given.</summary>
+    /// <summary>Material to use if none is given.</summary>
     public string DefaultMaterial { get; init => field = PrinterKeys.DefaultMaterial.Check(value); } = "pla";
 
-    /// <summary>Settings that are used if none are given.</summary>
+    /// <summary>Print settings to use if none are given.</summary>
     public string DefaultSettings { get; init => field = PrinterKeys.DefaultSettings.Check(value); } = "standard";
 
-    /// <summary>How E is written: relative (M83) or absolute (M82).</summary>
+    /// <summary>Relative (M83) or absolute (M82) E.</summary>
     public ExtrusionMode ExtrusionMode { get; init; } = ExtrusionMode.Relative;
 
-    /// <summary>Unit of E: mm of filament or of plunger travel, mm³, or none for pens.</summary>
+    /// <summary>Unit of E: mm of filament or plunger travel, mm³, or none for pens.</summary>
     public ExtrusionUnit ExtrusionUnit { get; init; } = ExtrusionUnit.Mm;
 
-    /// <summary>X, Y and Z are written as differences (G91) of the rounded positions; E is then relative.</summary>
+    /// <summary>Write X, Y and Z as relative moves (G91). E is then relative as well.</summary>
     public bool RelativeXyz { get; init; }
 
     /// <summary>Decimals of X, Y and Z.</summary>
@@ -70,7 +70,7 @@ public sealed partial record Printer
         }
     }
 
-    /// <summary>True if the nozzle can reach it, within <paramref name="tolerance"/> mm.</summary>
+    /// <summary>True if the nozzle can reach the point, within <paramref name="tolerance"/> mm.</summary>
     public bool CanReach(Vec3 point, double tolerance = 0)
     {
         var bounds = BuildBounds;
@@ -85,7 +85,7 @@ public sealed partial record Printer
     public override string ToString() => Title;
 }
 
-/// <summary>Keys of printers: the space that they reach, and how they want their G-code.</summary>
+/// <summary>Keys of printers: build volume and G-code format.</summary>
 internal static class PrinterKeys
 {
     public static readonly KeyTable<Printer> All = new();

@@ -1,6 +1,6 @@
 namespace Caterpillar.Machines;
 
-/// <summary>All keys of profiles, by the kind of profile: the one table that reader, writer, schema, templates, <c>--set</c> and the manual read.</summary>
+/// <summary>All keys of profiles, by kind: the one table for reader, writer, schema, templates, <c>--set</c> and manual.</summary>
 internal static class ProfileKeys
 {
     /// <summary>Keys of printers.</summary>
@@ -11,4 +11,7 @@ internal static class ProfileKeys
 
     /// <summary>Keys of print settings.</summary>
     public static IReadOnlyList<ProfileKey> Settings => ProfileKinds.Settings.Keys;
+
+    /// <summary>The keys of all three kinds.</summary>
+    public static IEnumerable<ProfileKey> All => Printer.Concat(Material).Concat(Settings);
 }

@@ -2,7 +2,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Machines;
 
-/// <summary>One of the three kinds of profiles: its folder, its keys, its record.</summary>
+/// <summary>A kind of profile: its folder, keys and record.</summary>
 internal sealed class ProfileKind<T>(string noun, string folder, IReadOnlyList<ProfileKey<T>> keys, Func<T> empty, Func<T, string, T> named)
     where T : class
 {
@@ -22,12 +22,12 @@ internal sealed class ProfileKind<T>(string noun, string folder, IReadOnlyList<P
 
     public ProfileKey<T>? Find(string key) => _byName.TryGetValue(key, out var found) ? found : null;
 
-    /// <summary>The profile with one more value, or the same and an error.</summary>
+    /// <summary>The profile with one more value, or the unchanged profile and an error.</summary>
     public T Apply(T profile, string key, object? raw, SourceLocation place, List<Diagnostic> diagnostics)
     {
         if (Find(key) is not { } found)
         {
-            diagnostics.Add(UnknownKey.Problem(Noun, key, Keys.Select(k => k.Name).Concat(["inherits"]), place));
+            diagnostics.Add(UnknownKey.Problem(Noun == "settings" ? Noun : Noun + "s", key, raw, Keys.Select(k => k.Name).Concat(["inherits"]), place));
             return profile;
         }
         if (raw is null)
@@ -37,8 +37,10 @@ internal sealed class ProfileKind<T>(string noun, string folder, IReadOnlyList<P
         }
         var changed = found.Set(profile, raw, out var problem);
         if (changed is not null) return changed;
-        var code = problem!.StartsWith("needs", StringComparison.Ordinal) ? "profile.wrong_type" : "profile.out_of_range";
-        diagnostics.Add(new Diagnostic(Severity.Error, code, $"{key} {problem}." + (raw is string word ? found.Format.Hint(word) : ""), place));
+        var code = (found.Format as LinesFormat)?.ErrorCode(raw)
+            ?? (problem!.StartsWith("needs", StringComparison.Ordinal) ? "profile.wrong_type" : "profile.out_of_range");
+        problem += problem!.EndsWith("?", StringComparison.Ordinal) ? "" : ".";
+        diagnostics.Add(new Diagnostic(Severity.Error, code, $"{key} {problem}" + (raw is string word ? found.Format.Hint(word) : ""), place));
         return profile;
     }
 }
@@ -59,7 +61,7 @@ internal static class ProfileKinds
             .. SeamKeys.All, .. TravelKeys.All, .. CurvedKeys.All, .. SupportKeys.All],
         () => new PrintSettings(), (s, name) => s with { Name = name });
 
-    /// <summary>The kind of profiles that has a key, for messages.</summary>
+    /// <summary>The kind of profile that has a key, for messages.</summary>
     public static string? KindOf(string key)
         => Printer.Find(key) is not null ? "printers" : Material.Find(key) is not null ? "materials" : Settings.Find(key) is not null ? "settings" : null;
 }

@@ -1,14 +1,14 @@
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// The extrusion model: the one place that converts between amounts of E, areas of extrusions and the three notations of extrusion. Internally everything is
+/// The extrusion model: the one place that converts between values of E, areas of extrusions and the three notations of extrusion. Internally it uses
 /// the area of the extrusion in mm².
 /// <list type="bullet">
 /// <item>E factor (ExtruderTurtle): mm of filament per mm of path, <c>E = L · k</c>.</item>
 /// <item>Area (Kanada): <c>E = L · A / (π (D/2)²)</c>.</item>
 /// <item>Width × height × multiplier (Caterpillar 2019): <c>E = H · W · L · M / ((D/2)² π)</c>.</item>
 /// </list>
-/// Volumetric firmware takes mm³; the plunger of a clay printer is a filament of a large diameter; a pen has no E at all.
+/// Volumetric firmware takes mm³. The plunger of a clay printer is a filament of a large diameter. A pen has no E.
 /// </summary>
 public sealed record ExtrusionModel
 {
@@ -17,7 +17,7 @@ public sealed record ExtrusionModel
 
     /// <param name="unit">Unit of E.</param>
     /// <param name="filamentDiameter">Diameter of filament or plunger, mm.</param>
-    /// <param name="multiplier">Scales all E.</param>
+    /// <param name="multiplier">Flow ratio: scales all E.</param>
     /// <exception cref="ArgumentOutOfRangeException">The diameter or the multiplier is not positive and finite.</exception>
     public ExtrusionModel(ExtrusionUnit unit, double filamentDiameter, double multiplier = 1)
     {
@@ -26,19 +26,19 @@ public sealed record ExtrusionModel
         Multiplier = Positive(multiplier, nameof(multiplier));
     }
 
-    /// <summary>What E counts.</summary>
+    /// <summary>Unit of E.</summary>
     public ExtrusionUnit Unit { get; }
 
     /// <summary>Diameter of the filament or plunger, mm.</summary>
     public double FilamentDiameter { get; }
 
-    /// <summary>Scales E, not the intended extrusion: <see cref="E"/> asks the machine for this many times the volume.</summary>
+    /// <summary>Flow ratio: scales <see cref="E"/>, but not the intended volume.</summary>
     public double Multiplier { get; }
 
     /// <summary>Cross-section of the filament or plunger, mm².</summary>
     public double FilamentArea => FilamentAreaOf(FilamentDiameter);
 
-    /// <summary>mm³ that the machine feeds per unit of E; null if there is no E.</summary>
+    /// <summary>mm³ that the machine feeds per unit of E; null without E.</summary>
     internal double? FedVolumePerE => Unit switch
     {
         ExtrusionUnit.Mm => FilamentArea,
@@ -47,7 +47,7 @@ public sealed record ExtrusionModel
     };
 
     /// <summary>
-    /// mm³ of extrusion per unit of E, with the multiplier (as in <c>ToolpathTool.VolumePerE</c>); null if there is no E.
+    /// mm³ of extrusion per unit of E, with the multiplier (as in <c>ToolpathTool.VolumePerE</c>); null without E.
     /// </summary>
     public double? VolumePerE => FedVolumePerE / Multiplier;
 
@@ -55,16 +55,15 @@ public sealed record ExtrusionModel
     public double FilamentPerE => Unit == ExtrusionUnit.Mm3 ? 1 / FilamentArea : 1;
 
     /// <summary>
-    /// E for a length of path in mm with an extrusion of some area in mm²; 0 where there is no E. Backward moves extrude too: the length counts without its
-    /// sign.
+    /// E for a path length in mm and an extrusion area in mm²; 0 without E. The sign of the length does not matter, since backward moves extrude too.
     /// </summary>
     public double E(double length, double area) => VolumePerE is { } volume ? Math.Abs(length) * area / volume : 0;
 
-    /// <summary>Area in mm² of the extrusion that an amount of E gives over a length of path in mm; 0 where there is no E.</summary>
+    /// <summary>Area in mm² of the extrusion for an amount of E and a path length in mm; 0 without E.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The length is not positive.</exception>
     public double Area(double e, double length) => VolumePerE is { } volume ? e * volume / Positive(length, nameof(length)) : 0;
 
-    /// <summary>Amount of E for mm of filament, the unit of retractions.</summary>
+    /// <summary>E for mm of filament, the unit of retractions.</summary>
     public double EOfFilament(double millimeters) => Unit switch
     {
         ExtrusionUnit.Mm => millimeters,
@@ -72,13 +71,13 @@ public sealed record ExtrusionModel
         _ => 0,
     };
 
-    /// <summary>Area in mm² of the extrusion that ExtruderTurtle's E factor (mm of filament per mm of path) makes.</summary>
+    /// <summary>Extrusion area in mm² for ExtruderTurtle's E factor (mm of filament per mm of path).</summary>
     public double AreaOfFactor(double factor) => factor * FilamentArea;
 
-    /// <summary>ExtruderTurtle's E factor (mm of filament per mm of path) for an extrusion of some area in mm².</summary>
+    /// <summary>ExtruderTurtle's E factor (mm of filament per mm of path) for an extrusion area in mm².</summary>
     public double FactorOfArea(double area) => area / FilamentArea;
 
-    /// <summary>Cross-section in mm² of a filament or plunger of a diameter in mm.</summary>
+    /// <summary>Cross-section in mm² of a filament or plunger, for a diameter in mm.</summary>
     public static double FilamentAreaOf(double diameter) => Math.PI / 4 * diameter * diameter;
 
     private static double Positive(double value, string name)

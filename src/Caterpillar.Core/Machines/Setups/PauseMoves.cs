@@ -5,7 +5,7 @@ namespace Caterpillar.Machines;
 /// <summary>The pause of a printer.</summary>
 internal static class PauseMoves
 {
-    /// <summary>A pause by the printer's keys <c>pause_lift_mm</c> and so on.</summary>
+    /// <summary>A pause according to the printer's keys <c>pause_lift_mm</c> and so on.</summary>
     public static Pause Of(PrintSetup setup)
     {
         if (setup is null) throw new ArgumentNullException(nameof(setup));

@@ -4,7 +4,7 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Machines;
 
-/// <summary>Everything that planning, writing and checking need: printer, material and settings. Immutable.</summary>
+/// <summary>Printer, material and settings: the input for planning, writing and checking. Immutable.</summary>
 public sealed record PrintSetup
 {
     /// <summary>The generic printer with PLA and standard settings, without start and end code.</summary>
@@ -21,28 +21,28 @@ public sealed record PrintSetup
         Settings = settings ?? throw new ArgumentNullException(nameof(settings));
     }
 
-    /// <summary>The machine.</summary>
+    /// <summary>The printer.</summary>
     public Printer Printer { get; init; }
 
-    /// <summary>What is printed.</summary>
+    /// <summary>The material.</summary>
     public Material Material { get; init; }
 
-    /// <summary>How it is printed.</summary>
+    /// <summary>The print settings.</summary>
     public PrintSettings Settings { get; init; }
 
     /// <summary>
-    /// An object that already lies on the bed and is printed on, at its place, mm: travels stay above it, extrusions may lie on it, and the checks find where
-    /// the head goes through it. Null for none.
+    /// An object on the bed to print on, at its position, in mm. Travel moves stay above it, extrusions may rest on it, and checks find collisions
+    /// with it. Null = none.
     /// </summary>
     public TriMesh? PrintedOn { get; init; }
 
-    /// <summary>Makes checks of your own, one of each for every file that is checked or written.</summary>
+    /// <summary>Factories of your own checks. Each checked or written file gets new instances.</summary>
     public ValueList<Func<IOwnCheck>> OwnChecks { get; init; } = ValueList<Func<IOwnCheck>>.Empty;
 
-    /// <summary>Converts extrusions to amounts of E.</summary>
+    /// <summary>Converts extrusions to E.</summary>
     public ExtrusionModel Extrusion => new(Printer.ExtrusionUnit, Material.FilamentDiameter, Material.FlowRatio);
 
-    /// <summary>Maximum flow of machine and material, mm³/s; infinite if both are unknown.</summary>
+    /// <summary>Maximum volumetric flow of printer and material, mm³/s; infinite if both are unknown.</summary>
     public double MaxFlow
     {
         get
@@ -55,29 +55,31 @@ public sealed record PrintSetup
 
     /// <summary>
     /// The setup with other values, each as <c>key=value</c> with any key of the three profiles: <c>layer_height_mm=0.3</c>,
-    /// <c>build_volume_mm=300,300,400</c>. Unknown keys and bad values are errors that name the key; then there is no setup.
+    /// <c>build_volume_mm=300,300,400</c>. Unknown keys and invalid values are errors that name the key. Then the result has no setup.
     /// </summary>
     public Result<PrintSetup> With(params string[] values) => With((IEnumerable<string>)values);
 
     /// <inheritdoc cref="With(string[])"/>
     public Result<PrintSetup> With(IEnumerable<string> values) => SetupValues.Apply(this, values ?? throw new ArgumentNullException(nameof(values)));
 
-    /// <summary>Finds values of this setup that conflict. Errors make it unusable.</summary>
+    /// <summary>Finds conflicting values of this setup. A setup with errors cannot be used.</summary>
     public IReadOnlyList<Diagnostic> Check()
     {
         var diagnostics = new DiagnosticList();
         if (Settings.BeadShape == BeadShape.Stadium && Settings.LineWidth < Math.Max(Settings.LayerHeight, Settings.FirstLayerHeight))
             diagnostics.Add(Severity.Error, "setup.narrow_bead",
-                "line_width_mm is less than the layer height, which bead_shape stadium does not allow; use rectangle or circle.",
+                "line_width_mm is less than the layer height. bead_shape=stadium does not allow that. Use rectangle or circle.",
                 new SourceLocation(Key: "line_width_mm"));
         if (Printer.ExtrusionUnit != ExtrusionUnit.None && Math.Max(Settings.LayerHeight, Settings.FirstLayerHeight) > Printer.NozzleDiameter)
-            diagnostics.Add(Severity.Warning, "setup.layer_height", "The layer height exceeds the nozzle diameter: extrusions will hardly bond to each other.",
+            diagnostics.Add(Severity.Warning, "setup.layer_height",
+                "The layer height exceeds the nozzle diameter: extrusions will bond poorly. Use thinner layers or a larger nozzle.",
                 new SourceLocation(Key: "layer_height_mm"));
         if (Settings.AdaptiveLayers && Settings.AdaptiveMinHeight > Settings.AdaptiveMaxHeight)
             diagnostics.Add(Severity.Error, "setup.adaptive_heights", "adaptive_min_height_mm is greater than adaptive_max_height_mm.",
                 new SourceLocation(Key: "adaptive_min_height_mm"));
         if (Printer.FirmwareRetraction && !Printer.Flavor.FirmwareRetraction)
-            diagnostics.Add(Severity.Error, "setup.no_firmware_retraction", $"{Printer.Flavor.Title} has no firmware retraction.",
+            diagnostics.Add(Severity.Error, "setup.no_firmware_retraction",
+                $"{Printer.Flavor.Title} has no firmware retraction: set firmware_retraction=false.",
                 new SourceLocation(Key: "firmware_retraction"));
         return diagnostics.ToList();
     }

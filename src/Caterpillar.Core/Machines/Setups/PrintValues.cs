@@ -3,10 +3,10 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Machines;
 
-/// <summary>The values that templates may use: every number and word of the three profiles by its key, and what is known about the print.</summary>
+/// <summary>Values for templates: all numbers and words of the three profiles by their keys, and values of the print.</summary>
 internal static class PrintValues
 {
-    /// <summary>The values of a setup, and of the print if there is a toolpath.</summary>
+    /// <summary>The values of a setup, and of the print if a toolpath is given.</summary>
     public static TemplateValues Of(PrintSetup setup, Toolpath? toolpath = null)
     {
         var numbers = new Dictionary<string, double>(StringComparer.Ordinal);

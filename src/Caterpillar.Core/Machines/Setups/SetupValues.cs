@@ -13,7 +13,7 @@ internal static class SetupValues
             var at = entry.IndexOfAny(['=']);
             var key = (at < 0 ? entry : entry.Substring(0, at)).Trim();
             var place = new SourceLocation(Key: key);
-            if (at < 0) diagnostics.Add(new Diagnostic(Severity.Error, "profile.no_value", $"\"{entry}\" is not key=value.", place));
+            if (at < 0) diagnostics.Add(new Diagnostic(Severity.Error, "profile.no_value", $"\"{entry}\" is not of the form key=value.", place));
             else setup = One(setup, key, entry.Substring(at + 1), place, diagnostics);
         }
         return new Result<PrintSetup>(diagnostics.Any(d => d.Severity == Severity.Error) ? null : setup, diagnostics);
@@ -21,15 +21,17 @@ internal static class SetupValues
 
     private static PrintSetup One(PrintSetup setup, string key, string text, SourceLocation place, List<Diagnostic> diagnostics)
     {
-        // All three have a title; it does not affect the print.
-        if (key != "title")
+        // All three have a title, which does not affect the print.
+        if (key == "title")
         {
-            if (Changed(ProfileKinds.Settings, setup.Settings) is { } settings) return setup with { Settings = settings };
-            if (Changed(ProfileKinds.Material, setup.Material) is { } material) return setup with { Material = material };
-            if (Changed(ProfileKinds.Printer, setup.Printer) is { } printer) return setup with { Printer = printer };
+            diagnostics.Add(new Diagnostic(Severity.Error, "profile.unknown_key", "title does not affect a print. Change it in the profile.", place));
+            return setup;
         }
+        if (Changed(ProfileKinds.Settings, setup.Settings) is { } settings) return setup with { Settings = settings };
+        if (Changed(ProfileKinds.Material, setup.Material) is { } material) return setup with { Material = material };
+        if (Changed(ProfileKinds.Printer, setup.Printer) is { } printer) return setup with { Printer = printer };
         var known = ProfileKeys.Settings.Concat(ProfileKeys.Material).Concat(ProfileKeys.Printer).Select(k => k.Name).Where(k => k != "title");
-        diagnostics.Add(UnknownKey.Problem("printer, material or settings", key, known, place));
+        diagnostics.Add(UnknownKey.Problem("printers, materials or settings", key, text, known, place));
         return setup;
 
         // The same profile where the value is wrong, and none where the key is not one of this kind.

@@ -5,8 +5,8 @@ namespace Caterpillar.Machines;
 
 /// <summary>
 /// Lines of G-code with values and conditions: <c>M104 S{nozzle_temperature_c}</c>, <c>{if bed_temperature_c &gt; 0}</c> … <c>{elsif …}</c> … <c>{else}</c> …
-/// <c>{endif}</c>. Braces contain any formula of <see cref="Expressions.Formula"/> over named numbers, or the name of a text. Flags are 1 and 0. Numbers are
-/// written with up to five decimals. A line with only directives gives no line; <c>{{</c> and <c>}}</c> are braces of the text. Immutable.
+/// <c>{endif}</c>. Braces contain a formula of <see cref="Expressions.Formula"/> with named numbers, or the name of a text. Flags are 1 and 0. Numbers are
+/// written with up to five decimals. A line with only directives gives no line. <c>{{</c> and <c>}}</c> are literal braces. Immutable.
 /// </summary>
 internal sealed class Template
 {
@@ -21,7 +21,7 @@ internal sealed class Template
         _names = names;
     }
 
-    /// <summary>Reads a template; errors carry its line and column, and file and key of <paramref name="source"/>.</summary>
+    /// <summary>Reads a template. Errors have its line and column, and file and key of <paramref name="source"/>.</summary>
     public static Result<Template> Parse(IReadOnlyList<string> lines, TemplateNames names, SourceLocation source)
     {
         var parser = new TemplateParser(names, source);
@@ -29,7 +29,7 @@ internal sealed class Template
         return new Result<Template>(parser.Problems.Count == 0 ? new Template(parser.Parts, names) : null, parser.Problems);
     }
 
-    /// <summary>The lines for these values. An error if a value is unknown here or not finite.</summary>
+    /// <summary>The lines for these values. An unknown or infinite value is an error.</summary>
     public Result<IReadOnlyList<string>> Render(TemplateValues values)
     {
         var problems = new List<Diagnostic>();
@@ -88,9 +88,9 @@ internal sealed class Template
     {
         var value = part.Formula!.Evaluate(slots);
         if (missing.FirstOrDefault(n => Mentions(part.Text, n)) is { } name)
-            problems.Add(new Diagnostic(Severity.Error, "template.no_value", $"{name} is unknown here.", part.Place));
+            problems.Add(new Diagnostic(Severity.Error, "template.no_value", $"{name} has no value here.", part.Place));
         else if (double.IsNaN(value) || double.IsInfinity(value))
-            problems.Add(new Diagnostic(Severity.Error, "template.not_finite", $"\"{part.Text}\" has no finite value.", part.Place));
+            problems.Add(new Diagnostic(Severity.Error, "template.not_finite", $"\"{part.Text}\" is not a finite number.", part.Place));
         else
             return value;
         return 0;

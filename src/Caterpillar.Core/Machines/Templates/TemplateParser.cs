@@ -3,7 +3,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Machines;
 
-/// <summary>Cuts lines into text, values and directives, and checks that these fit together.</summary>
+/// <summary>Splits lines into text, values and directives, and checks their nesting.</summary>
 internal sealed class TemplateParser(TemplateNames names, SourceLocation source)
 {
     // Every part asks all the conditions around it.
@@ -28,7 +28,7 @@ internal sealed class TemplateParser(TemplateNames names, SourceLocation source)
             Line(lines[i], i + 1);
             _parts.Add(new TemplatePart(TemplatePartKind.LineEnd, "", Place(i + 1, lines[i].Length + 1)));
         }
-        foreach (var (place, _) in _open.Reverse()) Problem("template.no_endif", "This if has no endif.", place);
+        foreach (var (place, _) in _open.Reverse()) Problem("template.no_endif", "{if} without {endif}.", place);
     }
 
     private void Line(string line, int number)
@@ -51,8 +51,8 @@ internal sealed class TemplateParser(TemplateNames names, SourceLocation source)
             var end = c == '{' ? line.IndexOfAny(['}'], at) : -1;
             if (end < 0)
             {
-                Problem("template.brace", c == '{' ? "This brace is not closed; use {{ for a brace in the text."
-                    : "There is no brace to close; use }} for a brace in the text.", Place(number, at + 1));
+                Problem("template.brace", c == '{' ? "Brace without a closing brace. Write {{ for a literal brace."
+                    : "Closing brace without an opening brace. Write }} for a literal brace.", Place(number, at + 1));
                 return;
             }
             Flush(text, number, at);
@@ -82,18 +82,18 @@ internal sealed class TemplateParser(TemplateNames names, SourceLocation source)
                 _open.Push((place, false));
                 return;
             case "elsif" or "elseif" or "elif":
-                if (_open.Count == 0) Problem("template.no_if", $"There is no if before this {word}.", place);
-                else if (_open.Peek().Else) Problem("template.after_else", $"{word} comes after else.", place);
+                if (_open.Count == 0) Problem("template.no_if", $"{{{word}}} without {{if}}.", place);
+                else if (_open.Peek().Else) Problem("template.after_else", $"{{{word}}} after {{else}}.", place);
                 Condition(TemplatePartKind.Elsif, inside, word, place);
                 return;
             case "else" when trimmed == "else":
-                if (_open.Count == 0) Problem("template.no_if", "There is no if before this else.", place);
-                else if (_open.Peek().Else) Problem("template.after_else", "This if already has an else.", place);
+                if (_open.Count == 0) Problem("template.no_if", "{else} without {if}.", place);
+                else if (_open.Peek().Else) Problem("template.after_else", "Second {else} of an {if}.", place);
                 else _open.Push((_open.Pop().Place, true));
                 _parts.Add(new TemplatePart(TemplatePartKind.Else, "", place));
                 return;
             case "endif" when trimmed == "endif":
-                if (_open.Count == 0) Problem("template.no_if", "There is no if before this endif.", place);
+                if (_open.Count == 0) Problem("template.no_if", "{endif} without {if}.", place);
                 else _open.Pop();
                 _parts.Add(new TemplatePart(TemplatePartKind.Endif, "", place));
                 return;
@@ -110,13 +110,16 @@ internal sealed class TemplateParser(TemplateNames names, SourceLocation source)
         var text = inside.Substring(from);
         if (text.Trim().Length == 0)
         {
-            Problem("template.empty", kind == TemplatePartKind.Value ? "There is nothing between the braces." : "There is no condition.", place);
+            Problem("template.empty", kind == TemplatePartKind.Value ? "Empty braces." : "Missing condition.", place);
             return;
         }
         var formula = Expressions.Formula.Compile(text, names.Numbers, place);
-        foreach (var problem in formula.Diagnostics) _problems.Add(problem with { Source =
-            place with { Column = place.Column + from + (problem.Source?.Column ?? 1) - 1 } });
-        if (formula.Value is { UsesRandom: true }) Problem("template.random", "Templates cannot use random numbers.", place);
+        foreach (var problem in formula.Diagnostics)
+        {
+            var code = problem.Code == "formula.unknown" ? "template.unknown_name" : problem.Code;
+            _problems.Add(problem with { Code = code, Source = place with { Column = place.Column + from + (problem.Source?.Column ?? 1) - 1 } });
+        }
+        if (formula.Value is { UsesRandom: true }) Problem("template.random", "Templates cannot contain random numbers.", place);
         _parts.Add(new TemplatePart(kind, text.Trim(), place, formula.Value));
     }
 

@@ -10,7 +10,7 @@ internal enum TemplatePartKind : byte
     /// <summary>A named text.</summary>
     Name,
 
-    /// <summary>A formula whose value is written.</summary>
+    /// <summary>A formula. Its value is written.</summary>
     Value,
     If,
     Elsif,

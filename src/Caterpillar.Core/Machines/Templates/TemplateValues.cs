@@ -1,9 +1,9 @@
 namespace Caterpillar.Machines;
 
-/// <summary>The names that a template may use: those of numbers, in the order of the slots of formulas, and those of texts.</summary>
+/// <summary>The names of numbers (in the order of the slots of formulas) and texts that a template may contain.</summary>
 internal sealed record TemplateNames(string[] Numbers, string[] Texts);
 
-/// <summary>The values of such names. Immutable.</summary>
+/// <summary>The values of these names. Immutable.</summary>
 internal sealed class TemplateValues
 {
     private readonly Dictionary<string, double> _numbers;

@@ -1,44 +1,44 @@
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// What the lines that fill an area look like. A percentage lays down the same length of extrusion with all of them but lightning, formulas and the user's
+/// Infill pattern. At the same density all patterns have the same length of extrusion, except lightning, formula and
 /// curves.
 /// </summary>
 public enum InfillPattern : byte
 {
-    /// <summary>Parallel lines; the direction turns from layer to layer.</summary>
+    /// <summary>Parallel lines that rotate from layer to layer.</summary>
     Lines,
 
-    /// <summary>Parallel lines, each printed after its neighbor on one side, so that a skin looks even.</summary>
+    /// <summary>Parallel lines, printed in order from one side to the other for an even surface.</summary>
     Monotonic,
 
-    /// <summary>Two families of lines at right angles in every layer: the rotated web of Caterpillar 2019.</summary>
+    /// <summary>Lines in two perpendicular directions in every layer: the rotated web of Caterpillar 2019.</summary>
     Grid,
 
-    /// <summary>Three families of lines, 60° apart, that meet in common points.</summary>
+    /// <summary>Lines in three directions, 60° apart, that meet in common points.</summary>
     Triangles,
 
-    /// <summary>Cubes that stand on a corner: three families of lines that shift from layer to layer.</summary>
+    /// <summary>Cubes on a corner: lines in three directions that shift from layer to layer.</summary>
     Cubic,
 
-    /// <summary>Schoen's minimal surface: waves that alternate between two directions and support each other.</summary>
+    /// <summary>Schoen's gyroid: waves that alternate between two directions.</summary>
     Gyroid,
 
-    /// <summary>Hexagons, drawn without crossings.</summary>
+    /// <summary>Hexagons without crossing lines.</summary>
     Honeycomb,
 
-    /// <summary>Loops along the boundary.</summary>
+    /// <summary>Loops parallel to the boundary.</summary>
     Concentric,
 
-    /// <summary>Hilbert's curve, which fills the plane with a single line.</summary>
+    /// <summary>Hilbert curve: one line that fills the area.</summary>
     Hilbert,
 
-    /// <summary>Trees that support the top skins and grow out of the walls; regions far below a skin stay empty.</summary>
+    /// <summary>Trees that grow out of the walls and support top surfaces only. The rest stays empty.</summary>
     Lightning,
 
     /// <summary>The zero set of a formula in x, y and z.</summary>
     Formula,
 
-    /// <summary>Curves of the user, cut at the boundary.</summary>
+    /// <summary>Your own curves, cut at the boundary.</summary>
     Curves,
 }

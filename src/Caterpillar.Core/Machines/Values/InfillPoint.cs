@@ -2,13 +2,13 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Machines;
 
-/// <summary>A point of a curve that is printed as infill.</summary>
-/// <param name="Curve">Number of the curve; points that follow each other with the same number are one curve.</param>
+/// <summary>A point of an infill curve.</summary>
+/// <param name="Curve">Number of the curve. Consecutive points with the same number form one curve.</param>
 /// <param name="X">mm.</param>
 /// <param name="Y">mm.</param>
 public readonly record struct InfillPoint(int Curve, double X, double Y)
 {
-    /// <summary>The points of curves seen from above. Closed curves end where they begin.</summary>
+    /// <summary>The points of curves, seen from above. Closed curves end at their start point.</summary>
     public static ValueList<InfillPoint> Of(IEnumerable<Polyline> curves)
     {
         if (curves is null) throw new ArgumentNullException(nameof(curves));

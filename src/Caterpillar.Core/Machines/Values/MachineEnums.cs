@@ -1,6 +1,6 @@
 namespace Caterpillar.Machines;
 
-/// <summary>Where a printer has its origin (X 0, Y 0).</summary>
+/// <summary>Position of the origin (X 0, Y 0) on the bed.</summary>
 public enum BedOrigin : byte
 {
     /// <summary>At the front left corner of the bed.</summary>
@@ -19,52 +19,52 @@ public enum BedShape : byte
     Round,
 }
 
-/// <summary>How the writer states E.</summary>
+/// <summary>Relative or absolute E.</summary>
 public enum ExtrusionMode : byte
 {
-    /// <summary>Increments (M83).</summary>
+    /// <summary>Relative E (M83).</summary>
     Relative,
 
-    /// <summary>Sums (M82).</summary>
+    /// <summary>Absolute E (M82).</summary>
     Absolute,
 }
 
 /// <summary>Unit of E.</summary>
 public enum ExtrusionUnit : byte
 {
-    /// <summary>One mm of filament, or of the travel of a plunger.</summary>
+    /// <summary>mm of filament, or of plunger travel.</summary>
     Mm,
 
-    /// <summary>One mm³ of material (volumetric firmware).</summary>
+    /// <summary>mm³ of material (volumetric firmware).</summary>
     Mm3,
 
-    /// <summary>There is no E: a pen, a brush, a bare hot tool.</summary>
+    /// <summary>No E: a pen, a brush, a hot tool.</summary>
     None,
 }
 
-/// <summary>How the firmware limits the speed in corners.</summary>
+/// <summary>How the firmware limits speed in corners.</summary>
 public enum Cornering : byte
 {
-    /// <summary>By the sudden change of the speed of each axis (Marlin's classic jerk, RepRapFirmware's M566).</summary>
+    /// <summary>By the instantaneous change of speed of each axis (classic jerk of Marlin, M566 of RepRapFirmware).</summary>
     Jerk,
 
-    /// <summary>By the deviation from the corner that an arc of constant acceleration would need (Marlin 2, Grbl).</summary>
+    /// <summary>By the deviation from the corner of an arc of constant acceleration (Marlin 2, Grbl).</summary>
     JunctionDeviation,
 
     /// <summary>By the speed through a corner of 90° (Klipper).</summary>
     SquareCornerVelocity,
 }
 
-/// <summary>How high the head lifts for travels.</summary>
+/// <summary>Height of Z-hops.</summary>
 public enum ZHopType : byte
 {
-    /// <summary>Above the highest point printed so far.</summary>
+    /// <summary>Above everything printed so far.</summary>
     AbovePrint,
 
-    /// <summary>Above what lies under the path of the travel.</summary>
+    /// <summary>Above the extrusions below the travel move.</summary>
     AbovePath,
 
-    /// <summary>No lift: travels are straight lines.</summary>
+    /// <summary>No Z-hop: travel moves are straight lines.</summary>
     None,
 }
 
@@ -72,17 +72,17 @@ public enum ZHopType : byte
 public readonly record struct AxisValues(double X, double Y, double Z, double E);
 
 /// <summary>
-/// A point of the outline of a head: no part of the head within <paramref name="Radius"/> mm of its axis is lower than <paramref name="Height"/> mm above the
+/// A point of the outline of a print head: no part within <paramref name="Radius"/> mm of its axis is lower than <paramref name="Height"/> mm above the
 /// tip.
 /// </summary>
 public readonly record struct HeadPoint(double Radius, double Height);
 
-/// <summary>In which order several models are printed.</summary>
+/// <summary>Order of several models.</summary>
 public enum PrintSequence
 {
-    /// <summary>A layer of each, then the next.</summary>
+    /// <summary>Layer by layer, all models together.</summary>
     ByLayer,
 
-    /// <summary>One after the other, the lowest first.</summary>
+    /// <summary>One by one, lowest first.</summary>
     ByObject,
 }

@@ -2,45 +2,45 @@ using Caterpillar.Geometry;
 
 namespace Caterpillar.Machines;
 
-/// <summary>Where the outer walls begin and end.</summary>
+/// <summary>Start of outer walls.</summary>
 public enum SeamPosition : byte
 {
-    /// <summary>In a corner where there is one, above the seam of the layer below.</summary>
+    /// <summary>In a corner if possible, above the seam of the layer below.</summary>
     Aligned,
 
-    /// <summary>Where the head comes from.</summary>
+    /// <summary>Nearest to the end of the previous path.</summary>
     Nearest,
 
     /// <summary>At the back (+Y).</summary>
     Rear,
 
-    /// <summary>On the side of a point.</summary>
+    /// <summary>Facing a point.</summary>
     Point,
 
-    /// <summary>Anywhere.</summary>
+    /// <summary>At a random point.</summary>
     Random,
 
-    /// <summary>In the most concave corner of each layer.</summary>
+    /// <summary>In the sharpest concave corner of each layer.</summary>
     Corner,
 }
 
-/// <summary>The order of the walls of a contour.</summary>
+/// <summary>Order of walls.</summary>
 public enum WallOrder : byte
 {
-    /// <summary>The outer wall last: it leans on the others.</summary>
+    /// <summary>Outer wall last, supported by the inner walls.</summary>
     InsideOut,
 
-    /// <summary>The outer wall first: it lies exactly where it should.</summary>
+    /// <summary>Outer wall first, for accurate dimensions.</summary>
     OutsideIn,
 
-    /// <summary>One layer this way, the next the other.</summary>
+    /// <summary>Alternating from layer to layer.</summary>
     Alternating,
 }
 
-/// <summary>The order of the walls of contours that hang over the layer below.</summary>
+/// <summary>Order of walls with overhangs.</summary>
 public enum OverhangWallOrder : byte
 {
-    /// <summary>That of all walls.</summary>
+    /// <summary>Same as other walls.</summary>
     Same,
 
     InsideOut,
@@ -48,7 +48,7 @@ public enum OverhangWallOrder : byte
     OutsideIn,
 }
 
-/// <summary>A painted place for seams: a ball around a point.</summary>
+/// <summary>A seam enforcer: a sphere.</summary>
 /// <param name="Place">Center, mm.</param>
 /// <param name="Radius">mm.</param>
 public readonly record struct SeamMark(Vec3 Place, double Radius)

@@ -1,47 +1,47 @@
 namespace Caterpillar.Machines;
 
-/// <summary>Where in its thickness a layer cuts the model.</summary>
+/// <summary>Height at which a layer cuts the model.</summary>
 public enum SlicingPlane : byte
 {
-    /// <summary>In the middle: the volume of slopes is right.</summary>
+    /// <summary>Middle of the layer: slopes keep their volume.</summary>
     Middle,
 
-    /// <summary>Just above its bottom: what is printed covers the section there.</summary>
+    /// <summary>Just above the bottom of the layer: the print covers the section at that height.</summary>
     Bottom,
 }
 
-/// <summary>On which side of the outlines a brim lies.</summary>
+/// <summary>Type of brim.</summary>
 public enum BrimType : byte
 {
     /// <summary>Around the part.</summary>
     OuterOnly,
 
-    /// <summary>In its holes.</summary>
+    /// <summary>Inside its holes.</summary>
     InnerOnly,
 
     /// <summary>Both.</summary>
     OuterAndInner,
 }
 
-/// <summary>What becomes of contours that do not close.</summary>
+/// <summary>Handling of contours that do not close.</summary>
 public enum OpenContours : byte
 {
-    /// <summary>They are left out.</summary>
+    /// <summary>Ignored.</summary>
     Ignore,
 
-    /// <summary>They are printed as single walls.</summary>
+    /// <summary>Printed as single walls.</summary>
     Walls,
 }
 
-/// <summary>What the machine does where a layer is too quick to cool.</summary>
+/// <summary>What the printer does if a layer takes too little time to cool.</summary>
 public enum LayerTimeWait : byte
 {
-    /// <summary>It goes on.</summary>
+    /// <summary>Nothing.</summary>
     None,
 
-    /// <summary>It waits above the layer, the filament retracted.</summary>
+    /// <summary>Wait above the layer, with the filament retracted.</summary>
     Above,
 
-    /// <summary>It waits beside the part.</summary>
+    /// <summary>Wait next to the part.</summary>
     NextTo,
 }

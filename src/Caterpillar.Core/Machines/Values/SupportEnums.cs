@@ -1,6 +1,6 @@
 namespace Caterpillar.Machines;
 
-/// <summary>Kinds of supports.</summary>
+/// <summary>Types of supports.</summary>
 public enum SupportKind : byte
 {
     None,
@@ -8,32 +8,32 @@ public enum SupportKind : byte
     /// <summary>Columns of parallel lines with a wall around them.</summary>
     Grid,
 
-    /// <summary>Branches that lean, and join further down.</summary>
+    /// <summary>Tree supports: inclined branches that merge toward the bottom.</summary>
     Tree,
 }
 
-/// <summary>What supports may stand on.</summary>
+/// <summary>Where supports may start.</summary>
 public enum SupportPlacement : byte
 {
-    /// <summary>The bed and the part.</summary>
+    /// <summary>On the build plate and on the part.</summary>
     Everywhere,
 
-    /// <summary>The bed only.</summary>
+    /// <summary>On the build plate only.</summary>
     BuildPlate,
 }
 
-/// <summary>What a model is for.</summary>
+/// <summary>Type of a model.</summary>
 public enum ModelType : byte
 {
-    /// <summary>It is printed.</summary>
+    /// <summary>A part to print.</summary>
     Part,
 
-    /// <summary>Inside it nothing is supported; it is not printed itself.</summary>
+    /// <summary>No supports inside it. It is not printed itself.</summary>
     SupportBlocker,
 
-    /// <summary>Inside it every surface seen from below is supported; it is not printed itself.</summary>
+    /// <summary>Supports below every downward surface inside it. It is not printed itself.</summary>
     SupportEnforcer,
 
-    /// <summary>What of the parts lies inside it is printed with its settings; it is not printed itself.</summary>
+    /// <summary>Parts inside it are printed with its settings. It is not printed itself.</summary>
     Modifier,
 }

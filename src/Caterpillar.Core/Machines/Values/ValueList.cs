@@ -2,7 +2,7 @@ using System.Collections;
 
 namespace Caterpillar.Machines;
 
-/// <summary>An immutable list that equals every list with equal items, so that records that hold it compare by value.</summary>
+/// <summary>An immutable list that equals any list with equal items, so that records that contain it compare by value.</summary>
 public sealed class ValueList<T> : IReadOnlyList<T>, IEquatable<ValueList<T>>
 {
     private readonly T[] _items;
@@ -14,7 +14,7 @@ public sealed class ValueList<T> : IReadOnlyList<T>, IEquatable<ValueList<T>>
     {
     }
 
-    /// <summary>The list without items.</summary>
+    /// <summary>An empty list.</summary>
     public static ValueList<T> Empty { get; } = new();
 
     /// <summary>Number of items.</summary>
