@@ -90,8 +90,8 @@ public class SimulateTests : CliFixture
         Assert.That(text, Does.Contain("50 mm in 1 move, 1 layer").And.Contain("no E").And.Match("Material +none"));
         Assert.That(text, Does.Not.Contain("mm wide").And.Not.Contain("Maximum flow"));
         var s = JsonDocument.Parse(Run("decode", "a.gcode", "--stats", "--json").Output).RootElement[0];
-        Assert.That(s.GetProperty("greatest_flow_mm3_s").ValueKind, Is.EqualTo(JsonValueKind.Null));
-        Assert.That(s.GetProperty("greatest_flow_move").ValueKind, Is.EqualTo(JsonValueKind.Null));
+        Assert.That(s.GetProperty("peak_flow_mm3_s").ValueKind, Is.EqualTo(JsonValueKind.Null));
+        Assert.That(s.GetProperty("peak_flow_move").ValueKind, Is.EqualTo(JsonValueKind.Null));
     }
 
     [Test]

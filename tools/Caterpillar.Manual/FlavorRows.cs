@@ -83,7 +83,7 @@ internal static class FlavorRows
         ("extruder", d => (d.ExtruderLetters.Length == 0 ? "" : string.Join(", ", d.ExtruderLetters.Select(c => c.ToString())))
             + (d.SwitchedExtruder ? (d.ExtruderLetters.Length == 0 ? "" : ", or ") + "`M101`" + (d.SwitchedTools ? ", `M201` …" : "") + ", `M103`"
                 : d.ExtruderLetters.Length == 0 ? "none" : "")),
-        ("without extrusion", d => d.StrokesWithoutE ? "G1 to G3 draw" : "all moves are travel moves"),
+        ("without extrusion", d => d.PrintsWithoutE ? "G1 to G3 draw" : "all moves are travel moves"),
         ("motion limits", d => d.Limits switch
         {
             LimitCommands.Marlin => "`M201`, `M203` (mm/s), `M204 S P T R`, `M205` (jerk; J)",

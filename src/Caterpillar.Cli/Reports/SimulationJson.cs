@@ -47,9 +47,9 @@ internal static class SimulationJson
         Number(json, "volume_mm3", s.Volume);
         Number(json, "mass_g", s.Mass);
         Number(json, "cost", s.Cost);
-        Number(json, "greatest_flow_mm3_s", s.GreatestFlow);
-        Number(json, "greatest_flow_move", s.GreatestFlow is null ? null : s.GreatestFlowMove);
-        Number(json, "greatest_speed_mm_s", s.GreatestSpeed);
+        Number(json, "peak_flow_mm3_s", s.GreatestFlow);
+        Number(json, "peak_flow_move", s.GreatestFlow is null ? null : s.GreatestFlowMove);
+        Number(json, "peak_speed_mm_s", s.GreatestSpeed);
         if (s.PrintBounds.IsEmpty) json.WriteNull("print_box_mm");
         else Box(json, s.PrintBounds);
         List(json, "roles", s.Roles, r =>

@@ -70,7 +70,8 @@ public class CheckLimitsTests
     [TestCase(0.1, 1)]
     [TestCase(0.12, 0)]
     public void The_same_place_printed_twice_is_found(double aside, int found)
-        => Expect(new SmallPrint(50, 50, 0.2).Print(100, 50, 0.2).Go(100, 50, 5).Go(50, 50 + aside, 0.2).Print(100, 50 + aside, 0.2), CheckCodes.Duplicate, found,
+        => Expect(new SmallPrint(50, 50, 0.2).Print(100, 50, 0.2).Go(100, 50, 5).Go(50, 50 + aside, 0.2).Print(100, 50 + aside, 0.2), CheckCodes.Duplicate,
+            found,
             3,
             found > 0 ? "Extrusions are in the same place as earlier ones (move 0). Remove the duplicates." : null);
 

@@ -34,7 +34,7 @@ public class SlicerNameTests
         "spiral_starting_flow_ratio (OrcaSlicer) is spiral_vase_min_flow_percent here: spiral_vase_min_flow_percent=20.")]
     [TestCase("slice_closing_radius=0.049", "slice_closing_radius (PrusaSlicer, OrcaSlicer) is slice_gap_closing_mm here: slice_gap_closing_mm=0.098.")]
     [TestCase("elefant_foot_compensation=0.2",
-        "elefant_foot_compensation (PrusaSlicer, OrcaSlicer) is elephant_foot_compensation_mm here: elephant_foot_compensation_mm=-0.2.")]
+        "elefant_foot_compensation (PrusaSlicer, OrcaSlicer) is elephant_foot_compensation_mm here: elephant_foot_compensation_mm=0.2.")]
     [TestCase("support_material_threshold=30", "support_material_threshold (PrusaSlicer) is support_angle_deg here: support_angle_deg=60.")]
     // The value depends on more, is automatic, or does not fit: the key and the unit only.
     [TestCase("support_material_threshold=0", "support_material_threshold (PrusaSlicer) is support_angle_deg here, in degrees.")]

@@ -25,7 +25,7 @@ public class CorridorTests
             "Travel 10,0,1.5 0 10", "Travel 14,0,1.5 0 150", "Travel 14,0,0.2 0 10", "Print 20,0,0.2 1.5 50",
             "Travel 22,0,0.2 0 150", "Print 30,0,0.2 2 50",
         }));
-        Assert.That((plan.Report.CorridorLifts, plan.Report.SkippedLifts, plan.Report.Lifts), Is.EqualTo((1, 3, 0)));
+        Assert.That((plan.Report.LocalZHops, plan.Report.SkippedZHops, plan.Report.ZHops), Is.EqualTo((1, 3, 0)));
     }
 
     [Test]
@@ -57,7 +57,7 @@ public class CorridorTests
         // A long low wall is passed over.
         Step[] low = [Line(15, -80, 15, 80, 0.4), Line(0, 0, 10, 0, 0.2), Line(20, 0, 30, 0, 0.2)];
         var over = PlanningTests.Plan(low, Rules with { Detour = true });
-        Assert.That((over.Report.Detours, over.Report.CorridorLifts), Is.EqualTo((0, 1)));
+        Assert.That((over.Report.Detours, over.Report.LocalZHops), Is.EqualTo((0, 1)));
     }
 
     [Test]
@@ -76,7 +76,7 @@ public class CorridorTests
         var plan = PlanningTests.Plan(steps, rules, new PlanOptions { Start = new Vec3(1, 5, 0.2) });
         Assert.That(PlanningTests.Text(plan.Toolpath).Take(4),
             Is.EqualTo(new[] { "Print 5,5,0.2 1 50", "Travel 25,5,0.2 0 150", "Print 25,15,0.2 2.5 50", "Retract 25,15,0.2 -1 40" }));
-        Assert.That((plan.Report.Combed, plan.Report.Lifts, plan.Report.Retractions), Is.EqualTo((1, 3, 3)));
+        Assert.That((plan.Report.Combed, plan.Report.ZHops, plan.Report.Retractions), Is.EqualTo((1, 3, 3)));
         Assert.That(PlanningTests.Plan(steps, rules with { Comb = false }).Report.Combed, Is.Zero);
     }
 
@@ -97,9 +97,9 @@ public class CorridorTests
             var plan = PlanningTests.Plan(steps, Rules with { Detour = round % 2 == 0, Head = new HeadCorridor(0.1 + random.NextDouble()) },
                 new PlanOptions { Start = new Vec3(0, 0, 50) });
             AssertClear(plan.Toolpath, 0.05);
-            lifts += plan.Report.CorridorLifts;
+            lifts += plan.Report.LocalZHops;
             detours += plan.Report.Detours;
-            skipped += plan.Report.SkippedLifts;
+            skipped += plan.Report.SkippedZHops;
         }
         Assert.That(lifts, Is.GreaterThan(100));
         Assert.That(skipped, Is.GreaterThan(50));

@@ -63,7 +63,7 @@ public class PlanningTests
         {
             "Print 10,0,0 2.5 50", "Travel 10,1,0 0 150", "Print 0,1,0 2.5 50", "Travel 0,1,0.3 0 10", "Travel 0,2,0.3 0 150", "Print 10,2,0.3 2.5 50",
         }));
-        Assert.That((plan.Report.SkippedRetractions, plan.Report.SkippedLifts, plan.Report.Retractions, plan.Report.Lifts), Is.EqualTo((2, 2, 0, 0)));
+        Assert.That((plan.Report.SkippedRetractions, plan.Report.SkippedZHops, plan.Report.Retractions, plan.Report.ZHops), Is.EqualTo((2, 2, 0, 0)));
     }
 
     [Test]

@@ -214,7 +214,7 @@ public class PlanarFeatureTests
         double Area(PrintSettings settings, int layer) => Solids.Slice(settings, Ring)[layer].Region.Area;
         Assert.That(Area(Bare with { XySizeCompensation = -0.1 }, 1), Is.EqualTo(29.8 * 29.8 - 10.2 * 10.2).Within(1e-3));
         Assert.That(Area(Bare with { XyHoleCompensation = 0.2 }, 1), Is.EqualTo(900 - 10.4 * 10.4).Within(1e-3));
-        var foot = Bare with { ElephantFootCompensation = -0.15 };
+        var foot = Bare with { ElephantFootCompensation = 0.15 };
         Assert.That((Area(foot, 0), Area(foot, 1)), Is.EqualTo((29.7 * 29.7 - 10.3 * 10.3, 800.0)).Within(1e-3));
     }
 

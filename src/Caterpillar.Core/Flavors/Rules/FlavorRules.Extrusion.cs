@@ -16,7 +16,7 @@ public sealed partial record FlavorRules
     internal bool SwitchedTools { get; init; }
 
     /// <summary>In a file without extrusion, G1 to G3 draw with a pen or another tool.</summary>
-    internal bool StrokesWithoutE { get; init; }
+    internal bool PrintsWithoutE { get; init; }
 
     /// <summary>M200 D switches E to mm³.</summary>
     internal bool Volumetric { get; init; }

@@ -39,8 +39,8 @@ public sealed class DecodedGCode
     public ExtrusionRule Rule { get; internal init; }
 
     /// <summary>
-    /// The error <c>gcode.not_gcode</c> for a file that is not G-code, with its likely kind (mesh, image, archive …). Null for G-code. The decoding diagnostics do
-    /// not contain it, because any bytes can be decoded.
+    /// The error <c>gcode.not_gcode</c> for a file that is not G-code, with its likely kind (mesh, image, archive …). Null for G-code. The decoding diagnostics
+    /// do not contain it, because any bytes can be decoded.
     /// </summary>
     public Diagnostic? NotGCode { get; internal init; }
 

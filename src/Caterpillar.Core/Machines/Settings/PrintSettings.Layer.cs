@@ -33,7 +33,7 @@ public sealed partial record PrintSettings
     /// <summary>Enlarge holes by this much on each side; negative = shrink.</summary> <value>mm.</value>
     public double XyHoleCompensation { get; init => field = LayerKeys.XyHoleCompensation.Check(value); }
 
-    /// <summary>Grow the outline of the first layer by this much; negative = shrink, against elephant foot.</summary> <value>mm.</value>
+    /// <summary>Shrink the outline of the first layer by this much; negative = grow.</summary> <value>mm.</value>
     public double ElephantFootCompensation { get; init => field = LayerKeys.ElephantFootCompensation.Check(value); }
 }
 

@@ -8,92 +8,92 @@ namespace Caterpillar.Machines;
 public sealed partial record PrintSettings
 {
     /// <summary>Number of solid top layers.</summary>
-    public int TopLayers { get; init => field = SkinKeys.TopLayers.Check(value); } = 4;
+    public int TopLayers { get; init => field = TopBottomKeys.TopLayers.Check(value); } = 4;
 
     /// <summary>Number of solid bottom layers.</summary>
-    public int BottomLayers { get; init => field = SkinKeys.BottomLayers.Check(value); } = 4;
+    public int BottomLayers { get; init => field = TopBottomKeys.BottomLayers.Check(value); } = 4;
 
     /// <summary>Minimum thickness of solid top layers. More layers are added if they are thinner.</summary> <value>mm.</value>
-    public double TopThickness { get; init => field = SkinKeys.TopThickness.Check(value); } = 0.7;
+    public double TopThickness { get; init => field = TopBottomKeys.TopThickness.Check(value); } = 0.7;
 
     /// <summary>Minimum thickness of solid bottom layers. More layers are added if they are thinner.</summary> <value>mm.</value>
-    public double BottomThickness { get; init => field = SkinKeys.BottomThickness.Check(value); } = 0.7;
+    public double BottomThickness { get; init => field = TopBottomKeys.BottomThickness.Check(value); } = 0.7;
 
     /// <summary>Pattern of top surfaces.</summary>
-    public InfillPattern TopPattern { get; init => field = SkinKeys.TopPattern.Check(value); } = InfillPattern.Monotonic;
+    public InfillPattern TopPattern { get; init => field = TopBottomKeys.TopPattern.Check(value); } = InfillPattern.Monotonic;
 
     /// <summary>Pattern of bottom surfaces.</summary>
-    public InfillPattern BottomPattern { get; init => field = SkinKeys.BottomPattern.Check(value); } = InfillPattern.Monotonic;
+    public InfillPattern BottomPattern { get; init => field = TopBottomKeys.BottomPattern.Check(value); } = InfillPattern.Monotonic;
 
     /// <summary>Direction of solid infill in the first layer, counterclockwise from +X. It turns by 90° each layer.</summary> <value>Degrees.</value>
-    public double SolidInfillAngle { get; init => field = SkinKeys.SolidInfillAngle.Check(value); } = 45;
+    public double SolidInfillAngle { get; init => field = TopBottomKeys.SolidInfillAngle.Check(value); } = 45;
 
     /// <summary>Line width of solid infill; 0 = line width.</summary> <value>mm.</value>
-    public double SolidInfillLineWidth { get; init => field = SkinKeys.SolidInfillLineWidth.Check(value); }
+    public double SolidInfillLineWidth { get; init => field = TopBottomKeys.SolidInfillLineWidth.Check(value); }
 
     /// <summary>Minimum width of top and bottom surfaces. Narrower ones are left to the walls.</summary> <value>mm.</value>
-    public double MinSolidWidth { get; init => field = SkinKeys.MinSolidWidth.Check(value); } = 0.2;
+    public double MinSolidWidth { get; init => field = TopBottomKeys.MinSolidWidth.Check(value); } = 0.2;
 
     /// <summary>Distance by which top and bottom solid layers extend into the infill, to anchor them.</summary> <value>mm.</value>
-    public double SolidInfillExpansion { get; init => field = SkinKeys.SolidInfillExpansion.Check(value); } = 0.6;
+    public double SolidInfillExpansion { get; init => field = TopBottomKeys.SolidInfillExpansion.Check(value); } = 0.6;
 
     /// <summary>Make infill areas smaller than this solid.</summary> <value>mm².</value>
-    public double SolidInfillThresholdArea { get; init => field = SkinKeys.SolidInfillThresholdArea.Check(value); } = 10;
+    public double SolidInfillThresholdArea { get; init => field = TopBottomKeys.SolidInfillThresholdArea.Check(value); } = 10;
 
     /// <summary>Fill internal solid areas narrower than this along their outline; 0 = off.</summary> <value>mm.</value>
-    public double NarrowSolidInfill { get; init => field = SkinKeys.NarrowSolidInfill.Check(value); } = 4;
+    public double NarrowSolidInfill { get; init => field = TopBottomKeys.NarrowSolidInfill.Check(value); } = 4;
 
     /// <summary>Speed of top surfaces; 0 = outer wall speed.</summary> <value>mm/s.</value>
-    public double TopSurfaceSpeed { get; init => field = SkinKeys.TopSurfaceSpeed.Check(value); }
+    public double TopSurfaceSpeed { get; init => field = TopBottomKeys.TopSurfaceSpeed.Check(value); }
 
     /// <summary>Speed of solid infill; 0 = infill speed.</summary> <value>mm/s.</value>
-    public double SolidInfillSpeed { get; init => field = SkinKeys.SolidInfillSpeed.Check(value); }
+    public double SolidInfillSpeed { get; init => field = TopBottomKeys.SolidInfillSpeed.Check(value); }
 
     /// <summary>Iron top surfaces: the hot nozzle passes over them again with little flow.</summary>
     public bool Ironing { get; init; }
 
     /// <summary>Distance between ironing lines.</summary> <value>mm.</value>
-    public double IroningSpacing { get; init => field = SkinKeys.IroningSpacing.Check(value); } = 0.1;
+    public double IroningSpacing { get; init => field = TopBottomKeys.IroningSpacing.Check(value); } = 0.1;
 
     /// <summary>Ironing flow, in % of a full layer.</summary> <value>%.</value>
-    public double IroningFlowPercent { get; init => field = SkinKeys.IroningFlowPercent.Check(value); } = 10;
+    public double IroningFlowPercent { get; init => field = TopBottomKeys.IroningFlowPercent.Check(value); } = 10;
 
     /// <summary>Ironing speed; 0 = printing speed.</summary> <value>mm/s.</value>
-    public double IroningSpeed { get; init => field = SkinKeys.IroningSpeed.Check(value); } = 15;
+    public double IroningSpeed { get; init => field = TopBottomKeys.IroningSpeed.Check(value); } = 15;
 
     /// <summary>Detect bridges and print them in the direction that holds best.</summary>
     public bool Bridges { get; init; } = true;
 
     /// <summary>Length by which bridges overlap the material that anchors them.</summary> <value>mm.</value>
-    public double BridgeAnchor { get; init => field = SkinKeys.BridgeAnchor.Check(value); } = 1;
+    public double BridgeAnchor { get; init => field = TopBottomKeys.BridgeAnchor.Check(value); } = 1;
 
     /// <summary>Bridge flow ratio.</summary>
-    public double BridgeFlowRatio { get; init => field = SkinKeys.BridgeFlowRatio.Check(value); } = 1;
+    public double BridgeFlowRatio { get; init => field = TopBottomKeys.BridgeFlowRatio.Check(value); } = 1;
 
     /// <summary>Bridge speed; 0 = printing speed.</summary> <value>mm/s.</value>
-    public double BridgeSpeed { get; init => field = SkinKeys.BridgeSpeed.Check(value); } = 25;
+    public double BridgeSpeed { get; init => field = TopBottomKeys.BridgeSpeed.Check(value); } = 25;
 
     /// <summary>Fan speed for bridges.</summary> <value>%.</value>
-    public double BridgeFanSpeedPercent { get; init => field = SkinKeys.BridgeFanSpeedPercent.Check(value); } = 100;
+    public double BridgeFanSpeedPercent { get; init => field = TopBottomKeys.BridgeFanSpeedPercent.Check(value); } = 100;
 
     /// <summary>Print the first solid layer over sparse infill as a bridge, across the infill lines.</summary>
     public bool InfillBridges { get; init; } = true;
 
     /// <summary>Flow ratio of bridges over infill.</summary>
-    public double InfillBridgeFlowRatio { get; init => field = SkinKeys.InfillBridgeFlowRatio.Check(value); } = 1;
+    public double InfillBridgeFlowRatio { get; init => field = TopBottomKeys.InfillBridgeFlowRatio.Check(value); } = 1;
 
     /// <summary>Speed of bridges over infill; 0 = bridge speed.</summary> <value>mm/s.</value>
-    public double InfillBridgeSpeed { get; init => field = SkinKeys.InfillBridgeSpeed.Check(value); } = 40;
+    public double InfillBridgeSpeed { get; init => field = TopBottomKeys.InfillBridgeSpeed.Check(value); } = 40;
 
     /// <summary>Flow ratio of a part, or of the region that a modifier covers.</summary>
-    public double PartFlowRatio { get; init => field = SkinKeys.PartFlowRatio.Check(value); } = 1;
+    public double PartFlowRatio { get; init => field = TopBottomKeys.PartFlowRatio.Check(value); } = 1;
 
     /// <summary>Speed, fan and flow of overhanging walls: a list of [% of the width that overhangs, mm/s (0 = unchanged), fan %, flow ratio].</summary>
-    public ValueList<OverhangClass> OverhangClasses { get; init => field = SkinKeys.OverhangClasses.Check(value); } = OverhangClass.Usual;
+    public ValueList<OverhangClass> OverhangClasses { get; init => field = TopBottomKeys.OverhangClasses.Check(value); } = OverhangClass.Usual;
 }
 
 /// <summary>Keys of print settings: top and bottom layers, ironing, bridges, overhangs.</summary>
-internal static class SkinKeys
+internal static class TopBottomKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();
 

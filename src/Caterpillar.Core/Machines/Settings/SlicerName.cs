@@ -51,7 +51,7 @@ internal sealed record SlicerName(ProfileKey Key, string Slicer, string Name, st
 
     private double Factor()
     {
-        NumberReader.TryParse(Conversion.Substring(1), out var factor);
+        var factor = NumberReader.TryParse(Conversion.Substring(1), out var number) ? number : 1;
         return Conversion[0] == '*' ? factor : 1 / factor;
     }
 

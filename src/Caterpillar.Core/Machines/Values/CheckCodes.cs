@@ -2,7 +2,7 @@ using Caterpillar.Basics;
 
 namespace Caterpillar.Machines;
 
-/// <summary>The checks, by the codes of their findings. The key <c>check_severities</c> of a printer changes their severities.</summary>
+/// <summary>The codes of all checks. The key <c>check_severities</c> of a printer changes their severities.</summary>
 public static class CheckCodes
 {
     public const string Outside = "bed.outside";
@@ -42,44 +42,46 @@ public static class CheckCodes
     public const string UnknownPosition = "file.unknown_position";
     public const string HeatLeftOn = "file.heat_left_on";
 
-    /// <summary>All checks, with their default severities and descriptions.</summary>
+    /// <summary>All checks, with their default severities and what they find.</summary>
     public static IReadOnlyList<CheckRule> All { get; } =
     [
-        new(Outside, Severity.Error, "a move outside the build volume"),
-        new(Below, Severity.Error, "a move below the bed"),
-        new(PrintArea, Severity.Error, "an extrusion on an excluded area of the bed"),
-        new(NozzleHits, Severity.Error, "the nozzle collides with the print during extrusion"),
-        new(TravelHits, Severity.Error, "the nozzle collides with the print during a travel move"),
-        new(HeadHits, Severity.Error, "a box of the print head collides with the print"),
-        new(GantryHits, Severity.Error, "the gantry collides with the print"),
-        new(ClipHit, Severity.Error, "nozzle, head or gantry collides with a clip on the bed"),
-        new(DigsIn, Severity.Note, "the flat of the nozzle digs into a neighboring slope of up to 45°"),
-        new(Unsupported, Severity.Warning, "unsupported extrusions: more than 5 mm at a free end, or more than 60 mm between two supports"),
-        new(Doubled, Severity.Warning, "more than 20 mm of a path that repeats another extrusion"),
-        new(Squeezed, Severity.Warning, "more material than fits under the nozzle: an extrusion of more than four nozzle diameters, "
-            + "or a blob of more than ten"),
-        new(Width, Severity.Warning, "more than 5 mm of extrusions wider than three nozzle diameters, or narrower than a fifth of one"),
+        new(Outside, Severity.Error, "moves outside the build volume"),
+        new(Below, Severity.Error, "moves below the bed"),
+        new(ExcludedArea, Severity.Error, "extrusions in an excluded area of the bed"),
+        new(NozzleHits, Severity.Error, "the nozzle hits an earlier extrusion while it prints"),
+        new(TravelHits, Severity.Error, "the nozzle hits an earlier extrusion on a travel move"),
+        new(HeadHits, Severity.Error, "a box of the print head hits an earlier extrusion"),
+        new(GantryHits, Severity.Error, "the gantry hits an earlier extrusion"),
+        new(ClipHit, Severity.Error, "the nozzle, print head or gantry hits a bed clip"),
+        new(Slope, Severity.Note, "the flat of the nozzle tip cuts into a slope of up to 45° next to it"),
+        new(TooLow, Severity.Error, "more than 5 mm of extrusions with a gap under the nozzle of less than 30 % of their height"),
+        new(Unsupported, Severity.Warning, "extrusions in the air: more than 5 mm with a free end, or more than 60 mm between two supports"),
+        new(Duplicate, Severity.Warning, "more than 20 mm of a path in the same place as another extrusion"),
+        new(Squeezed, Severity.Warning, "more material than fits under the nozzle: an extrusion wider than 4 nozzle diameters, a blob wider than 10, "
+            + "or less than 60 % of the height above the bed"),
+        new(Blob, Severity.Error, "blobs wider than 20 nozzle diameters"),
+        new(Width, Severity.Warning, "more than 5 mm of extrusions wider than 3 nozzle diameters, or narrower than a fifth of one"),
         new(Height, Severity.Warning, "layers higher than the nozzle diameter"),
-        new(Gap, Severity.Note, "a gap of 0.1 to 1 mm in a straight line of extrusions"),
-        new(FirstLayer, Severity.Warning, "a print higher than eight times the square root of its first layer area"),
-        new(Flow, Severity.Error, "more volumetric flow than hot end and material allow"),
+        new(Gap, Severity.Note, "gaps of 0.1 to 1 mm in a straight line of extrusions"),
+        new(FirstLayer, Severity.Warning, "prints higher than 8 times the square root of their contact area with the bed"),
+        new(Flow, Severity.Error, "flow above the maximum volumetric flow of hot end or material"),
         new(Speed, Severity.Warning, "extrusions faster than the axes or the extruder allow"),
         new(TravelSpeed, Severity.Note, "travel moves faster than the axes allow, or retractions faster than the extruder allows"),
-        new(Acceleration, Severity.Note, "accelerations above the limits of the axes"),
-        new(Raised, Severity.Note, "a command that raises a limit of speed or jerk above the printer's limit"),
-        new(Tool, Severity.Error, "a tool that the printer does not have"),
-        new(NozzleTemperature, Severity.Error, "a nozzle temperature above the printer's maximum"),
-        new(BedTemperature, Severity.Error, "a bed temperature above the printer's maximum"),
-        new(Stationary, Severity.Error, "too much material extruded or retracted while the head does not move"),
+        new(Acceleration, Severity.Note, "accelerations above the maximum of the axes"),
+        new(Raised, Severity.Note, "commands that raise a speed or jerk limit above the limit of the printer"),
+        new(Tool, Severity.Error, "tools that the printer does not have"),
+        new(NozzleTemperature, Severity.Error, "nozzle temperatures above the maximum of the printer"),
+        new(BedTemperature, Severity.Error, "bed temperatures above the maximum of the printer"),
+        new(Stationary, Severity.Error, "too much material extruded or retracted in place"),
         new(ColdExtrusion, Severity.Error, "extrusion with a cold nozzle"),
-        new(FilePosition, Severity.Error, "a line that moves the head to another position than planned"),
-        new(FileExtrusion, Severity.Error, "a line that extrudes another amount than planned"),
-        new(FileModes, Severity.Error, "a line of raw G-code that leaves the machine in another mode"),
-        new(ExtrusionMode, Severity.Error, "values of E that make sense only in the other mode, absolute or relative"),
-        new(NoHoming, Severity.Warning, "a file that prints without homing"),
-        new(NoHeating, Severity.Warning, "a file that extrudes without heating the nozzle"),
-        new(UnknownPosition, Severity.Warning, "extrusions before all three axes have a known position"),
-        new(HeatLeftOn, Severity.Warning, "a nozzle or bed that is still heated at the end"),
+        new(FilePosition, Severity.Error, "lines of the file that move the head to another point than planned"),
+        new(FileExtrusion, Severity.Error, "lines of the file that extrude another amount than planned"),
+        new(FileModes, Severity.Error, "raw lines that leave the machine in another mode"),
+        new(ExtrusionMode, Severity.Error, "E values that make sense only in the other mode, absolute or relative"),
+        new(NoHoming, Severity.Warning, "files that print without homing"),
+        new(NoHeating, Severity.Warning, "files that extrude without heating the nozzle"),
+        new(UnknownPosition, Severity.Warning, "extrusions before the positions of all three axes are known"),
+        new(HeatLeftOn, Severity.Warning, "nozzles or beds that are still heated at the end"),
     ];
 
     /// <summary>The check with a code; null if the code is unknown.</summary>
@@ -88,18 +90,18 @@ public static class CheckCodes
 
 /// <summary>A check.</summary>
 /// <param name="Code">Code of its findings.</param>
-/// <param name="Severity">Default severity of its findings.</param>
-/// <param name="Summary">Description of its findings, as the end of "finds …".</param>
+/// <param name="Severity">Default severity of the findings.</param>
+/// <param name="Summary">What the check finds, without a period.</param>
 public sealed record CheckRule(string Code, Severity Severity, string Summary);
 
-/// <summary>Severity of a check on a printer.</summary>
+/// <summary>Severity of the findings of a check on a printer.</summary>
 /// <param name="Code">A code of <see cref="CheckCodes"/>.</param>
-/// <param name="Severity">Null = off.</param>
+/// <param name="Severity">Severity of the findings; null = off.</param>
 public readonly record struct CheckSeverity(string Code, Severity? Severity)
 {
     private static readonly string[] Words = ["note", "warning", "error"];
 
-    /// <summary>Reads <c>code=severity</c>; null and the problem if it is wrong.</summary>
+    /// <summary>Reads <c>code=severity</c>; null and the problem if the text is invalid.</summary>
     internal static CheckSeverity? Parse(string text, out string? problem)
     {
         problem = null;

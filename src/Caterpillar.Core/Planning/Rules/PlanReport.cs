@@ -15,13 +15,13 @@ public sealed record PlanReport
     public int DrawnTravels { get; internal set; }
 
     /// <summary>Travel moves with Z-hop over everything printed so far.</summary>
-    public int Lifts { get; internal set; }
+    public int ZHops { get; internal set; }
 
     /// <summary>Travel moves with Z-hop over only the print below them.</summary>
-    public int CorridorLifts { get; internal set; }
+    public int LocalZHops { get; internal set; }
 
     /// <summary>Travel moves without Z-hop: too short, or without an obstacle.</summary>
-    public int SkippedLifts { get; internal set; }
+    public int SkippedZHops { get; internal set; }
 
     /// <summary>Travel moves around printed parts.</summary>
     public int Detours { get; internal set; }
@@ -80,10 +80,11 @@ public sealed record PlanReport
     /// <summary>All counts by JSON key, in a fixed order; lengths in mm.</summary>
     public IReadOnlyList<KeyValuePair<string, double>> ToValues() =>
     [
-        new("paths", Paths), new("travels", Travels), new("drawn_travels", DrawnTravels), new("lifts", Lifts), new("corridor_lifts", CorridorLifts),
-        new("skipped_lifts", SkippedLifts), new("detours", Detours), new("combed", Combed), new("combed_around", CombedAround), new("retractions", Retractions),
-        new("skipped_retractions", SkippedRetractions),
-        new("already_retracted", AlreadyRetracted), new("restores", Deretractions), new("wipes", Wipes), new("lagged_paths", LaggedPaths),
+        new("paths", Paths), new("travels", Travels), new("drawn_travels", DrawnTravels),
+        new("z_hops", ZHops), new("local_z_hops", LocalZHops), new("skipped_z_hops", SkippedZHops),
+        new("detours", Detours), new("combed", Combed), new("combed_around", CombedAround),
+        new("retractions", Retractions), new("skipped_retractions", SkippedRetractions), new("already_retracted", AlreadyRetracted),
+        new("deretractions", Deretractions), new("wipes", Wipes), new("lagged_paths", LaggedPaths),
         new("tool_changes", ToolChanges), new("waits", Waits),
         new("returns_over", ReturnsOver), new("returns_along", ReturnsAlong), new("blocked_returns", BlockedReturns), new("empty_segments", EmptySegments),
         new("travel_length_mm", TravelLength), new("unsorted_travel_mm", UnsortedTravel), new("sorted_travel_mm", SortedTravel),

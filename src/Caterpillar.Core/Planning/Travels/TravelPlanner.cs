@@ -148,7 +148,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
         }
         if (rules.Lift == LiftRule.None && !safely)
         {
-            counts.SkippedLifts++;
+            counts.SkippedZHops++;
             emitter.Travel(to, rules.TravelSpeed);
             return;
         }
@@ -159,9 +159,9 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
             Down(to);
             return;
         }
-        if (z <= level) counts.SkippedLifts++;
-        else if (rules.Lift == LiftRule.Highest) counts.Lifts++;
-        else counts.CorridorLifts++;
+        if (z <= level) counts.SkippedZHops++;
+        else if (rules.Lift == LiftRule.Highest) counts.ZHops++;
+        else counts.LocalZHops++;
         if (z > from.Z) emitter.Travel(from.WithZ(z), rules.ZHopSpeed);
         emitter.Travel(to.WithZ(z), rules.TravelSpeed);
         Down(to);

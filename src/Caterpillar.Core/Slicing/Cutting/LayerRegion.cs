@@ -27,7 +27,7 @@ internal static class LayerRegion
     private static Region Compensated(Region region, LayerWork layer, RegionEngine engine)
     {
         var settings = layer.Rules.Settings;
-        var outline = settings.XySizeCompensation + (layer.Index == 0 ? settings.ElephantFootCompensation : 0);
+        var outline = settings.XySizeCompensation - (layer.Index == 0 ? settings.ElephantFootCompensation : 0);
         var inHoles = outline - settings.XyHoleCompensation;
         if (outline == 0 && inHoles == 0) return region;
         if (outline == inHoles) return region.Offset(outline, JoinStyle.Miter, 2, 0.005, engine);

@@ -15,7 +15,8 @@ internal static class IdleSettings
     private static readonly Rule[] Rules =
     [
         new(Severity.Warning, "with spiral_vase=true", "A vase has one wall and solid bottom layers, and no supports, top layers or infill", s => s.SpiralVase,
-            SupportKeys.Support, TopBottomKeys.TopLayers, TopBottomKeys.TopThickness, TopBottomKeys.Ironing, SettingsKeys.InfillDensityPercent, SettingsKeys.InfillSpacing,
+            SupportKeys.Support, TopBottomKeys.TopLayers, TopBottomKeys.TopThickness, TopBottomKeys.Ironing, SettingsKeys.InfillDensityPercent,
+                SettingsKeys.InfillSpacing,
             InfillKeys.InfillPattern, InfillKeys.CombineInfillLayers),
         new(Severity.Warning, "above the bottom layers with spiral_vase=true", "The wall of a vase has one width and no seam", s => s.SpiralVase,
             SurfaceKeys.FuzzySkinThickness, SeamKeys.ScarfSeamLength, WallWidthKeys.ArcFittingTolerance, SeamKeys.SeamEnforcers),
