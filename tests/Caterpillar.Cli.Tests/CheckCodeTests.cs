@@ -88,6 +88,8 @@ public class CheckCodeTests : CliFixture
         CheckCodes.Slope => string.Concat(Enumerable.Range(0, 5).Select(k => To(50, 50 + 0.4 * k, 5 - 0.2 * k) + Extrusion(60, 50 + 0.4 * k, 10))),
         CheckCodes.Unsupported => To(50, 50, 4) + Extrusion(60, 50, 10),
         CheckCodes.Duplicate => To(50, 50, 0.2) + Extrusion(100, 50, 50) + To(50, 50, 0.2) + Extrusion(100, 50, 50),
+        CheckCodes.TooLow => To(50, 50, 0.01) + Extrusion(70, 50, 20),
+        CheckCodes.Blob => To(50, 50, 0.2) + Extrusion(70, 50, 20) + "G1 E6\n",
         CheckCodes.Squeezed => To(50, 50, 0.04) + Extrusion(70, 50, 20),
         CheckCodes.Width => To(50, 50, 0.2) + Extrusion(70, 50, 80),
         CheckCodes.Height => ";LAYER_CHANGE\n;Z:0.6\n;HEIGHT:0.6\n" + To(50, 50, 0.6) + Extrusion(60, 50, 50),

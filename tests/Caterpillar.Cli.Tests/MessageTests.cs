@@ -16,11 +16,27 @@ public class MessageTests : CliFixture
         File.WriteAllText("c.csv", "x,y,z\n10,10,0.2\n30,10,0.2\n30,50,0.2\n");
     }
 
-    [TestCase("There is no verb slcie. Did you mean 'slice'?", "slcie", "a.stl")]
-    [TestCase("There is no option --matrial. Did you mean --material?", "slice", "a.stl", "--matrial", "pla")]
-    [TestCase("There is no option --quite. Did you mean --quiet?", "slice", "a.stl", "--quite")]
-    [TestCase("There is no option --pne. Did you mean --pen?", "curves", "c.csv", "--pne")]
-    [TestCase("There is no option --bogus-thing. For a file of this name write ./--bogus-thing", "slice", "a.stl", "--bogus-thing")]
+    [TestCase("Unknown command slcie. Did you mean 'slice'?", "slcie", "a.stl")]
+    [TestCase("Unknown option --matrial. Did you mean --material?", "slice", "a.stl", "--matrial", "pla")]
+    [TestCase("Unknown option --quite. Did you mean --quiet?", "slice", "a.stl", "--quite")]
+    [TestCase("Unknown option --pne. Did you mean --pen?", "curves", "c.csv", "--pne")]
+    [TestCase("Unknown option --bogus-thing. If it is a file, write ./--bogus-thing", "slice", "a.stl", "--bogus-thing")]
+    [TestCase("Unknown option --supports. Set the key: --set support=tree", "slice", "a.stl", "--supports")]
+    [TestCase("Unknown option --brim. Set the key: --set brim_width_mm=8", "slice", "a.stl", "--brim", "8")]
+    [TestCase("Unknown option --fill-density. Set the key: --set infill_density_percent=15%", "slice", "a.stl", "--fill-density=15%")]
+    [TestCase("Unknown option --spiral. Set the key: --set spiral_vase=true", "slice", "a.stl", "--spiral")]
+    [TestCase("Unknown option --infill. Set the key: --set infill_density_percent=20", "slice", "--each", "a.stl", "--infill")]
+    [TestCase("Unknown option --layer-height. Set the key for slicing: caterpillar slice MODEL --set layer_height_mm=0.3", "convert", "l.gcode",
+        "--layer-height", "0.3")]
+    [TestCase("Unknown option --support-angle. Set the key: --set support_angle_deg=50", "slice", "a.stl", "--support-angle", "50")]
+    [TestCase("Unknown option --wall-order. Set the key: --set wall_order=VALUE", "slice", "a.stl", "--wall-order", "outside_in")]
+    [TestCase("Unknown option --temperature-at-height. Use: caterpillar convert FILE --gcode-at-layer \"N=M104 S210\"", "slice", "a.stl",
+        "--temperature-at-height", "5")]
+    [TestCase("Unknown option --pause-at-height. Use --pause-at-layer N", "convert", "l.gcode", "--pause-at-height", "5")]
+    [TestCase("Unknown option --pause-at-layer. It is an option of convert.", "slice", "a.stl", "--pause-at-layer", "3")]
+    [TestCase("Unknown option --duplicate. Use --copies N", "slice", "a.stl", "--duplicate", "3")]
+    [TestCase("Unknown option -g. Use --output FILE", "slice", "-g", "a.stl")]
+    [TestCase("The MODEL is missing.", "slice")]
     [TestCase("Did you mean layer_height_mm?", "slice", "a.stl", "--set", "layer_hieght_mm=0.2")]
     [TestCase("Did you mean 'gyroid'?", "slice", "a.stl", "--set", "infill_pattern=gyrod")]
     [TestCase("Did you mean ender3?", "slice", "a.stl", "--printer", "ender4")]

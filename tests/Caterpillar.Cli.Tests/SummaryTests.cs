@@ -17,7 +17,7 @@ public class SummaryTests : CliFixture
     {
         File.WriteAllText("part.stl", Box(20, 10, 2));
         File.WriteAllText("l.gcode", Code);
-        File.WriteAllText("s.turtle", "forward 10\nleft 90\nforward 5\n");
+        File.WriteAllText("s.turtle", "start 100 100 0.2\nforward 10\nleft 90\nforward 5\n");
         File.WriteAllText("c.csv", "x,y,z\n10,10,0.2\n30,10,0.2\n30,50,0.2\n");
     }
 

@@ -183,7 +183,7 @@ internal sealed class ScriptShapingTests
     [TestCase("deform z = z, tolerance = -1 [ forward 1 ]", 1, 27, "turtle.value", "'tolerance' must be a number from 0 to 100")]
     [TestCase("modulate field = u [ forward 1 ]", 1, 10, "turtle.values", "speed, flow, left or up")]
     [TestCase("modulate speed [ forward 1 ]", 1, 1, "turtle.values", "needs a field")]
-    [TestCase("modulate up field = u [ forward 1 ]", 1, 1, "turtle.values", "needs high")]
+    [TestCase("modulate up field = u [ forward 1 ]", 1, 1, "turtle.values", "need 'high'")]
     [TestCase("modulate flow field = c [ forward 1 ]", 1, 23, "formula.unknown", "Unknown variable 'c'")]
     [TestCase("modulate speed field = u, high = -1 [ forward 1 ]", 1, 1, "shape.modulation", "stay positive")]
     [TestCase("gap_bead [ forward 1 ]", 1, 1, "gap.no_width", "no height")]

@@ -51,7 +51,7 @@ public sealed class SetupTests
         var canvas = new Canvas<PrinterComponent>().Feed("Name", "ender33", null, "generic").Solve();
         Assert.That(canvas.All("Printer").Select(p => p is null), Is.EqualTo(new[] { true, true, false }));
         Assert.That(canvas.Errors, Has.One.StartsWith("{0}[0]: ").And.Contain("Did you mean ender3?"));
-        Assert.That(canvas.Errors, Has.Member("{0}[1]: Name: nothing arrives from what is connected."), "Not the printer of the default name.");
+        Assert.That(canvas.Errors, Has.Member("{0}[1]: Name: the connected source gives no valid data."), "Not the printer of the default name.");
     }
 
     [Test]
