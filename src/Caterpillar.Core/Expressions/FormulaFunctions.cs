@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Expressions;
 
 /// <summary>The functions of formulas. Angles are degrees.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Plane of an arc, as in G17, G18 and G19. Counterclockwise is from the first axis to the second.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>A point or a vector in space; lengths in mm.</summary>

@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Caterpillar.Checks;
 using Caterpillar.Curved;
 using Caterpillar.Drawings;

@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Caterpillar.Display;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Toolpaths;

@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using System.Diagnostics.CodeAnalysis;
-using Caterpillar.Basics;
 using Grasshopper;
 using Grasshopper.Kernel;
 using Rhino;

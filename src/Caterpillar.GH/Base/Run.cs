@@ -1,5 +1,4 @@
 using System.Collections;
-using Caterpillar.Basics;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Preview;

@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;

@@ -1,5 +1,4 @@
 using System.Collections;
-using Caterpillar.Basics;
 using Caterpillar.Curved;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;

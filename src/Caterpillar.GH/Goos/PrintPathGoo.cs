@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Caterpillar.Drawings;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Bake;

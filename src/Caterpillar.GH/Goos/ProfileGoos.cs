@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Plugin;
 using Caterpillar.Machines;

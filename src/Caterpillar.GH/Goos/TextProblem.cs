@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Caterpillar.GH.Conversion;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Data;

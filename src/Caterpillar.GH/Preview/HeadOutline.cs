@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Caterpillar.Display;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Conversion;

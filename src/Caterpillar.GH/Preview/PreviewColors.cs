@@ -1,5 +1,4 @@
 using System.Drawing;
-using Caterpillar.Basics;
 using Caterpillar.Display;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Simulation;

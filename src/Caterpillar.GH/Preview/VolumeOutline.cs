@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Machines;

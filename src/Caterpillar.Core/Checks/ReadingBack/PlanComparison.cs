@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using Caterpillar.Basics;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;

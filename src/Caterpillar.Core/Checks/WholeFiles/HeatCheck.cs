@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 

@@ -1,5 +1,4 @@
 using System.Collections.Concurrent;
-using Caterpillar.Basics;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;

@@ -1,5 +1,4 @@
 using System.Collections.Concurrent;
-using Caterpillar.Basics;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Simulation;

@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Checks;
 
 /// <summary>Findings of the checks before G-code is written, and the reason that overrides them.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Curved;
 
 /// <summary>Reports what was noticed while paths were lifted back into the part.</summary>

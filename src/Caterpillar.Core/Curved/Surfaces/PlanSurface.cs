@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Caterpillar.Files;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;

@@ -1,7 +1,6 @@
 using System.Globalization;
 using System.Text;
 using System.Xml;
-using Caterpillar.Basics;
 using Caterpillar.Files;
 using Caterpillar.Geometry;
 

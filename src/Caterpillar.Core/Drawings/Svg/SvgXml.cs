@@ -1,6 +1,5 @@
 using System.Xml;
 using System.Xml.Linq;
-using Caterpillar.Basics;
 
 namespace Caterpillar.Drawings;
 

@@ -1,5 +1,4 @@
 using System.Text;
-using Caterpillar.Basics;
 using Caterpillar.Files;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;

@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text;
-using Caterpillar.Basics;
 using Caterpillar.Files;
 using Caterpillar.Geometry;
 using Newtonsoft.Json;

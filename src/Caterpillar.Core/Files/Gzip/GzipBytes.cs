@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Files;
 
 /// <summary>Unpacks gzip in memory.</summary>

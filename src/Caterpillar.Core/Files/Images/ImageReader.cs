@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Files;
 
 /// <summary>Reads images as brightness: PNG (all color types and depths, interlaced too) and PGM or PBM (plain and raw).</summary>

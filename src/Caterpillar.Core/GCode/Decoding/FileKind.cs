@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Guesses the kind of a file that is not G-code from its first bytes.</summary>

@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;

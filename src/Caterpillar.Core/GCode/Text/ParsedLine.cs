@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.GCode;
 
 internal enum LineShape : byte

@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Lines of G-code as bytes, in a buffer that grows.</summary>

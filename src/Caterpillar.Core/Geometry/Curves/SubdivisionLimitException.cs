@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>A subdivision would give too many points: the distance, tolerance or angle is too small for the curve.</summary>

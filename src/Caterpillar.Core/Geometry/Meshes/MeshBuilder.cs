@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Collects vertices and triangles, welds equal vertices, drops invalid triangles, and counts them.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Crossings of parallel lines with contours: edges are assigned to the rows they cross by a counting sort; each row is sorted and paired.</summary>

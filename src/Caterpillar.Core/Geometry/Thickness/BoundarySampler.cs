@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>A point of a contour with its inward normal and the disc that touches there.</summary>

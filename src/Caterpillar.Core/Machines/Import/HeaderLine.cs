@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Machines;
 
 /// <summary>A word of a line: its letter, its value (NaN if missing or a name in braces) and the position of the value in the line.</summary>

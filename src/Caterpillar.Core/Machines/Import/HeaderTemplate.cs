@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Machines;
 
 /// <summary>Turns the lines of a header or footer into lines of a template.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Machines;
 
 /// <summary>A header or footer: its valid lines, facts and errors.</summary>

@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.Machines;

@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Machines;
 
 /// <summary>A value from a list of numbers of fixed length.</summary>

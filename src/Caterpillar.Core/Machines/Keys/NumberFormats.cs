@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Machines;
 
 /// <summary>A number in a range.</summary>

@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Newtonsoft.Json;
 
 namespace Caterpillar.Machines;

@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Machines;
 
 /// <summary>A height range in mm with its own layer height.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Reports areas that are too thin to print, over all layers of a body.</summary>

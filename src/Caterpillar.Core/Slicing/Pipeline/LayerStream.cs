@@ -1,5 +1,4 @@
 using System.Collections.Concurrent;
-using Caterpillar.Basics;
 
 namespace Caterpillar.Slicing;
 

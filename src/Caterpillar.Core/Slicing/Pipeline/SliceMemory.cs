@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Estimates the memory of the layers of a print, first by their number, then by their points.</summary>

@@ -1,5 +1,4 @@
 using System.Collections.Concurrent;
-using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;

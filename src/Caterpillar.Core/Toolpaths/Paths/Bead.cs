@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Shape of a bead, which determines the width of an extrusion.</summary>

@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Caterpillar.Expressions;
 using static Caterpillar.Turtles.ScriptCursor;
 

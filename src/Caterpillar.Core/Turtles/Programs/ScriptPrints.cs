@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>The lines that a program prints.</summary>

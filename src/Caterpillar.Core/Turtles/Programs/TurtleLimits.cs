@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>Limits that stop an endless program with an error.</summary>

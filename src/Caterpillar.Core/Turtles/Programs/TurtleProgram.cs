@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>A program for a turtle: a script, a list of commands, or an L-system word, ready to run. Immutable.</summary>

@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Caterpillar.Checks;
 using Caterpillar.GCode;
 using Caterpillar.GH.Base;

@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;

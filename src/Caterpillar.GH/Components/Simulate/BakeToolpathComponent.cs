@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Caterpillar.GH.Bake;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Params;

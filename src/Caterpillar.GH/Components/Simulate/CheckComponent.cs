@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Caterpillar.Checks;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;

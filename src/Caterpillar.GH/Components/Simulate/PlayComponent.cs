@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using Caterpillar.Basics;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;

@@ -1,5 +1,4 @@
 using System.Drawing;
-using Caterpillar.Basics;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;

@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Caterpillar.Curved;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;

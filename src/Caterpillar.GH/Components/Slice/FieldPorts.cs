@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Caterpillar.Curved;
 using Caterpillar.Files;
 using Caterpillar.Geometry;

@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using Caterpillar.Basics;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;

@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.GCode;
 
 /// <summary>The style of a file: decimals, spaces, case, line ends. New and changed lines follow it.</summary>

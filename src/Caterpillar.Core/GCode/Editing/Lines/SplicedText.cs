@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Collects the bytes of a spliced file. Numbered lines after an inserted or dropped line get new numbers and checksums.</summary>

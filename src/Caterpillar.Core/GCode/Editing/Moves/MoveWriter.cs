@@ -1,6 +1,5 @@
 using System.Runtime.CompilerServices;
 using System.Text;
-using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 

@@ -1,4 +1,3 @@
-using Caterpillar.Basics;
 using Caterpillar.Flavors;
 using Caterpillar.Machines;
 

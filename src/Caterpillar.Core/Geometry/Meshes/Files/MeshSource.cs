@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>The bytes of a mesh file while it is read, with its name for messages, and the diagnostics.</summary>

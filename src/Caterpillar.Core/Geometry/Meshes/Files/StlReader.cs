@@ -1,5 +1,3 @@
-using Caterpillar.Basics;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Reads binary STL. The header may begin with anything, also with "solid"; normals and attribute bytes are not used.</summary>

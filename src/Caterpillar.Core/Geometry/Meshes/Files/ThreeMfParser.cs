@@ -1,5 +1,4 @@
 using System.Xml;
-using Caterpillar.Basics;
 using Caterpillar.Files;
 
 namespace Caterpillar.Geometry;
