@@ -38,7 +38,7 @@ internal sealed class CurveSettingOptions
 
     public CurveOptions Of(ParseResult arguments, PrintSetup setup)
     {
-        var plain = CurveOptions.From(setup.Settings);
+        var plain = CurveOptions.For(setup);
         return plain with
         {
             Width = OptionValues.OptionalAmount(arguments.GetValue(_width), "--width", setup.Printer.NozzleDiameter) ?? plain.Width,

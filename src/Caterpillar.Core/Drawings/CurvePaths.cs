@@ -44,11 +44,23 @@ public static class CurvePaths
         return new Result<IReadOnlyList<PrintPath>>(made.Value?.Cast<PathStep>().Select(s => s.Path).ToArray(), made.Diagnostics);
     }
 
+    // People draw flat, but at Z 0 the nozzle would scrape the bed.
+    private static IReadOnlyList<UserCurve> Raised(IReadOnlyList<UserCurve> curves, CurveOptions options, DiagnosticList diagnostics)
+    {
+        if (!(options.FlatHeight > 0) || options.Strokes || curves.All(c => c is null or { Area: 0 })) return curves;
+        if (!curves.All(c => c is not null && c.Curve.Bounds is { Min.Z: 0, Max.Z: 0 })) return curves;
+        diagnostics.Add(Severity.Note, "curves.flat",
+            $"The drawing is flat at Z 0. It is printed at Z {NumberFormatter.Format(options.FlatHeight, 3)}, the height of the first layer.");
+        var up = Affine.Move(new Vec3(0, 0, options.FlatHeight));
+        return curves.Select(c => c with { Curve = c.Curve.Transformed(up) }).ToArray();
+    }
+
     private static Result<IReadOnlyList<Step>> Make(
         IReadOnlyList<UserCurve> curves, CurveOptions options, bool withDots, IProgress<double>? progress, CancellationToken cancel)
     {
         if (curves is null) throw new ArgumentNullException(nameof(curves));
         var diagnostics = new DiagnosticList();
+        curves = Raised(curves, options, diagnostics);
         var steps = new List<Step>(curves.Count);
         var run = new List<PrintPath>();
         var places = new List<SourceLocation>();

@@ -158,7 +158,7 @@ public sealed class PrintJob : IDisposable
         options ??= new PrintJobOptions();
         var read = CurveReader.Read(file, CurveReadOptions.For(setup) with { Memory = options.Memory }, progress.Part(0, 0.2), cancel);
         if (read.Value is null) return new Result<PrintJob>(null, read.Diagnostics);
-        var steps = CurvePaths.ToSteps(read.Value, curves ?? CurveOptions.From(setup.Settings), progress.Part(0.2, 0.5), cancel);
+        var steps = CurvePaths.ToSteps(read.Value, curves ?? CurveOptions.For(setup), progress.Part(0.2, 0.5), cancel);
         Diagnostic[] found = [.. read.Diagnostics, .. steps.Diagnostics];
         return steps.Value is null ? new Result<PrintJob>(null, found) : After(found, Draw(steps.Value, setup, options, progress.Part(0.5, 1), cancel));
     }

@@ -57,6 +57,27 @@ public class CurvePathsTests
     }
 
     [Test]
+    public void A_flat_drawing_is_printed_at_the_height_of_the_first_layer()
+    {
+        UserCurve[] flat = [new(new LineCurve(new Vec3(10, 10), new Vec3(30, 10))), new(new LineCurve(new Vec3(10, 20), new Vec3(30, 20)))];
+        var setup = new PrintSetup { Settings = new PrintSettings { FirstLayerHeight = 0.3 } };
+        var raised = CurvePaths.ToPaths(flat, CurveOptions.For(setup));
+        Assert.That(raised.Value!.SelectMany(p => p.Points).Select(p => p.Z), Is.All.EqualTo(0.3));
+        Assert.That(raised.Diagnostics.Single().ToString(),
+            Is.EqualTo("note curves.flat: The drawing is flat at Z 0. It is printed at Z 0.3, the height of the first layer."));
+        Assert.That(Heights(flat, CurveOptions.From(setup.Settings)), Is.All.Zero, "as drawn");
+        Assert.That(Heights(flat, CurveOptions.For(setup) with { Strokes = true }), Is.All.Zero, "a pen");
+        Assert.That(Heights([flat[0] with { Area = 0 }], CurveOptions.For(setup)), Is.All.Zero, "nothing is extruded");
+        var plotter = setup with { Printer = new Printer { ExtrusionUnit = ExtrusionUnit.None } };
+        Assert.That(Heights(flat, CurveOptions.For(plotter)), Is.All.Zero, "a printer without an extruder");
+        UserCurve[] rising = [flat[0], new(new LineCurve(new Vec3(10, 20), new Vec3(30, 20, 1)))];
+        Assert.That(Heights(rising, CurveOptions.For(setup)), Is.EqualTo(new[] { 0.0, 0, 0, 1 }), "not flat");
+
+        static double[] Heights(UserCurve[] curves, CurveOptions options)
+            => CurvePaths.ToPaths(curves, options).Value!.SelectMany(p => p.Points).Select(p => p.Z).ToArray();
+    }
+
+    [Test]
     public void Strokes_deposit_nothing()
     {
         var paths = CurvePaths.ToPaths([new UserCurve(ArcCurve.Circle(Vec3.Zero, 5)) { Area = 3 }], new CurveOptions { Strokes = true }).Value!;

@@ -59,11 +59,21 @@ public sealed record CurveOptions
     /// <summary>Maximum distance between the ends of joined paths, mm; 0 = off. All other properties of joined paths must be equal.</summary>
     public double MergeTolerance { get; init; }
 
+    /// <summary>Z at which a drawing is printed that is flat at Z 0, mm; 0 = as drawn.</summary>
+    public double FlatHeight { get; init; }
+
     /// <summary>Curves that planning may reorder. By default, curves are printed in their order.</summary>
     public CurveSorting Sorting { get; init; }
 
     /// <summary>Maximum memory of the points until they are written. More is the error <see cref="MemoryLimit.Code"/>.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
+
+    /// <summary>Options for a print: <see cref="From"/> its settings, and flat drawings at the height of the first layer if the printer extrudes.</summary>
+    public static CurveOptions For(PrintSetup setup)
+    {
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        return From(setup.Settings) with { FlatHeight = setup.Printer.ExtrusionUnit == ExtrusionUnit.None ? 0 : setup.Settings.FirstLayerHeight };
+    }
 
     /// <summary>Width, height, shape and subdivision distance from the settings of a print.</summary>
     public static CurveOptions From(PrintSettings settings)
