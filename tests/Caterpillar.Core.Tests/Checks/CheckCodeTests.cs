@@ -42,11 +42,11 @@ public class CheckCodeTests
     }
 
     [TestCaseSource(nameof(Codes))]
-    public void Each_code_can_be_a_remark_or_off(string code)
+    public void Each_code_can_be_a_note_or_off(string code)
     {
-        var remarked = Write(code, "note", Reason);
-        Assert.That(remarked.Value, Is.Not.Null);
-        Assert.That(remarked.Diagnostics.Where(d => d.Code == code).Select(d => d.Severity), Is.EqualTo(new[] { Severity.Note }));
+        var noted = Write(code, "note", Reason);
+        Assert.That(noted.Value, Is.Not.Null);
+        Assert.That(noted.Diagnostics.Where(d => d.Code == code).Select(d => d.Severity), Is.EqualTo(new[] { Severity.Note }));
         Assert.That(Write(code, "off", Reason).Diagnostics.Select(d => d.Code), Has.No.Member(code));
     }
 

@@ -131,7 +131,7 @@ public class CollisionTests
     }
 
     [Test]
-    public void Where_the_nozzle_digs_into_a_slope_of_less_than_45_degrees_is_a_remark()
+    public void Where_the_nozzle_digs_into_a_slope_of_less_than_45_degrees_is_a_note()
     {
         // Extrusions side by side, 0.4 apart, each 0.2 lower than the one before: 27°.
         var print = new SmallPrint(50, 50, 5);

@@ -137,7 +137,7 @@ public class FileRuleTests
     }
 
     [Test]
-    public void Refusals_and_remarks_say_what_else_was_noticed()
+    public void Refusals_and_notes_say_what_else_was_noticed()
     {
         var other = new Diagnostic(Severity.Note, "other", "Something else.");
         var error = new Diagnostic(Severity.Error, CheckCodes.Outside, "Out.", new SourceLocation(Line: 7));

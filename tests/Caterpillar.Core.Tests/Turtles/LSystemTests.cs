@@ -101,7 +101,7 @@ internal sealed class LSystemTests
     }
 
     [Test]
-    public void A_letter_whose_rules_have_another_number_of_values_is_remarked()
+    public void A_letter_whose_rules_have_another_number_of_values_is_noted()
     {
         var note = System("AA(1)A", "A(x) -> B").Grow(1).Diagnostics.Single();
         Assert.That((note.Severity, note.Code, note.Count), Is.EqualTo((Severity.Note, "lsystem.value_count", 2)));

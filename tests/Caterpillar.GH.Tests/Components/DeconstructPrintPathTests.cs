@@ -52,7 +52,7 @@ public sealed class DeconstructPrintPathTests
         => Assert.That(new Canvas<DeconstructPrintPathComponent>().Solve().Warnings, Is.EqualTo(new[] { "Input parameter P failed to collect data" }));
 
     [Test]
-    public void Points_are_in_document_units_and_a_remark_says_so()
+    public void Points_are_in_document_units_and_a_note_says_so()
     {
         using var _ = new InDocument(UnitSystem.Centimeters);
         var canvas = new Canvas<DeconstructPrintPathComponent>().Feed("Print Path", Path()).Solve();

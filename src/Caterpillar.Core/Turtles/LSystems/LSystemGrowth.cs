@@ -11,7 +11,7 @@ internal sealed class LSystemGrowth
 
     private readonly IReadOnlyDictionary<char, LSystemRule[]> _rules;
     private readonly double[] _variables;
-    private readonly DiagnosticList _remarks = new();
+    private readonly DiagnosticList _notes = new();
     private readonly List<LSystemRule> _fitting = [];
     private readonly List<int> _neighbors = [];
 
@@ -30,7 +30,7 @@ internal sealed class LSystemGrowth
     /// <summary>True when chance has decided about a letter.</summary>
     public bool HasDrawn { get; private set; }
 
-    public IReadOnlyList<Diagnostic> Notes => _remarks.ToList();
+    public IReadOnlyList<Diagnostic> Notes => _notes.ToList();
 
     /// <summary>The rule that replaces a letter, or null if the letter stays.</summary>
     /// <exception cref="FormulaException">The weights of the rules that fit add up to more than 1.</exception>
@@ -135,13 +135,13 @@ internal sealed class LSystemGrowth
     private void Note(LSystemWord word, int index, LSystemRule[] rules)
     {
         const string Code = "lsystem.value_count";
-        if (_remarks.Contains(Code, Severity.Note))
+        if (_notes.Contains(Code, Severity.Note))
         {
-            _remarks.Add(Severity.Note, Code, "");
+            _notes.Add(Severity.Note, Code, "");
             return;
         }
         var counts = string.Join(" or ", rules.Select(r => r.Names.Length).Distinct().OrderBy(n => n).Select(n => NumberFormatter.Format(n)));
-        _remarks.Add(Severity.Note, Code,
+        _notes.Add(Severity.Note, Code,
             $"'{word[index]}' with {Values(word.ValueCount(index))} stays unchanged. Number of values in its rules: {counts}.");
     }
 

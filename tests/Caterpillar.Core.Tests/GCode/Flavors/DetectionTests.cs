@@ -33,7 +33,7 @@ public class DetectionTests
     }
 
     [Test]
-    public void Without_evidence_it_is_Marlin_2_and_a_remark_says_so()
+    public void Without_evidence_it_is_Marlin_2_and_a_note_says_so()
     {
         var result = GCodeDecoder.Decode(Encoding.ASCII.GetBytes("G1 X1 E1\n"));
         Assert.That(result.Value!.Flavor.Name, Is.EqualTo("marlin2"));

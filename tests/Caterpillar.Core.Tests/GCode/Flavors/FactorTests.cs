@@ -9,7 +9,7 @@ namespace Caterpillar.Tests.GCode.Flavors;
 public class FactorTests
 {
     private const string Sources = """
-        slicer: GCodeProcessor.cpp, process_M220, process_M221: by flavour, so the neutral reading leaves both out
+        slicer: GCodeProcessor.cpp, process_M220, process_M221: by flavor, so the neutral reading leaves both out
         marlin2: config/M220.cpp, M220 (R, B, S); config/M221.cpp, M221 (flow_percentage of the tool T)
         marlin1: Marlin_main.cpp, gcode_M220 (S), gcode_M221 (flow_percentage of the tool T)
         prusa: Marlin_main.cpp, process_commands, case 220 (B, S, R), case 221 (extrudemultiply of all)
