@@ -103,7 +103,7 @@ function showFindings(head, go) {
 
 function showMove(row, moves, head) {
   if (row < 0 || row >= moves.rows) {
-    fillTable(byId("picked"), [["Click an extrusion to see its move and line.", ""]]);
+    fillTable(byId("picked"), [["Click an extrusion for details.", ""]]);
     return;
   }
   const layer = moves.layer[row] >= 0 ? head.layers[moves.layer[row]] : null;
