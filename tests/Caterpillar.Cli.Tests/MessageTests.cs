@@ -23,7 +23,10 @@ public class MessageTests : CliFixture
     [TestCase("Unknown option --bogus-thing. If it is a file, write ./--bogus-thing", "slice", "a.stl", "--bogus-thing")]
     [TestCase("Unknown option --supports. Set the key: --set support=tree", "slice", "a.stl", "--supports")]
     [TestCase("Unknown option --brim. Set the key: --set brim_width_mm=8", "slice", "a.stl", "--brim", "8")]
-    [TestCase("Unknown option --fill-density. Set the key: --set infill_density_percent=15%", "slice", "a.stl", "--fill-density=15%")]
+    [TestCase("Unknown option --fill-density. Set the key: --set infill_density_percent=15", "slice", "a.stl", "--fill-density=15%")]
+    [TestCase("Unknown option --material-flow. Set the key: --set flow_ratio=0.95", "slice", "a.stl", "--material-flow", "95")]
+    [TestCase("Unknown option --xy-offset-layer-0. Set the key: --set elephant_foot_compensation_mm=0.2", "slice", "a.stl", "--xy-offset-layer-0=-0.2")]
+    [TestCase("Unknown option --wall-loops. Set the key: --set wall_count=3", "slice", "a.stl", "--wall-loops")]
     [TestCase("Unknown option --spiral. Set the key: --set spiral_vase=true", "slice", "a.stl", "--spiral")]
     [TestCase("Unknown option --infill. Set the key: --set infill_density_percent=20", "slice", "--each", "a.stl", "--infill")]
     [TestCase("Unknown option --layer-height. Set the key for slicing: caterpillar slice MODEL --set layer_height_mm=0.3", "convert", "l.gcode",

@@ -5,46 +5,44 @@ namespace Caterpillar.Cli;
 /// <summary>Answers to options of other slicers, which are keys or options with other names here.</summary>
 internal static class SlicerWords
 {
-    /// <summary>Words for a key with an example value, or for an option of a verb (* = any verb that has it).</summary>
+    /// <summary>
+    /// Words for a key with an example value, or for an option of a verb (* = any verb that has it). Names of keys in other slicers come from
+    /// <see cref="SlicerName"/>.
+    /// </summary>
     public static readonly (string Words, string Answer)[] Table =
     [
-        ("support supports tree support_material enable_support support_enable support_type generate_support", "support=tree"),
+        ("support supports tree generate_support", "support=tree"),
         ("brim", "brim_width_mm=5"),
         ("raft", "raft_layers=3"),
-        ("skirt skirts", "skirt_loops=2"),
-        ("infill fill infill_density fill_density sparse_infill_density infill_sparse_density density", "infill_density_percent=20"),
-        ("infill_pattern infill_type fill_pattern sparse_infill_pattern pattern", "infill_pattern=gyroid"),
-        ("wall walls perimeter perimeters wall_loops wall_line_count shells", "wall_count=3"),
-        ("top_solid_layers top_shell_layers", "top_layers=5"),
-        ("bottom_solid_layers bottom_shell_layers", "bottom_layers=4"),
-        ("spiral vase spiral_vase spiral_mode spiralize magic_spiralize vase_mode", "spiral_vase=true"),
-        ("layer layers layer_height quality", "layer_height_mm=0.2"),
-        ("first_layer first_layer_height initial_layer_height initial_layer_print_height layer_height_0", "first_layer_height_mm=0.25"),
-        ("width line_width extrusion_width", "line_width_mm=0.45"),
-        ("speed print_speed perimeter_speed inner_wall_speed speed_print", "print_speed_mm_s=60"),
-        ("external_perimeter_speed speed_wall_0", "outer_wall_speed_mm_s=40"),
-        ("temperature temp nozzle_temperature nozzle_temp hotend_temperature material_print_temperature", "nozzle_temperature_c=215"),
-        ("first_layer_temperature nozzle_temperature_initial_layer", "first_layer_nozzle_temperature_c=220"),
-        ("bed bed_temp bed_temperature hot_plate_temp material_bed_temperature", "bed_temperature_c=60"),
-        ("nozzle nozzle_size nozzle_diameter machine_nozzle_size", "nozzle_diameter_mm=0.4"),
-        ("bed_size printable_area build_volume", "build_volume_mm=220,220,250"),
-        ("firmware gcode_flavor machine_gcode_flavor flavor", "gcode_flavor=klipper"),
-        ("relative_e use_relative_e_distances", "e_mode=relative"),
-        ("fan fan_speed max_fan_speed cooling", "max_fan_speed_percent=100"),
-        ("retract retraction retract_length retraction_length retraction_amount", "retraction_length_mm=0.8"),
-        ("retract_speed retraction_speed", "retraction_speed_mm_s=35"),
-        ("zhop z_hop retract_lift hop", "z_hop_mm=0.4"),
-        ("flow flow_rate flow_ratio extrusion_multiplier print_flow_ratio material_flow", "flow_ratio=0.95"),
-        ("seam z_seam_type", "seam_position=rear"),
-        ("ironing ironing_type ironing_enabled", "ironing=true"),
-        ("fuzzy fuzzy_skin", "fuzzy_skin_thickness_mm=0.3"),
-        ("adaptive adaptive_layer_height variable_layer_height", "adaptive_layers=true"),
-        ("elephant_foot elefant_foot_compensation xy_offset_layer_0", "elephant_foot_compensation_mm=0.2"),
-        ("xy_compensation xy_contour_compensation xy_offset", "xy_size_compensation_mm=-0.1"),
-        ("arcs fit_arcs arc_fitting enable_arc_fitting", "arc_fitting_tolerance_mm=0.05"),
-        ("complete_objects sequential one_at_a_time", "print_sequence=by_object"),
-        ("combing avoid_crossing_perimeters reduce_crossing_wall", "avoid_crossing_walls=true"),
-        ("arachne perimeter_generator wall_generator", "variable_wall_width=true"),
+        ("skirt", "skirt_loops=2"),
+        ("infill fill infill_density density", "infill_density_percent=20"),
+        ("infill_type pattern", "infill_pattern=gyroid"),
+        ("wall walls perimeter shells", "wall_count=3"),
+        ("spiral vase spiralize vase_mode", "spiral_vase=true"),
+        ("layer layers quality", "layer_height_mm=0.2"),
+        ("first_layer initial_layer_height", "first_layer_height_mm=0.25"),
+        ("width", "line_width_mm=0.45"),
+        ("speed print_speed", "print_speed_mm_s=60"),
+        ("temp nozzle_temp hotend_temperature", "nozzle_temperature_c=215"),
+        ("bed bed_temp", "bed_temperature_c=60"),
+        ("nozzle nozzle_size", "nozzle_diameter_mm=0.4"),
+        ("bed_size build_volume", "build_volume_mm=220,220,250"),
+        ("firmware flavor", "gcode_flavor=klipper"),
+        ("relative_e", "e_mode=relative"),
+        ("fan fan_speed cooling", "max_fan_speed_percent=100"),
+        ("retract retraction", "retraction_length_mm=0.8"),
+        ("zhop hop", "z_hop_mm=0.4"),
+        ("flow flow_rate flow_ratio", "flow_ratio=0.95"),
+        ("seam", "seam_position=rear"),
+        ("ironing", "ironing=true"),
+        ("fuzzy", "fuzzy_skin_thickness_mm=0.3"),
+        ("adaptive", "adaptive_layers=true"),
+        ("elephant_foot", "elephant_foot_compensation_mm=0.2"),
+        ("xy_compensation", "xy_size_compensation_mm=-0.1"),
+        ("arcs fit_arcs", "arc_fitting_tolerance_mm=0.05"),
+        ("sequential one_at_a_time", "print_sequence=by_object"),
+        ("combing", "avoid_crossing_walls=true"),
+        ("arachne", "variable_wall_width=true"),
         ("scarf seam_slope_type", "scarf_seam_length_mm=20"),
         ("repair fix", "repair_meshes=true"),
         ("duplicate count quantity", "slice --copies N"),
@@ -76,7 +74,9 @@ internal static class SlicerWords
     public static string? Advice(string option, string? value, Command verb, IEnumerable<Command> verbs)
     {
         var word = option.TrimStart('-').Replace('-', '_').ToLowerInvariant();
-        var answer = Table.FirstOrDefault(t => t.Words.Split(' ').Contains(word)).Answer ?? (KeyOf(word) is { } key ? key + "=VALUE" : null);
+        var answer = Table.FirstOrDefault(t => t.Words.Split(' ').Contains(word)).Answer;
+        if (answer is null && SlicerName.Answer(word, value) is { } name) (answer, value) = (ExampleOf(name.Key), value is null ? null : name.Value ?? "VALUE");
+        else if (answer is null && KeyOf(word) is { } key) answer = ExampleOf(key);
         if (answer is null)
         {
             var others = verbs.Where(v => v.Options.Any(o => o.Name == option)).Select(v => v.Name).ToArray();
@@ -92,6 +92,9 @@ internal static class SlicerWords
         var input = verbs.FirstOrDefault(v => v.Name == parts[0])?.Arguments.FirstOrDefault(a => a.Arity.MinimumNumberOfValues > 0);
         return parts[0] == verb.Name ? $"Use {parts[1]}" : $"Use: caterpillar {parts[0]} {(input is null ? "" : input.Name + " ")}{parts[1]}";
     }
+
+    private static string ExampleOf(string key)
+        => Table.FirstOrDefault(t => t.Answer.StartsWith(key + "=", StringComparison.Ordinal)).Answer ?? key + "=VALUE";
 
     // A key with or without its unit.
     private static string? KeyOf(string word)

@@ -1,7 +1,7 @@
 namespace Caterpillar.Expressions;
 
 /// <summary>Suggests the word that was probably meant.</summary>
-internal static class SpellingSuggestion
+public static class SpellingSuggestion
 {
     /// <summary>The nearest known word (fewest changed, missing, added or swapped letters), or null if none is close.</summary>
     public static string? Nearest(string word, IEnumerable<string> known)

@@ -12,7 +12,6 @@ internal sealed class ExtrusionCheck
     public const double MostBridge = 60;
     public const double MostOdd = 5;
     public const double MostDoubled = 20;
-    private const double MostTight = 5;
     private const double Touch = 0.1;
     private const double Flat = 0.002;
     private const double SampleStep = 0.5;
@@ -149,7 +148,7 @@ internal sealed class ExtrusionCheck
         return Gap(p.Z, top, under, _printed.FloorUnder(p), height);
     }
 
-    // mm to the bed or to an extrusion below; what is about as high as the extrusion itself lies beside it.
+    // mm to the bed or to an extrusion below; anything about as high as the extrusion itself is next to it.
     private static double Gap(double z, double top, double under, double floor, double height)
     {
         var highest = z - 0.5 * height;
@@ -190,11 +189,14 @@ internal sealed class ExtrusionCheck
     {
         if (known && height > _printer.NozzleDiameter * 1.001) ReportHeight(move.Index, height);
         var (width, least) = (new Bead(area, height).Width(_shape), new Bead(area, highest).Width(_shape));
-        if (least > Widest * _printer.NozzleDiameter * 1.001) Odd(ref _wide, ref _wideMove, move, least);
+        if (least > Widest * _printer.NozzleDiameter * 1.001)
+        {
+            if (Odd(ref _wide, ref _wideMove, move) is { } at) ReportWidth(at, least);
+        }
         else if (width < Thinnest * _printer.NozzleDiameter && move.Role is not (Role.Ironing or Role.GapFill))
         {
             width = new Bead(area, Math.Min(height, OwnGap(move))).Width(_shape);
-            if (width < Thinnest * _printer.NozzleDiameter) Odd(ref _thin, ref _thinMove, move, width);
+            if (width < Thinnest * _printer.NozzleDiameter && Odd(ref _thin, ref _thinMove, move) is { } at) ReportWidth(at, width);
         }
     }
 
@@ -203,12 +205,13 @@ internal sealed class ExtrusionCheck
         => _findings.Add(CheckCodes.Height, move,
             () => $"A layer is {Number(height)} mm high, more than the nozzle diameter of {Number(_printer.NozzleDiameter)} mm. Lower it.", height);
 
-    private void Odd(ref double length, ref int first, in CheckedMove move, double width)
+    // The move to report as soon as more than a little is odd: the first one, then each; null before.
+    private static int? Odd(ref double length, ref int first, in CheckedMove move)
     {
         if (length == 0) first = move.Index;
         var before = length;
         length += move.Length;
-        if (length > MostOdd) ReportWidth(before > MostOdd ? move.Index : first, width);
+        return length <= MostOdd ? null : before > MostOdd ? move.Index : first;
     }
 
     private void ReportWidth(int move, double width)
@@ -218,16 +221,14 @@ internal sealed class ExtrusionCheck
 
     private void Closeness(in CheckedMove move, double gap, double height)
     {
-        if (gap < TooLow * height) Near(ref _low, ref _lowMove, move, CheckCodes.TooLow, gap, height);
-        else if (gap < Tight * height) Near(ref _tight, ref _tightMove, move, CheckCodes.Squeezed, gap, height);
-    }
-
-    private void Near(ref double length, ref int first, in CheckedMove move, string code, double gap, double height)
-    {
-        if (length == 0) first = move.Index;
-        var before = length;
-        length += move.Length;
-        if (length > MostTight) ReportNear(code, before > MostTight ? move.Index : first, gap, height);
+        if (gap < TooLow * height)
+        {
+            if (Odd(ref _low, ref _lowMove, move) is { } at) ReportNear(CheckCodes.TooLow, at, gap, height);
+        }
+        else if (gap < Tight * height && Odd(ref _tight, ref _tightMove, move) is { } at)
+        {
+            ReportNear(CheckCodes.Squeezed, at, gap, height);
+        }
     }
 
     private void ReportNear(string code, int move, double gap, double height)

@@ -13,8 +13,10 @@ internal sealed record SlicerName(ProfileKey Key, string Slicer, string Name, st
     /// <summary>All names, by key and slicer.</summary>
     public static IReadOnlyList<SlicerName> All => Table.Value;
 
-    /// <summary>The sentence that names our key for a name of other slicers, with the value in our unit; null for all other names.</summary>
-    public static (string Key, string Sentence)? Answer(string name, object? raw)
+    /// <summary>
+    /// Our key for a name of other slicers, the value in our unit if it can be converted, and a sentence with both; null for all other names.
+    /// </summary>
+    public static (string Key, string? Value, string Sentence)? Answer(string name, object? raw)
     {
         var value = raw is IReadOnlyList<object> { Count: 1 } list ? list[0] : raw;
         var text = value switch { double number => NumberFormatter.Shortest(number), bool flag => flag ? "true" : "false", _ => value as string ?? "" };
@@ -23,11 +25,12 @@ internal sealed record SlicerName(ProfileKey Key, string Slicer, string Name, st
             .Select(g => (g.Key, Slicers: string.Join(", ", g.Select(n => n.Slicer)), Values: g.Select(n => n.Convert(text.Trim())).Distinct().ToArray()))
             .OrderBy(g => g.Values.Length == 1 && g.Values[0] is not null ? 0 : 1).FirstOrDefault();
         if (found.Key is not { } key) return null;
+        var ours = found.Values.Length == 1 ? found.Values[0] : null;
         var unit = UnknownKey.Spoken(KeyAdvice.UnitOf(key.Name));
         var sentence = $"{name} ({found.Slicers}) is {key} here"
-            + (found.Values.Length == 1 && found.Values[0] is { } ours ? $": {key}={ours}." : unit.Length > 0 ? $", in {unit}."
+            + (ours is not null ? $": {key}={ours}." : unit.Length > 0 ? $", in {unit}."
             : key.Kind is KeyKind.Choice or KeyKind.Boolean ? $": {key.Range}." : ".");
-        return (key.Name, sentence);
+        return (key.Name, ours, sentence);
     }
 
     /// <summary>The value in our unit, or null if it cannot be converted or is outside the range of our key.</summary>

@@ -20,7 +20,7 @@ internal static class UnknownKey
         var singular = plain.TrimEnd('s');
         var group = names.Contains(singular) ? [singular] : KeyAdvice.Alike(plain, names, whole: true);
         var other = group.Count > 1 && plain.All(c => c != '_') ? null : KeyAdvice.OtherUnit(plain, names);
-        if (SlicerName.Answer(plain, value) is (var ours, var sentence))
+        if (SlicerName.Answer(plain, value) is (var ours, _, var sentence))
             return Error(other is null ? "profile.unknown_key" : "profile.wrong_unit", names.Contains(ours) ? sentence : sentence + Belongs(ours));
         if (other is not null)
         {
