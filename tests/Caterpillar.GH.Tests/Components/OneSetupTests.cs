@@ -264,7 +264,7 @@ public sealed class OneSetupTests
     public void A_toolpath_that_could_damage_the_machine_is_not_saved()
     {
         var file = Path.Combine(Path.GetTempPath(), "caterpillar-" + Guid.NewGuid().ToString("N") + ".gcode");
-        PathStep far = Line.Transformed(Caterpillar.Geometry.Affine.Move(new(200, 0, 0)));
+        var far = (PathStep)Line.Transformed(Caterpillar.Geometry.Affine.Move(new(200, 0, 0)));
         var outside = new ToolpathGoo(Planning.Planner.Plan([far], new PrintSetup()).OrThrow(), new PrintSetup());
         var save = new Canvas<SaveGCodeComponent>().Feed("G-code", outside).Feed("File", file).Feed("Save", false).Solve();
         Assert.That(save.Errors, Is.Empty);

@@ -46,7 +46,7 @@ public sealed class SaveGCodeComponent() : CaterpillarComponent(
         if (name.Trim().Length == 0) throw new InputProblem("File is missing.") { IsMissing = true };
         var file = run.PathTo(name);
         object content = (object?)code.Value ?? ((ToolpathGoo)source).Value;
-        if (_pressed && run.MayAct()) _saved[run.Iteration] = Save(run, source as ToolpathGoo, content, file, run.Get<bool>(3));
+        if (_pressed) _saved[run.Iteration] = Save(run, source as ToolpathGoo, content, file, run.Get<bool>(3));
         var last = _saved.TryGetValue(run.Iteration, out var saved) && ReferenceEquals(saved.Content, content) && saved.File == file ? saved : null;
         run.Report(last?.Diagnostics ?? []);
         var done = last?.Size is not null && File.Exists(file);
