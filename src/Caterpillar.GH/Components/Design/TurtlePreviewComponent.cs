@@ -1,8 +1,10 @@
 using System.Drawing;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.GH.Preview;
+using Caterpillar.Machines;
 using Caterpillar.Turtles;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Parameters;
@@ -15,6 +17,7 @@ public sealed class TurtlePreviewComponent() : CaterpillarComponent(
     "Turtle Preview", "TPrev", "Shows the turtle as a triangle at a position on its path, and the extrusions up to there.", Panel.Design, GH_Exposure.secondary)
 {
     private static readonly Color PrintedColor = Color.FromArgb(214, 110, 40);
+    private static readonly PrintSetup Standard = new();
     private static readonly Color OutlineColor = Color.FromArgb(30, 120, 60);
     private DisplayMaterial? _shade;
 
@@ -44,8 +47,7 @@ public sealed class TurtlePreviewComponent() : CaterpillarComponent(
         var part = run.Finite(1);
         if (part is < 0 or > 1) throw new InputProblem("Position must be from 0 to 1.");
         var size = run.Positive(2);
-        var steps = run.Steps(0).Steps;
-        if (steps.Length == 0) throw run.Missing(0);
+        var steps = run.Steps(run.Some<StepGoo>(0), Standard).Steps;
         var units = run.Units;
         var timeline = run.Work("Drawing", [steps], (_, _) => new TurtleTimeline(steps));
         var printed = run.Work("Drawing", [timeline, units.ToMillimeters], (_, _) => new PrintedLines(timeline.Moves.Count, (i, lines) =>
