@@ -17,12 +17,14 @@ internal sealed class Session
 
     private readonly Func<Stream> _input;
     private readonly Func<Stream> _output;
+    private readonly TextWriter _messages;
 
     public Session(Func<Stream> input, Func<Stream> output, TextWriter messages)
     {
         _input = input;
         _output = output;
-        Messages = messages;
+        _messages = messages;
+        Messages = new VisibleText(messages);
     }
 
     /// <summary>Output for messages: standard error.</summary>
@@ -62,12 +64,8 @@ internal sealed class Session
     /// <summary>The bytes of a file, or of standard input for <c>-</c>.</summary>
     public byte[] ReadBytes(string file)
     {
-        if (file != "-")
-        {
-            NoFolder(file);
-            return LargeFile.ReadAllBytes(file);
-        }
         using var input = OpenRead(file);
+        if (input.CanSeek && input.Length > 0) return LargeFile.ReadAllBytes(file);
         using var memory = new MemoryStream();
         input.CopyTo(memory);
         return memory.ToArray();
@@ -78,7 +76,11 @@ internal sealed class Session
     {
         if (file == "-") return new StoppableStream(_input(), Cancel);
         NoFolder(file);
-        return new FileStream(file, FileMode.Open, FileAccess.Read, FileShare.Read, 1, FileOptions.SequentialScan);
+        // A named pipe waits here for its writer.
+        var opened = Task.Run(() => new FileStream(file, FileMode.Open, FileAccess.Read, FileShare.Read, 1, FileOptions.SequentialScan), Cancel);
+        OwnThread.WaitOr(opened, Cancel);
+        var stream = opened.GetAwaiter().GetResult();
+        return stream.CanSeek ? stream : new StoppableStream(stream, Cancel);
     }
 
     /// <summary>The name of an input in messages.</summary>
@@ -111,7 +113,7 @@ internal sealed class Session
     public void WriteText(string file, Action<TextWriter> write) => Write(file, stream =>
     {
         using var writer = new StreamWriter(stream, new UTF8Encoding(false), 1 << 16, leaveOpen: true) { NewLine = "\n" };
-        write(writer);
+        write(file == "-" ? new VisibleText(writer) : writer);
     });
 
     /// <summary>Prints a line of the summary.</summary>
@@ -191,10 +193,10 @@ internal sealed class Session
     public T WithProgress<T>(string label, Func<IProgress<double>?, T> work)
     {
         if (!IsTerminal) return work(null);
-        var console = AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Messages) });
+        var console = AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(_messages) });
         return console.Progress().AutoClear(true).HideCompleted(true)
             .Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new RemainingTimeColumn())
-            .Start(context => work(new Bar(context.AddTask(Markup.Escape(label)))));
+            .Start(context => work(new Bar(context.AddTask(Markup.Escape(LongWords.OneLine(label))))));
     }
 
     private static void NoFolder(string file)
