@@ -22,11 +22,8 @@ internal static class Program
     private static int Run(string[] args)
     {
         using var stop = new CancellationTokenSource();
-        // The first Ctrl-C stops the work cleanly, the second one at once.
-        Console.CancelKeyPress += (_, press) => press.Cancel = Stop(stop);
-        using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, signal => signal.Cancel = Stop(stop));
-        using var hangUp = PosixSignalRegistration.Create(PosixSignal.SIGHUP, signal => signal.Cancel = Stop(stop));
-        using var messages = new StreamWriter(new StandardStream(Console.OpenStandardError(), true), new UTF8Encoding(false)) { AutoFlush = true, NewLine = Environment.NewLine };
+        using var standardError = new StandardStream(Console.OpenStandardError(), true);
+        using var messages = new StreamWriter(standardError, new UTF8Encoding(false)) { AutoFlush = true, NewLine = Environment.NewLine };
         var session = new Session(Console.OpenStandardInput, () => new StandardStream(Console.OpenStandardOutput(), false), messages)
         {
             Cancel = stop.Token,
@@ -34,6 +31,10 @@ internal static class Program
             EnforceMemory = Enforce,
             Profiles = new ProfileLibrary(Path.Combine(Environment.GetFolderPath(Environment.SpecialFolder.ApplicationData), "Caterpillar", "printers")),
         };
+        // The first Ctrl-C stops the work cleanly, the second one at once.
+        Console.CancelKeyPress += (_, press) => press.Cancel = Stop(stop, session);
+        using var terminate = PosixSignalRegistration.Create(PosixSignal.SIGTERM, signal => signal.Cancel = Stop(stop, session));
+        using var hangUp = PosixSignalRegistration.Create(PosixSignal.SIGHUP, signal => signal.Cancel = Stop(stop, session));
         return App.Run(args, session);
     }
 
@@ -44,10 +45,22 @@ internal static class Program
     }
 
     // True for the first request to stop.
-    private static bool Stop(CancellationTokenSource stop)
+    private static bool Stop(CancellationTokenSource stop, Session session)
     {
-        if (stop.IsCancellationRequested) return false;
+        if (stop.IsCancellationRequested)
+        {
+            session.Unfinished.Delete();
+            return false;
+        }
+        new Thread(() => EndSoon(session)) { IsBackground = true }.Start();
         stop.Cancel();
         return true;
+    }
+
+    private static void EndSoon(Session session)
+    {
+        Thread.Sleep(session.Grace);
+        session.Abandon();
+        Environment.Exit(ExitCode.Interrupted);
     }
 }

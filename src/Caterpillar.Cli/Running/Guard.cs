@@ -19,7 +19,7 @@ internal static partial class Guard
         }
         catch (OperationCanceledException)
         {
-            session.Messages.WriteLine("Interrupted. Nothing was written.");
+            session.Messages.WriteLine(Session.Interrupted);
             return ExitCode.Interrupted;
         }
         catch (Exception disk) when (disk is IOException or UnauthorizedAccessException or InvalidDataException)

@@ -12,6 +12,9 @@ internal sealed class Session
     /// <summary>Advice if the memory limit is exceeded.</summary>
     public const string MoreMemory = "Raise the limit, for example with --memory-limit 8GB.";
 
+    /// <summary>The message when the work was canceled.</summary>
+    public const string Interrupted = "Interrupted. Nothing was written.";
+
     /// <summary>Code of the note about words of a file without effect, such as M84.</summary>
     public const string Harmless = "gcode.ignored";
 
@@ -31,6 +34,12 @@ internal sealed class Session
     public TextWriter Messages { get; }
 
     public CancellationToken Cancel { get; init; }
+
+    /// <summary>Time for the work to end by itself when it is canceled.</summary>
+    public TimeSpan Grace { get; set; } = TimeSpan.FromSeconds(0.4);
+
+    /// <summary>Files that are being written.</summary>
+    public UnfinishedFiles Unfinished { get; init; } = new();
 
     /// <summary>Standard error is a terminal, so progress may be drawn.</summary>
     public bool IsTerminal { get; init; }
@@ -105,8 +114,16 @@ internal sealed class Session
         }
         NoFolder(file);
         using var whole = new AtomicFile(file);
-        write(whole.Stream, whole.IsTemporary);
-        whole.Commit();
+        Unfinished.Add(whole);
+        try
+        {
+            write(whole.Stream, whole.IsTemporary);
+            whole.Commit();
+        }
+        finally
+        {
+            Unfinished.Remove(whole);
+        }
     }
 
     /// <summary>Writes text in UTF-8.</summary>
@@ -197,6 +214,15 @@ internal sealed class Session
         return console.Progress().AutoClear(true).HideCompleted(true)
             .Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new RemainingTimeColumn())
             .Start(context => work(new Bar(context.AddTask(Markup.Escape(LongWords.OneLine(label))))));
+    }
+
+    /// <summary>The end of work that does not stop by itself.</summary>
+    public void Abandon()
+    {
+        Unfinished.Delete();
+        // A progress bar hides the cursor.
+        if (IsTerminal) _messages.Write("\u001B[?25h\n");
+        Messages.WriteLine(Interrupted);
     }
 
     private static void NoFolder(string file)

@@ -18,11 +18,13 @@ internal static class PrinterImport
         var footerBytes = footer == "-" ? [] : session.ReadBytes(footer);
         var ending = footer == "-" ? decoded : GCodeDecoder.Decode(footerBytes).Value;
         var footerText = IsPrint(ending) ? EndCode(ending!) : Encoding.UTF8.GetString(footerBytes);
+        var headerText = IsPrint(decoded) ? StartCode(decoded!) : Encoding.UTF8.GetString(headerBytes);
         var imported = session.ValueOrFail(HeaderImport.Read(
-            IsPrint(decoded) ? StartCode(decoded!) : Encoding.UTF8.GetString(headerBytes), footerText, string.IsNullOrWhiteSpace(name)
+            headerText, footerText, string.IsNullOrWhiteSpace(name)
                 || name == "-" ? "imported" : name, similar, Session.NameOf(header), footer == "-" ? "footer" : footer));
         // A file that names its flavor knows better than a similar printer.
-        var printer = decoded is null || decoded.Evidence.Contains(FlavorDetector.NotStated) ? imported.Printer : imported.Printer with { Flavor = decoded.Flavor };
+        var states = decoded is not null && !decoded.Evidence.Contains(FlavorDetector.NotStated);
+        var printer = states ? imported.Printer with { Flavor = decoded!.Flavor } : imported.Printer;
         session.WriteText(output, text => text.Write(ProfileWriter.Write(printer)));
         if (output != "-") session.Say(() => $"{output}: {printer.Title}, {printer.Flavor.Title}");
         if (materialOutput is not null) session.WriteText(materialOutput, text => text.Write(ProfileWriter.Write(imported.Material)));

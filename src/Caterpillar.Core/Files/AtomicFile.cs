@@ -60,6 +60,18 @@ internal sealed class AtomicFile : IDisposable
         _stream = null;
     }
 
+    /// <summary>Removes the temporary file while another thread may still write it.</summary>
+    public void Abandon()
+    {
+        try
+        {
+            if (_temporary is not null) File.Delete(_temporary);
+        }
+        catch (Exception open) when (open is IOException or UnauthorizedAccessException)
+        {
+        }
+    }
+
     public void Dispose()
     {
         if (_stream is null) return;
