@@ -72,6 +72,9 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
     /// <summary>The setup it was planned for, if known.</summary>
     public PrintSetup? Setup { get; private set; }
 
+    /// <summary>The setup with which no check found an error. Null if it was not checked.</summary>
+    public PrintSetup? CheckedWith { get; private set; }
+
     /// <summary>The file that it was decoded from, if any. When it is written again, unedited lines stay byte for byte.</summary>
     public DecodedGCode? DecodedGCode { get; private set; }
 
@@ -81,10 +84,10 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
 
     private ToolpathTotals Totals => _totals ??= ToolpathTotals.Of(Value);
 
-    public override IGH_GeometricGoo DuplicateGeometry() => new ToolpathGoo(this, Value) { _totals = _totals };
+    public override IGH_GeometricGoo DuplicateGeometry() => new ToolpathGoo(this, Value) { _totals = _totals, CheckedWith = CheckedWith };
 
-    /// <summary>The same for another setup.</summary>
-    public ToolpathGoo Planned(PrintSetup setup) => new(this, Value, setup);
+    /// <summary>The same, checked with a setup without an error.</summary>
+    public ToolpathGoo Checked(PrintSetup setup) => new(this, Value, setup) { CheckedWith = setup };
 
     /// <summary>All moves before one, and a part of that move. Made when it is first used.</summary>
     public ToolpathGoo Until(int move, Vec3 position, double done)

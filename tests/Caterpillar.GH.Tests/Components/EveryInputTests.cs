@@ -21,10 +21,10 @@ public sealed class EveryInputTests
     private static readonly HashSet<string> Short = new(StringComparer.Ordinal)
     {
         "BakeToolpathComponent", "ConstructBeadComponent", "ConstructPrinterComponent", "ConstructPrintPathComponent", "ConstructPrintSettingsComponent",
-        "DeconstructPrintPathComponent", "DeconstructSetupComponent", "GCodeTextComponent", "ImportHeaderComponent", "LayerFieldComponent", "MaterialComponent", "PrintSetupComponent",
-        "PrinterComponent",
-        "SaveGCodeComponent", "SubdivideCurveComponent", "TurtleEventComponent", "TurtleExtrusionComponent", "TurtleMoveComponent", "TurtlePenComponent",
-        "TurtleProgramComponent", "TurtleRepeatComponent", "TurtleRotateComponent", "WaitForResultsComponent",
+        "DeconstructPrintPathComponent", "DeconstructSetupComponent", "GCodeTextComponent", "ImportHeaderComponent", "LayerFieldComponent",
+        "MaterialComponent", "PrintSetupComponent", "PrinterComponent", "SaveGCodeComponent", "SubdivideCurveComponent", "TurtleEventComponent",
+        "TurtleExtrusionComponent", "TurtleMoveComponent", "TurtlePenComponent", "TurtleProgramComponent", "TurtleRepeatComponent",
+        "TurtleRotateComponent", "WaitForResultsComponent",
     };
 
     private readonly GH_Document _document = new();
