@@ -112,13 +112,11 @@ internal sealed class CommandCheck
     private string Message(string code, Found[] found)
     {
         var names = CommandLog.Listed(found.Select(Named).ToArray());
-        var title = _printer.Flavor.Title;
         switch (code)
         {
             case CheckCodes.UnknownCommand:
-                return $"Not understood: {names}. What follows is unverified. Declare macros in the key macros of the printer.";
             case CheckCodes.UnverifiedCommand:
-                return $"Not understood by {title}: {names}. What follows is unverified. Declare macros in the key macros of the printer.";
+                return $"Not understood: {names}. What follows is unverified. Declare macros in the key macros of the printer.";
             case CheckCodes.PauseCommand:
                 return $"The print pauses, and the firmware may move, retract and cool: {names}.";
             case CheckCodes.MachineCommand:
@@ -135,7 +133,7 @@ internal sealed class CommandCheck
     private string Named(Found found)
     {
         var line = _findings.PlaceOfEvent(EventOf(found.Place))?.Line ?? found.Place.Line;
-        return found.Used.Name + " (line " + NumberFormatter.Format(line) + (found.Count > 1 ? ", " + NumberFormatter.Format(found.Count) + " times" : "") + ")";
+        return UsedCommand.Named(found.Used.Name, line, found.Count);
     }
 
     private static MoveEvent EventOf(CommandPlace place) => new(place.Move, new CommentEvent("")) { Source = place.Line };

@@ -28,11 +28,10 @@ internal sealed class UsedCommand(string name, FlavorCommand? command)
     }
 
     /// <summary>For example <c>M206 (line 12, 3 times)</c>.</summary>
-    public override string ToString()
-    {
-        var count = _places.Sum(p => p.Count);
-        return name + " (line " + NumberFormatter.Format(_places[0].Line) + (count > 1 ? ", " + NumberFormatter.Format(count) + " times" : "") + ")";
-    }
+    public static string Named(string name, int line, int count)
+        => $"{name} (line {NumberFormatter.Format(line)}{(count > 1 ? ", " + NumberFormatter.Format(count) + " times" : "")})";
+
+    public override string ToString() => Named(name, _places[0].Line, _places.Sum(p => p.Count));
 }
 
 /// <summary>A line of a file, the number of moves before it, and how often the command occurs there.</summary>
