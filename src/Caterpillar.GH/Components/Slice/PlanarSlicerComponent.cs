@@ -13,7 +13,7 @@ namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>Cuts solids into planar layers and fills them.</summary>
 public sealed class PlanarSlicerComponent() : SlicerComponent(
-    "Planar Slicer", "Slice", "Slices solids on the bed (Z = 0) into planar layers and fills them with walls and infill.")
+    "Planar Slicer", "Slice", "Slices solids on the bed (Z = 0) into planar layers and fills them with walls and infill.", GH_Exposure.primary)
 {
     public override Guid ComponentGuid => new("378f4dfe-ec2e-4716-a6dd-c0709743ec9b");
 
