@@ -26,7 +26,7 @@ public abstract class ChosenPortsComponent(string name, string nickname, string 
 
     public bool DestroyParameter(GH_ParameterSide side, int index) => false;
 
-    // Ports are made anew from a file: their choice of radians is stored here.
+    // Reading makes new ports: their choice of radians is stored here.
     public override bool Write(GH_IWriter writer)
     {
         var radians = Params.Input.OfType<Param_Number>().Where(p => p is { AngleParameter: true, UseDegrees: false }).Select(p => p.Name);
