@@ -20,11 +20,12 @@ public sealed class EveryInputTests
     /// <summary>Components without work that could take long.</summary>
     private static readonly HashSet<string> Short = new(StringComparer.Ordinal)
     {
-        "BakeToolpathComponent", "ConstructBeadComponent", "ConstructPrinterComponent", "ConstructPrintPathComponent", "ConstructPrintSettingsComponent",
-        "DeconstructPrintPathComponent", "DeconstructSetupComponent", "GCodeTextComponent", "ImportHeaderComponent", "LayerFieldComponent",
-        "MaterialComponent", "PrintSetupComponent", "PrinterComponent", "SaveGCodeComponent", "SubdivideCurveComponent", "TurtleEventComponent",
-        "TurtleExtrusionComponent", "TurtleMoveComponent", "TurtlePenComponent", "TurtleProgramComponent", "TurtleRepeatComponent",
-        "TurtleRotateComponent", "WaitForResultsComponent",
+        "BakeToolpathComponent", "ConstructBeadComponent", "ConstructPrintPathComponent", "MoveFilterComponent", "PrintSettingsComponent",
+        "DeconstructPrintPathComponent", "DeconstructSetupComponent", "GCodeTextComponent", "ImportHeaderComponent", "LayerFieldComponent", "MaterialComponent",
+        "PrintSetupComponent",
+        "PrinterComponent",
+        "SaveGCodeComponent", "SubdivideCurveComponent", "TurtleEventComponent", "TurtleExtrusionComponent", "TurtleMoveComponent", "TurtlePenComponent",
+        "TurtleProgramComponent", "TurtleRepeatComponent", "TurtleRotateComponent", "WaitForResultsComponent",
     };
 
     private readonly GH_Document _document = new();
