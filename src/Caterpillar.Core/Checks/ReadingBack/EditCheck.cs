@@ -20,8 +20,7 @@ internal static class EditCheck
         var read = PrintCheck.WithVolumes(file.Toolpath, setup);
         var findings = new Findings(setup.Printer, read);
         Compare(edited, read, findings);
-        var checks = PrintCheck.Run(read, setup, CheckScope.OfFile(file, setup), progress, cancel);
-        return [.. findings.ToList(), .. checks];
+        return [.. findings.ToList(), .. PrintCheck.RunFile(file, setup, progress, cancel)];
     }
 
     // Edits may join and divide moves: where their numbers differ, only the sums are compared.

@@ -160,8 +160,7 @@ public static class SafeWriter
         GCodeDocument text, DecodeOptions reading, PrintSetup setup, string? reason, IProgress<double>? progress, CancellationToken cancel)
     {
         var file = GCodeDecoder.Decode(text, reading with { FilamentDiameter = setup.Material.FilamentDiameter }, null, cancel).OrThrow();
-        var read = PrintCheck.WithVolumes(file.Toolpath, setup);
-        var guard = new WriteGuard(PrintCheck.Run(read, setup, CheckScope.OfFile(file, setup), progress, cancel), reason);
+        var guard = new WriteGuard(PrintCheck.RunFile(file, setup, progress, cancel), reason);
         if (guard.Refuses) return (new Result<GCodeDocument>(null, guard.Refusal([])), guard);
         var commented = new Result<GCodeDocument>(text, []);
         if (guard.Overridden > 0)

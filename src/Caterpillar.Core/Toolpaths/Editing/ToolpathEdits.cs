@@ -48,13 +48,14 @@ public static class ToolpathEdits
 
     /// <summary>
     /// Removes the selected moves. Adds a travel move if the head no longer reaches the start of an extrusion. After the cut, each tool is retracted as far as
-    /// before, by E or by the firmware. Events and homing stay.
+    /// before, by E or by the firmware. Events, homing and the moves after the last extrusion of the last layer (end code) stay.
     /// </summary>
     public static Toolpath Remove(this Toolpath toolpath, MoveFilter filter)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (filter is null) throw new ArgumentNullException(nameof(filter));
-        return new MoveRemover(toolpath, move => filter.Matches(toolpath, move)).Run();
+        var end = PrintCut.EndOfPrint(toolpath);
+        return new MoveRemover(toolpath, move => (move.Index < end || end == 0) && filter.Matches(toolpath, move)).Run();
     }
 
     /// <summary>Keeps only the selected moves. See <see cref="Remove"/>.</summary>

@@ -1,0 +1,95 @@
+namespace Caterpillar.Flavors;
+
+/// <summary>Commands of one flavor in the words of another, from <c>Equivalents.tsv</c>.</summary>
+internal static class Equivalents
+{
+    private static readonly Lazy<string[][]> Rows = new(Read);
+
+    /// <summary>A line without comment in the words of another flavor.</summary>
+    /// <returns>The lines, none if the other flavor has no such command, or null if the table does not have the line.</returns>
+    public static IReadOnlyList<string>? Of(string line, string from, string to)
+    {
+        var names = Rows.Value[0];
+        var (a, b) = (Array.IndexOf(names, from), Array.IndexOf(names, to));
+        if (a < 0) return null;
+        var words = Words(line);
+        foreach (var row in Rows.Value.Skip(1))
+        {
+            if (row[a] == "-" || Match(Words(row[a]), words) is not { } values) continue;
+            return b < 0 || row[b] == "-" ? [] : [.. row[b].Split('&').Select(cell => Fill(cell.Trim(), values)).Where(filled => filled.Length > 0)];
+        }
+        return null;
+    }
+
+    // The command, then the words with their keys: a letter, or a name with an equals sign.
+    private static List<(string Key, string Value)> Words(string line)
+    {
+        var parts = line.Split([' '], StringSplitOptions.RemoveEmptyEntries);
+        var words = new List<(string, string)> { (parts.Length > 0 ? parts[0].ToUpperInvariant() : "", parts.Length > 1 ? line.Substring(line.IndexOf(' ')).Trim() : "") };
+        foreach (var part in parts.Skip(1))
+        {
+            var equals = part.IndexOf('=');
+            words.Add(equals > 0 ? (part.Substring(0, equals).ToUpperInvariant(), part.Substring(equals + 1)) : (part.Substring(0, 1).ToUpperInvariant(), part.Substring(1)));
+        }
+        return words;
+    }
+
+    // The values in braces; null if the line is another one.
+    private static Dictionary<string, string>? Match(List<(string Key, string Value)> cell, List<(string Key, string Value)> line)
+    {
+        if (cell[0].Key != line[0].Key) return null;
+        var values = new Dictionary<string, string>(StringComparer.Ordinal);
+        foreach (var (key, value) in cell.Skip(1))
+        {
+            var says = key == "{" ? line[0].Value : line.Skip(1).FirstOrDefault(w => w.Key == key).Value;
+            var brace = (key == "{" ? "{" : "") + value;
+            if (brace[0] != '{')
+            {
+                if (!string.Equals(says, brace, StringComparison.OrdinalIgnoreCase)) return null;
+                continue;
+            }
+            if (says is null) continue;
+            var (name, factor) = Name(brace);
+            values[name] = factor == 1 ? says : NumberReader.TryParse(says, out var number) ? NumberFormatter.Format(number * factor, 5) : says;
+        }
+        return values.Count > 0 || cell.Count == 1 || cell.Skip(1).All(w => w.Value.IndexOf('{') < 0 && w.Key != "{") ? values : null;
+    }
+
+    // Words whose values the line does not have are left out; without any value nothing is left.
+    private static string Fill(string cell, Dictionary<string, string> values)
+    {
+        var filled = new List<string>();
+        var (has, lacks) = (false, false);
+        foreach (var part in cell.Split(' '))
+        {
+            var open = part.IndexOf('{');
+            if (open < 0)
+            {
+                filled.Add(part);
+                continue;
+            }
+            var (name, factor) = Name(part.Substring(open));
+            if (!values.TryGetValue(name, out var value))
+            {
+                lacks = true;
+                continue;
+            }
+            has = true;
+            filled.Add(part.Substring(0, open) + (factor == 1 ? value : NumberReader.TryParse(value, out var n) ? NumberFormatter.Format(n / factor, 5) : value));
+        }
+        return lacks && !has ? "" : string.Join(" ", filled);
+    }
+
+    private static (string Name, double Factor) Name(string brace)
+    {
+        var parts = brace.Trim('{', '}').Split('*');
+        return (parts[0], parts.Length > 1 && NumberReader.TryParse(parts[1], out var factor) ? factor : 1);
+    }
+
+    private static string[][] Read()
+    {
+        using var stream = typeof(Equivalents).Assembly.GetManifestResourceStream("flavors/Equivalents.tsv")!;
+        using var reader = new StreamReader(stream);
+        return [.. reader.ReadToEnd().Split(['\r', '\n'], StringSplitOptions.RemoveEmptyEntries).Where(l => l[0] != '#').Select(l => l.Split('\t'))];
+    }
+}

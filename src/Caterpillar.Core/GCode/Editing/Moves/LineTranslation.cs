@@ -1,0 +1,108 @@
+using Caterpillar.Flavors;
+using Caterpillar.Toolpaths;
+
+namespace Caterpillar.GCode;
+
+/// <summary>
+/// Lines that the target of a conversion does not know, or reads in another sense: in its own words if it has any, otherwise left out and counted. The file must
+/// home and heat after that, too.
+/// </summary>
+internal sealed class LineTranslation
+{
+    private const int MaxShown = 12;
+    private readonly SpliceContext _context;
+    private readonly FlavorRules _from;
+    private readonly FlavorCommands _known;
+    private readonly FlavorCommands _read;
+    private readonly FlavorCommands _usual = FlavorCommands.Of(FlavorTable.Marlin2);
+    private readonly ObjectMarks _objects;
+    private readonly SortedDictionary<string, int> _lost = new(StringComparer.Ordinal);
+    private readonly SortedDictionary<int, double> _nozzles = [];
+    private double _bed = double.NaN;
+    private int _losesStart;
+    private bool _homes;
+    private bool _heats;
+    private bool _isPrinting;
+    private readonly int _firstPrint;
+
+    public LineTranslation(SpliceContext context)
+    {
+        (_context, _from) = (context, context.Decoding.Flavor);
+        (_read, _known) = (FlavorCommands.Of(_from), FlavorCommands.Of(context.Rules));
+        _objects = new ObjectMarks(_from, context.Rules);
+        _firstPrint = context.Decoding.FirstPrintLine;
+    }
+
+    /// <summary>True if the target does not read the current line as the file's firmware does.</summary>
+    public bool IsForeign(FileLine line)
+    {
+        Watch();
+        var text = new CommandText(line.Text, _context.Line.CodeStart, _context.Line.CodeEnd);
+        var there = _known.Find(text);
+        var here = _read.Find(text);
+        return there is not { IsKnown: true } || (here is { IsKnown: true } && (here.Class != there.Class || (here.Class == CommandClass.Object && _objects.Changes)));
+    }
+
+    /// <summary>The current line in the words of the target, perhaps none.</summary>
+    public IReadOnlyList<string> Lines(FileLine line)
+    {
+        var code = TextEncoding.Decode(line.Text, _context.Line.CodeStart, _context.Line.CodeEnd).Trim();
+        var here = _read.Find(new CommandText(line.Text, _context.Line.CodeStart, _context.Line.CodeEnd));
+        if (here?.Class == CommandClass.Object) return Counted(_objects.Lines(code), code, here);
+        var events = _context.Read.LastEvents.SelectMany(e => EventText.Lines(e.Event, _context.Rules)).Where(Says).ToArray();
+        if (events.Length > 0) return events;
+        if (here is { Class: CommandClass.Heat, Effect: var effect } && effect.StartsWith("waits for the temperatures", StringComparison.Ordinal)) return Waits().Where(Says).ToArray();
+        return Counted((Equivalents.Of(code, _from.Name, _context.Rules.Name) ?? []).Where(Says).ToArray(), code, here);
+    }
+
+    /// <summary>Reports what is left out, and whether the file still homes and heats.</summary>
+    public void Report()
+    {
+        if (_lost.Count > 0)
+        {
+            var names = string.Join(", ", _lost.Take(MaxShown).Select(p => $"{p.Key} ({NumberFormatter.Format(p.Value)})"));
+            if (_lost.Count > MaxShown) names += $" and {NumberFormatter.Format(_lost.Count - MaxShown)} more";
+            var count = _lost.Values.Sum();
+            _context.Diagnostics.Add(Severity.Warning, "gcode.commands_lost",
+                $"{_context.Rules.Title} has no equivalent of {names}. They are left out.", count: count);
+        }
+        if (_losesStart == 0 || (_homes && _heats)) return;
+        var lacks = _homes ? "heats" : _heats ? "homes" : "homes and heats";
+        _context.Diagnostics.Add(Severity.Error, "gcode.start_lost",
+            $"In {_context.Rules.Title}, nothing {lacks} before the print. Give start G-code for this printer (--start-gcode).", new SourceLocation(Line: _losesStart));
+    }
+
+    // What homes and heats before the first extrusion.
+    private void Watch()
+    {
+        if (_isPrinting) return;
+        foreach (var entry in _context.Read.LastEvents)
+        {
+            _homes |= entry.Event is HomeEvent;
+            if (entry.Event is NozzleTemperatureEvent { Celsius: > 0 } nozzle) (_heats, _nozzles[nozzle.Tool ?? -1]) = (true, nozzle.Celsius);
+            if (entry.Event is BedTemperatureEvent bed) _bed = bed.Celsius;
+        }
+        _isPrinting = _context.Number > _firstPrint;
+    }
+
+    private IEnumerable<string> Waits()
+    {
+        List<PrinterEvent> waits = [.. _nozzles.Select(n => new NozzleTemperatureEvent(n.Value, true, n.Key < 0 ? null : n.Key))];
+        if (_bed > 0) waits.Insert(0, new BedTemperatureEvent(_bed, true));
+        return waits.SelectMany(w => EventText.Lines(w, _context.Rules));
+    }
+
+    // Whether the target reads one of our lines in the sense of most firmwares.
+    private bool Says(string line) => _known.Find(line) is { IsKnown: true } there && (_usual.Find(line) is not { } usual || usual.Class == there.Class);
+
+    private IReadOnlyList<string> Counted(IReadOnlyList<string> lines, string code, FlavorCommand? here)
+    {
+        if (lines.Count > 0 || here?.Class == CommandClass.Object) return lines;
+        var name = code.Split(' ')[0].ToUpperInvariant();
+        _lost[name] = _lost.TryGetValue(name, out var count) ? count + 1 : 1;
+        // An unknown name may be a macro.
+        if (!_isPrinting && _losesStart == 0 && (here is null ? name.Length > 5 && char.IsLetter(name[1]) : here.Class is CommandClass.Home or CommandClass.Heat or CommandClass.Flow))
+            _losesStart = _context.Number;
+        return lines;
+    }
+}
