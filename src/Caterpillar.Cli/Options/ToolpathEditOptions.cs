@@ -17,7 +17,8 @@ internal sealed class ToolpathEditOptions
     private readonly Described<string?> _deform = new("--deform", "Deform the selection: formulas for the new x, y, z from the old, in mm.", "FORMULAS");
     private readonly Described<string?> _axis = new("--axis", "With --deform: vertical axis for formulas in r, theta (degrees) and z.", "X,Y|center");
     private readonly Described<bool> _remove = new("--remove", "Remove the selection.");
-    private readonly Described<double?> _below = new("--keep-below", "Keep the lower part of the print: layers up to this height, a lift and the end code.", "Z");
+    private readonly Described<double?> _below = new("--keep-below",
+        "Keep the lower part of the print: layers up to this height, a lift and the end code.", "Z");
     private readonly Described<double?> _above = new("--keep-above",
         "Keep the upper part of the print, which continues on a part of this height on the bed. The nozzle must touch its top before the start.", "Z");
 

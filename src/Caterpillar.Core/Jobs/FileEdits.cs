@@ -74,8 +74,8 @@ public sealed record FileEdits
         if (FitArcs is not null) toolpath = toolpath.FitArcs(FitArcs);
         if ((Remove || Move is not null) && Hanging(original) is null && Hanging(toolpath) is { } layer)
             found.Add(new Diagnostic(Severity.Warning, "edit.in_the_air", $"Layer {NumberFormatter.Format(layer.Index)} begins at Z "
-                + $"{NumberFormatter.Format(layer.Z - layer.Thickness, 3)} mm, with nothing below it. To continue on a part that stands there, keep the layers above a "
-                + "height (--keep-above). Otherwise move the print down."));
+                + $"{NumberFormatter.Format(layer.Z - layer.Thickness, 3)} mm, with nothing below it. To continue on a part that stands there, keep the "
+                + "layers above a height (--keep-above). Otherwise move the print down."));
         return new Result<Toolpath>(toolpath, found);
     }
 

@@ -86,8 +86,8 @@ public sealed record FileJob
         if (start.Value is not { } lines) return new Result<FileJob>(null, start.Diagnostics);
         var job = WithCut(at.Upper(), new LineCut(1, at.Lines.Upper - 1, lines, false, at.SafeHeight, true));
         return new Result<FileJob>(job, Code.Start is not null ? [] : [new Diagnostic(Severity.Note, "cut.place_nozzle",
-            $"Before the upper half starts, lower the nozzle until it touches the lower half at Z {NumberFormatter.Format(at.Height, 3)} mm. The file homes only X and Y."
-            + File.Flavor.HeightNeeds)]);
+            $"Before the upper half starts, lower the nozzle until it touches the lower half at Z {NumberFormatter.Format(at.Height, 3)} mm. "
+            + "The file homes only X and Y." + File.Flavor.HeightNeeds)]);
     }
 
     private FileJob WithCut(Toolpath toolpath, LineCut cut) => this with { Toolpath = toolpath, Code = Code with { Cuts = [.. Code.Cuts, cut] } };
@@ -128,7 +128,7 @@ public sealed record FileJob
         if (IsChanged && setup is null && !BinaryGCode.IsName(name))
         {
             using var counted = new CountingStream(stream);
-            var problems = new Result<WrittenGCode>(null, Target is { } target ? GCodeConverter.Convert(file, target, counted, rest, cancel)
+            var problems = new Result<WrittenGCode>(null, Target is { } target ? GCodeConverter.Convert(file, target, Code, counted, rest, cancel)
                 : GCodeEditor.Write(file, Toolpath, Code, counted, rest, cancel));
             return Written(problems.HasErrors ? null : new WrittenGCode(counted.Bytes, counted.Lines, 0), source.Diagnostics, problems.Diagnostics);
         }
@@ -145,7 +145,7 @@ public sealed record FileJob
         // If there are only edits, they are compared with the output.
         if (setup is not null && IsEdited && Target is null && !HasOwnCode) return SafeWriter.Edited(file, Toolpath, setup, reason, null, progress, cancel);
         var text = !IsChanged ? new Result<GCodeDocument>(file.Document, []) : Target is null
-            ? GCodeEditor.ToDocument(file, Toolpath, Code, progress, cancel) : GCodeConverter.ToDocument(file, Target, progress.Part(0, 0.6), cancel);
+            ? GCodeEditor.ToDocument(file, Toolpath, Code, progress, cancel) : GCodeConverter.ToDocument(file, Target, Code, progress.Part(0, 0.6), cancel);
         if (setup is null || text.Value is null) return (text, null);
         var (document, guard) = SafeWriter.Check(text.Value, _reading with { Flavor = Flavor }, setup, reason, progress.Part(0.6, 1), cancel);
         return (new Result<GCodeDocument>(document.Value, [.. text.Diagnostics, .. document.Diagnostics]), guard);
@@ -159,7 +159,7 @@ public sealed record FileJob
         {
             if (what.Event is ToolEvent { Tool: var tool } && tool >= count)
                 return new Diagnostic(Severity.Error, CheckCodes.Tool, $"The edit uses tool {NumberFormatter.Format(tool)}, but the file has only "
-                    + (count == 1 ? "tool 0" : $"tools 0 to {NumberFormatter.Format(count - 1)}") + ". Choose a printer that has it, so that the result is checked.");
+                    + (count == 1 ? "tool 0" : $"tools 0 to {NumberFormatter.Format(count - 1)}") + ". Choose a printer with this tool (--printer).");
         }
         return null;
     }
@@ -173,8 +173,8 @@ public sealed record FileJob
     // The file to convert, with the lines of the edited text, or else the file as it was read.
     private Result<DecodedGCode> Edited(IProgress<double>? progress, CancellationToken cancel)
     {
-        if (Target is null || !IsEdited) return new Result<DecodedGCode>(File, []);
-        var edited = GCodeEditor.ToDocument(File, Toolpath, Code, progress, cancel);
+        if (Target is null || ReferenceEquals(Toolpath, File.Toolpath)) return new Result<DecodedGCode>(File, []);
+        var edited = GCodeEditor.ToDocument(File, Toolpath, Code with { Start = null, End = null }, progress, cancel);
         return new Result<DecodedGCode>(
             edited.Value is { } text ? GCodeDecoder.Decode(text, _reading with { Flavor = File.Flavor }, null, cancel).Value : null, edited.Diagnostics);
     }

@@ -71,6 +71,7 @@ internal static class RoundTrips
             RetractionLength = flavor.FirmwareRetraction || !decoding.Flavor.FirmwareRetraction ? null : options.RetractionLength,
             Tools = flavor.ToolLimit > 0,
             Fan = flavor.Fan,
+            Target = flavor.Name == decoding.Flavor.Name ? null : flavor,
             Amounts = decoding.Axis.HasAmounts && flavor.ExtruderLetters.Length > 0,
             EFactors = Factors(decoding, back, options),
         };

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Caterpillar.Basics;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Jobs;
@@ -46,6 +47,7 @@ public class EditSafetyTests
         for (var round = Rounds.Of(quick: 1, full: 4, onMono: 1); round > 0; round--)
         {
             var z = Height(job, random);
+            var standing = job.Toolpath.UsedLayers().Where(l => l.Z <= z).Max(l => l.Z);
             var lower = job.KeepBelow(z);
             if (Sequential.Any(name.StartsWith))
             {
@@ -57,9 +59,8 @@ public class EditSafetyTests
             if (job.File.Flavor.StatesHeight is null)
             {
                 Assert.That(upper.Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "cut.no_start" }));
-                upper = (job with { Code = new EditOptions { Start = ["M109 S200", "G28 X0 Y0"] } }).KeepAbove(z);
+                upper = (job with { Code = new EditOptions { Start = ["G92 Z" + NumberFormatter.Format(standing, 3), "G91", "G1 Z5", "G90", "M109 S200", "G28 X0 Y0"] } }).KeepAbove(z);
             }
-            var standing = job.Toolpath.UsedLayers().Where(l => l.Z <= z).Max(l => l.Z);
             var above = Watch(Bytes(upper.OrThrow()), job, standing);
             var what = $"{name}, {z}";
             Assert.That(below.Alarms.Except(whole.Alarms), Is.Empty, what);

@@ -25,11 +25,11 @@ internal static class Equivalents
     private static List<(string Key, string Value)> Words(string line)
     {
         var parts = line.Split([' '], StringSplitOptions.RemoveEmptyEntries);
-        var words = new List<(string, string)> { (parts.Length > 0 ? parts[0].ToUpperInvariant() : "", parts.Length > 1 ? line.Substring(line.IndexOf(' ')).Trim() : "") };
+        var words = new List<(string, string)> { (parts[0].ToUpperInvariant(), parts.Length > 1 ? line.Substring(line.IndexOf(' ')).Trim() : "") };
         foreach (var part in parts.Skip(1))
         {
             var equals = part.IndexOf('=');
-            words.Add(equals > 0 ? (part.Substring(0, equals).ToUpperInvariant(), part.Substring(equals + 1)) : (part.Substring(0, 1).ToUpperInvariant(), part.Substring(1)));
+            words.Add((part.Substring(0, Math.Max(equals, 1)).ToUpperInvariant(), part.Substring(Math.Max(equals, 0) + 1)));
         }
         return words;
     }
@@ -50,7 +50,7 @@ internal static class Equivalents
             }
             if (says is null) continue;
             var (name, factor) = Name(brace);
-            values[name] = factor == 1 ? says : NumberReader.TryParse(says, out var number) ? NumberFormatter.Format(number * factor, 5) : says;
+            values[name] = Times(says, factor);
         }
         return values.Count > 0 || cell.Count == 1 || cell.Skip(1).All(w => w.Value.IndexOf('{') < 0 && w.Key != "{") ? values : null;
     }
@@ -75,10 +75,13 @@ internal static class Equivalents
                 continue;
             }
             has = true;
-            filled.Add(part.Substring(0, open) + (factor == 1 ? value : NumberReader.TryParse(value, out var n) ? NumberFormatter.Format(n / factor, 5) : value));
+            filled.Add(part.Substring(0, open) + Times(value, 1 / factor));
         }
         return lacks && !has ? "" : string.Join(" ", filled);
     }
+
+    private static string Times(string value, double factor)
+        => factor != 1 && NumberReader.TryParse(value, out var number) ? NumberFormatter.Format(number * factor, 5) : value;
 
     private static (string Name, double Factor) Name(string brace)
     {

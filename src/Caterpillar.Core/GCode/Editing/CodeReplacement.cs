@@ -22,7 +22,8 @@ internal sealed class CodeReplacement
     /// <summary>True if lines are replaced.</summary>
     public bool Changes => _cuts.Count > 0;
 
-    public bool Keeps(int line) => CutOf(line) is null;
+    /// <summary>True for lines that are neither left out nor the first after such lines.</summary>
+    public bool IsOutside(int line) => CutOf(line) is null && CutOf(line - 1) is null && !_cuts.Exists(c => c.Last == line - 1);
 
     /// <summary>The cut that leaves out a line, or null.</summary>
     public LineCut? CutOf(int line)
@@ -86,20 +87,22 @@ internal sealed class CodeReplacement
     {
         var expected = _context.Read.State;
         var written = _context.Written.State;
-        if (expected.Modes.Inches != written.Modes.Inches) _context.Command(expected.Modes.Inches ? "G20" : "G21");
+        if (expected.Modes.Inches != written.Modes.Inches && _context.Target is not { Millimeters: true })
+            _context.Command(expected.Modes.Inches ? "G20" : "G21");
         if (expected.Tool != written.Tool) _context.Event(new ToolEvent(expected.Tool));
         if (expected.Modes.Plane != written.Modes.Plane) _context.Command("G" + NumberFormatter.Format(17 + (int)expected.Modes.Plane));
         if (cut.Moves || cut.Height > written.Head.Machine.Z) WriteMoves(cut, expected, written);
         if (cut.Lines.Count > 0 || expected.Modes.Relative != written.Modes.Relative) _context.Command(expected.Modes.Relative ? "G91" : "G90");
-        if (_context.Extruder != 0) WriteModeOfE(cut, expected);
+        // A conversion states E itself.
+        if (_context.Extruder != 0 && _context.Target is null) WriteModeOfE(cut, expected);
         if (cut.Moves && expected.Feed.Rate > 0 && expected.Feed.Rate != written.Feed.Rate)
-            _context.Command("G1", 'F', expected.Feed.Rate / expected.Modes.Unit, _context.Style.DecimalsF);
+            _context.Command("G1", 'F', expected.Feed.Rate / _context.Unit, _context.Style.DecimalsF);
     }
 
     // Up before across, across before down.
     private void WriteMoves(LineCut cut, InterpreterState expected, InterpreterState written)
     {
-        var unit = expected.Modes.Unit;
+        var unit = _context.Unit;
         var shift = written.Head.Shift;
         if (written.Modes.Relative) _context.Command("G90");
         if (!cut.Moves)

@@ -5,8 +5,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Start code for the upper half of a cut file, which is printed on the lower half: the comments and settings of the file, then the height of the nozzle, homing
-/// of X and Y only, heating and priming above the lower half.
+/// Start code for the upper half of a cut file, which is printed on the lower half: the comments and settings of the file, then the height of the nozzle,
+/// homing of X and Y only, heating and priming above the lower half.
 /// </summary>
 internal sealed class Continuation(DecodedGCode file, PrintCut cut)
 {

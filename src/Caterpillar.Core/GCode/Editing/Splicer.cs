@@ -40,13 +40,13 @@ internal sealed class Splicer
         _comments = new CommentBuffer(_context);
         _flavor = new FlavorComments(decoding, target);
         _scale = new CommentScale(decoding.Toolpath, edited);
-        _figures = new PartFigures(decoding.Toolpath, edited);
+        _figures = new PartFigures(decoding.Toolpath, edited, options.Cuts.Count > 0);
         _code = new CodeReplacement(_context, options, plan, _figures);
         if (_scale.ChangesLayers || _figures.IsActive) plan.Touch(1, int.MaxValue);
         var conversion = new MoveConversion(_context);
         _moves = new MoveWriter(_context, conversion, options.RewriteAll);
-        _plain = new PlainMoves(_context, _tasks, _comments, _moves, options.RewriteAll || _code.Changes || options.GeneralPath);
-        _others = new OtherLines(_context, conversion);
+        _plain = new PlainMoves(_context, _tasks, _comments, _moves, options.RewriteAll || options.GeneralPath);
+        _others = new OtherLines(_context, conversion, options.Start is not null);
         if (options.RewriteAll) plan.Touch(1, int.MaxValue);
     }
 
@@ -153,7 +153,8 @@ internal sealed class Splicer
             ref var record = ref records[i];
             var next = i + 1 < parsed.Count ? records[i + 1].Start : end;
             _context.Number = before + i + 1;
-            if (places[i].Count > 0 && _plain.IsReady && _plain.Write(record, places[i], text, next, before + i + 1)) continue;
+            if (places[i].Count > 0 && _plain.IsReady && (!_code.Changes || _code.IsOutside(before + i + 1))
+                && _plain.Write(record, places[i], text, next, before + i + 1)) continue;
             WriteLine(new FileLine(text, record.Start, record.Op <= 1 ? LineEnds.Find(text, record.Start, next) : record.Aux, next));
             _plain.Refresh();
         }

@@ -102,7 +102,8 @@ internal sealed class PrintCut
         Copy(editor, _printEnd, _toolpath.Count, height);
         var shift = _lowerEnd - _printEnd + (retracts ? 3 : 2);
         var lines = Lines;
-        var events = _toolpath.Events.Where(e => e.Source < 0 ? e.Move < _lowerEnd || e.Move > _printEnd : e.Source <= lines.LowerEnd || e.Source > lines.PrintEnd)
+        var events = _toolpath.Events
+            .Where(e => e.Source < 0 ? e.Move < _lowerEnd || e.Move > _printEnd : e.Source <= lines.LowerEnd || e.Source > lines.PrintEnd)
             .Select(e => e.Move <= _lowerEnd ? e : e with { Move = e.Move + shift });
         return _toolpath.WithBlocks([.. _toolpath.Blocks.Take(block), .. editor.ToBlocks()], events);
     }
@@ -134,8 +135,8 @@ internal sealed class PrintCut
             var (c, i) = (_toolpath.Blocks[block].Columns, number - _toolpath.FirstOf(block));
             if (_toolpath.HomeOf(move) is { Z: true }) height = double.NegativeInfinity;
             editor.From(c, i);
-            editor.Add(move.End.WithZ(Math.Max(move.End.Z, height)), move.E, move.Deposited, move.Speed, move.Kind, move.Role, move.Layer, move.Tool, move.Source,
-                move.Arc);
+            var end = move.End.WithZ(Math.Max(move.End.Z, height));
+            editor.Add(end, move.E, move.Deposited, move.Speed, move.Kind, move.Role, move.Layer, move.Tool, move.Source, move.Arc);
             editor.Turn(c, i);
         }
     }

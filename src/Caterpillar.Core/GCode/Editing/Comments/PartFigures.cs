@@ -36,7 +36,10 @@ internal sealed class PartFigures
     private readonly Clock _before;
     private readonly Clock _after;
 
-    public PartFigures(Toolpath before, Toolpath after)
+    /// <param name="before">The toolpath of the file.</param>
+    /// <param name="after">The edited toolpath.</param>
+    /// <param name="counts">True to count the layers of the part anew. Otherwise they keep their numbers.</param>
+    public PartFigures(Toolpath before, Toolpath after, bool counts)
     {
         (_before, _after) = (new Clock(before), new Clock(after));
         if (ReferenceEquals(before, after)) return;
@@ -44,8 +47,8 @@ internal sealed class PartFigures
         IsActive = now.Count > 0 && now.Count < old.Count;
         if (!IsActive) return;
         // Rafts have numbers below 0.
-        (_oldFirst, _first) = (old[0], now[0] > old[0] ? Math.Max(old[0], 0) : old[0]);
-        for (var i = 0; i < now.Count; i++) _numbers[now[i]] = _first + i;
+        (_oldFirst, _first) = (old[0], counts && now[0] > old[0] ? Math.Max(old[0], 0) : old[0]);
+        for (var i = 0; i < now.Count; i++) _numbers[now[i]] = counts ? _first + i : now[i];
         _filament = ToolpathTotals.Of(after).DepositedE / ToolpathTotals.Of(before).DepositedE;
         _top = after.UsedLayers().Max(l => l.Z);
     }

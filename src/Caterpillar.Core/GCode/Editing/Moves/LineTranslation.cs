@@ -4,8 +4,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Lines that the target of a conversion does not know, or reads in another sense: in its own words if it has any, otherwise left out and counted. The file must
-/// home and heat after that, too.
+/// Lines that the target of a conversion does not know, or reads in another sense: in its own words if it has any, otherwise left out and counted. The file
+/// must home and heat after that, too.
 /// </summary>
 internal sealed class LineTranslation
 {
@@ -19,16 +19,21 @@ internal sealed class LineTranslation
     private readonly SortedDictionary<string, int> _lost = new(StringComparer.Ordinal);
     private readonly SortedDictionary<int, double> _nozzles = [];
     private double _bed = double.NaN;
-    private int _losesStart;
+    private int _lostHoming;
+    private int _lostHeat;
     private bool _homes;
     private bool _heats;
-    private bool _isPrinting;
     private readonly int _firstPrint;
 
-    public LineTranslation(SpliceContext context)
+    /// <param name="context">The conversion.</param>
+    /// <param name="hasStart">True if there is new start G-code, which homes and heats.</param>
+    public LineTranslation(SpliceContext context, bool hasStart)
     {
+        _homes = _heats = hasStart;
         (_context, _from) = (context, context.Decoding.Flavor);
-        (_read, _known) = (FlavorCommands.Of(_from), FlavorCommands.Of(context.Rules));
+        // The neutral flavor has all meanings.
+        _read = FlavorCommands.Of(_from.Name == FlavorTable.Slicer.Name ? FlavorTable.Marlin2 : _from);
+        _known = FlavorCommands.Of(context.Rules);
         _objects = new ObjectMarks(_from, context.Rules);
         _firstPrint = context.Decoding.FirstPrintLine;
     }
@@ -36,11 +41,11 @@ internal sealed class LineTranslation
     /// <summary>True if the target does not read the current line as the file's firmware does.</summary>
     public bool IsForeign(FileLine line)
     {
-        Watch();
         var text = new CommandText(line.Text, _context.Line.CodeStart, _context.Line.CodeEnd);
         var there = _known.Find(text);
         var here = _read.Find(text);
-        return there is not { IsKnown: true } || (here is { IsKnown: true } && (here.Class != there.Class || (here.Class == CommandClass.Object && _objects.Changes)));
+        if (there is not { IsKnown: true }) return true;
+        return here is { IsKnown: true } && (here.Class != there.Class || (here.Class == CommandClass.Object && _objects.Changes));
     }
 
     /// <summary>The current line in the words of the target, perhaps none.</summary>
@@ -49,9 +54,10 @@ internal sealed class LineTranslation
         var code = TextEncoding.Decode(line.Text, _context.Line.CodeStart, _context.Line.CodeEnd).Trim();
         var here = _read.Find(new CommandText(line.Text, _context.Line.CodeStart, _context.Line.CodeEnd));
         if (here?.Class == CommandClass.Object) return Counted(_objects.Lines(code), code, here);
-        var events = _context.Read.LastEvents.SelectMany(e => EventText.Lines(e.Event, _context.Rules)).Where(Says).ToArray();
+        var events = _context.Read.LastEvents
+            .SelectMany(e => EventText.Lines(e.Event, _context.Rules).Where(l => Says(l) || (e.Event is HomeEvent && Knows(l)))).ToArray();
         if (events.Length > 0) return events;
-        if (here is { Class: CommandClass.Heat, Effect: var effect } && effect.StartsWith("waits for the temperatures", StringComparison.Ordinal)) return Waits().Where(Says).ToArray();
+        if (here is { Class: CommandClass.Heat, Name: "M116" }) return Waits().Where(Says).ToArray();
         return Counted((Equivalents.Of(code, _from.Name, _context.Rules.Name) ?? []).Where(Says).ToArray(), code, here);
     }
 
@@ -66,23 +72,27 @@ internal sealed class LineTranslation
             _context.Diagnostics.Add(Severity.Warning, "gcode.commands_lost",
                 $"{_context.Rules.Title} has no equivalent of {names}. They are left out.", count: count);
         }
-        if (_losesStart == 0 || (_homes && _heats)) return;
-        var lacks = _homes ? "heats" : _heats ? "homes" : "homes and heats";
+        var lacks = (_lostHoming > 0 && !_homes ? "homes" : "") + (_lostHeat > 0 && !_heats && _context.Axis.HasAmounts ? " heats" : "");
+        if (lacks.Length == 0) return;
         _context.Diagnostics.Add(Severity.Error, "gcode.start_lost",
-            $"In {_context.Rules.Title}, nothing {lacks} before the print. Give start G-code for this printer (--start-gcode).", new SourceLocation(Line: _losesStart));
+            $"In {_context.Rules.Title}, nothing {lacks.Trim().Replace(" ", " and ")} before the print. Give start G-code for this printer (--start-gcode).",
+            new SourceLocation(Line: Math.Max(_lostHoming, _lostHeat)));
     }
 
-    // What homes and heats before the first extrusion.
-    private void Watch()
+    /// <summary>Takes what the line that was written last does before the first extrusion.</summary>
+    public void Watch()
     {
-        if (_isPrinting) return;
-        foreach (var entry in _context.Read.LastEvents)
+        if (_context.Number > _firstPrint) return;
+        foreach (var entry in _context.Written.LastEvents)
         {
             _homes |= entry.Event is HomeEvent;
-            if (entry.Event is NozzleTemperatureEvent { Celsius: > 0 } nozzle) (_heats, _nozzles[nozzle.Tool ?? -1]) = (true, nozzle.Celsius);
+            _heats |= entry.Event is NozzleTemperatureEvent { Celsius: > 0 };
+        }
+        foreach (var entry in _context.Read.LastEvents)
+        {
+            if (entry.Event is NozzleTemperatureEvent nozzle) _nozzles[nozzle.Tool ?? -1] = nozzle.Celsius;
             if (entry.Event is BedTemperatureEvent bed) _bed = bed.Celsius;
         }
-        _isPrinting = _context.Number > _firstPrint;
     }
 
     private IEnumerable<string> Waits()
@@ -93,16 +103,22 @@ internal sealed class LineTranslation
     }
 
     // Whether the target reads one of our lines in the sense of most firmwares.
-    private bool Says(string line) => _known.Find(line) is { IsKnown: true } there && (_usual.Find(line) is not { } usual || usual.Class == there.Class);
+    private bool Says(string line) => Knows(line) && (_usual.Find(line) is not { } usual || usual.Class == _known.Find(line)!.Class);
+
+    private bool Knows(string line) => _known.Find(line) is { IsKnown: true };
 
     private IReadOnlyList<string> Counted(IReadOnlyList<string> lines, string code, FlavorCommand? here)
     {
-        if (lines.Count > 0 || here?.Class == CommandClass.Object) return lines;
+        // What the decoder follows is in the moves.
+        var isInMoves = here is { Use: CommandUse.Tracked, Class: CommandClass.Position or CommandClass.Flow or CommandClass.Mode or CommandClass.Motion };
+        if (lines.Count > 0 || isInMoves || here?.Class == CommandClass.Object) return lines;
         var name = code.Split(' ')[0].ToUpperInvariant();
         _lost[name] = _lost.TryGetValue(name, out var count) ? count + 1 : 1;
-        // An unknown name may be a macro.
-        if (!_isPrinting && _losesStart == 0 && (here is null ? name.Length > 5 && char.IsLetter(name[1]) : here.Class is CommandClass.Home or CommandClass.Heat or CommandClass.Flow))
-            _losesStart = _context.Number;
+        if (_context.Number >= _firstPrint) return lines;
+        // A macro, which may do both.
+        var isMacro = here is { Class: CommandClass.Flow } || (here is null && name.Length > 5 && char.IsLetter(name[1]));
+        if (isMacro || here?.Class == CommandClass.Home) _lostHoming = _context.Number;
+        if (isMacro || here?.Class == CommandClass.Heat) _lostHeat = _context.Number;
         return lines;
     }
 }

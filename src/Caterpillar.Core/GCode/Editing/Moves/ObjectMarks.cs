@@ -6,7 +6,8 @@ namespace Caterpillar.GCode;
 /// <summary>Marks of objects in another notation: EXCLUDE_OBJECT of Klipper, M486 of Marlin, of RepRapFirmware with names.</summary>
 internal sealed class ObjectMarks(FlavorRules from, FlavorRules to)
 {
-    private static readonly Regex Name = new(@"NAME=('[^']*'|""[^""]*""|\S+)|[A-Z]""([^""]*)""|^M486 A(.+)$", RegexOptions.CultureInvariant | RegexOptions.IgnoreCase);
+    private static readonly Regex Name = new(
+        @"NAME=('[^']*'|""[^""]*""|\S+)|[A-Z]""([^""]*)""|^M486 A(.+)$", RegexOptions.CultureInvariant | RegexOptions.IgnoreCase);
     private readonly List<string> _names = [];
     private bool _counted;
     private string _current = "";

@@ -6,13 +6,15 @@ namespace Caterpillar.GCode;
 /// Lines without motion: modes, position names, machine commands, homing, firmware retraction, dwells. A line stays if it means the same in the target.
 /// Otherwise it is translated.
 /// </summary>
-internal sealed class OtherLines(SpliceContext context, MoveConversion conversion)
+internal sealed class OtherLines(SpliceContext context, MoveConversion conversion, bool hasStart)
 {
     private readonly ConvertTarget? _target = context.Target;
     private readonly FlavorRules _rules = context.Rules;
     private readonly ParsedLine _line = context.Line;
     private readonly SplicedText _text = context.Text;
-    private readonly LineTranslation? _translation = context.Target is null || context.Rules.Name == context.Decoding.Flavor.Name ? null : new LineTranslation(context);
+    private readonly LineTranslation? _translation = context.Target is null
+        || context.Rules.Name == context.Decoding.Flavor.Name || context.Rules.Name == FlavorTable.Slicer.Name ? null
+        : new LineTranslation(context, hasStart);
 
     /// <summary>Writes the current line with its figures, or others in its place.</summary>
     public void Write(FileLine line, FileLine image)
@@ -27,6 +29,7 @@ internal sealed class OtherLines(SpliceContext context, MoveConversion conversio
         if (_translation?.IsForeign(line) == true)
         {
             WriteEvents(line);
+            _translation.Watch();
             return;
         }
         var before = written.Save();
@@ -42,6 +45,7 @@ internal sealed class OtherLines(SpliceContext context, MoveConversion conversio
         {
             written.Restore(before);
             WriteEvents(line);
+            _translation?.Watch();
             return;
         }
         if (IsG92() && !context.HasSameShift)
@@ -53,6 +57,7 @@ internal sealed class OtherLines(SpliceContext context, MoveConversion conversio
             return;
         }
         _text.Add(image);
+        _translation?.Watch();
         // Some firmware forgets what G92 has said when it homes.
         if (_target is not null && context.LineHomes && !context.HasSameShift) context.Command(context.RenamePosition(true, true, true, false));
     }
