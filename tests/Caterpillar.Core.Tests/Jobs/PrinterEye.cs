@@ -44,6 +44,9 @@ internal sealed class PrinterEye
 
     public double Material { get; private set; }
 
+    /// <summary>Temperatures that nozzles were told, °C, each once in a row.</summary>
+    public List<double> Heat { get; } = [];
+
     /// <summary>The head rose after the last extrusion, before it went 5 mm across.</summary>
     public bool Lifts { get; private set; }
 
@@ -88,6 +91,7 @@ internal sealed class PrinterEye
 
     private void Machine(int code, Func<char, double?> word)
     {
+        if (code is 104 or 109 && (word('S') ?? word('R') ?? word('P')) is { } celsius) Heats(celsius);
         switch (code)
         {
             case 82 or 83:
@@ -114,6 +118,9 @@ internal sealed class PrinterEye
                 break;
             case 10 or 11 when word('P') is null && word('L') is null:
                 _firmwareRetracted = code == 10;
+                break;
+            case 10 when word('S') is { } celsius:
+                Heats(celsius);
                 break;
             case 20 or 21:
                 _unit = code == 20 ? 25.4 : 1;
@@ -226,6 +233,11 @@ internal sealed class PrinterEye
         if (!_bead) return;
         if (length > 1e-6 && rise <= 1e-6) Across += length;
         if (rise > 1e-6 && Across <= 5) Lifts = true;
+    }
+
+    private void Heats(double celsius)
+    {
+        if (Heat.LastOrDefault() != celsius) Heat.Add(celsius);
     }
 
     private void Alarm(string text)

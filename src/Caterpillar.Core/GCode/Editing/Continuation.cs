@@ -18,13 +18,10 @@ internal sealed class Continuation(DecodedGCode file, PrintCut cut)
     private const double PrimeSpeed = 3;
     private const double FilamentArea = 2.405;
     private static readonly Regex Heat = new(@"\b(BED|EXTRUDER|NOZZLE|HOTEND|TOOL)\w*=([0-9.]+)", RegexOptions.CultureInvariant | RegexOptions.IgnoreCase);
-    private static readonly HashSet<string> Names =
-        ["SET_PRESSURE_ADVANCE", "SET_VELOCITY_LIMIT", "SET_INPUT_SHAPER", "SET_RETRACTION", "SET_FAN_SPEED", "EXCLUDE_OBJECT_DEFINE"];
-    private static readonly HashSet<int> Numbers =
-        [106, 107, 126, 127, 200, 201, 203, 204, 205, 207, 208, 220, 221, 412, 413, 486, 566, 572, 593, 862, 900];
     private readonly List<string> _comments = [];
     private readonly SortedDictionary<int, double> _nozzles = [];
     private readonly List<(string Key, string Line)> _settings = [];
+    private readonly FlavorCommands _commands = FlavorCommands.Of(file.Flavor);
     private double _bed;
 
     /// <summary>The lines, or the error <c>cut.no_start</c> or <c>cut.no_temperature</c>.</summary>
@@ -89,25 +86,25 @@ internal sealed class Continuation(DecodedGCode file, PrintCut cut)
             if (match.Groups[1].Value.StartsWith("B", StringComparison.OrdinalIgnoreCase)) _bed = celsius;
             else _nozzles[-1] = celsius;
         }
-        if (KeyOf(line, code.ToUpperInvariant()) is not { } key) return;
+        if (_commands.Find(code) is not { Use: CommandUse.Ok or CommandUse.Tracked, Class: CommandClass.Fan or CommandClass.Limits or CommandClass.ExtrusionScale
+            or CommandClass.Object or CommandClass.Extrude })
+        {
+            return;
+        }
+        var key = KeyOf(line, code.ToUpperInvariant());
         _settings.RemoveAll(s => s.Key == key);
         _settings.Add((key, code));
     }
 
-    // What a line sets: later lines with the same key replace it. Null = nothing that the upper half needs.
-    private static string? KeyOf(ParsedLine line, string code)
+    // What a line sets: later lines with the same key replace it.
+    private static string KeyOf(ParsedLine line, string code)
     {
-        if (line.Shape == LineShape.Macro)
-        {
-            var name = code.Split(' ')[0];
-            if (name is "EXCLUDE_OBJECT_START" or "EXCLUDE_OBJECT_END") return "EXCLUDE_OBJECT";
-            return Names.Contains(name) ? Regex.Replace(code, "=[-+.0-9]+$|=[-+.0-9]+(?= )", "=") : null;
-        }
-        if (line.Letters[0] != 'M' || !Numbers.Contains((int)line.Values[0])) return null;
-        var key = "M" + NumberFormatter.Format(line.Values[0] is 107 or 127 ? line.Values[0] - 1 : line.Values[0], 1);
-        for (var i = 1; i < line.Count && key is not ("M106" or "M126"); i++) key += (char)line.Letters[i];
+        if (code.StartsWith("EXCLUDE_OBJECT_", StringComparison.Ordinal)) return code.StartsWith("EXCLUDE_OBJECT_DEFINE", StringComparison.Ordinal) ? code : "";
+        if (line.Shape == LineShape.Macro) return Regex.Replace(code, "=[-+.0-9]+$|=[-+.0-9]+(?= )", "=");
+        var number = line.Values[0];
+        var key = "M" + NumberFormatter.Format(number is 107 or 127 ? number - 1 : number, 1);
+        for (var i = 1; i < line.Count && key is not ("M106" or "M126" or "M486"); i++) key += (char)line.Letters[i];
         // Fans, tools and drives have numbers.
-        var of = line.Values[0] is 106 or 107 ? line.Get('P', 0) : line.Values[0] is 204 or 205 ? 0 : line.Get('T', line.Get('D', 0));
-        return key + NumberFormatter.Format(of, 1);
+        return key + NumberFormatter.Format(number is 106 or 107 ? line.Get('P', 0) : number is 204 or 205 ? 0 : line.Get('T', line.Get('D', 0)), 1);
     }
 }
