@@ -33,10 +33,11 @@ public class TranslationTests
             ("klipper", "PAUSE", "prusa", "M601"),
             ("bambu", "M106 P2 S100", "klipper", ""),
             ("marlin2", "M73 P10 R5", "repetier", "M73 P10 R5"),
+            ("klipper", "SET_HEATER_TEMPERATURE HEATER=heater_bed TARGET=50", "marlin2", "M140 S50"),
             ("bambu", "M73 L4", "klipper", "SET_PRINT_STATS_INFO CURRENT_LAYER=4"),
             ("bambu", "M1002 gcode_claim_action : 2", "marlin2", ""),
             ("klipper", "TURN_OFF_HEATERS", "marlin2", "M104 S0\nM140 S0"),
-            ("klipper", "M106 S127.5", "reprapfirmware", "M106 S0.5"),
+            ("klipper", "M106 S127.5", "reprapfirmware", "M106 S127.5"),
         ];
         return cases.Select(c => new TestCaseData(c.From, c.Line, c.To, c.Expected).SetArgDisplayNames(c.From, c.Line, c.To));
     }
@@ -55,10 +56,11 @@ public class TranslationTests
     {
         const string Klipper = "EXCLUDE_OBJECT_DEFINE NAME=cup CENTER=1,1\nEXCLUDE_OBJECT_DEFINE NAME=lid\nG28\nM109 S200\nM83\n;LAYER:0\n"
             + "EXCLUDE_OBJECT_START NAME=lid\nG1 X9 E1\nEXCLUDE_OBJECT_END NAME=lid\n";
-        Assert.That(Converted(Klipper, "klipper", "marlin2").Text, Does.Contain(";LAYER:0\nM486 T2\nM486 S1\nG1 X9 E1\nM486 S-1\n"));
+        Assert.That(Converted(Klipper, "klipper", "marlin2").Text, Does.Contain(";LAYER:0\nM486 T2\nM486 S1\nM83\nG1 X9 E1\nM486 S-1\n"));
         var named = Converted(Klipper, "klipper", "reprapfirmware").Text;
         Assert.That(named, Does.Contain("M486 S1 A\"lid\"\n"));
-        Assert.That(Converted(named, "reprapfirmware", "klipper").Text, Does.Contain("EXCLUDE_OBJECT_START NAME=lid\nG1 X9 E1\nEXCLUDE_OBJECT_END NAME=lid\n"));
+        var back = Converted(named, "reprapfirmware", "klipper").Text;
+        Assert.That(back, Does.Contain("EXCLUDE_OBJECT_START NAME=lid\nM83\nG1 X9 E1\nEXCLUDE_OBJECT_END NAME=lid\n"));
         Assert.That(Converted(Klipper, "klipper", "smoothie").Text, Does.Not.Contain("OBJECT").And.Not.Contain("M486"));
     }
 
@@ -76,7 +78,8 @@ public class TranslationTests
         var decoded = GCodeDecoder.Decode(GCodeDocument.FromText(text), new DecodeOptions { Flavor = FlavorTable.Klipper }).OrThrow();
         var refused = GCodeConverter.ToDocument(decoded, new ConvertOptions { Flavor = FlavorTable.Marlin2 });
         Assert.That(refused.Diagnostics.Single(d => d.Code == "gcode.start_lost").Message, Does.Contain("homes and heats").And.Contain("--start-gcode"));
-        var own = new Caterpillar.Jobs.FileJob(decoded) { Code = new EditOptions { Start = ["G28", "M109 S200", "MY_MACRO"] }, Target = new ConvertOptions { Flavor = FlavorTable.Marlin2 } };
+        var code = new EditOptions { Start = ["G28", "M109 S200", "MY_MACRO"] };
+        var own = new Caterpillar.Jobs.FileJob(decoded) { Code = code, Target = new ConvertOptions { Flavor = FlavorTable.Marlin2 } };
         using var stream = new System.IO.MemoryStream();
         own.Write(stream, "a.gcode", null).OrThrow();
         Assert.That(PrinterEye.Text(stream.ToArray()), Does.StartWith("; Flavor marlin2\nG28\nM109 S200\nMY_MACRO\n"));
@@ -98,7 +101,8 @@ public class TranslationTests
             if (result.Diagnostics.Any(d => d.Code == "gcode.start_lost")) continue;
             var text = PrinterEye.Text(result.OrThrow().ToBytes());
             var commands = FlavorCommands.Of(target);
-            var unknown = text.Split('\n').Select(l => l.Split(';')[0].Trim()).Where(l => l.Length > 0 && l[0] != '(' && commands.Find(l) is not { IsKnown: true });
+            var unknown = text.Split('\n').Select(l => l.Split(';')[0].Trim())
+                .Where(l => l.Length > 0 && l[0] != '(' && commands.Find(l) is not { IsKnown: true });
             Assert.That(unknown.Take(3), Is.Empty, $"{name} to {target.Title}");
             var after = new PrinterEye(text, target.ExtruderLetters.Contains('E') ? 'E' : 'A');
             Assert.That(after.Printed, Is.EqualTo(before.Printed).Within(1e-4 * before.Printed), $"{name} to {target.Title}");

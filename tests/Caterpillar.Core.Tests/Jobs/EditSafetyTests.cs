@@ -12,7 +12,9 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Jobs;
 
-/// <summary>Random cuts and edits of sliced files, watched by an interpreter of its own: hot and homed before the first extrusion, nothing in the air, a lift at the end.</summary>
+/// <summary>
+/// Random cuts and edits of sliced files, watched by an interpreter of its own: hot and homed before the first extrusion, nothing in the air, a lift last.
+/// </summary>
 public class EditSafetyTests
 {
     // Objects one after the other have no lower half.
@@ -59,7 +61,8 @@ public class EditSafetyTests
             if (job.File.Flavor.StatesHeight is null)
             {
                 Assert.That(upper.Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "cut.no_start" }));
-                upper = (job with { Code = new EditOptions { Start = ["G92 Z" + NumberFormatter.Format(standing, 3), "G91", "G1 Z5", "G90", "M109 S200", "G28 X0 Y0"] } }).KeepAbove(z);
+                string[] start = ["G92 Z" + NumberFormatter.Format(standing, 3), "G91", "G1 Z5", "G90", "M109 S200", "G28 X0 Y0"];
+                upper = (job with { Code = new EditOptions { Start = start } }).KeepAbove(z);
             }
             var above = Watch(Bytes(upper.OrThrow()), job, standing);
             var what = $"{name}, {z}";

@@ -65,7 +65,8 @@ internal sealed class PrinterEye
         if (code.Length > 5 && !char.IsDigit(code[1]))
         {
             if (Macros.Any(m => code.StartsWith(m, StringComparison.OrdinalIgnoreCase))) _homed = _hot = true;
-            if (code.StartsWith("SET_KINEMATIC_POSITION", StringComparison.Ordinal)) State(Words(code.Substring(code.IndexOf("Z=", StringComparison.Ordinal)).Replace("=", ""))['Z']);
+            if (code.StartsWith("SET_KINEMATIC_POSITION", StringComparison.Ordinal))
+                State(Words(code.Substring(code.IndexOf("Z=", StringComparison.Ordinal)).Replace("=", ""))['Z']);
             return;
         }
         var words = Words(code);
@@ -82,8 +83,8 @@ internal sealed class PrinterEye
             var letter = char.ToUpperInvariant(code[at++]);
             var end = at;
             while (end < code.Length && (char.IsDigit(code[end]) || code[end] is '.' or '-' or '+')) end++;
-            if (char.IsLetter(letter) && !words.ContainsKey(letter))
-                words[letter] = double.TryParse(code.Substring(at, end - at), NumberStyles.Float, CultureInfo.InvariantCulture, out var value) ? value : double.NaN;
+            var isNumber = double.TryParse(code.Substring(at, end - at), NumberStyles.Float, CultureInfo.InvariantCulture, out var value);
+            if (char.IsLetter(letter) && !words.ContainsKey(letter)) words[letter] = isNumber ? value : double.NaN;
             at = Math.Max(end, at);
         }
         return words;

@@ -21,6 +21,15 @@ internal static class Equivalents
         return null;
     }
 
+    /// <summary>Commands of a flavor that are always written in the words of another.</summary>
+    public static IReadOnlyList<string> AlwaysOf(string from, string to)
+    {
+        var names = Rows.Value[0];
+        var (a, b) = (Array.IndexOf(names, from), Array.IndexOf(names, to));
+        if (a < 0 || b < 0) return [];
+        return [.. Rows.Value.Where(r => r[0] == "!" && r[a] != "-" && r[b] != "-" && r[a] != r[b]).Select(r => r[a].Split(' ')[0]).Distinct()];
+    }
+
     // The command, then the words with their keys: a letter, or a name with an equals sign.
     private static List<(string Key, string Value)> Words(string line)
     {
@@ -43,6 +52,8 @@ internal static class Equivalents
         {
             var says = key == "{" ? line[0].Value : line.Skip(1).FirstOrDefault(w => w.Key == key).Value;
             var brace = (key == "{" ? "{" : "") + value;
+            // Texts go to the end of the line.
+            if (value == "{text}" && says is not null) says = line[0].Value.Substring(line[0].Value.IndexOf('=') + 1).Trim('"');
             if (brace[0] != '{')
             {
                 if (!string.Equals(says, brace, StringComparison.OrdinalIgnoreCase)) return null;

@@ -18,6 +18,8 @@ internal sealed class Continuation(DecodedGCode file, PrintCut cut)
     private const double PrimeSpeed = 3;
     private const double FilamentArea = 2.405;
     private static readonly Regex Heat = new(@"\b(BED|EXTRUDER|NOZZLE|HOTEND|TOOL)\w*=([0-9.]+)", RegexOptions.CultureInvariant | RegexOptions.IgnoreCase);
+    private static readonly CommandClass[] Settings =
+        [CommandClass.Fan, CommandClass.Limits, CommandClass.ExtrusionScale, CommandClass.Object, CommandClass.Extrude];
     private readonly List<string> _comments = [];
     private readonly SortedDictionary<int, double> _nozzles = [];
     private readonly List<(string Key, string Line)> _settings = [];
@@ -86,11 +88,7 @@ internal sealed class Continuation(DecodedGCode file, PrintCut cut)
             if (match.Groups[1].Value.StartsWith("B", StringComparison.OrdinalIgnoreCase)) _bed = celsius;
             else _nozzles[-1] = celsius;
         }
-        if (_commands.Find(code) is not { Use: CommandUse.Ok or CommandUse.Tracked, Class: CommandClass.Fan or CommandClass.Limits or CommandClass.ExtrusionScale
-            or CommandClass.Object or CommandClass.Extrude })
-        {
-            return;
-        }
+        if (_commands.Find(code) is not { Use: CommandUse.Ok or CommandUse.Tracked } command || Array.IndexOf(Settings, command.Class) < 0) return;
         var key = KeyOf(line, code.ToUpperInvariant());
         _settings.RemoveAll(s => s.Key == key);
         _settings.Add((key, code));
@@ -99,7 +97,7 @@ internal sealed class Continuation(DecodedGCode file, PrintCut cut)
     // What a line sets: later lines with the same key replace it.
     private static string KeyOf(ParsedLine line, string code)
     {
-        if (code.StartsWith("EXCLUDE_OBJECT_", StringComparison.Ordinal)) return code.StartsWith("EXCLUDE_OBJECT_DEFINE", StringComparison.Ordinal) ? code : "";
+        if (code.StartsWith("EXCLUDE_OBJECT_", StringComparison.Ordinal)) return code.IndexOf("DEFINE", StringComparison.Ordinal) > 0 ? code : "";
         if (line.Shape == LineShape.Macro) return Regex.Replace(code, "=[-+.0-9]+$|=[-+.0-9]+(?= )", "=");
         var number = line.Values[0];
         var key = "M" + NumberFormatter.Format(number is 107 or 127 ? number - 1 : number, 1);

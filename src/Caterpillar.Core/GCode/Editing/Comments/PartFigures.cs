@@ -38,7 +38,7 @@ internal sealed class PartFigures
 
     /// <param name="before">The toolpath of the file.</param>
     /// <param name="after">The edited toolpath.</param>
-    /// <param name="counts">True to count the layers of the part anew. Otherwise they keep their numbers.</param>
+    /// <param name="counts">True to number the layers of the part from the first on. Otherwise they keep their numbers.</param>
     public PartFigures(Toolpath before, Toolpath after, bool counts)
     {
         (_before, _after) = (new Clock(before), new Clock(after));

@@ -16,9 +16,11 @@ internal sealed class LineTranslation
     private readonly FlavorCommands _read;
     private readonly FlavorCommands _usual = FlavorCommands.Of(FlavorTable.Marlin2);
     private readonly ObjectMarks _objects;
+    private readonly IReadOnlyList<string> _always;
     private readonly SortedDictionary<string, int> _lost = new(StringComparer.Ordinal);
     private readonly SortedDictionary<int, double> _nozzles = [];
     private double _bed = double.NaN;
+    private bool _isAlways;
     private int _lostHoming;
     private int _lostHeat;
     private bool _homes;
@@ -35,6 +37,7 @@ internal sealed class LineTranslation
         _read = FlavorCommands.Of(_from.Name == FlavorTable.Slicer.Name ? FlavorTable.Marlin2 : _from);
         _known = FlavorCommands.Of(context.Rules);
         _objects = new ObjectMarks(_from, context.Rules);
+        _always = Equivalents.AlwaysOf(_from.Name, context.Rules.Name);
         _firstPrint = context.Decoding.FirstPrintLine;
     }
 
@@ -44,7 +47,10 @@ internal sealed class LineTranslation
         var text = new CommandText(line.Text, _context.Line.CodeStart, _context.Line.CodeEnd);
         var there = _known.Find(text);
         var here = _read.Find(text);
-        if (there is not { IsKnown: true }) return true;
+        _isAlways = false;
+        if (there is not { IsKnown: true } || _context.LineHomes) return there is not { IsKnown: true };
+        foreach (var name in _always) _isAlways |= name.Length == text.Length && text.Begins(name, name.Length);
+        if (_isAlways) return true;
         return here is { IsKnown: true } && (here.Class != there.Class || (here.Class == CommandClass.Object && _objects.Changes));
     }
 
@@ -55,10 +61,11 @@ internal sealed class LineTranslation
         var here = _read.Find(new CommandText(line.Text, _context.Line.CodeStart, _context.Line.CodeEnd));
         if (here?.Class == CommandClass.Object) return Counted(_objects.Lines(code), code, here);
         var events = _context.Read.LastEvents
-            .SelectMany(e => EventText.Lines(e.Event, _context.Rules).Where(l => Says(l) || (e.Event is HomeEvent && Knows(l)))).ToArray();
+            .SelectMany(e => EventText.Lines(e.Event, _context.Rules)).Where(Says).ToArray();
         if (events.Length > 0) return events;
         if (here is { Class: CommandClass.Heat, Name: "M116" }) return Waits().Where(Says).ToArray();
-        return Counted((Equivalents.Of(code, _from.Name, _context.Rules.Name) ?? []).Where(Says).ToArray(), code, here);
+        var lines = Equivalents.Of(code, _from.Name, _context.Rules.Name) ?? (_isAlways ? [code] : []);
+        return Counted(lines.Where(Knows).ToArray(), code, here);
     }
 
     /// <summary>Reports what is left out, and whether the file still homes and heats.</summary>
