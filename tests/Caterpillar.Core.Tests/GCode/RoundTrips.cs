@@ -56,10 +56,10 @@ internal static class RoundTrips
         var result = GCodeConverter.ToDocument(decoding, options);
         if (result.Value is null)
         {
-            // The amount of a switched extruder is unknown; and some firmware takes E only as volume.
+            // The amount of a switched extruder is unknown; some firmware takes E only as volume, some does not home or heat.
             var must = decoding.Axis == ExtrusionAxis.Switched && !flavor.SwitchedExtruder ? "gcode.no_e_values" : options.Volumetric == false
                 && flavor.StartsVolumetric ? "gcode.volumetric_only" : "";
-            return result.Diagnostics.Any(d => d.Code == must) ? null : Said(result.Diagnostics);
+            return result.Diagnostics.Any(d => d.Code == must || d.Code == "gcode.start_lost") ? null : Said(result.Diagnostics);
         }
         var back = GCodeDecoder.Decode(result.Value, new DecodeOptions { Flavor = flavor, FilamentDiameter = options.FilamentDiameter }).Value!;
         var tolerance = new MoveTolerance

@@ -14,8 +14,7 @@ internal static class Bambu
             + "process_M106, process_M221, process_M400, process_M1020, process_T",
         Notes =
             "The firmware is closed source. These are the rules by which BambuStudio reads its own files. Its source has neither M220, which is in the start "
-            + "G-code of its printers, nor M0, M1, M25, M600 and M400 U1 as pauses. It reads G10 and G11, which "
-            + "the printers do not know.",
+            + "G-code of its printers, nor M0, M1, M25, M600 and M400 U1 as pauses.",
         BareG92 = BareG92Rule.ZeroAll,
         RadiusArcs = false,
         RadiusAndCenter = RadiusAndCenterRule.CenterWins,
@@ -29,7 +28,6 @@ internal static class Bambu
         Dwells = ["G4", "M400"],
         Pauses = ["M400 U1", "M0", "M1", "M25", "M600"],
         NotFollowed = ["G380"],
-        FirmwareRetraction = false,
         StatesHeight = null,
     };
 }

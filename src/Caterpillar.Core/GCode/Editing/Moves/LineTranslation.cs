@@ -61,7 +61,7 @@ internal sealed class LineTranslation
         var here = _read.Find(new CommandText(line.Text, _context.Line.CodeStart, _context.Line.CodeEnd));
         if (here?.Class == CommandClass.Object) return Counted(_objects.Lines(code), code, here);
         var events = _context.Read.LastEvents
-            .SelectMany(e => EventText.Lines(e.Event, _context.Rules)).Where(Says).ToArray();
+            .SelectMany(e => EventText.Lines(e.Event, _context.Rules).Where(l => e.Event is AccelerationEvent or LimitEvent ? Says(l) : Knows(l))).ToArray();
         if (events.Length > 0) return events;
         if (here is { Class: CommandClass.Heat, Name: "M116" }) return Waits().Where(Says).ToArray();
         var lines = Equivalents.Of(code, _from.Name, _context.Rules.Name) ?? (_isAlways ? [code] : []);
