@@ -34,10 +34,11 @@ internal static class Equivalents
     private static List<(string Key, string Value)> Words(string line)
     {
         var parts = line.Split([' '], StringSplitOptions.RemoveEmptyEntries);
-        var words = new List<(string, string)> { (parts[0].ToUpperInvariant(), parts.Length > 1 ? line.Substring(line.IndexOf(' ')).Trim() : "") };
+        var rest = parts.Length > 1 ? line.Substring(line.IndexOf(" ", StringComparison.Ordinal)).Trim() : "";
+        var words = new List<(string, string)> { (parts[0].ToUpperInvariant(), rest) };
         foreach (var part in parts.Skip(1))
         {
-            var equals = part.IndexOf('=');
+            var equals = part.IndexOf("=", StringComparison.Ordinal);
             words.Add((part.Substring(0, Math.Max(equals, 1)).ToUpperInvariant(), part.Substring(Math.Max(equals, 0) + 1)));
         }
         return words;
@@ -53,7 +54,7 @@ internal static class Equivalents
             var says = key == "{" ? line[0].Value : line.Skip(1).FirstOrDefault(w => w.Key == key).Value;
             var brace = (key == "{" ? "{" : "") + value;
             // Texts go to the end of the line.
-            if (value == "{text}" && says is not null) says = line[0].Value.Substring(line[0].Value.IndexOf('=') + 1).Trim('"');
+            if (value == "{text}" && says is not null) says = line[0].Value.Substring(line[0].Value.IndexOf("=", StringComparison.Ordinal) + 1).Trim('"');
             if (brace[0] != '{')
             {
                 if (!string.Equals(says, brace, StringComparison.OrdinalIgnoreCase)) return null;
@@ -63,7 +64,7 @@ internal static class Equivalents
             var (name, factor) = Name(brace);
             values[name] = Times(says, factor);
         }
-        return values.Count > 0 || cell.Count == 1 || cell.Skip(1).All(w => w.Value.IndexOf('{') < 0 && w.Key != "{") ? values : null;
+        return values.Count > 0 || cell.Count == 1 || cell.Skip(1).All(w => w.Key != "{" && w.Value.IndexOf("{", StringComparison.Ordinal) < 0) ? values : null;
     }
 
     // Words whose values the line does not have are left out; without any value nothing is left.
@@ -73,7 +74,7 @@ internal static class Equivalents
         var (has, lacks) = (false, false);
         foreach (var part in cell.Split(' '))
         {
-            var open = part.IndexOf('{');
+            var open = part.IndexOf("{", StringComparison.Ordinal);
             if (open < 0)
             {
                 filled.Add(part);

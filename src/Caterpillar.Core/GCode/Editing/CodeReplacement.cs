@@ -113,10 +113,11 @@ internal sealed class CodeReplacement
         if (expected.Head.HasMoved && expected.Head.Machine != written.Head.Machine)
         {
             var to = SpliceContext.Format(expected.Head.Machine - shift, unit);
-            var height = to.Substring(to.IndexOf('Z'));
+            var z = to.IndexOf("Z", StringComparison.Ordinal);
+            var height = to.Substring(z);
             var rises = expected.Head.Machine.Z >= written.Head.Machine.Z;
             if (rises) _context.Command("G0 " + height);
-            _context.Command("G0 " + to.Substring(0, to.IndexOf('Z') - 1));
+            _context.Command("G0 " + to.Substring(0, z - 1));
             if (!rises) _context.Command("G0 " + height);
         }
         if (expected.Head.Shift != shift) _context.Command("G92 " + SpliceContext.Format(expected.Head.Written, unit));

@@ -36,7 +36,7 @@ internal sealed class Continuation(DecodedGCode file, PrintCut cut)
         string Number(double value, int decimals = 3) => NumberFormatter.Format(value, decimals);
         List<string> lines = [.. _comments,
             "; " + Setting + " = " + Number(cut.Height), "; The lower half stands on the bed. Before this file starts, the nozzle touches its top.",
-            "G21", "G90", height.Replace("{z}", Number(cut.Height)), $"G1 Z{Number(cut.SafeHeight)} F600"];
+            "G21", "G90", Regex.Replace(height, "{z}", Number(cut.Height)), $"G1 Z{Number(cut.SafeHeight)} F600"];
         var tool = cut.First.Tool;
         List<PrinterEvent> events = [new HomeEvent(Z: false)];
         if (_bed > 0) events.Add(new BedTemperatureEvent(_bed, true));

@@ -69,17 +69,18 @@ internal sealed class PartFigures
     {
         foreach (var (word, pattern) in Lines)
         {
-            if (IsActive && line.IndexOf(word, StringComparison.Ordinal) >= 0 && pattern.IsMatch(line)) return pattern.Replace(line, m => Changed(m, number));
+            if (IsActive && line.IndexOf(word, StringComparison.Ordinal) >= 0 && pattern.IsMatch(line))
+                return pattern.Replace(line, m => Changed(m, pattern.GetGroupNames(), number));
         }
         return line;
     }
 
     // From the last group to the first, so that their places hold.
-    private string Changed(Match match, int line)
+    private string Changed(Match match, string[] names, int line)
     {
         var text = match.Value;
-        var groups = match.Groups.Cast<Group>().Where(g => g is { Success: true } && g.Name.Length > 1);
-        foreach (var (name, capture) in groups.SelectMany(g => g.Captures.Cast<Capture>().Select(c => (g.Name, c))).OrderByDescending(g => g.c.Index))
+        var captures = names.Where(n => n.Length > 1).SelectMany(n => match.Groups[n].Captures.Cast<Capture>().Select(c => (Name: n, Capture: c)));
+        foreach (var (name, capture) in captures.OrderByDescending(c => c.Capture.Index))
         {
             var at = capture.Index - match.Index;
             text = text.Substring(0, at) + Changed(name, capture.Value, line) + text.Substring(at + capture.Length);
@@ -106,7 +107,7 @@ internal sealed class PartFigures
             "amount" => value * _filament,
             _ => _top,
         };
-        var decimals = text.IndexOf('.') is >= 0 and var dot ? text.Length - dot - 1 : name == "top" ? 3 : 0;
+        var decimals = text.IndexOf(".", StringComparison.Ordinal) is >= 0 and var dot ? text.Length - dot - 1 : name == "top" ? 3 : 0;
         return Math.Abs(figure - value) < NoChange ? text : NumberFormatter.Format(figure, decimals);
     }
 

@@ -79,10 +79,12 @@ internal sealed class LineTranslation
             _context.Diagnostics.Add(Severity.Warning, "gcode.commands_lost",
                 $"{_context.Rules.Title} has no equivalent of {names}. They are left out.", count: count);
         }
-        var lacks = (_lostHoming > 0 && !_homes ? "homes" : "") + (_lostHeat > 0 && !_heats && _context.Axis.HasAmounts ? " heats" : "");
-        if (lacks.Length == 0) return;
+        var lacks = new List<string>();
+        if (_lostHoming > 0 && !_homes) lacks.Add("homes");
+        if (_lostHeat > 0 && !_heats && _context.Axis.HasAmounts) lacks.Add("heats");
+        if (lacks.Count == 0) return;
         _context.Diagnostics.Add(Severity.Error, "gcode.start_lost",
-            $"In {_context.Rules.Title}, nothing {lacks.Trim().Replace(" ", " and ")} before the print. Give start G-code for this printer (--start-gcode).",
+            $"In {_context.Rules.Title}, nothing {string.Join(" and ", lacks)} before the print. Give start G-code for this printer (--start-gcode).",
             new SourceLocation(Line: Math.Max(_lostHoming, _lostHeat)));
     }
 
