@@ -33,7 +33,7 @@ public static class PrintCheck
     {
         if (file is null) throw new ArgumentNullException(nameof(file));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
-        var findings = RunFile(file, setup, progress, cancel);
+        var findings = RunFile(file, setup, null, progress, cancel);
         if (file.Report.File is not { Length: > 0 } name) return findings;
         return findings.Select(d => d.WithSource(s => (s ?? new SourceLocation()) with { File = name })).ToArray();
     }
@@ -49,11 +49,12 @@ public static class PrintCheck
         return CheckScope.HeatsItself(toolpath) ? setup with { Material = setup.Material with { NozzleTemperature = 0 } } : setup;
     }
 
-    /// <summary>The findings of a decoded file, which may continue on a part that stands on the bed.</summary>
-    internal static IReadOnlyList<Diagnostic> RunFile(DecodedGCode file, PrintSetup setup, IProgress<double>? progress, CancellationToken cancel)
+    /// <summary>The findings of a decoded file, which may continue on a part that stands on the bed, and of the file before its edits.</summary>
+    internal static IReadOnlyList<Diagnostic> RunFile(
+        DecodedGCode file, PrintSetup setup, DecodedGCode? before, IProgress<double>? progress, CancellationToken cancel)
     {
-        var toolpath = WithVolumes(file.Toolpath, setup);
-        return Run(toolpath, StandingPart(file) is { } part ? setup with { PrintedOn = part } : setup, CheckScope.OfFile(file, setup), progress, cancel);
+        if (StandingPart(file) is { } part) setup = setup with { PrintedOn = part };
+        return Run(WithVolumes(file.Toolpath, setup), setup, CheckScope.OfFile(file, setup) with { Before = before?.Used }, progress, cancel);
     }
 
     // The top of the part, as wide as what is printed on it. Null = none.

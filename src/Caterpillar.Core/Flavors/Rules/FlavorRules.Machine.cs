@@ -27,6 +27,9 @@ public sealed partial record FlavorRules
     /// <summary>How objects are marked, so that one can be left out while printing.</summary>
     internal ObjectMarking ObjectMarks { get; init; }
 
+    /// <summary>M104, M109, M140 and M190 without S switch the heater off. Otherwise they do nothing.</summary>
+    internal bool NoTargetIsOff { get; init; }
+
     /// <summary>Meaning of the number of M106.</summary>
     internal FanScale Fan { get; init; } = FanScale.Byte;
 
