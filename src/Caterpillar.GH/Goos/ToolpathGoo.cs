@@ -33,9 +33,9 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
         Setup = setup;
     }
 
-    /// <summary>A toolpath that was decoded from a file.</summary>
-    public ToolpathGoo(DecodedGCode decoding)
-        : this(decoding?.Toolpath)
+    /// <summary>A toolpath that was decoded from a file, for a setup if that is known.</summary>
+    public ToolpathGoo(DecodedGCode decoding, PrintSetup? setup = null)
+        : this(decoding?.Toolpath, setup)
     {
         DecodedGCode = decoding;
     }
@@ -112,7 +112,7 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
 
     private protected override object? Native(Type wanted, DocumentUnits units) => NativeCasts.Of(Value, wanted, units);
 
-    private protected override void Bake(Baker baker) => baker.Add(Value, beads: false);
+    private protected override IEnumerable<BakedPart> ToParts(DocumentUnits units) => BakedPart.Of(Value, beads: false, units);
 
     private protected override void AddWires(List<Rg.Line> lines, DocumentUnits units) => RhinoGeometry.AddLines(lines, Value, units);
 
