@@ -31,7 +31,7 @@ public class RoomTests
     [Test]
     public void Extrusions_need_their_height_above_the_object([ValueSource(nameof(Parts))] (double Part, Severity? Worst) gap)
     {
-        var plate = new TriMesh([new Vec3(40, 40, 5), new Vec3(80, 40, 5), new Vec3(80, 80, 5), new Vec3(40, 80, 5)], [0, 1, 2, 0, 2, 3]);
+        var plate = TriMesh.Create([new Vec3(40, 40, 5), new Vec3(80, 40, 5), new Vec3(80, 80, 5), new Vec3(40, 80, 5)], [0, 1, 2, 0, 2, 3]);
         var z = 5 + 0.2 * gap.Part;
         Expect(new SmallPrint(50, 50, 9).Go(50, 50, z).Print(70, 50, z), Setup with { PrintedOn = plate }, gap.Worst, "bed or the object");
     }
@@ -54,9 +54,9 @@ public class RoomTests
         }
         top += 0.2 * gap.Part;
         if (isLayered) print.InLayer(new Layer(9, top, 0.2));
-        // Without layers what is as high as the path belongs to it.
-        if (!isLayered && gap.Part == 0) Assert.That(Found(print.Over(50, 50, top).Print(70, 50, top), Setup).Where(d => d.Severity == Severity.Error), Is.Empty);
-        else Expect(print.Over(50, 50, top).Print(70, 50, top), Setup, gap.Worst, "earlier extrusion (");
+        // Without layers, what is as high as a path belongs to it.
+        var worst = isLayered || gap.Part > 0 ? gap.Worst : null;
+        Expect(print.Over(50, 50, top).Print(70, 50, top), Setup, worst, "earlier extrusion (");
     }
 
     // Extrusions side by side, each a little higher than the one before: a leaning wall, and strings that lie almost flat.

@@ -105,7 +105,11 @@ internal sealed class ExtrusionCheck
         }
         _highest = Math.Max(_highest, Math.Max(move.Start.Z, move.End.Z));
         var height = known ? move.Thickness : Math.Max(0, Math.Min(gap, nominal));
-        if (move.Role == Role.Purge) return (height, height);
+        if (move.Role == Role.Purge)
+        {
+            _fit.Purged(move);
+            return (height, height);
+        }
         // An extrusion is as high as its gap, or round where it hangs; layers of drawings may be much thinner than that.
         var filled = Math.Max(height, known ? Math.Min(tight, Round(area)) : own);
         _fit.Look(move, area, height, filled, known, nearest);

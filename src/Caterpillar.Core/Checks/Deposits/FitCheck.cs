@@ -33,7 +33,7 @@ internal sealed class FitCheck
     // The first move of each layer.
     private readonly List<int> _firstOf = [];
     private int _firstPrint = -1, _layer = -1;
-    private double _height, _heightBefore;
+    private double _height, _heightBefore, _purgedUpTo;
     private double _doubled;
     private int _doubledMove;
     private OddLength _wide, _thin, _low, _tight, _solidLow, _solidTight, _primeLow;
@@ -49,6 +49,12 @@ internal sealed class FitCheck
 
     /// <summary>The head moves on without printing.</summary>
     public void Break() => _doubled = _solidLow.Length = _solidTight.Length = 0;
+
+    /// <summary>What is purged before the first extrusion is there.</summary>
+    public void Purged(in CheckedMove move)
+    {
+        if (_firstPrint < 0) _purgedUpTo = Math.Max(_purgedUpTo, Math.Max(move.Start.Z, move.End.Z));
+    }
 
     /// <summary>An extrusion along a straight move.</summary>
     /// <param name="move">The move.</param>
@@ -127,11 +133,15 @@ internal sealed class FitCheck
         var least = Math.Min(area / _printer.NozzleDiameter, isKnown ? Math.Min(Math.Max(height, _heightBefore), _printer.NozzleDiameter) : _usualHeight);
         var half = new Bead(area, height).Width(_shape) / 2;
         var along = move.End - move.Start;
-        var count = (int)Math.Min(Math.Ceiling(move.Length), 16);
+        // A line of the start code is narrow.
+        var isNearPurged = Math.Min(move.Start.Z, move.End.Z) < _purgedUpTo + Tight * least;
+        var count = (int)(isNearPurged ? Math.Min(Math.Ceiling(2 * move.Length), 256) : Math.Min(Math.Ceiling(move.Length), 16));
+        // Without layers, what is as high as the path belongs to it.
+        var gaps = (move.Layer < 0 ? Flat : -least / 2, Tight * least);
         for (var k = 0; k < count; k++)
         {
             var p = Vec3.Lerp(move.Start, move.End, (k + 0.5) / count);
-            var overlap = _printed.Deposit.Overlap(p, along, half, thickness, Tight * least, solid, out var other);
+            var overlap = _printed.Deposit.Overlap(p, along, half, thickness, gaps, solid, out var other);
             var step = move.Length / count;
             if (overlap == DepositOverlap.None)
             {

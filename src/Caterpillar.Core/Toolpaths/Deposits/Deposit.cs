@@ -198,22 +198,22 @@ internal sealed class Deposit
 
     /// <summary>
     /// What is in the place of a new extrusion, of the last extrusions around one of its points: one along it, about as high and as wide, with the axes less
-    /// than a quarter of their widths apart; or a solid one at the point, with less than a gap above it.
+    /// than a quarter of their widths apart; or a solid one at the point, with a gap above it.
     /// </summary>
     /// <param name="p">The point.</param>
     /// <param name="along">Direction of the new extrusion.</param>
     /// <param name="half">Half its width, mm.</param>
     /// <param name="height">Its height, mm.</param>
-    /// <param name="gap">A gap above solid extrusions, mm.</param>
+    /// <param name="gap">Smallest and largest gap above solid extrusions, mm.</param>
     /// <param name="solid">Extrusions with a lower tag are solid.</param>
     /// <param name="tag">Tag of the other extrusion. −1 = none.</param>
-    public DepositOverlap Overlap(Vec3 p, Vec3 along, double half, double height, double gap, int solid, out int tag)
+    public DepositOverlap Overlap(Vec3 p, Vec3 along, double half, double height, (double Least, double Most) gap, int solid, out int tag)
     {
         tag = -1;
         var found = DepositOverlap.None;
         if (!_bins.MayHold(p.X, p.Y)) return found;
         int column = Index(p.X), row = Index(p.Y);
-        double lowest = p.Z - 0.5 * height - Rounding, lowestSolid = p.Z - gap;
+        double lowest = p.Z - 0.5 * height - Rounding, lowestSolid = p.Z - gap.Most;
         // An extrusion in its place would have raised the cell.
         if (_cells[column, row].Top < Math.Min(lowest, lowestSolid)) return found;
         if (_bins[column >> DepositBin.Bits, row >> DepositBin.Bits] is not { } bin) return found;
@@ -229,7 +229,7 @@ internal sealed class Deposit
             if (extrusion.Tag < solid && found == DepositOverlap.None)
             {
                 var there = extrusion.TopAt(p, 0);
-                if (there >= lowestSolid && there <= p.Z + 0.5 * height) (found, tag) = (DepositOverlap.Solid, extrusion.Tag);
+                if (there >= lowestSolid && there <= p.Z - gap.Least) (found, tag) = (DepositOverlap.Solid, extrusion.Tag);
             }
             if (top < lowest || Math.Min(half, extrusion.Half) < 0.6 * Math.Max(half, extrusion.Half)) continue;
             double dx = extrusion.Bx - extrusion.Ax, dy = extrusion.By - extrusion.Ay;
@@ -244,7 +244,7 @@ internal sealed class Deposit
             double ex = p.X - extrusion.Ax - dx * t, ey = p.Y - extrusion.Ay - dy * t;
             if (ex * ex + ey * ey > near * near || Math.Abs(extrusion.Az + (extrusion.Bz - extrusion.Az) * t - p.Z) > 0.5 * height) continue;
             tag = extrusion.Tag;
-            return tag < solid ? DepositOverlap.Solid | DepositOverlap.Parallel : DepositOverlap.Parallel;
+            return found | DepositOverlap.Parallel;
         }
         return found;
     }
