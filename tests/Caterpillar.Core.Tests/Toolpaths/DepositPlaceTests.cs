@@ -48,7 +48,8 @@ public class DepositPlaceTests
         var deposit = new Deposit();
         deposit.Add(new Vec3(0, 0, 1), new Vec3(10, 0, 1), 0.2, 3);
         deposit.Add(new Vec3(0, 0, z), new Vec3(10, 0, z), 0.2, 4);
-        Assert.That(deposit.Overlap(new Vec3(5, 0, 1), Vec3.UnitX, 0.2, 0.2, default, 0, out _), Is.EqualTo(found ? DepositOverlap.Parallel : DepositOverlap.None));
+        Assert.That(deposit.Overlap(new Vec3(5, 0, 1), Vec3.UnitX, 0.2, 0.2, default, 0, out _),
+            Is.EqualTo(found ? DepositOverlap.Parallel : DepositOverlap.None));
         Assert.That(deposit.Overlap(new Vec3(5, 0, 1), Vec3.UnitZ, 0.2, 0.2, default, 0, out _), Is.EqualTo(DepositOverlap.None), "straight up runs nowhere");
     }
 
@@ -59,7 +60,8 @@ public class DepositPlaceTests
         var deposit = new Deposit();
         deposit.Add(new Vec3(0, 0, 1), new Vec3(1, 0, 1), 0.2, 3);
         for (var i = 0; i < after; i++) deposit.Add(new Vec3(0.5, 0.1, 1), new Vec3(0.5, 1, 1), 0.2, 4);
-        Assert.That(deposit.Overlap(new Vec3(0.5, 0, 1), Vec3.UnitX, 0.2, 0.2, default, 0, out _), Is.EqualTo(found ? DepositOverlap.Parallel : DepositOverlap.None));
+        Assert.That(deposit.Overlap(new Vec3(0.5, 0, 1), Vec3.UnitX, 0.2, 0.2, default, 0, out _),
+            Is.EqualTo(found ? DepositOverlap.Parallel : DepositOverlap.None));
     }
 
     [Test]

@@ -19,6 +19,7 @@ internal sealed class FitCheck
     // Gaps below the nozzle, as parts of the height of the extrusion.
     private const double TooLow = 0.3;
     private const double Tight = 0.6;
+    private const double Climbs = 0.02;
 
     // In nozzles.
     public const double Widest = 3;
@@ -33,7 +34,7 @@ internal sealed class FitCheck
     // The first move of each layer.
     private readonly List<int> _firstOf = [];
     private int _firstPrint = -1, _layer = -1;
-    private double _height, _heightBefore, _purgedUpTo;
+    private double _height, _heightBefore, _purgedUpTo, _solidGap;
     private double _doubled;
     private int _doubledMove;
     private OddLength _wide, _thin, _low, _tight, _solidLow, _solidTight, _primeLow;
@@ -169,6 +170,12 @@ internal sealed class FitCheck
     {
         var across = new Vec3(-along.Y, along.X) / along.LengthXY;
         var gap = _printed.GapAcross(p, across * (area / least / 2), 2 * Math.Sqrt(area / Math.PI), p.Z + least / 2, solid);
+        // The first turn of a helix climbs out.
+        if (Math.Abs(gap - _solidGap) > Climbs * least)
+        {
+            _solidGap = gap;
+            _solidLow.Length = _solidTight.Length = 0;
+        }
         if (gap < TooLow * least)
         {
             ref var low = ref _solidLow;
