@@ -11,6 +11,16 @@ public class CurvesTests : CliFixture
 {
     private const string Two = "x,y,z\n100,10,0.2\n140,10,0.2\n\n10,10,0.2\n50,10,0.2\n";
 
+    [TestCase("", "X122.5")]
+    [TestCase("--move 20,0", "X50")]
+    public void Svg_drawings_are_printed_in_the_center_of_the_bed(string options, string x)
+    {
+        File.WriteAllText("page.svg", "<svg width='40mm' height='40mm' viewBox='0 0 40 40'><path d='M5 5L30 5L30 30'/></svg>");
+        var run = Run(["curves", "page.svg", "-o", "page.gcode", .. options.Split(' ', StringSplitOptions.RemoveEmptyEntries)]);
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        Assert.That(Prints("page.gcode").First().Split(' ')[1], Is.EqualTo(x));
+    }
+
     [Test]
     public void Curves_are_printed_in_their_order_unless_sorting_is_asked_for()
     {

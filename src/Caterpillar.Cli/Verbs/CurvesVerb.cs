@@ -17,7 +17,8 @@ internal sealed class CurvesVerb : Verb
         "Print order. none: as given. orient: only reversed. nearest: nearest start next. layer, z: by layer or height. tour: short travel moves.",
         "none|orient|nearest|layer|z|tour") { DefaultValueFactory = _ => "none" };
 
-    private readonly Described<string?> _move = new("--move", "Move the curves by an offset in mm, or to the center of the bed.", "X,Y[,Z]|center");
+    private readonly Described<string?> _move = new("--move", "Move the curves by an offset in mm, or to the center of the bed. "
+        + "Default for SVG files without --onto and printers that extrude: center.", "X,Y[,Z]|center");
 
     private readonly Described<string[]> _map = new("--map",
         "Map a coordinate to an axis word, scaled. X=A*2.86 turns A by 2.86° per mm of X, Y=Y*0.5 scales Y. Applied last. Repeatable.", "AXIS=WORD*SCALE");
@@ -71,7 +72,9 @@ internal sealed class CurvesVerb : Verb
             Sorting = sort switch { SortRule.None => CurveSorting.None, SortRule.Layer or SortRule.Z => CurveSorting.All, _ => CurveSorting.WithinLayers },
         };
         var reading = CurveReadOptions.For(setup) with { Memory = session.Memory, UnitLength = _extrusion.UnitOf(arguments) };
-        var (steps, count) = Steps(file, reading, curves, arguments.GetValue(_move), setup, session);
+        // Pages of SVG drawings have their corner at the corner of the bed, where start code prints.
+        var isPage = curves.FlatHeight > 0 && !_onto.IsGiven(arguments) && file.EndsWith(".svg", StringComparison.OrdinalIgnoreCase);
+        var (steps, count) = Steps(file, reading, curves, arguments.GetValue(_move) ?? (isPage ? "center" : null), setup, session);
         var options = new PrintJobOptions
         {
             Policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn, Sort = sort, Mappings = mappings,
