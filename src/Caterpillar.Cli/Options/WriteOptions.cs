@@ -48,8 +48,9 @@ internal sealed class WriteOptions
             Result<WrittenGCode> Write(IProgress<double>? progress) => job.Write(stream, file, isDraft, reason, progress, session.Cancel);
             // A progress bar and the G-code would mix on a terminal.
             var result = file == "-" ? Write(null) : session.WithProgress("Writing", Write);
-            // Notes of the checks are for "caterpillar check".
-            session.Print(result.Diagnostics.Where(d => d.Severity != Severity.Note || CheckCodes.Find(d.Code) is null));
+            // Notes of the checks are for "caterpillar check", except those about commands.
+            session.Print(result.Diagnostics.Where(d => d.Severity != Severity.Note || CheckCodes.Find(d.Code) is null
+                || d.Code.StartsWith("command.", StringComparison.Ordinal)));
             if (FindingSummary.Of(result.Diagnostics) is { } summary) session.Say(() => summary);
             findings = result.Diagnostics.Where(d => CheckCodes.Find(d.Code) is not null).ToArray();
             written = session.WrittenOrFail(result);
