@@ -1,6 +1,7 @@
 using Caterpillar.Files;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
+using Caterpillar.Simulation;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
@@ -41,7 +42,7 @@ internal sealed class ReadBack : IDisposable
         _compared = NewFindings();
         if (_compared.LooksFor(PlanComparison.Codes)) _comparison = new PlanComparison(plan, format, Lines, _compared);
         _checks = new MoveChecks(setup, plan.Tools, NewFindings, cancel, waiting);
-        _reading = OwnThread.Run(Read);
+        _reading = OwnThread.Run(Decode);
     }
 
     /// <summary>The lines of the plan.</summary>
@@ -49,6 +50,9 @@ internal sealed class ReadBack : IDisposable
 
     /// <summary>Number of lines and bytes that are written.</summary>
     public (long Lines, long Bytes) Size => (_writer.Lines, _writer.Bytes);
+
+    /// <summary>All moves of the file, and the seconds that they take; null before <see cref="Finish"/>.</summary>
+    public (Toolpath File, double Seconds)? Read { get; private set; }
 
     /// <summary>True if any check is on. Otherwise nothing is read back.</summary>
     public static bool IsAsked(PrintSetup setup)
@@ -84,11 +88,20 @@ internal sealed class ReadBack : IDisposable
         _comparison?.End(file.Toolpath, _read);
         var read = file.Toolpath.Tools.Count <= _plan.Tools.Count ? file.Toolpath.WithTools(_plan.Tools) : file.Toolpath;
         _places = new WrittenPlaces(_plan, move => move < 0 || move >= read.Count ? null : read[move].Source, Lines, _setup.Printer);
+        var timing = OwnThread.Run(() => Time(read));
         var checks = _checks.Finish(read, CheckScope.OfWritten(file, _setup), progress);
+        Read = (read, OwnThread.Join(timing));
         var compared = new DiagnosticList();
         compared.AddRange(modes.ToList());
         compared.AddRange(_compared.ToList());
         return [.. compared.ToList(), .. checks];
+    }
+
+    private double Time(Toolpath file)
+    {
+        var planner = new MotionPlanner(file, _setup, timesOnly: true);
+        planner.Take(file, null, _cancel);
+        return planner.End().Motion.TotalTime;
     }
 
     /// <summary>Nothing more is read, and nobody waits for that.</summary>
@@ -116,7 +129,7 @@ internal sealed class ReadBack : IDisposable
         _comparison?.GoOn(plan);
     }
 
-    private DecodedGCode Read()
+    private DecodedGCode Decode()
     {
         var options = new DecodeOptions
         {

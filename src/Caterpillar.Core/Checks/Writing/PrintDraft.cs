@@ -48,8 +48,7 @@ internal sealed class PrintDraft : IDisposable
     /// <param name="format">The format of the file.</param>
     /// <param name="stream">The file; null = only check.</param>
     /// <param name="progress">0 to 1.</param>
-    public (IReadOnlyList<Diagnostic>? Findings, long Lines, long Bytes) Finish(
-        Toolpath plan, Toolpath timed, GCodeFormat format, Stream? stream, IProgress<double>? progress)
+    public CheckedGCode Finish(Toolpath plan, Toolpath timed, GCodeFormat format, Stream? stream, IProgress<double>? progress)
     {
         _whole = (plan, format);
         _planned.CompleteAdding();
@@ -60,7 +59,7 @@ internal sealed class PrintDraft : IDisposable
         _writing.GetAwaiter().GetResult();
         NoteAdded(plan, timed, format);
         var findings = _back.Finish(progress.Part(0.5, 1));
-        return (text.Sum == _text.Sum ? findings : null, writer.Lines, writer.Bytes);
+        return new CheckedGCode(text.Sum == _text.Sum ? findings : null, writer.Lines, writer.Bytes, _back.Read);
     }
 
     /// <summary>Stops unfinished work and waits for its end.</summary>
