@@ -17,9 +17,10 @@ internal static class EditCheck
     {
         var options = new DecodeOptions { Flavor = decoding.Flavor, Rule = decoding.Rule, FilamentDiameter = setup.Material.FilamentDiameter };
         var file = GCodeDecoder.Decode(document, options, null, cancel).OrThrow();
-        var read = PrintCheck.WithVolumes(file.Toolpath, setup);
+        setup = PrintCheck.Mapped(setup, file);
+        var read = PrintCheck.AsPrinted(file, setup);
         var findings = new Findings(setup.Printer, read);
-        Compare(edited, read, findings);
+        Compare(edited, file.Toolpath, findings);
         var checks = PrintCheck.Run(read, setup, CheckScope.OfFile(file, setup), progress, cancel);
         return [.. findings.ToList(), .. checks];
     }

@@ -86,7 +86,8 @@ internal sealed class ReadBack : IDisposable
         var modes = NewFindings();
         RawModes.Run(_plan, _format, modes, index => _places?.OfEvent(index));
         _comparison?.End(file.Toolpath, _read);
-        var read = file.Toolpath.Tools.Count <= _plan.Tools.Count ? file.Toolpath.WithTools(_plan.Tools) : file.Toolpath;
+        var read = AxisMapping.Unroll(file.Toolpath, _setup.Printer.AxisMappings, _cancel);
+        if (read.Tools.Count <= _plan.Tools.Count) read = read.WithTools(_plan.Tools);
         _places = new WrittenPlaces(_plan, move => move < 0 || move >= read.Count ? null : read[move].Source, Lines, _setup.Printer);
         var timing = OwnThread.Run(() => Time(read));
         var checks = _checks.Finish(read, CheckScope.OfWritten(file, _setup), progress);
@@ -151,7 +152,8 @@ internal sealed class ReadBack : IDisposable
     private void Take(DecodedBlock block)
     {
         _comparison?.Take(block.Columns, block.Start);
-        _checks.Take(block);
+        // Mapped axes are unrolled when the whole file is known.
+        if (_setup.Printer.AxisMappings.Count == 0) _checks.Take(block);
         _read++;
     }
 

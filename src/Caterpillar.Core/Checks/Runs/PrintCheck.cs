@@ -29,7 +29,8 @@ public static class PrintCheck
     {
         if (file is null) throw new ArgumentNullException(nameof(file));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
-        var toolpath = WithVolumes(file.Toolpath, setup);
+        setup = Mapped(setup, file);
+        var toolpath = AsPrinted(file, setup);
         var findings = Run(toolpath, setup, CheckScope.OfFile(file, setup), progress, cancel);
         if (file.Report.File is not { Length: > 0 } name) return findings;
         return findings.Select(d => d.WithSource(s => (s ?? new SourceLocation()) with { File = name })).ToArray();
@@ -53,9 +54,14 @@ public static class PrintCheck
         return checks.Finish(toolpath, scope, progress);
     }
 
-    /// <summary>The toolpath of a file; tools without a stated filament use the filament of the material.</summary>
-    internal static Toolpath WithVolumes(Toolpath toolpath, PrintSetup setup)
+    /// <summary>The setup with the mapped axes that a file states.</summary>
+    internal static PrintSetup Mapped(PrintSetup setup, DecodedGCode file)
+        => file.MappingsOn(setup.Printer) is { Count: > 0 } stated ? setup with { Printer = setup.Printer with { AxisMappings = new(stated) } } : setup;
+
+    /// <summary>The toolpath of a file on the unrolled surface; tools without a stated filament use the filament of the material.</summary>
+    internal static Toolpath AsPrinted(DecodedGCode file, PrintSetup setup)
     {
+        var toolpath = file.Unrolled(setup.Printer);
         if (toolpath.Tools.All(t => t.VolumePerE is not null) || setup.Printer.ExtrusionUnit == ExtrusionUnit.None) return toolpath;
         var known = new ToolpathTool(ExtrusionModel.FilamentAreaOf(setup.Material.FilamentDiameter));
         return toolpath.WithTools(toolpath.Tools.Select(t => t.VolumePerE is null ? known : t));

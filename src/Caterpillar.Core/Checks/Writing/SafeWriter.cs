@@ -66,6 +66,7 @@ public static class SafeWriter
         var format = SetupFormat.Of(setup, toolpath);
         if (format.Value is null) return new Result<WrittenGCode>(null, new WriteGuard([], reason).Refusal(format.Diagnostics));
         var (timed, seconds) = ProgressCommands.Add(toolpath, setup, begun.Timing, cancel);
+        foreach (var mapping in setup.Printer.AxisMappings) timed = mapping.Apply(timed, null, cancel);
         var plain = format.Value with { PrintTime = seconds };
         // With a reason what was found stands at the top of the file: it is written again, where something was.
         var isOverridden = WriteGuard.IsReason(reason);
@@ -160,7 +161,8 @@ public static class SafeWriter
         GCodeDocument text, DecodeOptions reading, PrintSetup setup, string? reason, IProgress<double>? progress, CancellationToken cancel)
     {
         var file = GCodeDecoder.Decode(text, reading with { FilamentDiameter = setup.Material.FilamentDiameter }, null, cancel).OrThrow();
-        var read = PrintCheck.WithVolumes(file.Toolpath, setup);
+        setup = PrintCheck.Mapped(setup, file);
+        var read = PrintCheck.AsPrinted(file, setup);
         var guard = new WriteGuard(PrintCheck.Run(read, setup, CheckScope.OfFile(file, setup), progress, cancel), reason);
         if (guard.Refuses) return (new Result<GCodeDocument>(null, guard.Refusal([])), guard);
         var commented = new Result<GCodeDocument>(text, []);

@@ -53,7 +53,8 @@ internal sealed class MoveColumns
             }
             _firstRow[move.Index] = Rows;
             var length = move.Length;
-            var area = move.Kind is MoveKind.Print or MoveKind.Prime && _toolpath.VolumeOf(move) is > 0 and var volume ? length > 0 ? volume / length : volume : 0;
+            var extrudes = move.Kind is MoveKind.Print or MoveKind.Prime;
+            var area = extrudes && _toolpath.VolumeOf(move) is > 0 and var volume ? length > 0 ? volume / length : volume : 0;
             var begin = move.Index > 0 ? End(move.Index - 1) : 0;
             var chords = move.Arc?.ChordCount(move.Start, move.End, ChordError) ?? 1;
             for (var i = 1; i <= chords; i++)

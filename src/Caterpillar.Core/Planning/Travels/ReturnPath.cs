@@ -6,12 +6,14 @@ namespace Caterpillar.Planning;
 /// <summary>
 /// The path that the head has taken, for returns along it. Each return cuts off what lies beyond its goal, so that all returns together visit every point once.
 /// </summary>
-internal sealed class ReturnPath
+internal sealed class ReturnPath(PlanRules rules)
 {
-    private const double Flush = 1e-6;
+    // Below what a travel may touch by the checks, mm.
+    private const double Touch = 0.03;
 
-    // A tip of half a millimeter then sinks by half an extrusion into the one uphill.
-    private const double MaxSlope = 0.25;
+    // As far below the top of what is printed as the checks look exactly, mm.
+    private const double Depth = 6;
+    private readonly Deposit _printed = new(rules.Cell, Depth);
     private readonly List<Vec3> _points = [];
 
     public void Visit(Vec3 point) => _points.Add(point);
@@ -48,26 +50,47 @@ internal sealed class ReturnPath
         return sum;
     }
 
-    /// <summary>True if the tip can descend to a point: nothing printed lies on top of it.</summary>
-    public static bool IsOpen(Deposit deposit, Vec3 point) => deposit.TopUnder(point, double.PositiveInfinity) <= point.Z + Flush;
+    /// <summary>An object on the bed.</summary>
+    public void Avoid(TriMesh obstacle) => Obstacle.AddTo(_printed, obstacle);
 
-    /// <summary>
-    /// True if the tip can return along a path: nothing lies on top of it (what was printed along it is flush with it), and it is not so steep that the tip
-    /// would plow through the extrusion uphill of it.
-    /// </summary>
-    public static bool IsOpen(Deposit deposit, Vec3 from, List<Vec3> path)
+    /// <summary>A path has been printed.</summary>
+    public void Print(PrintPath path)
     {
+        Visit(path.Start);
+        for (var i = 0; i < path.SegmentCount; i++)
+        {
+            Vec3 from = path.Points[i], to = path.EndOf(i);
+            if (path.ArcOf(i) is { } arc)
+            {
+                var chords = arc.ChordCount(from, WipePath.Tolerance);
+                for (var k = 1; k < chords; k++) Visit(arc.PointAt(from, to, (double)k / chords));
+            }
+            Visit(to);
+            // The wider where it is pressed flat.
+            var bead = path.BeadOf(i);
+            var round = 2 * Math.Sqrt(bead.Area / Math.PI);
+            var flat = bead with { Height = Math.Min(bead.Height > 0 ? bead.Height : rules.LayerHeight, round) };
+            _printed.Add(from, to, flat, path.ArcOf(i), rules.Shape);
+        }
+    }
+
+    /// <summary>What the head does to the print where its tip is at a point: no route down to it does more.</summary>
+    public HeadContact At(Vec3 point) => Along(point, [point]);
+
+    /// <summary>The worst that the head does to the print along a path: nozzle, head and boxes as the checks know them.</summary>
+    public HeadContact Along(Vec3 from, List<Vec3> path)
+    {
+        var worst = HeadContact.None;
         foreach (var to in path)
         {
-            var flat = (to - from).LengthXY;
-            if (Math.Abs(to.Z - from.Z) > MaxSlope * flat) return false;
-            var pieces = (int)Math.Min(100_000, Math.Ceiling(flat / (deposit.Cell / 2) + 1));
-            for (var i = 0; i <= pieces; i++)
+            var contact = _printed.Meets(from, to, Touch, rules.Outline, false, out _);
+            if (contact > worst) worst = contact;
+            foreach (var box in rules.HeadBoxes)
             {
-                if (!IsOpen(deposit, Vec3.Lerp(from, to, (double)i / pieces))) return false;
+                if (_printed.MeetsBox(from, to, Touch, box, out _)) worst = HeadContact.Hits;
             }
             from = to;
         }
-        return true;
+        return worst;
     }
 }
