@@ -171,9 +171,9 @@ internal static class Definitions
 
     private static GH_Document Bake(string name)
     {
-        var s = new Sketch(name, "Extrusions as Rhino objects. Switch Bake off and on. Baking again under the same name replaces the objects.");
+        var s = new Sketch(name, "Extrusions as Rhino objects. Switch Bake off and on. Baking again replaces the objects.");
         var plan = Ring(s);
-        s.Component<BakeToolpathComponent>(4, ("Toolpath", plan), ("Name", s.Text(3, "Name", "Ring")), ("Bake", s.Toggle(3, "Bake")),
+        s.Component<BakeToolpathComponent>(4, ("Toolpaths", plan), ("Name", s.Text(3, "Name", "Ring")), ("Bake", s.Toggle(3, "Bake")),
             ("Kind", s.Text(3, "Kind", "Beads")));
         s.Component<DeconstructToolpathComponent>(4, ("Toolpath", plan));
         return Write(s, 5, plan);
