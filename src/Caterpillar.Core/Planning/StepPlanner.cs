@@ -169,21 +169,20 @@ internal sealed class StepPlanner
         }
     }
 
-    // Back along the branch if that touches no more than the goal itself and is faster than up, over and down; else over the top.
+    // Back along the branch if that path is free and faster than up, over and down; else over the top.
     private void Return(TravelStep travel)
     {
         var goal = travel.Points[travel.Points.Count - 1];
         var from = _emitter.Position;
         var back = _returnPath!.BackTo(goal);
         if (from.DistanceTo(goal) <= TravelPlanner.Touching) return;
-        var contact = _returnPath.At(goal);
-        if (contact == HeadContact.Hits)
+        if (_returnPath.Blocked(from, goal) is { } blocked)
         {
             _counts.BlockedReturns++;
-            _diagnostics.Add(Severity.Warning, "plan.blocked_return", $"The head cannot return to {goal}: the nozzle hits what has been printed there. "
-                + "Draw what is above it last, or steep branches after flat ones.", (travel.Source ?? new SourceLocation()) with { Step = _emitter.Source });
+            _diagnostics.Add(Severity.Warning, "plan.blocked_return", $"The head cannot return from {from} to {goal}: at {blocked} it hits what has been printed "
+                + "next to it. Draw steep branches last.", (travel.Source ?? new SourceLocation()) with { Step = _emitter.Source });
         }
-        else if (back is not null && ReturnPath.Length(from, back) / _rules.TravelSpeed < _travel.TimeOver(goal) && _returnPath.Along(from, back) <= contact)
+        else if (back is not null && ReturnPath.Length(from, back) / _rules.TravelSpeed < _travel.TimeOver(goal) && _returnPath.Along(from, back) == HeadContact.None)
         {
             _counts.ReturnsAlong++;
             foreach (var point in back) _emitter.Travel(point, _rules.TravelSpeed);

@@ -58,10 +58,12 @@ public static class PrintCheck
     internal static PrintSetup Mapped(PrintSetup setup, DecodedGCode file)
         => file.MappingsOn(setup.Printer) is { Count: > 0 } stated ? setup with { Printer = setup.Printer with { AxisMappings = new(stated) } } : setup;
 
-    /// <summary>The toolpath of a file on the unrolled surface; tools without a stated filament use the filament of the material.</summary>
-    internal static Toolpath AsPrinted(DecodedGCode file, PrintSetup setup)
+    /// <summary>The toolpath of a file on the unrolled surface, with the volumes of its tools.</summary>
+    internal static Toolpath AsPrinted(DecodedGCode file, PrintSetup setup) => WithVolumes(file.Unrolled(setup.Printer), setup);
+
+    /// <summary>The toolpath of a file; tools without a stated filament use the filament of the material.</summary>
+    internal static Toolpath WithVolumes(Toolpath toolpath, PrintSetup setup)
     {
-        var toolpath = file.Unrolled(setup.Printer);
         if (toolpath.Tools.All(t => t.VolumePerE is not null) || setup.Printer.ExtrusionUnit == ExtrusionUnit.None) return toolpath;
         var known = new ToolpathTool(ExtrusionModel.FilamentAreaOf(setup.Material.FilamentDiameter));
         return toolpath.WithTools(toolpath.Tools.Select(t => t.VolumePerE is null ? known : t));

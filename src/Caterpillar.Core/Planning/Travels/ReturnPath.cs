@@ -13,8 +13,15 @@ internal sealed class ReturnPath(PlanRules rules)
 
     // As far below the top of what is printed as the checks look exactly, mm.
     private const double Depth = 6;
+
+    // mm, and number of places, where the gap below an extrusion is looked at.
+    private const double Sample = 0.5;
+    private const int MostSamples = 256;
     private readonly Deposit _printed = new(rules.Cell, Depth);
     private readonly List<Vec3> _points = [];
+
+    // The last path, whose end the nozzle touches.
+    private PrintPath? _last;
 
     public void Visit(Vec3 point) => _points.Add(point);
 
@@ -56,6 +63,8 @@ internal sealed class ReturnPath(PlanRules rules)
     /// <summary>A path has been printed.</summary>
     public void Print(PrintPath path)
     {
+        AddLast();
+        _last = path;
         Visit(path.Start);
         for (var i = 0; i < path.SegmentCount; i++)
         {
@@ -66,19 +75,51 @@ internal sealed class ReturnPath(PlanRules rules)
                 for (var k = 1; k < chords; k++) Visit(arc.PointAt(from, to, (double)k / chords));
             }
             Visit(to);
-            // The wider where it is pressed flat.
-            var bead = path.BeadOf(i);
-            var round = 2 * Math.Sqrt(bead.Area / Math.PI);
-            var flat = bead with { Height = Math.Min(bead.Height > 0 ? bead.Height : rules.LayerHeight, round) };
-            _printed.Add(from, to, flat, path.ArcOf(i), rules.Shape);
         }
     }
 
-    /// <summary>What the head does to the print where its tip is at a point: no route down to it does more.</summary>
-    public HeadContact At(Vec3 point) => Along(point, [point]);
+    /// <summary>Where the head hits the print on every route: at its position or at the goal. Null if a route is free.</summary>
+    public Vec3? Blocked(Vec3 from, Vec3 goal)
+    {
+        if (Contact(from, [from]) == HeadContact.Hits) return from;
+        return Along(goal, [goal]) == HeadContact.Hits ? goal : null;
+    }
 
     /// <summary>The worst that the head does to the print along a path: nozzle, head and boxes as the checks know them.</summary>
     public HeadContact Along(Vec3 from, List<Vec3> path)
+    {
+        AddLast();
+        return Contact(from, path);
+    }
+
+    private void AddLast()
+    {
+        if (_last is not { } path) return;
+        _last = null;
+        for (var i = 0; i < path.SegmentCount; i++)
+        {
+            Vec3 from = path.Points[i], to = path.EndOf(i);
+            var bead = path.BeadOf(i);
+            _printed.Add(from, to, bead with { Height = HeightOf(path, bead, from, to) }, path.ArcOf(i), rules.Shape);
+        }
+    }
+
+    // As the checks see it: the height of the layer, or the least gap below, or round where it hangs. The flatter, the wider, and the sooner it is hit.
+    private double HeightOf(PrintPath path, in Bead bead, Vec3 from, Vec3 to)
+    {
+        if (path.Layer is { Thickness: > 0 } layer) return layer.Thickness;
+        var usual = Math.Max(rules.LayerHeight, rules.FirstLayerHeight);
+        var height = Math.Max(usual, 2 * Math.Sqrt(bead.Area / Math.PI));
+        var samples = (int)Math.Min(Math.Ceiling(from.DistanceTo(to) / Sample), MostSamples);
+        for (var k = 0; k < samples; k++)
+        {
+            var p = Vec3.Lerp(from, to, (k + 0.5) / samples);
+            height = Math.Min(height, p.Z - Math.Max(0, _printed.TopUnder(p, p.Z - usual / 2, _printed.Cell)));
+        }
+        return Math.Max(height, usual / 2);
+    }
+
+    private HeadContact Contact(Vec3 from, List<Vec3> path)
     {
         var worst = HeadContact.None;
         foreach (var to in path)

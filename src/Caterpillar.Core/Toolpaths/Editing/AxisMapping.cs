@@ -118,6 +118,7 @@ public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, dou
             throw new InvalidOperationException("A linear word can only be mapped from its own coordinate.");
         var builder = new ToolpathBuilder(toolpath.Source, toolpath.Start is { } start ? Mapped(start) : null);
         foreach (var layer in toolpath.Layers) builder.AddLayer(layer);
+        var turns = toolpath.HasTurns;
         var nextEvent = 0;
         var turn = 0.0;
         foreach (var move in toolpath.Moves())
@@ -138,9 +139,10 @@ public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, dou
                 var newTurn = IsRotary ? Coordinate(next) * Scale : 0;
                 builder.Add(to, move.E / parts, move.Deposited / parts, Speed(move, last, next, from, to, newTurn - turn), move.Kind, move.Role, move.Layer,
                     move.Tool, move.Source);
-                turn = newTurn;
-                if (IsRotary) builder.SetRotary(To == OutputAxis.A ? turn : 0, To == OutputAxis.B ? turn : 0, To == OutputAxis.C ? turn : 0);
-                last = next;
+                (turn, last) = (newTurn, next);
+                if (!IsRotary && !turns) continue;
+                var own = toolpath.TurnsOf(move.Index) ?? default;
+                builder.SetRotary(To == OutputAxis.A ? turn : own.A, To == OutputAxis.B ? turn : own.B, To == OutputAxis.C ? turn : own.C);
             }
         }
         for (; nextEvent < toolpath.Events.Count; nextEvent++) builder.AddEvent(toolpath.Events[nextEvent].Event);
