@@ -155,7 +155,14 @@ public abstract class CaterpillarComponent : GH_Component
         _solver.Begin();
     }
 
-    protected sealed override void AfterSolveInstance() => _solver.End();
+    protected sealed override void AfterSolveInstance()
+    {
+        _solver.End();
+        foreach (var output in Shown.OfType<IThinned>())
+        {
+            if (output.Note is { } note) AddRuntimeMessage(GH_RuntimeMessageLevel.Remark, note);
+        }
+    }
 
     protected sealed override void SolveInstance(IGH_DataAccess DA) => _solver.Solve(DA);
 

@@ -93,7 +93,7 @@ public sealed class SimulateTests
     public void What_is_printed_is_drawn_up_to_the_nozzle()
     {
         var goo = TwoLayers();
-        var lines = new PrintedLines(goo.Value, DocumentUnits.Current);
+        var lines = PrintedLines.Of(goo.Value, DocumentUnits.Current);
         Assert.That(lines.Count, Is.EqualTo(4));
         var second = Enumerable.Range(0, goo.Value.Count).Where(i => goo.Value[i].Kind == MoveKind.Print).ElementAt(1);
         lines.ShowUntil(second, 0.25);
@@ -110,7 +110,7 @@ public sealed class SimulateTests
     public void Blocks_are_whole_however_far_the_print_is()
     {
         var points = Enumerable.Range(0, 5001).Select(i => new Vec3(50 + 0.01 * i, 50 + i % 2, 0.2)).ToArray();
-        var lines = new PrintedLines(Planned(new PrintPath(points, Bead)).Value, DocumentUnits.Current);
+        var lines = PrintedLines.Of(Planned(new PrintPath(points, Bead)).Value, DocumentUnits.Current);
         var toolpath = Planned(new PrintPath(points, Bead)).Value;
         var total = Enumerable.Range(0, toolpath.Count).Where(i => toolpath[i].Kind == MoveKind.Print).Sum(i => toolpath[i].Length);
         foreach (var move in new[] { 0, 1023, 1024, 1025, 2048, 4000, toolpath.Count })
@@ -171,7 +171,7 @@ public sealed class SimulateTests
         Assert.That(canvas.All("Layer Times"), Is.EqualTo(expected.Layers.Select(l => (object)l.Time)));
         Assert.That(canvas.All("Summary"), Has.Some.Contains("OuterWall: "));
         var slow = new Canvas<StatisticsComponent>().Feed("Toolpath", goo)
-            .Feed("Printer", new Printer { PrintAcceleration = 50, TravelAcceleration = 50 }).Solve();
+            .Feed("Setup", new Printer { PrintAcceleration = 50, TravelAcceleration = 50 }).Solve();
         Assert.That(slow.One<double>("Time"), Is.GreaterThan(expected.Duration));
     }
 

@@ -26,7 +26,7 @@ public sealed class PreviewTests
     private static PrintPath Path(int points = 3) => new(Enumerable.Range(0, points).Select(i => new Vec3(i, i % 2, 1)), new Bead(0.08));
 
     private static Canvas<PlanarSlicerComponent> Sliced() => new Canvas<PlanarSlicerComponent>()
-        .Feed("Settings", new PrintSettings { LayerHeight = 0.5, FirstLayerHeight = 0.5, LineWidth = 0.6 }).Feed("Geometry", Shapes.Box()).Solve();
+        .Feed("Setup", new PrintSettings { LayerHeight = 0.5, FirstLayerHeight = 0.5, LineWidth = 0.6 }).Feed("Geometry", Shapes.Box()).Solve();
 
     private static DisplayPipeline Drawn(GH_Component component)
     {
@@ -65,25 +65,40 @@ public sealed class PreviewTests
     }
 
     [Test]
-    public void Very_large_goo_draws_nothing()
+    public void Of_too_many_lines_some_are_drawn_and_that_is_said()
     {
         var display = new DisplayPipeline();
-        new PrintPathGoo(Path(WireSet.MaxSegments + 2)).DrawViewportWires(new GH_PreviewWireArgs(new RhinoViewport(), display, Color.Red, 1));
-        Assert.That(display.Calls, Is.Empty);
-        var half = Path(WireSet.MaxSegments / 2 + 2);
+        var half = Path(Thinning.MostLines / 2 + 2);
         var param = new PrintPathParam();
-        param.AddVolatileData(new GH_Path(0), 0, half);
-        param.DrawViewportWires(new HeadlessPreviewArgs(new GH_Document(), display));
-        Assert.That(display.Calls, Has.Count.EqualTo(1));
-        param.AddVolatileData(new GH_Path(0), 1, half);
-        param.DrawViewportWires(new HeadlessPreviewArgs(new GH_Document(), display));
-        Assert.That(display.Calls, Has.Count.EqualTo(1), "The limit is one of the parameter.");
+        var document = new GH_Document();
+        document.AddObject(param, false);
+        int Drawn(params object[] paths)
+        {
+            var source = new Grasshopper.Kernel.Parameters.Param_GenericObject();
+            foreach (var path in paths) source.PersistentData.Append(Grasshopper.Kernel.Types.Casting.Wrap(path), new GH_Path(0));
+            document.AddObject(source, false);
+            param.RemoveAllSources();
+            param.AddSource(source);
+            param.ExpireSolution(true);
+            display.Calls.Clear();
+            param.DrawViewportWires(new HeadlessPreviewArgs(document, display));
+            return ((Rg.Line[])display.Calls.Single().Item).Length;
+        }
+        Assert.That(Drawn(half), Is.EqualTo(half.SegmentCount));
+        Assert.That(param.RuntimeMessages(GH_RuntimeMessageLevel.Remark), Is.Empty);
+        Assert.That(Drawn(half, half), Is.EqualTo(half.SegmentCount).Within(1), "The limit is one of the parameter.");
+        Assert.That(param.RuntimeMessages(GH_RuntimeMessageLevel.Remark),
+            Has.One.EqualTo("The preview shows one line in 2, because there are too many lines."));
+        var quarter = Path(Thinning.MostLines / 4 + 2);
+        var layers = Enumerable.Range(0, 8).Select(i => (object)quarter.With(layer: new Caterpillar.Toolpaths.Layer(i, 0.2 * i, 0.2))).ToArray();
+        Assert.That(Drawn(layers), Is.EqualTo(3 * quarter.SegmentCount), "Layers 0, 3 and 6.");
+        Assert.That(param.RuntimeMessages(GH_RuntimeMessageLevel.Remark), Has.One.Contains("one layer in 3"));
     }
 
     [Test]
     public void A_toolpath_draws_what_is_printed_and_not_the_travels()
     {
-        var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", Path(), Path(5)).Feed("Printer", "generic").Solve();
+        var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", Path(), Path(5)).Feed("Setup", "generic").Solve();
         var lines = (Rg.Line[])Drawn(plan.Component).Calls.Single().Item;
         Assert.That(lines.Sum(l => l.Length), Is.EqualTo(Path().Length + Path(5).Length).Within(1e-9));
     }
@@ -91,7 +106,7 @@ public sealed class PreviewTests
     [Test]
     public void A_large_print_is_drawn_in_few_calls_and_its_box_is_kept()
     {
-        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", new PrintSettings { LayerHeight = 0.2, FirstLayerHeight = 0.2 })
+        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Setup", new PrintSettings { LayerHeight = 0.2, FirstLayerHeight = 0.2 })
             .Feed("Geometry", Shapes.Box(100, 100, 40, 40)).Solve();
         Assert.That(canvas.All("Print Paths"), Has.Count.GreaterThan(500));
         Assert.That(Drawn(canvas.Component).Calls, Has.Count.EqualTo(1));
@@ -129,7 +144,7 @@ public sealed class PreviewTests
     {
         using var document = new InDocument();
         var path = Path().With(role: Role.OuterWall, layer: new Caterpillar.Toolpaths.Layer(3, 1, 0.2, "Vase"));
-        var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", path, Path(5)).Feed("Printer", "generic").Solve();
+        var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", path, Path(5)).Feed("Setup", "generic").Solve();
         var ids = new List<Guid>();
         plan.Component.BakeGeometry(document.Document, null!, ids);
         var items = document.Document.Objects.Items;

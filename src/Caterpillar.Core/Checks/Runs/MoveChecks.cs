@@ -124,7 +124,7 @@ internal sealed class MoveChecks : IDisposable
 
     private void Print()
     {
-        var run = new CheckRun([new DepositCheck(_setup, _ofPrint)], _tools, _stop.Token);
+        var run = new CheckRun([new DepositCheck(_setup, _ofPrint, _stop.Token)], _tools, _stop.Token);
         foreach (var block in _waiting.GetConsumingEnumerable())
         {
             run.Block(block, at =>

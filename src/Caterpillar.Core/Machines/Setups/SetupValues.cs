@@ -6,7 +6,8 @@ internal static class SetupValues
     public static Result<PrintSetup> Apply(PrintSetup setup, IEnumerable<string> values)
     {
         var diagnostics = new List<Diagnostic>();
-        foreach (var entry in values)
+        // Percents of the nozzle need the nozzle.
+        foreach (var entry in values.OrderBy(v => !v.TrimStart().StartsWith(PrinterKeys.NozzleDiameter.Name, StringComparison.Ordinal)))
         {
             var at = entry.IndexOfAny(['=']);
             var key = (at < 0 ? entry : entry.Substring(0, at)).Trim();
@@ -15,6 +16,15 @@ internal static class SetupValues
             else setup = One(setup, key, entry.Substring(at + 1), place, diagnostics);
         }
         return new Result<PrintSetup>(diagnostics.Any(d => d.Severity == Severity.Error) ? null : setup, diagnostics);
+    }
+
+    public static IReadOnlyList<KeyValuePair<string, string>> Of(PrintSetup setup)
+    {
+        return [.. Of(ProfileKinds.Settings, setup.Settings), .. Of(ProfileKinds.Printer, setup.Printer), .. Of(ProfileKinds.Material, setup.Material)];
+
+        static IEnumerable<KeyValuePair<string, string>> Of<T>(ProfileKind<T> kind, T profile)
+            where T : class
+            => kind.Keys.Where(k => k.Name != "title").Select(k => new KeyValuePair<string, string>(k.Name, RawValues.Text(k.Get(profile))));
     }
 
     private static PrintSetup One(PrintSetup setup, string key, string text, SourceLocation place, List<Diagnostic> diagnostics)

@@ -44,7 +44,7 @@ public sealed class DeformToolpathComponent() : CaterpillarComponent(
             deformation = Deformation.Cartesian(p => frame.ToLocal(p)).Then(deformation).Then(Deformation.Cartesian(p => frame.ToWorld(p)));
         }
         var result = run.Work("Deforming", [goo.Value, frame, .. MoveFilterPorts.Key(filter), .. request.Key],
-            (_, _) => goo.Value.Deform(filter, deformation, request.Tolerance));
+            (_, cancel) => goo.Value.Deform(filter, deformation, request.Tolerance, cancel));
         run.Set(0, goo.With(run.Require(result)));
     }
 }

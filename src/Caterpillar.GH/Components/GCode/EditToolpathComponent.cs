@@ -36,15 +36,16 @@ public sealed class EditToolpathComponent() : CaterpillarComponent(
         var map = run.MaybeValue<Rg.Transform>(After + 2) is { } transform
             ? RhinoGeometry.ToAffine(transform, run.Units) ?? throw new InputProblem("Transform must be affine: move, rotate, scale or shear.")
             : (Affine?)null;
-        var edited = run.Work("Editing", [goo.Value, speed, flow, map, MoveFilterPorts.Key(filter)], (_, _) => Edit(goo.Value, filter, speed, flow, map));
+        var edited = run.Work("Editing", [goo.Value, speed, flow, map, MoveFilterPorts.Key(filter)],
+            (_, cancel) => Edit(goo.Value, filter, speed, flow, map, cancel));
         run.Set(0, goo.With(edited));
     }
 
-    private static Toolpath Edit(Toolpath edited, MoveFilter filter, double speed, double flow, Affine? map)
+    private static Toolpath Edit(Toolpath edited, MoveFilter filter, double speed, double flow, Affine? map, CancellationToken cancel)
     {
-        if (speed != 1) edited = edited.ScaleSpeed(filter, speed);
-        if (flow != 1) edited = edited.ScaleFlow(filter, flow);
+        if (speed != 1) edited = edited.ScaleSpeed(filter, speed, cancel);
+        if (flow != 1) edited = edited.ScaleFlow(filter, flow, cancel);
         // Start and end code, which belong to no layer, stay.
-        return map is { } moved ? edited.Transform(filter.InLayersOf(edited), moved) : edited;
+        return map is { } moved ? edited.Transform(filter.InLayersOf(edited), moved, cancel: cancel) : edited;
     }
 }

@@ -26,8 +26,8 @@ public sealed class FilterToolpathComponent() : CaterpillarComponent(
         var goo = run.Get<ToolpathGoo>(0);
         var filter = MoveFilterPorts.Read(run, 1);
         var remove = run.Get<bool>(1 + MoveFilterPorts.Count);
-        var edited = run.Work("Filtering", [goo.Value, remove, MoveFilterPorts.Key(filter)], (_, _) => remove ? goo.Value.Remove(filter)
-            : goo.Value.Keep(filter));
+        var edited = run.Work("Filtering", [goo.Value, remove, MoveFilterPorts.Key(filter)], (_, cancel) => remove ? goo.Value.Remove(filter, cancel)
+            : goo.Value.Keep(filter, cancel));
         run.Set(0, goo.With(edited));
         run.Summarize($"{NumberFormatter.Format(edited.Count)} moves");
     }

@@ -33,10 +33,10 @@ public sealed class ConstructPrintSettingsComponent() : ProfileComponent(
     private protected override void Solve(Run run)
     {
         var settings = run.Maybe<PrintSettings>(0) ?? run.Require(Profiles.Library.Settings("standard"));
+        if (run.MaybeValue<double>(1) is { } height) settings = settings with { LayerHeight = height };
+        if (run.MaybeValue<double>(2) is { } width) settings = settings with { LineWidth = width };
         settings = settings with
         {
-            LayerHeight = run.MaybeValue<double>(1) ?? settings.LayerHeight,
-            LineWidth = run.MaybeValue<double>(2) ?? settings.LineWidth,
             PrintSpeed = run.MaybeValue<double>(3) ?? settings.PrintSpeed,
             TravelSpeed = run.MaybeValue<double>(4) ?? settings.TravelSpeed,
             SubdivisionDistance = run.MaybeValue<double>(5) ?? settings.SubdivisionDistance,
