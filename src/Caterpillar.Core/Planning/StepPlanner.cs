@@ -179,10 +179,12 @@ internal sealed class StepPlanner
         if (_returnPath.Blocked(from, goal) is { } blocked)
         {
             _counts.BlockedReturns++;
-            _diagnostics.Add(Severity.Warning, "plan.blocked_return", $"The head cannot return from {from} to {goal}: at {blocked} it hits what has been printed "
-                + "next to it. Draw steep branches last.", (travel.Source ?? new SourceLocation()) with { Step = _emitter.Source });
+            _diagnostics.Add(
+                Severity.Warning, "plan.blocked_return", $"The head cannot return from {from} to {goal}: at {blocked} it hits what has been printed next to it. "
+                + "Draw steep branches last.", (travel.Source ?? new SourceLocation()) with { Step = _emitter.Source });
         }
-        else if (back is not null && ReturnPath.Length(from, back) / _rules.TravelSpeed < _travel.TimeOver(goal) && _returnPath.Along(from, back) == HeadContact.None)
+        else if (back is not null && ReturnPath.Length(from, back) / _rules.TravelSpeed < _travel.TimeOver(goal)
+            && _returnPath.Along(from, back) == HeadContact.None)
         {
             _counts.ReturnsAlong++;
             foreach (var point in back) _emitter.Travel(point, _rules.TravelSpeed);

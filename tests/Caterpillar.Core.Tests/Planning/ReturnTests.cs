@@ -19,7 +19,7 @@ public class ReturnTests
         var thin = new PrintPath([new Vec3(0, 0, 1), new Vec3(10, 0, 3.5)], new Bead(0.05));
         Step[] steps = [thin, Return(0, 0, 1), Path(0, 0, 1, 0, 10, 5)];
         var plan = PlanningTests.Plan(steps, Rules with { Outline = new HeadShape([(0.1, 0)]) });
-        Assert.That(PlanningTests.Text(plan.Toolpath).Skip(1).Take(4),
+        Assert.That(PlanningTests.Text(plan.Toolpath).Skip(2).Take(4),
             Is.EqualTo(new[] { "Retract 10,0,3.5 -1 40", "Travel 0,0,3.5 0 150", "Travel 0,0,1 0 10", "Deretract 0,0,1 1 30" }));
         Assert.That((plan.Report.ReturnsOver, plan.Report.ReturnsAlong, plan.Report.BlockedReturns), Is.EqualTo((1, 0, 0)));
     }

@@ -92,8 +92,8 @@ public class AxisMappingTests
     public void A_print_around_a_drum_is_the_print_of_the_unrolled_surface()
     {
         var bead = Bead.FromWidth(0.45, 0.3);
-        var steps = new[] { new PrintPath([new Vec3(10, 50, 0.3), new Vec3(210, 50, 0.3)], bead), new PrintPath([new Vec3(400, 60, 0.3), new Vec3(10, 70, 0.3)], bead) }
-            .ToSteps();
+        PrintPath[] lines = [new([new Vec3(10, 50, 0.3), new Vec3(210, 50, 0.3)], bead), new([new Vec3(400, 60, 0.3), new Vec3(10, 70, 0.3)], bead)];
+        var steps = lines.ToSteps();
         var flat = new PrintSetup();
         var drum = flat.With("axis_mappings=X=A*2.86@110").OrThrow();
         var job = PrintJob.Draw(steps, drum).OrThrow();
