@@ -187,17 +187,18 @@ public static class ToolpathImage
         chords.Add(move.End);
     }
 
-    // A disc has spokes as high as it is, so many that its rim is smooth.
+    // A disc consists of rods side by side, as high as it is, so many that its rim is smooth.
     private static void DrawBlob(ExtrusionCanvas canvas, Blob blob, Rgb color)
     {
-        const double Spokes = 400;
+        const int MostRods = 400;
         var (center, reach) = (blob.Tip - new Vec3(0, 0, blob.Height / 2), (blob.Width - blob.Height) / 2);
-        canvas.Extrusion(center, center, blob.Height, color);
-        var around = Math.Min(Spokes, 16 * Math.PI * reach / blob.Height);
-        for (var k = 0; k < around; k++)
+        var rods = (int)Math.Min(MostRods, 1 + 16 * reach / blob.Height);
+        for (var k = 0; k < rods; k++)
         {
-            var (sin, cos) = Angle.SinCos(360 * k / around);
-            canvas.Extrusion(center, center + new Vec3(reach * cos, reach * sin, 0), blob.Height, color);
+            var aside = reach * ((2 * k + 1.0) / rods - 1);
+            var half = new Vec3(Math.Sqrt(Math.Max(0, reach * reach - aside * aside)), 0);
+            var middle = center + new Vec3(0, aside);
+            canvas.Extrusion(middle - half, middle + half, blob.Height, color);
         }
     }
 

@@ -180,7 +180,7 @@ internal sealed class StepPlanner
         {
             _counts.BlockedReturns++;
             _diagnostics.Add(
-                Severity.Warning, "plan.blocked_return", $"The head cannot return from {from} to {goal}: at {blocked} it hits what has been printed next to it. "
+                Severity.Warning, "plan.blocked_return", $"The head cannot return from {from} to {goal}: at {blocked} it hits what is printed next to it. "
                 + "Draw steep branches last.", (travel.Source ?? new SourceLocation()) with { Step = _emitter.Source });
         }
         else if (back is not null && ReturnPath.Length(from, back) / _rules.TravelSpeed < _travel.TimeOver(goal)
