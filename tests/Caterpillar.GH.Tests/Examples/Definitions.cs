@@ -82,19 +82,22 @@ internal static class Definitions
     private static GH_Document HelixToSphere(string name)
     {
         var s = new Sketch(name, "A helix becomes a barrel: the radius grows with the height and shrinks again. Shapes without slicing, after Kanada.");
-        var helix = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 15, 5, 50, 0)), ("Height", s.Slider(0, "Height", 4, 1, 40, 1)),
+        var helix = s.Component<RisingTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 15, 5, 50, 0)), ("Height", s.Slider(0, "Height", 4, 1, 40, 1)),
             ("Pitch", s.Slider(0, "Pitch", 0.4, 0.1, 2)), ("Segments Per Turn", s.Slider(0, "Segments", 36, 12, 144, 0)));
         var round = s.Component<DeformComponent>(2, ("Print Paths", helix), ("System", s.Text(1, "System", "Cylindrical")),
-            ("X", s.Text(1, "New radius", "r + 0.5 * z * (4.2 - z)")));
+            ("R", s.Text(1, "New radius", "r + 0.5 * z * (4.2 - z)")));
         return Print(s, 4, Moved(s, 3, round));
     }
 
     private static GH_Document CupWithSkirt(string name)
     {
         var s = new Sketch(name, "A cup: first a skirt, then a spiral floor, then a widening wall. Steps from several sources are printed in order.");
-        var skirt = s.Component<SkirtTraceComponent>(1, ("Radius", s.Slider(0, "Skirt", 22, 10, 60, 0)), ("Loop Count", s.Slider(0, "Loops", 2, 1, 10, 0)));
-        var floor = s.Component<SpiralTraceComponent>(1, ("Radius", s.Slider(0, "Floor", 15, 5, 50, 0)), ("Pitch", s.Slider(0, "Pitch", 0.5, 0.2, 2)));
-        var wall = s.Component<ConeTraceComponent>(1, ("Bottom Radius", s.Slider(0, "Bottom", 15, 5, 50, 0)), ("Top Radius", s.Slider(0, "Top", 18, 5, 50, 0)),
+        var skirt = s.Component<RoundTraceComponent>(1, ("Kind", s.Text(0, "Kind of skirt", "Skirt")),
+            ("Radius", s.Slider(0, "Skirt", 22, 10, 60, 0)), ("Loop Count", s.Slider(0, "Loops", 2, 1, 10, 0)));
+        var floor = s.Component<RoundTraceComponent>(1, ("Kind", s.Text(0, "Kind of floor", "Spiral")),
+            ("Radius", s.Slider(0, "Floor", 15, 5, 50, 0)), ("Pitch", s.Slider(0, "Pitch", 0.5, 0.2, 2)));
+        var wall = s.Component<RisingTraceComponent>(1, ("Kind", s.Text(0, "Kind of wall", "Cone")),
+            ("Bottom Radius", s.Slider(0, "Bottom", 15, 5, 50, 0)), ("Top Radius", s.Slider(0, "Top", 18, 5, 50, 0)),
             ("Height", s.Slider(0, "Height", 2, 1, 40, 1)), ("Pitch", s.Slider(0, "Rise", 0.25, 0.1, 1)));
         var moved = Moved(s, 2, skirt);
         moved.Params.Input[0].AddSource(floor.Params.Output[0]);
@@ -105,7 +108,7 @@ internal static class Definitions
     private static GH_Document GapBead(string name)
     {
         var s = new Sketch(name, "Waves on a flat ring. Each extrusion gets the material that fills the gap below it.");
-        var ring = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 15, 5, 50, 0)), ("Height", s.Slider(0, "Height", 1.2, 1, 40, 1)),
+        var ring = s.Component<RisingTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 15, 5, 50, 0)), ("Height", s.Slider(0, "Height", 1.2, 1, 40, 1)),
             ("Pitch", s.Slider(0, "Pitch", 0.3, 0.1, 2)), ("Segments Per Turn", s.Slider(0, "Segments", 48, 12, 144, 0)));
         var waves = s.Component<DeformComponent>(2, ("Print Paths", ring), ("System", s.Text(1, "System", "Cylindrical")),
             ("Z", s.Text(1, "New height", "z + 0.1 * z * sin(6 * theta)")));
@@ -116,7 +119,7 @@ internal static class Definitions
     private static GH_Document ModulatedRing(string name)
     {
         var s = new Sketch(name, "A pattern by displacement. A formula pushes the wall in and out along its length.");
-        var ring = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 15, 5, 50, 0)), ("Height", s.Slider(0, "Height", 2, 1, 40, 1)),
+        var ring = s.Component<RisingTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 15, 5, 50, 0)), ("Height", s.Slider(0, "Height", 2, 1, 40, 1)),
             ("Pitch", s.Slider(0, "Pitch", 0.25, 0.1, 2)), ("Segments Per Turn", s.Slider(0, "Segments", 72, 12, 144, 0)));
         var pattern = s.Component<ModulateComponent>(2, ("Print Paths", ring), ("Expression", s.Text(1, "Pattern", "0.5 + 0.5 * sin(12 * theta)")),
             ("Mode", s.Text(1, "Mode", "Displace Left")), ("Low", s.Slider(1, "Low", 0, -2, 2)), ("High", s.Slider(1, "High", 0.8, -2, 2)));
@@ -126,11 +129,12 @@ internal static class Definitions
     private static GH_Document CustomPrinter(string name)
     {
         var s = new Sketch(name, "Your own printer, material and settings without a file. Values are set by their keys.");
-        var printer = s.Component<ConstructPrinterComponent>(1, ("Base", s.Text(0, "Base", "generic")), ("Nozzle", s.Slider(0, "Nozzle", 0.6, 0.2, 2)),
-            ("Overrides", s.Text(0, "Overrides", "max_flow_mm3_s=20\nprint_acceleration_mm_s2=600", lines: true)), ("Name", s.Text(0, "Name", "my_printer")));
-        var material = s.Component<MaterialComponent>(1, ("Name", s.Text(0, "Material", "petg")),
-            ("Overrides", s.Text(0, "Values", "nozzle_temperature_c=235", lines: true)));
-        var settings = s.Component<ConstructPrintSettingsComponent>(1, ("Layer Height", s.Slider(0, "Layer", 0.3, 0.05, 1)),
+        var printer = s.Component<PrinterComponent>(1, ("Profile", s.Text(0, "Profile", "generic")), ("Nozzle Diameter", s.Slider(0, "Nozzle", 0.6, 0.2, 2)),
+            ("max_flow_mm3_s", s.Slider(0, "Maximum flow", 20, 1, 50, 0)), ("print_acceleration_mm_s2", s.Slider(0, "Acceleration", 600, 100, 5000, 0)),
+            ("Name", s.Text(0, "Name", "my_printer")));
+        var material = s.Component<MaterialComponent>(1, ("Profile", s.Text(0, "Material", "petg")),
+            ("Nozzle Temperature", s.Slider(0, "Nozzle temperature", 235, 180, 300, 0)));
+        var settings = s.Component<PrintSettingsComponent>(1, ("Layer Height", s.Slider(0, "Layer", 0.3, 0.05, 1)),
             ("Print Speed", s.Slider(0, "Speed", 45, 5, 200, 0)));
         var turtle = s.Component<TurtleComponent>(1, ("Program", s.Text(0, "Script", "jump 60 60 0.3\nbead 0.7 0.3\nrepeat 6 [ forward 20; left 60 ]")));
         var setup = s.Component<PrintSetupComponent>(2, ("Printer", printer), ("Material", material), ("Settings", settings));
@@ -145,7 +149,8 @@ internal static class Definitions
             "; generated by a slicer\nG28\nG90\nM83\nM109 S200\n;LAYER:0\nG1 X60 Y60 Z0.2 F6000\nG1 X100 Y60 E1.5 F1800\nG1 X100 Y100 E1.5\n"
             + ";LAYER:1\nG1 X60 Y60 Z0.4 F6000\nG1 X100 Y60 E1.5 F1800\nG1 X100 Y100 E1.5\nM104 S0\n");
         var decode = s.Component<DecodeGCodeComponent>(1, ("G-code", code), ("Setup", s.Text(0, "Printer", "generic")));
-        var edit = s.Component<EditToolpathComponent>(2, ("Toolpath", decode), ("First Layer", s.Slider(1, "First layer", 1, 0, 10, 0)),
+        var edit = s.Component<EditToolpathComponent>(2, ("Toolpath", decode),
+            ("Filter", s.Component<MoveFilterComponent>(1, ("First Layer", s.Slider(0, "First layer", 1, 0, 10, 0)))),
             ("Speed Factor", s.Slider(1, "Speed", 0.5, 0.1, 2)));
         var pause = s.Component<InsertAtLayerComponent>(3, ("Toolpath", edit), ("Layers", s.Slider(2, "Layer", 1, 0, 10, 0)),
             ("Text", s.Text(2, "Message", "Insert the nut")));
@@ -218,7 +223,8 @@ internal static class Definitions
         var s = new Sketch(name, "A drawing on a piece of terrain on the bed. The paths follow its surface, travel moves stay above it.");
         var terrain = Placed(s, "../models/terrain.stl");
         var setup = s.Component<PrintSetupComponent>(3, ("Printer", s.Text(2, "Printer", "generic")), ("Printed On", terrain));
-        var spiral = s.Component<SpiralTraceComponent>(2, ("Radius", s.Slider(1, "Radius", 6, 2, 50, 0)), ("Pitch", s.Slider(1, "Pitch", 3, 0.5, 10)));
+        var spiral = s.Component<RoundTraceComponent>(2, ("Kind", s.Text(1, "Kind of floor", "Spiral")),
+            ("Radius", s.Slider(1, "Radius", 6, 2, 50, 0)), ("Pitch", s.Slider(1, "Pitch", 3, 0.5, 10)));
         var project = s.Component<ProjectPathsComponent>(4, ("Print Paths", Moved(s, 3, spiral)), ("Setup", setup),
             ("Offset", s.Slider(3, "Offset", -0.05, -0.5, 1)),
                 ("Partial", s.Add(3, new Grasshopper.Kernel.Special.GH_BooleanToggle { NickName = "Partial", Value = true })));
@@ -228,11 +234,12 @@ internal static class Definitions
     private static GH_Document GlobeFromImage(string name)
     {
         var s = new Sketch(name, "A globe from an image. White areas get less flow, so extrusions are thinner there. The sphere is a deformed helix.");
-        var helix = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 10, 5, 50, 0)), ("Height", s.Slider(0, "Height", 12, 1, 40, 1)),
+        var helix = s.Component<RisingTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 10, 5, 50, 0)), ("Height", s.Slider(0, "Height", 12, 1, 40, 1)),
             ("Pitch", s.Slider(0, "Pitch", 1, 0.1, 2)), ("Segments Per Turn", s.Slider(0, "Segments", 48, 12, 144, 0)));
         var sphere = s.Component<DeformComponent>(2, ("Print Paths", helix), ("System", s.Text(1, "System", "Cylindrical")),
-            ("X", s.Text(1, "New radius", "sqrt(64 - (z - 6) ^ 2) + r - 10")));
-        var image = s.Component<ModulateComponent>(3, ("Print Paths", sphere), ("Image", s.Text(2, "Image", "../turtle/world_map.pbm")),
+            ("R", s.Text(1, "New radius", "sqrt(64 - (z - 6) ^ 2) + r - 10")));
+        var image = s.Component<ModulateComponent>(3, ("Print Paths", sphere), ("Source", s.Text(2, "Source", "Image")),
+            ("Image", s.Text(2, "Image", "../turtle/world_map.pbm")),
             ("Mode", s.Text(2, "Mode", "Flow")), ("Low", s.Slider(2, "Black", 1, 0.1, 2)), ("High", s.Slider(2, "White", 0.65, 0.1, 2)),
             ("Mapping", s.Text(2, "Mapping", "Globe")));
         return Print(s, 5, Moved(s, 4, image));
@@ -255,7 +262,8 @@ internal static class Definitions
             "; generated by a slicer\nG28\nG90\nM83\nM109 S200\n;LAYER:0\nG1 X60 Y60 Z0.2 F6000\nG1 X100 Y60 E1.5 F1800\nG1 X100 Y100 E1.5\n"
             + ";LAYER:1\nG1 X60 Y60 Z0.4 F6000\nG1 X100 Y60 E1.5 F90000\nG1 X100 Y100 E1.5\nM104 S0\n");
         var decode = s.Component<DecodeGCodeComponent>(1, ("G-code", code), ("Setup", s.Text(0, "Printer", "generic")));
-        var repaired = s.Component<EditToolpathComponent>(2, ("Toolpath", decode), ("First Layer", s.Slider(1, "From layer", 1, 0, 10, 0)),
+        var repaired = s.Component<EditToolpathComponent>(2, ("Toolpath", decode),
+            ("Filter", s.Component<MoveFilterComponent>(1, ("First Layer", s.Slider(0, "From layer", 1, 0, 10, 0)))),
             ("Speed Factor", s.Slider(1, "Speed", 0.02, 0.01, 2)));
         return Write(s, 4, s.Component<CheckComponent>(3, ("Toolpath", repaired)));
     }
@@ -267,16 +275,16 @@ internal static class Definitions
         Sketch s, string file, double layer, double? nozzle, params string[] values)
     {
         var models = Placed(s, file);
-        var settings = s.Component<ConstructPrintSettingsComponent>(3, ("Layer Height", s.Slider(2, "Layer", layer, 0.05, 1)),
-            ("Overrides", s.Text(2, "Values", string.Join("\n", values), lines: true)));
-        GH_Component printer = nozzle is { } d ? s.Component<ConstructPrinterComponent>(3, ("Nozzle", s.Slider(2, "Nozzle", d, 0.2, 3)))
+        var keys = values.Select(v => v.Split('=')).Select(v => (v[0], (object)s.Text(2, v[0], v[1])));
+        var settings = s.Component<PrintSettingsComponent>(3, [("Layer Height", s.Slider(2, "Layer", layer, 0.05, 1)), .. keys]);
+        GH_Component printer = nozzle is { } d ? s.Component<PrinterComponent>(3, ("Nozzle Diameter", s.Slider(2, "Nozzle", d, 0.2, 3)))
             : s.Component<PrinterComponent>(3);
         return (models, s.Component<PrintSetupComponent>(4, ("Printer", printer), ("Settings", settings)));
     }
 
     private static PlanToolpathComponent Ring(Sketch s)
     {
-        var ring = s.Component<HelixTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 12, 5, 50, 0)), ("Height", s.Slider(0, "Height", 1, 1, 40, 1)),
+        var ring = s.Component<RisingTraceComponent>(1, ("Radius", s.Slider(0, "Radius", 12, 5, 50, 0)), ("Height", s.Slider(0, "Height", 1, 1, 40, 1)),
             ("Pitch", s.Slider(0, "Pitch", 0.25, 0.1, 2)), ("Segments Per Turn", s.Slider(0, "Segments", 36, 12, 144, 0)));
         return s.Component<PlanToolpathComponent>(3, ("Steps", Moved(s, 2, ring)), ("Setup", s.Text(2, "Printer", "generic")));
     }

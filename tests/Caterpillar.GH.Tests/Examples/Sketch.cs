@@ -4,6 +4,9 @@ using System.Drawing;
 using System.Linq;
 using System.Security.Cryptography;
 using System.Text;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Components.Setup;
+using Caterpillar.GH.Tests.Host;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Special;
 
@@ -17,6 +20,7 @@ internal sealed class Sketch
     private readonly string _name;
     private readonly GH_Group _group = new();
     private readonly Dictionary<int, int> _rows = [];
+    private readonly HashSet<object> _identified = [];
     private int _count;
 
     public Sketch(string name, string note)
@@ -38,7 +42,7 @@ internal sealed class Sketch
         Document.AddObject(item, false);
         if (item is GH_Component component)
         {
-            foreach (var port in component.Params.Cast<GH_DocumentObject>()) port.NewInstanceGuid(NextId());
+            Identify(component);
         }
         _rows.TryGetValue(column, out var row);
         _rows[column] = row + 1;
@@ -63,7 +67,7 @@ internal sealed class Sketch
         var component = Add(column, new T());
         foreach (var (input, source) in wires)
         {
-            var port = component.Params.Input.Single(p => p.Name == input);
+            var port = Port(component, input);
             port.AddSource(source switch
             {
                 GH_Component other => other.Params.Output[0],
@@ -71,7 +75,33 @@ internal sealed class Sketch
                 _ => (IGH_Param)source,
             });
         }
+        if (component is ChosenPortsComponent chosen) Chosen.Follow(chosen);
+        Identify(component);
         return component;
+    }
+
+    // A port that is shown for some choices, or one for a key.
+    private IGH_Param Port(GH_Component component, string name)
+    {
+        if (component.Params.Input.FirstOrDefault(p => p.Name == name) is { } shown) return shown;
+        if (component is ChosenPortsComponent chosen) Chosen.Follow(chosen);
+        else if (component is KeyPortsComponent) AddKey(component, name);
+        Identify(component);
+        return component.Params.Input.Single(p => p.Name == name);
+    }
+
+    // As a user does it, without a solution.
+    private void AddKey(GH_Component component, string key)
+    {
+        Document.Enabled = false;
+        component.Params.Rename(component.Params.Insert(component.Params.Input.Count), key);
+        Document.RunSchedule();
+        Document.Enabled = true;
+    }
+
+    private void Identify(GH_Component component)
+    {
+        foreach (var port in component.Params.Cast<GH_DocumentObject>().Where(p => _identified.Add(p))) port.NewInstanceGuid(NextId());
     }
 
     /// <summary>The definition, with its group.</summary>

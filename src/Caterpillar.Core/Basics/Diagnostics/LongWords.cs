@@ -53,7 +53,7 @@ internal static class LongWords
     }
 
     /// <summary>A name on one line, without control characters.</summary>
-    public static string OneLine(string? name) => name is null ? "" : Visible(name.Replace("\n", "\\n").Replace("\r", "\\r"));
+    public static string OneLine(string? name) => name is null ? "" : Visible(string.Join("\\n", string.Join("\\r", name.Split('\r')).Split('\n')));
 
     // Also those that change the direction of text.
     private static bool IsControl(char c)

@@ -13,16 +13,15 @@ internal static class EditCheck
     private const double Share = 0.001;
 
     public static IReadOnlyList<Diagnostic> Run(
-        DecodedGCode decoding, Toolpath edited, GCodeDocument document, PrintSetup setup, IProgress<double>? progress, CancellationToken cancel)
+        DecodedGCode decoding, Toolpath edited, GCodeDocument document, PrintSetup setup, IProgress<double>? progress, CancellationToken cancel,
+        DecodedGCode? before = null)
     {
         var options = new DecodeOptions { Flavor = decoding.Flavor, Rule = decoding.Rule, FilamentDiameter = setup.Material.FilamentDiameter };
         var file = GCodeDecoder.Decode(document, options, null, cancel).OrThrow();
-        setup = PrintCheck.Mapped(setup, file);
-        var read = PrintCheck.AsPrinted(file, setup);
-        var findings = new Findings(setup.Printer, read);
+        var findings = new Findings(setup.Printer, file.Toolpath);
         Compare(edited, file.Toolpath, findings);
-        var checks = PrintCheck.Run(read, setup, CheckScope.OfFile(file, setup), progress, cancel);
-        return [.. findings.ToList(), .. checks];
+        var checks = PrintCheck.RunFile(file, setup, before ?? decoding, progress, cancel);
+        return [.. findings.ToList(), .. checks, .. DecodingNotes.Of(file, before ?? decoding)];
     }
 
     // Edits may join and divide moves: where their numbers differ, only the sums are compared.

@@ -89,13 +89,15 @@ internal sealed class ReadBack : IDisposable
         var read = AxisMapping.Unroll(file.Toolpath, _setup.Printer.AxisMappings, _cancel);
         if (read.Tools.Count <= _plan.Tools.Count) read = read.WithTools(_plan.Tools);
         _places = new WrittenPlaces(_plan, move => move < 0 || move >= read.Count ? null : read[move].Source, Lines, _setup.Printer);
+        var scope = CheckScope.OfWritten(file, _setup) with { FirstLine = Lines.Before(0, -1) + 1, IsOwnLine = IsOwnLine };
         var timing = OwnThread.Run(() => Time(read));
-        var checks = _checks.Finish(read, CheckScope.OfWritten(file, _setup), progress);
+        var checks = _checks.Finish(read, scope, progress);
         Read = (read, OwnThread.Join(timing));
         var compared = new DiagnosticList();
         compared.AddRange(modes.ToList());
         compared.AddRange(_compared.ToList());
-        return [.. compared.ToList(), .. checks];
+        var problems = DecodingNotes.Of(file, null).Select(d => d.WithSource(s => s?.Line is { } line ? _places.OfLine(line) : s));
+        return [.. compared.ToList(), .. checks, .. problems];
     }
 
     private double Time(Toolpath file)
@@ -129,6 +131,9 @@ internal sealed class ReadBack : IDisposable
         _writer.GoOn(plan, format);
         _comparison?.GoOn(plan);
     }
+
+    // Events of the plan, except lines that the user wrote.
+    private bool IsOwnLine(int line) => Lines.EventAt(line) is >= 0 and var what && _plan.Events[what].Event is not RawEvent;
 
     private DecodedGCode Decode()
     {

@@ -80,6 +80,7 @@ internal sealed class MoveChecks : IDisposable
         IMoveCheck[] checks = [new HeatCheck(_setup, scope, ofFile), new FileCheck(whole, scope, ofFile)];
         if (!scope.IsPlanned) checks = [.. checks, new ModeCheck(_setup.Printer, ofFile)];
         CheckRun.Run(whole, Asked(checks, ofFile), null, _cancel);
+        new CommandCheck(whole, _setup.Printer, scope, ofFile).Run();
         if (_printing is not null)
         {
             OwnThread.Wait(_printing);

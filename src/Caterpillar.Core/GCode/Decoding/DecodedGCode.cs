@@ -62,6 +62,12 @@ public sealed class DecodedGCode
     /// <summary>The state of the machine before each chunk of the document.</summary>
     internal Checkpoint[] Checkpoints { get; init; } = [];
 
+    /// <summary>Commands that are not harmless everywhere, and where the file uses them.</summary>
+    internal IReadOnlyList<UsedCommand> Used { get; init; } = [];
+
+    /// <summary>The diagnostics of decoding.</summary>
+    internal IReadOnlyList<Diagnostic> Problems { get; init; } = [];
+
     internal ExtrusionAxis Axis { get; init; } = ExtrusionAxis.None;
 
     /// <summary>The last line that changes a mode.</summary>
@@ -82,6 +88,23 @@ public sealed class DecodedGCode
 
     /// <summary>First line of the first layer. 0 = none.</summary>
     internal int FirstLayerLine { get; init; }
+
+    /// <summary>Line of the first extrusion of a layer. The largest number = none.</summary>
+    internal int FirstPrintLine
+    {
+        get
+        {
+            foreach (var block in Toolpath.Blocks)
+            {
+                var c = block.Columns;
+                for (var i = 0; i < c.Count; i++)
+                {
+                    if (c.Kind[i] == MoveKind.Print && c.Layer[i] >= 0) return c.Source[i];
+                }
+            }
+            return int.MaxValue;
+        }
+    }
 
     /// <summary>Moves, layers and flavor, for a panel.</summary>
     public override string ToString()
