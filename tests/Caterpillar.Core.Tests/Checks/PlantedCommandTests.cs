@@ -139,6 +139,18 @@ public class PlantedCommandTests
     public void Motors_off_before_the_print_need_homing(string lines, int errors)
         => Assert.That(Check(FlavorTable.Marlin2, lines, "start").Count(d => d.Code == CheckCodes.UnsafeCommand), Is.EqualTo(errors));
 
+    [Test]
+    public void A_print_of_dots_is_a_print_and_a_file_with_a_purge_line_alone_is_none()
+    {
+        var setup = SetupOf(FlavorTable.Marlin2);
+        setup = setup with { Printer = setup.Printer with { EndGCode = new("M104 S0", "M140 S0", "M84") } };
+        var dots = new SmallPrint(60, 60, 5).Go(60, 60, 0.3).Prime(0.1).Event(new RawEvent("M302 S0")).Go(80, 60, 0.3).Prime(0.1).Go(80, 60, 5);
+        Assert.That(SafeWriter.ToDocument(dots.Build(), setup).Diagnostics.Select(d => d.Code), Does.Contain(CheckCodes.UnsafeCommand));
+        setup = setup with { Printer = setup.Printer with { StartGCode = new([.. setup.Printer.StartGCode, "G1 X10 Y10 Z0.3", "G1 X50 E2 F600", "G1 Z5"]) } };
+        Assert.That(SafeWriter.ToDocument(new SmallPrint(60, 60, 5).Go(80, 60, 5).Build(), setup).Diagnostics.Select(d => d.Code),
+            Has.None.StartsWith("command."));
+    }
+
     [TestCase("SET_HEATER_TEMPERATURE HEATER=extruder", 1)]
     [TestCase("SET_HEATER_TEMPERATURE HEATER=extruder TARGET=0", 1)]
     [TestCase("SET_HEATER_TEMPERATURE HEATER=extruder TARGET=215", 0)]

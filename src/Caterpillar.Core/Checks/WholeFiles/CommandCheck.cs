@@ -21,7 +21,9 @@ internal sealed class CommandCheck
     public CommandCheck(Toolpath toolpath, Printer printer, CheckScope scope, Findings findings)
     {
         (_toolpath, _printer, _scope, _findings) = (toolpath, printer, scope, findings);
-        if (scope.Commands.Count > 0) (_first, _last) = (FirstExtrusion(), LastExtrusion());
+        if (scope.Commands.Count == 0) return;
+        _first = FirstExtrusion();
+        _last = _first < int.MaxValue ? LastExtrusion() : -1;
     }
 
     private enum Part
@@ -145,7 +147,7 @@ internal sealed class CommandCheck
             var c = _toolpath.Blocks[block].Columns;
             for (var i = 0; i < c.Count; i++)
             {
-                if (c.Kind[i] == MoveKind.Print && c.Source[i] >= _scope.FirstLine) return _toolpath.FirstOf(block) + i;
+                if (Extrudes(c, i) && c.Source[i] >= _scope.FirstLine) return _toolpath.FirstOf(block) + i;
             }
         }
         return int.MaxValue;
@@ -158,11 +160,13 @@ internal sealed class CommandCheck
             var c = _toolpath.Blocks[block].Columns;
             for (var i = c.Count - 1; i >= 0; i--)
             {
-                if (c.Kind[i] == MoveKind.Print) return _toolpath.FirstOf(block) + i;
+                if (Extrudes(c, i)) return _toolpath.FirstOf(block) + i;
             }
         }
         return -1;
     }
+
+    private static bool Extrudes(ToolpathColumns c, int i) => c.Kind[i] is MoveKind.Print or MoveKind.Prime;
 
     private readonly record struct Found(string Code, UsedCommand Used, CommandPlace Place, Part Part, int Count);
 }
