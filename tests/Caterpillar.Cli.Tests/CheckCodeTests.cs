@@ -102,6 +102,8 @@ public class CheckCodeTests : CliFixture
         CheckCodes.NozzleTemperature => "M104 S500\n",
         CheckCodes.BedTemperature => "M140 S300\nM140 S0\n",
         CheckCodes.Stationary => "G1 E300\n",
+        CheckCodes.Amount => "G1 X60 E-500\n",
+        CheckCodes.Starved => Extrusion(30, 10) + "G1 X31 E-0.3\n" + Extrusion(50, 10),
         CheckCodes.ColdExtrusion => "M104 S50\n" + Extrusion(30, 10),
         CheckCodes.ExtrusionMode => string.Concat(Enumerable.Range(1, 20).Select(i => $"G1 X{10 + i} E{(i % 2 == 0 ? "-" : "")}0.1\n")),
         _ => Extrusion(30, 10),

@@ -54,6 +54,8 @@ internal static class Drawings
         ["Play"] = c => c.Polygon(Ink.Green, 7, 4, 20, 12, 7, 20),
         ["Statistics"] = c => c.Rect(4, 13, 8, 20, Ink.Green).Rect(10, 8, 14, 20, Ink.Orange).Rect(16, 4.5, 20, 20, Ink.Blue)
             .Line(3, 20.5, 21, 20.5, 1.2, Ink.Dark),
+        ["WaitForResults"] = c => c.Polygon(Ink.Green, 6, 4.5, 18, 4.5, 12, 12).Polygon(Ink.Orange, 12, 12, 18, 19.5, 6, 19.5)
+            .Line(4.5, 3.8, 19.5, 3.8, 1.8, Ink.Dark).Line(4.5, 20.2, 19.5, 20.2, 1.8, Ink.Dark),
         ["Check"] = c => c.Polyline(3.2, Ink.Green, 4.5, 12.5, 9.5, 18, 19.5, 6),
         ["ToolpathPreview"] = c => c.Line(4, 18, 20, 18, 2.6, Ink.Blue).Line(4, 14, 20, 14, 2.6, Ink.Green).Line(4, 10, 20, 10, 2.6, Ink.Orange)
             .Line(4, 6, 20, 6, 2.6, Ink.Dark),

@@ -11,25 +11,26 @@ internal static class BakeLayers
 
     private const string Separator = "::";
 
-    /// <summary>Index of the layer <c>Caterpillar::object::role</c>.</summary>
-    public static int Find(RhinoDoc document, string item, string role, Color color)
-    {
-        var path = Root;
-        var parent = Ensure(document, path, Root, Guid.Empty, Color.Black);
-        foreach (var name in new[] { item, role })
-        {
-            // Rhino does not allow the separator in a name.
-            var safe = string.Join(":", name.Split([Separator], StringSplitOptions.None)).Trim();
-            if (safe.Length == 0) continue;
-            path += Separator + safe;
-            parent = Ensure(document, path, safe, document.Layers.FindIndex(parent).Id, color);
-        }
-        return parent;
-    }
+    /// <summary>The path <c>Caterpillar::object::role</c>. Rhino does not allow the separator in a name.</summary>
+    public static string PathOf(string item, string role) => string.Join(Separator, Root, Safe(item), Safe(role));
 
-    private static int Ensure(RhinoDoc document, string path, string name, Guid parent, Color color)
+    /// <summary>Index of the layer of a path.</summary>
+    public static int Find(RhinoDoc document, string path, Color color)
     {
         var found = document.Layers.FindByFullPath(path, -1);
-        return found >= 0 ? found : document.Layers.Add(new Layer { Name = name, ParentLayerId = parent, Color = color });
+        if (found >= 0) return found;
+        var (parent, soFar) = (-1, "");
+        var names = path.Split([Separator], StringSplitOptions.None).Select(n => n.Trim()).Where(n => n.Length > 0).ToArray();
+        for (var i = 0; i < names.Length; i++)
+        {
+            soFar += i > 0 ? Separator + names[i] : names[i];
+            var above = parent < 0 ? Guid.Empty : document.Layers.FindIndex(parent).Id;
+            parent = document.Layers.FindByFullPath(soFar, -1);
+            if (parent >= 0) continue;
+            parent = document.Layers.Add(new Layer { Name = names[i], ParentLayerId = above, Color = i == names.Length - 1 ? color : Color.Black });
+        }
+        return Math.Max(parent, 0);
     }
+
+    private static string Safe(string name) => string.Join(":", name.Split([Separator], StringSplitOptions.None));
 }

@@ -1,118 +1,162 @@
+using System.Drawing;
 using Caterpillar.Display;
 using Caterpillar.GH.Conversion;
-using Caterpillar.Toolpaths;
-using Layer = Caterpillar.Toolpaths.Layer;
+using Grasshopper.Kernel;
 using Rhino;
 using Rhino.DocObjects;
+using Rhino.UI;
 
 namespace Caterpillar.GH.Bake;
 
 /// <summary>
-/// Bakes extrusions on layers by object and role, with their color, with the bead width as plot weight, and with facts as user text. Objects of one name
-/// form a group.
+/// Adds objects to a document of Rhino, with the bead width as plot weight and with facts as user text. Where attributes were chosen, their layer, color and
+/// name are obeyed. Otherwise objects are on layers by object and role, in the color of the role. Escape takes everything back.
 /// </summary>
-internal sealed class Baker(RhinoDoc document, ObjectAttributes attributes, List<Guid> ids)
+internal sealed class Baker(RhinoDoc document, ObjectAttributes? chosen)
 {
-    /// <summary>User text under which the name of a bake is found again.</summary>
-    public const string NameKey = "caterpillar.bake";
+    /// <summary>With more objects than this, each item is one block.</summary>
+    public const int MostObjects = 10_000;
 
+    private const int ProgressStep = 256;
     private readonly DocumentUnits _units = DocumentUnits.Of(document);
+    private int _done;
 
-    /// <summary>The group of the following objects.</summary>
-    public int? Group { get; init; }
-
-    /// <summary>The name of the following objects. Empty = name of the attributes.</summary>
+    /// <summary>Name of the objects and of their group. Empty = none.</summary>
     public string Name { get; init; } = "";
 
-    public void Add(PrintPath path)
+    /// <summary>Full path of a layer for all objects. Null = layers by object and role.</summary>
+    public string? Layer { get; init; }
+
+    /// <summary>Color of all objects. Null = by role.</summary>
+    public Color? Color { get; init; }
+
+    public BakeOwner? Owner { get; init; }
+
+    /// <summary>What the user must know: that there are blocks, or that Escape was pressed. Null if nothing.</summary>
+    public string? Note { get; private set; }
+
+    /// <summary>Bakes what Grasshopper asks for. No objects if the user presses Escape.</summary>
+    public List<Guid> Add(IEnumerable<IBakes> items)
     {
-        var facts = new Facts(path.Role, path.Layer, path.Name)
-        {
-            Bead = path.BeadOf(0), Length = path.Length, Volume = path.Volume,
-        };
-        Add(RhinoGeometry.ToCurve(path, _units), facts);
+        var parts = items.SelectMany(i => i.ToParts(_units)).ToList();
+        var ids = Add([("", parts)])?.Single() ?? [];
+        if (Note is not null) RhinoApp.WriteLine(Note);
+        return ids;
     }
 
-    /// <summary>One object for each extrusion of a toolpath: until the head travels, or role or layer change.</summary>
-    public void Add(Toolpath toolpath, bool beads, System.Threading.CancellationToken cancel = default)
+    /// <summary>Adds items and returns the ids of the objects of each. Null, and no objects, if the user presses Escape.</summary>
+    public List<List<Guid>>? Add(IReadOnlyList<(string Item, List<BakedPart> Parts)> items)
     {
-        foreach (var extrusion in ToolpathExtrusions.Of(toolpath))
+        var all = new List<List<Guid>>();
+        var total = items.Sum(i => i.Parts.Count);
+        var asBlocks = total > MostObjects;
+        var redraws = document.Views.RedrawEnabled;
+        document.Views.RedrawEnabled = false;
+        StatusBar.ShowProgressMeter(0, total, "Baking", true, true);
+        try
         {
-            cancel.ThrowIfCancellationRequested();
-            var first = toolpath[extrusion.First];
-            var layer = first.Layer >= 0 && first.Layer < toolpath.Layers.Count ? toolpath.Layers[first.Layer] : null;
-            var facts = new Facts(first.Role, layer, "")
+            foreach (var (item, parts) in items)
             {
-                Bead = toolpath.BeadOf(first), Speed = first.Speed, Source = first.Source,
-                SourceName = toolpath.Source == MoveSource.Lines ? "line" : "step",
-            };
-            for (var i = extrusion.First; i < extrusion.End; i++)
-            {
-                var move = toolpath[i];
-                if (move.Kind != MoveKind.Print) continue;
-                facts.Length += move.Length;
-                facts.E += move.Deposited;
+                var ids = new List<Guid>();
+                all.Add(ids);
+                if (!asBlocks) AddEach(parts, item, ids);
+                else if (parts.Count > 0) ids.Add(AddBlock(parts, item));
             }
-            if (beads) Add(ExtrusionMeshes.ToMesh(ExtrusionMesh.Of(toolpath, extrusion.First, extrusion.End), _units, null), facts);
-            else Add(ToolpathExtrusions.ToCurve(toolpath, extrusion, _units), facts);
+            if (asBlocks) Note = $"{NumberFormatter.Format(total)} objects are baked as {(all.Count > 1 ? "blocks" : "a block")}. Explode it to edit them.";
+            return all;
+        }
+        catch (OperationCanceledException)
+        {
+            foreach (var ids in all) Delete(document, ids);
+            Note = "Canceled: nothing was baked.";
+            return null;
+        }
+        finally
+        {
+            StatusBar.HideProgressMeter();
+            document.Views.RedrawEnabled = redraws;
+            document.Views.Redraw();
         }
     }
 
-    private void Add(Rg.GeometryBase? geometry, Facts facts)
+    /// <summary>Deletes objects, and the definitions of blocks among them.</summary>
+    public static void Delete(RhinoDoc document, IEnumerable<Guid> ids)
     {
-        if (geometry is null) return;
-        var role = facts.Role == Role.Unspecified ? "Extrusion" : facts.Role.ToString();
-        var color = RhinoGeometry.ToColor(Palette.Of(facts.Role));
-        var item = attributes.Duplicate();
-        item.LayerIndex = BakeLayers.Find(document, facts.Layer?.Object is { Length: > 0 } name ? name : "Print", role, color);
-        if (Name.Length > 0) item.Name = Name;
-        else if (facts.Name.Length > 0) item.Name = facts.Name;
-        item.ObjectColor = color;
-        item.ColorSource = ObjectColorSource.ColorFromObject;
-        if (facts.Bead?.Width(BeadShape.Stadium) is > 0 and var width)
+        foreach (var id in ids)
         {
-            item.PlotWeight = width;
-            item.PlotWeightSource = ObjectPlotWeightSource.PlotWeightFromObject;
+            var block = (document.Objects.FindId(id) as InstanceObject)?.InstanceDefinition;
+            document.Objects.Delete(id, true);
+            if (block is not null) document.InstanceDefinitions.Delete(block.Index, true, true);
         }
-        facts.Write(item);
-        if (Name.Length > 0) item.SetUserString(NameKey, Name);
-        if (Group is { } group) item.AddToGroup(group);
-        var id = geometry is Rg.Mesh mesh ? document.Objects.AddMesh(mesh, item) : document.Objects.AddCurve((Rg.Curve)geometry, item);
-        if (id != Guid.Empty) ids.Add(id);
     }
 
-    /// <summary>Facts about a baked object.</summary>
-    private sealed record Facts(Role Role, Layer? Layer, string Name)
+    private void AddEach(List<BakedPart> parts, string item, List<Guid> ids)
     {
-        public Bead? Bead { get; init; }
-
-        public double Length { get; set; }
-
-        public double E { get; set; }
-
-        public double? Volume { get; init; }
-
-        public double Speed { get; init; }
-
-        public int Source { get; init; } = -1;
-
-        public string SourceName { get; init; } = "";
-
-        public void Write(ObjectAttributes item)
+        foreach (var part in parts)
         {
-            void Text(string key, double value, int decimals) => item.SetUserString("caterpillar." + key, NumberFormatter.Format(value, decimals));
-            item.SetUserString("caterpillar.role", Role.ToString());
-            Text("length_mm", Length, 3);
-            if (E != 0) Text("e", E, 5);
-            if (Volume is { } volume) Text("volume_mm3", volume, 4);
-            if ((Speed > 0 ? Speed : Bead?.Speed ?? 0) is > 0 and var speed) Text("speed_mm_s", speed, 3);
-            if (Bead is { Area: > 0 } bead) Text("area_mm2", bead.Area, 5);
-            if (Layer is { } layer)
-            {
-                Text("layer", layer.Index, 0);
-                Text("z_mm", layer.Z, 4);
-            }
-            if (Source >= 0) Text(SourceName, Source, 0);
+            Progress();
+            var attributes = Attributes(part);
+            Own(attributes, item);
+            var id = part.Geometry is Rg.Mesh mesh ? document.Objects.AddMesh(mesh, attributes)
+                : document.Objects.AddCurve((Rg.Curve)part.Geometry, attributes);
+            if (id != Guid.Empty) ids.Add(id);
         }
+    }
+
+    private Guid AddBlock(List<BakedPart> parts, string item)
+    {
+        var attributes = new List<ObjectAttributes>(parts.Count);
+        foreach (var part in parts)
+        {
+            Progress();
+            attributes.Add(Attributes(part));
+        }
+        var name = document.InstanceDefinitions.GetUnusedInstanceDefinitionName(Name.Length > 0 ? Name : BakeLayers.Root);
+        var block = document.InstanceDefinitions.Add(name, "", Rg.Point3d.Origin, parts.Select(p => p.Geometry), attributes);
+        var one = chosen?.Duplicate() ?? document.CreateDefaultAttributes();
+        if (Name.Length > 0) one.Name = Name;
+        if (Layer is not null) one.LayerIndex = BakeLayers.Find(document, Layer, System.Drawing.Color.Black);
+        Own(one, item);
+        return document.Objects.AddInstanceObject(block, Rg.Transform.Identity, one);
+    }
+
+    private ObjectAttributes Attributes(BakedPart part)
+    {
+        var attributes = chosen?.Duplicate() ?? document.CreateDefaultAttributes();
+        if (chosen is null)
+        {
+            var color = Color ?? RhinoGeometry.ToColor(Palette.Of(part.Role));
+            var (of, role) = part.Place;
+            attributes.LayerIndex = BakeLayers.Find(document, Layer ?? BakeLayers.PathOf(of, role), color);
+            attributes.ObjectColor = color;
+            attributes.ColorSource = ObjectColorSource.ColorFromObject;
+        }
+        if (Name.Length > 0) attributes.Name = Name;
+        else if (string.IsNullOrEmpty(attributes.Name)) attributes.Name = part.Name;
+        if (part.Bead?.Width(Toolpaths.BeadShape.Stadium) is > 0 and var width)
+        {
+            attributes.PlotWeight = width;
+            attributes.PlotWeightSource = ObjectPlotWeightSource.PlotWeightFromObject;
+        }
+        part.Write(attributes);
+        return attributes;
+    }
+
+    private void Own(ObjectAttributes attributes, string item)
+    {
+        Owner?.Write(attributes, item);
+        if (Name.Length == 0) return;
+        var group = document.Groups.Find(Name);
+        attributes.AddToGroup(group < 0 ? document.Groups.Add(Name) : group);
+    }
+
+    private void Progress()
+    {
+        if (_done % ProgressStep == 0)
+        {
+            if (GH_Document.IsEscapeKeyDown()) throw new OperationCanceledException();
+            StatusBar.UpdateProgressMeter(_done, true);
+        }
+        _done++;
     }
 }

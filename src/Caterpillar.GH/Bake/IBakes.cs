@@ -1,7 +1,9 @@
+using Caterpillar.GH.Conversion;
+
 namespace Caterpillar.GH.Bake;
 
 /// <summary>Something that is baked as several objects.</summary>
 internal interface IBakes
 {
-    void BakeTo(Baker baker);
+    IEnumerable<BakedPart> ToParts(DocumentUnits units);
 }

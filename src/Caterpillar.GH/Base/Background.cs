@@ -8,27 +8,26 @@ namespace Caterpillar.GH.Base;
 
 /// <summary>
 /// The long work of one component. A solve waits for half a second. Longer work goes on after it, one job after the other, and the component is solved
-/// again when all is done. On a server, in a cluster or in a script, a solve waits for the end.
+/// again when all is done. A job belongs to its inputs: only a solve with the same inputs gets its result. On a server, in a cluster, in a script or where a
+/// component of the definition asks for it, a solve waits for the end.
 /// </summary>
 [SuppressMessage("Design", "CA1001", Justification = "Grasshopper never disposes of components: the timer is disposed when the last work ends.")]
 internal sealed class Background
 {
-    public const string WaitSetting = "Caterpillar:Wait";
     // While inputs change again and again, as with a slider, earlier work is canceled: each solve is short.
     private const int HurriedMilliseconds = 50;
-    private const int PulseMilliseconds = 100;
+    private const int PulseMilliseconds = 333;
     private readonly CaterpillarComponent _component;
-    private readonly Solver _solver;
     private readonly Dictionary<SolveKey, Job> _jobs = [];
     private readonly HashSet<SolveKey> _asked = [];
     private readonly Stopwatch _waited = new();
     private Timer? _timer;
+    private bool _isAwaited;
     private int _posted;
 
-    public Background(CaterpillarComponent component, Solver solver)
+    public Background(CaterpillarComponent component)
     {
         _component = component;
-        _solver = solver;
         MayLeave = IsOnCanvas;
     }
 
@@ -47,6 +46,8 @@ internal sealed class Background
     /// <summary>The work that must end before the next one begins. Tests hold work back with it.</summary>
     public Task Queue { get; set; } = Task.CompletedTask;
 
+    public bool IsWorking => _jobs.Count > 0;
+
     /// <summary>The current work and its progress in percent.</summary>
     public string Words
     {
@@ -58,15 +59,14 @@ internal sealed class Background
         }
     }
 
-    /// <summary>A solve begins. True if it may end before the work.</summary>
-    public bool Begin(GH_Document? document)
+    private bool IsDone => _jobs.Values.All(j => j.IsDone);
+
+    /// <summary>A solve begins.</summary>
+    public void Begin(GH_Document? document)
     {
-        var leaves = MayLeave(document);
-        if (!leaves && _jobs.Count > 0) Cancel();
-        Patience = !leaves ? int.MaxValue : _jobs.Values.All(j => j.IsDone) ? UsualPatience : HurriedMilliseconds;
+        Patience = !MayLeave(document) ? int.MaxValue : IsDone ? UsualPatience : HurriedMilliseconds;
         _waited.Reset();
         _asked.Clear();
-        return leaves;
     }
 
     /// <summary>The result of some work, which begins now if it has not begun.</summary>
@@ -80,11 +80,12 @@ internal sealed class Background
         {
             _jobs.Add(key, job = new Job(label, work, Queue));
             Queue = job.Task;
+            Queue.ContinueWith(_ => PostPulse(), TaskScheduler.Default);
         }
         _waited.Start();
         var done = LongWork.Wait(job, Patience == int.MaxValue ? Patience : Math.Max(0, Patience - (int)_waited.ElapsedMilliseconds));
         _waited.Stop();
-        if (!done) throw new StillWorking();
+        if (!done) throw new StillWorking(_component.NickName);
         _jobs.Remove(key);
         return (T)job.Result;
     }
@@ -97,9 +98,13 @@ internal sealed class Background
             _jobs[key].Cancel();
             _jobs.Remove(key);
         }
+        _isAwaited = true;
         if (_jobs.Count == 0) Stop();
         else _timer ??= new Timer(_ => PostPulse(), null, PulseMilliseconds, PulseMilliseconds);
     }
+
+    /// <summary>Nobody waits for the work until the next solve requests it.</summary>
+    public void Expire() => _isAwaited = false;
 
     /// <summary>Cancels all work.</summary>
     public void Cancel()
@@ -109,41 +114,40 @@ internal sealed class Background
         Stop();
     }
 
-    /// <summary>Requests a solution if all work is done, for example after the document was hidden.</summary>
-    public void Collect()
-    {
-        if (_jobs.Count > 0 && _jobs.Values.All(j => j.IsDone)) _component.OnPingDocument()?.ScheduleSolution(1, _ => _component.ExpireSolution(false));
-    }
-
-    /// <summary>Watches the work on the UI thread: shows progress, checks the Escape key, and requests a solution at the end.</summary>
+    /// <summary>
+    /// Watches the work on the UI thread: shows progress, and requests a solution at the end, as soon as the document can be solved. Cancels the work of a
+    /// component that is locked or has lost an input.
+    /// </summary>
     public void Pulse()
     {
         Interlocked.Exchange(ref _posted, 0);
-        if (_jobs.Count == 0 || _timer is null) return;
-        if (_component.Locked || GH_Document.IsEscapeKeyDown())
+        if (_timer is null) return;
+        var document = _component.OnPingDocument();
+        if (document is null || _component.Locked || (!_isAwaited && _component.Phase != GH_SolutionPhase.Blank))
         {
             Cancel();
-            _solver.ShowCanceled();
         }
-        else if (_jobs.Values.All(j => j.IsDone))
+        else if (!IsDone)
+        {
+            if (_component.Message == Words) return;
+            _component.Message = Words;
+            _component.OnDisplayExpired(true);
+        }
+        else if (document.Enabled && GH_Document.EnableSolutions && document.SolutionState != GH_ProcessStep.Process)
         {
             Stop();
-            Collect();
-        }
-        else
-        {
-            _solver.ShowProgress();
+            document.ScheduleSolution(1, _ => _component.ExpireSolution(false));
         }
     }
 
     // A definition that is open in the editor itself: not in a cluster, not on a server, not opened by a script.
     private static bool IsOnCanvas(GH_Document? document)
         => document is { Owner: null } && Instances.IsDocumentServer && Instances.DocumentServer.Contains(document) && !RhinoApp.IsRunningHeadless
-            && !Instances.Settings.GetValue(WaitSetting, false);
+            && !document.Objects.Any(o => o is CaterpillarComponent { LetsAllWait: true, Locked: false });
 
     private void PostPulse()
     {
-        if (Interlocked.Exchange(ref _posted, 1) == 0) Post(Pulse);
+        if (_timer is not null && Interlocked.Exchange(ref _posted, 1) == 0) Post(Pulse);
     }
 
     private void Stop()

@@ -54,6 +54,9 @@ public abstract class CaterpillarComponent : GH_Component
 
     internal Background Background => _solver.Background;
 
+    /// <summary>True for a component that makes all others of its definition wait for their results.</summary>
+    internal virtual bool LetsAllWait => false;
+
     protected sealed override Bitmap? Icon => Icons.Load(Icons.NameOf(GetType()));
 
     /// <summary>True for components that draw a preview of their own.</summary>
@@ -89,13 +92,13 @@ public abstract class CaterpillarComponent : GH_Component
     {
         Message = "";
         _drawn.Clear();
+        _solver?.Expire();
         base.ClearData();
     }
 
     public override void DocumentContextChanged(GH_Document document, GH_DocumentContext context)
     {
         if (context == GH_DocumentContext.Close) Background.Cancel();
-        else if (context != GH_DocumentContext.Unloaded) Background.Collect();
         base.DocumentContextChanged(document, context);
     }
 

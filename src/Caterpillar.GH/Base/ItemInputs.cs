@@ -7,8 +7,11 @@ using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Base;
 
-/// <summary>The inputs of one item of a solve. A missing or wrong input is an <see cref="InputProblem"/> that names its port.</summary>
-internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAccess access)
+/// <summary>
+/// The inputs of one item of a solve. A missing or wrong input is an <see cref="InputProblem"/> that names its port. Reading one that depends on a result
+/// that is not there yet is <see cref="StillWorking"/>, whatever the wire gives: a list could be incomplete, and items could be those of others.
+/// </summary>
+internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAccess access, Upstream upstream)
 {
     private readonly Dictionary<int, List<IGH_Goo?>> _lists = [];
     private DocumentUnits? _units;
@@ -33,6 +36,8 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
 
     protected IGH_DataAccess Access { get; } = access;
 
+    protected Upstream Upstream { get; } = upstream;
+
     /// <summary>
     /// Checks that every connected port that is not required gets data: a failure upstream must not turn into a default. Required items are checked
     /// when they are read. A required list may contain nulls. An optional list may not, because its meaning would change without them.
@@ -43,7 +48,7 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
         for (var i = 0; i < Component.Params.Input.Count; i++)
         {
             var port = Component.Params.Input[i];
-            if (port.SourceCount > 0 && !Arrives(i, port.Access, Component.IsRequired(i)))
+            if (port.SourceCount > 0 && Upstream.Of(i) is null && !Arrives(i, port.Access, Component.IsRequired(i)))
                 throw new InputProblem($"{port.Name}: the connected source gives no valid data.");
         }
     }
@@ -53,7 +58,7 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
     public T Get<T>(int input)
     {
         var value = default(T);
-        return Access.GetData(input, ref value) && value is not null
+        return Read(input, ref value) && value is not null
             ? value
             : throw new InputProblem($"{Component.Params.Input[input].Name} is missing.") { IsMissing = true };
     }
@@ -63,7 +68,7 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
         where T : class
     {
         var value = default(T);
-        return Access.GetData(input, ref value) ? value : null;
+        return Read(input, ref value) ? value : null;
     }
 
     /// <inheritdoc cref="Maybe{T}(int)"/>
@@ -71,7 +76,7 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
         where T : struct
     {
         var value = default(T);
-        return Access.GetData(input, ref value) ? value : null;
+        return Read(input, ref value) ? value : null;
     }
 
     /// <summary>A list without its nulls, which are reported.</summary>
@@ -187,9 +192,21 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
         return required || (Access.GetData(input, ref goo) && goo is not null);
     }
 
+    private bool Read<T>(int input, ref T? value)
+    {
+        Await(input);
+        return Access.GetData(input, ref value!);
+    }
+
+    private void Await(int input)
+    {
+        if (Upstream.Of(input) is { } name) throw new StillWorking(name);
+    }
+
     // A list is read once.
     private List<IGH_Goo?> Goos(int input)
     {
+        Await(input);
         if (_lists.TryGetValue(input, out var known)) return known;
         var goos = new List<IGH_Goo?>();
         Access.GetDataList(input, goos!);

@@ -9,13 +9,11 @@ using Grasshopper.Kernel.Types;
 namespace Caterpillar.GH.Base;
 
 /// <summary>One item of a solve: its inputs, its cached and running work, its outputs and its messages.</summary>
-internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access, SolveCache cache, Background background) : ItemInputs(component, access)
+internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access, Upstream upstream, SolveCache cache, Background background)
+    : ItemInputs(component, access, upstream)
 {
     private readonly List<Action<IGH_DataAccess>> _given = [];
     private readonly List<string> _diagnostics = [];
-
-    /// <summary>The outputs of the item, in order.</summary>
-    public IReadOnlyList<Action<IGH_DataAccess>> Given => _given;
 
     /// <summary>Number of the item in this solution, from 0.</summary>
     public int Iteration => Access.Iteration;
@@ -69,7 +67,7 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
     /// <summary>True if all inputs are up to date. False, with a warning, while a component upstream is working or was canceled.</summary>
     public bool MayAct()
     {
-        if (Component.Pending is not { } name) return true;
+        if (Upstream.Any is not { } name) return true;
         Component.AddRuntimeMessage(GH_RuntimeMessageLevel.Warning, $"Nothing was done because {name} is not up to date. Press again when it is.");
         return false;
     }

@@ -3,20 +3,16 @@ using Grasshopper.Kernel;
 namespace Caterpillar.GH.Base;
 
 /// <summary>
-/// Solves a component item by item, so that a bad one does not stop the rest. Long work goes on after a solution. Until it is done, an item gives its
-/// last result.
+/// Solves a component item by item, so that a bad one does not stop the rest. Long work goes on after a solution. Until it is done, an item gives null.
 /// </summary>
 internal sealed class Solver
 {
     private readonly CaterpillarComponent _component;
     private readonly Action<Run> _solve;
     private readonly SolveCache _cache = new();
-    private readonly LastResults _last = new();
+    private Upstream _upstream;
     private bool _canceled;
-    private bool _leaves;
-    private int _pending;
-    private int _shownLast;
-    private string? _waitsFor;
+    private string? _pending;
 
     /// <param name="component">The component.</param>
     /// <param name="solve">Solves one item.</param>
@@ -24,69 +20,64 @@ internal sealed class Solver
     {
         _component = component;
         _solve = solve;
-        Background = new Background(component, this);
+        _upstream = new Upstream(component);
+        Background = new Background(component);
     }
 
     public Background Background { get; }
 
-    /// <summary>The name of the component that still computes a new result, this one or one upstream. Null if all outputs are up to date.</summary>
-    public string? Pending => _pending > 0 ? _component.NickName : _waitsFor;
+    /// <summary>Nickname of the component that still works on an output, this one or one upstream. Null if all outputs are complete.</summary>
+    public string? Pending => _component.Locked ? null : _pending;
 
-    private string Progress => Background.Words + (_shownLast > 0 ? ", last result" : "");
+    /// <summary>The outputs are cleared. Without valid inputs, no solve follows.</summary>
+    public void Expire()
+    {
+        _pending = null;
+        Background.Expire();
+    }
 
     /// <summary>A solution begins.</summary>
     public void Begin()
     {
         _canceled = false;
-        _pending = 0;
-        _shownLast = 0;
-        _waitsFor = Upstream.Pending(_component);
+        _pending = null;
+        _upstream = new Upstream(_component);
         _cache.Begin();
-        _leaves = Background.Begin(_component.OnPingDocument());
-        if (_waitsFor is not null) Say(GH_RuntimeMessageLevel.Remark, $"Uses the last result of {_waitsFor}, which is not up to date.");
+        Background.Begin(_component.OnPingDocument());
     }
 
     /// <summary>A solution ends.</summary>
     public void End()
     {
-        _cache.End(complete: _pending == 0);
+        _cache.End(complete: _pending is null);
         Background.End();
-        if (_pending == 0)
-        {
-            _last.Trim(_leaves ? _component.RunCount + 1 : 0);
-            return;
-        }
-        _component.Message = Progress;
-        if (_shownLast > 0) Say(GH_RuntimeMessageLevel.Remark, "The last result is shown while the new one is computed.");
+        if (_pending is null) return;
+        _component.Message = _canceled ? "canceled" : Background.IsWorking ? Background.Words : "waits for " + _pending;
     }
 
     /// <summary>Solves one item.</summary>
     public void Solve(IGH_DataAccess access)
     {
         if (_canceled) return;
-        var run = new Run(_component, access, _cache, Background);
+        var run = new Run(_component, access, _upstream, _cache, Background);
         try
         {
             _solve(run);
             run.Give();
-            if (_leaves) _last.Keep(access.Iteration, run.Given);
         }
-        catch (StillWorking)
+        catch (StillWorking working)
         {
-            GiveLast(run, access);
+            _pending ??= working.Component;
+            run.GiveOnlyNulls();
         }
         catch (OperationCanceledException)
         {
             _canceled = true;
+            _pending = _component.NickName;
             Background.Cancel();
-            Say(GH_RuntimeMessageLevel.Warning, "Canceled.");
+            _component.AddRuntimeMessage(GH_RuntimeMessageLevel.Warning, "Canceled. Recompute to start again.");
             access.AbortComponentSolution();
             _component.OnPingDocument()?.RequestAbortSolution();
-        }
-        catch (InputProblem) when (_waitsFor is not null)
-        {
-            // A missing or wrong input may come with the new result.
-            run.GiveNulls();
         }
         catch (InputProblem problem)
         {
@@ -105,24 +96,7 @@ internal sealed class Solver
     {
         Background.Cancel();
         _cache.Clear();
-        _last.Clear();
-    }
-
-    /// <summary>Shows how far long work has come since the solution ended.</summary>
-    public void ShowProgress()
-    {
-        var message = Progress;
-        if (message == _component.Message) return;
-        _component.Message = message;
-        _component.OnDisplayExpired(true);
-    }
-
-    /// <summary>Reports that long work was canceled. The last result stays.</summary>
-    public void ShowCanceled()
-    {
-        _component.Message = _shownLast > 0 ? "canceled, last result" : "canceled";
-        Say(GH_RuntimeMessageLevel.Warning, "Canceled. Recompute to start again.");
-        _component.OnDisplayExpired(true);
+        _pending = null;
     }
 
     private static string WithoutParameterName(string message)
@@ -131,18 +105,4 @@ internal sealed class Solver
         if (at < 0) at = message.IndexOf("Parameter name:", StringComparison.Ordinal);
         return at <= 0 ? message : message.Substring(0, at).TrimEnd();
     }
-
-    private void GiveLast(Run run, IGH_DataAccess access)
-    {
-        _pending++;
-        if (_last.Of(access.Iteration) is not { } given)
-        {
-            run.GiveOnlyNulls();
-            return;
-        }
-        _shownLast++;
-        foreach (var give in given) give(access);
-    }
-
-    private void Say(GH_RuntimeMessageLevel level, string text) => _component.AddRuntimeMessage(level, text);
 }

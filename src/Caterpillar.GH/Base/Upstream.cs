@@ -2,11 +2,20 @@ using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Base;
 
-/// <summary>Looks upstream along the wires.</summary>
-internal static class Upstream
+/// <summary>Which inputs of a component wait for results from upstream along the wires, during one solve.</summary>
+internal sealed class Upstream(IGH_Component component)
 {
-    /// <summary>The name of a component upstream that still computes a new result, so that the data here is old. Null if none.</summary>
-    public static string? Pending(IGH_Component component) => Pending(component.Params.Input, []);
+    private readonly Dictionary<int, string?> _known = [];
+
+    /// <summary>Nickname of a component whose result is not there yet and that some input depends on. Null if none.</summary>
+    public string? Any => Enumerable.Range(0, component.Params.Input.Count).Select(Of).FirstOrDefault(name => name is not null);
+
+    /// <summary>The same for one input.</summary>
+    public string? Of(int input)
+    {
+        if (!_known.TryGetValue(input, out var name)) _known.Add(input, name = Pending([component.Params.Input[input]], []));
+        return name;
+    }
 
     private static string? Pending(IEnumerable<IGH_Param> inputs, HashSet<object> seen)
     {

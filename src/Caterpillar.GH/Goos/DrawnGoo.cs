@@ -82,16 +82,12 @@ public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData, IGH_Bak
 
     public bool BakeGeometry(RhinoDoc doc, ObjectAttributes att, out Guid obj_guid)
     {
-        var ids = new List<Guid>();
-        if (doc is not null && Value is not null) Bake(new Baker(doc, att ?? new ObjectAttributes(), ids));
+        var ids = doc is null ? [] : new Baker(doc, att).Add([this]);
         obj_guid = ids.Count > 0 ? ids[0] : Guid.Empty;
         return ids.Count > 0;
     }
 
-    void IBakes.BakeTo(Baker baker)
-    {
-        if (Value is not null) Bake(baker);
-    }
+    IEnumerable<BakedPart> IBakes.ToParts(DocumentUnits units) => Value is null ? [] : ToParts(units);
 
     void IWires.AddTo(List<Rg.Line> lines, DocumentUnits units)
     {
@@ -104,7 +100,7 @@ public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData, IGH_Bak
     /// <summary>The value as geometry of Rhino or Grasshopper. Null if it has none of that type.</summary>
     private protected abstract object? Native(Type wanted, DocumentUnits units);
 
-    private protected abstract void Bake(Baker baker);
+    private protected abstract IEnumerable<BakedPart> ToParts(DocumentUnits units);
 
     private protected abstract void AddWires(List<Rg.Line> lines, DocumentUnits units);
 

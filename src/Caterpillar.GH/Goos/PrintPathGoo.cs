@@ -83,7 +83,7 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>
 
     private protected override object? Native(Type wanted, DocumentUnits units) => NativeCasts.Of(Value, wanted, units);
 
-    private protected override void Bake(Baker baker) => baker.Add(Value);
+    private protected override IEnumerable<BakedPart> ToParts(DocumentUnits units) => BakedPart.Of(Value, units) is { } part ? [part] : [];
 
     private protected override void AddWires(List<Rg.Line> lines, DocumentUnits units) => RhinoGeometry.AddLines(lines, Value, units);
 

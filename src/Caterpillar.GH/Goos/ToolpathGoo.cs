@@ -112,7 +112,7 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
 
     private protected override object? Native(Type wanted, DocumentUnits units) => NativeCasts.Of(Value, wanted, units);
 
-    private protected override void Bake(Baker baker) => baker.Add(Value, beads: false);
+    private protected override IEnumerable<BakedPart> ToParts(DocumentUnits units) => BakedPart.Of(Value, beads: false, units);
 
     private protected override void AddWires(List<Rg.Line> lines, DocumentUnits units) => RhinoGeometry.AddLines(lines, Value, units);
 

@@ -53,13 +53,11 @@ public abstract class VisibleParam<T>(string name, string nickname, string descr
     {
     }
 
-    public void BakeGeometry(RhinoDoc doc, List<Guid> obj_ids) => BakeGeometry(doc, new ObjectAttributes(), obj_ids);
+    public void BakeGeometry(RhinoDoc doc, List<Guid> obj_ids) => BakeGeometry(doc, null!, obj_ids);
 
     public void BakeGeometry(RhinoDoc doc, ObjectAttributes att, List<Guid> obj_ids)
     {
-        if (doc is null || obj_ids is null) return;
-        var baker = new Baker(doc, att ?? new ObjectAttributes(), obj_ids);
-        foreach (var goo in m_data.AllData(true)) (goo as IBakes)?.BakeTo(baker);
+        if (doc is not null && obj_ids is not null) obj_ids.AddRange(new Baker(doc, att).Add(m_data.AllData(true).OfType<IBakes>()));
     }
 
     public override bool Write(GH_IWriter writer)

@@ -126,13 +126,13 @@ public class CheckBoundaryTests
     public void A_head_at_an_unknown_place_may_stand_still(string text, int found)
         => Assert.That(Count("M83\nM109 S200\n" + text + "\nM104 S0\n", CheckCodes.Stationary), Is.EqualTo(found));
 
-    // Of 40 moves with E, of 20 extrusions.
+    // Of 40 moves with E, each before one that makes up for it.
     [TestCase(10, 0)]
     [TestCase(11, 1)]
     public void A_quarter_of_the_moves_may_pull_back(int wipes, int found)
     {
         var text = new StringBuilder("G28\nM109 S200\nG90\nM83\nG1 X10 Y10 Z0.2\n");
-        for (var i = 1; i <= 40; i++) text.Append("G1 X").Append(10 + 3 * i).Append(i <= 40 - wipes ? " E0.1\n" : " E-0.1\n");
+        for (var i = 1; i <= 40; i++) text.Append("G1 X").Append(10 + 3 * i).Append(i <= 40 - 2 * wipes || i % 2 == 0 ? " E0.1\n" : " E-0.1\n");
         Assert.That(Count(text + "M104 S0\n", CheckCodes.ExtrusionMode), Is.EqualTo(found));
     }
 

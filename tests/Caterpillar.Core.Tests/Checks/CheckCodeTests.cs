@@ -82,6 +82,7 @@ public class CheckCodeTests
     {
         [CheckCodes.ExtrusionMode] = "G28\nM109 S200\nG90\nM83\nG1 X10 Y10 Z5\n"
             + string.Concat(Enumerable.Range(1, 20).Select(i => $"G1 X{10 + i} E{(i % 2 == 0 ? "-" : "")}0.1\n")) + "M104 S0\n",
+        [CheckCodes.Starved] = "G28\nM109 S200\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X30 E0.6\nG1 X31 E-0.3\nG1 X60 E1\nM104 S0\n",
         [CheckCodes.NoHoming] = "M109 S200\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 E0.3\nM104 S0\n",
         [CheckCodes.NoHeating] = "G28\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 E0.3\n",
         [CheckCodes.UnknownPosition] = "G28 X Z\nM109 S200\nM83\nG1 X10 Z0.2 F3000\nG1 X20 E0.3\nM104 S0\n",
@@ -122,6 +123,7 @@ public class CheckCodeTests
         CheckCodes.NozzleTemperature => (new SmallPrint().Event(new NozzleTemperatureEvent(500)).Print(30, 10, 0.2), null),
         CheckCodes.BedTemperature => (new SmallPrint().Event(new BedTemperatureEvent(300)).Print(30, 10, 0.2), null),
         CheckCodes.Stationary => (At(10, 10, 0.2).Print(30, 10, 0.2).Go(30, 10, 5).Prime(600), null),
+        CheckCodes.Amount => (At(10, 10, 0.2).Print(30, 10, 0.2, 30), null),
         CheckCodes.ColdExtrusion => (new SmallPrint().Event(new NozzleTemperatureEvent(50)).Print(30, 10, 0.2), null),
         CheckCodes.FilePosition => (At(10, 10, 0.2).Print(30, 10, 0.2).Event(new RawEvent("G1 X40\nG92 X30")).Print(60, 10, 0.2), null),
         CheckCodes.FileModes => (At(10, 10, 0.2).Print(30, 10, 0.2).Event(new RawEvent("G91")).Print(60, 10, 0.2), null),

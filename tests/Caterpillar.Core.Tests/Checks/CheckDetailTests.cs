@@ -175,10 +175,10 @@ public class CheckDetailTests
     [TestCase(19, 0, 0)]
     [TestCase(20, 0, 1)]
     [TestCase(20, 100, 1)]
-    public void The_mode_of_E_is_judged_by_twenty_moves_with_E(int wipes, int travels, int found)
+    public void The_mode_of_E_is_judged_by_twenty_moves_with_E(int moves, int travels, int found)
     {
         var text = new StringBuilder("G28\nM109 S200\nG90\nM83\nG1 X10 Y10 Z0.2 F3000\n");
-        for (var i = 1; i <= wipes; i++) text.Append("G1 X").Append(10 + i).Append(" E-0.1\n");
+        for (var i = 1; i <= moves; i++) text.Append("G1 X").Append(10 + i).Append(i % 2 > 0 ? " E-0.1\n" : " E0.1\n");
         for (var i = 1; i <= travels; i++) text.Append("G1 Y").Append(10 + i).Append('\n');
         Assert.That(InFile(text + "M104 S0\n", CheckCodes.ExtrusionMode).Sum(d => d.Count), Is.EqualTo(found));
     }

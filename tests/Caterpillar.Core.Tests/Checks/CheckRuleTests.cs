@@ -146,10 +146,10 @@ public class CheckRuleTests
     public void The_share_of_moves_that_pull_back_is_told()
     {
         var text = new StringBuilder("G28\nM109 S200\nG90\nM83\nG1 X10 Y10 Z0.2\n");
-        for (var i = 1; i <= 30; i++) text.Append("G1 X").Append(10 + 3 * i).Append(i <= 18 ? " E0.1\n" : " E-0.1\n");
+        for (var i = 1; i <= 30; i++) text.Append("G1 X").Append(10 + 3 * i).Append(i <= 6 || i % 2 == 0 ? " E0.1\n" : " E-0.1\n");
         var found = PrintCheck.Run(SmallPrint.Decode(Encoding.ASCII.GetBytes(text + "M104 S0\n"), Setup), Setup);
         Assert.That(found.Single(d => d.Code == CheckCodes.ExtrusionMode).Message,
-            Is.EqualTo("40 % of the moves with E retract. E looks relative, but is read as absolute. Add M83 before the first move."));
+            Is.EqualTo("40 % of the moves with E retract. E looks relative, but is read as absolute. Add M83 before the first such move."));
     }
 
     // 30 mm³ in place, 0.3 mm above the bed, are a disc of 11 mm.

@@ -129,7 +129,7 @@ public class ExactLimitTests
         int Count(double volume)
         {
             var findings = new Findings(Setup.Printer, _ => null, _ => null);
-            new StationaryCheck(Setup.Printer, findings).Move(new CheckedMove { StartKnown = true, Kind = MoveKind.Prime, Pushed = volume });
+            new ExtruderCheck(Setup, findings).Move(new CheckedMove { StartKnown = true, Kind = MoveKind.Prime, Pushed = volume });
             return findings.ToList().Count;
         }
 

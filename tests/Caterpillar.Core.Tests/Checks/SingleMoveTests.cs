@@ -52,7 +52,7 @@ public class SingleMoveTests
     public void Material_in_place_is_counted_up_to_the_next_move(bool circle, bool home, int found)
     {
         var findings = new Findings(Setup.Printer, _ => null, _ => null);
-        var check = new StationaryCheck(Setup.Printer, findings);
+        var check = new ExtruderCheck(Setup, findings);
         check.Move(new CheckedMove { StartKnown = true, Kind = MoveKind.Prime, Pushed = 10 });
         if (circle) check.Move(new CheckedMove { StartKnown = true, Kind = MoveKind.Print, Arc = new Arc(Vec3.UnitX, 360), Length = 6, Pushed = 5 });
         if (home) check.Event(new MoveEvent(1, new HomeEvent()));
@@ -84,7 +84,7 @@ public class SingleMoveTests
     [TestCase(40, 0.55, 1)]
     public void A_file_of_extrusions_that_no_nozzle_prints_is_read_in_the_wrong_mode(int extrusions, double thick, int found)
     {
-        var check = new FileCheck(Empty, Setup.Printer, new CheckScope(200), NewFindings(out var findings));
+        var check = new ModeCheck(Setup.Printer, NewFindings(out var findings));
         for (var i = 0; i < extrusions; i++)
             check.Move(new CheckedMove { Index = i, Start = new Vec3(i, 0), End = new Vec3(i + 1, 0), Length = 1, Kind = MoveKind.Print, E = 1,
                 Deposited = i < thick * extrusions ? 2.6 : 0.1 });
@@ -105,7 +105,7 @@ public class SingleMoveTests
         var expected = axes is null ? Array.Empty<string>() : [$"The file prints before the position in {axes} is known. Home first, or move in {axes}."];
         foreach (var homes in new[] { true, false })
         {
-            var check = new FileCheck(Empty, Setup.Printer, new CheckScope(200, IsWholeFile: true), NewFindings(out var findings));
+            var check = new FileCheck(Empty, new CheckScope(200, IsWholeFile: true), NewFindings(out var findings));
             if (homes) check.Event(new MoveEvent(0, new HomeEvent(x > 0, y > 0, z > 0)));
             else check.Move(new CheckedMove { End = new Vec3(x, y, z), Length = 1, Kind = MoveKind.Travel });
             check.Move(new CheckedMove { Length = 1, Kind = MoveKind.Print, E = 1, Deposited = 0.1 });
@@ -334,7 +334,7 @@ public class SingleMoveTests
     private static IReadOnlyList<Diagnostic> Stationary(params double[] pushed)
     {
         var findings = new Findings(Setup.Printer, _ => null, _ => null);
-        var check = new StationaryCheck(Setup.Printer, findings);
+        var check = new ExtruderCheck(Setup, findings);
         foreach (var volume in pushed) check.Move(new CheckedMove { StartKnown = true, Kind = MoveKind.Prime, Pushed = volume });
         return findings.ToList();
     }

@@ -19,7 +19,11 @@ public sealed class BackgroundTests
     private readonly GH_Document _document = new();
 
     [TearDown]
-    public void TearDown() => GH_Document.EscapeKey = () => false;
+    public void TearDown()
+    {
+        GH_Document.EscapeKey = () => false;
+        GH_Document.EnableSolutions = true;
+    }
 
     [Test]
     public void Long_work_goes_on_after_the_solution_and_its_result_comes_with_a_second_one()
@@ -45,35 +49,85 @@ public sealed class BackgroundTests
     }
 
     [Test]
-    public void The_last_result_stays_and_says_so()
+    public void While_a_new_result_is_computed_there_is_none()
     {
         var slow = Slow(out var feed);
         feed("a");
         slow.Close();
         feed("b");
-        Assert.That((Results(slow), slow.Message), Is.EqualTo(("a", "Testing 42 %, last result")));
-        Assert.That(slow.RuntimeMessages(GH_RuntimeMessageLevel.Remark), Has.One.Contains("last result is shown"));
+        Assert.That((Results(slow), slow.Message), Is.EqualTo(("null", "Testing 42 %")));
         slow.Open();
         Assert.That(slow.Until(() => slow.Message == "done"), Is.True);
         Assert.That(Results(slow), Is.EqualTo("b"));
-        Assert.That(slow.RuntimeMessages(GH_RuntimeMessageLevel.Remark), Is.Empty);
     }
 
     [Test]
-    public void Escape_cancels_work_after_the_solution_and_the_last_result_stays()
+    public void A_result_never_appears_at_another_item()
+    {
+        var slow = Slow(out var feed);
+        feed("a", "b", "c");
+        slow.Close();
+        feed("b2", "c");
+        Assert.That(Results(slow), Is.EqualTo("null, c"));
+        feed("c", "b2", "a");
+        Assert.That(Results(slow), Is.EqualTo("c, null, a"), "What was there belongs to its input, wherever that is now.");
+    }
+
+    [Test]
+    public void A_result_for_inputs_that_are_no_more_is_not_given_for_those_that_are()
+    {
+        var slow = Slow(out var feed);
+        slow.Close();
+        feed("a");
+        slow.Open();
+        Assert.That(slow.Background.Queue.Wait(10_000), Is.True);
+        slow.Close();
+        feed("b");
+        Assert.That(Results(slow), Is.EqualTo("null"), "The result of a is there, and its solution waits.");
+        slow.Open();
+        Assert.That(slow.Until(() => Results(slow) == "b"), Is.True);
+    }
+
+    [Test]
+    public void Old_inputs_get_their_result_back_at_once()
     {
         var slow = Slow(out var feed);
         feed("a");
         slow.Close();
         feed("b");
+        feed("a");
+        Assert.That((Results(slow), slow.Message, slow.Begun), Is.EqualTo(("a", "done", 2)));
+    }
+
+    [Test]
+    public void Escape_after_the_solution_is_for_others()
+    {
+        var slow = Slow(out var feed);
+        slow.Close();
+        feed("a");
         GH_Document.EscapeKey = () => true;
-        Assert.That(slow.Until(() => slow.Message == "canceled, last result" && slow.Canceled == 1), Is.True);
+        slow.Until(() => false, seconds: 0.5);
         GH_Document.EscapeKey = () => false;
-        Assert.That((Results(slow), slow.Pending), Is.EqualTo(("a", "Slow")), "What comes after knows that this is old.");
-        Assert.That(slow.RuntimeMessages(GH_RuntimeMessageLevel.Warning), Has.One.Contains("Canceled"));
+        Assert.That((slow.Canceled, slow.Message), Is.EqualTo((0, "Testing 42 %")), "It deselects, for example.");
+        slow.Open();
+        Assert.That(slow.Until(() => slow.Message == "done"), Is.True);
+        Assert.That(Results(slow), Is.EqualTo("a"));
+    }
+
+    [Test]
+    public void A_canceled_component_is_not_up_to_date_until_it_is_solved_again()
+    {
+        var slow = Slow(out var feed);
+        feed("a", "b");
+        slow.Close();
+        GH_Document.EscapeKey = () => slow.Begun > 2;
+        feed("a", "c");
+        GH_Document.EscapeKey = () => false;
+        Assert.That((Results(slow), slow.Pending, slow.Message), Is.EqualTo(("a", "Slow", "canceled")));
+        Assert.That(slow.RuntimeMessages(GH_RuntimeMessageLevel.Warning), Has.One.Contains("Canceled. Recompute to start again."));
         slow.Open();
         slow.ExpireSolution(true);
-        Assert.That((Results(slow), slow.Message, slow.Begun, slow.Pending), Is.EqualTo(("b", "done", 3, (string?)null)), "A recompute begins again.");
+        Assert.That((Results(slow), slow.Pending), Is.EqualTo(("a, c", (string?)null)));
     }
 
     [Test]
@@ -81,7 +135,7 @@ public sealed class BackgroundTests
     {
         var slow = Slow(out var feed);
         slow.Close();
-        GH_Document.EscapeKey = () => true;
+        GH_Document.EscapeKey = () => slow.Begun > 0;
         feed("a");
         Assert.That(slow.Until(() => slow.Canceled == 1), Is.True);
         Assert.That((_document.AbortRequested, Results(slow)), Is.EqualTo((true, "")));
@@ -139,21 +193,104 @@ public sealed class BackgroundTests
     }
 
     [Test]
-    public void What_comes_after_says_that_its_input_is_old()
+    public void What_comes_after_waits_and_is_solved_once()
     {
         var slow = Slow(out var feed);
-        feed("a");
-        var next = new SlowComponent();
+        var other = Slow(out var feedOther);
+        var next = new SlowComponent().OnCanvas();
         _document.AddObject(next, false);
         next.Params.Input[0].AddSource(slow.Params.Output[0]);
-        _document.NewSolution(false);
+        next.Params.Input[0].AddSource(other.Params.Output[0]);
+        feedOther("x");
         slow.Close();
-        feed("b");
-        Assert.That(Results(next), Is.EqualTo("a"));
-        Assert.That(next.RuntimeMessages(GH_RuntimeMessageLevel.Remark), Has.One.EqualTo("Uses the last result of Slow, which is not up to date."));
+        other.Close();
+        feed("a");
+        feedOther("b");
+        Assert.That((next.Message, next.Begun), Is.EqualTo(("waits for Slow", 1)), "It began for x only.");
+        Assert.That(next.Params.Output[0].VolatileData.AllGoos(), Has.All.Null);
+        Assert.That(next.RuntimeMessageLevel, Is.EqualTo(GH_RuntimeMessageLevel.Blank));
         slow.Open();
-        Assert.That(slow.Until(() => Results(next) == "b"), Is.True);
-        Assert.That(next.RuntimeMessages(GH_RuntimeMessageLevel.Remark), Is.Empty);
+        Assert.That(slow.Until(() => slow.Message == "done"), Is.True);
+        Assert.That((next.Message, next.Begun), Is.EqualTo(("waits for Slow", 1)), "One of its inputs is there.");
+        other.Open();
+        Assert.That(other.Until(() => next.Message == "done"), Is.True);
+        Assert.That((Results(next), next.Begun), Is.EqualTo(("a, b", 3)));
+    }
+
+    [Test]
+    public void A_list_without_what_is_not_ready_is_not_planned()
+    {
+        var slow = Slow(out var feed);
+        var plan = new Canvas<PlanToolpathComponent>(_document).Feed("Printer", "generic");
+        plan.Input("Steps").AddSource(slow.Params.Output[1]);
+        slow.Close();
+        feed("quick", "b");
+        Assert.That(slow.Params.Output[1].VolatileDataCount, Is.EqualTo(2), "The paths of the quick one are there.");
+        Assert.That(plan.All("Toolpath"), Is.EqualTo(new object?[] { null }), "Half a print is none.");
+        Assert.That(plan.Component.Message, Is.EqualTo("waits for Slow"));
+        slow.Open();
+        Assert.That(slow.Until(() => slow.Message == "done"), Is.True);
+        Assert.That(plan.One<Caterpillar.Toolpaths.Toolpath>("Toolpath").Moves().Count(m => m.Kind == Caterpillar.Toolpaths.MoveKind.Print), Is.EqualTo(4));
+    }
+
+    [Test]
+    public void A_bad_input_is_reported_while_another_one_is_not_ready()
+    {
+        var slow = Slow(out var feed);
+        var simulate = new Canvas<Caterpillar.GH.Components.Simulate.SimulateComponent>(_document).Feed("Position", 5);
+        simulate.Input("Toolpath").AddSource(slow.Params.Output[0]);
+        slow.Close();
+        feed("a");
+        Assert.That(simulate.Errors, Has.One.Contains("Position must be from 0 to 1."));
+        slow.Open();
+    }
+
+    [TestCase("wire")]
+    [TestCase("lock")]
+    public void A_component_that_cannot_be_solved_any_more_keeps_nobody_waiting(string reason)
+    {
+        var slow = Slow(out var feed);
+        var next = new SlowComponent().OnCanvas();
+        _document.AddObject(next, false);
+        next.Params.Input[0].AddSource(slow.Params.Output[0]);
+        slow.Close();
+        feed("a");
+        Assert.That((slow.Pending, next.Pending), Is.EqualTo(("Slow", "Slow")));
+        if (reason == "wire") slow.Params.Input[0].RemoveAllSources();
+        else slow.Locked = true;
+        slow.ExpireSolution(true);
+        Assert.That((slow.Pending, next.Pending), Is.EqualTo(((string?)null, (string?)null)));
+        Assert.That(slow.Until(() => slow.Canceled == 1), Is.True, "And its work ends.");
+        Assert.That(_document.ScheduledCount, Is.Zero);
+    }
+
+    [Test]
+    public void A_result_waits_until_the_solver_is_unlocked()
+    {
+        var slow = Slow(out var feed);
+        slow.Close();
+        feed("a");
+        GH_Document.EnableSolutions = false;
+        slow.Open();
+        slow.Until(() => _document.ScheduledCount > 0, seconds: 0.5);
+        Assert.That(_document.ScheduledCount, Is.Zero);
+        GH_Document.EnableSolutions = true;
+        Assert.That(slow.Until(() => Results(slow) == "a"), Is.True);
+        Assert.That(slow.Begun, Is.EqualTo(1));
+    }
+
+    [Test]
+    public void A_copy_begins_its_own_work()
+    {
+        var slow = Slow(out var feed);
+        slow.Close();
+        feed("a");
+        var archive = new GH_IO.Serialization.GH_Archive();
+        archive.AppendObject(slow, "Slow");
+        var copy = new SlowComponent().OnCanvas();
+        archive.ExtractObject(copy, "Slow");
+        Assert.That((copy.Pending, copy.Background.Words), Is.EqualTo(((string?)null, "Working 0 %")));
+        slow.Open();
     }
 
     [Test]
@@ -219,13 +356,14 @@ public sealed class BackgroundTests
         var slow = Slow(out var feed);
         slow.Close();
         feed("a");
-        slow.Open();
-        Assert.That(slow.Background.Queue.Wait(10_000), Is.True);
+        _document.Enabled = false;
         slow.DocumentContextChanged(_document, GH_DocumentContext.Unloaded);
+        slow.Open();
+        slow.Until(() => _document.ScheduledCount > 0, seconds: 0.5);
         Assert.That(_document.ScheduledCount, Is.Zero);
+        _document.Enabled = true;
         slow.DocumentContextChanged(_document, GH_DocumentContext.Loaded);
-        Assert.That(_document.RunSchedule(), Is.True);
-        Assert.That(Results(slow), Is.EqualTo("a"));
+        Assert.That(slow.Until(() => Results(slow) == "a"), Is.True);
     }
 
     [Test]

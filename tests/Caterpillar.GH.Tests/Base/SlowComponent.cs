@@ -1,7 +1,12 @@
 using System;
 using System.Collections.Generic;
 using System.Threading;
+using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Tests.Base;
 
@@ -19,6 +24,9 @@ internal sealed class SlowComponent() : CaterpillarComponent("Slow", "Slow", "Ta
     public int Begun;
 
     public int Canceled;
+
+    /// <summary>How often it was solved for an item.</summary>
+    public int Solved;
 
     /// <summary>Its work may outlive a solution, as on the canvas.</summary>
     public SlowComponent OnCanvas()
@@ -44,10 +52,10 @@ internal sealed class SlowComponent() : CaterpillarComponent("Slow", "Slow", "Ta
         Background.UsualPatience = 500;
     }
 
-    /// <summary>Lets time pass as in Rhino, until something is true or ten seconds are over.</summary>
-    public bool Until(Func<bool> done)
+    /// <summary>Lets time pass as in Rhino, until something is true or so many seconds are over.</summary>
+    public bool Until(Func<bool> done, double seconds = 10)
     {
-        var end = DateTime.UtcNow.AddSeconds(10);
+        var end = DateTime.UtcNow.AddSeconds(seconds);
         while (!done() && DateTime.UtcNow < end)
         {
             Action? next = null;
@@ -63,10 +71,15 @@ internal sealed class SlowComponent() : CaterpillarComponent("Slow", "Slow", "Ta
 
     private protected override void Inputs(InputPorts ports) => ports.Text("Value", "V", "A text.");
 
-    private protected override void Outputs(OutputPorts ports) => ports.Text("Result", "R", "The text.");
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Text("Result", "R", "The text.");
+        ports.Add(new PrintPathParam(), "Paths", "P", "Two lines.", GH_ParamAccess.list);
+    }
 
     private protected override void Solve(Run run)
     {
+        Solved++;
         var value = run.Get<string>(0);
         run.Set(0, run.Work("Testing", [value], (progress, cancel) =>
         {
@@ -74,7 +87,8 @@ internal sealed class SlowComponent() : CaterpillarComponent("Slow", "Slow", "Ta
             progress.Report(0.42);
             try
             {
-                Gate.Wait(cancel);
+                // Work for "quick" passes a closed gate.
+                if (value != "quick") Gate.Wait(cancel);
             }
             catch (OperationCanceledException)
             {
@@ -83,6 +97,8 @@ internal sealed class SlowComponent() : CaterpillarComponent("Slow", "Slow", "Ta
             }
             return value == "bad" ? throw new InvalidOperationException("This is bad.") : value;
         }));
+        var line = new PrintPath([new Vec3(50, 50, 0.2), new Vec3(60, 50, 0.2)], new Bead(0.08, 0.2, 40));
+        run.SetList(1, new[] { new PrintPathGoo(line), new PrintPathGoo(line) });
         run.Summarize("done");
     }
 }

@@ -23,7 +23,7 @@ public sealed class EveryInputTests
         "BakeToolpathComponent", "ConstructBeadComponent", "ConstructPrinterComponent", "ConstructPrintPathComponent", "ConstructPrintSettingsComponent",
         "DeconstructPrintPathComponent", "GCodeTextComponent", "ImportHeaderComponent", "LayerFieldComponent", "MaterialComponent", "PrinterComponent",
         "SaveGCodeComponent", "SubdivideCurveComponent", "TurtleEventComponent", "TurtleExtrusionComponent", "TurtleMoveComponent", "TurtlePenComponent",
-        "TurtleProgramComponent", "TurtleRepeatComponent", "TurtleRotateComponent",
+        "TurtleProgramComponent", "TurtleRepeatComponent", "TurtleRotateComponent", "WaitForResultsComponent",
     };
 
     private readonly GH_Document _document = new();
@@ -115,7 +115,7 @@ public sealed class EveryInputTests
             return true;
         };
         _document.NewSolution(false);
-        var canceled = component.RuntimeMessages(GH_RuntimeMessageLevel.Warning).Contains("Canceled.");
+        var canceled = component.RuntimeMessages(GH_RuntimeMessageLevel.Warning).Contains("Canceled. Recompute to start again.");
         Assert.That(canceled, Is.EqualTo(!Short.Contains(type.Name)));
         if (!canceled) return;
         Assert.That((_document.AbortRequested, Recipes.Errors(component).Length), Is.EqualTo((true, 0)));

@@ -233,7 +233,7 @@ public sealed class SlicerTests
         GH_Document.EscapeKey = () => true;
         var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick with { LayerHeight = 0.02, FirstLayerHeight = 0.02, InfillDensityPercent = 90 })
             .Feed("Geometry", Shapes.Box(10, 10, 190, 200)).Solve();
-        Assert.That(canvas.Warnings, Is.EqualTo(new[] { "Canceled." }));
+        Assert.That(canvas.Warnings, Is.EqualTo(new[] { "Canceled. Recompute to start again." }));
         Assert.That(canvas.Document.AbortRequested, Is.True);
         Assert.That(canvas.All("Walls"), Is.Empty);
     }

@@ -73,7 +73,7 @@ internal static class ToolpathDefinitions
             "press Bake. Baking again replaces the objects.");
         var plan = Ring(s);
         s.Stage("Look");
-        var bake = s.Component<BakeToolpathComponent>(("Toolpath", plan), ("Name", s.Text("Name", "Ring", width: 90)), ("Bake", s.Button("Bake")));
+        var bake = s.Component<BakeToolpathComponent>(("Toolpaths", plan), ("Name", s.Text("Name", "Ring", width: 90)), ("Bake", s.Button("Bake")));
         s.Choose(bake, "Kind", "Beads");
         s.Show("Ids", bake, "Ids", 3, 250);
         var parts = s.Component<DeconstructToolpathComponent>(("Toolpath", plan));

@@ -55,6 +55,7 @@ internal static class Recipes
         ["Steps"] = () => [new StepGoo(Path)],
         ["Commands"] = () => [TurtleCommand.Of(TurtleAction.Forward, 1)],
         ["Toolpath"] = () => [Planned.Value],
+        ["Toolpaths"] = () => [Planned.Value],
         ["G-code"] = () => ["M83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 Y10 E0.5 F1200\n"],
         ["File"] = () => [System.IO.Path.Combine(System.IO.Path.GetTempPath(), "caterpillar-never-written.gcode")],
         ["Layers"] = () => [0],

@@ -1,5 +1,5 @@
 using System;
-using Caterpillar.GH.Base;
+using Caterpillar.GH.Components.Setup;
 using Caterpillar.GH.Tests.Base;
 using Grasshopper;
 using Grasshopper.Kernel;
@@ -19,7 +19,6 @@ public sealed class OnCanvasTests
     {
         RhinoApp.Headless = false;
         Instances.DocumentServer.RemoveDocument(_document);
-        Instances.Settings.SetValue(Background.WaitSetting, false);
         _document.Owner = null;
     }
 
@@ -37,8 +36,11 @@ public sealed class OnCanvasTests
         _document.Owner = new Cluster();
         Assert.That(may(_document), Is.False, "A cluster gives its outputs when its inside is solved.");
         _document.Owner = null;
-        Instances.Settings.SetValue(Background.WaitSetting, true);
-        Assert.That(may(_document), Is.False, "Somebody wants to wait.");
+        var wait = new WaitForResultsComponent();
+        _document.AddObject(wait, false);
+        Assert.That(may(_document), Is.False, "The definition asks for it.");
+        wait.Locked = true;
+        Assert.That(may(_document), Is.True);
     }
 
     private sealed class Cluster : IGH_DocumentOwner

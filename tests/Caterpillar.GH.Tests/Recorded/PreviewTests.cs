@@ -131,7 +131,7 @@ public sealed class PreviewTests
         var path = Path().With(role: Role.OuterWall, layer: new Caterpillar.Toolpaths.Layer(3, 1, 0.2, "Vase"));
         var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", path, Path(5)).Feed("Printer", "generic").Solve();
         var ids = new List<Guid>();
-        plan.Component.BakeGeometry(document.Document, new ObjectAttributes(), ids);
+        plan.Component.BakeGeometry(document.Document, null!, ids);
         var items = document.Document.Objects.Items;
         Assert.That(items.Select(i => i.Id), Is.EqualTo(ids));
         Assert.That(ids, Has.Count.EqualTo(2));

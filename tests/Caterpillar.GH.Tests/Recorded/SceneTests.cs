@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Geometry;
-using Caterpillar.GH.Bake;
 using Caterpillar.GH.Components.Simulate;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Tests.Host;
@@ -15,7 +14,7 @@ using Rhino.Display;
 
 namespace Caterpillar.GH.Tests.Recorded;
 
-/// <summary>What the components that draw by themselves draw, and what is baked at a press.</summary>
+/// <summary>What the components that draw by themselves draw.</summary>
 public sealed class SceneTests
 {
     private static ToolpathGoo Planned(int lines = 40)
@@ -97,34 +96,5 @@ public sealed class SceneTests
         canvas.Feed("Position", 0.9).Solve();
         Assert.That(Draw(canvas.Component)[0].Item, Is.SameAs(same), "A slider allocates no lines.");
         Assert.That(((Rg.Line[])Draw(canvas.Component)[0].Item).Sum(l => l.Length), Is.GreaterThan(half));
-    }
-
-    [Test]
-    public void Baking_happens_after_the_solution_once_per_press_and_replaces_what_has_the_name()
-    {
-        using var document = new InDocument();
-        var canvas = new Canvas<BakeToolpathComponent>().Feed("Toolpath", Planned()).Feed("Name", "Vase").Feed("Bake", true).Solve();
-        Assert.That(canvas.Document.ScheduledCount, Is.Zero, "A toggle that is true from the start bakes nothing.");
-        canvas.Feed("Bake", false).Solve().Feed("Bake", true).Solve();
-        Assert.That(document.Document.Objects.Count, Is.Zero, "Not while solving.");
-        Assert.That(canvas.Document.RunSchedule(), Is.True);
-        Assert.That(document.Document.Objects.Count, Is.EqualTo(40));
-        Assert.That(canvas.All("Ids"), Has.Count.EqualTo(40));
-        Assert.That(document.Document.Objects.Records.Distinct(), Is.EqualTo(new[] { "Bake Vase" }), "One step to undo.");
-        Assert.That(document.Document.Objects.Items.Select(i => i.Attributes.Groups.Single()).Distinct(), Is.EqualTo(new[] { 0 }));
-        Assert.That(document.Document.Objects.Items.Select(i => i.Attributes.GetUserString(Baker.NameKey)).Distinct(), Is.EqualTo(new[] { "Vase" }));
-        canvas.Feed("Kind", "Beads").Feed("Bake", false).Solve().Feed("Bake", true).Solve();
-        canvas.Document.RunSchedule();
-        Assert.That(document.Document.Objects.Items.Select(i => i.Geometry.GetType()).Distinct(), Is.EqualTo(new[] { typeof(Rg.Mesh) }),
-            "The curves are replaced.");
-        Assert.That(document.Document.Objects.Count, Is.EqualTo(40));
-    }
-
-    [Test]
-    public void Without_a_document_nothing_is_baked()
-    {
-        var canvas = new Canvas<BakeToolpathComponent>().Feed("Toolpath", Planned()).Solve().Feed("Bake", true).Solve();
-        Assert.That(canvas.Errors, Has.One.Contains("No Rhino document is open"));
-        Assert.That(canvas.Document.ScheduledCount, Is.Zero);
     }
 }

@@ -45,7 +45,7 @@ internal sealed class MoveChecks : IDisposable
         _looksAtPrint = _ofPrint.LooksFor(DepositCheck.AllCodes);
         IMoveCheck[] checks =
         [
-            new PositionCheck(setup.Printer, _ofMoves), new RateCheck(tools, setup, _ofMoves), new StationaryCheck(setup.Printer, _ofMoves),
+            new PositionCheck(setup.Printer, _ofMoves), new RateCheck(tools, setup, _ofMoves), new ExtruderCheck(setup, _ofMoves),
             new GapCheck(_ofMoves),
         ];
         checks = Asked(checks, _ofMoves);
@@ -77,7 +77,8 @@ internal sealed class MoveChecks : IDisposable
         foreach (var block in CheckRun.BlocksOf(whole, _shown)) Look(block);
         _moves?.End(whole);
         var ofFile = _findings();
-        IMoveCheck[] checks = [new HeatCheck(_setup, scope, ofFile), new FileCheck(whole, _setup.Printer, scope, ofFile)];
+        IMoveCheck[] checks = [new HeatCheck(_setup, scope, ofFile), new FileCheck(whole, scope, ofFile)];
+        if (!scope.IsPlanned) checks = [.. checks, new ModeCheck(_setup.Printer, ofFile)];
         CheckRun.Run(whole, Asked(checks, ofFile), null, _cancel);
         if (_printing is not null)
         {

@@ -19,6 +19,7 @@ public static class CheckCodes
     public const string Blob = "extrusion.blob";
     public const string Width = "extrusion.width";
     public const string Height = "extrusion.height";
+    public const string Starved = "extrusion.starved";
     public const string Gap = "extrusion.gap";
     public const string FirstLayer = "first_layer.area";
     public const string Flow = "limit.flow";
@@ -30,6 +31,7 @@ public static class CheckCodes
     public const string NozzleTemperature = "limit.nozzle_temperature";
     public const string BedTemperature = "limit.bed_temperature";
     public const string Stationary = "limit.stationary";
+    public const string Amount = "limit.amount";
     public const string ColdExtrusion = "limit.cold_extrusion";
     public const string FilePosition = "file.position";
     public const string FileExtrusion = "file.extrusion";
@@ -60,6 +62,7 @@ public static class CheckCodes
         new(Blob, Severity.Error, "blobs wider than 20 nozzle diameters"),
         new(Width, Severity.Warning, "more than 5 mm of extrusions wider than 3 nozzle diameters, or narrower than a fifth of one"),
         new(Height, Severity.Warning, "layers higher than the nozzle diameter"),
+        new(Starved, Severity.Warning, "retractions in the middle of an extrusion, and extrusions that only make up for a retraction"),
         new(Gap, Severity.Note, "gaps of 0.1 to 1 mm in a straight line of extrusions"),
         new(FirstLayer, Severity.Warning, "prints higher than 8 times the square root of their contact area with the bed"),
         new(Flow, Severity.Error, "flow above the maximum volumetric flow of hot end or material"),
@@ -71,6 +74,7 @@ public static class CheckCodes
         new(NozzleTemperature, Severity.Error, "nozzle temperatures above the maximum of the printer"),
         new(BedTemperature, Severity.Error, "bed temperatures above the maximum of the printer"),
         new(Stationary, Severity.Error, "too much material extruded or retracted in place"),
+        new(Amount, Severity.Error, "moves that extrude far more than a nozzle prints, or retract more than any retraction"),
         new(ColdExtrusion, Severity.Error, "extrusion with a cold nozzle"),
         new(FilePosition, Severity.Error, "lines of the file that move the head to another point than planned"),
         new(FileExtrusion, Severity.Error, "lines of the file that extrude another amount than planned"),

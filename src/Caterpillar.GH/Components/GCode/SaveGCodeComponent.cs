@@ -35,7 +35,7 @@ public sealed class SaveGCodeComponent() : CaterpillarComponent(
         var name = run.Get<string>(1);
         if (name.Trim().Length == 0) throw new InputProblem("File is missing.") { IsMissing = true };
         var file = run.PathTo(name);
-        if (_pressed && run.MayAct()) Write(run, document, file, run.Get<bool>(3));
+        if (_pressed) Write(run, document, file, run.Get<bool>(3));
         var done = _written.TryGetValue(run.Iteration, out var last) && ReferenceEquals(last.Document, document) && last.File == file && File.Exists(file);
         run.Set(0, done ? file : null);
         if (done) run.Summarize($"{NumberFormatter.Format(document.Length / 1024)} KB saved");

@@ -56,10 +56,10 @@ public sealed class SimulateComponent() : CaterpillarComponent(
 
     private protected override void Solve(Run run)
     {
-        var goo = run.Get<ToolpathGoo>(0);
         var position = run.Finite(2);
         var by = run.Choice<PositionBy>(3);
         if (by <= PositionBy.Layer && position is < 0 or > 1) throw new InputProblem("Position must be from 0 to 1.");
+        var goo = run.Get<ToolpathGoo>(0);
         var toolpath = goo.Value;
         if (toolpath.Count == 0) throw new InputProblem("The toolpath has no moves.");
         var setup = run.Cached([goo.Value, goo.Setup, goo.DecodedGCode, run.Maybe<Printer>(1)], () => SetupPorts.Of(run, goo, run.Maybe<Printer>(1)));

@@ -48,6 +48,14 @@ namespace Grasshopper.Kernel
         Silent = 2,
     }
 
+    public enum GH_ProcessStep
+    {
+        PreProcess = 0,
+        Process = 1,
+        PostProcess = 2,
+        Aborted = 3,
+    }
+
     public enum GH_DocumentContext
     {
         Unknown = 0,

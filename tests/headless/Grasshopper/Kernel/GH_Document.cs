@@ -14,6 +14,10 @@ namespace Grasshopper.Kernel
         private readonly Queue<GH_ScheduleDelegate> _scheduled = new Queue<GH_ScheduleDelegate>();
         private bool _solving;
 
+        // Tests run side by side: each thread has its own.
+        [ThreadStatic]
+        private static bool s_isLocked;
+
         public delegate void GH_ScheduleDelegate(GH_Document document);
 
         public IList<IGH_DocumentObject> Objects => _objects;
@@ -30,6 +34,15 @@ namespace Grasshopper.Kernel
         public bool IsFilePathDefined => !string.IsNullOrEmpty(FilePath);
 
         public bool AbortRequested { get; private set; }
+
+        /// <summary>The lock of the solver, for all definitions.</summary>
+        public static bool EnableSolutions
+        {
+            get => !s_isLocked;
+            set => s_isLocked = !value;
+        }
+
+        public GH_ProcessStep SolutionState => _solving ? GH_ProcessStep.Process : GH_ProcessStep.PostProcess;
 
         public int SolutionDepth => _solving ? 1 : 0;
 
@@ -72,7 +85,7 @@ namespace Grasshopper.Kernel
 
         public void NewSolution(bool expireAllObjects, GH_SolutionMode mode)
         {
-            if (!Enabled || _solving) return;
+            if (!Enabled || !EnableSolutions || _solving) return;
             _solving = true;
             AbortRequested = false;
             SolutionCount++;

@@ -135,4 +135,17 @@ namespace Grasshopper.Kernel.Parameters
 
         protected override GH_GetterResult Prompt_Plural(ref List<GH_Colour> values) => GH_GetterResult.cancel;
     }
+
+    public class Param_Guid : GH_PersistentParam<GH_Guid>
+    {
+        public Param_Guid() : base("Guid", "ID", "Contains a collection of Globally Unique Identifiers", "Params", "Primitive")
+        {
+        }
+
+        public override Guid ComponentGuid => new Guid("6a3e2c44-0d0c-4b7e-9c1a-3a4a0f6f1c55");
+
+        protected override GH_GetterResult Prompt_Singular(ref GH_Guid value) => GH_GetterResult.cancel;
+
+        protected override GH_GetterResult Prompt_Plural(ref List<GH_Guid> values) => GH_GetterResult.cancel;
+    }
 }

@@ -40,6 +40,28 @@ namespace Grasshopper.Kernel.Types
         public override bool Read(GH_IReader reader) => reader.TryGetDouble("number", ref m_value);
     }
 
+    public class GH_Guid : GH_Goo<Guid>
+    {
+        public override bool IsValid => true;
+
+        public override string TypeName => "Guid";
+
+        public override string TypeDescription => "A globally unique identifier";
+
+        public override IGH_Goo Duplicate() => new GH_Guid { m_value = m_value };
+
+        public override string ToString() => m_value.ToString();
+
+        public override bool CastFrom(object source)
+        {
+            if (!(Casting.Bare(source) is Guid id)) return false;
+            m_value = id;
+            return true;
+        }
+
+        public override bool CastTo<Q>(ref Q target) => Casting.Give(m_value, ref target);
+    }
+
     public class GH_Integer : GH_Goo<int>
     {
         public GH_Integer()

@@ -38,6 +38,8 @@ namespace Rhino.DocObjects
         public virtual Guid Id { get; set; } = Guid.NewGuid();
 
         public virtual string Name { get; set; }
+
+        public virtual int Index { get; set; }
     }
 
     public sealed class Layer : ModelComponent
@@ -102,8 +104,35 @@ namespace Rhino.DocObjects
             Attributes = attributes;
         }
 
-        public Geometry.GeometryBase Geometry { get; }
+        public virtual Geometry.GeometryBase Geometry { get; }
 
         public ObjectAttributes Attributes { get; }
+
+        // The document does not keep what is deleted.
+        public bool IsDeleted => false;
+    }
+
+    public sealed class InstanceDefinition : ModelComponent
+    {
+        internal readonly Geometry.GeometryBase[] Parts;
+        internal readonly ObjectAttributes[] PartAttributes;
+
+        internal InstanceDefinition(int index, string name, Geometry.GeometryBase[] parts, ObjectAttributes[] attributes)
+        {
+            Index = index;
+            Name = name;
+            Parts = parts;
+            PartAttributes = attributes;
+        }
+
+        public override int Index { get; set; }
+    }
+
+    public class InstanceObject : RhinoObject
+    {
+        internal InstanceObject(InstanceDefinition definition, ObjectAttributes attributes)
+            : base(null, attributes) => InstanceDefinition = definition;
+
+        public InstanceDefinition InstanceDefinition { get; }
     }
 }

@@ -8,7 +8,16 @@ namespace Rhino
         // A test may be a server.
         internal static bool Headless;
 
+        // Tests run side by side: each thread has its own.
+        [ThreadStatic]
+        private static List<string> s_lines;
+
+        // What was written to the command line.
+        internal static List<string> Lines => s_lines ?? (s_lines = new List<string>());
+
         public static bool IsRunningHeadless => Headless;
+
+        public static void WriteLine(string message) => Lines.Add(message);
 
         public static void InvokeOnUiThread(Delegate method, params object[] args) => method.DynamicInvoke(args);
     }

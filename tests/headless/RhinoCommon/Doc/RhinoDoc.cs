@@ -18,6 +18,7 @@ namespace Rhino
         {
             Objects = new ObjectTable(this);
             Layers = new LayerTable();
+            InstanceDefinitions = new InstanceDefinitionTable(this);
         }
 
         // Tests run side by side: each thread has its own.
@@ -52,6 +53,12 @@ namespace Rhino
 
         public GroupTable Groups { get; } = new GroupTable();
 
+        public InstanceDefinitionTable InstanceDefinitions { get; }
+
+        public ViewTable Views { get; } = new ViewTable();
+
+        public ObjectAttributes CreateDefaultAttributes() => new ObjectAttributes { LayerIndex = Layers.CurrentLayerIndex };
+
         internal bool IsRecording => _openRecord != 0;
 
         public uint BeginUndoRecord(string description)
@@ -85,9 +92,16 @@ namespace Rhino.DocObjects.Tables
         public int Count => Items.Count;
 
         public Guid Add(GeometryBase geometry, ObjectAttributes attributes)
+            => geometry == null || !geometry.IsValid ? Guid.Empty
+                : Add(new RhinoObject(geometry.Duplicate(), attributes?.Duplicate() ?? new ObjectAttributes()));
+
+        public Guid AddInstanceObject(int instanceDefinitionIndex, Transform instanceXform, ObjectAttributes attributes)
+            => Add(new InstanceObject(_doc.InstanceDefinitions.Items[instanceDefinitionIndex], attributes.Duplicate()));
+
+        public RhinoObject FindId(Guid id) => Items.Find(i => i.Id == id);
+
+        private Guid Add(RhinoObject item)
         {
-            if (geometry == null || !geometry.IsValid) return Guid.Empty;
-            var item = new RhinoObject(geometry.Duplicate(), attributes?.Duplicate() ?? new ObjectAttributes());
             item.Attributes.ObjectId = item.Id;
             Items.Add(item);
             Records.Add(_doc.IsRecording ? _doc.UndoRecords[_doc.UndoRecords.Count - 1] : null);
@@ -112,6 +126,49 @@ namespace Rhino.DocObjects.Tables
         public Guid AddMesh(Mesh mesh, ObjectAttributes attributes) => Add(mesh, attributes);
 
         public Guid AddPolyline(IEnumerable<Point3d> points, ObjectAttributes attributes) => Add(new PolylineCurve(points), attributes);
+    }
+
+    public sealed class InstanceDefinitionTable
+    {
+        internal readonly List<InstanceDefinition> Items = new List<InstanceDefinition>();
+        private readonly RhinoDoc _doc;
+
+        internal InstanceDefinitionTable(RhinoDoc doc) => _doc = doc;
+
+        public string GetUnusedInstanceDefinitionName(string root)
+        {
+            var name = root;
+            for (var i = 1; Items.Any(d => d != null && d.Name == name); i++) name = root + " " + i;
+            return name;
+        }
+
+        public int Add(string name, string description, Point3d basePoint, IEnumerable<GeometryBase> geometry, IEnumerable<ObjectAttributes> attributes)
+        {
+            if (Items.Any(d => d != null && d.Name == name)) return -1;
+            Items.Add(new InstanceDefinition(Items.Count, name, geometry.ToArray(), attributes.ToArray()));
+            return Items.Count - 1;
+        }
+
+        public bool Delete(int idefIndex, bool deleteReferences, bool quiet)
+        {
+            foreach (var item in _doc.Objects.Items.OfType<InstanceObject>().Where(o => o.InstanceDefinition.Index == idefIndex).ToList())
+                _doc.Objects.Delete(item.Id, quiet);
+            Items[idefIndex] = null;
+            return true;
+        }
+    }
+
+    public sealed class ViewTable
+    {
+        internal ViewTable()
+        {
+        }
+
+        public bool RedrawEnabled { get; set; } = true;
+
+        public void Redraw()
+        {
+        }
     }
 
     public sealed class GroupTable
