@@ -11,6 +11,14 @@ internal static class Drawings
         ["Plugin"] = c => Caterpillar(c),
         ["Component"] = c => c.Ring(12, 12, 8, 2.4, Ink.Green).Disc(12, 12, 2.5, Ink.Dark),
         ["Printer"] = Printer,
+        ["PrintSetup"] = c => { Printer(c); c.Rect(13, 12, 21, 21, Ink.Orange).Line(15, 15, 19, 15, 1.2, Ink.Light).Line(15, 18, 19, 18, 1.2, Ink.Light); },
+        ["DeconstructSetup"] = c => { c.Rect(3, 8, 9, 16, Ink.Orange); c.Line(9, 12, 13, 12, 1.4, Ink.Gray).Line(13, 6, 13, 18, 1.4, Ink.Gray)
+            .Line(13, 6, 16, 6, 1.4, Ink.Gray).Line(13, 18, 16, 18, 1.4, Ink.Gray).Line(13, 12, 16, 12, 1.4, Ink.Gray)
+            .Disc(18, 6, 2.4, Ink.Green).Disc(18, 12, 2.4, Ink.Dark).Disc(18, 18, 2.4, Ink.Blue); },
+        ["SetupParam"] = c => c.Hexagon().Polyline(1.6, Ink.Light, 8, 17, 8, 7.5, 16, 7.5, 16, 17, 8, 17).Rect(11, 11, 17, 17.5, Ink.Orange),
+        ["PrinterChoiceParam"] = c => c.Hexagon().Polyline(1.6, Ink.Light, 8, 17, 8, 7.5, 16, 7.5, 16, 17, 8, 17).Line(10, 12, 14, 12, 1.8, Ink.Green),
+        ["MaterialChoiceParam"] = c => c.Hexagon().Ring(12, 12, 4.5, 2.4, Ink.Orange).Line(10, 12, 14, 12, 1.8, Ink.Green),
+        ["SettingsChoiceParam"] = c => c.Hexagon().Line(7, 9, 17, 9, 1.4, Ink.Light).Line(7, 15, 17, 15, 1.4, Ink.Light).Line(10, 12, 14, 12, 1.8, Ink.Green),
         ["Material"] = c => c.Ring(12, 12, 7.5, 4, Ink.Orange).Ring(12, 12, 4, 1, Ink.Dark).Ring(12, 12, 9.2, 1, Ink.Dark)
             .Line(19, 13, 21, 20.5, 1.4, Ink.Orange),
         ["ConstructPrintSettings"] = Sliders,

@@ -63,8 +63,17 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager, ISet
 
     public void Toolpath() => Add(new ToolpathParam(), "Toolpath", "T", "Toolpath, from Plan Toolpath or Decode G-code.");
 
-    public void Bead(string more = "Default: 0.45 × 0.2 mm, at the speed of the print settings.")
+    public void Bead(string more = "Default: line width and layer height of the setup.")
         => Add(new BeadParam(), "Bead", "B", "Bead, or its width in mm. " + more, optional: true);
+
+    /// <summary>Printer, material, settings and what is printed on. <paramref name="more"/> states their use and the default.</summary>
+    public void Setup(string more = "Default: generic.")
+        => Add(new SetupParam(), "Setup", "Se", "Print setup, or the name of a printer profile. " + more, optional: true);
+
+    /// <summary>A profile: from the menu, by name, from a file or from a wire.</summary>
+    public void Profile(IGH_Param param, string name, string nick, string more)
+        => Add(param, name, nick, $"Profile from the menu, its name, or a file (JSON). Or {name.ToLowerInvariant()} from another component. " + more,
+            optional: true);
 
     /// <summary>An optional printer. <paramref name="more"/> states its use and its default.</summary>
     public void Printer(string nick, string more, string name = "Printer")

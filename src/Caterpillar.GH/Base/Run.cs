@@ -2,6 +2,7 @@ using System.Collections;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Preview;
+using Caterpillar.Machines;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Data;
 using Grasshopper.Kernel.Types;
@@ -25,12 +26,9 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
         return cache.Renew<PathList>([input, Access.Iteration], last => last?.Has(goos) == true ? last : new PathList(goos));
     }
 
-    /// <summary>The steps of a list.</summary>
-    public StepList Steps(int input)
-    {
-        var goos = List<StepGoo>(input);
-        return cache.Renew<StepList>([input, Access.Iteration], last => last?.Has(goos) == true ? last : new StepList(goos));
-    }
+    /// <summary>The steps of a list for a setup.</summary>
+    public StepList Steps(IReadOnlyList<StepGoo> goos, PrintSetup setup)
+        => cache.Renew<StepList>([setup, Access.Iteration], last => last?.Has(goos) == true ? last : new StepList(goos, setup));
 
     /// <summary>Models of a list, each kept from the last solve while its geometry has the same content.</summary>
     /// <inheritdoc cref="ModelOf" path="/exception"/>

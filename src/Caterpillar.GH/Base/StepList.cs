@@ -1,25 +1,28 @@
 using Caterpillar.GH.Goos;
+using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GH.Base;
 
-/// <summary>The steps of a list input. They stay one object from solve to solve while they stay the same.</summary>
+/// <summary>The steps of a list input for a setup. They stay one object from solve to solve while they stay the same.</summary>
 internal sealed class StepList
 {
-    public StepList(IReadOnlyList<StepGoo> goos)
+    private readonly IReadOnlyList<Step> _given;
+
+    public StepList(IReadOnlyList<StepGoo> goos, PrintSetup setup)
     {
-        Steps = new Step[goos.Count];
-        for (var i = 0; i < Steps.Length; i++) Steps[i] = goos[i].Value;
+        _given = goos.Select(g => g.Value).ToArray();
+        Steps = goos.Select(g => g.StepFor(setup)).ToArray();
     }
 
     public Step[] Steps { get; }
 
     public bool Has(IReadOnlyList<StepGoo> goos)
     {
-        if (goos.Count != Steps.Length) return false;
+        if (goos.Count != _given.Count) return false;
         for (var i = 0; i < goos.Count; i++)
         {
-            if (!Same(goos[i].Value, Steps[i])) return false;
+            if (!Same(goos[i].Value, _given[i])) return false;
         }
         return true;
     }

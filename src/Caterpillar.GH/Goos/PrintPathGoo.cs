@@ -2,6 +2,7 @@ using Caterpillar.Drawings;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Bake;
 using Caterpillar.GH.Conversion;
+using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using Grasshopper.Kernel.Types;
 
@@ -12,33 +13,51 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>
 {
     private PathStep? _step;
 
+    // The curve that a user connected instead of a print path.
+    private UserCurve? _drawn;
+
     public PrintPathGoo()
     {
     }
 
-    public PrintPathGoo(PrintPath? path)
+    /// <summary>A path, and the setup that it was made with.</summary>
+    public PrintPathGoo(PrintPath? path, PrintSetup? setup = null)
     {
         Value = path!;
+        Setup = setup;
     }
 
     /// <summary>A path from a slicer or a turtle, with its data for planning: group, fixed start, layer and source.</summary>
-    public PrintPathGoo(PathStep? step)
-        : this(step?.Path)
+    public PrintPathGoo(PathStep? step, PrintSetup? setup = null)
+        : this(step?.Path, setup)
     {
         _step = step;
     }
+
+    /// <summary>The setup that it was made with. Null if nothing of it depends on one.</summary>
+    public PrintSetup? Setup { get; private set; }
 
     public override string TypeName => "Print Path";
 
     public override string TypeDescription => "A path to print, with its beads in mm² and speeds in mm/s.";
 
-    public override IGH_GeometricGoo DuplicateGeometry() => Value is null ? new PrintPathGoo() : new PrintPathGoo(ToStep());
+    public override IGH_GeometricGoo DuplicateGeometry() => Value is null ? new PrintPathGoo() : new PrintPathGoo(ToStep(), Setup) { _drawn = _drawn };
 
     /// <summary>The path as a step of a design.</summary>
     public PathStep ToStep() => ReferenceEquals(_step?.Path, Value) ? _step! : _step = new PathStep(Value);
 
+    /// <summary>The path as a step of a print. A curve that was connected as it is gets the bead and the division of the settings.</summary>
+    public PathStep StepFor(PrintSetup setup) => _drawn is not null && Drawn(_drawn, setup.Settings) is { } path ? new PathStep(path) : ToStep();
+
     /// <summary>The same with another path, without the region of its layer.</summary>
-    public PrintPathGoo With(PrintPath path) => ReferenceEquals(path, Value) ? this : new PrintPathGoo(ToStep().With(path, null));
+    public PrintPathGoo With(PrintPath path) => ReferenceEquals(path, Value) ? this : new PrintPathGoo(ToStep().With(path, null), Setup);
+
+    public override bool CastFrom(object source)
+    {
+        if (Wrapped.Bare(source) is not PrintPathGoo { Value: not null } other) return base.CastFrom(source);
+        (Value, _step, _drawn, Setup) = (other.Value, other._step, other._drawn, other.Setup);
+        return true;
+    }
 
     public override IGH_GeometricGoo? Morph(Rg.SpaceMorph xmorph)
     {
@@ -65,14 +84,14 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>
 
     private protected override int SegmentCount => Value.SegmentCount;
 
-    /// <summary>A curve, line, polyline, arc or circle is printed with the extrusion and the division that Construct Print Path has by default.</summary>
+    /// <summary>A curve, line, polyline, arc or circle is printed with the bead and the division of the standard settings, until a setup is known.</summary>
     private protected override bool CastFromOther(object? source)
     {
         if (RhinoCurves.In(source) is not { } curve) return false;
         try
         {
-            var drawn = new UserCurve(RhinoCurves.ToCurve(curve, DocumentUnits.Current));
-            Value = CurvePaths.ToPaths([drawn], new CurveOptions { Shape = BeadShape.Stadium }).Value?.FirstOrDefault()!;
+            _drawn = new UserCurve(RhinoCurves.ToCurve(curve, DocumentUnits.Current));
+            Value = Drawn(_drawn, new PrintSettings())!;
             return Value is not null;
         }
         catch (InputProblem)
@@ -80,6 +99,9 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>
             return false;
         }
     }
+
+    private static PrintPath? Drawn(UserCurve curve, PrintSettings settings)
+        => CurvePaths.ToPaths([curve], CurveOptions.From(settings)).Value?.FirstOrDefault();
 
     private protected override object? Native(Type wanted, DocumentUnits units) => NativeCasts.Of(Value, wanted, units);
 

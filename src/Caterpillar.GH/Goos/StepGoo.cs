@@ -1,28 +1,47 @@
 using Caterpillar.GH.Conversion;
+using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A step of a design on a wire: a print path, a travel move or an event.</summary>
-public sealed class StepGoo(Step? step) : ValueGoo<Step>(step)
+public sealed class StepGoo(Step? step, PrintSetup? setup = null) : ValueGoo<Step>(step)
 {
+    // The print path on the wire, if it came as one.
+    private PrintPathGoo? _path;
+
     public StepGoo()
-        : this(null)
+        : this(null, null)
     {
     }
+
+    public StepGoo(PrintPathGoo path)
+        : this(path.ToStep(), path.Setup)
+    {
+        _path = path;
+    }
+
+    /// <summary>The setup that it was made with. Null if nothing of it depends on one.</summary>
+    public PrintSetup? Setup { get; private set; } = setup;
 
     public override string TypeName => "Step";
 
     public override string TypeDescription => "A step of a design: a print path, a travel move or an event.";
 
-    public override IGH_Goo Duplicate() => new StepGoo(Value);
+    public override IGH_Goo Duplicate() => new StepGoo(Value, Setup) { _path = _path };
+
+    /// <inheritdoc cref="PrintPathGoo.StepFor"/>
+    public Step StepFor(PrintSetup setup) => _path?.StepFor(setup) ?? Value;
 
     public override bool CastFrom(object source)
     {
         switch (Wrapped.Bare(source))
         {
-            case PrintPathGoo { Value: not null } goo: Value = goo.ToStep(); return true;
+            case PrintPathGoo { Value: not null } goo: return From(goo);
+            case StepGoo { Value: not null } goo:
+                (Value, Setup, _path) = (goo.Value, goo.Setup, goo._path);
+                return true;
             case PrintPath path: Value = path; return true;
             case PrinterEvent what: Value = what; return true;
             default: return base.CastFrom(source) || FromCurve(source);
@@ -31,7 +50,7 @@ public sealed class StepGoo(Step? step) : ValueGoo<Step>(step)
 
     public override bool CastTo<Q>(ref Q target)
     {
-        if (Value is PathStep path && typeof(Q) == typeof(PrintPathGoo)) return Give(new PrintPathGoo(path), ref target);
+        if (Value is PathStep path && typeof(Q) == typeof(PrintPathGoo)) return Give(_path ?? new PrintPathGoo(path, Setup), ref target);
         return base.CastTo(ref target);
     }
 
@@ -46,8 +65,12 @@ public sealed class StepGoo(Step? step) : ValueGoo<Step>(step)
     private bool FromCurve(object source)
     {
         var path = new PrintPathGoo();
-        if (!path.CastFrom(source)) return false;
-        Value = path.Value;
+        return path.CastFrom(source) && From(path);
+    }
+
+    private bool From(PrintPathGoo path)
+    {
+        (Value, Setup, _path) = (path.ToStep(), path.Setup, path);
         return true;
     }
 

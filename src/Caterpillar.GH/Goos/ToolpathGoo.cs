@@ -33,9 +33,9 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
         Setup = setup;
     }
 
-    /// <summary>A toolpath that was decoded from a file.</summary>
-    public ToolpathGoo(DecodedGCode decoding)
-        : this(decoding?.Toolpath)
+    /// <summary>A toolpath that was decoded from a file, for a setup if that is known.</summary>
+    public ToolpathGoo(DecodedGCode decoding, PrintSetup? setup = null)
+        : this(decoding?.Toolpath, setup)
     {
         DecodedGCode = decoding;
     }

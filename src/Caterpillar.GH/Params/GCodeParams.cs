@@ -15,7 +15,7 @@ public sealed class StepParam() : VolatileParam<StepGoo>("Step", "Step", "Contai
 
     // Most steps are print paths, and many.
     protected override StepGoo PreferredCast(object data)
-        => data is PrintPathGoo { Value: not null } path ? new StepGoo(path.ToStep()) : base.PreferredCast(data);
+        => data is PrintPathGoo { Value: not null } path ? new StepGoo(path) : base.PreferredCast(data);
 }
 
 /// <summary>Fields of layers. Surfaces and formulas are fields as well.</summary>

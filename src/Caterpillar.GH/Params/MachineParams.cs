@@ -21,3 +21,13 @@ public sealed class SettingsParam() : StoredParam<SettingsGoo>(
 {
     public override Guid ComponentGuid => new("af3fca63-c2d4-4ddd-aa9a-d8a1ed78e443");
 }
+
+/// <summary>Print setups. Text is the name of a printer profile.</summary>
+public sealed class SetupParam() : StoredParam<SetupGoo>(
+    "Print Setup", "Setup", "Contains print setups: printer, material, settings, and what is printed on. Text is read as the name of a printer "
+        + "profile.", Panel.Setup)
+{
+    public override Guid ComponentGuid => new("e84a0b17-6c5f-4d92-b1e8-0f7d3a9c2b24");
+
+    private protected override string Question => "Printer profile";
+}

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Caterpillar.GH.Components.Slice;
+using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Tests.Host;
 using Caterpillar.Machines;
@@ -18,7 +19,7 @@ public sealed class CurvedSlicerTests
     private static readonly PrintSettings Quick = new() { LayerHeight = 0.5, FirstLayerHeight = 0.5, LineWidth = 0.6, WallCount = 1, SkirtLoops = 0 };
 
     private static Canvas<CurvedSlicerComponent> Slice(object? field, params object?[] geometry)
-        => new Canvas<CurvedSlicerComponent>().Feed("Settings", Quick).Feed("Field", field).Feed("Geometry", geometry).Solve();
+        => new Canvas<CurvedSlicerComponent>().Feed("Setup", Quick).Feed("Field", field).Feed("Geometry", geometry).Solve();
 
     private static FieldRecipe? Field(FieldKind kind, params (string Port, object?[] Values)[] ports) => Make(kind, ports).One<FieldRecipe?>("Field");
 
@@ -82,7 +83,7 @@ public sealed class CurvedSlicerTests
     [Test]
     public void The_field_z_gives_planar_layers()
     {
-        var planar = new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick).Feed("Geometry", Shapes.Box()).Solve();
+        var planar = new Canvas<PlanarSlicerComponent>().Feed("Setup", Quick).Feed("Geometry", Shapes.Box()).Solve();
         var curved = Slice("z", Shapes.Box());
         Assert.That(curved.Errors, Is.Empty);
         Assert.That(curved.Paths("Print Paths"), Is.EqualTo(planar.Paths("Print Paths")));
@@ -171,7 +172,9 @@ public sealed class CurvedSlicerTests
     [Test]
     public void An_object_on_the_bed_is_printed_on()
     {
-        var canvas = Slice("z", Shapes.Box(height: 4)).Feed("Objects", Shapes.Box(90, 90, 40, 1)).Solve();
+        var floor = RhinoMesh.ToTriangles(Shapes.Box(90, 90, 40, 1), DocumentUnits.Current);
+        var setup = new SetupGoo(new PrintSetup { Settings = Quick, PrintedOn = floor });
+        var canvas = Slice("z", Shapes.Box(height: 4)).Feed("Setup", setup).Solve();
         Assert.That(canvas.Errors, Is.Empty);
         Assert.That(Walls(canvas).SelectMany(p => p.Points).Min(p => p.Z), Is.GreaterThan(1));
     }

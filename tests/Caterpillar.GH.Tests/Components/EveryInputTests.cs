@@ -21,7 +21,8 @@ public sealed class EveryInputTests
     private static readonly HashSet<string> Short = new(StringComparer.Ordinal)
     {
         "BakeToolpathComponent", "ConstructBeadComponent", "ConstructPrinterComponent", "ConstructPrintPathComponent", "ConstructPrintSettingsComponent",
-        "DeconstructPrintPathComponent", "GCodeTextComponent", "ImportHeaderComponent", "LayerFieldComponent", "MaterialComponent", "PrinterComponent",
+        "DeconstructPrintPathComponent", "DeconstructSetupComponent", "GCodeTextComponent", "ImportHeaderComponent", "LayerFieldComponent", "MaterialComponent", "PrintSetupComponent",
+        "PrinterComponent",
         "SaveGCodeComponent", "SubdivideCurveComponent", "TurtleEventComponent", "TurtleExtrusionComponent", "TurtleMoveComponent", "TurtlePenComponent",
         "TurtleProgramComponent", "TurtleRepeatComponent", "TurtleRotateComponent", "WaitForResultsComponent",
     };

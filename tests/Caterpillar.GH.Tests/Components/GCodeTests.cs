@@ -21,14 +21,14 @@ public sealed class GCodeTests
     private static PrintPath Line(double x, double length = 10) => new([new Vec3(x, 50, 0.2), new Vec3(x + length, 50, 0.2)], new Bead(0.08, 0.2, 40));
 
     private static Toolpath Planned(double x = 50)
-        => new Canvas<PlanToolpathComponent>().Feed("Steps", Line(x)).Feed("Printer", "generic").Solve().One<Toolpath>("Toolpath");
+        => new Canvas<PlanToolpathComponent>().Feed("Steps", Line(x)).Feed("Setup", "generic").Solve().One<Toolpath>("Toolpath");
 
     [Test]
     public void From_a_solid_to_G_code_and_back()
     {
         var document = new GH_Document();
         var slice = new Canvas<PlanarSlicerComponent>(document).Feed("Geometry", Shapes.Box(height: 1));
-        var plan = new Canvas<PlanToolpathComponent>(document).Feed("Printer", "ender3");
+        var plan = new Canvas<PlanToolpathComponent>(document).Feed("Setup", "ender3");
         var write = new Canvas<GenerateGCodeComponent>(document);
         var text = new Canvas<GCodeTextComponent>(document);
         var decode = new Canvas<DecodeGCodeComponent>(document);
@@ -55,7 +55,7 @@ public sealed class GCodeTests
     {
         string[] Lines()
         {
-            var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", Line(20.125), Line(40)).Feed("Printer", "ender3").Feed("Mode", "PRINTER").Solve();
+            var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", Line(20.125), Line(40)).Feed("Setup", "ender3").Feed("Mode", "PRINTER").Solve();
             Assert.That(plan.Errors, Is.Empty);
             var write = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", plan.Output("Toolpath").VolatileData.get_Branch(0)[0]).Solve();
             return write.One<GCodeDocument>("G-code").Lines(1, 10000).Concat(plan.All("Toolpath").Select(t => t!.ToString()!)).ToArray();
@@ -77,7 +77,7 @@ public sealed class GCodeTests
     public void Steps_of_several_branches_follow_each_other()
     {
         var canvas = new Canvas<PlanToolpathComponent>().FeedTree("Steps", [Line(20)], [Line(40), new StepGoo(new DwellEvent(2))], [Line(60)])
-            .Feed("Printer", "generic").Solve();
+            .Feed("Setup", "generic").Solve();
         Assert.That(canvas.Errors, Is.Empty);
         var toolpath = canvas.One<Toolpath>("Toolpath");
         Assert.That(toolpath.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => m.Start.X), Is.EqualTo(new[] { 20.0, 40, 60 }));
@@ -88,7 +88,7 @@ public sealed class GCodeTests
     [Test]
     public void A_plan_as_drawn_adds_nothing_and_choices_take_their_names()
     {
-        var canvas = new Canvas<PlanToolpathComponent>().Feed("Steps", Line(20), Line(40)).Feed("Printer", "generic").Feed("Mode", "as drawn")
+        var canvas = new Canvas<PlanToolpathComponent>().Feed("Steps", Line(20), Line(40)).Feed("Setup", "generic").Feed("Mode", "as drawn")
             .Feed("Sort", "none").Solve();
         Assert.That(canvas.Errors, Is.Empty);
         Assert.That(canvas.One<Toolpath>("Toolpath").Moves().Select(m => m.Kind), Has.None.EqualTo(MoveKind.Retract));
@@ -99,18 +99,18 @@ public sealed class GCodeTests
     [Test]
     public void A_plan_for_each_printer_of_a_list_and_null_for_the_bad_one()
     {
-        var canvas = new Canvas<PlanToolpathComponent>().Feed("Steps", Line(20), null).Feed("Printer", "generic", null, "ender3", "nothing").Solve();
+        var canvas = new Canvas<PlanToolpathComponent>().Feed("Steps", Line(20), null).Feed("Setup", "generic", null, "ender3", "nothing").Solve();
         Assert.That(canvas.All("Toolpath").Select(t => t is null), Is.EqualTo(new[] { false, true, false, true }));
-        Assert.That(canvas.Warnings, Has.Member("{0}[0]: Steps: 1 null item is ignored.").And.Member("{0}[1]: Printer is missing."));
-        Assert.That(canvas.Errors.Single(), Does.StartWith("Printer: ").And.Contain("\"nothing\""));
+        Assert.That(canvas.Warnings, Has.Member("{0}[0]: Steps: 1 null item is ignored."));
+        Assert.That(canvas.Errors, Has.Member("{0}[1]: Setup: the connected source gives no valid data.").And.One.Contains("\"nothing\""));
     }
 
     [Test]
     public void A_plan_needs_steps()
     {
-        Assert.That(new Canvas<PlanToolpathComponent>().Feed("Printer", "generic").Solve().Warnings,
+        Assert.That(new Canvas<PlanToolpathComponent>().Feed("Setup", "generic").Solve().Warnings,
             Is.EqualTo(new[] { "Input parameter S failed to collect data" }));
-        Assert.That(new Canvas<PlanToolpathComponent>().Feed("Printer", "generic").Feed("Steps", null).Solve().Errors,
+        Assert.That(new Canvas<PlanToolpathComponent>().Feed("Setup", "generic").Feed("Steps", null).Solve().Errors,
             Has.Member("{0}[0]: Steps: the connected source gives no valid data."));
     }
 
@@ -126,12 +126,15 @@ public sealed class GCodeTests
     }
 
     [Test]
-    public void A_toolpath_that_was_not_planned_needs_a_printer()
+    public void A_toolpath_that_was_not_planned_needs_a_setup()
     {
         var canvas = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", Planned(), null).Solve();
         Assert.That(canvas.All("G-code"), Is.EqualTo(new object?[] { null, null }));
-        Assert.That(canvas.Warnings, Is.EqualTo(new[] { "{0}[0]: Printer is missing. The toolpath was not planned for one.", "{0}[1]: Toolpath is missing." }));
-        canvas.Feed("Printer", "generic").Solve();
+        Assert.That(canvas.Warnings, Is.EqualTo(new[]
+        {
+            "{0}[0]: Setup is missing. The toolpath was not planned with one: connect Print Setup.", "{0}[1]: Toolpath is missing.",
+        }));
+        canvas.Feed("Setup", "generic").Solve();
         Assert.That(canvas.All("G-code").Select(g => g is null), Is.EqualTo(new[] { false, true }));
     }
 

@@ -4,9 +4,12 @@ using System.Linq;
 using Caterpillar.GH.Components.Design;
 using Caterpillar.GH.Components.GCode;
 using Caterpillar.GH.Components.Simulate;
+using Caterpillar.GH.Components.Setup;
 using Caterpillar.GH.Components.Slice;
+using Caterpillar.GH.Goos;
 using Caterpillar.GH.Tests.Host;
 using Caterpillar.Geometry;
+using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
 
@@ -105,6 +108,13 @@ public sealed class ModelPlacingTests
         Assert.That(canvas.All("Print Paths").Cast<PrintPath>().Sum(p => p.Length), Is.EqualTo(3).Within(0.1));
     }
 
+    private static SetupGoo On(object? obstacle)
+    {
+        var setup = new Canvas<PrintSetupComponent>();
+        if (obstacle is not null) setup.Feed("Printed On", obstacle);
+        return new SetupGoo(setup.Solve().One<PrintSetup>("Setup"));
+    }
+
     [Test]
     public void Travels_stay_above_obstacles()
     {
@@ -112,9 +122,7 @@ public sealed class ModelPlacingTests
             .ToArray();
         Toolpath Plan(object? obstacle)
         {
-            var canvas = new Canvas<PlanToolpathComponent>().Feed("Steps", paths).Feed("Printer", "generic");
-            if (obstacle is not null) canvas.Feed("Obstacles", obstacle);
-            canvas.Solve();
+            var canvas = new Canvas<PlanToolpathComponent>().Feed("Steps", paths).Feed("Setup", On(obstacle)).Solve();
             Assert.That(canvas.Errors, Is.Empty);
             return canvas.One<Toolpath>("Toolpath");
         }
@@ -131,9 +139,7 @@ public sealed class ModelPlacingTests
         var path = new PrintPath([new Vec3(100, 110, 12.2), new Vec3(120, 110, 12.2)], new Bead(0.08, 0.2, 40));
         bool IsInTheAir(object? obstacle)
         {
-            var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", path).Feed("Printer", "generic");
-            if (obstacle is not null) plan.Feed("Obstacles", obstacle);
-            plan.Solve();
+            var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", path).Feed("Setup", On(obstacle)).Solve();
             var check = new Canvas<CheckComponent>().Feed("Toolpath", plan.Output("Toolpath").VolatileData.get_Branch(0)[0]).Solve();
             var write = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", plan.Output("Toolpath").VolatileData.get_Branch(0)[0]).Solve();
             Assert.That(write.All("G-code").Single(), Is.Not.Null);

@@ -171,7 +171,7 @@ public sealed class SimulateTests
         Assert.That(canvas.All("Layer Times"), Is.EqualTo(expected.Layers.Select(l => (object)l.Time)));
         Assert.That(canvas.All("Summary"), Has.Some.Contains("OuterWall: "));
         var slow = new Canvas<StatisticsComponent>().Feed("Toolpath", goo)
-            .Feed("Printer", new Printer { PrintAcceleration = 50, TravelAcceleration = 50 }).Solve();
+            .Feed("Setup", new Printer { PrintAcceleration = 50, TravelAcceleration = 50 }).Solve();
         Assert.That(slow.One<double>("Time"), Is.GreaterThan(expected.Duration));
     }
 

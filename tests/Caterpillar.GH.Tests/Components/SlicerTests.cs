@@ -22,7 +22,7 @@ public sealed class SlicerTests
     private static readonly PrintSettings Quick = new() { LayerHeight = 0.5, FirstLayerHeight = 0.5, LineWidth = 0.6, WallCount = 1 };
 
     private static Canvas<PlanarSlicerComponent> Slice(params object?[] geometry)
-        => new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick).Feed("Geometry", geometry).Solve();
+        => new Canvas<PlanarSlicerComponent>().Feed("Setup", Quick).Feed("Geometry", geometry).Solve();
 
     [TearDown]
     public void TearDown() => GH_Document.EscapeKey = () => false;
@@ -46,7 +46,7 @@ public sealed class SlicerTests
     public void Inside_a_modifier_its_settings_apply()
     {
         var settings = Quick with { TopLayers = 0, BottomLayers = 0, InfillDensityPercent = 10, InfillSpacing = 0 };
-        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", settings).Feed("Geometry", Shapes.Box(size: 20));
+        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Setup", settings).Feed("Geometry", Shapes.Box(size: 20));
         double Infill() => canvas.Solve().All("Infill").Cast<PrintPath>().Where(p => p.Role == Role.Infill).Sum(p => p.Length);
         var before = Infill();
         canvas.Feed("Modifiers", Shapes.Box(100, 100, 10, 2));
@@ -65,7 +65,7 @@ public sealed class SlicerTests
     public void Each_solid_has_its_part_settings()
     {
         var settings = Quick with { TopLayers = 0, BottomLayers = 0, TopThickness = 0, BottomThickness = 0, InfillDensityPercent = 0, InfillSpacing = 0 };
-        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", settings)
+        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Setup", settings)
             .Feed("Geometry", Shapes.Box(0, 0, 10, 2), null, Shapes.Box(20, 0, 10, 2), Shapes.Box(40, 0, 10, 2));
         int[] Walls()
         {
@@ -92,7 +92,7 @@ public sealed class SlicerTests
         using var _ = new InDocument(UnitSystem.Centimeters);
         var settings = Quick with { TopLayers = 0, BottomLayers = 0, InfillDensityPercent = 20 };
         var circle = new Rg.ArcCurve(new Rg.Circle(new Rg.Point3d(11, 11, 7), 0.5));
-        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", settings).Feed("Geometry", Shapes.Box(10, 10, 2, 0.2)).Feed("Infill Curves", circle)
+        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Setup", settings).Feed("Geometry", Shapes.Box(10, 10, 2, 0.2)).Feed("Infill Curves", circle)
             .Solve();
         Assert.That(canvas.Errors.Concat(canvas.Warnings), Is.Empty);
         var infill = canvas.All("Infill").Cast<PrintPath>().Where(p => p.Role == Role.Infill).ToArray();
@@ -103,8 +103,8 @@ public sealed class SlicerTests
     [Test]
     public void What_the_slicer_knows_of_its_paths_reaches_planning()
     {
-        var slicer = new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick with { WallCount = 3 }).Feed("Geometry", Shapes.Box()).Solve();
-        var plan = new Canvas<PlanToolpathComponent>(slicer.Document).Feed("Printer", "generic").Feed("Settings", Quick with { WallCount = 3 });
+        var slicer = new Canvas<PlanarSlicerComponent>().Feed("Setup", Quick with { WallCount = 3 }).Feed("Geometry", Shapes.Box()).Solve();
+        var plan = new Canvas<PlanToolpathComponent>(slicer.Document).Feed("Setup", Quick with { WallCount = 3 });
         plan.Input("Steps").AddSource(slicer.Output("Print Paths"));
         plan.Solve();
         Assert.That(plan.Errors, Is.Empty);
@@ -159,7 +159,7 @@ public sealed class SlicerTests
     public void A_change_below_single_precision_is_sliced_again()
     {
         // Rhino's own checksum of a mesh is taken from single-precision points.
-        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick).Feed("Geometry", Shapes.Box(5000, 100)).Solve();
+        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Setup", Quick).Feed("Geometry", Shapes.Box(5000, 100)).Solve();
         var before = canvas.All("Walls").Cast<PrintPath>().First();
         canvas.Feed("Geometry", Shapes.Box(5000.0001, 100)).Solve();
         Assert.That(Shapes.Box(5000.0001, 100).DataCRC(0), Is.EqualTo(Shapes.Box(5000, 100).DataCRC(0)));
@@ -171,14 +171,14 @@ public sealed class SlicerTests
     {
         var list = Slice(Shapes.Box(), Shapes.Box(130));
         Assert.That(list.All("Walls").Cast<PrintPath>().Count(p => p.Role == Role.OuterWall), Is.EqualTo(8));
-        var tree = new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick).FeedTree("Geometry", [Shapes.Box()], [Shapes.Box(130, height: 1)]).Solve();
+        var tree = new Canvas<PlanarSlicerComponent>().Feed("Setup", Quick).FeedTree("Geometry", [Shapes.Box()], [Shapes.Box(130, height: 1)]).Solve();
         Assert.That(tree.Paths("Walls"), Is.EqualTo(new[] { "{0;0;0}", "{0;0;1}", "{0;0;2}", "{0;0;3}", "{1;0;0}", "{1;0;1}" }));
     }
 
     [Test]
     public void Null_and_flat_geometry_stop_only_their_branch()
     {
-        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick)
+        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Setup", Quick)
             .FeedTree("Geometry", [Shapes.Box(), null], [new Rg.LineCurve(new Rg.Point3d(0, 0, 0), new Rg.Point3d(1, 0, 0))], [null], [Shapes.Box()]).Solve();
         Assert.That(canvas.All("Walls"), Has.Count.EqualTo(8));
         Assert.That(canvas.Warnings, Has.Member("{0}[0]: Geometry: 1 null item is ignored.").And.Count.EqualTo(1));
@@ -221,9 +221,9 @@ public sealed class SlicerTests
         canvas.Component.ExpireSolution(false);
         canvas.Solve();
         Assert.That(canvas.All("Walls")[0], Is.SameAs(first));
-        canvas.Feed("Settings", Quick with { LineWidth = 0.7 }).Solve();
+        canvas.Feed("Setup", Quick with { LineWidth = 0.7 }).Solve();
         Assert.That(canvas.All("Walls")[0], Is.Not.SameAs(first));
-        canvas.Feed("Settings", Quick).Solve();
+        canvas.Feed("Setup", Quick).Solve();
         Assert.That(canvas.All("Walls")[0], Is.Not.SameAs(first), "Only the last solve is kept.");
     }
 
@@ -231,7 +231,7 @@ public sealed class SlicerTests
     public void Escape_stops_the_solution()
     {
         GH_Document.EscapeKey = () => true;
-        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick with { LayerHeight = 0.02, FirstLayerHeight = 0.02, InfillDensityPercent = 90 })
+        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Setup", Quick with { LayerHeight = 0.02, FirstLayerHeight = 0.02, InfillDensityPercent = 90 })
             .Feed("Geometry", Shapes.Box(10, 10, 190, 200)).Solve();
         Assert.That(canvas.Warnings, Is.EqualTo(new[] { "Canceled. Recompute to start again." }));
         Assert.That(canvas.Document.AbortRequested, Is.True);

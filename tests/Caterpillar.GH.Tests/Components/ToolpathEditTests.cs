@@ -79,7 +79,7 @@ public sealed class ToolpathEditTests
         var edit = new Canvas<EditToolpathComponent>().Feed("Toolpath", Decoded()).Feed("Roles", "Infill").Feed("Speed Factor", 0.5).Solve();
         Assert.That(edit.Errors, Is.Empty);
         var goo = edit.Output("Toolpath").VolatileData.get_Branch(0)[0];
-        var write = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", goo).Feed("Printer", "generic").Solve();
+        var write = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", goo).Feed("Setup", "generic").Solve();
         Assert.That(write.Errors, Is.Empty);
         var lines = Encoding.UTF8.GetString(write.One<GCodeDocument>("G-code").ToBytes()).Split('\n');
         Assert.That(lines.Except(File.Split('\n')), Has.All.Contains("F"), "Only lines with another speed are new.");
@@ -90,7 +90,7 @@ public sealed class ToolpathEditTests
 
     [Test]
     public void An_unedited_file_comes_back_byte_for_byte()
-        => Assert.That(new Canvas<GenerateGCodeComponent>().Feed("Toolpath", Decoded()).Feed("Printer", "generic").Solve().One<GCodeDocument>("G-code")
+        => Assert.That(new Canvas<GenerateGCodeComponent>().Feed("Toolpath", Decoded()).Feed("Setup", "generic").Solve().One<GCodeDocument>("G-code")
             .ToBytes(),
             Is.EqualTo(Encoding.UTF8.GetBytes(File)));
 
@@ -141,7 +141,7 @@ public sealed class ToolpathEditTests
     [Test]
     public void Start_and_end_code_of_a_decoded_file_are_replaced_and_checked()
     {
-        var write = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", Decoded()).Feed("Printer", "generic").Feed("Start G-code",
+        var write = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", Decoded()).Feed("Setup", "generic").Feed("Start G-code",
             "M104 S200\nM109 S200\nG28")
             .Feed("End G-code", "M84").Solve();
         Assert.That(write.Errors, Is.Empty);
@@ -153,7 +153,7 @@ public sealed class ToolpathEditTests
     }
 
     private static string Written(object? goo)
-        => Encoding.UTF8.GetString(new Canvas<GenerateGCodeComponent>().Feed("Toolpath", goo).Feed("Printer", "generic").Solve().One<GCodeDocument>("G-code")
+        => Encoding.UTF8.GetString(new Canvas<GenerateGCodeComponent>().Feed("Toolpath", goo).Feed("Setup", "generic").Solve().One<GCodeDocument>("G-code")
             .ToBytes());
 
     [Test]

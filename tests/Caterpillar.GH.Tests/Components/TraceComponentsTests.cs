@@ -56,7 +56,8 @@ public sealed class TraceComponentsTests
     public void Without_a_bead_a_string_is_that_of_a_common_nozzle()
     {
         var bead = Path(new Canvas<CircleTraceComponent>().Feed("Radius", 10.0)).BeadOf(0);
-        Assert.That((bead.Area, bead.Height, bead.Speed), Is.EqualTo((0.45 * 0.2, 0.2, 0.0)));
+        // A stadium of 0.45 × 0.2 mm.
+        Assert.That((bead.Area, bead.Height, bead.Speed), Is.EqualTo((Bead.FromWidth(0.45, 0.2, shape: BeadShape.Stadium).Area, 0.2, 0.0)));
     }
 
     [Test]

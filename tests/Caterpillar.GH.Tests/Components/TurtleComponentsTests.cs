@@ -192,7 +192,7 @@ public sealed class TurtleComponentsTests
         Assert.That(canvas.All("Print Paths").OfType<PrintPath>().First().BeadOf(0).Area,
             Is.EqualTo(Bead.FromWidth(0.5, 0.2, 1, 100, setup.Settings.BeadShape).Area).Within(1e-12));
         Assert.That(canvas.All("Steps").OfType<TravelStep>().Single().Speed, Is.EqualTo(setup.Printer.MaxSpeed.Z));
-        var circle = new Canvas<TurtleComponent>().Feed("Program", Script).Feed("Settings", new SettingsGoo(new PrintSettings { BeadShape = BeadShape.Circle }))
+        var circle = new Canvas<TurtleComponent>().Feed("Program", Script).Feed("Setup", new SettingsGoo(new PrintSettings { BeadShape = BeadShape.Circle }))
             .Solve();
         Assert.That(circle.All("Print Paths").OfType<PrintPath>().First().BeadOf(0).Area, Is.EqualTo(System.Math.PI / 16).Within(1e-12));
     }
@@ -202,22 +202,15 @@ public sealed class TurtleComponentsTests
     {
         var used = new Canvas<TurtleComponent>().Feed("Program", "use \"potter_super\"\nforward 1").Solve();
         Assert.That(used.Errors, Is.Empty);
-        Assert.That(used.One<Printer>("Printer").Name, Is.EqualTo(new ProfileLibrary().Printer("potter_super").Value!.Name));
-        Assert.That(used.One<Material>("Material").Name, Is.EqualTo(new ProfileLibrary().Setup("potter_super").Value!.Material.Name));
-        var other = new Canvas<TurtleComponent>().Feed("Program", "use \"potter_super\"\nforward 1").Feed("Printer", "ender3").Solve();
-        Assert.That(other.One<Printer>("Printer").Name, Is.EqualTo(new ProfileLibrary().Printer("ender3").Value!.Name));
+        var named = new ProfileLibrary().Setup("potter_super").OrThrow();
+        PrintSetup? Made(Canvas<TurtleComponent> canvas) => canvas.Output("Steps").VolatileData.AllGoos().Cast<StepGoo>().First().Setup;
+        Assert.That(Made(used), Is.EqualTo(named));
+        var other = new Canvas<TurtleComponent>().Feed("Program", "use \"potter_super\"\nforward 1").Feed("Setup", "ender3").Solve();
+        Assert.That(Made(other), Is.EqualTo(new ProfileLibrary().Setup("ender3").OrThrow()));
         var unknown = new Canvas<TurtleComponent>().Feed("Program", "use \"poter_super\"\nforward 1").Solve();
         Assert.That(unknown.Errors.Single(), Does.Contain("potter_super"));
-        Assert.That(unknown.All("Printer"), Is.EqualTo(new object?[] { null }));
-        // Without a material the port states the filament, and with one the material does.
-        double Area(params (string Port, object Value)[] feeds)
-        {
-            var canvas = new Canvas<TurtleComponent>().Feed("Program", "density 0.1\nforward 1");
-            foreach (var (port, value) in feeds) canvas.Feed(port, value);
-            return canvas.Solve().One<PrintPath>("Print Paths").BeadOf(0).Area;
-        }
-        Assert.That(Area(("Filament Diameter", 2.85)), Is.EqualTo(0.1 * System.Math.PI * 1.425 * 1.425).Within(1e-12));
-        var thin = new MaterialGoo(new Material { FilamentDiameter = 1 });
-        Assert.That(Area(("Filament Diameter", 2.85), ("Material", thin)), Is.EqualTo(0.1 * System.Math.PI * 0.25).Within(1e-12));
+        Assert.That(unknown.All("Steps"), Is.Empty);
+        var thin = new Canvas<TurtleComponent>().Feed("Program", "density 0.1\nforward 1").Feed("Setup", new Material { FilamentDiameter = 1 }).Solve();
+        Assert.That(thin.One<PrintPath>("Print Paths").BeadOf(0).Area, Is.EqualTo(0.1 * System.Math.PI * 0.25).Within(1e-12));
     }
 }

@@ -3,6 +3,8 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Caterpillar.CanvasPictures;
+using Caterpillar.GH.Tests.Plugin;
+using Grasshopper.Kernel;
 using NUnit.Framework;
 
 namespace Caterpillar.GH.Tests.Examples;
@@ -27,6 +29,18 @@ public sealed class CanvasTests
         Assert.That(panels.Count(p => p.Inputs[0].Sources.Count > 0), Is.GreaterThanOrEqualTo(1));
         Assert.That(layout.Objects.Where(o => o.Item.Look == Look.Slider).Select(o => o.Item.NickName), Has.None.Empty);
     }
+
+    [Test]
+    public void Every_component_appears_in_a_definition()
+    {
+        var shown = Names.SelectMany(n => LayoutOf(n).Objects).Select(o => o.Item.Kind).ToHashSet();
+        var missing = PluginTypes.Components.Select(PluginTypes.Make<GH_Component>).Where(c => !shown.Contains(c.ComponentGuid)).Select(c => c.Name);
+        Assert.That(missing, Is.Empty);
+    }
+
+    [Test]
+    public void Six_definitions_and_more_start_from_Rhino_geometry_that_they_hold()
+        => Assert.That(Names.Count(n => File.ReadAllText(FileOf(n)).Contains("\"ON_Data\"")), Is.GreaterThanOrEqualTo(6));
 
     [Test]
     public void Components_have_the_sizes_that_public_definitions_show()
@@ -77,7 +91,9 @@ public sealed class CanvasTests
     private static IReadOnlyList<string> FaultsOf(params Item[] items) => Faults.Of(Layout.Of(new Definition(items, [])));
 
     private static Layout LayoutOf(string name)
-        => Layout.Of(Definition.Read(File.ReadAllText(Path.Combine(Caterpillar.Tests.TestData.Repository, "examples", "gh", name + ".ghx"))));
+        => Layout.Of(Definition.Read(File.ReadAllText(FileOf(name))));
+
+    private static string FileOf(string name) => Path.Combine(Caterpillar.Tests.TestData.Repository, "examples", "gh", name + ".ghx");
 
     private static Item Capsule(double x, double y, int ports, string name) => new(Guid.NewGuid(), Guid.Empty, Look.Component, name, name, new Spot(x, y), default,
         Enumerable.Range(0, ports).Select(_ => new Port(Guid.NewGuid(), name, 0, [])).ToArray(), []);

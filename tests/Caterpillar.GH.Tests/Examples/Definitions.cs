@@ -28,6 +28,15 @@ internal static class Definitions
         ["turtle_commands"] = TurtleDefinitions.Commands,
         ["turtle_star"] = TurtleDefinitions.Star,
         ["user_curves"] = TraceDefinitions.UserCurves,
+        ["cooled_tower"] = TraceDefinitions.CooledTower,
+        ["rhino_curves"] = TraceDefinitions.RhinoCurves,
+        ["first_print"] = SliceDefinitions.FirstPrint,
+        ["modifiers"] = SliceDefinitions.Modifiers,
+        ["infill_curves"] = SliceDefinitions.InfillCurves,
+        ["wave_layers"] = SliceDefinitions.WaveLayers,
+        ["draw_on_dome"] = SliceDefinitions.DrawOnDome,
+        ["imported_printer"] = ToolpathDefinitions.ImportedPrinter,
+        ["edit_toolpath"] = ToolpathDefinitions.EditToolpath,
         ["vase"] = SliceDefinitions.Vase,
     };
 }

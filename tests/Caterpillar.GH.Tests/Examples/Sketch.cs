@@ -10,6 +10,7 @@ using Caterpillar.CanvasPictures;
 using Caterpillar.GH.Params;
 using GH_IO.Serialization;
 using Grasshopper.Kernel;
+using Grasshopper.Kernel.Data;
 using Grasshopper.Kernel.Parameters;
 using Grasshopper.Kernel.Special;
 using Grasshopper.Kernel.Types;
@@ -30,6 +31,7 @@ internal sealed class Sketch
         ["Model"] = Color.FromArgb(150, 176, 214, 168),
         ["Field"] = Color.FromArgb(150, 198, 222, 150),
         ["Slice"] = Color.FromArgb(150, 240, 214, 150),
+        ["Path"] = Color.FromArgb(150, 198, 222, 150),
         ["Plan"] = Color.FromArgb(150, 236, 190, 160),
         ["Edit"] = Color.FromArgb(150, 240, 214, 150),
         ["Look"] = Color.FromArgb(150, 206, 190, 224),
@@ -120,8 +122,23 @@ internal sealed class Sketch
         return point;
     }
 
-    /// <summary>A parameter of Rhino geometry that the file holds.</summary>
-    public T Geometry<T>(string name, T parameter)
+    /// <summary>Meshes that the file holds.</summary>
+    public Param_Mesh Mesh(string name, params byte[][] meshes)
+    {
+        var parameter = Geometry(name, new Param_Mesh());
+        foreach (var bytes in meshes) parameter.PersistentData.Append(new GH_Mesh { Bytes = bytes }, new GH_Path(0));
+        return parameter;
+    }
+
+    /// <summary>Curves that the file holds.</summary>
+    public Param_Curve Curve(string name, params byte[][] curves)
+    {
+        var parameter = Geometry(name, new Param_Curve());
+        foreach (var bytes in curves) parameter.PersistentData.Append(new GH_Curve { Bytes = bytes }, new GH_Path(0));
+        return parameter;
+    }
+
+    private T Geometry<T>(string name, T parameter)
         where T : GH_DocumentObject
     {
         parameter.NickName = name;

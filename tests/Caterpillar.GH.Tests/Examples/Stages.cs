@@ -1,4 +1,3 @@
-using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.GH.Components.GCode;
 using Caterpillar.GH.Components.Setup;
@@ -7,46 +6,37 @@ using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Tests.Examples;
 
-/// <summary>The stages that many definitions share: a setup at the begin, a plan, a look at it and a file at the end.</summary>
+/// <summary>The stages that many definitions share: a setup at the start, then a plan, a look at it, and a file.</summary>
 internal static class Stages
 {
-    /// <summary>Printer, material and settings as far as a definition has them.</summary>
-    public sealed record Machine(object? Printer = null, object? Material = null, object? Settings = null);
+    private static readonly string[] Printers = ["ender3", "generic", "klipper_256", "pen_plotter", "potter_super", "prusa_mk3s"];
 
-    /// <summary>A printer chosen from a list, in a stage of its own.</summary>
-    public static Machine Setup(this Sketch s, string printer = "generic")
+    /// <summary>A setup with a printer chosen from a list.</summary>
+    public static PrintSetupComponent Setup(this Sketch s, string printer = "generic", params (string Input, object Source)[] wires)
     {
         s.Stage("Setup");
-        var component = s.Component<PrinterComponent>(("Name", s.Choice("Printer", printer, "ender3", "generic", "klipper_256", "pen_plotter", "prusa_mk3s")));
-        return new Machine(component);
+        return s.Component<PrintSetupComponent>([("Printer", s.Choice("Printer", printer, Printers)), .. wires]);
     }
 
-    /// <summary>A component with the setup at whichever of its ports take it.</summary>
-    public static T With<T>(this Sketch s, Machine? machine, params (string Input, object Source)[] wires)
+    /// <summary>A component that knows the setup.</summary>
+    public static T With<T>(this Sketch s, PrintSetupComponent setup, params (string Input, object Source)[] wires)
         where T : GH_Component, new()
-    {
-        var component = s.Component<T>(wires);
-        foreach (var (name, source) in new[] { ("Printer", machine?.Printer), ("Material", machine?.Material), ("Settings", machine?.Settings) })
-        {
-            if (source is not null && component.Params.Input.Any(p => p.Name == name && p.SourceCount == 0)) s.Wire(component, name, source);
-        }
-        return component;
-    }
+        => s.Component<T>([.. wires, ("Setup", setup)]);
 
     /// <summary>Plans steps, shows the result, and saves it.</summary>
-    public static Sketch Print(this Sketch s, object steps, Machine? machine, string color = "Role")
+    public static Sketch Print(this Sketch s, object steps, string color = "Role")
     {
         s.Stage("Plan");
-        return s.Finish(s.With<PlanToolpathComponent>(machine, ("Steps", steps)), color);
+        return s.Finish(s.Component<PlanToolpathComponent>(("Steps", steps)), color);
     }
 
     /// <summary>Shows a toolpath, and saves it.</summary>
-    public static Sketch Finish(this Sketch s, GH_Component toolpath, string color = "Role", Machine? machine = null)
+    public static Sketch Finish(this Sketch s, GH_Component toolpath, string color = "Role")
     {
         s.Stage("Look");
         s.Choose(s.Component<ToolpathPreviewComponent>(("Toolpath", toolpath)), "Color By", color);
         s.Figures(toolpath);
-        return s.Write(toolpath, machine);
+        return s.Write(toolpath);
     }
 
     /// <summary>Time and material of a toolpath.</summary>
@@ -54,14 +44,21 @@ internal static class Stages
         => s.Show("Time and material", s.Component<StatisticsComponent>(("Toolpath", toolpath)), "Summary", 6, 300);
 
     /// <summary>Writes G-code, shows its first lines, and saves it when the button is pressed.</summary>
-    public static Sketch Write(this Sketch s, GH_Component toolpath, Machine? machine = null)
+    public static Sketch Write(this Sketch s, GH_Component toolpath)
     {
         s.Stage("Save");
-        var write = s.With<GenerateGCodeComponent>(machine, ("Toolpath", toolpath));
-        s.Show("First lines", s.Component<GCodeTextComponent>(("G-code", write), ("Count", s.Slider("Lines", 12, 1, 100, 0))), "Lines", 12, 250);
-        var save = s.Component<SaveGCodeComponent>(("G-code", write), ("File", s.Text("File", "example.gcode", width: 140)), ("Save", s.Button("Save")),
+        var write = s.Component<GenerateGCodeComponent>(("Toolpath", toolpath));
+        s.Show("First lines", s.Component<GCodeTextComponent>(("G-code", write), ("Count", s.Slider("Lines", 12, 1, 100, 0))), "Lines", 12, 270);
+        return s.Save(write);
+    }
+
+    /// <summary>Saves when the button is pressed.</summary>
+    public static Sketch Save(this Sketch s, GH_Component code)
+    {
+        s.Stage("Save");
+        var save = s.Component<SaveGCodeComponent>(("G-code", code), ("File", s.Text("File", "example.gcode", width: 140)), ("Save", s.Button("Save")),
             ("Overwrite", s.Toggle("Overwrite")));
-        s.Show("Saved as", save, "Path", 2, 250);
+        s.Show("Saved as", save, "Path", 2, 270);
         return s;
     }
 }

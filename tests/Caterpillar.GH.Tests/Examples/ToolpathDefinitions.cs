@@ -2,7 +2,6 @@ using Caterpillar.GH.Components.Design;
 using Caterpillar.GH.Components.GCode;
 using Caterpillar.GH.Components.Setup;
 using Caterpillar.GH.Components.Simulate;
-using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Tests.Examples;
 
@@ -14,29 +13,66 @@ internal static class ToolpathDefinitions
 
     public static Sketch CustomPrinter(string name)
     {
-        var s = new Sketch(name, "Your own printer, material and settings without a file. Values are set by their keys.", "the nozzle, the speed, and the values in the panels.");
+        var s = new Sketch(name, "Your own printer, material and settings without a file. Values are set by their keys.",
+            "the nozzle, the speed, and the values in the panels. The panels at the right list what the setup holds.");
         s.Stage("Setup");
-        var printer = s.Component<ConstructPrinterComponent>(("Base", s.Choice("Base", "generic", "ender3", "generic", "prusa_mk3s")), ("Nozzle", s.Slider("Nozzle", 0.6, 0.2, 2, 2)),
-            ("Overrides", s.Text("Values", "max_flow_mm3_s=20\nprint_acceleration_mm_s2=600", lines: true, width: 230)), ("Name", s.Text("Name", "my_printer", width: 100)));
+        var printer = s.Component<ConstructPrinterComponent>(("Nozzle", s.Slider("Nozzle", 0.6, 0.2, 2, 2)),
+            ("Overrides", s.Text("Printer values", "max_flow_mm3_s=20\nprint_acceleration_mm_s2=600", lines: true, width: 230)),
+            ("Name", s.Text("Name", "my_printer", width: 100)));
         var material = s.Component<MaterialComponent>(("Name", s.Choice("Material", "petg", "abs", "petg", "pla", "tpu")),
-            ("Overrides", s.Text("Values", "nozzle_temperature_c=235", lines: true, width: 230)));
-        var settings = s.Component<ConstructPrintSettingsComponent>(("Layer Height", s.Slider("Layer height", 0.3, 0.05, 1, 2)), ("Print Speed", s.Slider("Print speed", 45, 5, 200, 0)));
+            ("Overrides", s.Text("Material values", "nozzle_temperature_c=235", lines: true, width: 230)));
+        var settings = s.Component<ConstructPrintSettingsComponent>(("Layer Height", s.Slider("Layer height", 0.3, 0.05, 1, 2)),
+            ("Print Speed", s.Slider("Print speed", 45, 5, 200, 0)));
+        var setup = s.Component<PrintSetupComponent>(("Printer", printer), ("Material", material), ("Settings", settings));
+        s.Stage("Look at the setup");
+        var parts = s.Component<DeconstructSetupComponent>(("Setup", setup));
+        s.Show("Keys", parts, "Keys", 10, 260);
+        s.Show("Values", parts, "Values", 10, 150);
         s.Stage("Design");
-        var turtle = s.Component<TurtleComponent>(("Program", s.Text("Script", "jump 60 60 0.3\nbead 0.7 0.3\nrepeat 6 [ forward 20; left 60 ]", width: 250)));
-        return s.Print((turtle, "Steps"), new Stages.Machine(printer, material, settings));
+        var turtle = s.With<TurtleComponent>(setup, ("Program", s.Text("Script", "jump 60 60 0.3\nbead 0.7 0.3\nrepeat 6 [ forward 20; left 60 ]", width: 250)));
+        return s.Print((turtle, "Steps"));
+    }
+
+    public static Sketch ImportedPrinter(string name)
+    {
+        var s = new Sketch(name, "A printer from the start and end G-code that you use today. Temperatures and the start point are read from it.",
+            "the two files in the folder of this definition. The panels show what was found.");
+        s.Stage("Setup");
+        var header = s.Component<ImportHeaderComponent>(("Header", s.Text("Header", "start.gcode", width: 130)), ("Footer", s.Text("Footer", "end.gcode", width: 130)),
+            ("Base", s.Component<PrinterComponent>(("Name", s.Choice("Printer", "generic", "ender3", "generic", "prusa_mk3s")))));
+        s.Show("Start", header, "Start", 1, 150);
+        var setup = s.Component<PrintSetupComponent>(("Printer", header), ("Material", (header, "Material")));
+        s.Stage("Design");
+        var turtle = s.With<TurtleComponent>(setup, ("Program", s.Text("Script", "jump 60 60 0.2\nbead 0.5 0.2\nrepeat 5 [ forward 30; left 144 ]", width: 250)));
+        return s.Print((turtle, "Steps"));
     }
 
     public static Sketch DecodeAndRemix(string name)
     {
         var s = new Sketch(name, "Reads G-code, slows it down, adds a pause at a layer and writes it again. Unedited lines stay byte for byte.",
             "the G-code in the panel, or connect a file. Speed 0.5 halves the speed from First layer on.");
-        var setup = s.Setup();
         var decode = Decoded(s, "1800");
         s.Stage("Edit");
-        var edit = s.Component<EditToolpathComponent>(("Toolpath", decode), ("First Layer", s.Slider("First layer", 1, 0, 10, 0)), ("Speed Factor", s.Slider("Speed", 0.5, 0.1, 2, 2)));
-        var pause = s.Component<InsertAtLayerComponent>(("Toolpath", edit), ("Layers", s.Slider("Layer", 1, 0, 10, 0)), ("Text", s.Text("Message", "Insert the nut", width: 130)));
+        var edit = s.Component<EditToolpathComponent>(("Toolpath", decode), ("First Layer", s.Slider("First layer", 1, 0, 10, 0)),
+            ("Speed Factor", s.Slider("Speed", 0.5, 0.1, 2, 2)));
+        var pause = s.Component<InsertAtLayerComponent>(("Toolpath", edit), ("Layers", s.Slider("Layer", 1, 0, 10, 0)),
+            ("Text", s.Text("Message", "Insert the nut", width: 130)));
         s.Choose(pause, "Kind", "Pause");
-        return s.Finish(pause, "Speed", setup);
+        return s.Finish(pause, "Speed");
+    }
+
+    public static Sketch EditToolpath(string name)
+    {
+        var s = new Sketch(name, "Changes what is planned already: the first layers are left out, the rest leans, and it is printed faster.",
+            "the formula of X: z is the height. The panel shows points of the result.");
+        var plan = Ring(s);
+        s.Stage("Edit");
+        var filter = s.Component<FilterToolpathComponent>(("Toolpath", plan), ("First Layer", s.Slider("First layer", 0, 0, 10, 0)));
+        var lean = s.Component<DeformToolpathComponent>(("Toolpath", filter), ("X", s.Text("New X", "x + 0.3 * z", width: 120)));
+        var faster = s.Component<EditToolpathComponent>(("Toolpath", lean), ("Speed Factor", s.Slider("Speed", 1.2, 0.1, 2, 2)));
+        s.Stage("Look");
+        s.Show("Points", s.Component<DeconstructToolpathComponent>(("Toolpath", faster)), "Points", 6, 250);
+        return s.Finish(faster, "Speed");
     }
 
     public static Sketch Simulate(string name)
@@ -58,7 +94,7 @@ internal static class ToolpathDefinitions
     public static Sketch Check(string name)
     {
         var s = new Sketch(name, "A check before printing: bed limits, collisions, flow and support. What fails is not written.",
-            "move Center X to 215: the ring leaves the bed, Check refuses it, and its points show where.");
+            "set Center to a point near an edge of the bed: Check refuses the ring, and its points show where.");
         var plan = Ring(s);
         s.Stage("Check");
         var check = s.Component<CheckComponent>(("Toolpath", plan));
@@ -86,30 +122,30 @@ internal static class ToolpathDefinitions
     {
         var s = new Sketch(name, "Checks a file of another program. Its last layer is too fast for the printer. Slowed down, it passes.",
             "set Speed to 1: Check turns red, and nothing is written.");
-        var setup = s.Setup();
         var decode = Decoded(s, "90000");
         s.Stage("Edit");
         var repaired = s.Component<EditToolpathComponent>(("Toolpath", decode), ("First Layer", s.Slider("From layer", 1, 0, 10, 0)), ("Speed Factor", s.Slider("Speed", 0.02, 0.01, 2, 2)));
         s.Stage("Check");
-        var check = s.With<CheckComponent>(setup, ("Toolpath", repaired));
+        var check = s.Component<CheckComponent>(("Toolpath", repaired));
         s.Show("OK", check, "OK", 1, 90);
         s.Show("Findings", check, "Diagnostics", 4, 300);
-        return s.Write(check, setup);
+        return s.Write(check);
     }
 
-    private static GH_Component Decoded(Sketch s, string speed)
+    private static DecodeGCodeComponent Decoded(Sketch s, string speed)
     {
+        var setup = s.Setup();
         s.Stage("Design");
-        return s.Component<DecodeGCodeComponent>(("G-code", s.Text("G-code", Program.Replace("{0}", speed), width: 220)));
+        return s.With<DecodeGCodeComponent>(setup, ("G-code", s.Text("G-code", Program.Replace("{0}", speed), width: 220)));
     }
 
     private static PlanToolpathComponent Ring(Sketch s)
     {
         var setup = s.Setup();
         s.Stage("Design");
-        var ring = s.Component<HelixTraceComponent>(("Plane", s.Point("Center", 110, 110, 0.2)), ("Radius", s.Slider("Radius", 12, 5, 50, 0)), ("Height", s.Slider("Height", 1, 1, 40)),
-            ("Pitch", s.Slider("Rise per turn", 0.25, 0.1, 2, 2)), ("Segments Per Turn", s.Slider("Segments", 36, 12, 144, 0)));
+        var ring = s.With<HelixTraceComponent>(setup, ("Plane", s.Point("Center", 110, 110, 0.2)), ("Radius", s.Slider("Radius", 12, 5, 50, 0)),
+            ("Height", s.Slider("Height", 1, 1, 40)), ("Pitch", s.Slider("Rise per turn", 0.25, 0.1, 2, 2)), ("Segments Per Turn", s.Slider("Segments", 36, 12, 144, 0)));
         s.Stage("Plan");
-        return s.With<PlanToolpathComponent>(setup, ("Steps", ring));
+        return s.Component<PlanToolpathComponent>(("Steps", ring));
     }
 }

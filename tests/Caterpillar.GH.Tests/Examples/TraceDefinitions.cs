@@ -1,6 +1,7 @@
 using Caterpillar.GH.Components.Design;
 using Caterpillar.GH.Components.GCode;
 using Caterpillar.GH.Components.Path;
+using Caterpillar.GH.Components.Setup;
 
 namespace Caterpillar.GH.Tests.Examples;
 
@@ -12,11 +13,11 @@ internal static class TraceDefinitions
         var s = new Sketch(name, "A helix becomes a barrel: the radius grows with the height and shrinks again. Shapes without slicing, after Kanada.",
             "the formula of the new radius: r is the old one, z the height, theta the angle.");
         var setup = s.Setup();
-        var helix = Helix(s, 15, 4, 0.4, 36);
+        var helix = Helix(s, setup, 15, 4, 0.4, 36);
         s.Stage("Shape");
         var round = s.Component<DeformComponent>(("Print Paths", helix), ("X", s.Text("New radius", "r + 0.5 * z * (4.2 - z)", width: 190)), ("Plane", Bed(s)));
         s.Choose(round, "System", "Cylindrical");
-        return s.Print(round, setup, "Layer");
+        return s.Print(round, "Layer");
     }
 
     public static Sketch CupWithSkirt(string name)
@@ -26,11 +27,11 @@ internal static class TraceDefinitions
         var setup = s.Setup();
         s.Stage("Design");
         var center = Bed(s);
-        var skirt = s.Component<SkirtTraceComponent>(("Plane", center), ("Radius", s.Slider("Skirt radius", 22, 10, 60, 0)), ("Loop Count", s.Slider("Skirt loops", 2, 1, 10, 0)));
-        var floor = s.Component<SpiralTraceComponent>(("Plane", center), ("Radius", s.Slider("Floor radius", 15, 5, 50, 0)), ("Pitch", s.Slider("Floor spacing", 0.5, 0.2, 2, 2)));
-        var wall = s.Component<ConeTraceComponent>(("Plane", center), ("Bottom Radius", s.Slider("Bottom radius", 15, 5, 50, 0)), ("Top Radius", s.Slider("Top radius", 18, 5, 50, 0)),
+        var skirt = s.With<SkirtTraceComponent>(setup, ("Plane", center), ("Radius", s.Slider("Skirt radius", 22, 10, 60, 0)), ("Loop Count", s.Slider("Skirt loops", 2, 1, 10, 0)));
+        var floor = s.With<SpiralTraceComponent>(setup, ("Plane", center), ("Radius", s.Slider("Floor radius", 15, 5, 50, 0)), ("Pitch", s.Slider("Floor spacing", 0.5, 0.2, 2, 2)));
+        var wall = s.With<ConeTraceComponent>(setup, ("Plane", center), ("Bottom Radius", s.Slider("Bottom radius", 15, 5, 50, 0)), ("Top Radius", s.Slider("Top radius", 18, 5, 50, 0)),
             ("Height", s.Slider("Wall height", 2, 1, 40)), ("Pitch", s.Slider("Rise per turn", 0.25, 0.1, 1, 2)));
-        return s.Print(new object[] { skirt, floor, wall }, setup, "Order");
+        return s.Print(new object[] { skirt, floor, wall }, "Order");
     }
 
     public static Sketch GapBead(string name)
@@ -38,12 +39,12 @@ internal static class TraceDefinitions
         var s = new Sketch(name, "Waves on a flat ring. Each extrusion gets the material that fills the gap below it.",
             "the number of waves, 6, in the formula, and the bead width. Color shows the flow.");
         var setup = s.Setup();
-        var ring = Helix(s, 15, 1.2, 0.3, 48);
+        var ring = Helix(s, setup, 15, 1.2, 0.3, 48);
         s.Stage("Shape");
         var waves = s.Component<DeformComponent>(("Print Paths", ring), ("Z", s.Text("New height", "z + 0.1 * z * sin(6 * theta)", width: 220)), ("Plane", Bed(s)));
         s.Choose(waves, "System", "Cylindrical");
         var gap = s.Component<GapBeadComponent>(("Print Paths", waves), ("Width", s.Slider("Bead width", 0.5, 0.2, 2, 2)));
-        return s.Print(gap, setup, "Flow");
+        return s.Print(gap, "Flow");
     }
 
     public static Sketch ModulatedRing(string name)
@@ -51,12 +52,12 @@ internal static class TraceDefinitions
         var s = new Sketch(name, "A pattern by displacement. A formula pushes the wall in and out along its length.",
             "the formula, and how far High pushes out.");
         var setup = s.Setup();
-        var ring = Helix(s, 15, 2, 0.25, 72);
+        var ring = Helix(s, setup, 15, 2, 0.25, 72);
         s.Stage("Shape");
         var pattern = s.Component<ModulateComponent>(("Print Paths", ring), ("Expression", s.Text("Pattern", "0.5 + 0.5 * sin(12 * theta)", width: 210)),
             ("Low", s.Slider("Low", 0, -2, 2, 2)), ("High", s.Slider("High", 0.8, -2, 2, 2)), ("Plane", Bed(s)));
         s.Choose(pattern, "Mode", "Displace Left");
-        return s.Print(pattern, setup, "Layer");
+        return s.Print(pattern, "Layer");
     }
 
     public static Sketch GlobeFromImage(string name)
@@ -64,7 +65,7 @@ internal static class TraceDefinitions
         var s = new Sketch(name, "A globe from an image. White areas get less flow, so extrusions are thinner there. The sphere is a deformed helix.",
             "the image, and the flow at White.");
         var setup = s.Setup();
-        var helix = Helix(s, 10, 12, 1, 48);
+        var helix = Helix(s, setup, 10, 12, 1, 48);
         s.Stage("Shape");
         var bed = Bed(s);
         var sphere = s.Component<DeformComponent>(("Print Paths", helix), ("X", s.Text("New radius", "sqrt(64 - (z - 6) ^ 2) + r - 10", width: 230)), ("Plane", bed));
@@ -73,7 +74,7 @@ internal static class TraceDefinitions
             ("Low", s.Slider("Flow at black", 1, 0.1, 2, 2)), ("High", s.Slider("Flow at white", 0.65, 0.1, 2, 2)), ("Plane", bed));
         s.Choose(image, "Mode", "Flow");
         s.Choose(image, "Mapping", "Globe");
-        return s.Print(image, setup, "Flow");
+        return s.Print(image, "Flow");
     }
 
     public static Sketch UserCurves(string name)
@@ -82,17 +83,57 @@ internal static class TraceDefinitions
             "the file, or Mode: Printer adds retraction and lifts.");
         var setup = s.Setup("pen_plotter");
         s.Stage("Design");
-        var curves = s.Component<ReadCurvesComponent>(("File", s.Text("File", "../curves/calligraphy.svg", width: 180)));
+        var curves = s.With<ReadCurvesComponent>(setup, ("File", s.Text("File", "../curves/calligraphy.svg", width: 180)));
         s.Stage("Plan");
-        var plan = s.With<PlanToolpathComponent>(setup, ("Steps", (curves, "Steps")));
+        var plan = s.Component<PlanToolpathComponent>(("Steps", (curves, "Steps")));
         s.Choose(plan, "Mode", "As Drawn");
         return s.Finish(plan, "Order");
     }
 
-    private static object Helix(Sketch s, double radius, double height, double pitch, int segments)
+    public static Sketch CooledTower(string name)
+    {
+        var s = new Sketch(name, "A small tower whose layers get time to cool: short layers are printed more slowly. Arcs then replace its many short lines.",
+            "the least time of a layer. Color shows the speed.");
+        var setup = s.Setup();
+        s.Stage("Design");
+        var center = Bed(s);
+        var wall = s.With<CylinderTraceComponent>(setup, ("Plane", center), ("Radius", s.Slider("Radius", 8, 3, 50, 0)), ("Height", s.Slider("Height", 3, 1, 40)),
+            ("Vertical Pitch", s.Slider("Layer height", 0.25, 0.1, 1, 2)), ("Horizontal Pitch", s.Slider("Line spacing", 0.5, 0.2, 2, 2)));
+        var foot = s.With<CircleTraceComponent>(setup, ("Plane", center), ("Radius", s.Slider("Foot radius", 12, 5, 60, 0)));
+        s.Stage("Path");
+        var cool = s.Component<CoolLayersComponent>(("Print Paths", new object[] { foot, wall }), ("Minimum Layer Time", s.Slider("Layer time, s", 8, 0, 30, 0)));
+        var arcs = s.Component<FitArcsComponent>(("Print Paths", cool), ("Tolerance", s.Slider("Tolerance", 0.02, 0.001, 0.1, 3)));
+        s.Show("Speeds, mm/s", s.Component<DeconstructPrintPathComponent>(("Print Path", arcs)), "Speeds", 6, 120);
+        return s.Print(arcs, "Speed");
+    }
+
+    public static Sketch RhinoCurves(string name)
+    {
+        var s = new Sketch(name, "Curves drawn in Rhino become print paths. They are inside this file; set the parameter to your own by right-clicking it.",
+            "width and height of the bead, and the rule by which paths are sorted. The panel shows the travel that sorting leaves.");
+        var setup = s.Setup();
+        s.Stage("Design");
+        var curves = s.Curve("Curves", Solids.Rosette(70, 80, 18, 5, 6), Solids.Rosette(150, 140, 18, 5, 4), Solids.Rosette(70, 140, 12, 3, 8),
+            Solids.Rosette(150, 80, 12, 3, 5));
+        var raised = s.Component<SubdivideCurveComponent>(("Curve", curves), ("Angle", s.Slider("Largest turn", 12, 1, 45, 0)));
+        s.Choose(raised, "Mode", "Angle");
+        s.Show("Points", raised, "Points", 5, 230);
+        s.Stage("Path");
+        var bead = s.Component<ConstructBeadComponent>(("Width", s.Slider("Bead width", 0.8, 0.3, 3, 2)), ("Height", s.Slider("Bead height", 0.3, 0.1, 2, 2)),
+            ("Speed", s.Slider("Speed", 25, 5, 100, 0)));
+        var paths = s.With<ConstructPrintPathComponent>(setup, ("Curve", curves), ("Bead", bead));
+        var merged = s.Component<MergePathsComponent>(("Print Paths", paths));
+        var sorted = s.Component<SortPathsComponent>(("Print Paths", merged));
+        s.Choose(sorted, "Rule", "Nearest");
+        s.Show("Travel, mm", sorted, "Travel", 1, 110);
+        var oriented = s.Component<OrientPathsComponent>(("Print Paths", sorted), ("Rotate", s.Toggle("Move starts", true)));
+        return s.Print(oriented, "Order");
+    }
+
+    private static object Helix(Sketch s, PrintSetupComponent setup, double radius, double height, double pitch, int segments)
     {
         s.Stage("Design");
-        return s.Component<HelixTraceComponent>(("Plane", Bed(s)), ("Radius", s.Slider("Radius", radius, 5, 50, 0)), ("Height", s.Slider("Height", height, 1, 40)),
+        return s.With<HelixTraceComponent>(setup, ("Plane", Bed(s)), ("Radius", s.Slider("Radius", radius, 5, 50, 0)), ("Height", s.Slider("Height", height, 1, 40)),
             ("Pitch", s.Slider("Rise per turn", pitch, 0.1, 2, 2)), ("Segments Per Turn", s.Slider("Segments", segments, 12, 144, 0)));
     }
 

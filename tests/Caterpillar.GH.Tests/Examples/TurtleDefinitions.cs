@@ -13,9 +13,9 @@ internal static class TurtleDefinitions
         s.Stage("Design");
         var script = s.Text("Script", "param points = 7\njump 110 110 0.2\nbead 0.5 0.2\nspeed 30\nrepeat points [\n  forward 40\n  left 180 - 180 / points\n]", width: 220);
         var program = s.Component<TurtleProgramComponent>(("Script", script), ("Variables", s.Text("Variables", "points=9", lines: true, width: 120)));
-        var turtle = s.Component<TurtleComponent>(("Program", program));
+        var turtle = s.With<TurtleComponent>(setup, ("Program", program));
         s.Component<TurtlePreviewComponent>(("Steps", (turtle, "Steps")), ("Position", s.Slider("Position", 0.75, 0, 1, 2)));
-        return s.Print((turtle, "Steps"), setup, "Order");
+        return s.Print((turtle, "Steps"), "Order");
     }
 
     public static Sketch Commands(string name)
@@ -37,8 +37,8 @@ internal static class TurtleDefinitions
         s.Choose(wait, "Kind", "Dwell");
         s.Stage("Shape");
         var program = s.Component<TurtleProgramComponent>(("Commands", new object[] { jump, bead, pen, square, wait }));
-        var turtle = s.Component<TurtleComponent>(("Program", program));
-        return s.Print((turtle, "Steps"), setup, "Order");
+        var turtle = s.With<TurtleComponent>(setup, ("Program", program));
+        return s.Print((turtle, "Steps"), "Order");
     }
 
     public static Sketch Tree(string name)
@@ -51,7 +51,7 @@ internal static class TurtleDefinitions
             ("Generations", s.Slider("Generations", 3, 0, 5, 0)), ("Angle", s.Slider("Angle", 25.7, 0, 90)), ("Step", s.Slider("Step", 2, 0.5, 10)));
         s.Show("Word", system, "Text", 5, 220);
         s.Stage("Shape");
-        var turtle = s.Component<TurtleComponent>(("Program", system), ("Start Plane", s.Point("Root", 60, 110, 0.2)));
-        return s.Print((turtle, "Steps"), setup, "Order");
+        var turtle = s.With<TurtleComponent>(setup, ("Program", system), ("Start Plane", s.Point("Root", 60, 110, 0.2)));
+        return s.Print((turtle, "Steps"), "Order");
     }
 }

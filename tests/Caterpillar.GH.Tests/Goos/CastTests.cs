@@ -45,8 +45,8 @@ public sealed class CastTests
     [Test]
     public void Text_that_cannot_be_read_is_answered_as_in_the_terminal()
     {
-        var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", Path).Feed("Printer", "ender 3").Feed("Settings", "fine").Solve();
-        Assert.That(plan.Errors.Single(), Does.StartWith("Printer: ").And.Contain("\"ender 3\"").And.Contain("id you mean ender3?"));
+        var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", Path).Feed("Setup", "ender 3").Solve();
+        Assert.That(plan.Errors, Has.One.Matches<string>(e => e.StartsWith("Setup: ") && e.Contains("\"ender 3\"") && e.Contains("id you mean ender3?")));
         Assert.That(plan.All("Toolpath"), Is.EqualTo(new object?[] { null }));
         var path = new Canvas<ConstructPrintPathComponent>().Feed("Curve", new Rhino.Geometry.LineCurve(default, new Rhino.Geometry.Point3d(9, 0, 0)));
         Assert.That(path.Feed("Role", "wall").Solve().Errors, Has.One.StartsWith("Role has no choice \"wall\". Choose one of: Unspecified, Outer Wall, Inner"));
@@ -72,7 +72,7 @@ public sealed class CastTests
     [Test]
     public void An_extracted_choice_takes_the_names_of_its_port()
     {
-        var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", Path).Feed("Printer", "generic");
+        var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", Path).Feed("Setup", "generic");
         var archive = new GH_Archive();
         archive.AppendObject(plan.Input("Mode"), "Param");
         var read = new GH_Archive();

@@ -59,7 +59,7 @@ public sealed class NativeCastTests
             Assert.That(goo.Value.Length, Is.EqualTo(length).Within(0.06), "Curves are divided into chords of 1 mm.");
             Assert.That(goo.Value.BeadOf(0).Height, Is.EqualTo(0.2));
         }
-        var canvas = new Canvas<PlanToolpathComponent>().Feed("Steps", curve).Feed("Printer", "generic").Solve();
+        var canvas = new Canvas<PlanToolpathComponent>().Feed("Steps", curve).Feed("Setup", "generic").Solve();
         Assert.That(canvas.Errors, Is.Empty);
         Assert.That(ToolpathTotals.Of(canvas.One<Toolpath>("Toolpath")).PrintLength, Is.EqualTo(length).Within(0.06));
     }

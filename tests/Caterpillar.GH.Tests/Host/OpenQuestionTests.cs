@@ -43,7 +43,7 @@ public sealed class OpenQuestionTests
     public void Layers_lie_below_the_path_that_Grasshopper_names()
     {
         SolveLoop.Target = path => new GH_Path(7).AppendElement(path.Indices[0]);
-        var canvas = new Canvas<PlanarSlicerComponent>(_document).Feed("Settings", Quick).FeedTree("Geometry", [Shapes.Box()], [Shapes.Box(height: 1)]).Solve();
+        var canvas = new Canvas<PlanarSlicerComponent>(_document).Feed("Setup", Quick).FeedTree("Geometry", [Shapes.Box()], [Shapes.Box(height: 1)]).Solve();
         Assert.That(canvas.Errors, Is.Empty);
         Assert.That(canvas.Paths("Print Paths"), Is.EqualTo(new[] { "{7;0;0}", "{7;0;1}", "{7;0;2}", "{7;0;3}", "{7;1;0}", "{7;1;1}" }));
         Assert.That(canvas.Paths("Regions"), Is.EqualTo(canvas.Paths("Print Paths")));
@@ -57,10 +57,10 @@ public sealed class OpenQuestionTests
     [TestCase(GH_DataMapping.Flatten, true, "{0}")]
     public void Trees_of_layers_may_be_simplified_grafted_flattened_and_reversed(GH_DataMapping mapping, bool simplify, string? paths)
     {
-        var slicer = new Canvas<PlanarSlicerComponent>(_document).Feed("Settings", Quick).Feed("Geometry", Shapes.Box());
+        var slicer = new Canvas<PlanarSlicerComponent>(_document).Feed("Setup", Quick).Feed("Geometry", Shapes.Box());
         var output = slicer.Output("Print Paths");
         (output.DataMapping, output.Simplify, output.Reverse) = (mapping, simplify, true);
-        var plan = new Canvas<PlanToolpathComponent>(_document).Feed("Printer", "generic").Feed("Settings", Quick);
+        var plan = new Canvas<PlanToolpathComponent>(_document).Feed("Setup", Quick);
         plan.Input("Steps").AddSource(output);
         plan.Solve();
         if (paths is not null) Assert.That(string.Join(" ", slicer.Paths("Print Paths")), Is.EqualTo(paths));
@@ -72,7 +72,7 @@ public sealed class OpenQuestionTests
     public void What_is_kept_is_not_changed_by_what_Grasshopper_does_with_a_tree()
     {
         SolveLoop.SharesTrees = true;
-        var slicer = new Canvas<PlanarSlicerComponent>(_document).Feed("Settings", Quick).Feed("Geometry", Shapes.Box());
+        var slicer = new Canvas<PlanarSlicerComponent>(_document).Feed("Setup", Quick).Feed("Geometry", Shapes.Box());
         slicer.Output("Print Paths").Reverse = true;
         var first = slicer.Solve().All("Print Paths");
         slicer.Component.ExpireSolution(true);

@@ -59,7 +59,7 @@ internal static class Recipes
         ["G-code"] = () => ["M83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 Y10 E0.5 F1200\n"],
         ["File"] = () => [System.IO.Path.Combine(System.IO.Path.GetTempPath(), "caterpillar-never-written.gcode")],
         ["Layers"] = () => [0],
-        ["Printer"] = () => ["generic"],
+        ["DeconstructSetupComponent.Setup"] = () => ["generic"],
         ["Curve"] = () => [new Rg.LineCurve(new Rg.Point3d(0, 0, 0), new Rg.Point3d(10, 0, 0))],
         ["Header"] = () => [Header.Value],
         ["Print Path"] = () => [Path],

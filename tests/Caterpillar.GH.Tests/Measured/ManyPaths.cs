@@ -54,7 +54,7 @@ public sealed class ManyPaths
         Measure<ModulateComponent>("Print Paths", c => Recipes.Connect(_document, c.Params.Input.Single(p => p.Name == "Expression"), "0.5"));
         Measure<CoolLayersComponent>("Print Paths");
         Measure<GapBeadComponent>("Print Paths");
-        Measure<PlanToolpathComponent>("Steps", c => Recipes.Connect(_document, c.Params.Input.Single(p => p.Name == "Printer"), "generic"));
+        Measure<PlanToolpathComponent>("Steps", c => Recipes.Connect(_document, c.Params.Input.Single(p => p.Name == "Setup"), "generic"));
         Measure<DeconstructPrintPathComponent>("Print Path");
     }
 

@@ -77,7 +77,8 @@ public sealed class MetadataTests
         var unit = new Regex(
             @"\b(mm|mm²|mm³|mm/s|°C|degrees|percent|seconds|grams|currency|ratio|[Ff]actor|from [01-9]|from -?1|[Nn]umber of|[Cc]ounts?)\b|mm²|mm³|°C|0 to 1");
         var component = PluginTypes.Make<GH_Component>(type);
-        foreach (var port in component.Params.Where(p => p is Param_Number or Param_Integer && p is not ChoiceParam))
+        foreach (var port in component.Params.Where(p => p is Param_Number or Param_Integer
+            && p is not (ChoiceParam or PrinterChoiceParam or MaterialChoiceParam or SettingsChoiceParam)))
             Assert.That(unit.IsMatch(port.Description), $"{port.Name}: {port.Description}");
     }
 
@@ -85,7 +86,7 @@ public sealed class MetadataTests
     public void Singular_and_plural_follow_access(Type type)
     {
         // Words that are the same in both, or one value for many things.
-        string[] collective = ["Geometry", "Settings", "Diagnostics", "Infill", "Generations", "Script", "Summary"];
+        string[] collective = ["Geometry", "Settings", "Diagnostics", "Infill", "Generations", "Script", "Summary", "Printed On"];
         foreach (var port in PluginTypes.Make<GH_Component>(type).Params)
         {
             if (collective.Contains(port.Name)) continue;

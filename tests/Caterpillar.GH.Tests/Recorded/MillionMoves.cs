@@ -67,7 +67,7 @@ public sealed class MillionMoves
     public void A_frame(PreviewMode mode)
     {
         var canvas = new Canvas<ToolpathPreviewComponent>().Feed("Toolpath", _print);
-        if (mode == PreviewMode.TravelAndSeam) canvas.Feed("Travel", true).Feed("Seam", true).Feed("Printer", "generic").Feed("Color By", "Layer");
+        if (mode == PreviewMode.TravelAndSeam) canvas.Feed("Travel", true).Feed("Seam", true).Feed("Setup", "generic").Feed("Color By", "Layer");
         TestContext.Out.WriteLine($"Toolpath Preview {mode}: first solve {Milliseconds(() => canvas.Solve()):0} ms, again "
             + $"{Milliseconds(() => Again(canvas)):0.0} ms");
         Frame("Toolpath Preview", canvas.Component);

@@ -15,7 +15,7 @@ public sealed class ModelTests
     private static readonly PrintSettings Quick = new() { LayerHeight = 0.5, FirstLayerHeight = 0.5, LineWidth = 0.6, WallCount = 1 };
 
     private static Canvas<PlanarSlicerComponent> Slice(params object?[] geometry)
-        => new Canvas<PlanarSlicerComponent>().Feed("Settings", Quick).Feed("Geometry", geometry).Solve();
+        => new Canvas<PlanarSlicerComponent>().Feed("Setup", Quick).Feed("Geometry", geometry).Solve();
 
     [Test]
     public void Extrusions_and_subds_give_the_same_as_a_mesh()

@@ -26,7 +26,7 @@ public sealed class PreviewTests
     private static PrintPath Path(int points = 3) => new(Enumerable.Range(0, points).Select(i => new Vec3(i, i % 2, 1)), new Bead(0.08));
 
     private static Canvas<PlanarSlicerComponent> Sliced() => new Canvas<PlanarSlicerComponent>()
-        .Feed("Settings", new PrintSettings { LayerHeight = 0.5, FirstLayerHeight = 0.5, LineWidth = 0.6 }).Feed("Geometry", Shapes.Box()).Solve();
+        .Feed("Setup", new PrintSettings { LayerHeight = 0.5, FirstLayerHeight = 0.5, LineWidth = 0.6 }).Feed("Geometry", Shapes.Box()).Solve();
 
     private static DisplayPipeline Drawn(GH_Component component)
     {
@@ -83,7 +83,7 @@ public sealed class PreviewTests
     [Test]
     public void A_toolpath_draws_what_is_printed_and_not_the_travels()
     {
-        var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", Path(), Path(5)).Feed("Printer", "generic").Solve();
+        var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", Path(), Path(5)).Feed("Setup", "generic").Solve();
         var lines = (Rg.Line[])Drawn(plan.Component).Calls.Single().Item;
         Assert.That(lines.Sum(l => l.Length), Is.EqualTo(Path().Length + Path(5).Length).Within(1e-9));
     }
@@ -91,7 +91,7 @@ public sealed class PreviewTests
     [Test]
     public void A_large_print_is_drawn_in_few_calls_and_its_box_is_kept()
     {
-        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Settings", new PrintSettings { LayerHeight = 0.2, FirstLayerHeight = 0.2 })
+        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Setup", new PrintSettings { LayerHeight = 0.2, FirstLayerHeight = 0.2 })
             .Feed("Geometry", Shapes.Box(100, 100, 40, 40)).Solve();
         Assert.That(canvas.All("Print Paths"), Has.Count.GreaterThan(500));
         Assert.That(Drawn(canvas.Component).Calls, Has.Count.EqualTo(1));
@@ -129,7 +129,7 @@ public sealed class PreviewTests
     {
         using var document = new InDocument();
         var path = Path().With(role: Role.OuterWall, layer: new Caterpillar.Toolpaths.Layer(3, 1, 0.2, "Vase"));
-        var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", path, Path(5)).Feed("Printer", "generic").Solve();
+        var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", path, Path(5)).Feed("Setup", "generic").Solve();
         var ids = new List<Guid>();
         plan.Component.BakeGeometry(document.Document, null!, ids);
         var items = document.Document.Objects.Items;

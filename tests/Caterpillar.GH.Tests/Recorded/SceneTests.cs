@@ -63,7 +63,7 @@ public sealed class SceneTests
     [Test]
     public void Seams_and_the_printer_are_one_call_each()
     {
-        var canvas = new Canvas<ToolpathPreviewComponent>().Feed("Toolpath", Planned()).Feed("Seam", true).Feed("Printer", "generic").Solve();
+        var canvas = new Canvas<ToolpathPreviewComponent>().Feed("Toolpath", Planned()).Feed("Seam", true).Feed("Setup", "generic").Solve();
         Assert.That(canvas.Errors, Is.Empty);
         var calls = Draw(canvas.Component);
         Assert.That(calls.Select(c => c.What), Is.EqualTo(new[] { "lines", "lines", "lines", "points" }));

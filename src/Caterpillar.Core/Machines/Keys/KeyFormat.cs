@@ -13,6 +13,9 @@ internal abstract class KeyFormat(KeyKind kind, string expected)
     /// <summary>Constraints as a JSON schema: keys and raw values in order.</summary>
     public abstract IReadOnlyList<KeyValuePair<string, object>> Schema { get; }
 
+    /// <summary>The words of a choice.</summary>
+    public virtual IReadOnlyList<string> Choices => [];
+
     /// <summary>Reads text after <c>key=</c>; null if it has another type.</summary>
     public abstract object? Parse(string text);
 

@@ -1,12 +1,21 @@
 namespace Caterpillar.Machines;
 
 /// <summary>Types of values of keys.</summary>
-internal enum KeyKind : byte
+public enum KeyKind : byte
 {
+    /// <summary>A number.</summary>
     Number,
+
+    /// <summary>A whole number.</summary>
     Integer,
+
+    /// <summary>True or false.</summary>
     Boolean,
+
+    /// <summary>Text on one line.</summary>
     Text,
+
+    /// <summary>One of several words.</summary>
     Choice,
 
     /// <summary>A list of numbers of fixed length.</summary>
@@ -23,7 +32,7 @@ internal enum KeyKind : byte
 /// A key of a profile: its name with the unit, its range and its description. Reader, writer, schema, templates and manual all use the keys of
 /// <see cref="ProfileKeys"/>.
 /// </summary>
-internal abstract class ProfileKey
+public abstract class ProfileKey
 {
     private protected ProfileKey(string name) => Name = name;
 
@@ -34,16 +43,20 @@ internal abstract class ProfileKey
     public string Summary => KeySentences.Of(Name);
 
     /// <summary>Type of the value.</summary>
-    internal abstract KeyKind Kind { get; }
+    public abstract KeyKind Kind { get; }
 
     /// <summary>The range of the value in words: <c>0.01 to 100</c>, <c>corner or center</c>.</summary>
     public abstract string Range { get; }
+
+    /// <summary>The words of a choice.</summary>
+    public IReadOnlyList<string> Choices => Format.Choices;
 
     internal abstract KeyFormat Format { get; }
 
     /// <summary>What is wrong with a raw value, after the name of the key; null if nothing.</summary>
     internal abstract string? Problem(object raw);
 
+    /// <summary>The name.</summary>
     public override string ToString() => Name;
 }
 
@@ -66,7 +79,7 @@ internal sealed class ProfileKey<TProfile, TValue>(
     : ProfileKey<TProfile>(name)
     where TProfile : class
 {
-    internal override KeyKind Kind => format.Kind;
+    public override KeyKind Kind => format.Kind;
 
     public override string Range => format.Range;
 

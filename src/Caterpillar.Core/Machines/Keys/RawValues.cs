@@ -42,5 +42,16 @@ internal static class RawValues
         return rows.ToArray();
     }
 
+    /// <summary>A value as text that the formats parse.</summary>
+    public static string Text(object raw) => raw switch
+    {
+        double number => NumberFormatter.Shortest(number),
+        bool flag => flag ? "true" : "false",
+        IReadOnlyList<object> lines when lines.Count > 0 && lines[0] is string => string.Join("\n", lines),
+        IReadOnlyList<object> { Count: 0 } => "",
+        IReadOnlyList<object> list => "[" + string.Join(", ", list.Select(Text)) + "]",
+        _ => (string)raw,
+    };
+
     private static bool IsBracketed(string text) => text.Length >= 2 && text[0] == '[' && text[text.Length - 1] == ']';
 }

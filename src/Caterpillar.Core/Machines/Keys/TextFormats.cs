@@ -69,9 +69,11 @@ internal sealed class ChoiceFormat<TValue>(params (string Word, TValue Value)[] 
 {
     public override string Range => Expected;
 
-    public override string Hint(string word) => SpellingSuggestion.Hint(word, choices.Select(c => c.Word));
+    public override IReadOnlyList<string> Choices => [.. choices.Select(c => c.Word)];
 
-    public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("enum", choices.Select(c => (object)c.Word).ToArray())];
+    public override string Hint(string word) => SpellingSuggestion.Hint(word, Choices);
+
+    public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("enum", Choices.ToArray<object>())];
 
     public override object? Parse(string text) => text.Trim();
 

@@ -1,7 +1,7 @@
 namespace Caterpillar.Machines;
 
 /// <summary>All keys of profiles, by kind: the one table for reader, writer, schema, templates, <c>--set</c> and manual.</summary>
-internal static class ProfileKeys
+public static class ProfileKeys
 {
     /// <summary>Keys of printers.</summary>
     public static IReadOnlyList<ProfileKey> Printer => ProfileKinds.Printer.Keys;
@@ -14,4 +14,11 @@ internal static class ProfileKeys
 
     /// <summary>The keys of all three kinds.</summary>
     public static IEnumerable<ProfileKey> All => Printer.Concat(Material).Concat(Settings);
+
+    /// <summary>An error for a name that is not among some keys, with the key that was probably meant.</summary>
+    /// <param name="kinds">Plural noun of the profiles: <c>printers</c>.</param>
+    /// <param name="keys">Their keys.</param>
+    /// <param name="name">The unknown name.</param>
+    public static Diagnostic Unknown(string kinds, IReadOnlyList<ProfileKey> keys, string name)
+        => UnknownKey.Problem(kinds, name, null, keys.Select(k => k.Name).Where(k => k != "title"), new SourceLocation(Key: name));
 }

@@ -61,6 +61,19 @@ public sealed record PrintSetup
     /// <inheritdoc cref="With(string[])"/>
     public Result<PrintSetup> With(IEnumerable<string> values) => SetupValues.Apply(this, values ?? throw new ArgumentNullException(nameof(values)));
 
+    /// <summary>
+    /// The keys of settings, printer and material with their values as text, which <see cref="With(string[])"/> reads. Titles are left out.
+    /// </summary>
+    public IReadOnlyList<KeyValuePair<string, string>> Values() => SetupValues.Of(this);
+
+    /// <summary>The keys whose values differ from those of another setup. Names of default profiles do not count.</summary>
+    public IReadOnlyList<string> DifferentKeys(PrintSetup other)
+    {
+        if (other is null) throw new ArgumentNullException(nameof(other));
+        return Values().Zip(other.Values(), (one, two) => one.Value == two.Value ? "" : one.Key)
+            .Where(k => k is not ("" or "default_material" or "default_settings")).ToArray();
+    }
+
     /// <summary>Finds conflicting values of this setup. A setup with errors cannot be used.</summary>
     public IReadOnlyList<Diagnostic> Check()
     {

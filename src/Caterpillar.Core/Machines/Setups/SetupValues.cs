@@ -17,6 +17,15 @@ internal static class SetupValues
         return new Result<PrintSetup>(diagnostics.Any(d => d.Severity == Severity.Error) ? null : setup, diagnostics);
     }
 
+    public static IReadOnlyList<KeyValuePair<string, string>> Of(PrintSetup setup)
+    {
+        return [.. Of(ProfileKinds.Settings, setup.Settings), .. Of(ProfileKinds.Printer, setup.Printer), .. Of(ProfileKinds.Material, setup.Material)];
+
+        static IEnumerable<KeyValuePair<string, string>> Of<T>(ProfileKind<T> kind, T profile)
+            where T : class
+            => kind.Keys.Where(k => k.Name != "title").Select(k => new KeyValuePair<string, string>(k.Name, RawValues.Text(k.Get(profile))));
+    }
+
     private static PrintSetup One(PrintSetup setup, string key, string text, SourceLocation place, List<Diagnostic> diagnostics)
     {
         // All three have a title, which does not affect the print.

@@ -20,7 +20,7 @@ public sealed class ReadCurvesComponent() : CaterpillarComponent(
     {
         ports.File("File", "F", "File to read: points (CSV, JSON), lines (OBJ) or paths (SVG). May be packed "
             + "with gzip.", "Curves (*.csv;*.json;*.obj;*.svg;*.gz)|*.csv;*.json;*.obj;*.svg;*.gz|All files|*.*");
-        ports.Settings("S", "Used for curves without width, height or speed. Default: standard.");
+        ports.Setup("Used for curves without width, height or speed. Default: generic.");
         ports.Number("Unit", "U", "Length of one unit in mm, if the file does not state its unit.", 1);
         ports.Subdivision("Su");
     }
@@ -35,18 +35,19 @@ public sealed class ReadCurvesComponent() : CaterpillarComponent(
     private protected override void Solve(Run run)
     {
         var file = run.FileAt(run.Get<string>(0));
-        var settings = run.Maybe<PrintSettings>(1) ?? new PrintSettings();
+        var setup = SetupPort.Of(run, 1);
+        var settings = setup.Settings;
         var (unit, step) = (run.Positive(2), run.Positive(3));
-        var read = run.Work("Reading", [file.FullName, file.LastWriteTimeUtc, file.Length, unit, settings], (progress, cancel) =>
+        var read = run.Work("Reading", [file.FullName, file.LastWriteTimeUtc, file.Length, unit, setup], (progress, cancel) =>
             CurveReader.Read(file.FullName, new CurveReadOptions
             {
-                UnitLength = unit, WidthReference = new Printer().NozzleDiameter, HeightReference = settings.LayerHeight, SpeedReference = settings.PrintSpeed,
+                UnitLength = unit, WidthReference = setup.Printer.NozzleDiameter, HeightReference = settings.LayerHeight, SpeedReference = settings.PrintSpeed,
             }, progress, cancel));
         var curves = run.Require(read);
         var options = CurveOptions.From(settings) with { Subdivision = SubdivisionOptions.ByDistance(step) };
         var steps = run.Require(run.Work("Dividing", [read, step, settings],
             (progress, cancel) => CurvePaths.ToSteps(curves, options, progress, cancel)));
-        run.SetList(0, steps.OfType<PathStep>().Select(s => new PrintPathGoo(s)));
-        run.SetList(1, steps.Select(s => new StepGoo(s)));
+        run.SetList(0, steps.OfType<PathStep>().Select(s => new PrintPathGoo(s, setup)));
+        run.SetList(1, steps.Select(s => new StepGoo(s, setup)));
     }
 }

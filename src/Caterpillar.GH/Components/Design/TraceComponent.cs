@@ -30,6 +30,7 @@ public abstract class TraceComponent(string name, string nickname, string descri
         ports.Bead();
         ports.Integer("Segments Per Turn", "N", "Number of segments per turn.", Trace.DefaultStringsPerTurn);
         MorePorts(ports);
+        ports.Setup("Used for the default bead. Default: generic.");
     }
 
     private protected sealed override void Outputs(OutputPorts ports) => ports.Add(new PrintPathParam(), "Print Path", "P", "Print path.");
@@ -62,7 +63,7 @@ public abstract class TraceComponent(string name, string nickname, string descri
     {
         var (key, draw) = ShapeOf(run);
         var frame = run.FrameOf(0);
-        var extrusion = run.MaybeValue<Bead>(bead) ?? Bead.FromWidth(0.45, 0.2);
+        var (extrusion, setup) = SetupPort.Bead(run, bead, Params.Input.Count - 1);
         var strings = run.Get<int>(bead + 1);
         var path = run.Work("Tracing", [frame, extrusion, strings, key], (_, _) =>
         {
@@ -72,7 +73,7 @@ public abstract class TraceComponent(string name, string nickname, string descri
             if (extrusion.Height > 0) path = path.WithBeads(i => new Bead(path.BeadOf(i).Area, extrusion.Height, extrusion.Speed));
             return path.Transformed(Affine.FromFrame(frame));
         });
-        run.Set(0, new PrintPathGoo(path));
+        run.Set(0, new PrintPathGoo(path, setup));
         run.Summarize($"{Basics.NumberFormatter.Format(path.SegmentCount)} segments");
     }
 

@@ -21,13 +21,10 @@ public sealed class TurtleComponent() : CaterpillarComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Add(new TurtleProgramParam(), "Program", "P", "Turtle program, or its script as text.");
+        ports.Setup("Its maximum Z speed, filament and bead shape are used. Default: as the script states (use), or generic.");
         ports.Add(new Param_Plane(), "Start Plane", "Pl", "Start pose of the turtle: X points forward, Y left. Default: World XY.", optional: true);
         ports.Bead("Commands of the program change it. Default: 0.05 mm of filament per mm.");
-        ports.Number("Filament Diameter", "D", "Filament diameter, in mm.", 1.75);
         ports.Boolean("Every Pose", "E", "Give the pose and triangle after every command, not only the last.", false);
-        ports.Printer("Pr", "Its maximum Z speed limits vertical moves. Default: as the script states (use), or generic.");
-        ports.Material("M", "Used for filament diameter and flow ratio. Default: as the script states, or Filament Diameter.");
-        ports.Settings("Se", "Used for the bead shape. Default: as the script states, or the settings of the printer.");
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -37,9 +34,6 @@ public sealed class TurtleComponent() : CaterpillarComponent(
         ports.Add(new Param_Plane(), "Planes", "Pl", "Poses of the turtle.", GH_ParamAccess.list);
         ports.Curve("Triangles", "T", "Turtle as triangles that point forward.", GH_ParamAccess.list);
         ports.Diagnostics();
-        ports.Add(new PrinterParam(), "Printer", "Pr", "Printer of the program, for Plan Toolpath.");
-        ports.Add(new MaterialParam(), "Material", "M", "Material of the program, for Plan Toolpath.");
-        ports.Add(new SettingsParam(), "Settings", "Se", "Print settings of the program, for Plan Toolpath.");
     }
 
     private protected override void Solve(Run run)
@@ -49,9 +43,9 @@ public sealed class TurtleComponent() : CaterpillarComponent(
         var setup = SetupOf(program, run);
         var options = TurtleOptions.For(setup) with
         {
-            Start = run.FrameOf(1),
+            Start = run.FrameOf(2),
             KeepPoses = run.Get<bool>(4),
-            Bead = run.Maybe<BeadGoo>(2) is { IsValid: true } bead ? bead.Value : null,
+            Bead = run.Maybe<BeadGoo>(3) is { IsValid: true } bead ? bead.Value : null,
         };
         var result = run.Work("Running", [program, setup, options.Start, options.KeepPoses, options.Bead], (progress, cancel) =>
         {
@@ -59,29 +53,18 @@ public sealed class TurtleComponent() : CaterpillarComponent(
             return new Done(done.Value?.ToSteps() ?? [], done.Value is null ? [] : options.KeepPoses ? done.Value.Poses : [done.Value.Pose], done.Diagnostics);
         });
         run.Report(result.Diagnostics);
-        run.Set(5, new PrinterGoo(setup.Printer));
-        run.Set(6, new MaterialGoo(setup.Material));
-        run.Set(7, new SettingsGoo(setup.Settings));
-        run.SetList(0, result.Steps.OfType<PathStep>().Select(s => new PrintPathGoo(s.Path)));
-        run.SetList(1, result.Steps.Select(s => new StepGoo(s)));
+        run.SetList(0, result.Steps.OfType<PathStep>().Select(s => new PrintPathGoo(s, setup)));
+        run.SetList(1, result.Steps.Select(s => new StepGoo(s, setup)));
         run.SetList(2, result.Poses.Select(p => RhinoGeometry.ToPlane(p, units)));
         run.SetList(3, result.Poses.Select(p => TurtleShape.Outline(p, 2, units)));
     }
 
-    // The ports first, then what the script names, then what the printer names.
+    // The port first, then what the script names, then what the printer names.
     private static PrintSetup SetupOf(TurtleProgram program, Run run)
     {
-        var library = Profiles.Library;
         var named = program.Profiles;
-        var given = run.Maybe<Material>(6);
-        var printer = run.Maybe<Printer>(5) ?? run.Require(library.Printer(named.ElementAtOrDefault(0) ?? "generic"));
-        var material = given ?? run.Accept(library.Material(named.ElementAtOrDefault(1) ?? printer.DefaultMaterial));
-        var settings = run.Maybe<PrintSettings>(7) ?? run.Accept(library.Settings(named.ElementAtOrDefault(2) ?? printer.DefaultSettings));
-        if (material is null || settings is null) throw new NoResult();
-        // Definitions without a material state the diameter of the filament alone.
-        var diameter = run.Positive(3);
-        if (given is null && named.Count == 0) material = material with { FilamentDiameter = diameter };
-        return new PrintSetup(printer, material, settings);
+        if (named.Count == 0 || run.Maybe<PrintSetup>(1) is not null) return SetupPort.Of(run, 1);
+        return run.Require(Profiles.Library.Setup(named[0] ?? "generic", named.ElementAtOrDefault(1), named.ElementAtOrDefault(2)));
     }
 
     private sealed record Done(IReadOnlyList<Step> Steps, IReadOnlyList<Frame> Poses, IReadOnlyList<Basics.Diagnostic> Diagnostics);

@@ -3,6 +3,7 @@ using Caterpillar.GCode;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
+using Caterpillar.Machines;
 using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.GCode;
@@ -22,6 +23,7 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
         ports.Add(new GCodeParam(), "G-code", "G", "G-code or its text, instead of a file.", optional: true);
         ports.Text("Flavor", "Fl", "G-code flavor, such as marlin2, klipper or reprapfirmware. detect = from the file.", Detect);
         ports.Choice("Rule", "R", "What counts as printing: E beyond the retracted length (Balance), or any increase of E (Rising).", ExtrusionRule.Balance);
+        ports.Setup("The toolpath is simulated, checked and written with it. Default: the limits in the comments of the file.");
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -49,7 +51,7 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
             run.Set(0, null);
             return;
         }
-        run.Set(0, new ToolpathGoo(decoding));
+        run.Set(0, new ToolpathGoo(decoding, run.Maybe<PrintSetup>(4)));
         run.SetList(2, decoding.Settings.OrderBy(s => s.Key, StringComparer.Ordinal).Select(s => $"{s.Key}={s.Value}"));
         run.Set(3, decoding.Flavor.Name);
         run.Summarize($"{NumberFormatter.Format(decoding.Toolpath.Count)} moves");

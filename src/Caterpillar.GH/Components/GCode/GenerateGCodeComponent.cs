@@ -1,9 +1,7 @@
-using Caterpillar.Checks;
 using Caterpillar.GCode;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
-using Caterpillar.Machines;
 using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.GCode;
@@ -17,9 +15,7 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Toolpath();
-        ports.Printer("P", "Default: as used for planning.");
-        SetupPorts.Material(ports);
-        SetupPorts.Settings(ports);
+        ports.Setup("Default: as used for planning.");
         ports.Text("Override Reason", "R", "Reason to ignore errors of the checks, written to the file as a comment. Empty = obey the checks.", "");
         ports.Boolean("Rewrite All", "A",
             "Rewrite a decoded file completely, with the printer's start and end G-code. Otherwise, unedited lines stay as they are.", false);
@@ -36,30 +32,21 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
     private protected override void Solve(Run run)
     {
         var goo = run.Get<ToolpathGoo>(0);
-        var reason = run.Maybe<string>(4);
-        var setup = Setup(run, goo.Setup);
+        var reason = run.Maybe<string>(2);
+        var setup = WrittenToolpath.SetupOf(run, 1, goo);
         if (string.IsNullOrWhiteSpace(reason)) reason = null;
-        var rewriteAll = run.Get<bool>(5) || goo.DecodedGCode is null;
-        var (start, end) = (run.Maybe<string>(6), run.Maybe<string>(7));
+        var rewriteAll = run.Get<bool>(3) || goo.DecodedGCode is null;
+        var (start, end) = (run.Maybe<string>(4), run.Maybe<string>(5));
         if (rewriteAll && (start ?? end) is not null)
         {
             run.Report(GH_RuntimeMessageLevel.Warning,
                 "Start G-code and End G-code have no effect: the file is rewritten with the G-code of its printer.");
         }
         var code = new EditOptions { Start = start is null ? null : TextLines.Of(start), End = end is null ? null : TextLines.Of(end) };
-        var result = run.Work("Writing", [goo.Value, setup, reason, rewriteAll, start, end], (progress, cancel) => rewriteAll
-            ? SafeWriter.ToDocument(goo.Value, setup, reason, progress, cancel)
-            : SafeWriter.ToDocument(goo.DecodedGCode!, goo.Value, setup, reason, code, progress, cancel));
+        var result = run.Work("Writing", [goo.Value, setup, reason, rewriteAll, start, end],
+            (progress, cancel) => WrittenToolpath.Write(goo, setup, reason, rewriteAll, code, progress, cancel));
         var document = run.Accept(result);
         run.Set(0, document is null ? null : new GCodeGoo(document));
         run.Summarize(document is null ? "refused" : $"{NumberFormatter.Format(document.LineCount)} lines");
-    }
-
-    private static PrintSetup Setup(Run run, PrintSetup? planned)
-    {
-        var printer = run.Maybe<Printer>(1) ?? planned?.Printer
-            ?? throw new InputProblem("Printer is missing. The toolpath was not planned for one.") { IsMissing = true };
-        return SetupPorts.For(run, printer, run.Maybe<Material>(2) ?? planned?.Material, run.Maybe<PrintSettings>(3) ?? planned?.Settings)
-            with { PrintedOn = planned?.PrintedOn };
     }
 }

@@ -23,6 +23,7 @@ public sealed class ConstructPrintPathComponent() : CaterpillarComponent(
         ports.Subdivision("S");
         ports.Boolean("Keep Arc", "A", "Keep horizontal arcs and circles as arcs.", false);
         ports.Integer("Layer", "L", "Layer number, from 0. -1 = no layer.", -1);
+        ports.Setup("Used for the default bead. Default: generic.");
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -36,16 +37,15 @@ public sealed class ConstructPrintPathComponent() : CaterpillarComponent(
         var drawn = run.Get<Rg.Curve>(0);
         var units = run.Units;
         var (role, number) = (run.Choice<Role>(2), run.Get<int>(5));
-        var bead = run.Maybe<BeadGoo>(1) is { IsValid: true } given ? given.Value : (Bead?)null;
-        var options = new CurveOptions { Shape = BeadShape.Stadium,
-            Subdivision = SubdivisionOptions.ByDistance(run.Positive(3)) with { KeepArcs = run.Get<bool>(4) } };
+        var (bead, setup) = SetupPort.Bead(run, 1, 6);
+        var options = new CurveOptions { Subdivision = SubdivisionOptions.ByDistance(run.Positive(3)) with { KeepArcs = run.Get<bool>(4) } };
         var made = run.Cached([.. ModelMesh.Content(drawn), units.ToMillimeters, role, number, bead, options], () =>
         {
             var curve = RhinoCurves.ToCurve(drawn, units);
-            var user = new UserCurve(curve) { Role = role, Layer = number >= 0 ? new Layer(number, curve.Bounds.Max.Z) : null };
-            if (bead is { } b) user = user with { Area = b.Area, Height = b.Height, Speed = b.Speed };
+            var layer = number >= 0 ? new Layer(number, curve.Bounds.Max.Z) : null;
+            var user = new UserCurve(curve) { Role = role, Layer = layer, Area = bead.Area, Height = bead.Height, Speed = bead.Speed };
             return CurvePaths.ToPaths([user], options);
         });
-        run.Set(0, new PrintPathGoo(run.Require(made).Single()));
+        run.Set(0, new PrintPathGoo(run.Require(made).Single(), setup));
     }
 }

@@ -1,7 +1,6 @@
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Params;
-using Caterpillar.Machines;
 using Caterpillar.Shaping;
 using Grasshopper.Kernel;
 
@@ -19,8 +18,9 @@ public sealed class GapBeadComponent() : CaterpillarComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.PrintPaths();
-        ports.Geometry("Geometry", "G", "Objects below the paths: meshes, Breps, SubDs, extrusions or surfaces.", GH_ParamAccess.list, optional: true);
-        ports.Settings("S", "Used for the limits of the gap. Default: standard.");
+        ports.Geometry("Geometry", "G", "Objects below the paths: meshes, Breps, SubDs, extrusions or surfaces. Default: what the setup prints "
+            + "on.", GH_ParamAccess.list, optional: true);
+        ports.Setup("Used for the limits of the gap. Default: as the print paths were made with, else generic.");
         ports.OptionalNumber("Minimum Gap", "Min",
             "Minimum gap, in mm. Smaller gaps are printed as if they were this high. Default: a quarter of the layer height.");
         ports.OptionalNumber("Maximum Gap", "Max", "Maximum gap, in mm. Larger gaps are printed as if they were this high. Default: twice the layer height.");
@@ -40,12 +40,13 @@ public sealed class GapBeadComponent() : CaterpillarComponent(
         if (paths.Count == 0) throw run.Missing(0);
         _ = run.Units;
         var below = run.Models(1, Tolerance);
-        var gap = GapBead.For(run.Maybe<PrintSettings>(2) ?? new PrintSettings()) with { Width = run.Finite(5), Bed = run.Get<bool>(6) ? 0 : null };
+        var setup = SetupPort.Of(run, 2, paths.Goos.Select(g => g.Setup));
+        var gap = GapBead.For(setup.Settings) with { Width = run.Finite(5), Bed = run.Get<bool>(6) ? 0 : null };
         if (run.MaybeValue<double>(3) is not null) gap = gap with { MinGap = run.Positive(3) };
         if (run.MaybeValue<double>(4) is not null) gap = gap with { MaxGap = run.Positive(4), AirGap = Math.Max(gap.AirGap, 2 * run.Positive(4)) };
         if (gap.MinGap > gap.MaxGap) throw new InputProblem("Minimum Gap must not be greater than Maximum Gap.");
-        var result = run.Work("Measuring gaps", [paths, .. below, gap],
-            (progress, cancel) => (gap with { Surface = ModelMesh.Joined(below) }).Apply(paths.Paths, progress, cancel));
+        var result = run.Work("Measuring gaps", [paths, .. below, gap, setup.PrintedOn],
+            (progress, cancel) => (gap with { Surface = below.Length == 0 ? setup.PrintedOn : ModelMesh.Joined(below) }).Apply(paths.Paths, progress, cancel));
         var shaped = run.Require(result);
         run.SetList(0, run.Cached([paths, shaped], () => shaped.Select((path, i) => paths.Goos[i].With(path)).ToArray()));
     }

@@ -28,7 +28,7 @@ public sealed class MergePathsComponent() : CaterpillarComponent(
         var paths = run.Paths(0);
         var (tolerance, reverse) = (run.Finite(1), run.Get<bool>(2));
         var merged = run.Work("Merging", [paths, tolerance, reverse],
-            (_, _) => PathMerging.Merge(paths.Paths, tolerance, reverse).Select(p => new PrintPathGoo(p)).ToArray());
+            (_, _) => PathMerging.Merge(paths.Paths, tolerance, reverse).Select(p => new PrintPathGoo(p, paths.Goos[0].Setup)).ToArray());
         run.SetList(0, merged);
         run.Summarize($"{NumberFormatter.Format(paths.Count)} → {NumberFormatter.Format(merged.Length)} paths");
     }

@@ -39,7 +39,7 @@ public sealed class SortPathsComponent() : CaterpillarComponent(
         var start = run.MaybePoint(4);
         if (start is { IsFinite: false }) throw new InputProblem("Start must have finite coordinates.");
         var options = new SortOptions(run.Choice<SortRule>(1), run.Get<bool>(2), run.Get<bool>(3), start);
-        var sorted = run.Work("Sorting", [paths, options], (progress, cancel) => Sorted.Of(paths.Paths, options, progress, cancel));
+        var sorted = run.Work("Sorting", [paths, options], (progress, cancel) => Sorted.Of(paths, options, progress, cancel));
         run.SetList(0, sorted.Paths);
         run.SetList(1, sorted.Indices);
         run.Set(2, sorted.Travel);
@@ -52,11 +52,13 @@ public sealed class SortPathsComponent() : CaterpillarComponent(
     private sealed record Sorted(PrintPathGoo[] Paths, GH_Integer[] Indices, double Before, double Travel)
     {
         // Paths sorted here are printed in this order: they leave the groups of the slicer.
-        public static Sorted Of(PrintPath[] paths, SortOptions options, IProgress<double> progress, CancellationToken cancel)
+        public static Sorted Of(PathList list, SortOptions options, IProgress<double> progress, CancellationToken cancel)
         {
+            var paths = list.Paths;
             var order = PathSorter.Order(paths, options, progress, cancel);
             var placed = order.Select(place => Placed(paths[place.Index], place)).ToArray();
-            return new Sorted(Array.ConvertAll(placed, p => new PrintPathGoo(p)), order.Select(place => new GH_Integer(place.Index)).ToArray(),
+            return new Sorted(placed.Select((p, i) => new PrintPathGoo(p, list.Goos[order[i].Index].Setup)).ToArray(),
+                order.Select(place => new GH_Integer(place.Index)).ToArray(),
                 PathSorter.TravelBetween(paths), PathSorter.TravelBetween(placed));
         }
     }

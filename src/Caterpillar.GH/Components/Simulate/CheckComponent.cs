@@ -18,9 +18,7 @@ public sealed class CheckComponent() : CaterpillarComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Toolpath();
-        SetupPorts.Printer(ports);
-        SetupPorts.Material(ports);
-        SetupPorts.Settings(ports);
+        ports.Setup("Default: as used for planning, else the limits in the file.");
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -34,7 +32,7 @@ public sealed class CheckComponent() : CaterpillarComponent(
     private protected override void Solve(Run run)
     {
         var goo = run.Get<ToolpathGoo>(0);
-        var setup = SetupPorts.Of(run, goo, run.Maybe<Printer>(1), run.Maybe<Material>(2), run.Maybe<PrintSettings>(3));
+        var setup = SetupPort.Of(run, 1, goo);
         var findings = run.Work("Checking", [goo.Value, goo.DecodedGCode, setup], (progress, cancel) => Findings(goo, setup, progress, cancel));
         var passed = findings.All(f => f.Severity != Severity.Error);
         run.Set(0, passed ? goo.Planned(setup) : null);

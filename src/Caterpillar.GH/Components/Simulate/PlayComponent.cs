@@ -44,7 +44,6 @@ public sealed class PlayComponent() : CaterpillarComponent("Play", "Play", "Move
         ports.Boolean("Run", "R", "Starts when this changes from false to true. Stops when false.", false);
         ports.Number("Speed", "V", "Speed factor. 1 = as long as the print.", 60);
         ports.Boolean("Reset", "Re", "Go back to the start.", false);
-        SetupPorts.Printer(ports);
     }
 
     private protected override void Outputs(OutputPorts ports) => ports.Number("Position", "t", "Position in the print by time, from 0 to 1.");
@@ -69,7 +68,7 @@ public sealed class PlayComponent() : CaterpillarComponent("Play", "Play", "Move
         var goo = run.Get<ToolpathGoo>(0);
         var speed = run.Positive(2);
         if (run.Get<bool>(3)) _position = 0;
-        var setup = SetupPorts.Of(run, goo, run.Maybe<Machines.Printer>(4));
+        var setup = SetupPort.Of(run, -1, goo);
         var timeline = run.Work("Timing", [goo.Value, setup], (progress, cancel) => Timeline.Of(goo.Value, setup, progress, cancel));
         var now = Now;
         // Frames are as long as solving takes: slow definitions skip some.

@@ -4,7 +4,6 @@ using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.GH.Preview;
-using Caterpillar.Machines;
 using Caterpillar.Simulation;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Parameters;
@@ -36,7 +35,6 @@ public sealed class SimulateComponent() : CaterpillarComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Toolpath();
-        SetupPorts.Printer(ports);
         ports.Number("Position", "t", "Position in the print, from 0 to 1 or in another Position Unit.", 1);
         ports.Choice("Position Unit", "U", "Unit of Position. Time, Length, Layer: from 0 to 1. Seconds: time. Layer Number: as in the file. Line: line of the "
             + "file, from 1, or step of the design, from 0.", PositionBy.Time);
@@ -56,13 +54,13 @@ public sealed class SimulateComponent() : CaterpillarComponent(
 
     private protected override void Solve(Run run)
     {
-        var position = run.Finite(2);
-        var by = run.Choice<PositionBy>(3);
+        var position = run.Finite(1);
+        var by = run.Choice<PositionBy>(2);
         if (by <= PositionBy.Layer && position is < 0 or > 1) throw new InputProblem("Position must be from 0 to 1.");
         var goo = run.Get<ToolpathGoo>(0);
         var toolpath = goo.Value;
         if (toolpath.Count == 0) throw new InputProblem("The toolpath has no moves.");
-        var setup = run.Cached([goo.Value, goo.Setup, goo.DecodedGCode, run.Maybe<Printer>(1)], () => SetupPorts.Of(run, goo, run.Maybe<Printer>(1)));
+        var setup = SetupPort.Of(run, -1, goo);
         var units = run.Units;
         var timeline = run.Work("Timing", [toolpath, setup], (progress, cancel) => Timeline.Of(toolpath, setup, progress, cancel));
         var lines = run.Work("Drawing", [toolpath, units.ToMillimeters], (_, _) => new PrintedLines(toolpath, units));

@@ -16,8 +16,7 @@ public sealed class StatisticsComponent() : CaterpillarComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Toolpath();
-        SetupPorts.Printer(ports);
-        SetupPorts.Material(ports);
+        ports.Setup("Default: as used for planning, else the limits in the file.");
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -38,7 +37,7 @@ public sealed class StatisticsComponent() : CaterpillarComponent(
     private protected override void Solve(Run run)
     {
         var goo = run.Get<ToolpathGoo>(0);
-        var setup = SetupPorts.Of(run, goo, run.Maybe<Printer>(1), run.Maybe<Material>(2));
+        var setup = SetupPort.Of(run, 1, goo);
         var s = run.Work("Timing", [goo.Value, setup],
             (progress, cancel) => PrintStatistics.Of(Timeline.Of(goo.Value, setup, progress, cancel), cancel));
         run.SetAll(s.Duration, s.Filament, s.Volume, s.Mass, s.Cost, s.PrintLength, s.TravelLength, s.Retractions, s.GreatestFlow);

@@ -27,8 +27,8 @@ public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
         ports.OptionalInteger("Last Layer", "L", "Last layer, by its number in the file or from 0. Default: no limit.");
         ports.Boolean("Solid", "B", "Show beads of true width and height instead of lines.", false);
         ports.Boolean("Travel", "Tr", "Show travel moves and retractions.", false);
-        ports.Printer("P", "Shows the bed and build volume, and sets the print times. Default: no bed, and times of the printer used for planning.");
-        ports.Boolean("Seam", "Se", "Show seams: points at which walls begin.", false);
+        ports.Setup("Shows the bed and build volume, and sets the print times. Default: no bed, and times of the setup used for planning.");
+        ports.Boolean("Seam", "Sm", "Show seams: points at which walls begin.", false);
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -57,11 +57,10 @@ public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
             return toolpath.NumberOfLayer(toolpath[i]) is { } number && !(number < first) && !(number > last);
         }
         bool Prints(int i) => toolpath[i].Kind == MoveKind.Print && Shown(i);
-        var printer = run.Maybe<Machines.Printer>(6);
-        var setup = by == PreviewColor.Time ? run.Cached([toolpath, goo.Setup, goo.DecodedGCode, printer], () => SetupPorts.Of(run, goo, printer)) : null;
+        var setup = by == PreviewColor.Time ? SetupPort.Of(run, 6, goo) : null;
         var colors = run.Work("Coloring", [toolpath, by, first, last, setup], (progress, cancel) =>
             PreviewColors.Of(toolpath, Prints, by, setup is null ? null : Timeline.Of(toolpath, setup, progress, cancel)));
-        var content = new SceneContent(beads, travels, run.Get<bool>(7), printer);
+        var content = new SceneContent(beads, travels, run.Get<bool>(7), run.Maybe<Machines.PrintSetup>(6)?.Printer);
         run.Show(run.Work("Drawing", [colors, content, units.ToMillimeters],
             (_, _) => new ToolpathScene(toolpath, Shown, colors, content, units)));
         run.SetList(0, colors.Texts);

@@ -1,6 +1,4 @@
 using Caterpillar.GH.Base;
-using Caterpillar.GH.Params;
-using Caterpillar.Machines;
 using Caterpillar.Slicing;
 
 namespace Caterpillar.GH.Components.Slice;
@@ -14,7 +12,7 @@ public sealed class ArrangeModelsComponent() : ModelMovingComponent(
     private protected override void Inputs(InputPorts ports)
     {
         GeometryPort(ports);
-        ports.Printer("P", "Default: generic.");
+        ports.Setup();
         ports.Integer("Count", "C", "Number of copies of each solid.", 1);
         ports.Number("Spacing", "S", "Minimum distance between solids, seen from above, in mm.", new ArrangeOptions().Spacing);
         ports.Number("Margin", "M", "Minimum distance to the edge of the bed, in mm.", new ArrangeOptions().Margin);
@@ -25,7 +23,7 @@ public sealed class ArrangeModelsComponent() : ModelMovingComponent(
     private protected override void Solve(Run run)
     {
         var geometry = GeometryOf(run);
-        var printer = run.Maybe<Printer>(1) ?? new Printer();
+        var printer = SetupPort.Of(run, 1).Printer;
         var pieces = run.Get<int>(2) is >= 1 and <= 10000 and var count ? count : throw new InputProblem("Count must be 1 to 10000.");
         var (spacing, margin) = (run.NotNegative(3), run.NotNegative(4));
         var options = new ArrangeOptions { Spacing = spacing, Margin = margin, OneAfterTheOther = run.Get<bool>(5) };

@@ -1,11 +1,8 @@
 using Caterpillar.Curved;
 using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
-using Caterpillar.Machines;
 using Caterpillar.Slicing;
-using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.Slice;
 
@@ -18,34 +15,28 @@ public sealed class CurvedSlicerComponent() : SlicerComponent(
     private protected override void Inputs(InputPorts ports)
     {
         GeometryPort(ports);
+        ports.Setup("Its print head limits the slope of the layers. Nothing is printed below the surface of what it prints on. Default: generic.");
         ports.Add(new LayerFieldParam(), "Field", "F",
             "Layers to follow: a field from Layer Field, a surface to copy upward, or a formula in x, y, z, r (mm) and theta (degrees).");
-        ports.Settings("S", "Default: standard.");
-        ports.Printer("P", "Its print head limits the slope of the layers. Default: generic.");
-        ports.Geometry("Objects", "O", "Objects on the bed to print on. Nothing is printed below their surface, and the first extrusions fill "
-            + "the gap to it.", GH_ParamAccess.list, optional: true);
         ports.Boolean("Partial", "Pa", "Print only parts that are inside the surfaces of the field and not too steep, instead of refusing the solids.", false);
         ports.MeshTolerance();
     }
 
     private protected override void Solve(Run run)
     {
-        var tolerance = run.Positive(6);
-        var recipe = run.Get<FieldRecipe>(1);
-        var setup = new PrintSetup(run.Maybe<Printer>(3) ?? new Printer(), new Material(), run.Maybe<PrintSettings>(2) ?? new PrintSettings());
-        var models = Solids(run, 0, tolerance);
+        var setup = SetupPort.Of(run, 1);
+        var recipe = run.Get<FieldRecipe>(2);
+        var partial = run.Get<bool>(3);
+        var models = Solids(run, 0, run.Positive(4));
         var solids = Named(models);
-        var onto = run.Models(4, tolerance);
-        var partial = run.Get<bool>(5);
-        var result = run.Work("Slicing", [recipe, setup, partial, models, onto], (progress, cancel) =>
+        var result = run.Work("Slicing", [recipe, setup, partial, models], (progress, cancel) =>
         {
             var field = recipe.For(solids, setup);
             if (field.Value is null || field.HasErrors) return new Result<SliceResult>(null, field.Diagnostics);
-            var floor = ModelMesh.Joined(onto);
-            var options = new CurvedOptions { Onto = floor is null ? null : PlanSurface.OnBed(floor), Partial = partial };
+            var options = new CurvedOptions { Onto = setup.PrintedOn is { } floor ? PlanSurface.OnBed(floor) : null, Partial = partial };
             var sliced = CurvedSlicer.Slice(solids, field.Value, setup, options, progress, cancel);
             return new Result<SliceResult>(sliced.Value, field.Diagnostics.Concat(sliced.Diagnostics).ToArray());
         });
-        SetResult(run, models, solids, result);
+        SetResult(run, models, solids, result, setup);
     }
 }

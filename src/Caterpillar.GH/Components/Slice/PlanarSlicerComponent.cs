@@ -20,22 +20,23 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
     private protected override void Inputs(InputPorts ports)
     {
         GeometryPort(ports);
-        ports.Settings("S", "Default: standard.");
-        ports.MeshTolerance();
+        ports.Setup();
+        ports.Add(new SettingsParam(), "Part Settings", "PS", "Print settings of each solid, instead of those of the setup. The last ones apply to all that "
+            + "follow. The setup still controls travel moves, skirt, brim and raft.", GH_ParamAccess.list, optional: true);
         ports.Geometry("Modifiers", "M", "Solids that are not printed. Depending on their model_type, they change the settings inside them, or enforce or "
             + "block supports.", GH_ParamAccess.list, optional: true);
         ports.Add(new SettingsParam(), "Modifier Settings", "MS",
             "Print settings of each modifier. The last ones apply to all that follow.", GH_ParamAccess.list, optional: true);
         ports.Add(new Param_Curve { Optional = true }, "Infill Curves", "C",
             "Curves for the infill of every layer, seen from above, instead of the infill pattern.", GH_ParamAccess.list, optional: true);
-        ports.Add(new SettingsParam(), "Part Settings", "PS", "Print settings of each solid, instead of Settings. The last ones apply to all that follow. "
-            + "Settings still control travel moves, skirt, brim and raft.", GH_ParamAccess.list, optional: true);
+        ports.MeshTolerance();
     }
 
     private protected override void Solve(Run run)
     {
-        var tolerance = run.Positive(2);
-        var settings = run.Maybe<PrintSettings>(1) ?? new PrintSettings();
+        var tolerance = run.Positive(6);
+        var setup = SetupPort.Of(run, 1);
+        var settings = setup.Settings;
         var models = Solids(run, 0, tolerance);
         var solids = Named(models);
         if (InfillCurves(run, 5, tolerance) is { } curves) settings = settings with { InfillPattern = InfillPattern.Curves, InfillCurves = curves };
@@ -45,13 +46,13 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         object[] helpers = modifiers.SelectMany(m => new object[] { m.Mesh.Mesh, m.Settings }).ToArray();
         var result = run.Work("Slicing", [settings, models, parts.Select(p => p.Settings).ToArray(), helpers],
             (progress, cancel) => PlanarSlicer.SliceEach(all, settings, null, progress, cancel));
-        SetResult(run, models, solids, result);
+        SetResult(run, models, solids, result, setup);
     }
 
     // Solids that are null count, so that each keeps its own settings.
     private static SliceModel[] Parts(Run run, NamedMesh[] solids, PrintSettings common)
     {
-        var own = run.List<SettingsGoo>(6);
+        var own = run.List<SettingsGoo>(2);
         if (own.Count == 0) return solids.Select(m => new SliceModel(m, common)).ToArray();
         var geometry = run.WithNulls<IGH_GeometricGoo>(0);
         if (own.Count > geometry.Count)

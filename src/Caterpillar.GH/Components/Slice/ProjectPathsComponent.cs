@@ -22,10 +22,10 @@ public sealed class ProjectPathsComponent() : CaterpillarComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.PrintPaths();
-        ports.Geometry("Geometry", "G", "Objects to print on: meshes, Breps, SubDs, extrusions or surfaces.", GH_ParamAccess.list);
+        ports.Geometry("Geometry", "G", "Objects to print on: meshes, Breps, SubDs, extrusions or surfaces. Default: what the setup prints "
+            + "on.", GH_ParamAccess.list, optional: true);
+        ports.Setup("Used for tolerance and maximum slope, which its print head limits. Default: as the print paths were made with, else generic.");
         ports.Number("Offset", "O", "Distance of the paths above the surface, in mm. Negative values press them onto it.", 0);
-        ports.Settings("S", "Used for tolerance and maximum slope. Default: standard.");
-        ports.Printer("Pr", "Its print head limits the slope. Default: generic.");
         ports.Boolean("Partial", "Pa", "Leave out parts that are beyond the surface or too steep, instead of refusing the paths.", false);
         ports.MeshTolerance();
     }
@@ -38,20 +38,18 @@ public sealed class ProjectPathsComponent() : CaterpillarComponent(
 
     private protected override void Solve(Run run)
     {
-        var goos = run.List<PrintPathGoo>(0);
-        var geometry = run.List<IGH_GeometricGoo>(1);
-        if (goos.Count == 0 || geometry.Count == 0) throw run.Missing(goos.Count == 0 ? 0 : 1);
-        var offset = run.Finite(2);
-        var setup = new PrintSetup(run.Maybe<Printer>(4) ?? new Printer(), new Material(), run.Maybe<PrintSettings>(3) ?? new PrintSettings());
-        var (partial, tolerance) = (run.Get<bool>(5), run.Positive(6));
-        var onto = geometry.Select(g => run.ModelOf(g, tolerance)).ToArray();
+        var goos = run.Some<PrintPathGoo>(0);
+        var setup = SetupPort.Of(run, 2, goos.Select(g => g.Setup));
+        var (offset, partial) = (run.Finite(3), run.Get<bool>(4));
+        var onto = run.Models(1, run.Positive(5));
+        if (onto.Length == 0 && setup.PrintedOn is null) throw run.Missing(1);
         object[] paths = goos.Select(g => (object)g.Value).ToArray();
         var result = run.Work("Projecting", [paths, onto, offset, setup, partial], (progress, cancel) =>
         {
-            var surface = PlanSurface.Of(ModelMesh.Joined(onto)!).Moved(new Vec3(0, 0, Math.Max(0, offset)));
+            var surface = PlanSurface.Of(ModelMesh.Joined(onto) ?? setup.PrintedOn!).Moved(new Vec3(0, 0, Math.Max(0, offset)));
             var steps = goos.Select(g => (Step)g.ToStep()).ToArray();
             return SurfaceProjection.Project(steps, surface, setup, Math.Max(0, -offset), partial, progress, cancel);
         });
-        run.SetList(0, run.Require(result).OfType<PathStep>().Select(s => new PrintPathGoo(s)));
+        run.SetList(0, run.Require(result).OfType<PathStep>().Select(s => new PrintPathGoo(s, setup)));
     }
 }

@@ -3,6 +3,7 @@ using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
+using Caterpillar.Machines;
 using Caterpillar.Slicing;
 using Caterpillar.Toolpaths;
 using Grasshopper.Kernel;
@@ -36,14 +37,15 @@ public abstract class SlicerComponent(string name, string nickname, string descr
         => models.Select((m, i) => new NamedMesh($"Solid {NumberFormatter.Format(i)}", m.Triangles)).ToArray();
 
     /// <summary>Gives the layers and the problems.</summary>
-    private protected static void SetResult(Run run, IReadOnlyList<ModelMesh> models, IReadOnlyList<NamedMesh> solids, Result<SliceResult> result)
+    private protected static void SetResult(Run run, IReadOnlyList<ModelMesh> models, IReadOnlyList<NamedMesh> solids, Result<SliceResult> result,
+        PrintSetup setup)
     {
         var units = run.Units;
         run.SetList(4, models.Where(m => m.Triangles.NakedEdgeCount > 0).SelectMany(m => m.Mesh.GetNakedEdges() ?? []).Select(p => p.ToPolylineCurve()));
         run.Report(solids.Where(m => m.Mesh.NakedEdgeCount > 0).Select(Open));
         var slices = run.Require(result);
         var root = run.PathOf(0);
-        var trees = run.Cached([slices, root.ToString(), units.ToMillimeters], () => new LayerTrees(slices, root, units));
+        var trees = run.Cached([slices, setup, root.ToString(), units.ToMillimeters], () => new LayerTrees(slices, setup, root, units));
         run.SetTree(0, trees.All);
         run.SetTree(1, trees.Walls);
         run.SetTree(2, trees.Infill);
@@ -59,13 +61,13 @@ public abstract class SlicerComponent(string name, string nickname, string descr
     /// <summary>The layers as trees for the wires, one branch per layer.</summary>
     private sealed class LayerTrees
     {
-        public LayerTrees(SliceResult slices, GH_Path root, DocumentUnits units)
+        public LayerTrees(SliceResult slices, PrintSetup setup, GH_Path root, DocumentUnits units)
         {
             for (var i = 0; i < slices.Layers.Count; i++)
             {
                 var layer = slices.Layers[i];
                 var path = root.AppendElement(i);
-                var goos = layer.Steps.Select(s => new PrintPathGoo(s)).ToArray();
+                var goos = layer.Steps.Select(s => new PrintPathGoo(s, setup)).ToArray();
                 All.AppendRange(goos, path);
                 Walls.AppendRange(goos.Where(g => IsWall(g.Value.Role)), path);
                 Infill.AppendRange(goos.Where(g => !IsWall(g.Value.Role)), path);

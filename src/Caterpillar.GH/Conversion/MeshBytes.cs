@@ -1,0 +1,34 @@
+using Caterpillar.Geometry;
+
+namespace Caterpillar.GH.Conversion;
+
+/// <summary>A mesh as a definition stores it: counts, vertices in mm, and three indices for each triangle.</summary>
+internal static class MeshBytes
+{
+    public static byte[] Pack(TriMesh mesh)
+    {
+        using var bytes = new MemoryStream();
+        using var writer = new BinaryWriter(bytes);
+        writer.Write(mesh.Vertices.Count);
+        writer.Write(mesh.Indices.Count);
+        foreach (var vertex in mesh.Vertices)
+        {
+            writer.Write(vertex.X);
+            writer.Write(vertex.Y);
+            writer.Write(vertex.Z);
+        }
+        foreach (var index in mesh.Indices) writer.Write(index);
+        writer.Flush();
+        return bytes.ToArray();
+    }
+
+    public static TriMesh Unpack(byte[] packed)
+    {
+        using var reader = new BinaryReader(new MemoryStream(packed));
+        var vertices = new Vec3[reader.ReadInt32()];
+        var indices = new int[reader.ReadInt32()];
+        for (var i = 0; i < vertices.Length; i++) vertices[i] = new Vec3(reader.ReadDouble(), reader.ReadDouble(), reader.ReadDouble());
+        for (var i = 0; i < indices.Length; i++) indices[i] = reader.ReadInt32();
+        return TriMesh.Create(vertices, indices);
+    }
+}

@@ -1,0 +1,78 @@
+using Caterpillar.Geometry;
+using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Plugin;
+using Caterpillar.Machines;
+using GH_IO.Serialization;
+using Grasshopper.Kernel.Types;
+
+namespace Caterpillar.GH.Goos;
+
+/// <summary>
+/// Printer, material, settings and what is printed on, as one value. Text is the name of a printer profile. A printer, a material or settings make a setup
+/// with the usual profiles for the rest.
+/// </summary>
+public sealed class SetupGoo(PrintSetup? setup) : ValueGoo<PrintSetup>(setup), IReadsText
+{
+    public SetupGoo()
+        : this(null)
+    {
+    }
+
+    public override string TypeName => "Print Setup";
+
+    public override string TypeDescription => "A printer, a material, print settings, and what is printed on.";
+
+    public string? Problem { get; private set; }
+
+    public override IGH_Goo Duplicate() => new SetupGoo(Value);
+
+    public override bool CastFrom(object source)
+    {
+        if (base.CastFrom(source)) return true;
+        var bare = Wrapped.Bare(source);
+        var printer = new PrinterGoo();
+        if (Wrapped.Text(bare) is not null || bare is PrinterGoo or Printer)
+        {
+            if (!printer.CastFrom(source))
+            {
+                Problem = printer.Problem;
+                return false;
+            }
+        }
+        var material = bare as Material ?? (bare as MaterialGoo)?.Value;
+        var settings = bare as PrintSettings ?? (bare as SettingsGoo)?.Value;
+        if (printer.Value is null && material is null && settings is null) return false;
+        var made = Profiles.Setup(printer.Value, material, settings);
+        Problem = TextProblem.Of(made);
+        Value = made.Value!;
+        return Value is not null;
+    }
+
+    public override bool Write(GH_IWriter writer)
+    {
+        if (Value is null) return true;
+        writer.SetInt32("Version", StoredText.Version);
+        new PrinterGoo(Value.Printer).Write(writer.CreateChunk("Printer"));
+        new MaterialGoo(Value.Material).Write(writer.CreateChunk("Material"));
+        new SettingsGoo(Value.Settings).Write(writer.CreateChunk("Settings"));
+        if (Value.PrintedOn is { } mesh) writer.SetByteArray("PrintedOn", MeshBytes.Pack(mesh));
+        return true;
+    }
+
+    public override bool Read(GH_IReader reader)
+    {
+        if (!reader.ChunkExists("Printer")) return true;
+        var (printer, material, settings) = (new PrinterGoo(), new MaterialGoo(), new SettingsGoo());
+        var whole = printer.Read(reader.FindChunk("Printer")) && material.Read(reader.FindChunk("Material")) && settings.Read(reader.FindChunk("Settings"));
+        if (!whole) return false;
+        var mesh = reader.ItemExists("PrintedOn") ? MeshBytes.Unpack(reader.GetByteArray("PrintedOn")) : null;
+        Value = new PrintSetup(printer.Value, material.Value, settings.Value) { PrintedOn = mesh };
+        return true;
+    }
+
+    protected override string Describe(PrintSetup value)
+        => $"Print Setup ({value.Printer.Title}, nozzle {N(value.Printer.NozzleDiameter)} mm; {value.Material.Title}; {value.Settings.Title}, layers of "
+            + $"{N(value.Settings.LayerHeight)} mm, lines of {N(value.Settings.LineWidth)} mm{(value.PrintedOn is null ? "" : "; prints on an object")})";
+
+    private static string N(double value) => NumberFormatter.Format(value, 3);
+}
