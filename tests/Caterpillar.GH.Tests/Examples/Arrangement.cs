@@ -16,11 +16,11 @@ internal sealed class Arrangement
     private const double Left = 40;
     private const double Top = 40;
     private const double Clear = 3;
-    private const int Trials = 2500;
-    private const int Starts = 12;
+    private const int Trials = 1500;
+    private const int Starts = 8;
 
     // A wire behind an object, compared with a pixel of height.
-    private const double Hiding = 10_000;
+    private const double Hiding = 1_000_000;
     private readonly List<Node> _nodes = [];
     private readonly List<Block> _blocks = [];
     private readonly List<Link> _links = [];
