@@ -28,6 +28,7 @@ internal static class App
             if (isBatch) return Batch.Run(verb, parsed, session);
             verb.Batch?.RefuseAlone(parsed);
             OutputGuard.Check(verb, parsed);
+            OutputGuard.CheckFolders(parsed);
             return verb.Run(parsed, session);
         });
     }

@@ -57,6 +57,7 @@ public class CheckCodeTests : CliFixture
         CheckCodes.FilePosition => ("a.turtle", "start 10 10 0.2\nforward 20\nraw \"G1 X40\"\nraw \"G92 X30\"\nforward 20\n", ""),
         CheckCodes.FileExtrusion => ("a.turtle", "start 10 10 0.2\nforward 20\nraw \"M221 S50\"\nforward 20\n", ""),
         CheckCodes.FileModes => ("a.turtle", "start 10 10 0.2\nforward 20\nraw \"G91\"\nforward 20\n", ""),
+        CheckCodes.UnverifiedCommand => ("a.turtle", "start 10 10 0.2\nforward 20\nraw \"MY_MACRO\"\nforward 20\n", ""),
         CheckCodes.NoHoming => ("a.gcode", Whole("M109 S200\n", Extrusion(30, 10)), ""),
         CheckCodes.NoHeating => ("a.gcode", Whole("G28\n", Extrusion(30, 10)).Replace("M104 S0\n", ""), ""),
         CheckCodes.UnknownPosition => ("a.gcode", "G28 X Y\nM109 S200\nM83\nG1 X10 Y10 F3000\nG1 X20 E0.3\nM104 S0\n", ""),
@@ -106,6 +107,11 @@ public class CheckCodeTests : CliFixture
         CheckCodes.Starved => Extrusion(30, 10) + "G1 X31 E-0.3\n" + Extrusion(50, 10),
         CheckCodes.ColdExtrusion => "M104 S50\n" + Extrusion(30, 10),
         CheckCodes.ExtrusionMode => string.Concat(Enumerable.Range(1, 20).Select(i => $"G1 X{10 + i} E{(i % 2 == 0 ? "-" : "")}0.1\n")),
+        CheckCodes.UnsafeCommand => Extrusion(30, 10) + "M302 S0\n" + Extrusion(50, 10),
+        CheckCodes.UnknownCommand => Extrusion(30, 10) + "MY_MACRO\n" + Extrusion(50, 10),
+        CheckCodes.PauseCommand => Extrusion(30, 10) + "M600\n" + Extrusion(50, 10),
+        CheckCodes.MachineCommand => Extrusion(30, 10) + "M42 P4 S1\n" + Extrusion(50, 10),
+        CheckCodes.SettingCommand => Extrusion(30, 10) + "M500\n",
         _ => Extrusion(30, 10),
     };
 

@@ -106,6 +106,24 @@ public class MessageTests : CliFixture
     }
 
     [Test]
+    public void Control_characters_of_names_never_reach_the_terminal()
+    {
+        var name = "a\u001B[31m.stl";
+        File.WriteAllText(name, Box(10, 10, 2).Replace("solid box", "solid \u001B]0;title\u0007"));
+        File.WriteAllText("b\u001B[2J.turtle", "print 1\nforward \u001B[1m");
+        File.WriteAllText("c.gcode", "G28\nM117 \u001B[5m\n\u001B[6n X1\nEXCLUDE_OBJECT_DEFINE NAME=\u001B[5m\nG1 X1 E1\n");
+        string[][] calls = [["slice", name, "-o", "x.gcode"], ["slice", name, "-o", "x/\u001B[2J"], ["sections", name, "--heights", "1"],
+            ["sections", name, "--heights", "1", "--json"], ["turtle", "b\u001B[2J.turtle"], ["check", "c.gcode"], ["check", "c.gcode", "--json"],
+            ["decode", "c.gcode"], ["slice", "\u001B[2J"], ["slice", name, "--printer", "\u001B[2J"], ["\u001B[2J"], ["slice", name, "--set", "\u001B[2J=1"]];
+        foreach (var call in calls)
+        {
+            var run = Run(call);
+            var controls = (run.Messages + run.Text).Where(c => char.IsControl(c) && c is not ('\n' or '\r' or '\t'));
+            Assert.That(controls, Is.Empty, call[0] + ": " + run.Messages);
+        }
+    }
+
+    [Test]
     public void Numbers_of_hundreds_of_digits_are_told_as_powers_of_ten()
     {
         File.WriteAllText("s.turtle", "forward 5" + new string('0', 300) + "\n");

@@ -34,6 +34,18 @@ public class OutputGuardTests : CliFixture
         Assert.That(File.ReadAllText(words[1]), Is.EqualTo(before));
     }
 
+    [TestCase("slice", "broken.stl", "-o", "none/a.gcode", "none/a.gcode: folder not found.")]
+    [TestCase("turtle", "broken.turtle", "-o", "none/a.gcode", "none/a.gcode: folder not found.")]
+    [TestCase("image", "broken.gcode", "-o", "none/a.png", "none/a.png: folder not found.")]
+    [TestCase("view", "broken.gcode", "-o", "sub", "sub is a folder, not a file.")]
+    public void A_folder_that_does_not_exist_is_said_before_the_work(string verb, string input, string option, string output, string message)
+    {
+        Directory.CreateDirectory("sub");
+        File.WriteAllText(input, "\0");
+        var run = Run(verb, input, option, output);
+        Assert.That((run.Code, run.Messages.Trim()), Is.EqualTo((1, message)));
+    }
+
     [TestCase("slice", "a.stl", "-o", "a.png")]
     [TestCase("slice", "a.stl", "-o", "b.stl")]
     [TestCase("image", "l.gcode", "-o", "m.gcode")]

@@ -1,4 +1,6 @@
+using System;
 using System.IO;
+using System.Linq;
 using NUnit.Framework;
 
 namespace Caterpillar.Cli.Tests;
@@ -21,6 +23,25 @@ public class PrinterImportTests : CliFixture
         var lines = File.ReadAllLines("line.gcode");
         Assert.That(lines, Does.Contain("M109 S205").And.Contain("; invalid: F300 E3").And.Contain("G91 ; as set by the header")
             .And.Contain("G1 Z100 F5000"));
+    }
+
+    [Test]
+    public void Of_a_whole_print_only_the_start_and_the_end_are_taken_and_its_flavor()
+    {
+        File.WriteAllText("part.stl", Box(20, 10, 3));
+        Assert.That(Run("slice", "part.stl", "--printer", "klipper_256", "-o", "part.gcode").Code, Is.Zero);
+        var run = Run("printers", "--import", "part.gcode", "-", "-o", "mine.json");
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        Assert.That(run.Messages, Does.Contain("mine.json: mine, Klipper"));
+        var profile = File.ReadAllText("mine.json");
+        var whole = File.ReadAllLines("part.gcode");
+        Assert.That(profile.Length, Is.LessThan(6000));
+        Assert.That(profile, Does.Contain("G28").And.Contain("M104 S0").And.Not.Contain("LAYER_CHANGE").And.Not.Contain("M73"));
+        Assert.That(Run("slice", "part.stl", "--printer", "mine.json", "-o", "again.gcode").Code, Is.Zero);
+        string[] Prints(string[] lines) => lines.Where(l => l.StartsWith("G1 X", StringComparison.Ordinal) && l.Contains(" E")).ToArray();
+        // The bed of the profile is smaller, so the part is elsewhere.
+        Assert.That(Prints(File.ReadAllLines("again.gcode")), Has.Length.EqualTo(Prints(whole).Length));
+        Assert.That(File.ReadAllLines("again.gcode"), Does.Contain("G1 Y120 E8.31503 F1200 ; prime"));
     }
 
     [Test]

@@ -62,6 +62,58 @@ public class ProcessTests : CliFixture
         Assert.That(Directory.GetFileSystemEntries("out"), Has.Length.EqualTo(90));
     }
 
+    [Test]
+    public void Every_verb_ends_soon_after_an_interrupt()
+    {
+        if (!RuntimeInformation.IsOSPlatform(OSPlatform.Linux)) Assert.Ignore("Signals are sent with kill.");
+        var turns = string.Concat(Enumerable.Range(2, 300).Select(i => $"G2 X100 Y100 Z{i} I5 J0 P100000 E100000\n"));
+        File.WriteAllText("helix.gcode", "G28\nM83\nM109 S200\nG1 X100 Y100 Z1 F3000\n" + turns);
+        File.WriteAllText("part.stl", Box(200, 200, 200));
+        string[] commands =
+        [
+            "check helix.gcode", "view helix.gcode -o a.html", "image helix.gcode -o a.png", "simulate helix.gcode --at 50%",
+            "convert helix.gcode --scale 1,2,1 -o a.gcode", "slice part.stl --set layer_height_mm=0.005 -o b.gcode", "decode -", "turtle -", "curves -",
+            "sections - --heights 1", "printers --import - -",
+        ];
+        var processes = commands.Select(c => Process.Start(Info(c))!).ToArray();
+        System.Threading.Thread.Sleep(3000);
+        foreach (var process in processes) Send(IgnoresInterrupts() ? "TERM" : "INT", process);
+        // Most of it is waiting for a processor: work that does not stop by itself is ended after 0.4 s.
+        foreach (var (process, command) in processes.Zip(commands))
+        {
+            var ended = process.WaitForExit(20_000);
+            if (!ended) process.Kill();
+            Assert.That((ended, process.ExitCode), Is.EqualTo((true, 130)), command);
+            Assert.That(process.StandardError.ReadToEnd(), Does.Contain("Interrupted. Nothing was written."), command);
+            process.Dispose();
+        }
+        Assert.That(Files(), Is.EqualTo(new[] { "helix.gcode", "part.stl" }), "no temporary files either");
+    }
+
+    [TestCase("slice <({0} part.stl) -o a.gcode")]
+    [TestCase("{0} part.stl | {1} slice /dev/stdin -o a.gcode")]
+    [TestCase("mkfifo pipe; {0} part.stl > pipe & {1} slice pipe -o a.gcode")]
+    [TestCase("{1} sections <({0} part.stl) --heights 1 >&- ; test $? = 1")]
+    [TestCase("{1} slice part.stl -o a.gcode 2>&-")]
+    [TestCase("{1} printers --keys | head -1")]
+    [TestCase("ulimit -v 1900000; {1} slice part.stl -o a.gcode; test $? = 1")]
+    public void Pipes_closed_outputs_and_little_memory_are_no_bugs(string command)
+    {
+        if (!RuntimeInformation.IsOSPlatform(OSPlatform.Linux)) Assert.Ignore("Commands of bash.");
+        File.WriteAllText("part.stl", Box(20, 10, 2));
+        var program = "dotnet '" + typeof(App).Assembly.Location + "'";
+        command = (command.StartsWith("slice", StringComparison.Ordinal) ? program + " " + command : command).Replace("{0}", "cat").Replace("{1}", program);
+        var start = new ProcessStartInfo("bash") { RedirectStandardError = true, RedirectStandardOutput = true };
+        start.ArgumentList.Add("-c");
+        start.ArgumentList.Add(command);
+        using var process = Process.Start(start)!;
+        var messages = process.StandardError.ReadToEndAsync();
+        process.StandardOutput.ReadToEnd();
+        process.WaitForExit();
+        Assert.That(process.ExitCode, Is.Zero, messages.Result);
+        Assert.That(messages.Result, Does.Not.Contain("   at "));
+    }
+
     private static void Send(string signal, Process process)
         => Process.Start("kill", ["-" + signal, process.Id.ToString(CultureInfo.InvariantCulture)]).WaitForExit();
 

@@ -13,6 +13,16 @@ public class ViewTests : CliFixture
         + ";LAYER:1\nG1 Z0.4 F600\n;TYPE:FILL\nG1 X10 Y60 E2 F3000\nG1 X10 Y10 E2\n";
 
     [Test]
+    public void What_is_not_GCode_is_refused_as_by_other_verbs()
+    {
+        File.WriteAllText("part.txt", Box(10, 10, 2));
+        var (view, check) = (Run("view", "part.txt", "-o", "v.html"), Run("check", "part.txt"));
+        Assert.That((view.Code, view.Messages), Is.EqualTo((1, check.Messages)));
+        Assert.That(check.Messages, Does.Contain("gcode.not_gcode"));
+        Assert.That(Files(), Is.EqualTo(new[] { "part.txt" }));
+    }
+
+    [Test]
     public void A_page_is_named_after_its_input()
     {
         File.WriteAllText("a.gcode", Code);

@@ -21,7 +21,7 @@ internal static class Drawings
         ["SettingsChoiceParam"] = c => c.Hexagon().Line(7, 9, 17, 9, 1.4, Ink.Light).Line(7, 15, 17, 15, 1.4, Ink.Light).Line(10, 12, 14, 12, 1.8, Ink.Green),
         ["Material"] = c => c.Ring(12, 12, 7.5, 4, Ink.Orange).Ring(12, 12, 4, 1, Ink.Dark).Ring(12, 12, 9.2, 1, Ink.Dark)
             .Line(19, 13, 21, 20.5, 1.4, Ink.Orange),
-        ["ConstructPrintSettings"] = Sliders,
+        ["PrintSettings"] = Sliders,
         ["Turtle"] = c => Turtle(c, 12, 12, 1),
         ["TurtleProgram"] = c => { Page(c); c.Line(8, 8, 15, 8, 1.3, Ink.Dark).Line(8, 11, 13, 11, 1.3, Ink.Dark); Turtle(c, 12, 15.5, 0.45); },
         ["TurtlePreview"] = c => { c.Polyline(2, Ink.Orange, 4, 19, 4.5, 12, 11, 12); Turtle(c, 15, 12, 0.75); },
@@ -36,16 +36,10 @@ internal static class Drawings
             .Polygon(Ink.Dark, 15, 3.5, 20, 7, 15, 10.5).Polygon(Ink.Dark, 9, 13.5, 4, 17, 9, 20.5),
         ["TurtleProgramParam"] = c => { c.Hexagon().Line(8, 7.5, 16, 7.5, 1.3, Ink.Light); Turtle(c, 12, 13.5, 0.5); },
         ["TurtleCommandParam"] = c => c.Hexagon().Line(7, 12, 14, 12, 1.8, Ink.Green).Polygon(Ink.Light, 13, 8.5, 18, 12, 13, 15.5),
-        ["CircleTrace"] = c => c.Polyline(2.2, Ink.Green, 20, 12, 17.7, 17.7, 12, 20, 6.3, 17.7, 4, 12, 6.3, 6.3, 12, 4, 17.7, 6.3, 20, 12)
+        ["RoundTrace"] = c => c.Polyline(2.2, Ink.Green, 20, 12, 17.7, 17.7, 12, 20, 6.3, 17.7, 4, 12, 6.3, 6.3, 12, 4, 17.7, 6.3, 20, 12)
             .Disc(19.8, 12, 2, Ink.Dark),
-        ["SpiralTrace"] = c => c.Polyline(2, Ink.Green, 12, 12, 14.5, 12.5, 14, 15, 11, 15.5, 8.5, 13, 9, 9, 13, 7.5, 17, 9.5, 18, 14, 15, 18.5, 9.5, 19, 5, 15,
-            4.5, 9, 8, 4.5).Disc(12, 12, 1.8, Ink.Dark),
-        ["HelixTrace"] = c => c.Polyline(1.9, Ink.Green, 4.5, 19, 12, 21 - 0.6, 19.5, 17.5, 12, 15.5, 4.5, 14, 12, 15.4, 19.5, 12.5, 12, 10.5, 4.5, 9, 12, 10.4,
+        ["RisingTrace"] = c => c.Polyline(1.9, Ink.Green, 4.5, 19, 12, 20.4, 19.5, 17.5, 12, 15.5, 4.5, 14, 12, 15.4, 19.5, 12.5, 12, 10.5, 4.5, 9, 12, 10.4,
             19.5, 7.5, 12, 5.5, 4.5, 4),
-        ["CylinderTrace"] = c => c.Rect(5, 7, 19, 17.5, Ink.Green).Disc(12, 17.5, 3, Ink.Green).Line(5, 10.5, 19, 10.5, 1, Ink.Dark)
-            .Line(5, 14, 19, 14, 1, Ink.Dark).Line(5, 17.5, 19, 17.5, 1, Ink.Dark)
-            .Polygon(Ink.Light, 5, 7, 8, 4.5, 16, 4.5, 19, 7, 16, 9, 8, 9),
-        ["ConeTrace"] = c => c.Polyline(1.8, Ink.Green, 3.8, 19.5, 20.2, 18, 5.8, 15.5, 18.2, 14, 7.8, 11.5, 16.2, 10, 9.8, 7.5, 14.2, 6, 12, 3.8),
         ["Deform"] = c => c.Line(4, 20, 4, 5, 1.4, Ink.Gray).Line(9, 20, 9, 5, 1.4, Ink.Gray).Polyline(2.2, Ink.Green, 14, 20, 15, 14, 12.5, 9, 15.5, 4)
             .Polyline(2.2, Ink.Green, 19, 20, 20, 14, 17.5, 9, 20, 4),
         ["Modulate"] = c => c.Polygon(Ink.Green, 4, 11, 9, 11, 12, 8, 15, 8, 18, 11, 20, 11, 20, 14, 18, 14, 15, 17, 12, 17, 9, 14, 4, 14)
@@ -53,8 +47,6 @@ internal static class Drawings
         ["CoolLayers"] = c => c.Line(4, 19, 14, 19, 2.2, Ink.Green).Line(4, 15, 11, 15, 2.2, Ink.Green).Line(4, 11, 8, 11, 2.2, Ink.Green)
             .Line(16.5, 3.5, 16.5, 14.5, 1.4, Ink.Blue).Line(11.5, 6, 20.5, 12, 1.4, Ink.Blue)
             .Line(11.8, 12, 20.5, 6, 1.4, Ink.Blue),
-        ["SkirtTrace"] = c => c.Ring(12, 12, 8.5, 1.6, Ink.Green).Ring(12, 12, 6, 1.6, Ink.Green).Rect(9.5, 9.5, 14.5, 14.5, Ink.Gray),
-        ["ConstructPrinter"] = c => { Printer(c); c.Line(15, 13, 15, 19, 1.6, Ink.Orange).Line(12, 16, 18, 16, 1.6, Ink.Orange); },
         ["ImportHeader"] = c => { Page(c); c.Line(8, 7.5, 16, 7.5, 1.8, Ink.Green).Line(8, 10, 14, 10, 1.3, Ink.Dark).Line(8, 14, 16, 14, 1, Ink.Gray)
             .Line(8, 17.5, 16, 17.5, 1.8, Ink.Green); },
         ["Simulate"] = c => { Nozzle(c, 13, 4); c.Line(4, 16, 13, 16, 2.4, Ink.Green).Line(4, 19.5, 20, 19.5, 2.4, Ink.Green)
@@ -111,13 +103,13 @@ internal static class Drawings
             .Disc(14, 17.5, 1.5, Ink.Orange).Disc(17, 14.5, 1.5, Ink.Orange).Disc(18.5, 10.5, 1.5, Ink.Orange).Disc(19, 5, 1.8, Ink.Dark),
         ["FitArcs"] = c => c.Ring(12, 13, 7.5, 2.2, Ink.Green).Polyline(1.2, Ink.Dark, 4.5, 13, 7, 7.5, 12, 5.2, 17, 7.5, 19.5, 13)
             .Disc(12, 13, 1.5, Ink.Orange),
-        ["OrientPaths"] = c => c.Line(4, 8, 17, 8, 2, Ink.Green).Polygon(Ink.Green, 15.5, 4.5, 20.5, 8, 15.5, 11.5).Line(7, 16, 20, 16, 2, Ink.Orange)
-            .Polygon(Ink.Orange, 8.5, 12.5, 3.5, 16, 8.5, 19.5),
         ["MergePaths"] = c => c.Polyline(2.2, Ink.Green, 4, 18, 8, 10, 12, 12).Polyline(2.2, Ink.Blue, 12, 12, 16, 14, 20, 6).Disc(12, 12, 2.4, Ink.Orange),
         ["BeadParam"] = c => c.Hexagon().Disc(9.5, 12, 3, Ink.Green).Disc(14.5, 12, 3, Ink.Green).Rect(9.5, 9, 14.5, 15, Ink.Green),
         ["DeconstructToolpath"] = c => c.Polyline(2.2, Ink.Green, 4, 18, 9, 18, 9, 8, 15, 8).Disc(4.2, 18, 1.9, Ink.Dark).Disc(9, 13, 1.9, Ink.Dark)
             .Disc(15, 8, 1.9, Ink.Orange)
             .Line(17, 13, 20.5, 13, 1.4, Ink.Gray).Line(17, 16, 20.5, 16, 1.4, Ink.Gray).Line(17, 19, 20.5, 19, 1.4, Ink.Gray),
+        ["MoveFilter"] = c => c.Polygon(Ink.Gray, 3, 4, 21, 4, 14, 12, 14, 20, 10, 18, 10, 12).Disc(12, 7, 2, Ink.Orange),
+        ["MoveFilterParam"] = c => c.Hexagon().Polygon(Ink.Light, 7, 8, 17, 8, 13, 12.5, 13, 17.5, 11, 16.5, 11, 12.5),
         ["FilterToolpath"] = c => c.Polygon(Ink.Gray, 3, 4, 21, 4, 14, 12, 14, 20, 10, 18, 10, 12).Line(6, 6.5, 18, 6.5, 1.8, Ink.Green),
         ["EditToolpath"] = c => c.Polyline(2.2, Ink.Green, 3.5, 19, 9, 19, 9, 12, 14, 12).Line(13, 17, 19.5, 6, 3, Ink.Orange)
             .Line(12.4, 18, 13.4, 16.3, 2, Ink.Dark),

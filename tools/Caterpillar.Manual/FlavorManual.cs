@@ -21,7 +21,7 @@ internal static class FlavorManual
             + "Otherwise the file decides, by comments of its slicer or commands that only\n");
         text.Append("one firmware has. The default is Marlin 2. If the flavor changes the result, a diagnostic names the line. "
             + "*Refused* means: the command does nothing, the head does not move,\n");
-        text.Append("and a diagnostic gives the reason. Unknown commands are counted and reported.\n");
+        text.Append("and a diagnostic gives the reason. [All commands](#all-commands) are listed below. What is in no table is named as not understood.\n");
         var all = FlavorTable.All;
         for (var first = 0; first < all.Count; first += 5) Table(text, all.Skip(first).Take(5).ToArray());
         text.Append("\n## The same for all\n\n");
@@ -40,11 +40,11 @@ internal static class FlavorManual
             + "positions are 0 until the file stores others.\n");
         text.Append("\n## Not supported\n\nThese commands move the head or change its coordinates and are not supported. A warning "
             + "(`gcode.unsupported_motion`) names the line. Positions after it may be wrong.\n\n");
-        foreach (var flavor in all.Where(d => d.NotFollowed.Count > 0 || d.RestorePoints))
+        foreach (var flavor in all)
         {
-            text.Append("- ").Append(flavor.Title).Append(": ")
-                .Append(string.Join(", ", flavor.NotFollowed.Select(n => FlavorRows.Code(n) + (n == "G10" ? " with axes" : ""))));
-            text.Append(flavor.RestorePoints ? ", R of `G0` and `G1`\n" : "\n");
+            var names = CommandTable.Rows.Where(r => r.Flavors.Contains(flavor.Name)).SelectMany(r => r.Commands).Where(c => c.Use == CommandUse.Untracked)
+                .Select(c => CommandRows.Code(c)).Concat(flavor.RestorePoints ? ["R of `G0` and `G1`"] : []).ToArray();
+            if (names.Length > 0) text.Append("- ").Append(flavor.Title).Append(": ").Append(string.Join(", ", names)).Append('\n');
         }
         text.Append("\n## Notes\n\n");
         foreach (var notes in all.Where(d => d.Notes.Length > 0).GroupBy(d => d.Notes, StringComparer.Ordinal))
@@ -54,6 +54,7 @@ internal static class FlavorManual
             .Append(" |\n");
         text.Append("\nTests contain small programs for every row and flavor, with the results according to these sources: "
             + "`tests/Caterpillar.Core.Tests/GCode/Flavors`.\n");
+        CommandRows.Write(text);
         return text.ToString();
     }
 

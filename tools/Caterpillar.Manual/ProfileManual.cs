@@ -38,6 +38,9 @@ internal static class ProfileManual
             the same name. Unknown keys, keys with another unit (`layer_height_cm`) and values out of range are errors that name file, line and
             key. [Names in other slicers](names.md) lists the names of PrusaSlicer, OrcaSlicer and Cura for these keys.
 
+            Sizes that are 0 or not given follow from the nozzle: `line_width_mm` is 112.5 % of its diameter, `layer_height_mm` and
+            `first_layer_height_mm` are half of it. So `--set nozzle_diameter_mm=0.8` alone gives lines of 0.9 mm and layers of 0.4 mm.
+
 
             """);
         Keys(text, docs, "Printer", ProfileKeys.Printer, library.PrinterNames);

@@ -15,7 +15,7 @@ internal sealed record SettingDoc(string Sentence, string Value);
 /// <summary>Reads the summaries of all settings from the source: the properties of printers, materials and print settings.</summary>
 internal sealed class SettingDocs
 {
-    private static readonly Regex Properties = new(@"((?:^ *///[^\n]*\n)+) *public [^\n(]+ (\w+) \{ get; init", RegexOptions.Multiline);
+    private static readonly Regex Properties = new(@"((?:^ *///[^\n]*\n)+) *public [^\n(]+ (\w+) \{ get(?: => [^\n;]+)?; init", RegexOptions.Multiline);
     private static readonly Regex Record = new(@"public sealed (?:partial )?record (\w+)");
 
     private readonly Dictionary<ProfileKey, SettingDoc> _docs = [];

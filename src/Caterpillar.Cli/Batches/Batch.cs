@@ -38,6 +38,8 @@ internal sealed class Batch
 
     private int Run()
     {
+        // For the table of what is done.
+        _session.Grace = TimeSpan.FromSeconds(5);
         var checker = Verbs.Named(_verb.Name);
         foreach (var job in _jobs) CheckCall(job, checker);
         foreach (var folder in _jobs.Select(j => j.Output is { } o ? Path.GetDirectoryName(Path.GetFullPath(o)) : null).OfType<string>().Distinct())

@@ -16,6 +16,7 @@ internal sealed class BatchCall(Verb verb, Session session, BatchSummary? earlie
         using var output = new MemoryStream();
         var inner = new Session(() => Stream.Null, () => output, messages)
         {
+            Unfinished = session.Unfinished,
             Cancel = session.Cancel, Profiles = session.Profiles, Quiet = session.Quiet, Memory = memory, Collects = true,
         };
         var code = Guard.Run(inner, () =>

@@ -19,7 +19,7 @@ internal static partial class Guard
         }
         catch (OperationCanceledException)
         {
-            session.Messages.WriteLine("Interrupted. Nothing was written.");
+            session.Messages.WriteLine(Session.Interrupted);
             return ExitCode.Interrupted;
         }
         catch (Exception disk) when (disk is IOException or UnauthorizedAccessException or InvalidDataException)
@@ -48,7 +48,8 @@ internal static partial class Guard
     }
 
     private static bool IsOutOfMemory(Exception problem)
-        => problem is OutOfMemoryException || (problem is AggregateException several && several.Flatten().InnerExceptions.Any(IsOutOfMemory));
+        => problem is OutOfMemoryException || (problem is AggregateException several && several.Flatten().InnerExceptions.Any(IsOutOfMemory))
+            || (problem.InnerException is { } cause && IsOutOfMemory(cause));
 
     // Messages of the runtime have full paths. Users expect the path that they typed.
     private static string Sentence(Exception disk) => disk switch

@@ -5,13 +5,12 @@ internal static class LargeFile
 {
     private const int PieceSize = 4 << 20;
 
-    /// <summary>All bytes of a file.</summary>
+    /// <summary>All bytes of a regular file.</summary>
     /// <exception cref="IOException">It cannot be read, or has more than 2 GB.</exception>
     public static byte[] ReadAllBytes(string path)
     {
         using var file = File.OpenHandle(path, options: FileOptions.SequentialScan);
         var length = RandomAccess.GetLength(file);
-        // Pipes and the like have no length.
         if (length < 2 * PieceSize || length > Array.MaxLength) return File.ReadAllBytes(path);
         var bytes = GC.AllocateUninitializedArray<byte>((int)length);
         var isShort = false;

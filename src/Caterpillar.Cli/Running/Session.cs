@@ -12,23 +12,34 @@ internal sealed class Session
     /// <summary>Advice if the memory limit is exceeded.</summary>
     public const string MoreMemory = "Raise the limit, for example with --memory-limit 8GB.";
 
+    /// <summary>The message when the work was canceled.</summary>
+    public const string Interrupted = "Interrupted. Nothing was written.";
+
     /// <summary>Code of the note about words of a file without effect, such as M84.</summary>
     public const string Harmless = "gcode.ignored";
 
     private readonly Func<Stream> _input;
     private readonly Func<Stream> _output;
+    private readonly TextWriter _messages;
 
     public Session(Func<Stream> input, Func<Stream> output, TextWriter messages)
     {
         _input = input;
         _output = output;
-        Messages = messages;
+        _messages = messages;
+        Messages = new VisibleText(messages);
     }
 
     /// <summary>Output for messages: standard error.</summary>
     public TextWriter Messages { get; }
 
     public CancellationToken Cancel { get; init; }
+
+    /// <summary>Time for the work to end by itself when it is canceled.</summary>
+    public TimeSpan Grace { get; set; } = TimeSpan.FromSeconds(0.4);
+
+    /// <summary>Files that are being written.</summary>
+    public UnfinishedFiles Unfinished { get; init; } = new();
 
     /// <summary>Standard error is a terminal, so progress may be drawn.</summary>
     public bool IsTerminal { get; init; }
@@ -62,12 +73,8 @@ internal sealed class Session
     /// <summary>The bytes of a file, or of standard input for <c>-</c>.</summary>
     public byte[] ReadBytes(string file)
     {
-        if (file != "-")
-        {
-            NoFolder(file);
-            return LargeFile.ReadAllBytes(file);
-        }
         using var input = OpenRead(file);
+        if (input.CanSeek && input.Length > 0) return LargeFile.ReadAllBytes(file);
         using var memory = new MemoryStream();
         input.CopyTo(memory);
         return memory.ToArray();
@@ -78,7 +85,11 @@ internal sealed class Session
     {
         if (file == "-") return new StoppableStream(_input(), Cancel);
         NoFolder(file);
-        return new FileStream(file, FileMode.Open, FileAccess.Read, FileShare.Read, 1, FileOptions.SequentialScan);
+        // A named pipe waits here for its writer.
+        var opened = Task.Run(() => new FileStream(file, FileMode.Open, FileAccess.Read, FileShare.Read, 1, FileOptions.SequentialScan), Cancel);
+        OwnThread.WaitOr(opened, Cancel);
+        var stream = opened.GetAwaiter().GetResult();
+        return stream.CanSeek ? stream : new StoppableStream(stream, Cancel);
     }
 
     /// <summary>The name of an input in messages.</summary>
@@ -103,15 +114,23 @@ internal sealed class Session
         }
         NoFolder(file);
         using var whole = new AtomicFile(file);
-        write(whole.Stream, whole.IsTemporary);
-        whole.Commit();
+        Unfinished.Add(whole);
+        try
+        {
+            write(whole.Stream, whole.IsTemporary);
+            whole.Commit();
+        }
+        finally
+        {
+            Unfinished.Remove(whole);
+        }
     }
 
     /// <summary>Writes text in UTF-8.</summary>
     public void WriteText(string file, Action<TextWriter> write) => Write(file, stream =>
     {
         using var writer = new StreamWriter(stream, new UTF8Encoding(false), 1 << 16, leaveOpen: true) { NewLine = "\n" };
-        write(writer);
+        write(file == "-" ? new VisibleText(writer) : writer);
     });
 
     /// <summary>Prints a line of the summary.</summary>
@@ -191,10 +210,19 @@ internal sealed class Session
     public T WithProgress<T>(string label, Func<IProgress<double>?, T> work)
     {
         if (!IsTerminal) return work(null);
-        var console = AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Messages) });
+        var console = AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(_messages) });
         return console.Progress().AutoClear(true).HideCompleted(true)
             .Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new RemainingTimeColumn())
-            .Start(context => work(new Bar(context.AddTask(Markup.Escape(label)))));
+            .Start(context => work(new Bar(context.AddTask(Markup.Escape(LongWords.OneLine(label))))));
+    }
+
+    /// <summary>The end of work that does not stop by itself.</summary>
+    public void Abandon()
+    {
+        Unfinished.Delete();
+        // A progress bar hides the cursor.
+        if (IsTerminal) _messages.Write("\u001B[?25h\n");
+        Messages.WriteLine(Interrupted);
     }
 
     private static void NoFolder(string file)

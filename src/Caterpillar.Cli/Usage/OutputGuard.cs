@@ -2,7 +2,7 @@ using System.CommandLine.Parsing;
 
 namespace Caterpillar.Cli;
 
-/// <summary>Checks before any work begins that no output is an input, and that its extension fits its contents.</summary>
+/// <summary>Checks before any work begins that outputs can be written, that none is an input, and that extensions fit the contents.</summary>
 internal static class OutputGuard
 {
     // Options whose values are input files. All arguments are.
@@ -32,6 +32,18 @@ internal static class OutputGuard
                 if (inputs.FirstOrDefault(input => IsSame(input, output)) is { } input)
                     throw new CliException(ExitCode.Usage, $"{name} {output} would replace the input {input}. Give another name.");
             }
+        }
+    }
+
+    /// <summary>Checks that the folders of outputs exist. A batch makes its own.</summary>
+    /// <exception cref="CliException">An output is a folder, or its folder does not exist.</exception>
+    public static void CheckFolders(ParseResult parsed)
+    {
+        foreach (var output in Outputs.SelectMany(name => Values(parsed, name)).Where(f => f is not "-" and not ""))
+        {
+            if (Directory.Exists(output)) throw new CliException(ExitCode.BadInput, $"{output} is a folder, not a file.");
+            if (Path.GetDirectoryName(output) is { Length: > 0 } folder && !Directory.Exists(folder))
+                throw new CliException(ExitCode.BadInput, $"{output}: folder not found.");
         }
     }
 

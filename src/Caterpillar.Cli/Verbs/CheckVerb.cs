@@ -76,6 +76,7 @@ internal sealed class CheckVerb : Verb
         using var stream = session.OpenRead(file);
         var decoded = session.Decode(stream, name, options);
         harmless.AddRange(decoded.Diagnostics.Where(d => d.Code == Session.Harmless));
-        return session.GCodeOrFail(decoded);
+        // The check says it with its severity.
+        return session.GCodeOrFail(new Result<DecodedGCode>(decoded.Value, decoded.Diagnostics.Where(d => d.Code != CommandLog.NotUnderstood).ToArray()));
     }
 }

@@ -90,7 +90,10 @@ internal sealed class PrintersVerb : Verb
         foreach (var name in profiles.SettingsNames)
         {
             if (Read(profiles.Settings(name)) is not { } settings) continue;
-            rows.Add([name, $"{Number(settings.LayerHeight)}, {Number(settings.LineWidth)} mm", Number(settings.PrintSpeed) + " mm/s", "", settings.Title]);
+            var (given, usual) = (settings.AsGiven, settings.NozzleDiameter);
+            var nozzle = given.LayerHeight > 0 && given.LineWidth > 0 ? "" : $" for a {Number(usual)} mm nozzle";
+            var sizes = $"{Number(settings.LayerHeight)}, {Number(settings.LineWidth)} mm{nozzle}";
+            rows.Add([name, sizes, Number(settings.PrintSpeed) + " mm/s", "", settings.Title]);
         }
         TextTable.Write(text, rows);
         return good;

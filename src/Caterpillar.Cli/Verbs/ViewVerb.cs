@@ -95,6 +95,7 @@ internal sealed class ViewVerb : Verb
         var port = arguments.GetValue(_serve) ?? 8417;
         if (port is < 1 or > 65535) throw new CliException(ExitCode.Usage, "--serve needs a port from 1 to 65535.");
         using var server = Started(port);
+        session.Grace = TimeSpan.FromSeconds(5);
         var read = File.GetLastWriteTimeUtc(file);
         server.Show(Page(source.Read(file), session));
         session.Messages.WriteLine($"Serving {file} at {server.Address}. Press Ctrl-C to stop.");

@@ -52,7 +52,7 @@ internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool
         var resolved = setup.Resolve(arguments, session);
         var options = new DecodeOptions { FilamentDiameter = resolved.Material.FilamentDiameter, Memory = session.Memory };
         using var stream = GzipReader.Open(new MemoryStream(bytes, false));
-        var decoded = session.ValueOrFail(session.Decode(stream, name, options));
+        var decoded = session.GCodeOrFail(session.Decode(stream, name, options));
         var motion = MotionSetup.Of(setup, arguments, decoded, session);
         var timeline = session.WithProgress("Planning " + name, progress => Timeline.Of(decoded.Toolpath, motion.Setup, progress, session.Cancel));
         var findings = setup.IsGiven(arguments)

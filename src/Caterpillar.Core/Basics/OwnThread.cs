@@ -13,6 +13,13 @@ internal static class OwnThread
     /// <summary>Waits for the end, successful or not.</summary>
     public static void Wait(Task work) => ((IAsyncResult)work).AsyncWaitHandle.WaitOne();
 
+    /// <summary>Waits for the end, successful or not, unless canceled.</summary>
+    public static void WaitOr(Task work, CancellationToken cancel)
+    {
+        WaitHandle.WaitAny([((IAsyncResult)work).AsyncWaitHandle, cancel.WaitHandle]);
+        if (!work.IsCompleted) cancel.ThrowIfCancellationRequested();
+    }
+
     /// <summary>The result, or the original exception of the work.</summary>
     public static T Join<T>(Task<T> work)
     {

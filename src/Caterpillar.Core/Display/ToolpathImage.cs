@@ -98,7 +98,11 @@ public static class ToolpathImage
             var color = print ? ColorOf(toolpath, move, options.ColorBy, ranges) : Palette.Travel;
             chords.Clear();
             Chords(move, chords);
-            for (var i = 1; i < chords.Count; i++) canvas.Extrusion(chords[i - 1], chords[i], print ? width : 0, color);
+            for (var i = 1; i < chords.Count; i++)
+            {
+                if ((i & 0xFF) == 2) cancel.ThrowIfCancellationRequested();
+                canvas.Extrusion(chords[i - 1], chords[i], print ? width : 0, color);
+            }
         }
         return canvas.Finish();
     }
@@ -165,7 +169,7 @@ public static class ToolpathImage
         chords.Add(move.Start);
         if (move.Arc is { } arc)
         {
-            var count = arc.ChordCount(move.Start, 0.02);
+            var count = arc.ChordCount(move.Start, Math.Max(0.02, arc.Radius(move.Start) * 1e-5));
             for (var i = 1; i < count; i++) chords.Add(arc.PointAt(move.Start, move.End, (double)i / count));
         }
         chords.Add(move.End);

@@ -25,7 +25,15 @@ internal sealed class AtomicFile : IDisposable
         var name = Path.GetFileName(_target);
         if (name.Length > MaxNameLength) name = name.Substring(0, MaxNameLength);
         _temporary = Path.Combine(Path.GetDirectoryName(_target)!, "." + name + "." + Path.GetRandomFileName());
-        _stream = FileLinks.Create(_temporary, _target);
+        try
+        {
+            _stream = FileLinks.Create(_temporary, _target);
+        }
+        catch (UnauthorizedAccessException)
+        {
+            // The message would name the temporary file.
+            throw new UnauthorizedAccessException($"Access to the path '{path}' is denied.");
+        }
     }
 
     /// <summary>The temporary file to write to.</summary>
@@ -50,6 +58,18 @@ internal sealed class AtomicFile : IDisposable
             throw;
         }
         _stream = null;
+    }
+
+    /// <summary>Removes the temporary file while another thread may still write it.</summary>
+    public void Abandon()
+    {
+        try
+        {
+            if (_temporary is not null) File.Delete(_temporary);
+        }
+        catch (Exception open) when (open is IOException or UnauthorizedAccessException)
+        {
+        }
     }
 
     public void Dispose()

@@ -110,7 +110,7 @@ public sealed record FileJob
         var text = !IsChanged ? new Result<GCodeDocument>(file.Document, []) : Target is null
             ? GCodeEditor.ToDocument(file, Toolpath, Code, progress, cancel) : GCodeConverter.ToDocument(file, Target, progress.Part(0, 0.6), cancel);
         if (setup is null || text.Value is null) return (text, null);
-        var (document, guard) = SafeWriter.Check(text.Value, _reading with { Flavor = Flavor }, setup, reason, progress.Part(0.6, 1), cancel);
+        var (document, guard) = SafeWriter.Check(File, text.Value, _reading with { Flavor = Flavor }, setup, reason, progress.Part(0.6, 1), cancel);
         return (new Result<GCodeDocument>(document.Value, [.. text.Diagnostics, .. document.Diagnostics]), guard);
     }
 

@@ -15,9 +15,11 @@ public static class ToolpathDeformation
     /// <param name="filter">Selected moves.</param>
     /// <param name="deformation">The deformation.</param>
     /// <param name="tolerance">Tolerance in mm, above 0.</param>
+    /// <param name="cancel">Cancels.</param>
     /// <returns>The toolpath, or an error if a map gives a value that is not finite or, for areas and speeds, negative.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The tolerance is not positive.</exception>
-    public static Result<Toolpath> Deform(this Toolpath toolpath, MoveFilter filter, Deformation deformation, double tolerance = 0.01)
+    public static Result<Toolpath> Deform(
+        this Toolpath toolpath, MoveFilter filter, Deformation deformation, double tolerance = 0.01, CancellationToken cancel = default)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (filter is null) throw new ArgumentNullException(nameof(filter));
@@ -27,13 +29,13 @@ public static class ToolpathDeformation
             throw new ArgumentOutOfRangeException(nameof(tolerance), tolerance, "The tolerance must be positive.");
         }
         var map = new DeformationRunMap(deformation, tolerance);
-        var mapped = new ToolpathMapper(toolpath, MappedMoves.Of(toolpath, filter), map, tolerance).Run(toolpath.Start ?? Vec3.Zero);
+        var mapped = new ToolpathMapper(toolpath, MappedMoves.Of(toolpath, filter), map, tolerance).Run(toolpath.Start ?? Vec3.Zero, cancel);
         return map.Problem is { } problem ? new Result<Toolpath>(null, [problem]) : new Result<Toolpath>(mapped, []);
     }
 
     /// <summary>Deforms the part: all moves in layers, or all moves if the toolpath has no layers. Start and end G-code stay unchanged.</summary>
-    /// <inheritdoc cref="Deform(Toolpath, MoveFilter, Deformation, double)" path="/returns"/>
-    /// <inheritdoc cref="Deform(Toolpath, MoveFilter, Deformation, double)" path="/exception"/>
+    /// <inheritdoc cref="Deform(Toolpath, MoveFilter, Deformation, double, CancellationToken)" path="/returns"/>
+    /// <inheritdoc cref="Deform(Toolpath, MoveFilter, Deformation, double, CancellationToken)" path="/exception"/>
     public static Result<Toolpath> Deform(this Toolpath toolpath, Deformation deformation, double tolerance = 0.01)
         => toolpath.Deform(new MoveFilter().InLayersOf(toolpath), deformation, tolerance);
 

@@ -19,6 +19,9 @@ public sealed class TurtleTimeline
         for (var i = 0; i < _ends.Length; i++) _ends[i] = sum += _moves[i].Length;
     }
 
+    /// <summary>The moves in order.</summary>
+    public IReadOnlyList<TurtleMove> Moves => _moves;
+
     /// <summary>Length of all moves, mm.</summary>
     public double Length => _ends.Length == 0 ? 0 : _ends[_ends.Length - 1];
 
@@ -45,24 +48,11 @@ public sealed class TurtleTimeline
         return heading.ToFrame(Vec3.Lerp(move.From, move.To, along));
     }
 
-    /// <summary>The extrusions printed up to a position along the path, 0 to 1, as polylines in order.</summary>
-    public IReadOnlyList<IReadOnlyList<Vec3>> PrintedUntil(double part)
+    /// <summary>The move at a position along the path, 0 to 1, and the part of it that is done. −1 without moves.</summary>
+    public (int Move, double Done) At(double part)
     {
-        var runs = new List<IReadOnlyList<Vec3>>();
-        List<Vec3>? run = null;
-        var last = MoveAt(part, out var along);
-        for (var i = 0; i <= last; i++)
-        {
-            var move = _moves[i];
-            if (!move.Prints)
-            {
-                if (move.Length > 0) run = null;
-                continue;
-            }
-            if (run is null || run[run.Count - 1] != move.From) runs.Add(run = [move.From]);
-            run.Add(i == last ? Vec3.Lerp(move.From, move.To, along) : move.To);
-        }
-        return runs;
+        var move = MoveAt(part, out var along);
+        return (move, along);
     }
 
     private int MoveAt(double part, out double along)

@@ -19,7 +19,8 @@ public abstract class CaterpillarComponent : GH_Component
     private readonly List<IDrawn> _drawn = [];
 
     // Filled while Grasshopper's constructor registers the ports.
-    private readonly HashSet<int> _required = [];
+    private readonly List<DeclaredPort> _declared = [];
+    private readonly HashSet<string> _required = [];
     private Version? _newer;
 
     protected CaterpillarComponent(string name, string nickname, string description, string panel, GH_Exposure exposure = GH_Exposure.primary)
@@ -122,7 +123,10 @@ public abstract class CaterpillarComponent : GH_Component
     }
 
     /// <summary>True for an input without a default that is not optional.</summary>
-    internal bool IsRequired(int input) => _required.Contains(input);
+    internal bool IsRequired(int input) => _required.Contains(Params.Input[input].Name);
+
+    /// <summary>All inputs in their order, also those that are not shown for what is chosen.</summary>
+    internal IReadOnlyList<DeclaredPort> Declared => _declared;
 
     /// <summary>Shows something for the item that is being solved.</summary>
     internal void Show(IDrawn drawn) => _drawn.Add(drawn);
@@ -130,6 +134,11 @@ public abstract class CaterpillarComponent : GH_Component
     private protected abstract void Inputs(InputPorts ports);
 
     private protected abstract void Outputs(OutputPorts ports);
+
+    /// <summary>What happens before the items are solved.</summary>
+    private protected virtual void Begin()
+    {
+    }
 
     /// <summary>What happens for each item even if its other inputs turn out to be bad.</summary>
     private protected virtual void Prepare(Run run)
@@ -139,7 +148,11 @@ public abstract class CaterpillarComponent : GH_Component
     /// <summary>Solves one item. Throws <see cref="InputProblem"/> (or lets the library's argument exceptions through) if the item can't be used.</summary>
     private protected abstract void Solve(Run run);
 
-    protected sealed override void RegisterInputParams(GH_InputParamManager pManager) => Inputs(new InputPorts(pManager, _required));
+    protected sealed override void RegisterInputParams(GH_InputParamManager pManager)
+    {
+        Inputs(new InputPorts(pManager, _declared));
+        _required.UnionWith(_declared.Where(d => d.IsRequired).Select(d => d.Param.Name));
+    }
 
     protected sealed override void RegisterOutputParams(GH_OutputParamManager pManager) => Outputs(new OutputPorts(pManager));
 
@@ -152,10 +165,18 @@ public abstract class CaterpillarComponent : GH_Component
             AddRuntimeMessage(GH_RuntimeMessageLevel.Warning,
                 $"This component was saved by Caterpillar {_newer}, but this is {PluginInfo.Current}. Some of its data may be lost. Update Caterpillar.");
         }
+        Begin();
         _solver.Begin();
     }
 
-    protected sealed override void AfterSolveInstance() => _solver.End();
+    protected sealed override void AfterSolveInstance()
+    {
+        _solver.End();
+        foreach (var output in Shown.OfType<IThinned>())
+        {
+            if (output.Note is { } note) AddRuntimeMessage(GH_RuntimeMessageLevel.Remark, note);
+        }
+    }
 
     protected sealed override void SolveInstance(IGH_DataAccess DA) => _solver.Solve(DA);
 

@@ -5,12 +5,23 @@ using Grasshopper.Kernel.Parameters;
 namespace Caterpillar.GH.Base;
 
 /// <summary>Declares the inputs of a component. Descriptions end with a period and name the unit. Ports of several components are declared here once.</summary>
-internal sealed class InputPorts(GH_Component.GH_InputParamManager manager, ISet<int> required)
+internal sealed class InputPorts(GH_Component.GH_InputParamManager manager, List<DeclaredPort> declared)
 {
     private const GH_ParamAccess Item = GH_ParamAccess.item;
 
-    // The parameter that is added next comes with a default.
-    private bool _hasDefault;
+    // The default of the parameter that is added next.
+    private object? _default;
+    private PortCondition[] _conditions = [];
+
+    /// <summary>Ports for some values of a choice port, which is declared before. Nested conditions must all hold.</summary>
+    public void For<T>(string port, IEnumerable<T> values, Action declare)
+        where T : struct, Enum
+    {
+        var outer = _conditions;
+        _conditions = [.. outer, new PortCondition(port, [.. values.Select(v => Convert.ToInt32(v, System.Globalization.CultureInfo.InvariantCulture))])];
+        declare();
+        _conditions = outer;
+    }
 
     public void Number(string name, string nick, string description, double? fallback = null, GH_ParamAccess access = Item)
         => Add(Default(new Param_Number(), fallback), name, nick, description, access);
@@ -48,6 +59,12 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager, ISet
         where T : struct, Enum
         => Add(ChoiceParam.Of<T>(), name, nick, description, GH_ParamAccess.list, optional: true);
 
+    /// <summary>Several choices among the values of an enum, at first one of them.</summary>
+    public void Choices<T>(string name, string nick, string description, T fallback)
+        where T : struct, Enum
+        => Add(Default(ChoiceParam.Of<T>(), Convert.ToInt32(fallback, System.Globalization.CultureInfo.InvariantCulture)), name, nick, description,
+            GH_ParamAccess.list);
+
     public void OptionalInteger(string name, string nick, string description) => Add(new Param_Integer { Optional = true }, name, nick, description, Item);
 
     /// <summary>A choice among the values of an enum: a number, a name, or the menu of the port.</summary>
@@ -62,6 +79,9 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager, ISet
     public void PrintPaths() => Add(new PrintPathParam(), "Print Paths", "P", "Print paths, in printing order.", GH_ParamAccess.list);
 
     public void Toolpath() => Add(new ToolpathParam(), "Toolpath", "T", "Toolpath, from Plan Toolpath or Decode G-code.");
+
+    /// <summary>The moves that a component works on.</summary>
+    public void Filter() => Add(new MoveFilterParam(), "Filter", "F", "Moves to select, from Move Filter. Default: all.", optional: true);
 
     public void Bead(string more = "Default: line width and layer height of the setup.")
         => Add(new BeadParam(), "Bead", "B", "Bead, or its width in mm. " + more, optional: true);
@@ -117,15 +137,17 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager, ISet
     public void Add(IGH_Param param, string name, string nick, string description, GH_ParamAccess access = Item, bool optional = false)
     {
         if (optional) param.Optional = true;
-        var index = manager.AddParameter(param, name, nick, description, access);
-        if (!param.Optional && !_hasDefault) required.Add(index);
-        _hasDefault = false;
+        var shown = _conditions.All(c => c.Values.Contains((int)declared.First(d => d.Param.Name == c.Port).Default!));
+        if (shown) manager.AddParameter(param, name, nick, description, access);
+        else (param.Name, param.NickName, param.Description, param.Access) = (name, nick, description, access);
+        declared.Add(new DeclaredPort(param, !param.Optional && _default is null, _default, _conditions));
+        _default = null;
     }
 
     private TParam Default<TParam>(TParam param, object? value)
         where TParam : IGH_Param
     {
-        _hasDefault = value is not null;
+        _default = value;
         if (value is null) return param;
         switch (param)
         {

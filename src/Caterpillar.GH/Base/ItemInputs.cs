@@ -1,6 +1,7 @@
 using Caterpillar.Geometry;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Params;
+using Caterpillar.Toolpaths;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Parameters;
 using Grasshopper.Kernel.Types;
@@ -53,6 +54,20 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
         }
     }
 
+    /// <summary>Place of an input by its name. A port that is not shown for what is chosen has a negative one, and its default.</summary>
+    public int this[string name]
+    {
+        get
+        {
+            var place = Component.Params.IndexOfInputParam(name);
+            for (var i = 0; place < 0 && i < Component.Declared.Count; i++)
+            {
+                if (Component.Declared[i].Param.Name == name) return -1 - i;
+            }
+            return place;
+        }
+    }
+
     /// <summary>A required item.</summary>
     /// <exception cref="InputProblem">It is null or missing.</exception>
     public T Get<T>(int input)
@@ -60,7 +75,7 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
         var value = default(T);
         return Read(input, ref value) && value is not null
             ? value
-            : throw new InputProblem($"{Component.Params.Input[input].Name} is missing.") { IsMissing = true };
+            : throw new InputProblem($"{Port(input).Name} is missing.") { IsMissing = true };
     }
 
     /// <summary>An item that may be absent.</summary>
@@ -115,23 +130,23 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
     public double Positive(int input)
     {
         var value = Finite(input);
-        return value > 0 ? value : throw new InputProblem($"{Component.Params.Input[input].Name} must be greater than zero, not "
+        return value > 0 ? value : throw new InputProblem($"{Port(input).Name} must be greater than zero, not "
             + $"{NumberFormatter.Format(value, 6)}.");
     }
 
     /// <summary>A number of 0 or more.</summary>
     /// <exception cref="InputProblem">It is missing, not finite, or negative.</exception>
     public double NotNegative(int input) => Finite(input) is >= 0 and var value
-        ? value : throw new InputProblem($"{Component.Params.Input[input].Name} must be 0 or more.");
+        ? value : throw new InputProblem($"{Port(input).Name} must be 0 or more.");
 
     /// <summary>A finite number. From an angle port always in degrees.</summary>
     public double Finite(int input)
     {
         var value = Get<double>(input);
-        if (Component.Params.Input[input] is Param_Number { AngleParameter: true, UseDegrees: false }) value = Angle.ToDegrees(value);
+        if (Port(input) is Param_Number { AngleParameter: true, UseDegrees: false }) value = Angle.ToDegrees(value);
         return !double.IsNaN(value) && !double.IsInfinity(value)
             ? value
-            : throw new InputProblem($"{Component.Params.Input[input].Name} must be a finite number.");
+            : throw new InputProblem($"{Port(input).Name} must be a finite number.");
     }
 
     /// <summary>The value of a choice port.</summary>
@@ -148,6 +163,9 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
         var numbers = List<GH_Integer>(input);
         return numbers.Count == 0 ? null : numbers.Select(n => ToChoice<T>(input, n.Value)).ToArray();
     }
+
+    /// <summary>The selected moves: all by default.</summary>
+    public MoveFilter Filter() => Maybe<MoveFilter>(this["Filter"]) ?? new MoveFilter();
 
     /// <summary>A point in mm. Null if there is none.</summary>
     public Vec3? MaybePoint(int input) => MaybeValue<Rg.Point3d>(input) is { } point ? RhinoGeometry.ToVec(point, Units) : null;
@@ -176,7 +194,7 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
     /// <summary>The problem of a required input that is missing.</summary>
     public InputProblem Missing(int input)
     {
-        var name = Component.Params.Input[input].Name;
+        var name = Port(input).Name;
         var plural = name.EndsWith("s", StringComparison.Ordinal);
         return new InputProblem($"{name} {(plural ? "are" : "is")} missing.") { IsMissing = true };
     }
@@ -194,9 +212,17 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
 
     private bool Read<T>(int input, ref T? value)
     {
+        if (input < 0)
+        {
+            var known = Component.Declared[-1 - input].Default is T;
+            if (known) value = (T)Component.Declared[-1 - input].Default!;
+            return known;
+        }
         Await(input);
         return Access.GetData(input, ref value!);
     }
+
+    private IGH_Param Port(int input) => input < 0 ? Component.Declared[-1 - input].Param : Component.Params.Input[input];
 
     private void Await(int input)
     {
@@ -206,6 +232,7 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
     // A list is read once.
     private List<IGH_Goo?> Goos(int input)
     {
+        if (input < 0) return [];
         Await(input);
         if (_lists.TryGetValue(input, out var known)) return known;
         var goos = new List<IGH_Goo?>();
@@ -228,7 +255,7 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
     {
         if (lost == 0) return;
         Report(GH_RuntimeMessageLevel.Warning,
-            $"{Component.Params.Input[input].Name}: {lost} null {(lost == 1 ? "item is" : "items are")} ignored.");
+            $"{Port(input).Name}: {lost} null {(lost == 1 ? "item is" : "items are")} ignored.");
     }
 
     private T ToChoice<T>(int input, int number)
@@ -238,7 +265,7 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
         {
             if (Convert.ToInt32(value, System.Globalization.CultureInfo.InvariantCulture) == number) return value;
         }
-        throw new InputProblem(((ChoiceParam)Component.Params.Input[input]).Refuse(NumberFormatter.Format(number)));
+        throw new InputProblem(((ChoiceParam)Port(input)).Refuse(NumberFormatter.Format(number)));
     }
 
     // The path of an item output is the branch of the inputs; a list output of an item appends the index of the item.

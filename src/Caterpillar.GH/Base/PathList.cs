@@ -19,14 +19,15 @@ internal sealed class PathList
 
     public int Count => Paths.Length;
 
-    /// <summary>True if these are the same paths in the same steps.</summary>
+    /// <summary>True if these are the same paths in the same steps, made with the same setup.</summary>
     public bool Has(IReadOnlyList<PrintPathGoo> goos)
     {
         if (goos.Count != Goos.Count) return false;
         for (var i = 0; i < goos.Count; i++)
         {
-            if (!ReferenceEquals(goos[i], Goos[i]) && !(ReferenceEquals(goos[i].Value, Paths[i]) && StepList.Same(goos[i].ToStep(), Goos[i].ToStep())))
-                return false;
+            if (ReferenceEquals(goos[i], Goos[i])) continue;
+            var same = ReferenceEquals(goos[i].Value, Paths[i]) && StepList.Same(goos[i].ToStep(), Goos[i].ToStep()) && Equals(goos[i].Setup, Goos[i].Setup);
+            if (!same) return false;
         }
         return true;
     }

@@ -7,8 +7,8 @@ namespace Caterpillar.GH.Base;
 /// <summary>A component that reads profiles. It is solved again when a profile of the user changes.</summary>
 [SuppressMessage("Design", "CA1001",
     Justification = "Grasshopper never disposes of components: the watcher is disposed when the component leaves its document.")]
-public abstract class ProfileComponent(string name, string nickname, string description)
-    : CaterpillarComponent(name, nickname, description, Panel.Setup)
+public abstract class ProfileComponent(string name, string nickname, string description, GH_Exposure exposure)
+    : CaterpillarComponent(name, nickname, description, Panel.Setup, exposure)
 {
     private const int DelayMilliseconds = 200;
     private ProfileWatcher? _watcher;

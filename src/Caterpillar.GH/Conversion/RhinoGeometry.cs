@@ -70,16 +70,6 @@ internal static class RhinoGeometry
         for (var i = 0; i < path.SegmentCount; i++) AddLines(lines, path.Points[i], path.EndOf(i), path.ArcOf(i), units);
     }
 
-    /// <summary>What a toolpath prints, arcs as chords.</summary>
-    public static void AddLines(List<Rg.Line> lines, Toolpath toolpath, DocumentUnits units)
-    {
-        for (var i = 0; i < toolpath.Count; i++)
-        {
-            var move = toolpath[i];
-            if (move.Kind == MoveKind.Print) AddLines(lines, move.Start, move.End, move.Arc, units);
-        }
-    }
-
     /// <summary>One segment, an arc as chords. Nothing if it has no length.</summary>
     public static void AddLines(List<Rg.Line> lines, Vec3 start, Vec3 end, Arc? arc, DocumentUnits units)
     {

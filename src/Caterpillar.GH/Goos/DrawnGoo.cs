@@ -10,7 +10,7 @@ using Rhino.DocObjects;
 namespace Caterpillar.GH.Goos;
 
 /// <summary>
-/// Goo that is drawn as one thin wire in the given color, unless it is very large. Its lines in document units are computed once for each unit.
+/// Goo that is drawn as one thin wire in the given color, or as some of its lines if it is very large. They are computed once for each unit.
 /// Parameters of the plug-in draw all of theirs in one call instead. Baked as several objects, it has the id of the first.
 /// </summary>
 public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData, IGH_BakeAwareData, IBakes, IWires
@@ -30,11 +30,16 @@ public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData, IGH_Bak
 
     int IWires.SegmentCount => Value is null ? 0 : SegmentCount;
 
+    int IWires.LayerCount => Value is null ? 0 : LayerCount;
+
     /// <summary>Bounds of the extrusions, mm.</summary>
     private protected abstract Bounds Bounds { get; }
 
     /// <summary>Number of segments or moves, arcs counted as one.</summary>
     private protected abstract int SegmentCount { get; }
+
+    /// <summary>Number of layers up to the last one. 0 without layers.</summary>
+    private protected abstract int LayerCount { get; }
 
     public override object? ScriptVariable() => Value;
 
@@ -89,9 +94,9 @@ public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData, IGH_Bak
 
     IEnumerable<BakedPart> IBakes.ToParts(DocumentUnits units) => Value is null ? [] : ToParts(units);
 
-    void IWires.AddTo(List<Rg.Line> lines, DocumentUnits units)
+    void IWires.AddTo(List<Rg.Line> lines, DocumentUnits units, Thinning thinning, int first)
     {
-        if (Value is not null) AddWires(lines, units);
+        if (Value is not null) AddWires(lines, units, thinning, first);
     }
 
     /// <summary>Casts any source that is neither such a value nor goo with one.</summary>
@@ -102,7 +107,7 @@ public abstract class DrawnGoo<T> : GH_GeometricGoo<T>, IGH_PreviewData, IGH_Bak
 
     private protected abstract IEnumerable<BakedPart> ToParts(DocumentUnits units);
 
-    private protected abstract void AddWires(List<Rg.Line> lines, DocumentUnits units);
+    private protected abstract void AddWires(List<Rg.Line> lines, DocumentUnits units, Thinning thinning, int first);
 
     private protected abstract IGH_GeometricGoo Image(Affine map);
 }

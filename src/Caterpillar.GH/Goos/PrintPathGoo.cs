@@ -2,6 +2,7 @@ using Caterpillar.Drawings;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Bake;
 using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Preview;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using Grasshopper.Kernel.Types;
@@ -84,6 +85,8 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>
 
     private protected override int SegmentCount => Value.SegmentCount;
 
+    private protected override int LayerCount => (Value.Layer?.Index ?? -1) + 1;
+
     /// <summary>A curve, line, polyline, arc or circle is printed with the bead and the division of the standard settings, until a setup is known.</summary>
     private protected override bool CastFromOther(object? source)
     {
@@ -107,7 +110,13 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>
 
     private protected override IEnumerable<BakedPart> ToParts(DocumentUnits units) => BakedPart.Of(Value, units) is { } part ? [part] : [];
 
-    private protected override void AddWires(List<Rg.Line> lines, DocumentUnits units) => RhinoGeometry.AddLines(lines, Value, units);
+    private protected override void AddWires(List<Rg.Line> lines, DocumentUnits units, Thinning thinning, int first)
+    {
+        for (var i = 0; i < Value.SegmentCount; i++)
+        {
+            if (thinning.Has(Value.Layer?.Index ?? 0, first + i)) RhinoGeometry.AddLines(lines, Value.Points[i], Value.EndOf(i), Value.ArcOf(i), units);
+        }
+    }
 
     private protected override IGH_GeometricGoo Image(Affine map) => With(Value.Transformed(map));
 }

@@ -2,6 +2,7 @@ using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Bake;
 using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Preview;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using Grasshopper.Kernel.Types;
@@ -87,7 +88,7 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
     public ToolpathGoo Until(int move, Vec3 position, double done)
     {
         var whole = Value;
-        return new ToolpathGoo(this, null) { _make = () => ToolpathPrefix.Of(whole, move, position, done) };
+        return new ToolpathGoo(this, null) { _make = () => whole.Until(move, position, done) };
     }
 
     /// <summary>An edit of it.</summary>
@@ -110,11 +111,20 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
 
     private protected override int SegmentCount => Value.Count;
 
+    private protected override int LayerCount => Value.Layers.Count;
+
     private protected override object? Native(Type wanted, DocumentUnits units) => NativeCasts.Of(Value, wanted, units);
 
     private protected override IEnumerable<BakedPart> ToParts(DocumentUnits units) => BakedPart.Of(Value, beads: false, units);
 
-    private protected override void AddWires(List<Rg.Line> lines, DocumentUnits units) => RhinoGeometry.AddLines(lines, Value, units);
+    private protected override void AddWires(List<Rg.Line> lines, DocumentUnits units, Thinning thinning, int first)
+    {
+        foreach (var move in Value.Moves())
+        {
+            if (move.Kind == MoveKind.Print && thinning.Has(move.Layer, first + move.Index))
+                RhinoGeometry.AddLines(lines, move.Start, move.End, move.Arc, units);
+        }
+    }
 
     private protected override IGH_GeometricGoo Image(Affine map) => With(Value.Transform(map));
 }

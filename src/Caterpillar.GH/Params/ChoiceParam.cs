@@ -29,6 +29,10 @@ public sealed class ChoiceParam : Param_Integer
     /// <summary>Names and numbers of the choices, in the order of the menu.</summary>
     internal List<KeyValuePair<string, int>> Choices { get; } = [];
 
+    /// <summary>The numbers that are chosen: on the wire, for several items also several, or before the first solution those that are stored.</summary>
+    internal IEnumerable<int> Chosen
+        => (VolatileDataCount > 0 || SourceCount > 0 ? m_data : PersistentData).AllData(true).OfType<GH_Integer>().Select(i => i.Value);
+
     protected override Bitmap? Icon => Icons.Load(nameof(ChoiceParam));
 
     /// <summary>A choice among the values of an enum. <c>OuterWall</c> is shown as "Outer Wall".</summary>
@@ -38,6 +42,22 @@ public sealed class ChoiceParam : Param_Integer
         var param = new ChoiceParam();
         foreach (T value in Enum.GetValues(typeof(T))) param.AddChoice(Spaced(value.ToString()), Convert.ToInt32(value, CultureInfo.InvariantCulture));
         return param;
+    }
+
+    /// <summary>The choice among words, by their place.</summary>
+    public static ChoiceParam Of(IReadOnlyList<string> words)
+    {
+        var param = new ChoiceParam();
+        for (var i = 0; i < words.Count; i++) param.AddChoice(words[i], i);
+        return param;
+    }
+
+    /// <summary>Takes the choices of another port.</summary>
+    internal void Take(ChoiceParam other)
+    {
+        ClearNamedValues();
+        Choices.Clear();
+        foreach (var choice in other.Choices.ToArray()) AddChoice(choice.Key, choice.Value);
     }
 
     public override bool Write(GH_IWriter writer)

@@ -18,6 +18,12 @@ public sealed class StepParam() : VolatileParam<StepGoo>("Step", "Step", "Contai
         => data is PrintPathGoo { Value: not null } path ? new StepGoo(path) : base.PreferredCast(data);
 }
 
+/// <summary>Selections of moves.</summary>
+public sealed class MoveFilterParam() : VolatileParam<MoveFilterGoo>("Move Filter", "Filter", "Contains selections of moves of a toolpath.", Panel.GCode)
+{
+    public override Guid ComponentGuid => new("91f5c3a8-2d7e-4b60-a8c4-6e1b9d0f3c41");
+}
+
 /// <summary>Fields of layers. Surfaces and formulas are fields as well.</summary>
 public sealed class LayerFieldParam() : VolatileParam<LayerFieldGoo>(
     "Layer Field", "Field", "Contains fields whose level sets are layers. Layers copy a surface upward. Text is read as a formula.", Panel.Slice)

@@ -11,7 +11,7 @@ namespace Caterpillar.GH.Params;
 
 /// <summary>Data with a preview: all of it in one call of the display, and one box, both kept until the data or the units change.</summary>
 public abstract class VisibleParam<T>(string name, string nickname, string description, string panel)
-    : VolatileParam<T>(name, nickname, description, panel), IGH_PreviewObject, IGH_BakeAwareObject
+    : VolatileParam<T>(name, nickname, description, panel), IGH_PreviewObject, IGH_BakeAwareObject, IThinned
     where T : class, IGH_Goo, IGH_PreviewData
 {
     private const string HiddenKey = "PreviewHidden";
@@ -25,6 +25,8 @@ public abstract class VisibleParam<T>(string name, string nickname, string descr
     public bool IsBakeCapable => VolatileDataCount > 0;
 
     public Rg.BoundingBox ClippingBox => Hidden ? Rg.BoundingBox.Empty : Wires.Box;
+
+    string? IThinned.Note => Wires.Thinning.Note;
 
     private WireSet Wires
     {
@@ -42,6 +44,12 @@ public abstract class VisibleParam<T>(string name, string nickname, string descr
     {
         _wires = null;
         base.ClearData();
+    }
+
+    /// <summary>Ports of components leave it to them.</summary>
+    protected override void OnVolatileDataCollected()
+    {
+        if (Kind == GH_ParamKind.floating && !Hidden && Wires.Thinning.Note is { } note) AddRuntimeMessage(GH_RuntimeMessageLevel.Remark, note);
     }
 
     public void DrawViewportWires(IGH_PreviewArgs args)

@@ -17,10 +17,14 @@ public enum PreviewColor
     Time,
 }
 
-/// <summary>A color band for each visible move: roles, or sixteen steps of a number from its minimum to its maximum.</summary>
+/// <summary>A color band for each printing move that is shown: roles, or sixteen steps of a number from its minimum to its maximum.</summary>
 internal sealed class PreviewColors
 {
+    /// <summary>The band of other moves.</summary>
+    public const byte Hidden = byte.MaxValue;
+
     private const int Steps = 16;
+    private const double NotPrinted = double.NegativeInfinity;
     private readonly byte[] _bands;
 
     private PreviewColors(byte[] bands, IReadOnlyList<Color> colors, IReadOnlyList<string> texts)
@@ -38,64 +42,68 @@ internal sealed class PreviewColors
 
     public int BandOf(int move) => _bands[move];
 
+    /// <summary>The value of each move for <see cref="Of"/>.</summary>
     /// <param name="toolpath">The moves.</param>
-    /// <param name="shown">Whether a move is shown.</param>
     /// <param name="by">What the colors show.</param>
     /// <param name="timeline">When the moves happen. Needed for times only.</param>
-    public static PreviewColors Of(Toolpath toolpath, Func<int, bool> shown, PreviewColor by, Timeline? timeline)
+    /// <param name="cancel">Cancels.</param>
+    public static double[] ValuesOf(Toolpath toolpath, PreviewColor by, Timeline? timeline, CancellationToken cancel)
     {
-        if (by == PreviewColor.Role) return OfRoles(toolpath, shown);
         var values = new double[toolpath.Count];
+        foreach (var move in toolpath.Moves())
+        {
+            if (move.Index % 65536 == 0) cancel.ThrowIfCancellationRequested();
+            values[move.Index] = move.Kind == MoveKind.Print ? Value(toolpath, move, by, timeline) : NotPrinted;
+        }
+        return values;
+    }
+
+    /// <summary>The colors of the moves of some layers.</summary>
+    public static PreviewColors Of(double[] values, SceneParts parts, LayerRange layers, PreviewColor by)
+    {
+        var bands = new byte[values.Length];
         var (least, greatest) = (double.PositiveInfinity, double.NegativeInfinity);
+        var roles = new List<Role>();
         for (var i = 0; i < values.Length; i++)
         {
-            if (!shown(i)) continue;
-            values[i] = Value(toolpath, i, by, timeline);
-            if (double.IsNaN(values[i])) continue;
-            least = Math.Min(least, values[i]);
-            greatest = Math.Max(greatest, values[i]);
+            bands[i] = Hidden;
+            var value = values[i];
+            if (value == NotPrinted || !layers.Has(parts.Layers[i])) continue;
+            bands[i] = 0;
+            if (by == PreviewColor.Role) bands[i] = BandOf(roles, (Role)value);
+            else if (value < least) least = value;
+            if (value > greatest) greatest = value;
         }
+        if (by == PreviewColor.Role)
+            return new PreviewColors(bands, roles.Select(r => RhinoGeometry.ToColor(Palette.Of(r))).ToArray(), roles.Select(r => r.ToString()).ToArray());
         if (!(greatest >= least)) (least, greatest) = (0, 0);
         var count = greatest > least ? Steps : 1;
-        var bands = new byte[values.Length];
-        for (var i = 0; i < bands.Length; i++)
-            bands[i] = greatest > least && values[i] > least ? (byte)Math.Min((values[i] - least) / (greatest - least) * count, count - 1) : (byte)0;
+        for (var i = 0; i < bands.Length && count > 1; i++)
+        {
+            if (bands[i] == 0 && values[i] > least) bands[i] = (byte)Math.Min((values[i] - least) / (greatest - least) * count, count - 1);
+        }
         var colors = Enumerable.Range(0, count).Select(k => RhinoGeometry.ToColor(Palette.At(count == 1 ? 0.5 : (double)k / (count - 1)))).ToArray();
         var texts = Enumerable.Range(0, count).Select(k => Text(by, least + (greatest - least) * k / count, least + (greatest - least) * (k + 1) / count));
         return new PreviewColors(bands, colors, texts.ToArray());
     }
 
-    private static PreviewColors OfRoles(Toolpath toolpath, Func<int, bool> shown)
+    private static byte BandOf(List<Role> roles, Role role)
     {
-        var roles = new List<Role>();
-        var bands = new byte[toolpath.Count];
-        for (var i = 0; i < bands.Length; i++)
-        {
-            if (!shown(i)) continue;
-            var role = toolpath[i].Role;
-            var band = roles.IndexOf(role);
-            if (band < 0)
-            {
-                band = roles.Count;
-                roles.Add(role);
-            }
-            bands[i] = (byte)band;
-        }
-        return new PreviewColors(bands, roles.Select(r => RhinoGeometry.ToColor(Palette.Of(r))).ToArray(), roles.Select(r => r.ToString()).ToArray());
+        var band = roles.IndexOf(role);
+        if (band >= 0) return (byte)band;
+        roles.Add(role);
+        return (byte)(roles.Count - 1);
     }
 
-    private static double Value(Toolpath toolpath, int i, PreviewColor by, Timeline? timeline)
+    private static double Value(Toolpath toolpath, Move move, PreviewColor by, Timeline? timeline) => by switch
     {
-        var move = toolpath[i];
-        return by switch
-        {
-            PreviewColor.Speed => move.Speed,
-            PreviewColor.Flow => move.Length > 0 && toolpath.VolumeOf(move) is { } volume ? volume / move.Length * move.Speed : double.NaN,
-            PreviewColor.Layer => toolpath.NumberOfLayer(move) ?? double.NaN,
-            PreviewColor.Order => i,
-            _ => timeline!.StartOf(i),
-        };
-    }
+        PreviewColor.Role => (int)move.Role,
+        PreviewColor.Speed => move.Speed,
+        PreviewColor.Flow => move.Length > 0 && toolpath.VolumeOf(move) is { } volume ? volume / move.Length * move.Speed : double.NaN,
+        PreviewColor.Layer => toolpath.NumberOfLayer(move) ?? double.NaN,
+        PreviewColor.Order => move.Index,
+        _ => timeline!.StartOf(move.Index),
+    };
 
     private static string Text(PreviewColor by, double from, double to)
     {

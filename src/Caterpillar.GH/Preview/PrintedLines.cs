@@ -5,8 +5,8 @@ using Rhino.Display;
 namespace Caterpillar.GH.Preview;
 
 /// <summary>
-/// The extrusions of a toolpath as lines, in order and in at most a hundred blocks, so that the part up to any move is drawn in few calls. Only the block
-/// in which that part ends is copied when it moves, into one array that is used again.
+/// The extrusions of some moves as lines, in order and in at most a hundred blocks, so that the part up to any move is drawn in few calls. Only the block in
+/// which that part ends is copied when it moves, into one array that is used again.
 /// </summary>
 internal sealed class PrintedLines
 {
@@ -16,17 +16,18 @@ internal sealed class PrintedLines
     private readonly int[] _firsts;
     private readonly int _size;
 
-    public PrintedLines(Toolpath toolpath, DocumentUnits units)
+    /// <param name="moves">Number of moves.</param>
+    /// <param name="add">Adds the lines of a move, if it prints.</param>
+    public PrintedLines(int moves, Action<int, List<Rg.Line>> add)
     {
         var lines = new List<Rg.Line>();
-        _firsts = new int[toolpath.Count + 1];
-        for (var i = 0; i < toolpath.Count; i++)
+        _firsts = new int[moves + 1];
+        for (var i = 0; i < moves; i++)
         {
             _firsts[i] = lines.Count;
-            var move = toolpath[i];
-            if (move.Kind == MoveKind.Print) RhinoGeometry.AddLines(lines, move.Start, move.End, move.Arc, units);
+            add(i, lines);
         }
-        _firsts[toolpath.Count] = lines.Count;
+        _firsts[moves] = lines.Count;
         _size = Math.Max(LeastBlock, (lines.Count + MostBlocks - 1) / MostBlocks);
         _blocks = new Rg.Line[(lines.Count + _size - 1) / _size][];
         for (var b = 0; b < _blocks.Length; b++)
@@ -54,6 +55,30 @@ internal sealed class PrintedLines
 
     /// <summary>The lines after the whole blocks. Lines that are not printed yet are at one point.</summary>
     public Rg.Line[] End { get; }
+
+    public static PrintedLines Of(Toolpath toolpath, DocumentUnits units, CancellationToken cancel = default) => new(toolpath.Count, (i, lines) =>
+    {
+        if (i % 65536 == 0) cancel.ThrowIfCancellationRequested();
+        var move = toolpath[i];
+        if (move.Kind == MoveKind.Print) RhinoGeometry.AddLines(lines, move.Start, move.End, move.Arc, units);
+    });
+
+    /// <summary>Number of the first line of a move, or of the next one that prints.</summary>
+    public int FirstOf(int move) => _firsts[move];
+
+    /// <summary>Copies lines from one number to before another.</summary>
+    public void CopyTo(Rg.Line[] target, int at, int from, int to)
+    {
+        while (from < to)
+        {
+            var block = _blocks[from / _size];
+            var within = from % _size;
+            var count = Math.Min(to - from, block.Length - within);
+            Array.Copy(block, within, target, at, count);
+            at += count;
+            from += count;
+        }
+    }
 
     /// <summary>Shows the moves before one, and a part of that from 0 to 1 of its lines.</summary>
     public void ShowUntil(int move, double done)

@@ -30,45 +30,21 @@ internal sealed class ToolpathScene : IDrawn
     private readonly Rg.Point3d[] _seams;
     private readonly Rg.Line[] _volume;
 
-    public ToolpathScene(Toolpath toolpath, Func<int, bool> shown, PreviewColors colors, SceneContent content, DocumentUnits units)
+    public ToolpathScene(Toolpath toolpath, SceneParts parts, LayerRange layers, PreviewColors colors, SceneContent content, DocumentUnits units)
     {
-        var travels = content.Travels;
-        var bands = new List<Rg.Line>[colors.Colors.Count];
-        for (var b = 0; b < bands.Length; b++) bands[b] = [];
-        List<Rg.Line> moved = [];
-        List<Rg.Point3d> retracted = [];
-        var box = Rg.BoundingBox.Empty;
-        for (var i = 0; i < toolpath.Count; i++)
-        {
-            if (!shown(i)) continue;
-            var move = toolpath[i];
-            if (move.Kind == MoveKind.Print)
-            {
-                RhinoGeometry.AddLines(bands[colors.BandOf(i)], move.Start, move.End, move.Arc, units);
-                box.Union(RhinoGeometry.ToBox(move.Bounds, units));
-            }
-            else if (travels && move.Kind is MoveKind.Travel or MoveKind.Wipe)
-            {
-                RhinoGeometry.AddLines(moved, move.Start, move.End, move.Arc, units);
-                box.Union(RhinoGeometry.ToBox(move.Bounds, units));
-            }
-            else if (travels && move.Kind == MoveKind.Retract)
-            {
-                retracted.Add(RhinoGeometry.ToPoint(move.End, units));
-            }
-        }
-        for (var b = 0; b < bands.Length; b++)
-        {
-            if (bands[b].Count > 0) _bands.Add((bands[b].ToArray(), colors.Colors[b]));
-        }
-        _travels = moved.ToArray();
-        _retractions = retracted.ToArray();
+        _travels = content.Travels ? SceneParts.Shown(parts.Travels, layers) : [];
+        _retractions = content.Travels ? SceneParts.Shown(parts.Retractions, layers) : [];
+        _seams = content.Seams ? SceneParts.Shown(parts.Seams, layers) : [];
         _volume = content.Printer is { } printer ? VolumeOutline.Of(printer, units) : [];
+        var box = parts.BoxOf(layers, content.Travels);
         foreach (var line in _volume) box.Union(line.BoundingBox);
-        _seams = content.Seams ? Seams(toolpath, shown, units) : [];
         Box = box;
-        if (content.Beads) AddBeads(toolpath, shown, colors, units);
+        if (content.Beads) AddBeads(toolpath, colors, units);
+        else AddLines(parts, colors);
     }
+
+    /// <summary>What the user must know about what is drawn. Null if that is everything.</summary>
+    public string? Note { get; private set; }
 
     public Rg.BoundingBox Box { get; }
 
@@ -95,32 +71,64 @@ internal sealed class ToolpathScene : IDrawn
         foreach (var mesh in _meshes) display.DrawMeshFalseColors(mesh);
     }
 
-    // Where extrusions of walls begin.
-    private static Rg.Point3d[] Seams(Toolpath toolpath, Func<int, bool> shown, DocumentUnits units)
+    private void AddLines(SceneParts parts, PreviewColors colors)
     {
-        var points = new List<Rg.Point3d>();
-        foreach (var extrusion in ToolpathExtrusions.Of(toolpath))
+        var counts = new int[colors.Colors.Count];
+        var pieces = Pieces(parts, colors, default, counts);
+        var thinning = Thinning.Of(counts.Sum(c => (long)c), parts.LayerCount);
+        Note = thinning.Note;
+        if (Note is not null) pieces = Pieces(parts, colors, thinning, counts);
+        var bands = Array.ConvertAll(counts, count => new Rg.Line[count]);
+        var ends = new int[counts.Length];
+        foreach (var (band, from, to) in pieces)
         {
-            if (toolpath[extrusion.First].Role is Role.OuterWall or Role.InnerWall && shown(extrusion.First))
-                points.Add(RhinoGeometry.ToPoint(toolpath[extrusion.First].Start, units));
+            parts.Lines.CopyTo(bands[band], ends[band], from, to);
+            ends[band] += to - from;
         }
-        return points.ToArray();
+        for (var b = 0; b < bands.Length; b++)
+        {
+            if (counts[b] > 0) _bands.Add((bands[b], colors.Colors[b]));
+        }
     }
 
-    private void AddBeads(Toolpath toolpath, Func<int, bool> shown, PreviewColors colors, DocumentUnits units)
+    // Lines of one band that follow each other, from one number to before another, and the number of lines of each band.
+    private static List<(int Band, int From, int To)> Pieces(SceneParts parts, PreviewColors colors, Thinning thinning, int[] counts)
+    {
+        var pieces = new List<(int Band, int From, int To)>();
+        Array.Clear(counts, 0, counts.Length);
+        var (last, from, to) = (-1, 0, 0);
+        void Close()
+        {
+            if (to > from) pieces.Add((last, from, to));
+        }
+        for (var i = 0; i < parts.Layers.Length; i++)
+        {
+            var band = colors.BandOf(i);
+            if (band == PreviewColors.Hidden || !thinning.Has(parts.Layers[i], i)) continue;
+            var first = parts.Lines.FirstOf(i);
+            var end = parts.Lines.FirstOf(i + 1);
+            counts[band] += end - first;
+            if (band != last || first != to)
+            {
+                Close();
+                (last, from) = (band, first);
+            }
+            to = end;
+        }
+        Close();
+        return pieces;
+    }
+
+    private void AddBeads(Toolpath toolpath, PreviewColors colors, DocumentUnits units)
     {
         // Runs of moves that are shown, a mesh for each so many.
         for (var i = 0; i < toolpath.Count;)
         {
-            if (!shown(i))
-            {
-                i++;
-                continue;
-            }
             var end = i;
-            while (end < toolpath.Count && end - i < MovesPerMesh && shown(end)) end++;
-            if (ExtrusionMeshes.ToMesh(ExtrusionMesh.Of(toolpath, i, end), units, m => colors.Colors[colors.BandOf(m)]) is { } mesh) _meshes.Add(mesh);
-            i = end;
+            while (end < toolpath.Count && end - i < MovesPerMesh && colors.BandOf(end) != PreviewColors.Hidden) end++;
+            if (end > i && ExtrusionMeshes.ToMesh(ExtrusionMesh.Of(toolpath, i, end), units, m => colors.Colors[colors.BandOf(m)]) is { } mesh)
+                _meshes.Add(mesh);
+            i = Math.Max(end, i + 1);
         }
     }
 }

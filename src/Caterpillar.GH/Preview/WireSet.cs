@@ -13,19 +13,23 @@ internal interface IWires
 
     int SegmentCount { get; }
 
-    void AddTo(List<Rg.Line> lines, DocumentUnits units);
+    /// <summary>Number of layers up to its last one. 0 without layers.</summary>
+    int LayerCount { get; }
+
+    /// <summary>Adds its lines, or some of them. <paramref name="first"/> is the number of its first segment among all that are drawn together.</summary>
+    void AddTo(List<Rg.Line> lines, DocumentUnits units, Thinning thinning, int first);
 }
 
 /// <summary>Everything that one parameter shows, as lines for a single call and one box, made once for the units of the document.</summary>
 internal sealed class WireSet(IReadOnlyList<IWires> items, DocumentUnits units)
 {
-    /// <summary>Maximum number of segments to draw. With more, nothing is drawn.</summary>
-    public const int MaxSegments = 1_000_000;
-
     private Rg.Line[]? _lines;
     private Rg.BoundingBox? _box;
 
     public Rg.BoundingBox Box => _box ??= RhinoGeometry.ToBox(items.Aggregate(Bounds.Empty, (all, item) => all.Include(item.Bounds)), units);
+
+    /// <summary>What is drawn if there is too much.</summary>
+    public Thinning Thinning { get; } = Thinning.Of(items.Sum(i => (long)i.SegmentCount), items.Select(i => i.LayerCount).DefaultIfEmpty().Max());
 
     public bool Fits(DocumentUnits other) => other.ToMillimeters == units.ToMillimeters;
 
@@ -38,9 +42,13 @@ internal sealed class WireSet(IReadOnlyList<IWires> items, DocumentUnits units)
 
     private Rg.Line[] Lines()
     {
-        if (items.Sum(i => (long)i.SegmentCount) > MaxSegments) return [];
         var lines = new List<Rg.Line>();
-        foreach (var item in items) item.AddTo(lines, units);
+        var first = 0;
+        foreach (var item in items)
+        {
+            item.AddTo(lines, units, Thinning, first);
+            first += item.SegmentCount;
+        }
         return lines.ToArray();
     }
 }

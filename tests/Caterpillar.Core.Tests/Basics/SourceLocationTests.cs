@@ -14,4 +14,15 @@ public class SourceLocationTests
         Assert.That(new SourceLocation { Move = 2 }.ToString(), Is.EqualTo("move 2"));
         Assert.That(new SourceLocation { File = "a.gcode", Line = 3 }.ToString(), Is.EqualTo("a.gcode:3"));
     }
+
+    [Test]
+    public void Names_in_files_cannot_control_a_terminal()
+    {
+        const string Name = "a\u001B[2J\u009B31m\u202Etxt.b";
+        const string Shown = @"a\u001B[2J\u009B31m\u202Etxt.b";
+        var finding = new Diagnostic(Severity.Note, "a.b", $"The object {Name} is\ttoo large.", new SourceLocation(Name + "\r\nc", Key: Name));
+        Assert.That(finding.Message, Is.EqualTo($"The object {Shown} is\ttoo large."));
+        Assert.That(finding.ToString(), Does.StartWith(Shown + @"\r\nc: " + Shown));
+        Assert.That(new Diagnostic(Severity.Note, "a.b", "Größe 3 µm, 日本 🙂").Message, Is.EqualTo("Größe 3 µm, 日本 🙂"));
+    }
 }

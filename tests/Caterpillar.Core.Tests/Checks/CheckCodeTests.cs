@@ -86,6 +86,7 @@ public class CheckCodeTests
         [CheckCodes.NoHoming] = "M109 S200\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 E0.3\nM104 S0\n",
         [CheckCodes.NoHeating] = "G28\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 E0.3\n",
         [CheckCodes.UnknownPosition] = "G28 X Z\nM109 S200\nM83\nG1 X10 Z0.2 F3000\nG1 X20 E0.3\nM104 S0\n",
+        [CheckCodes.UnknownCommand] = "MY_START\nG28\nM109 S200\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 E0.3\nM104 S0\n",
         [CheckCodes.HeatLeftOn] = "G28\nM109 S200\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 E0.3\n",
     };
 
@@ -127,6 +128,11 @@ public class CheckCodeTests
         CheckCodes.ColdExtrusion => (new SmallPrint().Event(new NozzleTemperatureEvent(50)).Print(30, 10, 0.2), null),
         CheckCodes.FilePosition => (At(10, 10, 0.2).Print(30, 10, 0.2).Event(new RawEvent("G1 X40\nG92 X30")).Print(60, 10, 0.2), null),
         CheckCodes.FileModes => (At(10, 10, 0.2).Print(30, 10, 0.2).Event(new RawEvent("G91")).Print(60, 10, 0.2), null),
+        CheckCodes.UnsafeCommand => (At(10, 10, 0.2).Print(30, 10, 0.2).Event(new RawEvent("M302 S0")).Print(60, 10, 0.2), null),
+        CheckCodes.UnverifiedCommand => (At(10, 10, 0.2).Print(30, 10, 0.2).Event(new RawEvent("MY_MACRO")).Print(60, 10, 0.2), null),
+        CheckCodes.PauseCommand => (At(10, 10, 0.2).Print(30, 10, 0.2).Event(new RawEvent("M600")).Print(60, 10, 0.2), null),
+        CheckCodes.MachineCommand => (At(10, 10, 0.2).Print(30, 10, 0.2).Event(new RawEvent("M42 P4 S1")).Print(60, 10, 0.2), null),
+        CheckCodes.SettingCommand => (At(10, 10, 0.2).Print(30, 10, 0.2).Event(new RawEvent("M500")).Go(30, 10, 20), null),
         _ => throw new ArgumentOutOfRangeException(nameof(code), code, "No print for this code."),
     };
 

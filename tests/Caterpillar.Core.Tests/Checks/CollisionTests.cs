@@ -195,8 +195,29 @@ public class CollisionTests
     [Test]
     public void After_homing_the_head_comes_from_where_it_is()
     {
-        var print = new SmallPrint().Wall(0, 80, 2, 10).Event(new HomeEvent()).Go(0, 0, 0).Go(0, 0, 12);
+        var print = new SmallPrint().Wall(0, 80, 60, 10).Event(new HomeEvent()).Go(0, 0, 0).Go(0, 0, 12);
         Assert.That(SmallPrint.Find(print.Build(), Plain, "collision."), Is.Empty);
+    }
+
+    [TestCase(40, 50, 3, 1)]
+    [TestCase(100, 50, 3, 1)]
+    [TestCase(100, 80, 3, 0)]
+    [TestCase(100, 50, 7, 0)]
+    public void Homing_along_X_goes_at_its_height(double from, double y, double z, int hits)
+    {
+        var print = new SmallPrint().Wall(20, 30, 50, 6).Go(from, y, 200).Go(from, y, z).Event(new HomeEvent(true, false, false)).Go(0, y, z);
+        Assert.That(SmallPrint.Find(print.Build(), Plain, "collision."), Has.Length.EqualTo(hits));
+    }
+
+    [TestCase(2, 1)]
+    [TestCase(60, 0)]
+    public void Homing_down_beside_the_print_is_a_collision_where_it_stands_there(double y, int hits)
+    {
+        var print = new SmallPrint().Wall(0, 80, y, 10).Event(new HomeEvent()).Go(0, 0, 0);
+        Assert.That(SmallPrint.Find(print.Build(), Plain, "collision."), Has.Length.EqualTo(hits));
+        // Deltas home upward.
+        var delta = SmallPrint.Setup(p => p with { BedShape = BedShape.Round, BuildVolume = new Vec3(400, 400, 400) });
+        Assert.That(SmallPrint.Find(print.Build(), delta, "collision."), Is.Empty);
     }
 
     private static IEnumerable<(string Name, PrintSetup Setup, SmallPrint Print)> Planted()

@@ -13,9 +13,9 @@ public class FlavorCommandTests
     [TestCase("marlin2", "M 206 Z-5", "M206", "Never")]
     [TestCase("repetier", "M206 T3 P5 X2", "M206", "Never")]
     [TestCase("klipper", "M206 Z-5", "M206", "Ignored")]
-    [TestCase("marlin2", "G28 X Y", "G28", "Depends")]
-    [TestCase("marlin2", "G28 X Z", "G28", "Never")]
-    [TestCase("marlin2", "G28", "G28", "Never")]
+    [TestCase("marlin2", "G28 X Y", "G28", "Tracked")]
+    [TestCase("marlin2", "G28 X Z", "G28", "Start")]
+    [TestCase("marlin2", "G28", "G28", "Start")]
     [TestCase("marlin2", "M84 S0", "M84", "Ok")]
     [TestCase("marlin2", "M84 E", "M84", "Depends")]
     [TestCase("marlin2", "M84 X E", "M84", "End")]
@@ -98,7 +98,7 @@ public class FlavorCommandTests
     internal static string LineOf(FlavorCommand command)
     {
         var words = command.When.Split(' ').Where(w => w.Length > 0 && w[0] != '!').Select(w => w.TrimStart('~'));
-        var name = command.Name is "T" or "O" ? command.Name + "1" : command.Name.TrimEnd('*');
+        var name = command.Name is "T" or "O" or "S" or "F" ? command.Name + "1" : command.Name.TrimEnd('*');
         return string.Join(" ", new[] { name }.Concat(words));
     }
 

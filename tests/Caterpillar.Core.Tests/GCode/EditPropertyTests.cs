@@ -190,7 +190,7 @@ public class EditPropertyTests
             if (random.Next(4) == 0) on = random.Next(3) == 0;
             cut[i] = on;
         }
-        return new MoveRemover(toolpath, m => cut[m.Index]).Run();
+        return new MoveRemover(toolpath, (_, _, m) => cut[m]).Run();
     }
 
     private static MoveFilter Filter(Random random) => random.Next(5) switch

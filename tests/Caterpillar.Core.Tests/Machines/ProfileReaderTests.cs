@@ -66,7 +66,7 @@ public class ProfileReaderTests
     [TestCase("""{ "layer_height_mm": null }""", "profile.wrong_type", "layer_height_mm")]
     [TestCase("""{ "layer_height_mm": {} }""", "profile.wrong_type", "layer_height_mm")]
     [TestCase("""{ "layer_height_mm": -0.2 }""", "profile.out_of_range", "layer_height_mm")]
-    [TestCase("""{ "layer_height_mm": 0 }""", "profile.out_of_range", "layer_height_mm")]
+    [TestCase("""{ "layer_height_mm": 0.0001 }""", "profile.out_of_range", "layer_height_mm")]
     [TestCase("""{ "wall_count": 2.5 }""", "profile.wrong_type", "wall_count")]
     [TestCase("""{ "wall_count": 1e300 }""", "profile.bad_json", null)]
     [TestCase("""{ "sort_paths": 1 }""", "profile.wrong_type", "sort_paths")]

@@ -11,7 +11,7 @@ public class ProfileRecordTests
     [Test]
     public void Values_out_of_range_are_rejected_with_the_key()
     {
-        Assert.That(() => new PrintSettings { LayerHeight = 0 }, Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("layer_height_mm"));
+        Assert.That(() => new PrintSettings { LayerHeight = -0.1 }, Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("layer_height_mm"));
         Assert.That(() => new PrintSettings { LayerHeight = double.NaN }, Throws.InstanceOf<ArgumentOutOfRangeException>());
         Assert.That(() => new Material { FlowRatio = -1 }, Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("flow_ratio"));
         Assert.That(() => new Printer { BuildVolume = new Vec3(200, 0, 200) },

@@ -44,7 +44,7 @@ public class SetupTests
     [TestCase("layer_height_mm", "profile.no_value", "key=value")]
     [TestCase("layer_height_mm=0,3", "profile.wrong_type", "0,3")]
     [TestCase("layer_height_mm=", "profile.wrong_type", "a number")]
-    [TestCase("layer_height_mm=-1", "profile.out_of_range", "0.001")]
+    [TestCase("layer_height_mm=-1", "profile.out_of_range", "0 to 1000")]
     [TestCase("layer_height_mm=NaN", "profile.wrong_type", "NaN")]
     [TestCase("title=x", "profile.unknown_key", "title")]
     [TestCase("height_ranges_mm=12,10,0.1", "profile.out_of_range", "not from 12 to 10 mm")]

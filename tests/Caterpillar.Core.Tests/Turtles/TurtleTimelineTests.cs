@@ -29,19 +29,21 @@ internal sealed class TurtleTimelineTests
     public void What_is_printed_grows_along_the_path()
     {
         var timeline = Timeline(new Turtle().Forward(10).PenUp().Forward(10).PenDown().Forward(10).Left(90).Forward(10));
-        double Printed(double part) => timeline.PrintedUntil(part).Sum(r => new Polyline(r).Length);
+        double Printed(double part)
+        {
+            var (last, done) = timeline.At(part);
+            return timeline.Moves.Take(last + 1).Where(m => m.Prints).Sum(m => m.Length * (m == timeline.Moves[last] ? done : 1));
+        }
         Assert.That(new[] { 0, 0.125, 0.25, 0.5, 0.75, 1 }.Select(Printed), Is.EqualTo(new double[] { 0, 5, 10, 10, 20, 30 }).Within(1e-12));
-        Assert.That(timeline.PrintedUntil(1), Has.Count.EqualTo(2));
-        Assert.That(timeline.PrintedUntil(1)[1], Has.Count.EqualTo(3));
     }
 
     [Test]
     public void No_steps_are_a_path_without_length()
     {
         Assert.That(new TurtleTimeline([]).PoseAt(0.5), Is.EqualTo(Frame.World));
-        Assert.That(new TurtleTimeline([]).PrintedUntil(1), Is.Empty);
+        Assert.That(new TurtleTimeline([]).At(1).Move, Is.EqualTo(-1));
         var still = new TurtleTimeline([new EventStep(new ExtrudeEvent(2))]);
         Assert.That(still.PoseAt(0.3).Origin, Is.EqualTo(Vec3.Zero));
-        Assert.That(still.PrintedUntil(1), Is.Empty);
+        Assert.That(still.Moves.Count(m => m.Prints), Is.Zero);
     }
 }

@@ -221,7 +221,7 @@ public sealed class BackgroundTests
     public void A_list_without_what_is_not_ready_is_not_planned()
     {
         var slow = Slow(out var feed);
-        var plan = new Canvas<PlanToolpathComponent>(_document).Feed("Printer", "generic");
+        var plan = new Canvas<PlanToolpathComponent>(_document);
         plan.Input("Steps").AddSource(slow.Params.Output[1]);
         slow.Close();
         feed("quick", "b");

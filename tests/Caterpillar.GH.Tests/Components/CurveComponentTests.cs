@@ -121,10 +121,10 @@ public sealed class CurveComponentTests
     public void Paths_are_oriented_in_their_order()
     {
         PrintPath[] lines = [Line(0, 10), Line(20, 11)];
-        var oriented = new Canvas<OrientPathsComponent>().Feed("Print Paths", lines[0], lines[1]).Solve();
+        var oriented = new Canvas<SortPathsComponent>().Feed("Rule", "Orient").Feed("Print Paths", lines[0], lines[1]).Solve();
         Assert.That(oriented.All("Print Paths").Cast<PrintPath>().Select(p => p.Start.X), Is.EqualTo(new[] { 0.0, 11 }));
         Assert.That(oriented.One<double>("Travel"), Is.EqualTo(1));
-        var kept = new Canvas<OrientPathsComponent>().Feed("Print Paths", lines[0], lines[1]).Feed("Reverse", false).Solve();
+        var kept = new Canvas<SortPathsComponent>().Feed("Rule", "Orient").Feed("Print Paths", lines[0], lines[1]).Feed("Reverse", false).Solve();
         Assert.That(kept.All("Print Paths").Cast<PrintPath>().Select(p => p.Start.X), Is.EqualTo(new[] { 0.0, 20 }));
     }
 

@@ -26,6 +26,8 @@ public sealed class CurvedSlicerTests
     private static Canvas<LayerFieldComponent> Make(FieldKind kind, params (string Port, object?[] Values)[] ports)
     {
         var canvas = new Canvas<LayerFieldComponent>().Feed("Kind", kind.ToString());
+        if (ports.Any(p => p.Port == "Heights")) canvas.Feed("Sources", "Formula");
+        if (ports.Any(p => p.Port == "Image")) canvas.Feed("Sources", "Height Map");
         foreach (var (port, values) in ports) canvas.Feed(port, values);
         return canvas.Solve();
     }
@@ -108,8 +110,8 @@ public sealed class CurvedSlicerTests
         // Two dots: their middles are at a quarter and three quarters of the box, between them the heights rise evenly.
         File.WriteAllText(image, "P2\n2 1\n255\n0 255\n");
         var mesh = Walls(Slice(Field(FieldKind.Vertical, ("Surfaces", [Slope()])), box));
-        var formula = Walls(Slice(Field(FieldKind.Vertical, ("Expressions", ["0.1 * (x - 100)"])), box));
-        var shifted = Walls(Slice(Field(FieldKind.Vertical, ("Expressions", ["0.1 * x"]), ("Origin", [new Rg.Point3d(100, 0, 0)])), box));
+        var formula = Walls(Slice(Field(FieldKind.Vertical, ("Heights", ["0.1 * (x - 100)"])), box));
+        var shifted = Walls(Slice(Field(FieldKind.Vertical, ("Heights", ["0.1 * x"]), ("Origin", [new Rg.Point3d(100, 0, 0)])), box));
         var map = Walls(Slice(Field(FieldKind.Vertical, ("Image", [image]), ("Low", [0.25]), ("High", [0.75])), box));
         Assert.That(formula.Sum(p => p.Length), Is.EqualTo(mesh.Sum(p => p.Length)).Within(0.5));
         Assert.That(shifted.Select(p => p.Length), Is.EqualTo(formula.Select(p => p.Length)).Within(1e-6));
@@ -152,7 +154,7 @@ public sealed class CurvedSlicerTests
     [Test]
     public void A_blend_begins_level_and_ends_parallel_to_the_surface()
     {
-        var canvas = Slice(Field(FieldKind.Vertical, ("Expressions", ["3 + 0.1 * (x - 105)"]), ("Blend From", [0.5]), ("Blend To", [3.0])),
+        var canvas = Slice(Field(FieldKind.Vertical, ("Heights", ["3 + 0.1 * (x - 105)"]), ("Blend From", [0.5]), ("Blend To", [3.0])),
             Shapes.Box(height: 3));
         Assert.That(canvas.Errors, Is.Empty);
         Assert.That(Walls(canvas)[0].Bounds.Size.Z, Is.EqualTo(0).Within(1e-6));
@@ -217,11 +219,11 @@ public sealed class CurvedSlicerTests
     public void Wrong_formulas_angles_blends_and_files_are_errors()
     {
         Assert.That(Make(FieldKind.Formula, ("Expressions", ["z +"])).Errors, Is.Not.Empty);
-        Assert.That(Make(FieldKind.Vertical, ("Expressions", ["x *"])).Errors, Is.Not.Empty);
-        Assert.That(Make(FieldKind.Vertical, ("Expressions", ["x", "y"])).Errors, Has.One.Contains("needs exactly one surface"));
+        Assert.That(Make(FieldKind.Vertical, ("Heights", ["x *"])).Errors, Is.Not.Empty);
+        Assert.That(Make(FieldKind.Vertical, ("Heights", ["x", "y"])).Errors, Has.One.Contains("needs exactly one surface"));
         Assert.That(Make(FieldKind.Cone, ("Angle", [89.0])).Errors, Has.One.Contains("-80 to 80"));
-        Assert.That(Make(FieldKind.Vertical, ("Expressions", ["x"]), ("Blend From", [2.0])).Errors, Has.One.Contains("needs Blend To"));
-        Assert.That(Make(FieldKind.Vertical, ("Expressions", ["x"]), ("Blend From", [2.0]), ("Blend To", [1.0])).Errors,
+        Assert.That(Make(FieldKind.Vertical, ("Heights", ["x"]), ("Blend From", [2.0])).Errors, Has.One.Contains("needs Blend To"));
+        Assert.That(Make(FieldKind.Vertical, ("Heights", ["x"]), ("Blend From", [2.0]), ("Blend To", [1.0])).Errors,
             Has.One.Contains("greater than Blend From"));
         Assert.That(Make(FieldKind.Vertical, ("Image", ["/nowhere.png"])).Errors, Has.One.Contains("File not found"));
         Assert.That(Make(FieldKind.Vertical, ("Image", ["/nowhere.png"]), ("Low", [3.0])).Errors, Is.Not.Empty);
@@ -232,7 +234,7 @@ public sealed class CurvedSlicerTests
     [Test]
     public void Recipes_from_the_same_parts_are_equal()
     {
-        FieldRecipe? Of(double height) => Field(FieldKind.Vertical, ("Expressions", [$"{height} + x"]));
+        FieldRecipe? Of(double height) => Field(FieldKind.Vertical, ("Heights", [$"{height} + x"]));
         Assert.That(Of(1), Is.EqualTo(Of(1)).And.Not.SameAs(Of(1)));
         Assert.That(Of(1)!.GetHashCode(), Is.EqualTo(Of(1)!.GetHashCode()));
         Assert.That(Of(1), Is.Not.EqualTo(Of(2)));

@@ -20,8 +20,9 @@ public sealed class EveryInputTests
     /// <summary>Components without work that could take long.</summary>
     private static readonly HashSet<string> Short = new(StringComparer.Ordinal)
     {
-        "BakeToolpathComponent", "ConstructBeadComponent", "ConstructPrinterComponent", "ConstructPrintPathComponent", "ConstructPrintSettingsComponent",
-        "DeconstructPrintPathComponent", "DeconstructSetupComponent", "GCodeTextComponent", "ImportHeaderComponent", "LayerFieldComponent", "MaterialComponent", "PrintSetupComponent",
+        "BakeToolpathComponent", "ConstructBeadComponent", "ConstructPrintPathComponent", "MoveFilterComponent", "PrintSettingsComponent",
+        "DeconstructPrintPathComponent", "DeconstructSetupComponent", "GCodeTextComponent", "ImportHeaderComponent", "LayerFieldComponent", "MaterialComponent",
+        "PrintSetupComponent",
         "PrinterComponent",
         "SaveGCodeComponent", "SubdivideCurveComponent", "TurtleEventComponent", "TurtleExtrusionComponent", "TurtleMoveComponent", "TurtlePenComponent",
         "TurtleProgramComponent", "TurtleRepeatComponent", "TurtleRotateComponent", "WaitForResultsComponent",

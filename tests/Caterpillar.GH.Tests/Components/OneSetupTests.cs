@@ -110,7 +110,7 @@ public sealed class OneSetupTests
     [Test]
     public void Turtles_traces_and_curves_remember_their_setup_through_moves_and_sorting()
     {
-        var ring = new Canvas<CircleTraceComponent>().Feed("Radius", 30.0).Feed("Setup", "potter_super");
+        var ring = new Canvas<RoundTraceComponent>().Feed("Radius", 30.0).Feed("Setup", "potter_super");
         var sorted = new Canvas<SortPathsComponent>(ring.Document);
         var plan = new Canvas<PlanToolpathComponent>(ring.Document);
         sorted.Input("Print Paths").AddSource(ring.Output("Print Path"));
@@ -121,7 +121,7 @@ public sealed class OneSetupTests
         Assert.That(ring.One<PrintPath>("Print Path").BeadOf(0).Width(BeadShape.Stadium), Is.EqualTo(3.4).Within(1e-9));
         var moved = (PrintPathGoo)((PrintPathGoo)ring.Output("Print Path").VolatileData.get_Branch(0)[0]!).Transform(Rg.Transform.Translation(5, 0, 0))!;
         Assert.That(moved.Setup, Is.EqualTo(SetupOf("potter_super")));
-        var own = new Canvas<CircleTraceComponent>().Feed("Radius", 30.0).Feed("Bead", new Bead(1, 0.5)).Solve();
+        var own = new Canvas<RoundTraceComponent>().Feed("Radius", 30.0).Feed("Bead", new Bead(1, 0.5)).Solve();
         Assert.That(((PrintPathGoo)own.Output("Print Path").VolatileData.get_Branch(0)[0]!).Setup, Is.Null, "Nothing of it comes from a setup.");
         var turtle = new Canvas<TurtleComponent>().Feed("Program", "forward 1").Feed("Setup", "lutum").Solve();
         Assert.That(((StepGoo)turtle.Output("Steps").VolatileData.get_Branch(0)[0]!).Setup, Is.EqualTo(SetupOf("lutum")));

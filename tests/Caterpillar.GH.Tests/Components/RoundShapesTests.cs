@@ -46,7 +46,7 @@ public sealed class RoundShapesTests
     public void The_wire_of_an_arc_is_round()
     {
         var lines = new System.Collections.Generic.List<Rg.Line>();
-        RhinoGeometry.AddLines(lines, HalfCircle().Value, DocumentUnits.Current);
+        ((Caterpillar.GH.Preview.IWires)HalfCircle()).AddTo(lines, DocumentUnits.Current, default, 0);
         Assert.That(lines.Sum(l => l.Length), Is.EqualTo(Math.PI * 10).Within(0.05));
         Assert.That(lines.Skip(1).Select((l, i) => l.From.DistanceTo(lines[i].To)), Has.All.LessThan(1e-9));
     }

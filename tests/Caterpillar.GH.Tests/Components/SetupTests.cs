@@ -37,10 +37,10 @@ public sealed class SetupTests
     public void A_printer_comes_by_name_as_item_list_and_tree()
     {
         Assert.That(new Canvas<PrinterComponent>().Solve().One<Printer>("Printer").Name, Is.EqualTo("generic"));
-        var list = new Canvas<PrinterComponent>().Feed("Name", "generic", "ender3").Solve();
+        var list = new Canvas<PrinterComponent>().Feed("Profile", "generic", "ender3").Solve();
         Assert.That(list.All("Printer").Select(p => ((Printer)p!).Name), Is.EqualTo(new[] { "generic", "ender3" }));
         Assert.That(list.Paths("Diagnostics"), Is.EqualTo(new[] { "{0;0}", "{0;1}" }));
-        var tree = new Canvas<PrinterComponent>().FeedTree("Name", ["ender3"], ["generic", "ender3"]).Solve();
+        var tree = new Canvas<PrinterComponent>().FeedTree("Profile", ["ender3"], ["generic", "ender3"]).Solve();
         Assert.That(tree.Paths("Printer"), Is.EqualTo(new[] { "{0}", "{1}" }));
         Assert.That(tree.Errors, Is.Empty);
     }
@@ -48,10 +48,10 @@ public sealed class SetupTests
     [Test]
     public void A_wrong_name_is_an_error_with_advice_and_the_rest_continues()
     {
-        var canvas = new Canvas<PrinterComponent>().Feed("Name", "ender33", null, "generic").Solve();
+        var canvas = new Canvas<PrinterComponent>().Feed("Profile", "ender33", null, "generic").Solve();
         Assert.That(canvas.All("Printer").Select(p => p is null), Is.EqualTo(new[] { true, true, false }));
-        Assert.That(canvas.Errors, Has.One.StartsWith("{0}[0]: ").And.Contain("Did you mean ender3?"));
-        Assert.That(canvas.Errors, Has.Member("{0}[1]: Name: the connected source gives no valid data."), "Not the printer of the default name.");
+        Assert.That(canvas.Errors, Has.One.Contains("Did you mean ender3?"));
+        Assert.That(canvas.Errors, Has.Member("{0}[1]: Profile: the connected source gives no valid data."), "Not the printer of the default name.");
     }
 
     [Test]
@@ -70,11 +70,11 @@ public sealed class SetupTests
         File.WriteAllText(Path.Combine(_folder, "mine.json"), "{\"inherits\": \"generic\", \"title\": \"Mine\", \"build_volume_mm\": [100, 100, 100]}");
         var canvas = new Canvas<PrinterComponent>();
         canvas.Document.FilePath = Path.Combine(_folder, "definition.gh");
-        canvas.Feed("File", "mine.json").Solve();
+        canvas.Feed("Profile", "mine.json").Solve();
         Assert.That(canvas.Errors, Is.Empty);
         Assert.That(canvas.One<Printer>("Printer").Title, Is.EqualTo("Mine"));
-        canvas.Feed("File", "none.json").Solve();
-        Assert.That(canvas.Errors, Has.One.Contains("none.json"));
+        canvas.Feed("Profile", "none.json").Solve();
+        Assert.That(canvas.Errors, Has.Some.Contains("none.json"));
         Assert.That(canvas.All("Printer"), Is.EqualTo(new object?[] { null }));
     }
 
@@ -133,41 +133,29 @@ public sealed class SetupTests
     }
 
     [Test]
-    public void Overrides_change_a_material_and_bad_ones_name_their_key()
-    {
-        var canvas = new Canvas<MaterialComponent>().Feed("Overrides", "nozzle_temperature_c=215", "bed_temperature_c = 0").Solve();
-        Assert.That(canvas.Errors, Is.Empty);
-        Assert.That((canvas.One<Material>("Material").NozzleTemperature, canvas.One<Material>("Material").BedTemperature), Is.EqualTo((215.0, 0.0)));
-        var bad = new Canvas<MaterialComponent>().Feed("Overrides", "nozzle_temperature=215", "nonsense").Solve();
-        Assert.That(bad.All("Material"), Is.EqualTo(new object?[] { null }));
-        Assert.That(bad.Errors, Has.Some.Contains("nozzle_temperature_c").And.Some.Contains("nonsense"));
-        Assert.That(bad.All("Diagnostics"), Has.Count.EqualTo(2));
-    }
-
-    [Test]
     public void A_material_comes_by_name_as_list_and_tree()
     {
-        var canvas = new Canvas<MaterialComponent>().FeedTree("Name", ["pla"], [null, "petg", "plaa"]).Solve();
+        var canvas = new Canvas<MaterialComponent>().FeedTree("Profile", ["pla"], [null, "petg", "plaa"]).Solve();
         Assert.That(canvas.All("Material").Select(m => (m as Material)?.Name), Is.EqualTo(new[] { "pla", null, "petg", null }));
-        Assert.That(canvas.Errors, Has.One.StartsWith("{1}[2]: "));
+        Assert.That(canvas.Errors, Has.One.StartsWith("{1}[2]: ").And.One.Contains("plaa"));
     }
 
     [Test]
     public void Settings_take_the_values_given_and_keep_those_of_the_base()
     {
-        var canvas = new Canvas<ConstructPrintSettingsComponent>().Feed("Base", "standard").Feed("Layer Height", 0.1, 0.3).Feed("Overrides", "wall_count=4")
-            .Solve();
+        var canvas = new Canvas<PrintSettingsComponent>().Feed("Profile", "standard").Feed("Layer Height", 0.1, 0.3);
+        canvas.Key("wall_count", 4).Solve();
         Assert.That(canvas.Errors, Is.Empty);
         var settings = canvas.All("Settings").Cast<PrintSettings>().ToArray();
         Assert.That(settings.Select(s => s.LayerHeight), Is.EqualTo(new[] { 0.1, 0.3 }));
         Assert.That(settings.Select(s => s.WallCount), Is.EqualTo(new[] { 4, 4 }));
-        Assert.That(settings[0].PrintSpeed, Is.EqualTo(new Canvas<ConstructPrintSettingsComponent>().Solve().One<PrintSettings>("Settings").PrintSpeed));
+        Assert.That(settings[0].PrintSpeed, Is.EqualTo(new Canvas<PrintSettingsComponent>().Solve().One<PrintSettings>("Settings").PrintSpeed));
     }
 
     [Test]
     public void Settings_out_of_range_are_errors_of_their_item()
     {
-        var canvas = new Canvas<ConstructPrintSettingsComponent>().FeedTree("Layer Height", [0.2], [-1, 0.3, double.NaN, "thick"]).Solve();
+        var canvas = new Canvas<PrintSettingsComponent>().FeedTree("Layer Height", [0.2], [-1, 0.3, double.NaN, "thick"]).Solve();
         Assert.That(canvas.All("Settings").Select(s => (s as PrintSettings)?.LayerHeight), Is.EqualTo(new double?[] { 0.2, null, 0.3, null, null }));
         Assert.That(canvas.Errors, Has.One.StartsWith("{1}[0]: ").And.One.StartsWith("{1}[2]: ").And.One.EqualTo("Data conversion failed from Text to Number"));
     }
@@ -175,8 +163,8 @@ public sealed class SetupTests
     [Test]
     public void An_unknown_base_is_answered_with_the_profiles()
     {
-        var errors = new Canvas<ConstructPrintSettingsComponent>().Feed("Base", "no such settings").Solve().Errors;
-        Assert.That(errors, Has.One.Matches<string>(e => e.StartsWith("Base: ") && e.Contains("\"no such settings\"") && e.Contains("fine, pen, standard")));
-        Assert.That(errors, Has.Member("{0}[0]: Base: the connected source gives no valid data."));
+        var errors = new Canvas<PrintSettingsComponent>().Feed("Profile", "no such settings").Solve().Errors;
+        Assert.That(errors, Has.One.Matches<string>(e => e.StartsWith("Profile: ") && e.Contains("\"no such settings\"") && e.Contains("fine, pen, standard")));
+        Assert.That(errors, Has.Member("{0}[0]: Profile: the connected source gives no valid data."));
     }
 }

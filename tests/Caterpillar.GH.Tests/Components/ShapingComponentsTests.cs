@@ -5,6 +5,7 @@ using System.Text;
 using Caterpillar.GH.Components.Path;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Tests.Host;
+using Caterpillar.Machines;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
 using Caterpillar.Traces;
@@ -23,7 +24,8 @@ public sealed class ShapingComponentsTests
     [Test]
     public void Formulas_deform_paths()
     {
-        var canvas = new Canvas<DeformComponent>().Feed("Print Paths", Line).Feed("X", "x + z").Feed("Area", "2 * c").Feed("Speed", "v / 3")
+        var canvas = new Canvas<DeformComponent>().Feed("Print Paths", Line).Feed("Changes", "Position", "Area", "Speed").Feed("X", "x + z")
+            .Feed("Area", "2 * c").Feed("Speed", "v / 3")
             .Feed("Tolerance", 0.0).Solve();
         Assert.That(canvas.Errors, Is.Empty);
         var path = canvas.One<PrintPath>("Print Paths");
@@ -36,7 +38,7 @@ public sealed class ShapingComponentsTests
     {
         using var _ = new InDocument(UnitSystem.Centimeters);
         var path = Helix.Transformed(Affine.Move(new Vec3(50, 20, 5)));
-        var canvas = new Canvas<DeformComponent>().Feed("Print Paths", path).Feed("System", "Cylindrical").Feed("X", "r + z").Feed("Y", "theta")
+        var canvas = new Canvas<DeformComponent>().Feed("Print Paths", path).Feed("System", "Cylindrical").Feed("R", "r + z").Feed("Theta", "theta")
             .Feed("Tolerance", 0.01)
             .Feed("Plane", new Rg.Plane(new Rg.Point3d(5, 2, 0.5), Rg.Vector3d.XAxis, Rg.Vector3d.YAxis)).Solve();
         Assert.That(canvas.Errors, Is.Empty);
@@ -70,14 +72,15 @@ public sealed class ShapingComponentsTests
     [Test]
     public void Errors_in_formulas_have_their_column()
     {
-        var canvas = new Canvas<DeformComponent>().Feed("Print Paths", Line).Feed("X", "x + w").Feed("Area", "2 *").Solve();
+        var canvas = new Canvas<DeformComponent>().Feed("Print Paths", Line).Feed("Changes", "Position", "Area").Feed("X", "x + w").Feed("Area", "2 *").Solve();
         Assert.That(canvas.All("Print Paths"), Is.Empty);
         Assert.That(canvas.Errors, Has.Count.EqualTo(2));
         Assert.That(canvas.Errors[0], Does.Contain("line 1:5: position.x").And.Contain("x + w"));
         Assert.That(new Canvas<DeformComponent>().Feed("X", "x").Solve().Warnings.Single(), Does.Contain("failed to collect data"));
         Assert.That(new Canvas<DeformComponent>().Feed("Print Paths", Line).Feed("Tolerance", -1.0).Solve().Errors.Single(),
             Does.Contain("Tolerance must be 0 or more"));
-        var slow = new Canvas<DeformComponent>().Feed("Print Paths", new PrintPath([Vec3.Zero, Vec3.UnitX], new Bead(0.2))).Feed("Speed", "v / 2").Solve();
+        var slow = new Canvas<DeformComponent>().Feed("Print Paths", new PrintPath([Vec3.Zero, Vec3.UnitX], new Bead(0.2))).Feed("Changes", "Speed")
+            .Feed("Speed", "v / 2").Solve();
         Assert.That(slow.Warnings.Single(), Does.Contain("v is 0"));
         Assert.That(new Canvas<DeformComponent>().FeedTree("Print Paths", [Line], [Line, Helix]).Solve().Paths("Print Paths"),
             Is.EqualTo(new[] { "{0;0}", "{1;0}" }));
@@ -102,44 +105,50 @@ public sealed class ShapingComponentsTests
         File.WriteAllBytes(file, Encoding.ASCII.GetBytes("P2 2 1 255 0 255\n"));
         try
         {
-            var canvas = new Canvas<ModulateComponent>().Feed("Print Paths", Helix).Feed("Image", file).Feed("High", 0.7).Solve();
+            var canvas = new Canvas<ModulateComponent>().Feed("Print Paths", Helix).Feed("Source", "Image").Feed("Image", file).Feed("High", 0.7).Solve();
             Assert.That(canvas.Errors, Is.Empty);
             var path = canvas.One<PrintPath>("Print Paths");
             // The first half of each turn is black, the other white.
             Assert.That(Enumerable.Range(0, 360).Select(i => path.BeadOf(i).Speed),
                 Is.EqualTo(Enumerable.Range(0, 360).Select(i => i % 36 < 18 ? 30.0 : 30 * 0.7)).Within(1e-12));
-            var twice = new Canvas<ModulateComponent>().Feed("Print Paths", Helix).Feed("Image", file).Feed("High", 0.7).Feed("Repeat", 2).Solve()
-                .One<PrintPath>("Print Paths");
+            var twice = new Canvas<ModulateComponent>().Feed("Print Paths", Helix).Feed("Source", "Image").Feed("Image", file).Feed("High", 0.7)
+                .Feed("Repeat", 2).Solve().One<PrintPath>("Print Paths");
             Assert.That(twice.BeadOf(10).Speed, Is.EqualTo(21).Within(1e-12));
             foreach (var mapping in new[] { "Globe", "Plan", "Along" })
             {
-                var other = new Canvas<ModulateComponent>().Feed("Print Paths", Helix).Feed("Image", file).Feed("High", 0.7).Feed("Mapping", mapping)
-                    .Feed("Smooth", true).Solve();
+                var other = new Canvas<ModulateComponent>().Feed("Print Paths", Helix).Feed("Source", "Image").Feed("Image", file).Feed("High", 0.7)
+                    .Feed("Mapping", mapping).Feed("Smooth", true).Solve();
                 Assert.That(other.Errors, Is.Empty, mapping);
                 Assert.That(other.One<PrintPath>("Print Paths").IsUniform, Is.False, mapping);
             }
             var flat = new PrintPath([Vec3.Zero, Vec3.UnitX], new Bead(0.2, 0, 30));
-            Assert.That(new Canvas<ModulateComponent>().Feed("Print Paths", flat).Feed("Image", file).Solve().Errors.Single(), Does.Contain("too flat"));
+            Assert.That(new Canvas<ModulateComponent>().Feed("Print Paths", flat).Feed("Source", "Image").Feed("Image", file).Solve().Errors.Single(),
+                Does.Contain("too flat"));
             File.WriteAllText(file, "no image");
-            Assert.That(new Canvas<ModulateComponent>().Feed("Print Paths", Helix).Feed("Image", file).Solve().Errors.Single(),
+            Assert.That(new Canvas<ModulateComponent>().Feed("Print Paths", Helix).Feed("Source", "Image").Feed("Image", file).Solve().Errors.Single(),
                 Does.Contain("image.unreadable"));
         }
         finally
         {
             File.Delete(file);
         }
-        Assert.That(new Canvas<ModulateComponent>().Feed("Print Paths", Helix).Feed("Image", file).Solve().Errors, Has.Count.EqualTo(1));
+        Assert.That(new Canvas<ModulateComponent>().Feed("Print Paths", Helix).Feed("Source", "Image").Feed("Image", file).Solve().Errors,
+            Has.Count.EqualTo(1));
     }
 
     [Test]
-    public void Masks_resolution_and_reference_speed_take_effect()
+    public void Masks_resolution_and_the_speed_of_the_setup_take_effect()
     {
         var path = new PrintPath([Vec3.Zero, new Vec3(10, 0, 0)], new Bead(0.2));
         var canvas = new Canvas<ModulateComponent>().Feed("Print Paths", path).Feed("Expression", "1").Feed("Mask", "step(5, x)").Feed("Resolution", 2.5)
-            .Feed("Reference Speed", 40.0).Solve();
+            .Solve();
         Assert.That(canvas.Errors, Is.Empty);
         var parts = canvas.One<PrintPath>("Print Paths");
-        Assert.That(Enumerable.Range(0, parts.SegmentCount).Select(i => parts.BeadOf(i).Speed), Is.EqualTo(new[] { 40.0, 40, 26, 26 }).Within(1e-12));
+        Assert.That(Enumerable.Range(0, parts.SegmentCount).Select(i => parts.BeadOf(i).Speed), Is.EqualTo(new[] { 60.0, 60, 39, 39 }).Within(1e-12),
+            "The speed of standard settings.");
+        var slow = new PrintPathGoo(path, new PrintSetup { Settings = new PrintSettings { PrintSpeed = 40 } });
+        canvas.Feed("Print Paths", slow).Solve();
+        Assert.That(canvas.One<PrintPath>("Print Paths").BeadOf(0).Speed, Is.EqualTo(40).Within(1e-12), "The speed of the setup of the paths.");
     }
 
     [Test]
@@ -147,17 +156,16 @@ public sealed class ShapingComponentsTests
     {
         Canvas<ModulateComponent> With(string input, object? value)
             => new Canvas<ModulateComponent>().Feed("Print Paths", Line).Feed("Expression", "u").Feed(input, value).Solve();
-        Assert.That(new Canvas<ModulateComponent>().Feed("Print Paths", Line).Solve().Warnings.Single(), Does.Contain("Image or Expression is missing"));
-        Assert.That(With("Image", "map.png").Errors.Single(), Does.Contain("not both"));
+        Assert.That(new Canvas<ModulateComponent>().Feed("Print Paths", Line).Solve().Warnings.Single(), Does.Contain("E failed to collect data"));
         Assert.That(With("Expression", "q").Errors.Single(), Does.Contain("line 1:1: expression.field"));
         Assert.That(With("Mask", "1 +").Errors.Single(), Does.Contain("mask.field"));
         Assert.That(With("High", 0.0).Errors, Is.Empty);
         Assert.That(With("High", -1.0).Errors.Single(), Does.Contain("stay positive"));
         Assert.That(With("High", 0.3).Warnings.Single(), Does.Contain("shape.modulation_ratio"));
         Assert.That(With("Resolution", -1.0).Errors.Single(), Does.Contain("Resolution must be 0 or more"));
-        Assert.That(With("Repeat", 0).Errors.Single(), Does.Contain("Repeat must be 1 or more"));
+        Assert.That(new Canvas<ModulateComponent>().Feed("Print Paths", Line).Feed("Source", "Image").Feed("Image", "none.png").Feed("Repeat", 0).Solve()
+            .Errors.Single(), Does.Contain("Repeat must be 1 or more"));
         Assert.That(With("Print Paths", null).Errors, Has.Some.Contain("Print Paths: the connected source gives no valid data"));
-        Assert.That(With("Print Paths", new PrintPath([Vec3.Zero, Vec3.UnitX], new Bead(0.2))).Errors.Single(), Does.Contain("reference speed"));
         var tree = new Canvas<ModulateComponent>().FeedTree("Print Paths", [Line], [Line, Helix]).Feed("Expression", "u").Solve();
         Assert.That(tree.Paths("Print Paths"), Is.EqualTo(new[] { "{0;0}", "{1;0}" }));
     }

@@ -93,7 +93,7 @@ public sealed class SimulateTests
     public void What_is_printed_is_drawn_up_to_the_nozzle()
     {
         var goo = TwoLayers();
-        var lines = new PrintedLines(goo.Value, DocumentUnits.Current);
+        var lines = PrintedLines.Of(goo.Value, DocumentUnits.Current);
         Assert.That(lines.Count, Is.EqualTo(4));
         var second = Enumerable.Range(0, goo.Value.Count).Where(i => goo.Value[i].Kind == MoveKind.Print).ElementAt(1);
         lines.ShowUntil(second, 0.25);
@@ -110,7 +110,7 @@ public sealed class SimulateTests
     public void Blocks_are_whole_however_far_the_print_is()
     {
         var points = Enumerable.Range(0, 5001).Select(i => new Vec3(50 + 0.01 * i, 50 + i % 2, 0.2)).ToArray();
-        var lines = new PrintedLines(Planned(new PrintPath(points, Bead)).Value, DocumentUnits.Current);
+        var lines = PrintedLines.Of(Planned(new PrintPath(points, Bead)).Value, DocumentUnits.Current);
         var toolpath = Planned(new PrintPath(points, Bead)).Value;
         var total = Enumerable.Range(0, toolpath.Count).Where(i => toolpath[i].Kind == MoveKind.Print).Sum(i => toolpath[i].Length);
         foreach (var move in new[] { 0, 1023, 1024, 1025, 2048, 4000, toolpath.Count })
@@ -217,17 +217,16 @@ public sealed class SimulateTests
     {
         var bed = new Rg.Box(new Rg.BoundingBox(-90, -80, 0, 90, 80, 200));
         var head = new Rg.Box(new Rg.BoundingBox(-20, -30, 4, 20, 30, 40));
-        var canvas = new Canvas<ConstructPrinterComponent>().Feed("Bed", bed).Feed("Nozzle", 0.6).Feed("Head Parts", head)
-            .Feed("Overrides", "max_flow_mm3_s=20").Feed("Start G-code", "G28\nM420 S1").Feed("Name", "Mine").Solve();
+        var canvas = new Canvas<PrinterComponent>().Feed("Bed", bed).Feed("Nozzle Diameter", 0.6).Feed("Head Parts", head).Feed("Name", "Mine")
+            .Key("max_flow_mm3_s", 20).Key("start_gcode", "G28", "M420 S1").Solve();
         Assert.That(canvas.Errors, Is.Empty);
         var printer = canvas.One<Printer>("Printer");
-        Assert.That((printer.BuildVolume, printer.Origin, printer.NozzleDiameter, printer.MaxFlow),
-            Is.EqualTo((new Vec3(180, 160, 200), BedOrigin.Center, 0.6, 20.0)));
+        Assert.That((printer.BuildVolume, printer.Origin, printer.NozzleDiameter, printer.MaxFlow, printer.Title),
+            Is.EqualTo((new Vec3(180, 160, 200), BedOrigin.Center, 0.6, 20.0, "Mine")));
         Assert.That(printer.HeadBoxes.Single(), Is.EqualTo(new Bounds(new Vec3(-20, -30, 4), new Vec3(20, 30, 40))));
         Assert.That(printer.StartGCode, Is.EqualTo(new[] { "G28", "M420 S1" }));
-        Assert.That(new Canvas<ConstructPrinterComponent>().Feed("Bed", new Rg.Box(new Rg.BoundingBox(5, 5, 0, 90, 80, 200))).Solve().Errors,
+        Assert.That(new Canvas<PrinterComponent>().Feed("Bed", new Rg.Box(new Rg.BoundingBox(5, 5, 0, 90, 80, 200))).Solve().Errors,
             Has.One.Contains("The origin must be"));
-        Assert.That(new Canvas<ConstructPrinterComponent>().Feed("Overrides", "max_flow=20").Solve().Errors, Has.Some.Contains("max_flow"));
     }
 
     [Test]
@@ -257,11 +256,13 @@ public sealed class SimulateTests
     [Test]
     public void A_skirt_has_its_rings_from_the_outside_in()
     {
-        var canvas = new Canvas<Caterpillar.GH.Components.Design.SkirtTraceComponent>().Feed("Radius", 10.0).Feed("Loop Count", 3).Feed("Pitch", 1.0).Solve();
+        var canvas = new Canvas<Caterpillar.GH.Components.Design.RoundTraceComponent>().Feed("Kind", "Skirt").Feed("Radius", 10.0)
+            .Feed("Loop Count", 3).Feed("Pitch", 1.0).Solve();
         Assert.That(canvas.Errors, Is.Empty);
         var path = canvas.One<PrintPath>("Print Path");
         Assert.That((path.Bounds.Max.X, path.Start.LengthXY), Is.EqualTo((12.0, 12.0)).Within(1e-9));
-        Assert.That(new Canvas<Caterpillar.GH.Components.Design.SkirtTraceComponent>().Feed("Radius", 10.0).Feed("Loop Count", 0).Solve().Errors,
+        Assert.That(new Canvas<Caterpillar.GH.Components.Design.RoundTraceComponent>().Feed("Kind", "Skirt").Feed("Radius", 10.0)
+            .Feed("Loop Count", 0).Solve().Errors,
             Has.One.Contains("1 to 1000"));
     }
 

@@ -51,16 +51,17 @@ public sealed class ToolpathEditTests
     [Test]
     public void Moves_of_a_role_a_layer_or_a_box_are_kept_or_removed()
     {
-        var infill = new Canvas<FilterToolpathComponent>().Feed("Toolpath", Decoded()).Feed("Roles", "infill").Solve();
+        var infill = new Canvas<FilterToolpathComponent>().Feed("Toolpath", Decoded()).Feed("Filter", Filter("Roles", "infill")).Solve();
         Assert.That(infill.Errors, Is.Empty);
         Assert.That(infill.One<Toolpath>("Toolpath").Moves().Where(m => m.Kind == MoveKind.Print).Select(m => m.Role).Distinct(),
             Is.EqualTo(new[] { Role.Infill }));
-        var first = new Canvas<FilterToolpathComponent>().Feed("Toolpath", Decoded()).Feed("Last Layer", 0).Feed("Remove", true).Solve();
+        var first = new Canvas<FilterToolpathComponent>().Feed("Toolpath", Decoded()).Feed("Filter", Filter("Last Layer", 0)).Feed("Remove", true).Solve();
         Assert.That(first.One<Toolpath>("Toolpath").Moves().Count(m => m.Kind == MoveKind.Print), Is.EqualTo(1));
-        var box = new Canvas<FilterToolpathComponent>().Feed("Toolpath", Decoded()).Feed("Box", Rg.Brep.CreateFromBox(new Rg.BoundingBox(15, 5, 0, 25, 15, 1)))
+        var box = new Canvas<FilterToolpathComponent>().Feed("Toolpath", Decoded())
+            .Feed("Filter", Filter("Box", Rg.Brep.CreateFromBox(new Rg.BoundingBox(15, 5, 0, 25, 15, 1))))
             .Solve();
         Assert.That(box.One<Toolpath>("Toolpath").Moves().Count(m => m.Kind == MoveKind.Print), Is.EqualTo(1));
-        Assert.That(infill.Feed("Roles", "infill", 99).Solve().Errors, Has.One.Contains("Roles has no choice 99"));
+        Assert.That(new Canvas<MoveFilterComponent>().Feed("Roles", "infill", 99).Solve().Errors, Has.One.Contains("Roles has no choice 99"));
     }
 
     [Test]
@@ -68,7 +69,8 @@ public sealed class ToolpathEditTests
     {
         var goo = Decoded();
         using var _ = new InDocument(UnitSystem.Centimeters);
-        var box = new Canvas<FilterToolpathComponent>().Feed("Toolpath", goo).Feed("Box", Rg.Brep.CreateFromBox(new Rg.BoundingBox(1.5, 0.5, 0, 2.5, 1.5, 1)))
+        var box = new Canvas<FilterToolpathComponent>().Feed("Toolpath", goo)
+            .Feed("Filter", Filter("Box", Rg.Brep.CreateFromBox(new Rg.BoundingBox(1.5, 0.5, 0, 2.5, 1.5, 1))))
             .Solve();
         Assert.That(box.One<Toolpath>("Toolpath").Moves().Count(m => m.Kind == MoveKind.Print), Is.EqualTo(1));
     }
@@ -76,7 +78,7 @@ public sealed class ToolpathEditTests
     [Test]
     public void An_edited_file_is_written_again_with_only_its_edits()
     {
-        var edit = new Canvas<EditToolpathComponent>().Feed("Toolpath", Decoded()).Feed("Roles", "Infill").Feed("Speed Factor", 0.5).Solve();
+        var edit = new Canvas<EditToolpathComponent>().Feed("Toolpath", Decoded()).Feed("Filter", Filter("Roles", "Infill")).Feed("Speed Factor", 0.5).Solve();
         Assert.That(edit.Errors, Is.Empty);
         var goo = edit.Output("Toolpath").VolatileData.get_Branch(0)[0];
         var write = new Canvas<GenerateGCodeComponent>().Feed("Toolpath", goo).Feed("Setup", "generic").Solve();
@@ -132,7 +134,7 @@ public sealed class ToolpathEditTests
         Assert.That(after[0].E, Is.EqualTo(0.5 * Math.Sqrt(1 + 1e-4)).Within(1e-12));
         Assert.That(bend.Feed("Z", "z +").Solve().Errors, Is.Not.Empty);
         Assert.That(bend.Feed("Z", "z").Feed("Tolerance", 0).Solve().Errors, Has.One.Contains("Tolerance must be greater than zero"));
-        var turned = new Canvas<DeformToolpathComponent>().Feed("Toolpath", Decoded()).Feed("System", "Cylindrical").Feed("Y", "theta + 90")
+        var turned = new Canvas<DeformToolpathComponent>().Feed("Toolpath", Decoded()).Feed("System", "Cylindrical").Feed("Theta", "theta + 90")
             .Feed("Plane", new Rg.Plane(new Rg.Point3d(10, 10, 0), Rg.Vector3d.XAxis, Rg.Vector3d.YAxis)).Solve();
         Assert.That(turned.One<Toolpath>("Toolpath").Moves().First(m => m.Kind == MoveKind.Print).End.DistanceTo(new Caterpillar.Geometry.Vec3(10, 20, 0.2)),
             Is.LessThan(1e-9));
@@ -223,4 +225,7 @@ public sealed class ToolpathEditTests
         Assert.That(canvas.Errors, Has.Count.EqualTo(1));
         Assert.That(canvas.Warnings, Has.Member("{0}[1]: G-code is missing."));
     }
+
+    private static MoveFilter Filter(string port, params object?[] values)
+        => new Canvas<MoveFilterComponent>().Feed(port, values).Solve().One<MoveFilter>("Filter");
 }

@@ -36,8 +36,14 @@ public sealed class TurtleKindsTests
     [TestCaseSource(nameof(MoveKinds))]
     public void A_move_is_that_of_the_script(TurtleMoveKind kind)
     {
-        var command = new Canvas<TurtleMoveComponent>().Feed("Kind", (int)kind).Feed("Distance", 10.0).Feed("Height", 2.0).Feed("Angle", 90.0).Feed("Count", 6)
-            .Solve();
+        var command = new Canvas<TurtleMoveComponent>().Feed("Kind", (int)kind);
+        Chosen.Follow(command.Component);
+        var values = new (string Port, object Value)[]
+        {
+            ("Distance", 10.0), ("Radius", 10.0), ("Height", 2.0), ("Angle", 90.0), ("Count", 6), ("Side Count", 6), ("Side Length", 10.0),
+        };
+        foreach (var (port, value) in values.Where(v => command.Component.Params.Input.Exists(p => p.Name == v.Port))) command.Feed(port, value);
+        command.Solve();
         Assert.That(command.Errors, Is.Empty);
         Assert.That(Ends(command.All("Command")), Is.EqualTo(Ends(Moves[kind])));
     }

@@ -7,7 +7,10 @@ using System.Linq;
 using System.Security.Cryptography;
 using System.Text;
 using Caterpillar.CanvasPictures;
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Components.Setup;
 using Caterpillar.GH.Params;
+using Caterpillar.GH.Tests.Host;
 using GH_IO.Serialization;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Data;
@@ -40,6 +43,7 @@ internal sealed class Sketch
     };
 
     private readonly string _name;
+    private readonly HashSet<object> _identified = [];
     private readonly List<GH_Group> _stages = [];
     private int _count;
 
@@ -89,30 +93,55 @@ internal sealed class Sketch
     public GH_ValueList Choice(string name, string chosen, params string[] names)
         => List(name, chosen, names.Select(n => new GH_ValueListItem(n, "\"" + n + "\"")));
 
-    /// <summary>A list with the choices that an input has.</summary>
-    public void Choose(GH_Component component, string input, string chosen, string? name = null)
-    {
-        var port = component.Params.Input.Single(p => p.Name == input);
-        var choices = ((ChoiceParam)port).Choices.Select(c => new GH_ValueListItem(c.Key, c.Value.ToString(CultureInfo.InvariantCulture)));
-        port.AddSource(List(name ?? input, chosen, choices));
-    }
-
-    /// <summary>A component with its inputs connected: a parameter, or a component, whose first output is taken, or one of its outputs by name, or several.</summary>
+    /// <summary>
+    /// A component with its inputs connected: a parameter, or a component, whose first output is taken, or one of its outputs by name, or several, or a choice.
+    /// Choices come before the ports that they show; the name of a key adds its port.
+    /// </summary>
     public T Component<T>(params (string Input, object Source)[] wires)
         where T : GH_Component, new()
     {
-        var component = new T();
-        Place(component, 0, 0);
-        foreach (var port in component.Params.Cast<GH_DocumentObject>()) port.NewInstanceGuid(NextId());
+        var component = Place(new T(), 0, 0);
+        Identify(component);
         foreach (var (input, source) in wires) Wire(component, input, source);
+        if (component is ChosenPortsComponent chosen) Chosen.Follow(chosen);
+        Identify(component);
         return component;
     }
 
-    public void Wire(GH_Component component, string input, params object[] sources)
+    private void Wire(GH_Component component, string input, object source)
     {
-        var port = component.Params.Input.SingleOrDefault(p => p.Name == input)
-            ?? throw new ArgumentException($"{component.Name} has no input {input}: {string.Join(", ", component.Params.Input.Select(p => p.Name))}.");
-        foreach (var source in sources.SelectMany(s => s is object[] several ? several : [s])) port.AddSource(Output(source));
+        var port = Port(component, input);
+        if (source is Pick pick)
+        {
+            var choices = ((ChoiceParam)port).Choices.Select(c => new GH_ValueListItem(c.Key, c.Value.ToString(CultureInfo.InvariantCulture)));
+            source = List(pick.Name ?? input, pick.Value, choices);
+        }
+        foreach (var one in source as object[] ?? [source]) port.AddSource(Output(one));
+    }
+
+    // A port that is shown for some choices, or one for a key.
+    private IGH_Param Port(GH_Component component, string name)
+    {
+        if (component.Params.Input.FirstOrDefault(p => p.Name == name) is { } shown) return shown;
+        if (component is ChosenPortsComponent chosen) Chosen.Follow(chosen);
+        else if (component is KeyPortsComponent) AddKey(component, name);
+        Identify(component);
+        return component.Params.Input.SingleOrDefault(p => p.Name == name)
+            ?? throw new ArgumentException($"{component.Name} has no input {name}: {string.Join(", ", component.Params.Input.Select(p => p.Name))}.");
+    }
+
+    // As a user does it, without a solution.
+    private void AddKey(GH_Component component, string key)
+    {
+        Document.Enabled = false;
+        component.Params.Rename(component.Params.Insert(component.Params.Input.Count), key);
+        Document.RunSchedule();
+        Document.Enabled = true;
+    }
+
+    private void Identify(GH_Component component)
+    {
+        foreach (var port in component.Params.Cast<GH_DocumentObject>().Where(p => _identified.Add(p))) port.NewInstanceGuid(NextId());
     }
 
     public Param_Point Point(string name, double x, double y, double z)
@@ -213,3 +242,6 @@ internal sealed class Sketch
         return new Guid(hash.ComputeHash(Encoding.UTF8.GetBytes(_name + "/" + _count++.ToString(CultureInfo.InvariantCulture))).Take(16).ToArray());
     }
 }
+
+/// <summary>One of the choices of an input, as a list to choose from. The list is named as the input, unless it has a name of its own.</summary>
+internal sealed record Pick(string Value, string? Name = null);

@@ -63,14 +63,14 @@ internal static class Solids
     }
 
     /// <summary>A closed curve that waves around a circle.</summary>
-    public static byte[] Rosette(double x, double y, double radius, double wave, int petals)
+    public static byte[] Rosette(double x, double y, double radius, double wave, int petals, double height)
     {
         const int PerPetal = 24;
         var count = petals * PerPetal;
         return RhinoBytes.Polyline(Enumerable.Range(0, count + 1).Select(i =>
         {
             double angle = 2 * Math.PI * (i % count) / count, r = radius + wave * Math.Cos(petals * angle);
-            return new Rg.Point3d(Round(x + r * Math.Cos(angle)), Round(y + r * Math.Sin(angle)), 0);
+            return new Rg.Point3d(Round(x + r * Math.Cos(angle)), Round(y + r * Math.Sin(angle)), height);
         }).ToArray());
     }
 

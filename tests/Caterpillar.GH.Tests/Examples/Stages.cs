@@ -34,7 +34,7 @@ internal static class Stages
     public static Sketch Finish(this Sketch s, GH_Component toolpath, string color = "Role")
     {
         s.Stage("Look");
-        s.Choose(s.Component<ToolpathPreviewComponent>(("Toolpath", toolpath)), "Color By", color);
+        s.Component<ToolpathPreviewComponent>(("Toolpath", toolpath), ("Color By", new Pick(color)));
         s.Figures(toolpath);
         return s.Write(toolpath);
     }

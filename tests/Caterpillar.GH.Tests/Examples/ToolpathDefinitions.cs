@@ -13,15 +13,15 @@ internal static class ToolpathDefinitions
 
     public static Sketch CustomPrinter(string name)
     {
-        var s = new Sketch(name, "Your own printer, material and settings without a file. Values are set by their keys.",
-            "the nozzle, the speed, and the values in the panels. The panels at the right list what the setup holds.");
+        var s = new Sketch(name, "Your own printer, material and settings without a file. Any key of a profile can be a port: zoom in, press +, and name the port after the key.",
+            "the nozzle and the speed. The panels list what the setup holds.");
         s.Stage("Setup");
-        var printer = s.Component<ConstructPrinterComponent>(("Nozzle", s.Slider("Nozzle", 0.6, 0.2, 2, 2)),
-            ("Overrides", s.Text("Printer values", "max_flow_mm3_s=20\nprint_acceleration_mm_s2=600", lines: true, width: 230)),
+        var printer = s.Component<PrinterComponent>(("Nozzle Diameter", s.Slider("Nozzle", 0.6, 0.2, 2, 2)),
+            ("max_flow_mm3_s", s.Slider("Greatest flow", 20, 1, 60, 0)), ("print_acceleration_mm_s2", s.Slider("Acceleration", 600, 50, 5000, 0)),
             ("Name", s.Text("Name", "my_printer", width: 100)));
-        var material = s.Component<MaterialComponent>(("Name", s.Choice("Material", "petg", "abs", "petg", "pla", "tpu")),
-            ("Overrides", s.Text("Material values", "nozzle_temperature_c=235", lines: true, width: 230)));
-        var settings = s.Component<ConstructPrintSettingsComponent>(("Layer Height", s.Slider("Layer height", 0.3, 0.05, 1, 2)),
+        var material = s.Component<MaterialComponent>(("Profile", s.Choice("Material", "petg", "abs", "petg", "pla", "tpu")),
+            ("Nozzle Temperature", s.Slider("Nozzle temperature", 235, 150, 300, 0)));
+        var settings = s.Component<PrintSettingsComponent>(("Layer Height", s.Slider("Layer height", 0.3, 0.05, 1, 2)),
             ("Print Speed", s.Slider("Print speed", 45, 5, 200, 0)));
         var setup = s.Component<PrintSetupComponent>(("Printer", printer), ("Material", material), ("Settings", settings));
         s.Stage("Look at the setup");
@@ -39,7 +39,7 @@ internal static class ToolpathDefinitions
             "the two files in the folder of this definition. The panels show what was found.");
         s.Stage("Setup");
         var header = s.Component<ImportHeaderComponent>(("Header", s.Text("Header", "start.gcode", width: 130)), ("Footer", s.Text("Footer", "end.gcode", width: 130)),
-            ("Base", s.Component<PrinterComponent>(("Name", s.Choice("Printer", "generic", "ender3", "generic", "prusa_mk3s")))));
+            ("Base", s.Component<PrinterComponent>(("Profile", s.Choice("Printer", "generic", "ender3", "generic", "prusa_mk3s")))));
         s.Show("Start", header, "Start", 1, 150);
         var setup = s.Component<PrintSetupComponent>(("Printer", header), ("Material", (header, "Material")));
         s.Stage("Design");
@@ -53,11 +53,10 @@ internal static class ToolpathDefinitions
             "the G-code in the panel, or connect a file. Speed 0.5 halves the speed from First layer on.");
         var decode = Decoded(s, "1800");
         s.Stage("Edit");
-        var edit = s.Component<EditToolpathComponent>(("Toolpath", decode), ("First Layer", s.Slider("First layer", 1, 0, 10, 0)),
+        var edit = s.Component<EditToolpathComponent>(("Toolpath", decode), ("Filter", s.Component<MoveFilterComponent>(("First Layer", s.Slider("First layer", 1, 0, 10, 0)))),
             ("Speed Factor", s.Slider("Speed", 0.5, 0.1, 2, 2)));
         var pause = s.Component<InsertAtLayerComponent>(("Toolpath", edit), ("Layers", s.Slider("Layer", 1, 0, 10, 0)),
-            ("Text", s.Text("Message", "Insert the nut", width: 130)));
-        s.Choose(pause, "Kind", "Pause");
+            ("Kind", new Pick("Pause")), ("Text", s.Text("Message", "Insert the nut", width: 130)));
         return s.Finish(pause, "Speed");
     }
 
@@ -67,7 +66,7 @@ internal static class ToolpathDefinitions
             "the formula of X: z is the height. The panel shows points of the result.");
         var plan = Ring(s);
         s.Stage("Edit");
-        var filter = s.Component<FilterToolpathComponent>(("Toolpath", plan), ("First Layer", s.Slider("First layer", 0, 0, 10, 0)));
+        var filter = s.Component<FilterToolpathComponent>(("Toolpath", plan), ("Filter", s.Component<MoveFilterComponent>(("First Layer", s.Slider("First layer", 0, 0, 10, 0)))));
         var lean = s.Component<DeformToolpathComponent>(("Toolpath", filter), ("X", s.Text("New X", "x + 0.3 * z", width: 120)));
         var faster = s.Component<EditToolpathComponent>(("Toolpath", lean), ("Speed Factor", s.Slider("Speed", 1.2, 0.1, 2, 2)));
         s.Stage("Look");
@@ -86,8 +85,7 @@ internal static class ToolpathDefinitions
         s.Show("Time, s", simulate, "Time", 1, 120);
         var play = s.Component<PlayComponent>(("Toolpath", plan), ("Run", s.Toggle("Run")), ("Speed", s.Slider("Times as fast", 20, 1, 200, 0)));
         s.Show("Play position", play, "Position", 1, 120);
-        var preview = s.Component<ToolpathPreviewComponent>(("Toolpath", plan), ("Travel", s.Toggle("Travel")));
-        s.Choose(preview, "Color By", "Time");
+        s.Component<ToolpathPreviewComponent>(("Toolpath", plan), ("Color By", new Pick("Time")), ("Travel", s.Toggle("Travel")));
         return s.Write(plan);
     }
 
@@ -109,8 +107,8 @@ internal static class ToolpathDefinitions
             "press Bake. Baking again replaces the objects.");
         var plan = Ring(s);
         s.Stage("Look");
-        var bake = s.Component<BakeToolpathComponent>(("Toolpaths", plan), ("Name", s.Text("Name", "Ring", width: 90)), ("Bake", s.Button("Bake")));
-        s.Choose(bake, "Kind", "Beads");
+        var bake = s.Component<BakeToolpathComponent>(("Toolpaths", plan), ("Name", s.Text("Name", "Ring", width: 90)), ("Bake", s.Button("Bake")),
+            ("Kind", new Pick("Beads")));
         s.Show("Ids", bake, "Ids", 3, 250);
         var parts = s.Component<DeconstructToolpathComponent>(("Toolpath", plan));
         s.Show("Points", parts, "Points", 6, 250);
@@ -124,7 +122,8 @@ internal static class ToolpathDefinitions
             "set Speed to 1: Check turns red, and nothing is written.");
         var decode = Decoded(s, "90000");
         s.Stage("Edit");
-        var repaired = s.Component<EditToolpathComponent>(("Toolpath", decode), ("First Layer", s.Slider("From layer", 1, 0, 10, 0)), ("Speed Factor", s.Slider("Speed", 0.02, 0.01, 2, 2)));
+        var repaired = s.Component<EditToolpathComponent>(("Toolpath", decode), ("Filter", s.Component<MoveFilterComponent>(("First Layer", s.Slider("From layer", 1, 0, 10, 0)))),
+            ("Speed Factor", s.Slider("Speed", 0.02, 0.01, 2, 2)));
         s.Stage("Check");
         var check = s.Component<CheckComponent>(("Toolpath", repaired));
         s.Show("OK", check, "OK", 1, 90);
@@ -143,7 +142,7 @@ internal static class ToolpathDefinitions
     {
         var setup = s.Setup();
         s.Stage("Design");
-        var ring = s.With<HelixTraceComponent>(setup, ("Plane", s.Point("Center", 110, 110, 0.2)), ("Radius", s.Slider("Radius", 12, 5, 50, 0)),
+        var ring = s.With<RisingTraceComponent>(setup, ("Kind", new Pick("Helix")), ("Plane", s.Point("Center", 110, 110, 0.2)), ("Radius", s.Slider("Radius", 12, 5, 50, 0)),
             ("Height", s.Slider("Height", 1, 1, 40)), ("Pitch", s.Slider("Rise per turn", 0.25, 0.1, 2, 2)), ("Segments Per Turn", s.Slider("Segments", 36, 12, 144, 0)));
         s.Stage("Plan");
         return s.Component<PlanToolpathComponent>(("Steps", ring));

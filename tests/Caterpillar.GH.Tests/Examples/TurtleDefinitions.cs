@@ -24,17 +24,14 @@ internal static class TurtleDefinitions
             "Sides and Turn together: 5 and 72 give a pentagon, 5 and 144 a star.");
         var setup = s.Setup();
         s.Stage("Design");
-        var jump = s.Component<TurtleMoveComponent>(("Point", s.Point("Start", 90, 90, 0.2)));
-        s.Choose(jump, "Kind", "Jump");
-        var bead = s.Component<TurtleExtrusionComponent>(("Value", s.Slider("Width", 0.5, 0.2, 2, 2)), ("Height", s.Slider("Height", 0.2, 0.1, 1, 2)),
+        var jump = s.Component<TurtleMoveComponent>(("Kind", new Pick("Jump")), ("Point", s.Point("Start", 90, 90, 0.2)));
+        var bead = s.Component<TurtleExtrusionComponent>(("Kind", new Pick("Width And Height")), ("Value", s.Slider("Width", 0.5, 0.2, 2, 2)), ("Height", s.Slider("Height", 0.2, 0.1, 1, 2)),
             ("Speed", s.Slider("Speed", 25, 1, 100, 0)));
-        s.Choose(bead, "Kind", "Width And Height");
         var pen = s.Component<TurtlePenComponent>(("Down", s.Toggle("Pen down", true)));
         var forward = s.Component<TurtleMoveComponent>(("Distance", s.Slider("Side", 30, 5, 80, 0)));
         var turn = s.Component<TurtleRotateComponent>(("Yaw", s.Slider("Turn", 90, 0, 180, 0)));
         var square = s.Component<TurtleRepeatComponent>(("Commands", new object[] { forward, turn }), ("Count", s.Slider("Sides", 4, 1, 12, 0)));
-        var wait = s.Component<TurtleEventComponent>(("Value", s.Slider("Wait", 500, 0, 5000, 0)));
-        s.Choose(wait, "Kind", "Dwell");
+        var wait = s.Component<TurtleEventComponent>(("Kind", new Pick("Dwell")), ("Value", s.Slider("Wait, ms", 500, 0, 5000, 0)));
         s.Stage("Shape");
         var program = s.Component<TurtleProgramComponent>(("Commands", new object[] { jump, bead, pen, square, wait }));
         var turtle = s.With<TurtleComponent>(setup, ("Program", program));

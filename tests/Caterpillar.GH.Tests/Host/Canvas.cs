@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Caterpillar.GH.Base;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Data;
 using Grasshopper.Kernel.Parameters;
@@ -50,13 +51,34 @@ internal sealed class Canvas<T>
         return this;
     }
 
+    /// <summary>Adds a port for a key with the zoomable +, renames it, and connects a value.</summary>
+    public Canvas<T> Key(string key, params object?[] items)
+    {
+        AddKey(key);
+        return Feed(key, items);
+    }
+
+    /// <summary>Adds a port for a key with the zoomable + and renames it.</summary>
+    public IGH_Param AddKey(string key)
+    {
+        var made = Component.Params.Insert(Component.Params.Input.Count);
+        Component.Params.Rename(made, key);
+        Document.RunSchedule();
+        return Component.Params.Input.Single(p => p.NickName == key);
+    }
+
     public Canvas<T> Solve()
     {
         Document.NewSolution(false);
         return this;
     }
 
-    public IGH_Param Input(string name) => Component.Params.Input.Single(p => p.Name == name);
+    /// <summary>An input. If it is shown for some choices only, the ports are made to follow those that are fed.</summary>
+    public IGH_Param Input(string name)
+    {
+        if (Component is ChosenPortsComponent chosen && Component.Params.Input.All(p => p.Name != name)) Chosen.Follow(chosen);
+        return Component.Params.Input.Single(p => p.Name == name);
+    }
 
     public IGH_Param Output(string name) => Component.Params.Output.Single(p => p.Name == name);
 

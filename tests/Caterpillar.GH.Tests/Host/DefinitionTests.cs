@@ -30,12 +30,11 @@ public sealed class DefinitionTests
         text.SetPersistentData(Program);
         var (decode, printer, write) = (new DecodeGCodeComponent(), new PrinterComponent(), new GenerateGCodeComponent());
         foreach (var item in new IGH_DocumentObject[] { text, decode, printer, write }) document.AddObject(item, false);
-        printer.Params.Input[0].RemoveAllSources();
-        ((Param_String)printer.Params.Input[0]).SetPersistentData("ender3");
+        ((Caterpillar.GH.Params.PrinterChoiceParam)printer.Params.Input[0]).SetPersistentData("ender3");
         decode.Params.Input[1].AddSource(text);
         write.Params.Input[0].AddSource(decode.Params.Output[0]);
         write.Params.Input[1].AddSource(printer.Params.Output[0]);
-        ((Param_String)write.Params.Input[4]).SetPersistentData("a reason in words");
+        ((Param_String)write.Params.Input[2]).SetPersistentData("a reason in words");
         decode.Attributes.Pivot = new System.Drawing.PointF(120.5f, 40);
         return document;
     }
@@ -66,7 +65,7 @@ public sealed class DefinitionTests
         var copy = new GH_Document();
         Assert.That(archive.ExtractObject(copy, "Definition"), Is.True);
         Assert.That(Result(copy), Is.EqualTo(Result(document)));
-        Assert.That(((Param_String)copy.Objects.OfType<GenerateGCodeComponent>().Single().Params.Input[4]).PersistentData.Branches[0][0].Value,
+        Assert.That(((Param_String)copy.Objects.OfType<GenerateGCodeComponent>().Single().Params.Input[2]).PersistentData.Branches[0][0].Value,
             Is.EqualTo("a reason in words"));
         Assert.That(copy.Objects[1].Attributes.Pivot.X, Is.EqualTo(120.5f));
         Assert.That(Save(copy), Is.EqualTo(text), "Saved again it is the same text.");

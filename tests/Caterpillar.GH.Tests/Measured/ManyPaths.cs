@@ -47,7 +47,6 @@ public sealed class ManyPaths
     {
         TestContext.Out.WriteLine($"{Count} paths; best and median ms of 9 solves with unchanged inputs, median of taking the list alone");
         Measure<SortPathsComponent>("Print Paths", c => Recipes.Connect(_document, c.Params.Input[1], (int)Planning.SortRule.Layer));
-        Measure<OrientPathsComponent>("Print Paths");
         Measure<MergePathsComponent>("Print Paths");
         Measure<FitArcsComponent>("Print Paths");
         Measure<DeformComponent>("Print Paths", c => Recipes.Connect(_document, c.Params.Input.Single(p => p.Name == "Z"), "1.1 * z"));

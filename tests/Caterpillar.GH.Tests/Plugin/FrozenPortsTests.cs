@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text;
+using Caterpillar.GH.Base;
 using Caterpillar.GH.Params;
 using Caterpillar.GH.Tests.Api;
 using Grasshopper.Kernel;
@@ -49,11 +50,14 @@ public sealed class FrozenPortsTests
         {
             text.Append(item.ComponentGuid).Append(' ').Append(item.GetType().Name).Append('\n');
             if (item is not GH_Component component) continue;
-            foreach (var port in component.Params.Input) text.Append("  in ").Append(Port(port)).Append('\n');
+            foreach (var port in ((CaterpillarComponent)component).Declared) text.Append("  in ").Append(Port(port.Param)).Append(When(port)).Append('\n');
             foreach (var port in component.Params.Output) text.Append("  out ").Append(Port(port)).Append('\n');
         }
         return text.ToString();
     }
+
+    private static string When(DeclaredPort port)
+        => string.Concat(port.Conditions.Select(c => $" for {c.Port} {string.Join(", ", c.Values.OrderBy(v => v))}"));
 
     private static string Port(IGH_Param port)
     {

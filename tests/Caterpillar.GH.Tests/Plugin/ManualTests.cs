@@ -56,7 +56,7 @@ public sealed class ManualTests
             foreach (var c in components.Where(c => c.SubCategory == panel))
             {
                 text.Append("| ").Append(Icon(c)).Append(" | [").Append(c.Name).Append("](").Append(FileOf(c)).Append(") | ")
-                    .Append(string.Join(", ", c.Params.Input.Select(p => p.Name))).Append(" | ")
+                    .Append(string.Join(", ", ((CaterpillarComponent)c).Declared.Select(d => d.Param.Name).Distinct())).Append(" | ")
                     .Append(string.Join(", ", c.Params.Output.Select(p => p.Name))).Append(" |\n");
             }
         }
@@ -68,12 +68,23 @@ public sealed class ManualTests
         var text = new StringBuilder();
         text.Append("# ").Append(Icon(component)).Append(' ').Append(component.Name).Append("\n\n").Append(component.Description).Append("\n\nPanel ")
             .Append(component.SubCategory).Append(", nickname ").Append(component.NickName).Append(".\n");
-        Ports(text, "Inputs", component.Params.Input, p => ((CaterpillarComponent)component).IsRequired(component.Params.Input.IndexOf(p)) ? "yes" : "");
-        Ports(text, "Outputs", component.Params.Output, null);
+        var declared = ((CaterpillarComponent)component).Declared;
+        Ports(text, "Inputs", declared.Select(d => d.Param).ToArray(), p => declared.First(d => ReferenceEquals(d.Param, p)).IsRequired ? "yes" : "", declared);
+        Ports(text, "Outputs", component.Params.Output, null, []);
         return text.ToString();
     }
 
-    private static void Ports(StringBuilder text, string title, IReadOnlyList<IGH_Param> ports, Func<IGH_Param, string>? required)
+    // For which choices a port is shown.
+    private static string When(IReadOnlyList<DeclaredPort> declared, IGH_Param port)
+    {
+        string Words(PortCondition condition) => condition.Port + " " + string.Join(" or ", condition.Values.Select(value
+            => ((ChoiceParam)declared.First(d => d.Param.Name == condition.Port).Param).Choices.First(c => c.Value == value).Key));
+        var conditions = declared.FirstOrDefault(d => ReferenceEquals(d.Param, port))?.Conditions ?? [];
+        return conditions.Count == 0 ? "" : $"*{string.Join(", ", conditions.Select(Words))}:* ";
+    }
+
+    private static void Ports(StringBuilder text, string title, IReadOnlyList<IGH_Param> ports, Func<IGH_Param, string>? required,
+        IReadOnlyList<DeclaredPort> declared)
     {
         text.Append("\n## ").Append(title).Append("\n\n| name | nickname | type | access |").Append(required is null ? "" : " required |")
             .Append(" description |\n")
@@ -85,7 +96,7 @@ public sealed class ManualTests
                 .Append(" | ")
                 .Append(port.Access).Append(" | ");
             if (required is not null) text.Append(required(port)).Append(" | ");
-            text.Append(port.Description.Replace("|", "\\|"));
+            text.Append(When(declared, port)).Append(port.Description.Replace("|", "\\|"));
             if (port is ChoiceParam choice) text.Append(" One of ").Append(string.Join(", ", choice.Choices.Select(c => $"{c.Key} ({c.Value})"))).Append('.');
             text.Append(" |\n");
         }

@@ -65,19 +65,34 @@ public sealed class PreviewTests
     }
 
     [Test]
-    public void Very_large_goo_draws_nothing()
+    public void Of_too_many_lines_some_are_drawn_and_that_is_said()
     {
         var display = new DisplayPipeline();
-        new PrintPathGoo(Path(WireSet.MaxSegments + 2)).DrawViewportWires(new GH_PreviewWireArgs(new RhinoViewport(), display, Color.Red, 1));
-        Assert.That(display.Calls, Is.Empty);
-        var half = Path(WireSet.MaxSegments / 2 + 2);
+        var half = Path(Thinning.MostLines / 2 + 2);
         var param = new PrintPathParam();
-        param.AddVolatileData(new GH_Path(0), 0, half);
-        param.DrawViewportWires(new HeadlessPreviewArgs(new GH_Document(), display));
-        Assert.That(display.Calls, Has.Count.EqualTo(1));
-        param.AddVolatileData(new GH_Path(0), 1, half);
-        param.DrawViewportWires(new HeadlessPreviewArgs(new GH_Document(), display));
-        Assert.That(display.Calls, Has.Count.EqualTo(1), "The limit is one of the parameter.");
+        var document = new GH_Document();
+        document.AddObject(param, false);
+        int Drawn(params object[] paths)
+        {
+            var source = new Grasshopper.Kernel.Parameters.Param_GenericObject();
+            foreach (var path in paths) source.PersistentData.Append(Grasshopper.Kernel.Types.Casting.Wrap(path), new GH_Path(0));
+            document.AddObject(source, false);
+            param.RemoveAllSources();
+            param.AddSource(source);
+            param.ExpireSolution(true);
+            display.Calls.Clear();
+            param.DrawViewportWires(new HeadlessPreviewArgs(document, display));
+            return ((Rg.Line[])display.Calls.Single().Item).Length;
+        }
+        Assert.That(Drawn(half), Is.EqualTo(half.SegmentCount));
+        Assert.That(param.RuntimeMessages(GH_RuntimeMessageLevel.Remark), Is.Empty);
+        Assert.That(Drawn(half, half), Is.EqualTo(half.SegmentCount).Within(1), "The limit is one of the parameter.");
+        Assert.That(param.RuntimeMessages(GH_RuntimeMessageLevel.Remark),
+            Has.One.EqualTo("The preview shows one line in 2, because there are too many lines."));
+        var quarter = Path(Thinning.MostLines / 4 + 2);
+        var layers = Enumerable.Range(0, 8).Select(i => (object)quarter.With(layer: new Caterpillar.Toolpaths.Layer(i, 0.2 * i, 0.2))).ToArray();
+        Assert.That(Drawn(layers), Is.EqualTo(3 * quarter.SegmentCount), "Layers 0, 3 and 6.");
+        Assert.That(param.RuntimeMessages(GH_RuntimeMessageLevel.Remark), Has.One.Contains("one layer in 3"));
     }
 
     [Test]

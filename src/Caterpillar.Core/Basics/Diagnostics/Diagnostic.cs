@@ -29,10 +29,10 @@ public sealed record SourceLocation(
         var text = new StringBuilder();
         if (Origin is not null) text.Append(Origin).Append(" -> ");
         var begin = text.Length;
-        text.Append(File);
+        text.Append(LongWords.OneLine(File));
         if (Line is { } line) text.Append(text.Length > begin ? ":" : "line ").Append(NumberFormatter.Format(line));
         if (Column is { } column) text.Append(':').Append(NumberFormatter.Format(column));
-        if (Key is not null) text.Append(text.Length > begin ? ": " : "").Append(LongWords.Shorten(Key));
+        if (Key is not null) text.Append(text.Length > begin ? ": " : "").Append(LongWords.Shorten(LongWords.OneLine(Key)));
         if (Layer is { } layer) text.Append(text.Length > begin ? ", " : "").Append("layer ").Append(NumberFormatter.Format(layer));
         if (Step is { } step) text.Append(text.Length > begin ? ", " : "").Append("step ").Append(NumberFormatter.Format(step));
         if (Move is { } move) text.Append(text.Length > begin ? ", " : "").Append("move ").Append(NumberFormatter.Format(move));

@@ -2,7 +2,10 @@ using System.Text;
 
 namespace Caterpillar.Basics;
 
-/// <summary>Shortens quotations in messages: numbers of hundreds of digits, whole files on one line.</summary>
+/// <summary>
+/// Makes quotations in messages fit to print: numbers of hundreds of digits and whole files on one line are shortened, control characters are shown as
+/// <c>\u001B</c>, so that a file cannot control the terminal of its reader.
+/// </summary>
 internal static class LongWords
 {
     // Paths of ordinary length stay whole.
@@ -15,7 +18,7 @@ internal static class LongWords
     public static string Shorten(string text)
     {
         if (text is null) return text!;
-        text = WithoutDigits(text);
+        text = WithoutDigits(Visible(text));
         if (text.Length <= Longest) return text;
         StringBuilder? shorter = null;
         for (int start = 0, at = 0; at <= text.Length; at++)
@@ -35,6 +38,26 @@ internal static class LongWords
         }
         return shorter?.ToString() ?? text;
     }
+
+    /// <summary>The text with control characters as <c>\u001B</c>, except tabs and line ends.</summary>
+    public static string Visible(string text)
+    {
+        StringBuilder? visible = null;
+        for (var i = 0; i < text.Length; i++)
+        {
+            var c = text[i];
+            if (IsControl(c)) (visible ??= new StringBuilder(text, 0, i, text.Length + 16)).Append("\\u").Append(((int)c).ToString("X4", null));
+            else visible?.Append(c);
+        }
+        return visible?.ToString() ?? text;
+    }
+
+    /// <summary>A name on one line, without control characters.</summary>
+    public static string OneLine(string? name) => name is null ? "" : Visible(string.Join("\\n", string.Join("\\r", name.Split('\r')).Split('\n')));
+
+    // Also those that change the direction of text.
+    private static bool IsControl(char c)
+        => (c < ' ' && c is not ('\n' or '\r' or '\t')) || c is >= '\x7F' and <= '\x9F' or >= '\u202A' and <= '\u202E' or >= '\u2066' and <= '\u2069';
 
     private static string WithoutDigits(string text)
     {

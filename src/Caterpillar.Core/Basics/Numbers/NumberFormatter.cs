@@ -50,7 +50,7 @@ public static class NumberFormatter
     }
 
     /// <summary>The shortest decimal text that reads back as the same number, or the number rounded to 15 decimals.</summary>
-    internal static string Shortest(double value)
+    public static string Shortest(double value)
     {
         for (var decimals = 0; decimals < MaxDecimals; decimals++)
         {

@@ -8,13 +8,21 @@ namespace Caterpillar.Checks;
 internal sealed class DepositCheck : IMoveCheck
 {
     private const double ArcTolerance = 0.02;
-    private const double Farthest = 1e6;
+    private readonly double _farthest;
+    private readonly CancellationToken _cancel;
     private readonly PrintedSoFar _printed;
     private readonly ExtrusionCheck _extrusions;
     private readonly CollisionCheck? _collisions;
 
-    public DepositCheck(PrintSetup setup, Findings findings)
+    // Deltas, which have round beds, home upward.
+    private readonly bool _homesUp;
+
+    public DepositCheck(PrintSetup setup, Findings findings, CancellationToken cancel = default)
     {
+        _cancel = cancel;
+        _homesUp = setup.Printer.BedShape == BedShape.Round;
+        var volume = setup.Printer.BuildVolume;
+        _farthest = System.Math.Max(10_000, 2 * (volume.X + volume.Y + volume.Z));
         _printed = new PrintedSoFar(setup, PrintedSoFar.ObjectOf(setup));
         _extrusions = new ExtrusionCheck(setup, _printed, findings);
         if (findings.LooksFor(CollisionCheck.Codes)) _collisions = new CollisionCheck(setup.Printer, _printed, findings);
@@ -42,6 +50,7 @@ internal sealed class DepositCheck : IMoveCheck
         piece.Deposited = move.Deposited / chords;
         for (var k = 1; k <= chords; k++)
         {
+            if ((k & 0xFF) == 1) _cancel.ThrowIfCancellationRequested();
             piece.End = arc.PointAt(move.Start, move.End, (double)k / chords);
             Piece(piece);
             piece.Start = piece.End;
@@ -50,14 +59,29 @@ internal sealed class DepositCheck : IMoveCheck
 
     public void End(Toolpath toolpath) => _extrusions.End();
 
-    // What is a kilometer away is outside every machine; numbers of any size must not stop the checks.
-    private static bool IsFar(Vec3 p) => !(System.Math.Abs(p.X) < Farthest && System.Math.Abs(p.Y) < Farthest && System.Math.Abs(p.Z) < Farthest);
+    // What is far outside the machine touches nothing; numbers of any size must not stop the checks.
+    private bool IsFar(Vec3 p) => !(System.Math.Abs(p.X) < _farthest && System.Math.Abs(p.Y) < _farthest && System.Math.Abs(p.Z) < _farthest);
+
+    // Homing goes along X, then Y, then down. Firmware raises the head only above a height of its configuration, if at all.
+    private void Home(in CheckedMove move)
+    {
+        _printed.Advance(0);
+        var piece = move;
+        foreach (var end in new[] { new Vec3(move.End.X, move.Start.Y, move.Start.Z), move.End.WithZ(move.Start.Z), move.End })
+        {
+            piece.End = end;
+            piece.Length = piece.Start.DistanceTo(end);
+            if (piece.Length > 0) _collisions?.Check(piece, 0);
+            piece.Start = end;
+        }
+    }
 
     private void Piece(in CheckedMove move)
     {
         if (!move.StartKnown || IsFar(move.Start) || IsFar(move.End))
         {
             _extrusions.Break();
+            if (move.HomesFromKnown && !_homesUp && !IsFar(move.Start)) Home(move);
             return;
         }
         _printed.Advance(0);

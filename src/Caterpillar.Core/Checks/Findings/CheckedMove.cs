@@ -15,6 +15,9 @@ internal struct CheckedMove
 
     /// <summary>A move to the switches.</summary>
     public bool IsHoming;
+
+    /// <summary>True for such a move whose start is known.</summary>
+    public bool HomesFromKnown;
     public MoveKind Kind;
     public Role Role;
     public int Layer;

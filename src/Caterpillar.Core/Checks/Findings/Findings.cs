@@ -49,6 +49,13 @@ internal sealed class Findings
         if (_severities[code] is { } severity) Add(code, severity, () => _place(move), message, 0);
     }
 
+    /// <summary>Adds a finding at an event that stands for several.</summary>
+    public void Add(string code, MoveEvent what, Func<string> message, int count)
+    {
+        Add(code, () => _placeOfEvent(what), message);
+        if (_ofCode.TryGetValue(code, out var finding)) finding.Count = count;
+    }
+
     /// <summary>Adds a finding of a check of the user at a move.</summary>
     public void Add(Diagnostic found, int move) => Add(found.Code, found.Severity, () => _place(move), () => Made(found.Message), 0);
 

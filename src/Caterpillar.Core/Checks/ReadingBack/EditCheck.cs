@@ -13,15 +13,16 @@ internal static class EditCheck
     private const double Share = 0.001;
 
     public static IReadOnlyList<Diagnostic> Run(
-        DecodedGCode decoding, Toolpath edited, GCodeDocument document, PrintSetup setup, IProgress<double>? progress, CancellationToken cancel)
+        DecodedGCode decoding, Toolpath edited, GCodeDocument document, PrintSetup setup, IProgress<double>? progress, CancellationToken cancel,
+        DecodedGCode? before = null)
     {
         var options = new DecodeOptions { Flavor = decoding.Flavor, Rule = decoding.Rule, FilamentDiameter = setup.Material.FilamentDiameter };
         var file = GCodeDecoder.Decode(document, options, null, cancel).OrThrow();
         var read = PrintCheck.WithVolumes(file.Toolpath, setup);
         var findings = new Findings(setup.Printer, read);
         Compare(edited, read, findings);
-        var checks = PrintCheck.Run(read, setup, CheckScope.OfFile(file, setup), progress, cancel);
-        return [.. findings.ToList(), .. checks];
+        var checks = PrintCheck.Run(read, setup, CheckScope.OfFile(file, setup) with { Before = (before ?? decoding).Used }, progress, cancel);
+        return [.. findings.ToList(), .. checks, .. DecodingNotes.Of(file, before ?? decoding)];
     }
 
     // Edits may join and divide moves: where their numbers differ, only the sums are compared.

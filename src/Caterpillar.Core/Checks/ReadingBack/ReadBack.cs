@@ -84,11 +84,13 @@ internal sealed class ReadBack : IDisposable
         _comparison?.End(file.Toolpath, _read);
         var read = file.Toolpath.Tools.Count <= _plan.Tools.Count ? file.Toolpath.WithTools(_plan.Tools) : file.Toolpath;
         _places = new WrittenPlaces(_plan, move => move < 0 || move >= read.Count ? null : read[move].Source, Lines, _setup.Printer);
-        var checks = _checks.Finish(read, CheckScope.OfWritten(file, _setup), progress);
+        var scope = CheckScope.OfWritten(file, _setup) with { FirstLine = Lines.Before(0, -1) + 1, IsOwnLine = IsOwnLine };
+        var checks = _checks.Finish(read, scope, progress);
         var compared = new DiagnosticList();
         compared.AddRange(modes.ToList());
         compared.AddRange(_compared.ToList());
-        return [.. compared.ToList(), .. checks];
+        var problems = DecodingNotes.Of(file, null).Select(d => d.WithSource(s => s?.Line is { } line ? _places.OfLine(line) : s));
+        return [.. compared.ToList(), .. checks, .. problems];
     }
 
     /// <summary>Nothing more is read, and nobody waits for that.</summary>
@@ -115,6 +117,9 @@ internal sealed class ReadBack : IDisposable
         _writer.GoOn(plan, format);
         _comparison?.GoOn(plan);
     }
+
+    // Events of the plan, except lines that the user wrote.
+    private bool IsOwnLine(int line) => Lines.EventAt(line) is >= 0 and var what && _plan.Events[what].Event is not RawEvent;
 
     private DecodedGCode Read()
     {

@@ -29,7 +29,8 @@ internal sealed class WrittenPlaces(Toolpath plan, Func<int, int?> lineOf, Writt
         return new SourceLocation(Line: line > 0 ? lines.InFile(line) : null, Step: source >= 0 ? source : null, Origin: plan.PlaceOfStep(source));
     }
 
-    private SourceLocation OfLine(int line)
+    /// <summary>The place of a line.</summary>
+    public SourceLocation OfLine(int line)
     {
         if (lines.MoveAt(line) is >= 0 and var move) return OfMove(plan, lines, move, line);
         if (lines.EventAt(line) is >= 0 and var index) return OfEvent(index) with { Line = lines.InFile(line) };

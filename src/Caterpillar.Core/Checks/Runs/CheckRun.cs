@@ -63,6 +63,7 @@ internal sealed class CheckRun(IMoveCheck[] checks, IReadOnlyList<ToolpathTool> 
             _seen.IsHoming = home is not null && _seen.Kind == MoveKind.Travel && _seen.E == 0 && _seen.End == home.Home(_seen.Start);
             // Where a head comes from after it has homed is the machine's own.
             _seen.StartKnown = _known && !_homes && home is null;
+            _seen.HomesFromKnown = _seen.IsHoming && _known && !_homes;
             _homes = _seen.IsHoming;
             _known = true;
             foreach (var check in checks) check.Move(_seen);

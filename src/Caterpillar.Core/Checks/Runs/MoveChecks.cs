@@ -80,6 +80,7 @@ internal sealed class MoveChecks : IDisposable
         IMoveCheck[] checks = [new HeatCheck(_setup, scope, ofFile), new FileCheck(whole, scope, ofFile)];
         if (!scope.IsPlanned) checks = [.. checks, new ModeCheck(_setup.Printer, ofFile)];
         CheckRun.Run(whole, Asked(checks, ofFile), null, _cancel);
+        new CommandCheck(whole, _setup.Printer, scope, ofFile).Run();
         if (_printing is not null)
         {
             OwnThread.Wait(_printing);
@@ -124,7 +125,7 @@ internal sealed class MoveChecks : IDisposable
 
     private void Print()
     {
-        var run = new CheckRun([new DepositCheck(_setup, _ofPrint)], _tools, _stop.Token);
+        var run = new CheckRun([new DepositCheck(_setup, _ofPrint, _stop.Token)], _tools, _stop.Token);
         foreach (var block in _waiting.GetConsumingEnumerable())
         {
             run.Block(block, at =>

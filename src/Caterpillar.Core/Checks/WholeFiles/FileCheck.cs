@@ -35,7 +35,7 @@ internal sealed class FileCheck(Toolpath toolpath, CheckScope scope, Findings fi
 
     private void Printed(in CheckedMove move)
     {
-        if (_reported || !scope.IsWholeFile || scope.HasMacros) return;
+        if (_reported || !scope.IsWholeFile || scope.Homes) return;
         _reported = true;
         if (!_homes) findings.Add(CheckCodes.NoHoming, move.Index, () => "The file prints without homing first. Add G28 to the start G-code.");
         if (_hasX && _hasY && _hasZ) return;

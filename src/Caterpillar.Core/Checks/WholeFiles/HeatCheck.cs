@@ -59,8 +59,9 @@ internal sealed class HeatCheck : IMoveCheck
     public void End(Toolpath toolpath)
     {
         if (!_scope.IsWholeFile) return;
-        if (_needed > 0 && _firstExtrusion is { } first && !_heats && !_scope.HasMacros)
+        if (_needed > 0 && _firstExtrusion is { } first && !_heats && !_scope.Heats)
             _findings.Add(CheckCodes.NoHeating, first, () => "This move extrudes, but the file never heats the nozzle. Add M109 to the start G-code.");
+        if (_scope.Cools) return;
         if (_nozzles.LeftOn is { } nozzle)
             _findings.Add(CheckCodes.HeatLeftOn, () => PlaceOf(nozzle), () => Left("nozzle", ((NozzleTemperatureEvent)nozzle.Event).Celsius, "M104 S0"));
         if (_bed is { Event: BedTemperatureEvent { Celsius: > 0 } left } bed)

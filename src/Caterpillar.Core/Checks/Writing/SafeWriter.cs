@@ -133,6 +133,7 @@ public static class SafeWriter
     {
         if (decoding is null) throw new ArgumentNullException(nameof(decoding));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
+        var before = decoding;
         if (code is { Start: not null } or { End: not null })
         {
             var replaced = GCodeEditor.ToDocument(decoding, edited, code, null, cancel);
@@ -143,7 +144,7 @@ public static class SafeWriter
         }
         var written = GCodeEditor.ToDocument(decoding, edited, progress.Part(0, 0.4), cancel);
         if (written.Value is null) return (written, null);
-        var findings = EditCheck.Run(decoding, edited, written.Value, setup, progress.Part(0.4, 0.8), cancel);
+        var findings = EditCheck.Run(decoding, edited, written.Value, setup, progress.Part(0.4, 0.8), cancel, before);
         var guard = new WriteGuard(findings, reason);
         if (guard.Refuses) return (new Result<GCodeDocument>(null, guard.Refusal(written.Diagnostics)), guard);
         if (guard.Overridden > 0)
@@ -157,11 +158,12 @@ public static class SafeWriter
 
     /// <summary>Checks the text of a file that was edited or converted before. Messages name its lines.</summary>
     internal static (Result<GCodeDocument> Document, WriteGuard? Guard) Check(
-        GCodeDocument text, DecodeOptions reading, PrintSetup setup, string? reason, IProgress<double>? progress, CancellationToken cancel)
+        DecodedGCode before, GCodeDocument text, DecodeOptions reading, PrintSetup setup, string? reason, IProgress<double>? progress, CancellationToken cancel)
     {
         var file = GCodeDecoder.Decode(text, reading with { FilamentDiameter = setup.Material.FilamentDiameter }, null, cancel).OrThrow();
         var read = PrintCheck.WithVolumes(file.Toolpath, setup);
-        var guard = new WriteGuard(PrintCheck.Run(read, setup, CheckScope.OfFile(file, setup), progress, cancel), reason);
+        var checks = PrintCheck.Run(read, setup, CheckScope.OfFile(file, setup) with { Before = before.Used }, progress, cancel);
+        var guard = new WriteGuard([.. checks, .. DecodingNotes.Of(file, before)], reason);
         if (guard.Refuses) return (new Result<GCodeDocument>(null, guard.Refusal([])), guard);
         var commented = new Result<GCodeDocument>(text, []);
         if (guard.Overridden > 0)

@@ -9,8 +9,8 @@ namespace Caterpillar.Display;
 /// </summary>
 internal sealed class MoveColumns
 {
-    /// <summary>Maximum deviation of chords from arcs, mm.</summary>
-    private const double ChordError = 0.02;
+    /// <summary>Maximum deviation of chords from arcs, mm, and for arcs larger than any printer as a share of the radius.</summary>
+    private const double ChordError = 0.02, ShareOfRadius = 2e-6;
 
     private readonly ViewerContent _content;
     private readonly Toolpath _toolpath;
@@ -55,9 +55,11 @@ internal sealed class MoveColumns
             var length = move.Length;
             var area = move.Kind == MoveKind.Print && length > 0 && _toolpath.VolumeOf(move) is > 0 and var volume ? volume / length : 0;
             var begin = move.Index > 0 ? End(move.Index - 1) : 0;
-            var chords = move.Arc?.ChordCount(move.Start, move.End, ChordError) ?? 1;
+            var chords = move.Arc is { } arc
+                ? arc.ChordCount(move.Start, move.End, Math.Max(ChordError, arc.Radius(move.Start) * ShareOfRadius)) : 1;
             for (var i = 1; i <= chords; i++)
             {
+                if ((i & 0xFFF) == 2) cancel.ThrowIfCancellationRequested();
                 var part = (double)i / chords;
                 Row(move, i < chords ? move.Arc!.Value.PointAt(move.Start, move.End, part) : move.End, area, begin + (End(move.Index) - begin) * part);
             }

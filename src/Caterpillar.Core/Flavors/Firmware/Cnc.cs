@@ -37,10 +37,5 @@ internal static class Cnc
         ExtruderLetters = "AEB",
         PrintsWithoutE = true,
         Pauses = ["M0", "M1", "M60"],
-        NotFollowed =
-        [
-            "G5", "G5.1", "G5.2", "G6.2", "G10", "G33", "G38.2", "G38.3", "G38.4", "G38.5", "G41", "G42", "G43", "G43.1", "G43.2", "G52",
-            "G73", "G74", "G76", "G81", "G82", "G83", "G84", "G85", "G86", "G87", "G88", "G89", "G92.3",
-        ],
     };
 }

@@ -32,6 +32,5 @@ internal static class Grbl
         ExtruderLetters = "",
         PrintsWithoutE = true,
         Pauses = ["M0"],
-        NotFollowed = ["G10", "G38.2", "G38.3", "G38.4", "G38.5", "G43.1"],
     };
 }

@@ -14,7 +14,8 @@ internal static class Klipper
             + "pause_resume.py, virtual_sdcard.py; klippy/toolhead.py (cmd_G4), klippy/kinematics/extruder.py (cmd_ACTIVATE_EXTRUDER)",
         Notes =
             "T, M600 and other macros depend on the configuration of the printer. Here T changes the extruder, M600 is "
-            + "a pause, and other macros do nothing. G2, G3, G10 and G11 need sections in the configuration, which are assumed to be present.",
+            + "a pause. Other macros are not understood, unless the printer profile declares them. "
+            + "G2, G3, G10 and G11 need sections in the configuration, which are assumed to be present.",
         BareG92 = BareG92Rule.ZeroAll,
         Inches = false,
         RadiusArcs = false,
@@ -25,6 +26,7 @@ internal static class Klipper
         SpeedFactor = true,
         FlowFactor = FlowFactorRule.UntilToolChange,
         FactorsReset = true,
+        NoTargetIsOff = true,
         PositionOfE = PositionOfERule.ZeroAtChange,
         ExtendedCommands = true,
         Pauses = ["PAUSE", "M25", "M600"],

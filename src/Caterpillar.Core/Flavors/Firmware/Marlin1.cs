@@ -23,6 +23,5 @@ internal static class Marlin1
         FlowToolLetter = "T",
         Volumetric = true,
         Pauses = ["M0", "M1", "M25", "M125", "M600"],
-        NotFollowed = ["G5", "G12", "G27", "G38.2", "G38.3", "G42", "G53", "G54", "G55", "G56", "G57", "G58", "G59", "G61", "M206", "M218", "M290", "M428"],
     };
 }

@@ -26,6 +26,5 @@ internal static class Prusa
         FlowFactor = FlowFactorRule.AllTools,
         FlowToolLetter = "",
         Pauses = ["M601", "M0", "M1", "M25", "M125", "M600"],
-        NotFollowed = ["M206"],
     };
 }

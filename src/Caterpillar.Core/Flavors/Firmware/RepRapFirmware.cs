@@ -31,6 +31,5 @@ internal static class RepRapFirmware
         ModeStack = true,
         RestorePoints = true,
         Pauses = ["M226", "M601", "M25", "M600"],
-        NotFollowed = ["G10", "G38.2", "G38.3", "G38.4", "G38.5", "G68", "M206", "M290"],
     };
 }

@@ -21,6 +21,5 @@ internal static class Repetier
         Volumetric = true,
         PositionOfE = PositionOfERule.PerTool,
         Pauses = ["M600", "M25"],
-        NotFollowed = ["G131", "G132", "G134", "M290", "M402"],
     };
 }

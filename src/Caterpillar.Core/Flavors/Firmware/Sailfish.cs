@@ -32,6 +32,5 @@ internal static class Sailfish
         ExtruderLetters = "EAB",
         SwitchedExtruder = true,
         Pauses = ["M1", "M25", "M71"],
-        NotFollowed = ["G10", "G54", "G55", "G56", "G57", "G58", "G59", "M132"],
     };
 }

@@ -30,6 +30,5 @@ internal static class Smoothie
         PositionOfE = PositionOfERule.PerTool,
         ModeStack = true,
         Pauses = ["M600", "M25"],
-        NotFollowed = ["G28.2", "G28.3", "G28.4", "G30", "G38.2", "G38.3", "G43.1", "G43.2", "G92.3", "G92.4", "M206"],
     };
 }

@@ -24,6 +24,5 @@ internal static class Ultigcode
         FlowFactor = FlowFactorRule.PerTool,
         StartsVolumetric = true,
         Pauses = ["M0", "M1", "M25", "M600", "M601"],
-        NotFollowed = ["M206", "M218", "M606"],
     };
 }

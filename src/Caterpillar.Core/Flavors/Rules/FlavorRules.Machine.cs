@@ -24,6 +24,9 @@ public sealed partial record FlavorRules
     /// <summary>M220 and M221 without S mean 100 %.</summary>
     internal bool FactorsReset { get; init; }
 
+    /// <summary>M104, M109, M140 and M190 without S switch the heater off. Otherwise they do nothing.</summary>
+    internal bool NoTargetIsOff { get; init; }
+
     /// <summary>Meaning of the number of M106.</summary>
     internal FanScale Fan { get; init; } = FanScale.Byte;
 

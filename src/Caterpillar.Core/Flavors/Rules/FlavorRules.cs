@@ -33,9 +33,6 @@ public sealed partial record FlavorRules
     /// <summary>Commands that wait for the user. The writer uses the first.</summary>
     internal IReadOnlyList<string> Pauses { get; init; } = ["M0", "M1"];
 
-    /// <summary>Unsupported commands that move the head or change its coordinates. They give a warning.</summary>
-    internal IReadOnlyList<string> NotFollowed { get; init; } = [];
-
     /// <summary>M120 saves the modes, M121 restores them.</summary>
     internal bool ModeStack { get; init; }
 

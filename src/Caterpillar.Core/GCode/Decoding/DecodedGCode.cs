@@ -46,6 +46,12 @@ public sealed class DecodedGCode
     /// <summary>The state of the machine before each chunk of the document.</summary>
     internal Checkpoint[] Checkpoints { get; init; } = [];
 
+    /// <summary>Commands that are not harmless everywhere, and where the file uses them.</summary>
+    internal IReadOnlyList<UsedCommand> Used { get; init; } = [];
+
+    /// <summary>The diagnostics of decoding.</summary>
+    internal IReadOnlyList<Diagnostic> Problems { get; init; } = [];
+
     internal ExtrusionAxis Axis { get; init; } = ExtrusionAxis.None;
 
     /// <summary>The last line that changes a mode.</summary>

@@ -174,7 +174,7 @@ public static class GCodeDecoder
             },
             cancel);
         problems.AddRange(input.Notes());
-        interpreter.Machine.Ignored.Report();
+        interpreter.Machine.Log.Report();
         if (detected is { IsDefault: true }) ReportDefault(rules, interpreter.Comments.Settings, problems);
         var settings = interpreter.Comments.Settings.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal);
         var toolpath = interpreter.ToToolpath(FilamentFactors.Of(settings, options.FilamentDiameter));
@@ -187,7 +187,9 @@ public static class GCodeDecoder
                 Document = document,
                 Evidence = detected?.Evidence ?? [],
                 Settings = settings,
-                Ignored = interpreter.Machine.Ignored.Counts.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal),
+                Ignored = interpreter.Machine.Log.Ignored.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal),
+                Problems = diagnostics,
+                Used = interpreter.Machine.Log.Used,
                 Rule = options.Rule,
                 Checkpoints = checkpoints?.ToArray() ?? [],
                 Axis = axis,

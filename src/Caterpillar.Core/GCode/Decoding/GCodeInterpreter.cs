@@ -176,13 +176,15 @@ internal sealed class GCodeInterpreter
                 _machineCommands.Take(text, line);
                 return;
             case 'T':
+                _machine.Log.See(text, line.LetterAt[0], line.CodeEnd);
                 if (!_machine.Rules.ToolByM6) _machine.ChangeTool(line.Values[0]);
                 else State.NextTool = line.Values[0];
                 return;
             case 'O':
+                _machine.Log.See(text, line.LetterAt[0], line.CodeEnd);
                 return;
             default:
-                _commands.Take(line);
+                _commands.Take(text, line);
                 return;
         }
     }

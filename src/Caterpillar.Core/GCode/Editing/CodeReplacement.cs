@@ -79,7 +79,8 @@ internal sealed class CodeReplacement
             _context.Command("G92 " + (char)_context.Extruder + SpliceContext.Format(expected.Extrusion.E, _context.UnitOfE));
     }
 
-    private static (int First, int Last) PrintedLines(DecodedGCode decoding)
+    /// <summary>The first line of the first layer and the line of the last extrusion of the print; 0 = none.</summary>
+    public static (int First, int Last) PrintedLines(DecodedGCode decoding)
     {
         var (first, last) = (decoding.FirstLayerLine, 0);
         foreach (var block in decoding.Toolpath.Blocks)

@@ -17,6 +17,9 @@ internal enum LineShape : byte
 /// </summary>
 internal sealed class ParsedLine
 {
+    // No firmware reads more than a few hundred characters of a line.
+    private const int MostWords = 10_000;
+
     public byte[] Letters = new byte[16];
     public double[] Values = new double[16];
     public bool[] HasValue = new bool[16];
@@ -161,10 +164,10 @@ internal sealed class ParsedLine
             var letter = (byte)(c & 0xDF);
             if (letter is >= (byte)'A' and <= (byte)'Z' && c < 128)
             {
-                var next = Word(text, at, end, letter, wordEnd);
+                var next = Count < MostWords ? Word(text, at, end, letter, wordEnd) : -1;
                 if (next < 0)
                 {
-                    // An extended command: what follows is text, up to a comment.
+                    // An extended command, or no G-code: what follows is text, up to a comment.
                     Shape = LineShape.Macro;
                     CommentStart = Array.IndexOf(text, (byte)';', at, end - at);
                     CodeEnd = CommentStart < 0 ? end : CommentStart;

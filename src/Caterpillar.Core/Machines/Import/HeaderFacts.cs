@@ -78,6 +78,7 @@ internal sealed class HeaderFacts
             case "M82" or "M83":
                 RelativeE = line.Command == "M83";
                 break;
+            case "G10" when line['P'] is not null:
             case "M104" or "M109":
                 if (TemperatureOf(line) is { } nozzle) NozzleTemperature = nozzle;
                 break;

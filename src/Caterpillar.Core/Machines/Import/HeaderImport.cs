@@ -47,7 +47,7 @@ public static class HeaderImport
         var start = new HeaderTemplate(head, headerFile, problems);
         var startLines = start.Start(facts);
         var endLines = new HeaderTemplate(foot, footerFile, problems).End(facts);
-        var (volume, origin) = Bed(facts, like ?? new Printer(), headerFile, problems);
+        var (volume, origin) = Bed(facts, foot.Facts, like ?? new Printer(), headerFile, problems);
         var nozzle = facts.NozzleTemperature ?? (start.Used.Contains("hotend_temp") ? DefaultNozzle : 0);
         var bed = facts.BedTemperature ?? (start.Used.Contains("bed_temp") ? DefaultBed : 0);
         var printer = (like ?? new Printer()) with
@@ -80,10 +80,11 @@ public static class HeaderImport
 
     // A size in a comment; else twice the position where the print starts, since that is the middle; else that of the similar printer. Never less than the
     // positions of the header.
-    private static (Vec3 Volume, BedOrigin Origin) Bed(HeaderFacts facts, Printer like, string file, DiagnosticList problems)
+    private static (Vec3 Volume, BedOrigin Origin) Bed(HeaderFacts facts, HeaderFacts ending, Printer like, string file, DiagnosticList problems)
     {
         var place = new SourceLocation(file);
         var seen = facts.Seen.IsEmpty ? Bounds.Of([Vec3.Zero]) : facts.Seen;
+        if (ending.Relative == false && !ending.NeedsMode) seen = seen.Include(ending.Seen);
         var centered = seen.Min.X < -20 || seen.Min.Y < -20;
         var origin = facts.SizeInComment is null && facts.Position is null && !centered ? like.Origin : centered ? BedOrigin.Center : BedOrigin.Corner;
         double x = like.BuildVolume.X, y = like.BuildVolume.Y, z = like.BuildVolume.Z;
@@ -105,7 +106,7 @@ public static class HeaderImport
         if (needs.X > x || needs.Y > y || needs.Z > z)
         {
             (x, y, z) = (Math.Max(x, needs.X), Math.Max(y, needs.Y), Math.Max(z, needs.Z));
-            reason = "from the range of the header's moves";
+            reason = "from the range of the moves";
         }
         var volume = new Vec3(Fit(x), Fit(y), Fit(z));
         problems.Add(Severity.Note, "header.bed_size", reason.Length == 0

@@ -36,6 +36,26 @@ internal static class KeyAdvice
     /// <summary>The unit at the end of a key, or an empty text.</summary>
     public static string UnitOf(string key) => Units.FirstOrDefault(u => key.EndsWith("_" + u, StringComparison.Ordinal)) ?? "";
 
+    /// <summary>A unit as people write it; nothing for ratios and counts.</summary>
+    public static string Spoken(string unit) => unit switch
+    {
+        "ratio" or "factor" or "moves" or "count" or "per_kg" => "",
+        "c_s" => "°C/s",
+        "mm_s" => "mm/s",
+        "mm_s2" => "mm/s²",
+        "mm3_s" => "mm³/s",
+        "c" => "°C",
+        "f" => "°F",
+        "k" => "K",
+        "deg" => "degrees",
+        "percent" => "%",
+        "g_cm3" => "g/cm³",
+        "mm_min" => "mm/min",
+        "cm_s" => "cm/s",
+        "m_s" => "m/s",
+        _ => unit.Replace('_', ' '),
+    };
+
     // In the singular, without short units.
     private static string[] Words(string key)
         => key.ToLowerInvariant().Split('_', ' ', '-').Where(w => w.Length > 2).Select(w => w.Length > 3 ? w.TrimEnd('s') : w).Distinct().ToArray();

@@ -42,6 +42,9 @@ public abstract class ProfileKey
     /// <summary>Description of the key.</summary>
     public string Summary => KeySentences.Of(Name);
 
+    /// <summary>The unit as people write it: <c>mm/s²</c>. Empty for ratios, counts and words.</summary>
+    public string Unit => KeyAdvice.Spoken(KeyAdvice.UnitOf(Name));
+
     /// <summary>Type of the value.</summary>
     public abstract KeyKind Kind { get; }
 

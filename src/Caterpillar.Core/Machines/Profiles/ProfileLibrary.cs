@@ -11,6 +11,7 @@ namespace Caterpillar.Machines;
 /// </summary>
 public sealed class ProfileLibrary
 {
+    private const long LargestFile = 16 << 20;
     private readonly string? _userFolder;
 
     /// <param name="userFolder">Folder of the user's profiles; null = none. It need not exist.</param>
@@ -64,6 +65,8 @@ public sealed class ProfileLibrary
         if (!IsFile(nameOrFile)) return Named(kind, nameOrFile, []);
         if (!File.Exists(nameOrFile))
             return Failed<T>("profile.not_found", $"File {nameOrFile} not found.", new SourceLocation(nameOrFile));
+        if (new FileInfo(nameOrFile).Length > LargestFile)
+            return Failed<T>("profile.not_an_object", "The file has more than 16 MB. It is not a profile.", new SourceLocation(nameOrFile));
         return Read(kind, new Source(nameOrFile, Path.GetFileNameWithoutExtension(nameOrFile), () => File.ReadAllText(nameOrFile)), []);
     }
 

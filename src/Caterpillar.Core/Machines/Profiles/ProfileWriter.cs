@@ -9,8 +9,8 @@ public static class ProfileWriter
     /// <summary>A material as JSON with all its keys.</summary>
     public static string Write(Material material) => Write(ProfileKinds.Material.Keys, material);
 
-    /// <summary>Print settings as JSON with all their keys.</summary>
-    public static string Write(PrintSettings settings) => Write(ProfileKinds.Settings.Keys, settings);
+    /// <summary>Print settings as JSON with all their keys; 0 for what follows from the nozzle.</summary>
+    public static string Write(PrintSettings settings) => Write(ProfileKinds.Settings.Keys, settings?.AsGiven!);
 
     private static string Write<T>(IEnumerable<ProfileKey<T>> keys, T profile)
         where T : class

@@ -27,8 +27,8 @@ public sealed partial record PrintSettings
     /// <summary>Distance by which the raft extends beyond the part.</summary> <value>mm.</value>
     public double RaftExpansion { get; init => field = BedKeys.RaftExpansion.Check(value); } = 3;
 
-    /// <summary>Layer height of the raft.</summary> <value>mm.</value>
-    public double RaftLayerHeight { get; init => field = BedKeys.RaftLayerHeight.Check(value); } = 0.3;
+    /// <summary>Layer height of the raft; 0 = 75 % of the nozzle diameter.</summary> <value>mm.</value>
+    public double RaftLayerHeight { get => OfNozzle(field, 0.3); init => field = BedKeys.RaftLayerHeight.Check(value); }
 
     /// <summary>Gap between raft and part.</summary> <value>mm.</value>
     public double RaftGap { get; init => field = BedKeys.RaftGap.Check(value); } = 0.2;
@@ -50,7 +50,7 @@ internal static class BedKeys
     public static readonly IntegerKey RaftLayers = All.Integer("raft_layers", 0, 1000, s => s.RaftLayers, (s, v) => s with { RaftLayers = v });
     public static readonly NumberKey RaftExpansion = All.Number("raft_expansion_mm", 0, 1000, s => s.RaftExpansion, (s, v) => s with { RaftExpansion = v });
     public static readonly NumberKey RaftLayerHeight
-        = All.Number("raft_layer_height_mm", 0.001, 1000, s => s.RaftLayerHeight, (s, v) => s with { RaftLayerHeight = v });
+        = All.NumberOrZero("raft_layer_height_mm", 0.001, 1000, s => s.RaftLayerHeight, (s, v) => s with { RaftLayerHeight = v });
     public static readonly NumberKey RaftGap = All.Number("raft_gap_mm", 0, 1000, s => s.RaftGap, (s, v) => s with { RaftGap = v });
     public static readonly NumberKey RaftDensityPercent
         = All.Number("raft_density_percent", 1, 100, s => s.RaftDensityPercent, (s, v) => s with { RaftDensityPercent = v });

@@ -18,11 +18,11 @@ public sealed partial record PrintSettings
     /// <summary>Use thinner layers where the surface is shallow.</summary>
     public bool AdaptiveLayers { get; init; }
 
-    /// <summary>Minimum height of adaptive layers.</summary> <value>mm.</value>
-    public double AdaptiveMinHeight { get; init => field = LayerKeys.AdaptiveMinHeight.Check(value); } = 0.08;
+    /// <summary>Minimum height of adaptive layers; 0 = 20 % of the nozzle diameter.</summary> <value>mm.</value>
+    public double AdaptiveMinHeight { get => OfNozzle(field, 0.08); init => field = LayerKeys.AdaptiveMinHeight.Check(value); }
 
-    /// <summary>Maximum height of adaptive layers.</summary> <value>mm.</value>
-    public double AdaptiveMaxHeight { get; init => field = LayerKeys.AdaptiveMaxHeight.Check(value); } = 0.28;
+    /// <summary>Maximum height of adaptive layers; 0 = 70 % of the nozzle diameter.</summary> <value>mm.</value>
+    public double AdaptiveMaxHeight { get => OfNozzle(field, 0.28); init => field = LayerKeys.AdaptiveMaxHeight.Check(value); }
 
     /// <summary>Maximum cusp height of adaptive layers: distance between steps and surface, normal to the surface.</summary> <value>mm.</value>
     public double AdaptiveCuspHeight { get; init => field = LayerKeys.AdaptiveCuspHeight.Check(value); } = 0.1;
@@ -52,9 +52,9 @@ internal static class LayerKeys
         = All.Of("layer_height_formula", new FormulaFormat("z"), s => s.LayerFormula, (s, v) => s with { LayerFormula = v });
     public static readonly FlagKey AdaptiveLayers = All.Boolean("adaptive_layers", s => s.AdaptiveLayers, (s, v) => s with { AdaptiveLayers = v });
     public static readonly NumberKey AdaptiveMinHeight
-        = All.Number("adaptive_min_height_mm", 0.001, 1000, s => s.AdaptiveMinHeight, (s, v) => s with { AdaptiveMinHeight = v });
+        = All.NumberOrZero("adaptive_min_height_mm", 0.001, 1000, s => s.AdaptiveMinHeight, (s, v) => s with { AdaptiveMinHeight = v });
     public static readonly NumberKey AdaptiveMaxHeight
-        = All.Number("adaptive_max_height_mm", 0.001, 1000, s => s.AdaptiveMaxHeight, (s, v) => s with { AdaptiveMaxHeight = v });
+        = All.NumberOrZero("adaptive_max_height_mm", 0.001, 1000, s => s.AdaptiveMaxHeight, (s, v) => s with { AdaptiveMaxHeight = v });
     public static readonly NumberKey AdaptiveCuspHeight
         = All.Number("adaptive_cusp_height_mm", 0.0001, 1000, s => s.AdaptiveCuspHeight, (s, v) => s with { AdaptiveCuspHeight = v });
     public static readonly NumberKey XySizeCompensation

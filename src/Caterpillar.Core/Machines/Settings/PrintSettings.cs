@@ -11,20 +11,23 @@ namespace Caterpillar.Machines;
 /// </summary>
 public sealed partial record PrintSettings
 {
+    /// <summary>Diameter of the nozzle without a printer, mm.</summary>
+    internal const double UsualNozzle = 0.4;
+
     /// <summary>Name of the profile.</summary>
     public string Name { get; init; } = "standard";
 
     /// <summary>Display name.</summary>
     public string Title { get; init => field = SettingsKeys.Title.Check(value); } = "Standard";
 
-    /// <summary>Layer height.</summary> <value>mm.</value>
-    public double LayerHeight { get; init => field = SettingsKeys.LayerHeight.Check(value); } = 0.2;
+    /// <summary>Layer height; 0 = half the nozzle diameter.</summary> <value>mm.</value>
+    public double LayerHeight { get => OfNozzle(field, 0.2); init => field = SettingsKeys.LayerHeight.Check(value); }
 
-    /// <summary>Height of the first layer.</summary> <value>mm.</value>
-    public double FirstLayerHeight { get; init => field = SettingsKeys.FirstLayerHeight.Check(value); } = 0.2;
+    /// <summary>Height of the first layer; 0 = half the nozzle diameter.</summary> <value>mm.</value>
+    public double FirstLayerHeight { get => OfNozzle(field, 0.2); init => field = SettingsKeys.FirstLayerHeight.Check(value); }
 
-    /// <summary>Width of extrusions.</summary> <value>mm.</value>
-    public double LineWidth { get; init => field = SettingsKeys.LineWidth.Check(value); } = 0.45;
+    /// <summary>Width of extrusions; 0 = 112.5 % of the nozzle diameter.</summary> <value>mm.</value>
+    public double LineWidth { get => OfNozzle(field, 0.45); init => field = SettingsKeys.LineWidth.Check(value); }
 
     /// <summary>Shape of the cross-section of an extrusion, which relates its area to its width.</summary>
     public BeadShape BeadShape { get; init; } = BeadShape.Stadium;
@@ -130,6 +133,15 @@ public sealed partial record PrintSettings
     }
 
     public override string ToString() => Title;
+
+    /// <summary>Diameter of the nozzle that the settings are for, mm; set by <see cref="PrintSetup"/>.</summary>
+    internal double NozzleDiameter { get; init; } = UsualNozzle;
+
+    /// <summary>The settings as given: 0 for sizes that follow from the nozzle.</summary>
+    internal PrintSettings AsGiven => this with { NozzleDiameter = 0 };
+
+    // A size is given, or proportional to the nozzle.
+    private double OfNozzle(double given, double ofUsual) => given > 0 ? given : ofUsual * (NozzleDiameter * 1000) / (UsualNozzle * 1000);
 }
 
 /// <summary>Keys of print settings: sizes, speeds, travel moves.</summary>
@@ -138,10 +150,11 @@ internal static class SettingsKeys
     public static readonly KeyTable<PrintSettings> All = new();
 
     public static readonly ProfileKey<PrintSettings, string> Title = All.Text("title", s => s.Title, (s, v) => s with { Title = v });
-    public static readonly NumberKey LayerHeight = All.Number("layer_height_mm", 0.001, 1000, s => s.LayerHeight, (s, v) => s with { LayerHeight = v });
+    public static readonly NumberKey LayerHeight
+        = All.NumberOrZero("layer_height_mm", 0.001, 1000, s => s.LayerHeight, (s, v) => s with { LayerHeight = v });
     public static readonly NumberKey FirstLayerHeight
-        = All.Number("first_layer_height_mm", 0.001, 1000, s => s.FirstLayerHeight, (s, v) => s with { FirstLayerHeight = v });
-    public static readonly NumberKey LineWidth = All.Number("line_width_mm", 0.001, 1000, s => s.LineWidth, (s, v) => s with { LineWidth = v });
+        = All.NumberOrZero("first_layer_height_mm", 0.001, 1000, s => s.FirstLayerHeight, (s, v) => s with { FirstLayerHeight = v });
+    public static readonly NumberKey LineWidth = All.NumberOrZero("line_width_mm", 0.001, 1000, s => s.LineWidth, (s, v) => s with { LineWidth = v });
     public static readonly ProfileKey<PrintSettings, BeadShape> BeadShape = All.Choice("bead_shape", s => s.BeadShape, (s, v) => s with { BeadShape = v });
     public static readonly IntegerKey WallCount = All.Integer("wall_count", 0, 10_000, s => s.WallCount, (s, v) => s with { WallCount = v });
     public static readonly NumberKey InfillDensityPercent

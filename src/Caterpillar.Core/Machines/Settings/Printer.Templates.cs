@@ -12,6 +12,9 @@ public sealed partial record Printer
     /// <summary>G-code before each layer except the first.</summary>
     public ValueList<string> LayerChangeGCode { get; init => field = TemplateKeys.LayerChangeGCode.Check(value); } = ValueList<string>.Empty;
 
+    /// <summary>Macros of the firmware that files may call: NAME=homes heats, NAME=cools, or NAME=harmless.</summary>
+    public ValueList<string> Macros { get; init => field = TemplateKeys.Macros.Check(value); } = ValueList<string>.Empty;
+
     /// <summary>G-code for a tool change; empty = tool number only (T1).</summary>
     public ValueList<string> ToolChangeGCode { get; init => field = TemplateKeys.ToolChangeGCode.Check(value); } = ValueList<string>.Empty;
 }
@@ -29,6 +32,8 @@ internal static class TemplateKeys
         = All.Of("end_gcode", Lines, p => p.EndGCode, (p, v) => p with { EndGCode = v });
     public static readonly ProfileKey<Printer, ValueList<string>> LayerChangeGCode
         = All.Of("layer_change_gcode", Lines, p => p.LayerChangeGCode, (p, v) => p with { LayerChangeGCode = v });
+    public static readonly ProfileKey<Printer, ValueList<string>> Macros
+        = All.Of("macros", new LinesFormat(MacroEffect.Error), p => p.Macros, (p, v) => p with { Macros = v });
     public static readonly ProfileKey<Printer, ValueList<string>> ToolChangeGCode
         = All.Of("tool_change_gcode", Lines, p => p.ToolChangeGCode, (p, v) => p with { ToolChangeGCode = v });
 }

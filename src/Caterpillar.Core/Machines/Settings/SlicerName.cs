@@ -26,7 +26,7 @@ internal sealed record SlicerName(ProfileKey Key, string Slicer, string Name, st
             .OrderBy(g => g.Values.Length == 1 && g.Values[0] is not null ? 0 : 1).FirstOrDefault();
         if (found.Key is not { } key) return null;
         var ours = found.Values.Length == 1 ? found.Values[0] : null;
-        var unit = UnknownKey.Spoken(KeyAdvice.UnitOf(key.Name));
+        var unit = KeyAdvice.Spoken(KeyAdvice.UnitOf(key.Name));
         var sentence = $"{name} ({found.Slicers}) is {key} here"
             + (ours is not null ? $": {key}={ours}." : unit.Length > 0 ? $", in {unit}."
             : key.Kind is KeyKind.Choice or KeyKind.Boolean ? $": {key.Range}." : ".");

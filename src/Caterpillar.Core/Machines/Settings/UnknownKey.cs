@@ -26,7 +26,7 @@ internal static class UnknownKey
         {
             var (wrong, right) = (KeyAdvice.UnitOf(plain), KeyAdvice.UnitOf(other));
             var reason = wrong.Length == 0 ? $"{key} does not state its unit." : right.Length == 0 ? $"{key} has no unit."
-                : $"{key} is measured in {Spoken(right)}, not in {Spoken(wrong)}.";
+                : $"{key} is measured in {KeyAdvice.Spoken(right)}, not in {KeyAdvice.Spoken(wrong)}.";
             return Error("profile.wrong_unit", $"{reason} The key is {other}.");
         }
         var message = $"{key} is not a key of {kinds}.";
@@ -42,24 +42,4 @@ internal static class UnknownKey
 
         static string Belongs(string name) => $" It is a key of {ProfileKinds.KindOf(name)}.";
     }
-
-    /// <summary>A unit as people write it; nothing for ratios and counts.</summary>
-    internal static string Spoken(string unit) => unit switch
-    {
-        "ratio" or "factor" or "moves" or "count" or "per_kg" => "",
-        "c_s" => "°C/s",
-        "mm_s" => "mm/s",
-        "mm_s2" => "mm/s²",
-        "mm3_s" => "mm³/s",
-        "c" => "°C",
-        "f" => "°F",
-        "k" => "K",
-        "deg" => "degrees",
-        "percent" => "%",
-        "g_cm3" => "g/cm³",
-        "mm_min" => "mm/min",
-        "cm_s" => "cm/s",
-        "m_s" => "m/s",
-        _ => unit.Replace('_', ' '),
-    };
 }

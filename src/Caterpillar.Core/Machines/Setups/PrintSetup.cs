@@ -1,5 +1,6 @@
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
+using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, double>;
 
 namespace Caterpillar.Machines;
 
@@ -21,13 +22,25 @@ public sealed record PrintSetup
     }
 
     /// <summary>The printer.</summary>
-    public Printer Printer { get; init; }
+    public Printer Printer
+    {
+        get;
+        init
+        {
+            field = value;
+            if (Settings is { } settings) Settings = settings;
+        }
+    }
 
     /// <summary>The material.</summary>
     public Material Material { get; init; }
 
-    /// <summary>The print settings.</summary>
-    public PrintSettings Settings { get; init; }
+    /// <summary>The print settings. Line width and heights that they do not give follow from the nozzle of the printer.</summary>
+    public PrintSettings Settings
+    {
+        get;
+        init => field = value.NozzleDiameter == Printer.NozzleDiameter ? value : value with { NozzleDiameter = Printer.NozzleDiameter };
+    }
 
     /// <summary>
     /// An object on the bed to print on, at its position, in mm. Travel moves stay above it, extrusions may rest on it, and checks find collisions
@@ -78,6 +91,8 @@ public sealed record PrintSetup
     public IReadOnlyList<Diagnostic> Check()
     {
         var diagnostics = new DiagnosticList();
+        if (FromNozzle() is { Length: > 0 } sizes)
+            diagnostics.Add(Severity.Note, "setup.from_nozzle", $"The nozzle of {Text(Printer.NozzleDiameter)} mm sets {sizes}.");
         if (Settings.BeadShape == BeadShape.Stadium && Settings.LineWidth < Math.Max(Settings.LayerHeight, Settings.FirstLayerHeight))
             diagnostics.Add(Severity.Error, "setup.narrow_bead",
                 "line_width_mm is less than the layer height. bead_shape=stadium does not allow that. Use rectangle or circle.",
@@ -95,4 +110,15 @@ public sealed record PrintSetup
                 new SourceLocation(Key: "firmware_retraction"));
         return diagnostics.ToList();
     }
+
+    // Sizes that nobody gave, unless the nozzle is the usual one.
+    private string FromNozzle()
+    {
+        if (Printer.NozzleDiameter == PrintSettings.UsualNozzle) return "";
+        var given = Settings.AsGiven;
+        NumberKey[] sizes = [SettingsKeys.LineWidth, SettingsKeys.LayerHeight, SettingsKeys.FirstLayerHeight];
+        return string.Join(", ", sizes.Where(k => k.Get(given) is 0.0).Select(k => k.Name + "=" + Text((double)k.Get(Settings))));
+    }
+
+    private static string Text(double size) => NumberFormatter.Format(size, 4);
 }

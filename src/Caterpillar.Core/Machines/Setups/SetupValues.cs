@@ -6,7 +6,8 @@ internal static class SetupValues
     public static Result<PrintSetup> Apply(PrintSetup setup, IEnumerable<string> values)
     {
         var diagnostics = new List<Diagnostic>();
-        foreach (var entry in values)
+        // Percents of the nozzle need the nozzle.
+        foreach (var entry in values.OrderBy(v => !v.TrimStart().StartsWith(PrinterKeys.NozzleDiameter.Name, StringComparison.Ordinal)))
         {
             var at = entry.IndexOfAny(['=']);
             var key = (at < 0 ? entry : entry.Substring(0, at)).Trim();

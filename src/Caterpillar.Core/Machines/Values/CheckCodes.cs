@@ -41,6 +41,12 @@ public static class CheckCodes
     public const string NoHeating = "file.no_heating";
     public const string UnknownPosition = "file.unknown_position";
     public const string HeatLeftOn = "file.heat_left_on";
+    public const string UnsafeCommand = "command.unsafe";
+    public const string UnknownCommand = "command.not_understood";
+    public const string UnverifiedCommand = "command.unverified";
+    public const string PauseCommand = "command.pause";
+    public const string MachineCommand = "command.depends";
+    public const string SettingCommand = "command.setting";
 
     /// <summary>All checks, with their default severities and what they find.</summary>
     public static IReadOnlyList<CheckRule> All { get; } =
@@ -84,6 +90,12 @@ public static class CheckCodes
         new(NoHeating, Severity.Warning, "files that extrude without heating the nozzle"),
         new(UnknownPosition, Severity.Warning, "extrusions before the positions of all three axes are known"),
         new(HeatLeftOn, Severity.Warning, "nozzles or beds that are still heated at the end"),
+        new(UnsafeCommand, Severity.Error, "commands that lose position, scale or heat, or move unpredictably, in that part of a print"),
+        new(UnknownCommand, Severity.Warning, "commands of a file that are not understood"),
+        new(UnverifiedCommand, Severity.Error, "commands to be written that are not understood"),
+        new(PauseCommand, Severity.Note, "commands that pause the print"),
+        new(MachineCommand, Severity.Note, "commands whose effect depends on the machine"),
+        new(SettingCommand, Severity.Note, "commands before or after the print that change calibration, coordinates or stored settings"),
     ];
 
     /// <summary>The check with a code; null if the code is unknown.</summary>

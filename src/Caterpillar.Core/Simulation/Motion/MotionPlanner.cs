@@ -106,7 +106,7 @@ internal sealed class MotionPlanner
             // The travel of a homing takes no time of its own.
             if (!homes)
             {
-                if (columns.TryGetArc(i, out var arc)) Arc(arc, at, end, e, speed);
+                if (columns.TryGetArc(i, out var arc)) Arc(arc, at, end, e, speed, cancel);
                 else Line(at, end, e, speed);
             }
             at = end;
@@ -167,12 +167,15 @@ internal sealed class MotionPlanner
         return seconds;
     }
 
-    private void Arc(Arc arc, Vec3 start, Vec3 end, double e, double speed)
+    private void Arc(Arc arc, Vec3 start, Vec3 end, double e, double speed, CancellationToken cancel)
     {
-        var chords = (int)Math.Min(Math.Max(Math.Floor(arc.Length(start, end) / _printer.ArcSegment), 1), 1e6);
+        // Larger than any printer: longer chords turn as little.
+        var segment = Math.Max(_printer.ArcSegment, arc.Radius(start) / 2000);
+        var chords = (int)Math.Min(Math.Max(Math.Floor(arc.Length(start, end) / segment), 1), 1e6);
         var at = start;
         for (var i = 1; i <= chords; i++)
         {
+            if ((i & 0xFFF) == 1) cancel.ThrowIfCancellationRequested();
             var to = arc.PointAt(start, end, (double)i / chords);
             Line(at, to, e / chords, speed);
             at = to;

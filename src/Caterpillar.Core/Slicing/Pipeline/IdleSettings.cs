@@ -63,7 +63,7 @@ internal static class IdleSettings
     /// <param name="common">The settings of the print.</param>
     public static IEnumerable<Diagnostic> Of(IReadOnlyList<SliceModel> models, PrintSettings common)
     {
-        var all = models.Select(m => m.Settings).Concat([common]).Distinct().ToArray();
+        var all = models.Select(m => m.Settings).Concat([common]).Select(s => s.AsGiven).Distinct().ToArray();
         foreach (var rule in Rules)
         {
             var idle = rule.Keys.Where(k => Asking(k, all) is { Length: > 0 } asking && asking.All(rule.Holds)).Select(k => k.Name).ToArray();

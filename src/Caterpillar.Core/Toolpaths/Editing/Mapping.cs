@@ -34,12 +34,12 @@ public static class Mapping
     /// as a whole (by number and object) get their new heights.
     /// </summary>
     /// <inheritdoc cref="Transform(Toolpath, Affine, double)" path="/param"/>
-    public static Toolpath Transform(this Toolpath toolpath, MoveFilter filter, Affine map, double tolerance = 0.01)
+    public static Toolpath Transform(this Toolpath toolpath, MoveFilter filter, Affine map, double tolerance = 0.01, CancellationToken cancel = default)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (filter is null) throw new ArgumentNullException(nameof(filter));
         var mapped = new ToolpathMapper(toolpath, MappedMoves.Of(toolpath, filter), new AffineRunMap(map, tolerance), tolerance)
-            .Run(toolpath.Start ?? Vec3.Zero);
+            .Run(toolpath.Start ?? Vec3.Zero, cancel);
         return mapped.With(toolpath.Start, toolpath.Layers.Select(l => filter.MatchesLayer(l) ? Image(l, map) : l));
     }
 

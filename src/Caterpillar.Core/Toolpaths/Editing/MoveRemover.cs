@@ -6,12 +6,15 @@ namespace Caterpillar.Toolpaths;
 /// Removes moves from a toolpath and repairs the cuts. It adds travel moves to the next extrusion, and retractions of each tool by E or firmware (G10, G11).
 /// Events and homing moves stay. A dwell is removed with its event. Blocks without cuts are shared.
 /// </summary>
-internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
+/// <param name="toolpath">The toolpath.</param>
+/// <param name="removes">Whether a move is removed, by the columns of its block, its place there and its number.</param>
+internal sealed class MoveRemover(Toolpath toolpath, Func<ToolpathColumns, int, int, bool> removes)
 {
     private const double NoChange = 1e-9;
     private readonly List<ToolpathBlock> _blocks = [];
     private readonly List<MoveEvent> _events = [];
     private readonly SortedDictionary<int, Balance> _tools = [];
+    private (int Tool, Balance? Balance) _last = (-1, null);
     private BlockEditor? _editor;
     private Vec3 _position = toolpath.Start ?? Vec3.Zero;
     private double _travelSpeed;
@@ -19,29 +22,41 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
     private int _made;
     private int _nextEvent;
 
-    public Toolpath Run()
+    public Toolpath Run(CancellationToken cancel = default)
     {
         for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
+            cancel.ThrowIfCancellationRequested();
             var first = toolpath.FirstOf(block);
-            var count = toolpath.Blocks[block].Count;
+            var columns = toolpath.Blocks[block].Columns;
             var cuts = toolpath.StartOf(block) != _position || !IsBalanced();
-            for (var i = first; i < first + count && !cuts; i++) cuts = removes(toolpath[i]);
+            for (var i = 0; i < columns.Count && !cuts; i++) cuts = removes(columns, i, first + i);
             if (!cuts)
             {
-                for (var i = first; i < first + count; i++) Kept(toolpath[i]);
-                Events(first + count, first);
+                for (var i = 0; i < columns.Count; i++)
+                {
+                    if (!IsPlain(columns, i)) Kept(toolpath[first + i]);
+                }
+                _position = toolpath[first + columns.Count - 1].End;
+                Events(first + columns.Count, first);
                 _blocks.Add(toolpath.Blocks[block]);
-                _made += count;
+                _made += columns.Count;
                 continue;
             }
             _editor = BlockEditor.After(toolpath, block);
-            for (var i = first; i < first + count; i++) Step(toolpath[i], block, i - first);
+            for (var i = 0; i < columns.Count; i++)
+            {
+                // Events before such a move come with the next one.
+                if (!removes(columns, i, first + i) || !IsPlain(columns, i)) Step(toolpath[first + i], block, i);
+            }
             _blocks.AddRange(_editor.ToBlocks());
         }
         Events(int.MaxValue);
         return toolpath.WithBlocks(_blocks, _events);
     }
+
+    // A printing move after which everything is as before, but for the position.
+    private bool IsPlain(ToolpathColumns columns, int i) => columns.Kind[i] == MoveKind.Print && columns.E[i] >= 0 && !Of(columns.Tool[i]).IsRetracted;
 
     private void Step(Move move, int block, int i)
     {
@@ -54,7 +69,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
             _position = there;
             return;
         }
-        if (removes(move))
+        if (removes(toolpath.Blocks[block].Columns, i, move.Index))
         {
             Of(move.Tool).Before(move);
             Speeds(move);
@@ -156,7 +171,9 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
 
     private Balance Of(int tool)
     {
+        if (_last.Balance is { } known && _last.Tool == tool) return known;
         if (!_tools.TryGetValue(tool, out var balance)) _tools.Add(tool, balance = new Balance());
+        _last = (tool, balance);
         return balance;
     }
 
@@ -176,6 +193,8 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<Move, bool> removes)
         private double _now;
         private bool _firmwareBefore;
         private bool _firmwareNow;
+
+        public bool IsRetracted => _before > 0 || _now > 0;
 
         public double Missing => _before - _now;
 

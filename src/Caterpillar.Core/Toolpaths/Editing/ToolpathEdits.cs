@@ -10,24 +10,24 @@ public static class ToolpathEdits
 {
     /// <summary>Multiplies the speed of the selected moves.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The factor is not positive and finite.</exception>
-    public static Toolpath ScaleSpeed(this Toolpath toolpath, MoveFilter filter, double factor)
+    public static Toolpath ScaleSpeed(this Toolpath toolpath, MoveFilter filter, double factor, CancellationToken cancel = default)
     {
         Positive(factor, nameof(factor));
-        return Change(toolpath, filter, (columns, i) => columns.Speed[i] *= factor);
+        return Change(toolpath, filter, c => c.Speed = (double[])c.Speed.Clone(), (columns, i) => columns.Speed[i] *= factor, cancel);
     }
 
     /// <summary>Multiplies the material of the selected printing moves. Deretraction does not change.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The factor is negative or not finite.</exception>
-    public static Toolpath ScaleFlow(this Toolpath toolpath, MoveFilter filter, double factor)
+    public static Toolpath ScaleFlow(this Toolpath toolpath, MoveFilter filter, double factor, CancellationToken cancel = default)
     {
         if (!(factor >= 0) || double.IsInfinity(factor)) throw new ArgumentOutOfRangeException(nameof(factor), factor, "The flow factor must be 0 or more.");
-        return Change(toolpath, filter, (columns, i) =>
+        return Change(toolpath, filter, c => (c.E, c.Deposited) = ((double[])c.E.Clone(), (double[])c.Deposited.Clone()), (columns, i) =>
         {
             if (columns.Kind[i] is not (MoveKind.Print or MoveKind.Prime)) return;
             var deposited = columns.Deposited[i] * factor;
             columns.E[i] += deposited - columns.Deposited[i];
             columns.Deposited[i] = deposited;
-        });
+        }, cancel);
     }
 
     /// <summary>
@@ -37,32 +37,57 @@ public static class ToolpathEdits
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The tolerance is not positive.</exception>
     /// <exception cref="InvalidOperationException">The map returned a point that is not finite.</exception>
-    public static Toolpath Deform(this Toolpath toolpath, MoveFilter filter, Func<Vec3, Vec3> map, double tolerance = 0.01)
+    public static Toolpath Deform(
+        this Toolpath toolpath, MoveFilter filter, Func<Vec3, Vec3> map, double tolerance = 0.01, CancellationToken cancel = default)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (filter is null) throw new ArgumentNullException(nameof(filter));
         if (map is null) throw new ArgumentNullException(nameof(map));
         Positive(tolerance, nameof(tolerance));
-        return new ToolpathMapper(toolpath, MappedMoves.Of(toolpath, filter), new PointRunMap(map, tolerance), tolerance).Run(toolpath.Start ?? Vec3.Zero);
+        return new ToolpathMapper(toolpath, MappedMoves.Of(toolpath, filter), new PointRunMap(map, tolerance), tolerance)
+            .Run(toolpath.Start ?? Vec3.Zero, cancel);
     }
 
     /// <summary>
     /// Removes the selected moves. Adds a travel move if the head no longer reaches the start of an extrusion. After the cut, each tool is retracted as far as
     /// before, by E or by the firmware. Events and homing stay.
     /// </summary>
-    public static Toolpath Remove(this Toolpath toolpath, MoveFilter filter)
+    public static Toolpath Remove(this Toolpath toolpath, MoveFilter filter, CancellationToken cancel = default)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (filter is null) throw new ArgumentNullException(nameof(filter));
-        return new MoveRemover(toolpath, move => filter.Matches(toolpath, move)).Run();
+        var choice = new MoveChoice(filter, toolpath);
+        return new MoveRemover(toolpath, (columns, i, _) => choice.Has(columns, i)).Run(cancel);
     }
 
     /// <summary>Keeps only the selected moves. See <see cref="Remove"/>.</summary>
-    public static Toolpath Keep(this Toolpath toolpath, MoveFilter filter)
+    public static Toolpath Keep(this Toolpath toolpath, MoveFilter filter, CancellationToken cancel = default)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (filter is null) throw new ArgumentNullException(nameof(filter));
-        return new MoveRemover(toolpath, move => !filter.Matches(toolpath, move)).Run();
+        var choice = new MoveChoice(filter, toolpath);
+        return new MoveRemover(toolpath, (columns, i, _) => !choice.Has(columns, i)).Run(cancel);
+    }
+
+    /// <summary>The moves before one, and that one up to a position (mm), which is a part of it from 0 to 1. All blocks before it are shared.</summary>
+    public static Toolpath Until(this Toolpath toolpath, int move, Vec3 position, double done)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        if (move < 0) throw new ArgumentOutOfRangeException(nameof(move));
+        if (move >= toolpath.Count) return toolpath;
+        var block = toolpath.BlockOf(move);
+        var last = move - toolpath.FirstOf(block);
+        var columns = toolpath.Blocks[block].Columns.Copy(done > 0 ? last + 1 : last);
+        if (done > 0)
+        {
+            (columns.X[last], columns.Y[last], columns.Z[last]) = (position.X, position.Y, position.Z);
+            columns.E[last] *= done;
+            columns.Deposited[last] *= done;
+            if (columns.TryGetArc(last, out var arc))
+                columns.Arcs = [.. columns.Arcs.Take(columns.Arcs.Length - 1), arc with { Sweep = arc.Sweep * done }];
+        }
+        var count = toolpath.FirstOf(block) + columns.Count;
+        return toolpath.WithBlocks([.. toolpath.Blocks.Take(block), new ToolpathBlock(columns)], toolpath.Events.Where(e => e.Move < count));
     }
 
     /// <summary>
@@ -108,7 +133,8 @@ public static class ToolpathEdits
     private static bool IsOf(Toolpath toolpath, Move move, PrinterEvent what)
         => what is DwellEvent ? move.Kind == MoveKind.Dwell : toolpath.HomeOf(move) is not null;
 
-    private static Toolpath Change(Toolpath toolpath, MoveFilter filter, Action<ToolpathColumns, int> change)
+    private static Toolpath Change(
+        Toolpath toolpath, MoveFilter filter, Action<ToolpathColumns> copyColumns, Action<ToolpathColumns, int> change, CancellationToken cancel)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (filter is null) throw new ArgumentNullException(nameof(filter));
@@ -116,12 +142,13 @@ public static class ToolpathEdits
         var blocks = new List<ToolpathBlock>(toolpath.Blocks.Count);
         for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
+            cancel.ThrowIfCancellationRequested();
             var columns = toolpath.Blocks[block].Columns;
             ToolpathColumns? copy = null;
             for (var i = 0; i < columns.Count; i++)
             {
                 if (!choice.Has(columns, i)) continue;
-                copy ??= columns.Copy(columns.Count);
+                if (copy is null) copyColumns(copy = columns.Share());
                 change(copy, i);
             }
             blocks.Add(copy is null ? toolpath.Blocks[block] : new ToolpathBlock(copy));

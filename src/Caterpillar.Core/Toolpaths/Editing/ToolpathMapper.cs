@@ -23,11 +23,12 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
     private int _nextEvent;
 
     /// <summary>The mapped toolpath, which begins at <paramref name="start"/>.</summary>
-    public Toolpath Run(Vec3 start)
+    public Toolpath Run(Vec3 start, CancellationToken cancel = default)
     {
         _position = start;
         for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
+            cancel.ThrowIfCancellationRequested();
             var first = toolpath.FirstOf(block);
             var count = toolpath.Blocks[block].Count;
             if (_run is null && _position == toolpath.StartOf(block) && !IsTouched(first, count))

@@ -97,29 +97,36 @@ internal sealed class ToolpathColumns
         return at >= 0;
     }
 
-    /// <summary>A copy with its own columns, to be changed before it becomes a block.</summary>
+    /// <summary>A copy that shares the columns. Those to be changed before it becomes a block are replaced.</summary>
+    public ToolpathColumns Share() => (ToolpathColumns)MemberwiseClone();
+
+    /// <summary>A copy with its own columns, to be changed before it becomes a block. With too little capacity for all, of the first moves.</summary>
     public ToolpathColumns Copy(int capacity)
     {
-        var copy = new ToolpathColumns(capacity) { Count = Count, ArcMoves = ArcMoves, Arcs = Arcs };
-        Array.Copy(X, copy.X, Count);
-        Array.Copy(Y, copy.Y, Count);
-        Array.Copy(Z, copy.Z, Count);
-        Array.Copy(E, copy.E, Count);
-        Array.Copy(Deposited, copy.Deposited, Count);
-        Array.Copy(Speed, copy.Speed, Count);
-        Array.Copy(Kind, copy.Kind, Count);
-        Array.Copy(Role, copy.Role, Count);
-        Array.Copy(Tool, copy.Tool, Count);
-        Array.Copy(Layer, copy.Layer, Count);
-        Array.Copy(Source, copy.Source, Count);
+        var count = Math.Min(Count, capacity);
+        var arcs = Array.BinarySearch(ArcMoves, count);
+        if (arcs < 0) arcs = ~arcs;
+        var copy = new ToolpathColumns(capacity) { Count = count, ArcMoves = ArcMoves, Arcs = Arcs };
+        if (arcs < ArcMoves.Length) (copy.ArcMoves, copy.Arcs) = (ArcMoves.Take(arcs).ToArray(), Arcs.Take(arcs).ToArray());
+        Array.Copy(X, copy.X, count);
+        Array.Copy(Y, copy.Y, count);
+        Array.Copy(Z, copy.Z, count);
+        Array.Copy(E, copy.E, count);
+        Array.Copy(Deposited, copy.Deposited, count);
+        Array.Copy(Speed, copy.Speed, count);
+        Array.Copy(Kind, copy.Kind, count);
+        Array.Copy(Role, copy.Role, count);
+        Array.Copy(Tool, copy.Tool, count);
+        Array.Copy(Layer, copy.Layer, count);
+        Array.Copy(Source, copy.Source, count);
         if (Line is not null)
         {
             copy.Line = new int[capacity];
-            Array.Copy(Line, copy.Line, Count);
+            Array.Copy(Line, copy.Line, count);
         }
-        copy.A = Resized(A, capacity);
-        copy.B = Resized(B, capacity);
-        copy.C = Resized(C, capacity);
+        copy.A = Resized(A, count, capacity);
+        copy.B = Resized(B, count, capacity);
+        copy.C = Resized(C, count, capacity);
         return copy;
     }
 
@@ -141,11 +148,11 @@ internal sealed class ToolpathColumns
         Line = Line,
     };
 
-    private double[]? Resized(double[]? column, int capacity)
+    private static double[]? Resized(double[]? column, int count, int capacity)
     {
         if (column is null) return null;
         var resized = new double[capacity];
-        Array.Copy(column, resized, Count);
+        Array.Copy(column, resized, count);
         return resized;
     }
 }

@@ -33,6 +33,40 @@ public static class PathMerging
         return merged;
     }
 
+    /// <summary>
+    /// Joins straight segments shorter than <paramref name="minimum"/> mm with their neighbors, since too many short ones make printers stutter
+    /// (Kanada 2016, <c>draw</c>). A joined segment has the mean area and speed of its parts, weighted by length. Arcs and longer segments stay.
+    /// </summary>
+    /// <exception cref="ArgumentException">The length is negative or not a number.</exception>
+    public static PrintPath JoinShort(PrintPath path, double minimum)
+    {
+        if (path is null) throw new ArgumentNullException(nameof(path));
+        if (!(minimum >= 0)) throw new ArgumentException("The length must be 0 or more.", nameof(minimum));
+        var points = new List<Vec3> { path.Start };
+        var beads = new List<Bead>();
+        var arcs = new List<Arc?>();
+        for (var i = 0; i < path.SegmentCount; i++)
+        {
+            var (end, bead, arc) = (path.EndOf(i), path.BeadOf(i), path.ArcOf(i));
+            var last = beads.Count - 1;
+            var (a, b) = (last < 0 ? 0 : points[last].DistanceTo(points[last + 1]), points[points.Count - 1].DistanceTo(end));
+            var joins = last >= 0 && arc is null && arcs[last] is null && Math.Min(a, b) < minimum && points[last].DistanceTo(end) < 2 * minimum;
+            if (joins)
+            {
+                var before = beads[last];
+                points[last + 1] = end;
+                beads[last] = new Bead((before.Area * a + bead.Area * b) / (a + b), before.Height, (before.Speed * a + bead.Speed * b) / (a + b));
+                continue;
+            }
+            points.Add(end);
+            beads.Add(bead);
+            arcs.Add(arc);
+        }
+        if (beads.Count == path.SegmentCount || (path.IsClosed && beads.Count < 3)) return path;
+        if (path.IsClosed) points.RemoveAt(points.Count - 1);
+        return path.WithGeometry(points, beads, path.IsClosed, arcs);
+    }
+
     private static PrintPath? Fits(List<PrintPath> chain, PrintPath path, double tolerance, bool reverse)
     {
         var last = chain[chain.Count - 1];

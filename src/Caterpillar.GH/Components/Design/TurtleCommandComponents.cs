@@ -9,7 +9,7 @@ namespace Caterpillar.GH.Components.Design;
 
 /// <summary>Base of the components that make one command.</summary>
 public abstract class TurtleCommandComponent(string name, string nickname, string description)
-    : CaterpillarComponent(name, nickname, description, Panel.Design, GH_Exposure.secondary)
+    : ChosenPortsComponent(name, nickname, description, Panel.Design, GH_Exposure.secondary)
 {
     private protected sealed override void Outputs(OutputPorts ports) => ports.Add(new TurtleCommandParam(), "Command", "C", "Turtle command.");
 
@@ -45,32 +45,40 @@ public sealed class TurtleMoveComponent() : TurtleCommandComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Choice("Kind", "K", "Kind of move.", TurtleMoveKind.Forward);
-        ports.Number("Distance", "D", "Distance, radius of arcs and circles, or side of polygons, in mm.", 10);
-        ports.Number("Height", "H", "Rise of Forward And Up and of arcs, in mm. Lifts use Distance.", 0);
-        ports.Add(new Param_Point(), "Point", "Pt", "Target of Go To and Jump.", optional: true);
-        ports.Angle("Angle", "A", "Angle of an arc, in degrees. Positive = to the left.", 90);
-        ports.Integer("Count", "N", "Number of segments of arcs and circles (0 = automatic), or of sides of polygons.", 0);
+        ports.For("Kind", [TurtleMoveKind.Forward, TurtleMoveKind.Backward, TurtleMoveKind.WithoutPrinting, TurtleMoveKind.ForwardAndUp, TurtleMoveKind.Lift,
+            TurtleMoveKind.LiftWorld], () => ports.Number("Distance", "D", "Distance, in mm.", 10));
+        ports.For("Kind", [TurtleMoveKind.Arc, TurtleMoveKind.Circle], () => ports.Number("Radius", "R", "Radius, in mm.", 10));
+        ports.For("Kind", [TurtleMoveKind.Arc], () => ports.Angle("Angle", "A", "Angle of the arc, in degrees. Positive = to the left.", 90));
+        ports.For("Kind", [TurtleMoveKind.ForwardAndUp, TurtleMoveKind.Arc], () => ports.Number("Height", "H", "Rise, in mm.", 0));
+        ports.For("Kind", [TurtleMoveKind.Arc, TurtleMoveKind.Circle], () => ports.Integer("Count", "N", "Number of segments. 0 = automatic.", 0));
+        ports.For("Kind", [TurtleMoveKind.Polygon], () =>
+        {
+            ports.Number("Side Length", "S", "Length of a side, in mm.", 10);
+            ports.Integer("Side Count", "Sc", "Number of sides.", 6);
+        });
+        ports.For("Kind", [TurtleMoveKind.GoTo, TurtleMoveKind.Jump], () => ports.Add(new Param_Point(), "Point", "Pt", "Target."));
     }
 
     private protected override TurtleCommand Command(Run run)
     {
-        var d = run.Finite(1);
-        var h = run.Finite(2);
-        var n = run.Get<int>(5);
-        switch (run.Choice<TurtleMoveKind>(0))
+        var kind = run.Choice<TurtleMoveKind>(run["Kind"]);
+        var d = run.Finite(run["Distance"]);
+        switch (kind)
         {
             case TurtleMoveKind.Forward: return TurtleCommand.Of(TurtleAction.Forward, d);
             case TurtleMoveKind.Backward: return TurtleCommand.Of(TurtleAction.Backward, d);
             case TurtleMoveKind.WithoutPrinting: return TurtleCommand.Of(TurtleAction.Move, d);
-            case TurtleMoveKind.ForwardAndUp: return TurtleCommand.Of(TurtleAction.ForwardLift, d, h);
+            case TurtleMoveKind.ForwardAndUp: return TurtleCommand.Of(TurtleAction.ForwardLift, d, run.Finite(run["Height"]));
             case TurtleMoveKind.Lift: return TurtleCommand.Of(TurtleAction.Lift, d);
             case TurtleMoveKind.LiftWorld: return TurtleCommand.Of(TurtleAction.LiftWorld, d);
-            case TurtleMoveKind.Arc: return TurtleCommand.Of(TurtleAction.Arc, d, run.Finite(4), h, n);
-            case TurtleMoveKind.Circle: return TurtleCommand.Of(TurtleAction.Circle, d, n);
-            case TurtleMoveKind.Polygon: return TurtleCommand.Of(TurtleAction.Polygon, n, d);
+            case TurtleMoveKind.Polygon: return TurtleCommand.Of(TurtleAction.Polygon, run.Get<int>(run["Side Count"]), run.Finite(run["Side Length"]));
+            case TurtleMoveKind.GoTo or TurtleMoveKind.Jump:
+                var point = run.MaybePoint(run["Point"]) ?? throw run.Missing(run["Point"]);
+                return TurtleCommand.Of(kind == TurtleMoveKind.GoTo ? TurtleAction.Position : TurtleAction.Jump, point.X, point.Y, point.Z);
         }
-        var point = run.MaybePoint(3) ?? throw new InputProblem("Point is missing for Go To or Jump.");
-        return TurtleCommand.Of(run.Choice<TurtleMoveKind>(0) == TurtleMoveKind.GoTo ? TurtleAction.Position : TurtleAction.Jump, point.X, point.Y, point.Z);
+        var (radius, count) = (run.Finite(run["Radius"]), run.Get<int>(run["Count"]));
+        return kind == TurtleMoveKind.Circle ? TurtleCommand.Of(TurtleAction.Circle, radius, count)
+            : TurtleCommand.Of(TurtleAction.Arc, radius, run.Finite(run["Angle"]), run.Finite(run["Height"]), count);
     }
 }
 

@@ -1,9 +1,10 @@
 using System.Drawing;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
+using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.GH.Preview;
-using Caterpillar.Toolpaths;
+using Caterpillar.Machines;
 using Caterpillar.Turtles;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Parameters;
@@ -16,6 +17,7 @@ public sealed class TurtlePreviewComponent() : CaterpillarComponent(
     "Turtle Preview", "TPrev", "Shows the turtle as a triangle at a position on its path, and the extrusions up to there.", Panel.Design, GH_Exposure.secondary)
 {
     private static readonly Color PrintedColor = Color.FromArgb(214, 110, 40);
+    private static readonly PrintSetup Standard = new();
     private static readonly Color OutlineColor = Color.FromArgb(30, 120, 60);
     private DisplayMaterial? _shade;
 
@@ -42,31 +44,33 @@ public sealed class TurtlePreviewComponent() : CaterpillarComponent(
 
     private protected override void Solve(Run run)
     {
-        var steps = run.Some<Step>(0);
         var part = run.Finite(1);
         if (part is < 0 or > 1) throw new InputProblem("Position must be from 0 to 1.");
         var size = run.Positive(2);
+        var steps = run.Steps(run.Some<StepGoo>(0), Standard).Steps;
         var units = run.Units;
-        var timeline = run.Work("Drawing", steps.Cast<object?>().ToArray(), (_, _) => new TurtleTimeline(steps));
-        var pose = timeline.PoseAt(part);
-        var printed = new List<Rg.Line>();
-        foreach (var extrusion in timeline.PrintedUntil(part))
+        var timeline = run.Work("Drawing", [steps], (_, _) => new TurtleTimeline(steps));
+        var printed = run.Work("Drawing", [timeline, units.ToMillimeters], (_, _) => new PrintedLines(timeline.Moves.Count, (i, lines) =>
         {
-            for (var i = 1; i < extrusion.Count; i++) RhinoGeometry.AddLines(printed, extrusion[i - 1], extrusion[i], null, units);
-        }
+            var move = timeline.Moves[i];
+            if (move.Prints) RhinoGeometry.AddLines(lines, move.From, move.To, null, units);
+        }));
+        var (move, done) = timeline.At(part);
+        printed.ShowUntil(Math.Max(move, 0), done);
+        var pose = timeline.PoseAt(part);
         var outline = TurtleShape.Outline(pose, size, units);
         var box = outline.GetBoundingBox(true);
-        foreach (var line in printed) box.Union(line.BoundingBox);
-        run.Show(new Turtle(this, printed.ToArray(), outline, TurtleShape.Face(pose, size, units), box));
+        box.Union(printed.Box);
+        run.Show(new Turtle(this, printed, outline, TurtleShape.Face(pose, size, units), box));
         run.Set(0, outline);
         run.Set(1, RhinoGeometry.ToPlane(pose, units));
     }
 
-    private sealed record Turtle(TurtlePreviewComponent Owner, Rg.Line[] Printed, Rg.PolylineCurve Outline, Rg.Mesh Face, Rg.BoundingBox Box) : IDrawn
+    private sealed record Turtle(TurtlePreviewComponent Owner, PrintedLines Printed, Rg.PolylineCurve Outline, Rg.Mesh Face, Rg.BoundingBox Box) : IDrawn
     {
         public void DrawWires(IGH_PreviewArgs args, bool selected)
         {
-            args.Display.DrawLines(Printed, selected ? args.WireColour_Selected : PrintedColor, 2);
+            Printed.Draw(args.Display, selected ? args.WireColour_Selected : PrintedColor, 2);
             args.Display.DrawCurve(Outline, selected ? args.WireColour_Selected : OutlineColor, 2);
         }
 

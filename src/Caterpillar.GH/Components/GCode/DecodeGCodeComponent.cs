@@ -10,7 +10,7 @@ namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Decodes G-code into a toolpath.</summary>
 public sealed class DecodeGCodeComponent() : CaterpillarComponent(
-    "Decode G-code", "Decode", "Decodes a G-code file, or G-code from a wire, into a toolpath.", Panel.GCode)
+    "Decode G-code", "Decode", "Decodes a G-code file, or G-code from a wire, into a toolpath.", Panel.GCode, GH_Exposure.secondary)
 {
     private const string Detect = "detect";
 

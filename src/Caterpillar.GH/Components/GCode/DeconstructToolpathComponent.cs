@@ -9,7 +9,7 @@ namespace Caterpillar.GH.Components.GCode;
 /// <summary>Takes a toolpath apart, move by move.</summary>
 public sealed class DeconstructToolpathComponent() : CaterpillarComponent(
     "Deconstruct Toolpath", "DeT",
-        "Deconstructs a toolpath into its moves: end points, E, speeds, kinds, roles and sources, one branch per layer.", Panel.GCode)
+        "Deconstructs a toolpath into its moves: end points, E, speeds, kinds, roles and sources, one branch per layer.", Panel.GCode, GH_Exposure.tertiary)
 {
     public override Guid ComponentGuid => new("6d012a42-e489-4a36-80c4-6b3d1c1cde28");
 

@@ -1,25 +1,24 @@
-using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
+using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
 using Grasshopper.Kernel.Parameters;
 
 namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Changes speed, flow and position of some moves.</summary>
 public sealed class EditToolpathComponent() : CaterpillarComponent(
-    "Edit Toolpath", "EditT", "Changes speed, flow and position of moves, selected by role, layer, object or box.", Panel.GCode)
+    "Edit Toolpath", "EditT", "Changes speed, flow and position of moves, all or those that Move Filter selects.", Panel.GCode, GH_Exposure.tertiary)
 {
-    private const int After = 1 + MoveFilterPorts.Count;
-
     public override Guid ComponentGuid => new("6d772550-a4bb-485d-addc-16452e9b9ef2");
 
     private protected override void Inputs(InputPorts ports)
     {
         ports.Toolpath();
-        MoveFilterPorts.Declare(ports);
+        ports.Filter();
         ports.Number("Speed Factor", "S", "Speed factor of the selected moves.", 1);
         ports.Number("Flow Factor", "Fl", "Flow ratio of the selected moves.", 1);
         ports.Add(new Param_Transform(), "Transform", "X",
@@ -31,20 +30,21 @@ public sealed class EditToolpathComponent() : CaterpillarComponent(
     private protected override void Solve(Run run)
     {
         var goo = run.Get<ToolpathGoo>(0);
-        var filter = MoveFilterPorts.Read(run, 1);
-        var (speed, flow) = (run.Positive(After), run.NotNegative(After + 1));
-        var map = run.MaybeValue<Rg.Transform>(After + 2) is { } transform
+        var filter = run.Filter();
+        var (speed, flow) = (run.Positive(2), run.NotNegative(3));
+        var map = run.MaybeValue<Rg.Transform>(4) is { } transform
             ? RhinoGeometry.ToAffine(transform, run.Units) ?? throw new InputProblem("Transform must be affine: move, rotate, scale or shear.")
             : (Affine?)null;
-        var edited = run.Work("Editing", [goo.Value, speed, flow, map, MoveFilterPorts.Key(filter)], (_, _) => Edit(goo.Value, filter, speed, flow, map));
+        var edited = run.Work("Editing", [goo.Value, speed, flow, map, filter],
+            (_, cancel) => Edit(goo.Value, filter, speed, flow, map, cancel));
         run.Set(0, goo.With(edited));
     }
 
-    private static Toolpath Edit(Toolpath edited, MoveFilter filter, double speed, double flow, Affine? map)
+    private static Toolpath Edit(Toolpath edited, MoveFilter filter, double speed, double flow, Affine? map, CancellationToken cancel)
     {
-        if (speed != 1) edited = edited.ScaleSpeed(filter, speed);
-        if (flow != 1) edited = edited.ScaleFlow(filter, flow);
+        if (speed != 1) edited = edited.ScaleSpeed(filter, speed, cancel);
+        if (flow != 1) edited = edited.ScaleFlow(filter, flow, cancel);
         // Start and end code, which belong to no layer, stay.
-        return map is { } moved ? edited.Transform(filter.InLayersOf(edited), moved) : edited;
+        return map is { } moved ? edited.Transform(filter.InLayersOf(edited), moved, cancel: cancel) : edited;
     }
 }

@@ -2,20 +2,21 @@ using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Keeps some moves of a toolpath, or removes them.</summary>
 public sealed class FilterToolpathComponent() : CaterpillarComponent(
     "Filter Toolpath", "FilterT",
-        "Keeps or removes moves, selected by role, layer, object or box. Travel moves and retractions are repaired at the cuts.", Panel.GCode)
+        "Keeps or removes the moves that Move Filter selects. Travel moves and retractions are repaired at the cuts.", Panel.GCode, GH_Exposure.tertiary)
 {
     public override Guid ComponentGuid => new("3db465e0-e208-4bcc-8814-4b292260c251");
 
     private protected override void Inputs(InputPorts ports)
     {
         ports.Toolpath();
-        MoveFilterPorts.Declare(ports);
+        ports.Filter();
         ports.Boolean("Remove", "Re", "Remove the selected moves instead of keeping only them.", false);
     }
 
@@ -24,10 +25,10 @@ public sealed class FilterToolpathComponent() : CaterpillarComponent(
     private protected override void Solve(Run run)
     {
         var goo = run.Get<ToolpathGoo>(0);
-        var filter = MoveFilterPorts.Read(run, 1);
-        var remove = run.Get<bool>(1 + MoveFilterPorts.Count);
-        var edited = run.Work("Filtering", [goo.Value, remove, MoveFilterPorts.Key(filter)], (_, _) => remove ? goo.Value.Remove(filter)
-            : goo.Value.Keep(filter));
+        var filter = run.Filter();
+        var remove = run.Get<bool>(2);
+        var edited = run.Work("Filtering", [goo.Value, remove, filter], (_, cancel) => remove ? goo.Value.Remove(filter, cancel)
+            : goo.Value.Keep(filter, cancel));
         run.Set(0, goo.With(edited));
         run.Summarize($"{NumberFormatter.Format(edited.Count)} moves");
     }

@@ -7,7 +7,7 @@ namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Some lines of a G-code file as text.</summary>
 public sealed class GCodeTextComponent() : CaterpillarComponent(
-    "G-code Text", "Text", "Shows some lines of G-code as text, so that wires and panels stay light.", Panel.GCode)
+    "G-code Text", "Text", "Shows some lines of G-code as text, so that wires and panels stay light.", Panel.GCode, GH_Exposure.secondary)
 {
     // A Panel cannot show more.
     private const int MaxLines = 100_000;

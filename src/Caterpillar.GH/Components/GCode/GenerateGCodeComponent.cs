@@ -8,7 +8,8 @@ namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Checks a toolpath and writes it as G-code.</summary>
 public sealed class GenerateGCodeComponent() : CaterpillarComponent(
-    "Generate G-code", "GCode", "Checks a toolpath against the printer and writes G-code. Toolpaths that could damage the machine are refused.", Panel.GCode)
+    "Generate G-code", "GCode", "Checks a toolpath against the printer and writes G-code. Toolpaths that could damage the machine are refused.", Panel.GCode,
+    GH_Exposure.secondary)
 {
     public override Guid ComponentGuid => new("a6c5f777-8567-40ff-8b2c-76e275996590");
 

@@ -22,7 +22,8 @@ public enum LayerEventKind
 
 /// <summary>Inserts pauses, tool changes and other events before layers.</summary>
 public sealed class InsertAtLayerComponent() : CaterpillarComponent(
-    "Insert At Layer", "Insert", "Inserts a pause, a tool change, a temperature or a line of G-code before layers of a toolpath.", Panel.GCode)
+    "Insert At Layer", "Insert", "Inserts a pause, a tool change, a temperature or a line of G-code before layers of a toolpath.", Panel.GCode,
+    GH_Exposure.tertiary)
 {
     public override Guid ComponentGuid => new("b4c1e0d7-58a2-4f6b-9e31-7d90a2c4f615");
 

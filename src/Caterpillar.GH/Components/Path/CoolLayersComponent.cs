@@ -16,7 +16,6 @@ public sealed class CoolLayersComponent() : PathShapingComponent(
         ports.Number("Minimum Layer Time", "T", "Minimum layer time, in seconds. 0 = off. Paths without a layer form one layer for each height.", 5);
         ports.Boolean("Speed By Length", "K", "Limit the speed of each segment, in mm/s, to its length in mm plus 1 (Kanada's rule).", false);
         ports.Number("Minimum Speed", "M", "Minimum speed, in mm/s. Speeds are not lowered below it.", 5);
-        ports.Number("Reference Speed", "V", "Speed of paths that use the speed of the print settings, in mm/s.", 60);
         ports.Number("Maximum Segment Rate", "R", "Maximum number of segments per second. Higher rates give a warning. 0 = off.", 100);
     }
 
@@ -28,8 +27,8 @@ public sealed class CoolLayersComponent() : PathShapingComponent(
             MinLayerTime = run.NotNegative(1),
             SpeedByLength = run.Get<bool>(2),
             MinPrintSpeed = run.Positive(3),
-            ReferenceSpeed = run.Positive(4),
-            MaxSegmentsPerSecond = run.NotNegative(5),
+            ReferenceSpeed = SpeedOf(before),
+            MaxSegmentsPerSecond = run.NotNegative(4),
         };
         var shaped = run.Work("Cooling layers", [cooling, before],
             (_, cancel) => Shaped.Of(cooling.Apply(before.Paths, cancel), Frame.World));

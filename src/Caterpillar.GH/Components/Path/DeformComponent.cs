@@ -13,16 +13,15 @@ public sealed class DeformComponent() : PathShapingComponent(
     {
         ports.PrintPaths();
         DeformationPorts.Declare(ports);
-        ports.FormulaPlane();
     }
 
     private protected override void Solve(Run run)
     {
         var before = PathsOf(run);
-        var request = DeformationPorts.Read(run, 1);
-        var frame = run.FrameOf(1 + DeformationPorts.Count);
+        var request = DeformationPorts.Read(run);
+        var frame = request.Frame;
         var deformation = run.Require(request.Compile());
-        var shaped = run.Work("Deforming", [frame, .. request.Key, before], (progress, cancel) =>
+        var shaped = run.Work("Deforming", [.. request.Key, before], (progress, cancel) =>
         {
             var problems = new DiagnosticList();
             var local = ToLocal(before.Paths, frame);

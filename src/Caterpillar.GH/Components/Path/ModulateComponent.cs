@@ -6,6 +6,13 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GH.Components.Path;
 
+/// <summary>Where a pattern comes from.</summary>
+public enum ModulationSource
+{
+    Formula,
+    Image,
+}
+
 /// <summary>How an image is mapped onto paths.</summary>
 public enum ImageProjection
 {
@@ -24,9 +31,17 @@ public sealed class ModulateComponent() : PathShapingComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.PrintPaths();
-        ports.File("Image", "I", "Image (PNG, PGM, PBM). Black = 0, white = 1.", "Images (*.png;*.pgm;*.pbm)|*.png;*.pgm;*.pbm|All files|*.*", optional: true);
-        ports.Text("Expression", "E", "Formula from 0 to 1, instead of an image. Example: 0.5 + 0.5 * sin(6 * theta). Variables: x, y, z, r in mm, theta in "
-            + "degrees, s (length along the path in mm), u (the same from 0 to 1).", optional: true);
+        ports.Choice("Source", "So", "Pattern: a formula, or an image.", ModulationSource.Formula);
+        ports.For("Source", [ModulationSource.Formula], () => ports.Text("Expression", "E", "Formula from 0 to 1. Example: 0.5 + 0.5 * sin(6 * theta). "
+            + "Variables: x, y, z, r in mm, theta in degrees, s (length along the path in mm), u (the same from 0 to 1)."));
+        ports.For("Source", [ModulationSource.Image], () =>
+        {
+            ports.File("Image", "I", "Image (PNG, PGM, PBM). Black = 0, white = 1.", "Images (*.png;*.pgm;*.pbm)|*.png;*.pgm;*.pbm|All files|*.*");
+            ports.Choice("Mapping", "W", "Projection of the image: around the paths, as on a globe, from above, or one row of pixels for each path. The "
+                + "image covers all paths.", ImageProjection.Cylinder);
+            ports.For("Mapping", [ImageProjection.Cylinder], () => ports.Integer("Repeat", "N", "Number of times the image is repeated around.", 1));
+            ports.Boolean("Smooth", "Sm", "Interpolate between pixels instead of using the nearest one.", false);
+        });
         ports.Choice("Mode", "M", "Value to change: speed at constant volumetric flow, flow at constant speed, or position (to the left of the path, or "
             + "upward).", ModulationMode.Speed);
         ports.Number("Low", "L", "Value for black or 0: factor for speed or flow, or displacement in mm.", 1);
@@ -35,27 +50,20 @@ public sealed class ModulateComponent() : PathShapingComponent(
             "Formula for the strength of the effect, from 0 to 1, with the variables of Expression. Default: full strength.", optional: true);
         ports.Number("Resolution", "R", "Maximum segment length, in mm. Longer segments are divided first. 0 = do not divide.", 0);
         ports.FormulaPlane();
-        ports.Choice("Mapping", "W", "Projection of the image: around the paths, as on a globe, from above, or one row of pixels for each path. The image "
-            + "covers all paths.", ImageProjection.Cylinder);
-        ports.Integer("Repeat", "N", "Number of times the image is repeated around a cylinder.", 1);
-        ports.Boolean("Smooth", "Sm", "Interpolate between pixels instead of using the nearest one.", false);
-        ports.Number("Reference Speed", "V", "Speed of paths that use the speed of the print settings, in mm/s. 0 = all paths have their own.", 0);
     }
 
     private protected override void Solve(Run run)
     {
         var before = PathsOf(run);
-        var file = run.Maybe<string>(1);
-        var expression = run.Maybe<string>(2);
-        if (file is null == expression is null)
-            throw new InputProblem(file is null ? "Image or Expression is missing." : "Connect Image or Expression, not both.") { IsMissing = file is null };
-        if (file is not null) file = run.PathTo(file);
-        var (mode, low, high) = (run.Choice<ModulationMode>(3), run.Finite(4), run.Finite(5));
-        var mask = run.Maybe<string>(6);
-        var resolution = run.NotNegative(7);
-        var frame = run.FrameOf(8);
-        var (lay, smooth, speed) = (run.Choice<ImageProjection>(9), run.Get<bool>(11), run.Finite(12));
-        var repeat = run.Get<int>(10) is >= 1 and var times ? times : throw new InputProblem("Repeat must be 1 or more.");
+        var byImage = run.Choice<ModulationSource>(run["Source"]) == ModulationSource.Image;
+        var file = byImage ? run.PathTo(run.Get<string>(run["Image"])) : null;
+        var expression = byImage ? null : run.Get<string>(run["Expression"]);
+        var (mode, low, high) = (run.Choice<ModulationMode>(run["Mode"]), run.Finite(run["Low"]), run.Finite(run["High"]));
+        var mask = run.Maybe<string>(run["Mask"]);
+        var resolution = run.NotNegative(run["Resolution"]);
+        var frame = run.FrameOf(run["Plane"]);
+        var (lay, smooth, speed) = (run.Choice<ImageProjection>(run["Mapping"]), run.Get<bool>(run["Smooth"]), SpeedOf(before));
+        var repeat = run.Get<int>(run["Repeat"]) is >= 1 and var times ? times : throw new InputProblem("Repeat must be 1 or more.");
         object? written = file is null ? null : File.GetLastWriteTimeUtc(file);
         object?[] key = [file, written, expression, mode, low, high, mask, resolution, frame, lay, repeat, smooth, speed, before];
         SetPaths(run, before, run.Work("Modulating", key, (progress, cancel) =>

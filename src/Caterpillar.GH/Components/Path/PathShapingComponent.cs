@@ -1,6 +1,7 @@
 using Caterpillar.Geometry;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Params;
+using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Parameters;
@@ -9,7 +10,7 @@ namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Base of the components that change the shape or the beads of print paths: paths first, paths and diagnostics out.</summary>
 public abstract class PathShapingComponent(string name, string nickname, string description)
-    : CaterpillarComponent(name, nickname, description, Panel.Path, GH_Exposure.secondary)
+    : ChosenPortsComponent(name, nickname, description, Panel.Path, GH_Exposure.secondary)
 {
     private protected sealed override void Outputs(OutputPorts ports)
     {
@@ -22,6 +23,9 @@ public abstract class PathShapingComponent(string name, string nickname, string 
         var paths = run.Paths(0);
         return paths.Count > 0 ? paths : throw run.Missing(0);
     }
+
+    /// <summary>Speed of paths that have none of their own, mm/s: that of their setup.</summary>
+    private protected static double SpeedOf(PathList paths) => (paths.Goos[0].Setup?.Settings ?? new PrintSettings()).PrintSpeed;
 
     /// <summary>The new paths with the groups of the old ones.</summary>
     private protected static void SetPaths(Run run, PathList before, Shaped shaped)

@@ -11,7 +11,8 @@ namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Sorts print paths for short travel.</summary>
 public sealed class SortPathsComponent() : CaterpillarComponent(
-    "Sort Paths", "Sort", "Sorts print paths for short travel moves. Paths that are not sorted are printed in their order.", Panel.Path)
+    "Sort Paths", "Sort", "Sorts print paths for short travel moves, or keeps their order and only turns them to start near the end of the "
+        + "previous one (Orient).", Panel.Path)
 {
     public override Guid ComponentGuid => new("b1d0a5ee-6f0e-4b7c-9a55-61c2f1a7d3e4");
 
@@ -51,15 +52,18 @@ public sealed class SortPathsComponent() : CaterpillarComponent(
 
     private sealed record Sorted(PrintPathGoo[] Paths, GH_Integer[] Indices, double Before, double Travel)
     {
-        // Paths sorted here are printed in this order: they leave the groups of the slicer.
+        // Paths sorted here are printed in this order: they leave the groups of the slicer, unless each keeps its place.
         public static Sorted Of(PathList list, SortOptions options, IProgress<double> progress, CancellationToken cancel)
         {
             var paths = list.Paths;
             var order = PathSorter.Order(paths, options, progress, cancel);
             var placed = order.Select(place => Placed(paths[place.Index], place)).ToArray();
-            return new Sorted(placed.Select((p, i) => new PrintPathGoo(p, list.Goos[order[i].Index].Setup)).ToArray(),
+            return new Sorted(placed.Select((p, i) => Goo(p, list.Goos[order[i].Index], options.Rule)).ToArray(),
                 order.Select(place => new GH_Integer(place.Index)).ToArray(),
                 PathSorter.TravelBetween(paths), PathSorter.TravelBetween(placed));
         }
+
+        private static PrintPathGoo Goo(PrintPath path, PrintPathGoo before, SortRule rule)
+            => rule is SortRule.None or SortRule.Orient ? before.With(path) : new PrintPathGoo(path, before.Setup);
     }
 }

@@ -3,12 +3,14 @@ using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
+using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>Makes an extrusion from its width and height.</summary>
 public sealed class ConstructBeadComponent() : CaterpillarComponent(
-    "Construct Bead", "Bead", "Creates the bead of an extrusion from its width and height.", Panel.Setup)
+    "Construct Bead", "Bead", "Creates the bead of an extrusion from its width and height.", Panel.Setup,
+    GH_Exposure.secondary)
 {
     public override Guid ComponentGuid => new("d77db240-b5d3-44bc-b5b0-a60a00a49bb9");
 

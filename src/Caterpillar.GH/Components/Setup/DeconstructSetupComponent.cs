@@ -11,7 +11,7 @@ namespace Caterpillar.GH.Components.Setup;
 /// <summary>Takes a setup apart.</summary>
 public sealed class DeconstructSetupComponent() : CaterpillarComponent(
     "Deconstruct Setup", "DeSetup", "Deconstructs a print setup into its printer, material and print settings, with all values by their keys.", Panel.Setup,
-    GH_Exposure.secondary)
+    GH_Exposure.tertiary)
 {
     public override Guid ComponentGuid => new("d6f20b95-7e41-4c8a-9a3f-5b1d8c0e2f31");
 

@@ -10,7 +10,7 @@ namespace Caterpillar.GH.Components.Setup;
 /// <summary>Makes a printer from header and footer files.</summary>
 public sealed class ImportHeaderComponent() : CaterpillarComponent(
     "Import Header", "Header", "Creates a printer and a material from files with start and end G-code, as ExtruderTurtle and other "
-        + "programs use them.", Panel.Setup, GH_Exposure.secondary)
+        + "programs use them.", Panel.Setup, GH_Exposure.tertiary)
 {
     private const string Filter = "G-code|*.gcode;*.txt;*.g|All files|*.*";
 

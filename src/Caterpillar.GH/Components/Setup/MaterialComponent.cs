@@ -3,20 +3,34 @@ using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.GH.Plugin;
 using Caterpillar.Machines;
-using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.Setup;
 
-/// <summary>A material from a profile.</summary>
-public sealed class MaterialComponent() : ProfileComponent("Material", "Material", "Loads a material from a profile or a file.")
+/// <summary>A material from a profile, with some values of its own.</summary>
+public sealed class MaterialComponent() : KeyPortsComponent(
+    "Material", "Material", "Loads a material from a profile or a file, and changes its values. Zoom in and press + for more of them.")
 {
+    private static readonly Dictionary<string, string> Ports = new(StringComparer.Ordinal)
+    {
+        ["Nozzle Temperature"] = "nozzle_temperature_c",
+        ["Bed Temperature"] = "bed_temperature_c",
+        ["Filament Diameter"] = "filament_diameter_mm",
+        ["Flow Ratio"] = "flow_ratio",
+    };
+
     public override Guid ComponentGuid => new("b38a4d05-4122-429f-8b49-c7313ba87d9d");
+
+    private protected override string Kinds => "materials";
+
+    private protected override IReadOnlyList<ProfileKey> Keys => ProfileKeys.Material;
+
+    private protected override IReadOnlyDictionary<string, string> Usual => Ports;
 
     private protected override void Inputs(InputPorts ports)
     {
-        ports.Text("Name", "N", "Name of the material profile, such as pla, petg or clay.", "pla");
-        ports.File("File", "F", "File of your own profile (JSON). Replaces Name.", "Material profile|*.json", optional: true);
-        ports.Overrides("nozzle_temperature_c=215");
+        ports.Profile(new MaterialChoiceParam(), "Profile", "P", "Default: pla.");
+        foreach (var (name, nick) in new[] { ("Nozzle Temperature", "N"), ("Bed Temperature", "B"), ("Filament Diameter", "D"), ("Flow Ratio", "F") })
+            Key(ports, name, nick);
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -27,8 +41,7 @@ public sealed class MaterialComponent() : ProfileComponent("Material", "Material
 
     private protected override void Solve(Run run)
     {
-        var file = run.Maybe<string>(1);
-        var material = run.Require(Profiles.Library.Material(string.IsNullOrEmpty(file) ? run.Get<string>(0) : run.PathTo(file!)));
-        run.Set(0, new MaterialGoo(run.Require((new PrintSetup() with { Material = material }).With(run.List<string>(2))).Material));
+        var material = run.Maybe<Material>(0) ?? run.Require(Profiles.Library.Material("pla"));
+        run.Set(0, new MaterialGoo(With(run, new PrintSetup() with { Material = material }).Material));
     }
 }

@@ -11,7 +11,7 @@ namespace Caterpillar.GH.Components.Setup;
 /// <summary>Printer, material, settings and what is printed on, as one value for all components.</summary>
 public sealed class PrintSetupComponent() : ProfileComponent(
     "Print Setup", "Setup", "Combines printer, material and print settings, and what is printed on, for all components that need any of them. Choose "
-        + "profiles in the menus of the inputs.")
+        + "profiles in the menus of the inputs.", GH_Exposure.primary)
 {
     // Deviation of the facets of a curved object, mm.
     private const double Tolerance = 0.05;

@@ -11,7 +11,8 @@ namespace Caterpillar.GH.Components.Simulate;
 
 /// <summary>Checks a toolpath against a printer.</summary>
 public sealed class CheckComponent() : CaterpillarComponent(
-    "Check", "Check", "Checks a toolpath against its printer: positions, collisions, extrusions, speeds, flow and temperatures.", Panel.Simulate)
+    "Check", "Check", "Checks a toolpath against its printer: positions, collisions, extrusions, speeds, flow and temperatures.", Panel.Simulate,
+    GH_Exposure.secondary)
 {
     public override Guid ComponentGuid => new("5f3ef7a5-7d2b-4d0f-b2f4-6a2f4b0c8d04");
 

@@ -8,7 +8,8 @@ using Grasshopper.Kernel;
 namespace Caterpillar.GH.Components.Simulate;
 
 /// <summary>Runs through a print as time passes.</summary>
-public sealed class PlayComponent() : CaterpillarComponent("Play", "Play", "Moves a position through a print as time passes, for Simulate.", Panel.Simulate)
+public sealed class PlayComponent() : CaterpillarComponent("Play", "Play", "Moves a position through a print as time passes, for Simulate.", Panel.Simulate,
+    GH_Exposure.secondary)
 {
     private const int FrameMilliseconds = 40;
     private readonly Stopwatch _clock = Stopwatch.StartNew();

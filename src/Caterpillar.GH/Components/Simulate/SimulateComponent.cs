@@ -63,7 +63,7 @@ public sealed class SimulateComponent() : CaterpillarComponent(
         var setup = SetupPort.Of(run, -1, goo);
         var units = run.Units;
         var timeline = run.Work("Timing", [toolpath, setup], (progress, cancel) => Timeline.Of(toolpath, setup, progress, cancel));
-        var lines = run.Work("Drawing", [toolpath, units.ToMillimeters], (_, _) => new PrintedLines(toolpath, units));
+        var lines = run.Work("Drawing", [toolpath, units.ToMillimeters], (_, cancel) => PrintedLines.Of(toolpath, units, cancel));
         var state = StateAt(timeline, position, by);
         lines.ShowUntil(state.Move, state.Done);
         var outline = run.Cached([setup.Printer, units.ToMillimeters], () => new HeadOutline(setup.Printer, units));

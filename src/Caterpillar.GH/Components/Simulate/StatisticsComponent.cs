@@ -9,7 +9,7 @@ namespace Caterpillar.GH.Components.Simulate;
 
 /// <summary>Time and material of a print.</summary>
 public sealed class StatisticsComponent() : CaterpillarComponent(
-    "Statistics", "Stats", "Print time and material of a toolpath, by the accelerations and cornering of its printer.", Panel.Simulate)
+    "Statistics", "Stats", "Print time and material of a toolpath, by the accelerations and cornering of its printer.", Panel.Simulate, GH_Exposure.secondary)
 {
     public override Guid ComponentGuid => new("0a6f6d0e-94d1-4b0f-8a77-2f0f3b8f9b03");
 

@@ -41,7 +41,7 @@ public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
     {
         var goo = run.Get<ToolpathGoo>(0);
         var by = run.Choice<PreviewColor>(1);
-        var (first, last) = (run.MaybeValue<int>(2), run.MaybeValue<int>(3));
+        var layers = new LayerRange(run.MaybeValue<int>(2), run.MaybeValue<int>(3));
         var (beads, travels) = (run.Get<bool>(4), run.Get<bool>(5));
         var units = run.Units;
         var toolpath = goo.Value;
@@ -51,18 +51,15 @@ public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
                 "Too many moves for beads: lines are shown. Select fewer layers with Filter Toolpath.");
             beads = false;
         }
-        bool Shown(int i)
-        {
-            if (first is null && last is null) return true;
-            return toolpath.NumberOfLayer(toolpath[i]) is { } number && !(number < first) && !(number > last);
-        }
-        bool Prints(int i) => toolpath[i].Kind == MoveKind.Print && Shown(i);
         var setup = by == PreviewColor.Time ? SetupPort.Of(run, 6, goo) : null;
-        var colors = run.Work("Coloring", [toolpath, by, first, last, setup], (progress, cancel) =>
-            PreviewColors.Of(toolpath, Prints, by, setup is null ? null : Timeline.Of(toolpath, setup, progress, cancel)));
+        var parts = run.Work("Drawing", [toolpath, units.ToMillimeters], (_, cancel) => new SceneParts(toolpath, units, cancel));
+        var values = run.Work("Coloring", [toolpath, by, setup], (progress, cancel) =>
+            PreviewColors.ValuesOf(toolpath, by, setup is null ? null : Timeline.Of(toolpath, setup, progress, cancel), cancel));
+        var colors = run.Work("Coloring", [values, layers], (_, _) => PreviewColors.Of(values, parts, layers, by));
         var content = new SceneContent(beads, travels, run.Get<bool>(7), run.Maybe<Machines.PrintSetup>(6)?.Printer);
-        run.Show(run.Work("Drawing", [colors, content, units.ToMillimeters],
-            (_, _) => new ToolpathScene(toolpath, Shown, colors, content, units)));
+        var scene = run.Work("Drawing", [colors, parts, content], (_, _) => new ToolpathScene(toolpath, parts, layers, colors, content, units));
+        run.Show(scene);
+        if (scene.Note is { } note) run.Report(GH_RuntimeMessageLevel.Remark, note);
         run.SetList(0, colors.Texts);
         run.SetList(1, colors.Colors.Select(c => new GH_Colour { Value = c }));
     }

@@ -3,12 +3,14 @@ using Caterpillar.GH.Base;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.Slicing;
+using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>Cuts solids along the level sets of a field and fills the layers.</summary>
 public sealed class CurvedSlicerComponent() : SlicerComponent(
-    "Curved Slicer", "CSlice", "Slices solids into the curved layers of a field and fills them. Each bead has the volume of the gap below its layer.")
+    "Curved Slicer", "CSlice", "Slices solids into the curved layers of a field and fills them. Each bead has the volume of the gap below its layer.",
+    GH_Exposure.secondary)
 {
     public override Guid ComponentGuid => new("5be0b3c2-1d3a-4cf2-9b57-0f2a7c6d41e8");
 

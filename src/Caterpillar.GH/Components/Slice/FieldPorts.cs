@@ -19,13 +19,13 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
     public FieldRecipe? Read()
     {
         var kind = run.Choice<FieldKind>(0);
-        var texts = run.List<GH_String>(2).Select(t => t.Value.Trim()).ToArray();
-        var origin = run.MaybePoint(9);
+        var texts = run.List<GH_String>(run["Expressions"]).Select(t => t.Value.Trim()).ToArray();
+        var origin = run.MaybePoint(run["Origin"]);
         switch (kind)
         {
-            case FieldKind.Vertical: return Vertical(Only(Plans(texts, origin)));
+            case FieldKind.Vertical: return Vertical(Only(Plans()));
             case FieldKind.Normal: return Normal();
-            case FieldKind.Between: return Between(Plans(texts, origin));
+            case FieldKind.Between: return Between(Plans());
             case FieldKind.Formula:
                 if (texts.Length != 1) throw new InputProblem("Formula needs exactly one expression.");
                 var level = LayerField.Formula(texts[0], origin ?? Vec3.Zero, Expressions);
@@ -44,7 +44,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
     private FieldRecipe? Vertical(Plan? plan)
     {
         if (plan is null) return null;
-        var (from, to) = (run.MaybeValue<double>(6) is null ? 0 : run.Finite(6), run.MaybeValue<double>(7) is null ? (double?)null : run.Positive(7));
+        var (from, to) = (Number("Blend From") ?? 0, Number("Blend To"));
         if (to is null && from != 0) throw new InputProblem("Blend From needs Blend To.");
         if (to is { } end && !(from >= 0 && end > from)) throw new InputProblem("Blend To must be greater than Blend From, and Blend From must be 0 or more.");
         LayerBlend? blend = to is { } top ? new LayerBlend(from, top) : null;
@@ -73,7 +73,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
 
     private FieldRecipe BetweenEnds(FieldKind kind)
     {
-        var (upper, lower) = (Ends(1), Ends(11));
+        var (upper, lower) = (Ends(run["Surfaces"]), Ends(run["Lower Boundaries"]));
         if (upper.Length == 0 && lower.Length > 0) throw new InputProblem("Lower Boundaries need Surfaces at which layers end.");
         return new FieldRecipe(kind.ToString(), [.. upper.Select(e => e.Key), "from", .. lower.Select(e => e.Key)], (models, _) =>
         {
@@ -89,7 +89,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
     // Curves and surfaces on the solids, with their keys.
     private (BoundaryShape Shape, object Key)[] Ends(int port)
     {
-        var tolerance = run.Positive(10);
+        var tolerance = run.Positive(run["Tolerance"]);
         return run.List<IGH_GeometricGoo>(port).Select(g =>
         {
             if (Wrapped.Bare(g.ScriptVariable()) is not Rg.Curve curve)
@@ -105,15 +105,14 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
 
     private FieldRecipe Cone(Vec3? axis)
     {
-        if (run.MaybeValue<double>(8) is null) throw new InputProblem("Cone needs an angle.") { IsMissing = true };
-        var angle = Angle();
+        var angle = Angle() ?? throw new InputProblem("Cone needs an angle.") { IsMissing = true };
         return new FieldRecipe($"Cone {NumberFormatter.Format(angle, 3)}°", [axis, angle], (models, _) => new Result<LayerField>(
             LayerField.Vertical(PlanSurface.Cone(axis ?? ModelPlacement.BoxOf(models).Center, angle)), []));
     }
 
     private FieldRecipe Overhangs()
     {
-        var angle = run.MaybeValue<double>(8) is null ? (double?)null : Angle();
+        var angle = Angle();
         return new FieldRecipe("Overhangs", [angle], (models, setup) =>
         {
             var plan = PlanSurface.AgainstOverhangs(models, setup, angle);
@@ -121,7 +120,14 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
         });
     }
 
-    private double Angle() => run.Finite(8) is >= -80 and <= 80 and var angle ? angle : throw new InputProblem("Angle must be from -80 to 80 degrees.");
+    private double? Angle() => Number("Angle") switch
+    {
+        null => null,
+        >= -80 and <= 80 and var angle => angle,
+        _ => throw new InputProblem("Angle must be from -80 to 80 degrees."),
+    };
+
+    private double? Number(string port) => run.MaybeValue<double>(run[port]) is null ? null : run.Finite(run[port]);
 
     private static Plan? Only(IReadOnlyList<Plan>? plans) => plans switch
     {
@@ -132,10 +138,13 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
     };
 
     /// <summary>The surfaces from geometry, formulas and the image, in this order. Null after problems.</summary>
-    private List<Plan>? Plans(string[] texts, Vec3? origin)
+    private List<Plan>? Plans()
     {
         var plans = new List<Plan>();
-        foreach (var mesh in Meshes())
+        var sources = run.Choices<SurfaceSource>(run["Sources"]) ?? [];
+        var texts = sources.Contains(SurfaceSource.Formula) ? run.List<GH_String>(run["Heights"]).Select(t => t.Value.Trim()) : [];
+        var origin = run.MaybePoint(run["Origin"]);
+        foreach (var mesh in sources.Contains(SurfaceSource.Geometry) ? Meshes() : [])
         {
             var surface = PlanSurface.Of(mesh.Triangles);
             plans.Add(new Plan(mesh, _ => surface));
@@ -146,7 +155,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
             var surface = height.Moved(origin ?? Vec3.Zero);
             plans.Add(new Plan((text, origin), _ => surface));
         }
-        if (run.Maybe<string>(3) is { Length: > 0 } name)
+        if (sources.Contains(SurfaceSource.HeightMap) && run.Maybe<string>(run["Image"]) is { Length: > 0 } name)
         {
             if (HeightMap(run.FileAt(name)) is not { } map) return null;
             plans.Add(map);
@@ -154,11 +163,11 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
         return plans;
     }
 
-    private ModelMesh[] Meshes() => run.Models(1, run.Positive(10));
+    private ModelMesh[] Meshes() => run.Models(run["Surfaces"], run.Positive(run["Tolerance"]));
 
     private Plan? HeightMap(FileInfo file)
     {
-        var (low, high) = (run.Finite(4), run.Finite(5));
+        var (low, high) = (run.Finite(run["Low"]), run.Finite(run["High"]));
         if (!(high >= low)) throw new InputProblem("High must not be less than Low.");
         var (path, written) = (file.FullName, file.LastWriteTimeUtc);
         if (Accept(run.Cached([path, written], () => ImageReader.Read(path))) is not { } image) return null;

@@ -13,7 +13,7 @@ namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>Cuts solids into planar layers and fills them.</summary>
 public sealed class PlanarSlicerComponent() : SlicerComponent(
-    "Planar Slicer", "Slice", "Slices solids on the bed (Z = 0) into planar layers and fills them with walls and infill.")
+    "Planar Slicer", "Slice", "Slices solids on the bed (Z = 0) into planar layers and fills them with walls and infill.", GH_Exposure.primary)
 {
     public override Guid ComponentGuid => new("378f4dfe-ec2e-4716-a6dd-c0709743ec9b");
 
@@ -40,8 +40,9 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         var models = Solids(run, 0, tolerance);
         var solids = Named(models);
         if (InfillCurves(run, 5, tolerance) is { } curves) settings = settings with { InfillPattern = InfillPattern.Curves, InfillCurves = curves };
-        var modifiers = Modifiers(run, tolerance, settings);
-        var parts = Parts(run, solids, settings);
+        setup = setup with { Settings = settings };
+        var modifiers = Modifiers(run, tolerance, setup);
+        var parts = Parts(run, solids, setup);
         SliceModel[] all = [.. parts, .. modifiers];
         object[] helpers = modifiers.SelectMany(m => new object[] { m.Mesh.Mesh, m.Settings }).ToArray();
         var result = run.Work("Slicing", [settings, models, parts.Select(p => p.Settings).ToArray(), helpers],
@@ -50,10 +51,10 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
     }
 
     // Solids that are null count, so that each keeps its own settings.
-    private static SliceModel[] Parts(Run run, NamedMesh[] solids, PrintSettings common)
+    private static SliceModel[] Parts(Run run, NamedMesh[] solids, PrintSetup setup)
     {
         var own = run.List<SettingsGoo>(2);
-        if (own.Count == 0) return solids.Select(m => new SliceModel(m, common)).ToArray();
+        if (own.Count == 0) return solids.Select(m => new SliceModel(m, setup.Settings)).ToArray();
         var geometry = run.WithNulls<IGH_GeometricGoo>(0);
         if (own.Count > geometry.Count)
         {
@@ -66,16 +67,19 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
             var settings = own[Math.Min(places[i], own.Count - 1)].Value;
             if (settings.ModelType != ModelType.Part)
                 throw new InputProblem($"Part Settings of {m.Name} have a model_type that is not printed. Connect the solid to Modifiers.");
-            return new SliceModel(m, WithCurves(settings, common));
+            return new SliceModel(m, Own(settings, setup));
         }).ToArray();
     }
 
-    // Infill of curves is that of the print, too.
-    private static PrintSettings WithCurves(PrintSettings own, PrintSettings common)
-        => own.InfillPattern == InfillPattern.Curves && own.InfillCurves.Count == 0 ? own with { InfillCurves = common.InfillCurves } : own;
+    // Sizes that follow from the nozzle and infill of curves are those of the print.
+    private static PrintSettings Own(PrintSettings own, PrintSetup setup)
+    {
+        own = (setup with { Settings = own }).Settings;
+        return own.InfillPattern == InfillPattern.Curves && own.InfillCurves.Count == 0 ? own with { InfillCurves = setup.Settings.InfillCurves } : own;
+    }
 
     // Settings for a part are those of a modifier here: a part would be among the solids.
-    private static SliceModel[] Modifiers(Run run, double tolerance, PrintSettings common)
+    private static SliceModel[] Modifiers(Run run, double tolerance, PrintSetup setup)
     {
         var geometry = run.List<IGH_GeometricGoo>(3);
         var settings = run.List<SettingsGoo>(4);
@@ -90,7 +94,7 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
             var own = settings[Math.Min(i, settings.Count - 1)].Value;
             if (own.ModelType == ModelType.Part) own = own with { ModelType = ModelType.Modifier };
             var mesh = new NamedMesh($"Modifier {NumberFormatter.Format(i)}", run.ModelOf(g, tolerance).Triangles);
-            return new SliceModel(mesh, WithCurves(own, common));
+            return new SliceModel(mesh, Own(own, setup));
         }).ToArray();
     }
 

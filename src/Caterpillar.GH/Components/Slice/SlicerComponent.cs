@@ -14,7 +14,8 @@ using Grasshopper.Kernel.Types;
 namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>Base of the slicers: geometry in, layers as trees out.</summary>
-public abstract class SlicerComponent(string name, string nickname, string description) : CaterpillarComponent(name, nickname, description, Panel.Slice)
+public abstract class SlicerComponent(string name, string nickname, string description, GH_Exposure exposure)
+    : CaterpillarComponent(name, nickname, description, Panel.Slice, exposure)
 {
     private protected static void GeometryPort(InputPorts ports) => ports.Geometry("Geometry", "G",
         "Solids to slice, in their print position: meshes, boxes, Breps, SubDs, extrusions or surfaces.", GH_ParamAccess.list);

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Flavors;
+using Caterpillar.Tests.Flavors;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
@@ -97,9 +98,12 @@ public class MotionTests
     {
         foreach (var flavor in FlavorTable.All)
         {
-            foreach (var command in flavor.NotFollowed)
-                Assert.That(ProgramTable.Run(command + " X1 P1", flavor.Name).Diagnostics.Select(d => d.Code), Does.Contain("gcode.unsupported_motion"),
-                    flavor.Name + " " + command);
+            foreach (var command in CommandTable.Rows.Where(r => r.Flavors.Contains(flavor.Name)).SelectMany(r => r.Commands)
+                .Where(c => c.Use == CommandUse.Untracked))
+            {
+                var found = ProgramTable.Run(FlavorCommandTests.LineOf(command), flavor.Name).Diagnostics.Select(d => d.Code);
+                Assert.That(found, Does.Contain("gcode.unsupported_motion"), flavor.Name + " " + command.Name);
+            }
         }
         Assert.That(ProgramTable.Run("G1 R1 X5", "reprapfirmware").Diagnostics.Select(d => d.Code), Does.Contain("gcode.unsupported_motion"));
     }

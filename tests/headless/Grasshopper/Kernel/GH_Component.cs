@@ -126,6 +126,11 @@ namespace Grasshopper.Kernel
         {
             base.Write(writer);
             if (Hidden) writer.SetBoolean("Hidden", true);
+            if (this is IGH_VariableParameterComponent)
+            {
+                Params.WriteVariable(writer);
+                return true;
+            }
             for (var i = 0; i < Params.Input.Count; i++) Params.Input[i].Write(writer.CreateChunk("param_input", i));
             for (var i = 0; i < Params.Output.Count; i++) Params.Output[i].Write(writer.CreateChunk("param_output", i));
             return true;
@@ -136,6 +141,11 @@ namespace Grasshopper.Kernel
             base.Read(reader);
             var hidden = false;
             Hidden = reader.TryGetBoolean("Hidden", ref hidden) && hidden;
+            if (this is IGH_VariableParameterComponent)
+            {
+                Params.ReadVariable(reader);
+                return true;
+            }
             for (var i = 0; i < Params.Input.Count; i++)
             {
                 if (reader.ChunkExists("param_input", i)) Params.Input[i].Read(reader.FindChunk("param_input", i));

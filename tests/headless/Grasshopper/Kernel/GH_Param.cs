@@ -146,6 +146,7 @@ namespace Grasshopper.Kernel
         {
             base.Write(writer);
             writer.SetBoolean("Optional", Optional);
+            if (Server?.Owner is IGH_VariableParameterComponent) writer.SetInt32("Access", (int)Access);
             writer.SetInt32("SourceCount", SourceCount);
             for (var i = 0; i < SourceCount; i++) writer.SetGuid("Source", i, _sources[i].InstanceGuid);
             if (DataMapping != GH_DataMapping.None) writer.SetInt32("Mapping", (int)DataMapping);

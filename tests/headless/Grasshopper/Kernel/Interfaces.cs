@@ -24,6 +24,8 @@ namespace Grasshopper.Kernel
         string SubCategory { get; set; }
 
         Guid InstanceGuid { get; }
+
+        void NewInstanceGuid(Guid UUID);
     }
 
     public interface IGH_DocumentObject : IGH_InstanceDescription
@@ -49,6 +51,8 @@ namespace Grasshopper.Kernel
 
     public interface IGH_ActiveObject : IGH_DocumentObject
     {
+        bool MutableNickName { get; set; }
+
         bool Locked { get; set; }
 
         GH_SolutionPhase Phase { get; set; }

@@ -119,6 +119,8 @@ namespace Grasshopper.Kernel
         {
         }
 
+        public virtual bool MutableNickName { get; set; } = true;
+
         public virtual bool Locked { get; set; }
 
         public virtual GH_SolutionPhase Phase { get; set; }

@@ -30,6 +30,12 @@ internal sealed class EventCommands(Machine machine)
             case 1900:
                 if (Temperature(line, out var bed)) _moves.AddEvent(new BedTemperatureEvent(bed, code == 1900));
                 return true;
+            case 5680 when _rules.ToolTemperatures && line.TryGet('A', out var state) && state == 0:
+                _moves.AddEvent(new NozzleTemperatureEvent(0, false, ToolOf(line, 'P')));
+                return true;
+            case 5680 when _rules.ToolTemperatures:
+                TakeToolTemperature(line);
+                return true;
             case 1060 when _rules.Fan != FanScale.None:
             case 1070 when _rules.Fan != FanScale.None:
                 Fan(line, code == 1060);
@@ -67,6 +73,23 @@ internal sealed class EventCommands(Machine machine)
         _moves.Stay(MoveKind.Dwell);
     }
 
+    /// <summary>SET_HEATER_TEMPERATURE: 0 without a target. Other heaters than nozzles and bed do not matter.</summary>
+    public void SetHeater(string heater, double? target)
+    {
+        var celsius = target ?? 0;
+        if (!IsTemperature(celsius)) return;
+        if (heater.ToUpperInvariant() == "HEATER_BED") _moves.AddEvent(new BedTemperatureEvent(celsius));
+        else if (ExtendedCommands.ToolOf(heater) is { } tool) _moves.AddEvent(new NozzleTemperatureEvent(celsius, false, tool));
+    }
+
+    /// <summary>TURN_OFF_HEATERS.</summary>
+    public void HeatersOff()
+    {
+        _moves.AddEvent(new BedTemperatureEvent(0));
+        _moves.AddEvent(new NozzleTemperatureEvent(0));
+        for (var tool = 0; tool < machine.Extruders.Count && machine.Extruders.Count > 1; tool++) _moves.AddEvent(new NozzleTemperatureEvent(0, false, tool));
+    }
+
     /// <summary>G10 P S: the temperature of a tool. False if the line is something else.</summary>
     public bool TakeToolTemperature(ParsedLine line)
     {
@@ -88,8 +111,8 @@ internal sealed class EventCommands(Machine machine)
         return false;
     }
 
-    private static bool Temperature(ParsedLine line, out double celsius)
-        => (line.TryGet('S', out celsius) || line.TryGet('R', out celsius)) && IsTemperature(celsius);
+    private bool Temperature(ParsedLine line, out double celsius)
+        => line.TryGet('S', out celsius) || line.TryGet('R', out celsius) ? IsTemperature(celsius) : _rules.NoTargetIsOff;
 
     private static bool IsTemperature(double celsius) => celsius is > -300 and < 10000;
 

@@ -11,10 +11,19 @@ internal sealed class ExtendedCommands(Machine machine, ModeCommands modes, Even
     private readonly FlavorRules _rules = machine.Rules;
     private readonly InterpreterState _state = machine.State;
 
+    /// <summary>The tool of <c>extruder</c>, <c>extruder1</c>, <c>extruder2</c> …; null for other names.</summary>
+    public static int? ToolOf(string name)
+    {
+        if (!name.StartsWith("extruder", StringComparison.OrdinalIgnoreCase)) return null;
+        if (name.Length == 8) return 0;
+        return NumberReader.TryParseInt(name.Substring(8), out var number) ? number : null;
+    }
+
     public void Take(byte[] text, ParsedLine line)
     {
         var start = line.CodeStart;
         while (start < line.CodeEnd && text[start] <= ' ') start++;
+        machine.Log.See(text, start, line.CodeEnd);
         var end = start;
         while (end < line.CodeEnd && text[end] > ' ' && text[end] != '*') end++;
         var name = TextEncoding.Decode(text, start, Math.Min(end, start + LongestName)).ToUpperInvariant();
@@ -32,11 +41,17 @@ internal sealed class ExtendedCommands(Machine machine, ModeCommands modes, Even
                 var limits = words.ToUpperInvariant();
                 events.Limits.TakeVelocityLimit(key => Number(limits, key));
                 return;
+            case "SET_HEATER_TEMPERATURE" when _rules.ExtendedCommands:
+                events.SetHeater(Argument(words, "HEATER="), Number(words.ToUpperInvariant(), "TARGET"));
+                return;
+            case "TURN_OFF_HEATERS" when _rules.ExtendedCommands:
+                events.HeatersOff();
+                return;
             case "ACTIVATE_EXTRUDER":
                 Activate(Argument(words, "EXTRUDER="));
                 return;
         }
-        if (!events.TakePause(name)) machine.Ignored.Add(name);
+        if (!events.TakePause(name)) machine.Log.Ignore();
     }
 
     private bool TakeState(string name, string words)
@@ -97,12 +112,9 @@ internal sealed class ExtendedCommands(Machine machine, ModeCommands modes, Even
         feed.Speed = speed;
     }
 
-    // extruder, extruder1, extruder2 …
     private void Activate(string name)
     {
-        if (!_rules.ExtendedCommands || !name.StartsWith("extruder", StringComparison.Ordinal)) return;
-        var number = 0;
-        if (name.Length == 8 || NumberReader.TryParseInt(name.Substring(8), out number)) machine.ChangeTool(number);
+        if (_rules.ExtendedCommands && ToolOf(name) is { } tool) machine.ChangeTool(tool);
     }
 
     private static double Changed(string words, string axis, double before)

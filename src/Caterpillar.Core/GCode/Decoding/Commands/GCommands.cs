@@ -8,21 +8,24 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
     private const int NoMotion = -1;
     private readonly FlavorRules _rules = machine.Rules;
 
-    public void Take(ParsedLine line)
+    public void Take(byte[] text, ParsedLine line)
     {
         if (_rules.Letters.Length > 0 && HasUnknownLetter(line)) return;
-        Execute(line);
+        Execute(text, line);
         machine.State.Work.IsMachineLine = false;
     }
 
-    private void Execute(ParsedLine line)
+    private void Execute(byte[] text, ParsedLine line)
     {
         var action = 0;
         var explicitMotion = NoMotion;
         var commands = 0;
         for (var i = 0; i < line.Count; i++)
         {
-            if (line.Letters[i] != 'G' || !line.HasValue[i]) continue;
+            if (!line.HasValue[i]) continue;
+            // Some firmware executes these too.
+            if (line.Letters[i] == 'M' && _rules.Commands is CommandsRule.All or CommandsRule.InOrder) machine.Log.See(text, line.LetterAt[i], line.CodeEnd);
+            if (line.Letters[i] != 'G') continue;
             commands++;
             if (_rules.Commands is CommandsRule.First or CommandsRule.Last && !Counts(line, i, commands)) continue;
             var code = Tenfold(line.Values[i]);
@@ -32,7 +35,7 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
                 machine.Diagnostics.Warn("gcode.flavor_commands", "A line has several motion commands. Only the last one is read, with the words of all.");
             }
             if (IsMotion(code)) explicitMotion = code / 10;
-            else if (!modes.Take(code)) action = code;
+            else action = Other(text, line, i, code, action);
         }
         if (commands > 1) machine.Features.MultiG++;
         if (explicitMotion != NoMotion)
@@ -52,8 +55,21 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
         else if (commands == 0)
         {
             if (_rules.ModalMotion != ModalMotionRule.Never && line.TryGet('F', out var feed)) machine.SetFeed(feed);
-            else if (line.Find('F') < 0) machine.Ignored.Add((char)line.Letters[0], line.HasValue[0] ? line.Values[0] : 0);
+            else if (line.Find('F') < 0) Unknown(text, line);
         }
+    }
+
+    // A mode takes effect now, and an action after all modes.
+    private int Other(byte[] text, ParsedLine line, int word, int code, int action)
+    {
+        machine.Log.See(text, line.LetterAt[word], line.CodeEnd);
+        return modes.Take(code) ? action : code;
+    }
+
+    private void Unknown(byte[] text, ParsedLine line)
+    {
+        machine.Log.See(text, line.LetterAt[0], line.CodeEnd);
+        machine.Log.Ignore();
     }
 
     private static bool IsMotion(int code) => code is 0 or 10 or 20 or 30;
@@ -137,7 +153,7 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
                 return;
             default:
                 if (FlavorRules.Names(_rules.ShiftResets, 'G', code / 10.0)) positions.ClearShifts();
-                else machine.Ignored.Add('G', code < 0 ? 0 : code / 10.0);
+                else machine.Log.Ignore();
                 return;
         }
     }
@@ -165,7 +181,6 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
             return;
         }
         if (code == 100 && events.TakeToolTemperature(line) && !line.HasAny("XYZ")) return;
-        if (line.HasAny("XYZ")) machine.Ignored.Add('G', code / 10.0);
-        else machine.Ignored.Add(code == 100 ? "G10" : "G11");
+        machine.Log.Ignore();
     }
 }

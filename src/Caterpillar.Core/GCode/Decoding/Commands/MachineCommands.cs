@@ -10,6 +10,7 @@ internal sealed class MachineCommands(Machine machine, ModeCommands modes, Event
 
     public void Take(byte[] text, ParsedLine line)
     {
+        machine.Log.See(text, line.LetterAt[0], line.CodeEnd);
         var code = line.Values[0] is >= 0 and < 100000 ? (int)Math.Floor(line.Values[0] * 10 + 0.5) : -1;
         if (events.Take(code, line)) return;
         switch (code)
@@ -44,7 +45,7 @@ internal sealed class MachineCommands(Machine machine, ModeCommands modes, Event
                 return;
             case 60:
                 if (_rules.ToolByM6) machine.ChangeTool(line.TryGet('T', out var tool) ? tool : double.IsNaN(_state.NextTool) ? _state.Tool : _state.NextTool);
-                else if (!IsToolChange(code, line)) machine.Ignored.Add('M', 6);
+                else if (!IsToolChange(code, line)) machine.Log.Ignore();
                 return;
             case 4860:
                 ObjectByNumber(text, line);
@@ -53,7 +54,7 @@ internal sealed class MachineCommands(Machine machine, ModeCommands modes, Event
                 if (IsToolChange(code, line)) return;
                 if (FlavorRules.Names(_rules.Dwells, 'M', code / 10.0)) events.Dwell(line);
                 if (code == 2000) machine.Features.M200++;
-                machine.Ignored.Add('M', line.Values[0]);
+                machine.Log.Ignore();
                 return;
         }
     }

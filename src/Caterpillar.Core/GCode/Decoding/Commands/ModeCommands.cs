@@ -19,7 +19,7 @@ internal sealed class ModeCommands(Machine machine, PositionCommands positions)
             case 180:
             case 190:
                 if (_rules.Planes || code == 170) modes.Plane = (ArcPlane)((code - 170) / 10);
-                else machine.Ignored.Add('G', code / 10);
+                else machine.Log.Ignore();
                 return true;
             case 200:
                 _features.G20++;
@@ -42,7 +42,7 @@ internal sealed class ModeCommands(Machine machine, PositionCommands positions)
             case 901:
             case 911:
                 if (_rules.AbsoluteCenters) modes.AbsoluteCenters = code == 901;
-                else if (code == 901) machine.Ignored.Add('G', 90.1);
+                else if (code == 901) machine.Log.Ignore();
                 return true;
             default:
                 return _rules.Workspaces && positions.SelectSystem(code);
@@ -56,7 +56,7 @@ internal sealed class ModeCommands(Machine machine, PositionCommands positions)
         else _features.M82++;
         if (_rules.RelativeE == RelativeERule.OnlyG90G91)
         {
-            machine.Ignored.Add('M', relative ? 83 : 82);
+            machine.Log.Ignore();
             return;
         }
         machine.State.Modes.M83 = machine.State.Modes.LastRelative = relative;

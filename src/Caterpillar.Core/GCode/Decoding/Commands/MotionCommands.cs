@@ -81,7 +81,7 @@ internal sealed class MotionCommands(Machine machine, ExtruderWords extruder)
         }
         var mask = (line.TryGet('X', out var x) ? ChunkParser.HasX : 0) | (line.TryGet('Y', out var y) ? ChunkParser.HasY : 0)
             | (line.TryGet('Z', out var z) ? ChunkParser.HasZ : 0) | (extruder.TryGet(line, out var e) ? ChunkParser.HasE : 0);
-        if (_rules.RestorePoints && line.Find('R') >= 0) machine.Ignored.NotFollowed("R of a motion");
+        if (_rules.RestorePoints && line.Find('R') >= 0) machine.Log.NotFollowed("R of a motion");
         Line(mask, x, y, z, e, _state.Modes.Motion);
     }
 

@@ -119,7 +119,7 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
         var number = line.Get('P', 0);
         if (!(number is >= 0 and <= WorkOffsets.Count))
         {
-            machine.Ignored.Add("G10");
+            machine.Log.Ignore();
             return;
         }
         ref var work = ref _state.Work;

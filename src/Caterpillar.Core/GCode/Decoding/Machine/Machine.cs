@@ -12,9 +12,9 @@ internal sealed class Machine
         Rules = rules;
         Axis = axis;
         State.Modes.Volumetric = rules.StartsVolumetric;
-        Ignored = new IgnoredCommands(rules, Diagnostics);
         Extruders = new Extruders(rules, State, Counters);
         Moves = new MoveRecorder(this, rule);
+        Log = new CommandLog(this);
         Extruders.Select(0);
     }
 
@@ -31,7 +31,7 @@ internal sealed class Machine
 
     public Features Features { get; } = new();
 
-    public IgnoredCommands Ignored { get; }
+    public CommandLog Log { get; }
 
     public Extruders Extruders { get; }
 
@@ -81,7 +81,7 @@ internal sealed class Machine
     {
         if (!(number >= 0 && number < Rules.ToolLimit) || number != Math.Floor(number))
         {
-            Ignored.Add('T', number);
+            Log.Ignore();
             return;
         }
         var tool = (int)number;

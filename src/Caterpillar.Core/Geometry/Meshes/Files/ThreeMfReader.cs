@@ -1,5 +1,6 @@
 using System.IO.Compression;
 using System.Xml;
+using Caterpillar.Files;
 
 namespace Caterpillar.Geometry;
 
@@ -122,6 +123,11 @@ internal sealed class ThreeMfReader
         ThreeMfModel? model = null;
         if (Entry(path) is { } entry)
         {
+            if (entry.Length > GzipReader.Limit(entry.CompressedLength))
+            {
+                _source.Note(Severity.Error, "mesh.compression", GzipReader.TooLarge, new SourceLocation(_source.Name, Key: path));
+                return null;
+            }
             using var stream = entry.Open();
             model = ThreeMfParser.Parse(_source, path, stream);
         }

@@ -1,0 +1,127 @@
+using Caterpillar.GH.Base;
+using Caterpillar.Machines;
+using Grasshopper.Kernel;
+
+namespace Caterpillar.GH.Components.Setup;
+
+/// <summary>
+/// A component that changes values of a profile. Its usual keys are ports. The zoomable + adds a port for any other key: the name of the port is the key, and
+/// its type follows.
+/// </summary>
+public abstract class KeyPortsComponent : ProfileComponent, IGH_VariableParameterComponent
+{
+    private const string NewName = "key";
+    private const int DelayMilliseconds = 5;
+    private readonly int _fixed;
+
+    private protected KeyPortsComponent(string name, string nickname, string description)
+        : base(name, nickname, description, GH_Exposure.secondary)
+    {
+        _fixed = Params.Input.Count;
+        Params.ParameterNickNameChanged += (_, e) =>
+        {
+            if (e.ParameterSide != GH_ParameterSide.Input || Params.Input.IndexOf(e.Parameter) < _fixed) return;
+            // Ports must not change while the event is handled.
+            if (OnPingDocument() is { } document) document.ScheduleSolution(DelayMilliseconds, _ => Follow());
+            else Follow();
+        };
+    }
+
+    /// <summary>Plural noun of the profiles, for messages.</summary>
+    private protected abstract string Kinds { get; }
+
+    /// <summary>The keys of the profiles.</summary>
+    private protected abstract IReadOnlyList<ProfileKey> Keys { get; }
+
+    /// <summary>The key of each usual port, by name.</summary>
+    private protected abstract IReadOnlyDictionary<string, string> Usual { get; }
+
+    public bool CanInsertParameter(GH_ParameterSide side, int index) => side == GH_ParameterSide.Input && index >= _fixed;
+
+    public bool CanRemoveParameter(GH_ParameterSide side, int index) => side == GH_ParameterSide.Input && index >= _fixed;
+
+    public IGH_Param CreateParameter(GH_ParameterSide side, int index)
+    {
+        var port = KeyPort.Make(null);
+        for (var i = 1; port.NickName.Length == 0 || i == 1 || Params.Input.Exists(p => p.NickName == port.NickName); i++)
+            port.NickName = i == 1 ? NewName : NewName + NumberFormatter.Format(i);
+        return port;
+    }
+
+    public bool DestroyParameter(GH_ParameterSide side, int index) => true;
+
+    /// <summary>Gives added ports the texts of their keys. It is called after reading, too, where ports must stay: their wires come later.</summary>
+    public void VariableParameterMaintenance()
+    {
+        for (var i = 0; i < Params.Input.Count; i++)
+        {
+            var port = Params.Input[i];
+            if (i >= _fixed) port.Name = port.NickName;
+            if (i >= _fixed || Usual.ContainsKey(port.Name)) KeyPort.Describe(port, KeyOf(i));
+        }
+    }
+
+    /// <summary>Declares a usual port.</summary>
+    private protected void Key(InputPorts ports, string name, string nick)
+    {
+        var key = Keys.First(k => k.Name == Usual[name]);
+        ports.Add(KeyPort.Make(key), name, nick, KeyPort.Sentence(key));
+    }
+
+    /// <summary>A setup with the values of the ports.</summary>
+    /// <exception cref="InputProblem">A port has no key, or two have the same.</exception>
+    private protected PrintSetup With(Run run, PrintSetup setup)
+    {
+        var values = new List<string>();
+        var used = new HashSet<string>(StringComparer.Ordinal);
+        for (var i = 0; i < Params.Input.Count; i++)
+        {
+            var port = Params.Input[i];
+            if (i < _fixed && !Usual.ContainsKey(port.Name)) continue;
+            if (KeyOf(i) is not { } key)
+            {
+                Explain(run, port, i);
+                continue;
+            }
+            if (KeyPort.Value(run, i, port, key) is not { } text) continue;
+            if (!used.Add(key.Name)) throw new InputProblem($"Two ports set {key.Name}. Remove one of them.");
+            values.Add($"{key.Name}={text}");
+        }
+        return run.Require(setup.With(values));
+    }
+
+    // A port that has no value yet may have no key yet.
+    private void Explain(Run run, IGH_Param port, int input)
+    {
+        var problem = ProfileKeys.Unknown(Kinds, Keys, port.NickName);
+        if (run.Maybe<string>(input) is not null) throw new InputProblem(problem.Message);
+        run.Report(GH_RuntimeMessageLevel.Warning, $"{problem.Message} Rename the port.");
+    }
+
+    private ProfileKey? KeyOf(int input)
+    {
+        var port = Params.Input[input];
+        var name = input < _fixed ? Usual[port.Name] : port.NickName.Trim();
+        return name == "title" ? null : Keys.FirstOrDefault(k => k.Name == name);
+    }
+
+    // Gives ports that were renamed the type of their key. The wires stay.
+    private void Follow()
+    {
+        for (var i = _fixed; i < Params.Input.Count; i++)
+        {
+            var old = Params.Input[i];
+            var port = KeyPort.Make(KeyOf(i));
+            if (port.GetType() == old.GetType()) continue;
+            port.NickName = old.NickName;
+            port.NewInstanceGuid(old.InstanceGuid);
+            var sources = old.Sources.ToArray();
+            Params.UnregisterInputParameter(old, true);
+            Params.RegisterInputParam(port, i);
+            foreach (var source in sources) port.AddSource(source);
+        }
+        Params.OnParametersChanged();
+        VariableParameterMaintenance();
+        ExpireSolution(false);
+    }
+}

@@ -1,0 +1,49 @@
+using Caterpillar.GH.Base;
+using Caterpillar.GH.Goos;
+using Caterpillar.GH.Params;
+using Caterpillar.GH.Plugin;
+using Caterpillar.Machines;
+
+namespace Caterpillar.GH.Components.Setup;
+
+/// <summary>Print settings from a profile, with some values of their own.</summary>
+public sealed class PrintSettingsComponent() : KeyPortsComponent(
+    "Print Settings", "Settings", "Loads print settings from a profile or a file, and changes their values. Zoom in and press + for more of them.")
+{
+    private static readonly Dictionary<string, string> Ports = new(StringComparer.Ordinal)
+    {
+        ["Layer Height"] = "layer_height_mm",
+        ["Line Width"] = "line_width_mm",
+        ["Print Speed"] = "print_speed_mm_s",
+        ["Travel Speed"] = "travel_speed_mm_s",
+        ["Subdivision Distance"] = "subdivision_distance_mm",
+    };
+
+    public override Guid ComponentGuid => new("eb1bc290-3166-4963-b83d-d36f484b35cb");
+
+    private protected override string Kinds => "settings";
+
+    private protected override IReadOnlyList<ProfileKey> Keys => ProfileKeys.Settings;
+
+    private protected override IReadOnlyDictionary<string, string> Usual => Ports;
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.Profile(new SettingsChoiceParam(), "Profile", "P", "Default: standard.");
+        foreach (var (name, nick) in new[]
+            { ("Layer Height", "H"), ("Line Width", "W"), ("Print Speed", "V"), ("Travel Speed", "T"), ("Subdivision Distance", "Sd") })
+            Key(ports, name, nick);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new SettingsParam(), "Settings", "S", "Print settings.");
+        ports.Diagnostics();
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var settings = run.Maybe<PrintSettings>(0) ?? run.Require(Profiles.Library.Settings("standard"));
+        run.Set(0, new SettingsGoo(With(run, new PrintSetup() with { Settings = settings }).Settings));
+    }
+}
