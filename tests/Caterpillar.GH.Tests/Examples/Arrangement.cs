@@ -16,7 +16,7 @@ internal sealed class Arrangement
     private const double Left = 40;
     private const double Top = 40;
     private const double Clear = 3;
-    private const int Trials = 1500;
+    private const int Trials = 1000;
     private const int Starts = 8;
 
     // A wire behind an object, compared with a pixel of height.
