@@ -161,8 +161,7 @@ public static class SafeWriter
         DecodedGCode before, GCodeDocument text, DecodeOptions reading, PrintSetup setup, string? reason, IProgress<double>? progress, CancellationToken cancel)
     {
         var file = GCodeDecoder.Decode(text, reading with { FilamentDiameter = setup.Material.FilamentDiameter }, null, cancel).OrThrow();
-        var read = PrintCheck.WithVolumes(file.Toolpath, setup);
-        var checks = PrintCheck.Run(read, setup, CheckScope.OfFile(file, setup) with { Before = before.Used }, progress, cancel);
+        var checks = PrintCheck.RunFile(file, setup, before, progress, cancel);
         var guard = new WriteGuard([.. checks, .. DecodingNotes.Of(file, before)], reason);
         if (guard.Refuses) return (new Result<GCodeDocument>(null, guard.Refusal([])), guard);
         var commented = new Result<GCodeDocument>(text, []);
