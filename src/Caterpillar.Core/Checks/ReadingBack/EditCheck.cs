@@ -21,7 +21,7 @@ internal static class EditCheck
         var read = PrintCheck.WithVolumes(file.Toolpath, setup);
         var findings = new Findings(setup.Printer, read);
         Compare(edited, read, findings);
-        var checks = PrintCheck.Run(read, setup, CheckScope.OfFile(file, setup) with { Before = (before ?? decoding).Used }, progress, cancel);
+        var checks = PrintCheck.RunFile(file, setup, before ?? decoding, progress, cancel);
         return [.. findings.ToList(), .. checks, .. DecodingNotes.Of(file, before ?? decoding)];
     }
 

@@ -22,6 +22,7 @@ internal sealed class ReadBack : IDisposable
     private readonly PlanComparison? _comparison;
     private readonly MoveChecks _checks;
     private readonly Task<DecodedGCode> _reading;
+    private readonly bool _isChecked;
     private Toolpath _plan;
     private WrittenPlaces? _places;
     private int _written;
@@ -33,14 +34,17 @@ internal sealed class ReadBack : IDisposable
     /// <param name="stream">The file; null = only check.</param>
     /// <param name="waiting">Number of blocks that wait to be checked, at most; the writer waits for them, too.</param>
     /// <param name="cancel">Cancels.</param>
-    public ReadBack(Toolpath plan, PrintSetup setup, GCodeFormat format, Stream? stream, int waiting, CancellationToken cancel)
+    /// <param name="isChecked">True if the plan was checked before: what it prints is not looked at again.</param>
+    public ReadBack(
+        Toolpath plan, PrintSetup setup, GCodeFormat format, Stream? stream, int waiting, CancellationToken cancel, bool isChecked = false)
     {
+        _isChecked = isChecked;
         (_plan, _setup, _format, _cancel) = (plan, setup, format, cancel);
         _text = new PipedStream(stream, _pipe);
         _writer = new GCodeWriter(plan, format) { Written = Lines };
         _compared = NewFindings();
         if (_compared.LooksFor(PlanComparison.Codes)) _comparison = new PlanComparison(plan, format, Lines, _compared);
-        _checks = new MoveChecks(setup, plan.Tools, NewFindings, cancel, waiting);
+        _checks = new MoveChecks(setup, plan.Tools, NewFindings, cancel, waiting, !isChecked);
         _reading = OwnThread.Run(Read);
     }
 
@@ -85,7 +89,10 @@ internal sealed class ReadBack : IDisposable
         var read = file.Toolpath.Tools.Count <= _plan.Tools.Count ? file.Toolpath.WithTools(_plan.Tools) : file.Toolpath;
         _places = new WrittenPlaces(_plan, move => move < 0 || move >= read.Count ? null : read[move].Source, Lines, _setup.Printer);
         var scope = CheckScope.OfWritten(file, _setup) with { FirstLine = Lines.Before(0, -1) + 1, IsOwnLine = IsOwnLine };
-        var checks = _checks.Finish(read, scope, progress);
+        // Start and end code that print are looked at together with the plan.
+        using var all = _isChecked && ToolpathTotals.Of(read).PrintMoves != ToolpathTotals.Of(_plan).PrintMoves
+            ? new MoveChecks(_setup, read.Tools, NewFindings, _cancel) : null;
+        var checks = (all ?? _checks).Finish(read, scope, progress);
         var compared = new DiagnosticList();
         compared.AddRange(modes.ToList());
         compared.AddRange(_compared.ToList());

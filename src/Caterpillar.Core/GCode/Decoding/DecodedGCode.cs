@@ -73,6 +73,23 @@ public sealed class DecodedGCode
     /// <summary>First line of the first layer. 0 = none.</summary>
     internal int FirstLayerLine { get; init; }
 
+    /// <summary>Line of the first extrusion of a layer. The largest number = none.</summary>
+    internal int FirstPrintLine
+    {
+        get
+        {
+            foreach (var block in Toolpath.Blocks)
+            {
+                var c = block.Columns;
+                for (var i = 0; i < c.Count; i++)
+                {
+                    if (c.Kind[i] == MoveKind.Print && c.Layer[i] >= 0) return c.Source[i];
+                }
+            }
+            return int.MaxValue;
+        }
+    }
+
     /// <summary>Moves, layers and flavor, for a panel.</summary>
     public override string ToString()
         => NumberFormatter.Format(Toolpath.Count) + " moves, " + NumberFormatter.Format(Toolpath.CountLayers()) + " layers, " + Flavor.Title;
