@@ -84,8 +84,11 @@ public class ConvertTests : CliFixture
     public void Tools_and_lines_are_put_before_layers()
     {
         File.WriteAllText("a.gcode", File1);
-        Assert.That(Run("convert", "a.gcode", "-o", "-", "--tool-at-layer", "1=1", "--gcode-at-layer", "0=M104 S210").Text, Is.EqualTo(
-            File1.Replace("G1 X0 Y0 Z0.2", "M104 S210\nG1 X0 Y0 Z0.2").Replace("G1 Z0.4", "T1\nG1 Z0.4")));
+        Assert.That(Run("convert", "a.gcode", "-o", "-", "--gcode-at-layer", "0=M104 S210").Text, Is.EqualTo(
+            File1.Replace("G1 X0 Y0 Z0.2", "M104 S210\nG1 X0 Y0 Z0.2")));
+        Assert.That(Run("convert", "a.gcode", "-o", "b.gcode", "--tool-at-layer", "1=1").Messages, Does.Contain("limit.tool").And.Contain("--printer"));
+        File.WriteAllText("two.gcode", "T1\nT0\n" + File1);
+        Assert.That(Run("convert", "two.gcode", "-o", "-", "--tool-at-layer", "1=1").Text, Is.EqualTo("T1\nT0\n" + File1.Replace("G1 Z0.4", "T1\nG1 Z0.4")));
         Assert.That(Run("convert", "a.gcode", "-o", "b.gcode", "--pause-at-layer", "7").Code, Is.EqualTo(2));
     }
 

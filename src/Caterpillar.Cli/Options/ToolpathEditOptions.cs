@@ -17,6 +17,11 @@ internal sealed class ToolpathEditOptions
     private readonly Described<string?> _deform = new("--deform", "Deform the selection: formulas for the new x, y, z from the old, in mm.", "FORMULAS");
     private readonly Described<string?> _axis = new("--axis", "With --deform: vertical axis for formulas in r, theta (degrees) and z.", "X,Y|center");
     private readonly Described<bool> _remove = new("--remove", "Remove the selection.");
+    private readonly Described<double?> _below = new("--keep-below",
+        "Keep the lower part of the print: layers up to this height, a lift and the end code.", "Z");
+    private readonly Described<double?> _above = new("--keep-above",
+        "Keep the upper part of the print, which continues on a part of this height on the bed. The nozzle must touch its top before the start.", "Z");
+
     private readonly Described<int[]> _pauses = new("--pause-at-layer",
         "Pause before a layer. The pause keys of the printer set lift and parking position. Repeatable.", "N");
 
@@ -27,7 +32,7 @@ internal sealed class ToolpathEditOptions
     private readonly Described<string?> _end = new("--end-gcode", "File with end G-code that replaces everything after the last layer.", "FILE");
 
     public Option[] All =>
-        [.. _filter.All, _speed, _flow, _scale, _turn, _move, _deform, _axis, _remove, _pauses, _plainPause, _tools, _lines, _start, _end];
+        [.. _filter.All, _speed, _flow, _scale, _turn, _move, _deform, _axis, _remove, _below, _above, _pauses, _plainPause, _tools, _lines, _start, _end];
 
     /// <summary>The edits of a toolpath.</summary>
     /// <exception cref="CliException">An option is invalid.</exception>
@@ -53,6 +58,14 @@ internal sealed class ToolpathEditOptions
         edits = edits with { AtLayers = [.. (arguments.GetValue(_tools) ?? []).Select(Tool), .. (arguments.GetValue(_lines) ?? []).Select(Line)] };
         return !edits.Remove || _filter.IsGiven(arguments) ? edits
             : throw new CliException(ExitCode.Usage, "--remove needs a selection: --first-layer, --last-layer, --role, --object, --tool or --box.");
+    }
+
+    /// <summary>The part of the print that is kept.</summary>
+    /// <exception cref="CliException">The print cannot be cut there.</exception>
+    public FileJob Half(FileJob job, ParseResult arguments, Session session)
+    {
+        if (arguments.GetValue(_above) is { } above) job = session.ValueOrFail(job.KeepAbove(above));
+        return arguments.GetValue(_below) is { } below ? session.ValueOrFail(job.KeepBelow(below)) : job;
     }
 
     /// <summary>New start and end G-code.</summary>

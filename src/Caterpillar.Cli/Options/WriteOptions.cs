@@ -42,7 +42,7 @@ internal sealed class WriteOptions
         IReadOnlyList<Diagnostic> findings = [];
         var reason = arguments.GetValue(_reason);
         // While it is being written.
-        var figures = Task.Run(() => PrintFigures.Of(job.Toolpath, job.Setup, double.NaN));
+        var planned = Task.Run(() => PrintFigures.Of(job.Toolpath, job.Setup, double.NaN));
         session.Write(file, (stream, isDraft) =>
         {
             Result<WrittenGCode> Write(IProgress<double>? progress) => job.Write(stream, file, isDraft, reason, progress, session.Cancel);
@@ -58,11 +58,18 @@ internal sealed class WriteOptions
                 throw new CliException(ExitCode.Refused,
                     $"{file}: {Count(written.Bytes)} bytes ({Count(written.Lines)} lines) exceed --max-size. Nothing was written.");
         });
-        // Start and end code apart; written files of some printers are not timed.
-        session.Made(() => figures.Result with { Seconds = written!.PrintTime ?? Timeline.Of(job.Toolpath, job.Setup, null, session.Cancel).Duration },
+        session.Made(() => Figures(planned.Result, written!, job, session),
             written!.Lines, written.Bytes,
             print => $"{Session.NameOfOutput(file)}: {PrintSummary.Of(print)}; {Count(written.Lines)} lines, {PrintSummary.Size(written.Bytes)}");
         return new WrittenFile(written, findings);
+    }
+
+    // Layers and size of the print; time and material of the whole file, as they are read from it.
+    private static PrintFigures Figures(PrintFigures planned, WrittenGCode written, PrintJob job, Session session)
+    {
+        if (written is not { File: { } file, PrintTime: { } seconds })
+            return planned with { Seconds = Timeline.Of(job.Toolpath, job.Setup, null, session.Cancel).Duration };
+        return PrintFigures.Of(file, job.Setup, seconds) with { Layers = planned.Layers, Size = planned.Size };
     }
 
     private static string Count(long number) => NumberFormatter.Format(number);

@@ -46,6 +46,7 @@ internal sealed class ConvertVerb : Verb
     [
         ("convert part.gcode -o slow.gcode --speed 70% --role \"outer wall\"", "Slow down the outer walls"),
         ("convert part.gcode -o nut.gcode --pause-at-layer 3", "Pause before a layer"),
+        ("convert part.gcode -o upper.gcode --keep-above 12", "Continue a print at a height"),
         ("convert part.gcode -o klipper.gcode --flavor klipper --e-mode relative", "Convert to another flavor"),
         ("convert part.gcode -o twisted.gcode --deform \"r, theta + 2*z, z\" --axis center", "Twist the print about its center"),
     ];
@@ -66,7 +67,8 @@ internal sealed class ConvertVerb : Verb
         };
         var document = Read(file, session);
         var decoding = session.GCodeOrFail(session.WithProgress("Reading", progress => GCodeDecoder.Decode(document, reading, progress, session.Cancel)));
-        var job = Edited(new FileJob(decoding, reading), arguments, session) with { Code = _edits.Code(arguments), Target = target };
+        var job = new FileJob(decoding, reading) { Code = _edits.Code(arguments), Target = target };
+        job = _edits.Half(Edited(job, arguments, session), arguments, session);
         // While the file is being written.
         var summary = session.Quiet && !session.Collects ? null
             : Task.Run(() => (Edits: EditSummary.Of(decoding.Toolpath, job.Toolpath), Print: PrintFigures.Of(decoding, job.Toolpath)));

@@ -55,7 +55,7 @@ public sealed record FileEdits
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         var found = new List<Diagnostic>();
-        var filter = Filter.InLayersOf(toolpath);
+        var (original, filter) = (toolpath, Filter.InLayersOf(toolpath));
         var extrusions = filter with { Kinds = [MoveKind.Print] };
         if (Filter != new MoveFilter() && !toolpath.Moves().Any(extrusions.MatchesIn(toolpath)))
             found.Add(new Diagnostic(Severity.Warning, "edit.nothing_selected", "The selection has no extrusions in this file, so nothing is edited."));
@@ -72,7 +72,37 @@ public sealed record FileEdits
         }
         if (Remove) toolpath = toolpath.Remove(Filter.Roles is null && Filter.Box is null ? filter : extrusions);
         if (FitArcs is not null) toolpath = toolpath.FitArcs(FitArcs);
+        if ((Remove || Move is not null) && Hanging(original) is null && Hanging(toolpath) is { } layer)
+            found.Add(new Diagnostic(Severity.Warning, "edit.in_the_air", $"Layer {NumberFormatter.Format(layer.Index)} begins at Z "
+                + $"{NumberFormatter.Format(layer.Z - layer.Thickness, 3)} mm, with nothing below it. To continue on a part that stands there, keep the "
+                + "layers above a height (--keep-above). Otherwise move the print down."));
         return new Result<Toolpath>(toolpath, found);
+    }
+
+    /// <summary>The height in mm above which all layers, and nothing else, are removed. Null = other edits.</summary>
+    internal double? Cut(Toolpath toolpath)
+    {
+        if (!Remove || Filter.FirstLayer is not { } first || Filter with { FirstLayer = null, LastLayer = null } != new MoveFilter()) return null;
+        double below = double.NegativeInfinity, above = double.PositiveInfinity;
+        foreach (var layer in toolpath.UsedLayers())
+        {
+            if (layer.Index > Filter.LastLayer) return null;
+            if (layer.Index < first) below = Math.Max(below, layer.Z);
+            else above = Math.Min(above, layer.Z);
+        }
+        return below < above && PrintCut.At(toolpath, below).Value is not null ? below : null;
+    }
+
+    // The lowest layer with a gap of more than half of its thickness below it. Null = none.
+    private static Layer? Hanging(Toolpath toolpath)
+    {
+        var top = 0.0;
+        foreach (var layer in toolpath.UsedLayers().OrderBy(l => l.Z))
+        {
+            if (layer.Z - layer.Thickness > top + layer.Thickness / 2) return layer;
+            top = layer.Z;
+        }
+        return null;
     }
 
     // Edits that may fail.

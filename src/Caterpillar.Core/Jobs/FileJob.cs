@@ -52,9 +52,45 @@ public sealed record FileJob
     /// <inheritdoc cref="FileEdits.Apply" path="/returns"/>
     public Result<FileJob> Edit(FileEdits edits)
     {
-        var edited = (edits ?? throw new ArgumentNullException(nameof(edits))).Apply(Toolpath);
+        if (edits is null) throw new ArgumentNullException(nameof(edits));
+        if (edits.Cut(Toolpath) is { } lower)
+        {
+            var rest = new FileEdits { PauseAtLayers = edits.PauseAtLayers, Pause = edits.Pause, AtLayers = edits.AtLayers, FitArcs = edits.FitArcs };
+            var inserted = rest.Apply(Toolpath);
+            return inserted.Value is { } all ? (this with { Toolpath = all }).KeepBelow(lower) : new Result<FileJob>(null, inserted.Diagnostics);
+        }
+        var edited = edits.Apply(Toolpath);
         return new Result<FileJob>(edited.Value is { } toolpath ? this with { Toolpath = toolpath } : null, edited.Diagnostics);
     }
+
+    /// <summary>The lower half of a print: the layers whose top is not above <paramref name="z"/> mm, a lift, and the end code.</summary>
+    /// <returns>The job, or the error <c>cut.outside</c> or <c>cut.sequential</c>.</returns>
+    public Result<FileJob> KeepBelow(double z)
+    {
+        var cut = PrintCut.At(Toolpath, z);
+        return cut.Value is { } at ? new Result<FileJob>(WithCut(at.Lower(), new LineCut(at.Lines.LowerEnd + 1, at.Lines.PrintEnd, [])), [])
+            : new Result<FileJob>(null, cut.Diagnostics);
+    }
+
+    /// <summary>
+    /// The upper half of a print, on the lower half that stands on the bed. Before the file starts, the nozzle must touch the top of the lower half. The file
+    /// states that height, homes only X and Y, heats and primes above the part, and reaches its first extrusion from above.
+    /// </summary>
+    /// <returns>The job and the note <c>cut.place_nozzle</c>, or an error: <c>cut.outside</c>, <c>cut.sequential</c>, or <c>cut.no_start</c> or
+    /// <c>cut.no_temperature</c> if the job has no start G-code of its own (<see cref="Code"/>).</returns>
+    public Result<FileJob> KeepAbove(double z)
+    {
+        var cut = PrintCut.At(Toolpath, z);
+        if (cut.Value is not { } at) return new Result<FileJob>(null, cut.Diagnostics);
+        var start = Code.Start is { } own ? new Result<IReadOnlyList<string>>(own, []) : new Continuation(File, at).Start();
+        if (start.Value is not { } lines) return new Result<FileJob>(null, start.Diagnostics);
+        var job = WithCut(at.Upper(), new LineCut(1, at.Lines.Upper - 1, lines, false, at.SafeHeight, true));
+        return new Result<FileJob>(job, Code.Start is not null ? [] : [new Diagnostic(Severity.Note, "cut.place_nozzle",
+            $"Before the upper half starts, lower the nozzle until it touches the lower half at Z {NumberFormatter.Format(at.Height, 3)} mm. "
+            + "The file homes only X and Y." + File.Flavor.HeightNeeds)]);
+    }
+
+    private FileJob WithCut(Toolpath toolpath, LineCut cut) => this with { Toolpath = toolpath, Code = Code with { Cuts = [.. Code.Cuts, cut] } };
 
     /// <summary>Writes the file, whole or not at all.</summary>
     /// <param name="path">The output file; .bgcode = binary. An existing file is replaced.</param>
@@ -84,6 +120,7 @@ public sealed record FileJob
     public Result<WrittenGCode> Write(
         Stream stream, string name, PrintSetup? setup, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
+        if (setup is null && UnknownTool() is { } unknown) return new Result<WrittenGCode>(null, [unknown]);
         var source = Edited(progress.Part(0, Target is null ? 0 : 0.4), cancel);
         if (source.Value is not { } file) return new Result<WrittenGCode>(null, source.Diagnostics);
         var rest = progress.Part(Target is null ? 0 : 0.4, 1);
@@ -91,7 +128,7 @@ public sealed record FileJob
         if (IsChanged && setup is null && !BinaryGCode.IsName(name))
         {
             using var counted = new CountingStream(stream);
-            var problems = new Result<WrittenGCode>(null, Target is { } target ? GCodeConverter.Convert(file, target, counted, rest, cancel)
+            var problems = new Result<WrittenGCode>(null, Target is { } target ? GCodeConverter.Convert(file, target, Code, counted, rest, cancel)
                 : GCodeEditor.Write(file, Toolpath, Code, counted, rest, cancel));
             return Written(problems.HasErrors ? null : new WrittenGCode(counted.Bytes, counted.Lines, 0), source.Diagnostics, problems.Diagnostics);
         }
@@ -108,13 +145,26 @@ public sealed record FileJob
         // If there are only edits, they are compared with the output.
         if (setup is not null && IsEdited && Target is null && !HasOwnCode) return SafeWriter.Edited(file, Toolpath, setup, reason, null, progress, cancel);
         var text = !IsChanged ? new Result<GCodeDocument>(file.Document, []) : Target is null
-            ? GCodeEditor.ToDocument(file, Toolpath, Code, progress, cancel) : GCodeConverter.ToDocument(file, Target, progress.Part(0, 0.6), cancel);
+            ? GCodeEditor.ToDocument(file, Toolpath, Code, progress, cancel) : GCodeConverter.ToDocument(file, Target, Code, progress.Part(0, 0.6), cancel);
         if (setup is null || text.Value is null) return (text, null);
         var (document, guard) = SafeWriter.Check(File, text.Value, _reading with { Flavor = Flavor }, setup, reason, progress.Part(0.6, 1), cancel);
         return (new Result<GCodeDocument>(document.Value, [.. text.Diagnostics, .. document.Diagnostics]), guard);
     }
 
-    private bool HasOwnCode => Code.Start is not null || Code.End is not null;
+    // Without a printer, the tools of the file are all that is known.
+    private Diagnostic? UnknownTool()
+    {
+        var count = File.Toolpath.Tools.Count;
+        foreach (var what in Toolpath.Events)
+        {
+            if (what.Event is ToolEvent { Tool: var tool } && tool >= count)
+                return new Diagnostic(Severity.Error, CheckCodes.Tool, $"The edit uses tool {NumberFormatter.Format(tool)}, but the file has only "
+                    + (count == 1 ? "tool 0" : $"tools 0 to {NumberFormatter.Format(count - 1)}") + ". Choose a printer with this tool (--printer).");
+        }
+        return null;
+    }
+
+    private bool HasOwnCode => Code.Start is not null || Code.End is not null || Code.Cuts.Count > 0;
 
     private bool IsEdited => !ReferenceEquals(Toolpath, File.Toolpath) || HasOwnCode;
 
@@ -123,8 +173,8 @@ public sealed record FileJob
     // The file to convert, with the lines of the edited text, or else the file as it was read.
     private Result<DecodedGCode> Edited(IProgress<double>? progress, CancellationToken cancel)
     {
-        if (Target is null || !IsEdited) return new Result<DecodedGCode>(File, []);
-        var edited = GCodeEditor.ToDocument(File, Toolpath, Code, progress, cancel);
+        if (Target is null || ReferenceEquals(Toolpath, File.Toolpath)) return new Result<DecodedGCode>(File, []);
+        var edited = GCodeEditor.ToDocument(File, Toolpath, Code with { Start = null, End = null }, progress, cancel);
         return new Result<DecodedGCode>(
             edited.Value is { } text ? GCodeDecoder.Decode(text, _reading with { Flavor = File.Flavor }, null, cancel).Value : null, edited.Diagnostics);
     }

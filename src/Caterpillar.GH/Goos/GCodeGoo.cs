@@ -1,5 +1,6 @@
 using Caterpillar.GCode;
 using Caterpillar.GH.Conversion;
+using GH_IO.Serialization;
 using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
@@ -24,6 +25,23 @@ public sealed class GCodeGoo(GCodeDocument? document) : ValueGoo<GCodeDocument>(
         if (base.CastFrom(source)) return true;
         if (Wrapped.Text(source) is not { } text) return false;
         Value = IsFile(text) ? GCodeDocument.ReadFile(text.Trim()).Value! : GCodeDocument.FromText(text);
+        return Value is not null;
+    }
+
+    public override bool Write(GH_IWriter writer)
+    {
+        if (Value is null) return true;
+        writer.SetString("Name", StoredText.Pack(Value.Name));
+        writer.SetByteArray("File", StoredText.Deflate(Value.ToBytes()));
+        return true;
+    }
+
+    public override bool Read(GH_IReader reader)
+    {
+        var name = "";
+        if (!reader.ItemExists("File")) return true;
+        reader.TryGetString("Name", ref name);
+        Value = StoredText.Inflate(reader.GetByteArray("File")) is { } bytes ? GCodeDocument.FromBytes(bytes, StoredText.Unpack(name)) : null!;
         return Value is not null;
     }
 

@@ -2,6 +2,7 @@ using Caterpillar.Curved;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Conversion;
 using Caterpillar.Slicing;
+using GH_IO.Serialization;
 using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
@@ -11,6 +12,8 @@ public sealed class LayerFieldGoo(FieldRecipe? recipe) : ValueGoo<FieldRecipe>(r
 {
     // Deviation of the facets of a curved surface, mm.
     private const double Tolerance = 0.05;
+
+    private string? _formula;
 
     public LayerFieldGoo()
         : this(null)
@@ -23,7 +26,7 @@ public sealed class LayerFieldGoo(FieldRecipe? recipe) : ValueGoo<FieldRecipe>(r
 
     public string? Problem { get; private set; }
 
-    public override IGH_Goo Duplicate() => new LayerFieldGoo(Value);
+    public override IGH_Goo Duplicate() => new LayerFieldGoo(Value) { _formula = _formula };
 
     public override bool CastFrom(object source)
     {
@@ -37,6 +40,19 @@ public sealed class LayerFieldGoo(FieldRecipe? recipe) : ValueGoo<FieldRecipe>(r
         };
     }
 
+    /// <summary>A definition stores formulas.</summary>
+    public override bool Write(GH_IWriter writer)
+    {
+        if (_formula is not null) writer.SetString("Formula", StoredText.Pack(_formula));
+        return true;
+    }
+
+    public override bool Read(GH_IReader reader)
+    {
+        var formula = "";
+        return !reader.TryGetString("Formula", ref formula) || FromFormula(StoredText.Unpack(formula));
+    }
+
     protected override string Describe(FieldRecipe value) => $"Layer Field ({value})";
 
     private bool FromFormula(string text)
@@ -45,6 +61,7 @@ public sealed class LayerFieldGoo(FieldRecipe? recipe) : ValueGoo<FieldRecipe>(r
         Problem = TextProblem.Of(read);
         if (read.Value is not { } field) return false;
         Value = new FieldRecipe("Formula " + text.Trim(), [], field);
+        _formula = text;
         return true;
     }
 

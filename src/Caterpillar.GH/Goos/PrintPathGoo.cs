@@ -5,6 +5,7 @@ using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Preview;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
+using GH_IO.Serialization;
 using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
@@ -57,6 +58,23 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>
     {
         if (Wrapped.Bare(source) is not PrintPathGoo { Value: not null } other) return base.CastFrom(source);
         (Value, _step, _drawn, Setup) = (other.Value, other._step, other._drawn, other.Setup);
+        return true;
+    }
+
+    public override bool Write(GH_IWriter writer)
+    {
+        if (Value is null) return true;
+        writer.SetByteArray("Step", StepBytes.Pack(ToStep()));
+        if (Setup is not null) new SetupGoo(Setup).Write(writer.CreateChunk("Setup"));
+        return true;
+    }
+
+    public override bool Read(GH_IReader reader)
+    {
+        if (!reader.ItemExists("Step")) return true;
+        var setup = new SetupGoo();
+        if (StepBytes.Unpack(reader.GetByteArray("Step")) is not PathStep step || !setup.ReadPart(reader)) return false;
+        (Value, _step, Setup) = (step.Path, step, setup.Value);
         return true;
     }
 

@@ -70,6 +70,9 @@ public sealed class SetupGoo(PrintSetup? setup) : ValueGoo<PrintSetup>(setup), I
         return true;
     }
 
+    /// <summary>Reads the setup that other goo has written into a chunk. True if there is none.</summary>
+    internal bool ReadPart(GH_IReader reader) => !reader.ChunkExists("Setup") || Read(reader.FindChunk("Setup"));
+
     protected override string Describe(PrintSetup value)
         => $"Print Setup ({value.Printer.Title}, nozzle {N(value.Printer.NozzleDiameter)} mm; {value.Material.Title}; {value.Settings.Title}, layers of "
             + $"{N(value.Settings.LayerHeight)} mm, lines of {N(value.Settings.LineWidth)} mm{(value.PrintedOn is null ? "" : "; prints on an object")})";

@@ -1,6 +1,7 @@
 using Caterpillar.GH.Conversion;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
+using GH_IO.Serialization;
 using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
@@ -33,6 +34,24 @@ public sealed class StepGoo(Step? step, PrintSetup? setup = null) : ValueGoo<Ste
 
     /// <inheritdoc cref="PrintPathGoo.StepFor"/>
     public Step StepFor(PrintSetup setup) => _path?.StepFor(setup) ?? Value;
+
+    public override bool Write(GH_IWriter writer)
+    {
+        if (_path is not null) return _path.Write(writer);
+        if (Value is not null) writer.SetByteArray("Step", StepBytes.Pack(Value));
+        if (Setup is not null) new SetupGoo(Setup).Write(writer.CreateChunk("Setup"));
+        return true;
+    }
+
+    public override bool Read(GH_IReader reader)
+    {
+        if (!reader.ItemExists("Step")) return true;
+        var setup = new SetupGoo();
+        Value = StepBytes.Unpack(reader.GetByteArray("Step"))!;
+        if (!setup.ReadPart(reader)) return false;
+        Setup = setup.Value;
+        return Value is not null;
+    }
 
     public override bool CastFrom(object source)
     {

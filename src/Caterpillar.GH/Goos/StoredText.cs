@@ -1,3 +1,4 @@
+using System.IO.Compression;
 using Newtonsoft.Json;
 
 namespace Caterpillar.GH.Goos;
@@ -7,6 +8,29 @@ internal static class StoredText
 {
     /// <summary>Version of the form in which values are stored in definitions.</summary>
     public const int Version = 1;
+
+    public static byte[] Deflate(byte[] bytes)
+    {
+        using var memory = new MemoryStream();
+        using (var stream = new DeflateStream(memory, CompressionLevel.Optimal)) stream.Write(bytes, 0, bytes.Length);
+        return memory.ToArray();
+    }
+
+    /// <summary>Null for bytes that are damaged.</summary>
+    public static byte[]? Inflate(byte[] bytes)
+    {
+        try
+        {
+            using var stream = new DeflateStream(new MemoryStream(bytes), CompressionMode.Decompress);
+            using var memory = new MemoryStream();
+            stream.CopyTo(memory);
+            return memory.ToArray();
+        }
+        catch (InvalidDataException)
+        {
+            return null;
+        }
+    }
 
     public static string Pack(string text)
     {

@@ -1,3 +1,4 @@
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Bake;
@@ -5,6 +6,7 @@ using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Preview;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
+using GH_IO.Serialization;
 using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
@@ -68,10 +70,13 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
     }
 
     /// <summary>The setup it was planned for, if known.</summary>
-    public PrintSetup? Setup { get; }
+    public PrintSetup? Setup { get; private set; }
+
+    /// <summary>The setup with which no check found an error. Null if it was not checked.</summary>
+    public PrintSetup? CheckedWith { get; private set; }
 
     /// <summary>The file that it was decoded from, if any. When it is written again, unedited lines stay byte for byte.</summary>
-    public DecodedGCode? DecodedGCode { get; }
+    public DecodedGCode? DecodedGCode { get; private set; }
 
     public override string TypeName => "Toolpath";
 
@@ -79,16 +84,48 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
 
     private ToolpathTotals Totals => _totals ??= ToolpathTotals.Of(Value);
 
-    public override IGH_GeometricGoo DuplicateGeometry() => new ToolpathGoo(this, Value) { _totals = _totals };
+    public override IGH_GeometricGoo DuplicateGeometry() => new ToolpathGoo(this, Value) { _totals = _totals, CheckedWith = CheckedWith };
 
-    /// <summary>The same for another setup.</summary>
-    public ToolpathGoo Planned(PrintSetup setup) => new(this, Value, setup);
+    /// <summary>The same, checked with a setup without an error.</summary>
+    public ToolpathGoo Checked(PrintSetup setup) => new(this, Value, setup) { CheckedWith = setup };
 
     /// <summary>All moves before one, and a part of that move. Made when it is first used.</summary>
     public ToolpathGoo Until(int move, Vec3 position, double done)
     {
         var whole = Value;
         return new ToolpathGoo(this, null) { _make = () => whole.Until(move, position, done) };
+    }
+
+    /// <summary>Moves of a file that were not edited are read from the file again.</summary>
+    public override bool Write(GH_IWriter writer)
+    {
+        if (Value is null) return true;
+        var file = DecodedGCode?.Document is null ? null : DecodedGCode;
+        if (file is not null)
+        {
+            new GCodeGoo(file.Document).Write(writer);
+            writer.SetString("Flavor", file.Flavor.Name);
+            writer.SetInt32("Rule", (int)file.Rule);
+        }
+        if (!ReferenceEquals(file?.Toolpath, Value)) writer.SetByteArray("Moves", ToolpathBytes.Pack(Value));
+        if (Setup is not null) new SetupGoo(Setup).Write(writer.CreateChunk("Setup"));
+        return true;
+    }
+
+    public override bool Read(GH_IReader reader)
+    {
+        var (file, setup) = (new GCodeGoo(), new SetupGoo());
+        if (!file.Read(reader) || !setup.ReadPart(reader)) return false;
+        Setup = setup.Value;
+        if (file.Value is { } document)
+        {
+            var options = new DecodeOptions { Flavor = FlavorTable.Find(reader.GetString("Flavor")), Rule = (ExtrusionRule)reader.GetInt32("Rule") };
+            DecodedGCode = GCodeDecoder.Decode(document, options).Value;
+            Value = DecodedGCode?.Toolpath!;
+        }
+        if (!reader.ItemExists("Moves")) return true;
+        Value = ToolpathBytes.Unpack(reader.GetByteArray("Moves"))!;
+        return Value is not null;
     }
 
     /// <summary>An edit of it.</summary>

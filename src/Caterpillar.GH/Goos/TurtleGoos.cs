@@ -2,6 +2,7 @@ using Caterpillar.GH.Conversion;
 using Caterpillar.Turtles;
 using GH_IO.Serialization;
 using Grasshopper.Kernel.Types;
+using Newtonsoft.Json;
 
 namespace Caterpillar.GH.Goos;
 
@@ -66,6 +67,27 @@ public sealed class TurtleCommandGoo(TurtleCommand? command) : ValueGoo<TurtleCo
     public override string TypeDescription => "A command of a turtle program, in mm, degrees and °C.";
 
     public override IGH_Goo Duplicate() => new TurtleCommandGoo(Value);
+
+    public override bool Write(GH_IWriter writer)
+    {
+        if (Value is not null) writer.SetString("Command", StoredText.Pack(JsonConvert.SerializeObject(Stored.Of(Value))));
+        return true;
+    }
+
+    public override bool Read(GH_IReader reader)
+    {
+        var json = "";
+        if (reader.TryGetString("Command", ref json)) Value = JsonConvert.DeserializeObject<Stored>(StoredText.Unpack(json))!.ToCommand();
+        return true;
+    }
+
+    private sealed record Stored(TurtleAction Action, double[] Values, string Text, Stored[] Body)
+    {
+        public static Stored Of(TurtleCommand c) => new(c.Action, c.Values.ToArray(), c.Text, c.Body.Select(Of).ToArray());
+
+        public TurtleCommand ToCommand() => Action == TurtleAction.Repeat ? TurtleCommand.Repeat((long)Values[0], Body.Select(b => b.ToCommand()))
+            : TurtleCommand.Of(Action, Text, Values);
+    }
 
     protected override string Describe(TurtleCommand value)
     {

@@ -58,7 +58,8 @@ public abstract class StoredParam<T>(string name, string nickname, string descri
     /// <summary>The prompt.</summary>
     private protected virtual string Question => $"{Name} profile";
 
-    private T? Made(string text)
+    /// <summary>The value of an answer. Null if it can't be read.</summary>
+    private protected virtual T? Made(string text)
     {
         if (string.IsNullOrWhiteSpace(text)) return null;
         var made = InstantiateT();

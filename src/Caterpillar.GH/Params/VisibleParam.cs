@@ -11,7 +11,7 @@ namespace Caterpillar.GH.Params;
 
 /// <summary>Data with a preview: all of it in one call of the display, and one box, both kept until the data or the units change.</summary>
 public abstract class VisibleParam<T>(string name, string nickname, string description, string panel)
-    : VolatileParam<T>(name, nickname, description, panel), IGH_PreviewObject, IGH_BakeAwareObject, IThinned
+    : StoredParam<T>(name, nickname, description, panel), IGH_PreviewObject, IGH_BakeAwareObject, IThinned
     where T : class, IGH_Goo, IGH_PreviewData
 {
     private const string HiddenKey = "PreviewHidden";
@@ -49,6 +49,7 @@ public abstract class VisibleParam<T>(string name, string nickname, string descr
     /// <summary>Ports of components leave it to them.</summary>
     protected override void OnVolatileDataCollected()
     {
+        base.OnVolatileDataCollected();
         if (Kind == GH_ParamKind.floating && !Hidden && Wires.Thinning.Note is { } note) AddRuntimeMessage(GH_RuntimeMessageLevel.Remark, note);
     }
 

@@ -106,11 +106,12 @@ public class CheckCodeTests
         CheckCodes.ClipHit => (new SmallPrint(50, 105, 10).Go(50, 105, 3).Go(5, 105, 3),
             p => p with { Clips = new(new Bounds(new Vec3(0, 100, 0), new Vec3(12, 110, 5))) }),
         CheckCodes.Slope => (Stairs(), null),
-        CheckCodes.Unsupported => (At(50, 50, 4).Print(60, 50, 4), null),
+        CheckCodes.Unsupported => (At(50, 50, 0.2).Print(60, 50, 0.2).Go(60, 50, 4).Print(70, 50, 4), null),
+        CheckCodes.InAir => (At(50, 50, 4).Print(60, 50, 4), null),
         CheckCodes.Duplicate => (At(50, 50, 0.2).Print(100, 50, 0.2).Go(100, 50, 5).Go(50, 50, 0.2).Print(100, 50, 0.2), null),
         CheckCodes.TooLow => (At(50, 50, 0.01).Print(70, 50, 0.01), null),
         CheckCodes.Blob => (At(50, 50, 0.2).Print(70, 50, 0.2).Go(100, 100, 0.2).Prime(11), null),
-        CheckCodes.Squeezed => (At(50, 50, 0.04).Print(70, 50, 0.04), null),
+        CheckCodes.Squeezed => (At(50, 50, 0.1).Print(70, 50, 0.1), null),
         CheckCodes.Width => (At(50, 50, 0.2).Print(60, 50, 0.2, 0.3), null),
         CheckCodes.Height => (At(50, 50, 0.6).InLayer(new Layer(0, 0.6, 0.6)).Print(60, 50, 0.6, 0.4), null),
         CheckCodes.Gap => (At(50, 50, 0.2).Print(60, 50, 0.2).Go(60.5, 50, 0.2).Print(70, 50, 0.2), null),
@@ -123,7 +124,7 @@ public class CheckCodeTests
         CheckCodes.Tool => (new SmallPrint().Event(new ToolEvent(3)).Print(30, 10, 0.2, tool: 3), null),
         CheckCodes.NozzleTemperature => (new SmallPrint().Event(new NozzleTemperatureEvent(500)).Print(30, 10, 0.2), null),
         CheckCodes.BedTemperature => (new SmallPrint().Event(new BedTemperatureEvent(300)).Print(30, 10, 0.2), null),
-        CheckCodes.Stationary => (At(10, 10, 0.2).Print(30, 10, 0.2).Go(30, 10, 5).Prime(600), null),
+        CheckCodes.Stationary => (At(10, 10, 0.2).Print(30, 10, 0.2).Go(30, 10, 50).Prime(600), null),
         CheckCodes.Amount => (At(10, 10, 0.2).Print(30, 10, 0.2, 30), null),
         CheckCodes.ColdExtrusion => (new SmallPrint().Event(new NozzleTemperatureEvent(50)).Print(30, 10, 0.2), null),
         CheckCodes.FilePosition => (At(10, 10, 0.2).Print(30, 10, 0.2).Event(new RawEvent("G1 X40\nG92 X30")).Print(60, 10, 0.2), null),
@@ -143,7 +144,7 @@ public class CheckCodeTests
 
     private static SmallPrint Stairs()
     {
-        var print = new SmallPrint(50, 50, 5);
+        var print = At(150, 150, 0.2).Print(160, 150, 0.2).Over(50, 50, 100);
         for (var k = 0; k < 5; k++) print.Go(50, 50 + 0.4 * k, 5 - 0.2 * k).Print(60, 50 + 0.4 * k, 5 - 0.2 * k).Go(60, 50 + 0.4 * k, 100)
             .Go(50, 50 + 0.4 * k + 0.4, 100);
         return print;

@@ -150,7 +150,7 @@ public class CheckEdgeTests
     [Test]
     public void Lines_of_warnings_are_those_of_the_written_file([Values] bool overridden)
     {
-        var print = new SmallPrint(50, 50, 20).Go(50, 50, 4).Print(61.5, 50, 4);
+        var print = new SmallPrint(50, 50, 20).Go(50, 50, 0.2).Print(55, 50, 0.2).Go(50, 50, 4).Print(61.5, 50, 4);
         if (overridden) print.Go(250, 50, 4);
         var result = SafeWriter.ToDocument(print.Build(), Setup, overridden ? "the bed is longer" : null);
         var lines = Encoding.ASCII.GetString(result.Value!.ToBytes()).Split('\n');

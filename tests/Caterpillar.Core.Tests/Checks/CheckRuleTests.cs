@@ -152,7 +152,7 @@ public class CheckRuleTests
             Is.EqualTo("40 % of the moves with E retract. E looks relative, but is read as absolute. Add M83 before the first such move."));
     }
 
-    // 30 mm³ in place, 0.3 mm above the bed, are a disc of 11 mm.
+    // 10 mm³ in place, 0.3 mm above the bed, are a disc of 6.5 mm.
     [TestCase(0.3, true, 1)]
     [TestCase(0.3, false, 0)]
     [TestCase(0.41, true, 0)]
@@ -160,7 +160,7 @@ public class CheckRuleTests
     {
         var print = new SmallPrint(50, 50, 20).Go(50, 50, 0.2);
         if (printed) print.Print(60, 50, 0.2);
-        Assert.That(SmallPrint.Find(print.Go(100, 100, z).Prime(30).Build(), Setup, CheckCodes.Squeezed).Length, Is.EqualTo(found));
+        Assert.That(SmallPrint.Find(print.Go(100, 100, z).Prime(10).Build(), Setup, CheckCodes.Squeezed).Length, Is.EqualTo(found));
     }
 
     [Test]

@@ -55,12 +55,6 @@ public class ExactLimitTests
         => Assert.That(Found(CheckCodes.Duplicate, new Vec3(0, 0, 0.25), Area, (new Vec3(16, 0, 0.25), Role.Infill),
             (new Vec3(16 + length, 0, 0.25), Role.Infill)), Is.EqualTo(found));
 
-    // In a gap of 0.25 mm.
-    [TestCase(0.4, 0)]
-    [TestCase(0.4001, 1)]
-    public void An_extrusion_may_be_squeezed_to_four_nozzles(double area, int found)
-        => Assert.That(Found(CheckCodes.Squeezed, new Vec3(0, 0, 0.25), area, (new Vec3(2, 0, 0.25), Role.Infill)), Is.EqualTo(found));
-
     [TestCase(0, 1)]
     [TestCase(1e-9, 0)]
     public void Extrusions_that_turn_by_ten_degrees_at_a_gap_go_on(double more, int found)

@@ -64,11 +64,11 @@ public class ExtrusionRuleTests
         Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.Unsupported).Sum(d => d.Count), Is.EqualTo(hanging));
     }
 
-    // Of 0.5 mm: an extrusion has half the square of its layer at least, and is twelve nozzles wide at most; else its layer says nothing about it.
+    // Of 0.5 mm: an extrusion has half the square of its layer at least, and is three nozzles wide at most; else its layer says nothing about it.
     [TestCase(0.124, 0)]
     [TestCase(0.126, 1)]
-    [TestCase(2.39, 1)]
-    [TestCase(2.41, 0)]
+    [TestCase(0.599, 1)]
+    [TestCase(0.601, 0)]
     public void A_layer_that_does_not_fit_its_extrusions_is_not_believed(double area, int found)
     {
         var print = new SmallPrint(50, 50, 0.5).InLayer(new Layer(0, 0.5, 0.5)).Print(70, 50, 0.5, area);
@@ -132,14 +132,14 @@ public class ExtrusionRuleTests
         Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.FirstLayer).Single().Message, Does.StartWith("The print is 27.2 mm high"));
     }
 
-    [TestCase(0.04, 0.03, true)]
-    [TestCase(0.03, 0.04, false)]
-    public void Of_squeezed_extrusions_the_widest_is_the_worst(double first, double second, bool worse)
+    [TestCase(0.1, 0.08, true)]
+    [TestCase(0.08, 0.1, false)]
+    public void Of_squeezed_extrusions_the_lowest_is_the_worst(double first, double second, bool worse)
     {
         var print = new SmallPrint(50, 50, first).Print(70, 50, first).Go(70, 60, 5).Go(70, 60, second).Print(50, 60, second);
         var found = SmallPrint.Find(print.Build(), Setup, CheckCodes.Squeezed).Single();
         Assert.That((found.Count, found.Worst is not null), Is.EqualTo((2, worse)));
-        if (worse) Assert.That(found.Worst!.Message, Does.EndWith("it would be 2.67 mm wide. Extrude less."));
+        if (worse) Assert.That(found.Worst!.Message, Does.EndWith("Raise the path by 0.12 mm."));
     }
 
     // A quarter turn of 20 mm in many chords: as thick as a straight extrusion.

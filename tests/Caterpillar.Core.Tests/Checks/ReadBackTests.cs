@@ -52,7 +52,8 @@ public class ReadBackTests
     [TestCase("G4 P100")]
     public void Harmless_raw_lines_are_written(string raw)
     {
-        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(60, 60, 0.2));
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(60, 60, 5));
+        builder.Add(new Vec3(60, 60, 0.2), 0, 0, 30, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
         Extrusion(builder, 80);
         builder.AddEvent(new RawEvent(raw.Replace("\\n", "\n")), 1);
         Extrusion(builder, 100);

@@ -101,7 +101,7 @@ public class EditTests
         var decoding = Decode(Doc(Small));
         var options = new EditOptions { Start = ["; new", "G28", "G91", "M83", "G1 E5 F300"], End = ["M84 ; off"] };
         var edited = Latin1.GetString(GCodeEditor.ToDocument(decoding, decoding.Toolpath, options).Value!.ToBytes());
-        Assert.That(edited, Does.StartWith("; new\nG28\nG91\nM83\nG1 E5 F300\nG90\nG0 X0 Y0 Z0.2\nG90\nM82\nG92 E0\nG1 F6000\n;LAYER:0\n"));
+        Assert.That(edited, Does.StartWith("; new\nG28\nG91\nM83\nG1 E5 F300\nG90\nG0 Z0.2\nG0 X0 Y0\nG90\nM82\nG92 E0\nG1 F6000\n;LAYER:0\n"));
         Assert.That(edited, Does.EndWith("G1 Y10 E6\nM84 ; off\n"));
         var back = Decode(Doc(edited));
         Assert.That(back.Report.PrintLength, Is.EqualTo(decoding.Report.PrintLength).Within(1e-9));

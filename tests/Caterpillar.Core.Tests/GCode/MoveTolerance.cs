@@ -43,6 +43,9 @@ internal sealed record MoveTolerance
     /// <summary>How fast a fan can be told to turn: on and off only, or not at all.</summary>
     public FanScale Fan { get; init; }
 
+    /// <summary>The target of a conversion, which does not have a command for every event; null = the same flavor.</summary>
+    public FlavorRules? Target { get; init; }
+
     /// <summary>False where the target has no tools.</summary>
     public bool Tools { get; init; } = true;
 

@@ -56,10 +56,10 @@ internal static class RoundTrips
         var result = GCodeConverter.ToDocument(decoding, options);
         if (result.Value is null)
         {
-            // The amount of a switched extruder is unknown; and some firmware takes E only as volume.
+            // The amount of a switched extruder is unknown; some firmware takes E only as volume, some does not home or heat.
             var must = decoding.Axis == ExtrusionAxis.Switched && !flavor.SwitchedExtruder ? "gcode.no_e_values" : options.Volumetric == false
                 && flavor.StartsVolumetric ? "gcode.volumetric_only" : "";
-            return result.Diagnostics.Any(d => d.Code == must) ? null : Said(result.Diagnostics);
+            return result.Diagnostics.Any(d => d.Code == must || d.Code == "gcode.start_lost") ? null : Said(result.Diagnostics);
         }
         var back = GCodeDecoder.Decode(result.Value, new DecodeOptions { Flavor = flavor, FilamentDiameter = options.FilamentDiameter }).Value!;
         var tolerance = new MoveTolerance
@@ -71,6 +71,7 @@ internal static class RoundTrips
             RetractionLength = flavor.FirmwareRetraction || !decoding.Flavor.FirmwareRetraction ? null : options.RetractionLength,
             Tools = flavor.ToolLimit > 0,
             Fan = flavor.Fan,
+            Target = flavor.Name == decoding.Flavor.Name ? null : flavor,
             Amounts = decoding.Axis.HasAmounts && flavor.ExtruderLetters.Length > 0,
             EFactors = Factors(decoding, back, options),
         };

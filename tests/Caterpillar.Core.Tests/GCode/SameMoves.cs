@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Flavors;
+using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
@@ -195,6 +196,11 @@ internal sealed partial class SameMoves
         }
         // Comments and lines of text are nothing that the machine does; the message of a pause is a comment.
         if (what is CommentEvent or RawEvent || (what is FanEvent && _t.Fan == FanScale.None)) return;
+        if (_t.Target is { } target && what is NozzleTemperatureEvent or BedTemperatureEvent or AccelerationEvent or FinishMovesEvent or LimitEvent
+            && !EventText.Lines(what, target).Any(l => FlavorCommands.Of(target).Find(l) is { IsKnown: true }))
+        {
+            return;
+        }
         events.Add(what is PauseEvent ? new PauseEvent() : what);
     }
 

@@ -36,7 +36,8 @@ public class DepositPlaceTests
         var deposit = new Deposit();
         deposit.Add(new Vec3(30, 50, 1), new Vec3(40, 50, 1), 0.2, 3);
         var (sin, cos) = Angle.SinCos(degrees);
-        Assert.That(deposit.HasParallel(new Vec3(30 + x, 50 + y, z), new Vec3(7 * cos, 7 * sin), half, 0.2, out var tag), Is.EqualTo(runs));
+        var overlap = deposit.Overlap(new Vec3(30 + x, 50 + y, z), new Vec3(7 * cos, 7 * sin), half, 0.2, default, 0, out var tag);
+        Assert.That(overlap, Is.EqualTo(runs ? DepositOverlap.Parallel : DepositOverlap.None));
         Assert.That(tag, Is.EqualTo(runs ? 3 : -1));
     }
 
@@ -47,8 +48,9 @@ public class DepositPlaceTests
         var deposit = new Deposit();
         deposit.Add(new Vec3(0, 0, 1), new Vec3(10, 0, 1), 0.2, 3);
         deposit.Add(new Vec3(0, 0, z), new Vec3(10, 0, z), 0.2, 4);
-        Assert.That(deposit.HasParallel(new Vec3(5, 0, 1), Vec3.UnitX, 0.2, 0.2, out _), Is.EqualTo(found));
-        Assert.That(deposit.HasParallel(new Vec3(5, 0, 1), Vec3.UnitZ, 0.2, 0.2, out _), Is.False, "straight up runs nowhere");
+        Assert.That(deposit.Overlap(new Vec3(5, 0, 1), Vec3.UnitX, 0.2, 0.2, default, 0, out _),
+            Is.EqualTo(found ? DepositOverlap.Parallel : DepositOverlap.None));
+        Assert.That(deposit.Overlap(new Vec3(5, 0, 1), Vec3.UnitZ, 0.2, 0.2, default, 0, out _), Is.EqualTo(DepositOverlap.None), "straight up runs nowhere");
     }
 
     [TestCase(127, true)]
@@ -58,7 +60,8 @@ public class DepositPlaceTests
         var deposit = new Deposit();
         deposit.Add(new Vec3(0, 0, 1), new Vec3(1, 0, 1), 0.2, 3);
         for (var i = 0; i < after; i++) deposit.Add(new Vec3(0.5, 0.1, 1), new Vec3(0.5, 1, 1), 0.2, 4);
-        Assert.That(deposit.HasParallel(new Vec3(0.5, 0, 1), Vec3.UnitX, 0.2, 0.2, out _), Is.EqualTo(found));
+        Assert.That(deposit.Overlap(new Vec3(0.5, 0, 1), Vec3.UnitX, 0.2, 0.2, default, 0, out _),
+            Is.EqualTo(found ? DepositOverlap.Parallel : DepositOverlap.None));
     }
 
     [Test]
@@ -66,9 +69,9 @@ public class DepositPlaceTests
     {
         var deposit = new Deposit();
         deposit.Add(new Vec3(0, 0, 1), new Vec3(10, 0, 2), 0.2, 3);
-        Assert.That(deposit.HasParallel(new Vec3(5, 0, 1.55), Vec3.UnitX, 0.2, 0.2, out _), Is.True);
-        Assert.That(deposit.HasParallel(new Vec3(5, 0, 1.65), Vec3.UnitX, 0.2, 0.2, out _), Is.False);
-        Assert.That(deposit.HasParallel(new Vec3(5, 0, 1.35), Vec3.UnitX, 0.2, 0.2, out _), Is.False);
+        Assert.That(deposit.Overlap(new Vec3(5, 0, 1.55), Vec3.UnitX, 0.2, 0.2, default, 0, out _), Is.EqualTo(DepositOverlap.Parallel));
+        Assert.That(deposit.Overlap(new Vec3(5, 0, 1.65), Vec3.UnitX, 0.2, 0.2, default, 0, out _), Is.EqualTo(DepositOverlap.None));
+        Assert.That(deposit.Overlap(new Vec3(5, 0, 1.35), Vec3.UnitX, 0.2, 0.2, default, 0, out _), Is.EqualTo(DepositOverlap.None));
     }
 
     [Test]

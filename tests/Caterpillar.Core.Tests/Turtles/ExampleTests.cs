@@ -79,7 +79,7 @@ internal sealed class ExampleTests
     {
         ["seven_star"] = Of(30 * 7, At(9.3), 30 * 7 * 50 * 0.05),
         ["bumpy_star"] = Of(9 * 7, At(1 + 9 * 1.2), 9 * 7 * 50 * 0.3),
-        ["tall_bumpy_star"] = Of(50 * 7, At(2 + 50 * 0.6), 50 * 7 * 50 * 0.2),
+        ["tall_bumpy_star"] = Of(50 * 7, At(0.6 + 50 * 0.6), 50 * 7 * 50 * 0.2),
         // Heights of x and -x cancel; a step is sqrt(1 + climb²) long.
         ["nonplanar_star"] = Of(30 * 7 * 51, At(0.15 + 30 * 0.15), 0.05 * 7 * Sum(0, 29, l => Sum(-25, 25, x => Hypot(1, l / 30 * (x / 25) * 0.3)))),
         ["nonplanar_column"] = Of(100 * 100, At(0.25 + 100 * 0.25),

@@ -4,44 +4,40 @@ using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
-/// <summary>Extrusions in the air, duplicate, too thick for their gap or for the nozzle, and the contact area with the bed.</summary>
+/// <summary>Extrusions in the air and their heights, and the contact area with the bed; passes on what must fit under the nozzle.</summary>
 internal sealed class ExtrusionCheck
 {
     // Lengths in mm.
     public const double MostFree = 5;
     public const double MostBridge = 60;
-    public const double MostOdd = 5;
-    public const double MostDoubled = 20;
     private const double Touch = 0.1;
-    private const double Flat = 0.002;
     private const double SampleStep = 0.5;
+    private const double ExactStep = 4;
     private const int MostSamples = 256;
 
-    // Gaps below the nozzle, as parts of the height of the bead.
-    private const double TooLow = 0.3;
-    private const double Tight = 0.6;
-
-    // In nozzles.
-    private const double Widest = 3;
-    private const double Thinnest = 0.2;
-    private const double WidestSqueezed = 4;
-    private const double WidestBlob = 10;
-    private const double RefusedBlob = 20;
+    // An extrusion rests on another if at least a fifth of its width does: farthest edge from its axis, as a part of its width.
+    private const double Beside = 0.3;
 
     // Height over the root of the area on the bed.
     private const double Slenderest = 8;
+
+
+    // Width in nozzles from which on it matters that material goes to the sides, and steps in which it is looked for.
+    private const double Wide = 1.5;
+    private const double Wider = 1.15;
     private readonly Printer _printer;
-    private readonly bool _isAsked, _looksForDoubled;
+    private readonly bool _isAsked;
     private readonly PrintedSoFar _printed;
     private readonly Findings _findings;
+    private readonly FitCheck _fit;
+    private readonly BlobCheck _blobs;
     private readonly BeadShape _shape;
     private readonly double _usualHeight;
     private Vec3 _start, _end;
-    private bool _isOpen, _anchored, _startsHeld;
-    private double _air;
+    private bool _isOpen, _anchored, _startsHeld, _hasLanded;
+    private double _air, _sinceExact;
     private int _airMove;
-    private double _wide, _thin, _doubled, _low, _tight;
-    private int _wideMove, _thinMove, _doubledMove, _lowMove, _tightMove;
+    private double _length, _volume, _sinceGap, _gap;
     private double _standing, _highest;
 
     public ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Findings findings)
@@ -49,7 +45,9 @@ internal sealed class ExtrusionCheck
         _printer = setup.Printer;
         _printed = printed;
         _findings = findings;
-        (_isAsked, _looksForDoubled) = (findings.LooksFor(Codes), findings.LooksFor([CheckCodes.Duplicate]));
+        _fit = new FitCheck(setup, printed, findings);
+        _blobs = new BlobCheck(setup, printed, findings);
+        _isAsked = findings.LooksFor(Codes);
         _shape = setup.Settings.BeadShape;
         _usualHeight = Math.Max(setup.Settings.LayerHeight, setup.Settings.FirstLayerHeight);
     }
@@ -58,7 +56,7 @@ internal sealed class ExtrusionCheck
     public static IReadOnlyList<string> Codes { get; } =
     [
         CheckCodes.Unsupported, CheckCodes.Duplicate, CheckCodes.Squeezed, CheckCodes.Blob, CheckCodes.TooLow, CheckCodes.Width, CheckCodes.Height,
-            CheckCodes.FirstLayer,
+            CheckCodes.InAir, CheckCodes.FirstLayer,
     ];
 
     /// <summary>An extrusion along a straight move; its nominal height and the height that it fills, mm.</summary>
@@ -67,17 +65,19 @@ internal sealed class ExtrusionCheck
         if (move.Start != _end) Break();
         if (!_isOpen) (_isOpen, _start) = (true, move.Start);
         _end = move.End;
-        var area = move.Deposited / move.Length;
+        var area = AreaOf(move);
         // Layers much thicker or thinner than their extrusions say nothing about them: files without comments about layers, drawings.
-        var known = area >= 0.5 * move.Thickness * move.Thickness && area <= PrintedSoFar.Widest * _printer.NozzleDiameter * move.Thickness;
+        var known = area >= 0.5 * move.Thickness * move.Thickness && area <= FitCheck.Widest * _printer.NozzleDiameter * move.Thickness;
         // Where nothing is looked for, others still need the heights.
         if (known && !_isAsked) return (move.Thickness, move.Thickness);
         var nominal = known ? move.Thickness : _usualHeight;
         // On curved layers extrusions may be much thinner than their layer says: what they lie on is nearer, then.
         var least = Math.Min(nominal, area / _printer.NozzleDiameter);
+        var own = known ? nominal : GapUnder(move, area, least);
         var count = (int)Math.Min(Math.Ceiling(move.Length / SampleStep), MostSamples);
         var step = move.Length / count;
         var reach = 2 * Math.Max(nominal, _printer.NozzleDiameter / 2) + Touch;
+        var beside = Beside * area / own;
         var gap = double.NaN;
         var tight = double.PositiveInfinity;
         var nearest = double.PositiveInfinity;
@@ -90,36 +90,34 @@ internal sealed class ExtrusionCheck
             tight = Math.Min(tight, gap);
             nearest = Math.Min(nearest, p.Z - floor);
             // The gap of a thinner extrusion is never larger.
-            if (gap <= reach || Gap(p.Z, top, under, floor, least) <= reach || move.Role == Role.Purge) Land(move.Index);
+            var isHeld = gap <= reach || Gap(p.Z, top, under, floor, least) <= reach;
+            _sinceExact += step;
+            // Cells are wider than what is in them.
+            if (p.Z - floor > reach && (!isHeld || _sinceExact > ExactStep || _air > 0))
+            {
+                isHeld = _printed.Deposit.TopUnder(p, p.Z - 0.5 * least, beside) >= p.Z - reach;
+                if (isHeld) _sinceExact = 0;
+            }
+            if (isHeld || move.Role == Role.Purge) Land(move);
             else Fly(move.Index, step);
             if (gap == p.Z - floor && gap <= reach
                 && move.Role is not (Role.Skirt or Role.Purge)) _standing += step * area / Math.Max(gap, nominal / 2);
         }
         _highest = Math.Max(_highest, Math.Max(move.Start.Z, move.End.Z));
         var height = known ? move.Thickness : Math.Max(0, Math.Min(gap, nominal));
+        if (move.Role == Role.Purge)
+        {
+            _fit.Purged(move);
+            return (height, height);
+        }
         // An extrusion is as high as its gap, or round where it hangs; layers of drawings may be much thinner than that.
-        var filled = Math.Max(height, Math.Min(tight, 2 * Math.Sqrt(area / Math.PI)));
-        if (move.Role == Role.Purge) return (height, height);
-        Dimensions(move, area, height, filled, known);
-        if (move.Role != Role.Ironing) Closeness(move, nearest, least);
-        if (tight > 0 && area / tight > WidestSqueezed * _printer.NozzleDiameter) Squeezed(move, area, tight);
-        if (_looksForDoubled && move.Role is not (Role.Ironing or Role.GapFill or Role.PrimeTower)) Doubles(move, area, height);
+        var filled = Math.Max(height, known ? Math.Min(tight, Round(area)) : own);
+        _fit.Look(move, area, height, filled, known, nearest);
         return (height, known ? height : filled);
     }
 
     /// <summary>Material in place.</summary>
-    public void Blob(in CheckedMove move)
-    {
-        var gap = GapBelow(move.End, Math.Min(_usualHeight, move.End.Z));
-        // Higher up it hangs from the nozzle.
-        if (gap > _printer.NozzleDiameter || (_highest == 0 && move.Role == Role.Purge)) return;
-        var volume = move.Deposited;
-        var width = 2 * Math.Sqrt(volume / (Math.PI * Math.Max(gap, Flat)));
-        if (width > RefusedBlob * _printer.NozzleDiameter) ReportBlob(move.Index, volume, gap, width);
-        if (!(gap > 0) || _highest == 0 || !(width > WidestBlob * _printer.NozzleDiameter)) return;
-        _findings.Add(CheckCodes.Squeezed, move.Index, () => $"{Number(volume)} mm³ extruded in place do not fit into the {Number(gap)} mm under the nozzle: "
-            + $"the blob would be {Number(width)} mm wide. Extrude less.", width);
-    }
+    public void Blob(in CheckedMove move) => _blobs.Look(move, _highest == 0);
 
     /// <summary>The head moves on without printing.</summary>
     public void Break()
@@ -127,8 +125,10 @@ internal sealed class ExtrusionCheck
         // A loop ends next to its start, which holds it if it has something below it.
         var isHeld = _startsHeld && _end.DistanceTo(_start) <= _printer.NozzleDiameter;
         if (_air > (isHeld ? MostBridge : MostFree)) ReportAir(isHeld);
-        _air = _doubled = 0;
+        _air = _length = _volume = 0;
+        _sinceGap = _sinceExact = double.MaxValue;
         _isOpen = _anchored = _startsHeld = false;
+        _fit.Break();
     }
 
     public void End()
@@ -137,16 +137,11 @@ internal sealed class ExtrusionCheck
         var slender = _highest / Math.Sqrt(_standing);
         if (_standing > 0 && slender > Slenderest)
             _findings.Add(CheckCodes.FirstLayer, () => null,
-                () => $"The print is {Number(_highest)} mm high, but only {NumberFormatter.Format(_standing, 0)} mm² of it touch the bed. Add a brim.");
+                () => $"The print is {NumberFormatter.Format(_highest, 2)} mm high, but only {NumberFormatter.Format(_standing, 0)} mm² of it touch the bed. "
+                    + "Add a brim.");
     }
 
-    private static string Number(double value) => NumberFormatter.Format(value, 2);
-
-    private double GapBelow(Vec3 p, double height)
-    {
-        var (top, under) = _printed.Deposit.CellAt(p.X, p.Y);
-        return Gap(p.Z, top, under, _printed.FloorUnder(p), height);
-    }
+    private static double Round(double area) => 2 * Math.Sqrt(area / Math.PI);
 
     // mm to the bed or to an extrusion below; anything about as high as the extrusion itself is next to it.
     private static double Gap(double z, double top, double under, double floor, double height)
@@ -156,12 +151,43 @@ internal sealed class ExtrusionCheck
         return z - (below > floor ? below : floor);
     }
 
-    // mm to what lies exactly below the middle of an extrusion: ramps of seams run out over each other, thinner and thinner.
-    private double OwnGap(in CheckedMove move)
+    // E and positions are rounded: the cross-section of very short moves is that of several.
+    private double AreaOf(in CheckedMove move)
     {
+        if (move.Length >= SampleStep)
+        {
+            _length = _volume = 0;
+            return move.Deposited / move.Length;
+        }
+        if (_length > SampleStep) (_length, _volume) = (_length / 2, _volume / 2);
+        _length += move.Length;
+        _volume += move.Deposited;
+        return _volume / _length;
+    }
+
+    // The height that an extrusion fills, mm: down to what is below its middle, or less where that is near and material goes to the sides.
+    private double GapUnder(in CheckedMove move, double area, double least)
+    {
+        _sinceGap += move.Length;
+        if (_sinceGap < SampleStep / 2) return Math.Min(_gap, Round(area));
+        _sinceGap = 0;
         var middle = Vec3.Lerp(move.Start, move.End, 0.5);
-        var below = Math.Max(_printed.Deposit.TopUnder(middle, middle.Z - Flat), _printed.FloorUnder(middle));
-        return middle.Z > below ? middle.Z - below : double.MaxValue;
+        // What is about as high is next to it.
+        _gap = _printed.GapBelow(middle, least / 2);
+        if (area > Wide * _printer.NozzleDiameter * _gap) _gap = area / WidthOver(middle, move.End - move.Start, area, least);
+        return Math.Min(_gap, Round(area));
+    }
+
+    // The width in which it has room.
+    private double WidthOver(Vec3 middle, Vec3 along, double area, double least)
+    {
+        var (width, most) = (area / Round(area), PrintedSoFar.Widest * _printer.NozzleDiameter);
+        var across = along.LengthXY > 0 ? new Vec3(-along.Y, along.X) / along.LengthXY : Vec3.Zero;
+        while (width < most && _printed.GapAcross(middle, across * (width / 2), Round(area), middle.Z - least / 2, int.MaxValue) * width < area)
+        {
+            width *= Wider;
+        }
+        return Math.Min(width, most);
     }
 
     private void Fly(int move, double step)
@@ -170,9 +196,10 @@ internal sealed class ExtrusionCheck
         _air += step;
     }
 
-    private void Land(int move)
+    private void Land(in CheckedMove move)
     {
         if (_air > (_anchored ? MostBridge : MostFree)) ReportAir(_anchored);
+        _hasLanded |= move.Role != Role.Purge;
         _startsHeld |= !_anchored && _air == 0;
         _air = 0;
         _anchored = true;
@@ -181,92 +208,13 @@ internal sealed class ExtrusionCheck
     private void ReportAir(bool bridge)
     {
         var air = _air;
+        if (!_hasLanded)
+        {
+            _findings.Add(CheckCodes.InAir, _airMove, () => $"The print begins in the air: its first {NumberFormatter.Format(air, 1)} mm touch neither the "
+                + "bed nor an object. Lower the print.");
+            _hasLanded = true;
+        }
         _findings.Add(CheckCodes.Unsupported, _airMove, () => $"An extrusion is in the air for {NumberFormatter.Format(air, 1)} mm, "
             + (bridge ? "between two supports. Add supports below it." : "with a free end. Add supports below it."), air);
     }
-
-    private void Dimensions(in CheckedMove move, double area, double height, double highest, bool known)
-    {
-        if (known && height > _printer.NozzleDiameter * 1.001) ReportHeight(move.Index, height);
-        var (width, least) = (new Bead(area, height).Width(_shape), new Bead(area, highest).Width(_shape));
-        if (least > Widest * _printer.NozzleDiameter * 1.001)
-        {
-            if (Odd(ref _wide, ref _wideMove, move) is { } at) ReportWidth(at, least);
-        }
-        else if (width < Thinnest * _printer.NozzleDiameter && move.Role is not (Role.Ironing or Role.GapFill))
-        {
-            width = new Bead(area, Math.Min(height, OwnGap(move))).Width(_shape);
-            if (width < Thinnest * _printer.NozzleDiameter && Odd(ref _thin, ref _thinMove, move) is { } at) ReportWidth(at, width);
-        }
-    }
-
-    // Reports are apart from what they are about, which would allocate what they capture for each move.
-    private void ReportHeight(int move, double height)
-        => _findings.Add(CheckCodes.Height, move,
-            () => $"A layer is {Number(height)} mm high, more than the nozzle diameter of {Number(_printer.NozzleDiameter)} mm. Lower it.", height);
-
-    // The move to report as soon as more than a little is odd: the first one, then each; null before.
-    private static int? Odd(ref double length, ref int first, in CheckedMove move)
-    {
-        if (length == 0) first = move.Index;
-        var before = length;
-        length += move.Length;
-        return length <= MostOdd ? null : before > MostOdd ? move.Index : first;
-    }
-
-    private void ReportWidth(int move, double width)
-        => _findings.Add(CheckCodes.Width, move, () => $"Extrusions are {Number(width)} mm wide, too {(width > _printer.NozzleDiameter ? "wide" : "narrow")} "
-            + $"for a nozzle of {Number(_printer.NozzleDiameter)} mm. Check line width and flow ratio.",
-            width > _printer.NozzleDiameter ? width / (Widest * _printer.NozzleDiameter) : Thinnest * _printer.NozzleDiameter / width);
-
-    private void Closeness(in CheckedMove move, double gap, double height)
-    {
-        if (gap < TooLow * height)
-        {
-            if (Odd(ref _low, ref _lowMove, move) is { } at) ReportNear(CheckCodes.TooLow, at, gap, height);
-        }
-        else if (gap < Tight * height && Odd(ref _tight, ref _tightMove, move) is { } at)
-        {
-            ReportNear(CheckCodes.Squeezed, at, gap, height);
-        }
-    }
-
-    private void ReportNear(string code, int move, double gap, double height)
-        => _findings.Add(code, move, () => $"The nozzle is {Number(gap)} mm above the bed{(_printed.Object is null ? "" : " or the object")}, but the "
-            + $"extrusion is {Number(height)} mm high. Raise the path by {Number(height - gap)} mm.", height - gap);
-
-    private void ReportBlob(int move, double volume, double gap, double width)
-        => _findings.Add(CheckCodes.Blob, move, () => $"{Number(volume)} mm³ extruded in place with the nozzle {Number(gap)} mm above the bed "
-            + $"or the print make a blob {Number(width)} mm wide. Extrude less, or raise the nozzle first.", width);
-
-    private void Squeezed(in CheckedMove move, double area, double gap)
-        => _findings.Add(CheckCodes.Squeezed, move.Index,
-            () => $"An extrusion of {Number(area)} mm² does not fit into the {Number(gap)} mm under the nozzle: it would be "
-            + $"{Number(area / gap)} mm wide. Extrude less.", area / gap);
-
-    private void Doubles(in CheckedMove move, double area, double height)
-    {
-        var half = new Bead(area, height).Width(_shape) / 2;
-        // Thin extrusions above each other are not in each other's place.
-        var thickness = Math.Min(height, area / _printer.NozzleDiameter);
-        var count = (int)Math.Min(Math.Ceiling(move.Length), 16);
-        for (var k = 0; k < count; k++)
-        {
-            var p = Vec3.Lerp(move.Start, move.End, (k + 0.5) / count);
-            if (!_printed.Deposit.HasParallel(p, move.End - move.Start, half, thickness, out var other))
-            {
-                _doubled = 0;
-                continue;
-            }
-            var before = _doubled;
-            if (before == 0) _doubledMove = move.Index;
-            _doubled += move.Length / count;
-            // Once for each run.
-            if (before <= MostDoubled && _doubled > MostDoubled) ReportDoubled(_doubledMove, other);
-        }
-    }
-
-    private void ReportDoubled(int move, int other)
-        => _findings.AddNaming(CheckCodes.Duplicate, move, () => () => "Extrusions are in the same place as earlier ones"
-            + (other >= 0 && _findings.PlaceOf(other) is { } place ? $" ({place with { Origin = null, Step = null }})" : "") + ". Remove the duplicates.");
 }

@@ -63,6 +63,31 @@ internal sealed class PrintedSoFar
     /// <summary>Height of the object or of the bed below a point of a path, mm. Extrusions may be pressed into it a little.</summary>
     public double FloorUnder(Vec3 p) => Object is null ? 0 : Math.Max(0, Math.Min(p.Z, Object.Under(p.X, p.Y, p.Z + CollisionCheck.Flush)));
 
+    /// <summary>Gap of at least <paramref name="least"/> mm between a point of a path and what lies exactly below it, mm.</summary>
+    public double GapBelow(Vec3 p, double least)
+    {
+        var below = Math.Max(Deposit.TopUnder(p, p.Z - least), FloorUnder(p));
+        return p.Z > below ? p.Z - below : double.MaxValue;
+    }
+
+    /// <summary>Mean gap across a path, mm, from a point by <paramref name="half"/> to both sides.</summary>
+    /// <param name="p">The point.</param>
+    /// <param name="half">Across the path, as long as half the width.</param>
+    /// <param name="most">No gap is larger, mm.</param>
+    /// <param name="limit">What is higher is beside the path, mm.</param>
+    /// <param name="before">Later extrusions do not count.</param>
+    public double GapAcross(Vec3 p, Vec3 half, double most, double limit, int before)
+    {
+        const int Places = 8;
+        var (sum, floor) = (0.0, FloorUnder(p));
+        for (var k = 0; k < Places; k++)
+        {
+            var top = Deposit.TopUnder(p + half * ((2 * k + 1.0) / Places - 1), limit, 0, before);
+            sum += Math.Min(most, Math.Max(0, p.Z - Math.Max(top, floor)));
+        }
+        return sum / Places;
+    }
+
     /// <summary>The motion goes on from here.</summary>
     /// <param name="ahead">mm beyond the end of the last move.</param>
     /// <returns>Number of pieces that are no longer fresh.</returns>

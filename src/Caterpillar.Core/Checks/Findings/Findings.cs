@@ -44,9 +44,9 @@ internal sealed class Findings
     }
 
     /// <summary>Adds a finding whose message names the place of another move. That part of the message is made in the end, as places are.</summary>
-    public void AddNaming(string code, int move, Func<Func<string>> message)
+    public void AddNaming(string code, int move, Func<Func<string>> message, double size = 0)
     {
-        if (_severities[code] is { } severity) Add(code, severity, () => _place(move), message, 0);
+        if (_severities[code] is { } severity) Add(code, severity, () => _place(move), message, size);
     }
 
     /// <summary>Adds a finding at an event that stands for several.</summary>

@@ -35,14 +35,17 @@ internal sealed class MoveChecks : IDisposable
     /// <param name="findings">Makes empty lists of findings.</param>
     /// <param name="cancel">Cancels.</param>
     /// <param name="waiting">Number of blocks that wait at most; whoever brings more waits, too.</param>
-    public MoveChecks(PrintSetup setup, IReadOnlyList<ToolpathTool> tools, Func<Findings> findings, CancellationToken cancel, int waiting = int.MaxValue)
+    /// <param name="looksAtPrint">False if what is printed was looked at before.</param>
+    public MoveChecks(
+        PrintSetup setup, IReadOnlyList<ToolpathTool> tools, Func<Findings> findings, CancellationToken cancel, int waiting = int.MaxValue,
+        bool looksAtPrint = true)
     {
         (_setup, _tools, _findings, _cancel) = (setup, tools, findings, cancel);
         _stop = CancellationTokenSource.CreateLinkedTokenSource(cancel);
         _waiting = new BlockingCollection<DecodedBlock>(waiting);
         (_ofMoves, _ofPrint, _ofUser) = (findings(), findings(), findings());
         _own = new OwnChecks(setup, _ofUser);
-        _looksAtPrint = _ofPrint.LooksFor(DepositCheck.AllCodes);
+        _looksAtPrint = looksAtPrint && _ofPrint.LooksFor(DepositCheck.AllCodes);
         IMoveCheck[] checks =
         [
             new PositionCheck(setup.Printer, _ofMoves), new RateCheck(tools, setup, _ofMoves), new ExtruderCheck(setup, _ofMoves),

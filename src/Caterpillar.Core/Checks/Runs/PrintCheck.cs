@@ -1,4 +1,5 @@
 using Caterpillar.GCode;
+using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
@@ -10,6 +11,9 @@ namespace Caterpillar.Checks;
 /// </summary>
 public static class PrintCheck
 {
+    // Half of a wide extrusion, mm.
+    private const double StandingEdge = 1;
+
     /// <summary>Checks a toolpath against a printer, material and settings.</summary>
     /// <returns>Findings with the codes of <see cref="CheckCodes"/>. The source is the first such move, with its step or line.</returns>
     public static IReadOnlyList<Diagnostic> Run(Toolpath toolpath, PrintSetup setup, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -29,8 +33,7 @@ public static class PrintCheck
     {
         if (file is null) throw new ArgumentNullException(nameof(file));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
-        var toolpath = WithVolumes(file.Toolpath, setup);
-        var findings = Run(toolpath, setup, CheckScope.OfFile(file, setup), progress, cancel);
+        var findings = RunFile(file, setup, null, progress, cancel);
         if (file.Report.File is not { Length: > 0 } name) return findings;
         return findings.Select(d => d.WithSource(s => (s ?? new SourceLocation()) with { File = name })).ToArray();
     }
@@ -44,6 +47,26 @@ public static class PrintCheck
         if (setup is null) throw new ArgumentNullException(nameof(setup));
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         return CheckScope.HeatsItself(toolpath) ? setup with { Material = setup.Material with { NozzleTemperature = 0 } } : setup;
+    }
+
+    /// <summary>The findings of a decoded file, which may continue on a part that stands on the bed, and of the file before its edits.</summary>
+    internal static IReadOnlyList<Diagnostic> RunFile(
+        DecodedGCode file, PrintSetup setup, DecodedGCode? before, IProgress<double>? progress, CancellationToken cancel)
+    {
+        if (StandingPart(file) is { } part) setup = setup with { PrintedOn = part };
+        if (file.MappingsOn(setup.Printer) is { Count: > 0 } mappings) setup = setup with { Printer = setup.Printer with { AxisMappings = new(mappings) } };
+        var toolpath = WithVolumes(file.Unrolled(setup.Printer), setup);
+        return Run(toolpath, setup, CheckScope.OfFile(file, setup) with { Before = before?.Used }, progress, cancel);
+    }
+
+    // The top of the part, as wide as what is printed on it. Null = none.
+    private static TriMesh? StandingPart(DecodedGCode file)
+    {
+        if (!file.Settings.TryGetValue(Continuation.Setting, out var text) || !NumberReader.TryParse(text, out var z) || !(z is > 0 and < 1e5)) return null;
+        var box = new MoveFilter { Kinds = [MoveKind.Print], FirstLayer = int.MinValue }.BoundsIn(file.Toolpath);
+        if (box.IsEmpty) return null;
+        var (a, b) = (box.Min - new Vec3(StandingEdge, StandingEdge), box.Max + new Vec3(StandingEdge, StandingEdge));
+        return TriMesh.Create([new Vec3(a.X, a.Y, z), new Vec3(b.X, a.Y, z), new Vec3(b.X, b.Y, z), new Vec3(a.X, b.Y, z)], [0, 1, 2, 0, 2, 3]);
     }
 
     internal static IReadOnlyList<Diagnostic> Run(

@@ -47,12 +47,13 @@ public static class SafeWriter
     /// </summary>
     /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/param"/>
     internal static Result<WrittenGCode> WriteDraft(
-        Toolpath toolpath, PrintSetup setup, Stream stream, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
-        => Write(toolpath, setup, stream, reason, true, default, progress, cancel);
+        Toolpath toolpath, PrintSetup setup, Stream stream, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default,
+        bool isChecked = false)
+        => Write(toolpath, setup, stream, reason, true, default, progress, cancel, isChecked);
 
     internal static Result<WrittenGCode> Write(
         Toolpath toolpath, PrintSetup setup, Stream stream, string? reason, bool isDraft, (PrintDraft? Draft, MotionPlanner? Timing) begun,
-        IProgress<double>? progress, CancellationToken cancel)
+        IProgress<double>? progress, CancellationToken cancel, bool isChecked = false)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
@@ -66,15 +67,16 @@ public static class SafeWriter
         var format = SetupFormat.Of(setup, toolpath);
         if (format.Value is null) return new Result<WrittenGCode>(null, new WriteGuard([], reason).Refusal(format.Diagnostics));
         var (timed, seconds) = ProgressCommands.Add(toolpath, setup, begun.Timing, cancel);
+        foreach (var mapping in setup.Printer.AxisMappings) timed = mapping.Apply(timed, null, cancel);
         var plain = format.Value with { PrintTime = seconds };
         // With a reason what was found stands at the top of the file: it is written again, where something was.
         var isOverridden = WriteGuard.IsReason(reason);
         var direct = isDraft && (!isOverridden || stream.CanSeek);
         var part = progress.Part(0, direct ? 1 : 0.7);
-        var (findings, lines, bytes) = begun.Draft is { } draft ? draft.Finish(toolpath, timed, plain, direct ? stream : null, part)
-            : WriteAndCheck(timed, setup, plain, direct ? stream : null, part, cancel);
-        findings ??= WriteAndCheck(timed, setup, plain, null, null, cancel).Findings!;
-        var guard = new WriteGuard(findings, reason);
+        var (findings, lines, bytes, read) = begun.Draft is { } draft ? draft.Finish(toolpath, timed, plain, direct ? stream : null, part)
+            : WriteAndCheck(timed, setup, plain, direct ? stream : null, part, isChecked, cancel);
+        if (findings is null) (findings, _, _, read) = WriteAndCheck(timed, setup, plain, null, null, isChecked, cancel);
+        var guard = new WriteGuard(findings!, reason);
         if (guard.Refuses) return new Result<WrittenGCode>(null, guard.Refusal(format.Diagnostics));
         if (!direct || guard.Overridden > 0)
         {
@@ -84,31 +86,35 @@ public static class SafeWriter
             writer.WriteAll(stream, direct ? null : progress.Part(0.7, 1), cancel);
             (lines, bytes) = (writer.Lines, writer.Bytes);
         }
-        return new Result<WrittenGCode>(new WrittenGCode(bytes, lines, guard.Overridden, seconds), guard.Notes(format.Diagnostics));
+        return new Result<WrittenGCode>(new WrittenGCode(bytes, lines, guard.Overridden, read?.Seconds) { File = read?.File }, guard.Notes(format.Diagnostics));
     }
 
-    private static (IReadOnlyList<Diagnostic>? Findings, long Lines, long Bytes) WriteAndCheck(
-        Toolpath toolpath, PrintSetup setup, GCodeFormat format, Stream? stream, IProgress<double>? progress, CancellationToken cancel)
+    private static CheckedGCode WriteAndCheck(
+        Toolpath toolpath, PrintSetup setup, GCodeFormat format, Stream? stream, IProgress<double>? progress, bool isChecked, CancellationToken cancel)
     {
         if (!ReadBack.IsAsked(setup))
         {
             var writer = new GCodeWriter(toolpath, format);
             if (stream is not null) writer.WriteAll(stream, progress, cancel);
-            return ([], writer.Lines, writer.Bytes);
+            return new CheckedGCode([], writer.Lines, writer.Bytes, null);
         }
-        using var back = new ReadBack(toolpath, setup, format, stream, int.MaxValue, cancel);
+        using var back = new ReadBack(toolpath, setup, format, stream, int.MaxValue, cancel, isChecked);
         back.Write(toolpath, progress.Part(0, 0.5));
         back.End(format);
-        return (back.Finish(progress.Part(0.5, 1)), back.Size.Lines, back.Size.Bytes);
+        return new CheckedGCode(back.Finish(progress.Part(0.5, 1)), back.Size.Lines, back.Size.Bytes, back.Read);
     }
 
-    /// <summary>Checks a toolpath and writes it as a document in memory.</summary>
+    /// <summary>
+    /// Checks a toolpath and writes it as a document in memory. If <see cref="PrintCheck"/> found no error in this toolpath with this setup
+    /// (<paramref name="isChecked"/>), collisions and extrusions are not checked again, unless the start or end code prints.
+    /// </summary>
     /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/param"/>
     public static Result<GCodeDocument> ToDocument(
-        Toolpath toolpath, PrintSetup setup, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
+        Toolpath toolpath, PrintSetup setup, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default,
+        bool isChecked = false)
     {
         using var memory = new MemoryStream();
-        var written = WriteDraft(toolpath, setup, memory, reason, progress, cancel);
+        var written = WriteDraft(toolpath, setup, memory, reason, progress, cancel, isChecked);
         return new Result<GCodeDocument>(written.Value is null ? null : GCodeDocument.FromBytes(memory.ToArray()), written.Diagnostics);
     }
 
@@ -161,8 +167,7 @@ public static class SafeWriter
         DecodedGCode before, GCodeDocument text, DecodeOptions reading, PrintSetup setup, string? reason, IProgress<double>? progress, CancellationToken cancel)
     {
         var file = GCodeDecoder.Decode(text, reading with { FilamentDiameter = setup.Material.FilamentDiameter }, null, cancel).OrThrow();
-        var read = PrintCheck.WithVolumes(file.Toolpath, setup);
-        var checks = PrintCheck.Run(read, setup, CheckScope.OfFile(file, setup) with { Before = before.Used }, progress, cancel);
+        var checks = PrintCheck.RunFile(file, setup, before, progress, cancel);
         var guard = new WriteGuard([.. checks, .. DecodingNotes.Of(file, before)], reason);
         if (guard.Refuses) return (new Result<GCodeDocument>(null, guard.Refusal([])), guard);
         var commented = new Result<GCodeDocument>(text, []);

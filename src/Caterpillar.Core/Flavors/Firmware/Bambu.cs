@@ -27,5 +27,6 @@ internal static class Bambu
         ToolLimit = 255,
         Dwells = ["G4", "M400"],
         Pauses = ["M400 U1", "M0", "M1", "M25", "M600"],
+        StatesHeight = null,
     };
 }

@@ -20,5 +20,6 @@ internal static class Bfb
         SwitchedExtruder = true,
         SwitchedTools = true,
         Pauses = ["M0"],
+        StatesHeight = null,
     };
 }

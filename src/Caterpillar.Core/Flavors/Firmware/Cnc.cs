@@ -37,5 +37,6 @@ internal static class Cnc
         ExtruderLetters = "AEB",
         PrintsWithoutE = true,
         Pauses = ["M0", "M1", "M60"],
+        StatesHeight = null,
     };
 }

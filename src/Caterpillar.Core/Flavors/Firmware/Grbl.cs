@@ -32,5 +32,6 @@ internal static class Grbl
         ExtruderLetters = "",
         PrintsWithoutE = true,
         Pauses = ["M0"],
+        StatesHeight = null,
     };
 }

@@ -30,5 +30,9 @@ internal static class Klipper
         PositionOfE = PositionOfERule.ZeroAtChange,
         ExtendedCommands = true,
         Pauses = ["PAUSE", "M25", "M600"],
+        StatesHeight = "SET_KINEMATIC_POSITION Z={z} SET_HOMED=Z",
+        HeightNeeds = " Klipper needs enable_force_move in its configuration for that.",
+        ObjectMarks = ObjectMarking.Names,
+        FanNumbers = false,
     };
 }

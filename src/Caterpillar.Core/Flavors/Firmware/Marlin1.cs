@@ -23,5 +23,6 @@ internal static class Marlin1
         FlowToolLetter = "T",
         Volumetric = true,
         Pauses = ["M0", "M1", "M25", "M125", "M600"],
+        ObjectMarks = ObjectMarking.Numbers,
     };
 }

@@ -16,5 +16,6 @@ internal static class Marlin2
         RelativeE = RelativeERule.LastWins,
         ArcTurns = ArcTurnsRule.Added,
         SpeedMemory = SpeedMemoryRule.RestoresFirst,
+        ObjectMarks = ObjectMarking.Numbers,
     };
 }

@@ -31,5 +31,6 @@ internal static class RepRapFirmware
         ModeStack = true,
         RestorePoints = true,
         Pauses = ["M226", "M601", "M25", "M600"],
+        ObjectMarks = ObjectMarking.NumbersWithNames,
     };
 }

@@ -32,5 +32,6 @@ internal static class Sailfish
         ExtruderLetters = "EAB",
         SwitchedExtruder = true,
         Pauses = ["M1", "M25", "M71"],
+        StatesHeight = null,
     };
 }

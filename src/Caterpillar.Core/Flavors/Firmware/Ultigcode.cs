@@ -24,5 +24,6 @@ internal static class Ultigcode
         FlowFactor = FlowFactorRule.PerTool,
         StartsVolumetric = true,
         Pauses = ["M0", "M1", "M25", "M600", "M601"],
+        StatesHeight = null,
     };
 }

@@ -24,6 +24,9 @@ public sealed partial record FlavorRules
     /// <summary>M220 and M221 without S mean 100 %.</summary>
     internal bool FactorsReset { get; init; }
 
+    /// <summary>How objects are marked, so that one can be left out while printing.</summary>
+    internal ObjectMarking ObjectMarks { get; init; }
+
     /// <summary>M104, M109, M140 and M190 without S switch the heater off. Otherwise they do nothing.</summary>
     internal bool NoTargetIsOff { get; init; }
 
@@ -32,6 +35,9 @@ public sealed partial record FlavorRules
 
     /// <summary>The letter of the fan speed in M106.</summary>
     internal char FanLetter { get; init; } = 'S';
+
+    /// <summary>P of M106 and M107 is the number of a fan. Otherwise they are for the part cooling fan, whatever P is.</summary>
+    internal bool FanNumbers { get; init; } = true;
 
     /// <summary>M126 and M127 switch the part cooling fan.</summary>
     internal bool ValveIsFan { get; init; }
@@ -72,4 +78,20 @@ internal enum FanScale
 
     /// <summary>M106 and M107 are unknown.</summary>
     None,
+}
+
+/// <summary>Commands that mark objects.</summary>
+internal enum ObjectMarking
+{
+    /// <summary>None.</summary>
+    None,
+
+    /// <summary>M486 T and S.</summary>
+    Numbers,
+
+    /// <summary>M486 T and S, with names (A).</summary>
+    NumbersWithNames,
+
+    /// <summary>EXCLUDE_OBJECT_DEFINE, _START and _END.</summary>
+    Names,
 }

@@ -24,6 +24,14 @@ public sealed partial record FlavorRules
     /// <summary>A number other than 0 after an axis of G28 is the position of that axis after homing.</summary>
     internal bool HomesToNumber { get; init; }
 
+    /// <summary>
+    /// Command that states the height of the nozzle, with <c>{z}</c> in mm, before X and Y are homed over a part that stands on the bed. Null = none is safe.
+    /// </summary>
+    internal string? StatesHeight { get; init; } = "G92 Z{z}";
+
+    /// <summary>What <see cref="StatesHeight"/> needs, as a sentence. Empty = nothing.</summary>
+    internal string HeightNeeds { get; init; } = "";
+
     /// <summary>G53 (for one line), G54 to G59.3, and G10 L2 and L20, which set their origins.</summary>
     internal bool Workspaces { get; init; }
 

@@ -12,6 +12,11 @@ public static class GCodeConverter
     /// <exception cref="OperationCanceledException">Canceled.</exception>
     public static IReadOnlyList<Diagnostic> Convert(DecodedGCode decoding, ConvertOptions options, Stream stream, IProgress<double>? progress = null,
         CancellationToken cancel = default)
+        => Convert(decoding, options, new EditOptions(), stream, progress, cancel);
+
+    /// <summary>The same, with start and end G-code for the target.</summary>
+    internal static IReadOnlyList<Diagnostic> Convert(
+        DecodedGCode decoding, ConvertOptions options, EditOptions code, Stream stream, IProgress<double>? progress, CancellationToken cancel)
     {
         if (decoding is null) throw new ArgumentNullException(nameof(decoding));
         if (options is null) throw new ArgumentNullException(nameof(options));
@@ -22,18 +27,22 @@ public static class GCodeConverter
         if (options.DecimalsXyz is { } decimals && LayerRounding.Check(decoding.Toolpath, decimals, new SourceLocation(decoding.Document.Name)) is { } rounded)
             return [.. problems.ToList(), rounded];
         var splicer = new Splicer(decoding, decoding.Toolpath, SplicePlan.Of(decoding, decoding.Toolpath), stream, target,
-            new EditOptions { GeneralPath = options.GeneralPath, Threads = options.Threads });
+            new EditOptions { Start = code.Start, End = code.End, GeneralPath = options.GeneralPath, Threads = options.Threads });
         splicer.Run(progress, cancel);
         problems.AddRange(splicer.Diagnostics.ToList());
         return problems.ToList();
     }
 
-    /// <inheritdoc cref="Convert" path="/summary"/>
+    /// <inheritdoc cref="Convert(DecodedGCode, ConvertOptions, Stream, IProgress{double}?, CancellationToken)" path="/summary"/>
     public static Result<GCodeDocument> ToDocument(DecodedGCode decoding, ConvertOptions options, IProgress<double>? progress = null,
         CancellationToken cancel = default)
+        => ToDocument(decoding, options, new EditOptions(), progress, cancel);
+
+    internal static Result<GCodeDocument> ToDocument(
+        DecodedGCode decoding, ConvertOptions options, EditOptions code, IProgress<double>? progress, CancellationToken cancel)
     {
         using var memory = new DocumentStream();
-        var problems = Convert(decoding, options, memory, progress, cancel);
+        var problems = Convert(decoding, options, code, memory, progress, cancel);
         var failed = new Result<GCodeDocument>(null, problems);
         return failed.HasErrors ? failed : new Result<GCodeDocument>(memory.ToDocument(decoding.Document!.Name), problems);
     }

@@ -17,6 +17,9 @@ public sealed record EditOptions
     /// <summary>Number of threads. 0 = all cores. The result does not depend on it.</summary>
     public int Threads { get; init; }
 
+    /// <summary>Lines that are left out.</summary>
+    internal IReadOnlyList<LineCut> Cuts { get; init; } = [];
+
     /// <summary>Rewrites all numbers of all motions, changed or not.</summary>
     internal bool RewriteAll { get; init; }
 

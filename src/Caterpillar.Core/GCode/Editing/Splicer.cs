@@ -18,6 +18,7 @@ internal sealed class Splicer
     private readonly CodeReplacement _code;
     private readonly CommentBuffer _comments;
     private readonly CommentScale _scale;
+    private readonly PartFigures _figures;
     private readonly FlavorComments _flavor;
     private readonly MoveWriter _moves;
     private readonly PlainMoves _plain;
@@ -36,15 +37,16 @@ internal sealed class Splicer
         _context = new SpliceContext(decoding, target, _queue ?? stream);
         _plan = plan;
         _tasks = new SpliceTasks(_context, plan, new MoveCursor(edited));
-        _code = new CodeReplacement(_context, options, plan);
         _comments = new CommentBuffer(_context);
         _flavor = new FlavorComments(decoding, target);
         _scale = new CommentScale(decoding.Toolpath, edited);
-        if (_scale.ChangesLayers) plan.Touch(1, int.MaxValue);
+        _figures = new PartFigures(decoding.Toolpath, edited, options.Cuts.Count > 0);
+        _code = new CodeReplacement(_context, options, plan, _figures);
+        if (_scale.ChangesLayers || _figures.IsActive) plan.Touch(1, int.MaxValue);
         var conversion = new MoveConversion(_context);
         _moves = new MoveWriter(_context, conversion, options.RewriteAll);
-        _plain = new PlainMoves(_context, _tasks, _comments, _moves, options.RewriteAll || _code.Changes || options.GeneralPath);
-        _others = new OtherLines(_context, conversion);
+        _plain = new PlainMoves(_context, _tasks, _comments, _moves, options.RewriteAll || options.GeneralPath);
+        _others = new OtherLines(_context, conversion, options.Start is not null);
         if (options.RewriteAll) plan.Touch(1, int.MaxValue);
     }
 
@@ -151,7 +153,8 @@ internal sealed class Splicer
             ref var record = ref records[i];
             var next = i + 1 < parsed.Count ? records[i + 1].Start : end;
             _context.Number = before + i + 1;
-            if (places[i].Count > 0 && _plain.IsReady && _plain.Write(record, places[i], text, next, before + i + 1)) continue;
+            if (places[i].Count > 0 && _plain.IsReady && (!_code.Changes || _code.IsOutside(before + i + 1))
+                && _plain.Write(record, places[i], text, next, before + i + 1)) continue;
             WriteLine(new FileLine(text, record.Start, record.Op <= 1 ? LineEnds.Find(text, record.Start, next) : record.Aux, next));
             _plain.Refresh();
         }
@@ -160,22 +163,32 @@ internal sealed class Splicer
     private void WriteLine(FileLine line)
     {
         var number = _context.Number;
-        if (number == _code.FirstKept) _code.WriteStart();
+        if (_code.Changes) _code.WriteBefore(number);
         _context.Line.Scan(line.Text, line.Start, line.End);
         var moves = _context.Read.ReadLine(_context.Line, line.Text, line.End, out var commands);
         var events = _context.Read.LastEvents.Count;
-        if (!_code.Keeps(number)) _tasks.SkipTo(number + 1);
+        if (_code.CutOf(number) is { } cut) Skip(cut, line);
         else if (moves > 0 || commands > 0) WriteMotion(line, moves, commands, events);
-        else if (_context.Line.Shape == LineShape.Empty) _comments.Add(_flavor.Image(_scale.Image(line, number)));
+        else if (_context.Line.Shape == LineShape.Empty) _comments.Add(Image(line));
         else WriteOther(line, events);
         _tasks.SkipEvents(events);
     }
+
+    private void Skip(LineCut cut, FileLine line)
+    {
+        _tasks.SkipTo(_context.Number + 1);
+        if (!cut.KeepsComments || _context.Line.Shape != LineShape.Empty) return;
+        _comments.Add(Image(line));
+        _comments.Cut();
+    }
+
+    private FileLine Image(FileLine line) => _flavor.Image(_figures.Image(_scale.Image(line, _context.Number), _context.Number));
 
     private void WriteOther(FileLine line, int events)
     {
         _comments.Keep();
         if (events > 0) InsertBeforeEvents(events);
-        _others.Write(line);
+        _others.Write(line, _figures.Image(line, _context.Number));
     }
 
     private void WriteMotion(FileLine line, int moves, int commands, int events)
@@ -194,7 +207,7 @@ internal sealed class Splicer
         var single = own == 1;
         var tasks = _tasks.Tasks;
         Insert(single ? tasks.Count - 1 : tasks.Count);
-        if (commands == 0) _others.Write(line);
+        if (commands == 0) _others.Write(line, line);
         else if (single) _moves.WriteMove(line, tasks[tasks.Count - 1].Move);
         else if (own == 0) _moves.WriteWithoutMove(line);
         else _context.Text.Drop(_context.Line);
@@ -232,6 +245,7 @@ internal sealed class Splicer
         if (_tasks.Tasks.Count > 0) _context.Text.CloseLine();
         Insert(_tasks.Tasks.Count);
         _code.WriteEnd();
+        _others.Report();
         _context.Text.Flush();
     }
 }

@@ -21,6 +21,7 @@ public static class CheckCodes
     public const string Height = "extrusion.height";
     public const string Starved = "extrusion.starved";
     public const string Gap = "extrusion.gap";
+    public const string InAir = "first_layer.in_air";
     public const string FirstLayer = "first_layer.area";
     public const string Flow = "limit.flow";
     public const string Speed = "limit.speed";
@@ -60,16 +61,17 @@ public static class CheckCodes
         new(GantryHits, Severity.Error, "the gantry hits an earlier extrusion"),
         new(ClipHit, Severity.Error, "the nozzle, print head or gantry hits a bed clip"),
         new(Slope, Severity.Note, "the flat of the nozzle tip cuts into a slope of up to 45° next to it"),
-        new(TooLow, Severity.Error, "more than 5 mm of extrusions with a gap under the nozzle of less than 30 % of their height"),
+        new(TooLow, Severity.Error, "more than 5 mm of extrusions with a gap to the bed, the object or what is solid of less than 30 % of their height"),
         new(Unsupported, Severity.Warning, "extrusions in the air: more than 5 mm with a free end, or more than 60 mm between two supports"),
         new(Duplicate, Severity.Warning, "more than 20 mm of a path in the same place as another extrusion"),
-        new(Squeezed, Severity.Warning, "more material than fits under the nozzle: an extrusion wider than 4 nozzle diameters, a blob wider than 10, "
-            + "or less than 60 % of the height above the bed"),
+        new(Squeezed, Severity.Warning, "more material than fits under the nozzle: more than 5 mm of extrusions with less than 60 % of their height, or a blob "
+            + "wider than 10 nozzle diameters"),
         new(Blob, Severity.Error, "blobs wider than 20 nozzle diameters"),
         new(Width, Severity.Warning, "more than 5 mm of extrusions wider than 3 nozzle diameters, or narrower than a fifth of one"),
         new(Height, Severity.Warning, "layers higher than the nozzle diameter"),
         new(Starved, Severity.Warning, "retractions in the middle of an extrusion, and extrusions that only make up for a retraction"),
         new(Gap, Severity.Note, "gaps of 0.1 to 1 mm in a straight line of extrusions"),
+        new(InAir, Severity.Error, "prints that begin in the air: more than 5 mm of the first extrusion touch neither the bed nor an object"),
         new(FirstLayer, Severity.Warning, "prints higher than 8 times the square root of their contact area with the bed"),
         new(Flow, Severity.Error, "flow above the maximum volumetric flow of hot end or material"),
         new(Speed, Severity.Warning, "extrusions faster than the axes or the extruder allow"),

@@ -163,12 +163,12 @@ internal sealed class Deposit
     }
 
     /// <summary>
-    /// Highest top, mm, not above <paramref name="limit"/>, within <paramref name="radius"/> mm of a point, seen from above. Negative infinity = nothing.
+    /// Highest top, mm, not above <paramref name="limit"/>, within <paramref name="radius"/> mm of a point, seen from above, of extrusions with a tag below
+    /// <paramref name="before"/>. Negative infinity = nothing.
     /// </summary>
-    public double TopUnder(Vec3 point, double limit, double radius = 0)
+    public double TopUnder(Vec3 point, double limit, double radius = 0, int before = int.MaxValue)
     {
         var best = double.NegativeInfinity;
-        var side = _bins.Side;
         if (_bins.IsEmpty || !_bins.MayHold(point.X, point.Y)) return best;
         var lastRow = _bins.Row(point.Y + radius);
         var lastColumn = _bins.Column(point.X + radius);
@@ -178,11 +178,7 @@ internal sealed class Deposit
             {
                 var bin = _bins[column, row];
                 if (bin is null || bin.Top <= best) continue;
-                for (var i = 0; i < bin.Count; i++)
-                {
-                    var top = _store[bin.Entries[i].Extrusion].TopAt(point, radius);
-                    if (top <= limit && top > best) best = top;
-                }
+                best = TopUnderIn(bin, point, limit, radius, before, best);
                 if (bin.Dropped > best) best = DroppedUnder(bin, column, row, point, limit, radius, best);
             }
         }
@@ -201,28 +197,41 @@ internal sealed class Deposit
     }
 
     /// <summary>
-    /// True if one of the last extrusions around a point is about as high and as wide, and in the same place. Their axes are then less than a quarter of their
-    /// widths apart.
+    /// What is in the place of a new extrusion, of the last extrusions around one of its points: one along it, about as high and as wide, with the axes less
+    /// than a quarter of their widths apart; or a solid one at the point, with a gap above it.
     /// </summary>
-    public bool HasParallel(Vec3 p, Vec3 along, double half, double height, out int tag)
+    /// <param name="p">The point.</param>
+    /// <param name="along">Direction of the new extrusion.</param>
+    /// <param name="half">Half its width, mm.</param>
+    /// <param name="height">Its height, mm.</param>
+    /// <param name="gap">Smallest and largest gap above solid extrusions, mm.</param>
+    /// <param name="solid">Extrusions with a lower tag are solid.</param>
+    /// <param name="tag">Tag of the other extrusion. −1 = none.</param>
+    public DepositOverlap Overlap(Vec3 p, Vec3 along, double half, double height, (double Least, double Most) gap, int solid, out int tag)
     {
         tag = -1;
-        if (!_bins.MayHold(p.X, p.Y)) return false;
+        var found = DepositOverlap.None;
+        if (!_bins.MayHold(p.X, p.Y)) return found;
         int column = Index(p.X), row = Index(p.Y);
-        var lowest = p.Z - 0.5 * height - Rounding;
+        double lowest = p.Z - 0.5 * height - Rounding, lowestSolid = p.Z - gap.Most;
         // An extrusion in its place would have raised the cell.
-        if (_cells[column, row].Top < lowest) return false;
-        if (_bins[column >> DepositBin.Bits, row >> DepositBin.Bits] is not { } bin) return false;
+        if (_cells[column, row].Top < Math.Min(lowest, lowestSolid)) return found;
+        if (_bins[column >> DepositBin.Bits, row >> DepositBin.Bits] is not { } bin) return found;
         var length = along.LengthXY;
-        if (!(length > 0)) return false;
+        if (!(length > 0)) return found;
         for (int i = bin.Count - 1, last = Math.Max(0, bin.Count - MostParallel); i >= last; i--)
         {
             var top = bin.Entries[i].Top;
             // The layer below begins here.
-            if (top < p.Z - 2 * height) return false;
-            if (top < lowest) continue;
+            if (top < p.Z - 2 * height && top < lowestSolid) return found;
+            if (top < lowest && top < lowestSolid) continue;
             ref var extrusion = ref _store[bin.Entries[i].Extrusion];
-            if (Math.Min(half, extrusion.Half) < 0.6 * Math.Max(half, extrusion.Half)) continue;
+            if (extrusion.Tag < solid && found == DepositOverlap.None)
+            {
+                var there = extrusion.TopAt(p, 0);
+                if (there >= lowestSolid && there <= p.Z - gap.Least) (found, tag) = (DepositOverlap.Solid, extrusion.Tag);
+            }
+            if (top < lowest || Math.Min(half, extrusion.Half) < 0.6 * Math.Max(half, extrusion.Half)) continue;
             double dx = extrusion.Bx - extrusion.Ax, dy = extrusion.By - extrusion.Ay;
             var near = 0.25 * (half + extrusion.Half);
             // Most are clearly beside it, which is told without a root.
@@ -235,9 +244,9 @@ internal sealed class Deposit
             double ex = p.X - extrusion.Ax - dx * t, ey = p.Y - extrusion.Ay - dy * t;
             if (ex * ex + ey * ey > near * near || Math.Abs(extrusion.Az + (extrusion.Bz - extrusion.Az) * t - p.Z) > 0.5 * height) continue;
             tag = extrusion.Tag;
-            return true;
+            return found | DepositOverlap.Parallel;
         }
-        return false;
+        return found;
     }
 
     /// <summary>
@@ -264,6 +273,25 @@ internal sealed class Deposit
         tag = -1;
         var query = new BoxQuery(a, b, tolerance, box);
         return !_bins.IsEmpty && Highest > query.Lowest && _contacts.MeetsBox(query, out tag);
+    }
+
+    // The last ones are the highest as a rule: the others are skipped by their tops.
+    private double TopUnderIn(DepositBin bin, Vec3 point, double limit, double radius, int before, double best)
+    {
+        for (var block = (bin.Count - 1) >> DepositBin.BlockBits; block >= 0; block--)
+        {
+            var first = block << DepositBin.BlockBits;
+            if (first + DepositBin.Block <= bin.Count && !(bin.BlockTops[block] > best)) continue;
+            for (var i = Math.Min(first + DepositBin.Block, bin.Count) - 1; i >= first; i--)
+            {
+                if (!(bin.Entries[i].Top > best)) continue;
+                ref var extrusion = ref _store[bin.Entries[i].Extrusion];
+                if (extrusion.Tag >= before) continue;
+                var top = extrusion.TopAt(point, radius);
+                if (top <= limit && top > best) best = top;
+            }
+        }
+        return best;
     }
 
     private double TopInBin(DepositBin bin, int column, int row, Vec3 a, Vec3 b, double radius, double best)
@@ -338,4 +366,17 @@ internal sealed class Deposit
     private int Index(double x) => ExtrusionRows.Index(x, _perCell);
 
     private static bool IsOutside(Vec3 p, double margin, double edge) => !(Math.Abs(p.X) + margin < edge && Math.Abs(p.Y) + margin < edge);
+}
+
+/// <summary>What is in the place of a new extrusion.</summary>
+[Flags]
+internal enum DepositOverlap
+{
+    None = 0,
+
+    /// <summary>An extrusion along it.</summary>
+    Parallel = 1,
+
+    /// <summary>One that is solid.</summary>
+    Solid = 2,
 }

@@ -19,6 +19,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<ToolpathColumns, int, 
     private Vec3 _position = toolpath.Start ?? Vec3.Zero;
     private double _travelSpeed;
     private double _retractSpeed;
+    private double _top = double.NegativeInfinity;
     private int _made;
     private int _nextEvent;
 
@@ -36,6 +37,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<ToolpathColumns, int, 
                 for (var i = 0; i < columns.Count; i++)
                 {
                     if (!IsPlain(columns, i)) Kept(toolpath[first + i]);
+                    else _top = Math.Max(_top, columns.Z[i]);
                 }
                 _position = toolpath[first + columns.Count - 1].End;
                 Events(first + columns.Count, first);
@@ -93,6 +95,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<ToolpathColumns, int, 
         tool.Before(move);
         tool.Now(move);
         _position = move.End;
+        if (move.Kind == MoveKind.Print) _top = Math.Max(_top, move.End.Z);
     }
 
     private void Speeds(Move move)
@@ -120,11 +123,15 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<ToolpathColumns, int, 
         var to = move.Start;
         if (to.DistanceTo(_position) <= NoChange) return;
         var speed = _travelSpeed > 0 ? _travelSpeed : move.Speed;
-        // Up before across, across before down.
-        var corner = to.Z > _position.Z ? _position.WithZ(to.Z) : to.WithZ(_position.Z);
-        if (corner != _position && corner != to) Add(corner, 0, 0, speed, MoveKind.Travel, Role.Unspecified, move, -1, null);
-        Add(to, 0, 0, speed, MoveKind.Travel, Role.Unspecified, move, -1, null);
-        _position = to;
+        // Up before across, above all that is printed, and across before down.
+        var isAcross = Math.Abs(to.X - _position.X) + Math.Abs(to.Y - _position.Y) > NoChange;
+        var height = Math.Max(Math.Max(to.Z, _position.Z), isAcross ? _top : double.NegativeInfinity);
+        foreach (var stop in new[] { _position.WithZ(height), to.WithZ(height), to })
+        {
+            if (stop == _position) continue;
+            Add(stop, 0, 0, speed, MoveKind.Travel, Role.Unspecified, move, -1, null);
+            _position = stop;
+        }
     }
 
     private void Pull(Move move, Balance tool, double amount)

@@ -50,14 +50,15 @@ public static class ToolpathEdits
 
     /// <summary>
     /// Removes the selected moves. Adds a travel move if the head no longer reaches the start of an extrusion. After the cut, each tool is retracted as far as
-    /// before, by E or by the firmware. Events and homing stay.
+    /// before, by E or by the firmware. Events, homing and the moves after the last extrusion of the last layer (end code) stay.
     /// </summary>
     public static Toolpath Remove(this Toolpath toolpath, MoveFilter filter, CancellationToken cancel = default)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (filter is null) throw new ArgumentNullException(nameof(filter));
+        var end = PrintCut.EndOfPrint(toolpath);
         var choice = new MoveChoice(filter, toolpath);
-        return new MoveRemover(toolpath, (columns, i, _) => choice.Has(columns, i)).Run(cancel);
+        return new MoveRemover(toolpath, (columns, i, number) => (number < end || end == 0) && choice.Has(columns, i)).Run(cancel);
     }
 
     /// <summary>Keeps only the selected moves. See <see cref="Remove"/>.</summary>

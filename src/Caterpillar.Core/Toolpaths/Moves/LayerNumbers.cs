@@ -5,13 +5,32 @@ namespace Caterpillar.Toolpaths;
 /// </summary>
 public static class LayerNumbers
 {
-    /// <summary>The layer numbers of a toolpath, ascending, each once.</summary>
+    /// <summary>The numbers of the printed layers, ascending, each once.</summary>
     public static IReadOnlyList<int> NumbersOfLayers(this Toolpath toolpath)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         var numbers = new SortedSet<int>();
-        foreach (var layer in toolpath.Layers) numbers.Add(layer.Index);
+        foreach (var layer in toolpath.UsedLayers()) numbers.Add(layer.Index);
         return [.. numbers];
+    }
+
+    /// <summary>The layers that have extrusions, or moves if none has extrusions.</summary>
+    internal static IReadOnlyList<Layer> UsedLayers(this Toolpath toolpath)
+    {
+        var prints = new bool[toolpath.Layers.Count];
+        var moves = new bool[toolpath.Layers.Count];
+        foreach (var block in toolpath.Blocks)
+        {
+            var c = block.Columns;
+            for (var i = 0; i < c.Count; i++)
+            {
+                if (c.Layer[i] < 0) continue;
+                moves[c.Layer[i]] = true;
+                prints[c.Layer[i]] |= c.Kind[i] == MoveKind.Print;
+            }
+        }
+        var used = Array.IndexOf(prints, true) >= 0 ? prints : moves;
+        return [.. toolpath.Layers.Where((_, i) => used[i])];
     }
 
     /// <summary>Number of layers of a toolpath. Layers of several objects with the same number count once.</summary>

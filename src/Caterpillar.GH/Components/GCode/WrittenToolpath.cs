@@ -21,6 +21,7 @@ internal static class WrittenToolpath
     /// <summary>The document. Unedited lines of a decoded file stay as they are, unless all is rewritten.</summary>
     public static Result<GCodeDocument> Write(
         ToolpathGoo toolpath, PrintSetup setup, string? reason, bool rewriteAll, EditOptions code, IProgress<double> progress, CancellationToken cancel)
-        => rewriteAll || toolpath.DecodedGCode is not { } file ? SafeWriter.ToDocument(toolpath.Value, setup, reason, progress, cancel)
+        => rewriteAll || toolpath.DecodedGCode is not { } file
+            ? SafeWriter.ToDocument(toolpath.Value, setup, reason, progress, cancel, isChecked: setup.Equals(toolpath.CheckedWith))
             : SafeWriter.ToDocument(file, toolpath.Value, setup, reason, code, progress, cancel);
 }

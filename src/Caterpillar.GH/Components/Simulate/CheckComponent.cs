@@ -36,7 +36,7 @@ public sealed class CheckComponent() : CaterpillarComponent(
         var setup = SetupPort.Of(run, 1, goo);
         var findings = run.Work("Checking", [goo.Value, goo.DecodedGCode, setup], (progress, cancel) => Findings(goo, setup, progress, cancel));
         var passed = findings.All(f => f.Severity != Severity.Error);
-        run.Set(0, passed ? goo.Planned(setup) : null);
+        run.Set(0, passed ? goo.Checked(setup) : null);
         run.Set(1, passed);
         run.Report(findings);
         run.SetList(3, findings.Where(f => f.Source?.Move is not null).Select(f => RhinoGeometry.ToPoint(goo.Value[f.Source!.Move!.Value].End, run.Units)));

@@ -112,6 +112,15 @@ namespace Rhino.DocObjects
         public bool IsDeleted => false;
     }
 
+    public class ObjRef
+    {
+        private readonly Geometry.GeometryBase _geometry;
+
+        internal ObjRef(Geometry.GeometryBase geometry) => _geometry = geometry;
+
+        public Geometry.Curve Curve() => _geometry as Geometry.Curve;
+    }
+
     public sealed class InstanceDefinition : ModelComponent
     {
         internal readonly Geometry.GeometryBase[] Parts;

@@ -41,6 +41,22 @@ namespace Rhino.Input
         // What the user of a test types, in order; without more the command is canceled.
         internal static readonly Queue<string> Answers = new Queue<string>();
 
+        // The curves that the user of a test picks.
+        internal static readonly Queue<DocObjects.ObjRef> Picks = new Queue<DocObjects.ObjRef>();
+
+        public static Commands.Result GetOneObject(string prompt, bool acceptNothing, DocObjects.ObjectType filter, out DocObjects.ObjRef rhObject)
+        {
+            rhObject = Picks.Count > 0 ? Picks.Dequeue() : null;
+            return rhObject == null ? Commands.Result.Cancel : Commands.Result.Success;
+        }
+
+        public static Commands.Result GetMultipleObjects(string prompt, bool acceptNothing, DocObjects.ObjectType filter, out DocObjects.ObjRef[] rhObjects)
+        {
+            rhObjects = Picks.ToArray();
+            Picks.Clear();
+            return rhObjects.Length == 0 ? Commands.Result.Cancel : Commands.Result.Success;
+        }
+
         public static Commands.Result GetString(string prompt, bool acceptNothing, ref string outputString)
         {
             if (Answers.Count == 0) return Commands.Result.Cancel;

@@ -121,7 +121,7 @@ internal sealed class EventCommands(Machine machine)
     private void Fan(ParsedLine line, bool on)
     {
         // Only the part fan: others have numbers from 2 on.
-        if (_rules.FanLetter != 'P' && line.TryGet('P', out var number) && number is not (0 or 1)) return;
+        if (_rules.FanNumbers && _rules.FanLetter != 'P' && line.TryGet('P', out var number) && number is not (0 or 1)) return;
         if (!line.TryGet(_rules.FanLetter, out var speed))
         {
             // Without a number it only reports.

@@ -6,21 +6,30 @@ namespace Caterpillar.GCode;
 /// Lines without motion: modes, position names, machine commands, homing, firmware retraction, dwells. A line stays if it means the same in the target.
 /// Otherwise it is translated.
 /// </summary>
-internal sealed class OtherLines(SpliceContext context, MoveConversion conversion)
+internal sealed class OtherLines(SpliceContext context, MoveConversion conversion, bool hasStart)
 {
     private readonly ConvertTarget? _target = context.Target;
     private readonly FlavorRules _rules = context.Rules;
     private readonly ParsedLine _line = context.Line;
     private readonly SplicedText _text = context.Text;
+    private readonly LineTranslation? _translation = context.Target is null
+        || context.Rules.Name == context.Decoding.Flavor.Name || context.Rules.Name == FlavorTable.Slicer.Name ? null
+        : new LineTranslation(context, hasStart);
 
-    /// <summary>Writes the current line, or others in its place.</summary>
-    public void Write(FileLine line)
+    /// <summary>Writes the current line with its figures, or others in its place.</summary>
+    public void Write(FileLine line, FileLine image)
     {
         var written = context.Written;
         if (_target is not null && _line.Shape == LineShape.Code && Replacement(_target, line) is { } lines)
         {
             _text.Drop(_line);
             foreach (var other in lines) context.Command(other);
+            return;
+        }
+        if (_translation?.IsForeign(line) == true)
+        {
+            WriteEvents(line);
+            _translation.Watch();
             return;
         }
         var before = written.Save();
@@ -36,6 +45,7 @@ internal sealed class OtherLines(SpliceContext context, MoveConversion conversio
         {
             written.Restore(before);
             WriteEvents(line);
+            _translation?.Watch();
             return;
         }
         if (IsG92() && !context.HasSameShift)
@@ -46,10 +56,14 @@ internal sealed class OtherLines(SpliceContext context, MoveConversion conversio
             context.Command(context.RenamePosition(true, true, true, extruder != 0 && _line.Find((char)extruder) >= 0) + context.Comment(line));
             return;
         }
-        _text.Add(line);
+        _text.Add(image);
+        _translation?.Watch();
         // Some firmware forgets what G92 has said when it homes.
         if (_target is not null && context.LineHomes && !context.HasSameShift) context.Command(context.RenamePosition(true, true, true, false));
     }
+
+    /// <summary>Reports what a conversion left out.</summary>
+    public void Report() => _translation?.Report();
 
     private bool IsG92() => _line.Shape == LineShape.Code && _line.Letters[0] == 'G' && _line.HasValue[0] && Math.Floor(_line.Values[0]) == 92;
 
@@ -68,19 +82,17 @@ internal sealed class OtherLines(SpliceContext context, MoveConversion conversio
         return true;
     }
 
-    // The events of a line in the words of the target; a line without any means nothing to the file's own firmware and goes.
+    // The line in the words of the target; one that means nothing to the file's own firmware goes.
     private void WriteEvents(FileLine line)
     {
         var comment = context.Comment(line);
         _text.Drop(_line);
         if (_line.Shape == LineShape.Code && _line.Letters[0] != 'M') context.WriteModes();
-        foreach (var entry in context.Read.LastEvents.ToArray())
+        var lines = _translation?.Lines(line) ?? [.. context.Read.LastEvents.SelectMany(e => EventText.Lines(e.Event, _rules))];
+        foreach (var text in lines)
         {
-            foreach (var text in EventText.Lines(entry.Event, _rules))
-            {
-                context.Command(text + comment);
-                comment = "";
-            }
+            context.Command(text + comment);
+            comment = "";
         }
         if (context.LineHomes && !context.HasSameShift) context.Command(context.RenamePosition(true, true, true, false));
     }

@@ -97,7 +97,9 @@ internal sealed class SpliceContext
         for (var i = 0; i < Line.Count; i++)
         {
             if (!IsMode(i) || (Line.Values[i] == 20 && Target is { Millimeters: true })) continue;
-            Command("G" + NumberFormatter.Format(Line.Values[i], 1));
+            var mode = "G" + NumberFormatter.Format(Line.Values[i], 1);
+            if (Target is not null && FlavorCommands.Of(Rules).Find(mode) is not { IsKnown: true }) continue;
+            Command(mode);
             any = true;
         }
         return any;
