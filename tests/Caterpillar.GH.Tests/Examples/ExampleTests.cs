@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
@@ -23,13 +24,15 @@ public sealed class ExampleTests
     private static readonly string Root = Caterpillar.Tests.TestData.Repository;
 
     // Their slicing takes seconds and is the library's, whose tests run on both runtimes.
-    private static readonly HashSet<string> Slow = ["between_boundaries", "curved_roof", "planar_slice", "print_on_terrain", "vase"];
+    private static readonly HashSet<string> Slow = ["between_boundaries", "curved_roof", "planar_slice", "print_on_terrain", "vase", "wave_layers", "modifiers", "infill_curves", "draw_on_dome"];
 
     public static IEnumerable<string> Names => Definitions.All.Keys;
 
     /// <summary>The quick ones are those that any host solves.</summary>
     public static IEnumerable<TestCaseData> Solved()
         => Names.Select(name => Slow.Contains(name) ? new TestCaseData(name) : new TestCaseData(name).SetCategory("Host"));
+
+    private static readonly ConcurrentDictionary<string, Lazy<(GH_Document Document, string Code)>> Solutions = new();
 
     private static bool Renews => Environment.GetEnvironmentVariable("CATERPILLAR_RENEW") == "1";
 
@@ -41,7 +44,7 @@ public sealed class ExampleTests
     public void It_is_what_the_code_makes(string name)
     {
         var file = FileOf(name);
-        var made = Save(Definitions.All[name](name));
+        var made = Sketch.Save(Definitions.All[name](name).Finish(file, Renews));
         if (Renews) File.WriteAllText(file, made, new UTF8Encoding(false));
         Assert.That(made, Is.EqualTo(File.ReadAllText(file).Replace("\r\n", "\n")), "Made with CATERPILLAR_RENEW=1.");
     }
@@ -49,18 +52,26 @@ public sealed class ExampleTests
     [TestCaseSource(nameof(Solved))]
     public void It_opens_solves_and_gives_the_G_code_of_its_golden_file(string name)
     {
-        var document = Open(name);
-        var code = Solve(document);
+        var (document, code) = Done(name);
         var golden = Path.Combine(Root, "tests", "Caterpillar.GH.Tests", "Examples", "Golden", name + ".gcode");
         if (Renews) File.WriteAllText(golden, Short(code), new UTF8Encoding(false));
         Assert.That(Short(code), Is.EqualTo(File.ReadAllText(golden).Replace("\r\n", "\n")));
         var copy = new GH_Document { FilePath = FileOf(name) };
         var archive = new GH_Archive();
-        var saved = Save(document);
+        var saved = Sketch.Save(document);
         archive.Deserialize_Xml(saved);
         Assert.That(archive.ExtractObject(copy, "Definition"), Is.True);
-        Assert.That(Save(copy), Is.EqualTo(saved), "Saved and opened again.");
+        Assert.That(Sketch.Save(copy), Is.EqualTo(saved), "Saved and opened again.");
         if (!Slow.Contains(name)) Assert.That(Solve(copy), Is.EqualTo(code), "And solved again.");
+    }
+
+    [TestCaseSource(nameof(Names))]
+    public void The_manual_shows_its_picture(string name)
+    {
+        var file = Path.Combine(Root, "docs", "images", "definitions", name + ".svg");
+        var picture = Shown.Picture(Done(name).Document);
+        if (Renews) File.WriteAllText(file, picture, new UTF8Encoding(false));
+        Assert.That(picture, Is.EqualTo(File.ReadAllText(file).Replace("\r\n", "\n")), "Made with CATERPILLAR_RENEW=1.");
     }
 
     [TestCaseSource(nameof(Names))]
@@ -74,6 +85,7 @@ public sealed class ExampleTests
             foreach (var save in document.Objects.OfType<GH_Panel>().Where(p => p.UserText == "example.gcode"))
                 save.UserText = Path.Combine(folder, save.UserText);
             foreach (var toggle in document.Objects.OfType<GH_BooleanToggle>()) toggle.Value = true;
+            foreach (var button in document.Objects.OfType<GH_ButtonObject>()) button.ButtonDown = true;
             foreach (var port in document.Objects.OfType<IGH_Component>().SelectMany(c => c.Params.Input).OfType<Param_Boolean>()
                 .Where(p => p.SourceCount == 0))
                 port.SetPersistentData(true);
@@ -88,16 +100,6 @@ public sealed class ExampleTests
         {
             Directory.Delete(folder, true);
         }
-    }
-
-    [Category("Host")]
-    [TestCaseSource(nameof(Names))]
-    public void It_explains_itself_and_frames_its_objects(string name)
-    {
-        var document = Open(name);
-        Assert.That(document.Objects.OfType<GH_Panel>().Any(p => p.NickName == "Read me" && p.UserText.EndsWith(".", StringComparison.Ordinal)), Is.True);
-        var ids = document.Objects.Select(o => o.InstanceGuid).ToArray();
-        Assert.That(document.Objects.OfType<GH_Group>().Single().ObjectIDs, Is.SubsetOf(ids));
     }
 
     // Of long files the lines at both ends, and what tells the rest from others.
@@ -122,12 +124,11 @@ public sealed class ExampleTests
         return document;
     }
 
-    private static string Save(GH_Document document)
+    private static (GH_Document Document, string Code) Done(string name) => Solutions.GetOrAdd(name, n => new(() =>
     {
-        var archive = new GH_Archive();
-        Assert.That(archive.AppendObject(document, "Definition"), Is.True);
-        return archive.Serialize_Xml().Replace("\r\n", "\n");
-    }
+        var document = Open(n);
+        return (document, Solve(document));
+    })).Value;
 
     private static string Solve(GH_Document document)
     {
@@ -135,7 +136,23 @@ public sealed class ExampleTests
         var errors = document.Objects.OfType<IGH_ActiveObject>()
             .SelectMany(o => o.RuntimeMessages(GH_RuntimeMessageLevel.Error).Select(m => o.NickName + ": " + m));
         Assert.That(errors, Is.Empty);
-        var output = document.Objects.OfType<GenerateGCodeComponent>().Single().Params.Output[0];
-        return Encoding.UTF8.GetString(((GCodeGoo)output.VolatileData.get_Branch(0)[0]!).Value.ToBytes());
+        var generate = document.Objects.OfType<GenerateGCodeComponent>().SingleOrDefault();
+        if (generate is not null) return Encoding.UTF8.GetString(((GCodeGoo)generate.Params.Output[0].VolatileData.get_Branch(0)[0]!).Value.ToBytes());
+        return Saved(document);
+    }
+
+    // What a definition without Generate writes when its button is pressed.
+    private static string Saved(GH_Document document)
+    {
+        var file = Path.Combine(Path.GetTempPath(), "caterpillar-" + Guid.NewGuid().ToString("N") + ".gcode");
+        var target = document.Objects.OfType<GH_Panel>().Single(p => p.UserText == "example.gcode");
+        var button = document.Objects.OfType<GH_ButtonObject>().Single(b => b.NickName == "Save");
+        (target.UserText, button.ButtonDown) = (file, true);
+        document.NewSolution(true);
+        var text = File.ReadAllText(file);
+        File.Delete(file);
+        (target.UserText, button.ButtonDown) = ("example.gcode", false);
+        document.NewSolution(true);
+        return text;
     }
 }

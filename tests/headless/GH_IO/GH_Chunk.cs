@@ -91,6 +91,8 @@ namespace GH_IO.Serialization
 
         public bool TryGetString(string item_name, ref string value) => TryGet(item_name, ref value);
 
+        public bool TryGetDrawingColor(string item_name, ref Color value) => TryGet(item_name, ref value);
+
         public void SetBoolean(string item_name, bool item_value) => Set(item_name, -1, GH_Types.gh_bool, item_value);
 
         public void SetInt32(string item_name, int item_value) => Set(item_name, -1, GH_Types.gh_int32, item_value);
@@ -120,6 +122,8 @@ namespace GH_IO.Serialization
         public void SetVersion(string item_name, GH_Version item_value) => Set(item_name, -1, GH_Types.gh_version, item_value);
 
         public void SetVersion(string item_name, int major, int minor, int revision) => SetVersion(item_name, new GH_Version(major, minor, revision));
+
+        public void SetDrawingColor(string item_name, Color item_value) => Set(item_name, -1, GH_Types.gh_drawing_color, item_value);
 
         public void SetDrawingPointF(string item_name, PointF item_value) => Set(item_name, -1, GH_Types.gh_drawing_pointf, item_value);
 

@@ -82,6 +82,8 @@ namespace GH_IO.Serialization
         bool TryGetGuid(string item_name, ref Guid value);
 
         bool TryGetString(string item_name, ref string value);
+
+        bool TryGetDrawingColor(string item_name, ref Color value);
     }
 
     public interface GH_IWriter : GH_IChunk
@@ -119,6 +121,8 @@ namespace GH_IO.Serialization
         void SetVersion(string item_name, GH_Version item_value);
 
         void SetVersion(string item_name, int major, int minor, int revision);
+
+        void SetDrawingColor(string item_name, Color item_value);
 
         void SetDrawingPointF(string item_name, PointF item_value);
 

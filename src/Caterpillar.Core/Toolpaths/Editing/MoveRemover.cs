@@ -37,6 +37,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<ToolpathColumns, int, 
                 for (var i = 0; i < columns.Count; i++)
                 {
                     if (!IsPlain(columns, i)) Kept(toolpath[first + i]);
+                    else _top = Math.Max(_top, columns.Z[i]);
                 }
                 _position = toolpath[first + columns.Count - 1].End;
                 Events(first + columns.Count, first);

@@ -49,6 +49,8 @@ namespace Grasshopper.Kernel
                 var container = item.CreateChunk("Container");
                 if (!_objects[i].Write(container)) return false;
                 var attributes = container.CreateChunk("Attributes");
+                // Groups lie around their members.
+                if (_objects[i] is Special.GH_Group) continue;
                 attributes.SetDrawingRectangleF("Bounds", _objects[i].Attributes.Bounds);
                 attributes.SetDrawingPointF("Pivot", _objects[i].Attributes.Pivot);
             }
@@ -89,8 +91,10 @@ namespace Grasshopper.Kernel
         private static void Place(IGH_DocumentObject item, GH_IReader attributes)
         {
             if (attributes == null) return;
-            item.Attributes.Pivot = (PointF)attributes.Items.First(i => i.Name == "Pivot").InternalData;
-            item.Attributes.Bounds = (RectangleF)attributes.Items.First(i => i.Name == "Bounds").InternalData;
+            var bounds = attributes.Items.Find(i => i.Name == "Bounds");
+            if (bounds != null) item.Attributes.Bounds = (RectangleF)bounds.InternalData;
+            // Toggles and buttons of Grasshopper have bounds only, groups neither.
+            item.Attributes.Pivot = (PointF)(attributes.Items.Find(i => i.Name == "Pivot")?.InternalData ?? item.Attributes.Bounds.Location);
         }
     }
 }

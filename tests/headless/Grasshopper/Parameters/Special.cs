@@ -135,6 +135,8 @@ namespace Grasshopper.Kernel.Special
 
         public List<Guid> ObjectIDs { get; } = new List<Guid>();
 
+        public Color Colour { get; set; } = Color.FromArgb(150, 170, 135, 255);
+
         public void AddObject(Guid id)
         {
             if (!ObjectIDs.Contains(id)) ObjectIDs.Add(id);
@@ -144,6 +146,7 @@ namespace Grasshopper.Kernel.Special
         {
             base.Write(writer);
             writer.SetInt32("Border", 1);
+            writer.SetDrawingColor("Colour", Colour);
             for (var i = 0; i < ObjectIDs.Count; i++) writer.SetGuid("ID", i, ObjectIDs[i]);
             writer.SetInt32("ID_Count", ObjectIDs.Count);
             return true;
@@ -152,6 +155,8 @@ namespace Grasshopper.Kernel.Special
         public override bool Read(GH_IReader reader)
         {
             base.Read(reader);
+            var colour = Colour;
+            if (reader.TryGetDrawingColor("Colour", ref colour)) Colour = colour;
             ObjectIDs.Clear();
             for (var i = 0; i < reader.GetInt32("ID_Count"); i++) ObjectIDs.Add(reader.GetGuid("ID", i));
             return true;

@@ -180,6 +180,9 @@ namespace Grasshopper.Kernel.Types
         {
         }
 
+        // What a file holds is written as it was.
+        internal byte[] Bytes { get; set; }
+
         public override bool IsValid => m_value != null && m_value.IsValid;
 
         public override string TypeName => "Curve";
@@ -219,6 +222,23 @@ namespace Grasshopper.Kernel.Types
 
         public override bool CastTo<Q>(ref Q target) => Casting.Give(m_value, ref target);
 
+        public override bool Write(GH_IWriter writer)
+        {
+            if (Bytes == null) return true;
+            writer.SetInt32("EdgeIndex", -1);
+            writer.SetByteArray("ON_Data", Bytes);
+            writer.SetGuid("RefID", Guid.Empty);
+            return true;
+        }
+
+        public override bool Read(GH_IReader reader)
+        {
+            if (!reader.ItemExists("ON_Data")) return true;
+            Bytes = reader.GetByteArray("ON_Data");
+            m_value = (Curve)Stored.Read(Bytes);
+            return true;
+        }
+
         public void DrawViewportWires(GH_PreviewWireArgs args) => args.Pipeline.DrawCurve(m_value, args.Color, args.Thickness);
 
         public void DrawViewportMeshes(GH_PreviewMeshArgs args)
@@ -235,6 +255,9 @@ namespace Grasshopper.Kernel.Types
         internal GH_Mesh(Mesh mesh) : base(mesh)
         {
         }
+
+        // What a file holds is written as it was.
+        internal byte[] Bytes { get; set; }
 
         public override bool IsValid => m_value != null && m_value.IsValid;
 
@@ -266,6 +289,22 @@ namespace Grasshopper.Kernel.Types
         }
 
         public override bool CastTo<Q>(ref Q target) => Casting.Give(m_value, ref target);
+
+        public override bool Write(GH_IWriter writer)
+        {
+            if (Bytes == null) return true;
+            writer.SetByteArray("ON_Data", Bytes);
+            writer.SetGuid("RefID", Guid.Empty);
+            return true;
+        }
+
+        public override bool Read(GH_IReader reader)
+        {
+            if (!reader.ItemExists("ON_Data")) return true;
+            Bytes = reader.GetByteArray("ON_Data");
+            m_value = (Mesh)Stored.Read(Bytes);
+            return true;
+        }
     }
 
     public class GH_Brep : GH_GeometricGoo<Brep>
