@@ -45,6 +45,25 @@ public class CurvesTests : CliFixture
         Assert.That(Prints("line.gcode").Single(), Does.StartWith("G1 A80 E"));
     }
 
+    // Closing line, report, statistics and page say the same of a file: the purge line of the start code and what is extruded in place are material, too.
+    [Test]
+    public void Time_and_material_are_said_alike_everywhere()
+    {
+        File.WriteAllText("points.csv", "20,20,0.4\n60,20,0.4\n60,60,0.4\n");
+        var made = Run("curves", "points.csv", "--dots", "2", "--printer", "prusa_mk3s", "--json");
+        var simulated = JArray.Parse(Run("simulate", "points.gcode", "--printer", "prusa_mk3s", "--at", "100%", "--json").Text)[0];
+        var volume = (double)simulated["volume_mm3"]!;
+        Assert.That((double)JObject.Parse(made.Text)["deposited_mm3"]!, Is.EqualTo(volume).Within(1e-3).And.GreaterThan(6));
+        var seconds = (double)simulated["time_s"]!;
+        var viewed = Run("view", "points.gcode", "--printer", "prusa_mk3s").Messages;
+        var said = $"{volume / (Math.PI / 4 * 1.75 * 1.75):0.0} mm of filament";
+        foreach (var line in new[] { made.Messages, viewed })
+        {
+            Assert.That(line, Does.Contain(said));
+            Assert.That(line, Does.Contain($"about {(int)(Math.Round(seconds) / 60)} min {Math.Round(seconds) % 60} s"));
+        }
+    }
+
     [Test]
     public void Points_become_dots_and_widths_step()
     {
