@@ -16,6 +16,9 @@ internal sealed class Arrangement
     private const double Left = 40;
     private const double Top = 40;
     private const double Clear = 3;
+
+    // A wire across the name of a stage.
+    private const double Crossing = 1500;
     private const int Trials = 1000;
     private const int Starts = 8;
 
@@ -270,6 +273,7 @@ internal sealed class Arrangement
     private double Cost()
     {
         foreach (var node in _nodes) node.Now = node.There();
+        foreach (var block in _blocks) block.SetTitle();
         var wires = _links.ConvertAll(l => new Wire(l.From.Now, l.Output, l.To.Now, l.Input));
         double cost = 0;
         foreach (var wire in wires)
@@ -278,6 +282,10 @@ internal sealed class Arrangement
             foreach (var node in _nodes)
             {
                 if (Faults.Hides(node.Now, wire, Clear)) cost += Hiding;
+            }
+            foreach (var block in _blocks)
+            {
+                if (Faults.Hides(block.Title, wire)) cost += Crossing;
             }
         }
         for (var i = 0; i < wires.Count; i++)
@@ -446,6 +454,12 @@ internal sealed class Arrangement
             }
             Right = Math.Max(x - gap, _columns[0].Min(n => n.X) + Letters.Width(Name) * 1.5);
         }
+
+        /// <summary>Where the name stands, as an object that wires should not cross.</summary>
+        public Placed Title { get; private set; } = new(null!, default, default, [], []);
+
+        public void SetTitle()
+            => Title = Title with { Box = new Box(_columns[0].Where(n => n.Passing is null).Min(n => n.X) - Frame.Margin, Top - Frame.Margin - Frame.Caption, Letters.Width(Name) * 1.5, Frame.Caption) };
 
         public void Settle(int sweeps, bool sort)
         {
