@@ -18,7 +18,8 @@ internal readonly record struct Ink(byte R, byte G, byte B)
     public static Ink Blue { get; } = new(48, 122, 190);
 }
 
-/// <summary>A 24 × 24 image drawn with shapes in pixel coordinates, smoothed by 8 × 8 samples, with the soft shadow of Grasshopper's icons.</summary>
+/// <summary>A 24 × 24 image drawn with shapes in pixel coordinates, smoothed by 8 × 8 samples, with a light edge, which shows dark strokes on dark
+/// backgrounds, and the soft shadow of Grasshopper's icons.</summary>
 internal sealed class Canvas
 {
     public const int Size = 24;
@@ -29,6 +30,10 @@ internal sealed class Canvas
     // Shadow: 2 px blur, 65/255 black, 1 px to the right and down.
     private const int Blur = 2;
     private const double ShadowAlpha = 65 / 255.0;
+
+    // Width of the edge, px, and its opacity.
+    private const double Edge = 0.625;
+    private const double EdgeAlpha = 0.7;
     private readonly Ink?[] _fine = new Ink?[Fine * Fine];
 
     public Canvas Line(double x0, double y0, double x1, double y1, double width, Ink ink) => Fill(ink, (x, y) =>
@@ -84,6 +89,7 @@ internal sealed class Canvas
             rgba[pixel * 4 + 1] = (byte)Math.Round(g / n);
             rgba[pixel * 4 + 2] = (byte)Math.Round(b / n);
         }
+        AddEdge(cover, rgba);
         for (var pixel = 0; pixel < cover.Length; pixel++)
         {
             var shadow = Shadow(cover, pixel % Size - 1, pixel / Size - 1) * ShadowAlpha;
@@ -123,6 +129,39 @@ internal sealed class Canvas
             if (inside((i % Fine + 0.5) / Samples, (i / Fine + 0.5) / Samples)) _fine[i] = ink;
         }
         return this;
+    }
+
+    // Samples beside the drawing count as light ones.
+    private void AddEdge(double[] cover, byte[] rgba)
+    {
+        const int Reach = (int)(Edge * Samples);
+        var edge = new double[cover.Length];
+        for (var i = 0; i < _fine.Length; i++)
+        {
+            var (x, y) = (i % Fine, i / Fine);
+            if (_fine[i] is null && IsNear(x, y, Reach)) edge[y / Samples * Size + x / Samples] += EdgeAlpha / (Samples * Samples);
+        }
+        for (var pixel = 0; pixel < cover.Length; pixel++)
+        {
+            var all = cover[pixel] + edge[pixel];
+            byte Mixed(int channel, byte light) => (byte)Math.Round((rgba[pixel * 4 + channel] * cover[pixel] + light * edge[pixel]) / all);
+            if (edge[pixel] == 0) continue;
+            (rgba[pixel * 4], rgba[pixel * 4 + 1], rgba[pixel * 4 + 2]) = (Mixed(0, Ink.Light.R), Mixed(1, Ink.Light.G), Mixed(2, Ink.Light.B));
+            cover[pixel] = all;
+        }
+    }
+
+    private bool IsNear(int x, int y, int reach)
+    {
+        for (var dy = -reach; dy <= reach; dy++)
+        {
+            for (var dx = -reach; dx <= reach; dx++)
+            {
+                if (dx * dx + dy * dy > reach * reach || x + dx is < 0 or >= Fine || y + dy is < 0 or >= Fine) continue;
+                if (_fine[(y + dy) * Fine + x + dx] is not null) return true;
+            }
+        }
+        return false;
     }
 
     private static double Shadow(double[] cover, int x, int y)

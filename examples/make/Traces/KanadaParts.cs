@@ -116,13 +116,5 @@ public static class KanadaParts
         => modulation.Apply(paths).Value ?? throw new InvalidOperationException("The modulation failed.");
 
     private static IReadOnlyList<PrintPath> Merged(IReadOnlyList<PrintPath> paths, double minimum)
-    {
-        var trace = new Trace(Area);
-        foreach (var path in paths)
-        {
-            trace.Move(path.Start);
-            for (var i = 0; i < path.SegmentCount; i++) trace.SetArea(path.BeadOf(i).Area).SetSpeed(path.BeadOf(i).Speed).Draw(path.EndOf(i));
-        }
-        return trace.Merged(minimum).ToPaths();
-    }
+        => paths.Select(p => PathMerging.JoinShort(p, minimum)).ToArray();
 }

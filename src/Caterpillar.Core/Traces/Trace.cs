@@ -134,33 +134,9 @@ public sealed class Trace
     }
 
     /// <summary>
-    /// A copy in which connected strings shorter than <paramref name="minimum"/> mm are joined with their neighbors, since too many short strings make printers
-    /// stutter. A joined string has the mean area and speed of its parts, weighted by length. Longer strings stay unchanged.
+    /// The strings as paths. Connected strings become one path, of which <see cref="PathMerging.JoinShort"/> joins those that are too short. A move begins
+    /// another path.
     /// </summary>
-    public Trace Merged(double minimum)
-    {
-        CheckNotNegative(minimum, nameof(minimum));
-        var merged = new Trace(Area, Position) { Speed = Speed };
-        foreach (var next in _strings)
-        {
-            var last = merged._strings.Count - 1;
-            var joins = last >= 0 && merged._strings[last].End == next.Start
-                && (merged._strings[last].Length < minimum || next.Length < minimum) && merged._strings[last].Start.DistanceTo(next.End) < 2 * minimum;
-            if (!joins)
-            {
-                merged._strings.Add(next);
-                continue;
-            }
-            var before = merged._strings[last];
-            double a = before.Length, b = next.Length, sum = a + b;
-            merged._strings[last] = sum > 0
-                ? new TraceString(before.Start, next.End, (before.Area * a + next.Area * b) / sum, (before.Speed * a + next.Speed * b) / sum)
-                : before;
-        }
-        return merged;
-    }
-
-    /// <summary>The strings as paths. Connected strings become one path. A move begins another path.</summary>
     public IReadOnlyList<PrintPath> ToPaths()
     {
         var paths = new List<PrintPath>();

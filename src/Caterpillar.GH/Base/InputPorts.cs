@@ -95,22 +95,6 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager, List
         => Add(param, name, nick, $"Profile from the menu, its name, or a file (JSON). Or {name.ToLowerInvariant()} from another component. " + more,
             optional: true);
 
-    /// <summary>An optional printer. <paramref name="more"/> states its use and its default.</summary>
-    public void Printer(string nick, string more, string name = "Printer")
-        => Add(new PrinterParam(), name, nick, "Printer, or the name of a printer profile. " + more, optional: true);
-
-    /// <summary>An optional material.</summary>
-    public void Material(string nick, string more)
-        => Add(new MaterialParam(), "Material", nick, "Material, or the name of a material profile. " + more, optional: true);
-
-    /// <summary>Optional print settings.</summary>
-    public void Settings(string nick, string more, string name = "Settings")
-        => Add(new SettingsParam(), name, nick, "Print settings, or the name of a settings profile. " + more, optional: true);
-
-    /// <summary>Values of a profile by their keys.</summary>
-    public void Overrides(string example)
-        => Text("Overrides", "O", $"Other values, as key=value. Example: {example}. Keys include their unit.", access: GH_ParamAccess.list, optional: true);
-
     /// <summary>Deviation of meshes from curved surfaces.</summary>
     public void MeshTolerance() => Number("Tolerance", "T", "Maximum deviation of the mesh from a curved surface, in mm.", 0.05);
 

@@ -63,16 +63,12 @@ internal static class SetupPort
     private static void Compare(Run run, PrintSetup setup, PrintSetup other, string what)
     {
         if (setup.Equals(other)) return;
-        var values = other.Values().ToDictionary(v => v.Key, v => v.Value, StringComparer.Ordinal);
-        var here = setup.Values().ToDictionary(v => v.Key, v => v.Value, StringComparer.Ordinal);
-        var keys = setup.DifferentKeys(other).Select(Shown).ToList();
+        var keys = setup.Differences(other).Select(d => Math.Max(d.Value.Length, d.Other.Length) > MostLetters ? d.Key
+            : $"{d.Key} ({d.Other}, here {d.Value})").ToList();
         if (!ReferenceEquals(setup.PrintedOn, other.PrintedOn)) keys.Add("what is printed on");
         if (keys.Count == 0) return;
         var more = keys.Count > MostKeys ? $" and {NumberFormatter.Format(keys.Count - MostKeys)} more" : "";
         run.Report([new Diagnostic(Severity.Warning, "setup.differs",
             $"{what}: {string.Join(", ", keys.Take(MostKeys))}{more} differ. Connect the same Print Setup to both.")]);
-
-        string Shown(string key)
-            => values[key].Length > MostLetters || here[key].Length > MostLetters ? key : $"{key} ({values[key]}, here {here[key]})";
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
 using Caterpillar.Traces;
 using NUnit.Framework;
 
@@ -106,21 +107,21 @@ public class TraceTests
     public void Short_strings_are_merged_and_keep_their_mean_area()
     {
         var trace = new Trace(1).Draw(new Vec3(0.1, 0, 0)).SetArea(3).Draw(new Vec3(0.4, 0, 0)).Draw(new Vec3(5, 0, 0));
-        var merged = trace.Merged(0.5).Strings;
-        Assert.That(merged.Select(s => s.End.X), Is.EqualTo(new[] { 0.4, 5 }));
-        Assert.That(merged[0].Area, Is.EqualTo((0.1 * 1 + 0.3 * 3) / 0.4).Within(1e-12));
-        Assert.That(trace.Merged(0).Strings, Is.EqualTo(trace.Strings));
+        var path = trace.ToPaths().Single();
+        var merged = PathMerging.JoinShort(path, 0.5);
+        Assert.That(merged.Points.Select(p => p.X), Is.EqualTo(new[] { 0, 0.4, 5 }));
+        Assert.That(merged.BeadOf(0).Area, Is.EqualTo((0.1 * 1 + 0.3 * 3) / 0.4).Within(1e-12));
+        Assert.That(PathMerging.JoinShort(path, 0), Is.SameAs(path));
     }
 
     [Test]
     public void Merging_a_fine_spiral_thins_its_center_only()
     {
-        var fine = new Trace(0.2).Spiral(Vec3.Zero, 20, 0.5, 300);
-        var merged = fine.Merged(0.2);
-        Assert.That(merged.Strings.Count, Is.LessThan(fine.Strings.Count));
-        Assert.That(merged.Strings.Skip(3).Select(s => s.Length), Is.All.GreaterThan(0.1));
-        Assert.That(merged.ToPaths(), Has.Count.EqualTo(1));
-        Assert.That(merged.Strings[merged.Strings.Count - 1].End, Is.EqualTo(fine.Position));
+        var fine = new Trace(0.2).Spiral(Vec3.Zero, 20, 0.5, 300).ToPaths().Single();
+        var merged = PathMerging.JoinShort(fine, 0.2);
+        Assert.That(merged.SegmentCount, Is.LessThan(fine.SegmentCount));
+        Assert.That(Enumerable.Range(3, merged.SegmentCount - 3).Select(i => merged.Points[i].DistanceTo(merged.Points[i + 1])), Is.All.GreaterThan(0.1));
+        Assert.That(merged.End, Is.EqualTo(fine.End));
     }
 
     [Test]

@@ -247,8 +247,9 @@ public sealed class OneSetupTests
         var pairs = canvas.All("Keys").Zip(canvas.All("Values"), (k, v) => $"{k}={v}").ToArray();
         Assert.That(pairs, Has.Length.GreaterThan(190).And.Member("line_width_mm=3.4").And.Member("build_volume_mm=[400, 400, 500]"));
         var again = SetupOf("ender3").With(pairs).OrThrow();
-        Assert.That(again.DifferentKeys(setup), Is.Empty);
-        Assert.That(SetupOf("ender3").DifferentKeys(setup), Has.Member("nozzle_diameter_mm").And.Member("layer_height_mm").And.Member("start_gcode"));
+        Assert.That(again.Differences(setup), Is.Empty);
+        Assert.That(SetupOf("ender3").Differences(setup).Select(d => d.Key),
+            Has.Member("nozzle_diameter_mm").And.Member("layer_height_mm").And.Member("start_gcode"));
     }
 
     [Test]

@@ -79,12 +79,12 @@ public sealed record PrintSetup
     /// </summary>
     public IReadOnlyList<KeyValuePair<string, string>> Values() => SetupValues.Of(this);
 
-    /// <summary>The keys whose values differ from those of another setup. Names of default profiles do not count.</summary>
-    public IReadOnlyList<string> DifferentKeys(PrintSetup other)
+    /// <summary>The keys whose values differ from those of another setup, with both values. Names of default profiles do not count.</summary>
+    public IReadOnlyList<(string Key, string Value, string Other)> Differences(PrintSetup other)
     {
         if (other is null) throw new ArgumentNullException(nameof(other));
-        return Values().Zip(other.Values(), (one, two) => one.Value == two.Value ? "" : one.Key)
-            .Where(k => k is not ("" or "default_material" or "default_settings")).ToArray();
+        return Values().Zip(other.Values(), (one, two) => (one.Key, one.Value, Other: two.Value))
+            .Where(d => d.Value != d.Other && d.Key is not ("default_material" or "default_settings")).ToArray();
     }
 
     /// <summary>Finds conflicting values of this setup. A setup with errors cannot be used.</summary>

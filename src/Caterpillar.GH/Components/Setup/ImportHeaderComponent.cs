@@ -20,7 +20,7 @@ public sealed class ImportHeaderComponent() : CaterpillarComponent(
     {
         ports.File("Header", "H", "File with the start G-code.", Filter);
         ports.File("Footer", "F", "File with the end G-code. Default: none.", Filter, optional: true);
-        ports.Printer("B", "Used for values that the files do not contain. Default: generic.", "Base");
+        ports.Profile(new PrinterChoiceParam(), "Base", "B", "Used for values that the files do not contain. Default: generic.");
     }
 
     private protected override void Outputs(OutputPorts ports)

@@ -33,8 +33,8 @@ public abstract class KeyPortsComponent : ProfileComponent, IGH_VariableParamete
     /// <summary>The keys of the profiles.</summary>
     private protected abstract IReadOnlyList<ProfileKey> Keys { get; }
 
-    /// <summary>The key of each usual port, by name.</summary>
-    private protected abstract IReadOnlyDictionary<string, string> Usual { get; }
+    /// <summary>The usual ports.</summary>
+    private protected abstract IReadOnlyList<UsualKey> Usual { get; }
 
     public bool CanInsertParameter(GH_ParameterSide side, int index) => side == GH_ParameterSide.Input && index >= _fixed;
 
@@ -57,15 +57,18 @@ public abstract class KeyPortsComponent : ProfileComponent, IGH_VariableParamete
         {
             var port = Params.Input[i];
             if (i >= _fixed) port.Name = port.NickName;
-            if (i >= _fixed || Usual.ContainsKey(port.Name)) KeyPort.Describe(port, KeyOf(i));
+            if (IsKey(i)) KeyPort.Describe(port, KeyOf(i));
         }
     }
 
-    /// <summary>Declares a usual port.</summary>
-    private protected void Key(InputPorts ports, string name, string nick)
+    /// <summary>Declares the usual ports.</summary>
+    private protected void UsualPorts(InputPorts ports)
     {
-        var key = Keys.First(k => k.Name == Usual[name]);
-        ports.Add(KeyPort.Make(key), name, nick, KeyPort.Sentence(key));
+        foreach (var usual in Usual)
+        {
+            var key = Keys.First(k => k.Name == usual.Key);
+            ports.Add(KeyPort.Make(key), usual.Name, usual.Nick, KeyPort.Sentence(key));
+        }
     }
 
     /// <summary>A setup with the values of the ports.</summary>
@@ -77,7 +80,7 @@ public abstract class KeyPortsComponent : ProfileComponent, IGH_VariableParamete
         for (var i = 0; i < Params.Input.Count; i++)
         {
             var port = Params.Input[i];
-            if (i < _fixed && !Usual.ContainsKey(port.Name)) continue;
+            if (!IsKey(i)) continue;
             if (KeyOf(i) is not { } key)
             {
                 Explain(run, port, i);
@@ -90,6 +93,8 @@ public abstract class KeyPortsComponent : ProfileComponent, IGH_VariableParamete
         return run.Require(setup.With(values));
     }
 
+    private bool IsKey(int input) => input >= _fixed || Usual.Any(u => u.Name == Params.Input[input].Name);
+
     // A port that has no value yet may have no key yet.
     private void Explain(Run run, IGH_Param port, int input)
     {
@@ -101,7 +106,7 @@ public abstract class KeyPortsComponent : ProfileComponent, IGH_VariableParamete
     private ProfileKey? KeyOf(int input)
     {
         var port = Params.Input[input];
-        var name = input < _fixed ? Usual[port.Name] : port.NickName.Trim();
+        var name = input < _fixed ? Usual.First(u => u.Name == port.Name).Key : port.NickName.Trim();
         return name == "title" ? null : Keys.FirstOrDefault(k => k.Name == name);
     }
 
@@ -125,3 +130,6 @@ public abstract class KeyPortsComponent : ProfileComponent, IGH_VariableParamete
         ExpireSolution(false);
     }
 }
+
+/// <summary>A port for a key that is always there.</summary>
+internal sealed record UsualKey(string Name, string Nick, string Key);

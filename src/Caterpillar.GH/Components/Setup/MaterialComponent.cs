@@ -10,13 +10,13 @@ namespace Caterpillar.GH.Components.Setup;
 public sealed class MaterialComponent() : KeyPortsComponent(
     "Material", "Material", "Loads a material from a profile or a file, and changes its values. Zoom in and press + for more of them.")
 {
-    private static readonly Dictionary<string, string> Ports = new(StringComparer.Ordinal)
-    {
-        ["Nozzle Temperature"] = "nozzle_temperature_c",
-        ["Bed Temperature"] = "bed_temperature_c",
-        ["Filament Diameter"] = "filament_diameter_mm",
-        ["Flow Ratio"] = "flow_ratio",
-    };
+    private static readonly UsualKey[] Ports =
+    [
+        new("Nozzle Temperature", "N", "nozzle_temperature_c"),
+        new("Bed Temperature", "B", "bed_temperature_c"),
+        new("Filament Diameter", "D", "filament_diameter_mm"),
+        new("Flow Ratio", "F", "flow_ratio"),
+    ];
 
     public override Guid ComponentGuid => new("b38a4d05-4122-429f-8b49-c7313ba87d9d");
 
@@ -24,13 +24,12 @@ public sealed class MaterialComponent() : KeyPortsComponent(
 
     private protected override IReadOnlyList<ProfileKey> Keys => ProfileKeys.Material;
 
-    private protected override IReadOnlyDictionary<string, string> Usual => Ports;
+    private protected override IReadOnlyList<UsualKey> Usual => Ports;
 
     private protected override void Inputs(InputPorts ports)
     {
         ports.Profile(new MaterialChoiceParam(), "Profile", "P", "Default: pla.");
-        foreach (var (name, nick) in new[] { ("Nozzle Temperature", "N"), ("Bed Temperature", "B"), ("Filament Diameter", "D"), ("Flow Ratio", "F") })
-            Key(ports, name, nick);
+        UsualPorts(ports);
     }
 
     private protected override void Outputs(OutputPorts ports)

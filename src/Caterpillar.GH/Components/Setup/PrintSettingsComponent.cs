@@ -10,14 +10,14 @@ namespace Caterpillar.GH.Components.Setup;
 public sealed class PrintSettingsComponent() : KeyPortsComponent(
     "Print Settings", "Settings", "Loads print settings from a profile or a file, and changes their values. Zoom in and press + for more of them.")
 {
-    private static readonly Dictionary<string, string> Ports = new(StringComparer.Ordinal)
-    {
-        ["Layer Height"] = "layer_height_mm",
-        ["Line Width"] = "line_width_mm",
-        ["Print Speed"] = "print_speed_mm_s",
-        ["Travel Speed"] = "travel_speed_mm_s",
-        ["Subdivision Distance"] = "subdivision_distance_mm",
-    };
+    private static readonly UsualKey[] Ports =
+    [
+        new("Layer Height", "H", "layer_height_mm"),
+        new("Line Width", "W", "line_width_mm"),
+        new("Print Speed", "V", "print_speed_mm_s"),
+        new("Travel Speed", "T", "travel_speed_mm_s"),
+        new("Subdivision Distance", "Sd", "subdivision_distance_mm"),
+    ];
 
     public override Guid ComponentGuid => new("eb1bc290-3166-4963-b83d-d36f484b35cb");
 
@@ -25,14 +25,12 @@ public sealed class PrintSettingsComponent() : KeyPortsComponent(
 
     private protected override IReadOnlyList<ProfileKey> Keys => ProfileKeys.Settings;
 
-    private protected override IReadOnlyDictionary<string, string> Usual => Ports;
+    private protected override IReadOnlyList<UsualKey> Usual => Ports;
 
     private protected override void Inputs(InputPorts ports)
     {
         ports.Profile(new SettingsChoiceParam(), "Profile", "P", "Default: standard.");
-        foreach (var (name, nick) in new[]
-            { ("Layer Height", "H"), ("Line Width", "W"), ("Print Speed", "V"), ("Travel Speed", "T"), ("Subdivision Distance", "Sd") })
-            Key(ports, name, nick);
+        UsualPorts(ports);
     }
 
     private protected override void Outputs(OutputPorts ports)

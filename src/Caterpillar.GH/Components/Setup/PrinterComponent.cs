@@ -17,12 +17,12 @@ public sealed class PrinterComponent() : KeyPortsComponent(
     // mm; a bed that begins this close to the origin begins there.
     private const double OriginTolerance = 0.001;
 
-    private static readonly Dictionary<string, string> Ports = new(StringComparer.Ordinal)
-    {
-        ["Nozzle Diameter"] = "nozzle_diameter_mm",
-        ["Retraction Length"] = "retraction_length_mm",
-        ["Retraction Speed"] = "retraction_speed_mm_s",
-    };
+    private static readonly UsualKey[] Ports =
+    [
+        new("Nozzle Diameter", "N", "nozzle_diameter_mm"),
+        new("Retraction Length", "R", "retraction_length_mm"),
+        new("Retraction Speed", "Rs", "retraction_speed_mm_s"),
+    ];
 
     public override Guid ComponentGuid => new("7974af61-1fa1-4de7-9ff5-cbf83ddab480");
 
@@ -30,7 +30,7 @@ public sealed class PrinterComponent() : KeyPortsComponent(
 
     private protected override IReadOnlyList<ProfileKey> Keys => ProfileKeys.Printer;
 
-    private protected override IReadOnlyDictionary<string, string> Usual => Ports;
+    private protected override IReadOnlyList<UsualKey> Usual => Ports;
 
     private protected override void Inputs(InputPorts ports)
     {
@@ -40,7 +40,7 @@ public sealed class PrinterComponent() : KeyPortsComponent(
             optional: true);
         ports.Geometry("Head Parts", "H", "Parts of the print head, with the nozzle tip at the origin. Their bounding boxes must not touch the print. Default: "
             + "as in the profile.", GH_ParamAccess.list, optional: true);
-        foreach (var (name, nick) in new[] { ("Nozzle Diameter", "N"), ("Retraction Length", "R"), ("Retraction Speed", "Rs") }) Key(ports, name, nick);
+        UsualPorts(ports);
         ports.Text("Name", "Na", "Name of the printer. Default: that of the profile.", optional: true);
     }
 
