@@ -19,8 +19,8 @@ internal sealed class Arrangement
 
     // A wire across the name of a stage.
     private const double Crossing = 1500;
-    private const int Trials = 1000;
-    private const int Starts = 8;
+    private const int Trials = 2000;
+    private const int Starts = 10;
 
     // A wire behind an object, compared with a pixel of height.
     private const double Hiding = 1_000_000;
@@ -292,7 +292,7 @@ internal sealed class Arrangement
         {
             for (var k = i + 1; k < wires.Count; k++)
             {
-                if (Cross(wires[i], wires[k])) cost += 60;
+                if (Cross(wires[i], wires[k])) cost += 150;
                 // Several wires at an input are read from above.
                 if (wires[i].End == wires[k].End && wires[i].Start.Y > wires[k].Start.Y) cost += 200;
             }

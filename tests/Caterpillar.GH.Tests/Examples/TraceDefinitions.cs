@@ -24,12 +24,10 @@ internal static class TraceDefinitions
         var s = new Sketch(name, "A cup: first a skirt, then a spiral floor, then a widening wall. Paths of several sources are printed in the order of the wires.",
             "the top radius and the height of the wall.");
         var setup = s.Setup();
+        s.Stage("Design");
         var center = Bed(s);
-        s.Stage("Design skirt");
         var skirt = s.With<RoundTraceComponent>(setup, ("Kind", new Pick("Skirt")), ("Plane", center), ("Radius", s.Slider("Skirt radius", 22, 10, 60, 0)), ("Loop Count", s.Slider("Skirt loops", 2, 1, 10, 0)));
-        s.Stage("Design floor");
         var floor = s.With<RoundTraceComponent>(setup, ("Kind", new Pick("Spiral")), ("Plane", center), ("Radius", s.Slider("Floor radius", 15, 5, 50, 0)), ("Pitch", s.Slider("Floor spacing", 0.5, 0.2, 2, 2)));
-        s.Stage("Design wall");
         var wall = s.With<RisingTraceComponent>(setup, ("Kind", new Pick("Cone")), ("Plane", center), ("Bottom Radius", s.Slider("Bottom radius", 15, 5, 50, 0)), ("Top Radius", s.Slider("Top radius", 18, 5, 50, 0)),
             ("Height", s.Slider("Wall height", 2, 1, 40)), ("Pitch", s.Slider("Rise per turn", 0.25, 0.1, 1, 2)));
         return s.Print(new object[] { skirt, floor, wall }, "Order");
