@@ -11,6 +11,16 @@ public class CurvesTests : CliFixture
 {
     private const string Two = "x,y,z\n100,10,0.2\n140,10,0.2\n\n10,10,0.2\n50,10,0.2\n";
 
+    [TestCase("", "X122.5")]
+    [TestCase("--move 20,0", "X50")]
+    public void Svg_drawings_are_printed_in_the_center_of_the_bed(string options, string x)
+    {
+        File.WriteAllText("page.svg", "<svg width='40mm' height='40mm' viewBox='0 0 40 40'><path d='M5 5L30 5L30 30'/></svg>");
+        var run = Run(["curves", "page.svg", "-o", "page.gcode", .. options.Split(' ', StringSplitOptions.RemoveEmptyEntries)]);
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        Assert.That(Prints("page.gcode").First().Split(' ')[1], Is.EqualTo(x));
+    }
+
     [Test]
     public void Curves_are_printed_in_their_order_unless_sorting_is_asked_for()
     {
@@ -43,6 +53,25 @@ public class CurvesTests : CliFixture
         var run = Run("curves", "line.csv", "--plan", "drawn", "--map", "X=A*2");
         Assert.That(run.Code, Is.Zero, run.Messages);
         Assert.That(Prints("line.gcode").Single(), Does.StartWith("G1 A80 E"));
+    }
+
+    // Closing line, report, statistics and page say the same of a file: the purge line of the start code and what is extruded in place are material, too.
+    [Test]
+    public void Time_and_material_are_said_alike_everywhere()
+    {
+        File.WriteAllText("points.csv", "20,20,0.4\n60,20,0.4\n60,60,0.4\n");
+        var made = Run("curves", "points.csv", "--dots", "2", "--printer", "prusa_mk3s", "--json");
+        var simulated = JArray.Parse(Run("simulate", "points.gcode", "--printer", "prusa_mk3s", "--at", "100%", "--json").Text)[0];
+        var volume = (double)simulated["volume_mm3"]!;
+        Assert.That((double)JObject.Parse(made.Text)["deposited_mm3"]!, Is.EqualTo(volume).Within(1e-3).And.GreaterThan(6));
+        var seconds = (double)simulated["time_s"]!;
+        var viewed = Run("view", "points.gcode", "--printer", "prusa_mk3s").Messages;
+        var said = $"{volume / (Math.PI / 4 * 1.75 * 1.75):0.0} mm of filament";
+        foreach (var line in new[] { made.Messages, viewed })
+        {
+            Assert.That(line, Does.Contain(said));
+            Assert.That(line, Does.Contain($"about {(int)(Math.Round(seconds) / 60)} min {Math.Round(seconds) % 60} s"));
+        }
     }
 
     [Test]

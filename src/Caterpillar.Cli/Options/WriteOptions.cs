@@ -42,14 +42,15 @@ internal sealed class WriteOptions
         IReadOnlyList<Diagnostic> findings = [];
         var reason = arguments.GetValue(_reason);
         // While it is being written.
-        var figures = Task.Run(() => PrintFigures.Of(job.Toolpath, job.Setup, double.NaN));
+        var planned = Task.Run(() => PrintFigures.Of(job.Toolpath, job.Setup, double.NaN));
         session.Write(file, (stream, isDraft) =>
         {
             Result<WrittenGCode> Write(IProgress<double>? progress) => job.Write(stream, file, isDraft, reason, progress, session.Cancel);
             // A progress bar and the G-code would mix on a terminal.
             var result = file == "-" ? Write(null) : session.WithProgress("Writing", Write);
-            // Notes of the checks are for "caterpillar check".
-            session.Print(result.Diagnostics.Where(d => d.Severity != Severity.Note || CheckCodes.Find(d.Code) is null));
+            // Notes of the checks are for "caterpillar check", except those about commands.
+            session.Print(result.Diagnostics.Where(d => d.Severity != Severity.Note || CheckCodes.Find(d.Code) is null
+                || d.Code.StartsWith("command.", StringComparison.Ordinal)));
             if (FindingSummary.Of(result.Diagnostics) is { } summary) session.Say(() => summary);
             findings = result.Diagnostics.Where(d => CheckCodes.Find(d.Code) is not null).ToArray();
             written = session.WrittenOrFail(result);
@@ -57,11 +58,18 @@ internal sealed class WriteOptions
                 throw new CliException(ExitCode.Refused,
                     $"{file}: {Count(written.Bytes)} bytes ({Count(written.Lines)} lines) exceed --max-size. Nothing was written.");
         });
-        // Start and end code apart; written files of some printers are not timed.
-        session.Made(() => figures.Result with { Seconds = written!.PrintTime ?? Timeline.Of(job.Toolpath, job.Setup, null, session.Cancel).Duration },
+        session.Made(() => Figures(planned.Result, written!, job, session),
             written!.Lines, written.Bytes,
             print => $"{Session.NameOfOutput(file)}: {PrintSummary.Of(print)}; {Count(written.Lines)} lines, {PrintSummary.Size(written.Bytes)}");
         return new WrittenFile(written, findings);
+    }
+
+    // Layers and size of the print; time and material of the whole file, as they are read from it.
+    private static PrintFigures Figures(PrintFigures planned, WrittenGCode written, PrintJob job, Session session)
+    {
+        if (written is not { File: { } file, PrintTime: { } seconds })
+            return planned with { Seconds = Timeline.Of(job.Toolpath, job.Setup, null, session.Cancel).Duration };
+        return PrintFigures.Of(file, job.Setup, seconds) with { Layers = planned.Layers, Size = planned.Size };
     }
 
     private static string Count(long number) => NumberFormatter.Format(number);

@@ -34,10 +34,10 @@ internal sealed record PrintFigures(
     // Diameter in mm and density in g/cm³; 0 = unknown.
     private static PrintFigures Of(Toolpath toolpath, double diameter, double density, double? seconds)
     {
-        var (length, e, volume, box) = ExtrusionTotals.Of(toolpath);
+        var (length, e, volume, inPlace, box) = ExtrusionTotals.Of(toolpath);
         var isVolume = volume is > 0;
         return new PrintFigures(
-            toolpath.CountLayers(), box.IsEmpty ? null : SizeOf(box, toolpath, length > 0 ? volume / length : null), length, e, volume,
+            toolpath.CountLayers(), box.IsEmpty ? null : SizeOf(box, toolpath, length > 0 ? (volume - inPlace) / length : null), length, e, volume,
             isVolume && diameter is > 0 and <= ThickestFilament ? volume / (Math.PI / 4 * diameter * diameter) : null,
             isVolume && density > 0 ? volume / 1000 * density : null, seconds);
     }

@@ -8,7 +8,7 @@ internal static class PrintSummary
         var parts = new List<string>();
         if (print.Layers > 0) parts.Add(print.Layers == 1 ? "1 layer" : Number(print.Layers, 0) + " layers");
         if (print.Size is { } size) parts.Add(Size(size));
-        parts.Add(print.Printed == 0 ? "nothing printed" : Amount(print));
+        parts.Add(print is { Printed: 0, E: 0 } ? "nothing printed" : Amount(print));
         if (print.Seconds is > 0 and var time) parts.Add("about " + Duration(time));
         return string.Join(", ", parts);
     }

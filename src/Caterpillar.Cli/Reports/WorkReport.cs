@@ -9,7 +9,7 @@ internal static class WorkReport
     /// <param name="inputs">The input files.</param>
     /// <param name="output">The output file.</param>
     /// <param name="counts">Counts of the verb, which come first.</param>
-    /// <param name="plan">The plan, whose toolpath is measured.</param>
+    /// <param name="plan">The plan.</param>
     /// <param name="written">The written file and the findings of the checks.</param>
     public static string ToJson(
         IReadOnlyList<string> inputs, string output, IEnumerable<KeyValuePair<string, double>> counts, Plan plan, WrittenFile written)
@@ -22,15 +22,9 @@ internal static class WorkReport
             json.WritePropertyName(key);
             json.WriteRawValue(NumberFormatter.Format(value, 6));
         }
-        double printed = 0, deposited = 0;
-        var arcs = 0;
-        foreach (var move in plan.Toolpath.Moves())
-        {
-            if (move.Kind != MoveKind.Print) continue;
-            printed += move.Length;
-            deposited += plan.Toolpath.VolumeOf(move) ?? 0;
-            if (move.Arc is not null) arcs++;
-        }
+        // Material as the file extrudes it, with start and end code.
+        var deposited = ExtrusionTotals.Of(written.GCode.File ?? plan.Toolpath).Volume ?? 0;
+        var arcs = plan.Toolpath.Moves().Count(m => m.Kind == MoveKind.Print && m.Arc is not null);
         json.WritePropertyName(inputs.Count == 1 ? "file" : "files");
         if (inputs.Count == 1)
         {
@@ -47,7 +41,7 @@ internal static class WorkReport
         foreach (var count in counts) Number(count.Key, count.Value);
         Number("moves", plan.Toolpath.Count);
         Number("arcs", arcs);
-        Number("printed_mm", printed);
+        Number("printed_mm", ExtrusionTotals.Of(plan.Toolpath).Length);
         Number("deposited_mm3", deposited);
         foreach (var value in plan.Report.ToValues()) Number(value.Key, value.Value);
         Number("lines", written.GCode.Lines);

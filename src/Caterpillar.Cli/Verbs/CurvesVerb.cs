@@ -17,10 +17,12 @@ internal sealed class CurvesVerb : Verb
         "Print order. none: as given. orient: only reversed. nearest: nearest start next. layer, z: by layer or height. tour: short travel moves.",
         "none|orient|nearest|layer|z|tour") { DefaultValueFactory = _ => "none" };
 
-    private readonly Described<string?> _move = new("--move", "Move the curves by an offset in mm, or to the center of the bed.", "X,Y[,Z]|center");
+    private readonly Described<string?> _move = new("--move", "Move the curves by an offset in mm, or to the center of the bed. "
+        + "Default for SVG files without --onto and printers that extrude: center.", "X,Y[,Z]|center");
 
     private readonly Described<string[]> _map = new("--map",
-        "Map a coordinate to an axis word, scaled. X=A*2.86 turns A by 2.86° per mm of X, Y=Y*0.5 scales Y. Applied last. Repeatable.", "AXIS=WORD*SCALE");
+        "Map a coordinate to an axis word, scaled, as axis_mappings of a printer. X=A*2.86 turns A by 2.86° per mm of X, Y=Y*0.5 scales Y. Repeatable.",
+        "AXIS=WORD*SCALE");
 
     private readonly Described<string> _plan = CommonOptions.Plan("printer");
 
@@ -58,11 +60,12 @@ internal sealed class CurvesVerb : Verb
         var target = _write.FileFor(arguments, file);
         var json = arguments.GetValue(_json);
         if (json && target == "-") throw new CliException(ExitCode.Usage, "--json cannot be combined with G-code on standard output. Give -o FILE.");
-        var mappings = (arguments.GetValue(_map) ?? []).Select(AxisMappings.Parse).ToArray();
         var limit = OptionValues.OptionalNumber(arguments.GetValue(_maxSize), "--max-size", 0) * 1e6 ?? double.PositiveInfinity;
         _onto.Check(arguments);
         var setup = _setup.Resolve(arguments, session);
         var sort = SortOf(arguments.GetValue(_sort)!);
+        if (arguments.GetValue(_map) is { Length: > 0 } maps)
+            setup = setup with { Printer = setup.Printer with { AxisMappings = new([.. maps.Select(Mapping)]) } };
         // Sorting of curves is an option of this verb, not a setting as for sliced parts.
         setup = setup with { Settings = setup.Settings with { SortPaths = sort != SortRule.None } };
         var curves = _division.Of(arguments, _extrusion.Of(arguments, setup)) with
@@ -71,11 +74,12 @@ internal sealed class CurvesVerb : Verb
             Sorting = sort switch { SortRule.None => CurveSorting.None, SortRule.Layer or SortRule.Z => CurveSorting.All, _ => CurveSorting.WithinLayers },
         };
         var reading = CurveReadOptions.For(setup) with { Memory = session.Memory, UnitLength = _extrusion.UnitOf(arguments) };
-        var (steps, count) = Steps(file, reading, curves, arguments.GetValue(_move), setup, session);
+        // Pages of SVG drawings have their corner at the corner of the bed, where start code prints.
+        var isPage = curves.FlatHeight > 0 && !_onto.IsGiven(arguments) && file.EndsWith(".svg", StringComparison.OrdinalIgnoreCase);
+        var (steps, count) = Steps(file, reading, curves, arguments.GetValue(_move) ?? (isPage ? "center" : null), setup, session);
         var options = new PrintJobOptions
         {
-            Policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn, Sort = sort, Mappings = mappings,
-            Memory = session.Memory,
+            Policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn, Sort = sort, Memory = session.Memory,
         };
         using var job = _onto.Draw(arguments, steps, setup, options, session);
         var written = _write.Write(arguments, session, job, target, limit);
@@ -109,6 +113,9 @@ internal sealed class CurvesVerb : Verb
         var map = Affine.Move(shift);
         return curves.Select(c => c with { Curve = c.Curve.Transformed(map) }).ToArray();
     }
+
+    private static AxisMapping Mapping(string text) => AxisMapping.Parse(text)
+        ?? throw new CliException(ExitCode.Usage, $"--map {text}: expected AXIS=WORD*SCALE, such as X=A*2.86 (degrees per mm) or Y=Y*0.5.");
 
     private static SortRule SortOf(string word) => word switch
     {

@@ -50,7 +50,7 @@ internal sealed class ImageVerb : Verb
         if (width is < 16 or > 8000) throw new CliException(ExitCode.Usage, "--width needs 16 to 8000 pixels.");
         var view = arguments.GetValue(_view) is { } named ? ViewOf(named) : (View?)null;
         var decoding = session.Decode(file, new DecodeOptions { Memory = session.Memory });
-        var toolpath = decoding.Toolpath;
+        var toolpath = decoding.Unrolled();
         // Pens and lasers move without extrusion.
         var drawing = !toolpath.Moves().Any(m => m.Deposited > 0 && m.Role != Role.Purge);
         var options = new ToolpathImageOptions

@@ -46,7 +46,8 @@ internal sealed class SimulateVerb : Verb
         using var stream = GzipReader.Open(session.OpenRead(file));
         var decoded = session.GCodeOrFail(session.Decode(stream, name, options));
         var motion = MotionSetup.Of(_setup, arguments, decoded, session);
-        var timeline = session.WithProgress("Planning " + name, progress => Timeline.Of(decoded.Toolpath, motion.Setup, progress, session.Cancel));
+        var toolpath = decoded.Unrolled(motion.Setup.Printer);
+        var timeline = session.WithProgress("Planning " + name, progress => Timeline.Of(toolpath, motion.Setup, progress, session.Cancel));
         var states = moments.Select(m => m.Of(timeline)).ToArray();
         session.WriteText("-", text =>
         {

@@ -54,14 +54,15 @@ internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool
         using var stream = GzipReader.Open(new MemoryStream(bytes, false));
         var decoded = session.GCodeOrFail(session.Decode(stream, name, options));
         var motion = MotionSetup.Of(setup, arguments, decoded, session);
-        var timeline = session.WithProgress("Planning " + name, progress => Timeline.Of(decoded.Toolpath, motion.Setup, progress, session.Cancel));
+        var toolpath = decoded.Unrolled(motion.Setup.Printer);
+        var timeline = session.WithProgress("Planning " + name, progress => Timeline.Of(toolpath, motion.Setup, progress, session.Cancel));
         var findings = setup.IsGiven(arguments)
             ? session.WithProgress("Checking " + name, progress => PrintCheck.Run(decoded, resolved, progress, session.Cancel))
             : [];
-        Summary = PrintSummary.Of(PrintFigures.Of(decoded, decoded.Toolpath) with { Seconds = timeline.Duration });
+        Summary = PrintSummary.Of(PrintFigures.Of(decoded, toolpath) with { Seconds = timeline.Duration });
         return new ViewerContent(Title(file))
         {
-            Toolpath = decoded.Toolpath,
+            Toolpath = toolpath,
             GCode = withLines && !bytes.AsSpan().StartsWith("GCDE"u8) ? Unpacked(bytes) : null,
             EndOf = timeline.EndOf,
             Limits = motion.Limits,

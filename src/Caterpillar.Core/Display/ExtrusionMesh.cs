@@ -5,7 +5,7 @@ namespace Caterpillar.Display;
 
 /// <summary>
 /// Extrusions as a mesh for display: along each segment a tube with the true width and height. Its top is the path of the nozzle. Corners are mitered, sharp
-/// corners are capped.
+/// corners are capped. Material extruded in place is a ball or a disc below the nozzle.
 /// </summary>
 public sealed class ExtrusionMesh
 {
@@ -36,12 +36,14 @@ public sealed class ExtrusionMesh
         if (first < 0 || end > toolpath.Count || first > end) throw new ArgumentOutOfRangeException(nameof(first));
         var mesh = new ExtrusionMesh();
         var run = new List<(Vec3 Point, double Width, double Height, int Move)>();
+        var blobs = new List<(Blob Blob, int Move)>();
         for (var i = first; i < end; i++)
         {
             var move = toolpath[i];
             if (move.Kind != MoveKind.Print || move.Length == 0 || toolpath.BeadOf(move) is not { Area: > 0 } bead)
             {
                 if (move.Length > 0) mesh.Close(run);
+                else if (Blob.Of(toolpath, move) is { } blob) blobs.Add((blob, i));
                 continue;
             }
             // Without a height an extrusion is as high as it is wide.
@@ -53,7 +55,27 @@ public sealed class ExtrusionMesh
                 run.Add((k == chords ? move.End : move.Arc!.Value.PointAt(move.Start, move.End, (double)k / chords), width, height, i));
         }
         mesh.Close(run);
+        foreach (var (blob, move) in blobs) mesh.Add(blob, move);
         return mesh;
+    }
+
+    // The section turned about the vertical, in eight sides.
+    private void Add(in Blob blob, int move)
+    {
+        var n = Section.Length;
+        for (var level = n / 2 - 1; level >= 0; level--)
+        {
+            var (radius, down) = (-Section[level].Side * blob.Width / 2, Section[level].Down * blob.Height);
+            for (var k = 0; k < n; k++)
+            {
+                var (sin, cos) = Angle.SinCos(360.0 * k / n);
+                _vertices.Add(blob.Tip + new Vec3(radius * cos, radius * sin, -down));
+                _moves.Add(move);
+            }
+            if (level < n / 2 - 1) AddSides(_vertices.Count - 2 * n);
+            if (level == n / 2 - 1) AddCap(_vertices.Count - n, true);
+            if (level == 0) AddCap(_vertices.Count - n, false);
+        }
     }
 
     private void Close(List<(Vec3 Point, double Width, double Height, int Move)> run)

@@ -91,9 +91,13 @@ public static class ToolpathImage
                 progress?.Report((double)move.Index / toolpath.Count);
             }
             if (!IsShown(toolpath, move, options, floor)) continue;
-            var print = IsExtrusion(move, floor);
             var length = move.Length;
-            if (length == 0) continue;
+            if (length == 0)
+            {
+                if (Blob.Of(toolpath, move) is { } blob) DrawBlob(canvas, blob, ColorOf(toolpath, move, options.ColorBy, ranges));
+                continue;
+            }
+            var print = IsExtrusion(move, floor);
             var width = print && toolpath.VolumeOf(move) is { } volume && volume > 0 ? Math.Sqrt(volume / length * 4 / Math.PI) : options.DefaultWidth;
             var color = print ? ColorOf(toolpath, move, options.ColorBy, ranges) : Palette.Travel;
             chords.Clear();
@@ -136,7 +140,7 @@ public static class ToolpathImage
     }
 
     private static bool IsShown(Toolpath toolpath, Move move, ToolpathImageOptions options, double floor)
-        => ((IsExtrusion(move, floor) && (options.Purge || move.Role != Role.Purge))
+        => (((IsExtrusion(move, floor) || move.Kind == MoveKind.Prime) && (options.Purge || move.Role != Role.Purge))
             || (options.Travel && move.Kind is MoveKind.Travel or MoveKind.Wipe or MoveKind.MovingDeretract))
             && options.Filter.Matches(toolpath, move);
 
@@ -146,13 +150,21 @@ public static class ToolpathImage
         double slow = double.MaxValue, fast = 0;
         foreach (var move in toolpath.Moves())
         {
-            if (!IsExtrusion(move, floor) || !IsShown(toolpath, move, options, floor)) continue;
+            if (!IsShown(toolpath, move, options, floor)) continue;
+            if (Blob.Of(toolpath, move) is { } blob) box = box.Include(BoundsOf(blob));
+            if (!IsExtrusion(move, floor)) continue;
             box = box.Include(move.Bounds);
             slow = Math.Min(slow, move.Speed);
             fast = Math.Max(fast, move.Speed);
         }
         var layers = toolpath.NumbersOfLayers();
         return layers.Count == 0 ? new ColorRanges(box, slow, fast, 0, 0) : new ColorRanges(box, slow, fast, layers[0], layers[layers.Count - 1]);
+    }
+
+    private static Bounds BoundsOf(Blob blob)
+    {
+        var half = new Vec3(blob.Width / 2, blob.Width / 2, 0);
+        return new Bounds(blob.Tip - half - new Vec3(0, 0, blob.Height), blob.Tip + half);
     }
 
     private static Rgb ColorOf(Toolpath toolpath, Move move, ColorBy by, ColorRanges ranges) => by switch
@@ -173,6 +185,21 @@ public static class ToolpathImage
             for (var i = 1; i < count; i++) chords.Add(arc.PointAt(move.Start, move.End, (double)i / count));
         }
         chords.Add(move.End);
+    }
+
+    // A disc consists of rods side by side, as high as it is, so many that its rim is smooth.
+    private static void DrawBlob(ExtrusionCanvas canvas, Blob blob, Rgb color)
+    {
+        const int MostRods = 400;
+        var (center, reach) = (blob.Tip - new Vec3(0, 0, blob.Height / 2), (blob.Width - blob.Height) / 2);
+        var rods = (int)Math.Min(MostRods, 1 + 16 * reach / blob.Height);
+        for (var k = 0; k < rods; k++)
+        {
+            var aside = reach * ((2 * k + 1.0) / rods - 1);
+            var half = new Vec3(Math.Sqrt(Math.Max(0, reach * reach - aside * aside)), 0);
+            var middle = center + new Vec3(0, aside);
+            canvas.Extrusion(middle - half, middle + half, blob.Height, color);
+        }
     }
 
     private static void DrawBed(ExtrusionCanvas canvas, Bounds bed)

@@ -26,7 +26,7 @@ public sealed class PrintJob : IDisposable
     /// <summary>The plan, with the number of uses of each rule.</summary>
     public Plan Plan { get; }
 
-    /// <summary>The toolpath to write: the plan with tilted tool and mapped axes, if requested.</summary>
+    /// <summary>The toolpath to write: the plan, with tilted tool if requested.</summary>
     public Toolpath Toolpath { get; }
 
     /// <summary>The setup for checks and output, with the object that is printed on.</summary>
@@ -88,7 +88,7 @@ public sealed class PrintJob : IDisposable
             var sliced = PlanarSlicer.SliceEach(models, setup.Settings, slicing, progress, cancel);
             if (sliced.Value is not { } layers) return new Result<PrintJob>(null, sliced.Diagnostics);
             var job = After(sliced.Diagnostics, Planned(overlap.Pipeline.Finish(), setup, options, layers.Layers.Count, overlap, null, cancel));
-            // What was mapped is another toolpath than the one that has been checked so far.
+            // What was tilted is another toolpath than the one that has been checked so far.
             if (job.Value?._overlap is not null) overlap = null;
             return job;
         }
@@ -239,7 +239,6 @@ public sealed class PrintJob : IDisposable
         if (planned.Value is not { } plan) return new Result<PrintJob>(null, planned.Diagnostics);
         var toolpath = plan.Toolpath;
         if (options.Tilt is { } tilt && field is not null) toolpath = tilt.Apply(toolpath, field.Normal, null, cancel);
-        foreach (var mapping in options.Mappings) toolpath = mapping.Apply(toolpath, null, cancel);
         return new Result<PrintJob>(
             new PrintJob(plan, toolpath, setup, layers, ReferenceEquals(toolpath, plan.Toolpath) ? overlap : null), planned.Diagnostics);
     }

@@ -38,8 +38,5 @@ public sealed record PrintJobOptions
     /// </summary>
     public Func<double, IReadOnlyList<Polyline>>? InfillLines { get; init; }
 
-    /// <summary>Mappings of coordinates to axis words, applied to the planned moves in this order.</summary>
-    public IReadOnlyList<AxisMapping> Mappings { get; init; } = [];
-
     internal PlanOptions Planning => new() { Policy = Policy, Sort = new SortOptions(Sort), Memory = Memory };
 }

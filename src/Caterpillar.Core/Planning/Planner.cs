@@ -1,3 +1,4 @@
+using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
@@ -9,6 +10,9 @@ namespace Caterpillar.Planning;
 /// </summary>
 public static class Planner
 {
+    // mm
+    private const double Everywhere = 1e6;
+
     /// <summary>Plans steps. No value if a step uses a tool that the printer does not have.</summary>
     /// <exception cref="ArgumentException">A step is null.</exception>
     /// <exception cref="OperationCanceledException">Planning was canceled.</exception>
@@ -80,6 +84,9 @@ public static class Planner
             Clearance = printer.ZHop,
             MinLiftTravel = settings.ZHopMinTravel,
             Head = heads.Length > 0 ? new HeadCorridor(heads) : new HeadCorridor(printer.NozzleDiameter),
+            Outline = new HeadShape(printer.HeadOutline.Select(p => (p.Radius, p.Height))),
+            // The gantry is as wide as the machine.
+            HeadBoxes = new([.. printer.HeadBoxes, .. printer.Gantry.Select(b => new Bounds(b.Min with { X = -Everywhere }, b.Max with { X = Everywhere }))]),
             Cell = Math.Max(0.25, settings.LineWidth / 4),
             Detour = settings.Detour,
             Comb = settings.Comb,

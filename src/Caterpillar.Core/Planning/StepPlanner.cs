@@ -36,13 +36,13 @@ internal sealed class StepPlanner
         _diagnostics = diagnostics;
         _counts = counts;
         _emitter = new MoveEmitter(rules, options, take, counts);
-        returns &= !rules.AddsNothing;
-        if (returns) _returnPath = new ReturnPath();
+        if (returns) _returnPath = new ReturnPath(rules);
         if (returns || (rules.Lift == LiftRule.Corridor && !rules.AddsNothing)) _deposit = new Deposit(rules.Cell);
         var obstacle = rules.AddsNothing ? null : options.Obstacle;
         if (obstacle is not null)
         {
             if (_deposit is not null) Obstacle.AddTo(_deposit, obstacle);
+            _returnPath?.Avoid(obstacle);
             _emitter.Reached(obstacle.Bounds.Max.Z);
         }
         _travel = new TravelPlanner(rules, _emitter, counts, _deposit) { RisesFirst = obstacle is not null };
@@ -119,7 +119,7 @@ internal sealed class StepPlanner
         _overrides.Apply(path, layerTime);
         _travel.Restore();
         _printer.Print(path, length, flows, _goesOn, ReferenceEquals(path, step.Path) ? step.Lines : null);
-        if (_returnPath is not null) Remember(path);
+        _returnPath?.Print(path);
         _travel.Printed(path, step.Region);
         _prepared = false;
     }
@@ -156,7 +156,7 @@ internal sealed class StepPlanner
         _prepared = true;
         if (travel.Intent == TravelIntent.Return && _returnPath is not null && _emitter.IsPlaced)
         {
-            Return(travel.Points[travel.Points.Count - 1]);
+            Return(travel);
             return;
         }
         var first = !_emitter.IsPlaced && _travel.RisesFirst ? 1 : 0;
@@ -170,44 +170,31 @@ internal sealed class StepPlanner
     }
 
     // Back along the branch if that path is free and faster than up, over and down; else over the top.
-    private void Return(Vec3 goal)
+    private void Return(TravelStep travel)
     {
+        var goal = travel.Points[travel.Points.Count - 1];
         var from = _emitter.Position;
         var back = _returnPath!.BackTo(goal);
         if (from.DistanceTo(goal) <= TravelPlanner.Touching) return;
-        if (back is not null && ReturnPath.Length(from, back) / _rules.TravelSpeed < _travel.TimeOver(goal) && ReturnPath.IsOpen(_deposit!, from, back))
+        if (_returnPath.Blocked(from, goal) is { } blocked)
+        {
+            _counts.BlockedReturns++;
+            _diagnostics.Add(
+                Severity.Warning, "plan.blocked_return", $"The head cannot return from {from} to {goal}: at {blocked} it hits what is printed next to it. "
+                + "Draw steep branches last.", (travel.Source ?? new SourceLocation()) with { Step = _emitter.Source });
+        }
+        else if (back is not null && ReturnPath.Length(from, back) / _rules.TravelSpeed < _travel.TimeOver(goal)
+            && _returnPath.Along(from, back) == HeadContact.None)
         {
             _counts.ReturnsAlong++;
             foreach (var point in back) _emitter.Travel(point, _rules.TravelSpeed);
             return;
         }
-        if (ReturnPath.IsOpen(_deposit!, goal))
+        else
         {
             _counts.ReturnsOver++;
         }
-        else
-        {
-            _counts.BlockedReturns++;
-            _diagnostics.Add(
-                Severity.Warning, "plan.blocked_return", "The head returns to a point that has been printed over, and hits the print there.",
-                new SourceLocation(Step: _emitter.Source));
-        }
         _travel.Over(goal, safely: true);
-    }
-
-    private void Remember(PrintPath path)
-    {
-        _returnPath!.Visit(path.Start);
-        for (var i = 0; i < path.SegmentCount; i++)
-        {
-            var from = path.Points[i];
-            if (path.ArcOf(i) is { } arc)
-            {
-                var chords = arc.ChordCount(from, WipePath.Tolerance);
-                for (var k = 1; k < chords; k++) _returnPath.Visit(arc.PointAt(from, path.EndOf(i), (double)k / chords));
-            }
-            _returnPath.Visit(path.EndOf(i));
-        }
     }
 
     // The total length without printing from here, mm; infinite if nothing is printed after it.

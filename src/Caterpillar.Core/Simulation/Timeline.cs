@@ -121,8 +121,14 @@ public sealed class Timeline
         return move < Toolpath.Count ? AtMove(move) : null;
     }
 
-    /// <summary>The state at the start of the first extrusion that ends at a height (mm) or above; null if none does.</summary>
-    public MachineState? AtHeight(double z) => _path.FirstAbove(z) is var move && move < Toolpath.Count ? AtMove(move) : null;
+    /// <summary>The state when an extrusion first reaches a height (mm) or begins above it; null if none does.</summary>
+    public MachineState? AtHeight(double z)
+    {
+        var number = _path.FirstAbove(z);
+        if (number >= Toolpath.Count) return null;
+        var move = Toolpath[number];
+        return move.Start.Z < z ? WithDone(number, (z - move.Start.Z) / (move.End.Z - move.Start.Z)) : AtMove(number);
+    }
 
     /// <summary>The state at a fraction of the path length of the head, 0 to 1.</summary>
     public MachineState AtLength(double fraction)

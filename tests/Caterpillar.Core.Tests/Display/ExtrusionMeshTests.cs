@@ -48,6 +48,23 @@ public sealed class ExtrusionMeshTests
         return edges.All(e => e.Value == 1 && edges.ContainsKey((e.Key.Item2, e.Key.Item1)));
     }
 
+    // In the air, and nearer to the bed than a ball of 10 mm³ is wide: 2.67 mm.
+    [TestCase(5, 2.673, 2.673)]
+    [TestCase(0.5, 5.046, 0.5)]
+    public void Material_in_place_is_a_closed_ball_or_disc_below_the_nozzle(double z, double width, double height)
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, z));
+        builder.Add(new Vec3(10, 10, z), 10, 10, 2, MoveKind.Prime, Role.Unspecified, -1, 0, 0);
+        builder.Add(new Vec3(10, 10, z), 10, 10, 2, MoveKind.Prime, Role.Purge, -1, 0, 0);
+        var mesh = ExtrusionMesh.Of(builder.Build([new ToolpathTool(1)]), 0, 2);
+        var box = Bounds.Of(mesh.Vertices);
+        Assert.That(box.Max.Z, Is.EqualTo(z).Within(1e-9));
+        Assert.That(box.Size.DistanceTo(new Vec3(width, width, height)), Is.LessThan(1e-3));
+        Assert.That(mesh.Moves, Is.All.Zero, "not for start code");
+        Assert.That(IsClosed(mesh), Is.True);
+        Assert.That(Volume(mesh), Is.InRange(7, 12));
+    }
+
     [Test]
     public void A_straight_extrusion_is_a_closed_tube_of_its_width_and_height_below_the_path()
     {

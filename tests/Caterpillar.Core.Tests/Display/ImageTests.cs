@@ -27,6 +27,20 @@ public class ImageTests
         Assert.That(rows, Is.InRange(20, 22));
     }
 
+    // A dot alone fills the height of the image; seen from the side a disc is flat.
+    [Test]
+    public void Dots_are_drawn_as_large_as_they_are()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(0, 0, 1));
+        builder.Add(new Vec3(0, 0, 1), 30, 30, 2, MoveKind.Prime, Role.Unspecified, -1, 0, 0);
+        var toolpath = builder.Build([new ToolpathTool(1)]);
+        foreach (var (view, height) in new[] { (View.Top, 92), (View.Front, 15) })
+        {
+            var image = ToolpathImage.Draw(toolpath, new ToolpathImageOptions { Width = 100, Height = 100, View = view });
+            Assert.That(Enumerable.Range(0, 100).Count(y => image[50, y] != new ToolpathImageOptions().Background), Is.InRange(height - 2, height + 2));
+        }
+    }
+
     [Test]
     public void Near_extrusions_cover_far_ones()
     {

@@ -16,10 +16,11 @@ public class ReturnTests
     [Test]
     public void A_return_goes_over_the_top_with_retraction()
     {
-        Step[] steps = [Path(0, 0, 0, 10, 0, 5), Return(0, 0, 0), Path(0, 0, 0, 0, 10, 5)];
-        var plan = PlanningTests.Plan(steps, Rules);
-        Assert.That(PlanningTests.Text(plan.Toolpath).Skip(1).Take(4),
-            Is.EqualTo(new[] { "Retract 10,0,5 -1 40", "Travel 0,0,5 0 150", "Travel 0,0,0 0 10", "Deretract 0,0,0 1 30" }));
+        var thin = new PrintPath([new Vec3(0, 0, 1), new Vec3(10, 0, 3.5)], new Bead(0.05));
+        Step[] steps = [thin, Return(0, 0, 1), Path(0, 0, 1, 0, 10, 5)];
+        var plan = PlanningTests.Plan(steps, Rules with { Outline = new HeadShape([(0.1, 0)]) });
+        Assert.That(PlanningTests.Text(plan.Toolpath).Skip(2).Take(4),
+            Is.EqualTo(new[] { "Retract 10,0,3.5 -1 40", "Travel 0,0,3.5 0 150", "Travel 0,0,1 0 10", "Deretract 0,0,1 1 30" }));
         Assert.That((plan.Report.ReturnsOver, plan.Report.ReturnsAlong, plan.Report.BlockedReturns), Is.EqualTo((1, 0, 0)));
     }
 
@@ -48,16 +49,17 @@ public class ReturnTests
     }
 
     [Test]
-    public void As_drawn_returns_are_straight()
+    public void As_drawn_returns_go_over_the_top_without_retraction()
     {
         Step[] steps = [Path(0, 0, 0, 10, 0, 5), Return(0, 0, 0)];
-        Assert.That(PlanningTests.Moves(steps, Rules with { Policy = PlanPolicy.AsDrawn }).Last(), Is.EqualTo("Travel 0,0,0 0 150"));
+        var moves = PlanningTests.Moves(steps, Rules with { Policy = PlanPolicy.AsDrawn });
+        Assert.That(moves.Skip(moves.Length - 2), Is.EqualTo(new[] { "Travel 0,0,5 0 150", "Travel 0,0,0 0 10" }));
     }
 
     [Test]
     public void The_return_follows_the_path_of_the_head()
     {
-        var path = new ReturnPath();
+        var path = new ReturnPath(Rules);
         foreach (var x in new[] { 0, 1, 2, 3, 4 }) path.Visit(new Vec3(x, 0));
         Assert.That(path.BackTo(new Vec3(2, 0)), Is.EqualTo(new[] { new Vec3(3, 0), new Vec3(2, 0) }));
         path.Visit(new Vec3(2, 5));
@@ -76,9 +78,9 @@ public class ReturnTests
     [TestCase(10.5, true)]
     public void An_extrusion_over_any_point_of_the_path_back_blocks_it(double x, bool open)
     {
-        var deposit = new Deposit();
-        deposit.Add(new Vec3(x, -1, 0.5), new Vec3(x, 1, 0.5), 0.1);
-        Assert.That(ReturnPath.IsOpen(deposit, new Vec3(10, 0), [new Vec3(7, 0), new Vec3(0, 0)]), Is.EqualTo(open));
+        var path = new ReturnPath(Rules with { Outline = new HeadShape([(0.1, 0)]) });
+        path.Print(new PrintPath([new Vec3(x, -1, 0.5), new Vec3(x, 1, 0.5)], new Bead(0.04, 0.2)));
+        Assert.That(path.Along(new Vec3(10, 0), [new Vec3(7, 0), new Vec3(0, 0)]) == HeadContact.None, Is.EqualTo(open));
     }
 
     [Test]

@@ -100,6 +100,7 @@ public class TimelineTests
         Assert.That(timeline.AtLayer(0)!.Value.Move, Is.EqualTo(1));
         Assert.That(timeline.AtLayer(1)!.Value.Position.Z, Is.EqualTo(0.3));
         Assert.That(timeline.AtHeight(0.5)!.Value.Position, Is.EqualTo(new Vec3(200, 0, 0.6)));
+        Assert.That(Of("M83\nG1 X10 Y10 Z0.2 F3000\nG1 X110 Z10.2 E5\n").AtHeight(2.7)!.Value.Position.DistanceTo(new Vec3(35, 10, 2.7)), Is.LessThan(1e-9));
         Assert.That(timeline.AtHeight(0.3)!.Value.Move, Is.EqualTo(2));
         Assert.That(timeline.AtHeight(7), Is.Null);
         Assert.That(timeline.AtLayer(-1), Is.Null);

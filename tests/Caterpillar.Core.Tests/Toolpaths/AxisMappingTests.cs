@@ -1,8 +1,13 @@
 using System;
+using System.IO;
 using System.Linq;
 using System.Text;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
+using Caterpillar.Jobs;
+using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
 
@@ -27,6 +32,86 @@ public class AxisMappingTests
         Assert.That(mapped.Moves().Sum(m => m.E), Is.EqualTo(drawn.Moves().Sum(m => m.E)).Within(1e-12));
         Assert.That(mapped.Events, Has.Count.EqualTo(2));
         Assert.That(mapped.Events[0].Move, Is.EqualTo(1));
+    }
+
+    [TestCase("X=A*2.86", PathAxis.X, OutputAxis.A, 2.86, 0.0, "X=A*2.86")]
+    [TestCase("y=c*-3@110.5", PathAxis.Y, OutputAxis.C, -3, 110.5, "Y=C*-3@110.5")]
+    [TestCase("Y=Y*0.5", PathAxis.Y, OutputAxis.Y, 0.5, 0.0, "Y=Y*0.5")]
+    public void Mappings_are_read_and_written_as_text(string text, PathAxis from, OutputAxis to, double scale, double hold, string written)
+    {
+        var mapping = AxisMapping.Parse(text)!;
+        Assert.That(mapping, Is.EqualTo(new AxisMapping(from, to, scale, hold)));
+        Assert.That(mapping.ToString(), Is.EqualTo(written));
+    }
+
+    [TestCase("")]
+    [TestCase("X=A")]
+    [TestCase("X=A*0")]
+    [TestCase("X=Y*2")]
+    [TestCase("W=A*2")]
+    [TestCase("X=A*2@")]
+    [TestCase("Y=Y*2@5")]
+    [TestCase("X = A * 2")]
+    public void Other_texts_are_no_mapping(string text) => Assert.That(AxisMapping.Parse(text), Is.Null);
+
+    // Positions, kinds, amounts and speeds of random toolpaths, mapped and unrolled again.
+    [TestCase("X=A*2.86@110")]
+    [TestCase("Y=B*-5;X=X*0.5")]
+    [TestCase("Z=C*3")]
+    public void Unrolling_undoes_mapping(string texts)
+    {
+        var mappings = texts.Split(';').Select(t => AxisMapping.Parse(t)!).ToArray();
+        var random = new Random(5);
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, 1));
+        var at = builder.Position;
+        for (var i = 0; i < 300; i++)
+        {
+            var next = new Vec3(random.Next(2) * random.Next(200), random.Next(2) * random.Next(200), random.Next(2) * 5);
+            if (random.Next(3) == 0) next = at with { X = next.X };
+            if (random.Next(3) == 0) next = at with { Y = next.Y };
+            var kind = next == at ? MoveKind.Prime : (MoveKind)random.Next(3);
+            var e = kind == MoveKind.Travel ? 0 : kind == MoveKind.Wipe ? -0.5 : 1;
+            builder.Add(next, e, Math.Max(e, 0), 5 + random.Next(100), kind, Role.Unspecified, -1, 0, i);
+            at = next;
+        }
+        var drawn = builder.Build([new ToolpathTool(2)]);
+        var mapped = mappings.Aggregate(drawn, (toolpath, mapping) => mapping.Apply(toolpath));
+        var unrolled = AxisMapping.Unroll(mapped, mappings).Moves().ToArray();
+        foreach (var move in drawn.Moves())
+        {
+            var back = unrolled[move.Index];
+            Assert.That(back.End.DistanceTo(move.End), Is.LessThan(1e-9));
+            Assert.That((back.Kind, back.E, back.Deposited), Is.EqualTo((move.Kind, move.E, move.Deposited)));
+            if (move.Index > 0) Assert.That(back.Speed, Is.EqualTo(move.Speed).Within(1e-9 * move.Speed), $"{move}");
+        }
+        Assert.That(AxisMapping.Unroll(drawn, []), Is.SameAs(drawn));
+    }
+
+    // A line along the mapped axis is written, read back and checked on the unrolled surface, with the mapping of the file or of the printer.
+    [Test]
+    public void A_print_around_a_drum_is_the_print_of_the_unrolled_surface()
+    {
+        var bead = Bead.FromWidth(0.45, 0.3);
+        PrintPath[] lines = [new([new Vec3(10, 50, 0.3), new Vec3(210, 50, 0.3)], bead), new([new Vec3(400, 60, 0.3), new Vec3(10, 70, 0.3)], bead)];
+        var steps = lines.ToSteps();
+        var flat = new PrintSetup();
+        var drum = flat.With("axis_mappings=X=A*2.86@110").OrThrow();
+        var job = PrintJob.Draw(steps, drum).OrThrow();
+        using var memory = new MemoryStream();
+        var written = job.Write(memory, "a.gcode");
+        Assert.That(written.Diagnostics, Is.Empty);
+        var text = Encoding.ASCII.GetString(memory.ToArray());
+        Assert.That(text, Does.Contain("; axis_mappings = X=A*2.86@110\n").And.Contain("G1 A600.6 E"));
+        var wide = flat with { Printer = flat.Printer with { BuildVolume = new Vec3(500, 500, 250) } };
+        using var other = new MemoryStream();
+        var plain = PrintJob.Draw(steps, wide).OrThrow().Write(other, "a.gcode").Value!;
+        Assert.That(written.Value!.PrintTime, Is.EqualTo(plain.PrintTime).Within(0.1));
+        foreach (var (file, setup) in new[] { (text, flat), (text.Replace("axis_mappings", "other"), drum) })
+        {
+            var decoded = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(file), new DecodeOptions { FilamentDiameter = 1.75 }).OrThrow();
+            Assert.That(PrintCheck.Run(decoded, setup).Where(d => d.Code != CheckCodes.NoHoming && d.Code != CheckCodes.NoHeating), Is.Empty);
+            Assert.That(decoded.Unrolled(setup.Printer).Moves().Max(m => m.End.X), Is.EqualTo(400).Within(1e-3));
+        }
     }
 
     [Test]

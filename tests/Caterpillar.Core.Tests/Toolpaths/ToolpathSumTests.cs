@@ -33,7 +33,7 @@ public class ToolpathSumTests
     {
         var totals = ExtrusionTotals.Of(Sample());
         Assert.That(totals.Length, Is.EqualTo(16 + 5 * Math.PI).Within(1e-12));
-        Assert.That((totals.Deposited, totals.Volume), Is.EqualTo((10.0, 20.0)), "without what is primed in place");
+        Assert.That((totals.Deposited, totals.Volume, totals.InPlace), Is.EqualTo((10.5, 21.0, 1.0)), "with what is primed in place");
         Assert.That(totals.PartBounds, Is.EqualTo(new Bounds(new Vec3(15, 0, 0), new Vec3(20, 14, 0))));
         Assert.That(ExtrusionTotals.Of(Sample(null)).Volume, Is.Null);
     }

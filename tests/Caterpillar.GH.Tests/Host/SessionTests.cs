@@ -31,7 +31,7 @@ public sealed class SessionTests
     [Test]
     public void A_file_is_decoded_filtered_edited_previewed_and_saved()
     {
-        WriteFile(layers: 40, linesOfLayer: 250);
+        WriteFile(layers: 24, linesOfLayer: 60);
         Session(out _);
     }
 
@@ -94,10 +94,14 @@ public sealed class SessionTests
         var decode = new Canvas<DecodeGCodeComponent>(document).Feed("File", _file);
         Step("decode", () => decode.Solve());
         var moves = decode.One<Toolpath>("Toolpath").Count;
-        var filter = new Canvas<FilterToolpathComponent>(document).Feed("Last Layer", 19);
+        var lower = new Canvas<MoveFilterComponent>(document).Feed("Last Layer", 19);
+        var filter = new Canvas<FilterToolpathComponent>(document);
+        filter.Input("Filter").AddSource(lower.Output("Filter"));
         filter.Input("Toolpath").AddSource(decode.Output("Toolpath"));
         Step("filter", () => filter.Solve());
-        var edit = new Canvas<EditToolpathComponent>(document).Feed("Speed Factor", 0.5).Feed("First Layer", 10);
+        var upper = new Canvas<MoveFilterComponent>(document).Feed("First Layer", 10);
+        var edit = new Canvas<EditToolpathComponent>(document).Feed("Speed Factor", 0.5);
+        edit.Input("Filter").AddSource(upper.Output("Filter"));
         edit.Input("Toolpath").AddSource(filter.Output("Toolpath"));
         Step("edit", () => edit.Solve());
         var preview = new Canvas<ToolpathPreviewComponent>(document).Feed("Color By", "Speed");

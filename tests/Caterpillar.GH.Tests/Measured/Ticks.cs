@@ -75,7 +75,14 @@ public sealed class Ticks
     {
         var slider = new Param_GenericObject();
         canvas.Document.AddObject(slider, false);
-        canvas.Input(port).AddSource(slider);
+        var target = canvas.Component.Params.Input.SingleOrDefault(p => p.Name == port);
+        if (target is null)
+        {
+            var filter = new Canvas<MoveFilterComponent>(canvas.Document);
+            canvas.Input("Filter").AddSource(filter.Output("Filter"));
+            target = filter.Input(port);
+        }
+        target.AddSource(slider);
         double Solve(int i)
         {
             slider.SetPersistentData(value(i));

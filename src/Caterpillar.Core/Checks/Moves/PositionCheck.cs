@@ -10,6 +10,7 @@ internal sealed class PositionCheck(Printer printer, Findings findings) : IMoveC
     // mm; what is written has three decimals.
     private const double Tolerance = 0.001;
     private const double ArcTolerance = 0.05;
+    private readonly bool _isMapped = printer.AxisMappings.Count > 0;
 
     public IReadOnlyList<string> Codes => [CheckCodes.Outside, CheckCodes.Below, CheckCodes.ExcludedArea];
 
@@ -19,7 +20,7 @@ internal sealed class PositionCheck(Printer printer, Findings findings) : IMoveC
 
     public void Move(in CheckedMove move)
     {
-        var (start, end) = (move.Start, move.End);
+        var (start, end) = (move.Start, _isMapped ? AxisMapping.Head(move.End, printer.AxisMappings) : move.End);
         var reachable = printer.CanReach(end, Tolerance);
         if (reachable && move.Arc is { } arc)
             reachable = printer.BedShape == BedShape.Round ? ReachesAlong(arc, start, end) : printer.BuildBounds.Contains(arc.Bounds(start, end), Tolerance);

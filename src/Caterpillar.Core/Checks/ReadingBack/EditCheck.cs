@@ -18,9 +18,8 @@ internal static class EditCheck
     {
         var options = new DecodeOptions { Flavor = decoding.Flavor, Rule = decoding.Rule, FilamentDiameter = setup.Material.FilamentDiameter };
         var file = GCodeDecoder.Decode(document, options, null, cancel).OrThrow();
-        var read = PrintCheck.WithVolumes(file.Toolpath, setup);
-        var findings = new Findings(setup.Printer, read);
-        Compare(edited, read, findings);
+        var findings = new Findings(setup.Printer, file.Toolpath);
+        Compare(edited, file.Toolpath, findings);
         var checks = PrintCheck.RunFile(file, setup, before ?? decoding, progress, cancel);
         return [.. findings.ToList(), .. checks, .. DecodingNotes.Of(file, before ?? decoding)];
     }

@@ -1,6 +1,7 @@
 using Caterpillar.Files;
 using Caterpillar.GCode;
 using Caterpillar.Machines;
+using Caterpillar.Simulation;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
@@ -45,7 +46,7 @@ internal sealed class ReadBack : IDisposable
         _compared = NewFindings();
         if (_compared.LooksFor(PlanComparison.Codes)) _comparison = new PlanComparison(plan, format, Lines, _compared);
         _checks = new MoveChecks(setup, plan.Tools, NewFindings, cancel, waiting, !isChecked);
-        _reading = OwnThread.Run(Read);
+        _reading = OwnThread.Run(Decode);
     }
 
     /// <summary>The lines of the plan.</summary>
@@ -53,6 +54,9 @@ internal sealed class ReadBack : IDisposable
 
     /// <summary>Number of lines and bytes that are written.</summary>
     public (long Lines, long Bytes) Size => (_writer.Lines, _writer.Bytes);
+
+    /// <summary>All moves of the file, and the seconds that they take; null before <see cref="Finish"/>.</summary>
+    public (Toolpath File, double Seconds)? Read { get; private set; }
 
     /// <summary>True if any check is on. Otherwise nothing is read back.</summary>
     public static bool IsAsked(PrintSetup setup)
@@ -86,18 +90,28 @@ internal sealed class ReadBack : IDisposable
         var modes = NewFindings();
         RawModes.Run(_plan, _format, modes, index => _places?.OfEvent(index));
         _comparison?.End(file.Toolpath, _read);
-        var read = file.Toolpath.Tools.Count <= _plan.Tools.Count ? file.Toolpath.WithTools(_plan.Tools) : file.Toolpath;
+        var read = AxisMapping.Unroll(file.Toolpath, _setup.Printer.AxisMappings, _cancel);
+        if (read.Tools.Count <= _plan.Tools.Count) read = read.WithTools(_plan.Tools);
         _places = new WrittenPlaces(_plan, move => move < 0 || move >= read.Count ? null : read[move].Source, Lines, _setup.Printer);
         var scope = CheckScope.OfWritten(file, _setup) with { FirstLine = Lines.Before(0, -1) + 1, IsOwnLine = IsOwnLine };
+        var timing = OwnThread.Run(() => Time(read));
         // Start and end code that print are looked at together with the plan.
         using var all = _isChecked && ToolpathTotals.Of(read).PrintMoves != ToolpathTotals.Of(_plan).PrintMoves
             ? new MoveChecks(_setup, read.Tools, NewFindings, _cancel) : null;
         var checks = (all ?? _checks).Finish(read, scope, progress);
+        Read = (read, OwnThread.Join(timing));
         var compared = new DiagnosticList();
         compared.AddRange(modes.ToList());
         compared.AddRange(_compared.ToList());
         var problems = DecodingNotes.Of(file, null).Select(d => d.WithSource(s => s?.Line is { } line ? _places.OfLine(line) : s));
         return [.. compared.ToList(), .. checks, .. problems];
+    }
+
+    private double Time(Toolpath file)
+    {
+        var planner = new MotionPlanner(file, _setup, timesOnly: true);
+        planner.Take(file, null, _cancel);
+        return planner.End().Motion.TotalTime;
     }
 
     /// <summary>Nothing more is read, and nobody waits for that.</summary>
@@ -128,7 +142,7 @@ internal sealed class ReadBack : IDisposable
     // Events of the plan, except lines that the user wrote.
     private bool IsOwnLine(int line) => Lines.EventAt(line) is >= 0 and var what && _plan.Events[what].Event is not RawEvent;
 
-    private DecodedGCode Read()
+    private DecodedGCode Decode()
     {
         var options = new DecodeOptions
         {
@@ -150,7 +164,8 @@ internal sealed class ReadBack : IDisposable
     private void Take(DecodedBlock block)
     {
         _comparison?.Take(block.Columns, block.Start);
-        _checks.Take(block);
+        // Mapped axes are unrolled when the whole file is known.
+        if (_setup.Printer.AxisMappings.Count == 0) _checks.Take(block);
         _read++;
     }
 

@@ -54,7 +54,9 @@ public static class PrintCheck
         DecodedGCode file, PrintSetup setup, DecodedGCode? before, IProgress<double>? progress, CancellationToken cancel)
     {
         if (StandingPart(file) is { } part) setup = setup with { PrintedOn = part };
-        return Run(WithVolumes(file.Toolpath, setup), setup, CheckScope.OfFile(file, setup) with { Before = before?.Used }, progress, cancel);
+        if (file.MappingsOn(setup.Printer) is { Count: > 0 } mappings) setup = setup with { Printer = setup.Printer with { AxisMappings = new(mappings) } };
+        var toolpath = WithVolumes(file.Unrolled(setup.Printer), setup);
+        return Run(toolpath, setup, CheckScope.OfFile(file, setup) with { Before = before?.Used }, progress, cancel);
     }
 
     // The top of the part, as wide as what is printed on it. Null = none.

@@ -54,6 +54,7 @@ internal sealed class CommandCheck
             var isNew = _scope.Before is { } before && !before.Any(b => b.Command is null && b.Name == used.Name);
             return isNew ? CheckCodes.UnverifiedCommand : CheckCodes.UnknownCommand;
         }
+        if (IsUsual(used.Name, part)) return null;
         var use = macro is null ? used.Command!.Use : macro.Homes ? CommandUse.Start : macro.Cools ? CommandUse.End : CommandUse.Ok;
         var kind = macro is null ? used.Command!.Class : CommandClass.Flow;
         return use switch
@@ -66,6 +67,11 @@ internal sealed class CommandCheck
             _ => null,
         };
     }
+
+    // Cold extrusion of materials that are not heated, and homing of deltas, which go up.
+    private bool IsUsual(string name, Part part)
+        => name == "M302" ? _printer.MinExtrusionTemperature == 0
+            : part == Part.After && _printer.BedShape == BedShape.Round && name.StartsWith("G28", StringComparison.Ordinal);
 
     // What homes or probes meets the print. G28 is followed on its path.
     private static string AfterPrint(string name, CommandClass kind)

@@ -28,9 +28,10 @@ internal sealed class PrintDraft : IDisposable
         _writing = OwnThread.Run(Write);
     }
 
-    /// <summary>Begins; null if all checks are off, or if a template of the printer needs the whole print first.</summary>
+    /// <summary>Begins; null if all checks are off, axes are mapped, or a template of the printer needs the whole print first.</summary>
     public static PrintDraft? Begin(Toolpath soFar, PrintSetup setup, CancellationToken cancel)
-        => ReadBack.IsAsked(setup) && SetupFormat.OfUnknown(setup) is { } format ? new PrintDraft(soFar, setup, format, cancel) : null;
+        => ReadBack.IsAsked(setup) && setup.Printer.AxisMappings.Count == 0
+            && SetupFormat.OfUnknown(setup) is { } format ? new PrintDraft(soFar, setup, format, cancel) : null;
 
     /// <summary>The toolpath as far as it is planned. Waits while much of it is not checked yet: else the checks would go on alone in the end.</summary>
     public void Take(Toolpath soFar)
@@ -48,8 +49,7 @@ internal sealed class PrintDraft : IDisposable
     /// <param name="format">The format of the file.</param>
     /// <param name="stream">The file; null = only check.</param>
     /// <param name="progress">0 to 1.</param>
-    public (IReadOnlyList<Diagnostic>? Findings, long Lines, long Bytes) Finish(
-        Toolpath plan, Toolpath timed, GCodeFormat format, Stream? stream, IProgress<double>? progress)
+    public CheckedGCode Finish(Toolpath plan, Toolpath timed, GCodeFormat format, Stream? stream, IProgress<double>? progress)
     {
         _whole = (plan, format);
         _planned.CompleteAdding();
@@ -60,7 +60,7 @@ internal sealed class PrintDraft : IDisposable
         _writing.GetAwaiter().GetResult();
         NoteAdded(plan, timed, format);
         var findings = _back.Finish(progress.Part(0.5, 1));
-        return (text.Sum == _text.Sum ? findings : null, writer.Lines, writer.Bytes);
+        return new CheckedGCode(text.Sum == _text.Sum ? findings : null, writer.Lines, writer.Bytes, _back.Read);
     }
 
     /// <summary>Stops unfinished work and waits for its end.</summary>

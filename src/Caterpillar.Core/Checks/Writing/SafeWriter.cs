@@ -67,15 +67,16 @@ public static class SafeWriter
         var format = SetupFormat.Of(setup, toolpath);
         if (format.Value is null) return new Result<WrittenGCode>(null, new WriteGuard([], reason).Refusal(format.Diagnostics));
         var (timed, seconds) = ProgressCommands.Add(toolpath, setup, begun.Timing, cancel);
+        foreach (var mapping in setup.Printer.AxisMappings) timed = mapping.Apply(timed, null, cancel);
         var plain = format.Value with { PrintTime = seconds };
         // With a reason what was found stands at the top of the file: it is written again, where something was.
         var isOverridden = WriteGuard.IsReason(reason);
         var direct = isDraft && (!isOverridden || stream.CanSeek);
         var part = progress.Part(0, direct ? 1 : 0.7);
-        var (findings, lines, bytes) = begun.Draft is { } draft ? draft.Finish(toolpath, timed, plain, direct ? stream : null, part)
+        var (findings, lines, bytes, read) = begun.Draft is { } draft ? draft.Finish(toolpath, timed, plain, direct ? stream : null, part)
             : WriteAndCheck(timed, setup, plain, direct ? stream : null, part, isChecked, cancel);
-        findings ??= WriteAndCheck(timed, setup, plain, null, null, isChecked, cancel).Findings!;
-        var guard = new WriteGuard(findings, reason);
+        if (findings is null) (findings, _, _, read) = WriteAndCheck(timed, setup, plain, null, null, isChecked, cancel);
+        var guard = new WriteGuard(findings!, reason);
         if (guard.Refuses) return new Result<WrittenGCode>(null, guard.Refusal(format.Diagnostics));
         if (!direct || guard.Overridden > 0)
         {
@@ -85,22 +86,22 @@ public static class SafeWriter
             writer.WriteAll(stream, direct ? null : progress.Part(0.7, 1), cancel);
             (lines, bytes) = (writer.Lines, writer.Bytes);
         }
-        return new Result<WrittenGCode>(new WrittenGCode(bytes, lines, guard.Overridden, seconds), guard.Notes(format.Diagnostics));
+        return new Result<WrittenGCode>(new WrittenGCode(bytes, lines, guard.Overridden, read?.Seconds) { File = read?.File }, guard.Notes(format.Diagnostics));
     }
 
-    private static (IReadOnlyList<Diagnostic>? Findings, long Lines, long Bytes) WriteAndCheck(
+    private static CheckedGCode WriteAndCheck(
         Toolpath toolpath, PrintSetup setup, GCodeFormat format, Stream? stream, IProgress<double>? progress, bool isChecked, CancellationToken cancel)
     {
         if (!ReadBack.IsAsked(setup))
         {
             var writer = new GCodeWriter(toolpath, format);
             if (stream is not null) writer.WriteAll(stream, progress, cancel);
-            return ([], writer.Lines, writer.Bytes);
+            return new CheckedGCode([], writer.Lines, writer.Bytes, null);
         }
         using var back = new ReadBack(toolpath, setup, format, stream, int.MaxValue, cancel, isChecked);
         back.Write(toolpath, progress.Part(0, 0.5));
         back.End(format);
-        return (back.Finish(progress.Part(0.5, 1)), back.Size.Lines, back.Size.Bytes);
+        return new CheckedGCode(back.Finish(progress.Part(0.5, 1)), back.Size.Lines, back.Size.Bytes, back.Read);
     }
 
     /// <summary>

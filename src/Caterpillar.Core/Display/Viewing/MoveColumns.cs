@@ -4,8 +4,8 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.Display;
 
 /// <summary>
-/// The moves of a toolpath as columns of a viewer page, a row for each straight piece. Arcs are divided. Moves in place have a row without length. Lengths in
-/// µm, areas in 10⁻⁴ mm², speeds in 0.01 mm/s, times in ms. 5 to 10 bytes per move after packing.
+/// The moves of a toolpath as columns of a viewer page, a row for each straight piece. Arcs are divided. Moves in place have a row without length,
+/// and the volume of what they extrude as area. Lengths in µm, areas in 10⁻⁴ mm², speeds in 0.01 mm/s, times in ms. 5 to 10 bytes per move after packing.
 /// </summary>
 internal sealed class MoveColumns
 {
@@ -53,7 +53,8 @@ internal sealed class MoveColumns
             }
             _firstRow[move.Index] = Rows;
             var length = move.Length;
-            var area = move.Kind == MoveKind.Print && length > 0 && _toolpath.VolumeOf(move) is > 0 and var volume ? volume / length : 0;
+            var extrudes = move.Kind is MoveKind.Print or MoveKind.Prime;
+            var area = extrudes && _toolpath.VolumeOf(move) is > 0 and var volume ? length > 0 ? volume / length : volume : 0;
             var begin = move.Index > 0 ? End(move.Index - 1) : 0;
             var chords = move.Arc is { } arc
                 ? arc.ChordCount(move.Start, move.End, Math.Max(ChordError, arc.Radius(move.Start) * ShareOfRadius)) : 1;

@@ -1,4 +1,5 @@
 using Caterpillar.Flavors;
+using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
@@ -6,6 +7,9 @@ namespace Caterpillar.GCode;
 /// <summary>A decoded file.</summary>
 public sealed class DecodedGCode
 {
+    /// <summary>The name of mapped axes in the comments of a file.</summary>
+    internal const string MappingsKey = "axis_mappings";
+
     internal DecodedGCode(Toolpath toolpath, DecodeReport report, FlavorRules flavor)
     {
         Toolpath = toolpath;
@@ -42,6 +46,18 @@ public sealed class DecodedGCode
     /// do not contain it, because any bytes can be decoded.
     /// </summary>
     public Diagnostic? NotGCode { get; internal init; }
+
+    /// <summary>
+    /// The toolpath of the unrolled surface, for checks, times and pictures: mapped axes are those that the file states, else those of a printer. Edits need
+    /// the toolpath as it was read.
+    /// </summary>
+    public Toolpath Unrolled(Printer? printer = null) => AxisMapping.Unroll(Toolpath, MappingsOn(printer));
+
+    internal IReadOnlyList<AxisMapping> MappingsOn(Printer? printer)
+    {
+        var stated = Settings.TryGetValue(MappingsKey, out var text) ? Array.ConvertAll(text.Split(','), t => AxisMapping.Parse(t.Trim())) : [];
+        return stated.Length > 0 && Array.IndexOf(stated, null) < 0 ? stated! : printer?.AxisMappings ?? ValueList<AxisMapping>.Empty;
+    }
 
     /// <summary>The state of the machine before each chunk of the document.</summary>
     internal Checkpoint[] Checkpoints { get; init; } = [];

@@ -174,6 +174,7 @@ internal sealed class GCodeWriter
                 }
                 break;
             case MoveKind.Print:
+            case MoveKind.Prime when _role == Role.Purge:
                 if (_format.Comments && c.Role[i] != _role)
                 {
                     _role = c.Role[i];

@@ -76,6 +76,7 @@ internal static class SetupFormat
     {
         string[] header = ["Made with Caterpillar", "Flavor " + setup.Printer.Flavor.Name,
             $"Printer {setup.Printer.Name}, material {setup.Material.Name}, settings {setup.Settings.Name}"];
+        if (setup.Printer.AxisMappings.Count > 0) header = [.. header, DecodedGCode.MappingsKey + " = " + string.Join(", ", setup.Printer.AxisMappings)];
         return setup.Printer.ExtrusionUnit switch
         {
             ExtrusionUnit.Mm => [.. header, "filament_diameter = " + NumberFormatter.Format(setup.Material.FilamentDiameter, 4)],

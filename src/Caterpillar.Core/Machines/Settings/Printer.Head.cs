@@ -1,4 +1,5 @@
 using Caterpillar.Geometry;
+using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Machines;
 
@@ -24,6 +25,10 @@ public sealed partial record Printer
 
     /// <summary>Rectangles of the bed to keep free.</summary> <value>mm.</value> <remarks>In the machine's coordinates.</remarks>
     public ValueList<Bounds> ExcludedAreas { get; init => field = HeadKeys.ExcludedAreas.Check(value); } = ValueList<Bounds>.Empty;
+
+    /// <summary>Coordinates that another word replaces, scaled: X=A*2.86 turns a platform by 2.86 degrees per mm of X, X=A*2.86@110 holds X at 110.</summary>
+    /// <remarks>Planning, checks and times use the unrolled surface.</remarks>
+    public ValueList<AxisMapping> AxisMappings { get; init => field = HeadKeys.AxisMappings.Check(value); } = ValueList<AxisMapping>.Empty;
 
     /// <summary>Severities of checks that differ from the default. Errors refuse the file.</summary>
     /// <remarks>Defaults are in <see cref="CheckCodes.All"/>.</remarks>
@@ -60,6 +65,8 @@ internal static class HeadKeys
             ["min x", "min y", "max x", "max y"], 64, -100_000, 100_000, n => Bounds.Of([new Vec3(n[0], n[1]), new Vec3(n[2], n[3])]),
             b => [b.Min.X, b.Min.Y, b.Max.X, b.Max.Y]),
         p => p.ExcludedAreas, (p, v) => p with { ExcludedAreas = v });
+    public static readonly ProfileKey<Printer, ValueList<AxisMapping>> AxisMappings
+        = All.Of("axis_mappings", new MappingFormat(), p => p.AxisMappings, (p, v) => p with { AxisMappings = v });
     public static readonly ProfileKey<Printer, ValueList<CheckSeverity>> CheckSeverities
         = All.Of("check_severities", new SeverityFormat(), p => p.CheckSeverities, (p, v) => p with { CheckSeverities = v });
 

@@ -54,6 +54,12 @@ internal sealed record PlanRules
     /// <summary>The space that the head needs along a travel, for the above_path.</summary>
     public HeadCorridor Head { get; init; } = new(0.5);
 
+    /// <summary>The underside of nozzle and head, and boxes around its other parts, as the checks know them.</summary>
+    public HeadShape Outline { get; init; } = new([(0.5, 0)]);
+
+    /// <inheritdoc cref="Outline"/>
+    public ValueList<Bounds> HeadBoxes { get; init; } = ValueList<Bounds>.Empty;
+
     /// <summary>Side of the cells of what is printed so far.</summary>
     public double Cell { get; init; } = 0.25;
 

@@ -198,7 +198,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     private void Down(Vec3 to)
     {
         var length = emitter.IsPlaced ? emitter.Position.DistanceTo(to) : 0;
-        if (!rules.DeretractDuringDescent || emitter.Retracted <= 0 || !(to.Z < emitter.Position.Z))
+        if (rules.AddsNothing || !rules.DeretractDuringDescent || emitter.Retracted <= 0 || !(to.Z < emitter.Position.Z))
         {
             emitter.Travel(to, rules.ZHopSpeed);
             return;

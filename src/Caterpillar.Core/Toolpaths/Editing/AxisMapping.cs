@@ -23,8 +23,8 @@ public enum OutputAxis : byte
 
 /// <summary>
 /// Maps a coordinate of the path to another word, scaled, for printers with a rotating platform or other extra axes (Caterpillar 2019, section 6: a sleeve
-/// motor that turns the platform, "generated based on the scaled toolpaths"). The path is planned unrolled and mapped last. E and the time of every move do
-/// not change.
+/// motor that turns the platform, "generated based on the scaled toolpaths"). Toolpaths are those of the unrolled surface: they are mapped where a file is
+/// written, and unrolled where it is read. E and the time of every move do not change.
 /// </summary>
 /// <param name="From">The source coordinate.</param>
 /// <param name="To">The target word.</param>
@@ -38,6 +38,68 @@ public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, dou
     public static AxisMapping Drum(PathAxis from, OutputAxis to, double diameter, double hold = 0)
         => diameter > 0 ? new AxisMapping(from, to, 360 / (Math.PI * diameter), hold)
             : throw new ArgumentOutOfRangeException(nameof(diameter), "The diameter of a drum must be positive.");
+
+    /// <summary>Reads <c>X=A*2.86</c> or <c>X=A*2.86@110</c>, where X is held at 110 mm. Null if the text is invalid.</summary>
+    public static AxisMapping? Parse(string text)
+    {
+        if (text is null) throw new ArgumentNullException(nameof(text));
+        int equals = text.IndexOf('=', 0), star = text.IndexOf('*', 0), at = text.IndexOf('@', 0);
+        if (equals != 1 || star != 3) return null;
+        int from = "XYZ".IndexOf(char.ToUpperInvariant(text[0]), 0), to = "ABCXYZ".IndexOf(char.ToUpperInvariant(text[2]), 0);
+        if (from < 0 || to < 0 || (to >= 3 && to - 3 != from)) return null;
+        var hold = 0.0;
+        if (at >= 0 && (!NumberReader.TryParse(text.Substring(at + 1), out hold) || to >= 3)) return null;
+        return NumberReader.TryParse(text.Substring(4, (at < 0 ? text.Length : at) - 4), out var scale) && scale != 0
+            ? new AxisMapping((PathAxis)from, (OutputAxis)to, scale, hold) : null;
+    }
+
+    /// <summary>The text that <see cref="Parse"/> reads.</summary>
+    public override string ToString()
+        => $"{From}={To}*{NumberFormatter.Format(Scale, 8)}{(Hold == 0 ? "" : "@" + NumberFormatter.Format(Hold, 6))}";
+
+    /// <summary>True if a rotary word replaces the coordinate, so that it has no end.</summary>
+    internal bool IsRotary => To < OutputAxis.X;
+
+    /// <summary>
+    /// The toolpath of the unrolled surface from one that was read with mapped axes: each coordinate is what the head moves over the surface, by its own axis
+    /// and by the turn of the platform. Moves that only turn the platform print or travel like others.
+    /// </summary>
+    internal static Toolpath Unroll(Toolpath toolpath, IReadOnlyList<AxisMapping> mappings, CancellationToken cancel = default)
+    {
+        if (mappings.Count == 0) return toolpath;
+        var blocks = new List<ToolpathBlock>(toolpath.Blocks.Count);
+        Vec3 last = toolpath.Start ?? Vec3.Zero, lastTurn = Vec3.Zero;
+        for (var block = 0; block < toolpath.Blocks.Count; block++)
+        {
+            cancel.ThrowIfCancellationRequested();
+            var read = toolpath.Blocks[block].Columns;
+            var columns = read.Copy(read.Count);
+            for (var i = 0; i < read.Count; i++)
+            {
+                Vec3 at = new(read.X[i], read.Y[i], read.Z[i]), turn = read.A is null ? lastTurn : new Vec3(read.A[i], read.B![i], read.C![i]);
+                Vec3 start = Unrolled(last, lastTurn, mappings), end = Unrolled(at, turn, mappings);
+                (columns.X[i], columns.Y[i], columns.Z[i]) = (end.X, end.Y, end.Z);
+                double length = start.DistanceTo(end), moved = last.DistanceTo(at);
+                if (length > 0 && !read.TryGetArc(i, out _))
+                {
+                    columns.Speed[i] *= length / (moved > 0 ? moved : lastTurn.DistanceTo(turn));
+                    if (moved == 0) columns.Kind[i] = Moving(read.Kind[i], read.Deposited[i]);
+                }
+                (last, lastTurn) = (at, turn);
+            }
+            (columns.A, columns.B, columns.C) = (null, null, null);
+            blocks.Add(new ToolpathBlock(columns));
+        }
+        Vec3? first = toolpath.Start is { } known ? Unrolled(known, Vec3.Zero, mappings) : null;
+        return toolpath.WithBlocks(blocks).With(first, toolpath.Layers);
+    }
+
+    /// <summary>Where the head of the machine is for a point of the surface. A coordinate that a rotary word replaces is held.</summary>
+    internal static Vec3 Head(Vec3 p, IReadOnlyList<AxisMapping> mappings)
+    {
+        foreach (var mapping in mappings) p = mapping.Mapped(p);
+        return p;
+    }
 
     /// <summary>
     /// The mapped toolpath. Arcs become chords. The speed of each move is adjusted to keep its time. It is measured along X, Y and Z if one of them moves,
@@ -56,6 +118,7 @@ public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, dou
             throw new InvalidOperationException("A linear word can only be mapped from its own coordinate.");
         var builder = new ToolpathBuilder(toolpath.Source, toolpath.Start is { } start ? Mapped(start) : null);
         foreach (var layer in toolpath.Layers) builder.AddLayer(layer);
+        var turns = toolpath.HasTurns;
         var nextEvent = 0;
         var turn = 0.0;
         foreach (var move in toolpath.Moves())
@@ -73,17 +136,38 @@ public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, dou
             {
                 var next = move.Arc is { } curve ? curve.PointAt(move.Start, move.End, (double)k / parts) : move.End;
                 var (from, to) = (Mapped(last), Mapped(next));
-                var newTurn = To < OutputAxis.X ? Coordinate(next) * Scale : 0;
+                var newTurn = IsRotary ? Coordinate(next) * Scale : 0;
                 builder.Add(to, move.E / parts, move.Deposited / parts, Speed(move, last, next, from, to, newTurn - turn), move.Kind, move.Role, move.Layer,
                     move.Tool, move.Source);
-                turn = newTurn;
-                if (To < OutputAxis.X) builder.SetRotary(To == OutputAxis.A ? turn : 0, To == OutputAxis.B ? turn : 0, To == OutputAxis.C ? turn : 0);
-                last = next;
+                (turn, last) = (newTurn, next);
+                if (!IsRotary && !turns) continue;
+                var own = toolpath.TurnsOf(move.Index) ?? default;
+                builder.SetRotary(To == OutputAxis.A ? turn : own.A, To == OutputAxis.B ? turn : own.B, To == OutputAxis.C ? turn : own.C);
             }
         }
         for (; nextEvent < toolpath.Events.Count; nextEvent++) builder.AddEvent(toolpath.Events[nextEvent].Event);
         return builder.Build(toolpath.Tools);
     }
+
+    private static Vec3 Unrolled(Vec3 p, Vec3 turn, IReadOnlyList<AxisMapping> mappings)
+    {
+        foreach (var mapping in mappings)
+        {
+            var value = mapping.Coordinate(p);
+            p = mapping.With(p, !mapping.IsRotary ? value / mapping.Scale
+                : value - mapping.Hold + (mapping.To switch { OutputAxis.A => turn.X, OutputAxis.B => turn.Y, _ => turn.Z }) / mapping.Scale);
+        }
+        return p;
+    }
+
+    // The kind of a move in place that turned out to be one along the surface.
+    private static MoveKind Moving(MoveKind kind, double deposited) => kind switch
+    {
+        MoveKind.Prime => MoveKind.Print,
+        MoveKind.Deretract => deposited > 0 ? MoveKind.Print : MoveKind.MovingDeretract,
+        MoveKind.Retract => MoveKind.Wipe,
+        _ => kind,
+    };
 
     private static double Speed(Move move, Vec3 last, Vec3 next, Vec3 from, Vec3 to, double degrees)
     {
@@ -95,14 +179,12 @@ public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, dou
 
     private double Coordinate(Vec3 p) => From switch { PathAxis.X => p.X, PathAxis.Y => p.Y, _ => p.Z };
 
-    private Vec3 Mapped(Vec3 p)
+    private Vec3 Mapped(Vec3 p) => With(p, IsRotary ? Hold : Coordinate(p) * Scale);
+
+    private Vec3 With(Vec3 p, double value) => From switch
     {
-        var value = To < OutputAxis.X ? Hold : Coordinate(p) * Scale;
-        return From switch
-        {
-            PathAxis.X => new Vec3(value, p.Y, p.Z),
-            PathAxis.Y => new Vec3(p.X, value, p.Z),
-            _ => new Vec3(p.X, p.Y, value),
-        };
-    }
+        PathAxis.X => new Vec3(value, p.Y, p.Z),
+        PathAxis.Y => new Vec3(p.X, value, p.Z),
+        _ => new Vec3(p.X, p.Y, value),
+    };
 }

@@ -12,13 +12,12 @@ internal sealed class PrintCut
     private readonly int _upper;
     private readonly int _lowerEnd;
     private readonly int _printEnd;
-    private readonly Move? _retraction;
     private readonly double _travelSpeed;
 
     private PrintCut(Toolpath toolpath, int lowerEnd, int upper, int printEnd, double height)
     {
         (_toolpath, _lowerEnd, _upper, _printEnd, Height) = (toolpath, lowerEnd, upper, printEnd, height);
-        _retraction = LastMove(m => m.Kind == MoveKind.Retract && m.Tool == First.Tool);
+        Retraction = LastMove(m => m.Kind == MoveKind.Retract && m.Tool == First.Tool);
         _travelSpeed = LastMove(m => m is { Kind: MoveKind.Travel, Speed: > 0 } && m.Start.Z == m.End.Z)?.Speed ?? First.Speed;
     }
 
@@ -32,7 +31,7 @@ internal sealed class PrintCut
     public (int LowerEnd, int Upper, int PrintEnd) Lines => (LineOf(_lowerEnd - 1), LineOf(_upper), LineOf(_printEnd - 1));
 
     /// <summary>A retraction of the file. E is 0 if the firmware retracts (G10). Null = none.</summary>
-    public Move? Retraction => _retraction;
+    public Move? Retraction { get; }
 
     /// <summary>First move of the upper half.</summary>
     public Move First => _toolpath[_upper];
@@ -95,8 +94,8 @@ internal sealed class PrintCut
         Copy(editor, _toolpath.FirstOf(block), _lowerEnd, double.NegativeInfinity);
         void Add(Vec3 to, double e, double speed, MoveKind kind) => editor.Add(to, e, 0, speed, kind, Role.Unspecified, last.Layer, last.Tool, -1, null);
         // Where the end code retracts, once is enough.
-        var retracts = _retraction is not null && !Enumerable.Range(_printEnd, _toolpath.Count - _printEnd).Any(i => _toolpath[i].Kind == MoveKind.Retract);
-        if (retracts) Add(last.End, _retraction!.Value.E, _retraction.Value.Speed, MoveKind.Retract);
+        var retracts = Retraction is not null && !Enumerable.Range(_printEnd, _toolpath.Count - _printEnd).Any(i => _toolpath[i].Kind == MoveKind.Retract);
+        if (retracts) Add(last.End, Retraction!.Value.E, Retraction.Value.Speed, MoveKind.Retract);
         Add(last.End.WithZ(height), 0, ZSpeed, MoveKind.Travel);
         Add(end.WithZ(height), 0, _travelSpeed, MoveKind.Travel);
         Copy(editor, _printEnd, _toolpath.Count, height);
@@ -118,8 +117,8 @@ internal sealed class PrintCut
         void Add(Vec3 to, double e, double speed, MoveKind kind) => editor.Add(to, e, 0, speed, kind, Role.Unspecified, first.Layer, first.Tool, -1, null);
         Add(first.Start.WithZ(Math.Max(SafeHeight, first.Start.Z)), 0, _travelSpeed, MoveKind.Travel);
         Add(first.Start, 0, ZSpeed, MoveKind.Travel);
-        if (_retraction is { } back) Add(first.Start, -back.E, back.Speed, MoveKind.Deretract);
-        var shift = (_retraction is not null ? 3 : 2) - _upper;
+        if (Retraction is { } back) Add(first.Start, -back.E, back.Speed, MoveKind.Deretract);
+        var shift = (Retraction is not null ? 3 : 2) - _upper;
         Copy(editor, _upper, _toolpath.FirstOf(block) + _toolpath.Blocks[block].Count, double.NegativeInfinity);
         var events = _toolpath.Events.Where(e => e.Source < 0 ? e.Move >= _upper : e.Source >= line).Select(e => e with { Move = e.Move + shift });
         return _toolpath.WithBlocks([.. editor.ToBlocks(), .. _toolpath.Blocks.Skip(block + 1)], events);

@@ -10,7 +10,7 @@ namespace Caterpillar.Toolpaths;
 /// <param name="PrintMoves">Number of printing moves.</param>
 /// <param name="TravelMoves">Number of moves of the head that do not print.</param>
 /// <param name="Retractions">Number of retractions, in place or in motion.</param>
-/// <param name="PrintBounds">Bounding box of the printing moves, arcs included, mm.</param>
+/// <param name="PrintBounds">Bounding box of the printing moves, arcs included, mm; of the extrusions in place where there are no others.</param>
 /// <param name="AllBounds">Bounding box of the ends of all moves, mm.</param>
 public sealed record ToolpathTotals(
     double PrintLength, double TravelLength, double DepositedE, double? DepositedVolume, int PrintMoves, int TravelMoves, int Retractions, Bounds PrintBounds,
@@ -22,7 +22,7 @@ public sealed record ToolpathTotals(
         double print = 0, travel = 0, deposited = 0;
         double? volume = 0;
         int prints = 0, travels = 0, retractions = 0;
-        var printBounds = Bounds.Empty;
+        Bounds printBounds = Bounds.Empty, blobs = Bounds.Empty;
         var allBounds = Bounds.Empty;
         foreach (var move in toolpath.Moves())
         {
@@ -30,6 +30,7 @@ public sealed record ToolpathTotals(
             deposited += move.Deposited;
             if (move.Deposited != 0) volume += toolpath.VolumeOf(move);
             if (move.Kind is MoveKind.Retract or MoveKind.Wipe) retractions++;
+            if (move.Kind == MoveKind.Prime) blobs = blobs.Include(move.End);
             if (length > 0) allBounds = allBounds.Include(move.End);
             if (move.Kind == MoveKind.Print)
             {
@@ -43,6 +44,7 @@ public sealed record ToolpathTotals(
                 travel += length;
             }
         }
-        return new ToolpathTotals(print, travel, deposited, volume, prints, travels, retractions, printBounds, allBounds);
+        return new ToolpathTotals(
+            print, travel, deposited, volume, prints, travels, retractions, printBounds.IsEmpty ? blobs : printBounds, allBounds);
     }
 }

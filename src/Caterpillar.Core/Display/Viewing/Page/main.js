@@ -23,9 +23,10 @@ function boundsOf() {
   });
   if (moves) {
     for (let i = 0; i < moves.rows; i++) {
-      if (moves.kind[i] !== kinds.print || head.roles[moves.role[i]][0] === "Purge") continue;
+      const blob = moves.kind[i] === kinds.prime && moves.width[i] > 0 && (moves.layer[i] >= 0 || !head.layers.length);
+      if ((moves.kind[i] !== kinds.print && !blob) || head.roles[moves.role[i]][0] === "Purge") continue;
       const half = moves.width[i] / 2, high = moves.height[i];
-      for (const k of i > 0 ? [i - 1, i] : [i]) {
+      for (const k of i > 0 && !blob ? [i - 1, i] : [i]) {
         include([moves.x[k] - half, moves.y[k] - half, moves.z[k] - (high || half)]);
         include([moves.x[k] + half, moves.y[k] + half, moves.z[k] + (high ? 0 : half)]);
       }
@@ -53,7 +54,8 @@ function filter() {
       if (role >= 0) {
         if (!hidden.has(role)) beads.push(i);
         if (before < 0 && (role === 1 || role === 0)) seams.push(i);
-      } else if (kind === kinds.retract) retractions.push(i);
+      } else if (kind === kinds.prime && moves.width[i] > 0 && !hidden.has(moves.role[i])) beads.push(i);
+      else if (kind === kinds.retract) retractions.push(i);
       else if (kind === kinds.travel || kind === kinds.wipe || kind === kinds.movingDeretract) travels.push(i);
     }
     before = role;

@@ -37,7 +37,8 @@ function sums(moves, start) {
       role.seconds += seconds;
       role.volume += length * moves.area[i];
       all.roles.set(moves.role[i], role);
-    } else if (moves.kind[i] === kinds.retract) all.retractions++;
+    } else if (moves.kind[i] === kinds.prime) all.volume += moves.area[i];
+    else if (moves.kind[i] === kinds.retract) all.retractions++;
     else all.travel += length;
   }
   return all;

@@ -35,6 +35,9 @@ void main() {
   if (row == last) b.xyz = mix(a.xyz, b.xyz, part);
   float size = abs(b.w), width = floor(size / 4096.0) * unit, height = mod(size, 4096.0) * unit;
   vec3 d = b.xyz - a.xyz;
+  // Material in place stands below the nozzle.
+  bool blob = b.w > 0.0 && length(d) <= 1e-6;
+  if (blob) d = vec3(0, 0, 1);
   d = length(d) > 1e-6 ? normalize(d) : vec3(1, 0, 0);
   vec3 side = sideOf(d), up = cross(side, d);
   vec4 other = point(end ? i + 2 : i - 1);
@@ -42,13 +45,15 @@ void main() {
   float otherWidth = end ? other.w : a.w;
   vec3 o = end ? other.xyz - b.xyz : a.xyz - other.xyz;
   vec3 across = side;
-  if (otherWidth != 0.0 && row != last && length(o) > 1e-6 && (end || i > 0)) {
+  if (!blob && otherWidth != 0.0 && row != last && length(o) > 1e-6 && (end || i > 0)) {
     vec3 otherSide = sideOf(normalize(o));
     float c = dot(side, otherSide);
     if (c > -0.3) across = (side + otherSide) / (1.0 + c);
   }
   vec3 p = end ? b.xyz : a.xyz;
-  if (b.w > 0.0) p.z -= height * 0.5;
+  if (blob) p.z -= end ? 0.0 : height;
+  else if (b.w > 0.0) p.z -= height * 0.5;
+  if (blob) height = width;
   p += across * at.x * max(width, thin) + up * at.y * max(height, thin);
   normal = normalize(side * at.x / max(width, 1e-3) + up * at.y / max(height, 1e-3));
   color = picking ? vec4(float(row & 255u), float((row >> 8) & 255u), float((row >> 16) & 255u), float(row >> 24) + 1.0) / 255.0
@@ -195,7 +200,7 @@ class Scene {
       points[at] = moves.x[i] - this.middle[0];
       points[at + 1] = moves.y[i] - this.middle[1];
       points[at + 2] = moves.z[i] - this.middle[2];
-      if (moves.kind[i] !== kinds.print || !(moves.width[i] > 0)) continue;
+      if (!(moves.width[i] > 0)) continue;
       const width = Math.min(Math.round(moves.width[i] / this.unit), 4095), round = !(moves.height[i] > 0);
       const height = round ? width : Math.min(Math.round(moves.height[i] / this.unit), 4095);
       points[at + 3] = (width * 4096 + height) * (round ? -1 : 1);

@@ -74,11 +74,18 @@ function readMoves(bytes, head) {
   return moves;
 }
 
-// Width and height of each extrusion in mm; a height of 0 where it is not known and the extrusion is round.
+// Width and height of each extrusion in mm, also in place; a height of 0 where it is not known and the extrusion is round.
 function beadSizes(moves, head) {
   for (let i = 0; i < moves.rows; i++) {
     const area = moves.area[i];
     if (!(area > 0)) continue;
+    if (moves.kind[i] === kinds.prime) {
+      // A ball of its volume, or a disc where the nozzle is nearer to the bed.
+      const ball = Math.cbrt(6 * area / Math.PI), z = moves.z[i];
+      moves.height[i] = z > 0 && z < ball ? z : ball;
+      moves.width[i] = z > 0 && z < ball ? 2 * Math.sqrt(area / (Math.PI * z)) : ball;
+      continue;
+    }
     const thickness = moves.layer[i] >= 0 ? head.layers[moves.layer[i]][2] : 0;
     const round = 2 * Math.sqrt(area / Math.PI);
     let width = round, height = 0;

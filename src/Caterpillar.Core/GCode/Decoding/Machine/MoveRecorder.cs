@@ -266,7 +266,7 @@ internal sealed partial class MoveRecorder
         c.Deposited[i] = deposited;
         c.Speed[i] = _state.Feed.Speed;
         c.Kind[i] = kind;
-        c.Role[i] = kind == MoveKind.Print ? Role : Role.Unspecified;
+        c.Role[i] = kind is MoveKind.Print or MoveKind.Prime ? Role : Role.Unspecified;
         c.Layer[i] = Layers.Current;
         c.Tool[i] = (short)_state.Tool;
         c.Source[i] = _diagnostics.Line;
