@@ -139,7 +139,7 @@ internal static class SliceDefinitions
         var dome = s.Mesh("Dome", Solids.Sheet(110, 110, 80, 24, (u, v) => 14 - 6 * (u * u + v * v)));
         var setup = s.Setup("generic", ("Printed On", dome));
         s.Stage("Design");
-        var path = s.Component<ConstructPrintPathComponent>(("Curve", s.Curve("Curve", Solids.Rosette(110, 110, 24, 8, 7, 0.2))));
+        var path = s.With<ConstructPrintPathComponent>(setup, ("Curve", s.Curve("Curve", Solids.Rosette(110, 110, 24, 8, 7, 0.2))));
         s.Stage("Shape");
         return s.Print(s.With<ProjectPathsComponent>(setup, ("Print Paths", path), ("Offset", s.Slider("Offset", 0, -0.5, 1, 2))));
     }

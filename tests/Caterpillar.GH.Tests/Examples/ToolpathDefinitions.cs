@@ -62,13 +62,14 @@ internal static class ToolpathDefinitions
 
     public static Sketch EditToolpath(string name)
     {
-        var s = new Sketch(name, "Changes what is planned already: the first layers are left out, the rest leans, and it is printed faster.",
-            "the formula of X: z is the height. The panel shows points of the result.");
-        var plan = Ring(s);
+        var s = new Sketch(name, "Changes a toolpath that is finished: only its first layer is kept, slanted, and printed faster.",
+            "the formula of X, and Last layer: 1 keeps both. The panel shows points of the result.");
+        var decode = Decoded(s, "1800");
         s.Stage("Edit");
-        var filter = s.Component<FilterToolpathComponent>(("Toolpath", plan), ("Filter", s.Component<MoveFilterComponent>(("First Layer", s.Slider("First layer", 0, 0, 10, 0)))));
-        var lean = s.Component<DeformToolpathComponent>(("Toolpath", filter), ("X", s.Text("New X", "x + 0.3 * z", width: 120)));
-        var faster = s.Component<EditToolpathComponent>(("Toolpath", lean), ("Speed Factor", s.Slider("Speed", 1.2, 0.1, 2, 2)));
+        var filter = s.Component<FilterToolpathComponent>(("Toolpath", decode),
+            ("Filter", s.Component<MoveFilterComponent>(("Last Layer", s.Slider("Last layer", 0, 0, 10, 0)))));
+        var slanted = s.Component<DeformToolpathComponent>(("Toolpath", filter), ("X", s.Text("New X", "x + 0.2 * (y - 60)", width: 150)));
+        var faster = s.Component<EditToolpathComponent>(("Toolpath", slanted), ("Speed Factor", s.Slider("Speed", 1.2, 0.1, 2, 2)));
         s.Stage("Look");
         s.Show("Points", s.Component<DeconstructToolpathComponent>(("Toolpath", faster)), "Points", 6, 250);
         return s.Finish(faster, "Speed");
