@@ -124,7 +124,7 @@ internal sealed class Sketch
     {
         if (component.Params.Input.FirstOrDefault(p => p.Name == name) is { } shown) return shown;
         if (component is ChosenPortsComponent chosen) Chosen.Follow(chosen);
-        else if (component is KeyPortsComponent) AddKey(component, name);
+        else if (component is ProfileComponent) AddKey(component, name);
         Identify(component);
         return component.Params.Input.SingleOrDefault(p => p.Name == name)
             ?? throw new ArgumentException($"{component.Name} has no input {name}: {string.Join(", ", component.Params.Input.Select(p => p.Name))}.");
