@@ -3,7 +3,8 @@ using System.Globalization;
 
 namespace Caterpillar.CanvasPictures;
 
-/// <summary>Draws a definition as Grasshopper's canvas shows it. Components carry their icon, and their name above it as plug-ins for teaching show it.</summary>
+/// <summary>Draws a definition as Grasshopper's canvas shows it. Components carry their icon,
+/// and their name above it as plug-ins for teaching show it.</summary>
 internal static class Picture
 {
     private const string Canvas = "#d4d0c8";
@@ -95,7 +96,7 @@ internal static class Picture
             surface.Text(placed.Item.NickName, new Spot(box.MiddleX, top + 11), 9, Side.Middle, "#5a5a5a", bold: true);
             top += Letters.PanelLine;
         }
-        var lines = results.Panels.TryGetValue(placed.Item.Id, out var solved) ? solved : placed.Item.Text.Replace("\r", "").Split('\n');
+        var lines = results.Panels.TryGetValue(placed.Item.Id, out var solved) ? solved : placed.Item.Text.Split('\n');
         var letters = (int)((box.Width - (placed.Item.Numbered ? 24 : 12)) / Letters.PanelLetter);
         for (var i = 0; i < lines.Count; i++)
         {

@@ -18,8 +18,6 @@ public sealed class PrinterGoo(Printer? printer) : ProfileGoo<Printer>(printer)
 
     public override string TypeDescription => "A printer: build volume in mm, limits and G-code.";
 
-    public override IGH_Goo Duplicate() => new PrinterGoo(Value);
-
     protected override string Describe(Printer value)
         => $"Printer ({value.Title}, {NumberFormatter.Format(value.BuildVolume.X, 1)} × {NumberFormatter.Format(value.BuildVolume.Y, 1)} × "
             + $"{NumberFormatter.Format(value.BuildVolume.Z, 1)} mm, {value.Flavor.Title})";
@@ -45,8 +43,6 @@ public sealed class MaterialGoo(Material? material) : ProfileGoo<Material>(mater
 
     public override string TypeDescription => "A material: temperatures in °C, filament diameter in mm, flow ratio.";
 
-    public override IGH_Goo Duplicate() => new MaterialGoo(Value);
-
     protected override string Describe(Material value)
         => $"Material ({value.Title}, {NumberFormatter.Format(value.FilamentDiameter, 3)} mm, {NumberFormatter.Format(value.NozzleTemperature, 1)} °C)";
 
@@ -70,8 +66,6 @@ public sealed class SettingsGoo(PrintSettings? settings) : ProfileGoo<PrintSetti
     public override string TypeName => "Print Settings";
 
     public override string TypeDescription => "Print settings: heights and widths in mm, speeds in mm/s.";
-
-    public override IGH_Goo Duplicate() => new SettingsGoo(Value);
 
     protected override string Describe(PrintSettings value)
         => $"Print Settings ({value.Title}, layers of {NumberFormatter.Format(value.LayerHeight, 3)} mm, lines of "

@@ -30,8 +30,6 @@ public sealed class StepGoo(Step? step, PrintSetup? setup = null) : ValueGoo<Ste
 
     public override string TypeDescription => "A step of a design: a print path, a travel move or an event.";
 
-    public override IGH_Goo Duplicate() => new StepGoo(Value, Setup) { _path = _path };
-
     /// <inheritdoc cref="PrintPathGoo.StepFor"/>
     public Step StepFor(PrintSetup setup) => _path?.StepFor(setup) ?? Value;
 

@@ -7,7 +7,7 @@ namespace Caterpillar.GH.Tests.Examples;
 
 /// <summary>
 /// Places the objects of a definition: stages from left to right by what they need, those of one step below each other; inside a stage columns by what feeds
-/// what, with inputs next to what they feed. Heights then follow the wires, until none runs behind an object.
+/// what, with inputs next to what they feed. Heights then follow the wires, until none is hidden by an object.
 /// </summary>
 internal sealed class Arrangement
 {
@@ -22,7 +22,7 @@ internal sealed class Arrangement
     private const int Trials = 2000;
     private const int Starts = 10;
 
-    // A wire behind an object, compared with a pixel of height.
+    // A wire under an object, compared with a pixel of height.
     private const double Hiding = 1_000_000;
     private readonly List<Node> _nodes = [];
     private readonly List<Block> _blocks = [];
@@ -73,7 +73,8 @@ internal sealed class Arrangement
             x += note.Bounds.Width + 20;
         }
         var down = notes.Length == 0 ? Top - up : Top + notes.Max(n => n.Bounds.Height) + 24 - up;
-        foreach (var node in _nodes) all.Add(node.Item.Id, new Spot(Math.Round(node.X - node.Shape.Box.X), Math.Round(node.Top + node.Block.Top + down - node.Shape.Box.Y)));
+        foreach (var node in _nodes) all.Add(node.Item.Id, new Spot(Math.Round(node.X - node.Shape.Box.X),
+            Math.Round(node.Top + node.Block.Top + down - node.Shape.Box.Y)));
         return all;
     }
 
@@ -459,7 +460,8 @@ internal sealed class Arrangement
         public Placed Title { get; private set; } = new(null!, default, default, [], []);
 
         public void SetTitle()
-            => Title = Title with { Box = new Box(_columns[0].Where(n => n.Passing is null).Min(n => n.X) - Frame.Margin, Top - Frame.Margin - Frame.Caption, Letters.Width(Name) * 1.5, Frame.Caption) };
+            => Title = Title with { Box = new Box(_columns[0].Where(n => n.Passing is null).Min(n => n.X) - Frame.Margin,
+                Top - Frame.Margin - Frame.Caption, Letters.Width(Name) * 1.5, Frame.Caption) };
 
         public void Settle(int sweeps, bool sort)
         {

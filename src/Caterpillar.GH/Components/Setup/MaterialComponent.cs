@@ -10,21 +10,19 @@ namespace Caterpillar.GH.Components.Setup;
 public sealed class MaterialComponent() : KeyPortsComponent(
     "Material", "Material", "Loads a material from a profile or a file, and changes its values. Zoom in and press + for more of them.")
 {
-    private static readonly UsualKey[] Ports =
-    [
-        new("Nozzle Temperature", "N", "nozzle_temperature_c"),
-        new("Bed Temperature", "B", "bed_temperature_c"),
-        new("Filament Diameter", "D", "filament_diameter_mm"),
-        new("Flow Ratio", "F", "flow_ratio"),
-    ];
-
     public override Guid ComponentGuid => new("b38a4d05-4122-429f-8b49-c7313ba87d9d");
 
     private protected override string Kinds => "materials";
 
     private protected override IReadOnlyList<ProfileKey> Keys => ProfileKeys.Material;
 
-    private protected override IReadOnlyList<UsualKey> Usual => Ports;
+    private protected override IReadOnlyList<UsualKey> Usual =>
+    [
+        new("Nozzle Temperature", "N", "nozzle_temperature_c"),
+        new("Bed Temperature", "B", "bed_temperature_c"),
+        new("Filament Diameter", "D", "filament_diameter_mm"),
+        new("Flow Ratio", "F", "flow_ratio"),
+    ];
 
     private protected override void Inputs(InputPorts ports)
     {

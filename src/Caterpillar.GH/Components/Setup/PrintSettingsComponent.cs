@@ -10,7 +10,13 @@ namespace Caterpillar.GH.Components.Setup;
 public sealed class PrintSettingsComponent() : KeyPortsComponent(
     "Print Settings", "Settings", "Loads print settings from a profile or a file, and changes their values. Zoom in and press + for more of them.")
 {
-    private static readonly UsualKey[] Ports =
+    public override Guid ComponentGuid => new("eb1bc290-3166-4963-b83d-d36f484b35cb");
+
+    private protected override string Kinds => "settings";
+
+    private protected override IReadOnlyList<ProfileKey> Keys => ProfileKeys.Settings;
+
+    private protected override IReadOnlyList<UsualKey> Usual =>
     [
         new("Layer Height", "H", "layer_height_mm"),
         new("Line Width", "W", "line_width_mm"),
@@ -18,14 +24,6 @@ public sealed class PrintSettingsComponent() : KeyPortsComponent(
         new("Travel Speed", "T", "travel_speed_mm_s"),
         new("Subdivision Distance", "Sd", "subdivision_distance_mm"),
     ];
-
-    public override Guid ComponentGuid => new("eb1bc290-3166-4963-b83d-d36f484b35cb");
-
-    private protected override string Kinds => "settings";
-
-    private protected override IReadOnlyList<ProfileKey> Keys => ProfileKeys.Settings;
-
-    private protected override IReadOnlyList<UsualKey> Usual => Ports;
 
     private protected override void Inputs(InputPorts ports)
     {

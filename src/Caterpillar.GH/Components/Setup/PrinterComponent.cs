@@ -17,20 +17,18 @@ public sealed class PrinterComponent() : KeyPortsComponent(
     // mm; a bed that begins this close to the origin begins there.
     private const double OriginTolerance = 0.001;
 
-    private static readonly UsualKey[] Ports =
-    [
-        new("Nozzle Diameter", "N", "nozzle_diameter_mm"),
-        new("Retraction Length", "R", "retraction_length_mm"),
-        new("Retraction Speed", "Rs", "retraction_speed_mm_s"),
-    ];
-
     public override Guid ComponentGuid => new("7974af61-1fa1-4de7-9ff5-cbf83ddab480");
 
     private protected override string Kinds => "printers";
 
     private protected override IReadOnlyList<ProfileKey> Keys => ProfileKeys.Printer;
 
-    private protected override IReadOnlyList<UsualKey> Usual => Ports;
+    private protected override IReadOnlyList<UsualKey> Usual =>
+    [
+        new("Nozzle Diameter", "N", "nozzle_diameter_mm"),
+        new("Retraction Length", "R", "retraction_length_mm"),
+        new("Retraction Speed", "Rs", "retraction_speed_mm_s"),
+    ];
 
     private protected override void Inputs(InputPorts ports)
     {
