@@ -33,7 +33,8 @@ internal static class RoleNames
     private static readonly Dictionary<string, Role> Roles =
         Table.SelectMany(row => row.Names.Select(name => (name, row.Role))).ToDictionary(n => n.name, n => n.Role, StringComparer.Ordinal);
 
-    private static readonly Dictionary<Role, string> Written = Table.ToDictionary(r => r.Role, r => char.ToUpperInvariant(r.Names[0][0]) + r.Names[0].Substring(1));
+    private static readonly Dictionary<Role, string> Written =
+        Table.ToDictionary(r => r.Role, r => char.ToUpperInvariant(r.Names[0][0]) + r.Names[0].Substring(1));
 
     /// <summary>The role with this name (case does not matter), or null.</summary>
     public static Role? Find(string name) => Roles.TryGetValue(name.Trim().ToLowerInvariant(), out var role) ? role : null;
