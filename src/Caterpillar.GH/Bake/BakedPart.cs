@@ -1,6 +1,4 @@
 using Caterpillar.Display;
-using Caterpillar.GH.Conversion;
-using Caterpillar.Toolpaths;
 using Rhino.DocObjects;
 using Layer = Caterpillar.Toolpaths.Layer;
 

@@ -1,7 +1,5 @@
 using System.Drawing;
 using Caterpillar.Display;
-using Caterpillar.GH.Conversion;
-using Grasshopper.Kernel;
 using Rhino;
 using Rhino.DocObjects;
 using Rhino.UI;

@@ -1,5 +1,3 @@
-using Caterpillar.GH.Conversion;
-
 namespace Caterpillar.GH.Bake;
 
 /// <summary>Something that is baked as several objects.</summary>

@@ -2,7 +2,6 @@ using System.Drawing;
 using Caterpillar.GH.Plugin;
 using Caterpillar.GH.Preview;
 using GH_IO.Serialization;
-using Grasshopper.Kernel;
 using Rhino;
 using Rhino.DocObjects;
 

@@ -1,7 +1,4 @@
-using Caterpillar.GH.Params;
 using GH_IO.Serialization;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Parameters;
 
 namespace Caterpillar.GH.Base;
 

@@ -1,5 +1,3 @@
-using Grasshopper.Kernel;
-
 namespace Caterpillar.GH.Base;
 
 /// <summary>An input as a component declares it.</summary>

@@ -1,7 +1,3 @@
-using Caterpillar.GH.Params;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Parameters;
-
 namespace Caterpillar.GH.Base;
 
 /// <summary>Declares the inputs of a component. Descriptions end with a period and name the unit. Ports of several components are declared here once.</summary>

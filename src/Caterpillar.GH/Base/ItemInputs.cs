@@ -1,11 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Params;
-using Caterpillar.Toolpaths;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Parameters;
-using Grasshopper.Kernel.Types;
-
 namespace Caterpillar.GH.Base;
 
 /// <summary>

@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using Grasshopper.Kernel;
 using Rhino.UI;
 
 namespace Caterpillar.GH.Base;

@@ -1,6 +1,3 @@
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Parameters;
-
 namespace Caterpillar.GH.Base;
 
 /// <summary>Declares the outputs of a component.</summary>

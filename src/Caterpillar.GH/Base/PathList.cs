@@ -1,6 +1,3 @@
-using Caterpillar.GH.Goos;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.GH.Base;
 
 /// <summary>The print paths of a list input. They stay one object from solve to solve while they stay the same, as part of a key.</summary>

@@ -1,6 +1,5 @@
 using System.Diagnostics.CodeAnalysis;
 using Caterpillar.GH.Plugin;
-using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Base;
 

@@ -1,11 +1,6 @@
 using System.Collections;
-using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Goos;
 using Caterpillar.GH.Preview;
-using Caterpillar.Machines;
-using Grasshopper.Kernel;
 using Grasshopper.Kernel.Data;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Base;
 

@@ -1,7 +1,3 @@
-using Caterpillar.GH.Goos;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.GH.Base;
 
 /// <summary>The steps of a list input for a setup. They stay one object from solve to solve while they stay the same.</summary>

@@ -1,5 +1,3 @@
-using Grasshopper.Kernel;
-
 namespace Caterpillar.GH.Base;
 
 /// <summary>Which inputs of a component wait for results from upstream along the wires, during one solve.</summary>

@@ -1,9 +1,5 @@
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
 using Caterpillar.GH.Plugin;
-using Caterpillar.Machines;
 using Caterpillar.Simulation;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GH.Components;
 

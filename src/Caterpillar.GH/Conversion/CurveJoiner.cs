@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.GH.Conversion;
 
 /// <summary>Makes one Rhino curve of segments that follow each other: a polyline, or with arcs a polycurve.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.GH.Conversion;
 
 /// <summary>A mesh as a definition stores it: counts, vertices in mm, and three indices for each triangle.</summary>

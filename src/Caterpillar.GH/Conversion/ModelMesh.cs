@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.GH.Conversion;
 
 /// <summary>A model for the library with Rhino's mesh of it, which shows its open edges.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Grasshopper.Kernel.Types;
-
 namespace Caterpillar.GH.Conversion;
 
 /// <summary>Rhino's curves in document units as the library's in mm: polylines and arcs as such, everything else by control points and knots.</summary>

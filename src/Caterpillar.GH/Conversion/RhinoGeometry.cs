@@ -1,8 +1,5 @@
 using System.Drawing;
 using Caterpillar.Files;
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GH.Conversion;
 

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.GH.Conversion;
 
 /// <summary>Turns any geometry that has a surface into triangles in mm.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.GH.Conversion;
 
 /// <summary>A run of printing moves without a gap, in one layer and with one role: moves from First to before End.</summary>

@@ -1,4 +1,3 @@
-using Caterpillar.Geometry;
 using Caterpillar.Turtles;
 
 namespace Caterpillar.GH.Conversion;

@@ -1,5 +1,3 @@
-using Grasshopper.Kernel.Types;
-
 namespace Caterpillar.GH.Conversion;
 
 /// <summary>Unwraps the outputs of script components.</summary>

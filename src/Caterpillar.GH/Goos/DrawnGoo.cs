@@ -1,9 +1,5 @@
-using Caterpillar.Geometry;
 using Caterpillar.GH.Bake;
-using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Preview;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Types;
 using Rhino;
 using Rhino.DocObjects;
 

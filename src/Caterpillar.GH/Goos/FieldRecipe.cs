@@ -1,7 +1,5 @@
 using System.Collections;
 using Caterpillar.Curved;
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
 using Caterpillar.Slicing;
 
 namespace Caterpillar.GH.Goos;

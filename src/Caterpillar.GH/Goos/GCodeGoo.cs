@@ -1,7 +1,5 @@
 using Caterpillar.GCode;
-using Caterpillar.GH.Conversion;
 using GH_IO.Serialization;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 

@@ -1,9 +1,6 @@
 using Caterpillar.Curved;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
 using Caterpillar.Slicing;
 using GH_IO.Serialization;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 

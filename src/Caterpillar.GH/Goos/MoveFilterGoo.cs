@@ -1,6 +1,3 @@
-using Caterpillar.Toolpaths;
-using Grasshopper.Kernel.Types;
-
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A selection of moves on a wire.</summary>

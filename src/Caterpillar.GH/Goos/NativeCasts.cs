@@ -1,7 +1,4 @@
 using Caterpillar.Display;
-using Caterpillar.GH.Conversion;
-using Caterpillar.Toolpaths;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 

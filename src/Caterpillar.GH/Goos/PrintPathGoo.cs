@@ -1,12 +1,7 @@
 using Caterpillar.Drawings;
-using Caterpillar.Geometry;
 using Caterpillar.GH.Bake;
-using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Preview;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 using GH_IO.Serialization;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 

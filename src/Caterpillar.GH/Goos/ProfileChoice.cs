@@ -1,6 +1,3 @@
-using Caterpillar.GH.Conversion;
-using Grasshopper.Kernel.Types;
-
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A profile that was chosen in the menu of a port, where it is a number, or that came along a wire.</summary>

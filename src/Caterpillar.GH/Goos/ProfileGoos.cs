@@ -1,8 +1,5 @@
-using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Plugin;
-using Caterpillar.Machines;
 using GH_IO.Serialization;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 

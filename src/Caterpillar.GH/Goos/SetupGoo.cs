@@ -1,9 +1,5 @@
-using Caterpillar.Geometry;
-using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Plugin;
-using Caterpillar.Machines;
 using GH_IO.Serialization;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 

@@ -1,8 +1,4 @@
-using Caterpillar.GH.Conversion;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 using GH_IO.Serialization;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 

@@ -1,13 +1,8 @@
 using Caterpillar.Flavors;
 using Caterpillar.GCode;
-using Caterpillar.Geometry;
 using Caterpillar.GH.Bake;
-using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Preview;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 using GH_IO.Serialization;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Goos;
 

@@ -1,7 +1,5 @@
-using Caterpillar.GH.Conversion;
 using Caterpillar.Turtles;
 using GH_IO.Serialization;
-using Grasshopper.Kernel.Types;
 using Newtonsoft.Json;
 
 namespace Caterpillar.GH.Goos;

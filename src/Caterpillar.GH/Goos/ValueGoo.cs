@@ -1,6 +1,3 @@
-using Caterpillar.GH.Conversion;
-using Grasshopper.Kernel.Types;
-
 namespace Caterpillar.GH.Goos;
 
 /// <summary>An immutable value of the library on a wire. Copies share the value.</summary>

@@ -1,13 +1,8 @@
 using System.Drawing;
 using System.Globalization;
 using Caterpillar.Expressions;
-using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Goos;
 using Caterpillar.GH.Plugin;
 using GH_IO.Serialization;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Parameters;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Params;
 

@@ -1,5 +1,3 @@
-using Caterpillar.GH.Goos;
-
 namespace Caterpillar.GH.Params;
 
 /// <summary>G-code files. Text is G-code.</summary>

@@ -1,8 +1,5 @@
 using System.Drawing;
-using Caterpillar.GH.Goos;
 using Caterpillar.GH.Plugin;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Types;
 using Rhino.Commands;
 using Rhino.Input;
 

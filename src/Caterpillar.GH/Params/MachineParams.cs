@@ -1,5 +1,3 @@
-using Caterpillar.GH.Goos;
-
 namespace Caterpillar.GH.Params;
 
 /// <summary>Printers. Text is the name of a profile.</summary>

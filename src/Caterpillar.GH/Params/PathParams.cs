@@ -1,6 +1,4 @@
 using Caterpillar.GCode;
-using Caterpillar.GH.Goos;
-using Grasshopper.Kernel;
 using Rhino.Commands;
 using Rhino.DocObjects;
 using Rhino.Input;

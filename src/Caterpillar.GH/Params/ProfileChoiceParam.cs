@@ -1,12 +1,6 @@
 using System.Drawing;
-using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Goos;
 using Caterpillar.GH.Plugin;
-using Caterpillar.Machines;
 using GH_IO.Serialization;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Parameters;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Params;
 

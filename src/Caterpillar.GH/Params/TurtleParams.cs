@@ -1,5 +1,3 @@
-using Caterpillar.GH.Goos;
-
 namespace Caterpillar.GH.Params;
 
 /// <summary>Turtle programs.</summary>

@@ -1,9 +1,6 @@
 using Caterpillar.GH.Bake;
-using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Preview;
 using GH_IO.Serialization;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Types;
 using Rhino;
 using Rhino.DocObjects;
 

@@ -1,7 +1,6 @@
 using System.Drawing;
 using System.Reflection;
 using Grasshopper;
-using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Plugin;
 

@@ -1,5 +1,3 @@
-using Caterpillar.Machines;
-
 namespace Caterpillar.GH.Plugin;
 
 /// <summary>A kind of profile: its plural noun, its usual profile and its keys, and how profiles are listed, found, named, written and read.</summary>

@@ -1,4 +1,3 @@
-using Caterpillar.Machines;
 using Grasshopper;
 
 namespace Caterpillar.GH.Plugin;

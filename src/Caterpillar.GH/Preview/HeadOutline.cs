@@ -1,7 +1,4 @@
 using Caterpillar.Display;
-using Caterpillar.Geometry;
-using Caterpillar.GH.Conversion;
-using Caterpillar.Machines;
 using Caterpillar.Turtles;
 
 namespace Caterpillar.GH.Preview;

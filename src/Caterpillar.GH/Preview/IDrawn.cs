@@ -1,5 +1,3 @@
-using Grasshopper.Kernel;
-
 namespace Caterpillar.GH.Preview;
 
 /// <summary>Something that a component draws itself for an item.</summary>

@@ -1,8 +1,6 @@
 using System.Drawing;
 using Caterpillar.Display;
-using Caterpillar.GH.Conversion;
 using Caterpillar.Simulation;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GH.Preview;
 
@@ -59,7 +57,7 @@ internal sealed class PreviewColors
     }
 
     /// <summary>The colors of the moves of some layers.</summary>
-    public static PreviewColors Of(double[] values, SceneParts parts, LayerRange layers, PreviewColor by)
+    public static PreviewColors Of(double[] values, SceneParts parts, ShownLayers layers, PreviewColor by)
     {
         var bands = new byte[values.Length];
         var (least, greatest) = (double.PositiveInfinity, double.NegativeInfinity);

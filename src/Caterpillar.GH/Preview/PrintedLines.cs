@@ -1,5 +1,3 @@
-using Caterpillar.GH.Conversion;
-using Caterpillar.Toolpaths;
 using Rhino.Display;
 
 namespace Caterpillar.GH.Preview;

@@ -1,10 +1,7 @@
-using Caterpillar.GH.Conversion;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.GH.Preview;
 
 /// <summary>The layers that are shown, by their numbers. Null = no limit.</summary>
-internal sealed record LayerRange(int? First, int? Last)
+internal sealed record ShownLayers(int? First, int? Last)
 {
     /// <summary>Number of the layer of a move without a layer, which is shown if there are no limits.</summary>
     public const int None = int.MinValue;
@@ -27,7 +24,7 @@ internal sealed class SceneParts
         foreach (var move in toolpath.Moves())
         {
             if (move.Index % 65536 == 0) cancel.ThrowIfCancellationRequested();
-            var layer = Layers[move.Index] = toolpath.NumberOfLayer(move) ?? LayerRange.None;
+            var layer = Layers[move.Index] = toolpath.NumberOfLayer(move) ?? ShownLayers.None;
             if (move.Kind == MoveKind.Print)
             {
                 var boxes = BoxesOf(layer);
@@ -69,9 +66,9 @@ internal sealed class SceneParts
     public IReadOnlyList<(Rg.Point3d Item, int Layer)> Seams { get; }
 
     /// <summary>Those of the layers that are shown.</summary>
-    public static T[] Shown<T>(IReadOnlyList<(T Item, int Layer)> all, LayerRange layers) => all.Where(a => layers.Has(a.Layer)).Select(a => a.Item).ToArray();
+    public static T[] Shown<T>(IReadOnlyList<(T Item, int Layer)> all, ShownLayers layers) => all.Where(a => layers.Has(a.Layer)).Select(a => a.Item).ToArray();
 
-    public Rg.BoundingBox BoxOf(LayerRange layers, bool travels)
+    public Rg.BoundingBox BoxOf(ShownLayers layers, bool travels)
     {
         var box = Rg.BoundingBox.Empty;
         foreach (var layer in _boxes.Where(b => layers.Has(b.Key)))

@@ -1,9 +1,5 @@
 using System.Drawing;
 using Caterpillar.Display;
-using Caterpillar.GH.Conversion;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-using Grasshopper.Kernel;
 using Rhino.Display;
 
 namespace Caterpillar.GH.Preview;
@@ -30,7 +26,7 @@ internal sealed class ToolpathScene : IDrawn
     private readonly Rg.Point3d[] _seams;
     private readonly Rg.Line[] _volume;
 
-    public ToolpathScene(Toolpath toolpath, SceneParts parts, LayerRange layers, PreviewColors colors, SceneContent content, DocumentUnits units)
+    public ToolpathScene(Toolpath toolpath, SceneParts parts, ShownLayers layers, PreviewColors colors, SceneContent content, DocumentUnits units)
     {
         _travels = content.Travels ? SceneParts.Shown(parts.Travels, layers) : [];
         _retractions = content.Travels ? SceneParts.Shown(parts.Retractions, layers) : [];

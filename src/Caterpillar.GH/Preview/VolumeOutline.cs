@@ -1,7 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.GH.Conversion;
-using Caterpillar.Machines;
-
 namespace Caterpillar.GH.Preview;
 
 /// <summary>Bed and build volume of a printer as lines, in document units.</summary>

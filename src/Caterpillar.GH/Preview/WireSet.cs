@@ -1,6 +1,4 @@
 using System.Drawing;
-using Caterpillar.Geometry;
-using Caterpillar.GH.Conversion;
 using Rhino.Display;
 
 namespace Caterpillar.GH.Preview;

@@ -1,11 +1,4 @@
 using Caterpillar.Drawings;
-using Caterpillar.Geometry;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.Design;
 

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.GH.Base;
 using Caterpillar.Traces;
 
 namespace Caterpillar.GH.Components.Design;

@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.GH.Base;
-
 namespace Caterpillar.GH.Components.Design;
 
 /// <summary>Flat round traces.</summary>

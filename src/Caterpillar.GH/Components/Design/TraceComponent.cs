@@ -1,12 +1,4 @@
-using Caterpillar.Geometry;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 using Caterpillar.Traces;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Parameters;
 
 namespace Caterpillar.GH.Components.Design;
 

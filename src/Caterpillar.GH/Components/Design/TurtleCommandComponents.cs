@@ -1,9 +1,4 @@
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
 using Caterpillar.Turtles;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Parameters;
 
 namespace Caterpillar.GH.Components.Design;
 

@@ -1,14 +1,5 @@
-using Caterpillar.Geometry;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
 using Caterpillar.GH.Plugin;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 using Caterpillar.Turtles;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Parameters;
 
 namespace Caterpillar.GH.Components.Design;
 

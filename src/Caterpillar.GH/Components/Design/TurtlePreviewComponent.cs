@@ -1,13 +1,6 @@
 using System.Drawing;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
 using Caterpillar.GH.Preview;
-using Caterpillar.Machines;
 using Caterpillar.Turtles;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Parameters;
 using Rhino.Display;
 
 namespace Caterpillar.GH.Components.Design;

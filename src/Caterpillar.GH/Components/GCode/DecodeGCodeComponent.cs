@@ -1,10 +1,5 @@
 using Caterpillar.Flavors;
 using Caterpillar.GCode;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
-using Caterpillar.Machines;
-using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.GCode;
 

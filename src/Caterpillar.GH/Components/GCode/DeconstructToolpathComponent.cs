@@ -1,9 +1,3 @@
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Params;
-using Caterpillar.Toolpaths;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Parameters;
-
 namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Takes a toolpath apart, move by move.</summary>

@@ -1,11 +1,4 @@
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
-using Caterpillar.Geometry;
 using Caterpillar.Shaping;
-using Caterpillar.Toolpaths;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Parameters;
 
 namespace Caterpillar.GH.Components.GCode;
 

@@ -1,9 +1,3 @@
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
-using Caterpillar.Toolpaths;
-using Grasshopper.Kernel;
-
 namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Keeps some moves of a toolpath, or removes them.</summary>

@@ -1,7 +1,4 @@
 using Caterpillar.GCode;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Params;
-using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.GCode;
 

@@ -1,8 +1,4 @@
 using Caterpillar.GCode;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
-using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.GCode;
 

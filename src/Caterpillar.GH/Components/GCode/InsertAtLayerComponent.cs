@@ -1,10 +1,3 @@
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
-using Caterpillar.Toolpaths;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Types;
-
 namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Events to insert before a layer.</summary>

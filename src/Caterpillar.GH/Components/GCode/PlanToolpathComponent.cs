@@ -1,6 +1,3 @@
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
 using Caterpillar.Planning;
 
 namespace Caterpillar.GH.Components.GCode;

@@ -1,8 +1,4 @@
 using Caterpillar.GCode;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Grasshopper.Kernel.Parameters;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Components.GCode;
 

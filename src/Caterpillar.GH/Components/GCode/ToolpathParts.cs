@@ -1,7 +1,4 @@
-using Caterpillar.GH.Conversion;
-using Caterpillar.Toolpaths;
 using Grasshopper.Kernel.Data;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Components.GCode;
 

@@ -1,8 +1,5 @@
 using Caterpillar.Checks;
 using Caterpillar.GCode;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Caterpillar.Machines;
 
 namespace Caterpillar.GH.Components.GCode;
 

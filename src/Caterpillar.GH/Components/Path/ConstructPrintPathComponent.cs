@@ -1,11 +1,4 @@
 using Caterpillar.Drawings;
-using Caterpillar.Geometry;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
-using Caterpillar.Toolpaths;
-using Grasshopper.Kernel.Parameters;
 
 namespace Caterpillar.GH.Components.Path;
 

@@ -1,9 +1,3 @@
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Params;
-using Caterpillar.Toolpaths;
-using Grasshopper.Kernel;
-
 namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Takes a print path apart.</summary>

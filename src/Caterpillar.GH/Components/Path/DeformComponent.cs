@@ -1,6 +1,3 @@
-using Caterpillar.GH.Base;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Deforms paths by formulas.</summary>

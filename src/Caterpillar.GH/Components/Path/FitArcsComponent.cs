@@ -1,10 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
-using Caterpillar.Toolpaths;
-using Grasshopper.Kernel;
-
 namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Replaces runs of segments with arcs.</summary>

@@ -1,8 +1,4 @@
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Params;
 using Caterpillar.Shaping;
-using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.Path;
 

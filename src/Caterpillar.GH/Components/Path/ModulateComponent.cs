@@ -1,8 +1,5 @@
 using Caterpillar.Files;
-using Caterpillar.Geometry;
-using Caterpillar.GH.Base;
 using Caterpillar.Shaping;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GH.Components.Path;
 

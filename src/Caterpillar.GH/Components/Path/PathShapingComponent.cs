@@ -1,11 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Params;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Parameters;
-
 namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Base of the components that change the shape or the beads of print paths: paths first, paths and diagnostics out.</summary>

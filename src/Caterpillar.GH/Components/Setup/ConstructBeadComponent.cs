@@ -1,10 +1,3 @@
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-using Grasshopper.Kernel;
-
 namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>Makes an extrusion from its width and height.</summary>

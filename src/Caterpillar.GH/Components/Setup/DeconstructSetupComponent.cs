@@ -1,11 +1,3 @@
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
-using Caterpillar.Machines;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Parameters;
-
 namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>Takes a setup apart.</summary>

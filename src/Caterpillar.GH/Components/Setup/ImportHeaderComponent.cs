@@ -1,10 +1,3 @@
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
-using Caterpillar.Machines;
-using Grasshopper.Kernel;
-
 namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>Makes a printer from header and footer files.</summary>

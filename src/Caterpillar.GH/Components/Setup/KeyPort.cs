@@ -1,10 +1,3 @@
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Params;
-using Caterpillar.Machines;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Parameters;
-using Grasshopper.Kernel.Types;
-
 namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>A port for a key of a profile: its type, its texts, its value.</summary>

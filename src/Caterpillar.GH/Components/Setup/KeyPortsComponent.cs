@@ -1,7 +1,4 @@
-using Caterpillar.GH.Base;
 using Caterpillar.GH.Plugin;
-using Caterpillar.Machines;
-using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.Setup;
 

@@ -1,8 +1,4 @@
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
 using Caterpillar.GH.Plugin;
-using Caterpillar.Machines;
 
 namespace Caterpillar.GH.Components.Setup;
 

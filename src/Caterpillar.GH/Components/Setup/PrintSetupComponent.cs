@@ -1,10 +1,4 @@
-using Caterpillar.Geometry;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
 using Caterpillar.GH.Plugin;
-using Caterpillar.Machines;
-using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.Setup;
 

@@ -1,12 +1,4 @@
-using Caterpillar.Geometry;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
 using Caterpillar.GH.Plugin;
-using Caterpillar.Machines;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Components.Setup;
 

@@ -1,6 +1,3 @@
-using Caterpillar.GH.Base;
-using Grasshopper.Kernel;
-
 namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>Makes all components of a definition wait for their results, for whoever reads them at the end of a solution.</summary>

@@ -1,12 +1,5 @@
 using System.Drawing;
 using Caterpillar.GH.Bake;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
-using Caterpillar.Toolpaths;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Parameters;
 using Rhino;
 
 namespace Caterpillar.GH.Components.Simulate;

@@ -1,9 +1,5 @@
 using System.Diagnostics;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
 using Caterpillar.Simulation;
-using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.Simulate;
 

@@ -1,12 +1,6 @@
 using System.Drawing;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
 using Caterpillar.GH.Preview;
 using Caterpillar.Simulation;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Parameters;
 
 namespace Caterpillar.GH.Components.Simulate;
 

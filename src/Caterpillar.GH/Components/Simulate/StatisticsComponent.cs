@@ -1,9 +1,4 @@
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
-using Caterpillar.Machines;
 using Caterpillar.Simulation;
-using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.Simulate;
 

@@ -1,12 +1,5 @@
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
 using Caterpillar.GH.Preview;
 using Caterpillar.Simulation;
-using Caterpillar.Toolpaths;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Parameters;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Components.Simulate;
 
@@ -41,7 +34,7 @@ public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
     {
         var goo = run.Get<ToolpathGoo>(0);
         var by = run.Choice<PreviewColor>(1);
-        var layers = new LayerRange(run.MaybeValue<int>(2), run.MaybeValue<int>(3));
+        var layers = new ShownLayers(run.MaybeValue<int>(2), run.MaybeValue<int>(3));
         var (beads, travels) = (run.Get<bool>(4), run.Get<bool>(5));
         var units = run.Units;
         var toolpath = goo.Value;

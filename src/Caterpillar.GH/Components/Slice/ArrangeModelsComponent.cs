@@ -1,4 +1,3 @@
-using Caterpillar.GH.Base;
 using Caterpillar.Slicing;
 
 namespace Caterpillar.GH.Components.Slice;

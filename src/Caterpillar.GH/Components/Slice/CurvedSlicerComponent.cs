@@ -1,9 +1,5 @@
 using Caterpillar.Curved;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
 using Caterpillar.Slicing;
-using Grasshopper.Kernel;
 
 namespace Caterpillar.GH.Components.Slice;
 

@@ -1,11 +1,6 @@
 using Caterpillar.Curved;
 using Caterpillar.Files;
-using Caterpillar.Geometry;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Goos;
 using Caterpillar.Slicing;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Components.Slice;
 

@@ -1,9 +1,3 @@
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Parameters;
-
 namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>How the layers of a curved print are given.</summary>

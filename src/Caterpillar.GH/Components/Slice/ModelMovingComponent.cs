@@ -1,10 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Parameters;
-using Grasshopper.Kernel.Types;
-
 namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>Base of the components that put models into place: any geometry in, the same geometry out, moved and turned.</summary>

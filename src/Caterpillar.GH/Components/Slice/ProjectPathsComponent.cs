@@ -1,14 +1,5 @@
 using Caterpillar.Curved;
-using Caterpillar.Geometry;
-using Caterpillar.GH.Base;
-using Caterpillar.GH.Conversion;
-using Caterpillar.GH.Goos;
-using Caterpillar.GH.Params;
-using Caterpillar.Machines;
 using Caterpillar.Slicing;
-using Caterpillar.Toolpaths;
-using Grasshopper.Kernel;
-using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Components.Slice;
 
