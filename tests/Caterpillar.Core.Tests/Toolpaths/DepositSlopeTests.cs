@@ -176,10 +176,10 @@ public class DepositSlopeTests
         deposit.Add(new Vec3(0.2, 1.6, 0.3), new Vec3(40, 1.6, 20), 0.2, 0);
         for (var i = 1; i <= 40; i++) deposit.Add(new Vec3(0.2, 1, 0.5), new Vec3(1.8, 1, 0.5), 0.2, i);
         Assert.That(deposit.ExtrusionCount, Is.EqualTo(41));
-        Assert.That(deposit.Meets(new Vec3(0.3, 0.7, 0.3), new Vec3(1.7, 0.7, 0.3), 0.05, Head, false, out var tag), Is.EqualTo(HeadContact.Digs));
+        Assert.That(deposit.Meets(new Vec3(0.3, 0.7, 0.3), new Vec3(1.7, 0.7, 0.3), 0.05, Cone, false, out var tag), Is.EqualTo(HeadContact.Digs));
         Assert.That(tag, Is.EqualTo(40));
         // At the upper end of the slope the head finds it.
-        Assert.That(deposit.Meets(new Vec3(39, 1.6, 19), new Vec3(39.9, 1.6, 19), 0.05, Head, false, out tag), Is.EqualTo(HeadContact.Hits));
+        Assert.That(deposit.Meets(new Vec3(39, 1.6, 19), new Vec3(39.9, 1.6, 19), 0.05, Cone, false, out tag), Is.EqualTo(HeadContact.Hits));
         Assert.That(tag, Is.Zero);
     }
 
