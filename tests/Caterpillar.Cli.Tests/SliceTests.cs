@@ -149,7 +149,7 @@ public class SliceTests : CliFixture
     {
         File.WriteAllText("a.turtle", "start 10 10 8\nspeed 900\nforward 80\nforward 80\n");
         var run = Run("turtle", "a.turtle");
-        Assert.That(run.Messages, Does.Contain("5 findings of 3 kinds: limit.flow 2, limit.speed 2, extrusion.unsupported 1."));
+        Assert.That(run.Messages, Does.Contain("6 findings of 4 kinds: limit.flow 2, first_layer.in_air 1, limit.speed 2, extrusion.unsupported 1."));
         File.WriteAllText("b.turtle", "start 10 10 0.2\nforward 80\n");
         Assert.That(Run("turtle", "b.turtle").Messages, Does.Not.Contain("kinds"));
     }

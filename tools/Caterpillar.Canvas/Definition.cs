@@ -70,10 +70,14 @@ internal sealed record Definition(IReadOnlyList<Item> Items, IReadOnlyList<Group
 
     private static Group ReadGroup(XElement container)
     {
-        var color = (Value(container, "Colour") ?? "150;170;135;255").Split(';').Select(v => int.Parse(v, CultureInfo.InvariantCulture)).ToArray();
+        var color = (PaintOf(container) ?? "150;170;135;255").Split(';').Select(v => int.Parse(v, CultureInfo.InvariantCulture)).ToArray();
         var hex = string.Concat(color.Skip(1).Select(v => v.ToString("x2", CultureInfo.InvariantCulture)));
         return new Group(Value(container, "NickName") ?? "", "#" + hex, Values(container, "ID").Select(v => new Guid(v)).ToArray());
     }
+
+    // The only color that a group has.
+    private static string? PaintOf(XElement container)
+        => container.Element("items")?.Elements("item").FirstOrDefault(i => (string?)i.Attribute("type_name") == "gh_drawing_color")?.Value;
 
     private static Item ReadItem(Guid kind, string name, XElement container)
     {
@@ -94,7 +98,8 @@ internal sealed record Definition(IReadOnlyList<Item> Items, IReadOnlyList<Group
             box, inputs, outputs);
         return look switch
         {
-            Look.Panel => item with { Text = Value(container, "UserText") ?? "", Numbered = Value(Chunk(container, "PanelProperties"), "DrawIndices") == "true" },
+            Look.Panel => item with { Text = Value(container, "UserText") ?? "", Numbered = Value(Chunk(container, "PanelProperties"),
+                "DrawIndices") == "true" },
             Look.Slider => WithSlider(item, Chunk(container, "Slider")!),
             Look.Toggle => item with { Text = Value(container, "ToggleValue") == "true" ? "True" : "False" },
             Look.ValueList => item with
@@ -124,7 +129,8 @@ internal sealed record Definition(IReadOnlyList<Item> Items, IReadOnlyList<Group
     {
         var tags = (Value(chunk, "Mapping") is not (null or "0") ? 1 : 0) + (Value(chunk, "ReverseData") == "true" ? 1 : 0)
             + (Value(chunk, "SimplifyData") == "true" ? 1 : 0);
-        return new Port(new Guid(Value(chunk, "InstanceGuid")!), Value(chunk, "NickName") ?? "", tags, Values(chunk, "Source").Select(v => new Guid(v)).ToArray());
+        return new Port(new Guid(Value(chunk, "InstanceGuid")!), Value(chunk, "NickName") ?? "", tags, Values(chunk,
+            "Source").Select(v => new Guid(v)).ToArray());
     }
 
     private static IEnumerable<XElement> Chunks(XElement? parent, string name)

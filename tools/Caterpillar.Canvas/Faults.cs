@@ -36,7 +36,7 @@ internal static class Faults
         foreach (var wire in layout.Wires)
         {
             foreach (var other in layout.Objects.Where(o => Hides(o, wire)))
-                yield return $"The wire from {NameOf(wire.From)} to {NameOf(wire.To)} runs behind {NameOf(other)}.";
+                yield return $"The wire from {NameOf(wire.From)} to {NameOf(wire.To)} is hidden by {NameOf(other)}.";
         }
     }
 

@@ -1,10 +1,10 @@
 using System;
-using System.Collections.Generic;
-using System.Linq;
+using System.Globalization;
 
 namespace Caterpillar.CanvasPictures;
 
-/// <summary>Draws a definition as Grasshopper's canvas shows it. Components carry their icon, and their name above it as plug-ins for teaching show it.</summary>
+/// <summary>Draws a definition as Grasshopper's canvas shows it. Components carry their icon,
+/// and their name above it as plug-ins for teaching show it.</summary>
 internal static class Picture
 {
     private const string Canvas = "#d4d0c8";
@@ -96,22 +96,19 @@ internal static class Picture
             surface.Text(placed.Item.NickName, new Spot(box.MiddleX, top + 11), 9, Side.Middle, "#5a5a5a", bold: true);
             top += Letters.PanelLine;
         }
-        var index = 0;
-        foreach (var line in Lines(placed.Item, box, results))
+        var lines = results.Panels.TryGetValue(placed.Item.Id, out var solved) ? solved : placed.Item.Text.Split('\n');
+        var letters = (int)((box.Width - (placed.Item.Numbered ? 24 : 12)) / Letters.PanelLetter);
+        for (var i = 0; i < lines.Count; i++)
         {
-            top += Letters.PanelLine;
-            if (top > box.Bottom - 1) break;
-            if (placed.Item.Numbered) surface.Text(index.ToString(System.Globalization.CultureInfo.InvariantCulture), new Spot(box.X + 4, top - 2), 8, Side.Start, "#7a7a5a");
-            surface.Text(line, new Spot(box.X + (placed.Item.Numbered ? 18 : 6), top - 2), 10, Side.Start, Ink, mono: true);
-            index++;
+            if (placed.Item.Numbered && top + Letters.PanelLine < box.Bottom)
+                surface.Text(i.ToString(CultureInfo.InvariantCulture), new Spot(box.X + 4, top + Letters.PanelLine - 2), 8, Side.Start, "#7a7a5a");
+            foreach (var line in Wrapped.Lines(lines[i], letters))
+            {
+                top += Letters.PanelLine;
+                if (top > box.Bottom - 1) return;
+                surface.Text(line, new Spot(box.X + (placed.Item.Numbered ? 18 : 6), top - 2), 10, Side.Start, Ink, mono: true);
+            }
         }
-    }
-
-    private static IEnumerable<string> Lines(Item panel, Box box, Results results)
-    {
-        var letters = (int)((box.Width - (panel.Numbered ? 24 : 12)) / Letters.PanelLetter);
-        var lines = results.Panels.TryGetValue(panel.Id, out var solved) ? solved : panel.Text.Replace("\r", "").Split('\n');
-        return lines.SelectMany(l => Wrapped.Lines(l, letters));
     }
 
     private static void DrawSlider(ISurface surface, Placed placed)

@@ -86,7 +86,8 @@ internal sealed class PngSurface : ISurface, IDisposable
         foreach (var name in names)
         {
             var start = name.Replace(" ", "", StringComparison.Ordinal) + (bold ? "-Bold.ttf" : "");
-            var file = Files.Value.FirstOrDefault(f => Path.GetFileName(f) == start || (!bold && Path.GetFileName(f) is { } n && (n == start + ".ttf" || n == start + "-Regular.ttf")));
+            string[] wanted = bold ? [start] : [start + ".ttf", start + "-Regular.ttf"];
+            var file = Files.Value.FirstOrDefault(f => wanted.Contains(Path.GetFileName(f)));
             if (file is not null) return SKTypeface.FromFile(file);
         }
         return SKTypeface.Default;

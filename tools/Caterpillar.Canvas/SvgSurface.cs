@@ -1,3 +1,4 @@
+#pragma warning disable CA1305, CA1307 // Numbers are formatted before; one form for all frameworks.
 using System;
 using System.Globalization;
 using System.Text;
@@ -11,11 +12,13 @@ internal sealed class SvgSurface : ISurface
 
     public SvgSurface(Box extent) => _text.Append("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"").Append(Number(extent.X)).Append(' ')
         .Append(Number(extent.Y)).Append(' ').Append(Number(extent.Width)).Append(' ').Append(Number(extent.Height)).Append("\" width=\"")
-        .Append(Number(extent.Width)).Append("\" height=\"").Append(Number(extent.Height)).Append("\" font-family=\"Arial, 'Liberation Sans', 'DejaVu Sans Condensed', sans-serif\">\n");
+        .Append(Number(extent.Width)).Append("\" height=\"").Append(Number(extent.Height))
+        .Append("\" font-family=\"Arial, 'Liberation Sans', "
+            + "'DejaVu Sans Condensed', sans-serif\">\n");
 
     public void Rectangle(Box box, double radius, string fill, string edge, double opacity = 1)
-        => _text.Append($"<rect x=\"{Number(box.X)}\" y=\"{Number(box.Y)}\" width=\"{Number(box.Width)}\" height=\"{Number(box.Height)}\" rx=\"{Number(radius)}\" ")
-            .Append($"fill=\"{fill}\" stroke=\"{edge}\"").Append(opacity < 1 ? $" opacity=\"{Number(opacity)}\"" : "").Append("/>\n");
+        => _text.Append($"<rect x=\"{Number(box.X)}\" y=\"{Number(box.Y)}\" width=\"{Number(box.Width)}\" height=\"{Number(box.Height)}\" ")
+            .Append($"rx=\"{Number(radius)}\" fill=\"{fill}\" stroke=\"{edge}\"").Append(opacity < 1 ? $" opacity=\"{Number(opacity)}\"" : "").Append("/>\n");
 
     public void Curve(Wire wire, string color, double width, bool dashed)
     {

@@ -42,17 +42,17 @@ internal static class PrinterImport
 
     // A header may print, too: a purge line.
     private static bool IsPrint(DecodedGCode? decoded)
-        => decoded?.Document is not null && CodeReplacement.PrintedLines(decoded) is (> 0, > 0)
+        => decoded?.Document is not null && decoded.PrintedLines.Last > 0
             && (decoded.FirstLayerLine > 0 || decoded.Toolpath.CountLayers() > 2);
 
     // What is before the first layer.
     private static string StartCode(DecodedGCode print)
-        => Commands(print.Document!.Lines(1, CodeReplacement.PrintedLines(print).First - 1));
+        => Commands(print.Document!.Lines(1, print.PrintedLines.First - 1));
 
     // What is after the last extrusion and the moves that leave it.
     private static string EndCode(DecodedGCode print)
     {
-        var last = CodeReplacement.PrintedLines(print).Last;
+        var last = print.PrintedLines.Last;
         var lines = print.Document!.Lines(last + 1, print.Document.LineCount - last);
         var custom = lines.TakeWhile(l => !l.StartsWith(";TYPE:Custom", StringComparison.Ordinal)).Count();
         return Commands(custom < lines.Count ? lines.Skip(custom) : lines.SkipWhile(l => Code(l).Length == 0 || Code(l) is "G0" or "G1" or "G2" or "G3"));

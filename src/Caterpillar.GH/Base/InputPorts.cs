@@ -23,22 +23,15 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager, List
         _conditions = outer;
     }
 
-    public void Number(string name, string nick, string description, double? fallback = null, GH_ParamAccess access = Item)
-        => Add(Default(new Param_Number(), fallback), name, nick, description, access);
+    public void Number(string name, string nick, string description, double? fallback = null, bool optional = false)
+        => Add(Default(new Param_Number(), fallback), name, nick, description, optional: optional);
 
     /// <summary>An angle: degrees, or radians if the user switches the port.</summary>
-    public void Angle(string name, string nick, string description, double fallback)
-        => Add(Default(new Param_Number { AngleParameter = true, UseDegrees = true }, fallback), name, nick, description, Item);
+    public void Angle(string name, string nick, string description, double? fallback = null, bool optional = false)
+        => Add(Default(new Param_Number { AngleParameter = true, UseDegrees = true }, fallback), name, nick, description, optional: optional);
 
-    /// <summary>An optional number, whose default is not a number.</summary>
-    public void OptionalNumber(string name, string nick, string description) => Add(new Param_Number { Optional = true }, name, nick, description, Item);
-
-    /// <summary>An optional angle: degrees, or radians if the user switches the port.</summary>
-    public void OptionalAngle(string name, string nick, string description)
-        => Add(new Param_Number { AngleParameter = true, UseDegrees = true, Optional = true }, name, nick, description, Item);
-
-    public void Integer(string name, string nick, string description, int? fallback = null, GH_ParamAccess access = Item)
-        => Add(Default(new Param_Integer(), fallback), name, nick, description, access);
+    public void Integer(string name, string nick, string description, int? fallback = null, GH_ParamAccess access = Item, bool optional = false)
+        => Add(Default(new Param_Integer(), fallback), name, nick, description, access, optional);
 
     public void Boolean(string name, string nick, string description, bool fallback)
         => Add(Default(new Param_Boolean(), fallback), name, nick, description, Item);
@@ -62,18 +55,12 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager, List
     /// <summary>Several choices among the values of an enum, at first one of them.</summary>
     public void Choices<T>(string name, string nick, string description, T fallback)
         where T : struct, Enum
-        => Add(Default(ChoiceParam.Of<T>(), Convert.ToInt32(fallback, System.Globalization.CultureInfo.InvariantCulture)), name, nick, description,
-            GH_ParamAccess.list);
-
-    public void OptionalInteger(string name, string nick, string description) => Add(new Param_Integer { Optional = true }, name, nick, description, Item);
+        => Choice(name, nick, description, fallback, GH_ParamAccess.list);
 
     /// <summary>A choice among the values of an enum: a number, a name, or the menu of the port.</summary>
-    public void Choice<T>(string name, string nick, string description, T fallback)
+    public void Choice<T>(string name, string nick, string description, T fallback, GH_ParamAccess access = Item)
         where T : struct, Enum
-    {
-        var param = ChoiceParam.Of<T>();
-        Add(Default(param, Convert.ToInt32(fallback, System.Globalization.CultureInfo.InvariantCulture)), name, nick, description, Item);
-    }
+        => Add(Default(ChoiceParam.Of<T>(), Convert.ToInt32(fallback, System.Globalization.CultureInfo.InvariantCulture)), name, nick, description, access);
 
     /// <summary>The print paths that a component changes.</summary>
     public void PrintPaths() => Add(new PrintPathParam(), "Print Paths", "P", "Print paths, in printing order.", GH_ParamAccess.list);

@@ -19,10 +19,10 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
     /// <summary>Number of the item in this solution, from 0.</summary>
     public int Iteration => Access.Iteration;
 
-    /// <summary>The print paths of a list.</summary>
+    /// <summary>The print paths of a list, one at least.</summary>
     public PathList Paths(int input)
     {
-        var goos = List<PrintPathGoo>(input);
+        var goos = Some<PrintPathGoo>(input);
         return cache.Renew<PathList>([input, Access.Iteration], last => last?.Has(goos) == true ? last : new PathList(goos));
     }
 

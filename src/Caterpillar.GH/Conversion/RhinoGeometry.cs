@@ -60,14 +60,8 @@ internal static class RhinoGeometry
     public static Rg.PolylineCurve? ToCurve(PrintPath path, DocumentUnits units)
     {
         var lines = new List<Rg.Line>();
-        AddLines(lines, path, units);
-        return PolylineMaker.Of(lines);
-    }
-
-    /// <summary>The segments of a path, arcs as chords.</summary>
-    public static void AddLines(List<Rg.Line> lines, PrintPath path, DocumentUnits units)
-    {
         for (var i = 0; i < path.SegmentCount; i++) AddLines(lines, path.Points[i], path.EndOf(i), path.ArcOf(i), units);
+        return PolylineMaker.Of(lines);
     }
 
     /// <summary>One segment, an arc as chords. Nothing if it has no length.</summary>

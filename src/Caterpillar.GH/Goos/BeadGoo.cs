@@ -35,7 +35,7 @@ public sealed class BeadGoo : GH_Goo<Bead>, IReadsText
 
     public string? Problem => _isSet ? null : "This is not a bead. Use a width in mm, or width x height: 0.5 x 0.2.";
 
-    public override IGH_Goo Duplicate() => _isSet ? new BeadGoo(Value) : new BeadGoo();
+    public override IGH_Goo Duplicate() => (IGH_Goo)MemberwiseClone();
 
     /// <summary>The value for script components.</summary>
     public override object ScriptVariable() => Value;

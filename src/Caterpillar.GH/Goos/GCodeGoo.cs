@@ -17,8 +17,6 @@ public sealed class GCodeGoo(GCodeDocument? document) : ValueGoo<GCodeDocument>(
 
     public override string TypeDescription => "A G-code file, byte for byte.";
 
-    public override IGH_Goo Duplicate() => new GCodeGoo(Value);
-
     /// <summary>Text is G-code. The full path of a file is the G-code of that file.</summary>
     public override bool CastFrom(object source)
     {

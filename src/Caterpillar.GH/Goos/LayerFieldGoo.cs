@@ -26,8 +26,6 @@ public sealed class LayerFieldGoo(FieldRecipe? recipe) : ValueGoo<FieldRecipe>(r
 
     public string? Problem { get; private set; }
 
-    public override IGH_Goo Duplicate() => new LayerFieldGoo(Value) { _formula = _formula };
-
     public override bool CastFrom(object source)
     {
         if (base.CastFrom(source)) return true;

@@ -15,8 +15,6 @@ public sealed class MoveFilterGoo(MoveFilter? filter) : ValueGoo<MoveFilter>(fil
 
     public override string TypeDescription => "Selects moves of a toolpath by role, layer, object, tool or box.";
 
-    public override IGH_Goo Duplicate() => new MoveFilterGoo(Value);
-
     protected override string Describe(MoveFilter value)
     {
         var parts = new List<string>();

@@ -18,19 +18,11 @@ public sealed class PrinterGoo(Printer? printer) : ProfileGoo<Printer>(printer)
 
     public override string TypeDescription => "A printer: build volume in mm, limits and G-code.";
 
-    public override IGH_Goo Duplicate() => new PrinterGoo(Value);
-
     protected override string Describe(Printer value)
         => $"Printer ({value.Title}, {NumberFormatter.Format(value.BuildVolume.X, 1)} × {NumberFormatter.Format(value.BuildVolume.Y, 1)} × "
             + $"{NumberFormatter.Format(value.BuildVolume.Z, 1)} mm, {value.Flavor.Title})";
 
-    private protected override Result<Printer> Find(ProfileLibrary library, string name) => library.Printer(name);
-
-    private protected override string ToJson(Printer value) => ProfileWriter.Write(value);
-
-    private protected override Result<Printer> FromJson(string json, string name) => ProfileReader.ReadPrinter(json, "definition", name);
-
-    private protected override string NameOf(Printer value) => value.Name;
+    private protected override ProfileKind<Printer> Kind => ProfileKinds.Printer;
 }
 
 /// <summary>A material on a wire. At a port for materials, text is the name of a profile.</summary>
@@ -45,18 +37,10 @@ public sealed class MaterialGoo(Material? material) : ProfileGoo<Material>(mater
 
     public override string TypeDescription => "A material: temperatures in °C, filament diameter in mm, flow ratio.";
 
-    public override IGH_Goo Duplicate() => new MaterialGoo(Value);
-
     protected override string Describe(Material value)
         => $"Material ({value.Title}, {NumberFormatter.Format(value.FilamentDiameter, 3)} mm, {NumberFormatter.Format(value.NozzleTemperature, 1)} °C)";
 
-    private protected override Result<Material> Find(ProfileLibrary library, string name) => library.Material(name);
-
-    private protected override string ToJson(Material value) => ProfileWriter.Write(value);
-
-    private protected override Result<Material> FromJson(string json, string name) => ProfileReader.ReadMaterial(json, "definition", name);
-
-    private protected override string NameOf(Material value) => value.Name;
+    private protected override ProfileKind<Material> Kind => ProfileKinds.Material;
 }
 
 /// <summary>Print settings on a wire. At a port for settings, text is the name of a profile.</summary>
@@ -71,19 +55,11 @@ public sealed class SettingsGoo(PrintSettings? settings) : ProfileGoo<PrintSetti
 
     public override string TypeDescription => "Print settings: heights and widths in mm, speeds in mm/s.";
 
-    public override IGH_Goo Duplicate() => new SettingsGoo(Value);
-
     protected override string Describe(PrintSettings value)
         => $"Print Settings ({value.Title}, layers of {NumberFormatter.Format(value.LayerHeight, 3)} mm, lines of "
             + $"{NumberFormatter.Format(value.LineWidth, 3)} mm, {NumberFormatter.Format(value.PrintSpeed, 1)} mm/s)";
 
-    private protected override Result<PrintSettings> Find(ProfileLibrary library, string name) => library.Settings(name);
-
-    private protected override string ToJson(PrintSettings value) => ProfileWriter.Write(value);
-
-    private protected override Result<PrintSettings> FromJson(string json, string name) => ProfileReader.ReadSettings(json, "definition", name);
-
-    private protected override string NameOf(PrintSettings value) => value.Name;
+    private protected override ProfileKind<PrintSettings> Kind => ProfileKinds.Settings;
 }
 
 /// <summary>Base of printers, materials and settings: a name, and the JSON that a definition stores.</summary>
@@ -92,11 +68,13 @@ public abstract class ProfileGoo<T>(T? value) : ValueGoo<T>(value), IReadsText
 {
     public string? Problem { get; private set; }
 
+    private protected abstract ProfileKind<T> Kind { get; }
+
     public override bool CastFrom(object source)
     {
         if (base.CastFrom(source)) return true;
         if (Wrapped.Text(source) is not { } name) return false;
-        var found = Find(Profiles.Library, name);
+        var found = Kind.Find(Profiles.Library, name);
         Problem = TextProblem.Of(found);
         Value = found.Value!;
         return Value is not null;
@@ -106,8 +84,8 @@ public abstract class ProfileGoo<T>(T? value) : ValueGoo<T>(value), IReadsText
     {
         if (Value is null) return true;
         writer.SetInt32("Version", StoredText.Version);
-        writer.SetString("Name", StoredText.Pack(NameOf(Value)));
-        writer.SetString("Profile", StoredText.Pack(ToJson(Value)));
+        writer.SetString("Name", StoredText.Pack(Kind.NameOf(Value)));
+        writer.SetString("Profile", StoredText.Pack(Kind.Write(Value)));
         return true;
     }
 
@@ -116,15 +94,7 @@ public abstract class ProfileGoo<T>(T? value) : ValueGoo<T>(value), IReadsText
         string name = "", json = "";
         if (!reader.TryGetString("Profile", ref json)) return true;
         reader.TryGetString("Name", ref name);
-        Value = FromJson(StoredText.Unpack(json), StoredText.Unpack(name)).Value!;
+        Value = Kind.Read(StoredText.Unpack(json), StoredText.Unpack(name)).Value!;
         return Value is not null;
     }
-
-    private protected abstract Result<T> Find(ProfileLibrary library, string name);
-
-    private protected abstract string ToJson(T value);
-
-    private protected abstract Result<T> FromJson(string json, string name);
-
-    private protected abstract string NameOf(T value);
 }

@@ -24,8 +24,6 @@ public sealed class SetupGoo(PrintSetup? setup) : ValueGoo<PrintSetup>(setup), I
 
     public string? Problem { get; private set; }
 
-    public override IGH_Goo Duplicate() => new SetupGoo(Value);
-
     public override bool CastFrom(object source)
     {
         if (base.CastFrom(source)) return true;

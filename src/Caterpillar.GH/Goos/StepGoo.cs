@@ -30,8 +30,6 @@ public sealed class StepGoo(Step? step, PrintSetup? setup = null) : ValueGoo<Ste
 
     public override string TypeDescription => "A step of a design: a print path, a travel move or an event.";
 
-    public override IGH_Goo Duplicate() => new StepGoo(Value, Setup) { _path = _path };
-
     /// <inheritdoc cref="PrintPathGoo.StepFor"/>
     public Step StepFor(PrintSetup setup) => _path?.StepFor(setup) ?? Value;
 
@@ -69,8 +67,9 @@ public sealed class StepGoo(Step? step, PrintSetup? setup = null) : ValueGoo<Ste
 
     public override bool CastTo<Q>(ref Q target)
     {
-        if (Value is PathStep path && typeof(Q) == typeof(PrintPathGoo)) return Give(_path ?? new PrintPathGoo(path, Setup), ref target);
-        return base.CastTo(ref target);
+        if (Value is not PathStep path || typeof(Q) != typeof(PrintPathGoo)) return base.CastTo(ref target);
+        target = (Q)(object)(_path ?? new PrintPathGoo(path, Setup));
+        return true;
     }
 
     protected override string Describe(Step value) => value switch
@@ -90,13 +89,6 @@ public sealed class StepGoo(Step? step, PrintSetup? setup = null) : ValueGoo<Ste
     private bool From(PrintPathGoo path)
     {
         (Value, Setup, _path) = (path.ToStep(), path.Setup, path);
-        return true;
-    }
-
-    private static bool Give<Q>(object made, ref Q target)
-    {
-        if (made is not Q result) return false;
-        target = result;
         return true;
     }
 }

@@ -24,15 +24,10 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
     {
     }
 
-    public ToolpathGoo(Toolpath? toolpath)
+    /// <summary>A toolpath, and the setup that it was planned for.</summary>
+    public ToolpathGoo(Toolpath? toolpath, PrintSetup? setup = null)
     {
         Value = toolpath!;
-    }
-
-    /// <summary>A toolpath that was planned for a printer, a material and settings.</summary>
-    public ToolpathGoo(Toolpath? toolpath, PrintSetup? setup)
-        : this(toolpath)
-    {
         Setup = setup;
     }
 
@@ -52,21 +47,8 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
     /// <summary>The toolpath, made when it is first used.</summary>
     public override Toolpath Value
     {
-        get
-        {
-            if (_make is { } make)
-            {
-                _make = null;
-                m_value = make();
-            }
-            return m_value;
-        }
-
-        set
-        {
-            _make = null;
-            m_value = value;
-        }
+        get => m_value ??= _make?.Invoke()!;
+        set => m_value = value;
     }
 
     /// <summary>The setup it was planned for, if known.</summary>

@@ -22,8 +22,6 @@ public sealed class TurtleProgramGoo(TurtleProgram? program) : ValueGoo<TurtlePr
 
     public string? Problem { get; private set; }
 
-    public override IGH_Goo Duplicate() => new TurtleProgramGoo(Value) { _text = _text };
-
     public override bool CastFrom(object source)
     {
         if (base.CastFrom(source)) return true;
@@ -65,8 +63,6 @@ public sealed class TurtleCommandGoo(TurtleCommand? command) : ValueGoo<TurtleCo
     public override string TypeName => "Turtle Command";
 
     public override string TypeDescription => "A command of a turtle program, in mm, degrees and °C.";
-
-    public override IGH_Goo Duplicate() => new TurtleCommandGoo(Value);
 
     public override bool Write(GH_IWriter writer)
     {

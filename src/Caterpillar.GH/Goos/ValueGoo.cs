@@ -13,6 +13,8 @@ public abstract class ValueGoo<T> : GH_Goo<T>
 
     public override string IsValidWhyNot => IsValid ? "" : $"No {TypeName}.";
 
+    public override IGH_Goo Duplicate() => (IGH_Goo)MemberwiseClone();
+
     /// <summary>The value for script components.</summary>
     public override object? ScriptVariable() => Value;
 

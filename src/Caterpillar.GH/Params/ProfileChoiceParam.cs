@@ -2,6 +2,7 @@ using System.Drawing;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Plugin;
+using Caterpillar.Machines;
 using GH_IO.Serialization;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Parameters;
@@ -23,8 +24,12 @@ public abstract class ProfileChoiceParam<T> : Param_Integer
     // Internalized profiles. In the file they are numbers, too: Grasshopper reads plain integers back.
     private Dictionary<int, T> _stored = [];
 
-    protected ProfileChoiceParam(string name)
+    // The names of the installed profiles.
+    private readonly Func<ProfileLibrary, IReadOnlyList<string>> _installed;
+
+    private protected ProfileChoiceParam(string name, Func<ProfileLibrary, IReadOnlyList<string>> installed)
     {
+        _installed = installed;
         Name = name;
         NickName = name;
         Refresh();
@@ -36,14 +41,11 @@ public abstract class ProfileChoiceParam<T> : Param_Integer
 
     protected override Bitmap? Icon => Icons.Load(Icons.NameOf(GetType()));
 
-    /// <summary>Names of the installed profiles.</summary>
-    private protected abstract IReadOnlyList<string> Installed { get; }
-
     /// <summary>Lists the profiles that are installed now.</summary>
     public void Refresh()
     {
         ClearNamedValues();
-        foreach (var name in Installed)
+        foreach (var name in _installed(Profiles.Library))
         {
             AddNamedValue(name, NumberOf(name));
             _names[NumberOf(name)] = name;
@@ -140,25 +142,19 @@ public abstract class ProfileChoiceParam<T> : Param_Integer
 }
 
 /// <summary>A choice among the installed printers.</summary>
-public sealed class PrinterChoiceParam() : ProfileChoiceParam<PrinterGoo>("Printer")
+public sealed class PrinterChoiceParam() : ProfileChoiceParam<PrinterGoo>("Printer", ProfileKinds.Printer.Names)
 {
     public override Guid ComponentGuid => new("2a9d1f60-52c3-4f7e-9b0b-6a5c0f1d7e21");
-
-    private protected override IReadOnlyList<string> Installed => Profiles.Library.PrinterNames;
 }
 
 /// <summary>A choice among the installed materials.</summary>
-public sealed class MaterialChoiceParam() : ProfileChoiceParam<MaterialGoo>("Material")
+public sealed class MaterialChoiceParam() : ProfileChoiceParam<MaterialGoo>("Material", ProfileKinds.Material.Names)
 {
     public override Guid ComponentGuid => new("7b4c8e03-91da-4e25-8d6f-3f2b9a0c5d22");
-
-    private protected override IReadOnlyList<string> Installed => Profiles.Library.MaterialNames;
 }
 
 /// <summary>A choice among the installed print settings.</summary>
-public sealed class SettingsChoiceParam() : ProfileChoiceParam<SettingsGoo>("Settings")
+public sealed class SettingsChoiceParam() : ProfileChoiceParam<SettingsGoo>("Settings", ProfileKinds.Settings.Names)
 {
     public override Guid ComponentGuid => new("c15e7d92-08ab-4b3d-a6f4-8d0e1b7c4f23");
-
-    private protected override IReadOnlyList<string> Installed => Profiles.Library.SettingsNames;
 }

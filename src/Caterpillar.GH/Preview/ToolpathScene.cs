@@ -50,12 +50,9 @@ internal sealed class ToolpathScene : IDrawn
 
     public bool HasBeads => _meshes.Count > 0;
 
-    public void DrawWires(IGH_PreviewArgs args, bool selected) => DrawWires(args.Display, selected ? args.WireColour_Selected : null);
-
-    public void DrawMeshes(IGH_PreviewArgs args, bool selected) => DrawMeshes(args.Display);
-
-    public void DrawWires(DisplayPipeline display, Color? only)
+    public void DrawWires(IGH_PreviewArgs args, bool selected)
     {
+        var (display, only) = (args.Display, selected ? args.WireColour_Selected : (Color?)null);
         if (!HasBeads)
         {
             foreach (var (lines, color) in _bands) display.DrawLines(lines, only ?? color, 2);
@@ -66,9 +63,9 @@ internal sealed class ToolpathScene : IDrawn
         if (_retractions.Length > 0) display.DrawPoints(_retractions, PointStyle.Simple, 2, only ?? TravelColor);
     }
 
-    public void DrawMeshes(DisplayPipeline display)
+    public void DrawMeshes(IGH_PreviewArgs args, bool selected)
     {
-        foreach (var mesh in _meshes) display.DrawMeshFalseColors(mesh);
+        foreach (var mesh in _meshes) args.Display.DrawMeshFalseColors(mesh);
     }
 
     private void AddLines(SceneParts parts, PreviewColors colors)

@@ -157,7 +157,9 @@ internal sealed partial class SameMoves
         {
             var x = a.Layer < 0 ? null : _expected.Layers[a.Layer];
             var y = b.Layer < 0 ? null : _actual.Layers[b.Layer];
-            return x?.Index == y?.Index && x?.Object == y?.Object ? null : Said($"layer {x} became {y}");
+            // Not every flavor has commands for objects; comments are not translated.
+            var sameObject = _t.Target is not null || x?.Object == y?.Object;
+            return x?.Index == y?.Index && sameObject ? null : Said($"layer {x} became {y}");
         }
         if (_layerOf.TryGetValue(a.Layer, out var known) && known != b.Layer) return Said("layers are divided otherwise");
         if (_layerBack.TryGetValue(b.Layer, out var back) && back != a.Layer) return Said("layers are joined");
@@ -201,8 +203,17 @@ internal sealed partial class SameMoves
         {
             return;
         }
+        // M116, which waits for the temperatures set before, becomes a wait for each of them.
+        if (_t.Target is not null && what is NozzleTemperatureEvent { Wait: true } or BedTemperatureEvent { Wait: true } && IsSet(what)) return;
         events.Add(what is PauseEvent ? new PauseEvent() : what);
     }
+
+    private bool IsSet(PrinterEvent wait) => _expected.Events.Select(e => e.Event).Any(e => (e, wait) switch
+    {
+        (NozzleTemperatureEvent set, NozzleTemperatureEvent waits) => !set.Wait && set.Celsius == waits.Celsius,
+        (BedTemperatureEvent set, BedTemperatureEvent waits) => !set.Wait && set.Celsius == waits.Celsius,
+        _ => false,
+    });
 
     private string? Events()
     {

@@ -7,7 +7,7 @@ namespace Caterpillar.GH.Tests.Examples;
 
 /// <summary>
 /// Places the objects of a definition: stages from left to right by what they need, those of one step below each other; inside a stage columns by what feeds
-/// what, with inputs next to what they feed. Heights then follow the wires, until none runs behind an object.
+/// what, with inputs next to what they feed. Heights then follow the wires, until none is hidden by an object.
 /// </summary>
 internal sealed class Arrangement
 {
@@ -16,10 +16,13 @@ internal sealed class Arrangement
     private const double Left = 40;
     private const double Top = 40;
     private const double Clear = 3;
-    private const int Trials = 1000;
-    private const int Starts = 8;
 
-    // A wire behind an object, compared with a pixel of height.
+    // A wire across the name of a stage.
+    private const double Crossing = 1500;
+    private const int Trials = 2000;
+    private const int Starts = 10;
+
+    // A wire under an object, compared with a pixel of height.
     private const double Hiding = 1_000_000;
     private readonly List<Node> _nodes = [];
     private readonly List<Block> _blocks = [];
@@ -70,7 +73,8 @@ internal sealed class Arrangement
             x += note.Bounds.Width + 20;
         }
         var down = notes.Length == 0 ? Top - up : Top + notes.Max(n => n.Bounds.Height) + 24 - up;
-        foreach (var node in _nodes) all.Add(node.Item.Id, new Spot(Math.Round(node.X - node.Shape.Box.X), Math.Round(node.Top + node.Block.Top + down - node.Shape.Box.Y)));
+        foreach (var node in _nodes) all.Add(node.Item.Id, new Spot(Math.Round(node.X - node.Shape.Box.X),
+            Math.Round(node.Top + node.Block.Top + down - node.Shape.Box.Y)));
         return all;
     }
 
@@ -270,6 +274,7 @@ internal sealed class Arrangement
     private double Cost()
     {
         foreach (var node in _nodes) node.Now = node.There();
+        foreach (var block in _blocks) block.SetTitle();
         var wires = _links.ConvertAll(l => new Wire(l.From.Now, l.Output, l.To.Now, l.Input));
         double cost = 0;
         foreach (var wire in wires)
@@ -279,12 +284,16 @@ internal sealed class Arrangement
             {
                 if (Faults.Hides(node.Now, wire, Clear)) cost += Hiding;
             }
+            foreach (var block in _blocks)
+            {
+                if (Faults.Hides(block.Title, wire)) cost += Crossing;
+            }
         }
         for (var i = 0; i < wires.Count; i++)
         {
             for (var k = i + 1; k < wires.Count; k++)
             {
-                if (Cross(wires[i], wires[k])) cost += 60;
+                if (Cross(wires[i], wires[k])) cost += 150;
                 // Several wires at an input are read from above.
                 if (wires[i].End == wires[k].End && wires[i].Start.Y > wires[k].Start.Y) cost += 200;
             }
@@ -446,6 +455,13 @@ internal sealed class Arrangement
             }
             Right = Math.Max(x - gap, _columns[0].Min(n => n.X) + Letters.Width(Name) * 1.5);
         }
+
+        /// <summary>Where the name stands, as an object that wires should not cross.</summary>
+        public Placed Title { get; private set; } = new(null!, default, default, [], []);
+
+        public void SetTitle()
+            => Title = Title with { Box = new Box(_columns[0].Where(n => n.Passing is null).Min(n => n.X) - Frame.Margin,
+                Top - Frame.Margin - Frame.Caption, Letters.Width(Name) * 1.5, Frame.Caption) };
 
         public void Settle(int sweeps, bool sort)
         {

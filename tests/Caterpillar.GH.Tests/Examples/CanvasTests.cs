@@ -68,14 +68,14 @@ public sealed class CanvasTests
     }
 
     [Test]
-    public void Wires_that_run_back_and_behind_objects_are_found()
+    public void Wires_that_run_back_and_under_objects_are_found()
     {
         var start = Capsule(0, 0, 1, "From");
-        var behind = Capsule(200, 0, 1, "Between");
+        var between = Capsule(200, 0, 1, "Between");
         var to = Capsule(400, 0, 1, "To") with { Inputs = [new Port(Guid.NewGuid(), "I", 0, [start.Id])] };
         start = start with { Outputs = [new Port(start.Id, "O", 0, [])] };
-        Assert.That(FaultsOf(start, behind, to), Has.Some.EqualTo("The wire from From to To runs behind Between."));
-        Assert.That(FaultsOf(start, behind with { Pivot = new Spot(200, 60) }, to), Has.None.Contains("behind"));
+        Assert.That(FaultsOf(start, between, to), Has.Some.EqualTo("The wire from From to To is hidden by Between."));
+        Assert.That(FaultsOf(start, between with { Pivot = new Spot(200, 60) }, to), Has.None.Contains("hidden"));
         Assert.That(FaultsOf(start with { Pivot = new Spot(500, 0) }, to), Has.Some.EqualTo("The wire from From to To runs back."));
     }
 
@@ -95,6 +95,7 @@ public sealed class CanvasTests
 
     private static string FileOf(string name) => Path.Combine(Caterpillar.Tests.TestData.Repository, "examples", "gh", name + ".ghx");
 
-    private static Item Capsule(double x, double y, int ports, string name) => new(Guid.NewGuid(), Guid.Empty, Look.Component, name, name, new Spot(x, y), default,
+    private static Item Capsule(double x, double y, int ports, string name) => new(Guid.NewGuid(), Guid.Empty, Look.Component, name, name, new Spot(x, y),
+        default,
         Enumerable.Range(0, ports).Select(_ => new Port(Guid.NewGuid(), name, 0, [])).ToArray(), []);
 }

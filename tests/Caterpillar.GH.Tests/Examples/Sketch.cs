@@ -66,7 +66,7 @@ internal sealed class Sketch
     {
         var group = _stages.Find(g => g.NickName == name);
         if (group is not null) _stages.Remove(group);
-        else group = new GH_Group { NickName = name, Colour = Colors[name.Split(' ')[0]] };
+        else group = GH_Group.Of(name, Colors[name.Split(' ')[0]]);
         _stages.Add(group);
         return this;
     }
@@ -124,7 +124,7 @@ internal sealed class Sketch
     {
         if (component.Params.Input.FirstOrDefault(p => p.Name == name) is { } shown) return shown;
         if (component is ChosenPortsComponent chosen) Chosen.Follow(chosen);
-        else if (component is KeyPortsComponent) AddKey(component, name);
+        else if (component is ProfileComponent) AddKey(component, name);
         Identify(component);
         return component.Params.Input.SingleOrDefault(p => p.Name == name)
             ?? throw new ArgumentException($"{component.Name} has no input {name}: {string.Join(", ", component.Params.Input.Select(p => p.Name))}.");
@@ -174,7 +174,7 @@ internal sealed class Sketch
         return Place(parameter, 0, 0);
     }
 
-    /// <summary>The definition with its groups. Places are those of the file; where it is renewed, they are found anew.</summary>
+    /// <summary>The definition with its groups. Places are those of the file. Where it is renewed, they are found again.</summary>
     public GH_Document Finish(string file, bool renews)
     {
         foreach (var group in _stages)
@@ -190,7 +190,8 @@ internal sealed class Sketch
             var pivot = places[item.Id];
             var placed = Placed.Of(item with { Pivot = pivot, Bounds = item.Bounds with { X = pivot.X, Y = pivot.Y } });
             attributes.Pivot = new PointF((float)pivot.X, (float)pivot.Y);
-            attributes.Bounds = new RectangleF((float)Math.Round(placed.Box.X), (float)placed.Box.Y, (float)Math.Round(placed.Box.Width), (float)placed.Box.Height);
+            attributes.Bounds = new RectangleF((float)Math.Round(placed.Box.X), (float)placed.Box.Y, (float)Math.Round(placed.Box.Width),
+                (float)placed.Box.Height);
         }
         return Document;
     }

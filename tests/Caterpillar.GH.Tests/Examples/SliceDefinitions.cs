@@ -45,7 +45,8 @@ internal static class SliceDefinitions
     public static Sketch Vase(string name)
     {
         var s = new Sketch(name, "A vase as one continuous rising wall. Spiral vase is a setting of the planar slicer.", "the layer height and the nozzle.");
-        var setup = Settings(s, 0.6, 0.8, ("Line Width", s.Stage("Setup").Slider("Line width", 0.8, 0.2, 2, 2)), ("spiral_vase", s.Toggle("Spiral vase", true)));
+        var setup = Settings(s, 0.6, 0.8, ("Line Width", s.Stage("Setup").Slider("Line width", 0.8, 0.2, 2, 2)), ("spiral_vase", s.Toggle("Spiral vase",
+            true)));
         var models = Placed(s, setup, "../models/vase.stl");
         s.Stage("Slice");
         return s.Print(s.With<PlanarSlicerComponent>(setup, ("Geometry", models)), "Layer");
@@ -68,7 +69,8 @@ internal static class SliceDefinitions
     {
         var s = new Sketch(name, "Your own infill: the curve is printed inside the walls of every layer. Model and curve are inside this file.",
             "another curve: right-click Infill and set one or several.");
-        var setup = Settings(s, 0.4, null, ("wall_count", s.Stage("Setup").Slider("Walls", 2, 1, 6, 0)), ("top_layers", s.Slider("Top layers", 0, 0, 8, 0)), ("bottom_layers", s.Slider("Bottom layers", 0, 0, 8, 0)));
+        var setup = Settings(s, 0.4, null, ("wall_count", s.Stage("Setup").Slider("Walls", 2, 1, 6, 0)), ("top_layers", s.Slider("Top layers", 0, 0, 8, 0)),
+            ("bottom_layers", s.Slider("Bottom layers", 0, 0, 8, 0)));
         s.Stage("Model");
         var model = s.Mesh("Model", Solids.Tower(110, 110, 12, (18, 0, 0), (18, 5, 0)));
         var curve = s.Curve("Infill", Solids.Zigzag(90, 90, 40, 40, 14));
@@ -91,7 +93,8 @@ internal static class SliceDefinitions
 
     public static Sketch BetweenBoundaries(string name)
     {
-        var s = new Sketch(name, "The same number of layers everywhere between the bed and the roof. Layers are thicker in high places, and each bead has its own "
+        var s = new Sketch(name, "The same number of layers everywhere between the bed and the roof. Layers are thicker in high places, and each "
+            + "bead has its own "
             + "volume.", "Kind of the field. Color shows the flow.");
         var setup = Settings(s, 0.6, 0.8, ("Line Width", s.Stage("Setup").Slider("Line width", 0.8, 0.2, 2, 2)), Infill(s, 10));
         var models = Placed(s, setup, "../models/saddle_roof.stl");
@@ -103,7 +106,8 @@ internal static class SliceDefinitions
 
     public static Sketch WaveLayers(string name)
     {
-        var s = new Sketch(name, "Layers parallel to a sheet drawn in Rhino. They begin level on the bed and take its shape. Block and sheet are inside this file.",
+        var s = new Sketch(name, "Layers parallel to a sheet drawn in Rhino. They begin level on the bed and take its shape. Block and sheet are "
+            + "inside this file.",
             "another sheet: right-click it and set a mesh or a surface.");
         var setup = Settings(s, 0.3, null, Infill(s, 10));
         s.Stage("Model");
@@ -121,10 +125,12 @@ internal static class SliceDefinitions
         var s = new Sketch(name, "A drawing on a piece of terrain on the bed. The paths follow its surface, travel moves stay above it.",
             "the radius and the spacing of the spiral, and how deep Offset presses it in.");
         s.Stage("Model");
-        var terrain = s.Component<ArrangeModelsComponent>(("Geometry", s.Component<ReadModelComponent>(("File", s.Text("File", "../models/terrain.stl", width: 180)))));
+        var terrain = s.Component<ArrangeModelsComponent>(("Geometry", s.Component<ReadModelComponent>(("File", s.Text("File", "../models/terrain.stl",
+            width: 180)))));
         var setup = s.Setup("generic", ("Printed On", terrain));
         s.Stage("Design");
-        var spiral = s.Component<RoundTraceComponent>(("Kind", new Pick("Spiral")), ("Plane", s.Point("Bed center", 110, 110, 0.2)), ("Radius", s.Slider("Radius", 6, 2, 50, 0)),
+        var spiral = s.Component<RoundTraceComponent>(("Kind", new Pick("Spiral")), ("Plane", s.Point("Bed center", 110, 110, 0.2)), ("Radius",
+            s.Slider("Radius", 6, 2, 50, 0)),
             ("Pitch", s.Slider("Spacing", 3, 0.5, 10)));
         s.Stage("Shape");
         return s.Print(s.With<ProjectPathsComponent>(setup, ("Print Paths", spiral), ("Offset", s.Slider("Offset", -0.05, -0.5, 1, 2)),
@@ -139,7 +145,7 @@ internal static class SliceDefinitions
         var dome = s.Mesh("Dome", Solids.Sheet(110, 110, 80, 24, (u, v) => 14 - 6 * (u * u + v * v)));
         var setup = s.Setup("generic", ("Printed On", dome));
         s.Stage("Design");
-        var path = s.Component<ConstructPrintPathComponent>(("Curve", s.Curve("Curve", Solids.Rosette(110, 110, 24, 8, 7, 0.2))));
+        var path = s.With<ConstructPrintPathComponent>(setup, ("Curve", s.Curve("Curve", Solids.Rosette(110, 110, 24, 8, 7, 0.2))));
         s.Stage("Shape");
         return s.Print(s.With<ProjectPathsComponent>(setup, ("Print Paths", path), ("Offset", s.Slider("Offset", 0, -0.5, 1, 2))));
     }
@@ -160,5 +166,6 @@ internal static class SliceDefinitions
         return s.Component<PrintSetupComponent>(("Printer", printer), ("Settings", settings));
     }
 
-    private static (string Key, object Source) Infill(Sketch s, double percent) => ("infill_density_percent", s.Stage("Setup").Slider("Infill, %", percent, 0, 100, 0));
+    private static (string Key, object Source) Infill(Sketch s, double percent) => ("infill_density_percent", s.Stage("Setup").Slider("Infill, %", percent,
+        0, 100, 0));
 }

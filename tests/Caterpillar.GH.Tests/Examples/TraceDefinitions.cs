@@ -15,20 +15,25 @@ internal static class TraceDefinitions
         var setup = s.Setup();
         var helix = Helix(s, setup, 15, 4, 0.4, 36);
         s.Stage("Shape");
-        var round = s.Component<DeformComponent>(("Print Paths", helix), ("System", new Pick("Cylindrical")), ("R", s.Text("New radius", "r + 0.5 * z * (4.2 - z)", width: 190)), ("Plane", Bed(s)));
+        var round = s.Component<DeformComponent>(("Print Paths", helix), ("System", new Pick("Cylindrical")), ("R", s.Text("New radius",
+            "r + 0.5 * z * (4.2 - z)", width: 190)), ("Plane", Bed(s)));
         return s.Print(round, "Layer");
     }
 
     public static Sketch CupWithSkirt(string name)
     {
-        var s = new Sketch(name, "A cup: first a skirt, then a spiral floor, then a widening wall. Paths of several sources are printed in the order of the wires.",
+        var s = new Sketch(name, "A cup: first a skirt, then a spiral floor, then a widening wall. Paths of several sources are printed in the order "
+            + "of the wires.",
             "the top radius and the height of the wall.");
         var setup = s.Setup();
         s.Stage("Design");
         var center = Bed(s);
-        var skirt = s.With<RoundTraceComponent>(setup, ("Kind", new Pick("Skirt")), ("Plane", center), ("Radius", s.Slider("Skirt radius", 22, 10, 60, 0)), ("Loop Count", s.Slider("Skirt loops", 2, 1, 10, 0)));
-        var floor = s.With<RoundTraceComponent>(setup, ("Kind", new Pick("Spiral")), ("Plane", center), ("Radius", s.Slider("Floor radius", 15, 5, 50, 0)), ("Pitch", s.Slider("Floor spacing", 0.5, 0.2, 2, 2)));
-        var wall = s.With<RisingTraceComponent>(setup, ("Kind", new Pick("Cone")), ("Plane", center), ("Bottom Radius", s.Slider("Bottom radius", 15, 5, 50, 0)), ("Top Radius", s.Slider("Top radius", 18, 5, 50, 0)),
+        var skirt = s.With<RoundTraceComponent>(setup, ("Kind", new Pick("Skirt")), ("Plane", center), ("Radius", s.Slider("Skirt radius", 22, 10, 60, 0)),
+            ("Loop Count", s.Slider("Skirt loops", 2, 1, 10, 0)));
+        var floor = s.With<RoundTraceComponent>(setup, ("Kind", new Pick("Spiral")), ("Plane", center), ("Radius", s.Slider("Floor radius", 15, 5, 50, 0)),
+            ("Pitch", s.Slider("Floor spacing", 0.5, 0.2, 2, 2)));
+        var wall = s.With<RisingTraceComponent>(setup, ("Kind", new Pick("Cone")), ("Plane", center), ("Bottom Radius", s.Slider("Bottom radius", 15, 5, 50,
+            0)), ("Top Radius", s.Slider("Top radius", 18, 5, 50, 0)),
             ("Height", s.Slider("Wall height", 2, 1, 40)), ("Pitch", s.Slider("Rise per turn", 0.25, 0.1, 1, 2)));
         return s.Print(new object[] { skirt, floor, wall }, "Order");
     }
@@ -40,7 +45,8 @@ internal static class TraceDefinitions
         var setup = s.Setup();
         var ring = Helix(s, setup, 15, 1.2, 0.3, 48);
         s.Stage("Shape");
-        var waves = s.Component<DeformComponent>(("Print Paths", ring), ("System", new Pick("Cylindrical")), ("Z", s.Text("New height", "z + 0.1 * z * sin(6 * theta)", width: 220)), ("Plane", Bed(s)));
+        var waves = s.Component<DeformComponent>(("Print Paths", ring), ("System", new Pick("Cylindrical")), ("Z", s.Text("New height",
+            "z + 0.1 * z * sin(6 * theta)", width: 220)), ("Plane", Bed(s)));
         var gap = s.Component<GapBeadComponent>(("Print Paths", waves), ("Width", s.Slider("Bead width", 0.5, 0.2, 2, 2)));
         return s.Print(gap, "Flow");
     }
@@ -52,7 +58,8 @@ internal static class TraceDefinitions
         var setup = s.Setup();
         var ring = Helix(s, setup, 15, 2, 0.25, 72);
         s.Stage("Shape");
-        var pattern = s.Component<ModulateComponent>(("Print Paths", ring), ("Mode", new Pick("Displace Left")), ("Expression", s.Text("Pattern", "0.5 + 0.5 * sin(12 * theta)", width: 210)),
+        var pattern = s.Component<ModulateComponent>(("Print Paths", ring), ("Mode", new Pick("Displace Left")), ("Expression", s.Text("Pattern",
+            "0.5 + 0.5 * sin(12 * theta)", width: 210)),
             ("Low", s.Slider("Low", 0, -2, 2, 2)), ("High", s.Slider("High", 0.8, -2, 2, 2)), ("Plane", Bed(s)));
         return s.Print(pattern, "Layer");
     }
@@ -65,8 +72,10 @@ internal static class TraceDefinitions
         var helix = Helix(s, setup, 10, 12, 1, 48);
         s.Stage("Shape");
         var bed = Bed(s);
-        var sphere = s.Component<DeformComponent>(("Print Paths", helix), ("System", new Pick("Cylindrical")), ("R", s.Text("New radius", "sqrt(64 - (z - 6) ^ 2) + r - 10", width: 230)), ("Plane", bed));
-        var image = s.Component<ModulateComponent>(("Print Paths", sphere), ("Source", new Pick("Image")), ("Mapping", new Pick("Globe")), ("Mode", new Pick("Flow")), ("Image", s.Text("Image", "../turtle/world_map.pbm", width: 180)),
+        var sphere = s.Component<DeformComponent>(("Print Paths", helix), ("System", new Pick("Cylindrical")), ("R", s.Text("New radius",
+            "sqrt(64 - (z - 6) ^ 2) + r - 10", width: 230)), ("Plane", bed));
+        var image = s.Component<ModulateComponent>(("Print Paths", sphere), ("Source", new Pick("Image")), ("Mapping", new Pick("Globe")), ("Mode",
+            new Pick("Flow")), ("Image", s.Text("Image", "../turtle/world_map.pbm", width: 180)),
             ("Low", s.Slider("Flow at black", 1, 0.1, 2, 2)), ("High", s.Slider("Flow at white", 0.65, 0.1, 2, 2)), ("Plane", bed));
         return s.Print(image, "Flow");
     }
@@ -90,11 +99,13 @@ internal static class TraceDefinitions
         var setup = s.Setup();
         s.Stage("Design");
         var center = Bed(s);
-        var wall = s.With<RisingTraceComponent>(setup, ("Kind", new Pick("Cylinder")), ("Plane", center), ("Radius", s.Slider("Radius", 8, 3, 50, 0)), ("Height", s.Slider("Height", 3, 1, 40)),
+        var wall = s.With<RisingTraceComponent>(setup, ("Kind", new Pick("Cylinder")), ("Plane", center), ("Radius", s.Slider("Radius", 8, 3, 50, 0)),
+            ("Height", s.Slider("Height", 3, 1, 40)),
             ("Pitch", s.Slider("Layer height", 0.25, 0.1, 1, 2)), ("Horizontal Pitch", s.Slider("Line spacing", 0.5, 0.2, 2, 2)));
         var foot = s.With<RoundTraceComponent>(setup, ("Kind", new Pick("Circle")), ("Plane", center), ("Radius", s.Slider("Foot radius", 12, 5, 60, 0)));
         s.Stage("Path");
-        var cool = s.Component<CoolLayersComponent>(("Print Paths", new object[] { foot, wall }), ("Minimum Layer Time", s.Slider("Layer time, s", 8, 0, 30, 0)));
+        var cool = s.Component<CoolLayersComponent>(("Print Paths", new object[] { foot, wall }), ("Minimum Layer Time", s.Slider("Layer time, s", 8, 0, 30,
+            0)));
         var arcs = s.Component<FitArcsComponent>(("Print Paths", cool), ("Tolerance", s.Slider("Tolerance", 0.02, 0.001, 0.1, 3)));
         s.Show("Speeds, mm/s", s.Component<DeconstructPrintPathComponent>(("Print Path", arcs)), "Speeds", 6, 120);
         return s.Print(arcs, "Speed");
@@ -123,7 +134,8 @@ internal static class TraceDefinitions
     private static object Helix(Sketch s, PrintSetupComponent setup, double radius, double height, double pitch, int segments)
     {
         s.Stage("Design");
-        return s.With<RisingTraceComponent>(setup, ("Kind", new Pick("Helix")), ("Plane", Bed(s)), ("Radius", s.Slider("Radius", radius, 5, 50, 0)), ("Height", s.Slider("Height", height, 1, 40)),
+        return s.With<RisingTraceComponent>(setup, ("Kind", new Pick("Helix")), ("Plane", Bed(s)), ("Radius", s.Slider("Radius", radius, 5, 50, 0)),
+            ("Height", s.Slider("Height", height, 1, 40)),
             ("Pitch", s.Slider("Rise per turn", pitch, 0.1, 2, 2)), ("Segments Per Turn", s.Slider("Segments", segments, 12, 144, 0)));
     }
 

@@ -15,12 +15,11 @@ internal sealed class ExtrusionCheck
     private const double ExactStep = 4;
     private const int MostSamples = 256;
 
-    // An extrusion rests on another if at least a fifth of its width does: farthest edge from its axis, as a part of its width.
-    private const double Beside = 0.3;
+    // An extrusion rests on another if a tenth of its width does, as ends of infill on walls: farthest edge from its axis, as a part of its width.
+    private const double Beside = 0.4;
 
     // Height over the root of the area on the bed.
     private const double Slenderest = 8;
-
 
     // Width in nozzles from which on it matters that material goes to the sides, and steps in which it is looked for.
     private const double Wide = 1.5;

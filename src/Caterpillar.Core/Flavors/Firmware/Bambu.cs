@@ -1,9 +1,9 @@
 namespace Caterpillar.Flavors;
 
-/// <summary>Bambu.</summary>
-internal static class Bambu
+public static partial class FlavorTable
 {
-    public static FlavorRules Rules { get; } = new()
+    /// <summary>Firmware of Bambu Lab printers.</summary>
+    public static FlavorRules Bambu { get; } = new()
     {
         Name = "bambu",
         Title = "Bambu",

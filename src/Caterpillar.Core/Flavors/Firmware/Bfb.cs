@@ -1,9 +1,9 @@
 namespace Caterpillar.Flavors;
 
-/// <summary>Bits from Bytes.</summary>
-internal static class Bfb
+public static partial class FlavorTable
 {
-    public static FlavorRules Rules { get; } = new()
+    /// <summary>Bits from Bytes, with extruders that are switched on and off.</summary>
+    public static FlavorRules Bfb { get; } = new()
     {
         Name = "bfb",
         Title = "Bits from Bytes",

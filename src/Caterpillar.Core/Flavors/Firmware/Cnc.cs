@@ -1,9 +1,9 @@
 namespace Caterpillar.Flavors;
 
-/// <summary>Mach3 and LinuxCNC: the extruder is the A axis.</summary>
-internal static class Cnc
+public static partial class FlavorTable
 {
-    public static FlavorRules Rules { get; } = new()
+    /// <summary>Mach3 and LinuxCNC: the extruder is the A axis.</summary>
+    public static FlavorRules Cnc { get; } = new()
     {
         Name = "cnc",
         Title = "Mach3, LinuxCNC",

@@ -1,9 +1,9 @@
 namespace Caterpillar.Flavors;
 
-/// <summary>Grbl.</summary>
-internal static class Grbl
+public static partial class FlavorTable
 {
-    public static FlavorRules Rules { get; } = new()
+    /// <summary>Grbl, for pens and lasers.</summary>
+    public static FlavorRules Grbl { get; } = new()
     {
         Name = "grbl",
         Title = "Grbl",

@@ -1,9 +1,9 @@
 namespace Caterpillar.Flavors;
 
-/// <summary>Klipper.</summary>
-internal static class Klipper
+public static partial class FlavorTable
 {
-    public static FlavorRules Rules { get; } = new()
+    /// <summary>Klipper.</summary>
+    public static FlavorRules Klipper { get; } = new()
     {
         Name = "klipper",
         Title = "Klipper",

@@ -1,9 +1,9 @@
 namespace Caterpillar.Flavors;
 
-/// <summary>RepRapFirmware.</summary>
-internal static class RepRapFirmware
+public static partial class FlavorTable
 {
-    public static FlavorRules Rules { get; } = new()
+    /// <summary>RepRapFirmware.</summary>
+    public static FlavorRules RepRapFirmware { get; } = new()
     {
         Name = "reprapfirmware",
         Title = "RepRapFirmware",

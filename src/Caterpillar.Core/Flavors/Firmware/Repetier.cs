@@ -1,9 +1,9 @@
 namespace Caterpillar.Flavors;
 
-/// <summary>Repetier.</summary>
-internal static class Repetier
+public static partial class FlavorTable
 {
-    public static FlavorRules Rules { get; } = new()
+    /// <summary>Repetier.</summary>
+    public static FlavorRules Repetier { get; } = new()
     {
         Name = "repetier",
         Title = "Repetier",

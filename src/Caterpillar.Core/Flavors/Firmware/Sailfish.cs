@@ -1,9 +1,9 @@
 namespace Caterpillar.Flavors;
 
-/// <summary>Sailfish, MakerWare.</summary>
-internal static class Sailfish
+public static partial class FlavorTable
 {
-    public static FlavorRules Rules { get; } = new()
+    /// <summary>Sailfish and MakerWare.</summary>
+    public static FlavorRules Sailfish { get; } = new()
     {
         Name = "sailfish",
         Title = "Sailfish, MakerWare",

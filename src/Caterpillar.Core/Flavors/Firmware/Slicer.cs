@@ -1,9 +1,9 @@
 namespace Caterpillar.Flavors;
 
-/// <summary>The rules of the slicers' viewers, which the test data follow.</summary>
-internal static class Slicer
+public static partial class FlavorTable
 {
-    public static FlavorRules Rules { get; } = new()
+    /// <summary>Neutral rules, as in the viewers of slicers.</summary>
+    public static FlavorRules Slicer { get; } = new()
     {
         Name = "slicer",
         Title = "Slicers",

@@ -1,9 +1,9 @@
 namespace Caterpillar.Flavors;
 
-/// <summary>Smoothieware.</summary>
-internal static class Smoothie
+public static partial class FlavorTable
 {
-    public static FlavorRules Rules { get; } = new()
+    /// <summary>Smoothieware.</summary>
+    public static FlavorRules Smoothie { get; } = new()
     {
         Name = "smoothie",
         Title = "Smoothieware",

@@ -1,9 +1,9 @@
 namespace Caterpillar.Flavors;
 
-/// <summary>UltiGCode.</summary>
-internal static class Ultigcode
+public static partial class FlavorTable
 {
-    public static FlavorRules Rules { get; } = new()
+    /// <summary>UltiGCode.</summary>
+    public static FlavorRules Ultigcode { get; } = new()
     {
         Name = "ultigcode",
         Title = "UltiGCode",

@@ -85,7 +85,7 @@ internal sealed class BinaryComments
             foreach (var (start, end) in Lines(block.Data))
             {
                 Text(_json, "; ");
-                Bytes(_json, Part(block.Data, start, end));
+                Bytes(_json, TextEncoding.Copy(block.Data, start, end));
                 Text(_json, "\n");
             }
             Line(_json, "; prusaslicer_json_config = end");
@@ -139,7 +139,7 @@ internal sealed class BinaryComments
             var equals = Array.IndexOf(block.Data, (byte)'=', start, end - start);
             if (equals < 0) equals = end;
             var value = Math.Min(equals + 1, end);
-            yield return new KeyValuePair<byte[], byte[]>(Part(block.Data, start, equals), Part(block.Data, value, end));
+            yield return new KeyValuePair<byte[], byte[]>(TextEncoding.Copy(block.Data, start, equals), TextEncoding.Copy(block.Data, value, end));
         }
     }
 
@@ -154,12 +154,5 @@ internal sealed class BinaryComments
             if (end > at) yield return (at, end);
             at = next + 1;
         }
-    }
-
-    private static byte[] Part(byte[] data, int start, int end)
-    {
-        var part = new byte[end - start];
-        Buffer.BlockCopy(data, start, part, 0, part.Length);
-        return part;
     }
 }

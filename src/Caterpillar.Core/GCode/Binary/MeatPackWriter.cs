@@ -22,8 +22,7 @@ internal sealed class MeatPackWriter
             EnsureSpace(0);
             Command(251);
         }
-        var bytes = new byte[_count];
-        Buffer.BlockCopy(_out, 0, bytes, 0, _count);
+        var bytes = TextEncoding.Copy(_out, 0, _count);
         Begin();
         return bytes;
     }

@@ -1,4 +1,3 @@
-using System.Text;
 using Caterpillar.Geometry;
 
 namespace Caterpillar.GCode;
@@ -190,32 +189,20 @@ public sealed record DecodeReport
 
     private double? Amount(double value) => HasAmounts ? value : null;
 
-    private string ByTool()
-    {
-        var text = new StringBuilder("{");
-        foreach (var pair in EUsedByTool)
-            text.Append(text.Length > 1 ? ", " : "").Append('"').Append(NumberFormatter.Format(pair.Key)).Append("\": ").Append(JsonLines.Number(pair.Value));
-        return text.Append('}').ToString();
-    }
+    private string ByTool() => Object(EUsedByTool.Select(p => (NumberFormatter.Format(p.Key), JsonLines.Number(p.Value))));
 
-    private string ThumbnailList()
-    {
-        var text = new StringBuilder("[");
-        foreach (var image in Thumbnails)
-        {
-            text.Append(text.Length > 1 ? ", " : "").Append("{\"width\": ").Append(NumberFormatter.Format(image.Width)).Append(", \"height\": ")
-                .Append(NumberFormatter.Format(image.Height));
-            text.Append(", \"format\": ").Append(JsonLines.Quoted(image.Format)).Append('}');
-        }
-        return text.Append(']').ToString();
-    }
+    private string ThumbnailList() => "[" + string.Join(", ", Thumbnails.Select(image => Object([
+        ("width", NumberFormatter.Format(image.Width)),
+        ("height", NumberFormatter.Format(image.Height)),
+        ("format", JsonLines.Quoted(image.Format))]))) + "]";
 
     private string FeatureObject()
     {
-        var text = new StringBuilder("{");
-        foreach (var pair in Features)
-            text.Append(text.Length > 1 ? ", " : "").Append('"').Append(pair.Key).Append("\": ").Append(NumberFormatter.Format(pair.Value));
-        if (ByteOrderMark) text.Append(text.Length > 1 ? ", " : "").Append("\"bom\": true");
-        return text.Append('}').ToString();
+        var features = Features.Select(p => (p.Key, NumberFormatter.Format(p.Value)));
+        return Object(ByteOrderMark ? features.Append(("bom", "true")) : features);
     }
+
+    // On one line.
+    private static string Object(IEnumerable<(string Key, string Value)> entries)
+        => "{" + string.Join(", ", entries.Select(e => "\"" + e.Key + "\": " + e.Value)) + "}";
 }

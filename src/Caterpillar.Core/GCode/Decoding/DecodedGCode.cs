@@ -73,38 +73,31 @@ public sealed class DecodedGCode
     /// <summary>The last line that changes a mode.</summary>
     internal int LastModeLine { get; init; }
 
-    /// <summary>True if words turn rotary axes.</summary>
-    internal bool HasTurns
-    {
-        get
-        {
-            foreach (var block in Toolpath.Blocks)
-            {
-                if (block.Columns.A is not null) return true;
-            }
-            return false;
-        }
-    }
-
     /// <summary>First line of the first layer. 0 = none.</summary>
     internal int FirstLayerLine { get; init; }
 
-    /// <summary>Line of the first extrusion of a layer. The largest number = none.</summary>
-    internal int FirstPrintLine
+    /// <summary>Lines of the first and of the last extrusion of a layer. The largest number and 0 = none.</summary>
+    internal (int First, int Last) PrintLines
     {
         get
         {
+            var (first, last) = (int.MaxValue, 0);
             foreach (var block in Toolpath.Blocks)
             {
                 var c = block.Columns;
                 for (var i = 0; i < c.Count; i++)
                 {
-                    if (c.Kind[i] == MoveKind.Print && c.Layer[i] >= 0) return c.Source[i];
+                    if (c.Kind[i] != MoveKind.Print || c.Layer[i] < 0) continue;
+                    last = c.Source[i];
+                    first = Math.Min(first, last);
                 }
             }
-            return int.MaxValue;
+            return (first, last);
         }
     }
+
+    /// <summary>The first line of the first layer and the line of the last extrusion of the print. The last is 0 without layers.</summary>
+    internal (int First, int Last) PrintedLines => (FirstLayerLine > 0 ? FirstLayerLine : PrintLines.First, PrintLines.Last);
 
     /// <summary>Moves, layers and flavor, for a panel.</summary>
     public override string ToString()

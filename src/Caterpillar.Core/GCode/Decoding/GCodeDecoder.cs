@@ -27,18 +27,7 @@ public static class GCodeDecoder
             Share = done => done / length,
             Notes = () => document.Notes,
         };
-        try
-        {
-            return Run(input, options ?? new DecodeOptions(), progress, cancel);
-        }
-        catch (InvalidDataException tooLong)
-        {
-            return Broken(tooLong, document.Name);
-        }
-        catch (DiagnosticException tooMuch)
-        {
-            return new Result<DecodedGCode>(null, tooMuch.Diagnostics);
-        }
+        return GCodeDocument.Guarded(document.Name, () => Run(input, options ?? new DecodeOptions(), progress, cancel));
     }
 
     /// <summary>Reads and decodes a file (plain, gzip, or binary G-code) and keeps its text, so that it can be edited or converted and written again.</summary>
@@ -57,18 +46,7 @@ public static class GCodeDecoder
     /// <inheritdoc cref="Decode(GCodeDocument, DecodeOptions?, IProgress{double}?, CancellationToken)" path="/exception"/>
     public static Result<DecodedGCode> Decode(byte[] bytes, DecodeOptions? options = null, IProgress<double>? progress = null,
         CancellationToken cancel = default)
-    {
-        GCodeDocument document;
-        try
-        {
-            document = GCodeDocument.FromBytes(bytes);
-        }
-        catch (InvalidDataException broken)
-        {
-            return Broken(broken, "");
-        }
-        return Decode(document, options, progress, cancel);
-    }
+        => GCodeDocument.Guarded("", () => Decode(GCodeDocument.FromBytes(bytes), options, progress, cancel));
 
     /// <summary>
     /// Decodes a stream while reading it. Only the moves are kept in memory, not the text. The stream may be gzip or binary G-code. It stays open. A broken
@@ -80,19 +58,11 @@ public static class GCodeDecoder
         Stream stream, DecodeOptions? options = null, string name = "", IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (stream is null) throw new ArgumentNullException(nameof(stream));
-        try
+        return GCodeDocument.Guarded(name, () =>
         {
             using var source = new GCodeSource(stream);
             return DecodeSource(source, options ?? new DecodeOptions(), name, progress, cancel);
-        }
-        catch (InvalidDataException broken)
-        {
-            return Broken(broken, name);
-        }
-        catch (DiagnosticException tooMuch)
-        {
-            return new Result<DecodedGCode>(null, tooMuch.Diagnostics);
-        }
+        });
     }
 
     private static Result<DecodedGCode> DecodeSource(GCodeSource source, DecodeOptions options, string name, IProgress<double>? progress,
@@ -139,8 +109,6 @@ public static class GCodeDecoder
         var bytes = text + (double)moves * ToolpathBlock.BytesPerMove;
         if (bytes > memory.Bytes) memory.Check(bytes, $"The first {NumberFormatter.Format(moves)} moves", name.Length > 0 ? new SourceLocation(name) : null);
     }
-
-    private static Result<DecodedGCode> Broken(InvalidDataException broken, string name) => new(null, [GCodeDocument.Broken(broken, name)]);
 
     private static Result<DecodedGCode> Run(DecodeInput input, DecodeOptions options, IProgress<double>? progress, CancellationToken cancel)
     {

@@ -61,9 +61,9 @@ internal sealed class GCodeInterpreter
         var diagnostics = _machine.Diagnostics;
         var state = _machine.State;
         var moves = _machine.Moves;
-        _machine.Features.Lines += count;
-        _machine.Features.CrLf += chunk.CrLf;
-        _machine.Features.SemicolonComments += chunk.Comments;
+        _machine.Features.Add(Feature.Lines, count);
+        _machine.Features.Add(Feature.CrLf, chunk.CrLf);
+        _machine.Features.Add(Feature.SemicolonComments, chunk.Comments);
         var others = 0;
         for (var i = 0; i < count; i++)
         {
@@ -144,7 +144,7 @@ internal sealed class GCodeInterpreter
 
     private void CommentLine(byte[] text, int start, int end)
     {
-        _machine.Features.SemicolonComments++;
+        _machine.Features.Add(Feature.SemicolonComments);
         Comments.Line(text, start, end);
     }
 

@@ -1,24 +1,15 @@
+using Caterpillar.Files;
+
 namespace Caterpillar.GCode;
 
 /// <summary>Collects written text as the chunks of a document, without another copy.</summary>
-internal sealed class DocumentStream : Stream
+internal sealed class DocumentStream : WriteStream
 {
     private const int FirstBuffer = 64 * 1024;
     private const int LargestBuffer = 4 * 1024 * 1024;
     private readonly List<GCodeChunk> _chunks = [];
     private byte[] _buffer = new byte[FirstBuffer];
     private int _count;
-    private long _length;
-
-    public override bool CanRead => false;
-
-    public override bool CanSeek => false;
-
-    public override bool CanWrite => true;
-
-    public override long Length => _length;
-
-    public override long Position { get => _length; set => throw new NotSupportedException(); }
 
     /// <summary>Returns the document. Do not write afterwards.</summary>
     public GCodeDocument ToDocument(string name)
@@ -29,7 +20,6 @@ internal sealed class DocumentStream : Stream
 
     public override void Write(byte[] buffer, int offset, int count)
     {
-        _length += count;
         while (count > 0)
         {
             if (_count == _buffer.Length) Seal();
@@ -40,16 +30,6 @@ internal sealed class DocumentStream : Stream
             count -= part;
         }
     }
-
-    public override void Flush()
-    {
-    }
-
-    public override int Read(byte[] buffer, int offset, int count) => throw new NotSupportedException();
-
-    public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
-
-    public override void SetLength(long value) => throw new NotSupportedException();
 
     // What follows the last line end goes into the next buffer; a longer line makes it longer.
     private void Seal()

@@ -80,18 +80,7 @@ public sealed class GCodeDocument
     {
         if (stream is null) throw new ArgumentNullException(nameof(stream));
         if (memory is null) throw new ArgumentNullException(nameof(memory));
-        try
-        {
-            return new Result<GCodeDocument>(Unpack(stream, name, memory, cancel), []);
-        }
-        catch (DiagnosticException tooMuch)
-        {
-            return new Result<GCodeDocument>(null, tooMuch.Diagnostics);
-        }
-        catch (InvalidDataException broken)
-        {
-            return new Result<GCodeDocument>(null, [Broken(broken, name)]);
-        }
+        return Guarded(name, () => new Result<GCodeDocument>(Unpack(stream, name, memory, cancel), []));
     }
 
     /// <summary>A line by its number, from 1, without its line end. Each byte is one character (Latin-1).</summary>
@@ -165,9 +154,24 @@ public sealed class GCodeDocument
     internal static int AddLines(int lines, int more)
         => lines <= int.MaxValue - more ? lines + more : throw new InvalidDataException("It has more than 2147483647 lines.");
 
-    /// <summary>The error for packed bytes that cannot be unpacked.</summary>
-    internal static Diagnostic Broken(InvalidDataException broken, string name)
-        => new(Severity.Error, "gcode.compression", "The file cannot be read. " + broken.Message, name.Length > 0 ? new SourceLocation(name) : null);
+    /// <summary>The result of work on a text, or the error for packed bytes that cannot be unpacked, or for too much text.</summary>
+    internal static Result<T> Guarded<T>(string name, Func<Result<T>> work)
+        where T : class
+    {
+        try
+        {
+            return work();
+        }
+        catch (DiagnosticException tooMuch)
+        {
+            return new Result<T>(null, tooMuch.Diagnostics);
+        }
+        catch (InvalidDataException broken)
+        {
+            var file = name.Length > 0 ? new SourceLocation(name) : null;
+            return new Result<T>(null, [new Diagnostic(Severity.Error, "gcode.compression", "The file cannot be read. " + broken.Message, file)]);
+        }
+    }
 
     private static GCodeDocument Unpack(Stream stream, string name, MemoryLimit memory, CancellationToken cancel)
     {

@@ -69,7 +69,7 @@ internal sealed class CodeReplacement
 
     private void Replace(EditOptions options)
     {
-        var (first, last) = PrintedLines(_context.Decoding);
+        var (first, last) = _context.Decoding.PrintedLines;
         if (last == 0)
         {
             _context.Diagnostics.Add(Severity.Warning, "gcode.no_layers", "The file has no layers. Its start and end G-code were not replaced.");
@@ -132,22 +132,5 @@ internal sealed class CodeReplacement
             _context.Command(isRelative ? "M83" : "M82");
         if (cut.Moves && !_context.Written.State.Modes.RelativeE)
             _context.Command("G92 " + (char)_context.Extruder + SpliceContext.Format(expected.Extrusion.E, _context.UnitOfE));
-    }
-
-    /// <summary>The first line of the first layer and the line of the last extrusion of the print; 0 = none.</summary>
-    public static (int First, int Last) PrintedLines(DecodedGCode decoding)
-    {
-        var (first, last) = (decoding.FirstLayerLine, 0);
-        foreach (var block in decoding.Toolpath.Blocks)
-        {
-            var c = block.Columns;
-            for (var i = 0; i < c.Count; i++)
-            {
-                if (c.Kind[i] != MoveKind.Print || c.Layer[i] < 0) continue;
-                if (first == 0) first = c.Source[i];
-                last = c.Source[i];
-            }
-        }
-        return (first, last);
     }
 }

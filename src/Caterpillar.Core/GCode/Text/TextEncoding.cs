@@ -22,4 +22,12 @@ internal static class TextEncoding
     }
 
     public static string Decode(byte[] text, int start, int end) => end > start ? Latin1.GetString(text, start, end - start) : "";
+
+    /// <summary>A copy of some bytes.</summary>
+    public static byte[] Copy(byte[] text, int start, int end)
+    {
+        var copy = new byte[end - start];
+        Buffer.BlockCopy(text, start, copy, 0, copy.Length);
+        return copy;
+    }
 }

@@ -27,7 +27,7 @@ internal static class EventText
             case ToolEvent tool when tool.Tool >= rules.ToolLimit:
                 break;
             case ToolEvent tool:
-                yield return (rules.ToolByM6 ? "M6 T" : "T") + NumberFormatter.Format(tool.Tool);
+                yield return Tool(tool.Tool, rules);
                 break;
             case AccelerationEvent acceleration:
                 yield return "M204 S" + NumberFormatter.Format(acceleration.Value, 0);
@@ -62,6 +62,8 @@ internal static class EventText
                 break;
         }
     }
+
+    public static string Tool(int tool, FlavorRules rules) => (rules.ToolByM6 ? "M6 T" : "T") + NumberFormatter.Format(tool);
 
     private static string OneLine(string text) => text.Replace('\r', ' ').Replace('\n', ' ');
 }

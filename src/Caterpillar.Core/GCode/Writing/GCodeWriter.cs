@@ -246,19 +246,7 @@ internal sealed class GCodeWriter
         _motion.Extruder.Enter(tool);
     }
 
-    private void StateTool(int tool)
-    {
-        if (_rules.ToolByM6)
-        {
-            _out.Command((byte)'M', 6);
-            _out.Word((byte)'T', tool, 0);
-        }
-        else
-        {
-            _out.Command((byte)'T', tool);
-        }
-        _out.EndLine();
-    }
+    private void StateTool(int tool) => _out.Line(EventText.Tool(tool, _rules));
 
     private void Layer(int number)
     {

@@ -15,17 +15,9 @@ internal static class SetupFormat
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         var printer = setup.Printer;
         var problems = new DiagnosticList();
-        var values = PrintValues.Of(setup, toolpath);
-        var start = Lines(printer, "start_gcode", printer.StartGCode, values, problems);
-        var end = Lines(printer, "end_gcode", printer.EndGCode, values, problems);
-        var layers = Template(printer, "layer_change_gcode", printer.LayerChangeGCode, problems);
-        var tools = Template(printer, "tool_change_gcode", printer.ToolChangeGCode, problems);
-        // Layer and tool templates are tried once with the values of the first, so that an error is found before anything is written.
-        if (layers is not null && toolpath.Layers.Count > 0) problems.AddRange(layers.Render(OfLayer(values, toolpath.Layers[0])).Diagnostics);
-        if (tools is not null) problems.AddRange(tools.Render(values.With("tool", 0).With("previous_tool", 0)).Diagnostics);
+        var format = Format(setup, PrintValues.Of(setup, toolpath), true, toolpath.Layers.FirstOrDefault(), problems);
         if (LayerRounding.Check(toolpath, printer.DecimalsXyz, new SourceLocation(printer.Name, Key: "decimals_xyz")) is { } rounded) problems.Add(rounded);
         if (problems.HasErrors) return new Result<GCodeFormat>(null, problems.ToList());
-        var format = Format(setup, values, layers, tools) with { Start = start, End = end };
         if (format.LacksAmounts(toolpath))
         {
             problems.Add(Severity.Error, "gcode.no_e_values", "The toolpath prints without any amount of E, and " + printer.Flavor.Title
@@ -41,20 +33,21 @@ internal static class SetupFormat
     /// <summary>The same format without end G-code, for a future toolpath. Null if a template needs the toolpath.</summary>
     internal static GCodeFormat? OfUnknown(PrintSetup setup)
     {
-        var printer = setup.Printer;
         var problems = new DiagnosticList();
-        var values = PrintValues.Of(setup);
-        var start = Lines(printer, "start_gcode", printer.StartGCode, values, problems);
-        var layers = Template(printer, "layer_change_gcode", printer.LayerChangeGCode, problems);
-        var tools = Template(printer, "tool_change_gcode", printer.ToolChangeGCode, problems);
-        if (layers is not null) problems.AddRange(layers.Render(OfLayer(values, new Layer(0, 0, 0, ""))).Diagnostics);
-        if (tools is not null) problems.AddRange(tools.Render(values.With("tool", 0).With("previous_tool", 0)).Diagnostics);
-        return problems.HasErrors ? null : Format(setup, values, layers, tools) with { Start = start };
+        var format = Format(setup, PrintValues.Of(setup), false, new Layer(0, 0, 0, ""), problems);
+        return problems.HasErrors ? null : format;
     }
 
-    private static GCodeFormat Format(PrintSetup setup, TemplateValues values, Template? layers, Template? tools)
+    private static GCodeFormat Format(PrintSetup setup, TemplateValues values, bool hasEnd, Layer? first, DiagnosticList problems)
     {
         var printer = setup.Printer;
+        var start = Lines(printer, "start_gcode", printer.StartGCode, values, problems);
+        var end = hasEnd ? Lines(printer, "end_gcode", printer.EndGCode, values, problems) : [];
+        var layers = Template(printer, "layer_change_gcode", printer.LayerChangeGCode, problems);
+        var tools = Template(printer, "tool_change_gcode", printer.ToolChangeGCode, problems);
+        // Layer and tool templates are tried once with the values of the first, so that an error is found before anything is written.
+        if (layers is not null && first is not null) problems.AddRange(layers.Render(OfLayer(values, first)).Diagnostics);
+        if (tools is not null) problems.AddRange(tools.Render(values.With("tool", 0).With("previous_tool", 0)).Diagnostics);
         return new GCodeFormat
         {
             Flavor = printer.Flavor,
@@ -66,6 +59,8 @@ internal static class SetupFormat
             FirmwareRetraction = printer.FirmwareRetraction,
             HasE = printer.ExtrusionUnit != ExtrusionUnit.None,
             Header = Header(setup),
+            Start = start,
+            End = end,
             LayerLines = layers is null ? null : layer => layers.Render(OfLayer(values, layer)).Value ?? [],
             ToolLines = tools is null ? null : (from, to) => tools.Render(values.With("tool", to).With("previous_tool", from)).Value ?? [],
         };

@@ -37,9 +37,9 @@ public sealed class RisingTraceComponent() : TraceComponent(
             ports.Number("Top Radius", "T", "Radius at the top, in mm. 0 = tip.");
         });
         ports.Number("Height", "H", "Height, in mm.");
-        ports.OptionalNumber("Pitch", "P", "Rise per turn, or distance between stacked spirals, in mm. Default: layer height of the setup.");
+        ports.Number("Pitch", "P", "Rise per turn, or distance between stacked spirals, in mm. Default: layer height of the setup.", optional: true);
         ports.For("Kind", [RisingTraceKind.Cylinder],
-            () => ports.OptionalNumber("Horizontal Pitch", "Hp", "Distance between the turns of a spiral, in mm. Default: line width of the setup."));
+            () => ports.Number("Horizontal Pitch", "Hp", "Distance between the turns of a spiral, in mm. Default: line width of the setup.", optional: true));
         ports.For("Kind", [RisingTraceKind.Helix, RisingTraceKind.Cone], () =>
         {
             ports.Choice("Ramp", "Ra", "Ends with reduced flow. At the start, the gap to the bed grows from 0 during the first turn. "

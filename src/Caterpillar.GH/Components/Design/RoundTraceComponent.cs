@@ -22,7 +22,7 @@ public sealed class RoundTraceComponent() : TraceComponent(
         ports.Choice("Kind", "K", "Kind of trace.", RoundTraceKind.Circle);
         ports.Number("Radius", "R", "Radius of the ring, of the outermost turn, or of the innermost loop, in mm.");
         ports.For("Kind", [RoundTraceKind.Spiral, RoundTraceKind.Skirt],
-            () => ports.OptionalNumber("Pitch", "P", "Distance between turns or loops, in mm. Default: line width of the setup."));
+            () => ports.Number("Pitch", "P", "Distance between turns or loops, in mm. Default: line width of the setup.", optional: true));
         ports.For("Kind", [RoundTraceKind.Spiral], () => ports.Boolean("Inward", "I", "Start at the radius instead of the center.", false));
         ports.For("Kind", [RoundTraceKind.Skirt], () => ports.Integer("Loop Count", "Lo", "Number of skirt loops.", 1));
     }

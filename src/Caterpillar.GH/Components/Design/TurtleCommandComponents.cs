@@ -153,7 +153,7 @@ public sealed class TurtleExtrusionComponent() : TurtleCommandComponent(
             TurtleExtrusionKind.FilamentPerMm);
         ports.Number("Value", "V", "Filament in mm per mm of path, area in mm², or width in mm.", 0.05);
         ports.Number("Height", "H", "Bead height, in mm. 0 = unknown.", 0);
-        ports.OptionalNumber("Speed", "S", "Speed of the following moves, in mm/s. Default: unchanged.");
+        ports.Number("Speed", "S", "Speed of the following moves, in mm/s. Default: unchanged.", optional: true);
     }
 
     private protected override TurtleCommand Command(Run run)

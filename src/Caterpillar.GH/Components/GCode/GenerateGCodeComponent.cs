@@ -43,11 +43,14 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
             run.Report(GH_RuntimeMessageLevel.Warning,
                 "Start G-code and End G-code have no effect: the file is rewritten with the G-code of its printer.");
         }
-        var code = new EditOptions { Start = start is null ? null : TextLines.Of(start), End = end is null ? null : TextLines.Of(end) };
+        var code = new EditOptions { Start = start is null ? null : Lines(start), End = end is null ? null : Lines(end) };
         var result = run.Work("Writing", [goo.Value, setup, reason, rewriteAll, start, end],
             (progress, cancel) => WrittenToolpath.Write(goo, setup, reason, rewriteAll, code, progress, cancel));
         var document = run.Accept(result);
         run.Set(0, document is null ? null : new GCodeGoo(document));
         run.Summarize(document is null ? "refused" : $"{NumberFormatter.Format(document.LineCount)} lines");
     }
+
+    // The lines of a text from a Panel, without empty lines at the end.
+    private static string[] Lines(string text) => text.TrimEnd('\r', '\n').Split('\n').Select(line => line.TrimEnd('\r')).ToArray();
 }

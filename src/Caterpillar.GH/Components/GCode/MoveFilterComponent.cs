@@ -18,10 +18,10 @@ public sealed class MoveFilterComponent() : CaterpillarComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Choices<Role>("Roles", "R", "Roles of the moves to select, such as Outer Wall or Infill. Default: all.");
-        ports.OptionalInteger("First Layer", "F", "First layer, by its number in the file or from 0. Default: no limit.");
-        ports.OptionalInteger("Last Layer", "L", "Last layer, by its number in the file or from 0. Default: no limit.");
+        ports.Integer("First Layer", "F", "First layer, by its number in the file or from 0. Default: no limit.", optional: true);
+        ports.Integer("Last Layer", "L", "Last layer, by its number in the file or from 0. Default: no limit.", optional: true);
         ports.Text("Objects", "O", "Names of the objects to select, as in the file. Default: all.", access: GH_ParamAccess.list, optional: true);
-        ports.OptionalInteger("Tool", "T", "Number of the tool, from 0. Default: all.");
+        ports.Integer("Tool", "T", "Number of the tool, from 0. Default: all.", optional: true);
         ports.Geometry("Box", "B", "Geometry whose bounding box contains the end points of the moves to select. Default: no limit.", optional: true);
     }
 

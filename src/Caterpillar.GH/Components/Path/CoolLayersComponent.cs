@@ -21,7 +21,7 @@ public sealed class CoolLayersComponent() : PathShapingComponent(
 
     private protected override void Solve(Run run)
     {
-        var before = PathsOf(run);
+        var before = run.Paths(0);
         var cooling = new Cooling
         {
             MinLayerTime = run.NotNegative(1),

@@ -17,7 +17,7 @@ public sealed class DeformComponent() : PathShapingComponent(
 
     private protected override void Solve(Run run)
     {
-        var before = PathsOf(run);
+        var before = run.Paths(0);
         var request = DeformationPorts.Read(run);
         var frame = request.Frame;
         var deformation = run.Require(request.Compile());

@@ -21,9 +21,10 @@ public sealed class GapBeadComponent() : CaterpillarComponent(
         ports.Geometry("Geometry", "G", "Objects below the paths: meshes, Breps, SubDs, extrusions or surfaces. Default: what the setup prints "
             + "on.", GH_ParamAccess.list, optional: true);
         ports.Setup("Used for the limits of the gap. Default: as the print paths were made with, else generic.");
-        ports.OptionalNumber("Minimum Gap", "Min",
-            "Minimum gap, in mm. Smaller gaps are printed as if they were this high. Default: a quarter of the layer height.");
-        ports.OptionalNumber("Maximum Gap", "Max", "Maximum gap, in mm. Larger gaps are printed as if they were this high. Default: twice the layer height.");
+        ports.Number("Minimum Gap", "Min",
+            "Minimum gap, in mm. Smaller gaps are printed as if they were this high. Default: a quarter of the layer height.", optional: true);
+        ports.Number("Maximum Gap", "Max",
+            "Maximum gap, in mm. Larger gaps are printed as if they were this high. Default: twice the layer height.", optional: true);
         ports.Number("Width", "W", "Line width, in mm. 0 = width of each bead.", 0);
         ports.Boolean("Bed", "B", "Fill the gap to the bed (Z = 0) as well.", true);
     }
@@ -37,7 +38,6 @@ public sealed class GapBeadComponent() : CaterpillarComponent(
     private protected override void Solve(Run run)
     {
         var paths = run.Paths(0);
-        if (paths.Count == 0) throw run.Missing(0);
         _ = run.Units;
         var below = run.Models(1, Tolerance);
         var setup = SetupPort.Of(run, 2, paths.Goos.Select(g => g.Setup));

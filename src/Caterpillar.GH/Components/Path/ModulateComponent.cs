@@ -54,7 +54,7 @@ public sealed class ModulateComponent() : PathShapingComponent(
 
     private protected override void Solve(Run run)
     {
-        var before = PathsOf(run);
+        var before = run.Paths(0);
         var byImage = run.Choice<ModulationSource>(run["Source"]) == ModulationSource.Image;
         var file = byImage ? run.PathTo(run.Get<string>(run["Image"])) : null;
         var expression = byImage ? null : run.Get<string>(run["Expression"]);

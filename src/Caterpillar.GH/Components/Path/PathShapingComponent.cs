@@ -18,12 +18,6 @@ public abstract class PathShapingComponent(string name, string nickname, string 
         ports.Diagnostics();
     }
 
-    private protected static PathList PathsOf(Run run)
-    {
-        var paths = run.Paths(0);
-        return paths.Count > 0 ? paths : throw run.Missing(0);
-    }
-
     /// <summary>Speed of paths that have none of their own, mm/s: that of their setup.</summary>
     private protected static double SpeedOf(PathList paths) => (paths.Goos[0].Setup?.Settings ?? new PrintSettings()).PrintSpeed;
 

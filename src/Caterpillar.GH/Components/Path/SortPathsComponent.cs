@@ -36,7 +36,6 @@ public sealed class SortPathsComponent() : CaterpillarComponent(
     private protected override void Solve(Run run)
     {
         var paths = run.Paths(0);
-        if (paths.Count == 0) throw run.Missing(0);
         var start = run.MaybePoint(4);
         if (start is { IsFinite: false }) throw new InputProblem("Start must have finite coordinates.");
         var options = new SortOptions(run.Choice<SortRule>(1), run.Get<bool>(2), run.Get<bool>(3), start);

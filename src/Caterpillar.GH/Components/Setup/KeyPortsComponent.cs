@@ -1,4 +1,5 @@
 using Caterpillar.GH.Base;
+using Caterpillar.GH.Plugin;
 using Caterpillar.Machines;
 using Grasshopper.Kernel;
 
@@ -8,7 +9,8 @@ namespace Caterpillar.GH.Components.Setup;
 /// A component that changes values of a profile. Its usual keys are ports. The zoomable + adds a port for any other key: the name of the port is the key, and
 /// its type follows.
 /// </summary>
-public abstract class KeyPortsComponent : ProfileComponent, IGH_VariableParameterComponent
+public abstract class KeyPortsComponent<T> : ProfileComponent, IGH_VariableParameterComponent
+    where T : class
 {
     private const string NewName = "key";
     private const int DelayMilliseconds = 5;
@@ -27,11 +29,7 @@ public abstract class KeyPortsComponent : ProfileComponent, IGH_VariableParamete
         };
     }
 
-    /// <summary>Plural noun of the profiles, for messages.</summary>
-    private protected abstract string Kinds { get; }
-
-    /// <summary>The keys of the profiles.</summary>
-    private protected abstract IReadOnlyList<ProfileKey> Keys { get; }
+    private protected abstract ProfileKind<T> Kind { get; }
 
     /// <summary>The usual ports.</summary>
     private protected abstract IReadOnlyList<UsualKey> Usual { get; }
@@ -61,12 +59,15 @@ public abstract class KeyPortsComponent : ProfileComponent, IGH_VariableParamete
         }
     }
 
+    /// <summary>The connected profile, or the usual one.</summary>
+    private protected T Profile(Run run) => run.Maybe<T>(0) ?? run.Require(Kind.Find(Profiles.Library, Kind.Usual));
+
     /// <summary>Declares the usual ports.</summary>
     private protected void UsualPorts(InputPorts ports)
     {
         foreach (var usual in Usual)
         {
-            var key = Keys.First(k => k.Name == usual.Key);
+            var key = Kind.Keys.First(k => k.Name == usual.Key);
             ports.Add(KeyPort.Make(key), usual.Name, usual.Nick, KeyPort.Sentence(key));
         }
     }
@@ -98,7 +99,7 @@ public abstract class KeyPortsComponent : ProfileComponent, IGH_VariableParamete
     // A port that has no value yet may have no key yet.
     private void Explain(Run run, IGH_Param port, int input)
     {
-        var problem = ProfileKeys.Unknown(Kinds, Keys, port.NickName);
+        var problem = ProfileKeys.Unknown(Kind.Plural, Kind.Keys, port.NickName);
         if (run.Maybe<string>(input) is not null) throw new InputProblem(problem.Message);
         run.Report(GH_RuntimeMessageLevel.Warning, $"{problem.Message} Rename the port.");
     }
@@ -107,7 +108,7 @@ public abstract class KeyPortsComponent : ProfileComponent, IGH_VariableParamete
     {
         var port = Params.Input[input];
         var name = input < _fixed ? Usual.First(u => u.Name == port.Name).Key : port.NickName.Trim();
-        return name == "title" ? null : Keys.FirstOrDefault(k => k.Name == name);
+        return name == "title" ? null : Kind.Keys.FirstOrDefault(k => k.Name == name);
     }
 
     // Gives ports that were renamed the type of their key. The wires stay.

@@ -7,24 +7,20 @@ using Caterpillar.Machines;
 namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>A material from a profile, with some values of its own.</summary>
-public sealed class MaterialComponent() : KeyPortsComponent(
+public sealed class MaterialComponent() : KeyPortsComponent<Material>(
     "Material", "Material", "Loads a material from a profile or a file, and changes its values. Zoom in and press + for more of them.")
 {
-    private static readonly UsualKey[] Ports =
+    public override Guid ComponentGuid => new("b38a4d05-4122-429f-8b49-c7313ba87d9d");
+
+    private protected override ProfileKind<Material> Kind => ProfileKinds.Material;
+
+    private protected override IReadOnlyList<UsualKey> Usual =>
     [
         new("Nozzle Temperature", "N", "nozzle_temperature_c"),
         new("Bed Temperature", "B", "bed_temperature_c"),
         new("Filament Diameter", "D", "filament_diameter_mm"),
         new("Flow Ratio", "F", "flow_ratio"),
     ];
-
-    public override Guid ComponentGuid => new("b38a4d05-4122-429f-8b49-c7313ba87d9d");
-
-    private protected override string Kinds => "materials";
-
-    private protected override IReadOnlyList<ProfileKey> Keys => ProfileKeys.Material;
-
-    private protected override IReadOnlyList<UsualKey> Usual => Ports;
 
     private protected override void Inputs(InputPorts ports)
     {
@@ -39,8 +35,5 @@ public sealed class MaterialComponent() : KeyPortsComponent(
     }
 
     private protected override void Solve(Run run)
-    {
-        var material = run.Maybe<Material>(0) ?? run.Require(Profiles.Library.Material("pla"));
-        run.Set(0, new MaterialGoo(With(run, new PrintSetup() with { Material = material }).Material));
-    }
+        => run.Set(0, new MaterialGoo(With(run, new PrintSetup() with { Material = Profile(run) }).Material));
 }

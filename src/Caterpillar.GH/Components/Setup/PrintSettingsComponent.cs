@@ -7,10 +7,14 @@ using Caterpillar.Machines;
 namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>Print settings from a profile, with some values of their own.</summary>
-public sealed class PrintSettingsComponent() : KeyPortsComponent(
+public sealed class PrintSettingsComponent() : KeyPortsComponent<PrintSettings>(
     "Print Settings", "Settings", "Loads print settings from a profile or a file, and changes their values. Zoom in and press + for more of them.")
 {
-    private static readonly UsualKey[] Ports =
+    public override Guid ComponentGuid => new("eb1bc290-3166-4963-b83d-d36f484b35cb");
+
+    private protected override ProfileKind<PrintSettings> Kind => ProfileKinds.Settings;
+
+    private protected override IReadOnlyList<UsualKey> Usual =>
     [
         new("Layer Height", "H", "layer_height_mm"),
         new("Line Width", "W", "line_width_mm"),
@@ -18,14 +22,6 @@ public sealed class PrintSettingsComponent() : KeyPortsComponent(
         new("Travel Speed", "T", "travel_speed_mm_s"),
         new("Subdivision Distance", "Sd", "subdivision_distance_mm"),
     ];
-
-    public override Guid ComponentGuid => new("eb1bc290-3166-4963-b83d-d36f484b35cb");
-
-    private protected override string Kinds => "settings";
-
-    private protected override IReadOnlyList<ProfileKey> Keys => ProfileKeys.Settings;
-
-    private protected override IReadOnlyList<UsualKey> Usual => Ports;
 
     private protected override void Inputs(InputPorts ports)
     {
@@ -40,8 +36,5 @@ public sealed class PrintSettingsComponent() : KeyPortsComponent(
     }
 
     private protected override void Solve(Run run)
-    {
-        var settings = run.Maybe<PrintSettings>(0) ?? run.Require(Profiles.Library.Settings("standard"));
-        run.Set(0, new SettingsGoo(With(run, new PrintSetup() with { Settings = settings }).Settings));
-    }
+        => run.Set(0, new SettingsGoo(With(run, new PrintSetup() with { Settings = Profile(run) }).Settings));
 }

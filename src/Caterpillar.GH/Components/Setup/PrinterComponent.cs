@@ -11,26 +11,22 @@ using Grasshopper.Kernel.Types;
 namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>A printer from a profile, with its own bed, head and values.</summary>
-public sealed class PrinterComponent() : KeyPortsComponent(
+public sealed class PrinterComponent() : KeyPortsComponent<Printer>(
     "Printer", "Printer", "Loads a printer from a profile or a file, and changes its bed, print head or other values. Zoom in and press + for more of them.")
 {
     // mm; a bed that begins this close to the origin begins there.
     private const double OriginTolerance = 0.001;
 
-    private static readonly UsualKey[] Ports =
+    public override Guid ComponentGuid => new("7974af61-1fa1-4de7-9ff5-cbf83ddab480");
+
+    private protected override ProfileKind<Printer> Kind => ProfileKinds.Printer;
+
+    private protected override IReadOnlyList<UsualKey> Usual =>
     [
         new("Nozzle Diameter", "N", "nozzle_diameter_mm"),
         new("Retraction Length", "R", "retraction_length_mm"),
         new("Retraction Speed", "Rs", "retraction_speed_mm_s"),
     ];
-
-    public override Guid ComponentGuid => new("7974af61-1fa1-4de7-9ff5-cbf83ddab480");
-
-    private protected override string Kinds => "printers";
-
-    private protected override IReadOnlyList<ProfileKey> Keys => ProfileKeys.Printer;
-
-    private protected override IReadOnlyList<UsualKey> Usual => Ports;
 
     private protected override void Inputs(InputPorts ports)
     {
@@ -54,7 +50,7 @@ public sealed class PrinterComponent() : KeyPortsComponent(
     private protected override void Solve(Run run)
     {
         var units = run.Units;
-        var printer = run.Maybe<Printer>(0) ?? run.Require(Profiles.Library.Printer("generic"));
+        var printer = Profile(run);
         if (run.Maybe<string>(6) is { Length: > 0 } name) printer = printer with { Name = name, Title = name };
         if (run.Maybe<IGH_GeometricGoo>(1) is { } bed) printer = WithBed(printer, BoundsOf(bed, units));
         var head = run.List<IGH_GeometricGoo>(2);

@@ -23,8 +23,8 @@ public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
     {
         ports.Toolpath();
         ports.Choice("Color By", "C", "Value shown by the colors.", PreviewColor.Role);
-        ports.OptionalInteger("First Layer", "F", "First layer, by its number in the file or from 0. Default: no limit.");
-        ports.OptionalInteger("Last Layer", "L", "Last layer, by its number in the file or from 0. Default: no limit.");
+        ports.Integer("First Layer", "F", "First layer, by its number in the file or from 0. Default: no limit.", optional: true);
+        ports.Integer("Last Layer", "L", "Last layer, by its number in the file or from 0. Default: no limit.", optional: true);
         ports.Boolean("Solid", "B", "Show beads of true width and height instead of lines.", false);
         ports.Boolean("Travel", "Tr", "Show travel moves and retractions.", false);
         ports.Setup("Shows the bed and build volume, and sets the print times. Default: no bed, and times of the setup used for planning.");

@@ -61,11 +61,11 @@ public sealed class LayerFieldComponent() : ChosenPortsComponent(
         });
         ports.For("Kind", [FieldKind.Vertical], () =>
         {
-            ports.OptionalNumber("Blend From", "F", "Layers are level up to this height, in mm. Default: the first layer.");
-            ports.OptionalNumber("Blend To", "To", "Layers follow the surface from this height on, in mm. Default: all layers follow it.");
+            ports.Number("Blend From", "F", "Layers are level up to this height, in mm. Default: the first layer.", optional: true);
+            ports.Number("Blend To", "To", "Layers follow the surface from this height on, in mm. Default: all layers follow it.", optional: true);
         });
-        ports.For("Kind", [FieldKind.Cone, FieldKind.Overhangs], () => ports.OptionalAngle("Angle", "A", "Slope of the layers, in degrees. Positive = "
-            + "falling outward. Default of Overhangs: the minimum that makes all overhangs at least 45 degrees steep."));
+        ports.For("Kind", [FieldKind.Cone, FieldKind.Overhangs], () => ports.Angle("Angle", "A", "Slope of the layers, in degrees. Positive = "
+            + "falling outward. Default of Overhangs: the minimum that makes all overhangs at least 45 degrees steep.", optional: true));
         FieldKind[] placed = [FieldKind.Vertical, FieldKind.Between, FieldKind.Formula, FieldKind.Deformed, FieldKind.Cone];
         ports.For("Kind", placed, () => ports.Add(new Param_Point(), "Origin", "O",
             "Origin of the formulas (default: world origin) or axis of the cone (default: center of the solids).", optional: true));

@@ -137,6 +137,8 @@ namespace Grasshopper.Kernel.Special
 
         public Color Colour { get; set; } = Color.FromArgb(150, 170, 135, 255);
 
+        internal static GH_Group Of(string name, Color colour) => new GH_Group { NickName = name, Colour = colour };
+
         public void AddObject(Guid id)
         {
             if (!ObjectIDs.Contains(id)) ObjectIDs.Add(id);

@@ -8,7 +8,8 @@ namespace Rhino.Runtime
     {
         public bool IsValid => CheckValid();
 
-        public static CommonObject FromBase64String(int archive3dm, int opennurbs, string base64Data) => Geometry.OpenNurbs.Read(Convert.FromBase64String(base64Data));
+        public static CommonObject FromBase64String(int archive3dm, int opennurbs, string base64Data)
+            => Geometry.OpenNurbs.Read(Convert.FromBase64String(base64Data));
 
         public void Dispose()
         {

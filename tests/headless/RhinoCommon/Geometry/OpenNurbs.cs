@@ -30,7 +30,8 @@ namespace Rhino.Geometry
         }
 
         private static PolylineCurve ReadPolyline(BinaryReader reader)
-            => new PolylineCurve(Enumerable.Range(0, reader.ReadInt32()).Select(_ => new Point3d(reader.ReadDouble(), reader.ReadDouble(), reader.ReadDouble())));
+            => new PolylineCurve(Enumerable.Range(0, reader.ReadInt32())
+                .Select(_ => new Point3d(reader.ReadDouble(), reader.ReadDouble(), reader.ReadDouble())));
 
         private static Mesh ReadMesh(BinaryReader reader)
         {

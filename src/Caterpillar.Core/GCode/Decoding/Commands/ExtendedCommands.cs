@@ -79,13 +79,13 @@ internal sealed class ExtendedCommands(Machine machine, ModeCommands modes, Even
             machine.Diagnostics.Warn("gcode.unknown_state", "RESTORE_GCODE_STATE names a state that was not saved. It is ignored.");
             return;
         }
-        _state.Extrusion.Flow = saved.Flow;
-        modes.Restore(saved, saved.FeedFactor);
-        _state.Head.SetShift(saved.Shift);
+        _state.Extrusion.Flow = saved.Extrusion.Flow;
+        modes.Restore(saved, saved.Feed.Factor);
+        _state.Head.SetShift(saved.Head.Shift);
         _state.Saved.Offset = saved.Offset;
         _state.Saved.OffsetE = saved.OffsetE;
-        _state.Extrusion.SetE(saved.E);
-        if (Number(words, "MOVE") is { } move && move != 0) MoveTo(saved.Position, words);
+        _state.Extrusion.SetE(saved.Extrusion.E);
+        if (Number(words, "MOVE") is { } move && move != 0) MoveTo(saved.Head.Machine, words);
     }
 
     private void SetOffset(string words)

@@ -37,7 +37,7 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
             if (IsMotion(code)) explicitMotion = code / 10;
             else action = Other(text, line, i, code, action);
         }
-        if (commands > 1) machine.Features.MultiG++;
+        if (commands > 1) machine.Features.Add(Feature.MultiG);
         if (explicitMotion != NoMotion)
         {
             machine.State.Modes.Motion = explicitMotion;
@@ -78,7 +78,7 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
 
     private void RepeatMotion(ParsedLine line)
     {
-        machine.Features.ModalLines++;
+        machine.Features.Add(Feature.ModalLines);
         if (_rules.ModalMotion == ModalMotionRule.Never)
             machine.Diagnostics.Warn("gcode.flavor_modal", "A line has coordinates but no G command. " + _rules.Title
                 + " ignores it, other firmware repeats the last motion.");
@@ -166,7 +166,7 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
 
     private void FirmwareRetraction(bool retract)
     {
-        machine.Features.FirmwareRetraction++;
+        machine.Features.Add(Feature.FirmwareRetraction);
         if (retract) machine.Counters.FirmwareRetractions++;
         else machine.Counters.FirmwareDeretractions++;
         machine.Moves.Stay(retract ? Toolpaths.MoveKind.Retract : Toolpaths.MoveKind.Deretract);

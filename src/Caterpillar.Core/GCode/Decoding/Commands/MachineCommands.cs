@@ -53,7 +53,7 @@ internal sealed class MachineCommands(Machine machine, ModeCommands modes, Event
             default:
                 if (IsToolChange(code, line)) return;
                 if (FlavorRules.Names(_rules.Dwells, 'M', code / 10.0)) events.Dwell(line);
-                if (code == 2000) machine.Features.M200++;
+                if (code == 2000) machine.Features.Add(Feature.M200);
                 machine.Log.Ignore();
                 return;
         }

@@ -22,20 +22,20 @@ internal sealed class ModeCommands(Machine machine, PositionCommands positions)
                 else machine.Log.Ignore();
                 return true;
             case 200:
-                _features.G20++;
+                _features.Add(Feature.G20);
                 if (_rules.Inches) modes.Inches = true;
                 else machine.Diagnostics.Warn("gcode.inches", _rules.Title + " does not support inches. G20 is ignored.");
                 machine.ModesChanged();
                 return true;
             case 210:
-                _features.G21++;
+                _features.Add(Feature.G21);
                 modes.Inches = false;
                 machine.ModesChanged();
                 return true;
             case 900:
             case 910:
-                if (code == 900) _features.G90++;
-                else _features.G91++;
+                if (code == 900) _features.Add(Feature.G90);
+                else _features.Add(Feature.G91);
                 modes.Relative = modes.LastRelative = code == 910;
                 machine.ModesChanged();
                 return true;
@@ -52,8 +52,8 @@ internal sealed class ModeCommands(Machine machine, PositionCommands positions)
     /// <summary>M82 and M83.</summary>
     public void SetRelativeE(bool relative)
     {
-        if (relative) _features.M83++;
-        else _features.M82++;
+        if (relative) _features.Add(Feature.M83);
+        else _features.Add(Feature.M82);
         if (_rules.RelativeE == RelativeERule.OnlyG90G91)
         {
             machine.Log.Ignore();
@@ -66,7 +66,7 @@ internal sealed class ModeCommands(Machine machine, PositionCommands positions)
     /// <summary>M200.</summary>
     public void SetVolumetric(ParsedLine line)
     {
-        _features.M200++;
+        _features.Add(Feature.M200);
         ref var modes = ref machine.State.Modes;
         if (line.TryGet('D', out var diameter)) modes.Volumetric = diameter > 0;
         if (line.TryGet('S', out var on)) modes.Volumetric = on > 0 && modes.Volumetric | diameter == 0;
@@ -80,9 +80,9 @@ internal sealed class ModeCommands(Machine machine, PositionCommands positions)
     {
         if (machine.State.Saved.Pop() is not { } saved) return;
         ref var modes = ref machine.State.Modes;
-        modes.Inches = saved.Inches;
-        modes.Volumetric = saved.Volumetric;
-        modes.Plane = saved.Plane;
+        modes.Inches = saved.Modes.Inches;
+        modes.Volumetric = saved.Modes.Volumetric;
+        modes.Plane = saved.Modes.Plane;
         Restore(saved, machine.State.Feed.Factor);
     }
 
@@ -90,33 +90,18 @@ internal sealed class ModeCommands(Machine machine, PositionCommands positions)
     public SavedState Current(string name)
     {
         var state = machine.State;
-        return new SavedState(name)
-        {
-            Relative = state.Modes.Relative,
-            LastRelative = state.Modes.LastRelative,
-            M83 = state.Modes.M83,
-            Inches = state.Modes.Inches,
-            Volumetric = state.Modes.Volumetric,
-            Plane = state.Modes.Plane,
-            FeedRate = state.Feed.Rate,
-            FeedFactor = state.Feed.Factor,
-            Flow = state.Extrusion.Flow,
-            E = state.Extrusion.E,
-            Shift = state.Head.Shift,
-            Position = state.Head.Machine,
-            Offset = state.Saved.Offset,
-            OffsetE = state.Saved.OffsetE,
-        };
+        return new SavedState(
+            name, state.Modes with { Motion = 0 }, state.Feed, state.Extrusion, state.Head, state.Saved.Offset, state.Saved.OffsetE);
     }
 
     /// <summary>Restores the state that all firmwares restore: relative or absolute positions and E, and the feed rate.</summary>
     public void Restore(SavedState saved, double feedFactor)
     {
         ref var modes = ref machine.State.Modes;
-        modes.Relative = saved.Relative;
-        modes.LastRelative = saved.LastRelative;
-        modes.M83 = saved.M83;
-        machine.State.Feed.Set(saved.FeedRate, feedFactor);
+        modes.Relative = saved.Modes.Relative;
+        modes.LastRelative = saved.Modes.LastRelative;
+        modes.M83 = saved.Modes.M83;
+        machine.State.Feed.Set(saved.Feed.Rate, feedFactor);
         machine.ModesChanged();
     }
 }

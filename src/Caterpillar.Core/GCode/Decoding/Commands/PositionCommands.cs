@@ -59,14 +59,14 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
         if (line.TryGet('X', out var x)) any |= RenameAxis(x, ref head.X, ref head.ShiftX, ref head.KnownX);
         if (line.TryGet('Y', out var y)) any |= RenameAxis(y, ref head.Y, ref head.ShiftY, ref head.KnownY);
         if (line.TryGet('Z', out var z)) any |= RenameAxis(z, ref head.Z, ref head.ShiftZ, ref head.KnownZ);
-        if (any) machine.Features.G92Xyz++;
-        if (extruder.Rename(line)) machine.Features.G92E++;
+        if (any) machine.Features.Add(Feature.G92Xyz);
+        if (extruder.Rename(line)) machine.Features.Add(Feature.G92E);
     }
 
     /// <summary>G92 without any word.</summary>
     public void BareRename()
     {
-        machine.Features.G92All++;
+        machine.Features.Add(Feature.G92All);
         machine.Diagnostics.Warn("gcode.flavor_g92", "G92 without axis letters differs between firmwares. It was read by the rules of " + _rules.Title
             + ".");
         if (_rules.BareG92 == BareG92Rule.Nothing) return;

@@ -1,78 +1,61 @@
 namespace Caterpillar.GCode;
 
+/// <summary>Features in which flavors differ, in the order of the report.</summary>
+internal enum Feature
+{
+    Lines,
+    CrLf,
+    M82,
+    M83,
+    G90,
+    G91,
+    G92E,
+    G92Xyz,
+    G92All,
+    G20,
+    G21,
+    NumberWords,
+    Checksums,
+    ParenComments,
+    SemicolonComments,
+    LowerCase,
+    NoSpace,
+    Exponents,
+    MacrosIgnored,
+    ModalLines,
+    M200,
+    FirmwareRetraction,
+    MultiG,
+    BlockDelete,
+}
+
 /// <summary>Counts lines with features in which flavors differ.</summary>
 internal sealed class Features
 {
-    public int Lines;
-    public int CrLf;
-    public int M82;
-    public int M83;
-    public int G90;
-    public int G91;
-    public int G92E;
-    public int G92Xyz;
-    public int G92All;
-    public int G20;
-    public int G21;
-    public int NumberWords;
-    public int Checksums;
-    public int ParenComments;
-    public int SemicolonComments;
-    public int LowerCase;
-    public int NoSpace;
-    public int Exponents;
-    public int MacrosIgnored;
-    public int ModalLines;
-    public int M200;
-    public int FirmwareRetraction;
-    public int MultiG;
-    public int BlockDelete;
+    private static readonly string[] Names =
+    [
+        "lines", "crlf", "m82", "m83", "g90", "g91", "g92_e", "g92_xyz", "g92_all", "g20", "g21", "n_words", "checksums", "paren_comments",
+        "semicolon_comments", "lower_case", "no_space", "exponents", "macros_ignored", "modal_lines", "m200", "g10", "multi_g", "block_delete",
+    ];
+
+    private readonly int[] _counts = new int[Names.Length];
+
+    public void Add(Feature feature, int count = 1) => _counts[(int)feature] += count;
 
     public void Count(ParsedLine line)
     {
-        if (line.NumberWordAt >= 0) NumberWords++;
-        if (line.ChecksumAt >= 0) Checksums++;
-        if (line.ParenStart >= 0) ParenComments++;
-        if (line.CommentStart >= 0) SemicolonComments++;
-        if (line.LowerCase) LowerCase++;
-        if (line.NoSpace) NoSpace++;
-        if (line.Exponent) Exponents++;
-        if (line.BlockDelete) BlockDelete++;
-        if (line.Shape == LineShape.Macro) MacrosIgnored++;
+        if (line.NumberWordAt >= 0) Add(Feature.NumberWords);
+        if (line.ChecksumAt >= 0) Add(Feature.Checksums);
+        if (line.ParenStart >= 0) Add(Feature.ParenComments);
+        if (line.CommentStart >= 0) Add(Feature.SemicolonComments);
+        if (line.LowerCase) Add(Feature.LowerCase);
+        if (line.NoSpace) Add(Feature.NoSpace);
+        if (line.Exponent) Add(Feature.Exponents);
+        if (line.BlockDelete) Add(Feature.BlockDelete);
+        if (line.Shape == LineShape.Macro) Add(Feature.MacrosIgnored);
     }
 
     /// <summary>The counts that are not zero, in a fixed order.</summary>
     public IReadOnlyList<KeyValuePair<string, int>> ToList()
-    {
-        var list = new List<KeyValuePair<string, int>>();
-        void Add(string name, int count)
-        {
-            if (count > 0) list.Add(new KeyValuePair<string, int>(name, count));
-        }
-        Add("lines", Lines);
-        Add("crlf", CrLf);
-        Add("m82", M82);
-        Add("m83", M83);
-        Add("g90", G90);
-        Add("g91", G91);
-        Add("g92_e", G92E);
-        Add("g92_xyz", G92Xyz);
-        Add("g92_all", G92All);
-        Add("g20", G20);
-        Add("g21", G21);
-        Add("n_words", NumberWords);
-        Add("checksums", Checksums);
-        Add("paren_comments", ParenComments);
-        Add("semicolon_comments", SemicolonComments);
-        Add("lower_case", LowerCase);
-        Add("no_space", NoSpace);
-        Add("exponents", Exponents);
-        Add("macros_ignored", MacrosIgnored);
-        Add("modal_lines", ModalLines);
-        Add("m200", M200);
-        Add("g10", FirmwareRetraction);
-        Add("multi_g", MultiG);
-        Add("block_delete", BlockDelete);
-        return list;
-    }
+        => Names.Select((name, i) => new KeyValuePair<string, int>(name, _counts[i])).Where(p => p.Value > 0).ToArray();
 }

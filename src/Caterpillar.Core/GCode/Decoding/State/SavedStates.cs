@@ -39,35 +39,5 @@ internal struct SavedStates
         => Offset == other.Offset && OffsetE == other.OffsetE && _stack.SequenceEqual(other._stack) && _named.SequenceEqual(other._named);
 }
 
-/// <summary>A saved state.</summary>
-internal sealed record SavedState(string Name)
-{
-    public bool Relative { get; init; }
-
-    public bool LastRelative { get; init; }
-
-    public bool M83 { get; init; }
-
-    public bool Inches { get; init; }
-
-    public bool Volumetric { get; init; }
-
-    public ArcPlane Plane { get; init; }
-
-    public double FeedRate { get; init; }
-
-    public double FeedFactor { get; init; }
-
-    public double Flow { get; init; }
-
-    public double E { get; init; }
-
-    public Vec3 Shift { get; init; }
-
-    /// <summary>In machine coordinates.</summary>
-    public Vec3 Position { get; init; }
-
-    public Vec3 Offset { get; init; }
-
-    public double OffsetE { get; init; }
-}
+/// <summary>A saved state. Its last motion does not count.</summary>
+internal sealed record SavedState(string Name, Modes Modes, FeedState Feed, ExtrusionState Extrusion, HeadPosition Head, Vec3 Offset, double OffsetE);

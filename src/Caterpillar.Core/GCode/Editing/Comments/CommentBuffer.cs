@@ -37,8 +37,7 @@ internal sealed class CommentBuffer(SpliceContext context)
         foreach (var line in _lines) _cut.Keep(line);
         foreach (var line in _cut.Take())
         {
-            var bytes = new byte[line.End - line.Start];
-            Buffer.BlockCopy(line.Text, line.Start, bytes, 0, bytes.Length);
+            var bytes = TextEncoding.Copy(line.Text, line.Start, line.End);
             context.Text.AddOwn(bytes, bytes.Length);
         }
     }

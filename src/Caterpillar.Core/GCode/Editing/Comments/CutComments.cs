@@ -13,47 +13,10 @@ internal sealed class CutComments
     public bool IsEmpty => _role is null && _object is null && _layer.Count == 0;
 
     /// <summary>Cuts a comment.</summary>
-    public void Cut(FileLine line)
-    {
-        switch (Kind(line))
-        {
-            case CommentKind.LayerNumber:
-            case CommentKind.LayerChange:
-                _layer.Clear();
-                _layer.Add(line);
-                break;
-            case CommentKind.Z:
-            case CommentKind.Height:
-                _layer.Add(line);
-                break;
-            case CommentKind.Role:
-                _role = line;
-                break;
-            case CommentKind.ObjectStart:
-            case CommentKind.ObjectEnd:
-                _object = line;
-                break;
-        }
-    }
+    public void Cut(FileLine line) => Replace(Kind(line), line);
 
     /// <summary>Keeps a comment.</summary>
-    public void Keep(FileLine line)
-    {
-        switch (Kind(line))
-        {
-            case CommentKind.LayerNumber:
-            case CommentKind.LayerChange:
-                _layer.Clear();
-                break;
-            case CommentKind.Role:
-                _role = null;
-                break;
-            case CommentKind.ObjectStart:
-            case CommentKind.ObjectEnd:
-                _object = null;
-                break;
-        }
-    }
+    public void Keep(FileLine line) => Replace(Kind(line), null);
 
     /// <summary>Returns and removes the comments that must come before a kept move.</summary>
     public IReadOnlyList<FileLine> Take()
@@ -64,6 +27,29 @@ internal sealed class CutComments
         _layer.Clear();
         _role = _object = null;
         return lines;
+    }
+
+    private void Replace(CommentKind kind, FileLine? line)
+    {
+        switch (kind)
+        {
+            case CommentKind.LayerNumber:
+            case CommentKind.LayerChange:
+                _layer.Clear();
+                if (line is { } layer) _layer.Add(layer);
+                break;
+            case CommentKind.Z:
+            case CommentKind.Height:
+                if (line is { } height) _layer.Add(height);
+                break;
+            case CommentKind.Role:
+                _role = line;
+                break;
+            case CommentKind.ObjectStart:
+            case CommentKind.ObjectEnd:
+                _object = line;
+                break;
+        }
     }
 
     private static CommentKind Kind(FileLine line)

@@ -52,7 +52,7 @@ internal sealed class LineStyle
             for (var i = 0; i + 1 < starts.Length && seen < Sample; i++, seen++)
             {
                 var end = LineEnds.Find(chunk.Text, starts[i], starts[i + 1]);
-                if (seen == 0 && end < starts[i + 1]) style.LineEnd = Copy(chunk.Text, end, starts[i + 1]);
+                if (seen == 0 && end < starts[i + 1]) style.LineEnd = TextEncoding.Copy(chunk.Text, end, starts[i + 1]);
                 line.Scan(chunk.Text, starts[i], end);
                 if (line.Shape != LineShape.Code) continue;
                 code++;
@@ -144,12 +144,5 @@ internal sealed class LineStyle
         var stop = point + 1;
         while (stop < end && (uint)(text[stop] - '0') <= 9) stop++;
         return stop - point - 1;
-    }
-
-    private static byte[] Copy(byte[] text, int start, int end)
-    {
-        var copy = new byte[end - start];
-        Buffer.BlockCopy(text, start, copy, 0, copy.Length);
-        return copy;
     }
 }

@@ -38,7 +38,7 @@ internal sealed class LineTranslation
         _known = FlavorCommands.Of(context.Rules);
         _objects = new ObjectMarks(_from, context.Rules);
         _always = Equivalents.AlwaysOf(_from.Name, context.Rules.Name);
-        _firstPrint = context.Decoding.FirstPrintLine;
+        _firstPrint = context.Decoding.PrintLines.First;
     }
 
     /// <summary>True if the target does not read the current line as the file's firmware does.</summary>

@@ -10,9 +10,9 @@ internal sealed class MoveConversion(SpliceContext context)
     private readonly ParsedLine _line = context.Line;
     private bool _diameterStated;
 
-    public double ChordTolerance => _target?.ChordTolerance ?? 0.01;
+    public double ChordTolerance => _target?.Options.ChordTolerance ?? 0.01;
 
-    public bool ExpandArcs => _target is { ExpandArcs: true };
+    public bool ExpandArcs => _target is { Options.ExpandArcs: true };
 
     /// <summary>The move with E in the unit of the target, and with the effect of M221 if the target reads it differently.</summary>
     public TargetMove Scale(TargetMove move)
@@ -57,7 +57,7 @@ internal sealed class MoveConversion(SpliceContext context)
             context.Command("M200 D" + SpliceContext.Format(diameter));
         }
         var modes = context.Written.State.Modes;
-        var relative = _target.RelativeE ?? context.Read.State.Modes.RelativeE;
+        var relative = _target.Options.RelativeE ?? context.Read.State.Modes.RelativeE;
         if (modes.RelativeE == relative || context.Rules.RelativeE == RelativeERule.OnlyG90G91) return;
         // In G91 most firmwares take E as relative whatever M82 says.
         if (!relative && context.Rules.RelativeE == RelativeERule.EitherG91OrM83 && modes.Relative) return;

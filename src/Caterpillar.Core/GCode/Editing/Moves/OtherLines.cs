@@ -107,7 +107,7 @@ internal sealed class OtherLines(SpliceContext context, MoveConversion conversio
         {
             var goes = code switch
             {
-                82 or 83 => target.RelativeE is not null || from.RelativeE != _rules.RelativeE,
+                82 or 83 => target.Options.RelativeE is not null || from.RelativeE != _rules.RelativeE,
                 200 => target.ChangesUnit || !_rules.Volumetric || !from.Volumetric,
                 220 => from.SpeedFactor != _rules.SpeedFactor,
                 221 => from.FlowFactor == FlowFactorRule.Ignored || _rules.FlowFactor == FlowFactorRule.Ignored,
@@ -157,17 +157,17 @@ internal sealed class OtherLines(SpliceContext context, MoveConversion conversio
 
     private string[] FirmwareRetraction(ConvertTarget target, bool retract, string comment)
     {
-        if (target.RetractionLength <= 0 || context.Extruder == 0)
+        if (target.Options.RetractionLength <= 0 || context.Extruder == 0)
         {
             context.Diagnostics.Add(Severity.Warning, "gcode.retraction_lost", _rules.Title
                 + " has no G10 and G11, and no retraction length is set. They are left out.", new SourceLocation(Line: context.Number));
             return [];
         }
-        var length = retract ? -target.RetractionLength : target.RetractionLength;
+        var length = retract ? -target.Options.RetractionLength : target.Options.RetractionLength;
         conversion.StateModeOfE(length);
         var state = context.Written.State;
         var value = state.Modes.RelativeE ? length : state.Extrusion.E + length;
         return ["G1 " + (char)context.Extruder + SpliceContext.Format(value, context.UnitOfE) + " F"
-            + SpliceContext.Format(target.RetractionSpeed * 60 / state.Feed.Factor, context.Unit) + comment];
+            + SpliceContext.Format(target.Options.RetractionSpeed * 60 / state.Feed.Factor, context.Unit) + comment];
     }
 }

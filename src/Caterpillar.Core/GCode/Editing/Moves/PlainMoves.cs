@@ -60,7 +60,7 @@ internal sealed class PlainMoves
         if (!_possible) return;
         ref var read = ref _read.Modes;
         ref var written = ref _written.Modes;
-        var relative = _context.Target?.RelativeE ?? read.RelativeE;
+        var relative = _context.Target?.Options.RelativeE ?? read.RelativeE;
         IsReady = read.IsPlain && written.IsPlain && written.RelativeE == relative && _read.Tool == _written.Tool
             && _read.Extrusion.Flow == _written.Extrusion.Flow && _read.Feed.Factor == 1 && _written.Feed.Factor == 1
             && _read.Head.HasMoved && _written.Head.HasMoved && _read.Rotary == default && _written.Rotary == default

@@ -11,26 +11,11 @@ internal sealed record ConvertTarget
     /// <summary>The words that extrude in the target.</summary>
     public ExtrusionAxis Axis { get; private init; } = ExtrusionAxis.None;
 
-    /// <summary>Null = no change.</summary>
-    public bool? RelativeE { get; private init; }
-
-    public bool ExpandArcs { get; private init; }
-
-    public double ChordTolerance { get; private init; }
+    public ConvertOptions Options { get; private init; } = new();
 
     public bool Millimeters { get; private init; }
 
-    public double RetractionLength { get; private init; }
-
-    public double RetractionSpeed { get; private init; }
-
-    public int? DecimalsXyz { get; private init; }
-
-    public int? DecimalsE { get; private init; }
-
-    public int? DecimalsF { get; private init; }
-
-    public bool LimitsDecimals => DecimalsXyz is not null || DecimalsE is not null || DecimalsF is not null;
+    public bool LimitsDecimals => Options.DecimalsXyz is not null || Options.DecimalsE is not null || Options.DecimalsF is not null;
 
     /// <summary>True if E changes from mm to mm³, or back.</summary>
     public bool ChangesUnit { get; private init; }
@@ -54,17 +39,10 @@ internal sealed record ConvertTarget
         {
             Flavor = flavor,
             Axis = axis,
-            RelativeE = options.RelativeE,
-            ExpandArcs = options.ExpandArcs,
-            ChordTolerance = options.ChordTolerance,
+            Options = options,
             Millimeters = options.Millimeters || !flavor.Inches,
-            RetractionLength = options.RetractionLength,
-            RetractionSpeed = options.RetractionSpeed,
-            DecimalsXyz = options.DecimalsXyz,
-            DecimalsE = options.DecimalsE,
-            DecimalsF = options.DecimalsF,
         };
-        return axis.HasAmounts ? Volumes(target, decoding, options, problems) : target;
+        return axis.HasAmounts ? Volumes(target, decoding, problems) : target;
     }
 
     // The words of extrusion in the target: those of the file in its own flavor, the usual ones in another.
@@ -83,7 +61,7 @@ internal sealed record ConvertTarget
         if (letters.Length > 0)
         {
             // Words that turn rotary axes here would extrude there.
-            var turns = letters[0] != 'E' && decoding.HasTurns && letters.IndexOf("E", StringComparison.Ordinal) >= 0;
+            var turns = letters[0] != 'E' && decoding.Toolpath.HasTurns && letters.IndexOf("E", StringComparison.Ordinal) >= 0;
             return ExtrusionAxis.Of(turns ? 'E' : letters[0]);
         }
         if (flavor.SwitchedExtruder)
@@ -98,9 +76,9 @@ internal sealed record ConvertTarget
         return ExtrusionAxis.None;
     }
 
-    private static ConvertTarget? Volumes(ConvertTarget target, DecodedGCode decoding, ConvertOptions options, DiagnosticList problems)
+    private static ConvertTarget? Volumes(ConvertTarget target, DecodedGCode decoding, DiagnosticList problems)
     {
-        var flavor = target.Flavor;
+        var (flavor, options) = (target.Flavor, target.Options);
         var tools = decoding.Toolpath.Tools;
         var stated = decoding.Report.Features.Any(f => f.Key == "m200");
         var isVolumetric = tools[0].VolumePerE == 1;

@@ -15,7 +15,7 @@ internal sealed class SpliceContext
     {
         Decoding = decoding;
         Target = target;
-        Style = LineStyle.Of(decoding.Document!).With(target?.DecimalsXyz, target?.DecimalsE, target?.DecimalsF);
+        Style = LineStyle.Of(decoding.Document!).With(target?.Options.DecimalsXyz, target?.Options.DecimalsE, target?.Options.DecimalsF);
         Rules = target?.Flavor ?? decoding.Flavor;
         Axis = target?.Axis ?? decoding.Axis;
         Read = new GCodeInterpreter(decoding.Flavor, decoding.Rule, decoding.Axis);
