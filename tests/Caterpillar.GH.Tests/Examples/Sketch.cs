@@ -8,7 +8,6 @@ using System.Security.Cryptography;
 using System.Text;
 using Caterpillar.CanvasPictures;
 using Caterpillar.GH.Base;
-using Caterpillar.GH.Components.Setup;
 using Caterpillar.GH.Params;
 using Caterpillar.GH.Tests.Host;
 using GH_IO.Serialization;
