@@ -102,6 +102,39 @@ public class ConvertTests : CliFixture
         Assert.That(text, Does.StartWith("; mine\nG28\n").And.EndWith("G1 X0 E2 ; back\nM84\n").And.Not.Contain("head"));
     }
 
+    private static string Print(double height) => "G21\nG90\nM83\nG28\n;LAYER:0\nG1 X50 Y50 Z" + Number(height) + " F1800\nG1 X70 E0.75\nG1 Y70 E0.75\n";
+
+    [TestCase("--move", "0,0,-0.2", "nozzle.too_low")]
+    [TestCase("--move", "0,0,5", "first_layer.in_air")]
+    [TestCase("--deform", "x, y, z - 0.2", "nozzle.too_low")]
+    public void A_moved_print_must_fit_on_the_bed_of_any_printer(string option, string value, string code)
+    {
+        File.WriteAllText("a.gcode", Print(0.2));
+        var run = Run("convert", "a.gcode", "-o", "b.gcode", option, value);
+        Assert.That((run.Code, File.Exists("b.gcode")), Is.EqualTo((3, false)));
+        Assert.That(run.Messages, Does.Contain("a.gcode:7, move 1: error " + code).And.Contain("write.refused"));
+        run = Run("convert", "a.gcode", "-o", "b.gcode", option, value, "--override", "onto a plate");
+        Assert.That(run.Code, Is.Zero);
+        Assert.That(run.Messages, Does.Contain("warning " + code));
+        Assert.That(File.ReadAllText("b.gcode"), Does.Contain("\n; Written despite these findings. Reason: onto a plate\n").And.Contain(code));
+        // The same is found in the input: nothing gets worse.
+        var before = code == "first_layer.in_air" ? 5.2 : 0;
+        File.WriteAllText("a.gcode", Print(before));
+        Assert.That(Run("convert", "a.gcode", "-o", "b.gcode", "--move", "1,0,0").Code, Is.Zero);
+    }
+
+    [TestCase("--move", "5,5,0")]
+    [TestCase("--rotate", "30")]
+    [TestCase("--scale", "1,1,0.4")]
+    [TestCase("--deform", "x, y + 1, z")]
+    public void Moves_that_keep_a_print_on_the_bed_are_not_refused(string option, string value)
+    {
+        File.WriteAllText("a.gcode", Print(0.2) + ";LAYER:1\nG1 Z0.4\nG1 Y50 E0.75\n");
+        var run = Run("convert", "a.gcode", "-o", "b.gcode", option, value);
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        Assert.That(run.Messages, Does.Not.Contain("nozzle.").And.Not.Contain("first_layer."));
+    }
+
     [Test]
     public void A_named_printer_checks_what_is_written()
     {

@@ -29,6 +29,11 @@ internal static class FindingSummary
             Text(json, "severity", finding.Severity.ToString().ToLowerInvariant());
             Text(json, "code", finding.Code);
             Number(json, "count", finding.Count);
+            if (finding.Share > 0)
+            {
+                json.WritePropertyName("share");
+                json.WriteValue(Math.Round(finding.Share, 4));
+            }
             Finding(json, finding);
             if (finding.Worst is { } worst)
             {

@@ -27,7 +27,7 @@ internal sealed class ConvertVerb : Verb
     private readonly Described<string?> _decimals = new("--decimals",
         "Maximum decimals of X, Y and Z, of E and of F, such as 3,5,0. The last ones may be omitted.", "XYZ,E,F");
     private readonly ToolpathEditOptions _edits = new();
-    private readonly SetupOptions _setup = new("Without it, nothing is checked.");
+    private readonly SetupOptions _setup = new("Without it, only whether a moved print fits on the bed is checked.");
     private readonly Option<string?> _reason = WriteOptions.Override();
 
     public ConvertVerb()
@@ -120,12 +120,13 @@ internal sealed class ConvertVerb : Verb
         throw new CliException(ExitCode.Usage, none.Message);
     }
 
-    // Checked only if a printer is given: the printer of the file is unknown.
+    // Checked only if a printer is given, since the printer of the file is unknown, except that a moved print must fit on the bed.
     private WrittenGCode Write(string output, FileJob job, ParseResult arguments, Session session)
     {
         var reason = arguments.GetValue(_reason);
         var isChecked = _setup.IsGiven(arguments);
-        if (!isChecked && reason is not null) throw new CliException(ExitCode.Usage, "--override needs --printer. Without it, nothing is checked.");
+        if (!isChecked && !job.IsMoved && reason is not null)
+            throw new CliException(ExitCode.Usage, "--override needs --printer. Without it, only moved prints are checked.");
         var setup = isChecked ? _setup.Resolve(arguments, session) : null;
         WrittenGCode? written = null;
         session.Write(output, (stream, _) =>

@@ -20,6 +20,9 @@ internal sealed class CurvesVerb : Verb
     private readonly Described<string?> _move = new("--move", "Move the curves by an offset in mm, or to the center of the bed. "
         + "Default for SVG files without --onto and printers that extrude: center.", "X,Y[,Z]|center");
 
+    private readonly Described<int?> _layers = new("--layers",
+        "Stack a flat drawing N layers high: the first of first_layer_height_mm, the others of --height, by default layer_height_mm.", "N");
+
     private readonly Described<string[]> _map = new("--map",
         "Map a coordinate to an axis word, scaled, as axis_mappings of a printer. X=A*2.86 turns A by 2.86° per mm of X, Y=Y*0.5 scales Y. Repeatable.",
         "AXIS=WORD*SCALE");
@@ -40,7 +43,7 @@ internal sealed class CurvesVerb : Verb
     {
         _sort.AcceptOnlyFromAmong("none", "orient", "nearest", "layer", "z", "tour");
         Arguments.Add(_file);
-        Add([.. _write.All, .. _extrusion.All, .. _division.All, _sort, _move, _map, _plan, _json, _maxSize, .. _onto.All, .. _setup.All]);
+        Add([.. _write.All, .. _extrusion.All, .. _division.All, _sort, _move, _layers, _map, _plan, _json, _maxSize, .. _onto.All, .. _setup.All]);
         AllowBatches();
     }
 
@@ -70,6 +73,7 @@ internal sealed class CurvesVerb : Verb
         setup = setup with { Settings = setup.Settings with { SortPaths = sort != SortRule.None } };
         var curves = _division.Of(arguments, _extrusion.Of(arguments, setup)) with
         {
+            Layers = LayersOf(arguments),
             Memory = session.Memory,
             Sorting = sort switch { SortRule.None => CurveSorting.None, SortRule.Layer or SortRule.Z => CurveSorting.All, _ => CurveSorting.WithinLayers },
         };
@@ -113,6 +117,10 @@ internal sealed class CurvesVerb : Verb
         var map = Affine.Move(shift);
         return curves.Select(c => c with { Curve = c.Curve.Transformed(map) }).ToArray();
     }
+
+    private int LayersOf(ParseResult arguments)
+        => arguments.GetValue(_layers) is not { } layers ? 0 : layers is >= 1 and <= 100_000 ? layers
+            : throw new CliException(ExitCode.Usage, "--layers needs a whole number from 1 to 100000.");
 
     private static AxisMapping Mapping(string text) => AxisMapping.Parse(text)
         ?? throw new CliException(ExitCode.Usage, $"--map {text}: expected AXIS=WORD*SCALE, such as X=A*2.86 (degrees per mm) or Y=Y*0.5.");

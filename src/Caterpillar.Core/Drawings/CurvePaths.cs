@@ -45,35 +45,50 @@ public static class CurvePaths
     }
 
     // People draw flat, but at Z 0 the nozzle would scrape the bed.
-    private static IReadOnlyList<UserCurve> Raised(IReadOnlyList<UserCurve> curves, CurveOptions options, DiagnosticList diagnostics)
+    private static bool IsRaised(IReadOnlyList<UserCurve> curves, CurveOptions options)
+        => options.FlatHeight > 0 && !options.Strokes && curves.All(c => c is not null && c.Curve.Bounds is { Min.Z: 0, Max.Z: 0 })
+            && !curves.All(c => c.Area == 0);
+
+    private static UserCurve Raised(UserCurve curve, int layer, CurveOptions options)
     {
-        if (!(options.FlatHeight > 0) || options.Strokes || curves.All(c => c is null or { Area: 0 })) return curves;
-        if (!curves.All(c => c is not null && c.Curve.Bounds is { Min.Z: 0, Max.Z: 0 })) return curves;
-        diagnostics.Add(Severity.Note, "curves.flat",
-            $"The drawing is flat at Z 0. It is printed at Z {NumberFormatter.Format(options.FlatHeight, 3)}, the height of the first layer.");
-        var up = Affine.Move(new Vec3(0, 0, options.FlatHeight));
-        return curves.Select(c => c with { Curve = c.Curve.Transformed(up) }).ToArray();
+        var z = options.FlatHeight + layer * options.Height;
+        var raised = curve with { Curve = curve.Curve.Transformed(Affine.Move(new Vec3(0, 0, z))) };
+        if (options.Layers == 0) return raised;
+        var thickness = layer == 0 ? options.FlatHeight : options.Height;
+        return raised with { Layer = new Layer(layer, z, thickness), Height = curve.Height ?? thickness };
     }
+
+    private static Diagnostic RaisedNote(CurveOptions options)
+        => new(Severity.Note, "curves.flat",
+            $"The drawing is flat at Z 0. It is printed at Z {NumberFormatter.Format(options.FlatHeight, 3)}, the height of the first layer"
+            + (options.Layers > 1 ? $", and stacked {NumberFormatter.Format(options.Layers)} layers high." : "."));
 
     private static Result<IReadOnlyList<Step>> Make(
         IReadOnlyList<UserCurve> curves, CurveOptions options, bool withDots, IProgress<double>? progress, CancellationToken cancel)
     {
         if (curves is null) throw new ArgumentNullException(nameof(curves));
         var diagnostics = new DiagnosticList();
-        curves = Raised(curves, options, diagnostics);
+        var isRaised = IsRaised(curves, options);
+        if (isRaised) diagnostics.Add(RaisedNote(options));
+        else if (options.Layers > 0)
+            return new Result<IReadOnlyList<Step>>(null, [new Diagnostic(Severity.Error, "curves.not_flat",
+                "Only a drawing that is flat at Z 0 and extrudes can be stacked in layers. Remove its Z values, or draw each layer.")]);
         var steps = new List<Step>(curves.Count);
         var run = new List<PrintPath>();
         var places = new List<SourceLocation>();
         var points = 0L;
         var maker = new PathMaker(options, diagnostics, cancel);
-        for (var i = 0; i < curves.Count; i++)
+        var total = (long)curves.Count * Math.Max(1, options.Layers);
+        for (var n = 0L; n < total; n++)
         {
-            if ((i & 0xFF) == 0)
+            if ((n & 0xFF) == 0)
             {
                 cancel.ThrowIfCancellationRequested();
-                progress?.Report((double)i / curves.Count);
+                progress?.Report((double)n / total);
             }
+            var i = (int)(n % curves.Count);
             var curve = curves[i] ?? throw new ArgumentException("A curve is null.", nameof(curves));
+            if (isRaised) curve = Raised(curve, (int)(n / curves.Count), options);
             var source = curve.Source ?? new SourceLocation(Step: i);
             if (!(curve.Dot >= 0 && !double.IsInfinity(curve.Dot)))
             {

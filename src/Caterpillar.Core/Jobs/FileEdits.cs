@@ -48,6 +48,8 @@ public sealed record FileEdits
     /// <summary>Maximum deviation of transformed or deformed extrusions, mm.</summary>
     public double Tolerance { get; init; } = 0.01;
 
+    internal bool Moves => Scale is not null || Rotate is not null || Move is not null || Deform is not null;
+
     /// <summary>The edited toolpath, or the same one without edits.</summary>
     /// <returns>The toolpath, or none if a layer is missing (<c>toolpath.no_layer</c>) or a deformation gives no point; the warnings
     /// <c>edit.nothing_selected</c> and <c>edit.no_e_values</c>, and the note <c>edit.nonuniform_scale</c>.</returns>

@@ -32,6 +32,9 @@ public sealed record FileJob
     /// <summary>New start and end G-code.</summary>
     public EditOptions Code { get; init; } = new();
 
+    /// <summary>True if an edit has moved, scaled, rotated or deformed the print.</summary>
+    public bool IsMoved { get; private init; }
+
     /// <summary>Conversion of the edited file; null = same flavor and notation.</summary>
     public ConvertOptions? Target { get; init; }
 
@@ -60,7 +63,8 @@ public sealed record FileJob
             return inserted.Value is { } all ? (this with { Toolpath = all }).KeepBelow(lower) : new Result<FileJob>(null, inserted.Diagnostics);
         }
         var edited = edits.Apply(Toolpath);
-        return new Result<FileJob>(edited.Value is { } toolpath ? this with { Toolpath = toolpath } : null, edited.Diagnostics);
+        return new Result<FileJob>(
+            edited.Value is { } toolpath ? this with { Toolpath = toolpath, IsMoved = IsMoved || edits.Moves } : null, edited.Diagnostics);
     }
 
     /// <summary>The lower half of a print: the layers whose top is not above <paramref name="z"/> mm, a lift, and the end code.</summary>
@@ -94,7 +98,8 @@ public sealed record FileJob
 
     /// <summary>Writes the file, whole or not at all.</summary>
     /// <param name="path">The output file; .bgcode = binary. An existing file is replaced.</param>
-    /// <param name="setup">The setup to check the result against before it is written; null = no checks, for an unknown printer.</param>
+    /// <param name="setup">The setup to check the result against before it is written; null = for an unknown printer,
+    /// only whether a moved print fits on the bed.</param>
     /// <param name="reason">Reason to write despite errors of the checks, which the file keeps as a comment; null = refuse.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels. No partial file is left.</param>
@@ -112,7 +117,7 @@ public sealed record FileJob
     /// <summary>Writes the file to a stream. If there is no value, discard the output.</summary>
     /// <param name="stream">The output stream.</param>
     /// <param name="name">The name of the output; .bgcode = binary.</param>
-    /// <param name="setup">The setup to check the result against; null = no checks.</param>
+    /// <param name="setup">The setup to check the result against; null = only whether a moved print fits on the bed.</param>
     /// <param name="reason">Reason to write despite errors of the checks; null = refuse.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels.</param>
@@ -121,6 +126,7 @@ public sealed record FileJob
         Stream stream, string name, PrintSetup? setup, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (setup is null && UnknownTool() is { } unknown) return new Result<WrittenGCode>(null, [unknown]);
+        if (setup is null && IsMoved) return WriteMoved(stream, name, reason, progress, cancel);
         var source = Edited(progress.Part(0, Target is null ? 0 : 0.4), cancel);
         if (source.Value is not { } file) return new Result<WrittenGCode>(null, source.Diagnostics);
         var rest = progress.Part(Target is null ? 0 : 0.4, 1);
@@ -136,6 +142,15 @@ public sealed record FileJob
         if (document.Value is not { } text) return Written(null, source.Diagnostics, document.Diagnostics);
         BinaryGCode.WriteAs(name, text, stream, null, cancel);
         return Written(new WrittenGCode(text.Length, text.LineCount, guard?.Overridden ?? 0), source.Diagnostics, document.Diagnostics);
+    }
+
+    private Result<WrittenGCode> WriteMoved(Stream stream, string name, string? reason, IProgress<double>? progress, CancellationToken cancel)
+    {
+        var guard = new WriteGuard(PrintCheck.OfMoved(File, Toolpath, cancel), reason);
+        if (guard.Refuses) return new Result<WrittenGCode>(null, guard.Refusal([]));
+        var commented = guard.Comments().Aggregate(Toolpath, (toolpath, comment) => toolpath.Insert(0, new CommentEvent(comment)));
+        var written = (this with { Toolpath = commented, IsMoved = false }).Write(stream, name, null, null, progress, cancel);
+        return Written(written.Value is { } file ? file with { Overridden = guard.Overridden } : null, guard.Notes([]), written.Diagnostics);
     }
 
     // The whole text, checked if there is a setup.

@@ -12,6 +12,9 @@ public sealed class Trace
     /// <summary>Default number of strings per turn.</summary>
     public const int DefaultStringsPerTurn = 72;
 
+    // mm/s, which the Z axes of common printers hold.
+    private const double RiseSpeed = 5;
+
     private readonly List<TraceString> _strings = [];
 
     /// <summary>Stops long shapes with <see cref="OperationCanceledException"/>.</summary>
@@ -119,7 +122,7 @@ public sealed class Trace
         {
             var at = center + new Vec3(0, 0, layer * verticalPitch);
             // The next spiral starts above the end of the last: the move up is short and prints.
-            if (layer > 0) Draw(Position.WithZ(at.Z));
+            if (layer > 0) Rise(at.Z);
             Spiral(at, radius, horizontalPitch, stringsPerTurn, inwards: layer % 2 == 1);
         }
         return this;
@@ -188,6 +191,13 @@ public sealed class Trace
         _strings.Add(new TraceString(Position, to, area, Speed));
         Position = to;
         return this;
+    }
+
+    // Straight up, no faster than Z axes go.
+    private void Rise(double z)
+    {
+        var speed = Speed;
+        SetSpeed(speed > 0 ? Math.Min(speed, RiseSpeed) : RiseSpeed).Draw(Position.WithZ(z)).SetSpeed(speed);
     }
 
     // To the start of a shape.

@@ -31,7 +31,8 @@ public class CheckDetailTests
                 ("An extrusion is in the air for 20 mm, with a free end. Add supports below it.", 5)),
             "20.3 is as bad");
         Assert.That(found.ToString(), Is.EqualTo("step 1, move 1: warning extrusion.unsupported: An extrusion is in the air for 8 mm, with a free end. "
-            + "Add supports below it. (5 times, the worst: step 5, move 5: An extrusion is in the air for 20 mm, with a free end. Add supports below it.)"));
+            + "Add supports below it. (5 times, 50 % of the moves, the worst: "
+            + "step 5, move 5: An extrusion is in the air for 20 mm, with a free end. Add supports below it.)"));
         var first = new SmallPrint(50, 50, 4).Print(70, 50, 4).Go(50, 60, 4).Print(60, 60, 4).Go(20, 20, 4);
         Assert.That(SmallPrint.Find(first.Build(), Setup, CheckCodes.Unsupported).Single().Worst, Is.Null, "it is the first");
     }

@@ -168,6 +168,21 @@ public class DepositSlopeTests
         }
     }
 
+    // Forty extrusions at the foot of a slope of 27° that ends 20 mm higher: its upper end drops none of them, and the flat of a tip beside them only digs.
+    [Test]
+    public void A_long_slope_drops_nothing_at_its_foot()
+    {
+        var deposit = new Deposit(0.25, 6);
+        deposit.Add(new Vec3(0.2, 1.6, 0.3), new Vec3(40, 1.6, 20), 0.2, 0);
+        for (var i = 1; i <= 40; i++) deposit.Add(new Vec3(0.2, 1, 0.5), new Vec3(1.8, 1, 0.5), 0.2, i);
+        Assert.That(deposit.ExtrusionCount, Is.EqualTo(41));
+        Assert.That(deposit.Meets(new Vec3(0.3, 0.7, 0.3), new Vec3(1.7, 0.7, 0.3), 0.05, Cone, false, out var tag), Is.EqualTo(HeadContact.Digs));
+        Assert.That(tag, Is.EqualTo(40));
+        // At the upper end of the slope the head finds it.
+        Assert.That(deposit.Meets(new Vec3(39, 1.6, 19), new Vec3(39.9, 1.6, 19), 0.05, Cone, false, out tag), Is.EqualTo(HeadContact.Hits));
+        Assert.That(tag, Is.Zero);
+    }
+
     // One bin holds it twice as high as it began; twenty others in the same place fill a block of extrusions.
     [Test]
     public void An_extrusion_that_rises_as_it_goes_on_is_met_where_it_is_high([Values(0, 15, 20)] int before)

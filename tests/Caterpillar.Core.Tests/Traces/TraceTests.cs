@@ -153,6 +153,16 @@ public class TraceTests
         Assert.That(strings.Zip(strings.Skip(1), (a, b) => a.End == b.Start), Is.All.True, "One extrusion.");
     }
 
+    [TestCase(0, 5)]
+    [TestCase(30, 5)]
+    [TestCase(2, 2)]
+    public void A_filled_cylinder_goes_up_at_a_speed_of_Z_axes(double speed, double up)
+    {
+        var strings = new Trace(0.2).SetSpeed(speed).Cylinder(new Vec3(50, 50, 0.3), 4, 0.6, 0.3, 1).Strings;
+        Assert.That(strings.Where(s => s.End.Z > s.Start.Z).Select(s => s.Speed), Is.EqualTo(new[] { up }));
+        Assert.That(strings.Where(s => s.End.Z == s.Start.Z).Select(s => s.Speed), Is.All.EqualTo(speed));
+    }
+
     [Test]
     public void Sizes_that_make_no_shape_are_refused()
     {

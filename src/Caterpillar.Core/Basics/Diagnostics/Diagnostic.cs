@@ -54,6 +54,9 @@ public sealed record Diagnostic(Severity Severity, string Code, string Message, 
     /// <summary>The worst of several occurrences, if known and not the first.</summary>
     public Diagnostic? Worst { get; init; }
 
+    /// <summary>Occurrences as a share of all moves, 0 to 1. 0 = unknown.</summary>
+    public double Share { get; init; }
+
     /// <summary>The same with another source, also for the worst.</summary>
     internal Diagnostic WithSource(Func<SourceLocation?, SourceLocation?> change)
         => this with { Source = change(Source), Worst = Worst?.WithSource(change) };
@@ -66,9 +69,11 @@ public sealed record Diagnostic(Severity Severity, string Code, string Message, 
         if (!string.IsNullOrEmpty(source)) text.Append(source).Append(": ");
         text.Append(Severity switch { Severity.Error => "error ", Severity.Warning => "warning ", _ => "note " });
         text.Append(Code).Append(": ").Append(Message);
-        if (Count > 1) text.Append(" (").Append(NumberFormatter.Format(Count)).Append(" times").Append(WorstText()).Append(')');
+        if (Count > 1) text.Append(" (").Append(NumberFormatter.Format(Count)).Append(" times").Append(ShareText()).Append(WorstText()).Append(')');
         return text.ToString();
     }
+
+    private string ShareText() => Share >= 0.0005 ? $", {NumberFormatter.Format(Share * 100, 1)} % of the moves" : "";
 
     private string WorstText() => Worst is null ? "" : $", the worst: {(Worst.Source is { } place ? place + ": " : "")}{Worst.Message}";
 }

@@ -17,15 +17,20 @@ internal sealed class DepositCheck : IMoveCheck
     // Deltas, which have round beds, home upward.
     private readonly bool _homesUp;
 
-    public DepositCheck(PrintSetup setup, Findings findings, CancellationToken cancel = default)
+    // What is printed is not remembered, and what is well above the bed not looked at.
+    private readonly bool _isOnlyBed;
+    private readonly double _nearBed;
+
+    public DepositCheck(PrintSetup setup, Findings findings, CancellationToken cancel = default, bool isOnlyBed = false)
     {
-        _cancel = cancel;
+        (_cancel, _isOnlyBed) = (cancel, isOnlyBed);
+        _nearBed = (setup.PrintedOn?.Bounds.Max.Z ?? 0) + System.Math.Max(setup.Settings.LayerHeight, setup.Settings.FirstLayerHeight);
         _homesUp = setup.Printer.BedShape == BedShape.Round;
         var volume = setup.Printer.BuildVolume;
         _farthest = System.Math.Max(10_000, 2 * (volume.X + volume.Y + volume.Z));
         _printed = new PrintedSoFar(setup, PrintedSoFar.ObjectOf(setup));
         _extrusions = new ExtrusionCheck(setup, _printed, findings);
-        if (findings.LooksFor(CollisionCheck.Codes)) _collisions = new CollisionCheck(setup.Printer, _printed, findings);
+        if (!isOnlyBed && findings.LooksFor(CollisionCheck.Codes)) _collisions = new CollisionCheck(setup.Printer, _printed, findings);
     }
 
     public IReadOnlyList<string> Codes => AllCodes;
@@ -84,6 +89,7 @@ internal sealed class DepositCheck : IMoveCheck
             if (move.HomesFromKnown && !_homesUp && !IsFar(move.Start)) Home(move);
             return;
         }
+        if (_isOnlyBed && _extrusions.HasBegun && System.Math.Min(move.Start.Z, move.End.Z) > _nearBed + move.Thickness) return;
         _printed.Advance(0);
         if (!(move.Length > 0))
         {
@@ -94,6 +100,6 @@ internal sealed class DepositCheck : IMoveCheck
         if (move.Kind == MoveKind.Print && move.Deposited > 0) height = _extrusions.Extrusion(move);
         else _extrusions.Break();
         _collisions?.Check(move, height.Nominal);
-        _printed.Add(move, height.Filled);
+        if (!_isOnlyBed) _printed.Add(move, height.Filled);
     }
 }

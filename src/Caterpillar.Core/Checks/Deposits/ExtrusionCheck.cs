@@ -58,6 +58,9 @@ internal sealed class ExtrusionCheck
             CheckCodes.InAir, CheckCodes.FirstLayer,
     ];
 
+    /// <summary>True after the first extrusions have touched something, or are reported.</summary>
+    public bool HasBegun => _hasLanded;
+
     /// <summary>An extrusion along a straight move; its nominal height and the height that it fills, mm.</summary>
     public (double Nominal, double Filled) Extrusion(in CheckedMove move)
     {

@@ -115,7 +115,9 @@ internal sealed class FitCheck
         {
             var floor = _printed.Object is null ? "bed" : "bed or the object";
             return () => $"The nozzle is {Number(gap)} mm above the {(other < 0 ? floor : "earlier extrusion" + By(other))}, but the extrusion is "
-                + $"{Number(height)} mm high. Raise the path by {Number(height - gap)} mm.";
+                + $"{Number(height)} mm high. "
+                + (other >= 0 && other < _firstPrint ? "Move the model, or move the prime line in the start G-code of the printer."
+                    : $"Raise the path by {Number(height - gap)} mm.");
         }, height - gap);
 
     private string By(int other)

@@ -66,7 +66,9 @@ internal sealed class Findings
     public SourceLocation? PlaceOfEvent(MoveEvent what) => _placeOfEvent(what);
 
     /// <summary>All findings. Their places are asked for now: the lines of a file may be known only in the end.</summary>
-    public IReadOnlyList<Diagnostic> ToList() => _all.ConvertAll(f => f.ToDiagnostic());
+    /// <param name="moves">Number of moves of which each has at most one finding of a kind; 0 = no shares.</param>
+    public IReadOnlyList<Diagnostic> ToList(int moves = 0)
+        => _all.ConvertAll(f => f.ToDiagnostic() with { Share = moves > 0 ? Math.Min(1, f.Count / (double)moves) : 0 });
 
     private void Add(string code, Severity severity, Func<SourceLocation?> place, Func<Func<string>> message, double size)
     {

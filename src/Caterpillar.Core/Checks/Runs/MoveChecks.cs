@@ -91,7 +91,7 @@ internal sealed class MoveChecks : IDisposable
             _printing.GetAwaiter().GetResult();
         }
         progress?.Report(1);
-        return [.. _ofMoves.ToList(), .. ofFile.ToList(), .. _ofPrint.ToList(), .. _ofUser.ToList()];
+        return [.. _ofMoves.ToList(whole.Count), .. ofFile.ToList(), .. _ofPrint.ToList(whole.Count), .. _ofUser.ToList()];
     }
 
     /// <summary>Nothing more is checked.</summary>

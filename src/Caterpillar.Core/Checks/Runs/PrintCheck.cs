@@ -59,6 +59,25 @@ public static class PrintCheck
         return Run(toolpath, setup, CheckScope.OfFile(file, setup) with { Before = before?.Used }, progress, cancel);
     }
 
+    /// <summary>Whether the moved print of a file fits on the bed of an unknown printer: findings that the file did not have before.</summary>
+    internal static IReadOnlyList<Diagnostic> OfMoved(DecodedGCode file, Toolpath moved, CancellationToken cancel)
+    {
+        var found = OnBed(file, moved, cancel);
+        if (found.Count == 0) return found;
+        var before = OnBed(file, file.Toolpath, cancel);
+        return [.. found.Where(d => before.All(b => b.Code != d.Code))];
+    }
+
+    private static IReadOnlyList<Diagnostic> OnBed(DecodedGCode file, Toolpath toolpath, CancellationToken cancel)
+    {
+        var setup = new PrintSetup() with { PrintedOn = StandingPart(file) };
+        toolpath = WithVolumes(toolpath, setup);
+        var findings = new Findings(setup.Printer, toolpath);
+        CheckRun.Run(toolpath, [new DepositCheck(setup, findings, cancel, isOnlyBed: true)], null, cancel);
+        return [.. findings.ToList().Where(d => d.Code is CheckCodes.TooLow or CheckCodes.Squeezed or CheckCodes.InAir)
+            .Select(d => d.WithSource(s => s is null ? s : s with { File = file.Report.File }))];
+    }
+
     // The top of the part, as wide as what is printed on it. Null = none.
     private static TriMesh? StandingPart(DecodedGCode file)
     {

@@ -62,6 +62,12 @@ public sealed record CurveOptions
     /// <summary>Z at which a drawing is printed that is flat at Z 0, mm; 0 = as drawn.</summary>
     public double FlatHeight { get; init; }
 
+    /// <summary>
+    /// Number of layers to stack of a drawing that is flat at Z 0: the first is <see cref="FlatHeight"/> high, each other one <see cref="Height"/>. They
+    /// replace the layers of the curves. 0 = as drawn.
+    /// </summary>
+    public int Layers { get; init; }
+
     /// <summary>Curves that planning may reorder. By default, curves are printed in their order.</summary>
     public CurveSorting Sorting { get; init; }
 

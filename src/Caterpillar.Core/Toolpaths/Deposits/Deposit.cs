@@ -341,10 +341,25 @@ internal sealed class Deposit
             }
             // Spans of rows above each other touch: there is no bin between the outermost that knows nothing of the extrusion.
             for (var column = left >> DepositBin.Bits; column <= right >> DepositBin.Bits; column++)
-                _bins.Enter(column, row >> DepositBin.Bits, index, highest, _store, _keepDepth);
+            {
+                var top = isLevel ? highest : TopInBin(extrusion, column, row >> DepositBin.Bits);
+                _bins.Enter(column, row >> DepositBin.Bits, index, top, _store, _keepDepth);
+            }
             if (isLevel) _cells.Lay(_spans, row, end, left, right, highest);
             else LaySloped(extrusion, row, end);
         }
+    }
+
+    // Never too low: a long slope must not raise the bins at its foot, whose extrusions would be dropped.
+    private double TopInBin(in Extrusion extrusion, int column, int row)
+    {
+        double dx = extrusion.Bx - extrusion.Ax, dy = extrusion.By - extrusion.Ay;
+        var (length, side) = (_rowsOf.Length, _bins.Side);
+        var middle = ((column + 0.5) * side - extrusion.Ax) * dx + ((row + 0.5) * side - extrusion.Ay) * dy;
+        var reach = (Math.Abs(dx) + Math.Abs(dy)) * side / 2 + (extrusion.Half + _cell) * length;
+        var rise = extrusion.Bz - extrusion.Az;
+        var highest = (middle + (rise > 0 ? reach : -reach)) / (length * length);
+        return extrusion.Az + rise * Math.Min(1, Math.Max(0, highest));
     }
 
     // Each cell as high as the extrusion is there at most.

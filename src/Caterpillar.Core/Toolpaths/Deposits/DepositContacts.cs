@@ -111,7 +111,9 @@ internal sealed class DepositContacts(DepositBins bins, DepositCells cells, Extr
         for (var i = 0; i < DepositBin.Cells; i++)
         {
             var top = Math.Min(cells.InBin(column, row, i).Top, bin.Dropped);
-            if (top > z && query.Meets(Extrusion.At(DepositCells.Center(column, row, i, cell), top, cell * 0.7072))) return true;
+            if (!(top > z) || !query.Meets(Extrusion.At(DepositCells.Center(column, row, i, cell), top, cell * 0.7072))) continue;
+            tag = -1;
+            return true;
         }
         return false;
     }
