@@ -1,5 +1,4 @@
 using System.Drawing;
-using Rhino;
 using Rhino.DocObjects;
 
 namespace Caterpillar.GH.Bake;

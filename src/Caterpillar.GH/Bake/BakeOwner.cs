@@ -1,4 +1,3 @@
-using Rhino;
 using Rhino.DocObjects;
 
 namespace Caterpillar.GH.Bake;

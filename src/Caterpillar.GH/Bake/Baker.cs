@@ -1,6 +1,5 @@
 using System.Drawing;
 using Caterpillar.Display;
-using Rhino;
 using Rhino.DocObjects;
 using Rhino.UI;
 

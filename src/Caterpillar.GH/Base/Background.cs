@@ -1,7 +1,6 @@
 using System.Diagnostics;
 using System.Diagnostics.CodeAnalysis;
 using Grasshopper;
-using Rhino;
 
 namespace Caterpillar.GH.Base;
 

@@ -1,8 +1,4 @@
 using System.Drawing;
-using Caterpillar.GH.Plugin;
-using Caterpillar.GH.Preview;
-using GH_IO.Serialization;
-using Rhino;
 using Rhino.DocObjects;
 
 namespace Caterpillar.GH.Base;

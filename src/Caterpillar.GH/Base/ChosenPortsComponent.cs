@@ -1,5 +1,3 @@
-using GH_IO.Serialization;
-
 namespace Caterpillar.GH.Base;
 
 /// <summary>

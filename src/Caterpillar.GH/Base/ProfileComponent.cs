@@ -1,5 +1,4 @@
 using System.Diagnostics.CodeAnalysis;
-using Caterpillar.GH.Plugin;
 
 namespace Caterpillar.GH.Base;
 

@@ -1,4 +1,3 @@
-using Caterpillar.GH.Plugin;
 using Caterpillar.Simulation;
 
 namespace Caterpillar.GH.Components;

@@ -1,5 +1,3 @@
-using Rhino;
-
 namespace Caterpillar.GH.Conversion;
 
 /// <summary>The units of the Rhino document relative to mm, the unit of the library. A document without units is in mm.</summary>

@@ -1,5 +1,3 @@
-using GH_IO.Serialization;
-
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A bead on a wire. A number is its width in mm, with the height of a standard layer. Text is "width x height".</summary>

@@ -1,6 +1,4 @@
 using Caterpillar.GH.Bake;
-using Caterpillar.GH.Preview;
-using Rhino;
 using Rhino.DocObjects;
 
 namespace Caterpillar.GH.Goos;

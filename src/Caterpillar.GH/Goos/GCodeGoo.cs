@@ -1,5 +1,4 @@
 using Caterpillar.GCode;
-using GH_IO.Serialization;
 
 namespace Caterpillar.GH.Goos;
 

@@ -1,6 +1,5 @@
 using Caterpillar.Curved;
 using Caterpillar.Slicing;
-using GH_IO.Serialization;
 
 namespace Caterpillar.GH.Goos;
 

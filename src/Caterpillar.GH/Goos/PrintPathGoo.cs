@@ -1,7 +1,5 @@
 using Caterpillar.Drawings;
 using Caterpillar.GH.Bake;
-using Caterpillar.GH.Preview;
-using GH_IO.Serialization;
 
 namespace Caterpillar.GH.Goos;
 

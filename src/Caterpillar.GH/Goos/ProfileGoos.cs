@@ -1,6 +1,3 @@
-using Caterpillar.GH.Plugin;
-using GH_IO.Serialization;
-
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A printer on a wire. At a port for printers, text is the name of a profile.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.GH.Plugin;
-using GH_IO.Serialization;
-
 namespace Caterpillar.GH.Goos;
 
 /// <summary>

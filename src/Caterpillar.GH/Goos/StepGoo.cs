@@ -1,5 +1,3 @@
-using GH_IO.Serialization;
-
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A step of a design on a wire: a print path, a travel move or an event.</summary>

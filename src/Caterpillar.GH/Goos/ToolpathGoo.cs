@@ -1,8 +1,6 @@
 using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.GH.Bake;
-using Caterpillar.GH.Preview;
-using GH_IO.Serialization;
 
 namespace Caterpillar.GH.Goos;
 

@@ -1,5 +1,4 @@
 using Caterpillar.Turtles;
-using GH_IO.Serialization;
 using Newtonsoft.Json;
 
 namespace Caterpillar.GH.Goos;

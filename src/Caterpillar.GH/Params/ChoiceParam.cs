@@ -1,8 +1,6 @@
 using System.Drawing;
 using System.Globalization;
 using Caterpillar.Expressions;
-using Caterpillar.GH.Plugin;
-using GH_IO.Serialization;
 
 namespace Caterpillar.GH.Params;
 

@@ -1,5 +1,4 @@
 using System.Drawing;
-using Caterpillar.GH.Plugin;
 using Rhino.Commands;
 using Rhino.Input;
 

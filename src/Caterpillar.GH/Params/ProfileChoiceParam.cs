@@ -1,6 +1,4 @@
 using System.Drawing;
-using Caterpillar.GH.Plugin;
-using GH_IO.Serialization;
 
 namespace Caterpillar.GH.Params;
 

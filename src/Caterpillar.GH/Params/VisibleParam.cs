@@ -1,7 +1,4 @@
 using Caterpillar.GH.Bake;
-using Caterpillar.GH.Preview;
-using GH_IO.Serialization;
-using Rhino;
 using Rhino.DocObjects;
 
 namespace Caterpillar.GH.Params;

@@ -1,4 +1,3 @@
-using Caterpillar.GH.Plugin;
 using Caterpillar.Turtles;
 
 namespace Caterpillar.GH.Components.Design;

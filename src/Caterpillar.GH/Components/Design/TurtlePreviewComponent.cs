@@ -1,5 +1,4 @@
 using System.Drawing;
-using Caterpillar.GH.Preview;
 using Caterpillar.Turtles;
 using Rhino.Display;
 

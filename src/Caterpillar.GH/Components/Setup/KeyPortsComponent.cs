@@ -1,5 +1,3 @@
-using Caterpillar.GH.Plugin;
-
 namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>

@@ -1,5 +1,3 @@
-using Caterpillar.GH.Plugin;
-
 namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>A material from a profile, with some values of its own.</summary>

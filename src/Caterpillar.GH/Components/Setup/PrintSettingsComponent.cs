@@ -1,5 +1,3 @@
-using Caterpillar.GH.Plugin;
-
 namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>Print settings from a profile, with some values of their own.</summary>

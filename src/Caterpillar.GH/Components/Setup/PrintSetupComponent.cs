@@ -1,5 +1,3 @@
-using Caterpillar.GH.Plugin;
-
 namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>Printer, material, settings and what is printed on, as one value for all components.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.GH.Plugin;
-
 namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>A printer from a profile, with its own bed, head and values.</summary>

@@ -1,6 +1,5 @@
 using System.Drawing;
 using Caterpillar.GH.Bake;
-using Rhino;
 
 namespace Caterpillar.GH.Components.Simulate;
 

@@ -1,4 +1,3 @@
-using Caterpillar.GH.Preview;
 using Caterpillar.Simulation;
 
 namespace Caterpillar.GH.Components.Simulate;
