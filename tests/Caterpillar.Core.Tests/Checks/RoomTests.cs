@@ -103,7 +103,7 @@ public class RoomTests
         for (var k = 0; k < 20; k++) print.Over(3, 50 + k, z).Print(40, 50 + k, z);
         var low = SmallPrint.Find(print.Over(0, 0, 9).Build(), Setup, CheckCodes.TooLow);
         Assert.That(low, Has.Length.EqualTo(found));
-        if (found > 0) Assert.That(low[0].Message, Does.Contain("earlier extrusion of the start G-code"));
+        if (found > 0) Assert.That(low[0].Message, Does.Contain("earlier extrusion of the start G-code").And.Contain("Move the model, or move the prime line"));
     }
 
     // 5 mm³ between the walls of a well 2 mm wide and 4 mm high do not fit under the nozzle; without walls they do.

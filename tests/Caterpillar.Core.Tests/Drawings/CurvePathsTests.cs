@@ -59,12 +59,14 @@ public class CurvePathsTests
     [Test]
     public void A_flat_drawing_is_stacked_in_layers()
     {
-        UserCurve[] flat = [new(new LineCurve(new Vec3(10, 10), new Vec3(30, 10))) { Name = "a", Layer = new Layer(7, 9) }, UserCurve.DotAt(new Vec3(10, 20), 2)];
-        var setup = new PrintSetup { Settings = new PrintSettings { FirstLayerHeight = 0.3, LayerHeight = 0.2, LineWidth = 0.5, BeadShape = BeadShape.Rectangle } };
-        var options = CurveOptions.For(setup) with { Layers = 3 };
+        var line = new UserCurve(new LineCurve(new Vec3(10, 10), new Vec3(30, 10))) { Name = "a", Layer = new Layer(7, 9) };
+        UserCurve[] flat = [line, UserCurve.DotAt(new Vec3(10, 20), 2)];
+        var settings = new PrintSettings { FirstLayerHeight = 0.3, LayerHeight = 0.2, LineWidth = 0.5, BeadShape = BeadShape.Rectangle };
+        var options = CurveOptions.For(new PrintSetup { Settings = settings }) with { Layers = 3 };
         var made = CurvePaths.ToSteps(flat, options);
         var paths = made.Value!.OfType<PathStep>().Select(s => s.Path).ToArray();
-        Assert.That(paths.Select(p => (p.Layer!.Index, Math.Round(p.Layer.Z, 9), p.Layer.Thickness)), Is.EqualTo(new[] { (0, 0.3, 0.3), (1, 0.5, 0.2), (2, 0.7, 0.2) }));
+        Assert.That(paths.Select(p => (p.Layer!.Index, Math.Round(p.Layer.Z, 9), p.Layer.Thickness)),
+            Is.EqualTo(new[] { (0, 0.3, 0.3), (1, 0.5, 0.2), (2, 0.7, 0.2) }));
         Assert.That(paths.Select(p => p.Points[0].Z), Is.EqualTo(paths.Select(p => p.Layer!.Z)));
         Assert.That(paths.Select(p => p.BeadOf(0).Area), Is.EqualTo(new[] { 0.15, 0.1, 0.1 }).Within(1e-12), "as thick as their layers");
         Assert.That(made.Value!.OfType<TravelStep>().Select(t => Math.Round(t.Points[^1].Z, 9)), Is.EqualTo(new[] { 0.3, 0.5, 0.7 }), "dots, too");

@@ -252,8 +252,8 @@ internal sealed class ExampleTests
 
     // The last limb always turns left by 90 degrees. The turtle stands below the center of its loop.
     private static Vec3 TreeEnd()
-        => Walk(0.2 + 0.2 * LimbLayers.Sum(), 1, 5, g => LimbRadius(g - 1) - LimbRadius(g) + 0.2 * LimbLayers[(int)g] * Math.Tan(35 * Math.PI / 180), 90, 90, 110,
-            110 - LimbRadius(5));
+        => Walk(0.2 + 0.2 * LimbLayers.Sum(), 1, 5,
+            g => LimbRadius(g - 1) - LimbRadius(g) + 0.2 * LimbLayers[(int)g] * Math.Tan(35 * Math.PI / 180), 90, 90, 110, 110 - LimbRadius(5));
 
     private static double PineBase(double k) => (20 - 0.0125 * k) * 2 * Math.PI / 40;
 
