@@ -69,7 +69,7 @@ public class CurvePathsTests
             Is.EqualTo(new[] { (0, 0.3, 0.3), (1, 0.5, 0.2), (2, 0.7, 0.2) }));
         Assert.That(paths.Select(p => p.Points[0].Z), Is.EqualTo(paths.Select(p => p.Layer!.Z)));
         Assert.That(paths.Select(p => p.BeadOf(0).Area), Is.EqualTo(new[] { 0.15, 0.1, 0.1 }).Within(1e-12), "as thick as their layers");
-        Assert.That(made.Value!.OfType<TravelStep>().Select(t => Math.Round(t.Points[^1].Z, 9)), Is.EqualTo(new[] { 0.3, 0.5, 0.7 }), "dots, too");
+        Assert.That(made.Value!.OfType<TravelStep>().Select(t => Math.Round(t.Points.Last().Z, 9)), Is.EqualTo(new[] { 0.3, 0.5, 0.7 }), "dots, too");
         Assert.That(made.Diagnostics.Single().Message, Does.EndWith("the height of the first layer, and stacked 3 layers high."));
         var own = CurvePaths.ToPaths([flat[0] with { Height = 0.25 }], options).Value!;
         Assert.That(own.Select(p => p.BeadOf(0).Area), Is.All.EqualTo(0.125).Within(1e-12), "a height of its own stays");
