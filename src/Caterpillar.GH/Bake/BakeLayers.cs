@@ -26,7 +26,8 @@ internal static class BakeLayers
             var above = parent < 0 ? Guid.Empty : document.Layers.FindIndex(parent).Id;
             parent = document.Layers.FindByFullPath(soFar, -1);
             if (parent >= 0) continue;
-            parent = document.Layers.Add(new Rhino.DocObjects.Layer { Name = names[i], ParentLayerId = above, Color = i == names.Length - 1 ? color : Color.Black });
+            var own = i == names.Length - 1 ? color : Color.Black;
+            parent = document.Layers.Add(new Rhino.DocObjects.Layer { Name = names[i], ParentLayerId = above, Color = own });
         }
         return Math.Max(parent, 0);
     }
