@@ -3,8 +3,10 @@ using System.Linq;
 using System.Threading;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Components.Setup;
+using Caterpillar.GH.Plugin;
 using Caterpillar.GH.Tests.Host;
 using GH_IO.Serialization;
+using Grasshopper;
 using Grasshopper.Kernel;
 using NUnit.Framework;
 using Rhino.UI;
@@ -80,6 +82,7 @@ public sealed class BaseTests
 
     private static Canvas<PrinterComponent> Reopened(Func<string, string> change)
     {
+        Instances.ComponentServer.Load(typeof(PluginInfo).Assembly);
         var archive = new GH_Archive();
         archive.AppendObject(new PrinterComponent(), "Container");
         var read = new GH_Archive();
