@@ -1,7 +1,5 @@
 using System.Globalization;
 using Caterpillar.Files;
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
 using Newtonsoft.Json;
 
 namespace Caterpillar.Display;

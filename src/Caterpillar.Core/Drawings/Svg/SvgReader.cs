@@ -2,7 +2,6 @@ using System.Globalization;
 using System.Text;
 using System.Xml;
 using Caterpillar.Files;
-using Caterpillar.Geometry;
 
 namespace Caterpillar.Drawings;
 

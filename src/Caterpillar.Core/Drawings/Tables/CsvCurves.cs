@@ -1,7 +1,5 @@
 using System.Text;
 using Caterpillar.Files;
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Drawings;
 

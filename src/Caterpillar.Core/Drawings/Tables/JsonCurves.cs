@@ -1,7 +1,6 @@
 using System.Globalization;
 using System.Text;
 using Caterpillar.Files;
-using Caterpillar.Geometry;
 using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 

@@ -1,5 +1,3 @@
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Machines;
 
 /// <summary>A list of mapped axes as texts.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Machines;
 
 /// <summary>Start of outer walls.</summary>

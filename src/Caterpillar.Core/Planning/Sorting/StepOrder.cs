@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Planning;
 
 /// <summary>A step in planned order, with its number in the design.</summary>

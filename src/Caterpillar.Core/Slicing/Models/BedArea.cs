@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Area of the bed for models: rectangle or ellipse, without the margin and the excluded areas.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>The convex outline of a model seen from above, counter-clockwise, mm. Immutable.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>A filter prepared for the layers of one toolpath, so that each move needs only a few look-ups.</summary>

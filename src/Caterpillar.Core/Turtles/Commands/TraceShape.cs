@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
 using Caterpillar.Traces;
 
 namespace Caterpillar.Turtles;

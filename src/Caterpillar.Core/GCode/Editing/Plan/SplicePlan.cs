@@ -1,5 +1,3 @@
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Finds the chunks of a file that an edited toolpath changes.</summary>
