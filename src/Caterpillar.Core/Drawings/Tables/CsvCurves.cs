@@ -8,12 +8,12 @@ namespace Caterpillar.Drawings;
 /// after an empty line, begin a new curve. Lines with <c>#</c> are comments. Cells are separated by commas, semicolons, tabs or spaces. With any separator but
 /// the comma, decimal commas are allowed.
 /// </summary>
-internal sealed class CsvCurves
+internal sealed class CsvCurves(CurveSource source)
 {
     private const int MaxColumns = 64;
 
-    private readonly CurveSource _source;
-    private readonly byte[] _bytes;
+    private readonly CurveSource _source = source;
+    private readonly byte[] _bytes = source.Bytes;
     private readonly List<double>?[] _values = new List<double>?[CurveColumns.Settings];
     private readonly int[] _starts = new int[MaxColumns];
     private readonly int[] _ends = new int[MaxColumns];
@@ -32,12 +32,6 @@ internal sealed class CsvCurves
 
     // Dots of the curve at hand by the number of their point.
     private readonly List<(int Point, double Volume)> _dots = [];
-
-    private CsvCurves(CurveSource source)
-    {
-        _source = source;
-        _bytes = source.Bytes;
-    }
 
     public static void Read(CurveSource source) => new CsvCurves(source).ReadAll();
 
