@@ -42,7 +42,7 @@ internal sealed class SectionsVerb : Verb
     {
         var heights = Heights(arguments);
         var every = heights is null ? Every(arguments) : 0;
-        var options = new SectionOptions { GapMm = OptionValues.Number(arguments.GetValue(_gap)!, "--gap", 0) };
+        var options = new SectionOptions { GapMm = Numbers.AtLeast(arguments.GetValue(_gap)!, "--gap", 0) };
         var reports = new List<SectionReport>();
         foreach (var model in arguments.GetValue(_models)!)
         {
@@ -74,13 +74,13 @@ internal sealed class SectionsVerb : Verb
         var text = arguments.GetValue(_heights);
         if (text is null) return null;
         if (arguments.GetValue(_every) is not null) throw new CliException(ExitCode.Usage, "--heights cannot be combined with --every.");
-        return text.Split(',').Select(word => OptionValues.Number(word.Trim(), "--heights", double.NegativeInfinity)).ToArray();
+        return text.Split(',').Select(word => Numbers.AtLeast(word.Trim(), "--heights", double.NegativeInfinity)).ToArray();
     }
 
     private double Every(ParseResult arguments)
     {
         var text = arguments.GetValue(_every) ?? throw new CliException(ExitCode.Usage, "The planes are missing. Give --heights 0.1,0.3 or --every 0.2.");
-        var every = OptionValues.Number(text, "--every", 0);
+        var every = Numbers.AtLeast(text, "--every", 0);
         return every > 0 ? every : throw new CliException(ExitCode.Usage, "--every must be above 0.");
     }
 

@@ -104,11 +104,7 @@ internal sealed class ThreeMfReader(MeshSource source, ZipArchive archive)
             _source.Afford(_triangles, _uses);
             parts.Add((mesh, map));
         }
-        foreach (var component in item.Components)
-        {
-            if (!Collect(path, component, map, depth + 1, parts)) return false;
-        }
-        return true;
+        return item.Components.All(component => Collect(path, component, map, depth + 1, parts));
     }
 
     private ThreeMfModel? Model(string path)
