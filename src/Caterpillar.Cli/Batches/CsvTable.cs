@@ -27,7 +27,7 @@ internal sealed record CsvTable(IReadOnlyList<string> Columns, IReadOnlyList<IRe
                 continue;
             }
             if (cells.Count > columns.Count)
-                throw Bad(file, line, $"{NumberFormatter.Format(cells.Count)} cells for {Words.Count(columns.Count, "column")}.");
+                throw Bad(file, line, $"{NumberFormatter.Format(cells.Count)} cells for {Figures.Count(columns.Count, "column")}.");
             rows.Add([.. cells, .. Enumerable.Repeat("", columns.Count - cells.Count)]);
         }
         return new CsvTable(columns ?? throw new CliException(ExitCode.BadInput, $"{file}: the table is empty. Its first row must name the columns."), rows);

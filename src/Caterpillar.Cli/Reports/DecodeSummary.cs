@@ -12,9 +12,10 @@ internal static class DecodeSummary
         var unit = moves.VolumePerE(0) == 1 ? "mm³" : "mm";
         var rows = new[]
         {
-            ["  Printed", $"{Mm(report.PrintLength)} in {Words.Count(report.PrintSegments + report.PrintArcs, "move")}, {Words.Count(moves.CountLayers(), "layer")}"],
-            ["  Traveled", $"{Mm(report.TravelLength)} in {Words.Count(report.TravelSegments + report.TravelArcs, "move")}, "
-                + Words.Count(report.Retractions + report.FirmwareRetractions, "retraction")],
+            ["  Printed", $"{Mm(report.PrintLength)} in {Figures.Count(report.PrintSegments + report.PrintArcs, "move")}, "
+                + Figures.Count(moves.CountLayers(), "layer")],
+            ["  Traveled", $"{Mm(report.TravelLength)} in {Figures.Count(report.TravelSegments + report.TravelArcs, "move")}, "
+                + Figures.Count(report.Retractions + report.FirmwareRetractions, "retraction")],
             ["  Extruded", report.HasAmounts ? $"{Number(report.EUsed)} {unit} of E, net {Number(report.ENet)} {unit}" : "no E"],
             ["  Printed box", Box(report.PrintBounds)],
             new[] { "  All moves", Box(report.AllBounds) },

@@ -15,7 +15,7 @@ internal static class StatisticsText
             ["  Time", $"{Duration(s.Duration)} with the limits of {limits}"],
             ["  Printing", Duration(s.PrintTime)],
             ["  Traveling", Duration(s.TravelTime)],
-            ["  Extruder only", $"{Duration(s.ExtruderTime)}, {Words.Count(s.Retractions, "retraction")}"],
+            ["  Extruder only", $"{Duration(s.ExtruderTime)}, {Figures.Count(s.Retractions, "retraction")}"],
             .. Waits(s.Waits),
             ["  Material", Material(s)],
             .. Flow(s),

@@ -30,7 +30,7 @@ internal sealed class Moment(string text, Func<Timeline, MachineState?> find)
     private static string Places(Timeline timeline)
     {
         var (moves, layers) = (timeline.Toolpath.Count, timeline.Toolpath.Layers);
-        return Words.Count(moves, "move") + " and " + (layers.Count == 0 ? "no layers"
+        return Figures.Count(moves, "move") + " and " + (layers.Count == 0 ? "no layers"
             : $"layers {NumberFormatter.Format(layers.Min(l => l.Index))} to {NumberFormatter.Format(layers.Max(l => l.Index))}");
     }
 

@@ -11,9 +11,6 @@ internal static class Words
     internal static string Either(IReadOnlyList<string> names)
         => names.Count == 1 ? names[0] : string.Join(", ", names.Take(names.Count - 1)) + " or " + names[names.Count - 1];
 
-    /// <summary>A count with its noun: "1 move", "2 moves".</summary>
-    internal static string Count(long count, string noun) => NumberFormatter.Format(count) + " " + noun + (count == 1 ? "" : "s");
-
     /// <summary>A name in snake case: <c>OuterWall</c> and "Outer wall" are <c>outer_wall</c>.</summary>
     public static string Snake(string name)
         => string.Concat(name.Select((c, i) => c is ' ' or '-' ? "_" : (i > 0 && char.IsUpper(c) ? "_" : "") + char.ToLowerInvariant(c)));

@@ -142,7 +142,7 @@ internal sealed class LSystemGrowth
         }
         var counts = string.Join(" or ", rules.Select(r => r.Names.Length).Distinct().OrderBy(n => n).Select(n => NumberFormatter.Format(n)));
         _notes.Add(Severity.Note, Code,
-            $"'{word[index]}' with {Words.Count(word.ValueCount(index), "value")} stays unchanged. Number of values in its rules: {counts}.");
+            $"'{word[index]}' with {Figures.Count(word.ValueCount(index), "value")} stays unchanged. Number of values in its rules: {counts}.");
     }
 
     private static bool IsTurn(char letter) => Turns.IndexOf(letter, 0) >= 0;
