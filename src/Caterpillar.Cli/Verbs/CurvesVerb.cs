@@ -39,7 +39,7 @@ internal sealed class CurvesVerb : Verb
     private readonly WriteOptions _write = new();
 
     public CurvesVerb()
-        : base("curves", "Turn curves into G-code, as drawn and in the given order.")
+        : base("curves", "Turn curves into G-code, as drawn and in the given order.", ["G-code"], ".gcode")
     {
         _sort.AcceptOnlyFromAmong("none", "orient", "nearest", "layer", "z", "tour");
         Arguments.Add(_file);
@@ -52,10 +52,6 @@ internal sealed class CurvesVerb : Verb
         ("curves curves.csv -o curves.gcode", "Print curves from a table, in the given order"),
         ("curves drawing.svg --printer pen_plotter --move center -o drawing.gcode", "Draw with a pen, in the center of the bed"),
     ];
-
-    public override string[] Writes => ["G-code"];
-
-    public override string? Ending => ".gcode";
 
     public override int Run(ParseResult arguments, Session session)
     {

@@ -25,7 +25,7 @@ internal sealed class SectionsVerb : Verb
     private readonly Described<string> _output = new("--output", "Output file; - = standard output.", "FILE", "-o") { DefaultValueFactory = _ => "-" };
 
     public SectionsVerb()
-        : base("sections", "Measure exact plane sections of models: length, area and contours.")
+        : base("sections", "Measure exact plane sections of models: length, area and contours.", ["JSON", "a table"])
     {
         Arguments.Add(_models);
         Add([_heights, _every, _gap, _json, _output]);
@@ -35,8 +35,6 @@ internal sealed class SectionsVerb : Verb
     [
         ("sections part.stl --heights 0.1,0.5 --json", "Measure two sections, as JSON"),
     ];
-
-    public override string[] Writes => ["JSON", "a table"];
 
     public override int Run(ParseResult arguments, Session session)
     {
