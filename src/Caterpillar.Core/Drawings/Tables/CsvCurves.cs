@@ -171,7 +171,8 @@ internal sealed class CsvCurves(CurveSource source)
             else if (column != CurveColumn.Dot) _row[(int)column] = value;
             else if (value > 0) _dots.Add((_count, value));
         }
-        if (Given(CurveColumn.Tool) is > 1000 || Given(CurveColumn.Layer) is > 1e8 or < -1e8) return Fail("curves.number", "The tool or layer number is out of range.", _starts[0]);
+        if (Given(CurveColumn.Tool) is > 1000 || Given(CurveColumn.Layer) is > 1e8 or < -1e8)
+            return Fail("curves.number", "The tool or layer number is out of range.", _starts[0]);
         Add(Given(CurveColumn.X) ?? 0, Given(CurveColumn.Y) ?? 0, Given(CurveColumn.Z) ?? 0);
         return true;
     }
