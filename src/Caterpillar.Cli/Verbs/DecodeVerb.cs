@@ -100,10 +100,8 @@ internal sealed class DecodeVerb : Verb
 
     private Statistics Timed(DecodedGCode decoded, string file, ParseResult arguments, Session session)
     {
-        var motion = MotionSetup.Of(_setup, arguments, decoded, session);
-        var toolpath = decoded.Unrolled(motion.Setup.Printer);
-        var timeline = session.WithProgress("Planning " + file, progress => Timeline.Of(toolpath, motion.Setup, progress, session.Cancel));
-        return new Statistics(file, PrintStatistics.Of(timeline, session.Cancel), toolpath, motion.Limits);
+        var (timeline, limits) = TimedFile.Of(_setup, arguments, decoded, file, session);
+        return new Statistics(file, PrintStatistics.Of(timeline, session.Cancel), timeline.Toolpath, limits);
     }
 
     private sealed record Statistics(string File, PrintStatistics Sums, Toolpath Toolpath, string Limits);

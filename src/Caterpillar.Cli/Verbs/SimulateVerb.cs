@@ -45,14 +45,12 @@ internal sealed class SimulateVerb : Verb
         };
         using var stream = GzipReader.Open(session.OpenRead(file));
         var decoded = session.GCodeOrFail(session.Decode(stream, name, options));
-        var motion = MotionSetup.Of(_setup, arguments, decoded, session);
-        var toolpath = decoded.Unrolled(motion.Setup.Printer);
-        var timeline = session.WithProgress("Planning " + name, progress => Timeline.Of(toolpath, motion.Setup, progress, session.Cancel));
+        var (timeline, limits) = TimedFile.Of(_setup, arguments, decoded, name, session);
         var states = moments.Select(m => m.Of(timeline)).ToArray();
         session.WriteText("-", text =>
         {
             if (arguments.GetValue(_json)) text.Write(SimulationJson.Array(states, (json, s) => SimulationJson.State(json, s, timeline.Toolpath)));
-            else Write(text, states, timeline, motion.Limits);
+            else Write(text, states, timeline, limits);
         });
         return ExitCode.Done;
     }
