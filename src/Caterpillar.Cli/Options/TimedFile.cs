@@ -3,9 +3,7 @@ using Caterpillar.Simulation;
 
 namespace Caterpillar.Cli;
 
-/// <summary>
-/// The times of a file, with the motion limits of the given printer, else of the slicer's settings in the file, else of the generic printer.
-/// </summary>
+/// <summary>The times of a file, with the motion limits of the given printer, else of the slicer's settings in the file, else of the generic printer.</summary>
 internal sealed record TimedFile(Timeline Timeline, string Limits)
 {
     public static TimedFile Of(SetupOptions options, ParseResult arguments, DecodedGCode decoded, string name, Session session)

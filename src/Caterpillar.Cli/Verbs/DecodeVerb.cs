@@ -45,13 +45,9 @@ internal sealed class DecodeVerb : Verb
 
     public override int Run(ParseResult arguments, Session session)
     {
-        var options = new DecodeOptions
+        var options = CommonOptions.Decoding(arguments.GetValue(_flavor), Diameter(arguments, session), arguments.GetValue(_threads), session) with
         {
-            Flavor = CommonOptions.FlavorOf(arguments.GetValue(_flavor)),
             Rule = arguments.GetValue(_rule) == "rising" ? ExtrusionRule.Rising : ExtrusionRule.Balance,
-            FilamentDiameter = Diameter(arguments, session),
-            Threads = arguments.GetValue(_threads),
-            Memory = session.Memory,
         };
         var json = arguments.GetValue(_json);
         var decoded = new List<(string File, DecodedGCode DecodedGCode, DecodeReport Report)>();

@@ -34,16 +34,8 @@ internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool
     private ViewerContent Model(string file)
     {
         var meshes = session.Run("Reading", progress => Meshes.Read([file], session, progress));
-        var points = new List<Vec3>();
-        var corners = new List<int>();
-        foreach (var mesh in meshes.Select(m => m.Mesh))
-        {
-            var first = points.Count;
-            points.AddRange(mesh.Vertices);
-            corners.AddRange(mesh.Indices.Select(i => i + first));
-        }
-        Summary = NumberFormatter.Format(corners.Count / 3) + " triangles";
-        return new ViewerContent(Title(file)) { Model = TriMesh.Create(points, corners), Printer = setup.Resolve(arguments, session).Printer };
+        Summary = NumberFormatter.Format(meshes.Sum(m => m.Mesh.TriangleCount)) + " triangles";
+        return new ViewerContent(Title(file)) { Model = TriMesh.Merge(meshes.Select(m => m.Mesh)), Printer = setup.Resolve(arguments, session).Printer };
     }
 
     private ViewerContent GCode(string file, byte[] bytes)
