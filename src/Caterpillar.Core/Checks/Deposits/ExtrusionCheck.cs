@@ -97,7 +97,7 @@ internal sealed class ExtrusionCheck
             // Cells are wider than what is in them.
             if (p.Z - floor > reach && (!isHeld || _sinceExact > ExactStep || _air > 0))
             {
-                isHeld = _printed.Deposit.TopUnder(p, p.Z - 0.5 * least, beside) >= p.Z - reach;
+                isHeld = _printed.Deposit.HasTop(p, p.Z - reach, p.Z - 0.5 * least, beside);
                 if (isHeld) _sinceExact = 0;
             }
             if (isHeld || move.Role == Role.Purge) Land(move);

@@ -185,6 +185,23 @@ internal sealed class Deposit
         return best;
     }
 
+    /// <summary>True if the top of an extrusion within <paramref name="radius"/> mm of a point, seen from above, is between two heights, mm.</summary>
+    public bool HasTop(Vec3 point, double lowest, double highest, double radius)
+    {
+        if (_bins.IsEmpty || !_bins.MayHold(point.X, point.Y)) return false;
+        var (lastRow, lastColumn) = (_bins.Row(point.Y + radius), _bins.Column(point.X + radius));
+        for (var row = _bins.Row(point.Y - radius); row <= lastRow; row++)
+        {
+            for (var column = _bins.Column(point.X - radius); column <= lastColumn; column++)
+            {
+                if (_bins[column, row] is not { } bin || bin.Top < lowest) continue;
+                if (HasTopIn(bin, point, lowest, highest, radius)) return true;
+                if (bin.Dropped >= lowest && DroppedUnder(bin, column, row, point, highest, radius, double.NegativeInfinity) >= lowest) return true;
+            }
+        }
+        return false;
+    }
+
     /// <summary>
     /// The height of the cell under a point, and the next height clearly below it, mm. Negative infinity = nothing. A cell is as high as the highest extrusion
     /// that touches it.
@@ -294,6 +311,25 @@ internal sealed class Deposit
         return best;
     }
 
+    private bool HasTopIn(DepositBin bin, Vec3 point, double lowest, double highest, double radius)
+    {
+        for (var i = bin.Count - 1; i >= 0; i--)
+        {
+            if (bin.Entries[i].Top < lowest)
+            {
+                // A whole block may be as low.
+                var first = i & -DepositBin.Block;
+                if (i == first + DepositBin.Block - 1 && bin.BlockTops[i >> DepositBin.BlockBits] < lowest) i = first;
+                continue;
+            }
+            // Most of the others are of the layer above.
+            if (bin.Entries[i].IsLevel && bin.Entries[i].Top > highest) continue;
+            var top = _store[bin.Entries[i].Extrusion].TopAt(point, radius);
+            if (top >= lowest && top <= highest) return true;
+        }
+        return false;
+    }
+
     private double TopInBin(DepositBin bin, int column, int row, Vec3 a, Vec3 b, double radius, double best)
     {
         for (var i = bin.Count - 1; i >= 0; i--)
@@ -343,7 +379,7 @@ internal sealed class Deposit
             for (var column = left >> DepositBin.Bits; column <= right >> DepositBin.Bits; column++)
             {
                 var top = isLevel ? highest : TopInBin(extrusion, column, row >> DepositBin.Bits);
-                _bins.Enter(column, row >> DepositBin.Bits, index, top, _store, _keepDepth);
+                _bins.Enter(column, row >> DepositBin.Bits, index, top, isLevel, _store, _keepDepth);
             }
             if (isLevel) _cells.Lay(_spans, row, end, left, right, highest);
             else LaySloped(extrusion, row, end);
