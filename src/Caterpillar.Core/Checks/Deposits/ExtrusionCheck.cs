@@ -171,7 +171,7 @@ internal sealed class ExtrusionCheck
     private double GapUnder(in CheckedMove move, double area, double least)
     {
         _sinceGap += move.Length;
-        if (_sinceGap < SampleStep / 2) return Math.Min(_gap, Round(area));
+        if (_sinceGap < SampleStep) return Math.Min(_gap, Round(area));
         _sinceGap = 0;
         var middle = Vec3.Lerp(move.Start, move.End, 0.5);
         // What is about as high is next to it.

@@ -170,11 +170,10 @@ internal sealed class Deposit
     {
         var best = double.NegativeInfinity;
         if (_bins.IsEmpty || !_bins.MayHold(point.X, point.Y)) return best;
-        var lastRow = _bins.Row(point.Y + radius);
-        var lastColumn = _bins.Column(point.X + radius);
-        for (var row = _bins.Row(point.Y - radius); row <= lastRow; row++)
+        var (lastRow, lastColumn) = (BinOf(point.Y + radius), BinOf(point.X + radius));
+        for (var row = BinOf(point.Y - radius); row <= lastRow; row++)
         {
-            for (var column = _bins.Column(point.X - radius); column <= lastColumn; column++)
+            for (var column = BinOf(point.X - radius); column <= lastColumn; column++)
             {
                 var bin = _bins[column, row];
                 if (bin is null || bin.Top <= best) continue;
@@ -189,10 +188,10 @@ internal sealed class Deposit
     public bool HasTop(Vec3 point, double lowest, double highest, double radius)
     {
         if (_bins.IsEmpty || !_bins.MayHold(point.X, point.Y)) return false;
-        var (lastRow, lastColumn) = (_bins.Row(point.Y + radius), _bins.Column(point.X + radius));
-        for (var row = _bins.Row(point.Y - radius); row <= lastRow; row++)
+        var (lastRow, lastColumn) = (BinOf(point.Y + radius), BinOf(point.X + radius));
+        for (var row = BinOf(point.Y - radius); row <= lastRow; row++)
         {
-            for (var column = _bins.Column(point.X - radius); column <= lastColumn; column++)
+            for (var column = BinOf(point.X - radius); column <= lastColumn; column++)
             {
                 if (_bins[column, row] is not { } bin || bin.Top < lowest) continue;
                 if (HasTopIn(bin, point, lowest, highest, radius)) return true;
@@ -301,7 +300,7 @@ internal sealed class Deposit
             if (first + DepositBin.Block <= bin.Count && !(bin.BlockTops[block] > best)) continue;
             for (var i = Math.Min(first + DepositBin.Block, bin.Count) - 1; i >= first; i--)
             {
-                if (!(bin.Entries[i].Top > best)) continue;
+                if (!(bin.Entries[i].Top > best) || (bin.Entries[i].IsLevel && bin.Entries[i].Top > limit)) continue;
                 ref var extrusion = ref _store[bin.Entries[i].Extrusion];
                 if (extrusion.Tag >= before) continue;
                 var top = extrusion.TopAt(point, radius);
@@ -415,6 +414,10 @@ internal sealed class Deposit
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private int Index(double x) => ExtrusionRows.Index(x, _perCell);
+
+    // The column or row of the bin of a place.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private int BinOf(double x) => Index(x) >> DepositBin.Bits;
 
     private static bool IsOutside(Vec3 p, double margin, double edge) => !(Math.Abs(p.X) + margin < edge && Math.Abs(p.Y) + margin < edge);
 }
