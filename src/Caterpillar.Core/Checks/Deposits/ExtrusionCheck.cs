@@ -15,7 +15,8 @@ internal sealed class ExtrusionCheck
     private const double ExactStep = 4;
     private const int MostSamples = 256;
 
-    // An extrusion rests on another if a tenth of its width does, as ends of infill on walls: farthest edge from its axis, as a part of its width.
+    // An extrusion rests on another if about a seventh of its width does, as ends of infill on walls: farthest edge from its axis, as a part of its width
+    // without the round sides.
     private const double Beside = 0.4;
 
     // Height over the root of the area on the bed.
