@@ -20,7 +20,8 @@ public sealed class EveryInputTests
     /// <summary>Components without work that could take long.</summary>
     private static readonly HashSet<string> Short = new(StringComparer.Ordinal)
     {
-        "BakeToolpathComponent", "ConstructBeadComponent", "ConstructPrintPathComponent", "MoveFilterComponent", "PrintSettingsComponent",
+        "BakeToolpathComponent", "ConstructBeadComponent", "ConstructPrintPathComponent", "ConstructToolpathComponent", "MoveFilterComponent",
+        "PrintSettingsComponent", "StepComponent", "ViewerPageComponent",
         "DeconstructPrintPathComponent", "DeconstructSetupComponent", "GCodeTextComponent", "ImportHeaderComponent", "LayerFieldComponent", "MaterialComponent",
         "PrintSetupComponent",
         "PrinterComponent",

@@ -13,24 +13,16 @@ internal sealed class ToolpathParts
 
     public ToolpathParts(Toolpath toolpath, DocumentUnits units, GH_Path root)
     {
-        // Numbers of rafts may begin below 0, branches do not.
-        var numbers = toolpath.NumbersOfLayers();
-        var lowest = numbers.Count > 0 ? Math.Min(numbers[0], 0) : 0;
-        var layer = 0;
-        var branch = new Branch(this, root.AppendElement(layer));
-        for (var i = 0; i < toolpath.Count; i++)
+        var layers = new LayerBranches(toolpath, root);
+        Branch? branch = null;
+        foreach (var move in toolpath.Moves())
         {
-            var move = toolpath[i];
-            if (toolpath.NumberOfLayer(move) is { } number && number - lowest != layer)
-            {
-                layer = number - lowest;
-                branch = new Branch(this, root.AppendElement(layer));
-            }
-            branch.Add(move, units, toolpath.BeadOf(move));
+            if (layers.Changes(move)) branch = new Branch(this, layers.Path);
+            branch!.Add(move, units, toolpath.BeadOf(move));
         }
         foreach (var extrusion in ToolpathExtrusions.Of(toolpath))
         {
-            var path = root.AppendElement(toolpath.NumberOfLayer(toolpath[extrusion.First]) is { } number ? number - lowest : 0);
+            var path = layers.PathOf(toolpath[extrusion.First]) ?? root.AppendElement(0);
             Extrusions.Append(new GH_Curve(ToolpathExtrusions.ToCurve(toolpath, extrusion, units)), path);
         }
     }
