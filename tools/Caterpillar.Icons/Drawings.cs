@@ -47,7 +47,7 @@ internal static class Drawings
         ["CoolLayers"] = c => c.Line(4, 19, 14, 19, 2.2, Ink.Green).Line(4, 15, 11, 15, 2.2, Ink.Green).Line(4, 11, 8, 11, 2.2, Ink.Green)
             .Line(16.5, 3.5, 16.5, 14.5, 1.4, Ink.Blue).Line(11.5, 6, 20.5, 12, 1.4, Ink.Blue)
             .Line(11.8, 12, 20.5, 6, 1.4, Ink.Blue),
-        ["ImportHeader"] = c => { Page(c); c.Line(8, 7.5, 16, 7.5, 1.8, Ink.Green).Line(8, 10, 14, 10, 1.3, Ink.Dark).Line(8, 14, 16, 14, 1, Ink.Gray)
+        ["ImportProfile"] = c => { Page(c); c.Line(8, 7.5, 16, 7.5, 1.8, Ink.Green).Line(8, 10, 14, 10, 1.3, Ink.Dark).Line(8, 14, 16, 14, 1, Ink.Gray)
             .Line(8, 17.5, 16, 17.5, 1.8, Ink.Green); },
         ["Simulate"] = c => { Nozzle(c, 13, 4); c.Line(4, 16, 13, 16, 2.4, Ink.Green).Line(4, 19.5, 20, 19.5, 2.4, Ink.Green)
             .Line(13, 16, 20, 16, 1, Ink.Gray); },

@@ -22,7 +22,7 @@ public sealed class EveryInputTests
     {
         "BakeToolpathComponent", "ConstructBeadComponent", "ConstructPrintPathComponent", "ConstructToolpathComponent", "MoveFilterComponent",
         "PrintSettingsComponent", "StepComponent", "ViewerPageComponent",
-        "DeconstructPrintPathComponent", "DeconstructSetupComponent", "GCodeTextComponent", "ImportHeaderComponent", "LayerFieldComponent", "MaterialComponent",
+        "DeconstructPrintPathComponent", "DeconstructSetupComponent", "GCodeTextComponent", "LayerFieldComponent", "MaterialComponent",
         "PrintSetupComponent",
         "PrinterComponent",
         "SaveGCodeComponent", "SubdivideCurveComponent", "TurtleEventComponent", "TurtleExtrusionComponent", "TurtleMoveComponent", "TurtlePenComponent",

@@ -239,13 +239,13 @@ public sealed class SimulateTests
             var (header, footer) = (System.IO.Path.Combine(folder, "start.gcode"), System.IO.Path.Combine(folder, "end.gcode"));
             System.IO.File.WriteAllText(header, "M104 S{hotend_temp}\nM140 S60\nG28\nM82\nG1 X10 Y10 Z5 F3000\n");
             System.IO.File.WriteAllText(footer, "M104 S0\nM84\n");
-            var canvas = new Canvas<ImportHeaderComponent>().Feed("Header", header).Feed("Footer", footer).Solve();
+            var canvas = new Canvas<ImportProfileComponent>().Feed("File", header).Feed("Footer", footer).Solve();
             Assert.That(canvas.Errors, Is.Empty);
             Assert.That(canvas.One<Printer>("Printer").EndGCode, Has.Member("M84"));
             Assert.That(canvas.One<Printer>("Printer").ExtrusionMode, Is.EqualTo(ExtrusionMode.Absolute));
             Assert.That(canvas.One<Material>("Material").BedTemperature, Is.EqualTo(60));
             Assert.That(canvas.One<Rg.Point3d>("Start").DistanceTo(new Rg.Point3d(10, 10, 5)), Is.LessThan(1e-9));
-            Assert.That(new Canvas<ImportHeaderComponent>().Feed("Header", header + "x").Solve().Errors, Has.One.Contains("File not found"));
+            Assert.That(new Canvas<ImportProfileComponent>().Feed("File", header + "x").Solve().Errors, Has.One.Contains("File not found"));
         }
         finally
         {

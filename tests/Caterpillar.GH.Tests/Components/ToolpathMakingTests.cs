@@ -20,7 +20,8 @@ public sealed class ToolpathMakingTests
 {
     private static ToolpathGoo Planned(double x, params double[] heights)
     {
-        var paths = heights.Select((z, i) => (Step)new PrintPath([new Vec3(x, 50, z), new Vec3(x + 10, 50, z), new Vec3(x + 10, 70, z)], new Bead(0.08, 0.2, 40))
+        var bead = new Bead(0.08, 0.2, 40);
+        var paths = heights.Select((z, i) => (Step)new PrintPath([new Vec3(x, 50, z), new Vec3(x + 10, 50, z), new Vec3(x + 10, 70, z)], bead)
         {
             Role = Role.OuterWall, Layer = new Layer(i, z, 0.2),
         }).ToArray();

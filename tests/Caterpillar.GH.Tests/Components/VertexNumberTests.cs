@@ -110,7 +110,8 @@ public sealed class VertexNumberTests
         Assert.That(canvas.Errors, Is.Empty);
         var back = canvas.One<PrintPath>("Print Path");
         Assert.That(back.Points, Is.EqualTo(path.Points));
-        Assert.That(Beads(canvas), Is.EqualTo(Enumerable.Range(0, path.SegmentCount).Select(i => path.BeadOf(i)).Select(b => (Round(b.Area), b.Height, b.Speed))));
+        var given = Enumerable.Range(0, path.SegmentCount).Select(i => path.BeadOf(i));
+        Assert.That(Beads(canvas), Is.EqualTo(given.Select(b => (Round(b.Area), b.Height, b.Speed))));
     }
 
     [Test]

@@ -65,7 +65,7 @@ internal static class Recipes
         ["ViewerPageComponent.File"] = () => [System.IO.Path.Combine(System.IO.Path.GetTempPath(), "caterpillar-never-written.html")],
         ["DeconstructSetupComponent.Setup"] = () => ["generic"],
         ["Curve"] = () => [new Rg.LineCurve(new Rg.Point3d(0, 0, 0), new Rg.Point3d(10, 0, 0))],
-        ["Header"] = () => [Header.Value],
+        ["ImportProfileComponent.File"] = () => [Header.Value],
         ["Print Path"] = () => [Path],
         ["Print Paths"] = () => [Path],
         ["Geometry"] = () => [Shapes.Box()],

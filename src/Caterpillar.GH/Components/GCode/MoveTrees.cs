@@ -88,7 +88,10 @@ internal sealed class MoveTrees(
             throw new InputProblem($"{name} has {Text(tree.PathCount)} branches, but Points has {Text(_points.Count)}.");
         var values = tree.Branches[tree.PathCount == 1 ? 0 : branch];
         if (values.Count != 1 && (values.Count != count || tree.PathCount != _points.Count))
-            throw new InputProblem($"{name} has {Text(values.Count)} values for the {Text(count)} points of branch {place}. Give one for all, or one for each.");
+        {
+            throw new InputProblem($"{name} has {Text(values.Count)} values for the {Text(count)} points of branch {place}. "
+                + "Give one for all, or one for each.");
+        }
         return i => values[values.Count == 1 ? 0 : i] ?? throw new InputProblem($"{name}: item {Text(i)} of branch {place} is null.");
     }
 

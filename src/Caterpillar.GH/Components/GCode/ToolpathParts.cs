@@ -15,15 +15,14 @@ internal sealed class ToolpathParts
     {
         var layers = new LayerBranches(toolpath, root);
         Branch? branch = null;
-        foreach (var move in toolpath.Moves())
+        foreach (var (move, path) in layers.Moves())
         {
-            if (layers.Changes(move)) branch = new Branch(this, layers.Path);
+            if (!ReferenceEquals(path, branch?.Path)) branch = new Branch(this, path);
             branch!.Add(move, units, toolpath.BeadOf(move));
         }
         foreach (var extrusion in ToolpathExtrusions.Of(toolpath))
         {
-            var path = layers.PathOf(toolpath[extrusion.First]) ?? root.AppendElement(0);
-            Extrusions.Append(new GH_Curve(ToolpathExtrusions.ToCurve(toolpath, extrusion, units)), path);
+            Extrusions.Append(new GH_Curve(ToolpathExtrusions.ToCurve(toolpath, extrusion, units)), layers.PathOf(toolpath[extrusion.First]));
         }
     }
 
@@ -68,6 +67,8 @@ internal sealed class ToolpathParts
         private readonly List<GH_Number> _areas = parts.Areas.EnsurePath(path);
         private readonly List<GH_Number> _widths = parts.Widths.EnsurePath(path);
         private GH_Integer _source = new(-1);
+
+        public GH_Path Path => path;
 
         public void Add(in Move move, DocumentUnits units, Bead? bead)
         {
