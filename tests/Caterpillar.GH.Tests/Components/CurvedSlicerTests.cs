@@ -73,12 +73,12 @@ public sealed class CurvedSlicerTests
         foreach (var wall in Walls(curved)) Assert.That(wall.Points.Max(p => p.Z) - wall.Points.Min(p => p.Z), Is.LessThan(0.05));
     }
 
-    // Each corner of the box is three vertices of its mesh: the first face is its bottom, the second its top.
+    // Each corner of the box is three vertices of its mesh, here those of its sides.
     [TestCase(FieldKind.Harmonic)]
     [TestCase(FieldKind.Geodesic)]
     public void The_ends_can_be_vertices_by_their_numbers_in_the_mesh(FieldKind kind)
     {
-        var field = Make(kind, ("Upper Vertices", new object?[] { 4, 5, 6, 7 }), ("Lower Vertices", new object?[] { 0, 1, 2, 3 }));
+        var field = Make(kind, ("Upper Vertices", new object?[] { 10, 11, 14, 18 }), ("Lower Vertices", new object?[] { 8, 9, 13, 17 }));
         Assert.That(field.Errors, Is.Empty);
         var curved = Slice(field.One<FieldRecipe?>("Field"), Shapes.Box());
         Assert.That(curved.Errors, Is.Empty);

@@ -70,6 +70,23 @@ public sealed class StepTests
         Assert.That(Of("Fan").FeedTree("Fan Speed", [0.1, 0.2], [0.3]).Solve().Paths("Step"), Is.EqualTo(new[] { "{0}", "{1}" }));
     }
 
+    // As the rings of a chain, which are cut and printed part by part, each over the ones before it.
+    [Test]
+    public void Parts_of_a_print_are_printed_in_the_order_of_their_branches_if_nothing_is_sorted()
+    {
+        PrintPathGoo Part(double x, int layer)
+        {
+            var z = 0.2 * (layer + 1);
+            var path = new PrintPath([new Vec3(x, 50, z), new Vec3(x + 10, 50, z)], new Bead(0.08, 0.2, 40)) { Layer = new Layer(layer, z, 0.2) };
+            return new PrintPathGoo(new PathStep(path, new StepGroup(layer)));
+        }
+        var canvas = new Canvas<PlanToolpathComponent>().FeedTree("Steps", [Part(50, 0), Part(50, 1)], [Part(100, 0), Part(100, 1)]);
+        double[] Order() => canvas.Solve().One<Toolpath>("Toolpath").Moves().Where(m => m.Kind == MoveKind.Print).Select(m => m.Start.X).ToArray();
+        Assert.That(Order().Select(x => x < 90), Is.Not.EqualTo(new[] { true, true, false, false }), "Layer by layer.");
+        canvas.Feed("Sort", "None");
+        Assert.That(Order(), Is.EqualTo(new[] { 50.0, 50, 100, 100 }));
+    }
+
     [Test]
     public void Steps_happen_between_the_curves_in_the_order_of_the_wires()
     {

@@ -1,4 +1,3 @@
-using System.ComponentModel;
 using System.Diagnostics;
 using Caterpillar.Display;
 using Caterpillar.Simulation;
@@ -39,7 +38,7 @@ public sealed class ViewerPageComponent() : CaterpillarComponent(
         if (name.Trim().Length == 0) throw new InputProblem("File is missing.") { IsMissing = true };
         var file = run.PathTo(name);
         if (_saves) Save(run, goo, file);
-        if (_opens) Open(file);
+        if (_opens) Opens(File.Exists(file) ? file : throw new InputProblem("There is no page yet. Press Save first."));
         run.Set(0, File.Exists(file) ? file : null);
     }
 
@@ -57,18 +56,5 @@ public sealed class ViewerPageComponent() : CaterpillarComponent(
             ViewerPage.WriteFile(content, file, progress, cancel);
             return content;
         });
-    }
-
-    private static void Open(string file)
-    {
-        if (!File.Exists(file)) throw new InputProblem("There is no page yet. Press Save first.");
-        try
-        {
-            Opens(file);
-        }
-        catch (Exception none) when (none is Win32Exception or PlatformNotSupportedException)
-        {
-            throw new InputProblem($"The browser could not be started. Open {file} manually.");
-        }
     }
 }
