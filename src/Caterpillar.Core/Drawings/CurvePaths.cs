@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Drawings;
 
 /// <summary>User-defined toolpaths (Caterpillar 2019, section 3.3): 3D curves, printed exactly as drawn and in the given order.</summary>
