@@ -1,7 +1,5 @@
 using System.Text;
 using Caterpillar.GCode;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Jobs;
 

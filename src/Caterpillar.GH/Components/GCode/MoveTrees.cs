@@ -1,4 +1,3 @@
-using Caterpillar.Geometry;
 using Grasshopper.Kernel.Data;
 
 namespace Caterpillar.GH.Components.GCode;

@@ -1,5 +1,4 @@
 using Caterpillar.Drawings;
-using Caterpillar.Geometry;
 
 namespace Caterpillar.GH.Components.Path;
 
