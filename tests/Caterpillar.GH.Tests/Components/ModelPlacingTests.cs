@@ -152,6 +152,17 @@ public sealed class ModelPlacingTests
     }
 
     [Test]
+    public void Models_of_a_file_are_read_in_their_unit()
+    {
+        var file = Path.Combine(Caterpillar.Tests.TestData.Repository, "examples", "models", "bracket.stl");
+        var canvas = new Canvas<ReadModelComponent>().Feed("File", file).Solve();
+        var plain = ((Mesh)canvas.All("Meshes").Single()).GetBoundingBox(true).Diagonal;
+        var inches = ((Mesh)canvas.Feed("Unit", 25.4).Solve().All("Meshes").Single()).GetBoundingBox(true).Diagonal;
+        Assert.That(inches.X / plain.X, Is.EqualTo(25.4).Within(1e-4));
+        Assert.That(canvas.Feed("Unit", 0.0).Solve().Errors, Is.Not.Empty);
+    }
+
+    [Test]
     public void Curves_of_a_file_are_read_in_their_order()
     {
         var file = Path.Combine(Path.GetTempPath(), "caterpillar-" + Guid.NewGuid().ToString("N") + ".csv");
