@@ -156,8 +156,8 @@ public sealed class ModelPlacingTests
     {
         var file = Path.Combine(Caterpillar.Tests.TestData.Repository, "examples", "models", "bracket.stl");
         var canvas = new Canvas<ReadModelComponent>().Feed("File", file).Solve();
-        var plain = ((Mesh)canvas.All("Meshes").Single()).GetBoundingBox(true).Diagonal;
-        var inches = ((Mesh)canvas.Feed("Unit", 25.4).Solve().All("Meshes").Single()).GetBoundingBox(true).Diagonal;
+        var plain = BoxOf(canvas.All("Meshes").Single()).Diagonal;
+        var inches = BoxOf(canvas.Feed("Unit", 25.4).Solve().All("Meshes").Single()).Diagonal;
         Assert.That(inches.X / plain.X, Is.EqualTo(25.4).Within(1e-4));
         Assert.That(canvas.Feed("Unit", 0.0).Solve().Errors, Is.Not.Empty);
     }
