@@ -42,16 +42,28 @@ internal sealed class PreviewColors
 
     /// <summary>The value of each move for <see cref="Of"/>.</summary>
     /// <param name="toolpath">The moves.</param>
+    /// <param name="parts">Its parts.</param>
     /// <param name="by">What the colors show.</param>
     /// <param name="timeline">When the moves happen. Needed for times only.</param>
     /// <param name="cancel">Cancels.</param>
-    public static double[] ValuesOf(Toolpath toolpath, PreviewColor by, Timeline? timeline, CancellationToken cancel)
+    public static double[] ValuesOf(Toolpath toolpath, SceneParts parts, PreviewColor by, Timeline? timeline, CancellationToken cancel)
     {
         var values = new double[toolpath.Count];
-        foreach (var move in toolpath.Moves())
+        for (var i = 0; i < values.Length; i++) values[i] = NotPrinted;
+        foreach (var block in parts.Blocks)
         {
-            if (move.Index % 65536 == 0) cancel.ThrowIfCancellationRequested();
-            values[move.Index] = move.Kind == MoveKind.Print ? Value(toolpath, move, by, timeline) : NotPrinted;
+            cancel.ThrowIfCancellationRequested();
+            foreach (var move in block.Moves)
+            {
+                values[move] = by switch
+                {
+                    PreviewColor.Role => (int)block.Role,
+                    PreviewColor.Layer => parts.Layers[move] == ShownLayers.None ? double.NaN : parts.Layers[move],
+                    PreviewColor.Order => move,
+                    PreviewColor.Time => timeline!.StartOf(move),
+                    _ => ValueOf(toolpath, toolpath[move], by),
+                };
+            }
         }
         return values;
     }
@@ -75,6 +87,8 @@ internal sealed class PreviewColors
         if (by == PreviewColor.Role)
             return new PreviewColors(bands, roles.Select(r => RhinoGeometry.ToColor(Palette.Of(r))).ToArray(), roles.Select(r => r.ToString()).ToArray());
         if (!(greatest >= least)) (least, greatest) = (0, 0);
+        // Computed values differ in their last digits.
+        if (greatest - least < 1e-9 * Math.Abs(greatest)) greatest = least;
         var count = greatest > least ? Steps : 1;
         for (var i = 0; i < bands.Length && count > 1; i++)
         {
@@ -93,15 +107,9 @@ internal sealed class PreviewColors
         return (byte)(roles.Count - 1);
     }
 
-    private static double Value(Toolpath toolpath, Move move, PreviewColor by, Timeline? timeline) => by switch
-    {
-        PreviewColor.Role => (int)move.Role,
-        PreviewColor.Speed => move.Speed,
-        PreviewColor.Flow => move.Length > 0 && toolpath.VolumeOf(move) is { } volume ? volume / move.Length * move.Speed : double.NaN,
-        PreviewColor.Layer => toolpath.NumberOfLayer(move) ?? double.NaN,
-        PreviewColor.Order => move.Index,
-        _ => timeline!.StartOf(move.Index),
-    };
+    private static double ValueOf(Toolpath toolpath, in Move move, PreviewColor by)
+        => by == PreviewColor.Speed ? move.Speed
+            : move.Length > 0 && toolpath.VolumePerE(move.Tool) * move.Deposited is { } volume ? volume / move.Length * move.Speed : double.NaN;
 
     private static string Text(PreviewColor by, double from, double to)
     {

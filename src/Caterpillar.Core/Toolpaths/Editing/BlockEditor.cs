@@ -3,18 +3,18 @@ using Caterpillar.Geometry;
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Collects the moves of an edited block. Rotary axes keep their position until a move turns them.</summary>
-internal sealed class BlockEditor
+internal sealed class BlockEditor(int size)
 {
-    private readonly ToolpathBuilder _builder = new(MoveSource.Lines, null);
+    private readonly ToolpathBuilder _builder = new(MoveSource.Lines, null) { FirstSize = size };
     private bool _turns;
     private double _a;
     private double _b;
     private double _c;
 
-    /// <summary>An editor for a block of a toolpath.</summary>
-    public static BlockEditor After(Toolpath toolpath, int block)
+    /// <summary>An editor for a block of a toolpath, with room for so many moves at first.</summary>
+    public static BlockEditor After(Toolpath toolpath, int block, int size = 1024)
     {
-        var editor = new BlockEditor();
+        var editor = new BlockEditor(size);
         if (block > 0 && toolpath.Blocks[block - 1].Columns is { A: not null } before) editor.Take(before, before.Count - 1);
         return editor;
     }
@@ -23,6 +23,14 @@ internal sealed class BlockEditor
     {
         _builder.Add(end, e, deposited, speed, kind, role, layer, tool, source, arc);
         if (_turns) _builder.SetRotary(_a, _b, _c);
+    }
+
+    /// <summary>Adds a run of moves as they are. False if rotary axes turn: then they are added one by one.</summary>
+    public bool TryAdd(ToolpathColumns columns, int from, int to)
+    {
+        if (_turns || columns.A is not null) return false;
+        _builder.Add(columns, from, to);
+        return true;
     }
 
     /// <summary>The moves added from now on come from the script line of this move.</summary>

@@ -85,7 +85,7 @@ internal static class ToolpathArcs
 
     private static BlockEditor Copied(ToolpathColumns columns, Vec3[] points, int count)
     {
-        var editor = new BlockEditor();
+        var editor = new BlockEditor(columns.Count);
         for (var i = 0; i < count; i++) Add(editor, columns, points, i);
         return editor;
     }
