@@ -40,12 +40,7 @@ internal sealed class PreviewColors
 
     public int BandOf(int move) => _bands[move];
 
-    /// <summary>The value of each move for <see cref="Of"/>.</summary>
-    /// <param name="toolpath">The moves.</param>
-    /// <param name="parts">Its parts.</param>
-    /// <param name="by">What the colors show.</param>
-    /// <param name="timeline">When the moves happen. Needed for times only.</param>
-    /// <param name="cancel">Cancels.</param>
+    /// <summary>The value of each move for <see cref="Of"/>. The timeline is needed for times only.</summary>
     public static double[] ValuesOf(Toolpath toolpath, SceneParts parts, PreviewColor by, Timeline? timeline, CancellationToken cancel)
     {
         var values = new double[toolpath.Count];

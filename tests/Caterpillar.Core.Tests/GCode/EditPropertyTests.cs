@@ -36,8 +36,8 @@ public class EditPropertyTests
             var toolpath = decoding.Toolpath;
             var removed = Removed(toolpath, random);
             var together = new MoveRemover(toolpath, removed).Run();
-            // Moves with rotary words are added one by one.
-            var single = new MoveRemover(toolpath.WithBlocks(toolpath.Blocks.Select(Turning)), removed).Run();
+            // In blocks of one move no two can be copied together.
+            var single = new MoveRemover(toolpath.WithBlocks(toolpath.Blocks.SelectMany(Apart)), removed).Run();
             return together.Moves().SequenceEqual(single.Moves()) && together.Events.SequenceEqual(single.Events)
                 && together.Blocks.SelectMany(Lines).SequenceEqual(single.Blocks.SelectMany(Lines)) ? null : "The cuts differ.";
         });
@@ -208,12 +208,13 @@ public class EditPropertyTests
         return removed;
     }
 
-    private static ToolpathBlock Turning(ToolpathBlock block)
+    private static IEnumerable<ToolpathBlock> Apart(ToolpathBlock block) => Enumerable.Range(0, block.Count).Select(i =>
     {
-        var columns = block.Columns.Copy(block.Count);
-        (columns.A, columns.B, columns.C) = (columns.A ?? new double[block.Count], columns.B ?? new double[block.Count], columns.C ?? new double[block.Count]);
+        var columns = new ToolpathColumns(1);
+        columns.Append(block.Columns, i, 1);
+        if (block.Columns.TryGetArc(i, out var arc)) (columns.ArcMoves, columns.Arcs) = ([0], [arc]);
         return new ToolpathBlock(columns);
-    }
+    });
 
     private static IEnumerable<int> Lines(ToolpathBlock block) => Enumerable.Range(0, block.Count).Select(i => block.Columns.Line?[i] ?? 0);
 

@@ -9,6 +9,7 @@ using System.Text;
 using Caterpillar.GH.Components.GCode;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Plugin;
+using Caterpillar.GH.Tests.Host;
 using GH_IO.Serialization;
 using Grasshopper;
 using Grasshopper.Kernel;
@@ -65,6 +66,10 @@ public sealed class ExampleTests
         Assert.That(Sketch.Save(copy), Is.EqualTo(saved), "Saved and opened again.");
         if (!Slow.Contains(name)) Assert.That(Solve(copy), Is.EqualTo(code), "And solved again.");
     }
+
+    [TestCaseSource(nameof(Names))]
+    public void Nothing_in_it_fails_or_warns(string name)
+        => Assert.That(Done(name).Document.Messages().Where(m => !m.Contains(", Remark: ")), Is.Empty);
 
     [TestCaseSource(nameof(Names))]
     public void The_manual_shows_its_picture(string name)

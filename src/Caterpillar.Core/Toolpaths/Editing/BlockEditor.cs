@@ -25,12 +25,18 @@ internal sealed class BlockEditor(int size)
         if (_turns) _builder.SetRotary(_a, _b, _c);
     }
 
-    /// <summary>Adds a run of moves as they are. False if rotary axes turn: then they are added one by one.</summary>
-    public bool TryAdd(ToolpathColumns columns, int from, int to)
+    /// <summary>Adds moves as they are.</summary>
+    public void Add(ToolpathColumns columns, int from, int to)
     {
-        if (_turns || columns.A is not null) return false;
-        _builder.Add(columns, from, to);
-        return true;
+        if (from >= to) return;
+        var turns = _turns && columns.A is null;
+        for (var i = from; turns && i < to; i++)
+        {
+            _builder.Add(columns, i, i + 1);
+            _builder.SetRotary(_a, _b, _c);
+        }
+        if (!turns) _builder.Add(columns, from, to);
+        if (columns.A is not null) Take(columns, to - 1);
     }
 
     /// <summary>The moves added from now on come from the script line of this move.</summary>

@@ -39,7 +39,8 @@ internal sealed class MoveRemover(Toolpath toolpath, bool[] removed)
                     else _top = Math.Max(_top, columns.Z[i]);
                 }
                 _position = toolpath[first + columns.Count - 1].End;
-                Events(first + columns.Count, first);
+                // The event of a dwell that begins the next block is removed with it.
+                Events(first + columns.Count - 1, first);
                 _blocks.Add(toolpath.Blocks[block]);
                 _made += columns.Count;
                 continue;
@@ -68,7 +69,8 @@ internal sealed class MoveRemover(Toolpath toolpath, bool[] removed)
         var end = last + 1;
         var next = _nextEvent < toolpath.Events.Count ? toolpath.Events[_nextEvent].Move - first : int.MaxValue;
         while (end < Math.Min(columns.Count, next) && !removed[first + end] && columns.Tool[end] == columns.Tool[last] && IsPlain(columns, end)) end++;
-        if (end == last + 1 || !_editor!.TryAdd(columns, last + 1, end)) return last;
+        if (end == last + 1) return last;
+        _editor!.Add(columns, last + 1, end);
         for (var i = last + 1; i < end; i++) _top = Math.Max(_top, columns.Z[i]);
         _made += end - last - 1;
         _position = new Vec3(columns.X[end - 1], columns.Y[end - 1], columns.Z[end - 1]);
@@ -98,8 +100,8 @@ internal sealed class MoveRemover(Toolpath toolpath, bool[] removed)
         Events(move.Index);
         Repair(move);
         if (dwell is not null) _events.Add(new MoveEvent(_made, dwell));
-        Add(move.End, move.E, move.Deposited, move.Speed, move.Kind, move.Role, move, move.Source, move.Arc);
-        _editor!.Turn(toolpath.Blocks[block].Columns, i);
+        _editor.Add(toolpath.Blocks[block].Columns, i, i + 1);
+        _made++;
         Kept(move);
     }
 

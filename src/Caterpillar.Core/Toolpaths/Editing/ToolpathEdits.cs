@@ -133,14 +133,9 @@ public static class ToolpathEdits
     public static Result<Toolpath> InsertAtLayer(this Toolpath toolpath, int layer, PrinterEvent what)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
-        for (var block = 0; block < toolpath.Blocks.Count; block++)
+        foreach (var move in toolpath.Moves())
         {
-            var columns = toolpath.Blocks[block].Columns;
-            for (var i = 0; i < columns.Count; i++)
-            {
-                if (columns.Layer[i] >= 0 && toolpath.Layers[columns.Layer[i]].Index == layer)
-                    return new Result<Toolpath>(toolpath.Insert(toolpath.FirstOf(block) + i, what), []);
-            }
+            if (toolpath.NumberOfLayer(move) == layer) return new Result<Toolpath>(toolpath.Insert(move.Index, what), []);
         }
         return new Result<Toolpath>(null, [new Diagnostic(Severity.Error, "toolpath.no_layer", $"Layer {NumberFormatter.Format(layer)} not found.")]);
     }
