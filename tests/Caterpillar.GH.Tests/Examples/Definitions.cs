@@ -38,5 +38,6 @@ internal static class Definitions
         ["imported_printer"] = ToolpathDefinitions.ImportedPrinter,
         ["edit_toolpath"] = ToolpathDefinitions.EditToolpath,
         ["vase"] = SliceDefinitions.Vase,
+        ["slanted_layers"] = SliceDefinitions.SlantedLayers,
     };
 }

