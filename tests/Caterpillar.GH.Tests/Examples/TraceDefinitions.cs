@@ -100,13 +100,13 @@ internal static class TraceDefinitions
         var center = Bed(s);
         var bead = s.Component<ConstructBeadComponent>(("Width", s.Slider("Bead width", 0.5, 0.2, 2, 2)), ("Height", s.Slider("Bead height", 0.25, 0.1, 1, 2)),
             ("Speed", s.Slider("Speed", 9, 1, 60, 0)));
-        var wall = s.With<RisingTraceComponent>(setup, ("Kind", new Pick("Cylinder")), ("Plane", center), ("Radius", s.Slider("Radius", 3, 1, 50, 0)),
+        var wall = s.With<RisingTraceComponent>(setup, ("Kind", new Pick("Cylinder")), ("Plane", center), ("Radius", s.Slider("Radius", 2.8, 1, 50)),
             ("Height", s.Slider("Height", 3, 1, 40)), ("Pitch", s.Slider("Layer height", 0.25, 0.1, 1, 2)),
-            ("Horizontal Pitch", s.Slider("Line spacing", 0.5, 0.2, 2, 2)), ("Bead", bead), ("Segments Per Turn", s.Slider("Segments", 16, 12, 144, 0)));
+            ("Horizontal Pitch", s.Slider("Line spacing", 0.5, 0.2, 2, 2)), ("Bead", bead), ("Segments Per Turn", s.Slider("Segments", 12, 8, 144, 0)));
         s.Stage("Path");
         var cool = s.Component<CoolLayersComponent>(("Print Paths", wall), ("Minimum Layer Time", s.Slider("Layer time, s", 8, 0, 30,
             0)));
-        var arcs = s.Component<FitArcsComponent>(("Print Paths", cool), ("Tolerance", s.Slider("Tolerance", 0.06, 0.001, 0.1, 3)));
+        var arcs = s.Component<FitArcsComponent>(("Print Paths", cool), ("Tolerance", s.Slider("Tolerance", 0.1, 0.001, 0.2, 3)));
         s.Show("Speeds, mm/s", s.Component<DeconstructPrintPathComponent>(("Print Path", arcs)), "Speeds", 6, 120);
         return s.Print(arcs, "Speed");
     }
