@@ -39,5 +39,8 @@ internal static class Definitions
         ["edit_toolpath"] = ToolpathDefinitions.EditToolpath,
         ["vase"] = SliceDefinitions.Vase,
         ["slanted_layers"] = SliceDefinitions.SlantedLayers,
+        ["flat_drawing"] = MoveDefinitions.FlatDrawing,
+        ["widths_and_events"] = MoveDefinitions.WidthsAndEvents,
+        ["frames_for_robots"] = MoveDefinitions.FramesForRobots,
     };
 }

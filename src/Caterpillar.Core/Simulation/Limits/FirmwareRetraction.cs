@@ -1,6 +1,3 @@
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Simulation;
 
 /// <summary>G10 and G11: the distance and speed are those of the printer, and a second retraction does nothing.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.GCode;
 
 /// <summary>States that a file saves and restores (M120, M121, SAVE_GCODE_STATE), and the offset of SET_GCODE_OFFSET, which homing keeps.</summary>
