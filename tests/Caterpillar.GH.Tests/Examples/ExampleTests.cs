@@ -77,6 +77,7 @@ public sealed class ExampleTests
     {
         var file = Path.Combine(Root, "docs", "images", "definitions", name + ".svg");
         var picture = Shown.Picture(Done(name).Document);
+        Assert.That(picture, Does.Not.Contain("&lt;null&gt;"), "A panel of nothing.");
         if (Renews) File.WriteAllText(file, picture, new UTF8Encoding(false));
         Assert.That(picture, Is.EqualTo(File.ReadAllText(file).Replace("\r\n", "\n")), "Made with CATERPILLAR_RENEW=1.");
     }

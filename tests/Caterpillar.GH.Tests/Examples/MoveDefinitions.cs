@@ -58,9 +58,8 @@ internal static class MoveDefinitions
         var frames = s.Component<ToolpathFramesComponent>(("Toolpath", merged));
         s.Show("Planes", frames, "Planes", 6, 300);
         s.Show("Flows, mm³/s", frames, "Flows", 6, 110);
-        var page = s.Component<ViewerPageComponent>(("Toolpath", merged), ("File", s.Text("Page", "example.html", width: 120)), ("Save", s.Button("Save page")),
+        s.Component<ViewerPageComponent>(("Toolpath", merged), ("File", s.Text("Page", "example.html", width: 120)), ("Save", s.Button("Save page")),
             ("Overwrite", s.Toggle("Overwrite page")), ("Open", s.Button("Open page")));
-        s.Show("Page at", page, "Path", 2, 220);
         return s.Write(merged);
     }
 
