@@ -56,8 +56,12 @@ internal static class Shown
         null => "<null>",
         GH_Number number => Number(number.Value),
         GH_Point { Value: var p } => $"{{{Number(p.X)}, {Number(p.Y)}, {Number(p.Z)}}}",
+        GH_Plane { Value: var p } => $"O{Rounded(p.Origin.X, p.Origin.Y, p.Origin.Z)} Z{Rounded(p.ZAxis.X, p.ZAxis.Y, p.ZAxis.Z)}",
         _ => data.ToString()!,
     };
+
+    private static string Rounded(params double[] values)
+        => "(" + string.Join(",", values.Select(v => v.ToString("0.00", CultureInfo.InvariantCulture))) + ")";
 
     private static string Number(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);
 }

@@ -12,7 +12,7 @@ internal sealed class Search(Arrangement all)
     // A wire across the name of a stage.
     private const double Crossing = 1500;
     private const int Trials = 4000;
-    private const int Starts = 40;
+    private const int Starts = 20;
 
     // Starts after the first without a hidden wire.
     private const int MoreStarts = 2;
