@@ -203,6 +203,8 @@ internal sealed partial class SameMoves
         {
             return;
         }
+        // Marlin has two commands for what is one elsewhere, and RepRapFirmware one speed for both ways.
+        if (_t.Target is not null && what is RetractionEvent) return;
         // M116, which waits for the temperatures set before, becomes a wait for each of them.
         if (_t.Target is not null && what is NozzleTemperatureEvent { Wait: true } or BedTemperatureEvent { Wait: true } && IsSet(what)) return;
         events.Add(what is PauseEvent ? new PauseEvent() : what);
@@ -232,9 +234,12 @@ internal sealed partial class SameMoves
         (DwellEvent x, DwellEvent y) => Math.Abs(x.Seconds - y.Seconds) <= 5.1e-4,
         (NozzleTemperatureEvent x, NozzleTemperatureEvent y) => x.Wait == y.Wait && (x.Tool == y.Tool || !_t.Tools) && Math.Abs(x.Celsius - y.Celsius) <= 0.051,
         (BedTemperatureEvent x, BedTemperatureEvent y) => x.Wait == y.Wait && Math.Abs(x.Celsius - y.Celsius) <= 0.051,
+        (RetractionEvent x, RetractionEvent y) => Near(x.Length, y.Length) && Near(x.Speed, y.Speed) && Near(x.Extra, y.Extra) && Near(x.Back, y.Back),
         (AccelerationEvent x, AccelerationEvent y) => Math.Abs(x.Value - y.Value) <= 0.51,
         _ => a.Equals(b),
     };
+
+    private static bool Near(double? a, double? b) => a is null == b is null && Math.Abs((a ?? 0) - (b ?? 0)) <= 1e-5;
 
     private static bool[] HomingMoves(Toolpath toolpath, Move[] moves)
     {

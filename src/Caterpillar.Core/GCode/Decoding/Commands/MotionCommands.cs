@@ -5,8 +5,12 @@ using Caterpillar.Toolpaths;
 namespace Caterpillar.GCode;
 
 /// <summary>G0 to G3 with their words, and the rotary axes A, B and C in degrees, if they do not extrude.</summary>
-internal sealed class MotionCommands(Machine machine, ExtruderWords extruder)
+internal sealed class MotionCommands(Machine machine, ExtruderWords extruder, ModeCommands modes)
 {
+    // A spline becomes chords this near to it, mm.
+    private const double SplineTolerance = 0.01;
+    private const int MaxChords = 1000;
+
     // Firmware takes no more in one command.
     private const int MaxCircles = 100;
     private readonly FlavorRules _rules = machine.Rules;
@@ -47,6 +51,29 @@ internal sealed class MotionCommands(Machine machine, ExtruderWords extruder)
             code);
     }
 
+    /// <summary>G5: a cubic Bézier curve in X and Y, with I J from its start and P Q from its end. Z and E change evenly with its parameter.</summary>
+    public void Spline(ParsedLine line)
+    {
+        if (line.TryGet('F', out var feed)) machine.SetFeed(feed);
+        if (_state.Modes.Plane != ArcPlane.XY)
+        {
+            machine.Diagnostics.Warn("gcode.arc_refused", _rules.Title + " rejects G5 in other planes than XY.");
+            return;
+        }
+        var (start, end, unit) = (_state.Head.Written, machine.Target(line), _state.Modes.Unit);
+        var first = start + new Vec3(line.Get('I', 0) * unit, line.Get('J', 0) * unit, (end.Z - start.Z) / 3);
+        var second = end + new Vec3(line.Get('P', 0) * unit, line.Get('Q', 0) * unit, (start.Z - end.Z) / 3);
+        var bend = Math.Max((start - first * 2 + second).Length, (first - second * 2 + end).Length);
+        var chords = (int)Math.Min(Math.Max(Math.Ceiling(Math.Sqrt(bend * 0.75 / SplineTolerance)), 1), MaxChords);
+        var e = extruder.Change(line) / chords;
+        for (var i = 1; i <= chords; i++)
+        {
+            var (t, s) = ((double)i / chords, 1 - (double)i / chords);
+            var p = i == chords ? end : start * (s * s * s) + first * (3 * s * s * t) + second * (3 * s * t * t) + end * (t * t * t);
+            _moves.Line(p.X, p.Y, p.Z, e, 1);
+        }
+    }
+
     /// <summary>G92 of the rotary axes: renames their position.</summary>
     public void RenameTurns(ParsedLine line)
     {
@@ -81,7 +108,12 @@ internal sealed class MotionCommands(Machine machine, ExtruderWords extruder)
         }
         var mask = (line.TryGet('X', out var x) ? ChunkParser.HasX : 0) | (line.TryGet('Y', out var y) ? ChunkParser.HasY : 0)
             | (line.TryGet('Z', out var z) ? ChunkParser.HasZ : 0) | (extruder.TryGet(line, out var e) ? ChunkParser.HasE : 0);
-        if (_rules.RestorePoints && line.Find('R') >= 0) machine.Log.NotFollowed("R of a motion");
+        if (_rules.RestorePoints && line.TryGet('R', out var number))
+        {
+            if (!_state.Modes.Relative && modes.StoredPosition(number) is { } stored)
+                (x, y, z) = (x + stored.X / _state.Modes.Unit, y + stored.Y / _state.Modes.Unit, z + stored.Z / _state.Modes.Unit);
+            else machine.Log.NotFollowed("R of a motion");
+        }
         Line(mask, x, y, z, e, _state.Modes.Motion);
     }
 

@@ -12,6 +12,7 @@ internal sealed class Machine
         Rules = rules;
         Axis = axis;
         State.Modes.Volumetric = rules.StartsVolumetric;
+        State.Work.Selected = rules.WorkspacesByG92 ? 0 : 1;
         Extruders = new Extruders(rules, State, Counters);
         Moves = new MoveRecorder(this, rule);
         Log = new CommandLog(this);

@@ -149,6 +149,18 @@ internal sealed partial class MoveRecorder
         Emit(head.X, head.Y, head.Z, 0, 0, kind);
     }
 
+    /// <summary>Moves the head in Z without a change of its coordinates, as fast as it can.</summary>
+    public void Raise(double height)
+    {
+        if (height == 0) return;
+        _state.Head.ShiftZ += height;
+        var speed = _state.Feed.Speed;
+        _state.Feed.Speed = 0;
+        BreakExtrusion();
+        if (_state.Head.HasMoved) Stay(MoveKind.Travel);
+        _state.Feed.Speed = speed;
+    }
+
     /// <summary>Turns the rotary axes with the last move.</summary>
     public void Turn(Turns turns) => _moves.Turn(turns);
 
