@@ -203,7 +203,7 @@ internal sealed partial class SameMoves
         {
             return;
         }
-        // Marlin has two commands for what is one elsewhere, and RepRapFirmware one speed for both ways.
+        // Marlin has two commands for what is one elsewhere, and RepRapFirmware one speed for both directions.
         if (_t.Target is not null && what is RetractionEvent) return;
         // M116, which waits for the temperatures set before, becomes a wait for each of them.
         if (_t.Target is not null && what is NozzleTemperatureEvent { Wait: true } or BedTemperatureEvent { Wait: true } && IsSet(what)) return;

@@ -11,7 +11,7 @@ public class OffsetTests
 {
     private const string Sources = """
         slicer: GCodeProcessor.cpp has none of these
-        marlin2: geometry/M206_M428.cpp, M206; module/motion.cpp, set_home_offset, set_axis_is_at_home; motion/M290.cpp; geometry/G53-G59.cpp; feature/pause/G61.cpp
+        marlin2: geometry/M206_M428.cpp, M206; module/motion.cpp, set_home_offset, set_axis_is_at_home; motion/M290.cpp; G53-G59.cpp; pause/G61.cpp
         marlin1: as Marlin 2
         prusa: Marlin_main.cpp, case 206 (add_homing), axis_is_at_home; M290, G54 and G60 are unknown
         bambu: none of these

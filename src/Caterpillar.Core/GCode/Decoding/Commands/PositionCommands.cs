@@ -113,8 +113,8 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
         var before = work.Origin;
         work.Selected = system;
         if (system > 1 && !work.HasOrigin)
-            machine.Diagnostics.Warn("gcode.workspace", "The file selects a coordinate system but does not set its origin, so that positions in it are "
-                + "unknown. They are read as if its origin were that of the machine.");
+            machine.Diagnostics.Warn("gcode.workspace", $"G{NumberFormatter.Format(code / 10.0, 1)} selects a coordinate system whose origin the file does not "
+                + "set: positions are unknown. They are read as if its origin were that of the machine.");
         if (_rules.WorkspacesByG92) _state.Head.SetShift(work.Origin + Base);
         else OriginMoved(before);
         _moves.BreakExtrusion();

@@ -39,7 +39,8 @@ internal struct SavedStates
     public readonly SavedState? Named(string name) => _named.FirstOrDefault(s => s.Name == name);
 
     public readonly bool ReadsLike(in SavedStates other)
-        => Offset == other.Offset && Babysteps == other.Babysteps && OffsetE == other.OffsetE && _stack.SequenceEqual(other._stack) && _named.SequenceEqual(other._named);
+        => Offset == other.Offset && Babysteps == other.Babysteps && OffsetE == other.OffsetE
+            && _stack.SequenceEqual(other._stack) && _named.SequenceEqual(other._named);
 }
 
 /// <summary>A saved state. Its last motion does not count.</summary>
