@@ -171,6 +171,30 @@ public class PlantedCommandTests
         Assert.That(Codes(), Is.EqualTo(new[] { CheckCodes.UnknownCommand }));
     }
 
+    // A macro may leave the head anywhere: the file must home, or state each axis, before it prints.
+    [TestCase("START_PRINT\nG1 X10 Y10 Z0.2", "")]
+    [TestCase("START_PRINT\nG1 X0 Y0 Z0", "")]
+    [TestCase("START_PRINT\nG1 Z0.2\nG1 Y5\nG1 E1\nG1 X10", "")]
+    [TestCase("START_PRINT\nG28", "")]
+    [TestCase("START_PRINT\nG28 X Y\nG1 X10 Y10", "Z")]
+    [TestCase("START_PRINT\nG1 X10 Y10", "Z")]
+    [TestCase("START_PRINT", "X, Y, Z")]
+    [TestCase("START_PRINT\nG91\nG1 X10 Y10 Z5\nG90", "X, Y, Z")]
+    [TestCase("G28\nG1 X10 Y10 Z0.2\nMY_PURGE", "X, Y, Z")]
+    [TestCase("MY_PURGE\nG28\nG1 X10 Y10 Z0.2", "")]
+    [TestCase("G28\nG1 X10 Y10 Z0.2\nMY_CLEAN", "")]
+    [TestCase("G28\nG1 X10 Y10 Z0.2\nSET_FAN_SPEED FAN=a SPEED=1", "")]
+    public void After_a_macro_the_position_is_unknown_until_the_file_states_it(string start, string axes)
+    {
+        var setup = SetupOf(FlavorTable.Klipper);
+        setup = setup with { Printer = setup.Printer with { Macros = new("MY_CLEAN") } };
+        var text = "M83\nM109 S210\n" + start + "\nG1 X20 E0.3 F600\nG1 X30 Y20 Z0.2 E0.3\nMY_PURGE\nG1 Y30 E0.4\nM104 S0\nM140 S0\n";
+        var found = PrintCheck.Run(SmallPrint.Decode(Encoding.ASCII.GetBytes(text), setup), setup)
+            .Where(d => d.Code == CheckCodes.UnknownPosition && d.Message.Contains("may have moved")).ToArray();
+        if (axes.Length == 0) Assert.That(found, Is.Empty);
+        else Assert.That(found.Single().Message, Does.Contain("position in " + axes + " is").And.Contain(" (line "));
+    }
+
     [TestCase("MY START", "not the name")]
     [TestCase("=homes", "not the name")]
     [TestCase("MY_START=", "needs")]

@@ -43,6 +43,7 @@ internal sealed class MotionCommands(Machine machine, ExtruderWords extruder, Mo
     {
         var de = (mask & ChunkParser.HasE) != 0 ? extruder.Change(e) : 0;
         ref var head = ref _state.Head;
+        if (head.Lost != 0) Restate(mask, de > 0);
         _moves.Line(
             (mask & ChunkParser.HasX) != 0 ? machine.Target(head.X, x, head.ShiftX) : head.X,
             (mask & ChunkParser.HasY) != 0 ? machine.Target(head.Y, y, head.ShiftY) : head.Y,
@@ -140,6 +141,14 @@ internal sealed class MotionCommands(Machine machine, ExtruderWords extruder, Mo
             arc = arc with { Center = arc.Center + new Vec3(0, 0, end.Z - arc.Center.Z) };
         }
         _moves.Arc(start, end, e, arc, code);
+    }
+
+    // An extrusion begins where the head is, which it should know.
+    private void Restate(int mask, bool extrudes)
+    {
+        var prints = extrudes && (mask & ~ChunkParser.HasE) != 0;
+        if (prints) machine.Log.PrintsLost(_state.Head.Lost);
+        machine.Restate(prints ? _state.Head.Lost : _state.Modes.Relative ? 0 : mask);
     }
 
     private static Arc Longer(Arc arc, int turns) => turns > 0 ? arc with { Sweep = arc.Sweep + (arc.Sweep < 0 ? -360.0 : 360.0) * turns } : arc;

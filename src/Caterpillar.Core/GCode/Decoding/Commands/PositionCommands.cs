@@ -29,6 +29,7 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
         if (x) HomeAxis(line, 'X', origin.X, ref head.X, ref head.ShiftX, ref head.KnownX);
         if (y) HomeAxis(line, 'Y', origin.Y, ref head.Y, ref head.ShiftY, ref head.KnownY);
         if (z) HomeAxis(line, 'Z', origin.Z, ref head.Z, ref head.ShiftZ, ref head.KnownZ);
+        if (head.Lost != 0) machine.Restate((x ? ChunkParser.HasX : 0) | (y ? ChunkParser.HasY : 0) | (z ? ChunkParser.HasZ : 0));
         _moves.BreakExtrusion();
         // Homing is a move of the toolpath, though the file has no line of motion for it.
         if (moves && head.HasMoved) _moves.Stay(MoveKind.Travel);

@@ -69,7 +69,23 @@ internal sealed class Machine
             extrusion.Marlin2E = extrusion.E;
             Counters.EMarlin2 = Counters.ENet;
         }
-        modes.IsPlain = !modes.Relative && !modes.Inches && !modes.IsRelativeEDisputed && !extrusion.HasMarlin2E;
+        ResolvePlain();
+    }
+
+    /// <summary>A macro may have moved the head.</summary>
+    public void LosePosition() => Restate(0, ChunkParser.HasX | ChunkParser.HasY | ChunkParser.HasZ);
+
+    /// <summary>The file states the position in some axes, and it is lost in others, both as a mask of <see cref="ChunkParser"/>.</summary>
+    public void Restate(int stated, int lost = 0)
+    {
+        State.Head.Lost = (State.Head.Lost & ~stated) | lost;
+        ResolvePlain();
+    }
+
+    private void ResolvePlain()
+    {
+        ref var modes = ref State.Modes;
+        modes.IsPlain = !modes.Relative && !modes.Inches && !modes.IsRelativeEDisputed && !State.Extrusion.HasMarlin2E && State.Head.Lost == 0;
     }
 
     public void SetFeed(double feed)
