@@ -51,11 +51,11 @@ internal readonly struct CommandText
         return hash;
     }
 
-    /// <summary>The same of a part of a text: a name in capitals, without leading zeros.</summary>
-    public static uint HashOf(string text, int start, int end)
+    /// <summary>The same of a name in capitals, without leading zeros.</summary>
+    public static uint HashOf(string name)
     {
         var hash = FirstHash;
-        for (var i = start; i < end; i++) hash = (hash ^ text[i]) * HashFactor;
+        foreach (var c in name) hash = (hash ^ c) * HashFactor;
         return hash;
     }
 
