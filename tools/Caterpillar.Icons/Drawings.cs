@@ -47,7 +47,7 @@ internal static class Drawings
         ["CoolLayers"] = c => c.Line(4, 19, 14, 19, 2.2, Ink.Green).Line(4, 15, 11, 15, 2.2, Ink.Green).Line(4, 11, 8, 11, 2.2, Ink.Green)
             .Line(16.5, 3.5, 16.5, 14.5, 1.4, Ink.Blue).Line(11.5, 6, 20.5, 12, 1.4, Ink.Blue)
             .Line(11.8, 12, 20.5, 6, 1.4, Ink.Blue),
-        ["ImportHeader"] = c => { Page(c); c.Line(8, 7.5, 16, 7.5, 1.8, Ink.Green).Line(8, 10, 14, 10, 1.3, Ink.Dark).Line(8, 14, 16, 14, 1, Ink.Gray)
+        ["ImportProfile"] = c => { Page(c); c.Line(8, 7.5, 16, 7.5, 1.8, Ink.Green).Line(8, 10, 14, 10, 1.3, Ink.Dark).Line(8, 14, 16, 14, 1, Ink.Gray)
             .Line(8, 17.5, 16, 17.5, 1.8, Ink.Green); },
         ["Simulate"] = c => { Nozzle(c, 13, 4); c.Line(4, 16, 13, 16, 2.4, Ink.Green).Line(4, 19.5, 20, 19.5, 2.4, Ink.Green)
             .Line(13, 16, 20, 16, 1, Ink.Gray); },
@@ -98,6 +98,16 @@ internal static class Drawings
         ["ConstructBead"] = c => c.Disc(7.5, 15, 4.5, Ink.Green).Disc(16.5, 15, 4.5, Ink.Green).Rect(7.5, 10.5, 16.5, 19.5, Ink.Green)
             .Line(3.5, 20.6, 20.5, 20.6, 1.4, Ink.Dark)
             .Line(4, 6.5, 20, 6.5, 1.2, Ink.Dark).Line(4, 4.5, 4, 8.5, 1.2, Ink.Dark).Line(20, 4.5, 20, 8.5, 1.2, Ink.Dark),
+        ["Step"] = c => c.Polyline(2, Ink.Gray, 4, 19, 4, 12, 20, 12, 20, 19).Line(3.5, 19.8, 8, 19.8, 2.2, Ink.Green)
+            .Line(16, 19.8, 20.5, 19.8, 2.2, Ink.Green).Polygon(Ink.Orange, 12, 3, 17, 8, 12, 13, 7, 8),
+        ["ConstructToolpath"] = c => c.Polyline(2.2, Ink.Green, 4, 16, 9, 16, 9, 6, 15, 6).Disc(4.2, 16, 1.9, Ink.Dark).Disc(9, 11, 1.9, Ink.Dark)
+            .Disc(15, 6, 1.9, Ink.Orange).Line(13.5, 17, 20.5, 17, 1.8, Ink.Dark).Line(17, 13.5, 17, 20.5, 1.8, Ink.Dark),
+        ["MergeToolpaths"] = c => c.Polyline(2.2, Ink.Green, 3.5, 19, 9, 19, 9, 13, 3.5, 13).Polyline(2.2, Ink.Blue, 20.5, 19, 15, 19, 15, 13, 20.5, 13)
+            .Polyline(1.3, Ink.Gray, 4, 12, 4, 5, 20, 5, 20, 12).Polygon(Ink.Orange, 10, 2.5, 15, 5, 10, 7.5),
+        ["ToolpathFrames"] = c => c.Polyline(2.2, Ink.Green, 3.5, 20, 9, 14, 20.5, 14).Line(12, 14, 12, 4, 1.8, Ink.Blue)
+            .Line(12, 14, 19.5, 14, 1.8, Ink.Orange).Line(12, 14, 7, 19.5, 1.8, Ink.Dark).Polygon(Ink.Blue, 9.5, 6.5, 14.5, 6.5, 12, 2.5),
+        ["ViewerPage"] = c => c.Rect(3, 4, 21, 20, Ink.Light).Rect(3, 4, 21, 8, Ink.Gray).Polygon(Ink.Green, 12, 9, 17, 11.5, 17, 16, 12, 18.5, 7, 16, 7, 11.5)
+            .Polyline(1.1, Ink.Dark, 7, 11.5, 12, 14, 17, 11.5).Line(12, 14, 12, 18.5, 1.1, Ink.Dark),
         ["SubdivideCurve"] = c => c.Polyline(1.8, Ink.Green, 4, 19, 10, 19, 14, 17.5, 17, 14.5, 18.5, 10.5, 19, 5).Disc(4.5, 19, 1.8, Ink.Dark)
             .Disc(10, 19, 1.8, Ink.Dark)
             .Disc(14, 17.5, 1.5, Ink.Orange).Disc(17, 14.5, 1.5, Ink.Orange).Disc(18.5, 10.5, 1.5, Ink.Orange).Disc(19, 5, 1.8, Ink.Dark),

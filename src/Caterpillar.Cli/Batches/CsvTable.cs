@@ -27,7 +27,7 @@ internal sealed record CsvTable(IReadOnlyList<string> Columns, IReadOnlyList<IRe
                 continue;
             }
             if (cells.Count > columns.Count)
-                throw Bad(file, line, $"{Count(cells.Count)} cells for {Count(columns.Count)} column{(columns.Count == 1 ? "" : "s")}.");
+                throw Bad(file, line, $"{NumberFormatter.Format(cells.Count)} cells for {Figures.Count(columns.Count, "column")}.");
             rows.Add([.. cells, .. Enumerable.Repeat("", columns.Count - cells.Count)]);
         }
         return new CsvTable(columns ?? throw new CliException(ExitCode.BadInput, $"{file}: the table is empty. Its first row must name the columns."), rows);
@@ -78,7 +78,5 @@ internal sealed record CsvTable(IReadOnlyList<string> Columns, IReadOnlyList<IRe
         }
     }
 
-    private static CliException Bad(string file, int line, string problem) => new(ExitCode.BadInput, $"{file}:{Count(line)}: {problem}");
-
-    private static string Count(int number) => NumberFormatter.Format(number);
+    private static CliException Bad(string file, int line, string problem) => new(ExitCode.BadInput, $"{file}:{NumberFormatter.Format(line)}: {problem}");
 }

@@ -32,7 +32,7 @@ internal sealed class CurveSettingOptions
 
     public double UnitOf(ParseResult arguments)
     {
-        var unit = OptionValues.OptionalNumber(arguments.GetValue(_unit), "--unit", 0) ?? 1;
+        var unit = Numbers.MaybeAtLeast(arguments.GetValue(_unit), "--unit", 0) ?? 1;
         return unit > 0 ? unit : throw new CliException(ExitCode.Usage, "--unit must be above 0.");
     }
 
@@ -41,10 +41,10 @@ internal sealed class CurveSettingOptions
         var plain = CurveOptions.For(setup);
         return plain with
         {
-            Width = OptionValues.OptionalAmount(arguments.GetValue(_width), "--width", setup.Printer.NozzleDiameter) ?? plain.Width,
-            Height = OptionValues.OptionalAmount(arguments.GetValue(_height), "--height", setup.Settings.LayerHeight) ?? plain.Height,
-            Flow = OptionValues.OptionalAmount(arguments.GetValue(_flow), "--flow", 1) ?? plain.Flow,
-            Speed = OptionValues.OptionalAmount(arguments.GetValue(_speed), "--speed", setup.Settings.PrintSpeed) ?? plain.Speed,
+            Width = Numbers.MaybeAmount(arguments.GetValue(_width), "--width", setup.Printer.NozzleDiameter) ?? plain.Width,
+            Height = Numbers.MaybeAmount(arguments.GetValue(_height), "--height", setup.Settings.LayerHeight) ?? plain.Height,
+            Flow = Numbers.MaybeAmount(arguments.GetValue(_flow), "--flow", 1) ?? plain.Flow,
+            Speed = Numbers.MaybeAmount(arguments.GetValue(_speed), "--speed", setup.Settings.PrintSpeed) ?? plain.Speed,
             Shape = arguments.GetValue(_shape) switch
             {
                 "rectangle" => BeadShape.Rectangle,
@@ -54,8 +54,8 @@ internal sealed class CurveSettingOptions
             },
             Strokes = arguments.GetValue(_strokes),
             Steps = arguments.GetValue(_steps),
-            Dots = OptionValues.OptionalNumber(arguments.GetValue(_dots), "--dots", 0) ?? 0,
-            DotSpeed = OptionValues.OptionalNumber(arguments.GetValue(_dotSpeed), "--dot-speed", 1e-3) ?? plain.DotSpeed,
+            Dots = Numbers.MaybeAtLeast(arguments.GetValue(_dots), "--dots", 0) ?? 0,
+            DotSpeed = Numbers.MaybeAtLeast(arguments.GetValue(_dotSpeed), "--dot-speed", 1e-3) ?? plain.DotSpeed,
         };
     }
 }

@@ -29,7 +29,7 @@ internal sealed class DivisionOptions
 
     public CurveOptions Of(ParseResult arguments, CurveOptions plain)
     {
-        double Value(Option<string?> option) => OptionValues.OptionalNumber(arguments.GetValue(option), option.Name, 0) ?? 0;
+        double Value(Option<string?> option) => Numbers.MaybeAtLeast(arguments.GetValue(option), option.Name, 0) ?? 0;
         var (distance, tolerance, angle) = (Value(_distance), Value(_tolerance), Value(_angle));
         var asked = distance > 0 || tolerance > 0 || angle > 0;
         var division = plain.Subdivision with

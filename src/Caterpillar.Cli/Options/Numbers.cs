@@ -53,6 +53,18 @@ internal static class Numbers
             : throw new CliException(ExitCode.Usage, $"{option} needs N=…, not \"{text}\".");
     }
 
+    /// <summary>A number, at least this.</summary>
+    public static double AtLeast(string text, string option, double least)
+        => NumberReader.TryParse(text.Trim(), out var value) && value >= least ? value
+            : throw new CliException(ExitCode.Usage, $"{option} needs a number{(least >= 0 ? " of 0 or more" : "")}, not \"{text}\".");
+
+    /// <summary>The same, or null.</summary>
+    public static double? MaybeAtLeast(string? text, string option, double least) => text is null ? null : AtLeast(text, option, least);
+
+    /// <summary>A number of 0 or more, a percentage of something, or null.</summary>
+    public static double? MaybeAmount(string? text, string option, double whole)
+        => text?.Trim() is { } plain && plain.EndsWith('%') ? AtLeast(plain[..^1], option, 0) / 100 * whole : MaybeAtLeast(text?.Trim(), option, 0);
+
     /// <summary>An integer, or null.</summary>
     public static int? Whole(string text) => NumberReader.TryParseInt(text, out var number) ? number : null;
 

@@ -42,7 +42,7 @@ internal sealed class WriteOptions
         IReadOnlyList<Diagnostic> findings = [];
         var reason = arguments.GetValue(_reason);
         // While it is being written.
-        var planned = Task.Run(() => PrintFigures.Of(job.Toolpath, job.Setup, double.NaN));
+        var planned = Task.Run(() => PrintFigures.Of(job.Toolpath, job.Setup));
         session.Write(file, (stream, isDraft) =>
         {
             Result<WrittenGCode> Write(IProgress<double>? progress) => job.Write(stream, file, isDraft, reason, progress, session.Cancel);
@@ -64,13 +64,9 @@ internal sealed class WriteOptions
         return new WrittenFile(written, findings);
     }
 
-    // Layers and size of the print; time and material of the whole file, as they are read from it.
     private static PrintFigures Figures(PrintFigures planned, WrittenGCode written, PrintJob job, Session session)
-    {
-        if (written is not { File: { } file, PrintTime: { } seconds })
-            return planned with { Seconds = Timeline.Of(job.Toolpath, job.Setup, null, session.Cancel).Duration };
-        return PrintFigures.Of(file, job.Setup, seconds) with { Layers = planned.Layers, Size = planned.Size };
-    }
+        => written is { File: { } file, PrintTime: { } seconds } ? planned.OfFile(file, job.Setup, seconds)
+            : planned with { Seconds = Timeline.Of(job.Toolpath, job.Setup, null, session.Cancel).Duration };
 
     private static string Count(long number) => NumberFormatter.Format(number);
 }

@@ -12,9 +12,10 @@ internal static class DecodeSummary
         var unit = moves.VolumePerE(0) == 1 ? "mm³" : "mm";
         var rows = new[]
         {
-            ["  Printed", $"{Mm(report.PrintLength)} in {Count(report.PrintSegments + report.PrintArcs, "move")}, {Count(moves.CountLayers(), "layer")}"],
-            ["  Traveled", $"{Mm(report.TravelLength)} in {Count(report.TravelSegments + report.TravelArcs, "move")}, "
-                + Count(report.Retractions + report.FirmwareRetractions, "retraction")],
+            ["  Printed", $"{Mm(report.PrintLength)} in {Figures.Count(report.PrintSegments + report.PrintArcs, "move")}, "
+                + Figures.Count(moves.CountLayers(), "layer")],
+            ["  Traveled", $"{Mm(report.TravelLength)} in {Figures.Count(report.TravelSegments + report.TravelArcs, "move")}, "
+                + Figures.Count(report.Retractions + report.FirmwareRetractions, "retraction")],
             ["  Extruded", report.HasAmounts ? $"{Number(report.EUsed)} {unit} of E, net {Number(report.ENet)} {unit}" : "no E"],
             ["  Printed box", Box(report.PrintBounds)],
             new[] { "  All moves", Box(report.AllBounds) },
@@ -24,7 +25,7 @@ internal static class DecodeSummary
         if (decoding.Ignored.Count > 0)
         {
             var ignored = decoding.Ignored.OrderByDescending(p => p.Value).ThenBy(p => p.Key, System.StringComparer.Ordinal).ToArray();
-            text.WriteLine("  Ignored: " + string.Join(", ", ignored.Take(12).Select(p => $"{p.Key} ×{Count(p.Value)}"))
+            text.WriteLine("  Ignored: " + string.Join(", ", ignored.Take(12).Select(p => $"{p.Key} ×{NumberFormatter.Format(p.Value)}"))
                 + (ignored.Length > 12 ? ", …" : ""));
         }
     }
@@ -49,7 +50,4 @@ internal static class DecodeSummary
 
     private static string Number(double value) => NumberFormatter.Format(value, 3);
 
-    private static string Count(long value) => NumberFormatter.Format(value);
-
-    private static string Count(long value, string thing) => $"{Count(value)} {thing}{(value == 1 ? "" : "s")}";
 }

@@ -1,3 +1,4 @@
+using Caterpillar.Files;
 using Newtonsoft.Json;
 
 namespace Caterpillar.Cli;
@@ -21,65 +22,31 @@ internal static class FindingSummary
 
     /// <summary>Writes an array with an object for each kind of finding.</summary>
     public static void Write(JsonTextWriter json, IEnumerable<Diagnostic> findings)
-    {
-        json.WriteStartArray();
-        foreach (var finding in findings)
+        => json.List(findings, finding => json.Object(() =>
         {
-            json.WriteStartObject();
-            Text(json, "severity", finding.Severity.ToString().ToLowerInvariant());
-            Text(json, "code", finding.Code);
-            Number(json, "count", finding.Count);
-            if (finding.Share > 0)
-            {
-                json.WritePropertyName("share");
-                json.WriteValue(Math.Round(finding.Share, 4));
-            }
+            json.Entry("severity", finding.Severity.ToString().ToLowerInvariant());
+            json.Entry("code", finding.Code);
+            json.Entry("count", finding.Count);
+            if (finding.Share > 0) json.Entry("share", Math.Round(finding.Share, 4));
             Finding(json, finding);
-            if (finding.Worst is { } worst)
-            {
-                json.WritePropertyName("worst");
-                json.WriteStartObject();
-                Finding(json, worst);
-                json.WriteEndObject();
-            }
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
-    }
+            if (finding.Worst is { } worst) json.Entry("worst", () => json.Object(() => Finding(json, worst)));
+        }));
 
     private static void Finding(JsonTextWriter json, Diagnostic finding)
     {
-        Text(json, "message", finding.Message);
+        json.Entry("message", finding.Message);
         if (finding.Source is { } place) Place(json, place);
     }
 
     private static void Place(JsonTextWriter json, SourceLocation place)
     {
-        Text(json, "file", place.File);
-        Text(json, "key", place.Key);
-        Number(json, "line", place.Line);
-        Number(json, "column", place.Column);
-        Number(json, "layer", place.Layer);
-        Number(json, "step", place.Step);
-        Number(json, "move", place.Move);
-        if (place.Origin is not { } origin) return;
-        json.WritePropertyName("origin");
-        json.WriteStartObject();
-        Place(json, origin);
-        json.WriteEndObject();
-    }
-
-    private static void Text(JsonTextWriter json, string key, string? value)
-    {
-        if (value is null) return;
-        json.WritePropertyName(key);
-        json.WriteValue(value);
-    }
-
-    private static void Number(JsonTextWriter json, string key, int? value)
-    {
-        if (value is not { } number) return;
-        json.WritePropertyName(key);
-        json.WriteValue(number);
+        json.Entry("file", place.File);
+        json.Entry("key", place.Key);
+        json.Entry("line", place.Line);
+        json.Entry("column", place.Column);
+        json.Entry("layer", place.Layer);
+        json.Entry("step", place.Step);
+        json.Entry("move", place.Move);
+        if (place.Origin is { } origin) json.Entry("origin", () => json.Object(() => Place(json, origin)));
     }
 }

@@ -24,22 +24,27 @@ internal sealed record PrintFigures(
     public IReadOnlyList<double?> Values => [Layers, Size?.X, Size?.Y, Size?.Z, Printed, Volume, Filament, Mass, Seconds];
 
     /// <summary>Of a plan.</summary>
-    public static PrintFigures Of(Toolpath toolpath, PrintSetup setup, double seconds)
-        => Of(toolpath, setup.Material.FilamentDiameter, setup.Material.Density, seconds);
+    public static PrintFigures Of(Toolpath toolpath, PrintSetup setup) => Of(toolpath, setup.Material.FilamentDiameter, setup.Material.Density, null);
+
+    /// <summary>Layers and size of the plan; time and material of the whole file, with start and end code.</summary>
+    public PrintFigures OfFile(Toolpath file, PrintSetup setup, double seconds)
+        => Of(file, setup.Material.FilamentDiameter, setup.Material.Density, this) with { Seconds = seconds };
 
     /// <summary>Of a decoded file, whose moves may have been edited.</summary>
     public static PrintFigures Of(DecodedGCode decoding, Toolpath toolpath)
         => Of(toolpath, Setting(decoding, "filament_diameter"), Setting(decoding, "filament_density"), null);
 
     // Diameter in mm and density in g/cm³; 0 = unknown.
-    private static PrintFigures Of(Toolpath toolpath, double diameter, double density, double? seconds)
+    private static PrintFigures Of(Toolpath toolpath, double diameter, double density, PrintFigures? planned)
     {
         var (length, e, volume, inPlace, box) = ExtrusionTotals.Of(toolpath);
         var isVolume = volume is > 0;
         return new PrintFigures(
-            toolpath.CountLayers(), box.IsEmpty ? null : SizeOf(box, toolpath, length > 0 ? (volume - inPlace) / length : null), length, e, volume,
+            planned?.Layers ?? toolpath.CountLayers(),
+            planned is not null ? planned.Size : box.IsEmpty ? null : SizeOf(box, toolpath, length > 0 ? (volume - inPlace) / length : null),
+            length, e, volume,
             isVolume && diameter is > 0 and <= ThickestFilament ? volume / (Math.PI / 4 * diameter * diameter) : null,
-            isVolume && density > 0 ? volume / 1000 * density : null, seconds);
+            isVolume && density > 0 ? volume / 1000 * density : null, null);
     }
 
     // From edge to edge: the box of the moves, and an extrusion of the mean width and of the thickness of the layers around them.

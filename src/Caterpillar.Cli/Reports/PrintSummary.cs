@@ -6,7 +6,7 @@ internal static class PrintSummary
     public static string Of(PrintFigures print)
     {
         var parts = new List<string>();
-        if (print.Layers > 0) parts.Add(print.Layers == 1 ? "1 layer" : Number(print.Layers, 0) + " layers");
+        if (print.Layers > 0) parts.Add(Figures.Count(print.Layers, "layer"));
         if (print.Size is { } size) parts.Add(Size(size));
         parts.Add(print is { Printed: 0, E: 0 } ? "nothing printed" : Amount(print));
         if (print.Seconds is > 0 and var time) parts.Add("about " + Duration(time));

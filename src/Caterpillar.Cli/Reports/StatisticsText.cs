@@ -15,7 +15,7 @@ internal static class StatisticsText
             ["  Time", $"{Duration(s.Duration)} with the limits of {limits}"],
             ["  Printing", Duration(s.PrintTime)],
             ["  Traveling", Duration(s.TravelTime)],
-            ["  Extruder only", $"{Duration(s.ExtruderTime)}, {NumberFormatter.Format(s.Retractions)} retraction{(s.Retractions == 1 ? "" : "s")}"],
+            ["  Extruder only", $"{Duration(s.ExtruderTime)}, {Figures.Count(s.Retractions, "retraction")}"],
             .. Waits(s.Waits),
             ["  Material", Material(s)],
             .. Flow(s),

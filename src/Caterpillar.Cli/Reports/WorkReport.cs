@@ -1,3 +1,4 @@
+using Caterpillar.Files;
 using Caterpillar.Planning;
 using Newtonsoft.Json;
 
@@ -17,27 +18,13 @@ internal static class WorkReport
         using var text = new StringWriter { NewLine = "\n" };
         using var json = new JsonTextWriter(text) { Formatting = Formatting.Indented };
         json.WriteStartObject();
-        void Number(string key, double value)
-        {
-            json.WritePropertyName(key);
-            json.WriteRawValue(NumberFormatter.Format(value, 6));
-        }
+        void Number(string key, double value) => json.Entry(key, () => json.WriteRawValue(NumberFormatter.Format(value, 6)));
         // Material as the file extrudes it, with start and end code.
         var deposited = ExtrusionTotals.Of(written.GCode.File ?? plan.Toolpath).Volume ?? 0;
         var arcs = plan.Toolpath.Moves().Count(m => m.Kind == MoveKind.Print && m.Arc is not null);
-        json.WritePropertyName(inputs.Count == 1 ? "file" : "files");
-        if (inputs.Count == 1)
-        {
-            json.WriteValue(inputs[0]);
-        }
-        else
-        {
-            json.WriteStartArray();
-            foreach (var input in inputs) json.WriteValue(input);
-            json.WriteEndArray();
-        }
-        json.WritePropertyName("output");
-        json.WriteValue(output);
+        if (inputs.Count == 1) json.Entry("file", inputs[0]);
+        else json.Entry("files", () => json.List(inputs, json.WriteValue));
+        json.Entry("output", output);
         foreach (var count in counts) Number(count.Key, count.Value);
         Number("moves", plan.Toolpath.Count);
         Number("arcs", arcs);
@@ -46,8 +33,7 @@ internal static class WorkReport
         foreach (var value in plan.Report.ToValues()) Number(value.Key, value.Value);
         Number("lines", written.GCode.Lines);
         Number("bytes", written.GCode.Bytes);
-        json.WritePropertyName("findings");
-        FindingSummary.Write(json, written.Findings);
+        json.Entry("findings", () => FindingSummary.Write(json, written.Findings));
         json.WriteEndObject();
         json.Flush();
         return text + "\n";

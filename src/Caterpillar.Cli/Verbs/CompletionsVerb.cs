@@ -22,24 +22,14 @@ internal sealed class CompletionsVerb : Verb
     public override int Run(ParseResult arguments, Session session)
     {
         var table = CompletionTable.Of((Command?)Parents.OfType<Command>().FirstOrDefault() ?? this);
-        session.WriteText("-", text =>
+        Action<TextWriter, CompletionTable> write = arguments.GetValue(_shell) switch
         {
-            switch (arguments.GetValue(_shell))
-            {
-                case "zsh":
-                    ZshCompletions.Write(text, table);
-                    break;
-                case "fish":
-                    FishCompletions.Write(text, table);
-                    break;
-                case "powershell":
-                    PowerShellCompletions.Write(text, table);
-                    break;
-                default:
-                    BashCompletions.Write(text, table);
-                    break;
-            }
-        });
+            "zsh" => ZshCompletions.Write,
+            "fish" => FishCompletions.Write,
+            "powershell" => PowerShellCompletions.Write,
+            _ => BashCompletions.Write,
+        };
+        session.WriteText("-", text => write(text, table));
         return ExitCode.Done;
     }
 }

@@ -31,7 +31,7 @@ internal sealed class ConvertVerb : Verb
     private readonly Option<string?> _reason = WriteOptions.Override();
 
     public ConvertVerb()
-        : base("convert", "Edit a G-code file, or convert it to another flavor or notation. With --printer, the result is checked.")
+        : base("convert", "Edit a G-code file, or convert it to another flavor or notation. With --printer, the result is checked.", ["G-code"], ".gcode")
     {
         Arguments.Add(_file);
         Add([_out, _inPlace, _from, _to, _e, _unit, _diameter, _arcs, _tolerance, _millimeters, _retraction, _decimals]);
@@ -50,10 +50,6 @@ internal sealed class ConvertVerb : Verb
         ("convert part.gcode -o klipper.gcode --flavor klipper --e-mode relative", "Convert to another flavor"),
         ("convert part.gcode -o twisted.gcode --deform \"r, theta + 2*z, z\" --axis center", "Twist the print about its center"),
     ];
-
-    public override string[] Writes => ["G-code"];
-
-    public override string? Ending => ".gcode";
 
     public override int Run(ParseResult arguments, Session session)
     {

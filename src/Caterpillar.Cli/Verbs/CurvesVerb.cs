@@ -39,7 +39,7 @@ internal sealed class CurvesVerb : Verb
     private readonly WriteOptions _write = new();
 
     public CurvesVerb()
-        : base("curves", "Turn curves into G-code, as drawn and in the given order.")
+        : base("curves", "Turn curves into G-code, as drawn and in the given order.", ["G-code"], ".gcode")
     {
         _sort.AcceptOnlyFromAmong("none", "orient", "nearest", "layer", "z", "tour");
         Arguments.Add(_file);
@@ -53,17 +53,13 @@ internal sealed class CurvesVerb : Verb
         ("curves drawing.svg --printer pen_plotter --move center -o drawing.gcode", "Draw with a pen, in the center of the bed"),
     ];
 
-    public override string[] Writes => ["G-code"];
-
-    public override string? Ending => ".gcode";
-
     public override int Run(ParseResult arguments, Session session)
     {
         var file = arguments.GetValue(_file)!;
         var target = _write.FileFor(arguments, file);
         var json = arguments.GetValue(_json);
         if (json && target == "-") throw new CliException(ExitCode.Usage, "--json cannot be combined with G-code on standard output. Give -o FILE.");
-        var limit = OptionValues.OptionalNumber(arguments.GetValue(_maxSize), "--max-size", 0) * 1e6 ?? double.PositiveInfinity;
+        var limit = Numbers.MaybeAtLeast(arguments.GetValue(_maxSize), "--max-size", 0) * 1e6 ?? double.PositiveInfinity;
         _onto.Check(arguments);
         var setup = _setup.Resolve(arguments, session);
         var sort = SortOf(arguments.GetValue(_sort)!);
@@ -110,7 +106,7 @@ internal sealed class CurvesVerb : Verb
         }
         else
         {
-            var numbers = text.Split(',').Select(w => OptionValues.Number(w, "--move", double.NegativeInfinity)).ToArray();
+            var numbers = text.Split(',').Select(w => Numbers.AtLeast(w, "--move", double.NegativeInfinity)).ToArray();
             if (numbers.Length is not (2 or 3)) throw new CliException(ExitCode.Usage, "--move needs X,Y or X,Y,Z in mm, or center.");
             shift = new Vec3(numbers[0], numbers[1], numbers.Length > 2 ? numbers[2] : 0);
         }

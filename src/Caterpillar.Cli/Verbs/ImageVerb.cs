@@ -26,7 +26,7 @@ internal sealed class ImageVerb : Verb
     private readonly Described<int> _width = new("--width", "Image width. The height is 3/4 of it.", "PIXELS") { DefaultValueFactory = _ => 960 };
 
     public ImageVerb()
-        : base("image", "Draw an image of a print, or of one layer.")
+        : base("image", "Draw an image of a print, or of one layer.", ["an image"], ".png")
     {
         Arguments.Add(_file);
         Add([_out, _layer, _upTo, _view, _color, _travel, _width]);
@@ -38,10 +38,6 @@ internal sealed class ImageVerb : Verb
         ("image part.gcode -o part.png", "Draw all layers"),
         ("image part.gcode --layer 3 --view top --color speed -o layer.png", "Draw one layer from above, colored by speed"),
     ];
-
-    public override string[] Writes => ["an image"];
-
-    public override string? Ending => ".png";
 
     public override int Run(ParseResult arguments, Session session)
     {

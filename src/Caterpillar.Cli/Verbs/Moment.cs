@@ -3,16 +3,10 @@ using Caterpillar.Simulation;
 namespace Caterpillar.Cli;
 
 /// <summary>A moment of a print in words: <c>42%</c>, <c>12m30s</c>, <c>line:1000</c>, <c>move:7</c>, <c>layer:3</c>, <c>z:1.2</c>.</summary>
-internal sealed class Moment
+internal sealed class Moment(string text, Func<Timeline, MachineState?> find)
 {
-    private readonly string _text;
-    private readonly Func<Timeline, MachineState?> _find;
-
-    private Moment(string text, Func<Timeline, MachineState?> find)
-    {
-        _text = text;
-        _find = find;
-    }
+    private readonly string _text = text;
+    private readonly Func<Timeline, MachineState?> _find = find;
 
     /// <exception cref="CliException">The text is not a moment (wrong usage).</exception>
     public static Moment Parse(string text)
@@ -36,7 +30,7 @@ internal sealed class Moment
     private static string Places(Timeline timeline)
     {
         var (moves, layers) = (timeline.Toolpath.Count, timeline.Toolpath.Layers);
-        return NumberFormatter.Format(moves) + (moves == 1 ? " move and " : " moves and ") + (layers.Count == 0 ? "no layers"
+        return Figures.Count(moves, "move") + " and " + (layers.Count == 0 ? "no layers"
             : $"layers {NumberFormatter.Format(layers.Min(l => l.Index))} to {NumberFormatter.Format(layers.Max(l => l.Index))}");
     }
 

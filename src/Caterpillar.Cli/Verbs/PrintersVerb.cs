@@ -27,7 +27,7 @@ internal sealed class PrintersVerb : Verb
         "With --import: output file for a material with the temperatures of the header.", "FILE.json");
 
     public PrintersVerb()
-        : base("printers", "List, show or create profiles of printers, materials and settings.")
+        : base("printers", "List, show or create profiles of printers, materials and settings.", ["JSON", "a table"])
     {
         _name.CompletionSources.Add(_ => new ProfileLibrary().PrinterNames.Select(n => new CompletionItem(n)));
         Arguments.Add(_name);
@@ -40,8 +40,6 @@ internal sealed class PrintersVerb : Verb
         ("printers ender3 -o mine.json", "Copy a profile to edit it"),
         ("printers --keys", "List all keys with their ranges and descriptions"),
     ];
-
-    public override string[] Writes => ["JSON", "a table"];
 
     public override int Run(ParseResult arguments, Session session)
     {

@@ -25,7 +25,7 @@ internal sealed class SectionsVerb : Verb
     private readonly Described<string> _output = new("--output", "Output file; - = standard output.", "FILE", "-o") { DefaultValueFactory = _ => "-" };
 
     public SectionsVerb()
-        : base("sections", "Measure exact plane sections of models: length, area and contours.")
+        : base("sections", "Measure exact plane sections of models: length, area and contours.", ["JSON", "a table"])
     {
         Arguments.Add(_models);
         Add([_heights, _every, _gap, _json, _output]);
@@ -36,13 +36,11 @@ internal sealed class SectionsVerb : Verb
         ("sections part.stl --heights 0.1,0.5 --json", "Measure two sections, as JSON"),
     ];
 
-    public override string[] Writes => ["JSON", "a table"];
-
     public override int Run(ParseResult arguments, Session session)
     {
         var heights = Heights(arguments);
         var every = heights is null ? Every(arguments) : 0;
-        var options = new SectionOptions { GapMm = OptionValues.Number(arguments.GetValue(_gap)!, "--gap", 0) };
+        var options = new SectionOptions { GapMm = Numbers.AtLeast(arguments.GetValue(_gap)!, "--gap", 0) };
         var reports = new List<SectionReport>();
         foreach (var model in arguments.GetValue(_models)!)
         {
@@ -74,13 +72,13 @@ internal sealed class SectionsVerb : Verb
         var text = arguments.GetValue(_heights);
         if (text is null) return null;
         if (arguments.GetValue(_every) is not null) throw new CliException(ExitCode.Usage, "--heights cannot be combined with --every.");
-        return text.Split(',').Select(word => OptionValues.Number(word.Trim(), "--heights", double.NegativeInfinity)).ToArray();
+        return text.Split(',').Select(word => Numbers.AtLeast(word.Trim(), "--heights", double.NegativeInfinity)).ToArray();
     }
 
     private double Every(ParseResult arguments)
     {
         var text = arguments.GetValue(_every) ?? throw new CliException(ExitCode.Usage, "The planes are missing. Give --heights 0.1,0.3 or --every 0.2.");
-        var every = OptionValues.Number(text, "--every", 0);
+        var every = Numbers.AtLeast(text, "--every", 0);
         return every > 0 ? every : throw new CliException(ExitCode.Usage, "--every must be above 0.");
     }
 

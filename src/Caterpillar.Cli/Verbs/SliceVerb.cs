@@ -22,7 +22,7 @@ internal sealed class SliceVerb : Verb
     private readonly Option<int> _threads = CommonOptions.Threads();
 
     public SliceVerb()
-        : base("slice", "Slice meshes into G-code.")
+        : base("slice", "Slice meshes into G-code.", ["G-code"], ".gcode")
     {
         Arguments.Add(_models);
         Add([.. _write.All, .. _setup.All, .. _placing.All, .. _own.All, .. _infill.All, .. _curved.All, _threads, _json]);
@@ -37,10 +37,6 @@ internal sealed class SliceVerb : Verb
         ("slice part.stl --surface roof.stl -o curved.gcode", "Let layers follow a surface"),
         ("slice --each 'models/*.stl' -o 'out/{name}.gcode' --summary summary.csv", "Slice each model of a folder"),
     ];
-
-    public override string[] Writes => ["G-code"];
-
-    public override string? Ending => ".gcode";
 
     public override int Run(ParseResult arguments, Session session)
     {

@@ -29,7 +29,7 @@ internal sealed class TurtleVerb : Verb
     private readonly SetupOptions _setup = new("Default: set by the program, or generic.");
 
     public TurtleVerb()
-        : base("turtle", "Turn a turtle program or L-system into G-code.")
+        : base("turtle", "Turn a turtle program or L-system into G-code.", ["G-code"], ".gcode")
     {
         _script.Arity = ArgumentArity.ZeroOrOne;
         Arguments.Add(_script);
@@ -44,10 +44,6 @@ internal sealed class TurtleVerb : Verb
         ("turtle star.turtle --table values.csv -o 'out/{row}.gcode' --summary study.csv", "Run once for each row of a table"),
         ("turtle --commands", "List the commands of the language"),
     ];
-
-    public override string[] Writes => ["G-code"];
-
-    public override string? Ending => ".gcode";
 
     public override int Run(ParseResult arguments, Session session)
     {

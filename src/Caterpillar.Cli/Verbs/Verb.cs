@@ -1,16 +1,20 @@
 namespace Caterpillar.Cli;
 
 /// <summary>A verb of the program. Its file declares its arguments and options and does its work; <see cref="Verbs"/> lists it.</summary>
-internal abstract class Verb(string name, string description) : Command(name, description)
+/// <param name="name">The word of the command line.</param>
+/// <param name="description">What it does, in a sentence.</param>
+/// <param name="writes">Kinds of files that it writes, in the words of <see cref="OutputGuard"/>.</param>
+/// <param name="ending">The usual extension of its output, such as <c>.gcode</c>; null if it writes no file.</param>
+internal abstract class Verb(string name, string description, string[]? writes = null, string? ending = null) : Command(name, description)
 {
     /// <summary>Command lines for the help, each with its description.</summary>
     public abstract IReadOnlyList<(string Line, string Does)> Examples { get; }
 
-    /// <summary>Kinds of files that it writes, in the words of <see cref="OutputGuard"/>.</summary>
-    public virtual string[] Writes => [];
+    /// <summary>Kinds of files that it writes.</summary>
+    public string[] Writes { get; } = writes ?? [];
 
-    /// <summary>The usual extension of its output, such as <c>.gcode</c>; null if it writes no file.</summary>
-    public virtual string? Ending => null;
+    /// <summary>The usual extension of its output, or null.</summary>
+    public string? Ending { get; } = ending;
 
     /// <summary>The options of batches, or null.</summary>
     public BatchOptions? Batch { get; private set; }

@@ -28,7 +28,7 @@ internal sealed class ViewVerb : Verb
     private readonly SetupOptions _setup = new("If given, findings of its checks are shown. " + SetupOptions.FromFile);
 
     public ViewVerb()
-        : base("view", "Show a print, model or design in 3D in the browser.")
+        : base("view", "Show a print, model or design in 3D in the browser.", ["a page"], ".html")
     {
         Arguments.Add(_file);
         Add([_out, _open, _serve, _noGCode, .. _setup.All]);
@@ -45,10 +45,6 @@ internal sealed class ViewVerb : Verb
         ("view part.gcode -o part.html", "Write a page to view or send"),
         ("view part.gcode --printer ender3", "Show the bed of a printer and the findings of its checks"),
     ];
-
-    public override string[] Writes => ["a page"];
-
-    public override string? Ending => ".html";
 
     public override int Run(ParseResult arguments, Session session)
     {

@@ -1,5 +1,4 @@
 using Caterpillar.Files;
-using Caterpillar.Geometry;
 
 namespace Caterpillar.Display;
 

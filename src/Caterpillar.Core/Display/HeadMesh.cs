@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-
 namespace Caterpillar.Display;
 
 /// <summary>Nozzle and print head of a printer as closed meshes.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Drawings;
 
 /// <summary>User-defined toolpaths (Caterpillar 2019, section 3.3): 3D curves, printed exactly as drawn and in the given order.</summary>
@@ -53,7 +50,7 @@ public static class CurvePaths
     {
         var z = options.FlatHeight + layer * options.Height;
         var raised = curve with { Curve = curve.Curve.Transformed(Affine.Move(new Vec3(0, 0, z))) };
-        if (options.Layers == 0) return raised;
+        if (options.Layers == 0) return curve.Layer is { } own ? raised with { Layer = own with { Z = own.Z + z } } : raised;
         var thickness = layer == 0 ? options.FlatHeight : options.Height;
         return raised with { Layer = new Layer(layer, z, thickness), Height = curve.Height ?? thickness };
     }

@@ -30,21 +30,7 @@ public static class CurveReader
         var plain = GzipBytes.Unpack(bytes, name, "curves.compression", diagnostics, options.Memory, cancel);
         if (plain is null) return new Result<IReadOnlyList<UserCurve>>(null, diagnostics.ToList());
         var source = new CurveSource(plain, name, options, diagnostics, progress, cancel);
-        switch (FormatOf(plain, name))
-        {
-            case Format.Svg:
-                SvgReader.Read(source);
-                break;
-            case Format.Json:
-                JsonCurves.Read(source);
-                break;
-            case Format.Obj:
-                ObjCurves.Read(source);
-                break;
-            default:
-                CsvCurves.Read(source);
-                break;
-        }
+        ReaderOf(plain, name)(source);
         if (!diagnostics.HasErrors && source.Curves.Count == 0)
         {
             diagnostics.Add(Severity.Error, "curves.empty", "The file has no curves.", new SourceLocation(name));
@@ -53,27 +39,19 @@ public static class CurveReader
         return new Result<IReadOnlyList<UserCurve>>(diagnostics.HasErrors ? null : source.Curves, diagnostics.ToList());
     }
 
-    private enum Format
-    {
-        Csv,
-        Json,
-        Obj,
-        Svg,
-    }
-
-    private static Format FormatOf(byte[] bytes, string name)
+    private static Action<CurveSource> ReaderOf(byte[] bytes, string name)
     {
         var plain = name.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? name.Substring(0, name.Length - 3) : name;
-        if (Ends(plain, ".svg") || Ends(plain, ".svgz")) return Format.Svg;
-        if (Ends(plain, ".json")) return Format.Json;
-        if (Ends(plain, ".obj")) return Format.Obj;
-        if (Ends(plain, ".csv") || Ends(plain, ".tsv") || Ends(plain, ".txt") || Ends(plain, ".xyz")) return Format.Csv;
+        if (Ends(plain, ".svg") || Ends(plain, ".svgz")) return SvgReader.Read;
+        if (Ends(plain, ".json")) return JsonCurves.Read;
+        if (Ends(plain, ".obj")) return ObjCurves.Read;
+        if (Ends(plain, ".csv") || Ends(plain, ".tsv") || Ends(plain, ".txt") || Ends(plain, ".xyz")) return CsvCurves.Read;
         var at = ByteOrderMark.Length(bytes);
         while (at < bytes.Length && bytes[at] <= ' ') at++;
-        if (at >= bytes.Length) return Format.Csv;
-        if (bytes[at] == '<') return Format.Svg;
-        if (bytes[at] == '{' || bytes[at] == '[') return Format.Json;
-        return bytes[at] is (byte)'v' or (byte)'o' or (byte)'g' or (byte)'l' && at + 1 < bytes.Length && bytes[at + 1] == ' ' ? Format.Obj : Format.Csv;
+        if (at >= bytes.Length) return CsvCurves.Read;
+        if (bytes[at] == '<') return SvgReader.Read;
+        if (bytes[at] == '{' || bytes[at] == '[') return JsonCurves.Read;
+        return bytes[at] is (byte)'v' or (byte)'o' or (byte)'g' or (byte)'l' && at + 1 < bytes.Length && bytes[at + 1] == ' ' ? ObjCurves.Read : CsvCurves.Read;
     }
 
     private static bool Ends(string name, string ending) => name.EndsWith(ending, StringComparison.OrdinalIgnoreCase);

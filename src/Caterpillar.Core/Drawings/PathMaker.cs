@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Drawings;
 
 /// <summary>Makes the path of one user curve.</summary>
@@ -26,7 +23,7 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
     private PrintPath? MakePath(UserCurve curve, SourceLocation source)
     {
         if (!(options.RampStep > 0)) throw new ArgumentException("The step of a ramp must be positive.");
-        var whole = BeadOf(curve.Area, curve.Width, curve.Height, curve.Speed, curve, source);
+        var whole = BeadOf(curve.Area, curve.Width, curve.Height, curve.Speed, curve.Flow, source);
         if (whole is null) return null;
         var path = curve.Along is { Count: > 0 } along ? Ramps(curve, along, source) : Uniform(curve.Curve, whole.Value);
         if (path is null)
@@ -59,7 +56,7 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
             if (options.Steps) positions[i] = Math.Floor(positions[i] + 1e-9);
             var bead = BeadOf(
                 At(along.Areas, positions[i]) ?? curve.Area, At(along.Widths, positions[i]) ?? curve.Width, At(along.Heights, positions[i]) ?? curve.Height,
-                At(along.Speeds, positions[i]) ?? curve.Speed, curve, source);
+                At(along.Speeds, positions[i]) ?? curve.Speed, At(along.Flows, positions[i]) ?? curve.Flow, source);
             if (bead is null) return null;
             beads[i] = bead.Value;
         }
@@ -146,11 +143,11 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
         (points, extrusions) = (keptPoints, keptExtrusions);
     }
 
-    private Bead? BeadOf(double? area, double? width, double? height, double? speed, UserCurve curve, SourceLocation source)
+    private Bead? BeadOf(double? area, double? width, double? height, double? speed, double? ratio, SourceLocation source)
     {
         var w = width ?? options.Width;
         var h = height ?? options.Height;
-        var flow = curve.Flow ?? options.Flow;
+        var flow = ratio ?? options.Flow;
         var s = speed ?? options.Speed;
         if (!(Good(area ?? 0) && Good(w) && Good(h) && Good(flow) && Good(s)))
         {

@@ -6,30 +6,21 @@ namespace Caterpillar.Expressions;
 /// the functions of <see cref="FormulaFunctions"/>. Angles are degrees. True is 1, false is 0. The same text gives the same bits on every runtime.
 /// Division by zero gives infinities or NaN, as in all double arithmetic. The caller checks the value.
 /// </summary>
-internal sealed class Formula
+internal sealed class Formula(string text, string[] variables, FormulaNode node, bool usesRandom)
 {
-    private readonly Evaluator _evaluate;
-
-    private Formula(string text, string[] variables, FormulaNode node, bool usesRandom)
-    {
-        Text = text;
-        Variables = variables;
-        _evaluate = node.Evaluate;
-        IsConstant = node.IsConstant;
-        UsesRandom = usesRandom;
-    }
+    private readonly Evaluator _evaluate = node.Evaluate;
 
     /// <summary>The source text.</summary>
-    public string Text { get; }
+    public string Text { get; } = text;
 
     /// <summary>Names of the variables by slot.</summary>
-    public IReadOnlyList<string> Variables { get; }
+    public IReadOnlyList<string> Variables { get; } = variables;
 
     /// <summary>True if the value does not depend on variables.</summary>
-    public bool IsConstant { get; }
+    public bool IsConstant { get; } = node.IsConstant;
 
     /// <summary>True if it draws from <see cref="FormulaContext.Random"/>, so that the order of evaluations matters.</summary>
-    public bool UsesRandom { get; }
+    public bool UsesRandom { get; } = usesRandom;
 
     /// <summary>Compiles a formula.</summary>
     /// <param name="text">For example <c>10 + 2 * sin(3 * t)</c>.</param>

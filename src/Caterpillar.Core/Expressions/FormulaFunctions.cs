@@ -10,14 +10,7 @@ internal static class FormulaFunctions
         "clamp", "lerp", "step", "smoothstep", "deg", "rad", "random", "randint", "noise",
     ];
 
-    public static bool Knows(string name)
-    {
-        foreach (var known in Names)
-        {
-            if (known == name) return true;
-        }
-        return false;
-    }
+    public static bool Knows(string name) => Names.Contains(name);
 
     public static FormulaNode Call(Token name, List<FormulaNode> a)
     {

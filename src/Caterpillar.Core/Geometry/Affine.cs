@@ -4,29 +4,12 @@ namespace Caterpillar.Geometry;
 /// An affine transform: the images of the three axes and a translation in mm. Immutable. It maps points by
 /// <c>p ↦ XAxis·p.X + YAxis·p.Y + ZAxis·p.Z + Shift</c>.
 /// </summary>
-public readonly struct Affine : IEquatable<Affine>
+/// <param name="XAxis">Image of the X axis.</param>
+/// <param name="YAxis">Image of the Y axis.</param>
+/// <param name="ZAxis">Image of the Z axis.</param>
+/// <param name="Shift">Image of the origin, mm.</param>
+public readonly record struct Affine(Vec3 XAxis, Vec3 YAxis, Vec3 ZAxis, Vec3 Shift)
 {
-    /// <summary>Image of the X axis.</summary>
-    public Vec3 XAxis { get; }
-
-    /// <summary>Image of the Y axis.</summary>
-    public Vec3 YAxis { get; }
-
-    /// <summary>Image of the Z axis.</summary>
-    public Vec3 ZAxis { get; }
-
-    /// <summary>Image of the origin, mm.</summary>
-    public Vec3 Shift { get; }
-
-    /// <summary>A transform from the images of the unit vectors and of the origin (mm).</summary>
-    public Affine(Vec3 xAxis, Vec3 yAxis, Vec3 zAxis, Vec3 shift)
-    {
-        XAxis = xAxis;
-        YAxis = yAxis;
-        ZAxis = zAxis;
-        Shift = shift;
-    }
-
     /// <summary>The transform that changes nothing.</summary>
     public static Affine Identity => new(Vec3.UnitX, Vec3.UnitY, Vec3.UnitZ, Vec3.Zero);
 
@@ -68,17 +51,6 @@ public readonly struct Affine : IEquatable<Affine>
     /// <summary>This transform followed by another.</summary>
     public Affine Then(Affine next)
         => new(next.ApplyDirection(XAxis), next.ApplyDirection(YAxis), next.ApplyDirection(ZAxis), next.Apply(Shift));
-
-    public bool Equals(Affine other) => XAxis == other.XAxis && YAxis == other.YAxis && ZAxis == other.ZAxis && Shift == other.Shift;
-
-    public override bool Equals(object? obj) => obj is Affine other && Equals(other);
-
-    public override int GetHashCode()
-        => unchecked(((XAxis.GetHashCode() * 397 ^ YAxis.GetHashCode()) * 397 ^ ZAxis.GetHashCode()) * 397 ^ Shift.GetHashCode());
-
-    public static bool operator ==(Affine a, Affine b) => a.Equals(b);
-
-    public static bool operator !=(Affine a, Affine b) => !a.Equals(b);
 
     public override string ToString() => $"X {XAxis}, Y {YAxis}, Z {ZAxis}, shift {Shift}";
 }

@@ -1,7 +1,7 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>An axis-aligned bounding box in mm, which may be empty (<see cref="IsEmpty"/>).</summary>
-public readonly struct Bounds : IEquatable<Bounds>
+public readonly record struct Bounds
 {
     private readonly bool _any;
 
@@ -61,16 +61,6 @@ public readonly struct Bounds : IEquatable<Bounds>
         && p.Z >= Min.Z - tolerance && p.Z <= Max.Z + tolerance;
 
     public bool Contains(Bounds other, double tolerance = 0) => other.IsEmpty || (Contains(other.Min, tolerance) && Contains(other.Max, tolerance));
-
-    public bool Equals(Bounds other) => _any == other._any && Min == other.Min && Max == other.Max;
-
-    public override bool Equals(object? obj) => obj is Bounds other && Equals(other);
-
-    public override int GetHashCode() => unchecked(Min.GetHashCode() * 397 ^ Max.GetHashCode());
-
-    public static bool operator ==(Bounds a, Bounds b) => a.Equals(b);
-
-    public static bool operator !=(Bounds a, Bounds b) => !a.Equals(b);
 
     public override string ToString() => _any ? $"{Min} to {Max}" : "empty";
 }

@@ -4,7 +4,7 @@ namespace Caterpillar.Geometry;
 /// A right-handed coordinate system: an origin and three perpendicular unit axes. For a turtle, X is forward, Y left and Z up. Rotations are about the
 /// frame's own axes and keep them orthonormal, so that a million turns do not drift.
 /// </summary>
-public readonly struct Frame : IEquatable<Frame>
+public readonly record struct Frame
 {
     /// <summary>Origin, mm.</summary>
     public Vec3 Origin { get; }
@@ -79,16 +79,6 @@ public readonly struct Frame : IEquatable<Frame>
         var (sin, cos) = Angle.SinCos(degrees);
         return Orthonormal(X, Y * cos + Z * sin);
     }
-
-    public bool Equals(Frame other) => Origin == other.Origin && X == other.X && Y == other.Y && Z == other.Z;
-
-    public override bool Equals(object? obj) => obj is Frame other && Equals(other);
-
-    public override int GetHashCode() => unchecked(Origin.GetHashCode() * 397 ^ X.GetHashCode());
-
-    public static bool operator ==(Frame a, Frame b) => a.Equals(b);
-
-    public static bool operator !=(Frame a, Frame b) => !a.Equals(b);
 
     public override string ToString() => $"{Origin}, X {X}, Y {Y}";
 

@@ -1,6 +1,4 @@
-using Caterpillar.Geometry;
 using Caterpillar.Shaping;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Jobs;
 

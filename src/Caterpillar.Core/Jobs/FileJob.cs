@@ -2,8 +2,6 @@ using Caterpillar.Checks;
 using Caterpillar.Flavors;
 using Caterpillar.Files;
 using Caterpillar.GCode;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Jobs;
 

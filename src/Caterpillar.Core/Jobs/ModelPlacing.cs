@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
 using Caterpillar.Slicing;
 
 namespace Caterpillar.Jobs;

@@ -3,11 +3,8 @@ using Caterpillar.Curved;
 using Caterpillar.Drawings;
 using Caterpillar.Files;
 using Caterpillar.GCode;
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Slicing;
-using Caterpillar.Toolpaths;
 using Caterpillar.Turtles;
 
 namespace Caterpillar.Jobs;

@@ -1,7 +1,5 @@
-using Caterpillar.Geometry;
 using Caterpillar.Planning;
 using Caterpillar.Slicing;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Jobs;
 

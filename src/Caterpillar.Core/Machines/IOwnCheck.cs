@@ -1,5 +1,3 @@
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Machines;
 
 /// <summary>Your own check, in addition to <see cref="CheckCodes"/>. It gets every move of a file, in order (see <see cref="PrintSetup"/>).</summary>

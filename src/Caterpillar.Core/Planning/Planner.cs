@@ -1,7 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Planning;
 
 /// <summary>
@@ -39,6 +35,20 @@ public static class Planner
         {
             return new Result<Plan>(null, tooMuch.Diagnostics);
         }
+    }
+
+    /// <summary>
+    /// Toolpaths one after the other. In between, the head retracts, and travels over everything that is printed. Of decoded files the start and end code is
+    /// left out. No value if one uses a tool that the printer does not have.
+    /// </summary>
+    /// <exception cref="OperationCanceledException">Merging was canceled.</exception>
+    public static Result<Toolpath> Merge(
+        IReadOnlyList<Toolpath> toolpaths, PrintSetup setup, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (toolpaths is null) throw new ArgumentNullException(nameof(toolpaths));
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        var top = setup.PrintedOn?.Bounds.Max.Z ?? double.NegativeInfinity;
+        return new ToolpathMerger(Rules(setup, PlanPolicy.Printer), top).Run(toolpaths, progress, cancel);
     }
 
     /// <summary>Planning of steps that come batch by batch, each a whole number of layers and from below, without travels of a turtle.</summary>

@@ -1,7 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Planning;
 
 /// <summary>Goes through ordered steps once, batch by batch, and writes their moves.</summary>

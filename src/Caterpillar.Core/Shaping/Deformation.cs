@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Shaping;
 
 /// <summary>Maps a position in mm. In cylindrical deformations, X is the radius in mm, Y the angle in degrees and Z the height in mm.</summary>

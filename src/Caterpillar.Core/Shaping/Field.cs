@@ -1,7 +1,5 @@
 using Caterpillar.Expressions;
 using Caterpillar.Files;
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Shaping;
 

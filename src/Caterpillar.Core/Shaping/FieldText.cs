@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Shaping;
 
 /// <summary>Fields from text formulas.</summary>

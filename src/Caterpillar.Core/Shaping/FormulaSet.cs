@@ -3,18 +3,11 @@ using Caterpillar.Expressions;
 namespace Caterpillar.Shaping;
 
 /// <summary>Compiles the formulas of a deformation or a field over the same variables, and evaluates them from any thread.</summary>
-internal sealed class FormulaSet
+internal sealed class FormulaSet(string[] variables, SourceLocation? source)
 {
-    private readonly string[] _variables;
-    private readonly SourceLocation _source;
-    private readonly SpareContext _contexts;
-
-    public FormulaSet(string[] variables, SourceLocation? source)
-    {
-        _variables = variables;
-        _contexts = new SpareContext(variables.Length);
-        _source = source ?? new SourceLocation();
-    }
+    private readonly string[] _variables = variables;
+    private readonly SourceLocation _source = source ?? new SourceLocation();
+    private readonly SpareContext _contexts = new SpareContext(variables.Length);
 
     /// <summary>One for each wrong formula.</summary>
     public List<Diagnostic> Problems { get; } = [];

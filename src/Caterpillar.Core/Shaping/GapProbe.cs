@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Shaping;
 
 /// <summary>Measures the gap below the nozzle: to earlier extrusions, a surface or the bed. The current bead does not count.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Shaping;
 
 /// <summary>Property that a modulation changes.</summary>

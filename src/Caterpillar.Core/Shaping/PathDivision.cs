@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Shaping;
 
 /// <summary>Divides the segments of a path: before a deformation until its image is smooth, before a modulation until it resolves the field.</summary>

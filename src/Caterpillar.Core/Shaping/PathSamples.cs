@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Shaping;
 
 /// <summary>The vertices and segments of a path as sample points of a field.</summary>

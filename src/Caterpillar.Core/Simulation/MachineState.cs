@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Simulation;
 
 /// <summary>State of a machine at one time of a <see cref="Timeline"/>.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Simulation;
 
 /// <summary>Computes <see cref="PrintStatistics"/>.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Traces;
 
 /// <summary>A straight, directed piece of an extrusion: Kanada's S = (start, end, c, v).</summary>

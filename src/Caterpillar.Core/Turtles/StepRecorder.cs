@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>The tags of a turtle's extrusions besides their beads. A new tag starts a new path.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Turtles;
 
 // The printer: pen, bead, speed, events and tags.

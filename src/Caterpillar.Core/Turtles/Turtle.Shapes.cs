@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Turtles;
 
 // Arcs, circles and polygons: their vertices are computed from the pose at the start, so that they close exactly.

@@ -1,4 +1,3 @@
-using Caterpillar.Toolpaths;
 using Caterpillar.Traces;
 
 namespace Caterpillar.Turtles;

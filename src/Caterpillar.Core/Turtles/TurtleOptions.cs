@@ -1,7 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>The initial state of a turtle. The defaults are from ExtruderTurtle (Pezzuti Dyer and Buechley 2022, section 3).</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>A position along the steps of a turtle, by length: the pose there and the extrusions up to there.</summary>

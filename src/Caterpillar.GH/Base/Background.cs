@@ -10,12 +10,12 @@ namespace Caterpillar.GH.Base;
 /// component of the definition asks for it, a solve waits for the end.
 /// </summary>
 [SuppressMessage("Design", "CA1001", Justification = "Grasshopper never disposes of components: the timer is disposed when the last work ends.")]
-internal sealed class Background
+internal sealed class Background(CaterpillarComponent component)
 {
     // While inputs change again and again, as with a slider, earlier work is canceled: each solve is short.
     private const int HurriedMilliseconds = 50;
     private const int PulseMilliseconds = 333;
-    private readonly CaterpillarComponent _component;
+    private readonly CaterpillarComponent _component = component;
     private readonly Dictionary<SolveKey, Job> _jobs = [];
     private readonly HashSet<SolveKey> _asked = [];
     private readonly Stopwatch _waited = new();
@@ -23,14 +23,8 @@ internal sealed class Background
     private bool _isAwaited;
     private int _posted;
 
-    public Background(CaterpillarComponent component)
-    {
-        _component = component;
-        MayLeave = IsOnCanvas;
-    }
-
     /// <summary>True if a solution may end before the work. Tests set their own rule.</summary>
-    public Func<GH_Document?, bool> MayLeave { get; set; }
+    public Func<GH_Document?, bool> MayLeave { get; set; } = IsOnCanvas;
 
     /// <summary>Runs an action on the UI thread. Tests set their own.</summary>
     public Action<Action> Post { get; set; } = action => RhinoApp.InvokeOnUiThread(action);

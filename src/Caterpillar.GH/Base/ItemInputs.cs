@@ -1,3 +1,5 @@
+using Grasshopper.Kernel.Data;
+
 namespace Caterpillar.GH.Base;
 
 /// <summary>
@@ -117,6 +119,20 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
         return items.Count > 0 ? items : throw Missing(input);
     }
 
+    /// <summary>A whole tree with one item at least.</summary>
+    /// <exception cref="InputProblem">It is empty.</exception>
+    public GH_Structure<T> Tree<T>(int input)
+        where T : class, IGH_Goo
+        => MaybeTree<T>(input) ?? throw Missing(input);
+
+    /// <summary>A whole tree. Null if it is empty.</summary>
+    public GH_Structure<T>? MaybeTree<T>(int input)
+        where T : class, IGH_Goo
+    {
+        Await(input);
+        return Access.GetDataTree(input, out GH_Structure<T> tree) && tree.AllData(true).Any() ? tree : null;
+    }
+
     /// <summary>A number greater than zero.</summary>
     /// <exception cref="InputProblem">It is missing, not finite, or not greater than zero.</exception>
     public double Positive(int input)
@@ -130,6 +146,12 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
     /// <exception cref="InputProblem">It is missing, not finite, or negative.</exception>
     public double NotNegative(int input) => Finite(input) is >= 0 and var value
         ? value : throw new InputProblem($"{Port(input).Name} must be 0 or more.");
+
+    /// <summary>A number from a least to a greatest value, which <paramref name="meaning"/> states.</summary>
+    /// <exception cref="InputProblem">It is missing, or outside.</exception>
+    public double Within(int input, double least, double most, string meaning)
+        => Finite(input) is var value && value >= least && value <= most
+            ? value : throw new InputProblem($"{Port(input).Name} must be {meaning}, not {NumberFormatter.Format(value, 6)}.");
 
     /// <summary>A finite number. From an angle port always in degrees.</summary>
     public double Finite(int input)
@@ -197,6 +219,11 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
         {
             var goos = Goos(input);
             return goos.Count > 0 && (required ? !goos.TrueForAll(g => g is null) : !goos.Contains(null));
+        }
+        if (kind == GH_ParamAccess.tree)
+        {
+            var tree = Component.Params.Input[input].VolatileData;
+            return Enumerable.Range(0, tree.PathCount).Any(i => tree.get_Branch(i).Cast<object?>().Any(g => g is not null));
         }
         IGH_Goo? goo = null;
         return required || (Access.GetData(input, ref goo) && goo is not null);

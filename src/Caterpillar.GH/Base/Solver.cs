@@ -3,26 +3,18 @@ namespace Caterpillar.GH.Base;
 /// <summary>
 /// Solves a component item by item, so that a bad one does not stop the rest. Long work goes on after a solution. Until it is done, an item gives null.
 /// </summary>
-internal sealed class Solver
+/// <param name="component">The component.</param>
+/// <param name="solve">Solves one item.</param>
+internal sealed class Solver(CaterpillarComponent component, Action<Run> solve)
 {
-    private readonly CaterpillarComponent _component;
-    private readonly Action<Run> _solve;
+    private readonly CaterpillarComponent _component = component;
+    private readonly Action<Run> _solve = solve;
     private readonly SolveCache _cache = new();
-    private Upstream _upstream;
+    private Upstream _upstream = new Upstream(component);
     private bool _canceled;
     private string? _pending;
 
-    /// <param name="component">The component.</param>
-    /// <param name="solve">Solves one item.</param>
-    public Solver(CaterpillarComponent component, Action<Run> solve)
-    {
-        _component = component;
-        _solve = solve;
-        _upstream = new Upstream(component);
-        Background = new Background(component);
-    }
-
-    public Background Background { get; }
+    public Background Background { get; } = new Background(component);
 
     /// <summary>Nickname of the component that still works on an output, this one or one upstream. Null if all outputs are complete.</summary>
     public string? Pending => _component.Locked ? null : _pending;

@@ -1,17 +1,11 @@
 namespace Caterpillar.GH.Base;
 
 /// <summary>The steps of a list input for a setup. They stay one object from solve to solve while they stay the same.</summary>
-internal sealed class StepList
+internal sealed class StepList(IReadOnlyList<StepGoo> goos, PrintSetup setup)
 {
-    private readonly IReadOnlyList<Step> _given;
+    private readonly IReadOnlyList<Step> _given = goos.Select(g => g.Value).ToArray();
 
-    public StepList(IReadOnlyList<StepGoo> goos, PrintSetup setup)
-    {
-        _given = goos.Select(g => g.Value).ToArray();
-        Steps = goos.Select(g => g.StepFor(setup)).ToArray();
-    }
-
-    public Step[] Steps { get; }
+    public Step[] Steps { get; } = goos.Select(g => g.StepFor(setup)).ToArray();
 
     public bool Has(IReadOnlyList<StepGoo> goos)
     {

@@ -20,13 +20,25 @@ internal static class MeshBytes
         return bytes.ToArray();
     }
 
-    public static TriMesh Unpack(byte[] packed)
+    /// <summary>The mesh. Null if the bytes are damaged.</summary>
+    public static TriMesh? Unpack(byte[] packed)
     {
+        const int Head = 8, Point = 24, Index = 4;
+        if (packed.Length < Head) return null;
         using var reader = new BinaryReader(new MemoryStream(packed));
-        var vertices = new Vec3[reader.ReadInt32()];
-        var indices = new int[reader.ReadInt32()];
+        var (points, corners) = (reader.ReadInt32(), reader.ReadInt32());
+        if (points < 0 || corners < 0 || packed.Length - Head != (long)Point * points + (long)Index * corners) return null;
+        var vertices = new Vec3[points];
+        var indices = new int[corners];
         for (var i = 0; i < vertices.Length; i++) vertices[i] = new Vec3(reader.ReadDouble(), reader.ReadDouble(), reader.ReadDouble());
         for (var i = 0; i < indices.Length; i++) indices[i] = reader.ReadInt32();
-        return TriMesh.Create(vertices, indices);
+        try
+        {
+            return TriMesh.Create(vertices, indices);
+        }
+        catch (ArgumentException)
+        {
+            return null;
+        }
     }
 }

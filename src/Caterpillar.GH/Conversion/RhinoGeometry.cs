@@ -11,6 +11,8 @@ internal static class RhinoGeometry
 
     public static Vec3 ToVec(Rg.Point3d point, DocumentUnits units) => new Vec3(point.X, point.Y, point.Z) * units.ToMillimeters;
 
+    public static Vec3 ToVec(GH_Point point, DocumentUnits units) => ToVec((Rg.Point3d)point.ScriptVariable(), units);
+
     public static Rg.Point3d ToPoint(Vec3 point, DocumentUnits units)
     {
         var scale = units.FromMillimeters;

@@ -9,9 +9,14 @@ public sealed class FieldRecipe : IEquatable<FieldRecipe>
 {
     private readonly string _text;
     private readonly object?[] _parts;
-    private readonly Func<IReadOnlyList<NamedMesh>, PrintSetup, Result<LayerField>> _make;
+    private readonly Func<IReadOnlyList<NamedMesh>, PrintSetup, Func<int, Vec3?>, Result<LayerField>> _make;
 
     internal FieldRecipe(string text, object?[] parts, Func<IReadOnlyList<NamedMesh>, PrintSetup, Result<LayerField>> make)
+        : this(text, parts, (models, setup, _) => make(models, setup))
+    {
+    }
+
+    internal FieldRecipe(string text, object?[] parts, Func<IReadOnlyList<NamedMesh>, PrintSetup, Func<int, Vec3?>, Result<LayerField>> make)
     {
         _text = text;
         _parts = [text, .. parts];
@@ -26,7 +31,8 @@ public sealed class FieldRecipe : IEquatable<FieldRecipe>
     /// <summary>The field for models in their print position, mm.</summary>
     /// <param name="models">The models.</param>
     /// <param name="setup">Its head limits overhangs.</param>
-    public Result<LayerField> For(IReadOnlyList<NamedMesh> models, PrintSetup setup) => _make(models, setup);
+    /// <param name="vertexAt">Place of a vertex of the first model by its number in Rhino's mesh, mm. Null if there is none.</param>
+    internal Result<LayerField> For(IReadOnlyList<NamedMesh> models, PrintSetup setup, Func<int, Vec3?> vertexAt) => _make(models, setup, vertexAt);
 
     public bool Equals(FieldRecipe? other) => other is not null && StructuralComparisons.StructuralEqualityComparer.Equals(_parts, other._parts);
 

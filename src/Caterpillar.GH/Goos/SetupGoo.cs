@@ -56,7 +56,9 @@ public sealed class SetupGoo(PrintSetup? setup) : ValueGoo<PrintSetup>(setup), I
         var (printer, material, settings) = (new PrinterGoo(), new MaterialGoo(), new SettingsGoo());
         var whole = printer.Read(reader.FindChunk("Printer")) && material.Read(reader.FindChunk("Material")) && settings.Read(reader.FindChunk("Settings"));
         if (!whole) return false;
-        var mesh = reader.ItemExists("PrintedOn") ? MeshBytes.Unpack(reader.GetByteArray("PrintedOn")) : null;
+        var printsOn = reader.ItemExists("PrintedOn");
+        var mesh = printsOn ? MeshBytes.Unpack(reader.GetByteArray("PrintedOn")) : null;
+        if (printsOn && mesh is null) return false;
         Value = new PrintSetup(printer.Value, material.Value, settings.Value) { PrintedOn = mesh };
         return true;
     }

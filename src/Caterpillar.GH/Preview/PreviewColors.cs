@@ -13,6 +13,7 @@ public enum PreviewColor
     Layer,
     Order,
     Time,
+    Width,
 }
 
 /// <summary>A color band for each printing move that is shown: roles, or sixteen steps of a number from its minimum to its maximum.</summary>
@@ -100,6 +101,7 @@ internal sealed class PreviewColors
         PreviewColor.Flow => move.Length > 0 && toolpath.VolumeOf(move) is { } volume ? volume / move.Length * move.Speed : double.NaN,
         PreviewColor.Layer => toolpath.NumberOfLayer(move) ?? double.NaN,
         PreviewColor.Order => move.Index,
+        PreviewColor.Width => toolpath.BeadOf(move)?.Width(BeadShape.Stadium) ?? double.NaN,
         _ => timeline!.StartOf(move.Index),
     };
 
@@ -110,6 +112,7 @@ internal sealed class PreviewColors
         {
             PreviewColor.Speed => $"{N(from, 1)} to {N(to, 1)} mm/s",
             PreviewColor.Flow => $"{N(from, 2)} to {N(to, 2)} mm³/s",
+            PreviewColor.Width => $"{N(from, 3)} to {N(to, 3)} mm",
             PreviewColor.Layer => $"Layer {N(Math.Ceiling(from), 0)} to {N(Math.Floor(to), 0)}",
             PreviewColor.Order => $"Move {N(Math.Ceiling(from), 0)} to {N(Math.Floor(to), 0)}",
             _ => $"{N(from, 0)} to {N(to, 0)} s",

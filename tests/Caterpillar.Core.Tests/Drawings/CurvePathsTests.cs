@@ -125,6 +125,23 @@ public class CurvePathsTests
     }
 
     [Test]
+    public void Flows_along_a_polyline_scale_width_and_height()
+    {
+        var curve = new UserCurve(new PolylineCurve([new(0, 0), new(10, 0), new(20, 0)])) { Flow = 5, Along = new PointValues(flows: [1, 2, 3]) };
+        var path = CurvePaths.ToPaths([curve], new CurveOptions { Width = 0.5, Height = 0.2, Steps = true }).Value!.Single();
+        Assert.That(path.Points.Select(p => p.X), Is.EqualTo(new[] { 0.0, 10, 20 }));
+        Assert.That(new[] { path.BeadOf(0).Area, path.BeadOf(1).Area }, Is.EqualTo(new[] { 0.1, 0.2 }).Within(1e-12));
+    }
+
+    [Test]
+    public void The_layer_of_a_flat_curve_is_raised_with_it()
+    {
+        var curve = new UserCurve(new LineCurve(Vec3.Zero, new Vec3(10, 0))) { Layer = new Layer(2, 0) };
+        var path = CurvePaths.ToPaths([curve], new CurveOptions { FlatHeight = 0.3 }).Value!.Single();
+        Assert.That((path.Start.Z, path.Layer), Is.EqualTo((0.3, new Layer(2, 0.3))));
+    }
+
+    [Test]
     public void Values_along_other_curves_are_spaced_by_length()
     {
         var curve = new UserCurve(new ArcCurve(Frame.World, 10, 180)) { Along = new PointValues(areas: [0.1, 0.1, 0.4]) };

@@ -41,6 +41,33 @@ public class DepositPlaceTests
         Assert.That(tag, Is.EqualTo(runs ? 3 : -1));
     }
 
+    [Test]
+    public void Tops_between_two_heights_are_found_as_by_looking_at_all()
+    {
+        var random = new Random(7);
+        double Next(double most) => random.NextDouble() * most;
+        var deposit = new Deposit();
+        var all = new Extrusion[300];
+        for (var k = 0; k < all.Length; k++)
+        {
+            // Layers, some of them sloped.
+            var (a, z) = (new Vec3(Next(9), Next(9)), 0.2 * (1 + k / 20));
+            var (dx, dy, rise) = (Next(4) - 2, Next(4) - 2, k % 3 == 0 ? Next(0.3) : 0);
+            all[k] = new Extrusion { Ax = a.X, Ay = a.Y, Az = z, Bx = a.X + dx, By = a.Y + dy, Bz = z + rise, Half = 0.2 };
+            deposit.Add(new Vec3(a.X, a.Y, z), new Vec3(a.X + dx, a.Y + dy, z + rise), 0.2, k);
+        }
+        var found = 0;
+        for (var k = 0; k < 2000; k++)
+        {
+            var (p, low, radius) = (new Vec3(Next(12) - 1, Next(12) - 1), Next(3), Next(0.5));
+            var high = low + Next(0.4);
+            var expected = all.Any(e => e.TopAt(p, radius) is var top && top >= low && top <= high);
+            Assert.That(deposit.HasTop(p, low, high, radius), Is.EqualTo(expected), $"{p} {low} {high} {radius}");
+            if (expected) found++;
+        }
+        Assert.That(found, Is.InRange(300, 1700));
+    }
+
     [TestCase(0.61, true)]
     [TestCase(0.59, false)]
     public void Extrusions_older_than_one_of_two_layers_below_are_not_looked_at(double z, bool found)

@@ -62,7 +62,7 @@ public sealed class CurveComponentTests
         var both = new Canvas<ConstructPrintPathComponent>().Feed("Curve", joined).Feed("Keep Arc", true).Solve().One<PrintPath>("Print Path");
         Assert.That(both.SegmentCount, Is.EqualTo(2));
         Assert.That(both.ArcOf(1)!.Value.Sweep, Is.EqualTo(90).Within(1e-9));
-        Assert.That(both.End.DistanceTo(new Vec3(15, 5)), Is.LessThan(1e-9));
+        Assert.That(both.End.DistanceTo(new Vec3(15, 5, 0.2)), Is.LessThan(1e-9));
     }
 
     [Test]

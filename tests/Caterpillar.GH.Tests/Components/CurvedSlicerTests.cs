@@ -73,6 +73,33 @@ public sealed class CurvedSlicerTests
         foreach (var wall in Walls(curved)) Assert.That(wall.Points.Max(p => p.Z) - wall.Points.Min(p => p.Z), Is.LessThan(0.05));
     }
 
+    // Each corner of the box is three vertices of its mesh, here those of its sides.
+    [TestCase(FieldKind.Harmonic)]
+    [TestCase(FieldKind.Geodesic)]
+    public void The_ends_can_be_vertices_by_their_numbers_in_the_mesh(FieldKind kind)
+    {
+        var field = Make(kind, ("Upper Vertices", new object?[] { 10, 11, 14, 18 }), ("Lower Vertices", new object?[] { 8, 9, 13, 17 }));
+        Assert.That(field.Errors, Is.Empty);
+        var curved = Slice(field.One<FieldRecipe?>("Field"), Shapes.Box());
+        Assert.That(curved.Errors, Is.Empty);
+        Assert.That(curved.Component.Message, Is.EqualTo("4 layers"));
+        foreach (var wall in Walls(curved)) Assert.That(wall.Points.Max(p => p.Z) - wall.Points.Min(p => p.Z), Is.LessThan(0.05));
+    }
+
+    [Test]
+    public void Vertices_that_do_not_exist_and_several_solids_are_errors()
+    {
+        FieldRecipe? Recipe(params object?[] upper)
+            => Make(FieldKind.Harmonic, ("Upper Vertices", upper), ("Lower Vertices", new object?[] { 0, 1 })).One<FieldRecipe?>("Field");
+        Assert.That(Slice(Recipe(4, 24), Shapes.Box()).Errors, Has.One.Contains("The solid has no vertex 24."));
+        Assert.That(Slice(Recipe(-1), Shapes.Box()).Errors, Has.One.Contains("The solid has no vertex -1."));
+        Assert.That(Slice(Recipe(4), Shapes.Box(), Shapes.Box(130)).Errors, Has.One.Contains("need exactly one solid"));
+        Assert.That(Slice(Make(FieldKind.Harmonic, ("Upper Vertices", new object?[] { 4 })).One<FieldRecipe?>("Field"), Shapes.Box()).Errors,
+            Has.One.Contains("Each boundary needs vertices."));
+        Assert.That(Make(FieldKind.Harmonic, ("Upper Vertices", new object?[] { 4 }), ("Surfaces", new object?[] { Shapes.Box() })).Errors,
+            Has.One.Contains("Give either vertices, or surfaces and curves."));
+    }
+
     [Test]
     public void The_ends_of_layers_have_to_touch_the_solid()
     {

@@ -20,8 +20,9 @@ public sealed class EveryInputTests
     /// <summary>Components without work that could take long.</summary>
     private static readonly HashSet<string> Short = new(StringComparer.Ordinal)
     {
-        "BakeToolpathComponent", "ConstructBeadComponent", "ConstructPrintPathComponent", "MoveFilterComponent", "PrintSettingsComponent",
-        "DeconstructPrintPathComponent", "DeconstructSetupComponent", "GCodeTextComponent", "ImportHeaderComponent", "LayerFieldComponent", "MaterialComponent",
+        "BakeToolpathComponent", "ConstructBeadComponent", "ConstructPrintPathComponent", "ConstructToolpathComponent", "MoveFilterComponent",
+        "PrintSettingsComponent", "StepComponent", "ViewerPageComponent",
+        "DeconstructPrintPathComponent", "DeconstructSetupComponent", "GCodeTextComponent", "LayerFieldComponent", "MaterialComponent",
         "PrintSetupComponent",
         "PrinterComponent",
         "SaveGCodeComponent", "SubdivideCurveComponent", "TurtleEventComponent", "TurtleExtrusionComponent", "TurtleMoveComponent", "TurtlePenComponent",

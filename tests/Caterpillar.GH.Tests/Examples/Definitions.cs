@@ -38,5 +38,8 @@ internal static class Definitions
         ["imported_printer"] = ToolpathDefinitions.ImportedPrinter,
         ["edit_toolpath"] = ToolpathDefinitions.EditToolpath,
         ["vase"] = SliceDefinitions.Vase,
+        ["flat_drawing"] = MoveDefinitions.FlatDrawing,
+        ["widths_and_events"] = MoveDefinitions.WidthsAndEvents,
+        ["frames_for_robots"] = MoveDefinitions.FramesForRobots,
     };
 }

@@ -41,7 +41,7 @@ internal static class ToolpathDefinitions
         var s = new Sketch(name, "A printer from the start and end G-code that you use today. Temperatures and the start point are read from it.",
             "the two files in the folder of this definition. The panels show what was found.");
         s.Stage("Setup");
-        var header = s.Component<ImportHeaderComponent>(("Header", s.Text("Header", "start.gcode", width: 130)), ("Footer", s.Text("Footer", "end.gcode",
+        var header = s.Component<ImportProfileComponent>(("File", s.Text("Header", "start.gcode", width: 130)), ("Footer", s.Text("Footer", "end.gcode",
             width: 130)),
             ("Base", s.Component<PrinterComponent>(("Profile", s.Choice("Printer", "generic", "ender3", "generic", "prusa_mk3s")))));
         s.Show("Start", header, "Start", 1, 150);

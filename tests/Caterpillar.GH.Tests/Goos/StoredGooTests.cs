@@ -4,6 +4,7 @@ using System.Linq;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Components.GCode;
+using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Params;
 using Caterpillar.GH.Tests.Host;
@@ -87,6 +88,27 @@ public sealed class StoredGooTests
         var field = new LayerFieldGoo();
         field.CastFrom("z + x / 10");
         Assert.That(Reopened(field).Value, Is.EqualTo(field.Value));
+    }
+
+    [Test]
+    public void A_damaged_mesh_is_no_mesh_and_throws_nothing()
+    {
+        var floor = TriMesh.Create([new(0, 0, 1.0 / 3), new(9, 0, 2), new(0, 9, 2)], [0, 1, 2]);
+        var packed = MeshBytes.Pack(floor);
+        Assert.That(MeshBytes.Unpack(packed)!.Vertices, Is.EqualTo(floor.Vertices));
+        for (var length = 0; length < packed.Length; length++)
+            Assert.That(MeshBytes.Unpack(packed.Take(length).ToArray()), Is.Null, $"{length} bytes");
+        for (var i = 0; i < packed.Length; i++)
+        {
+            // The highest bit of a number makes it negative, or too large.
+            var damaged = (byte[])packed.Clone();
+            damaged[i] ^= 0x80;
+            Assert.That(() => MeshBytes.Unpack(damaged), Throws.Nothing, $"byte {i}");
+        }
+        var chunk = new GH_LooseChunk("test");
+        new SetupGoo(new PrintSetup()).Write(chunk);
+        chunk.SetByteArray("PrintedOn", packed.Take(20).ToArray());
+        Assert.That(new SetupGoo().Read(chunk), Is.False, "A print without the object that it lies on would be another one.");
     }
 
     [Test]

@@ -59,9 +59,13 @@ internal static class Recipes
         ["G-code"] = () => ["M83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 Y10 E0.5 F1200\n"],
         ["File"] = () => [System.IO.Path.Combine(System.IO.Path.GetTempPath(), "caterpillar-never-written.gcode")],
         ["Layers"] = () => [0],
+        ["Points"] = () => [new Rg.Point3d(10, 10, 0.2)],
+        ["E Values"] = () => [1.0],
+        ["Speeds"] = () => [20.0],
+        ["ViewerPageComponent.File"] = () => [System.IO.Path.Combine(System.IO.Path.GetTempPath(), "caterpillar-never-written.html")],
         ["DeconstructSetupComponent.Setup"] = () => ["generic"],
         ["Curve"] = () => [new Rg.LineCurve(new Rg.Point3d(0, 0, 0), new Rg.Point3d(10, 0, 0))],
-        ["Header"] = () => [Header.Value],
+        ["ImportProfileComponent.File"] = () => [Header.Value],
         ["Print Path"] = () => [Path],
         ["Print Paths"] = () => [Path],
         ["Geometry"] = () => [Shapes.Box()],
@@ -93,12 +97,18 @@ internal static class Recipes
     /// <summary>Feeds a port through a wire.</summary>
     public static void Connect(GH_Document document, IGH_Param port, params object?[] items)
     {
+        port.RemoveAllSources();
+        Add(document, port, items);
+    }
+
+    /// <summary>Adds another wire to a port.</summary>
+    public static void Add(GH_Document document, IGH_Param port, params object?[] items)
+    {
         var source = new Param_GenericObject { NickName = port.Name };
         var path = new GH_Path(0);
         source.PersistentData.EnsurePath(path);
         foreach (var item in items) source.PersistentData.Append(item is null ? null! : Casting.Wrap(item), path);
         document.AddObject(source, false);
-        port.RemoveAllSources();
         port.AddSource(source);
     }
 

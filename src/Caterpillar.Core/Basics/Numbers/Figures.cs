@@ -18,6 +18,9 @@ internal static class Figures
         return decimals <= NumberFormatter.MaxDecimals ? NumberFormatter.Format(value, decimals) : Power(value);
     }
 
+    /// <summary>A count with its noun: "1 move", "2 moves".</summary>
+    public static string Count(long count, string noun) => NumberFormatter.Format(count) + " " + noun + (count == 1 ? "" : "s");
+
     // Read from the digits: powers of ten are not the same on every runtime.
     private static string Power(double value)
     {

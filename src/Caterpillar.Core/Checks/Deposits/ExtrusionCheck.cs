@@ -15,7 +15,8 @@ internal sealed class ExtrusionCheck
     private const double ExactStep = 4;
     private const int MostSamples = 256;
 
-    // An extrusion rests on another if a tenth of its width does, as ends of infill on walls: farthest edge from its axis, as a part of its width.
+    // An extrusion rests on another if about a seventh of its width does, as ends of infill on walls: farthest edge from its axis, as a part of its width
+    // without the round sides.
     private const double Beside = 0.4;
 
     // Height over the root of the area on the bed.
@@ -97,7 +98,7 @@ internal sealed class ExtrusionCheck
             // Cells are wider than what is in them.
             if (p.Z - floor > reach && (!isHeld || _sinceExact > ExactStep || _air > 0))
             {
-                isHeld = _printed.Deposit.TopUnder(p, p.Z - 0.5 * least, beside) >= p.Z - reach;
+                isHeld = _printed.Deposit.HasTop(p, p.Z - reach, p.Z - 0.5 * least, beside);
                 if (isHeld) _sinceExact = 0;
             }
             if (isHeld || move.Role == Role.Purge) Land(move);
@@ -171,7 +172,7 @@ internal sealed class ExtrusionCheck
     private double GapUnder(in CheckedMove move, double area, double least)
     {
         _sinceGap += move.Length;
-        if (_sinceGap < SampleStep / 2) return Math.Min(_gap, Round(area));
+        if (_sinceGap < SampleStep) return Math.Min(_gap, Round(area));
         _sinceGap = 0;
         var middle = Vec3.Lerp(move.Start, move.End, 0.5);
         // What is about as high is next to it.

@@ -13,6 +13,7 @@ internal sealed class FitCheck
     // Lengths in mm.
     public const double MostOdd = 5;
     public const double MostDoubled = 20;
+    private const double ShortestLook = 0.5;
 
     private const double Flat = 0.002;
 
@@ -35,7 +36,7 @@ internal sealed class FitCheck
     private readonly List<int> _firstOf = [];
     private int _firstPrint = -1, _layer = -1;
     private double _height, _heightBefore, _purgedUpTo, _solidGap;
-    private double _doubled;
+    private double _doubled, _sinceLook;
     private int _doubledMove;
     private OddLength _wide, _thin, _low, _tight, _solidLow, _solidTight, _primeLow;
 
@@ -49,7 +50,7 @@ internal sealed class FitCheck
     }
 
     /// <summary>The head moves on without printing.</summary>
-    public void Break() => _doubled = _solidLow.Length = _solidTight.Length = 0;
+    public void Break() => _doubled = _sinceLook = _solidLow.Length = _solidTight.Length = 0;
 
     /// <summary>What is purged before the first extrusion is there.</summary>
     public void Purged(in CheckedMove move)
@@ -131,6 +132,11 @@ internal sealed class FitCheck
     {
         if (!_looksForDoubled && !_looksForNear) return;
         var solid = Solid(move);
+        // Several short moves have one look.
+        _sinceLook += move.Length;
+        if (_sinceLook < ShortestLook) return;
+        var total = _sinceLook;
+        _sinceLook = 0;
         var thickness = Math.Min(area / _printer.NozzleDiameter, height);
         // A layer that is thinner than the one before may be only too near.
         var least = Math.Min(area / _printer.NozzleDiameter, isKnown ? Math.Min(Math.Max(height, _heightBefore), _printer.NozzleDiameter) : _usualHeight);
@@ -145,7 +151,7 @@ internal sealed class FitCheck
         {
             var p = Vec3.Lerp(move.Start, move.End, (k + 0.5) / count);
             var overlap = _printed.Deposit.Overlap(p, along, half, thickness, gaps, solid, out var other);
-            var step = move.Length / count;
+            var step = total / count;
             if (overlap == DepositOverlap.None)
             {
                 Break();

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Curved;
 
 /// <summary>Tells whether edges and triangles of a part match their bent images. It only reads, so any thread may ask.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Curved;
 
 /// <summary>How steep the layers of a part are: along two axes at right angles, at positions along each of them, and at levels of the field.</summary>

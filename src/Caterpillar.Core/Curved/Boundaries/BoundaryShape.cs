@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Curved;
 
 /// <summary>A surface or a set of curves that marks a boundary of layers on a part.</summary>

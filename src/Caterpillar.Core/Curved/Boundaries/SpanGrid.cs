@@ -1,37 +1,25 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Curved;
 
 /// <summary>
 /// The heights of layers whose outlines on a mesh are known, over the nodes of a grid in plan: inside of their outlines layers span them (mean value
 /// coordinates), and go on a little beyond. Between nodes and between levels heights are linear.
 /// </summary>
-internal sealed class SpanGrid
+internal sealed class SpanGrid(Bounds bounds, double cell, double[] levels)
 {
     // Nodes around the outlines that are found exactly; farther out the nearest of them counts.
     private const int Margin = 3;
 
-    private readonly double _x;
-    private readonly double _y;
-    private readonly int _columns;
-    private readonly int _rows;
-    private readonly double[] _levels;
+    private readonly double _x = bounds.Min.X - Margin * cell;
+    private readonly double _y = bounds.Min.Y - Margin * cell;
+    private readonly int _columns = (int)Math.Ceiling(bounds.Size.X / cell) + 2 * Margin + 1;
+    private readonly int _rows = (int)Math.Ceiling(bounds.Size.Y / cell) + 2 * Margin + 1;
+    private readonly double[] _levels = levels;
 
     // For each level, row by row.
-    private readonly double[][] _heights;
-
-    private SpanGrid(Bounds bounds, double cell, double[] levels)
-    {
-        Cell = cell;
-        (_x, _y) = (bounds.Min.X - Margin * cell, bounds.Min.Y - Margin * cell);
-        _columns = (int)Math.Ceiling(bounds.Size.X / cell) + 2 * Margin + 1;
-        _rows = (int)Math.Ceiling(bounds.Size.Y / cell) + 2 * Margin + 1;
-        _levels = levels;
-        _heights = new double[levels.Length][];
-    }
+    private readonly double[][] _heights = new double[levels.Length][];
 
     /// <summary>Distance of nodes, mm.</summary>
-    public double Cell { get; }
+    public double Cell { get; } = cell;
 
     /// <summary>Heights from the level curves of values at the vertices of a mesh.</summary>
     /// <param name="mesh">The mesh.</param>

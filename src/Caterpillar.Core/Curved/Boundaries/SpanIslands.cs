@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Curved;
 
 /// <summary>The connected pieces of a layer: each outline with the holes in it.</summary>

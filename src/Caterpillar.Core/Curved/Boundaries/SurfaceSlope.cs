@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Curved;
 
 /// <summary>How values at the vertices of a mesh change along its faces.</summary>

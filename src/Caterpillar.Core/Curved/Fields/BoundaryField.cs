@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-
 namespace Caterpillar.Curved;
 
 /// <summary>

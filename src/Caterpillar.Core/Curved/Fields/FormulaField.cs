@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-
 namespace Caterpillar.Curved;
 
 /// <summary>A field given by a formula in x, y and z that rises with z.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Curved;
 
 /// <summary>Finds the height at which a rising field has a value: a bracket that grows until it holds it, then secants kept inside the bracket.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Curved;
 
 /// <summary>A point of a flat layer, brought back into the part.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-
 namespace Caterpillar.Curved;
 
 /// <summary>Range in which layers change from level to parallel with the plan, as values of the field, mm.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Curved;
 
 /// <summary>Problems found while paths were lifted back into the part. Reports of layers are merged in order.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Machines;
-
 namespace Caterpillar.Curved;
 
 /// <summary>Numbers for bringing paths back from flat layers. Lengths in mm.</summary>

@@ -1,6 +1,4 @@
-using Caterpillar.Geometry;
 using Caterpillar.Slicing;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Curved;
 

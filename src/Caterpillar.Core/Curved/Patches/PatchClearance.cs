@@ -1,6 +1,3 @@
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Curved;
 
 /// <summary>Whether a head that prints one patch goes through another that is printed already, cell by cell.</summary>

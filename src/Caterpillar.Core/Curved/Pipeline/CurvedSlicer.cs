@@ -1,7 +1,4 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
 using Caterpillar.Slicing;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Curved;
 

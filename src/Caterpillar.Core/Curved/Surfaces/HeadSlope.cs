@@ -1,5 +1,3 @@
-using Caterpillar.Machines;
-
 namespace Caterpillar.Curved;
 
 /// <summary>Maximum slope of layers that a print head can print without touching the part uphill.</summary>

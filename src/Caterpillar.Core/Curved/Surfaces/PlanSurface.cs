@@ -1,6 +1,4 @@
 using Caterpillar.Files;
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
 
 namespace Caterpillar.Curved;
 

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Display;
 
 /// <summary>A mesh as columns of a viewer page: coordinates of the vertices in µm, then the vertex indices of the corners.</summary>

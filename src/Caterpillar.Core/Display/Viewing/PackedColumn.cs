@@ -4,20 +4,14 @@ namespace Caterpillar.Display;
 /// A column of whole numbers as bytes: differences from the previous number, seven bits per byte, with the sign in the lowest bit. Columns with long equal runs
 /// are written as runs: a difference and the number of repetitions.
 /// </summary>
-internal sealed class PackedColumn
+internal sealed class PackedColumn(string name, bool runs = false)
 {
-    private readonly bool _runs;
+    private readonly bool _runs = runs;
     private readonly List<byte> _bytes = [];
     private long _last;
     private long _run;
 
-    public PackedColumn(string name, bool runs = false)
-    {
-        Name = name;
-        _runs = runs;
-    }
-
-    public string Name { get; }
+    public string Name { get; } = name;
 
     public int Count { get; private set; }
 

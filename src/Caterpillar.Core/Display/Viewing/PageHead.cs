@@ -1,7 +1,5 @@
 using System.Globalization;
 using Caterpillar.Files;
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
 using Newtonsoft.Json;
 
 namespace Caterpillar.Display;
@@ -15,11 +13,11 @@ internal static class PageHead
         using (var json = new JsonTextWriter(text) { StringEscapeHandling = StringEscapeHandling.EscapeHtml })
         {
             json.WriteStartObject();
-            Text(json, "title", content.Title);
-            Text(json, "limits", content.Limits);
-            Flag(json, "timed", content.EndOf is not null);
-            Text(json, "source", content.GCode is not null ? "line" : content.Toolpath?.Source == MoveSource.Steps ? "step" : "line");
-            Text(json, "shape", content.Shape.ToString());
+            json.Entry("title", content.Title);
+            json.Entry("limits", content.Limits);
+            json.Entry("timed", content.EndOf is not null);
+            json.Entry("source", content.GCode is not null ? "line" : content.Toolpath?.Source == MoveSource.Steps ? "step" : "line");
+            json.Entry("shape", content.Shape.ToString());
             Number(json, "density", content.Density);
             if (content.Toolpath is { } toolpath) Toolpath(json, toolpath, moves!);
             if (content.Printer is { } printer) Printer(json, printer);
@@ -36,9 +34,7 @@ internal static class PageHead
         Number(json, "moves", toolpath.Count);
         Array(json, "start", Numbers(toolpath.Start ?? Vec3.Zero));
         Array(json, "columns", moves.All.Select(c => c.Name));
-        json.WritePropertyName("layers");
-        json.WriteStartArray();
-        foreach (var layer in toolpath.Layers)
+        json.Entry("layers", () => json.List(toolpath.Layers, layer =>
         {
             json.WriteStartArray();
             json.WriteValue(layer.Index);
@@ -46,8 +42,7 @@ internal static class PageHead
             Value(json, layer.Thickness);
             json.WriteValue(layer.Object);
             json.WriteEndArray();
-        }
-        json.WriteEndArray();
+        }));
         Events(json, toolpath, moves);
     }
 
@@ -79,10 +74,10 @@ internal static class PageHead
     {
         json.WritePropertyName("printer");
         json.WriteStartObject();
-        Text(json, "title", printer.Title);
+        json.Entry("title", printer.Title);
         Array(json, "min", Numbers(printer.BuildBounds.Min));
         Array(json, "max", Numbers(printer.BuildBounds.Max));
-        Flag(json, "round", printer.BedShape != Machines.BedShape.Rectangle);
+        json.Entry("round", printer.BedShape != Machines.BedShape.Rectangle);
         Array(json, "head", printer.HeadOutline.SelectMany(p => new[] { p.Radius, p.Height }).Select(NumberText));
         Array(json, "boxes", printer.HeadBoxes.SelectMany(b => Numbers(b.Min).Concat(Numbers(b.Max))));
         Array(json, "excluded", printer.ExcludedAreas.SelectMany(b => Numbers(b.Min).Concat(Numbers(b.Max))));
@@ -91,37 +86,24 @@ internal static class PageHead
 
     private static void Findings(JsonTextWriter json, ViewerContent content, MoveColumns? moves)
     {
-        json.WritePropertyName("findings");
-        json.WriteStartArray();
-        foreach (var finding in content.Findings)
+        json.Entry("findings", () => json.List(content.Findings, finding => json.Object(() =>
         {
-            json.WriteStartObject();
-            Text(json, "severity", finding.Severity.ToString());
-            Text(json, "code", finding.Code);
-            Text(json, "message", finding.Message);
-            Text(json, "place", finding.Source?.ToString() ?? "");
-            Number(json, "count", finding.Count);
-            if (moves is not null && finding.Source?.Move is { } move) Number(json, "row", moves.RowOf(move));
-            if (finding.Source?.Line is { } line) Number(json, "line", line);
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
+            json.Entry("severity", finding.Severity.ToString());
+            json.Entry("code", finding.Code);
+            json.Entry("message", finding.Message);
+            json.Entry("place", finding.Source?.ToString() ?? "");
+            json.Entry("count", finding.Count);
+            if (moves is not null && finding.Source?.Move is { } move) json.Entry("row", moves.RowOf(move));
+            json.Entry("line", finding.Source?.Line);
+        })));
     }
 
     private static void Colors(JsonTextWriter json)
     {
-        json.WritePropertyName("roles");
-        json.WriteStartArray();
-        foreach (Role role in Enum.GetValues(typeof(Role)))
-        {
-            json.WriteStartArray();
-            json.WriteValue(Words.Spaced(role.ToString()));
-            json.WriteValue(Hex(Palette.Of(role)));
-            json.WriteEndArray();
-        }
-        json.WriteEndArray();
+        json.Entry("roles", () => json.List(
+            Enum.GetValues(typeof(Role)).Cast<Role>(), role => json.List([Words.Spaced(role.ToString()), Hex(Palette.Of(role))], json.WriteValue)));
         Array(json, "kinds", Enum.GetNames(typeof(MoveKind)).Select(Words.Spaced));
-        Text(json, "travelColor", Hex(Palette.Travel));
+        json.Entry("travelColor", Hex(Palette.Travel));
         Array(json, "scale", Enumerable.Range(0, 5).Select(i => Hex(Palette.At(i / 4.0))));
     }
 
@@ -134,34 +116,13 @@ internal static class PageHead
 
     private static void Value(JsonTextWriter json, double value) => json.WriteRawValue(NumberText(value));
 
-    private static void Number(JsonTextWriter json, string name, double value)
-    {
-        json.WritePropertyName(name);
-        Value(json, value);
-    }
-
-    private static void Text(JsonTextWriter json, string name, string value)
-    {
-        json.WritePropertyName(name);
-        json.WriteValue(value);
-    }
-
-    private static void Flag(JsonTextWriter json, string name, bool value)
-    {
-        json.WritePropertyName(name);
-        json.WriteValue(value);
-    }
+    private static void Number(JsonTextWriter json, string name, double value) => json.Entry(name, () => Value(json, value));
 
     // Numbers come as text of our formatter, other texts are quoted.
     private static void Array(JsonTextWriter json, string name, System.Collections.Generic.IEnumerable<string> values)
-    {
-        json.WritePropertyName(name);
-        json.WriteStartArray();
-        foreach (var value in values)
+        => json.Entry(name, () => json.List(values, value =>
         {
             if (NumberReader.TryParse(value, out _)) json.WriteRawValue(value);
             else json.WriteValue(value);
-        }
-        json.WriteEndArray();
-    }
+        }));
 }

@@ -1,7 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Display;
 
 /// <summary>The content of a viewer page: a toolpath, a model, or both. Only the title is required.</summary>

@@ -1,7 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Drawings;
 
 /// <summary>User curves that planning may reorder.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Machines;
-
 namespace Caterpillar.Drawings;
 
 /// <summary>References for percentages in curve files; 0 = unknown (percentages are errors).</summary>

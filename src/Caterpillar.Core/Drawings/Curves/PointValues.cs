@@ -10,9 +10,10 @@ public sealed class PointValues
 
     /// <exception cref="ArgumentException">The columns have different lengths, or one has fewer than two values.</exception>
     public PointValues(
-        IEnumerable<double>? areas = null, IEnumerable<double>? widths = null, IEnumerable<double>? heights = null, IEnumerable<double>? speeds = null)
+        IEnumerable<double>? areas = null, IEnumerable<double>? widths = null, IEnumerable<double>? heights = null, IEnumerable<double>? speeds = null,
+        IEnumerable<double>? flows = null)
     {
-        _columns = [areas?.ToArray(), widths?.ToArray(), heights?.ToArray(), speeds?.ToArray()];
+        _columns = [areas?.ToArray(), widths?.ToArray(), heights?.ToArray(), speeds?.ToArray(), flows?.ToArray()];
         foreach (var column in _columns)
         {
             if (column is null) continue;
@@ -36,4 +37,7 @@ public sealed class PointValues
 
     /// <summary>Speeds of the head, mm/s.</summary>
     public IReadOnlyList<double>? Speeds => _columns[3];
+
+    /// <summary>Flow ratios of width × height.</summary>
+    public IReadOnlyList<double>? Flows => _columns[4];
 }

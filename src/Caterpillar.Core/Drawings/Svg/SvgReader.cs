@@ -2,7 +2,6 @@ using System.Globalization;
 using System.Text;
 using System.Xml;
 using Caterpillar.Files;
-using Caterpillar.Geometry;
 
 namespace Caterpillar.Drawings;
 
@@ -12,7 +11,7 @@ namespace Caterpillar.Drawings;
 /// <c>data-flow</c>, <c>data-z</c>, <c>data-tool</c> and <c>data-layer</c> (mm, mm², mm/s). Width, height, speed and flow can be percentages. References
 /// (<c>use</c>, <c>symbol</c>) are followed. Text is drawn in a single-line font (<see cref="StrokeFont"/>). Hidden elements and definitions are ignored.
 /// </summary>
-internal sealed class SvgReader
+internal sealed class SvgReader(CurveSource source, SvgXml xml)
 {
     private const int MaxDepth = 512;
 
@@ -30,18 +29,12 @@ internal sealed class SvgReader
     private const int MaxUseDepth = 32;
     private const double BytesPerCurve = 400;
 
-    private readonly CurveSource _source;
-    private readonly SvgXml _xml;
+    private readonly CurveSource _source = source;
+    private readonly SvgXml _xml = xml;
     private double _pageHeight = double.NaN;
     private (double Width, double Height)? _viewport;
     private int _uses;
     private int _useDepth;
-
-    private SvgReader(CurveSource source, SvgXml xml)
-    {
-        _source = source;
-        _xml = xml;
-    }
 
     private XmlReader Xml => _xml.Reader;
 

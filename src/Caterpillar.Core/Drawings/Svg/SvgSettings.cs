@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Drawings;
 
 /// <summary>Settings of curves from the attributes of elements, mm, mm² and mm/s. The values are area, width, height, speed and flow.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Drawings;
 
 /// <summary>The basic shapes of SVG as curves in user units. Null if an attribute is invalid. Empty if the shape is empty.</summary>

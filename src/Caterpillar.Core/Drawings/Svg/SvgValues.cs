@@ -1,5 +1,4 @@
 using System.Text;
-using Caterpillar.Geometry;
 
 namespace Caterpillar.Drawings;
 

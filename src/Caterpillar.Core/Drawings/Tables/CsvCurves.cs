@@ -1,7 +1,5 @@
 using System.Text;
 using Caterpillar.Files;
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Drawings;
 
@@ -10,12 +8,12 @@ namespace Caterpillar.Drawings;
 /// after an empty line, begin a new curve. Lines with <c>#</c> are comments. Cells are separated by commas, semicolons, tabs or spaces. With any separator but
 /// the comma, decimal commas are allowed.
 /// </summary>
-internal sealed class CsvCurves
+internal sealed class CsvCurves(CurveSource source)
 {
     private const int MaxColumns = 64;
 
-    private readonly CurveSource _source;
-    private readonly byte[] _bytes;
+    private readonly CurveSource _source = source;
+    private readonly byte[] _bytes = source.Bytes;
     private readonly List<double>?[] _values = new List<double>?[CurveColumns.Settings];
     private readonly int[] _starts = new int[MaxColumns];
     private readonly int[] _ends = new int[MaxColumns];
@@ -28,18 +26,12 @@ internal sealed class CsvCurves
     private int _lineStart;
     private int _keyStart;
     private int _keyEnd;
-    private double? _flow;
-    private double? _tool;
-    private double? _layer;
+
+    // The values of the row at hand by column, as far as they are not settings of points.
+    private readonly double?[] _row = new double?[(int)CurveColumn.Key];
 
     // Dots of the curve at hand by the number of their point.
     private readonly List<(int Point, double Volume)> _dots = [];
-
-    private CsvCurves(CurveSource source)
-    {
-        _source = source;
-        _bytes = source.Bytes;
-    }
 
     public static void Read(CurveSource source) => new CsvCurves(source).ReadAll();
 
@@ -160,7 +152,6 @@ internal sealed class CsvCurves
             _curveLine = _line;
             (_keyStart, _keyEnd) = key >= 0 ? (_starts[key], _ends[key]) : (0, 0);
         }
-        double x = 0, y = 0, z = 0;
         for (var i = 0; i < cells; i++)
         {
             var column = columns[i];
@@ -176,38 +167,17 @@ internal sealed class CsvCurves
             {
                 return Fail("curves.bead", CurveColumns.Negative, _starts[i]);
             }
-            switch (column)
-            {
-                case CurveColumn.X:
-                    x = value;
-                    break;
-                case CurveColumn.Y:
-                    y = value;
-                    break;
-                case CurveColumn.Z:
-                    z = value;
-                    break;
-                case CurveColumn.Flow:
-                    _flow = value;
-                    break;
-                case CurveColumn.Tool:
-                    _tool = value;
-                    break;
-                case CurveColumn.Layer:
-                    _layer = value;
-                    break;
-                case CurveColumn.Dot:
-                    if (value > 0) _dots.Add((_count, value));
-                    break;
-                default:
-                    _values[column - CurveColumn.Area]!.Add(value);
-                    break;
-            }
+            if (column - CurveColumn.Area is >= 0 and < CurveColumns.Settings and var setting) _values[setting]!.Add(value);
+            else if (column != CurveColumn.Dot) _row[(int)column] = value;
+            else if (value > 0) _dots.Add((_count, value));
         }
-        if (_tool is > 1000 || _layer is > 1e8 or < -1e8) return Fail("curves.number", "The tool or layer number is out of range.", _starts[0]);
-        Add(x, y, z);
+        if (Given(CurveColumn.Tool) is > 1000 || Given(CurveColumn.Layer) is > 1e8 or < -1e8)
+            return Fail("curves.number", "The tool or layer number is out of range.", _starts[0]);
+        Add(Given(CurveColumn.X) ?? 0, Given(CurveColumn.Y) ?? 0, Given(CurveColumn.Z) ?? 0);
         return true;
     }
+
+    private double? Given(CurveColumn column) => _row[(int)column];
 
     private void EndCurve()
     {
@@ -259,9 +229,9 @@ internal sealed class CsvCurves
     private UserCurve With(UserCurve curve) => curve with
     {
         Name = Encoding.UTF8.GetString(_bytes, _keyStart, _keyEnd - _keyStart).Trim('"', '\''),
-        Flow = _flow,
-        Tool = (int)(_tool ?? 0),
-        Layer = _layer is { } layer ? new Layer((int)layer, curve.Curve.Bounds.Max.Z) : null,
+        Flow = Given(CurveColumn.Flow),
+        Tool = (int)(Given(CurveColumn.Tool) ?? 0),
+        Layer = Given(CurveColumn.Layer) is { } layer ? new Layer((int)layer, curve.Curve.Bounds.Max.Z) : null,
         Source = _source.Place(_curveLine),
     };
 

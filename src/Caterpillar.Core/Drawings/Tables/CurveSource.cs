@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Drawings;
 
 /// <summary>The bytes of a curve file while it is read, the curves found so far, and the diagnostics.</summary>

@@ -1,7 +1,6 @@
 using System.Globalization;
 using System.Text;
 using Caterpillar.Files;
-using Caterpillar.Geometry;
 using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 
@@ -15,7 +14,7 @@ namespace Caterpillar.Drawings;
 /// Settings outside <c>curves</c> apply to all. A point is a list of two or three numbers, or an object with x, y, z and its own area, width, height and speed.
 /// Percentages are texts like <c>"80%"</c>.
 /// </summary>
-internal sealed class JsonCurves
+internal sealed class JsonCurves(CurveSource source)
 {
     private static readonly string[] Settings = ["area", "width", "height", "speed", "flow"];
 
@@ -23,14 +22,8 @@ internal sealed class JsonCurves
         ["curves", "units", "points", "closed", "degree", "knots", "weights", "periodic", "center", "radius", "start", "sweep", "pieces", "name", "tool",
             "layer", "dot", .. Settings];
 
-    private readonly CurveSource _source;
-    private double _unit;
-
-    private JsonCurves(CurveSource source)
-    {
-        _source = source;
-        _unit = source.Options.UnitLength;
-    }
+    private readonly CurveSource _source = source;
+    private double _unit = source.Options.UnitLength;
 
     public static void Read(CurveSource source)
     {

@@ -1,23 +1,16 @@
 using Caterpillar.Files;
-using Caterpillar.Geometry;
 
 namespace Caterpillar.Drawings;
 
 /// <summary>The polylines of Wavefront OBJ: <c>v</c> and <c>l</c> with positive and negative numbers of vertices, named by <c>o</c> and <c>g</c>.</summary>
-internal sealed class ObjCurves
+internal sealed class ObjCurves(CurveSource source)
 {
-    private readonly CurveSource _source;
-    private readonly TextCursor _cursor;
+    private readonly CurveSource _source = source;
+    private readonly TextCursor _cursor = new TextCursor(source.Bytes, ByteOrderMark.Length(source.Bytes), source.Bytes.Length);
     private readonly List<Vec3> _vertices = [];
     private int _line = 1;
     private int _lineStart;
     private string _name = "";
-
-    private ObjCurves(CurveSource source)
-    {
-        _source = source;
-        _cursor = new TextCursor(source.Bytes, ByteOrderMark.Length(source.Bytes), source.Bytes.Length);
-    }
 
     public static void Read(CurveSource source) => new ObjCurves(source).ReadAll();
 

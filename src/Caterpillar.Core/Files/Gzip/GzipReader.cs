@@ -7,7 +7,9 @@ namespace Caterpillar.Files;
 /// Zeros after the last member are padding. Other bytes after it are ignored, as gzip does. The output is limited to 250 times the input, or 64 MB. Every
 /// problem is an <see cref="InvalidDataException"/>, on .NET and on Mono.
 /// </summary>
-internal sealed class GzipReader : ReadStream
+/// <param name="packed">A stream at the beginning of the first member.</param>
+/// <param name="leaveOpen">True to leave it open when this stream is closed.</param>
+internal sealed class GzipReader(Stream packed, bool leaveOpen = false) : ReadStream
 {
     /// <summary>Maximum growth of compressed data. Meshes and G-code grow 3 to 20 times.</summary>
     private const long MaxFactor = 250;
@@ -17,22 +19,14 @@ internal sealed class GzipReader : ReadStream
 
     internal const string CutOff = "It is cut off.";
     internal const string TooLarge = "It decompresses to more than 250 times its size.";
-    private readonly GzipInput _input;
-    private readonly bool _leaveOpen;
+    private readonly GzipInput _input = new GzipInput(packed ?? throw new ArgumentNullException(nameof(packed)));
+    private readonly bool _leaveOpen = leaveOpen;
     private DeflateStream? _member;
     private uint _sum;
     private uint _length;
     private long _total;
     private bool _ended;
     private bool _any;
-
-    /// <param name="packed">A stream at the beginning of the first member.</param>
-    /// <param name="leaveOpen">True to leave it open when this stream is closed.</param>
-    public GzipReader(Stream packed, bool leaveOpen = false)
-    {
-        _input = new GzipInput(packed ?? throw new ArgumentNullException(nameof(packed)));
-        _leaveOpen = leaveOpen;
-    }
 
     /// <summary>True at the end if unread bytes follow the last member that are neither zeros nor another member.</summary>
     public bool HasTrailingBytes { get; private set; }

@@ -22,15 +22,7 @@ internal sealed class PngReader
 
     private PngReader(byte[] file) => _file = file;
 
-    public static bool IsPng(byte[] bytes)
-    {
-        if (bytes.Length < 33) return false;
-        for (var i = 0; i < 8; i++)
-        {
-            if (bytes[i] != Signature[i]) return false;
-        }
-        return true;
-    }
+    public static bool IsPng(byte[] bytes) => bytes.Length >= 33 && bytes.Take(8).SequenceEqual(Signature);
 
     /// <exception cref="InvalidDataException">The file is damaged.</exception>
     public static GrayImage Read(byte[] bytes) => new PngReader(bytes).Read();

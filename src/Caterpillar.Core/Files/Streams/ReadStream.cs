@@ -41,19 +41,12 @@ internal abstract class ReadStream : Stream
 }
 
 /// <summary>A stream whose first bytes were read in advance and are returned again.</summary>
-internal sealed class PeekedStream : ReadStream
+internal sealed class PeekedStream(byte[] head, int count, Stream rest) : ReadStream
 {
-    private readonly byte[] _head;
-    private readonly int _count;
-    private readonly Stream _rest;
+    private readonly byte[] _head = head;
+    private readonly int _count = count;
+    private readonly Stream _rest = rest;
     private int _taken;
-
-    private PeekedStream(byte[] head, int count, Stream rest)
-    {
-        _head = head;
-        _count = count;
-        _rest = rest;
-    }
 
     /// <summary>Reads the first bytes into <paramref name="head"/>. The returned stream still begins with them.</summary>
     public static Stream Peek(Stream stream, byte[] head, out int count)

@@ -1,6 +1,4 @@
 using Caterpillar.Flavors;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 

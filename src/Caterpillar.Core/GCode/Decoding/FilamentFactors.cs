@@ -1,5 +1,3 @@
-using Caterpillar.Machines;
-
 namespace Caterpillar.GCode;
 
 /// <summary>mm³ per unit of E, from the slicer's settings in the comments.</summary>

@@ -74,11 +74,7 @@ internal static class FileKind
         foreach (var line in text.Split('\n'))
         {
             if (line.Trim().Length == 0 || line[0] == '#') continue;
-            foreach (var word in new[] { "v ", "vn ", "vt ", "o ", "g ", "mtllib ", "usemtl " })
-            {
-                if (line.StartsWith(word, StringComparison.Ordinal)) return true;
-            }
-            return false;
+            return Array.Exists(["v ", "vn ", "vt ", "o ", "g ", "mtllib ", "usemtl "], word => line.StartsWith(word, StringComparison.Ordinal));
         }
         return false;
     }

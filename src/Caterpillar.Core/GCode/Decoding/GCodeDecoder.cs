@@ -1,6 +1,5 @@
 using Caterpillar.Flavors;
 using Caterpillar.Files;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 

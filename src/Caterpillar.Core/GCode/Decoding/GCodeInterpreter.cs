@@ -1,7 +1,5 @@
 using System.Runtime.CompilerServices;
 using Caterpillar.Flavors;
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 

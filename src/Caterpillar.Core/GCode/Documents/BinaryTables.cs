@@ -6,7 +6,7 @@ namespace Caterpillar.GCode;
 /// The comments of a document that have blocks of their own in binary G-code: producer, printer metadata, thumbnails, settings. The G-code does not contain
 /// their lines.
 /// </summary>
-internal sealed class BinaryTables
+internal sealed class BinaryTables(int lines)
 {
     private const string Begin = "begin", End = "end";
 
@@ -29,8 +29,8 @@ internal sealed class BinaryTables
         "estimated first layer printing time (silent mode)",
     ];
 
-    private readonly BitArray _held;
-    private readonly BitArray _blank;
+    private readonly BitArray _held = new BitArray(lines);
+    private readonly BitArray _blank = new BitArray(lines);
     private readonly List<int> _pending = [];
     private readonly SortedDictionary<string, string> _known = new(StringComparer.Ordinal);
     private readonly HashSet<string> _keys = new(PrinterKeys.Concat(PrintKeys), StringComparer.Ordinal);
@@ -44,12 +44,6 @@ internal sealed class BinaryTables
     private Thumbnail? _image;
     private bool _afterImage;
     private int _empty = -1;
-
-    private BinaryTables(int lines)
-    {
-        _held = new BitArray(lines);
-        _blank = new BitArray(lines);
-    }
 
     public IReadOnlyList<KeyValuePair<string, string>> File => _file;
 

@@ -1,5 +1,4 @@
 using Caterpillar.Flavors;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
@@ -26,14 +25,7 @@ internal sealed class CodeReplacement
     public bool IsOutside(int line) => CutOf(line) is null && CutOf(line - 1) is null && !_cuts.Exists(c => c.Last == line - 1);
 
     /// <summary>The cut that leaves out a line, or null.</summary>
-    public LineCut? CutOf(int line)
-    {
-        foreach (var cut in _cuts)
-        {
-            if (cut.Has(line)) return cut;
-        }
-        return null;
-    }
+    public LineCut? CutOf(int line) => _cuts.Find(c => c.Has(line));
 
     /// <summary>Writes what comes in place of the lines before this one, then the state that it expects.</summary>
     public void WriteBefore(int line)

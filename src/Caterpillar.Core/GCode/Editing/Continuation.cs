@@ -1,6 +1,5 @@
 using System.Text.RegularExpressions;
 using Caterpillar.Flavors;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 

@@ -1,5 +1,4 @@
 using Caterpillar.Flavors;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 

@@ -1,5 +1,3 @@
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Finds layers that the decimals of Z cannot represent.</summary>

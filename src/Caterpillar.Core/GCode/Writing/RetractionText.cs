@@ -1,6 +1,3 @@
-using Caterpillar.Flavors;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Settings of the firmware retraction as lines of G-code.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Rotary axes: the words A, B and C in degrees, without the letter of extrusion.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.GCode;
 
 /// <summary>The G-code format of a printer: flavor, mode of E, decimals, and its templates filled with the values of the print.</summary>

@@ -4,17 +4,11 @@ namespace Caterpillar.Geometry;
 /// The convex hull of points as triangles that face outwards (quickhull: Barber, Dobkin, Huhdanpaa 1996). Points within a billionth of the extent of a
 /// face belong to it.
 /// </summary>
-internal sealed class ConvexHull
+internal sealed class ConvexHull(IReadOnlyList<Vec3> points, double tolerance)
 {
-    private readonly IReadOnlyList<Vec3> _points;
-    private readonly double _tolerance;
+    private readonly IReadOnlyList<Vec3> _points = points;
+    private readonly double _tolerance = tolerance;
     private readonly List<Face> _faces = [];
-
-    private ConvexHull(IReadOnlyList<Vec3> points, double tolerance)
-    {
-        _points = points;
-        _tolerance = tolerance;
-    }
 
     /// <summary>Triples of point numbers; none where the points lie in a plane.</summary>
     public static IReadOnlyList<(int A, int B, int C)> Of(IReadOnlyList<Vec3> points)

@@ -17,15 +17,7 @@ internal static class CrackSnap
         if (!(snap > 0)) return mesh;
         var (target, moved) = Targets(mesh, snap);
         if (moved == 0) return mesh;
-        var builder = new MeshBuilder(mesh.VertexCount, mesh.TriangleCount);
-        var ids = new int[mesh.VertexCount];
-        for (var v = 0; v < ids.Length; v++)
-        {
-            var p = mesh.RawVertices[target[v]];
-            ids[v] = builder.AddVertex(p.X, p.Y, p.Z);
-        }
-        var triangles = mesh.RawTriangles;
-        for (var t = 0; t < triangles.Length; t += 3) builder.AddTriangle(ids[triangles[t]], ids[triangles[t + 1]], ids[triangles[t + 2]]);
+        var builder = MeshBuilder.Merging(mesh, target);
         var closed = builder.ToMesh();
         if (closed.NakedEdgeCount >= mesh.NakedEdgeCount) return mesh;
         diagnostics.Add(Severity.Warning, "mesh.snapped",

@@ -24,6 +24,16 @@ internal sealed class MeshBuilder
         (_vertices, _triangles) = (vertices, corners);
     }
 
+    /// <summary>A mesh whose vertices become others of it, by their numbers.</summary>
+    public static MeshBuilder Merging(TriMesh mesh, int[] targets)
+    {
+        var builder = new MeshBuilder(mesh.VertexCount, mesh.TriangleCount);
+        var ids = Array.ConvertAll(targets, target => builder.AddVertex(mesh.RawVertices[target].X, mesh.RawVertices[target].Y, mesh.RawVertices[target].Z));
+        var triangles = mesh.RawTriangles;
+        for (var t = 0; t < triangles.Length; t += 3) builder.AddTriangle(ids[triangles[t]], ids[triangles[t + 1]], ids[triangles[t + 2]]);
+        return builder;
+    }
+
     public int TriangleCount => _used / 3;
 
     /// <summary>Triangles with a repeated vertex, which were dropped.</summary>

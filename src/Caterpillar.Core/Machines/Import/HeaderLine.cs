@@ -32,17 +32,7 @@ internal sealed class HeaderLine
 
     public bool IsCommand(params string[] commands) => Array.IndexOf(commands, Command) >= 0;
 
-    public double? this[char letter]
-    {
-        get
-        {
-            foreach (var word in _words)
-            {
-                if (word.Letter == letter) return word.Value;
-            }
-            return null;
-        }
-    }
+    public double? this[char letter] => _words.Where(w => w.Letter == letter).Select(w => (double?)w.Value).FirstOrDefault();
 
     public static HeaderLine Read(string text)
     {

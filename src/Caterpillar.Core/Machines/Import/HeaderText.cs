@@ -1,17 +1,11 @@
 namespace Caterpillar.Machines;
 
 /// <summary>A header or footer: its valid lines, facts and errors.</summary>
-internal sealed class HeaderText
+internal sealed class HeaderText(string file, DiagnosticList problems)
 {
     private readonly List<HeaderLine> _lines = [];
-    private readonly string _file;
-    private readonly DiagnosticList _problems;
-
-    private HeaderText(string file, DiagnosticList problems)
-    {
-        _file = file;
-        _problems = problems;
-    }
+    private readonly string _file = file;
+    private readonly DiagnosticList _problems = problems;
 
     public HeaderFacts Facts { get; } = new();
 

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Machines;
 
 /// <summary>A printer from the G-code of a header and a footer.</summary>

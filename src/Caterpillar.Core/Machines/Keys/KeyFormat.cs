@@ -42,3 +42,30 @@ internal abstract class KeyFormat<TValue>(KeyKind kind, string expected) : KeyFo
     /// <summary>What is wrong with a value, or null.</summary>
     public abstract string? Problem(TValue value);
 }
+
+/// <summary>A list of texts, each of which is one item.</summary>
+internal abstract class TextsFormat<TItem>(string expected) : KeyFormat<ValueList<TItem>>(KeyKind.Lines, expected)
+{
+    public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("type", "array"), new("items", SchemaOfItem)];
+
+    /// <summary>The pattern of a text in JSON schemas, or null.</summary>
+    protected virtual string? Pattern => null;
+
+    public override object? Parse(string text)
+        => text.Trim().Length == 0 ? Array.Empty<object>() : text.Split(',', '\n').Select(t => (object)t.Trim()).ToArray();
+
+    public override bool TryRead(object raw, out ValueList<TItem>? value)
+    {
+        var items = raw is IReadOnlyList<object> list && list.All(i => i is string) ? list.Select(i => Item((string)i)).ToArray() : null;
+        value = items is null || items.Any(i => i is null) ? null : new ValueList<TItem>(items!);
+        return value is not null;
+    }
+
+    public override object Write(ValueList<TItem> value) => value.Select(v => (object)v!.ToString()!).ToArray();
+
+    /// <summary>An item from its text; null if the text is wrong.</summary>
+    protected abstract TItem? Item(string text);
+
+    private KeyValuePair<string, object>[] SchemaOfItem
+        => Pattern is { } pattern ? [new("type", "string"), new("pattern", pattern)] : [new("type", "string")];
+}

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Machines;
 
 /// <summary>Keys of one kind of profile, in the order of declaration.</summary>

@@ -103,26 +103,17 @@ internal sealed class ChoiceFormat<TValue>(params (string Word, TValue Value)[] 
 }
 
 /// <summary>Lines of a template.</summary>
-internal sealed class LinesFormat(Func<ValueList<string>, Diagnostic?> check) : KeyFormat<ValueList<string>>(KeyKind.Lines, "a list of lines")
+internal sealed class LinesFormat(Func<ValueList<string>, Diagnostic?> check) : TextsFormat<string>("a list of lines")
 {
     /// <summary>The code of the first error of the template, or null.</summary>
     public string? ErrorCode(object raw) => TryRead(raw, out var lines) ? check(lines!)?.Code : null;
 
     public override string Range => "a list of lines of text";
 
-    public override IReadOnlyList<KeyValuePair<string, object>> Schema
-        => [new("type", "array"), new("items", new KeyValuePair<string, object>[] { new("type", "string") })];
-
     public override object? Parse(string text)
         => text.Length == 0 ? Array.Empty<object>() : text.Split(["\r\n", "\n", "\\n"], StringSplitOptions.None).Cast<object>().ToArray();
 
-    public override bool TryRead(object raw, out ValueList<string>? value)
-    {
-        value = raw is IReadOnlyList<object> list && list.All(i => i is string) ? new ValueList<string>(list.Cast<string>()) : null;
-        return value is not null;
-    }
-
-    public override object Write(ValueList<string> value) => value.Cast<object>().ToArray();
+    protected override string Item(string text) => text;
 
     public override string? Problem(ValueList<string> value)
         => value.Any(l => l is null || l.IndexOfAny(['\n', '\r']) >= 0) ? "has an entry of more than one line"

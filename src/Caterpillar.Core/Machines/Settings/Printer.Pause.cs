@@ -1,4 +1,3 @@
-using Caterpillar.Geometry;
 using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, double>;
 
 namespace Caterpillar.Machines;

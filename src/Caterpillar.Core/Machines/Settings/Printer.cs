@@ -1,5 +1,4 @@
 using Caterpillar.Flavors;
-using Caterpillar.Geometry;
 using FlagKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, bool>;
 using IntegerKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, int>;
 using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, double>;

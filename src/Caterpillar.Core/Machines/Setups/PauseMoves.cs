@@ -1,5 +1,3 @@
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Machines;
 
 /// <summary>The pause of a printer.</summary>

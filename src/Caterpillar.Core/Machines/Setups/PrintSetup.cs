@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
 using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, double>;
 
 namespace Caterpillar.Machines;

@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Machines;
 
 /// <summary>Values for templates: all numbers and words of the three profiles by their keys, and values of the print.</summary>

@@ -7,18 +7,12 @@ namespace Caterpillar.Machines;
 /// <c>{endif}</c>. Braces contain a formula of <see cref="Expressions.Formula"/> with named numbers, or the name of a text. Flags are 1 and 0. Numbers are
 /// written with up to five decimals. A line with only directives gives no line. <c>{{</c> and <c>}}</c> are literal braces. Immutable.
 /// </summary>
-internal sealed class Template
+internal sealed class Template(IReadOnlyList<TemplatePart> parts, TemplateNames names)
 {
     private const int Decimals = 5;
 
-    private readonly IReadOnlyList<TemplatePart> _parts;
-    private readonly TemplateNames _names;
-
-    private Template(IReadOnlyList<TemplatePart> parts, TemplateNames names)
-    {
-        _parts = parts;
-        _names = names;
-    }
+    private readonly IReadOnlyList<TemplatePart> _parts = parts;
+    private readonly TemplateNames _names = names;
 
     /// <summary>Reads a template. Errors have its line and column, and file and key of <paramref name="source"/>.</summary>
     public static Result<Template> Parse(IReadOnlyList<string> lines, TemplateNames names, SourceLocation source)

@@ -4,20 +4,13 @@ namespace Caterpillar.Machines;
 internal sealed record TemplateNames(string[] Numbers, string[] Texts);
 
 /// <summary>The values of these names. Immutable.</summary>
-internal sealed class TemplateValues
+internal sealed class TemplateValues(Dictionary<string, double> numbers, Dictionary<string, string> texts, Lazy<Dictionary<string, double>>? ofPrint)
 {
-    private readonly Dictionary<string, double> _numbers;
-    private readonly Dictionary<string, string> _texts;
+    private readonly Dictionary<string, double> _numbers = numbers;
+    private readonly Dictionary<string, string> _texts = texts;
 
     // What is measured of the print, where it is asked for.
-    private readonly Lazy<Dictionary<string, double>>? _ofPrint;
-
-    public TemplateValues(Dictionary<string, double> numbers, Dictionary<string, string> texts, Lazy<Dictionary<string, double>>? ofPrint)
-    {
-        _numbers = numbers;
-        _texts = texts;
-        _ofPrint = ofPrint;
-    }
+    private readonly Lazy<Dictionary<string, double>>? _ofPrint = ofPrint;
 
     /// <summary>The same with one more number.</summary>
     public TemplateValues With(string name, double value)

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Machines;
 
 /// <summary>A point of an infill curve.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Machines;
 
 /// <summary>Start of outer walls.</summary>
@@ -55,12 +53,5 @@ public readonly record struct SeamMark(Vec3 Place, double Radius)
 {
     internal static SeamMark? Of(double[] n) => new SeamMark(new Vec3(n[0], n[1], n[2]), n[3]);
 
-    internal static string? Problem(ValueList<SeamMark> marks)
-    {
-        foreach (var mark in marks)
-        {
-            if (!(mark.Radius > 0)) return "must have radii above 0";
-        }
-        return null;
-    }
+    internal static string? Problem(ValueList<SeamMark> marks) => marks.All(m => m.Radius > 0) ? null : "must have radii above 0";
 }

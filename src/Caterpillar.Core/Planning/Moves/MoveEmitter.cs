@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Planning;
 
 /// <summary>
@@ -158,6 +155,20 @@ internal sealed class MoveEmitter
     {
         _builder.AddEvent(what, Source);
         Add(Position, 0, 0, 0, MoveKind.Dwell, Role.Unspecified);
+    }
+
+    /// <summary>A move of another toolpath, whose E may have another unit or another diameter of the filament.</summary>
+    public void Copy(Move move, Layer? layer, double? volumePerE, (double A, double B, double C)? turns)
+    {
+        EnterLayer(layer);
+        Tool = move.Tool;
+        var scale = volumePerE is { } own && ToolRules.VolumePerE is { } here ? own / here : 1;
+        var left = _retracted[Tool] - scale * (move.E - move.Deposited);
+        _retracted[Tool] = left > BalanceEpsilon ? left : 0;
+        if (move.Kind == MoveKind.Print) Reached(Math.Max(move.Start.Z, move.End.Z));
+        _builder.Add(move.End, scale * move.E, scale * move.Deposited, move.Speed, move.Kind, move.Role, _layerIndex, Tool, Source, move.Arc);
+        if (turns is { } t) _builder.SetRotary(t.A, t.B, t.C);
+        IsPlaced = true;
     }
 
     // The longer it is the rarer: each time takes a copy of the lists of blocks, layers and events.

@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Planning;
 
 /// <summary>Turns the segments of a path into printing moves, with compensation for the pressure lag at its ends.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Planning;
 
 /// <summary>What planning may add to a design.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Planning;
 
 /// <summary>Counts of the effects of each rule of planning. Final when planning ends.</summary>

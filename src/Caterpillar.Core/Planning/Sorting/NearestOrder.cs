@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Planning;
 
 /// <summary>Orders by the nearest start, and the travel of an order.</summary>

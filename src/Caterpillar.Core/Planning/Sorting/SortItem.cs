@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Planning;
 
 /// <summary>A path for sorting, and how it may be changed; or several that stay together, of which this is the first.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Planning;
 
 /// <summary>The order in which paths are printed.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Planning;
 
 /// <summary>A step in planned order, with its number in the design.</summary>
@@ -18,25 +15,19 @@ internal readonly struct OrderedStep(Step step, PrintPath? path, int source)
 /// Sorts the paths of steps where their groups allow it: layers from below, in a layer the nearest island first, in an island the ranks from the lowest.
 /// Events, drawn travels and paths without a group stay where they are, and no path crosses them.
 /// </summary>
-internal sealed class StepOrder
+internal sealed class StepOrder(IReadOnlyList<Step> steps, SortOptions options, CancellationToken cancel)
 {
-    private readonly IReadOnlyList<Step> _steps;
-    private readonly SortOptions _options;
-    private readonly CancellationToken _cancel;
+    private readonly IReadOnlyList<Step> _steps = steps;
+    private readonly SortOptions _options = options;
+    private readonly CancellationToken _cancel = cancel;
 
     // The steps in order so far, and where the head is after them.
-    private OrderedStep[] _ordered;
+    private OrderedStep[] _ordered = new OrderedStep[steps.Count];
     private int _count;
-    private Vec3? _at;
+    private Vec3? _at = options.Start;
 
     // The numbers of the steps that are being sorted, by their groups.
     private int[] _run = [];
-
-    private StepOrder(IReadOnlyList<Step> steps, SortOptions options, CancellationToken cancel)
-    {
-        (_steps, _options, _cancel, _at) = (steps, options, cancel, options.Start);
-        _ordered = new OrderedStep[steps.Count];
-    }
 
     public static OrderedStep[] Find(IReadOnlyList<Step> steps, SortOptions options, IProgress<double>? progress, CancellationToken cancel)
         => new StepOrder(steps, options, cancel).Find(progress);

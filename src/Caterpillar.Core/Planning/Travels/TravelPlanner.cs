@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Planning;
 
 /// <summary>Travels between paths: retraction with balance, wipe, lift and descent.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Simulation;
 
 /// <summary>How one family of firmware limits single moves and the corners between them.</summary>
@@ -102,29 +100,40 @@ internal sealed class DeviationRules(MachineLimits limits) : AxisRules(limits)
     // Cosine of 135°.
     private const double GentleTurn = -0.7071067812;
 
-    public override double Corner2(in StraightMove before, in StraightMove move)
+    public override void Limit(ref StraightMove move)
     {
-        var (a, b) = (Unit(before), Unit(move));
-        // Cosine of the angle between the moves as lines from the corner: 1 straight back, −1 straight on.
-        var cosine = -(a.X * b.X + a.Y * b.Y + a.Z * b.Z + a.E * b.E);
-        if (cosine > Reversal) return 0;
-        var speed2 = Square(Math.Min(before.Speed, move.Speed));
-        var bisector = new StraightMove { X = b.X - a.X, Y = b.Y - a.Y, Z = b.Z - a.Z, E = b.E - a.E };
-        var half = Math.Sqrt(0.5 * (1 - cosine));
-        var acceleration = Within(move.Acceleration, Unit(bisector), MotionLimit.AccelerationX);
-        var limit = half < 1 ? acceleration * Limits[MotionLimit.JunctionDeviation] * half / (1 - half) : double.PositiveInfinity;
-        if (move.Length < ShortLength && cosine < GentleTurn)
-        {
-            var turn = Math.Atan(Math.Sqrt(Math.Max(1 - cosine * cosine, 0)) / -cosine);
-            limit = Math.Min(limit, move.Length * acceleration / turn);
-        }
-        return Math.Min(limit, speed2);
+        base.Limit(ref move);
+        move.PerNorm = PerNorm(move);
     }
 
-    private static StraightMove Unit(in StraightMove move)
+    public override double Corner2(in StraightMove before, in StraightMove move)
     {
-        var length = Math.Sqrt(move.X * move.X + move.Y * move.Y + move.Z * move.Z + move.E * move.E);
-        return length > 0 ? new StraightMove { X = move.X / length, Y = move.Y / length, Z = move.Z / length, E = move.E / length } : move;
+        var (a, b) = (before.PerNorm, move.PerNorm);
+        // Cosine of the angle between the moves as lines from the corner: 1 straight back, −1 straight on.
+        var cosine = -(before.X * move.X + before.Y * move.Y + before.Z * move.Z + before.E * move.E) * a * b;
+        if (cosine > Reversal) return 0;
+        var speed2 = Square(Math.Min(before.Speed, move.Speed));
+        var bisector = new StraightMove
+        {
+            X = move.X * b - before.X * a, Y = move.Y * b - before.Y * a, Z = move.Z * b - before.Z * a, E = move.E * b - before.E * a,
+        };
+        var half = Math.Sqrt(0.5 * (1 - cosine));
+        var c = PerNorm(bisector);
+        (bisector.X, bisector.Y, bisector.Z, bisector.E) = (bisector.X * c, bisector.Y * c, bisector.Z * c, bisector.E * c);
+        var acceleration = Within(move.Acceleration, bisector, MotionLimit.AccelerationX);
+        var limit = half < 1 ? acceleration * Limits[MotionLimit.JunctionDeviation] * half / (1 - half) : double.PositiveInfinity;
+        limit = Math.Min(limit, speed2);
+        if (!(move.Length < ShortLength && cosine < GentleTurn)) return limit;
+        // The turn is at most its tangent, which is enough to know for most curves.
+        var tangent = Math.Sqrt(Math.Max(1 - cosine * cosine, 0)) / -cosine;
+        return move.Length * acceleration >= limit * tangent ? limit : Math.Min(limit, move.Length * acceleration / Math.Atan(tangent));
+    }
+
+    // 1 over the length in X, Y, Z and E; 1 for none.
+    private static double PerNorm(in StraightMove move)
+    {
+        var square = move.X * move.X + move.Y * move.Y + move.Z * move.Z + move.E * move.E;
+        return square > 0 ? 1 / Math.Sqrt(square) : 1;
     }
 }
 

@@ -1,7 +1,3 @@
-using Caterpillar.Flavors;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Simulation;
 
 /// <summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Simulation;
 
 /// <summary>The limits in force: those of the printer until a command in the file sets others.</summary>

@@ -28,5 +28,8 @@ internal struct StraightMove
     // Speed from which the machine may stand still at once, mm/s.
     public double Rest;
 
+    // 1 over the length of the direction with E, for junction deviation.
+    public double PerNorm;
+
     public bool InPlace;
 }

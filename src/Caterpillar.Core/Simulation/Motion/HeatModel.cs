@@ -1,5 +1,3 @@
-using Caterpillar.Machines;
-
 namespace Caterpillar.Simulation;
 
 /// <summary>

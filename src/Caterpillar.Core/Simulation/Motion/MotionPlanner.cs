@@ -1,7 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Simulation;
 
 /// <summary>Goes through a toolpath as the firmware does: moves become straight moves, those between two stops a run, and a run is planned ahead.</summary>

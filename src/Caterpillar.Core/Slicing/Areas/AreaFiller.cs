@@ -1,7 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Fills the areas of one island, or of a part of it that has settings of its own.</summary>

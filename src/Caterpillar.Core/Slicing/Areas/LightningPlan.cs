@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>The trees of a body that support its top surfaces from below. They grow downwards, so they need the outlines of all its layers.</summary>

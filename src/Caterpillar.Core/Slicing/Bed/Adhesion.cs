@@ -1,7 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Skirt and brim: loops around the parts on the bed, printed first. A skirt primes the nozzle, and a brim holds the part on the bed.</summary>

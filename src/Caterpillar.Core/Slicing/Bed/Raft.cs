@@ -1,7 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Layers below the part that reach beyond it: open ones, and a closed one on top from which the part is parted by a gap.</summary>

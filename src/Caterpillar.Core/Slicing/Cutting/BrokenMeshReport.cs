@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Describes the repairs and omissions of a broken mesh, with layers and sizes.</summary>

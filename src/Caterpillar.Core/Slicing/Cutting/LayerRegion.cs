@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>What a layer covers: what its plane cuts out of the mesh, without details that nobody sees, and with the compensations of the settings.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Bodies inside which other settings apply: cuts them at the heights of a part's layers.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Makes one model of models that run through each other, so that the place where they overlap is printed once.</summary>

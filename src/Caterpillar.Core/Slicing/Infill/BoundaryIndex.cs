@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Places on the boundary of a region by contour and arc length.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 // A sweep of parallel rows: each piece of a row comes after all pieces of the row before that it lies next to.

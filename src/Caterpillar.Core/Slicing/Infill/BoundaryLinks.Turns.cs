@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 // Turns of slanting rows. Where a row and its link enclose more than a right angle, the corner is round outside and leaves a wedge open up to the turn before

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Loops at equal distances from the boundary, from the outside in.</summary>

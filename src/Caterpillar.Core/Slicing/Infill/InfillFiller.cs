@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Fills areas with extrusions. One thread at a time; keeps its arrays for the next area.</summary>

@@ -1,5 +1,4 @@
 using Caterpillar.Expressions;
-using Caterpillar.Geometry;
 
 namespace Caterpillar.Slicing;
 

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>The trees of one layer. Nodes follow their parents, and roots are on the boundary of the area.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>The turned coordinates of a pattern: u along its direction, v to the left of it, and the box of an area in them. mm.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Machines;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Patterns of straight lines. Rows have fixed positions in the world, so that each layer rests on the one below.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Area of the bed for models: rectangle or ellipse, without the margin and the excluded areas.</summary>
@@ -9,18 +6,7 @@ internal sealed class BedArea(Printer printer, double margin)
     private readonly Bounds _bed = printer.BuildBounds;
     private readonly Footprint[] _excluded = printer.ExcludedAreas.Select(Footprint.Of).ToArray();
 
-    public bool Holds(Footprint footprint)
-    {
-        foreach (var p in footprint.Corners)
-        {
-            if (!Holds(p)) return false;
-        }
-        foreach (var area in _excluded)
-        {
-            if (footprint.Separation(area) < margin) return false;
-        }
-        return true;
-    }
+    public bool Holds(Footprint footprint) => footprint.Corners.All(Holds) && !Array.Exists(_excluded, area => footprint.Separation(area) < margin);
 
     private bool Holds(Vec3 p)
     {

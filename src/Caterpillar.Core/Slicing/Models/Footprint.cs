@@ -1,27 +1,18 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>The convex outline of a model seen from above, counter-clockwise, mm. Immutable.</summary>
-internal sealed class Footprint
+internal sealed class Footprint(Vec3[] corners, double height)
 {
     // Counter-clockwise.
     private static readonly Vec3[] Directions =
         [new(1, 0), new(1, 1), new(0, 1), new(-1, 1), new(-1, 0), new(-1, -1), new(0, -1), new(1, -1)];
 
-    private readonly Vec3[] _corners;
+    private readonly Vec3[] _corners = corners;
 
-    private Footprint(Vec3[] corners, double height)
-    {
-        _corners = corners;
-        Height = height;
-        Box = Bounds.Of(corners);
-    }
-
-    public Bounds Box { get; }
+    public Bounds Box { get; } = Bounds.Of(corners);
 
     /// <summary>Height of the model above its lowest point, mm.</summary>
-    public double Height { get; }
+    public double Height { get; } = height;
 
     public IReadOnlyList<Vec3> Corners => _corners;
 

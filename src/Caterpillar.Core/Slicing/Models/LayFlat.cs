@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Turns a model so that the largest flat face of its convex hull is below. Of equal faces the one that needs the least turning.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Looks for places on a bed, one footprint after the other; those for which there is none stay null.</summary>

@@ -1,6 +1,4 @@
 using Caterpillar.Expressions;
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
 
 namespace Caterpillar.Slicing;
 

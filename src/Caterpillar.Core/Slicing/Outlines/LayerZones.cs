@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Where the settings of modifiers apply in a layer. Zones whose walls are alike are walled together, so that only their filling differs.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>First stage of a layer, which needs no neighbors: its section becomes a region, islands, and their walls.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Fits arcs to the walls of a layer.</summary>

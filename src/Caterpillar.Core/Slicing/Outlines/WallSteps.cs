@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>The walls of an island as steps: the loops of each contour one after the other, in the order of the settings.</summary>

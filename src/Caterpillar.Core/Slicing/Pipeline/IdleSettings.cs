@@ -1,5 +1,3 @@
-using Caterpillar.Machines;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>

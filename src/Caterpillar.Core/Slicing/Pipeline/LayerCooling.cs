@@ -1,6 +1,3 @@
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Slows down small layers to the minimum layer time. Layers of several models at one height cool together.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>How well a corner of a loop hides a seam. The part lies on the left of its loops.</summary>

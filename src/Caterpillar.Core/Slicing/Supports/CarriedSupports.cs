@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Leaves of supports what is carried, from the bed up: what lies on the bed, on supports below, or (everywhere) closely above the part.</summary>

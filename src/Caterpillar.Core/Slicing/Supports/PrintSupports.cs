@@ -1,7 +1,4 @@
 using System.Collections.Concurrent;
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Slicing;
 

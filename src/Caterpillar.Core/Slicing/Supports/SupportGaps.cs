@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>What the supports of each level keep out of, so that the gaps beside, above and below them stay open.</summary>

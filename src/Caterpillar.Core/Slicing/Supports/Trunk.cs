@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>A branch of a tree where it passes a level: a polygon with as few corners as a circle needs.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Trunks that touch each other on a level, or a single one. Nothing else is near them.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>A place on a closed path.</summary>

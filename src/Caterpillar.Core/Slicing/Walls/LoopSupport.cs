@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Parts of a loop over air. A seam there would be a free end that sags.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Tells the thin parts of regions from the thick ones, by shrinking and growing back.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Collects walls: spacings become widths, and points that change nothing are left away.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>A segment of a path has one bead; where the width changes much from its one end to the other it becomes several.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>How the inside of an island is filled. The areas do not overlap and cover the inside together.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>What one worker needs for any layer; it keeps its arrays from layer to layer.</summary>

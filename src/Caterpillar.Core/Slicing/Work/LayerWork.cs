@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>A layer of a body as it passes through the stages. Each stage writes its own part; a layer's neighbors are only read.</summary>

@@ -1,7 +1,4 @@
 using Caterpillar.Expressions;
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Slicing;
 

@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>One layer of one model: its area and the paths that print it.</summary>

@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using Caterpillar.Geometry;
 
 namespace Caterpillar.Toolpaths;
 
@@ -170,11 +169,10 @@ internal sealed class Deposit
     {
         var best = double.NegativeInfinity;
         if (_bins.IsEmpty || !_bins.MayHold(point.X, point.Y)) return best;
-        var lastRow = _bins.Row(point.Y + radius);
-        var lastColumn = _bins.Column(point.X + radius);
-        for (var row = _bins.Row(point.Y - radius); row <= lastRow; row++)
+        var (lastRow, lastColumn) = (BinOf(point.Y + radius), BinOf(point.X + radius));
+        for (var row = BinOf(point.Y - radius); row <= lastRow; row++)
         {
-            for (var column = _bins.Column(point.X - radius); column <= lastColumn; column++)
+            for (var column = BinOf(point.X - radius); column <= lastColumn; column++)
             {
                 var bin = _bins[column, row];
                 if (bin is null || bin.Top <= best) continue;
@@ -183,6 +181,23 @@ internal sealed class Deposit
             }
         }
         return best;
+    }
+
+    /// <summary>True if the top of an extrusion within <paramref name="radius"/> mm of a point, seen from above, is between two heights, mm.</summary>
+    public bool HasTop(Vec3 point, double lowest, double highest, double radius)
+    {
+        if (_bins.IsEmpty || !_bins.MayHold(point.X, point.Y)) return false;
+        var (lastRow, lastColumn) = (BinOf(point.Y + radius), BinOf(point.X + radius));
+        for (var row = BinOf(point.Y - radius); row <= lastRow; row++)
+        {
+            for (var column = BinOf(point.X - radius); column <= lastColumn; column++)
+            {
+                if (_bins[column, row] is not { } bin || bin.Top < lowest) continue;
+                if (HasTopIn(bin, point, lowest, highest, radius)) return true;
+                if (bin.Dropped >= lowest && DroppedUnder(bin, column, row, point, highest, radius, double.NegativeInfinity) >= lowest) return true;
+            }
+        }
+        return false;
     }
 
     /// <summary>
@@ -284,7 +299,7 @@ internal sealed class Deposit
             if (first + DepositBin.Block <= bin.Count && !(bin.BlockTops[block] > best)) continue;
             for (var i = Math.Min(first + DepositBin.Block, bin.Count) - 1; i >= first; i--)
             {
-                if (!(bin.Entries[i].Top > best)) continue;
+                if (!(bin.Entries[i].Top > best) || (bin.Entries[i].IsLevel && bin.Entries[i].Top > limit)) continue;
                 ref var extrusion = ref _store[bin.Entries[i].Extrusion];
                 if (extrusion.Tag >= before) continue;
                 var top = extrusion.TopAt(point, radius);
@@ -292,6 +307,25 @@ internal sealed class Deposit
             }
         }
         return best;
+    }
+
+    private bool HasTopIn(DepositBin bin, Vec3 point, double lowest, double highest, double radius)
+    {
+        for (var i = bin.Count - 1; i >= 0; i--)
+        {
+            if (bin.Entries[i].Top < lowest)
+            {
+                // A whole block may be as low.
+                var first = i & -DepositBin.Block;
+                if (i == first + DepositBin.Block - 1 && bin.BlockTops[i >> DepositBin.BlockBits] < lowest) i = first;
+                continue;
+            }
+            // Most of the others are of the layer above.
+            if (bin.Entries[i].IsLevel && bin.Entries[i].Top > highest) continue;
+            var top = _store[bin.Entries[i].Extrusion].TopAt(point, radius);
+            if (top >= lowest && top <= highest) return true;
+        }
+        return false;
     }
 
     private double TopInBin(DepositBin bin, int column, int row, Vec3 a, Vec3 b, double radius, double best)
@@ -343,7 +377,7 @@ internal sealed class Deposit
             for (var column = left >> DepositBin.Bits; column <= right >> DepositBin.Bits; column++)
             {
                 var top = isLevel ? highest : TopInBin(extrusion, column, row >> DepositBin.Bits);
-                _bins.Enter(column, row >> DepositBin.Bits, index, top, _store, _keepDepth);
+                _bins.Enter(column, row >> DepositBin.Bits, index, top, isLevel, _store, _keepDepth);
             }
             if (isLevel) _cells.Lay(_spans, row, end, left, right, highest);
             else LaySloped(extrusion, row, end);
@@ -379,6 +413,10 @@ internal sealed class Deposit
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private int Index(double x) => ExtrusionRows.Index(x, _perCell);
+
+    // The column or row of the bin of a place.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    private int BinOf(double x) => Index(x) >> DepositBin.Bits;
 
     private static bool IsOutside(Vec3 p, double margin, double edge) => !(Math.Abs(p.X) + margin < edge && Math.Abs(p.Y) + margin < edge);
 }

@@ -34,17 +34,19 @@ internal sealed class DepositBin
     private int _last = -1;
 
     /// <summary>An extrusion, or more of the last one, whose part here is up to <paramref name="top"/> mm high.</summary>
-    public void Add(int extrusion, double top, ExtrusionStore store, double keepDepth)
+    public void Add(int extrusion, double top, bool isLevel, ExtrusionStore store, double keepDepth)
     {
         if (extrusion == _last)
         {
-            if (top > Entries[Count - 1].Top) Put(Count - 1, new DepositEntry { Extrusion = extrusion, Top = top });
+            ref var last = ref Entries[Count - 1];
+            if (top > last.Top) Put(Count - 1, new DepositEntry { Extrusion = extrusion, Top = top });
+            else last.IsLevel &= isLevel && top == last.Top;
             return;
         }
         if (Count == _compactAt) Compact(store, keepDepth);
         if (Count == Entries.Length) Array.Resize(ref Entries, Count * 2);
         store.Use(extrusion);
-        Put(Count++, new DepositEntry { Extrusion = extrusion, Top = top });
+        Put(Count++, new DepositEntry { Extrusion = extrusion, Top = top, IsLevel = isLevel });
         _last = extrusion;
     }
 
@@ -86,6 +88,9 @@ internal struct DepositEntry
 
     /// <summary>Number in the store.</summary>
     public int Extrusion;
+
+    /// <summary>True if all of the extrusion is as high.</summary>
+    public bool IsLevel;
 }
 
 /// <summary>A cell of a <see cref="Deposit"/>.</summary>

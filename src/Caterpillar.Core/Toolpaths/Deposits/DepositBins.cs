@@ -43,7 +43,7 @@ internal sealed class DepositBins(double cell)
     public double TopOf(int squareColumn, int squareRow) => _tops[(squareRow - _topsBottom) * _topsColumns + squareColumn - _topsLeft];
 
     /// <summary>Adds an extrusion to a bin in which it is up to <paramref name="top"/> mm high.</summary>
-    public void Enter(int column, int row, int extrusion, double top, ExtrusionStore store, double keepDepth)
+    public void Enter(int column, int row, int extrusion, double top, bool isLevel, ExtrusionStore store, double keepDepth)
     {
         var bin = _bins.Find(column, row);
         if (bin is null)
@@ -51,7 +51,7 @@ internal sealed class DepositBins(double cell)
             bin = new DepositBin();
             if (_bins.Put(column, row, bin)) GrowTops();
         }
-        bin.Add(extrusion, top, store, keepDepth);
+        bin.Add(extrusion, top, isLevel, store, keepDepth);
         if (top > bin.Top) Raise(bin, column, row, top);
     }
 

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Collects the moves of an edited block. Rotary axes keep their position until a move turns them.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Finds the moves that are mapped together with the selected moves.</summary>

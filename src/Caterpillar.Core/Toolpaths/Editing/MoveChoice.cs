@@ -1,25 +1,15 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>A filter prepared for the layers of one toolpath, so that each move needs only a few look-ups.</summary>
-internal sealed class MoveChoice
+internal sealed class MoveChoice(MoveFilter filter, Toolpath toolpath)
 {
-    private readonly bool[] _kinds;
-    private readonly bool[] _roles;
+    private readonly bool[] _kinds = Enum.GetValues(typeof(MoveKind)).Cast<MoveKind>().Select(k => filter.Kinds is null || filter.Kinds.Contains(k)).ToArray();
+    private readonly bool[] _roles = Enum.GetValues(typeof(Role)).Cast<Role>().Select(r => filter.Roles is null || filter.Roles.Contains(r)).ToArray();
 
     // By layer; at last, of moves without one.
-    private readonly bool[] _layers;
-    private readonly int? _tool;
-    private readonly Bounds? _box;
-
-    public MoveChoice(MoveFilter filter, Toolpath toolpath)
-    {
-        _kinds = Enum.GetValues(typeof(MoveKind)).Cast<MoveKind>().Select(k => filter.Kinds is null || filter.Kinds.Contains(k)).ToArray();
-        _roles = Enum.GetValues(typeof(Role)).Cast<Role>().Select(r => filter.Roles is null || filter.Roles.Contains(r)).ToArray();
-        _layers = toolpath.Layers.Select(filter.MatchesNumber).Concat([filter.MatchesNumber(null)]).ToArray();
-        (_tool, _box) = (filter.Tool, filter.Box);
-    }
+    private readonly bool[] _layers = toolpath.Layers.Select(filter.MatchesNumber).Concat([filter.MatchesNumber(null)]).ToArray();
+    private readonly int? _tool = filter.Tool;
+    private readonly Bounds? _box = filter.Box;
 
     /// <summary>True if a move in the columns of a block is selected.</summary>
     public bool Has(ToolpathColumns columns, int i)

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Selects moves of a toolpath. A move must meet all conditions that are set. An empty filter selects all moves.</summary>

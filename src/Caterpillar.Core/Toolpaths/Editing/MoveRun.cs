@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Consecutive moves of a toolpath that are mapped together, divided into pieces if the map curves them.</summary>

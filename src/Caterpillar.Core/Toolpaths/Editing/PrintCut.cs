@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>A place between two layers of a decoded print where it is cut in two. Start and end code stay outside of the print.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Moves, rotates and scales. Arcs stay arcs if circles stay circles.</summary>

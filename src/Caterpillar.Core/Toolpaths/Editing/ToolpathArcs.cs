@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Arcs in toolpaths, fitted to runs of straight printing moves.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Material extruded in place as a ball of its volume below the nozzle, or as a disc where the nozzle is nearer to the bed.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Sums over all that a toolpath extrudes.</summary>

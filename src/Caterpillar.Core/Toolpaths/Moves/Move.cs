@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>One move of a <see cref="Toolpath"/>.</summary>

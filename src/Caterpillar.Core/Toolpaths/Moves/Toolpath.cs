@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>The source of the moves of a toolpath.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Builds a <see cref="Toolpath"/> from moves and events in order. Not thread-safe.</summary>

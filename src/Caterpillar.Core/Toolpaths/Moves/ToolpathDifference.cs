@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Counts the moves that an edit changed in a toolpath with the same number of moves.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Fits arcs to straight segments of paths, and expands arcs into chords.</summary>

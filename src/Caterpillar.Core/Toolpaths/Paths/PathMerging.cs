@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Joins paths whose ends touch into one, so that the machine does not stop between them.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>One entry of a design: a path to print, a drawn travel move, or an event. Every source produces an ordered list of steps.</summary>

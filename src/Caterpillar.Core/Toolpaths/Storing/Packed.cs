@@ -1,5 +1,4 @@
 using System.IO.Compression;
-using Caterpillar.Geometry;
 using Newtonsoft.Json;
 
 namespace Caterpillar.Toolpaths;

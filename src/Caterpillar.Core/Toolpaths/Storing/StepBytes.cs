@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Steps as compressed bytes, for files that hold designs. Nothing of a step is lost.</summary>

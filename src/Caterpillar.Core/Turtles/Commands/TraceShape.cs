@@ -1,25 +1,17 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
 using Caterpillar.Traces;
 
 namespace Caterpillar.Turtles;
 
 /// <summary>A shape made of strings (Kanada 2016, section 3.3) around the turtle, from a command.</summary>
-internal sealed class TraceShape
+internal sealed class TraceShape(double strings, Action<Trace> draw)
 {
     /// <summary>Memory of one string until it is a move, bytes.</summary>
     public const int StringBytes = 250;
 
-    private readonly Action<Trace> _draw;
-
-    private TraceShape(double strings, Action<Trace> draw)
-    {
-        Strings = double.IsNaN(strings) ? 0 : strings;
-        _draw = draw;
-    }
+    private readonly Action<Trace> _draw = draw;
 
     /// <summary>About how many strings it has.</summary>
-    public double Strings { get; }
+    public double Strings { get; } = double.IsNaN(strings) ? 0 : strings;
 
     /// <summary>The shape of a command with its numbers, or null if the command is not a trace.</summary>
     /// <exception cref="ArgumentException">A number is not an integer.</exception>

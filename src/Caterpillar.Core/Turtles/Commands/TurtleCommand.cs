@@ -1,5 +1,4 @@
 using Caterpillar.Expressions;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Turtles;
 

@@ -142,17 +142,8 @@ internal sealed class LSystemGrowth
         }
         var counts = string.Join(" or ", rules.Select(r => r.Names.Length).Distinct().OrderBy(n => n).Select(n => NumberFormatter.Format(n)));
         _notes.Add(Severity.Note, Code,
-            $"'{word[index]}' with {Values(word.ValueCount(index))} stays unchanged. Number of values in its rules: {counts}.");
+            $"'{word[index]}' with {Figures.Count(word.ValueCount(index), "value")} stays unchanged. Number of values in its rules: {counts}.");
     }
 
-    private static string Values(int count) => count == 1 ? "1 value" : NumberFormatter.Format(count) + " values";
-
-    private static bool IsTurn(char letter)
-    {
-        foreach (var turn in Turns)
-        {
-            if (turn == letter) return true;
-        }
-        return false;
-    }
+    private static bool IsTurn(char letter) => Turns.IndexOf(letter, 0) >= 0;
 }

@@ -1,7 +1,6 @@
 using System.Runtime.CompilerServices;
 using System.Text;
 using Caterpillar.Expressions;
-using Caterpillar.Geometry;
 
 namespace Caterpillar.Turtles;
 

@@ -5,20 +5,14 @@ using Caterpillar.Files;
 namespace Caterpillar.Turtles;
 
 /// <summary>A script or an included file as tokens, with the files that it reads.</summary>
-internal sealed class ScriptSource
+internal sealed class ScriptSource(string? file, List<Token> tokens)
 {
     private const int MaxIncludes = 100;
 
-    private ScriptSource(string? file, List<Token> tokens)
-    {
-        File = file;
-        Tokens = tokens;
-    }
-
     /// <summary>Its name in messages. Null = the script itself.</summary>
-    public string? File { get; }
+    public string? File { get; } = file;
 
-    public List<Token> Tokens { get; }
+    public List<Token> Tokens { get; } = tokens;
 
     /// <summary>Included files by the token of their name. Null if the file has been included before.</summary>
     public Dictionary<int, ScriptSource?> Includes { get; } = [];

@@ -1,7 +1,5 @@
 using Caterpillar.Expressions;
-using Caterpillar.Geometry;
 using Caterpillar.Shaping;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Turtles;
 

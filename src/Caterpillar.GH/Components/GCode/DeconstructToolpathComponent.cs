@@ -11,7 +11,8 @@ public sealed class DeconstructToolpathComponent() : CaterpillarComponent(
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Point("Points", "P", "End point of each move. A move without a layer is in the branch of the layer before it.", GH_ParamAccess.tree);
+        ports.Point("Points", "P", "End point of each move. A move without a layer is in the branch of the layer before it. Arcs are straight moves.",
+            GH_ParamAccess.tree);
         ports.Number("E Values", "E", "Change of E in each move, in mm of filament (or mm³ for volumetric E).", GH_ParamAccess.tree);
         ports.Number("Speeds", "V", "Speed of each move, in mm/s.", GH_ParamAccess.tree);
         ports.Text("Kinds", "K", "Kind of each move: Print, Travel, Wipe, Retract, Deretract, MovingDeretract, Prime or Dwell.", GH_ParamAccess.tree);

@@ -56,19 +56,17 @@ public sealed class InsertAtLayerComponent() : CaterpillarComponent(
 
     private static PrinterEvent Event(Run run)
     {
-        var value = run.Finite(3);
         var text = run.Maybe<string>(4) ?? "";
-        double AtLeast(double least, double most, string meaning)
-            => value >= least && value <= most ? value : throw new InputProblem($"Value must be {meaning}, not {NumberFormatter.Format(value, 6)}.");
+        double Value(double most, string meaning) => run.Within(3, 0, most, meaning);
         return run.Choice<LayerEventKind>(2) switch
         {
             LayerEventKind.Pause => new PauseEvent(text),
-            LayerEventKind.Tool => new ToolEvent(AtLeast(0, 99, "a tool number from 0 to 99") is var tool
+            LayerEventKind.Tool => new ToolEvent(Value(99, "a tool number from 0 to 99") is var tool
                 && tool == Math.Floor(tool) ? (int)tool : throw new InputProblem("Value must be a tool number from 0 to 99.")),
-            LayerEventKind.NozzleTemperature => new NozzleTemperatureEvent(AtLeast(0, 600, "a temperature from 0 to 600 °C"), Wait: true),
-            LayerEventKind.BedTemperature => new BedTemperatureEvent(AtLeast(0, 300, "a temperature from 0 to 300 °C"), Wait: true),
-            LayerEventKind.Fan => new FanEvent(AtLeast(0, 1, "a fan speed from 0 to 1")),
-            LayerEventKind.Dwell => new DwellEvent(AtLeast(0, 1e6, "a number of seconds from 0 to 1000000")),
+            LayerEventKind.NozzleTemperature => new NozzleTemperatureEvent(Value(600, "a temperature from 0 to 600 °C"), Wait: true),
+            LayerEventKind.BedTemperature => new BedTemperatureEvent(Value(300, "a temperature from 0 to 300 °C"), Wait: true),
+            LayerEventKind.Fan => new FanEvent(Value(1, "a fan speed from 0 to 1")),
+            LayerEventKind.Dwell => new DwellEvent(Value(1e6, "a number of seconds from 0 to 1000000")),
             LayerEventKind.Comment => new CommentEvent(text),
             _ => new RawEvent(text.Trim().Length > 0 ? text : throw new InputProblem("Text is missing.") { IsMissing = true }),
         };

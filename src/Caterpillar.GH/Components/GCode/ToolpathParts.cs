@@ -13,25 +13,16 @@ internal sealed class ToolpathParts
 
     public ToolpathParts(Toolpath toolpath, DocumentUnits units, GH_Path root)
     {
-        // Numbers of rafts may begin below 0, branches do not.
-        var numbers = toolpath.NumbersOfLayers();
-        var lowest = numbers.Count > 0 ? Math.Min(numbers[0], 0) : 0;
-        var layer = 0;
-        var branch = new Branch(this, root.AppendElement(layer));
-        for (var i = 0; i < toolpath.Count; i++)
+        var layers = new LayerBranches(toolpath, root);
+        Branch? branch = null;
+        foreach (var (move, path) in layers.Moves())
         {
-            var move = toolpath[i];
-            if (toolpath.NumberOfLayer(move) is { } number && number - lowest != layer)
-            {
-                layer = number - lowest;
-                branch = new Branch(this, root.AppendElement(layer));
-            }
-            branch.Add(move, units, toolpath.BeadOf(move));
+            if (!ReferenceEquals(path, branch?.Path)) branch = new Branch(this, path);
+            branch!.Add(move, units, toolpath.BeadOf(move));
         }
         foreach (var extrusion in ToolpathExtrusions.Of(toolpath))
         {
-            var path = root.AppendElement(toolpath.NumberOfLayer(toolpath[extrusion.First]) is { } number ? number - lowest : 0);
-            Extrusions.Append(new GH_Curve(ToolpathExtrusions.ToCurve(toolpath, extrusion, units)), path);
+            Extrusions.Append(new GH_Curve(ToolpathExtrusions.ToCurve(toolpath, extrusion, units)), layers.PathOf(toolpath[extrusion.First]));
         }
     }
 
@@ -76,6 +67,8 @@ internal sealed class ToolpathParts
         private readonly List<GH_Number> _areas = parts.Areas.EnsurePath(path);
         private readonly List<GH_Number> _widths = parts.Widths.EnsurePath(path);
         private GH_Integer _source = new(-1);
+
+        public GH_Path Path => path;
 
         public void Add(in Move move, DocumentUnits units, Bead? bead)
         {

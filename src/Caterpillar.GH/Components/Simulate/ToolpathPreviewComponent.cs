@@ -5,7 +5,7 @@ namespace Caterpillar.GH.Components.Simulate;
 /// <summary>Shows a toolpath in colors.</summary>
 public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
     "Toolpath Preview", "Preview",
-        "Shows a toolpath in colors by role, speed, flow, layer, order or time, as lines or as beads of true width and height.", Panel.Simulate)
+        "Shows a toolpath in colors by role, speed, flow, width, layer, order or time, as lines or as beads of true width and height.", Panel.Simulate)
 {
     public override Guid ComponentGuid => new("e2b8a4c6-0b7b-4b7c-9a40-6a2d0d7e2f05");
 

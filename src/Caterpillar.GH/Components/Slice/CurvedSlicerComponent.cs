@@ -26,10 +26,11 @@ public sealed class CurvedSlicerComponent() : SlicerComponent(
         var recipe = run.Get<FieldRecipe>(2);
         var partial = run.Get<bool>(3);
         var models = Solids(run, 0, run.Positive(4));
-        var solids = Named(models);
+        var (solids, units) = (Named(models), run.Units);
         var result = run.Work("Slicing", [recipe, setup, partial, models], (progress, cancel) =>
         {
-            var field = recipe.For(solids, setup);
+            var field = recipe.For(solids, setup, n => n >= 0 && n < models[0].Mesh.Vertices.Count
+                ? RhinoGeometry.ToVec(models[0].Mesh.Vertices.Point3dAt(n), units) : null);
             if (field.Value is null || field.HasErrors) return new Result<SliceResult>(null, field.Diagnostics);
             var options = new CurvedOptions { Onto = setup.PrintedOn is { } floor ? PlanSurface.OnBed(floor) : null, Partial = partial };
             var sliced = CurvedSlicer.Slice(solids, field.Value, setup, options, progress, cancel);

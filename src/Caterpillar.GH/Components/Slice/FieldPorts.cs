@@ -69,6 +69,11 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
     private FieldRecipe BetweenEnds(FieldKind kind)
     {
         var (upper, lower) = (Ends(run["Surfaces"]), Ends(run["Lower Boundaries"]));
+        if (Numbers("Upper Vertices") is var ends && Numbers("Lower Vertices") is var starts && ends.Length + starts.Length > 0)
+        {
+            if (upper.Length + lower.Length > 0) throw new InputProblem("Give either vertices, or surfaces and curves.");
+            return BetweenVertices(kind, ends, starts);
+        }
         if (upper.Length == 0 && lower.Length > 0) throw new InputProblem("Lower Boundaries need Surfaces at which layers end.");
         return new FieldRecipe(kind.ToString(), [.. upper.Select(e => e.Key), "from", .. lower.Select(e => e.Key)], (models, _) =>
         {
@@ -76,10 +81,32 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
             var ends = upper.Length == 0 ? MeshBoundaries.Find(part)
                 : MeshBoundaries.Near(part, lower.Length == 0 ? null : BoundaryShape.Of(lower.Select(e => e.Shape).ToArray()),
                     upper.Select(e => e.Shape).ToArray());
-            if (ends.Value is not { } found) return new Result<LayerField>(null, ends.Diagnostics);
-            return new Result<LayerField>(kind == FieldKind.Harmonic ? LayerField.Harmonic(found) : LayerField.Geodesic(found), ends.Diagnostics);
+            return FieldOf(kind, ends);
         });
     }
+
+    private static FieldRecipe BetweenVertices(FieldKind kind, int[] upper, int[] lower)
+        => new(kind.ToString(), [string.Join(" ", upper), "from", string.Join(" ", lower)], (models, _, vertexAt) =>
+        {
+            if (models.Count != 1) return Missing("Boundaries by vertices need exactly one solid.");
+            var mesh = models[0].Mesh;
+            // Equal vertices are one in the library. Adding zero makes a negative zero positive.
+            var places = mesh.Vertices.Select((v, i) => (v, i)).ToDictionary(p => p.v + Vec3.Zero, p => p.i);
+            foreach (var number in upper.Concat(lower))
+            {
+                if (vertexAt(number) is not { } point || !places.ContainsKey(point + Vec3.Zero))
+                    return Missing($"The solid has no vertex {NumberFormatter.Format(number)}.");
+            }
+            int[] Own(int[] numbers) => Array.ConvertAll(numbers, n => places[vertexAt(n)!.Value + Vec3.Zero]);
+            return FieldOf(kind, MeshBoundaries.Of(mesh, Own(lower), Own(upper)));
+        });
+
+    private static Result<LayerField> FieldOf(FieldKind kind, Result<MeshBoundaries> ends) => new(
+        ends.Value is not { } found ? null : kind == FieldKind.Harmonic ? LayerField.Harmonic(found) : LayerField.Geodesic(found), ends.Diagnostics);
+
+    private static Result<LayerField> Missing(string message) => new(null, [new Diagnostic(Severity.Error, "curved.no_boundary", message)]);
+
+    private int[] Numbers(string port) => run.List<GH_Integer>(run[port]).Select(n => n.Value).ToArray();
 
     // Curves and surfaces on the solids, with their keys.
     private (BoundaryShape Shape, object Key)[] Ends(int port)

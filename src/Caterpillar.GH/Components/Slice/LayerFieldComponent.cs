@@ -64,6 +64,12 @@ public sealed class LayerFieldComponent() : ChosenPortsComponent(
         ports.For("Kind", placed, () => ports.Add(new Param_Point(), "Origin", "O",
             "Origin of the formulas (default: world origin) or axis of the cone (default: center of the solids).", optional: true));
         ports.For("Kind", surfaces, () => ports.MeshTolerance());
+        ports.For("Kind", [FieldKind.Harmonic, FieldKind.Geodesic], () =>
+        {
+            const string Instead = " of the solid, counted from 0 in its mesh, instead of surfaces and curves. It must be the only solid.";
+            ports.Integer("Upper Vertices", "UV", "Vertices at which layers end, by their numbers" + Instead, access: GH_ParamAccess.list, optional: true);
+            ports.Integer("Lower Vertices", "LV", "Vertices at which layers begin, by their numbers" + Instead, access: GH_ParamAccess.list, optional: true);
+        });
     }
 
     private protected override void Outputs(OutputPorts ports)

@@ -114,7 +114,7 @@ namespace Grasshopper.Kernel.Types
         {
         }
 
-        internal GH_Plane(Plane plane) : base(plane)
+        public GH_Plane(Plane plane) : base(plane)
         {
         }
 

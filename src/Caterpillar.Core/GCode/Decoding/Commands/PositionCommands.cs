@@ -1,6 +1,4 @@
 using Caterpillar.Flavors;
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 

@@ -1,5 +1,3 @@
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.GCode;
 
 internal enum CommentKind : byte

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Position of the head, mm: coordinates as written (after G92), and their shift to machine coordinates.</summary>

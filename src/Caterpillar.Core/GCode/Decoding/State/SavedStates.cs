@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.GCode;
 
 /// <summary>States that a file saves and restores (M120, G60, SAVE_GCODE_STATE), and the offsets of SET_GCODE_OFFSET and M206, which homing keeps.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.GCode;
 
 /// <summary>The origins of the coordinate systems G54 to G59.3 in machine coordinates, and the selected one. That of G54 has the number 1.</summary>

@@ -163,15 +163,7 @@ internal sealed class PlainMoves
         return Moves(head, ref written);
     }
 
-    private static bool KnowsWords(string letters)
-    {
-        if (letters.Length == 0) return true;
-        foreach (var letter in "GXYZEF")
-        {
-            if (letters.IndexOf(letter.ToString(), StringComparison.Ordinal) < 0) return false;
-        }
-        return true;
-    }
+    private static bool KnowsWords(string letters) => letters.Length == 0 || !"GXYZEF".Except(letters).Any();
 
     // Whether a move is made of it, of numbers that are not unusually large.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -1,5 +1,3 @@
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Reads the moves of a toolpath and skips given blocks.</summary>

@@ -1,6 +1,4 @@
 using Caterpillar.Flavors;
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
@@ -63,17 +61,7 @@ internal sealed class SpliceContext
     public bool LineBringsInches => Target is { Millimeters: true } && Line.HasCode(20);
 
     /// <summary>True if the current line homes.</summary>
-    public bool LineHomes
-    {
-        get
-        {
-            foreach (var entry in Read.LastEvents)
-            {
-                if (entry.Event is HomeEvent) return true;
-            }
-            return false;
-        }
-    }
+    public bool LineHomes => Read.LastEvents.Any(e => e.Event is HomeEvent);
 
     /// <summary>Writes a new line.</summary>
     public void Command(string line)

@@ -1,19 +1,11 @@
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Finds the chunks of a file that an edited toolpath changes.</summary>
-internal sealed class SplicePlan
+internal sealed class SplicePlan(Checkpoint[] checkpoints)
 {
-    private readonly Checkpoint[] _checkpoints;
-    private readonly bool[] _dirty;
+    private readonly Checkpoint[] _checkpoints = checkpoints;
+    private readonly bool[] _dirty = new bool[checkpoints.Length];
     private readonly Dictionary<PrinterEvent, int> _indices = new(ReferenceComparer.Instance);
-
-    private SplicePlan(Checkpoint[] checkpoints)
-    {
-        _checkpoints = checkpoints;
-        _dirty = new bool[checkpoints.Length];
-    }
 
     /// <summary>False if the moves are not in the order of their lines.</summary>
     public bool InOrder { get; private set; } = true;

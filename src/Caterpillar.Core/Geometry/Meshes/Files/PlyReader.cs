@@ -4,21 +4,14 @@ namespace Caterpillar.Geometry;
 /// Reads the polygons of PLY files (Turk 1994), ASCII and both binary orders, with any further elements and properties. Polygons are split as fans
 /// from their first corner.
 /// </summary>
-internal sealed class PlyReader
+internal sealed class PlyReader(MeshSource source, PlyHeader header)
 {
-    private readonly MeshSource _source;
-    private readonly PlyData _data;
-    private readonly List<PlyElement> _elements;
+    private readonly MeshSource _source = source;
+    private readonly PlyData _data = new PlyData(source, header.Format, header.DataAt);
+    private readonly List<PlyElement> _elements = header.Elements;
     private MeshBuilder? _builder;
     private int[] _ids = [];
     private int[] _polygon = new int[8];
-
-    private PlyReader(MeshSource source, PlyHeader header)
-    {
-        _source = source;
-        _data = new PlyData(source, header.Format, header.DataAt);
-        _elements = header.Elements;
-    }
 
     public static bool Read(MeshSource source, List<NamedMesh> meshes)
     {

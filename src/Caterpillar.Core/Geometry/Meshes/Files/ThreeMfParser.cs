@@ -4,21 +4,14 @@ using Caterpillar.Files;
 namespace Caterpillar.Geometry;
 
 /// <summary>Reads the XML of one model part of a 3MF package (3MF Core Specification 1.3; paths of the Production Extension).</summary>
-internal sealed class ThreeMfParser
+internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xml)
 {
-    private readonly MeshSource _source;
-    private readonly string _part;
-    private readonly XmlReader _xml;
+    private readonly MeshSource _source = source;
+    private readonly string _part = part;
+    private readonly XmlReader _xml = xml;
     private readonly ThreeMfModel _model = new();
     private byte[] _number = new byte[64];
     private bool _good = true;
-
-    private ThreeMfParser(MeshSource source, string part, XmlReader xml)
-    {
-        _source = source;
-        _part = part;
-        _xml = xml;
-    }
 
     /// <summary>The model; null with an error where it cannot be read. May throw what the XML reader throws.</summary>
     public static ThreeMfModel? Parse(MeshSource source, string part, Stream stream)

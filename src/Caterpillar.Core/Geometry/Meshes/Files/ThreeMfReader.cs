@@ -8,24 +8,18 @@ namespace Caterpillar.Geometry;
 /// Reads 3MF packages: a zip archive with models in XML. Every build item becomes one mesh in mm, with the transforms of the item and of its
 /// components applied. An object of the type support or other is ignored.
 /// </summary>
-internal sealed class ThreeMfReader
+internal sealed class ThreeMfReader(MeshSource source, ZipArchive archive)
 {
     private const int MaxDepth = 64;
     private const long MaxTriangles = 100_000_000;
     private const int MaxItems = 10_000;
     private const int MaxUses = 1_000_000;
 
-    private readonly MeshSource _source;
-    private readonly ZipArchive _archive;
+    private readonly MeshSource _source = source;
+    private readonly ZipArchive _archive = archive;
     private readonly Dictionary<string, ThreeMfModel?> _models = new(StringComparer.OrdinalIgnoreCase);
     private long _triangles;
     private int _uses;
-
-    private ThreeMfReader(MeshSource source, ZipArchive archive)
-    {
-        _source = source;
-        _archive = archive;
-    }
 
     public static bool Read(MeshSource source, List<NamedMesh> meshes)
     {
@@ -110,11 +104,7 @@ internal sealed class ThreeMfReader
             _source.Afford(_triangles, _uses);
             parts.Add((mesh, map));
         }
-        foreach (var component in item.Components)
-        {
-            if (!Collect(path, component, map, depth + 1, parts)) return false;
-        }
-        return true;
+        return item.Components.All(component => Collect(path, component, map, depth + 1, parts));
     }
 
     private ThreeMfModel? Model(string path)

@@ -15,16 +15,7 @@ internal static class EdgeSnap
         var reach = Reaches(mesh);
         var (targets, moved, farthest) = Targets(mesh, reach);
         if (moved == 0) return (mesh, 0, 0);
-        var builder = new MeshBuilder(mesh.VertexCount, mesh.TriangleCount);
-        var ids = new int[mesh.VertexCount];
-        for (var v = 0; v < ids.Length; v++)
-        {
-            var p = mesh.RawVertices[targets[v]];
-            ids[v] = builder.AddVertex(p.X, p.Y, p.Z);
-        }
-        var triangles = mesh.RawTriangles;
-        for (var t = 0; t < triangles.Length; t += 3) builder.AddTriangle(ids[triangles[t]], ids[triangles[t + 1]], ids[triangles[t + 2]]);
-        var closed = builder.ToMesh();
+        var closed = MeshBuilder.Merging(mesh, targets).ToMesh();
         return closed.NakedEdgeCount < mesh.NakedEdgeCount ? (closed, moved, farthest) : (mesh, 0, 0);
     }
 

@@ -13,19 +13,13 @@ namespace Caterpillar.Geometry;
 internal sealed record SectionMeasure(double Z, double Length, double Area, int Outer, int Holes, int Open);
 
 /// <summary>Measures of plane sections of one model. Immutable.</summary>
-internal sealed class SectionReport
+internal sealed class SectionReport(string model, IReadOnlyList<SectionMeasure> sections)
 {
-    private SectionReport(string model, IReadOnlyList<SectionMeasure> sections)
-    {
-        Model = model;
-        Sections = sections;
-    }
-
     /// <summary>Name of the model, for example its file.</summary>
-    public string Model { get; }
+    public string Model { get; } = model;
 
     /// <summary>One entry for each height, in the requested order.</summary>
-    public IReadOnlyList<SectionMeasure> Sections { get; }
+    public IReadOnlyList<SectionMeasure> Sections { get; } = sections;
 
     /// <summary>Cuts a mesh at heights in mm and measures the sections.</summary>
     /// <returns>The report, and the diagnostics of <see cref="MeshSections.At"/>.</returns>

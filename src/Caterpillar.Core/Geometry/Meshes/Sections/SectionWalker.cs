@@ -4,25 +4,16 @@ namespace Caterpillar.Geometry;
 /// Chains the cut triangles of one plane to contours by walking from neighbor to neighbor. The cut point of an edge is computed from its lower to
 /// its higher vertex number, so both triangles get the same bits and nothing is joined by distance. One per thread.
 /// </summary>
-internal sealed class SectionWalker
+internal sealed class SectionWalker(TriMesh mesh)
 {
-    private readonly Vec3[] _vertices;
-    private readonly int[] _triangles;
-    private readonly int[] _partner;
-    private readonly bool _paired;
-    private readonly int[] _seen;
+    private readonly Vec3[] _vertices = mesh.RawVertices;
+    private readonly int[] _triangles = mesh.RawTriangles;
+    private readonly int[] _partner = mesh.Topology.Partner;
+    private readonly bool _paired = mesh.Topology.IsPaired;
+    private readonly int[] _seen = new int[mesh.TriangleCount];
     private Vec3[] _points = new Vec3[256];
     private int _count;
     private int _round;
-
-    public SectionWalker(TriMesh mesh)
-    {
-        _vertices = mesh.RawVertices;
-        _triangles = mesh.RawTriangles;
-        _partner = mesh.Topology.Partner;
-        _paired = mesh.Topology.IsPaired;
-        _seen = new int[mesh.TriangleCount];
-    }
 
     /// <summary>
     /// Adds the contours of the plane to the lists, in the order of their first triangle; open ones from their start.

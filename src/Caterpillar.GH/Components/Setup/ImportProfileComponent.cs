@@ -1,0 +1,40 @@
+using Caterpillar.Jobs;
+
+namespace Caterpillar.GH.Components.Setup;
+
+/// <summary>Makes a printer from the start and end code of a print or of files.</summary>
+public sealed class ImportProfileComponent() : CaterpillarComponent(
+    "Import Profile", "Import", "Creates a printer and a material from the start and end code of a print that another program has sliced, or from files "
+        + "with start and end code, as ExtruderTurtle uses them.", Panel.Setup, GH_Exposure.tertiary)
+{
+    private const string Filter = "G-code|*.gcode;*.bgcode;*.gco;*.txt;*.g;*.gz|All files|*.*";
+
+    public override Guid ComponentGuid => new("3d5b7a90-4c1e-4f6e-8a2d-7b9e0c1f2d07");
+
+    private protected override void Inputs(InputPorts ports)
+    {
+        ports.File("File", "F", "G-code of a print, or a file with start code only.", Filter);
+        ports.File("Footer", "Fo", "File with the end code. Default: the end of the print in File.", Filter, optional: true);
+        ports.Profile(new PrinterChoiceParam(), "Base", "B", "Used for values that the files do not contain. Default: generic.");
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        ports.Add(new PrinterParam(), "Printer", "P", "Printer.");
+        ports.Add(new MaterialParam(), "Material", "M", "Material with the temperatures of the start code, in °C.");
+        ports.Point("Start", "S", "Nozzle position after the start code. Null if it is not known.");
+        ports.Diagnostics();
+    }
+
+    private protected override void Solve(Run run)
+    {
+        var (header, footer) = (run.Get<string>(0), run.Maybe<string>(1));
+        var (before, after) = (run.FileAt(header), string.IsNullOrEmpty(footer) ? null : run.FileAt(footer!));
+        var like = run.Maybe<Printer>(2);
+        var name = System.IO.Path.GetFileNameWithoutExtension(header);
+        object?[] key = [before.FullName, before.LastWriteTimeUtc, before.Length, after?.FullName, after?.LastWriteTimeUtc, after?.Length, like];
+        var made = run.Require(run.Work("Importing", key, (_, _) => ProfileImport.Read(File.ReadAllBytes(before.FullName),
+            after is null ? null : File.ReadAllBytes(after.FullName), string.IsNullOrWhiteSpace(name) ? "imported" : name, like, header, footer ?? "footer")));
+        run.SetAll(new PrinterGoo(made.Printer), new MaterialGoo(made.Material), made.Start is { } start ? RhinoGeometry.ToPoint(start, run.Units) : null);
+    }
+}
