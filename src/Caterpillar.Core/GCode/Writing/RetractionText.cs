@@ -1,3 +1,5 @@
+using Caterpillar.Flavors;
+
 namespace Caterpillar.GCode;
 
 /// <summary>Settings of the firmware retraction as lines of G-code.</summary>

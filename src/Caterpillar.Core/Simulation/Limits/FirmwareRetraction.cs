@@ -1,3 +1,5 @@
+using Caterpillar.Flavors;
+
 namespace Caterpillar.Simulation;
 
 /// <summary>
