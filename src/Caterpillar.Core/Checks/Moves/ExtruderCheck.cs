@@ -1,6 +1,3 @@
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Checks;
 
 /// <summary>Too much material extruded or retracted, in place or along a path, and extrusions that lack what was retracted before.</summary>

@@ -1,8 +1,5 @@
 using System.Runtime.CompilerServices;
 using Caterpillar.GCode;
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 

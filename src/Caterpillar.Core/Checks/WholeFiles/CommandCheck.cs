@@ -1,7 +1,5 @@
 using Caterpillar.Flavors;
 using Caterpillar.GCode;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 

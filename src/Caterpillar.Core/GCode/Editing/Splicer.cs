@@ -207,7 +207,9 @@ internal sealed class Splicer
         var single = own == 1 && commands > 0 && _context.Line.Shape == LineShape.Code;
         var first = single || own == moves ? tasks.Count - own : tasks.Count;
         Insert(0, first);
-        if (own > 0 && !single && (commands > 0 || IsTravel(tasks, first)))
+        // A command that moves the head and does nothing else, as G61, may become moves.
+        bool Travels() => !_context.LineHomes && tasks.Skip(first).All(t => t.Event is null && t.Move.Kind == MoveKind.Travel);
+        if (own > 0 && !single && (commands > 0 || Travels()))
         {
             if (own == moves && _moves.Keeps(line, tasks, first)) return;
             _context.Text.Drop(_context.Line);
@@ -216,14 +218,6 @@ internal sealed class Splicer
         else if (commands == 0) _others.Write(line, line);
         else if (single) _moves.WriteMove(line, tasks[tasks.Count - 1].Move);
         else _moves.WriteWithoutMove(line);
-    }
-
-    // True for a command that moves the head and does nothing else, as G61.
-    private bool IsTravel(IReadOnlyList<SpliceTask> tasks, int first)
-    {
-        var travels = first < tasks.Count && !_context.LineHomes;
-        for (var i = first; i < tasks.Count && travels; i++) travels = tasks[i].Event is null && tasks[i].Move.Kind == MoveKind.Travel;
-        return travels;
     }
 
     // Modes in a line whose move is cut out stay.

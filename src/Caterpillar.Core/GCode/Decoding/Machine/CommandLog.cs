@@ -38,7 +38,7 @@ internal sealed class CommandLog(Machine machine)
         var isMacro = command.IsCode ? _last?.Name == "M98" : machine.Rules.ExtendedCommands && _last is null or { Class: CommandClass.Flow };
         if (!isMacro || machine.Counters.Prints > 0) return;
         _macro = use;
-        machine.LosePosition();
+        machine.Restate(0, ChunkParser.HasX | ChunkParser.HasY | ChunkParser.HasZ);
     }
 
     /// <summary>The file prints before it has stated the position after a macro.</summary>

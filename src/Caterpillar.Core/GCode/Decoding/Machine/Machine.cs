@@ -1,6 +1,4 @@
 using Caterpillar.Flavors;
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
@@ -71,9 +69,6 @@ internal sealed class Machine
         }
         ResolvePlain();
     }
-
-    /// <summary>A macro may have moved the head.</summary>
-    public void LosePosition() => Restate(0, ChunkParser.HasX | ChunkParser.HasY | ChunkParser.HasZ);
 
     /// <summary>The file states the position in some axes, and it is lost in others, both as a mask of <see cref="ChunkParser"/>.</summary>
     public void Restate(int stated, int lost = 0)

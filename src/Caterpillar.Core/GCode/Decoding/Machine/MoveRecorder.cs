@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Converts targets to moves: finds the kind of each move, counts it, and collects moves and events.</summary>
