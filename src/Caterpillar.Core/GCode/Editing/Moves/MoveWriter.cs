@@ -3,9 +3,7 @@ using System.Text;
 
 namespace Caterpillar.GCode;
 
-/// <summary>
-/// Writes moves: with the unchanged line of the file, after a line with the missing mode, with other words, or with new lines.
-/// </summary>
+/// <summary>Writes moves: with the unchanged line of the file, after a line with the missing mode, with other words, or with new lines.</summary>
 internal sealed class MoveWriter(SpliceContext context, MoveConversion conversion, bool rewriteAll)
 {
     private const double NoChange = SpliceContext.NoChange;
