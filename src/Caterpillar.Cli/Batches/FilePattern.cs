@@ -2,9 +2,7 @@ using System.IO.Enumeration;
 
 namespace Caterpillar.Cli;
 
-/// <summary>
-/// Files by patterns: <c>*</c> and <c>?</c> within a name, <c>**</c> for folders of any depth. Shells may expand the patterns instead.
-/// </summary>
+/// <summary>Files by patterns: <c>*</c> and <c>?</c> within a name, <c>**</c> for folders of any depth. Shells may expand the patterns instead.</summary>
 internal static class FilePattern
 {
     /// <summary>The files, in the order of the patterns and of their names, each once.</summary>

@@ -1,6 +1,7 @@
 using System.CommandLine.Completions;
 using Caterpillar.Flavors;
 using Caterpillar.Expressions;
+using Caterpillar.GCode;
 
 namespace Caterpillar.Cli;
 
@@ -37,6 +38,11 @@ internal static class CommonOptions
         });
         return option;
     }
+
+    /// <summary>How the files of a verb are decoded.</summary>
+    /// <exception cref="CliException">The flavor is unknown.</exception>
+    public static DecodeOptions Decoding(string? flavor, double? diameter, int threads, Session session)
+        => new() { Flavor = FlavorOf(flavor), FilamentDiameter = diameter, Threads = threads, Memory = session.Memory };
 
     public static Described<string?> Flavor() => Flavor("--flavor", "G-code flavor of the file. Default: detected.");
 

@@ -7,7 +7,7 @@ using Spectre.Console;
 namespace Caterpillar.Cli;
 
 /// <summary>Environment of a verb: streams, profiles, cancellation, progress and messages.</summary>
-internal sealed class Session
+internal sealed class Session(Func<Stream> input, Func<Stream> output, TextWriter messages)
 {
     /// <summary>Advice if the memory limit is exceeded.</summary>
     public const string MoreMemory = "Raise the limit, for example with --memory-limit 8GB.";
@@ -18,20 +18,12 @@ internal sealed class Session
     /// <summary>Code of the note about words of a file without effect, such as M84.</summary>
     public const string Harmless = "gcode.ignored";
 
-    private readonly Func<Stream> _input;
-    private readonly Func<Stream> _output;
-    private readonly TextWriter _messages;
-
-    public Session(Func<Stream> input, Func<Stream> output, TextWriter messages)
-    {
-        _input = input;
-        _output = output;
-        _messages = messages;
-        Messages = new VisibleText(messages);
-    }
+    private readonly Func<Stream> _input = input;
+    private readonly Func<Stream> _output = output;
+    private readonly TextWriter _messages = messages;
 
     /// <summary>Output for messages: standard error.</summary>
-    public TextWriter Messages { get; }
+    public TextWriter Messages { get; } = new VisibleText(messages);
 
     public CancellationToken Cancel { get; init; }
 

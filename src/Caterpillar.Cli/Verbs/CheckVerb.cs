@@ -39,13 +39,7 @@ internal sealed class CheckVerb : Verb
     {
         var setup = _setup.Resolve(arguments, session);
         if (arguments.GetValue(_onto) is { } onto) setup = setup with { PrintedOn = Meshes.ReadAsOne(onto, session) };
-        var options = new DecodeOptions
-        {
-            Flavor = CommonOptions.FlavorOf(arguments.GetValue(_flavor)),
-            FilamentDiameter = setup.Material.FilamentDiameter,
-            Threads = arguments.GetValue(_threads),
-            Memory = session.Memory,
-        };
+        var options = CommonOptions.Decoding(arguments.GetValue(_flavor), setup.Material.FilamentDiameter, arguments.GetValue(_threads), session);
         var all = new List<Diagnostic>();
         var harmless = new List<Diagnostic>();
         foreach (var file in arguments.GetValue(_files)!)

@@ -45,13 +45,9 @@ internal sealed class DecodeVerb : Verb
 
     public override int Run(ParseResult arguments, Session session)
     {
-        var options = new DecodeOptions
+        var options = CommonOptions.Decoding(arguments.GetValue(_flavor), Diameter(arguments, session), arguments.GetValue(_threads), session) with
         {
-            Flavor = CommonOptions.FlavorOf(arguments.GetValue(_flavor)),
             Rule = arguments.GetValue(_rule) == "rising" ? ExtrusionRule.Rising : ExtrusionRule.Balance,
-            FilamentDiameter = Diameter(arguments, session),
-            Threads = arguments.GetValue(_threads),
-            Memory = session.Memory,
         };
         var json = arguments.GetValue(_json);
         var decoded = new List<(string File, DecodedGCode DecodedGCode, DecodeReport Report)>();
@@ -100,10 +96,8 @@ internal sealed class DecodeVerb : Verb
 
     private Statistics Timed(DecodedGCode decoded, string file, ParseResult arguments, Session session)
     {
-        var motion = MotionSetup.Of(_setup, arguments, decoded, session);
-        var toolpath = decoded.Unrolled(motion.Setup.Printer);
-        var timeline = session.WithProgress("Planning " + file, progress => Timeline.Of(toolpath, motion.Setup, progress, session.Cancel));
-        return new Statistics(file, PrintStatistics.Of(timeline, session.Cancel), toolpath, motion.Limits);
+        var (timeline, limits) = TimedFile.Of(_setup, arguments, decoded, file, session);
+        return new Statistics(file, PrintStatistics.Of(timeline, session.Cancel), timeline.Toolpath, limits);
     }
 
     private sealed record Statistics(string File, PrintStatistics Sums, Toolpath Toolpath, string Limits);

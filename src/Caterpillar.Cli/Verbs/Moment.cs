@@ -35,13 +35,7 @@ internal sealed class Moment(string text, Func<Timeline, MachineState?> find)
     }
 
     private static MachineState? AtLayer(Timeline timeline, int index)
-    {
-        for (var i = 0; i < timeline.Toolpath.Layers.Count; i++)
-        {
-            if (timeline.Toolpath.Layers[i].Index == index && timeline.AtLayer(i) is { } state) return state;
-        }
-        return null;
-    }
+        => timeline.Toolpath.Layers.Select((layer, i) => layer.Index == index ? timeline.AtLayer(i) : null).FirstOrDefault(state => state is not null);
 
     private static string? After(string text, string start) => text.StartsWith(start, StringComparison.OrdinalIgnoreCase) ? text[start.Length..] : null;
 

@@ -36,23 +36,16 @@ internal sealed class SimulateVerb : Verb
         var moments = (arguments.GetValue(_at) is { Length: > 0 } given ? given : ["0%"]).Select(Moment.Parse).ToArray();
         var file = arguments.GetValue(_file)!;
         var name = Session.NameOf(file);
-        var options = new DecodeOptions
-        {
-            Flavor = CommonOptions.FlavorOf(arguments.GetValue(_flavor)),
-            FilamentDiameter = _setup.Resolve(arguments, session).Material.FilamentDiameter,
-            Threads = arguments.GetValue(_threads),
-            Memory = session.Memory,
-        };
+        var diameter = _setup.Resolve(arguments, session).Material.FilamentDiameter;
+        var options = CommonOptions.Decoding(arguments.GetValue(_flavor), diameter, arguments.GetValue(_threads), session);
         using var stream = GzipReader.Open(session.OpenRead(file));
         var decoded = session.GCodeOrFail(session.Decode(stream, name, options));
-        var motion = MotionSetup.Of(_setup, arguments, decoded, session);
-        var toolpath = decoded.Unrolled(motion.Setup.Printer);
-        var timeline = session.WithProgress("Planning " + name, progress => Timeline.Of(toolpath, motion.Setup, progress, session.Cancel));
+        var (timeline, limits) = TimedFile.Of(_setup, arguments, decoded, name, session);
         var states = moments.Select(m => m.Of(timeline)).ToArray();
         session.WriteText("-", text =>
         {
             if (arguments.GetValue(_json)) text.Write(SimulationJson.Array(states, (json, s) => SimulationJson.State(json, s, timeline.Toolpath)));
-            else Write(text, states, timeline, motion.Limits);
+            else Write(text, states, timeline, limits);
         });
         return ExitCode.Done;
     }

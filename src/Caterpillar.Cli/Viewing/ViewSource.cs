@@ -34,16 +34,8 @@ internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool
     private ViewerContent Model(string file)
     {
         var meshes = session.Run("Reading", progress => Meshes.Read([file], session, progress));
-        var points = new List<Vec3>();
-        var corners = new List<int>();
-        foreach (var mesh in meshes.Select(m => m.Mesh))
-        {
-            var first = points.Count;
-            points.AddRange(mesh.Vertices);
-            corners.AddRange(mesh.Indices.Select(i => i + first));
-        }
-        Summary = NumberFormatter.Format(corners.Count / 3) + " triangles";
-        return new ViewerContent(Title(file)) { Model = TriMesh.Create(points, corners), Printer = setup.Resolve(arguments, session).Printer };
+        Summary = NumberFormatter.Format(meshes.Sum(m => m.Mesh.TriangleCount)) + " triangles";
+        return new ViewerContent(Title(file)) { Model = TriMesh.Merge(meshes.Select(m => m.Mesh)), Printer = setup.Resolve(arguments, session).Printer };
     }
 
     private ViewerContent GCode(string file, byte[] bytes)
@@ -53,20 +45,18 @@ internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool
         var options = new DecodeOptions { FilamentDiameter = resolved.Material.FilamentDiameter, Memory = session.Memory };
         using var stream = GzipReader.Open(new MemoryStream(bytes, false));
         var decoded = session.GCodeOrFail(session.Decode(stream, name, options));
-        var motion = MotionSetup.Of(setup, arguments, decoded, session);
-        var toolpath = decoded.Unrolled(motion.Setup.Printer);
-        var timeline = session.WithProgress("Planning " + name, progress => Timeline.Of(toolpath, motion.Setup, progress, session.Cancel));
+        var (timeline, limits) = TimedFile.Of(setup, arguments, decoded, name, session);
         var findings = setup.IsGiven(arguments)
             ? session.WithProgress("Checking " + name, progress => PrintCheck.Run(decoded, resolved, progress, session.Cancel))
             : [];
-        Summary = PrintSummary.Of(PrintFigures.Of(decoded, toolpath) with { Seconds = timeline.Duration });
+        Summary = PrintSummary.Of(PrintFigures.Of(decoded, timeline.Toolpath) with { Seconds = timeline.Duration });
         return new ViewerContent(Title(file))
         {
-            Toolpath = toolpath,
+            Toolpath = timeline.Toolpath,
             GCode = withLines && !bytes.AsSpan().StartsWith("GCDE"u8) ? Unpacked(bytes) : null,
             EndOf = timeline.EndOf,
-            Limits = motion.Limits,
-            Printer = motion.Setup.Printer,
+            Limits = limits,
+            Printer = timeline.Setup.Printer,
             Shape = resolved.Settings.BeadShape,
             Density = resolved.Material.Density,
             Findings = [.. findings],

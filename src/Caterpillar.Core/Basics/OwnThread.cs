@@ -1,8 +1,6 @@
 namespace Caterpillar.Basics;
 
-/// <summary>
-/// Runs work on its own thread. For work that waits: it would use up the thread pool, which grows slowly.
-/// </summary>
+/// <summary>Runs work on its own thread. For work that waits: it would use up the thread pool, which grows slowly.</summary>
 internal static class OwnThread
 {
     public static Task<T> Run<T>(Func<T> work)

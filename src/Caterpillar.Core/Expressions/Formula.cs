@@ -2,9 +2,8 @@ namespace Caterpillar.Expressions;
 
 /// <summary>
 /// A formula from text, compiled once to delegates. It supports numbers, variables, <c>+ - * / % ^</c>, comparisons, <c>and or not</c>, <c>a ? b : c</c>, the
-/// constants <c>pi</c> and <c>tau</c> and
-/// the functions of <see cref="FormulaFunctions"/>. Angles are degrees. True is 1, false is 0. The same text gives the same bits on every runtime.
-/// Division by zero gives infinities or NaN, as in all double arithmetic. The caller checks the value.
+/// constants <c>pi</c> and <c>tau</c> and the functions of <see cref="FormulaFunctions"/>. Angles are degrees. True is 1, false is 0. The same text gives the
+/// same bits on every runtime. Division by zero gives infinities or NaN, as in all double arithmetic. The caller checks the value.
 /// </summary>
 internal sealed class Formula(string text, string[] variables, FormulaNode node, bool usesRandom)
 {

@@ -23,9 +23,7 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
     /// <summary>One formula.</summary>
     public FormulaNode Parse() => Complete(argument: false);
 
-    /// <summary>
-    /// One of several arguments separated by spaces. A minus or plus with a space only before it begins the next argument, as in Logo.
-    /// </summary>
+    /// <summary>One of several arguments separated by spaces. A minus or plus with a space only before it begins the next argument, as in Logo.</summary>
     public FormulaNode ParseArgument() => Complete(argument: true);
 
     public void ExpectEnd()

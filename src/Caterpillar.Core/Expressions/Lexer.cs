@@ -11,22 +11,8 @@ internal enum TokenKind : byte
 }
 
 /// <summary>A word of a formula or a script. Lines and columns count from 1.</summary>
-internal readonly struct Token(TokenKind kind, string text, double value, int line, int column, bool spaceBefore, bool spaceAfter)
+internal readonly record struct Token(TokenKind Kind, string Text, double Value, int Line, int Column, bool SpaceBefore, bool SpaceAfter)
 {
-    public TokenKind Kind { get; } = kind;
-
-    public string Text { get; } = text;
-
-    public double Value { get; } = value;
-
-    public int Line { get; } = line;
-
-    public int Column { get; } = column;
-
-    public bool SpaceBefore { get; } = spaceBefore;
-
-    public bool SpaceAfter { get; } = spaceAfter;
-
     public bool Is(string symbol) => Kind == TokenKind.Symbol && Text == symbol;
 
     public bool IsWord(string word) => Kind == TokenKind.Name && Text == word;

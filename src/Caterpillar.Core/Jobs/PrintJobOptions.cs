@@ -31,8 +31,7 @@ public sealed record PrintJobOptions
     public ToolTilt? Tilt { get; init; }
 
     /// <summary>
-    /// Infill lines of a layer from the height of its top, instead of the infill pattern (<see cref="SliceOptions.InfillLines"/>);
-    /// null = pattern.
+    /// Infill lines of a layer from the height of its top, instead of the infill pattern (<see cref="SliceOptions.InfillLines"/>); null = pattern.
     /// </summary>
     public Func<double, IReadOnlyList<Polyline>>? InfillLines { get; init; }
 

@@ -70,9 +70,7 @@ public static class DeformationText
         return new Result<Deformation>(deformation, []);
     }
 
-    /// <summary>
-    /// Parts of a text at the commas outside of brackets. Each part is padded with leading spaces, so that columns refer to the whole text.
-    /// </summary>
+    /// <summary>Parts of a text at the commas outside of brackets. Each part is padded with leading spaces, so that columns refer to the whole text.</summary>
     internal static IReadOnlyList<string> Split(string text)
     {
         var parts = new List<string>();

@@ -32,9 +32,7 @@ public sealed record GapBead
     /// <summary>Bead shape, which determines the width that later paths find below them.</summary>
     public BeadShape Shape { get; init; } = BeadShape.Stadium;
 
-    /// <summary>
-    /// Limits from print settings: gaps of 0.25 to 2 layer heights, air above 4 layer heights, pieces of the subdivision distance.
-    /// </summary>
+    /// <summary>Limits from print settings: gaps of 0.25 to 2 layer heights, air above 4 layer heights, pieces of the subdivision distance.</summary>
     public static GapBead For(PrintSettings settings)
     {
         if (settings is null) throw new ArgumentNullException(nameof(settings));

@@ -9,9 +9,7 @@ public readonly record struct MachineState
     /// <summary>Seconds to the end.</summary>
     public double TimeLeft { get; init; }
 
-    /// <summary>
-    /// The move in progress, from 0; the number of moves at the end. All moves before it are complete, and <see cref="Done"/> of it.
-    /// </summary>
+    /// <summary>The move in progress, from 0; the number of moves at the end. All moves before it are complete, and <see cref="Done"/> of it.</summary>
     public int Move { get; init; }
 
     /// <summary>Fraction of the move that is complete, 0 to 1.</summary>
@@ -71,9 +69,7 @@ public readonly record struct MachineState
     /// <summary>Speed of the part cooling fan, 0 to 1.</summary>
     public double Fan { get; init; }
 
-    /// <summary>
-    /// Frame at the nozzle tip: Z up, X along the motion seen from above. The world axes if the head does not move or moves vertically.
-    /// </summary>
+    /// <summary>Frame at the nozzle tip: Z up, X along the motion seen from above. The world axes if the head does not move or moves vertically.</summary>
     public Frame Frame
     {
         get

@@ -38,9 +38,7 @@ public sealed class Timeline
     /// <summary>Total path length of the head, mm.</summary>
     public double Length => _path.Total.Length;
 
-    /// <summary>
-    /// Simulates a toolpath on the printer of a setup. If a decoded file sets limits, they apply from there on.
-    /// </summary>
+    /// <summary>Simulates a toolpath on the printer of a setup. If a decoded file sets limits, they apply from there on.</summary>
     public static Timeline Of(Toolpath toolpath, PrintSetup setup, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));

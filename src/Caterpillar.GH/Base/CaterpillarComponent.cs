@@ -4,8 +4,7 @@ using Rhino.DocObjects;
 namespace Caterpillar.GH.Base;
 
 /// <summary>
-/// Base of all components: declares ports, solves item by item, and keeps the version in the file. It corrects how Grasshopper's base class previews
-/// and bakes.
+/// Base of all components: declares ports, solves item by item, and keeps the version in the file. It corrects how Grasshopper's base class previews and bakes.
 /// </summary>
 public abstract class CaterpillarComponent : GH_Component
 {

@@ -42,9 +42,7 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
         where T : class
         => cache.Get(key, _ => make());
 
-    /// <summary>
-    /// A value that may take long, cached like the others. It is made on another thread, which must not use this run.
-    /// </summary>
+    /// <summary>A value that may take long, cached like the others. It is made on another thread, which must not use this run.</summary>
     /// <exception cref="OperationCanceledException">The user pressed Escape.</exception>
     public T Work<T>(string label, object?[] key, Func<IProgress<double>, CancellationToken, T> work)
         where T : class

@@ -28,9 +28,7 @@ internal static class Icons
         }
     }
 
-    /// <summary>
-    /// Name of the icon of a component or parameter: its class name without the suffix.
-    /// </summary>
+    /// <summary>Name of the icon of a component or parameter: its class name without the suffix.</summary>
     internal static string NameOf(Type type) => type.Name.EndsWith(Suffix, StringComparison.Ordinal)
         ? type.Name.Substring(0, type.Name.Length - Suffix.Length)
         : type.Name;

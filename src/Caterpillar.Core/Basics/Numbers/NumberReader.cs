@@ -11,9 +11,7 @@ public static class NumberReader
     private static readonly double[] ExactPowers =
         [1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22];
 
-    /// <summary>
-    /// Reads text that is a single number: sign, digits, point, exponent. False for other text and for numbers beyond the range of double.
-    /// </summary>
+    /// <summary>Reads text that is a single number: sign, digits, point, exponent. False for other text and for numbers beyond the range of double.</summary>
     public static bool TryParse(string? text, out double value)
     {
         value = 0;

@@ -149,9 +149,8 @@ public abstract class LayerField
         => BoundaryField.Of(boundaries ?? throw new ArgumentNullException(nameof(boundaries)), BoundaryField.HarmonicShares(boundaries, cancel));
 
     /// <summary>
-    /// Layers between the boundaries of a mesh by distance along its surface (fast marching). The value is d / (d + e), with the distances d to the lower and
-    /// e to the nearest upper boundary. Layers are thicker where the boundaries are farther apart. They have a crease where two upper boundaries are equally
-    /// far.
+    /// Layers between the boundaries of a mesh by distance along its surface (fast marching). The value is d / (d + e), with the distances d to the lower and e
+    /// to the nearest upper boundary. Layers are thicker where the boundaries are farther apart. They have a crease where two upper boundaries are equally far.
     /// </summary>
     /// <inheritdoc cref="Harmonic"/>
     public static LayerField Geodesic(MeshBoundaries boundaries, CancellationToken cancel = default)

@@ -19,9 +19,7 @@ public sealed record CurvedOptions
     /// </summary>
     public Func<double, IReadOnlyList<Polyline>>? InfillLines { get; init; }
 
-    /// <summary>
-    /// Maximum tilt of the tool along the layer normals, 0 to 90 degrees. Layers may be steeper by this angle than an upright head allows.
-    /// </summary>
+    /// <summary>Maximum tilt of the tool along the layer normals, 0 to 90 degrees. Layers may be steeper by this angle than an upright head allows.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The angle is not 0 to 90.</exception>
     public double MaxTilt
     {

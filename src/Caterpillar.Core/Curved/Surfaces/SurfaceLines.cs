@@ -1,8 +1,6 @@
 namespace Caterpillar.Curved;
 
-/// <summary>
-/// Evenly spaced lines on a surface that follow directions: ribs, or infill for <see cref="CurvedOptions.InfillLines"/>.
-/// </summary>
+/// <summary>Evenly spaced lines on a surface that follow directions: ribs, or infill for <see cref="CurvedOptions.InfillLines"/>.</summary>
 public static class SurfaceLines
 {
     /// <summary>Traces lines along a direction field.</summary>

@@ -227,33 +227,25 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
         }
         var empty = 0;
         IReadOnlyList<Curve>? curves;
-        switch (name)
+        if (name == "path")
         {
-            case "path":
-                var data = _xml.Attribute("d") ?? "";
-                var (subpaths, without, error, at) = SvgPath.Parse(data);
-                if (error is not null)
-                {
-                    _source.Error("curves.svg_path", error, _xml.InAttribute("d", at));
-                    return false;
-                }
-                (curves, empty) = (subpaths, without);
-                break;
-            case "line":
-                curves = SvgShapes.Line(Length);
-                break;
-            case "polyline" or "polygon":
-                curves = SvgShapes.Polyline(_xml.Attribute("points") ?? "", name == "polygon");
-                break;
-            case "circle":
-                curves = SvgShapes.Ellipse(Length("cx"), Length("cy"), Length("r"), Length("r"));
-                break;
-            case "ellipse":
-                curves = SvgShapes.Ellipse(Length("cx"), Length("cy"), Length("rx"), Length("ry"));
-                break;
-            default:
-                curves = SvgShapes.Rectangle(Length, _xml.Attribute("rx") is { } rx && rx != "auto", _xml.Attribute("ry") is { } ry && ry != "auto");
-                break;
+            (curves, empty, var error, var at) = SvgPath.Parse(_xml.Attribute("d") ?? "");
+            if (error is not null)
+            {
+                _source.Error("curves.svg_path", error, _xml.InAttribute("d", at));
+                return false;
+            }
+        }
+        else
+        {
+            curves = name switch
+            {
+                "line" => SvgShapes.Line(Length),
+                "polyline" or "polygon" => SvgShapes.Polyline(_xml.Attribute("points") ?? "", name == "polygon"),
+                "circle" => SvgShapes.Ellipse(Length("cx"), Length("cy"), Length("r"), Length("r")),
+                "ellipse" => SvgShapes.Ellipse(Length("cx"), Length("cy"), Length("rx"), Length("ry")),
+                _ => SvgShapes.Rectangle(Length, _xml.Attribute("rx") is { } rx && rx != "auto", _xml.Attribute("ry") is { } ry && ry != "auto"),
+            };
         }
         if (curves is null)
         {

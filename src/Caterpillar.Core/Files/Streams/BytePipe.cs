@@ -2,9 +2,7 @@ using System.Collections.Concurrent;
 
 namespace Caterpillar.Files;
 
-/// <summary>
-/// A pipe for bytes from one thread to another, in reused pieces. The writer waits while many pieces are unread.
-/// </summary>
+/// <summary>A pipe for bytes from one thread to another, in reused pieces. The writer waits while many pieces are unread.</summary>
 internal sealed class BytePipe : IDisposable
 {
     private const int Pieces = 8;

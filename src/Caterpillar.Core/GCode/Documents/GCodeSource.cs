@@ -2,9 +2,7 @@ using Caterpillar.Files;
 
 namespace Caterpillar.GCode;
 
-/// <summary>
-/// A stream of G-code as plain text. Gzip is unpacked. Binary G-code and UTF-16 become plain text. The stream itself stays open.
-/// </summary>
+/// <summary>A stream of G-code as plain text. Gzip is unpacked. Binary G-code and UTF-16 become plain text. The stream itself stays open.</summary>
 internal sealed class GCodeSource : IDisposable
 {
     private const int TailLength = 96 * 1024;

@@ -3,9 +3,7 @@ namespace Caterpillar.GCode;
 /// <summary>The G-code format of a printer: flavor, mode of E, decimals, and its templates filled with the values of the print.</summary>
 internal static class SetupFormat
 {
-    /// <summary>
-    /// The format for a toolpath, or errors if a template of the printer is wrong or the toolpath lacks E values.
-    /// </summary>
+    /// <summary>The format for a toolpath, or errors if a template of the printer is wrong or the toolpath lacks E values.</summary>
     public static Result<GCodeFormat> Of(PrintSetup setup, Toolpath toolpath)
     {
         if (setup is null) throw new ArgumentNullException(nameof(setup));

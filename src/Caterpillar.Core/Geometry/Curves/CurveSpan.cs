@@ -1,8 +1,6 @@
 namespace Caterpillar.Geometry;
 
-/// <summary>
-/// A smooth span of a curve, with its own parameter u from 0 to 1: a straight line at constant speed, an arc, or a rational Bézier piece.
-/// </summary>
+/// <summary>A smooth span of a curve, with its own parameter u from 0 to 1: a straight line at constant speed, an arc, or a rational Bézier piece.</summary>
 internal readonly struct CurveSpan
 {
     private readonly BezierSpan? _bezier;

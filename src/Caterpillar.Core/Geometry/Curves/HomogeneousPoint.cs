@@ -1,12 +1,8 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>A point times its weight, and the weight.</summary>
-internal readonly struct HomogeneousPoint(Vec3 weighted, double weight)
+internal readonly record struct HomogeneousPoint(Vec3 Weighted, double Weight)
 {
-    public Vec3 Weighted { get; } = weighted;
-
-    public double Weight { get; } = weight;
-
     public Vec3 Point => Weighted / Weight;
 
     public static HomogeneousPoint Of(Vec3 point, double weight) => new(point * weight, weight);

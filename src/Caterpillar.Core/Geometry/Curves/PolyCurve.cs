@@ -1,8 +1,6 @@
 namespace Caterpillar.Geometry;
 
-/// <summary>
-/// Curves joined end to start. The parameter is the index of the piece plus the fraction of its domain. Nested polycurves are flattened.
-/// </summary>
+/// <summary>Curves joined end to start. The parameter is the index of the piece plus the fraction of its domain. Nested polycurves are flattened.</summary>
 public sealed class PolyCurve : Curve
 {
     private readonly Curve[] _pieces;

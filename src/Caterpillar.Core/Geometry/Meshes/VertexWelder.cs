@@ -1,8 +1,7 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Gives equal points one number, in the order of their first appearance: an open-addressing hash over the bits of the coordinates, −0.0 taken as
-/// 0.0.
+/// Gives equal points one number, in the order of their first appearance: an open-addressing hash over the bits of the coordinates, −0.0 taken as 0.0.
 /// </summary>
 internal sealed class VertexWelder
 {

@@ -4,9 +4,8 @@ namespace Caterpillar.Machines;
 
 /// <summary>
 /// Makes a printer from the header and footer files of ExtruderTurtle: G-code before and after a print, with fixed numbers or with <c>{x}</c>, <c>{y}</c>,
-/// <c>{z}</c>, <c>{feedrate}</c>,
-/// <c>{hotend_temp}</c> and <c>{bed_temp}</c>. The lines become templates with the temperatures of the material. The lines also give the mode of E, the size of
-/// the bed and the position of the nozzle. Similar files of other programs work too.
+/// <c>{z}</c>, <c>{feedrate}</c>, <c>{hotend_temp}</c> and <c>{bed_temp}</c>. The lines become templates with the temperatures of the material. The lines also
+/// give the mode of E, the size of the bed and the position of the nozzle. Similar files of other programs work too.
 /// </summary>
 public static class HeaderImport
 {
@@ -21,8 +20,7 @@ public static class HeaderImport
     /// <param name="headerFile">Name of the header in messages.</param>
     /// <param name="footerFile">Name of the footer in messages.</param>
     /// <returns>
-    /// The printer, or an error if the header leaves the machine in inches. Invalid lines give warnings (<c>header.bad_word</c>,
-    /// <c>header.no_command</c>,
+    /// The printer, or an error if the header leaves the machine in inches. Invalid lines give warnings (<c>header.bad_word</c>, <c>header.no_command</c>,
     /// <c>header.merge_conflict</c>, <c>header.unknown_name</c>) with their location and stay as comments. Notes report guessed values.
     /// </returns>
     public static Result<ImportedPrinter> Read(

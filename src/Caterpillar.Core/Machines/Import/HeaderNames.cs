@@ -3,8 +3,7 @@ using System.Text;
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// Names in braces that ExtruderTurtle fills in in its headers (<c>setup</c>, with Python's <c>str.format</c>), and their replacements in
-/// templates.
+/// Names in braces that ExtruderTurtle fills in in its headers (<c>setup</c>, with Python's <c>str.format</c>), and their replacements in templates.
 /// </summary>
 internal static class HeaderNames
 {

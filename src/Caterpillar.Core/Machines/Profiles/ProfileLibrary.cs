@@ -5,9 +5,8 @@ namespace Caterpillar.Machines;
 
 /// <summary>
 /// Profiles by name: the built-in ones and the ones of a user folder, which contains printers as <c>*.json</c>, materials in <c>materials/</c> and settings in
-/// <c>materials/</c> and settings in
-/// <c>settings/</c>. A user's profile overrides the built-in one of the same name and may inherit it. Profiles are read on request, so changes of the
-/// folder take effect at once.
+/// <c>settings/</c>. A user's profile overrides the built-in one of the same name and may inherit it. Profiles are read on request, so changes of the folder
+/// take effect at once.
 /// </summary>
 public sealed class ProfileLibrary
 {

@@ -1,9 +1,8 @@
 namespace Caterpillar.Machines;
 
 /// <summary>
-/// Reads profiles from JSON. Unknown keys, keys with another unit, values of another type and values out of range are errors that name the file, the
-/// line and the key.
-/// <c>inherits</c> names a profile to start from. Without it, missing values default to the generic printer, PLA and standard settings.
+/// Reads profiles from JSON. Unknown keys, keys with another unit, values of another type and values out of range are errors that name the file, the line and
+/// the key. <c>inherits</c> names a profile to start from. Without it, missing values default to the generic printer, PLA and standard settings.
 /// </summary>
 public static class ProfileReader
 {

@@ -46,9 +46,7 @@ public sealed record ExtrusionModel
         _ => null,
     };
 
-    /// <summary>
-    /// mm³ of extrusion per unit of E, with the multiplier (as in <c>ToolpathTool.VolumePerE</c>); null without E.
-    /// </summary>
+    /// <summary>mm³ of extrusion per unit of E, with the multiplier (as in <c>ToolpathTool.VolumePerE</c>); null without E.</summary>
     public double? VolumePerE => FedVolumePerE / Multiplier;
 
     /// <summary>mm of filament per unit of E; 1 for a pen.</summary>

@@ -72,9 +72,7 @@ public sealed record PrintSetup
     /// <inheritdoc cref="With(string[])"/>
     public Result<PrintSetup> With(IEnumerable<string> values) => SetupValues.Apply(this, values ?? throw new ArgumentNullException(nameof(values)));
 
-    /// <summary>
-    /// The keys of settings, printer and material with their values as text, which <see cref="With(string[])"/> reads. Titles are left out.
-    /// </summary>
+    /// <summary>The keys of settings, printer and material with their values as text, which <see cref="With(string[])"/> reads. Titles are left out.</summary>
     public IReadOnlyList<KeyValuePair<string, string>> Values() => SetupValues.Of(this);
 
     /// <summary>The keys whose values differ from those of another setup, with both values. Names of default profiles do not count.</summary>

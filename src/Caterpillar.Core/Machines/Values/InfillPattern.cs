@@ -1,9 +1,6 @@
 namespace Caterpillar.Machines;
 
-/// <summary>
-/// Infill pattern. At the same density all patterns have the same length of extrusion, except lightning, formula and
-/// curves.
-/// </summary>
+/// <summary>Infill pattern. At the same density all patterns have the same length of extrusion, except lightning, formula and curves.</summary>
 public enum InfillPattern : byte
 {
     /// <summary>Parallel lines that rotate from layer to layer.</summary>

@@ -12,14 +12,10 @@ internal sealed record MacroEffect(string Name, bool Homes, bool Heats, bool Coo
         => macros.Select(line => Parse(line, out _)).FirstOrDefault(m => m is not null && m.Name == name);
 
     /// <summary>The first error in declarations, or null.</summary>
-    public static Diagnostic? Error(ValueList<string> lines)
-    {
-        for (var i = 0; i < lines.Count; i++)
-        {
-            if (Parse(lines[i], out var problem) is null) return new Diagnostic(Severity.Error, "profile.macro", problem, new SourceLocation(Line: i + 1));
-        }
-        return null;
-    }
+    public static Diagnostic? Error(ValueList<string> lines) => lines
+        .Select((line, i) => Parse(line, out var problem) is null
+            ? new Diagnostic(Severity.Error, "profile.macro", problem, new SourceLocation(Line: i + 1)) : null)
+        .FirstOrDefault(d => d is not null);
 
     private static MacroEffect? Parse(string line, out string problem)
     {

@@ -51,9 +51,6 @@ internal sealed class MoveEmitter
     /// <summary>Retracted E of the current tool.</summary>
     public double Retracted => _retracted[Tool];
 
-    /// <summary>Number of moves so far.</summary>
-    public int Count => _builder.Count;
-
     /// <summary>True if some E of printing moves only restored earlier retraction.</summary>
     public bool PrintedRetracted { get; private set; }
 

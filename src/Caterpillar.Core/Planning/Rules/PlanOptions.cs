@@ -6,9 +6,7 @@ public enum PlanPolicy : byte
     /// <summary>Retraction, Z-hops and detours from the settings, and sorting within the groups of the steps.</summary>
     Printer,
 
-    /// <summary>
-    /// Nothing: the moves are as drawn, a gap between paths is one straight travel move, and only the paths extrude (as in ExtruderTurtle).
-    /// </summary>
+    /// <summary>Nothing: the moves are as drawn, a gap between paths is one straight travel move, and only the paths extrude (as in ExtruderTurtle).</summary>
     AsDrawn,
 }
 

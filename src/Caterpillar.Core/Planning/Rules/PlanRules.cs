@@ -134,9 +134,7 @@ internal sealed record PlanRules
     /// <inheritdoc cref="FirstLayerHeight"/>
     public double LayerHeight { get; init; } = 0.2;
 
-    /// <summary>
-    /// Number of the layer of a path, or, if it has none and the policy is the printer's, of a height above the bed; −1 otherwise.
-    /// </summary>
+    /// <summary>Number of the layer of a path, or, if it has none and the policy is the printer's, of a height above the bed; −1 otherwise.</summary>
     public int LayerOf(PrintPath path, double z)
     {
         const double Rounding = 1e-6;

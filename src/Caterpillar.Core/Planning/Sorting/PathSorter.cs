@@ -1,8 +1,6 @@
 namespace Caterpillar.Planning;
 
-/// <summary>
-/// Sorts paths for short travel between them. All rules are deterministic: equal distances are decided by the order of the input.
-/// </summary>
+/// <summary>Sorts paths for short travel between them. All rules are deterministic: equal distances are decided by the order of the input.</summary>
 public static class PathSorter
 {
     // Paths whose lowest points differ by less lie at the same height, mm.

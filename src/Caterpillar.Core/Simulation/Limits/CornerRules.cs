@@ -48,9 +48,8 @@ internal abstract class AxisRules(MachineLimits limits) : CornerRules(limits)
 }
 
 /// <summary>
-/// Marlin's classic jerk (planner.cpp, <c>HAS_CLASSIC_JERK</c>), which PrusaSlicer's estimate follows: in a corner the speed of no axis may jump by more
-/// than its jerk. From rest and to rest
-/// each axis may jump by as much.
+/// Marlin's classic jerk (planner.cpp, <c>HAS_CLASSIC_JERK</c>), which PrusaSlicer's estimate follows: in a corner the speed of no axis may jump by more than
+/// its jerk. From rest and to rest each axis may jump by as much.
 /// </summary>
 internal sealed class JerkRules(MachineLimits limits) : AxisRules(limits)
 {
@@ -138,10 +137,9 @@ internal sealed class DeviationRules(MachineLimits limits) : AxisRules(limits)
 }
 
 /// <summary>
-/// Klipper (toolhead.py, kinematics/extruder.py, kinematics/cartesian.py): one limit of speed and acceleration for the head, others for moves with Z and
-/// for the extruder alone. In corners the
-/// square corner velocity, a circle that touches both moves at most in their middle, and a limit for the jump of the extruder. Moves of the extruder alone
-/// begin and end at rest.
+/// Klipper (toolhead.py, kinematics/extruder.py, kinematics/cartesian.py): one limit of speed and acceleration for the head, others for moves with Z and for
+/// the extruder alone. In corners the square corner velocity, a circle that touches both moves at most in their middle, and a limit for the jump of the
+/// extruder. Moves of the extruder alone begin and end at rest.
 /// </summary>
 internal sealed class SquareCornerRules(MachineLimits limits, double extruderJump) : CornerRules(limits)
 {

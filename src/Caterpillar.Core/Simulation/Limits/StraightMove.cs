@@ -1,8 +1,7 @@
 namespace Caterpillar.Simulation;
 
 /// <summary>
-/// A straight move: its direction and what limits it, before planning. The direction has X, Y, Z and E for a mm of its length; a move in place
-/// has E alone.
+/// A straight move: its direction and what limits it, before planning. The direction has X, Y, Z and E for a mm of its length; a move in place has E alone.
 /// </summary>
 internal struct StraightMove
 {

@@ -11,9 +11,8 @@ internal abstract class LookAhead
 }
 
 /// <summary>
-/// As Marlin and firmware like it: the speed at the start of a segment is the highest from which all that is in the queue can still be braked, and which
-/// the segment before can reach.
-/// A queue of n moves holds the one that runs and n − 1 more.
+/// As Marlin and firmware like it: the speed at the start of a segment is the highest from which all that is in the queue can still be braked, and which the
+/// segment before can reach. A queue of n moves holds the one that runs and n − 1 more.
 /// </summary>
 /// <remarks>
 /// Braking over a segment is the map v² → min(entry, v² + gain). Such maps combine to maps of the same form, min(cap, v² + rise), so a window over the
@@ -94,9 +93,8 @@ internal sealed class QueueLookAhead(int queue) : LookAhead
 }
 
 /// <summary>
-/// As Klipper: the whole run is known. A second profile with less acceleration, from rest to rest, gives the highest speed that the first may use, so
-/// that short moves do not speed up and
-/// brake without pause (minimum_cruise_ratio).
+/// As Klipper: the whole run is known. A second profile with less acceleration, from rest to rest, gives the highest speed that the first may use, so that
+/// short moves do not speed up and brake without pause (minimum_cruise_ratio).
 /// </summary>
 /// <remarks>
 /// Where both profiles are limited by what lies before a segment, and the peak begins afresh, nothing that follows changes what lies before: there a long run

@@ -1,9 +1,8 @@
 namespace Caterpillar.Simulation;
 
 /// <summary>
-/// Speed along a straight move: constant acceleration to a peak, constant speed, constant deceleration. Speeds in mm/s, acceleration in
-/// mm/s², time in seconds; for moves in place
-/// the distance is that of the filament.
+/// Speed along a straight move: constant acceleration to a peak, constant speed, constant deceleration. Speeds in mm/s, acceleration in mm/s², time in seconds;
+/// for moves in place the distance is that of the filament.
 /// </summary>
 /// <param name="Start">Speed at the start.</param>
 /// <param name="Peak">Highest speed.</param>

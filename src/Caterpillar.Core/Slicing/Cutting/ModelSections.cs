@@ -1,8 +1,6 @@
 namespace Caterpillar.Slicing;
 
-/// <summary>
-/// Cuts a model for printing: repairs the mesh, closes gaps in contours, and reports repairs and omissions in one diagnostic.
-/// </summary>
+/// <summary>Cuts a model for printing: repairs the mesh, closes gaps in contours, and reports repairs and omissions in one diagnostic.</summary>
 internal static class ModelSections
 {
     /// <summary>Sections at ascending heights. Problems are added to <paramref name="problems"/>.</summary>

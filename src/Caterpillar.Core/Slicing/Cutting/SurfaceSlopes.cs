@@ -1,9 +1,8 @@
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// How shallow the surface of a mesh is at each height, for layers whose steps (cusps) stay below a limit: thickness · |cos of the angle between normal
-/// and Z| ≤ cusp (Dolenc and Mäkelä, "Slicing procedures for layered manufacturing techniques", 1994). Layers are to end
-/// at level facets, which have no cusp.
+/// How shallow the surface of a mesh is at each height, for layers whose steps (cusps) stay below a limit: thickness · |cos of the angle between normal and Z|
+/// ≤ cusp (Dolenc and Mäkelä, "Slicing procedures for layered manufacturing techniques", 1994). Layers are to end at level facets, which have no cusp.
 /// </summary>
 internal sealed class SurfaceSlopes
 {

@@ -2,9 +2,8 @@ namespace Caterpillar.Slicing;
 
 /// <summary>
 /// One round of walls of variable width. By its thickness a place gets, in beads of nominal spacing s: below 1.5 s a single extrusion; up to 2.5 s two beads
-/// that share it;
-/// above that beads of s, which leave at least half a bead for the next round. So every place is full, and the outline has beads of nominal width wherever it
-/// can.
+/// that share it; above that beads of s, which leave at least half a bead for the next round. So every place is full, and the outline has beads of nominal
+/// width wherever it can.
 /// </summary>
 internal sealed class WallLevel
 {

@@ -16,9 +16,7 @@ internal struct Extrusion
     public static Extrusion At(Vec3 center, double top, double half)
         => new() { Ax = center.X, Ay = center.Y, Az = top, Bx = center.X, By = center.Y, Bz = top, Half = half };
 
-    /// <summary>
-    /// Highest top of the part whose footprint comes within a distance of a segment, seen from above. Negative infinity = none.
-    /// </summary>
+    /// <summary>Highest top of the part whose footprint comes within a distance of a segment, seen from above. Negative infinity = none.</summary>
     public readonly double TopWithin(Vec3 a, Vec3 b, double distance)
     {
         var reach = distance + Half;

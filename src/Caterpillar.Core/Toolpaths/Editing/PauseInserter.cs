@@ -3,9 +3,7 @@ namespace Caterpillar.Toolpaths;
 /// <summary>Adds pauses to a finished toolpath.</summary>
 internal static class PauseInserter
 {
-    /// <summary>
-    /// Adds a pause before the first move of a layer: retract, raise the head, park, wait, return and deretract.
-    /// </summary>
+    /// <summary>Adds a pause before the first move of a layer: retract, raise the head, park, wait, return and deretract.</summary>
     /// <returns>The toolpath, or the error <c>toolpath.no_layer</c>.</returns>
     public static Result<Toolpath> PauseAtLayer(this Toolpath toolpath, int layer, Pause pause)
     {

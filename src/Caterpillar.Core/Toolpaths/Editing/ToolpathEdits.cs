@@ -110,9 +110,7 @@ public static class ToolpathEdits
         return (what is ToolEvent { Tool: >= 0 } tool ? new ToolReassigner(toolpath, move, next, tool.Tool).Run() : toolpath).WithEvents(events);
     }
 
-    /// <summary>
-    /// Inserts an event (a pause, a tool, a temperature) before the first move of a layer, by its number in its object.
-    /// </summary>
+    /// <summary>Inserts an event (a pause, a tool, a temperature) before the first move of a layer, by its number in its object.</summary>
     /// <returns>The toolpath, or the error <c>toolpath.no_layer</c>.</returns>
     public static Result<Toolpath> InsertAtLayer(this Toolpath toolpath, int layer, PrinterEvent what)
     {

@@ -1,8 +1,6 @@
 namespace Caterpillar.Toolpaths;
 
-/// <summary>
-/// Homing moves: the travel moves of a <see cref="HomeEvent"/>. They go to the endstops and are never edited.
-/// </summary>
+/// <summary>Homing moves: the travel moves of a <see cref="HomeEvent"/>. They go to the endstops and are never edited.</summary>
 internal static class Homing
 {
     /// <summary>Position of a head after homing from <paramref name="from"/>, mm.</summary>

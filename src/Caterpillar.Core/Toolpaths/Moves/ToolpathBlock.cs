@@ -24,9 +24,7 @@ public sealed class ToolpathBlock
     internal ToolpathColumns Columns { get; }
 }
 
-/// <summary>
-/// The columns of a block. Index i is the i-th move of the block. The creator of the block fills them. They never change afterwards.
-/// </summary>
+/// <summary>The columns of a block. Index i is the i-th move of the block. The creator of the block fills them. They never change afterwards.</summary>
 internal sealed class ToolpathColumns
 {
     public int Count;

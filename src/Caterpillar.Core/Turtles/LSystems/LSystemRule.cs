@@ -3,20 +3,10 @@ using Caterpillar.Expressions;
 namespace Caterpillar.Turtles;
 
 /// <summary>A letter of a successor with the formulas of its values.</summary>
-internal readonly struct Module(char symbol, Formula[] values)
-{
-    public char Symbol { get; } = symbol;
-
-    public Formula[] Values { get; } = values;
-}
+internal readonly record struct Module(char Symbol, Formula[] Values);
 
 /// <summary>A letter of a predecessor with the names of its values.</summary>
-internal readonly struct Pattern(char symbol, string[] names)
-{
-    public char Symbol { get; } = symbol;
-
-    public string[] Names { get; } = names;
-}
+internal readonly record struct Pattern(char Symbol, string[] Names);
 
 /// <summary>One rule: <c>[weight] [left &lt;] letter[(names)] [&gt; right] [: condition] -&gt; successor</c>.</summary>
 internal sealed class LSystemRule

@@ -31,9 +31,7 @@ public sealed class LSystemWord
     public double Value(int index, int which)
         => which >= 0 && which < ValueCount(index) ? _values[_first![index] + which] : throw new ArgumentOutOfRangeException(nameof(which));
 
-    /// <summary>
-    /// Draws the word with a turtle. Letters without commands are skipped. The values of a letter replace the numbers of its first command.
-    /// </summary>
+    /// <summary>Draws the word with a turtle. Letters without commands are skipped. The values of a letter replace the numbers of its first command.</summary>
     /// <returns>The problems, with the number of the letter as column. Empty = no problems.</returns>
     public IReadOnlyList<Diagnostic> Draw(Turtle turtle, LSystemInterpretation interpretation, System.Threading.CancellationToken cancel = default)
     {

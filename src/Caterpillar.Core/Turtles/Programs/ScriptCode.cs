@@ -93,13 +93,9 @@ internal sealed class Procedure(string name, IReadOnlyList<string> parameters)
 }
 
 /// <summary>A text with {formulas} that are evaluated.</summary>
-internal sealed class TextTemplate(IReadOnlyList<string> texts, IReadOnlyList<Argument> values)
-{
-    /// <summary>One more text than values.</summary>
-    public IReadOnlyList<string> Texts { get; } = texts;
-
-    public IReadOnlyList<Argument> Values { get; } = values;
-}
+/// <param name="Texts">One more text than values.</param>
+/// <param name="Values">The formulas.</param>
+internal sealed record TextTemplate(IReadOnlyList<string> Texts, IReadOnlyList<Argument> Values);
 
 /// <summary>A compiled script.</summary>
 internal sealed class ScriptCode

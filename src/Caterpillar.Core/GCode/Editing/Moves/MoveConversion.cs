@@ -44,9 +44,7 @@ internal sealed class MoveConversion(SpliceContext context)
         return from == ExtrusionAxis.Both ? _line.Find('A') >= 0 || _line.Find('B') >= 0 : from.Letter != 0 && _line.Find((char)from.Letter) >= 0;
     }
 
-    /// <summary>
-    /// Writes the mode of E of the target (otherwise of the file) if another mode is active, and once that E is a volume.
-    /// </summary>
+    /// <summary>Writes the mode of E of the target (otherwise of the file) if another mode is active, and once that E is a volume.</summary>
     public void StateModeOfE(double e)
     {
         if (_target is null || e == 0 || context.Extruder == 0) return;

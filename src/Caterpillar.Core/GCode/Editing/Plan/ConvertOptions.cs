@@ -32,9 +32,7 @@ public sealed record ConvertOptions
     /// <summary>Speed of retractions that replace G10 and G11, mm/s.</summary>
     public double RetractionSpeed { get; init; } = 35;
 
-    /// <summary>
-    /// Maximum decimals of X, Y and Z. Null = decimals of the file.
-    /// </summary>
+    /// <summary>Maximum decimals of X, Y and Z. Null = decimals of the file.</summary>
     public int? DecimalsXyz { get; init; }
 
     /// <summary>Maximum decimals of E. Null = decimals of the file. The next line compensates the rounding.</summary>

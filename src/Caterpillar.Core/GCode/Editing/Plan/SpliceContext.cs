@@ -2,9 +2,7 @@ using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
-/// <summary>
-/// Shared state of the splicer: the file, a machine that reads the original file, and a machine that reads the written lines.
-/// </summary>
+/// <summary>Shared state of the splicer: the file, a machine that reads the original file, and a machine that reads the written lines.</summary>
 internal sealed class SpliceContext
 {
     public const double NoChange = InterpreterState.NoChange;

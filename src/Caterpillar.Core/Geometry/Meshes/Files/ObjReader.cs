@@ -3,9 +3,8 @@ using Caterpillar.Files;
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Reads the polygons of Wavefront OBJ: <c>v</c> and <c>f</c> in all forms, negative indices, indices of vertices that come later, continued lines.
-/// Polygons are split as fans from their first vertex. All objects and groups become one mesh, because groups often are patches of one surface.
-/// Materials are ignored.
+/// Reads the polygons of Wavefront OBJ: <c>v</c> and <c>f</c> in all forms, negative indices, indices of vertices that come later, continued lines. Polygons
+/// are split as fans from their first vertex. All objects and groups become one mesh, because groups often are patches of one surface. Materials are ignored.
 /// </summary>
 internal sealed class ObjReader
 {

@@ -1,8 +1,6 @@
 namespace Caterpillar.Geometry;
 
-/// <summary>
-/// An instance of an object: which one (in which part of the package, null for the same part) and how it is placed, in units of the file.
-/// </summary>
+/// <summary>An instance of an object: which one (in which part of the package, null for the same part) and how it is placed, in units of the file.</summary>
 internal sealed record ThreeMfUse(string? Path, int ObjectId, Affine Map, int Line, int Column);
 
 /// <summary>An object of a 3MF model: a mesh, or uses of other objects.</summary>

@@ -1,9 +1,8 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Turns closed bodies that face inward without being the cavity of another one, so that they neither vanish nor hollow out what they run through. A
-/// cavity lies inside a body that faces outward with all of its points; one that leaves hardly anything of that body is its shell once more, turned
-/// inside out.
+/// Turns closed bodies that face inward without being the cavity of another one, so that they neither vanish nor hollow out what they run through. A cavity
+/// lies inside a body that faces outward with all of its points; one that leaves hardly anything of that body is its shell once more, turned inside out.
 /// </summary>
 internal static class BodyOrientation
 {

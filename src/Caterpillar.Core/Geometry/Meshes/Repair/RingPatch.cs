@@ -1,11 +1,10 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Fills a ring of open edges with triangles between its vertices: those of the smallest cost by dynamic programming over the ring (as in Barequet and
-/// Sharir 1995, "Filling gaps in the boundary of a polyhedron"). The cost is the area, and for each crease its length times the sine of half its angle, in
-/// units of the mean length of the edges. One sharp crease so costs less than two blunt ones: faces beyond the ring go on to the edge in which they meet,
-/// where the smallest area alone would cut that off. Angles between triangles of the patch are those of the best parts (Liepa 2003, "Filling holes in
-/// meshes").
+/// Fills a ring of open edges with triangles between its vertices: those of the smallest cost by dynamic programming over the ring (as in Barequet and Sharir
+/// 1995, "Filling gaps in the boundary of a polyhedron"). The cost is the area, and for each crease its length times the sine of half its angle, in units of
+/// the mean length of the edges. One sharp crease so costs less than two blunt ones: faces beyond the ring go on to the edge in which they meet, where the
+/// smallest area alone would cut that off. Angles between triangles of the patch are those of the best parts (Liepa 2003, "Filling holes in meshes").
 /// </summary>
 internal sealed class RingPatch
 {

@@ -1,8 +1,6 @@
 namespace Caterpillar.Geometry;
 
-/// <summary>
-/// Removes points that a plane through vertices leaves in contours: repeated ones, and spikes that go back on themselves.
-/// </summary>
+/// <summary>Removes points that a plane through vertices leaves in contours: repeated ones, and spikes that go back on themselves.</summary>
 internal static class PolylineCleaning
 {
     /// <summary>Keeps one of equal neighbors.</summary>
@@ -17,8 +15,7 @@ internal static class PolylineCleaning
     }
 
     /// <summary>
-    /// For a closed contour: also removes spikes that go to a point and back over the same points. Returns the index of the first point that
-    /// is kept.
+    /// For a closed contour: also removes spikes that go to a point and back over the same points. Returns the index of the first point that is kept.
     /// </summary>
     public static int DropSpikes(Vec3[] points, ref int count)
     {

@@ -1,4 +1,3 @@
-using System.Text;
 using Newtonsoft.Json;
 
 namespace Caterpillar.Geometry;
@@ -53,22 +52,15 @@ internal sealed class SectionReport(string model, IReadOnlyList<SectionMeasure> 
     /// </summary>
     public static string ToJson(IEnumerable<SectionReport> reports)
     {
-        var text = new StringBuilder("[");
-        var first = true;
-        foreach (var report in reports ?? throw new ArgumentNullException(nameof(reports)))
-        {
-            text.Append(first ? "\n" : ",\n").Append(" {\"model\": ").Append(JsonConvert.ToString(report.Model)).Append(", \"sections\": [");
-            for (var i = 0; i < report.Sections.Count; i++)
-            {
-                var s = report.Sections[i];
-                text.Append(i == 0 ? "\n" : ",\n").Append("  {\"z\": ").Append(NumberFormatter.Format(s.Z, 9))
-                    .Append(", \"length\": ").Append(NumberFormatter.Format(s.Length, 9)).Append(", \"area\": ").Append(NumberFormatter.Format(s.Area, 9))
-                        .Append(", \"outer\": ").Append(NumberFormatter.Format(s.Outer))
-                    .Append(", \"holes\": ").Append(NumberFormatter.Format(s.Holes)).Append(", \"open\": ").Append(NumberFormatter.Format(s.Open)).Append('}');
-            }
-            text.Append(report.Sections.Count > 0 ? "\n ]}" : "]}");
-            first = false;
-        }
-        return text.Append(first ? "]\n" : "\n]\n").ToString();
+        var all = (reports ?? throw new ArgumentNullException(nameof(reports))).Select(Json).ToArray();
+        return "[" + string.Join(",", all) + (all.Length > 0 ? "\n]\n" : "]\n");
     }
+
+    private static string Json(SectionReport report)
+        => $"\n {{\"model\": {JsonConvert.ToString(report.Model)}, \"sections\": [{string.Join(",", report.Sections.Select(Json))}"
+            + (report.Sections.Count > 0 ? "\n ]}" : "]}");
+
+    private static string Json(SectionMeasure s)
+        => $"\n  {{\"z\": {NumberFormatter.Format(s.Z, 9)}, \"length\": {NumberFormatter.Format(s.Length, 9)}, \"area\": {NumberFormatter.Format(s.Area, 9)}, "
+            + $"\"outer\": {NumberFormatter.Format(s.Outer)}, \"holes\": {NumberFormatter.Format(s.Holes)}, \"open\": {NumberFormatter.Format(s.Open)}}}";
 }

@@ -15,9 +15,7 @@ internal sealed class SectionWalker(TriMesh mesh)
     private int _count;
     private int _round;
 
-    /// <summary>
-    /// Adds the contours of the plane to the lists, in the order of their first triangle; open ones from their start.
-    /// </summary>
+    /// <summary>Adds the contours of the plane to the lists, in the order of their first triangle; open ones from their start.</summary>
     public void Cut(double z, int[] layer, int from, int to, List<Polyline> loops, List<Polyline> open)
     {
         if (++_round == int.MaxValue)
