@@ -33,18 +33,20 @@ internal static class FlavorManual
             + "If start and end are equal, the arc is a full circle. A third axis makes a helix.\n");
         text.Append("- R > 0 is the shorter arc, R < 0 the longer one.\n");
         text.Append("- `M104`, `M109`, `M140`, `M190`, `M106`, `M107`, `M400` and motion limits become events of the "
-            + "toolpath. A line that begins with `M` never moves.\n");
+            + "toolpath. Of the lines that begin with `M` only `M290` moves the head.\n");
         text.Append("- `;` and `( )` are comments, `*` begins a checksum, a leading `N` word and `/` are ignored, and lines that begin with `%`, `@` or `<` "
             + "do nothing.\n");
-        text.Append("- A file does not contain the zero of a machine, its stored positions, or its own retraction. Homing ends at 0, and stored "
-            + "positions are 0 until the file stores others.\n");
+        text.Append("- A file does not contain the zero of a machine, its stored positions, or the retraction that its firmware is set to. Homing ends at 0, "
+            + "stored positions are 0 until the file stores others, and G10 retracts by the printer's profile until the file sets a length.\n");
+        text.Append("- After a macro (`START_PRINT`, `M98`) the position is unknown until the file homes or states each axis. A file that prints before that "
+            + "has the finding `file.unknown_position`, unless the key `macros` of the printer declares the macro.\n");
         text.Append("\n## Not supported\n\nThese commands move the head or change its coordinates and are not supported. A warning "
             + "(`gcode.unsupported_motion`) names the line. Positions after it may be wrong.\n\n");
         foreach (var flavor in all)
         {
             var names = CommandTable.Rows.Where(r => r.Flavors.Contains(flavor.Name)).SelectMany(r => r.Commands).Where(c => c.Use == CommandUse.Untracked)
-                .Select(c => CommandRows.Code(c)).Concat(flavor.RestorePoints ? ["R of `G0` and `G1`"] : []).ToArray();
-            if (names.Length > 0) text.Append("- ").Append(flavor.Title).Append(": ").Append(string.Join(", ", names)).Append('\n');
+                .Select(c => CommandRows.Code(c)).Concat(flavor.RestorePoints ? ["R of `G0` and `G1` for positions that the file does not store"] : []);
+            if (names.Any()) text.Append("- ").Append(flavor.Title).Append(": ").Append(string.Join(", ", names)).Append('\n');
         }
         text.Append("\n## Notes\n\n");
         foreach (var notes in all.Where(d => d.Notes.Length > 0).GroupBy(d => d.Notes, StringComparer.Ordinal))

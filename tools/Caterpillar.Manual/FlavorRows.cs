@@ -40,7 +40,19 @@ internal static class FlavorRows
         ("`G20`", d => !d.Inches ? "refused"
             : d.InchesOfE switch { InchesOfERule.Inches => "inches, E too", InchesOfERule.InchesOrCubic => "inches, E too (in³ in `M200`)",
             _ => "inches, not E" }),
-        ("`G53`, `G54` … `G59.3`", d => d.Workspaces ? "workspaces, set by `G10 L2`, `L20`" : "nothing"),
+        ("`G53`, `G54` … `G59.3`", d => d.WorkspacesByG92 ? "`G54` … `G59.3`: workspaces, set by `G92`"
+            : d.Workspaces ? "workspaces, set by `G10 L2`, `L20`" : "nothing"),
+        ("home offset, `M206`", d => d.HomeOffset switch
+        {
+            HomeOffsetRule.AtOnce => "at once",
+            HomeOffsetRule.AtHoming => "from the next homing on",
+            HomeOffsetRule.OfWorkspace => "origin of the workspace, with the other sign",
+            _ => "–",
+        }),
+        ("babysteps, `M290 Z`", d => d.LargestBabystep == 0 ? "–" : "move by at most " + Mm(d.LargestBabystep)
+            + (d.HomingKeepsBabysteps ? "; R0 sets their sum; homing keeps them" : "; homing Z forgets them")),
+        ("stored positions", d => d.SavedPositions ? "`G60`, `G61`" : d.RestorePoints ? "`G60`, `G1 R`" : "–"),
+        ("splines, `G5`", d => d.Splines ? "in XY" : "–"),
         ("`G2`, `G3`", Arcs),
         ("arcs by R", d => !d.Arcs ? "–" : !d.RadiusArcs ? "refused" : Radius(d)),
         ("R and I J K", d => !d.Arcs || !d.RadiusArcs
@@ -62,6 +74,13 @@ internal static class FlavorRows
         ("`G10`, `G11`", d => d.FirmwareRetraction
             ? "retract, deretract" + (d.NoRetractionWith.Length > 0 ? "; not with " + string.Join(" ", d.NoRetractionWith.Select(c => c.ToString())) : "")
             : "no retraction"),
+        ("settings for them", d => d.RetractionSettings switch
+        {
+            RetractionCommands.Marlin => "`M207 S F" + (d.RetractionLifts ? " Z" : "") + "`, `M208 S F`",
+            RetractionCommands.RepRapFirmware => "`M207 S R F T Z`",
+            RetractionCommands.Klipper => "`SET_RETRACTION`; then `G11` does nothing until `G10`",
+            _ => "–",
+        }),
         ("`G4 P`", d => d.DwellP == 1 ? "seconds" : "milliseconds"),
         ("`G4 S`", d => d.DwellS == 0 ? "nothing" : d.DwellSums ? "additional seconds" : "seconds, instead of P"),
         ("`M220 S`", d => !d.SpeedFactor ? "nothing"

@@ -23,6 +23,17 @@ public class PlantedCommandTests
     private static readonly string[] Places = ["start", "within", "end"];
     private static readonly string[] Writers = ["check", "raw", "template", "layer", "code"];
 
+    // Commands that the decoder follows, with words that do no harm.
+    private static readonly string[] Followed =
+    [
+        "G0 F1800", "G1 F1800", "G4 P10", "G5 I0 J0 P0 Q0", "G10 P0 S215", "G10 L2 P9 X5", "G11", "G17", "G21", "G53", "G54", "G60", "G61 S3", "G90", "G91.1",
+        "G92 E0", "G92.1", "M83", "M104 S210", "M106 S100", "M107", "M109 S210", "M120", "M121", "M140 S60", "M190 S60", "M200 D0", "M201 X500", "M203 X6000",
+        "M204 S500", "M205 X5", "M207 S0.8 F2100 Z0", "M208 S0 F2100", "M220 S100", "M221 S100", "M400", "M486 S-1", "M566 X600", "M568 P0 S210", "M1020 S0",
+        "T0", "SET_GCODE_OFFSET Z=0", "SAVE_GCODE_STATE NAME=A", "SET_VELOCITY_LIMIT VELOCITY=200",
+        "ACTIVATE_EXTRUDER EXTRUDER=extruder", "SET_RETRACTION RETRACT_LENGTH=0.8", "SET_HEATER_TEMPERATURE HEATER=extruder TARGET=210",
+        "EXCLUDE_OBJECT_START NAME=A", "EXCLUDE_OBJECT_END",
+    ];
+
     // Those whose prints are written with E.
     private static readonly FlavorRules[] Printing =
     [
@@ -90,6 +101,46 @@ public class PlantedCommandTests
         Assert.That(done, Is.EqualTo(Wanted));
     }
 
+    // What shifts, scales or moves in a way that the decoder follows is found by what it does, or named.
+    [TestCase("marlin2", "M206 Z0.3")]
+    [TestCase("marlin2", "M206 Z-0.6")]
+    [TestCase("marlin2", "M206 X30")]
+    [TestCase("prusa", "M206 Z0.3")]
+    [TestCase("reprapfirmware", "M206 Z0.3")]
+    [TestCase("marlin2", "M290 Z-0.3")]
+    [TestCase("marlin2", "M290 Z2")]
+    [TestCase("reprapfirmware", "M290 S-0.3")]
+    [TestCase("repetier", "M290 Z-0.3")]
+    [TestCase("marlin2", "M428")]
+    [TestCase("marlin2", "M851 Z-1")]
+    [TestCase("marlin2", "G60\nG1 Z-1 F600\nG61")]
+    [TestCase("marlin2", "G60\nG61 Z-2")]
+    [TestCase("reprapfirmware", "G60 S2\nG1 R2 Z-2")]
+    [TestCase("marlin2", "G5 X60 Y60 I0 J0 P0 Q0 E500")]
+    [TestCase("marlin2", "G55")]
+    [TestCase("marlin2", "G54\nG92 Z5")]
+    [TestCase("reprapfirmware", "G55")]
+    [TestCase("smoothie", "G10 L2 P2 Z-3\nG55")]
+    [TestCase("marlin2", "M207 S700")]
+    [TestCase("klipper", "SET_RETRACTION RETRACT_LENGTH=700")]
+    [TestCase("marlin2", "G10\nM207 S5\nG11")]
+    [TestCase("klipper", "G10\nSET_RETRACTION RETRACT_LENGTH=5\nG11")]
+    [TestCase("marlin2", "M209 S1")]
+    [TestCase("klipper", "SET_GCODE_OFFSET Z=-0.3")]
+    [TestCase("klipper", "SET_GCODE_OFFSET X=30")]
+    [TestCase("klipper", "SET_GCODE_OFFSET Z_ADJUST=-1 MOVE=1")]
+    public void Offsets_and_retractions_that_do_harm_within_a_print_are_found(string flavor, string lines)
+    {
+        var rules = FlavorTable.Find(flavor)!;
+        foreach (var writer in new[] { "check", "raw" })
+        {
+            var before = Write(rules, "M117", "within", writer).Found.Select(d => d.Code).ToHashSet();
+            var (refused, found) = Write(rules, lines, "within", writer);
+            var news = found.Where(d => !before.Contains(d.Code) && d.Severity >= Severity.Warning).ToArray();
+            Assert.That(refused || news.Length > 0, Is.True, writer);
+        }
+    }
+
     [Test]
     public void What_is_not_understood_is_named_with_its_lines_and_only_declared_macros_are_written()
     {
@@ -118,6 +169,30 @@ public class PlantedCommandTests
         Assert.That(Codes("MY_START=heats", "MY_END"), Is.EqualTo(new[] { CheckCodes.NoHoming }));
         Assert.That(Codes("MY_START=homes", "MY_END"), Is.EqualTo(new[] { CheckCodes.NoHeating }));
         Assert.That(Codes(), Is.EqualTo(new[] { CheckCodes.UnknownCommand }));
+    }
+
+    // A macro may leave the head anywhere: the file must home, or state each axis, before it prints.
+    [TestCase("START_PRINT\nG1 X10 Y10 Z0.2", "")]
+    [TestCase("START_PRINT\nG1 X0 Y0 Z0", "")]
+    [TestCase("START_PRINT\nG1 Z0.2\nG1 Y5\nG1 E1\nG1 X10", "")]
+    [TestCase("START_PRINT\nG28", "")]
+    [TestCase("START_PRINT\nG28 X Y\nG1 X10 Y10", "Z")]
+    [TestCase("START_PRINT\nG1 X10 Y10", "Z")]
+    [TestCase("START_PRINT", "X, Y, Z")]
+    [TestCase("START_PRINT\nG91\nG1 X10 Y10 Z5\nG90", "X, Y, Z")]
+    [TestCase("G28\nG1 X10 Y10 Z0.2\nMY_PURGE", "X, Y, Z")]
+    [TestCase("MY_PURGE\nG28\nG1 X10 Y10 Z0.2", "")]
+    [TestCase("G28\nG1 X10 Y10 Z0.2\nMY_CLEAN", "")]
+    [TestCase("G28\nG1 X10 Y10 Z0.2\nSET_FAN_SPEED FAN=a SPEED=1", "")]
+    public void After_a_macro_the_position_is_unknown_until_the_file_states_it(string start, string axes)
+    {
+        var setup = SetupOf(FlavorTable.Klipper);
+        setup = setup with { Printer = setup.Printer with { Macros = new("MY_CLEAN") } };
+        var text = "M83\nM109 S210\n" + start + "\nG1 X20 E0.3 F600\nG1 X30 Y20 Z0.2 E0.3\nMY_PURGE\nG1 Y30 E0.4\nM104 S0\nM140 S0\n";
+        var found = PrintCheck.Run(SmallPrint.Decode(Encoding.ASCII.GetBytes(text), setup), setup)
+            .Where(d => d.Code == CheckCodes.UnknownPosition && d.Message.Contains("may have moved")).ToArray();
+        if (axes.Length == 0) Assert.That(found, Is.Empty);
+        else Assert.That(found.Single().Message, Does.Contain("position in " + axes + " is").And.Contain(" (line "));
     }
 
     [TestCase("MY START", "not the name")]
@@ -171,11 +246,11 @@ public class PlantedCommandTests
     [Test]
     public void Writers_say_what_the_decoder_notices()
     {
-        var written = SafeWriter.ToDocument(Plan("M290 Z0.1", "end"), SetupOf(FlavorTable.Marlin2));
+        var written = SafeWriter.ToDocument(Plan("M428", "end"), SetupOf(FlavorTable.Marlin2));
         var said = written.Diagnostics.Single(d => d.Code == "gcode.unsupported_motion");
-        Assert.That(said.Message, Does.Contain("M290"));
+        Assert.That(said.Message, Does.Contain("M428"));
         var lines = Encoding.ASCII.GetString(written.Value!.ToBytes()).Split('\n');
-        Assert.That(lines[said.Source!.Line!.Value - 1], Is.EqualTo("M290 Z0.1"));
+        Assert.That(lines[said.Source!.Line!.Value - 1], Is.EqualTo("M428"));
     }
 
     private static IEnumerable<FlavorCommand> CommandsOf(FlavorRules flavor)
@@ -185,9 +260,10 @@ public class PlantedCommandTests
         => CommandsOf(flavor).Where(c => c.Use is not (CommandUse.Ok or CommandUse.Tracked or CommandUse.Ignored)).Select(FlavorCommandTests.LineOf)
             .Concat([Mine, "M104 S0", "G98765", "M140 S400"]);
 
-    // Marks of objects and the like: they do nothing.
+    // Marks of objects and the like do nothing, and what the decoder follows does no harm with these words.
     private static IEnumerable<string> Harmless(FlavorRules flavor)
-        => CommandsOf(flavor).Where(c => c.Use is CommandUse.Ok or CommandUse.Ignored && c.Name != "%*").Select(FlavorCommandTests.LineOf);
+        => CommandsOf(flavor).Where(c => c.Use is CommandUse.Ok or CommandUse.Ignored && c.Name != "%*").Select(FlavorCommandTests.LineOf)
+            .Concat(Followed.Where(l => FlavorCommands.Of(flavor).Find(l) is { Use: CommandUse.Tracked }));
 
     // Each flavor, place and writer in turn, with commands from all over the table.
     private static IEnumerable<(FlavorRules Flavor, string Line, string Place, string Writer)> Some(Func<FlavorRules, IEnumerable<string>> lines)

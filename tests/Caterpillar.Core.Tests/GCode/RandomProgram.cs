@@ -137,6 +137,7 @@ internal sealed class RandomProgram
             Line("G92", ('X', 7));
         }
         if (Chance(0.05)) Line("M117 G1 X5 text");
+        Offsets();
         if (_tools > 1 && Chance(0.25))
         {
             var tool = _random.Next(_tools);
@@ -151,6 +152,21 @@ internal sealed class RandomProgram
         }
         if (_flavor.Planes && _flavor.Arcs && Chance(0.05)) Line("G17");
         if (Chance(0.05)) Line("G1", ('F', 900 / (_inches ? 25.4 : 1)));
+    }
+
+    // What shifts the head or its coordinates, or retracts by other amounts.
+    private void Offsets()
+    {
+        if (_flavor.HomeOffset != HomeOffsetRule.None && Chance(0.04)) Line("M206", ('Z', -0.1), ('X', Around(-1, 1)));
+        if (_flavor.LargestBabystep > 0 && Chance(0.04)) Line("M290", ('Z', Around(0, 0.1)));
+        if (_firmware && _flavor.RetractionSettings is RetractionCommands.Marlin or RetractionCommands.RepRapFirmware && Chance(0.1))
+            Line("M207", ('S', 1.5), ('F', 2400), ('Z', 0));
+        if (_flavor.RetractionSettings == RetractionCommands.Klipper && Chance(0.1)) Line("SET_RETRACTION RETRACT_LENGTH=1.5");
+        if (_flavor.RestorePoints || _flavor.SavedPositions && Chance(0.04)) Line("G60");
+        if (!_flavor.SavedPositions || !Chance(0.04)) return;
+        Line("G60", ('S', 1));
+        Line("G61", ('S', 1), ('Z', Chance(0.5) ? 0 : 0.5));
+        Line("G61", ('S', 1));
     }
 
     private void Mode(int code)

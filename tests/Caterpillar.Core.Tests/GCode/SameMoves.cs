@@ -23,6 +23,7 @@ internal sealed partial class SameMoves
     private readonly bool[] _homeA;
     private readonly bool[] _homeB;
     private readonly Dictionary<int, int> _layerOf = [];
+    private readonly Dictionary<string, string> _objectOf = [];
     private readonly Dictionary<int, int> _layerBack = [];
     private readonly List<PrinterEvent> _eventsA = [];
     private readonly List<PrinterEvent> _eventsB = [];
@@ -157,15 +158,22 @@ internal sealed partial class SameMoves
         {
             var x = a.Layer < 0 ? null : _expected.Layers[a.Layer];
             var y = b.Layer < 0 ? null : _actual.Layers[b.Layer];
-            // Not every flavor has commands for objects; comments are not translated.
-            var sameObject = _t.Target is not null || x?.Object == y?.Object;
-            return x?.Index == y?.Index && sameObject ? null : Said($"layer {x} became {y}");
+            return x?.Index == y?.Index && SameObject(x?.Object ?? "", y?.Object ?? "") ? null : Said($"layer {x} became {y}");
         }
         if (_layerOf.TryGetValue(a.Layer, out var known) && known != b.Layer) return Said("layers are divided otherwise");
         if (_layerBack.TryGetValue(b.Layer, out var back) && back != a.Layer) return Said("layers are joined");
         _layerOf[a.Layer] = b.Layer;
         _layerBack[b.Layer] = a.Layer;
         return null;
+    }
+
+    // Flavors without commands for objects lose them, and others have numbers instead of names.
+    private bool SameObject(string a, string b)
+    {
+        if (_t.Target is null) return a == b;
+        if (_t.Target.ObjectMarks == ObjectMarking.None) return true;
+        if (!_objectOf.TryGetValue(a, out var known)) _objectOf.Add(a, known = b);
+        return known == b && a.Length == 0 == (b.Length == 0);
     }
 
     private void SkipA()
@@ -203,20 +211,22 @@ internal sealed partial class SameMoves
         {
             return;
         }
-        // M116, which waits for the temperatures set before, becomes a wait for each of them.
-        if (_t.Target is not null && what is NozzleTemperatureEvent { Wait: true } or BedTemperatureEvent { Wait: true } && IsSet(what)) return;
+        // Marlin has two commands for what is one elsewhere, and RepRapFirmware one speed for both directions.
+        if (_t.Target is not null && what is RetractionEvent) return;
         events.Add(what is PauseEvent ? new PauseEvent() : what);
     }
 
-    private bool IsSet(PrinterEvent wait) => _expected.Events.Select(e => e.Event).Any(e => (e, wait) switch
+    // M116, which waits for the temperatures set before, becomes a wait for each of them.
+    private bool IsWaitForAll(PrinterEvent wait) => _t.Target is not null && !_eventsA.Contains(wait) && _expected.Events.Any(e => (e.Event, wait) switch
     {
-        (NozzleTemperatureEvent set, NozzleTemperatureEvent waits) => !set.Wait && set.Celsius == waits.Celsius,
-        (BedTemperatureEvent set, BedTemperatureEvent waits) => !set.Wait && set.Celsius == waits.Celsius,
+        (NozzleTemperatureEvent set, NozzleTemperatureEvent { Wait: true } waits) => !set.Wait && e.Move <= _i && set.Celsius == waits.Celsius,
+        (BedTemperatureEvent set, BedTemperatureEvent { Wait: true } waits) => !set.Wait && e.Move <= _i && set.Celsius == waits.Celsius,
         _ => false,
     });
 
     private string? Events()
     {
+        if (_eventsB.Count > _eventsA.Count) _eventsB.RemoveAll(IsWaitForAll);
         var same = _eventsA.Count == _eventsB.Count;
         for (var k = 0; same && k < _eventsA.Count; k++) same = SameEvent(_eventsA[k], _eventsB[k]);
         var message = same ? null : Said("events " + string.Join(" ", _eventsA) + " became " + string.Join(" ", _eventsB));
@@ -232,9 +242,12 @@ internal sealed partial class SameMoves
         (DwellEvent x, DwellEvent y) => Math.Abs(x.Seconds - y.Seconds) <= 5.1e-4,
         (NozzleTemperatureEvent x, NozzleTemperatureEvent y) => x.Wait == y.Wait && (x.Tool == y.Tool || !_t.Tools) && Math.Abs(x.Celsius - y.Celsius) <= 0.051,
         (BedTemperatureEvent x, BedTemperatureEvent y) => x.Wait == y.Wait && Math.Abs(x.Celsius - y.Celsius) <= 0.051,
+        (RetractionEvent x, RetractionEvent y) => Near(x.Length, y.Length) && Near(x.Speed, y.Speed) && Near(x.Extra, y.Extra) && Near(x.Back, y.Back),
         (AccelerationEvent x, AccelerationEvent y) => Math.Abs(x.Value - y.Value) <= 0.51,
         _ => a.Equals(b),
     };
+
+    private static bool Near(double? a, double? b) => a is null == b is null && Math.Abs((a ?? 0) - (b ?? 0)) <= 1e-5;
 
     private static bool[] HomingMoves(Toolpath toolpath, Move[] moves)
     {

@@ -64,6 +64,20 @@ public class TranslationTests
         Assert.That(Converted(Klipper, "klipper", "smoothie").Text, Does.Not.Contain("OBJECT").And.Not.Contain("M486"));
     }
 
+    // Masks of 8 bytes, the lowest first: objects 0 and 2, and both at once.
+    [Test]
+    public void Masks_of_objects_of_Bambu_become_marks_of_the_target()
+    {
+        const string Bambu = "; model label id: 66,71,90\nG28\nM109 S200\nM83\n;LAYER:0\nM624 BQAAAAAAAAA=\nG1 X1\nM625\n"
+            + "M624 AQAAAAAAAAA=\nG1 X9 E1\nM625\nM624 BAAAAAAAAAA=\nG1 X19 E1\nM625\nM624 ?\nM625\nG1 X20 E1\n";
+        var marlin = Converted(Bambu, "bambu", "marlin2");
+        Assert.That(marlin.Text, Does.Contain("G1 X1\nM486 T1\nM486 S0\nM83\nG1 X9 E1\nM486 S-1\nM486 S2\nG1 X19 E1\nM486 S-1\nG1 X20 E1\n"));
+        Assert.That(marlin.Found.Select(d => d.Code), Has.None.EqualTo("gcode.commands_lost"));
+        Assert.That(Converted(Bambu, "bambu", "klipper").Text,
+            Does.Contain("EXCLUDE_OBJECT_START NAME=object_2\nG1 X19 E1\nEXCLUDE_OBJECT_END NAME=object_2\n"));
+        Assert.That(Converted(Bambu, "bambu", "smoothie").Text, Does.Not.Contain("M62").And.Not.Contain("M486"));
+    }
+
     [Test]
     public void What_has_no_equivalent_is_counted_by_name()
     {

@@ -31,7 +31,8 @@ public class MotionDetailTests
     [Test]
     public void Firmware_retracts_once_and_restores_at_a_speed_of_its_own()
     {
-        var retraction = new FirmwareRetraction(new Printer { RetractionLength = 2, RetractionSpeed = 40, DeretractionSpeed = 0.5, DeretractionExtra = 0.25 });
+        var printer = new Printer { RetractionLength = 2, RetractionSpeed = 40, DeretractionSpeed = 0.5, DeretractionExtra = 0.25 };
+        var retraction = new FirmwareRetraction(printer);
         MoveKind[] kinds = [MoveKind.Deretract, MoveKind.Retract, MoveKind.Retract, MoveKind.Deretract, MoveKind.Deretract];
         Assert.That(kinds.Select(retraction.Move), Is.EqualTo(new[] { (0.0, 0.0), (-2, 40), (0, 0), (2.25, 0.5), (0, 0) }));
     }

@@ -73,6 +73,20 @@ public class ModelArrangerTests
     }
 
     [Test]
+    public void Many_copies_are_placed_as_if_each_looked_for_a_place_of_its_own()
+    {
+        var (box, tower) = (MeshMaker.Box(0, 0, 0, 9, 14, 5), MeshMaker.Box(0, 0, 0, 12, 12, 30));
+        var printer = new Printer();
+        // The same shapes, but none is known to be a copy.
+        IReadOnlyList<NamedMesh> Models(bool areCopies)
+            => Enumerable.Range(0, 120).Select(i => i % 3 == 0 ? tower : box)
+                .Select((mesh, i) => new NamedMesh("m" + i, areCopies ? mesh : mesh.Moved(Vec3.Zero))).ToArray();
+        var (copies, single) = (ModelArranger.Arrange(Models(true), printer).Value!, ModelArranger.Arrange(Models(false), printer).Value!);
+        Assert.That(copies.Select(m => m.Mesh.Bounds), Is.EqualTo(single.Select(m => m.Mesh.Bounds)));
+        Assert.That(ModelCheck.Fit(copies, printer), Is.Empty);
+    }
+
+    [Test]
     public void Arranging_can_be_canceled()
     {
         using var source = new CancellationTokenSource();

@@ -163,6 +163,24 @@ public sealed class ModelPlacingTests
     }
 
     [Test]
+    public void A_flat_drawing_from_a_file_is_raised_to_the_first_layer_unless_a_pen_draws_it()
+    {
+        var file = Path.Combine(Path.GetTempPath(), "caterpillar-" + Guid.NewGuid().ToString("N") + ".csv");
+        File.WriteAllText(file, "10,10\n30,10\n");
+        try
+        {
+            var canvas = new Canvas<ReadCurvesComponent>().Feed("File", file).Solve();
+            Assert.That(canvas.One<PrintPath>("Print Paths").Points.Select(p => p.Z), Is.All.EqualTo(0.2));
+            Assert.That(canvas.Notes, Has.One.Contains("The drawing is flat at Z 0."));
+            Assert.That(canvas.Feed("Setup", "pen_plotter").Solve().One<PrintPath>("Print Paths").Start.Z, Is.Zero);
+        }
+        finally
+        {
+            File.Delete(file);
+        }
+    }
+
+    [Test]
     public void Curves_of_a_file_are_read_in_their_order()
     {
         var file = Path.Combine(Path.GetTempPath(), "caterpillar-" + Guid.NewGuid().ToString("N") + ".csv");

@@ -1,7 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Checks;
 
 /// <summary>Extrusions in the air and their heights, and the contact area with the bed; passes on what must fit under the nozzle.</summary>

@@ -1,7 +1,4 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
 using Caterpillar.Simulation;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 

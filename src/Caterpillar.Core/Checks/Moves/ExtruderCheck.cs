@@ -1,6 +1,3 @@
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Checks;
 
 /// <summary>Too much material extruded or retracted, in place or along a path, and extrusions that lack what was retracted before.</summary>
@@ -43,6 +40,9 @@ internal sealed class ExtruderCheck(PrintSetup setup, Findings findings) : IMove
     public void Event(MoveEvent what)
     {
         if (what.Event is HomeEvent) _inPlace = 0;
+        if (what.Event is not RetractionEvent set) return;
+        var volume = Math.Max(set.Length ?? 0, set.Extra ?? 0) * ExtrusionModel.FilamentAreaOf(setup.Material.FilamentDiameter);
+        if (volume > setup.Printer.MaxStationaryVolume) ReportInPlace(what.Move, set.Length > 0 ? -volume : volume);
     }
 
     public void Move(in CheckedMove move)

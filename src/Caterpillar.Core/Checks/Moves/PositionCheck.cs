@@ -1,7 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Checks;
 
 /// <summary>Moves outside the space that the nozzle can reach or below the bed, and extrusions on excluded areas.</summary>

@@ -1,7 +1,5 @@
-using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Simulation;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 

@@ -1,8 +1,5 @@
 using System.Runtime.CompilerServices;
 using Caterpillar.GCode;
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
@@ -41,6 +38,9 @@ internal sealed class PlanComparison
     private double _e;
     private double _length;
     private bool _retracts;
+
+    // How far the firmware has lifted the head with a retraction.
+    private double _lift;
 
     /// <param name="plan">The plan.</param>
     /// <param name="format">The format of the file.</param>
@@ -167,6 +167,8 @@ internal sealed class PlanComparison
     {
         var (plan, i, last) = (_plan.Blocks[_block].Columns, _at, _lines.OfMove(_move).Last);
         var wanted = new Vec3(plan.X[i], plan.Y[i], plan.Z[i]);
+        if (_retracts) _lift = plan.Kind[i] == MoveKind.Retract ? Math.Max(_head.Z - wanted.Z, 0) : 0;
+        wanted += new Vec3(0, 0, _lift);
         if (_known && !IsNear(_head, wanted)) Moved(last, wanted);
         else if (plan.TryGetArc(i, out var turn)) Turned(plan, i, last, turn, wanted);
         if (!_retracts) Extruded(plan, i, last);

@@ -1,7 +1,5 @@
 using Caterpillar.Flavors;
 using Caterpillar.GCode;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
@@ -16,13 +14,12 @@ internal static class RawModes
 
     public static void Run(Toolpath plan, GCodeFormat format, Findings findings, Func<int, SourceLocation?> placeOfEvent)
     {
-        var usual = new Modes(format.RelativeXyz, format.WritesRelative, false, plan.VolumePerE(0) == 1, Percent);
+        var usual = After("", plan, format);
         var events = plan.Events;
         for (var i = 0; i < events.Count; i++)
         {
             if (events[i].Event is not RawEvent raw || events[i].Move >= plan.Count) continue;
-            var state = usual;
-            foreach (var line in raw.Line.Split('\n', '\r')) state = state.After(line);
+            var state = After(raw.Line, plan, format);
             var at = i;
             if (state with { IsVolume = usual.IsVolume, Flow = usual.Flow } != usual)
                 findings.Add(CheckCodes.FileModes, () => placeOfEvent(at), () => $"A raw line switches to {state.Word(usual)} and does not switch back. "
@@ -37,53 +34,24 @@ internal static class RawModes
         }
     }
 
+    // What holds after the modes of a file and these lines.
+    private static Modes After(string lines, Toolpath plan, GCodeFormat format)
+    {
+        var machine = new GCodeInterpreter(format.Flavor, ExtrusionRule.Balance, ExtrusionAxis.E);
+        string[] usual = [format.RelativeXyz ? "G91" : "G90", format.WritesRelative ? "M83" : "M82", plan.VolumePerE(0) == 1 ? "M200 D1" : "M200 D0"];
+        foreach (var line in usual.Concat(lines.Split('\n', '\r')))
+        {
+            var bytes = TextEncoding.Encode(line);
+            machine.ReadLine(bytes, 0, bytes.Length, out _);
+        }
+        var modes = machine.State.Modes;
+        return new Modes(modes.Relative, modes.M83, modes.Inches, modes.Volumetric, Percent * machine.State.Extrusion.Flow);
+    }
+
     private readonly record struct Modes(bool Relative, bool RelativeE, bool Inches, bool IsVolume, double Flow)
     {
-        public Modes After(string line)
-        {
-            var state = this;
-            var end = line.IndexOf(';', 0);
-            var code = (end < 0 ? line : line.Substring(0, end)).ToUpperInvariant();
-            for (var i = 0; i < code.Length; i++)
-            {
-                if (code[i] == '(')
-                {
-                    i = code.IndexOf(')', i);
-                    if (i < 0) break;
-                    continue;
-                }
-                if (code[i] is not ('G' or 'M') || (i > 0 && char.IsLetter(code[i - 1]))) continue;
-                state = state.After(code[i], Number(code, i + 1), code);
-            }
-            return state;
-        }
-
         public string Word(Modes usual)
             => Relative != usual.Relative ? (Relative ? "relative positions (G91)" : "absolute positions (G90)") : Inches ? "inches (G20)" : RelativeE
                 ? "relative E (M83)" : "absolute E (M82)";
-
-        private Modes After(char letter, double? number, string code) => (letter, number) switch
-        {
-            ('G', 90) => this with { Relative = false },
-            ('G', 91) => this with { Relative = true },
-            ('G', 20) => this with { Inches = true },
-            ('G', 21) => this with { Inches = false },
-            ('M', 82) => this with { RelativeE = false },
-            ('M', 83) => this with { RelativeE = true },
-            ('M', 200) => this with { IsVolume = Word(code, 'D') is not 0 && Word(code, 'S') is not 0 },
-            ('M', 221) => this with { Flow = Word(code, 'S') ?? Flow },
-            _ => this,
-        };
-
-        // The number of a word of a line with one command, or null.
-        private static double? Word(string code, char letter) => code.IndexOf(letter, 0) is >= 0 and var at ? Number(code, at + 1) : null;
-
-        private static double? Number(string code, int at)
-        {
-            while (at < code.Length && code[at] == ' ') at++;
-            var end = at;
-            while (end < code.Length && (char.IsDigit(code[end]) || code[end] == '.')) end++;
-            return NumberReader.TryParse(code.Substring(at, end - at), out var value) ? value : null;
-        }
     }
 }

@@ -1,8 +1,6 @@
 using Caterpillar.Files;
 using Caterpillar.GCode;
-using Caterpillar.Machines;
 using Caterpillar.Simulation;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 

@@ -1,6 +1,4 @@
 using Caterpillar.GCode;
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 

@@ -1,7 +1,4 @@
 using Caterpillar.GCode;
-using Caterpillar.Geometry;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 

@@ -1,6 +1,4 @@
 using Caterpillar.GCode;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 

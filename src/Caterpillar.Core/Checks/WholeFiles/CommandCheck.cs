@@ -1,7 +1,5 @@
 using Caterpillar.Flavors;
 using Caterpillar.GCode;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 
@@ -37,6 +35,7 @@ internal sealed class CommandCheck
     {
         foreach (var used in _scope.Commands)
         {
+            if (used.UnknownAxes.Length > 0 && MacroEffect.Of(_printer.Macros, used.Name) is null) ReportLost(used);
             foreach (var place in used.Places)
             {
                 var part = place.Move <= _first ? Part.Before : place.Move > _last ? Part.After : Part.Within;
@@ -116,6 +115,10 @@ internal sealed class CommandCheck
         var worst = found[0];
         _findings.Add(code, EventOf(worst.Place), () => Message(code, found), found.Sum(f => f.Count));
     }
+
+    private void ReportLost(UsedCommand used)
+        => _findings.Add(CheckCodes.UnknownPosition, EventOf(used.Places[used.Places.Count - 1]),
+            () => $"The file prints before the position in {used.UnknownAxes} is known: {used} may have moved the head. Move in {used.UnknownAxes} first.", 1);
 
     private string Message(string code, Found[] found)
     {

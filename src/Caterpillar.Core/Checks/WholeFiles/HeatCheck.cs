@@ -1,6 +1,3 @@
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Checks;
 
 /// <summary>Temperatures beyond hot end and bed, cold extrusion, heat that is missing or left on.</summary>

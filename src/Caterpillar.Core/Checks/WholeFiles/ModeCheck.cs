@@ -1,6 +1,3 @@
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Checks;
 
 /// <summary>E that makes sense only in the other mode, absolute or relative, in a layer or in a part of it.</summary>

@@ -1,7 +1,5 @@
 using System.Collections.Concurrent;
 using Caterpillar.GCode;
-using Caterpillar.Machines;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 

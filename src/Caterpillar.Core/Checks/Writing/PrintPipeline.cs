@@ -1,8 +1,6 @@
 using System.Collections.Concurrent;
-using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Simulation;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 

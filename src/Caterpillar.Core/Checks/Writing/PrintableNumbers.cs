@@ -1,5 +1,3 @@
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.Checks;
 
 /// <summary>Finds numbers that cannot be written: not finite, or beyond 10⁷.</summary>

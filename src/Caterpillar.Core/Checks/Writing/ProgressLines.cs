@@ -1,7 +1,5 @@
 using Caterpillar.Flavors;
-using Caterpillar.Machines;
 using Caterpillar.Simulation;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Checks;
 

@@ -1,33 +1,50 @@
 namespace Caterpillar.Flavors;
 
-/// <summary>Every command of every flavor, from <c>Commands.tsv</c>.</summary>
-internal static class CommandTable
+/// <summary>Every command of every flavor, from <c>Commands.tsv</c>. A row is read when one of its commands is met.</summary>
+internal sealed class CommandTable
 {
-    private static readonly Lazy<(IReadOnlyList<CommandRow> Rows, IReadOnlyList<KeyValuePair<string, string>> Sources)> Table = new(Read);
+    private static readonly Lazy<CommandTable> Shared = new(() => new CommandTable());
+    private readonly string[] _notes;
+    private readonly string[] _rows;
+    private readonly ILookup<uint, string> _byHash;
 
-    /// <summary>The rows, in their order. Of those for one command the first that fits a line counts.</summary>
-    public static IReadOnlyList<CommandRow> Rows => Table.Value.Rows;
-
-    /// <summary>Short names of the sources and what they stand for.</summary>
-    public static IReadOnlyList<KeyValuePair<string, string>> Sources => Table.Value.Sources;
-
-    private static (IReadOnlyList<CommandRow> Rows, IReadOnlyList<KeyValuePair<string, string>> Sources) Read()
+    private CommandTable()
     {
         using var stream = typeof(CommandTable).Assembly.GetManifestResourceStream("flavors/Commands.tsv")!;
         using var reader = new StreamReader(stream);
-        var rows = new List<CommandRow>();
-        var sources = new List<KeyValuePair<string, string>>();
-        foreach (var line in reader.ReadToEnd().Split(['\r', '\n'], StringSplitOptions.RemoveEmptyEntries))
-        {
-            var cells = line.Split('\t');
-            if (cells.Length == 7 && cells[0] != "command") rows.Add(Row(cells));
-            else if (cells.Length == 2 && cells[0].Length > 1) sources.Add(new KeyValuePair<string, string>(cells[0].Substring(1), cells[1]));
-        }
-        return (rows, sources);
+        var lines = reader.ReadToEnd().Split(['\r', '\n'], StringSplitOptions.RemoveEmptyEntries);
+        _notes = lines.TakeWhile(l => l[0] == '#').ToArray();
+        _rows = lines.Skip(_notes.Length + 1).ToArray();
+        _byHash = _rows.SelectMany(r => NamesOf(r).Select(n => (Row: r, Hash: CommandText.HashOf(n)))).ToLookup(r => r.Hash, r => r.Row);
     }
 
-    private static CommandRow Row(string[] cells)
+    /// <summary>The rows, in their order. Of those for one command the first that fits a line counts.</summary>
+    public static IReadOnlyList<CommandRow> Rows => [.. Shared.Value._rows.Select(Row)];
+
+    /// <summary>Short names of the sources and what they stand for.</summary>
+    public static IReadOnlyList<KeyValuePair<string, string>> Sources
+        => [.. Shared.Value._notes.Where(l => l[1] != '\t').Select(l => l.Split('\t')).Select(c => new KeyValuePair<string, string>(c[0].Substring(1), c[1]))];
+
+    /// <summary>The commands of the first flavor whose names have a hash, then those of the next; without flavors, of all.</summary>
+    public static FlavorCommand[] WithHash(uint hash, string[] flavors)
+        => Read(Shared.Value._byHash[hash], flavors).Where(c => CommandText.HashOf(c.Name) == hash).ToArray();
+
+    /// <summary>The commands whose names end in a star.</summary>
+    public static FlavorCommand[] Prefixes(string[] flavors)
+        => Read(Shared.Value._rows.Where(r => NamesOf(r)[0].EndsWith("*", StringComparison.Ordinal)), flavors).ToArray();
+
+    private static IEnumerable<FlavorCommand> Read(IEnumerable<string> lines, string[] flavors)
     {
+        var rows = lines.Select(Row).ToArray();
+        if (flavors.Length == 0) return rows.SelectMany(r => r.Commands);
+        return flavors.SelectMany(f => rows.Where(r => r.Flavors.Contains(f)).SelectMany(r => r.Commands));
+    }
+
+    private static string[] NamesOf(string row) => row.Substring(0, row.IndexOf("\t", StringComparison.Ordinal)).Split(' ');
+
+    private static CommandRow Row(string line)
+    {
+        var cells = line.Split('\t');
         var kind = Value<CommandClass>(cells[3]);
         var use = Value<CommandUse>(cells[4]);
         var commands = cells[0].Split(' ').Select(name => new FlavorCommand(name, cells[1], kind, use, cells[5], cells[6])).ToArray();

@@ -3,6 +3,8 @@ namespace Caterpillar.Flavors;
 /// <summary>A command in a line of G-code: its name, and the words after it. Nothing is copied.</summary>
 internal readonly struct CommandText
 {
+    private const uint FirstHash = 2166136261;
+    private const uint HashFactor = 16777619;
     private readonly byte[] _text;
     private readonly int _start;
 
@@ -44,8 +46,16 @@ internal readonly struct CommandText
     /// <summary>A hash of the first characters of the name.</summary>
     public uint Hash(int length)
     {
-        var hash = 2166136261;
-        for (var i = 0; i < length; i++) hash = (hash ^ this[i]) * 16777619;
+        var hash = FirstHash;
+        for (var i = 0; i < length; i++) hash = (hash ^ this[i]) * HashFactor;
+        return hash;
+    }
+
+    /// <summary>The same of a name in capitals, without leading zeros.</summary>
+    public static uint HashOf(string name)
+    {
+        var hash = FirstHash;
+        foreach (var c in name) hash = (hash ^ c) * HashFactor;
         return hash;
     }
 

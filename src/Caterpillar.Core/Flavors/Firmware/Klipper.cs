@@ -29,6 +29,7 @@ public static partial class FlavorTable
         NoTargetIsOff = true,
         PositionOfE = PositionOfERule.ZeroAtChange,
         ExtendedCommands = true,
+        RetractionSettings = RetractionCommands.Klipper,
         Pauses = ["PAUSE", "M25", "M600"],
         StatesHeight = "SET_KINEMATIC_POSITION Z={z} SET_HOMED=Z",
         HeightNeeds = " Klipper needs enable_force_move in its configuration for that.",

@@ -19,6 +19,7 @@ public static partial class FlavorTable
         FlowFactor = FlowFactorRule.AllTools,
         FactorsReset = true,
         Volumetric = true,
+        LargestBabystep = 100,
         PositionOfE = PositionOfERule.PerTool,
         Pauses = ["M600", "M25"],
     };

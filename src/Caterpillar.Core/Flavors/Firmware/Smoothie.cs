@@ -27,6 +27,7 @@ public static partial class FlavorTable
         SpeedFactor = true,
         FlowFactor = FlowFactorRule.PerTool,
         Volumetric = true,
+        RetractionSettings = RetractionCommands.Marlin,
         PositionOfE = PositionOfERule.PerTool,
         ModeStack = true,
         Pauses = ["M600", "M25"],

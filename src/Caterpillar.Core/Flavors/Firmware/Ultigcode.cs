@@ -23,6 +23,8 @@ public static partial class FlavorTable
         SpeedFactor = true,
         FlowFactor = FlowFactorRule.PerTool,
         StartsVolumetric = true,
+        HomeOffset = HomeOffsetRule.AtHoming,
+        RetractionSettings = RetractionCommands.Marlin,
         Pauses = ["M0", "M1", "M25", "M600", "M601"],
         StatesHeight = null,
     };

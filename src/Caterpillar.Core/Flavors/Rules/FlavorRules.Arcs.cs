@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.Flavors;
 
 /// <summary>G2 and G3.</summary>

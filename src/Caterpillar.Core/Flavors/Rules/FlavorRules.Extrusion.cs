@@ -30,6 +30,12 @@ public sealed partial record FlavorRules
     /// <summary>Letters that give G10 and G11 another meaning.</summary>
     internal string NoRetractionWith { get; init; } = "";
 
+    /// <summary>Commands that set length and speed of the firmware retraction.</summary>
+    internal RetractionCommands RetractionSettings { get; init; }
+
+    /// <summary>G10 lifts the head by the height of M207 Z, above all coordinates, until G11.</summary>
+    internal bool RetractionLifts { get; init; }
+
     /// <summary>What M221 S scales, in percent.</summary>
     internal FlowFactorRule FlowFactor { get; init; }
 
@@ -66,6 +72,22 @@ internal enum RelativeERule
 
     /// <summary>Only G90 and G91 count: the extruder is an axis like the others.</summary>
     OnlyG90G91,
+}
+
+/// <summary>Commands that set length and speed of the firmware retraction.</summary>
+internal enum RetractionCommands
+{
+    /// <summary>None that is followed.</summary>
+    None,
+
+    /// <summary>M207 S F for the retraction; M208 S F for what is extruded in addition after it, and its speed.</summary>
+    Marlin,
+
+    /// <summary>M207 S F for the retraction, R T for what is extruded in addition after it, and its speed.</summary>
+    RepRapFirmware,
+
+    /// <summary>SET_RETRACTION, after which G11 does nothing until the next G10.</summary>
+    Klipper,
 }
 
 /// <summary>What M221 S scales.</summary>

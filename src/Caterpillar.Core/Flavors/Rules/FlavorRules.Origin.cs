@@ -35,6 +35,24 @@ public sealed partial record FlavorRules
     /// <summary>G53 (for one line), G54 to G59.3, and G10 L2 and L20, which set their origins.</summary>
     internal bool Workspaces { get; init; }
 
+    /// <summary>
+    /// G92 sets the origin of the selected coordinate system. Selecting one resets the offsets of G92, and homing leaves it. Before the first of G54 to G59.3
+    /// none is selected. There is neither G53 for one line nor G10 L2.
+    /// </summary>
+    internal bool WorkspacesByG92 { get; init; }
+
+    /// <summary>What M206, the home offset, does.</summary>
+    internal HomeOffsetRule HomeOffset { get; init; }
+
+    /// <summary>Maximum distance of M290 in Z, mm; 0 = M290 does not move the head.</summary>
+    internal double LargestBabystep { get; init; }
+
+    /// <summary>Homing keeps what M290 has moved, and M290 R0 is the sum of all its distances.</summary>
+    internal bool HomingKeepsBabysteps { get; init; }
+
+    /// <summary>G60 stores the position, and G61 returns to it.</summary>
+    internal bool SavedPositions { get; init; }
+
     /// <summary>G20 switches all lengths to inches. Otherwise it is refused and does nothing.</summary>
     internal bool Inches { get; init; } = true;
 
@@ -66,6 +84,22 @@ internal enum HomingRule
     /// in all axes. Offsets of G92 stay.
     /// </summary>
     GoesToStoredPosition,
+}
+
+/// <summary>What M206 does.</summary>
+internal enum HomeOffsetRule
+{
+    /// <summary>It is unknown, or is not followed.</summary>
+    None,
+
+    /// <summary>Its offsets are added to the coordinates at once and after each homing.</summary>
+    AtOnce,
+
+    /// <summary>Its offsets are the position after the next homing.</summary>
+    AtHoming,
+
+    /// <summary>Its offsets are the negative origin of the selected coordinate system.</summary>
+    OfWorkspace,
 }
 
 /// <summary>Effect of G20 on the extruder.</summary>

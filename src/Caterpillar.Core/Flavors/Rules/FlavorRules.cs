@@ -33,10 +33,13 @@ public sealed partial record FlavorRules
     /// <summary>Commands that wait for the user. The writer uses the first.</summary>
     internal IReadOnlyList<string> Pauses { get; init; } = ["M0", "M1"];
 
+    /// <summary>G5 is a cubic Bézier curve in the XY plane.</summary>
+    internal bool Splines { get; init; }
+
     /// <summary>M120 saves the modes, M121 restores them.</summary>
     internal bool ModeStack { get; init; }
 
-    /// <summary>R of G0 and G1 refers to a position stored by the firmware. It is unsupported and gives a warning.</summary>
+    /// <summary>G60 stores the position. R of G0 and G1 refers to it, or to one that the firmware has stored itself, which gives a warning.</summary>
     internal bool RestorePoints { get; init; }
 
     /// <summary>SAVE_GCODE_STATE, RESTORE_GCODE_STATE, SET_GCODE_OFFSET and ACTIVATE_EXTRUDER.</summary>

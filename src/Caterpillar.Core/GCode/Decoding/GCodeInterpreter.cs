@@ -23,9 +23,9 @@ internal sealed class GCodeInterpreter
         var positions = new PositionCommands(_machine, extruder);
         var modes = new ModeCommands(_machine, positions);
         var events = new EventCommands(_machine);
-        _motion = new MotionCommands(_machine, extruder);
+        _motion = new MotionCommands(_machine, extruder, modes);
         _commands = new GCommands(_machine, events, modes, positions, _motion);
-        _machineCommands = new MachineCommands(_machine, modes, events, Comments);
+        _machineCommands = new MachineCommands(_machine, modes, positions, events, Comments);
         _extended = new ExtendedCommands(_machine, modes, events, Comments);
     }
 

@@ -203,13 +203,21 @@ internal sealed class Splicer
         _comments.WriteCut();
         _comments.Keep();
         if (own == 0 && events > 0) InsertBeforeEvents(events);
-        var single = own == 1;
         var tasks = _tasks.Tasks;
-        Insert(single ? tasks.Count - 1 : tasks.Count);
-        if (commands == 0) _others.Write(line, line);
+        var single = own == 1 && commands > 0 && _context.Line.Shape == LineShape.Code;
+        var first = single || own == moves ? tasks.Count - own : tasks.Count;
+        Insert(0, first);
+        // A command that moves the head and does nothing else, as G61, may become moves.
+        bool Travels() => !_context.LineHomes && tasks.Skip(first).All(t => t.Event is null && t.Move.Kind == MoveKind.Travel);
+        if (own > 0 && !single && (commands > 0 || Travels()))
+        {
+            if (own == moves && _moves.Keeps(line, tasks, first)) return;
+            _context.Text.Drop(_context.Line);
+            Insert(first, tasks.Count);
+        }
+        else if (commands == 0) _others.Write(line, line);
         else if (single) _moves.WriteMove(line, tasks[tasks.Count - 1].Move);
-        else if (own == 0) _moves.WriteWithoutMove(line);
-        else _context.Text.Drop(_context.Line);
+        else _moves.WriteWithoutMove(line);
     }
 
     // Modes in a line whose move is cut out stay.
@@ -222,14 +230,14 @@ internal sealed class Splicer
     private void InsertBeforeEvents(int events)
     {
         _tasks.TakeBeforeEvents(events);
-        Insert(_tasks.Tasks.Count);
+        Insert(0, _tasks.Tasks.Count);
         _tasks.Clear();
     }
 
-    // The first tasks, as lines of their own.
-    private void Insert(int count)
+    // Tasks as lines of their own.
+    private void Insert(int first, int end)
     {
-        for (var i = 0; i < count; i++)
+        for (var i = first; i < end; i++)
         {
             var task = _tasks.Tasks[i];
             if (task.Event is { } what) _context.Event(what);
@@ -242,7 +250,7 @@ internal sealed class Splicer
         _comments.Keep();
         _tasks.TakeRest();
         if (_tasks.Tasks.Count > 0) _context.Text.CloseLine();
-        Insert(_tasks.Tasks.Count);
+        Insert(0, _tasks.Tasks.Count);
         _code.WriteEnd();
         _others.Report();
         _context.Text.Flush();

@@ -34,6 +34,9 @@ internal static class EventText
             case LimitEvent limit:
                 if (LimitText.Line(limit, rules.Limits) is { } text) yield return text;
                 break;
+            case RetractionEvent retraction:
+                foreach (var line in RetractionText.Lines(retraction, rules.RetractionSettings)) yield return line;
+                break;
             case ProgressEvent shown when rules.Progress != ProgressCommand.None:
                 yield return "M73 P" + NumberFormatter.Format(shown.Percent)
                     + (rules.Progress == ProgressCommand.PercentAndMinutes ? " R" + NumberFormatter.Format(shown.MinutesLeft) : "");

@@ -6,6 +6,7 @@ namespace Caterpillar.GCode;
 internal sealed class RawEffects(FlavorRules rules, byte extruder)
 {
     private readonly ParsedLine _line = new();
+    private readonly FlavorCommands _commands = FlavorCommands.Of(rules);
 
     /// <summary>Modes: absolute or relative, mode of E, unit other than mm, plane other than XY.</summary>
     public bool Modes { get; private set; }
@@ -129,11 +130,6 @@ internal sealed class RawEffects(FlavorRules rules, byte extruder)
 
     // Firmware without extended commands does not understand such a line at all.
     private void Macro(string text)
-    {
-        if (!rules.ExtendedCommands || text.Length == 0) return;
-        var name = text.Split(' ')[0];
-        var harmless = (name.StartsWith("SET_", StringComparison.Ordinal) && name is not ("SET_GCODE_OFFSET" or "SET_KINEMATIC_POSITION"))
-            || name.StartsWith("EXCLUDE_OBJECT", StringComparison.Ordinal) || name is "RESPOND" or "SAVE_GCODE_STATE" or "TURN_OFF_HEATERS";
-        if (!harmless) Unknown = true;
-    }
+        => Unknown |= rules.ExtendedCommands && text.Length > 0 && _commands.Find(text)?.Class is null or CommandClass.Motion or CommandClass.Home
+            or CommandClass.Position or CommandClass.Tool or CommandClass.Flow or CommandClass.Pause or CommandClass.Mode;
 }

@@ -133,6 +133,9 @@ internal sealed class MotionPlanner
                 _tool = tool.Tool;
                 _waits = _waits with { ToolChanges = _waits.ToolChanges + Wait(_printer.ToolChangeTime) };
                 break;
+            case RetractionEvent retraction:
+                _retraction.Set(retraction);
+                break;
             case NozzleTemperatureEvent nozzle:
                 Heat(_heat.Nozzle(nozzle.Tool ?? _tool), nozzle.Celsius, nozzle.Wait);
                 break;

@@ -62,9 +62,18 @@ internal sealed class Footprint(Vec3[] corners, double height)
     public Footprint Moved(double x, double y) => new(Array.ConvertAll(_corners, p => new Vec3(p.X + x, p.Y + y)), Height);
 
     /// <summary>
-    /// A distance in mm that two footprints keep at least: the widest strip between them along a normal of one of their edges; negative where they overlap.
+    /// A distance in mm that two footprints keep at least: the widest strip between them along an axis or a normal of one of their edges; negative where they
+    /// overlap.
     /// </summary>
-    public double Separation(Footprint other) => Math.Max(Widest(_corners, other._corners), Widest(other._corners, _corners));
+    public double Separation(Footprint other)
+        => Math.Max(BoxGap(other), Math.Max(Widest(_corners, other._corners), Widest(other._corners, _corners)));
+
+    /// <summary>True if their separation is at least a distance, mm.</summary>
+    public bool IsApart(Footprint other, double distance) => BoxGap(other) >= distance || Separation(other) >= distance;
+
+    private double BoxGap(Footprint other)
+        => Math.Max(
+            Math.Max(other.Box.Min.X - Box.Max.X, Box.Min.X - other.Box.Max.X), Math.Max(other.Box.Min.Y - Box.Max.Y, Box.Min.Y - other.Box.Max.Y));
 
     private static double Widest(Vec3[] from, Vec3[] to)
     {

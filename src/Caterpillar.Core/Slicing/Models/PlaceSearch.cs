@@ -14,22 +14,32 @@ internal sealed class PlaceSearch(Printer printer, ArrangeOptions options, Cance
     public Footprint?[] FromTheMiddle(Footprint[] footprints, int[] order)
     {
         var center = printer.BuildBounds.Center.WithZ(0);
-        var places = Grid().OrderBy(p => (p - center).LengthSquared).ThenBy(p => p.Y).ThenBy(p => p.X).ToArray();
-        var placed = new Footprint?[footprints.Length];
-        foreach (var i in order) placed[i] = First(footprints[i], places, placed);
-        return placed;
+        return OnGrid(footprints, order, Grid().OrderBy(p => (p - center).LengthSquared).ThenBy(p => p.Y).ThenBy(p => p.X).ToArray());
     }
 
     /// <summary>Each as far in front, then as far left as it goes: beside the edges of the bed and of those that are placed, or on the grid.</summary>
     public Footprint?[] InRows(Footprint[] footprints, int[] order)
     {
         var grid = Grid();
+        if (order.Length > MaxEdges) return OnGrid(footprints, order, [.. grid]);
         var placed = new Footprint?[footprints.Length];
         foreach (var i in order)
         {
-            var places = new List<Vec3>(grid);
-            if (order.Length <= MaxEdges) places.AddRange(Corners(footprints[i], placed));
-            placed[i] = First(footprints[i], places.OrderBy(p => p.Y).ThenBy(p => p.X), placed);
+            var places = grid.Concat(Corners(footprints[i], placed)).OrderBy(p => p.Y).ThenBy(p => p.X).ToArray();
+            placed[i] = First(footprints[i], places, 0, placed).Found;
+        }
+        return placed;
+    }
+
+    private Footprint?[] OnGrid(Footprint[] footprints, int[] order, Vec3[] places)
+    {
+        var placed = new Footprint?[footprints.Length];
+        // Where there is no room for a copy there is none for the next.
+        var tried = new Dictionary<Footprint, int>();
+        foreach (var i in order)
+        {
+            tried.TryGetValue(footprints[i], out var from);
+            (placed[i], tried[footprints[i]]) = First(footprints[i], places, from, placed);
         }
         return placed;
     }
@@ -64,23 +74,24 @@ internal sealed class PlaceSearch(Printer printer, ArrangeOptions options, Cance
         return places;
     }
 
-    private Footprint? First(Footprint footprint, IEnumerable<Vec3> places, Footprint?[] placed)
+    // The number of the place, too, or of all places.
+    private (Footprint? Found, int Place) First(Footprint footprint, Vec3[] places, int from, Footprint?[] placed)
     {
         var middle = footprint.Box.Center;
-        foreach (var place in places)
+        for (var i = from; i < places.Length; i++)
         {
             cancel.ThrowIfCancellationRequested();
-            var moved = footprint.Moved(place.X - middle.X, place.Y - middle.Y);
-            if (_bed.Holds(moved) && IsFree(moved, placed)) return moved;
+            var moved = footprint.Moved(places[i].X - middle.X, places[i].Y - middle.Y);
+            if (_bed.Holds(moved) && IsFree(moved, placed)) return (moved, i);
         }
-        return null;
+        return (null, places.Length);
     }
 
     private bool IsFree(Footprint moved, Footprint?[] placed)
     {
         foreach (var other in placed)
         {
-            if (other is not null && moved.Separation(other) < Spacing(moved, other)) return false;
+            if (other is not null && !moved.IsApart(other, Spacing(moved, other))) return false;
         }
         return true;
     }

@@ -44,5 +44,12 @@ internal sealed record FinishMovesEvent : PrinterEvent;
 /// <summary>Motion limit for the following moves (M201, M203, M204, M205, M566, SET_VELOCITY_LIMIT), in mm/s, mm/s² or mm.</summary>
 internal sealed record LimitEvent(MotionLimit Limit, double Value) : PrinterEvent;
 
+/// <summary>Sets the firmware retraction. Null = unchanged.</summary>
+/// <param name="Length">What is retracted, mm.</param>
+/// <param name="Speed">Its speed, mm/s.</param>
+/// <param name="Extra">What is extruded in addition to it afterwards, mm.</param>
+/// <param name="Back">The speed of that, mm/s.</param>
+internal sealed record RetractionEvent(double? Length, double? Speed, double? Extra, double? Back) : PrinterEvent;
+
 /// <summary>Progress on the display of the machine: percent and remaining minutes (M73).</summary>
 internal sealed record ProgressEvent(int Percent, int MinutesLeft) : PrinterEvent;

@@ -37,8 +37,8 @@ public sealed class ReadCurvesComponent() : CaterpillarComponent(
                 UnitLength = unit, WidthReference = setup.Printer.NozzleDiameter, HeightReference = settings.LayerHeight, SpeedReference = settings.PrintSpeed,
             }, progress, cancel));
         var curves = run.Require(read);
-        var options = CurveOptions.From(settings) with { Subdivision = SubdivisionOptions.ByDistance(step) };
-        var steps = run.Require(run.Work("Dividing", [read, step, settings],
+        var options = CurveOptions.For(setup) with { Subdivision = SubdivisionOptions.ByDistance(step) };
+        var steps = run.Require(run.Work("Dividing", [read, step, setup],
             (progress, cancel) => CurvePaths.ToSteps(curves, options, progress, cancel)));
         run.SetList(0, steps.OfType<PathStep>().Select(s => new PrintPathGoo(s, setup)));
         run.SetList(1, steps.Select(s => new StepGoo(s, setup)));

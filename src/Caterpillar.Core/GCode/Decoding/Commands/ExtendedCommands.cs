@@ -40,6 +40,10 @@ internal sealed class ExtendedCommands(Machine machine, ModeCommands modes, Even
                 var limits = words.ToUpperInvariant();
                 events.Limits.TakeVelocityLimit(key => Number(limits, key));
                 return;
+            case "SET_RETRACTION" when _rules.RetractionSettings == RetractionCommands.Klipper:
+                var settings = words.ToUpperInvariant();
+                events.Limits.TakeRetraction(key => Number(settings, key));
+                return;
             case "SET_HEATER_TEMPERATURE" when _rules.ExtendedCommands:
                 events.SetHeater(Argument(words, "HEATER="), Number(words.ToUpperInvariant(), "TARGET"));
                 return;
@@ -96,18 +100,20 @@ internal sealed class ExtendedCommands(Machine machine, ModeCommands modes, Even
         var change = saved.Offset - before;
         _state.Head.SetShift(_state.Head.Shift + change);
         _state.Extrusion.SetE(_state.Extrusion.E - (e - saved.OffsetE));
+        var changeE = e - saved.OffsetE;
         saved.OffsetE = e;
-        if (Number(words, "MOVE") is { } move && move != 0) MoveTo(_state.Head.Machine + change, words);
+        if (Number(words, "MOVE") is { } move && move != 0) MoveTo(_state.Head.Machine + change, words, changeE);
     }
 
     // To a position in machine coordinates.
-    private void MoveTo(Vec3 position, string words)
+    private void MoveTo(Vec3 position, string words, double e = 0)
     {
         ref var feed = ref _state.Feed;
         var speed = feed.Speed;
         if (Number(words, "MOVE_SPEED") is { } own && own is > 0 and < 1e6) feed.Speed = own;
         var target = position - _state.Head.Shift;
-        machine.Moves.Line(target.X, target.Y, target.Z, 0, 1);
+        _state.Extrusion.SetE(_state.Extrusion.E + e);
+        machine.Moves.Line(target.X, target.Y, target.Z, e, 1);
         feed.Speed = speed;
     }
 

@@ -145,6 +145,15 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
                 motion.RenameTurns(line);
                 if (line.Count == 1) positions.BareRename();
                 return;
+            case 50 when _rules.Splines:
+                motion.Spline(line);
+                return;
+            case 600 when _rules.SavedPositions || _rules.RestorePoints:
+                modes.StorePosition(line);
+                return;
+            case 610 when _rules.SavedPositions:
+                modes.ReturnTo(line, 'S');
+                return;
             case 281 when _rules.Homing == HomingRule.GoesToStoredPosition:
                 machine.State.Stored28 = machine.State.Head.Machine;
                 return;
@@ -169,7 +178,12 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
         machine.Features.Add(Feature.FirmwareRetraction);
         if (retract) machine.Counters.FirmwareRetractions++;
         else machine.Counters.FirmwareDeretractions++;
+        ref var state = ref machine.State.Retraction;
+        if (!retract) machine.Moves.Raise(-state.Lifted);
         machine.Moves.Stay(retract ? Toolpaths.MoveKind.Retract : Toolpaths.MoveKind.Deretract);
+        var lifted = !retract ? 0 : state.IsRetracted ? state.Lifted : state.Lift;
+        if (retract) machine.Moves.Raise(lifted - state.Lifted);
+        state = new RetractionState(state.Lift, retract, lifted);
     }
 
     // G10 and G11 that do not retract.

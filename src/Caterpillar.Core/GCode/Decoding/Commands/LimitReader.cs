@@ -2,7 +2,9 @@ using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Commands that set limits of the motion: M201, M203, M204, M205, M566, SET_VELOCITY_LIMIT.</summary>
+/// <summary>
+/// Commands that set limits of the motion (M201, M203, M204, M205, M566, SET_VELOCITY_LIMIT) and the firmware retraction (M207, M208, SET_RETRACTION).
+/// </summary>
 internal sealed class LimitReader(Machine machine)
 {
     private const string Axes = "XYZE";
@@ -14,6 +16,12 @@ internal sealed class LimitReader(Machine machine)
     {
         switch (code)
         {
+            case 2070 when _rules.RetractionSettings is RetractionCommands.Marlin or RetractionCommands.RepRapFirmware:
+                Retraction(line);
+                return true;
+            case 2080 when _rules.RetractionSettings == RetractionCommands.Marlin:
+                SetRetraction("M208", new RetractionEvent(null, null, Word(line, 'S', 1), Word(line, 'F', 60)));
+                return true;
             case 2040:
                 Accelerations(line);
                 return true;
@@ -43,6 +51,39 @@ internal sealed class LimitReader(Machine machine)
         Named(word("SQUARE_CORNER_VELOCITY"), MotionLimit.SquareCornerVelocity);
         Named(word("MINIMUM_CRUISE_RATIO"), MotionLimit.MinimumCruiseRatio);
     }
+
+    /// <summary>SET_RETRACTION. The function returns the number of a word.</summary>
+    public void TakeRetraction(Func<string, double?> word)
+    {
+        SetRetraction("SET_RETRACTION", new RetractionEvent(
+            word("RETRACT_LENGTH"), word("RETRACT_SPEED"), word("UNRETRACT_EXTRA_LENGTH"), word("UNRETRACT_SPEED")));
+        machine.State.Retraction = machine.State.Retraction with { IsRetracted = false };
+    }
+
+    // M207. Tools are taken to have the same settings.
+    private void Retraction(ParsedLine line)
+    {
+        if (line.TryGet('P', out var tool) && tool != machine.State.Tool) return;
+        var both = _rules.RetractionSettings == RetractionCommands.RepRapFirmware;
+        SetRetraction("M207", new RetractionEvent(
+            Word(line, 'S', 1), Word(line, 'F', 60), both ? Word(line, 'R', 1) : null, both ? Word(line, 'T', 60) ?? Word(line, 'F', 60) : null));
+        if (Word(line, 'Z', 1) is not (>= 0 and < 1e3 and var lift)) return;
+        if (_rules.RetractionLifts) machine.State.Retraction = machine.State.Retraction with { Lift = lift };
+        else if (lift > 0) machine.Log.NotFollowed("M207 Z");
+    }
+
+    private double? Word(ParsedLine line, char letter, double unit) => line.TryGet(letter, out var value) ? value * machine.State.Modes.Unit / unit : null;
+
+    private void SetRetraction(string name, RetractionEvent what)
+    {
+        if (!IsNumber(what.Length, 0) || !IsNumber(what.Speed, 0) || !IsNumber(what.Extra, -1e9) || !IsNumber(what.Back, 0)) return;
+        if (what != new RetractionEvent(null, null, null, null)) _moves.AddEvent(what);
+        if (machine.State.Retraction.IsRetracted)
+            machine.Diagnostics.Warn("gcode.retraction_changed", $"{name} between G10 and G11: in {_rules.Title}, G11 may restore another amount than G10 has "
+                + "retracted, or none. Set the retraction before G10 or after G11.");
+    }
+
+    private static bool IsNumber(double? value, double least) => value is null || (value >= least && value < 1e9);
 
     private void Accelerations(ParsedLine line)
     {

@@ -3,7 +3,8 @@ using Caterpillar.Flavors;
 namespace Caterpillar.GCode;
 
 /// <summary>M commands: modes, speed and flow factors, tools, extruder switch. <see cref="EventCommands"/> reads events.</summary>
-internal sealed class MachineCommands(Machine machine, ModeCommands modes, EventCommands events, CommentInterpreter comments)
+internal sealed class MachineCommands(
+    Machine machine, ModeCommands modes, PositionCommands positions, EventCommands events, CommentInterpreter comments)
 {
     private readonly FlavorRules _rules = machine.Rules;
     private readonly InterpreterState _state = machine.State;
@@ -42,6 +43,12 @@ internal sealed class MachineCommands(Machine machine, ModeCommands modes, Event
                 return;
             case 2210 when _rules.FlowFactor != FlowFactorRule.Ignored:
                 FlowFactor(line);
+                return;
+            case 2060 when _rules.HomeOffset != HomeOffsetRule.None:
+                positions.SetHomeOffset(line);
+                return;
+            case 2900 when _rules.LargestBabystep > 0:
+                positions.Babystep(line);
                 return;
             case 60:
                 if (_rules.ToolByM6) machine.ChangeTool(line.TryGet('T', out var tool) ? tool : double.IsNaN(_state.NextTool) ? _state.Tool : _state.NextTool);

@@ -85,6 +85,37 @@ internal sealed class ModeCommands(Machine machine, PositionCommands positions)
         Restore(saved, machine.State.Feed.Factor);
     }
 
+    /// <summary>G60: the position under a number. With Q it returns to it as G61 does, and D deletes positions.</summary>
+    public void StorePosition(ParsedLine line)
+    {
+        if (_rules.SavedPositions && line.Find('Q') >= 0) ReturnTo(line, 'Q');
+        else if (!_rules.SavedPositions || !line.Has('D')) machine.State.Saved.SetNamed(Current(PointName(line.Get('S', 0))));
+    }
+
+    /// <summary>The stored position with a number, as written now; null if there is none.</summary>
+    public Vec3? StoredPosition(double number)
+        => machine.State.Saved.Named(PointName(number)) is { } saved ? saved.Head.Machine - machine.State.Head.Shift : null;
+
+    /// <summary>G61: moves back to a stored position, in the axes named and by what is added to them; without any axis first up, or last down.</summary>
+    public void ReturnTo(ParsedLine line, char slot)
+    {
+        var number = line.Get(slot, 0);
+        if (StoredPosition(number) is not { } stored) return;
+        var (state, moves) = (machine.State, machine.Moves);
+        var (all, now, unit, speed) = (!line.HasAny("XYZE"), state.Head.Written, state.Modes.Unit, state.Feed.Speed);
+        var target = new Vec3(Coordinate('X', stored.X, now.X), Coordinate('Y', stored.Y, now.Y), Coordinate('Z', stored.Z, now.Z));
+        if (line.TryGet('F', out var feed) && feed is > 0 and < 1e9) state.Feed.Speed = feed * unit / 60;
+        if (all) moves.Travel(target.Z > now.Z ? now.WithZ(target.Z) : target.WithZ(now.Z));
+        moves.Travel(target);
+        moves.BreakExtrusion();
+        state.Feed.Speed = speed;
+        if (line.Has('E')) state.Extrusion.SetE(state.Saved.Named(PointName(number))!.Extrusion.E);
+
+        double Coordinate(char letter, double there, double here)
+            => all ? there : line.Has(letter) && there + line.Get(letter, 0) * unit is > -MoveRecorder.LargestLength and < MoveRecorder.LargestLength and var at
+                ? at : here;
+    }
+
     /// <summary>The current state under a name.</summary>
     public SavedState Current(string name)
     {
@@ -92,6 +123,9 @@ internal sealed class ModeCommands(Machine machine, PositionCommands positions)
         return new SavedState(
             name, state.Modes with { Motion = 0 }, state.Feed, state.Extrusion, state.Head, state.Saved.Offset, state.Saved.OffsetE);
     }
+
+    // No state of a firmware with names has this one.
+    private static string PointName(double number) => "G60 " + NumberFormatter.Format(number, 0);
 
     /// <summary>Restores the state that all firmwares restore: relative or absolute positions and E, and the feed rate.</summary>
     public void Restore(SavedState saved, double feedFactor)

@@ -3,8 +3,12 @@ using Caterpillar.Flavors;
 namespace Caterpillar.GCode;
 
 /// <summary>G0 to G3 with their words, and the rotary axes A, B and C in degrees, if they do not extrude.</summary>
-internal sealed class MotionCommands(Machine machine, ExtruderWords extruder)
+internal sealed class MotionCommands(Machine machine, ExtruderWords extruder, ModeCommands modes)
 {
+    // A spline becomes chords this near to it, mm.
+    private const double SplineTolerance = 0.01;
+    private const int MaxChords = 1000;
+
     // Firmware takes no more in one command.
     private const int MaxCircles = 100;
     private readonly FlavorRules _rules = machine.Rules;
@@ -37,12 +41,36 @@ internal sealed class MotionCommands(Machine machine, ExtruderWords extruder)
     {
         var de = (mask & ChunkParser.HasE) != 0 ? extruder.Change(e) : 0;
         ref var head = ref _state.Head;
+        if (head.Lost != 0) Restate(mask, de > 0);
         _moves.Line(
             (mask & ChunkParser.HasX) != 0 ? machine.Target(head.X, x, head.ShiftX) : head.X,
             (mask & ChunkParser.HasY) != 0 ? machine.Target(head.Y, y, head.ShiftY) : head.Y,
             (mask & ChunkParser.HasZ) != 0 ? machine.Target(head.Z, z, head.ShiftZ) : head.Z,
             de,
             code);
+    }
+
+    /// <summary>G5: a cubic Bézier curve in X and Y, with I J from its start and P Q from its end. Z and E change evenly with its parameter.</summary>
+    public void Spline(ParsedLine line)
+    {
+        if (line.TryGet('F', out var feed)) machine.SetFeed(feed);
+        if (_state.Modes.Plane != ArcPlane.XY)
+        {
+            machine.Diagnostics.Warn("gcode.arc_refused", _rules.Title + " rejects G5 in other planes than XY.");
+            return;
+        }
+        var (start, end, unit) = (_state.Head.Written, machine.Target(line), _state.Modes.Unit);
+        var first = start + new Vec3(line.Get('I', 0) * unit, line.Get('J', 0) * unit, (end.Z - start.Z) / 3);
+        var second = end + new Vec3(line.Get('P', 0) * unit, line.Get('Q', 0) * unit, (start.Z - end.Z) / 3);
+        var bend = Math.Max((start - first * 2 + second).Length, (first - second * 2 + end).Length);
+        var chords = (int)Math.Min(Math.Max(Math.Ceiling(Math.Sqrt(bend * 0.75 / SplineTolerance)), 1), MaxChords);
+        var e = extruder.Change(line) / chords;
+        for (var i = 1; i <= chords; i++)
+        {
+            var (t, s) = ((double)i / chords, 1 - (double)i / chords);
+            var p = i == chords ? end : start * (s * s * s) + first * (3 * s * s * t) + second * (3 * s * t * t) + end * (t * t * t);
+            _moves.Line(p.X, p.Y, p.Z, e, 1);
+        }
     }
 
     /// <summary>G92 of the rotary axes: renames their position.</summary>
@@ -79,7 +107,12 @@ internal sealed class MotionCommands(Machine machine, ExtruderWords extruder)
         }
         var mask = (line.TryGet('X', out var x) ? ChunkParser.HasX : 0) | (line.TryGet('Y', out var y) ? ChunkParser.HasY : 0)
             | (line.TryGet('Z', out var z) ? ChunkParser.HasZ : 0) | (extruder.TryGet(line, out var e) ? ChunkParser.HasE : 0);
-        if (_rules.RestorePoints && line.Find('R') >= 0) machine.Log.NotFollowed("R of a motion");
+        if (_rules.RestorePoints && line.TryGet('R', out var number))
+        {
+            if (!_state.Modes.Relative && modes.StoredPosition(number) is { } stored)
+                (x, y, z) = (x + stored.X / _state.Modes.Unit, y + stored.Y / _state.Modes.Unit, z + stored.Z / _state.Modes.Unit);
+            else machine.Log.NotFollowed("R of a motion");
+        }
         Line(mask, x, y, z, e, _state.Modes.Motion);
     }
 
@@ -106,6 +139,14 @@ internal sealed class MotionCommands(Machine machine, ExtruderWords extruder)
             arc = arc with { Center = arc.Center + new Vec3(0, 0, end.Z - arc.Center.Z) };
         }
         _moves.Arc(start, end, e, arc, code);
+    }
+
+    // An extrusion begins where the head is, which it should know.
+    private void Restate(int mask, bool extrudes)
+    {
+        var prints = extrudes && (mask & ~ChunkParser.HasE) != 0;
+        if (prints) machine.Log.PrintsLost(_state.Head.Lost);
+        machine.Restate(prints ? _state.Head.Lost : _state.Modes.Relative ? 0 : mask);
     }
 
     private static Arc Longer(Arc arc, int turns) => turns > 0 ? arc with { Sweep = arc.Sweep + (arc.Sweep < 0 ? -360.0 : 360.0) * turns } : arc;

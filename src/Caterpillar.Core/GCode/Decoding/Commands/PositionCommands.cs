@@ -2,13 +2,17 @@ using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Commands that rename positions or go to stored ones: G92, G28, G30, G54 to G59.3, G10 L2 and L20.</summary>
+/// <summary>Commands that rename positions or go to stored ones: G92, G28, G30, G54 to G59.3, G10 L2 and L20, M206, M290.</summary>
 internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
 {
     private const double Largest = MoveRecorder.LargestLength;
     private readonly FlavorRules _rules = machine.Rules;
     private readonly InterpreterState _state = machine.State;
     private readonly MoveRecorder _moves = machine.Moves;
+
+    // Machine coordinates minus coordinates as written, without the offsets of G92.
+    private Vec3 Base
+        => (_rules.WorkspacesByG92 ? Vec3.Zero : _state.Work.Origin) + _state.Saved.Offset + new Vec3(0, 0, _state.Saved.Babysteps + _state.Retraction.Lifted);
 
     /// <summary>G28 and similar commands that home.</summary>
     public void Home(ParsedLine line)
@@ -18,10 +22,12 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
         var moves = (x && head.X + head.ShiftX != 0) || (y && head.Y + head.ShiftY != 0) || (z && head.Z + head.ShiftZ != 0);
         _moves.AddEvent(new HomeEvent(x, y, z));
         if (_rules.HomingSelectsXy) _state.Modes.Plane = ArcPlane.XY;
-        var origin = (_rules.HomingKeepsShifts ? head.Shift : _state.Work.Origin) + _state.Saved.Offset;
+        if (z) ForgetHeights();
+        var origin = _rules.HomingKeepsShifts ? head.Shift : Base;
         if (x) HomeAxis(line, 'X', origin.X, ref head.X, ref head.ShiftX, ref head.KnownX);
         if (y) HomeAxis(line, 'Y', origin.Y, ref head.Y, ref head.ShiftY, ref head.KnownY);
         if (z) HomeAxis(line, 'Z', origin.Z, ref head.Z, ref head.ShiftZ, ref head.KnownZ);
+        if (head.Lost != 0) machine.Restate((x ? ChunkParser.HasX : 0) | (y ? ChunkParser.HasY : 0) | (z ? ChunkParser.HasZ : 0));
         _moves.BreakExtrusion();
         // Homing is a move of the toolpath, though the file has no line of motion for it.
         if (moves && head.HasMoved) _moves.Stay(MoveKind.Travel);
@@ -58,6 +64,7 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
         if (line.TryGet('Y', out var y)) any |= RenameAxis(y, ref head.Y, ref head.ShiftY, ref head.KnownY);
         if (line.TryGet('Z', out var z)) any |= RenameAxis(z, ref head.Z, ref head.ShiftZ, ref head.KnownZ);
         if (any) machine.Features.Add(Feature.G92Xyz);
+        if (any && _rules.WorkspacesByG92 && _state.Work.Selected > 0) _state.Work.SetOrigin(_state.Work.Selected, head.Shift - Base);
         if (extruder.Rename(line)) machine.Features.Add(Feature.G92E);
     }
 
@@ -86,7 +93,7 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
     /// <summary>Resets the shifts of G92. The origin of the selected coordinate system does not change.</summary>
     public void ClearShifts()
     {
-        _state.Head.SetShift(_state.Work.Origin);
+        _state.Head.SetShift(Base);
         _moves.BreakExtrusion();
     }
 
@@ -94,20 +101,22 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
     public bool SelectSystem(int code)
     {
         ref var work = ref _state.Work;
-        if (code == 530)
+        if (code == 530 && !_rules.WorkspacesByG92)
         {
             work.IsMachineLine = true;
             return true;
         }
         if (code is < 540 or > 593 || (code < 590 && code % 10 != 0)) return false;
-        var system = code < 590 ? (code - 540) / 10 : 5 + code - 590;
+        var system = code < 590 ? (code - 530) / 10 : 6 + code - 590;
         if (system == work.Selected) return true;
         var before = work.Origin;
         work.Selected = system;
-        if (system > 0 && work.Origin == Vec3.Zero)
-            machine.Diagnostics.Add(Severity.Note, "gcode.workspace",
-                "The file selects a coordinate system but does not set its origin. The machine's origin is used.");
-        OriginMoved(before);
+        if (system > 1 && !work.HasOrigin)
+            machine.Diagnostics.Warn("gcode.workspace", $"G{NumberFormatter.Format(code / 10.0, 1)} selects a coordinate system whose origin the file does not "
+                + "set: positions are unknown. They are read as if its origin were that of the machine.");
+        if (_rules.WorkspacesByG92) _state.Head.SetShift(work.Origin + Base);
+        else OriginMoved(before);
+        _moves.BreakExtrusion();
         return true;
     }
 
@@ -121,28 +130,68 @@ internal sealed class PositionCommands(Machine machine, ExtruderWords extruder)
             return;
         }
         ref var work = ref _state.Work;
-        var system = number < 1 ? work.Selected : (int)number - 1;
+        var system = number < 1 ? work.Selected : (int)number;
         var before = work.Origin;
-        var own = work.OriginOf(system);
-        var head = _state.Head.Written;
-        work.SetOrigin(system, new Vec3(
-            Coordinate('X', own.X, own.X + (head.X + before.X - own.X)),
-            Coordinate('Y', own.Y, own.Y + (head.Y + before.Y - own.Y)),
-            Coordinate('Z', own.Z, own.Z + (head.Z + before.Z - own.Z))));
+        var position = _state.Head.Written + before;
+        work.SetOrigin(system, here ? Words(line, work.OriginOf(system), position, -1) : Words(line, work.OriginOf(system), Vec3.Zero, 1));
         OriginMoved(before);
+    }
 
-        double Coordinate(char letter, double unchanged, double position)
+    /// <summary>M206: the home offset.</summary>
+    public void SetHomeOffset(ParsedLine line)
+    {
+        ref var work = ref _state.Work;
+        if (_rules.HomeOffset == HomeOffsetRule.OfWorkspace)
         {
-            if (!line.TryGet(letter, out var word)) return unchanged;
-            word *= _state.Modes.Unit;
-            return !(word is > -Largest and < Largest) ? unchanged : here ? position - word : word;
+            var origin = work.Origin;
+            work.SetOrigin(work.Selected, Words(line, origin, Vec3.Zero, -1));
+            OriginMoved(origin);
+            return;
         }
+        ref var saved = ref _state.Saved;
+        var before = saved.Offset;
+        saved.Offset = Words(line, before, Vec3.Zero, -1);
+        if (_rules.HomeOffset == HomeOffsetRule.AtOnce) _state.Head.SetShift(_state.Head.Shift + saved.Offset - before);
+    }
+
+    /// <summary>M290: moves in Z without a change of the coordinates.</summary>
+    public void Babystep(ParsedLine line)
+    {
+        if (line.HasAny("XY")) machine.Log.NotFollowed("M290 in X or Y");
+        if (!line.TryGet('Z', out var z) && !line.TryGet('S', out z)) return;
+        z *= _state.Modes.Unit;
+        ref var saved = ref _state.Saved;
+        var step = _rules.HomingKeepsBabysteps && line.TryGet('R', out var relative) && relative == 0 ? z - saved.Babysteps
+            : Math.Max(Math.Min(z, _rules.LargestBabystep), -_rules.LargestBabystep);
+        if (!(step is > -Largest and < Largest)) return;
+        saved.Babysteps += step;
+        _moves.Raise(step);
+    }
+
+    // The words X, Y and Z by a factor, added to positions; for those that the line does not have, others.
+    private Vec3 Words(ParsedLine line, Vec3 unchanged, Vec3 added, double factor)
+    {
+        var unit = factor * _state.Modes.Unit;
+        return new Vec3(Word('X', unchanged.X, added.X), Word('Y', unchanged.Y, added.Y), Word('Z', unchanged.Z, added.Z));
+
+        double Word(char letter, double otherwise, double add)
+            => line.TryGet(letter, out var word) && word * unit is > -Largest and < Largest and var known ? known + add : otherwise;
     }
 
     private void OriginMoved(Vec3 before)
     {
         _state.Head.SetShift(_state.Head.Shift + _state.Work.Origin - before);
         _moves.BreakExtrusion();
+    }
+
+    // Homing of Z ends the lift of the firmware retraction, and most firmware forgets babysteps.
+    private void ForgetHeights()
+    {
+        ref var head = ref _state.Head;
+        var babysteps = _rules.HomingKeepsBabysteps ? 0 : _state.Saved.Babysteps;
+        head.SetShift(head.Shift - new Vec3(0, 0, babysteps + _state.Retraction.Lifted));
+        _state.Saved.Babysteps -= babysteps;
+        _state.Retraction = _state.Retraction with { Lifted = 0 };
     }
 
     private static void Axes(ParsedLine line, out bool x, out bool y, out bool z)

@@ -18,6 +18,9 @@ internal sealed class CommandLog(Machine machine)
     private readonly List<UsedCommand> _used = [];
     private FlavorCommand? _last;
 
+    // The last macro before the first extrusion.
+    private UsedCommand? _macro;
+
     /// <summary>Commands without effect on the toolpath, and their counts.</summary>
     public IReadOnlyDictionary<string, int> Ignored => _ignored;
 
@@ -30,7 +33,18 @@ internal sealed class CommandLog(Machine machine)
         var command = new CommandText(text, start, end);
         _last = _commands.Find(command);
         if (_last is { Use: CommandUse.Ok or CommandUse.Tracked or CommandUse.Ignored }) return;
-        UseOf(command).Add(machine.Diagnostics.Line, machine.Moves.Count);
+        var use = UseOf(command);
+        use.Add(machine.Diagnostics.Line, machine.Moves.Count);
+        var isMacro = command.IsCode ? _last?.Name == "M98" : machine.Rules.ExtendedCommands && _last is null or { Class: CommandClass.Flow };
+        if (!isMacro || machine.Counters.Prints > 0) return;
+        _macro = use;
+        machine.Restate(0, ChunkParser.HasX | ChunkParser.HasY | ChunkParser.HasZ);
+    }
+
+    /// <summary>The file prints before it has stated the position after a macro.</summary>
+    public void PrintsLost(int axes)
+    {
+        if (_macro is not null) _macro.UnknownAxes = string.Join(", ", "XYZ".Where((_, i) => (axes & (1 << i)) != 0));
     }
 
     /// <summary>The command that was seen last has no effect on the toolpath.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Geometry;
-
 namespace Caterpillar.GCode;
 
 /// <summary>A box that grows in place.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Collects the layers of a file from its comments. Without comments, from the heights of flat extrusions.</summary>

@@ -1,6 +1,4 @@
 using Caterpillar.Flavors;
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
 
 namespace Caterpillar.GCode;
 
@@ -12,6 +10,7 @@ internal sealed class Machine
         Rules = rules;
         Axis = axis;
         State.Modes.Volumetric = rules.StartsVolumetric;
+        State.Work.Selected = rules.WorkspacesByG92 ? 0 : 1;
         Extruders = new Extruders(rules, State, Counters);
         Moves = new MoveRecorder(this, rule);
         Log = new CommandLog(this);
@@ -68,7 +67,20 @@ internal sealed class Machine
             extrusion.Marlin2E = extrusion.E;
             Counters.EMarlin2 = Counters.ENet;
         }
-        modes.IsPlain = !modes.Relative && !modes.Inches && !modes.IsRelativeEDisputed && !extrusion.HasMarlin2E;
+        ResolvePlain();
+    }
+
+    /// <summary>The file states the position in some axes, and it is lost in others, both as a mask of <see cref="ChunkParser"/>.</summary>
+    public void Restate(int stated, int lost = 0)
+    {
+        State.Head.Lost = (State.Head.Lost & ~stated) | lost;
+        ResolvePlain();
+    }
+
+    private void ResolvePlain()
+    {
+        ref var modes = ref State.Modes;
+        modes.IsPlain = !modes.Relative && !modes.Inches && !modes.IsRelativeEDisputed && !State.Extrusion.HasMarlin2E && State.Head.Lost == 0;
     }
 
     public void SetFeed(double feed)

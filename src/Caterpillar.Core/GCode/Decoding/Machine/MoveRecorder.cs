@@ -1,6 +1,3 @@
-using Caterpillar.Geometry;
-using Caterpillar.Toolpaths;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Converts targets to moves: finds the kind of each move, counts it, and collects moves and events.</summary>
@@ -147,6 +144,18 @@ internal sealed partial class MoveRecorder
     {
         ref var head = ref _state.Head;
         Emit(head.X, head.Y, head.Z, 0, 0, kind);
+    }
+
+    /// <summary>Moves the head in Z without a change of its coordinates, as fast as it can.</summary>
+    public void Raise(double height)
+    {
+        if (height == 0) return;
+        _state.Head.ShiftZ += height;
+        var speed = _state.Feed.Speed;
+        _state.Feed.Speed = 0;
+        BreakExtrusion();
+        if (_state.Head.HasMoved) Stay(MoveKind.Travel);
+        _state.Feed.Speed = speed;
     }
 
     /// <summary>Turns the rotary axes with the last move.</summary>

@@ -15,6 +15,9 @@ internal sealed class UsedCommand(string name, FlavorCommand? command)
 
     public FlavorCommand? Command => command;
 
+    /// <summary>Axes that the file has not stated between this command, which may move the head, and the first extrusion. Empty = none.</summary>
+    public string UnknownAxes { get; set; } = "";
+
     /// <summary>Its places, in the order of the file. Those without a move between them are one.</summary>
     public IReadOnlyList<CommandPlace> Places => _places;
 

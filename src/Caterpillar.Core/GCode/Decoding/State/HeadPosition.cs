@@ -17,6 +17,9 @@ internal struct HeadPosition
     public bool KnownY;
     public bool KnownZ;
 
+    /// <summary>Axes in which a macro may have moved the head, and which the file has not stated since, as a mask of <see cref="ChunkParser"/>.</summary>
+    public int Lost;
+
     /// <summary>True once the file has made a move.</summary>
     public bool HasMoved;
 

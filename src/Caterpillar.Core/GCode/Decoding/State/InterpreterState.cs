@@ -15,6 +15,7 @@ internal sealed class InterpreterState
     public RotaryPosition Rotary;
     public WorkOffsets Work;
     public SavedStates Saved = SavedStates.None;
+    public RetractionState Retraction;
 
     // Positions that G28.1 and G30.1 store, in machine coordinates; those the machine itself has are taken as zero.
     public Vec3 Stored28;
@@ -37,6 +38,7 @@ internal sealed class InterpreterState
         Rotary = from.Rotary;
         Work = from.Work;
         Saved = from.Saved;
+        Retraction = from.Retraction;
         Stored28 = from.Stored28;
         Stored30 = from.Stored30;
         Tool = from.Tool;
@@ -49,7 +51,8 @@ internal sealed class InterpreterState
         => Head.ReadsLike(other.Head) && (System.Math.Abs(Extrusion.E - other.Extrusion.E) <= NoChange || !positionOfEMatters)
             && Feed.Speed == other.Feed.Speed && Tool == other.Tool && Modes.ReadsLike(other.Modes)
             && Extrusion.IsSwitchedOn == other.Extrusion.IsSwitchedOn && Rotary == other.Rotary && Work.ReadsLike(other.Work)
-            && Stored28 == other.Stored28 && Stored30 == other.Stored30 && Saved.ReadsLike(other.Saved);
+            && Stored28 == other.Stored28 && Stored30 == other.Stored30 && Saved.ReadsLike(other.Saved)
+            && Retraction == other.Retraction;
 }
 
 /// <summary>The state before a chunk of the document, and the number of lines and events before it.</summary>

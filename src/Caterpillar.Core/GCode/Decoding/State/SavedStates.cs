@@ -1,6 +1,6 @@
 namespace Caterpillar.GCode;
 
-/// <summary>States that a file saves and restores (M120, M121, SAVE_GCODE_STATE), and the offset of SET_GCODE_OFFSET, which homing keeps.</summary>
+/// <summary>States that a file saves and restores (M120, G60, SAVE_GCODE_STATE), and the offsets of SET_GCODE_OFFSET and M206, which homing keeps.</summary>
 internal struct SavedStates
 {
     private const int MaxCount = 100;
@@ -9,8 +9,11 @@ internal struct SavedStates
     private SavedState[] _stack;
     private SavedState[] _named;
 
-    /// <summary>The offset of the head, mm.</summary>
+    /// <summary>The offset of the head, mm; the negative home offset of M206.</summary>
     public Vec3 Offset;
+
+    /// <summary>What M290 has added to the height, mm.</summary>
+    public double Babysteps;
     public double OffsetE;
 
     public static SavedStates None => new() { _stack = [], _named = [] };
@@ -34,7 +37,8 @@ internal struct SavedStates
     public readonly SavedState? Named(string name) => _named.FirstOrDefault(s => s.Name == name);
 
     public readonly bool ReadsLike(in SavedStates other)
-        => Offset == other.Offset && OffsetE == other.OffsetE && _stack.SequenceEqual(other._stack) && _named.SequenceEqual(other._named);
+        => Offset == other.Offset && Babysteps == other.Babysteps && OffsetE == other.OffsetE
+            && _stack.SequenceEqual(other._stack) && _named.SequenceEqual(other._named);
 }
 
 /// <summary>A saved state. Its last motion does not count.</summary>

@@ -68,6 +68,23 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
         _text.Add(_rewriter.Bytes, _rewriter.Count, line);
     }
 
+    /// <summary>Writes the current line as it is if it makes all moves from this task on. Otherwise nothing is written.</summary>
+    public bool Keeps(FileLine line, IReadOnlyList<SpliceTask> tasks, int first)
+    {
+        var before = _written.Save();
+        var keeps = _written.ReadLine(_line, line.Text, line.End, out _) == tasks.Count - first && !MustRewrite(line);
+        var c = _written.LastMoves;
+        for (var i = 0; i < c.Count && keeps; i++)
+        {
+            var move = tasks[first + i].Move;
+            keeps = tasks[first + i].Event is null && Math.Abs(c.X[i] - move.X) <= NoChange && Math.Abs(c.Y[i] - move.Y) <= NoChange
+                && Math.Abs(c.Z[i] - move.Z) <= NoChange && Math.Abs(c.E[i] - move.E) <= _toleranceE && c.Kind[i] == move.Kind;
+        }
+        if (keeps) _text.Add(line);
+        else _written.Restore(before);
+        return keeps;
+    }
+
     /// <summary>A move as a line of its own.</summary>
     public void InsertMove(TargetMove move)
     {

@@ -3,7 +3,10 @@ using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 
-/// <summary>Marks of objects in another notation: EXCLUDE_OBJECT of Klipper, M486 of Marlin, of RepRapFirmware with names.</summary>
+/// <summary>
+/// Marks of objects in another notation: EXCLUDE_OBJECT of Klipper, M486 of Marlin, of RepRapFirmware with names. From M624 and M625 of Bambu, too: a mask
+/// with a bit for each object, in the order of their labels.
+/// </summary>
 internal sealed class ObjectMarks(FlavorRules from, FlavorRules to)
 {
     private static readonly Regex Name = new(
@@ -11,6 +14,7 @@ internal sealed class ObjectMarks(FlavorRules from, FlavorRules to)
     private readonly List<string> _names = [];
     private bool _counted;
     private string _current = "";
+    private bool _isMasked;
 
     /// <summary>True if the target has another notation, or none.</summary>
     public bool Changes { get; } = from.ObjectMarks != to.ObjectMarks;
@@ -23,13 +27,32 @@ internal sealed class ObjectMarks(FlavorRules from, FlavorRules to)
         if (code.StartsWith("EXCLUDE_OBJECT_DEFINE", StringComparison.OrdinalIgnoreCase)) IndexOf(name);
         if (code.StartsWith("EXCLUDE_OBJECT_START", StringComparison.OrdinalIgnoreCase)) return Start(IndexOf(name));
         if (code.StartsWith("EXCLUDE_OBJECT_END", StringComparison.OrdinalIgnoreCase)) return End();
+        if (code.StartsWith("M624", StringComparison.OrdinalIgnoreCase)) return Masked(code.Substring(4).Trim());
+        if (code.StartsWith("M625", StringComparison.OrdinalIgnoreCase)) return _isMasked ? End() : [];
         if (!code.StartsWith("M486", StringComparison.OrdinalIgnoreCase)) return [];
         var number = Regex.Match(code, @"S\s*(-?\d+)", RegexOptions.CultureInvariant | RegexOptions.IgnoreCase);
         if (!number.Success || !NumberReader.TryParseInt(number.Groups[1].Value, out var index)) return [];
         if (index is < 0 or > 9999) return End();
-        while (_names.Count <= index) _names.Add("object_" + NumberFormatter.Format(_names.Count));
+        Reserve(index);
         if (name.Length > 0) _names[index] = Regex.Replace(name, @"\W+", "_");
         return Start(index);
+    }
+
+    private IReadOnlyList<string> Masked(string mask)
+    {
+        var bits = Regex.IsMatch(mask, "^[A-Za-z0-9+/]{11}=$", RegexOptions.CultureInvariant) ? BitConverter.ToUInt64(Convert.FromBase64String(mask), 0) : 0;
+        // What belongs to several objects belongs to none.
+        _isMasked = bits > 0 && (bits & (bits - 1)) == 0;
+        if (!_isMasked) return [];
+        var index = 0;
+        while (bits >> index != 1) index++;
+        Reserve(index);
+        return Start(index);
+    }
+
+    private void Reserve(int index)
+    {
+        while (_names.Count <= index) _names.Add("object_" + NumberFormatter.Format(_names.Count));
     }
 
     private int IndexOf(string name)
