@@ -18,7 +18,9 @@ internal static class Program
             SeamImages.Write(arguments[1]);
             InfillImages.Write(arguments[1]);
             CurvedImages.Write(arguments[1]);
-            if (ModelsFolder() is { } models) ModelImages.Write(models, arguments[1]);
+            if (ModelsFolder() is not { } models) return 0;
+            ModelImages.Write(models, arguments[1]);
+            TurtleImages.Write(Path.Combine(models, "..", "turtle"), arguments[1]);
             return 0;
         }
         if (arguments is ["--curved"]) return CurvedReport.WriteAll(Console.Out) ? 0 : 1;

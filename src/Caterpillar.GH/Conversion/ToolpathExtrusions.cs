@@ -9,18 +9,18 @@ internal static class ToolpathExtrusions
     public static IEnumerable<ToolpathExtrusion> Of(Toolpath toolpath)
     {
         var first = -1;
-        for (var i = 0; i < toolpath.Count; i++)
+        var (role, layer) = (default(Role), 0);
+        foreach (var move in toolpath.Moves())
         {
-            var move = toolpath[i];
             var prints = move.Kind == MoveKind.Print && move.Length > 0;
             // A pause of the extruder between two extrusions does not part them, a travel does.
-            if (!prints && (move.Length == 0 || first < 0)) continue;
-            if (first >= 0 && (!prints || move.Role != toolpath[first].Role || move.Layer != toolpath[first].Layer))
+            if (!prints && (first < 0 || move.Length == 0)) continue;
+            if (first >= 0 && (!prints || move.Role != role || move.Layer != layer))
             {
-                yield return new ToolpathExtrusion(first, i);
+                yield return new ToolpathExtrusion(first, move.Index);
                 first = -1;
             }
-            if (prints && first < 0) first = i;
+            if (prints && first < 0) (first, role, layer) = (move.Index, move.Role, move.Layer);
         }
         if (first >= 0) yield return new ToolpathExtrusion(first, toolpath.Count);
     }

@@ -41,18 +41,25 @@ internal sealed class PreviewColors
 
     public int BandOf(int move) => _bands[move];
 
-    /// <summary>The value of each move for <see cref="Of"/>.</summary>
-    /// <param name="toolpath">The moves.</param>
-    /// <param name="by">What the colors show.</param>
-    /// <param name="timeline">When the moves happen. Needed for times only.</param>
-    /// <param name="cancel">Cancels.</param>
-    public static double[] ValuesOf(Toolpath toolpath, PreviewColor by, Timeline? timeline, CancellationToken cancel)
+    /// <summary>The value of each move for <see cref="Of"/>. The timeline is needed for times only.</summary>
+    public static double[] ValuesOf(Toolpath toolpath, SceneParts parts, PreviewColor by, Timeline? timeline, CancellationToken cancel)
     {
         var values = new double[toolpath.Count];
-        foreach (var move in toolpath.Moves())
+        for (var i = 0; i < values.Length; i++) values[i] = NotPrinted;
+        foreach (var block in parts.Blocks)
         {
-            if (move.Index % 65536 == 0) cancel.ThrowIfCancellationRequested();
-            values[move.Index] = move.Kind == MoveKind.Print ? Value(toolpath, move, by, timeline) : NotPrinted;
+            cancel.ThrowIfCancellationRequested();
+            foreach (var move in block.Moves)
+            {
+                values[move] = by switch
+                {
+                    PreviewColor.Role => (int)block.Role,
+                    PreviewColor.Layer => parts.Layers[move] == ShownLayers.None ? double.NaN : parts.Layers[move],
+                    PreviewColor.Order => move,
+                    PreviewColor.Time => timeline!.StartOf(move),
+                    _ => ValueOf(toolpath, toolpath[move], by),
+                };
+            }
         }
         return values;
     }
@@ -76,6 +83,8 @@ internal sealed class PreviewColors
         if (by == PreviewColor.Role)
             return new PreviewColors(bands, roles.Select(r => RhinoGeometry.ToColor(Palette.Of(r))).ToArray(), roles.Select(r => r.ToString()).ToArray());
         if (!(greatest >= least)) (least, greatest) = (0, 0);
+        // Computed values differ in their last digits.
+        if (greatest - least < 1e-9 * Math.Abs(greatest)) greatest = least;
         var count = greatest > least ? Steps : 1;
         for (var i = 0; i < bands.Length && count > 1; i++)
         {
@@ -94,15 +103,11 @@ internal sealed class PreviewColors
         return (byte)(roles.Count - 1);
     }
 
-    private static double Value(Toolpath toolpath, Move move, PreviewColor by, Timeline? timeline) => by switch
+    private static double ValueOf(Toolpath toolpath, in Move move, PreviewColor by) => by switch
     {
-        PreviewColor.Role => (int)move.Role,
         PreviewColor.Speed => move.Speed,
-        PreviewColor.Flow => move.Length > 0 && toolpath.VolumeOf(move) is { } volume ? volume / move.Length * move.Speed : double.NaN,
-        PreviewColor.Layer => toolpath.NumberOfLayer(move) ?? double.NaN,
-        PreviewColor.Order => move.Index,
         PreviewColor.Width => toolpath.BeadOf(move)?.Width(BeadShape.Stadium) ?? double.NaN,
-        _ => timeline!.StartOf(move.Index),
+        _ => move.Length > 0 && toolpath.VolumePerE(move.Tool) * move.Deposited is { } volume ? volume / move.Length * move.Speed : double.NaN,
     };
 
     private static string Text(PreviewColor by, double from, double to)

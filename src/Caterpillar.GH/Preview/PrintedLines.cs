@@ -3,14 +3,14 @@ using Rhino.Display;
 namespace Caterpillar.GH.Preview;
 
 /// <summary>
-/// The extrusions of some moves as lines, in order and in at most a hundred blocks, so that the part up to any move is drawn in few calls. Only the block in
+/// The extrusions of some moves as lines, in order and in blocks, about a hundred of many, so that the part up to any move is drawn in few calls. Only the block in
 /// which that part ends is copied when it moves, into one array that is used again.
 /// </summary>
 internal sealed class PrintedLines
 {
     private const int MostBlocks = 100;
     private const int LeastBlock = 1024;
-    private readonly Rg.Line[][] _blocks;
+    private readonly List<Rg.Line[]> _blocks = [];
     private readonly int[] _firsts;
     private readonly int _size;
 
@@ -18,28 +18,19 @@ internal sealed class PrintedLines
     /// <param name="add">Adds the lines of a move, if it prints.</param>
     public PrintedLines(int moves, Action<int, List<Rg.Line>> add)
     {
-        var lines = new List<Rg.Line>();
+        _size = Math.Max(LeastBlock, (moves + MostBlocks - 1) / MostBlocks);
         _firsts = new int[moves + 1];
+        var lines = new List<Rg.Line>(_size);
+        var box = Rg.BoundingBox.Empty;
         for (var i = 0; i < moves; i++)
         {
-            _firsts[i] = lines.Count;
+            _firsts[i] = _blocks.Count * _size + lines.Count;
             add(i, lines);
+            while (lines.Count >= _size) Close(lines, _size, ref box);
         }
-        _firsts[moves] = lines.Count;
-        _size = Math.Max(LeastBlock, (lines.Count + MostBlocks - 1) / MostBlocks);
-        _blocks = new Rg.Line[(lines.Count + _size - 1) / _size][];
-        for (var b = 0; b < _blocks.Length; b++)
-        {
-            _blocks[b] = new Rg.Line[Math.Min(_size, lines.Count - b * _size)];
-            lines.CopyTo(b * _size, _blocks[b], 0, _blocks[b].Length);
-        }
+        _firsts[moves] = _blocks.Count * _size + lines.Count;
+        if (lines.Count > 0) Close(lines, lines.Count, ref box);
         End = new Rg.Line[_size];
-        var box = Rg.BoundingBox.Empty;
-        foreach (var line in lines)
-        {
-            box.Union(line.From);
-            box.Union(line.To);
-        }
         Box = box;
     }
 
@@ -61,23 +52,6 @@ internal sealed class PrintedLines
         if (move.Kind == MoveKind.Print) RhinoGeometry.AddLines(lines, move.Start, move.End, move.Arc, units);
     });
 
-    /// <summary>Number of the first line of a move, or of the next one that prints.</summary>
-    public int FirstOf(int move) => _firsts[move];
-
-    /// <summary>Copies lines from one number to before another.</summary>
-    public void CopyTo(Rg.Line[] target, int at, int from, int to)
-    {
-        while (from < to)
-        {
-            var block = _blocks[from / _size];
-            var within = from % _size;
-            var count = Math.Min(to - from, block.Length - within);
-            Array.Copy(block, within, target, at, count);
-            at += count;
-            from += count;
-        }
-    }
-
     /// <summary>Shows the moves before one, and a part of that from 0 to 1 of its lines.</summary>
     public void ShowUntil(int move, double done)
     {
@@ -87,9 +61,9 @@ internal sealed class PrintedLines
         var whole = from + (int)along;
         Blocks = whole / _size;
         var rest = whole - Blocks * _size;
-        if (Blocks < _blocks.Length) Array.Copy(_blocks[Blocks], End, rest);
+        if (Blocks < _blocks.Count) Array.Copy(_blocks[Blocks], End, rest);
         var last = rest > 0 ? End[rest - 1].To : Blocks > 0 ? _blocks[Blocks - 1][_size - 1].To : Count > 0 ? _blocks[0][0].From : Rg.Point3d.Origin;
-        if (along > (int)along && Blocks < _blocks.Length)
+        if (along > (int)along && Blocks < _blocks.Count)
         {
             var line = _blocks[Blocks][rest];
             last = line.PointAt(along - (int)along);
@@ -102,5 +76,18 @@ internal sealed class PrintedLines
     {
         for (var b = 0; b < Blocks; b++) display.DrawLines(_blocks[b], color, thickness);
         if (Count > 0) display.DrawLines(End, color, thickness);
+    }
+
+    private void Close(List<Rg.Line> lines, int count, ref Rg.BoundingBox box)
+    {
+        var block = new Rg.Line[count];
+        lines.CopyTo(0, block, 0, count);
+        lines.RemoveRange(0, count);
+        foreach (var line in block)
+        {
+            box.Union(line.From);
+            box.Union(line.To);
+        }
+        _blocks.Add(block);
     }
 }

@@ -16,6 +16,9 @@ internal sealed class ToolpathScene : IDrawn
     public const int MostBeads = 250_000;
 
     private const int MovesPerMesh = 50_000;
+
+    // Lines of one color that are drawn where they are kept.
+    private const int LeastShared = 4096;
     private static readonly Color TravelColor = RhinoGeometry.ToColor(Palette.Travel);
     private static readonly Color SeamColor = Color.FromArgb(220, 40, 120);
     private static readonly Color VolumeColor = Color.FromArgb(150, 155, 160);
@@ -66,50 +69,47 @@ internal sealed class ToolpathScene : IDrawn
 
     private void AddLines(SceneParts parts, PreviewColors colors)
     {
-        var counts = new int[colors.Colors.Count];
-        var pieces = Pieces(parts, colors, default, counts);
-        var thinning = Thinning.Of(counts.Sum(c => (long)c), parts.LayerCount);
+        var thinning = Thinning.Of(CountsOf(parts.Blocks, parts, colors, default).Sum(c => (long)c), parts.LayerCount);
         Note = thinning.Note;
-        if (Note is not null) pieces = Pieces(parts, colors, thinning, counts);
-        var bands = Array.ConvertAll(counts, count => new Rg.Line[count]);
-        var ends = new int[counts.Length];
-        foreach (var (band, from, to) in pieces)
+        var rest = new List<SceneBlock>();
+        foreach (var block in parts.Blocks)
         {
-            parts.Lines.CopyTo(bands[band], ends[band], from, to);
-            ends[band] += to - from;
+            var band = colors.BandOf(block.Moves[0]);
+            if (Note is not null || block.Lines.Length < LeastShared || !Array.TrueForAll(block.Moves, m => colors.BandOf(m) == band)) rest.Add(block);
+            else if (band != PreviewColors.Hidden) _bands.Add((block.Lines, colors.Colors[band]));
+        }
+        var bands = Array.ConvertAll(CountsOf(rest, parts, colors, thinning), count => new Rg.Line[count]);
+        var ends = new int[bands.Length];
+        foreach (var block in rest)
+        {
+            for (var i = 0; i < block.Moves.Length; i++)
+            {
+                var band = BandOf(block.Moves[i], parts, colors, thinning);
+                if (band != PreviewColors.Hidden) bands[band][ends[band]++] = block.Lines[i];
+            }
         }
         for (var b = 0; b < bands.Length; b++)
         {
-            if (counts[b] > 0) _bands.Add((bands[b], colors.Colors[b]));
+            if (bands[b].Length > 0) _bands.Add((bands[b], colors.Colors[b]));
         }
     }
 
-    // Lines of one band that follow each other, from one number to before another, and the number of lines of each band.
-    private static List<(int Band, int From, int To)> Pieces(SceneParts parts, PreviewColors colors, Thinning thinning, int[] counts)
+    private static int BandOf(int move, SceneParts parts, PreviewColors colors, Thinning thinning)
+        => thinning.Has(parts.Layers[move], move) ? colors.BandOf(move) : PreviewColors.Hidden;
+
+    // The number of lines of each band.
+    private static int[] CountsOf(IReadOnlyList<SceneBlock> blocks, SceneParts parts, PreviewColors colors, Thinning thinning)
     {
-        var pieces = new List<(int Band, int From, int To)>();
-        Array.Clear(counts, 0, counts.Length);
-        var (last, from, to) = (-1, 0, 0);
-        void Close()
+        var counts = new int[colors.Colors.Count];
+        foreach (var block in blocks)
         {
-            if (to > from) pieces.Add((last, from, to));
-        }
-        for (var i = 0; i < parts.Layers.Length; i++)
-        {
-            var band = colors.BandOf(i);
-            if (band == PreviewColors.Hidden || !thinning.Has(parts.Layers[i], i)) continue;
-            var first = parts.Lines.FirstOf(i);
-            var end = parts.Lines.FirstOf(i + 1);
-            counts[band] += end - first;
-            if (band != last || first != to)
+            foreach (var move in block.Moves)
             {
-                Close();
-                (last, from) = (band, first);
+                var band = BandOf(move, parts, colors, thinning);
+                if (band != PreviewColors.Hidden) counts[band]++;
             }
-            to = end;
         }
-        Close();
-        return pieces;
+        return counts;
     }
 
     private void AddBeads(Toolpath toolpath, PreviewColors colors, DocumentUnits units)

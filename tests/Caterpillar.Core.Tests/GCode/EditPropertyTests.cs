@@ -30,6 +30,19 @@ public class EditPropertyTests
         });
 
     [Test]
+    public void Extrusions_that_stay_are_copied_together_as_they_are_one_by_one()
+        => ForAll(9, (decoding, random) =>
+        {
+            var toolpath = decoding.Toolpath;
+            var removed = Removed(toolpath, random);
+            var together = new MoveRemover(toolpath, removed).Run();
+            // In blocks of one move no two can be copied together.
+            var single = new MoveRemover(toolpath.WithBlocks(toolpath.Blocks.SelectMany(Apart)), removed).Run();
+            return together.Moves().SequenceEqual(single.Moves()) && together.Events.SequenceEqual(single.Events)
+                && together.Blocks.SelectMany(Lines).SequenceEqual(single.Blocks.SelectMany(Lines)) ? null : "The cuts differ.";
+        });
+
+    [Test]
     public void Chosen_layers_roles_tools_and_kinds_can_be_cut_out()
         => ForAll(3, (decoding, random) => Check(decoding, decoding.Toolpath.Remove(Filter(random))));
 
@@ -180,18 +193,30 @@ public class EditPropertyTests
         }
     }
 
-    private static Toolpath Cut(Toolpath toolpath, Random random)
+    private static Toolpath Cut(Toolpath toolpath, Random random) => new MoveRemover(toolpath, Removed(toolpath, random)).Run();
+
+    // Runs of moves.
+    private static bool[] Removed(Toolpath toolpath, Random random)
     {
-        // Runs of moves.
-        var cut = new bool[toolpath.Count];
+        var removed = new bool[toolpath.Count];
         var on = false;
-        for (var i = 0; i < cut.Length; i++)
+        for (var i = 0; i < removed.Length; i++)
         {
             if (random.Next(4) == 0) on = random.Next(3) == 0;
-            cut[i] = on;
+            removed[i] = on;
         }
-        return new MoveRemover(toolpath, (_, _, m) => cut[m]).Run();
+        return removed;
     }
+
+    private static IEnumerable<ToolpathBlock> Apart(ToolpathBlock block) => Enumerable.Range(0, block.Count).Select(i =>
+    {
+        var columns = new ToolpathColumns(1);
+        columns.Append(block.Columns, i, 1);
+        if (block.Columns.TryGetArc(i, out var arc)) (columns.ArcMoves, columns.Arcs) = ([0], [arc]);
+        return new ToolpathBlock(columns);
+    });
+
+    private static IEnumerable<int> Lines(ToolpathBlock block) => Enumerable.Range(0, block.Count).Select(i => block.Columns.Line?[i] ?? 0);
 
     private static MoveFilter Filter(Random random) => random.Next(5) switch
     {

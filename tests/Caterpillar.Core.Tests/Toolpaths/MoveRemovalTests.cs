@@ -193,6 +193,25 @@ public class MoveRemovalTests
         Assert.That(columns.C!.Take(5), Is.EqualTo(new[] { 0.0, 100, 100, 400, 500 }));
     }
 
+    [Test]
+    public void Arcs_events_and_lines_of_scripts_stay_with_extrusions_that_are_copied_together()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        for (var i = 0; i < 8; i++)
+        {
+            builder.Line = i > 4 ? 10 + i : 0;
+            if (i == 6) builder.AddEvent(new FanEvent(0.5));
+            builder.Add(new Vec3(i + 1, 0), 1, 1, 10, MoveKind.Print, i == 1 ? Role.Support : Role.Infill, -1, 0, i,
+                i == 5 ? new Arc(new Vec3(5.5, 0), 180) : null);
+        }
+        var kept = builder.Build([new ToolpathTool(1)]).Remove(new MoveFilter { Roles = [Role.Support] });
+        // The second move is now the travel across the cut.
+        Assert.That(kept.Moves().Select(m => m.Source), Is.EqualTo(new[] { 0, -1, 2, 3, 4, 5, 6, 7 }));
+        Assert.That(kept.Moves().Select(m => m.Arc?.Sweep ?? 0), Is.EqualTo(new[] { 0.0, 0, 0, 0, 0, 180, 0, 0 }));
+        Assert.That(kept.Blocks.Single().Columns.Line!.Take(8), Is.EqualTo(new[] { 0, 0, 0, 0, 0, 15, 16, 17 }));
+        Assert.That(kept.Events.Single().Move, Is.EqualTo(6));
+    }
+
     private static string Text(Vec3 p) => System.FormattableString.Invariant($"({p.X}, {p.Y}, {p.Z})");
 
     private static Toolpath Decode(string text)

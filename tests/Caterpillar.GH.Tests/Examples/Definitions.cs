@@ -38,6 +38,7 @@ internal static class Definitions
         ["imported_printer"] = ToolpathDefinitions.ImportedPrinter,
         ["edit_toolpath"] = ToolpathDefinitions.EditToolpath,
         ["vase"] = SliceDefinitions.Vase,
+        ["slanted_layers"] = SliceDefinitions.SlantedLayers,
         ["flat_drawing"] = MoveDefinitions.FlatDrawing,
         ["widths_and_events"] = MoveDefinitions.WidthsAndEvents,
         ["frames_for_robots"] = MoveDefinitions.FramesForRobots,

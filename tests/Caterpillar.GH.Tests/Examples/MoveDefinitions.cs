@@ -53,14 +53,13 @@ internal static class MoveDefinitions
         var apart = s.Component<DeconstructToolpathComponent>(("Toolpath", left));
         var made = s.With<ConstructToolpathComponent>(setup, ("Points", (apart, "Points")), ("E Values", (apart, "E Values")), ("Speeds",
             s.Slider("Speed", 25, 5, 100, 0)), ("Kinds", (apart, "Kinds")), ("Roles", (apart, "Roles")));
-        var merged = s.With<MergeToolpathsComponent>(setup, ("Toolpaths", new object[] { made, right }));
+        var merged = s.Component<MergeToolpathsComponent>(("Toolpaths", new object[] { made, right }));
         s.Stage("Look");
+        s.Component<ViewerPageComponent>(("Toolpath", merged), ("File", s.Text("Page", "example.html", width: 120)), ("Save", s.Button("Save page")),
+            ("Open", s.Button("Open page")));
         var frames = s.Component<ToolpathFramesComponent>(("Toolpath", merged));
         s.Show("Planes", frames, "Planes", 6, 300);
         s.Show("Flows, mm³/s", frames, "Flows", 6, 110);
-        var page = s.Component<ViewerPageComponent>(("Toolpath", merged), ("File", s.Text("Page", "example.html", width: 120)), ("Save", s.Button("Save page")),
-            ("Overwrite", s.Toggle("Overwrite page")), ("Open", s.Button("Open page")));
-        s.Show("Page at", page, "Path", 2, 220);
         return s.Write(merged);
     }
 
@@ -71,6 +70,6 @@ internal static class MoveDefinitions
             ("Radius", s.Slider(side + " radius", 12, 5, 25, 0)), ("Height", s.Slider(side + " height", 1, 1, 20)),
             ("Segments Per Turn", s.Slider(side + " segments", 36, 12, 144, 0)));
         s.Stage("Plan");
-        return s.With<PlanToolpathComponent>(setup, ("Steps", ring));
+        return s.Component<PlanToolpathComponent>(("Steps", ring));
     }
 }

@@ -64,6 +64,9 @@ internal static class RhinoBytes
         for (var empty = 0; empty < 4; empty++) w.Write(0);
     });
 
+    /// <summary>A Brep from an object of an archive.</summary>
+    public static byte[] Brep(byte[] written) => Deflated(Made(w => Serialize(w, "Rhino.Geometry.Brep", written)));
+
     private static byte[] Of(string name, string id, Action<BinaryWriter> body)
     {
         var content = Made(body);

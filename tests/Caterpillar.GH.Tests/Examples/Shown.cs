@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Linq;
 using Caterpillar.CanvasPictures;
@@ -8,6 +9,7 @@ using Caterpillar.GH.Tests.Plugin;
 using Grasshopper.Kernel;
 using Grasshopper.Kernel.Data;
 using Grasshopper.Kernel.Special;
+using Grasshopper.Kernel.Types;
 
 namespace Caterpillar.GH.Tests.Examples;
 
@@ -46,5 +48,20 @@ internal static class Shown
 
     private static IReadOnlyList<string> Lines(IGH_Structure data)
         => Enumerable.Range(0, data.PathCount).SelectMany(i => data.get_Branch(i).Cast<object?>())
-            .SelectMany(d => (d?.ToString() ?? "<null>").Replace("\r", "").Split('\n')).ToArray();
+            .SelectMany(d => Text(d).Replace("\r", "").Split('\n')).ToArray();
+
+    // Grasshopper shows six decimals.
+    private static string Text(object? data) => data switch
+    {
+        null => "<null>",
+        GH_Number number => Number(number.Value),
+        GH_Point { Value: var p } => $"{{{Number(p.X)}, {Number(p.Y)}, {Number(p.Z)}}}",
+        GH_Plane { Value: var p } => $"O{Rounded(p.Origin.X, p.Origin.Y, p.Origin.Z)} Z{Rounded(p.ZAxis.X, p.ZAxis.Y, p.ZAxis.Z)}",
+        _ => data.ToString()!,
+    };
+
+    private static string Rounded(params double[] values)
+        => "(" + string.Join(",", values.Select(v => v.ToString("0.00", CultureInfo.InvariantCulture))) + ")";
+
+    private static string Number(double value) => value.ToString("0.######", CultureInfo.InvariantCulture);
 }

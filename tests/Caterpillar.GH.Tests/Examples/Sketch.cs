@@ -9,6 +9,7 @@ using System.Text;
 using Caterpillar.CanvasPictures;
 using Caterpillar.GH.Base;
 using Caterpillar.GH.Params;
+using Caterpillar.GH.Tests.Examples.Arranging;
 using Caterpillar.GH.Tests.Host;
 using GH_IO.Serialization;
 using Grasshopper.Kernel;
@@ -163,6 +164,14 @@ internal sealed class Sketch
     {
         var parameter = Geometry(name, new Param_Curve());
         foreach (var bytes in curves) parameter.PersistentData.Append(new GH_Curve { Bytes = bytes }, new GH_Path(0));
+        return parameter;
+    }
+
+    /// <summary>Breps that the file holds.</summary>
+    public Param_Brep Brep(string name, params byte[][] breps)
+    {
+        var parameter = Geometry(name, new Param_Brep());
+        foreach (var bytes in breps) parameter.PersistentData.Append(new GH_Brep { Bytes = bytes }, new GH_Path(0));
         return parameter;
     }
 

@@ -30,11 +30,12 @@ internal static class SliceDefinitions
 
     public static Sketch PlanarSlice(string name)
     {
-        var s = new Sketch(name, "A model from a file, laid flat, arranged on the bed and sliced. Wait For Results makes Grasshopper wait for long work.",
+        var s = new Sketch(name, "A model that stands askew is laid flat, arranged on the bed and sliced. Wait For Results makes Grasshopper wait for "
+            + "long work.",
             "the layer height, the infill, and Count to print several.");
         var setup = Settings(s, 0.3, null, Infill(s, 15));
         s.Stage("Model");
-        var flat = s.Component<LayFlatComponent>(("Geometry", s.Component<ReadModelComponent>(("File", s.Text("File", "../models/bracket.stl", width: 180)))));
+        var flat = s.Component<LayFlatComponent>(("Geometry", s.Mesh("Model", Solids.Askew(100, 100, 30, 18, 12))));
         var models = s.With<ArrangeModelsComponent>(setup, ("Geometry", flat), ("Count", s.Slider("Count", 1, 1, 9, 0)));
         s.Stage("Slice");
         var slices = s.With<PlanarSlicerComponent>(setup, ("Geometry", models));
@@ -81,8 +82,10 @@ internal static class SliceDefinitions
     public static Sketch CurvedRoof(string name)
     {
         var s = new Sketch(name, "Layers that follow the roof of the model. They are level on the bed, and parallel to the roof from Curved from on.",
-            "the two heights: lower ones bend more layers.");
-        var setup = Settings(s, 0.6, 0.8, ("Line Width", s.Stage("Setup").Slider("Line width", 0.8, 0.2, 2, 2)), Infill(s, 10));
+            "the two heights: lower ones bend more layers. The speed is one that the Z axis reaches.");
+        var speed = s.Stage("Setup").Slider("Print speed", 25, 5, 200, 0);
+        var setup = Settings(s, 0.6, 0.8, ("Line Width", s.Stage("Setup").Slider("Line width", 0.8, 0.2, 2, 2)), Infill(s, 10),
+            ("Print Speed", speed), ("outer_wall_speed_mm_s", speed), ("infill_bridge_speed_mm_s", speed));
         var models = Placed(s, setup, "../models/saddle_roof.stl");
         s.Stage("Field");
         var field = s.Component<LayerFieldComponent>(("Surfaces", models), ("Blend From", s.Slider("Level up to", 2, 0, 20)),
@@ -96,7 +99,9 @@ internal static class SliceDefinitions
         var s = new Sketch(name, "The same number of layers everywhere between the bed and the roof. Layers are thicker in high places, and each "
             + "bead has its own "
             + "volume.", "Kind of the field. Color shows the flow.");
-        var setup = Settings(s, 0.6, 0.8, ("Line Width", s.Stage("Setup").Slider("Line width", 0.8, 0.2, 2, 2)), Infill(s, 10));
+        var speed = s.Stage("Setup").Slider("Print speed", 25, 5, 200, 0);
+        var setup = Settings(s, 0.6, 0.8, ("Line Width", s.Stage("Setup").Slider("Line width", 0.8, 0.2, 2, 2)), Infill(s, 10),
+            ("Print Speed", speed), ("outer_wall_speed_mm_s", speed), ("infill_bridge_speed_mm_s", speed));
         var models = Placed(s, setup, "../models/saddle_roof.stl");
         s.Stage("Field");
         var field = s.Component<LayerFieldComponent>(("Kind", new Pick("Between")), ("Surfaces", models));
@@ -120,6 +125,21 @@ internal static class SliceDefinitions
         return s.Print(s.With<CurvedSlicerComponent>(setup, ("Geometry", model), ("Field", field)), "Layer");
     }
 
+    public static Sketch SlantedLayers(string name)
+    {
+        var s = new Sketch(name, "Layers parallel to a slanted surface, in a block. Both were drawn in Rhino as Breps and are inside this file.",
+            "your own: right-click Block and Surface and set a Brep or a surface.");
+        var setup = Settings(s, 0.3, null, Infill(s, 10));
+        s.Stage("Model");
+        var block = s.Brep("Block", Solids.Brep("block"));
+        var surface = s.Brep("Surface", Solids.Brep("sheet"));
+        s.Stage("Field");
+        var field = s.Component<LayerFieldComponent>(("Surfaces", surface), ("Blend From", s.Slider("Level up to", 1, 0, 20)),
+            ("Blend To", s.Slider("Slanted from", 7, 1, 40)));
+        s.Stage("Slice");
+        return s.Print(s.With<CurvedSlicerComponent>(setup, ("Geometry", block), ("Field", field)), "Layer");
+    }
+
     public static Sketch PrintOnTerrain(string name)
     {
         var s = new Sketch(name, "A drawing on a piece of terrain on the bed. The paths follow its surface, travel moves stay above it.",
@@ -127,9 +147,11 @@ internal static class SliceDefinitions
         s.Stage("Model");
         var terrain = s.Component<ArrangeModelsComponent>(("Geometry", s.Component<ReadModelComponent>(("File", s.Text("File", "../models/terrain.stl",
             width: 180)))));
-        var setup = s.Setup("generic", ("Printed On", terrain));
+        s.Stage("Setup");
+        var slow = s.Component<PrintSettingsComponent>(("Print Speed", s.Slider("Print speed", 20, 5, 200, 0)));
+        var setup = s.Setup("generic", ("Settings", slow), ("Printed On", terrain));
         s.Stage("Design");
-        var spiral = s.Component<RoundTraceComponent>(("Kind", new Pick("Spiral")), ("Plane", s.Point("Bed center", 110, 110, 0.2)), ("Radius",
+        var spiral = s.With<RoundTraceComponent>(setup, ("Kind", new Pick("Spiral")), ("Plane", s.Point("Bed center", 110, 110, 0.2)), ("Radius",
             s.Slider("Radius", 6, 2, 50, 0)),
             ("Pitch", s.Slider("Spacing", 3, 0.5, 10)));
         s.Stage("Shape");

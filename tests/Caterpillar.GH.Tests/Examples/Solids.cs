@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Linq;
 
 namespace Caterpillar.GH.Tests.Examples;
@@ -7,6 +8,8 @@ namespace Caterpillar.GH.Tests.Examples;
 /// <summary>Simple shapes that a user might have drawn in Rhino.</summary>
 internal static class Solids
 {
+    private static readonly int[][] BoxFaces = [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]];
+
     /// <summary>A closed tower of rings with corners, around a point on the bed. Each ring is a radius, a height and a twist in degrees.</summary>
     public static byte[] Tower(double x, double y, int sides, params (double Radius, double Height, double Twist)[] rings)
     {
@@ -39,10 +42,22 @@ internal static class Solids
     }
 
     public static byte[] Box(double x, double y, double z, double width, double depth, double height)
+        => RhinoBytes.Mesh(Corners(x, y, z, width, depth, height), BoxFaces);
+
+    /// <summary>A Brep as openNURBS wrote it: the box of 30 × 30 × 8 mm at 95, 95, 0, or the sheet over 80 to 140 that rises along X from 8 to 11 mm.</summary>
+    public static byte[] Brep(string name)
+        => RhinoBytes.Brep(File.ReadAllBytes(Path.Combine(Caterpillar.Tests.TestData.Repository, "tests/Caterpillar.GH.Tests/Examples/Breps", name + ".brep")));
+
+    /// <summary>A block that was turned about two axes and hangs above the bed.</summary>
+    public static byte[] Askew(double x, double y, double width, double depth, double height)
     {
-        var points = new[] { 0, 1 }.SelectMany(k => new[] { (0, 0), (1, 0), (1, 1), (0, 1) }
-            .Select(c => new Rg.Point3d(x + c.Item1 * width, y + c.Item2 * depth, z + k * height))).ToArray();
-        return RhinoBytes.Mesh(points, [[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]]);
+        var turn = Rg.Transform.Translation(x, y, 20) * Rg.Transform.Rotation(0.5, new Rg.Vector3d(1, 0, 0), Rg.Point3d.Origin)
+            * Rg.Transform.Rotation(0.3, new Rg.Vector3d(0, 1, 0), Rg.Point3d.Origin);
+        return RhinoBytes.Mesh(Corners(0, 0, 0, width, depth, height).Select(p =>
+        {
+            p.Transform(turn);
+            return new Rg.Point3d(Round(p.X), Round(p.Y), Round(p.Z));
+        }).ToArray(), BoxFaces);
     }
 
     /// <summary>A sheet over a square, with heights by a function of -1 to 1 across.</summary>
@@ -78,6 +93,10 @@ internal static class Solids
     public static byte[] Zigzag(double x, double y, double width, double depth, int strokes)
         => RhinoBytes.Polyline(Enumerable.Range(0, strokes * 2).Select(i =>
             new Rg.Point3d(x + width * (i / 2) / (strokes - 1), y + ((i + 1) / 2 % 2 == 0 ? 0 : depth), 0)).ToArray());
+
+    private static Rg.Point3d[] Corners(double x, double y, double z, double width, double depth, double height)
+        => new[] { 0, 1 }.SelectMany(k => new[] { (0, 0), (1, 0), (1, 1), (0, 1) }
+            .Select(c => new Rg.Point3d(x + c.Item1 * width, y + c.Item2 * depth, z + k * height))).ToArray();
 
     // Sines of the runtimes differ in their last digits.
     private static double Round(double value) => Math.Round(value, 3);

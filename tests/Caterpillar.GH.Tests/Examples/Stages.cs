@@ -48,7 +48,7 @@ internal static class Stages
     {
         s.Stage("Save");
         var write = s.Component<GenerateGCodeComponent>(("Toolpath", toolpath));
-        s.Show("First lines", s.Component<GCodeTextComponent>(("G-code", write), ("Count", s.Slider("Lines", 12, 1, 100, 0))), "Lines", 12, 270);
+        s.Show("First lines", s.Component<GCodeTextComponent>(("G-code", write), ("Count", s.Slider("Lines", 12, 1, 100, 0))), "Lines", 14, 270);
         return s.Save(write);
     }
 
@@ -56,9 +56,8 @@ internal static class Stages
     public static Sketch Save(this Sketch s, GH_Component code)
     {
         s.Stage("Save");
-        var save = s.Component<SaveGCodeComponent>(("G-code", code), ("File", s.Text("File", "example.gcode", width: 140)), ("Save", s.Button("Save")),
+        s.Component<SaveGCodeComponent>(("G-code", code), ("File", s.Text("File", "example.gcode", width: 140)), ("Save", s.Button("Save")),
             ("Overwrite", s.Toggle("Overwrite")));
-        s.Show("Saved as", save, "Path", 2, 270);
         return s;
     }
 }

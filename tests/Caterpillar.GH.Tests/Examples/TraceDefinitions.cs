@@ -13,10 +13,10 @@ internal static class TraceDefinitions
         var s = new Sketch(name, "A helix becomes a barrel: the radius grows with the height and shrinks again. Shapes without slicing, after Kanada.",
             "the formula of the new radius: r is the old one, z the height, theta the angle.");
         var setup = s.Setup();
-        var helix = Helix(s, setup, 15, 4, 0.4, 36);
+        var helix = Helix(s, setup, 15, 4, 0.2, 36);
         s.Stage("Shape");
         var round = s.Component<DeformComponent>(("Print Paths", helix), ("System", new Pick("Cylindrical")), ("R", s.Text("New radius",
-            "r + 0.5 * z * (4.2 - z)", width: 190)), ("Plane", Bed(s)));
+            "r + 0.2 * z * (4.2 - z)", width: 190)), ("Plane", Bed(s)));
         return s.Print(round, "Layer");
     }
 
@@ -69,14 +69,13 @@ internal static class TraceDefinitions
         var s = new Sketch(name, "A globe from an image. White areas get less flow, so extrusions are thinner there. The sphere is a deformed helix.",
             "the image, and the flow at White.");
         var setup = s.Setup();
-        var helix = Helix(s, setup, 10, 12, 1, 48);
+        var helix = Helix(s, setup, 10, 12, 0.25, 48);
         s.Stage("Shape");
-        var bed = Bed(s);
         var sphere = s.Component<DeformComponent>(("Print Paths", helix), ("System", new Pick("Cylindrical")), ("R", s.Text("New radius",
-            "sqrt(64 - (z - 6) ^ 2) + r - 10", width: 230)), ("Plane", bed));
+            "sqrt(64 - (z - 6) ^ 2) + r - 10", width: 230)), ("Plane", Bed(s)));
         var image = s.Component<ModulateComponent>(("Print Paths", sphere), ("Source", new Pick("Image")), ("Mapping", new Pick("Globe")), ("Mode",
             new Pick("Flow")), ("Image", s.Text("Image", "../turtle/world_map.pbm", width: 180)),
-            ("Low", s.Slider("Flow at black", 1, 0.1, 2, 2)), ("High", s.Slider("Flow at white", 0.65, 0.1, 2, 2)), ("Plane", bed));
+            ("Low", s.Slider("Flow at black", 1, 0.1, 2, 2)), ("High", s.Slider("Flow at white", 0.65, 0.1, 2, 2)), ("Plane", Bed(s)));
         return s.Print(image, "Flow");
     }
 
@@ -99,14 +98,15 @@ internal static class TraceDefinitions
         var setup = s.Setup();
         s.Stage("Design");
         var center = Bed(s);
-        var wall = s.With<RisingTraceComponent>(setup, ("Kind", new Pick("Cylinder")), ("Plane", center), ("Radius", s.Slider("Radius", 8, 3, 50, 0)),
-            ("Height", s.Slider("Height", 3, 1, 40)),
-            ("Pitch", s.Slider("Layer height", 0.25, 0.1, 1, 2)), ("Horizontal Pitch", s.Slider("Line spacing", 0.5, 0.2, 2, 2)));
-        var foot = s.With<RoundTraceComponent>(setup, ("Kind", new Pick("Circle")), ("Plane", center), ("Radius", s.Slider("Foot radius", 12, 5, 60, 0)));
+        var bead = s.Component<ConstructBeadComponent>(("Width", s.Slider("Bead width", 0.5, 0.2, 2, 2)), ("Height", s.Slider("Bead height", 0.25, 0.1, 1, 2)),
+            ("Speed", s.Slider("Speed", 9, 1, 60, 0)));
+        var wall = s.With<RisingTraceComponent>(setup, ("Kind", new Pick("Cylinder")), ("Plane", center), ("Radius", s.Slider("Radius", 2.8, 1, 50)),
+            ("Height", s.Slider("Height", 3, 1, 40)), ("Pitch", s.Slider("Layer height", 0.25, 0.1, 1, 2)),
+            ("Horizontal Pitch", s.Slider("Line spacing", 0.5, 0.2, 2, 2)), ("Bead", bead), ("Segments Per Turn", s.Slider("Segments", 12, 8, 144, 0)));
         s.Stage("Path");
-        var cool = s.Component<CoolLayersComponent>(("Print Paths", new object[] { foot, wall }), ("Minimum Layer Time", s.Slider("Layer time, s", 8, 0, 30,
+        var cool = s.Component<CoolLayersComponent>(("Print Paths", wall), ("Minimum Layer Time", s.Slider("Layer time, s", 8, 0, 30,
             0)));
-        var arcs = s.Component<FitArcsComponent>(("Print Paths", cool), ("Tolerance", s.Slider("Tolerance", 0.02, 0.001, 0.1, 3)));
+        var arcs = s.Component<FitArcsComponent>(("Print Paths", cool), ("Tolerance", s.Slider("Tolerance", 0.1, 0.001, 0.2, 3)));
         s.Show("Speeds, mm/s", s.Component<DeconstructPrintPathComponent>(("Print Path", arcs)), "Speeds", 6, 120);
         return s.Print(arcs, "Speed");
     }

@@ -16,24 +16,33 @@ using NUnit.Framework;
 
 namespace Caterpillar.GH.Tests.Measured;
 
-/// <summary>What a tick of a slider costs at each component that follows a large print. It prints figures and asserts none.</summary>
+/// <summary>
+/// What a tick of a slider costs at each component that follows a large print, and the memory that its results hold, after all ticks and after the first
+/// solve. On a busy machine the processor time of a tick says more than the clock. It prints figures and asserts none:
+/// <c>dotnet test tests/Caterpillar.GH.Tests -c Release -f net10.0 --filter FullyQualifiedName~Measured.Ticks --logger "console;verbosity=detailed"</c>.
+/// </summary>
 [Explicit("Prints figures for bench/RESULTS.md.")]
+[NonParallelizable]
 public sealed class Ticks
 {
+    private const int Count = 31;
+
     [TestCase(100_000)]
     [TestCase(1_000_000)]
     public void Of_a_print(int moves)
     {
         var print = Print(moves);
         var layers = print.Value.Layers.Count;
-        TestContext.Out.WriteLine($"{print.Value.Count} moves: first solve, median and worst of 15 ticks, ms");
-        Measure<SimulateComponent>("Position, Printed used", print, "Position", i => i / 15.0, c => c.Params.Output.Single(p => p.Name == "Printed"));
-        Measure<FilterToolpathComponent>("Last Layer", print, "Last Layer", i => layers * i / 16);
+        Head($"{print.Value.Count} moves");
+        Measure<SimulateComponent>("Position, Printed used", print, "Position", i => i / (double)Count,
+            c => c.Params.Output.Single(p => p.Name == "Printed"));
+        Measure<FilterToolpathComponent>("Last Layer", print, "Last Layer", i => layers * i / (Count + 1));
         Measure<FilterToolpathComponent>("Roles", print, "Roles", i => i % 2 == 0 ? "Infill" : "Outer Wall");
         Measure<EditToolpathComponent>("Speed Factor", print, "Speed Factor", i => 1.01 + i / 100.0);
         Measure<EditToolpathComponent>("Flow Factor", print, "Flow Factor", i => 1.01 + i / 100.0);
-        Measure<ToolpathPreviewComponent>("Last Layer", print, "Last Layer", i => layers * i / 16);
-        Measure<ToolpathPreviewComponent>("Color By", print, "Color By", i => new[] { "Speed", "Layer", "Role", "Order" }[i % 4]);
+        Measure<ToolpathPreviewComponent>("Last Layer", print, "Last Layer", i => layers * i / (Count + 1));
+        foreach (var other in new[] { "Speed", "Flow", "Layer", "Order" })
+            Measure<ToolpathPreviewComponent>("Color By Role, " + other, print, "Color By", i => i % 2 == 0 ? "Role" : other);
     }
 
     [TestCase(100_000)]
@@ -41,13 +50,16 @@ public sealed class Ticks
     public void Of_a_turtle(int moves)
     {
         var path = new PrintPath(Enumerable.Range(0, moves + 1).Select(i => new Vec3(i % 1000 * 0.1, i / 1000 * 0.1, i * 1e-4)), new Bead(0.08, 0.2, 40));
-        TestContext.Out.WriteLine($"{moves} moves in one path, then in paths of ten: first solve, median and worst of 15 ticks, ms");
-        Measure<TurtlePreviewComponent>("Position", path, "Position", i => i / 15.0);
+        Head($"{moves} moves in one path, then in paths of ten");
+        Measure<TurtlePreviewComponent>("Position", path, "Position", i => i / (double)Count);
         var paths = Enumerable.Range(0, moves / 10).Select(i => (object?)new PrintPathGoo(new PrintPath(Enumerable.Range(10 * i, 11)
             .Select(k => path.Points[k]), path.BeadOf(0)))).ToArray();
         var canvas = new Canvas<TurtlePreviewComponent>().Feed("Steps", paths);
-        Tick("Position, paths", canvas, "Position", i => i / 15.0, null);
+        Tick("Position, paths", canvas, "Position", i => i / (double)Count, null);
     }
+
+    private static void Head(string of)
+        => TestContext.Out.WriteLine($"{of}\n{"",-54} first ms processor   median     most processor  MB held    first");
 
     private static ToolpathGoo Print(int moves)
     {
@@ -92,8 +104,23 @@ public sealed class Ticks
             if (used?.VolatileData.AllGoos().OfType<ToolpathGoo>().Single().Value.Count < 0) throw new InvalidOperationException();
             return watch.Elapsed.TotalMilliseconds;
         }
-        var first = Solve(7);
-        var times = Enumerable.Range(1, 15).Select(Solve).OrderBy(t => t).ToArray();
-        TestContext.Out.WriteLine($"{typeof(T).Name,-28} {what,-24} {first,8:0} {times[7],8:0.0} {times[14],8:0.0}   {canvas.Component.RuntimeMessageLevel}");
+        using var process = Process.GetCurrentProcess();
+        TimeSpan Processor()
+        {
+            process.Refresh();
+            return process.TotalProcessorTime;
+        }
+        var before = GC.GetTotalMemory(true);
+        var start = Processor();
+        var first = Solve(Count / 2);
+        var firstProcessor = (Processor() - start).TotalMilliseconds;
+        var alone = GC.GetTotalMemory(true) - before;
+        start = Processor();
+        var times = Enumerable.Range(1, Count).Select(Solve).OrderBy(t => t).ToArray();
+        var processor = (Processor() - start).TotalMilliseconds / Count;
+        var held = GC.GetTotalMemory(true) - before;
+        TestContext.Out.WriteLine($"{typeof(T).Name,-28} {what,-24} {first,8:0} {firstProcessor,9:0} {times[Count / 2],8:0.0} {times[Count - 1],8:0.0} {processor,9:0.0} "
+            + $"{held / 1e6,8:0.0} {alone / 1e6,8:0.0}   {canvas.Component.RuntimeMessageLevel}");
+        GC.KeepAlive(canvas);
     }
 }

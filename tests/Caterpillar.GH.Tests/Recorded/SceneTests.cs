@@ -48,6 +48,30 @@ public sealed class SceneTests
     }
 
     [Test]
+    public void Lines_that_keep_one_color_are_drawn_as_they_are_and_not_copied()
+    {
+        // Three layers of 5000 lines, of one role and speed.
+        var steps = Enumerable.Range(0, 3).Select(i => (Step)new PrintPath(Enumerable.Range(0, 5001).Select(k => new Vec3(50 + k % 2 * 10 + k * 0.01, 50,
+            0.2 + 0.2 * i)), Bead.FromWidth(0.6, 0.2, 1, 40, BeadShape.Stadium)) { Role = Role.OuterWall, Layer = new Layer(i, 0.2 + 0.2 * i, 0.2) });
+        var print = new ToolpathGoo(Planner.Plan(steps.ToArray(), new PrintSetup(), new PlanOptions { Policy = PlanPolicy.AsDrawn }).Value!);
+        var canvas = new Canvas<ToolpathPreviewComponent>().Feed("Toolpath", print);
+        Rg.Line[][] Lines(string color)
+        {
+            canvas.Feed("Color By", color).Solve();
+            return Draw(canvas.Component).Select(c => (Rg.Line[])c.Item).ToArray();
+        }
+        var role = Lines("Role").Single();
+        Assert.That(role, Has.Length.EqualTo(15000));
+        Assert.That(Lines("Flow").Single(), Is.SameAs(role), "The flow differs in the last digits only.");
+        Assert.That(canvas.All("Tags"), Has.Count.EqualTo(1));
+        var layers = Lines("Layer");
+        Assert.That(layers.Select(l => l.Length), Is.EqualTo(new[] { 5000, 5000, 5000 }));
+        Assert.That(layers.SelectMany(l => l), Is.EqualTo(role));
+        canvas.Feed("First Layer", 1).Feed("Last Layer", 1);
+        Assert.That(Lines("Role").Single(), Is.EqualTo(role.Skip(5000).Take(5000)));
+    }
+
+    [Test]
     public void Beads_are_a_mesh_with_a_color_for_each_vertex_and_layers_can_be_chosen()
     {
         var canvas = new Canvas<ToolpathPreviewComponent>().Feed("Toolpath", Planned()).Feed("Solid", true).Feed("First Layer", 1).Feed("Last Layer", 2)

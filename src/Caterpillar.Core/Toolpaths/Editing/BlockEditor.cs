@@ -1,18 +1,18 @@
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Collects the moves of an edited block. Rotary axes keep their position until a move turns them.</summary>
-internal sealed class BlockEditor
+internal sealed class BlockEditor(int size)
 {
-    private readonly ToolpathBuilder _builder = new(MoveSource.Lines, null);
+    private readonly ToolpathBuilder _builder = new(MoveSource.Lines, null) { FirstSize = size };
     private bool _turns;
     private double _a;
     private double _b;
     private double _c;
 
-    /// <summary>An editor for a block of a toolpath.</summary>
-    public static BlockEditor After(Toolpath toolpath, int block)
+    /// <summary>An editor for a block of a toolpath, with room for so many moves at first.</summary>
+    public static BlockEditor After(Toolpath toolpath, int block, int size = 1024)
     {
-        var editor = new BlockEditor();
+        var editor = new BlockEditor(size);
         if (block > 0 && toolpath.Blocks[block - 1].Columns is { A: not null } before) editor.Take(before, before.Count - 1);
         return editor;
     }
@@ -21,6 +21,20 @@ internal sealed class BlockEditor
     {
         _builder.Add(end, e, deposited, speed, kind, role, layer, tool, source, arc);
         if (_turns) _builder.SetRotary(_a, _b, _c);
+    }
+
+    /// <summary>Adds moves as they are.</summary>
+    public void Add(ToolpathColumns columns, int from, int to)
+    {
+        if (from >= to) return;
+        var turns = _turns && columns.A is null;
+        for (var i = from; turns && i < to; i++)
+        {
+            _builder.Add(columns, i, i + 1);
+            _builder.SetRotary(_a, _b, _c);
+        }
+        if (!turns) _builder.Add(columns, from, to);
+        if (columns.A is not null) Take(columns, to - 1);
     }
 
     /// <summary>The moves added from now on come from the script line of this move.</summary>

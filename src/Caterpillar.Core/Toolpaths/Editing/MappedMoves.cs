@@ -19,8 +19,7 @@ internal static class MappedMoves
     /// </summary>
     public static bool[] Of(Toolpath toolpath, MoveFilter filter)
     {
-        var choice = new MoveChoice(filter, toolpath);
-        var chosen = new bool[toolpath.Count];
+        var chosen = MoveChoice.Of(filter, toolpath);
         var inPlace = new bool[toolpath.Count];
         var extrusions = new bool[toolpath.Count];
         for (var block = 0; block < toolpath.Blocks.Count; block++)
@@ -29,10 +28,7 @@ internal static class MappedMoves
             var first = toolpath.FirstOf(block);
             InPlace(toolpath, block, inPlace);
             for (var i = 0; i < columns.Count; i++)
-            {
-                chosen[first + i] = choice.Has(columns, i);
                 extrusions[first + i] = columns.Kind[i] is MoveKind.Print or MoveKind.Wipe or MoveKind.MovingDeretract;
-            }
         }
         var mapped = new bool[toolpath.Count];
         var last = -1;

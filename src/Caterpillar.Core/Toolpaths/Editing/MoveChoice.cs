@@ -11,6 +11,19 @@ internal sealed class MoveChoice(MoveFilter filter, Toolpath toolpath)
     private readonly int? _tool = filter.Tool;
     private readonly Bounds? _box = filter.Box;
 
+    /// <summary>Whether each move of a toolpath is selected.</summary>
+    public static bool[] Of(MoveFilter filter, Toolpath toolpath)
+    {
+        var choice = new MoveChoice(filter, toolpath);
+        var chosen = new bool[toolpath.Count];
+        var move = 0;
+        foreach (var block in toolpath.Blocks)
+        {
+            for (var i = 0; i < block.Count; i++) chosen[move++] = choice.Has(block.Columns, i);
+        }
+        return chosen;
+    }
+
     /// <summary>True if a move in the columns of a block is selected.</summary>
     public bool Has(ToolpathColumns columns, int i)
     {

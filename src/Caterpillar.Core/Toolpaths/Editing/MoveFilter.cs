@@ -57,22 +57,10 @@ public sealed record MoveFilter
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         var box = Bounds.Empty;
-        var choice = new MoveChoice(this, toolpath);
-        for (var block = 0; block < toolpath.Blocks.Count; block++)
+        var chosen = MoveChoice.Of(this, toolpath);
+        foreach (var move in toolpath.Moves())
         {
-            var columns = toolpath.Blocks[block].Columns;
-            var start = toolpath.StartOf(block);
-            for (var i = 0; i < columns.Count; i++)
-            {
-                var end = new Vec3(columns.X[i], columns.Y[i], columns.Z[i]);
-                if (choice.Has(columns, i))
-                {
-                    if (!box.Contains(start)) box = box.Include(start);
-                    if (!box.Contains(end)) box = box.Include(end);
-                    if (columns.TryGetArc(i, out var arc)) box = box.Include(arc.Bounds(start, end));
-                }
-                start = end;
-            }
+            if (chosen[move.Index]) box = box.Include(move.Bounds);
         }
         return box;
     }

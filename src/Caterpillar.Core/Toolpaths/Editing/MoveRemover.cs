@@ -5,10 +5,11 @@ namespace Caterpillar.Toolpaths;
 /// Events and homing moves stay. A dwell is removed with its event. Blocks without cuts are shared.
 /// </summary>
 /// <param name="toolpath">The toolpath.</param>
-/// <param name="removes">Whether a move is removed, by the columns of its block, its place there and its number.</param>
-internal sealed class MoveRemover(Toolpath toolpath, Func<ToolpathColumns, int, int, bool> removes)
+/// <param name="removed">Whether each move is removed.</param>
+internal sealed class MoveRemover(Toolpath toolpath, bool[] removed)
 {
     private const double NoChange = 1e-9;
+    private const int RoomForRepairs = 64;
     private readonly List<ToolpathBlock> _blocks = [];
     private readonly List<MoveEvent> _events = [];
     private readonly SortedDictionary<int, Balance> _tools = [];
@@ -28,9 +29,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<ToolpathColumns, int, 
             cancel.ThrowIfCancellationRequested();
             var first = toolpath.FirstOf(block);
             var columns = toolpath.Blocks[block].Columns;
-            var cuts = toolpath.StartOf(block) != _position || !IsBalanced();
-            for (var i = 0; i < columns.Count && !cuts; i++) cuts = removes(columns, i, first + i);
-            if (!cuts)
+            if (toolpath.StartOf(block) == _position && IsBalanced() && Array.IndexOf(removed, true, first, columns.Count) < 0)
             {
                 for (var i = 0; i < columns.Count; i++)
                 {
@@ -38,16 +37,20 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<ToolpathColumns, int, 
                     else _top = Math.Max(_top, columns.Z[i]);
                 }
                 _position = toolpath[first + columns.Count - 1].End;
-                Events(first + columns.Count, first);
+                // The event of a dwell that begins the next block is removed with it.
+                Events(first + columns.Count - 1, first);
                 _blocks.Add(toolpath.Blocks[block]);
                 _made += columns.Count;
                 continue;
             }
-            _editor = BlockEditor.After(toolpath, block);
+            var size = RoomForRepairs;
+            for (var i = 0; i < columns.Count; i++) size += removed[first + i] ? 0 : 1;
+            _editor = BlockEditor.After(toolpath, block, size);
             for (var i = 0; i < columns.Count; i++)
             {
                 // Events before such a move come with the next one.
-                if (!removes(columns, i, first + i) || !IsPlain(columns, i)) Step(toolpath[first + i], block, i);
+                if (!removed[first + i] || !IsPlain(columns, i)) Step(toolpath[first + i], block, i);
+                if (!removed[first + i] && columns.Kind[i] == MoveKind.Print) i = Follow(columns, first, i);
             }
             _blocks.AddRange(_editor.ToBlocks());
         }
@@ -57,6 +60,20 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<ToolpathColumns, int, 
 
     // A printing move after which everything is as before, but for the position.
     private bool IsPlain(ToolpathColumns columns, int i) => columns.Kind[i] == MoveKind.Print && columns.E[i] >= 0 && !Of(columns.Tool[i]).IsRetracted;
+
+    // Adds the extrusions after a kept one that need no repair, at once. Returns the last.
+    private int Follow(ToolpathColumns columns, int first, int last)
+    {
+        var end = last + 1;
+        var next = _nextEvent < toolpath.Events.Count ? toolpath.Events[_nextEvent].Move - first : int.MaxValue;
+        while (end < Math.Min(columns.Count, next) && !removed[first + end] && columns.Tool[end] == columns.Tool[last] && IsPlain(columns, end)) end++;
+        if (end == last + 1) return last;
+        _editor!.Add(columns, last + 1, end);
+        for (var i = last + 1; i < end; i++) _top = Math.Max(_top, columns.Z[i]);
+        _made += end - last - 1;
+        _position = new Vec3(columns.X[end - 1], columns.Y[end - 1], columns.Z[end - 1]);
+        return end - 1;
+    }
 
     private void Step(Move move, int block, int i)
     {
@@ -69,7 +86,7 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<ToolpathColumns, int, 
             _position = there;
             return;
         }
-        if (removes(toolpath.Blocks[block].Columns, i, move.Index))
+        if (removed[move.Index])
         {
             Of(move.Tool).Before(move);
             Speeds(move);
@@ -81,8 +98,8 @@ internal sealed class MoveRemover(Toolpath toolpath, Func<ToolpathColumns, int, 
         Events(move.Index);
         Repair(move);
         if (dwell is not null) _events.Add(new MoveEvent(_made, dwell));
-        Add(move.End, move.E, move.Deposited, move.Speed, move.Kind, move.Role, move, move.Source, move.Arc);
-        _editor!.Turn(toolpath.Blocks[block].Columns, i);
+        _editor.Add(toolpath.Blocks[block].Columns, i, i + 1);
+        _made++;
         Kept(move);
     }
 

@@ -23,19 +23,15 @@ internal static class PauseInserter
         var block = toolpath.BlockOf(before.Index);
         var columns = toolpath.Blocks[block].Columns;
         var editor = BlockEditor.After(toolpath, block);
-        var made = 0;
-        for (var i = 0; i < columns.Count; i++)
-        {
-            var move = toolpath[toolpath.FirstOf(block) + i];
-            editor.From(columns, i);
-            if (move.Index == before.Index) made = Moves(toolpath, before, pause, editor);
-            editor.Add(move.End, move.E, move.Deposited, move.Speed, move.Kind, move.Role, move.Layer, move.Tool, move.Source, move.Arc);
-            editor.Turn(columns, i);
-        }
+        var at = before.Index - toolpath.FirstOf(block);
+        editor.Add(columns, 0, at);
+        editor.From(columns, at);
+        var made = Moves(toolpath, before, pause, editor);
+        editor.Add(columns, at, columns.Count);
         // The head waits after retracting, rising and parking.
         var parked = before.Index + made / 2;
         var events = toolpath.Events.Select(e => e.Move >= before.Index && !IsBefore(toolpath, e, before) ? e with { Move = e.Move + made } : e).ToList();
-        events.Insert(events.FindIndex(e => e.Move > parked) is >= 0 and var at ? at : events.Count, new MoveEvent(parked, what));
+        events.Insert(events.FindIndex(e => e.Move > parked) is >= 0 and var place ? place : events.Count, new MoveEvent(parked, what));
         var blocks = toolpath.Blocks.Take(block).Concat(editor.ToBlocks()).Concat(toolpath.Blocks.Skip(block + 1));
         return toolpath.WithBlocks(blocks, events);
     }

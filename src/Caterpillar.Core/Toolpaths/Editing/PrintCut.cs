@@ -89,14 +89,14 @@ internal sealed class PrintCut
         var height = Math.Max(SafeHeight, end.Z);
         var block = _toolpath.BlockOf(_lowerEnd - 1);
         var editor = BlockEditor.After(_toolpath, block);
-        Copy(editor, _toolpath.FirstOf(block), _lowerEnd, double.NegativeInfinity);
+        editor.Add(_toolpath.Blocks[block].Columns, 0, _lowerEnd - _toolpath.FirstOf(block));
         void Add(Vec3 to, double e, double speed, MoveKind kind) => editor.Add(to, e, 0, speed, kind, Role.Unspecified, last.Layer, last.Tool, -1, null);
         // Where the end code retracts, once is enough.
         var retracts = Retraction is not null && !Enumerable.Range(_printEnd, _toolpath.Count - _printEnd).Any(i => _toolpath[i].Kind == MoveKind.Retract);
         if (retracts) Add(last.End, Retraction!.Value.E, Retraction.Value.Speed, MoveKind.Retract);
         Add(last.End.WithZ(height), 0, ZSpeed, MoveKind.Travel);
         Add(end.WithZ(height), 0, _travelSpeed, MoveKind.Travel);
-        Copy(editor, _printEnd, _toolpath.Count, height);
+        CopyEnd(editor, height);
         var shift = _lowerEnd - _printEnd + (retracts ? 3 : 2);
         var lines = Lines;
         var events = _toolpath.Events
@@ -117,23 +117,23 @@ internal sealed class PrintCut
         Add(first.Start, 0, ZSpeed, MoveKind.Travel);
         if (Retraction is { } back) Add(first.Start, -back.E, back.Speed, MoveKind.Deretract);
         var shift = (Retraction is not null ? 3 : 2) - _upper;
-        Copy(editor, _upper, _toolpath.FirstOf(block) + _toolpath.Blocks[block].Count, double.NegativeInfinity);
+        editor.Add(_toolpath.Blocks[block].Columns, _upper - _toolpath.FirstOf(block), _toolpath.Blocks[block].Count);
         var events = _toolpath.Events.Where(e => e.Source < 0 ? e.Move >= _upper : e.Source >= line).Select(e => e with { Move = e.Move + shift });
         return _toolpath.WithBlocks([.. editor.ToBlocks(), .. _toolpath.Blocks.Skip(block + 1)], events);
     }
 
-    // The moves that are not below this height, up to the first that homes Z.
-    private void Copy(BlockEditor editor, int from, int to, double height)
+    // The end code, not below this height up to the first move that homes Z.
+    private void CopyEnd(BlockEditor editor, double height)
     {
-        for (var number = from; number < to; number++)
+        for (var number = _printEnd; number < _toolpath.Count; number++)
         {
             var move = _toolpath[number];
             var block = _toolpath.BlockOf(number);
             var (c, i) = (_toolpath.Blocks[block].Columns, number - _toolpath.FirstOf(block));
             if (_toolpath.HomeOf(move) is { Z: true }) height = double.NegativeInfinity;
             editor.From(c, i);
-            var end = move.End.WithZ(Math.Max(move.End.Z, height));
-            editor.Add(end, move.E, move.Deposited, move.Speed, move.Kind, move.Role, move.Layer, move.Tool, move.Source, move.Arc);
+            editor.Add(move.End.WithZ(Math.Max(move.End.Z, height)), move.E, move.Deposited, move.Speed, move.Kind, move.Role, move.Layer, move.Tool,
+                move.Source, move.Arc);
             editor.Turn(c, i);
         }
     }

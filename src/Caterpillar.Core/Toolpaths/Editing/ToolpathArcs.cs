@@ -34,7 +34,11 @@ internal static class ToolpathArcs
                 if (run <= i) run = RunEnd(columns, points, i, first, eventful, evenness);
                 if (fitter.From(i, run) is { } fit)
                 {
-                    editor ??= Copied(columns, points, i);
+                    if (editor is null)
+                    {
+                        editor = new BlockEditor(columns.Count);
+                        editor.Add(columns, 0, i);
+                    }
                     double e = 0, deposited = 0;
                     for (var k = i; k < fit.End; k++)
                     {
@@ -48,7 +52,7 @@ internal static class ToolpathArcs
                 }
                 else
                 {
-                    if (editor is not null) Add(editor, columns, points, i);
+                    editor?.Add(columns, i, i + 1);
                     i++;
                 }
                 made++;
@@ -80,19 +84,4 @@ internal static class ToolpathArcs
 
     private static bool IsStraightPrint(ToolpathColumns c, int i)
         => c.Kind[i] == MoveKind.Print && c.E[i] == c.Deposited[i] && c.A is null && !c.TryGetArc(i, out _);
-
-    private static BlockEditor Copied(ToolpathColumns columns, Vec3[] points, int count)
-    {
-        var editor = new BlockEditor();
-        for (var i = 0; i < count; i++) Add(editor, columns, points, i);
-        return editor;
-    }
-
-    private static void Add(BlockEditor editor, ToolpathColumns c, Vec3[] points, int i)
-    {
-        editor.From(c, i);
-        editor.Add(points[i + 1], c.E[i], c.Deposited[i], c.Speed[i], c.Kind[i], c.Role[i], c.Layer[i], c.Tool[i], c.Source[i], c.TryGetArc(i, out var arc)
-            ? arc : null);
-        editor.Turn(c, i);
-    }
 }

@@ -11,7 +11,14 @@ public static class ToolpathEdits
     public static Toolpath ScaleSpeed(this Toolpath toolpath, MoveFilter filter, double factor, CancellationToken cancel = default)
     {
         Positive(factor, nameof(factor));
-        return Change(toolpath, filter, c => c.Speed = (double[])c.Speed.Clone(), (columns, i) => columns.Speed[i] *= factor, cancel);
+        return Change(toolpath, filter, (columns, chosen, first) =>
+        {
+            var speed = columns.Speed = (double[])columns.Speed.Clone();
+            for (var i = 0; i < columns.Count; i++)
+            {
+                if (chosen[first + i]) speed[i] *= factor;
+            }
+        }, cancel);
     }
 
     /// <summary>Multiplies the material of the selected printing moves. Deretraction does not change.</summary>
@@ -19,12 +26,17 @@ public static class ToolpathEdits
     public static Toolpath ScaleFlow(this Toolpath toolpath, MoveFilter filter, double factor, CancellationToken cancel = default)
     {
         if (!(factor >= 0) || double.IsInfinity(factor)) throw new ArgumentOutOfRangeException(nameof(factor), factor, "The flow factor must be 0 or more.");
-        return Change(toolpath, filter, c => (c.E, c.Deposited) = ((double[])c.E.Clone(), (double[])c.Deposited.Clone()), (columns, i) =>
+        return Change(toolpath, filter, (columns, chosen, first) =>
         {
-            if (columns.Kind[i] is not (MoveKind.Print or MoveKind.Prime)) return;
-            var deposited = columns.Deposited[i] * factor;
-            columns.E[i] += deposited - columns.Deposited[i];
-            columns.Deposited[i] = deposited;
+            var e = columns.E = (double[])columns.E.Clone();
+            var amounts = columns.Deposited = (double[])columns.Deposited.Clone();
+            for (var i = 0; i < columns.Count; i++)
+            {
+                if (!chosen[first + i] || columns.Kind[i] is not (MoveKind.Print or MoveKind.Prime)) continue;
+                var deposited = amounts[i] * factor;
+                e[i] += deposited - amounts[i];
+                amounts[i] = deposited;
+            }
         }, cancel);
     }
 
@@ -54,9 +66,10 @@ public static class ToolpathEdits
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (filter is null) throw new ArgumentNullException(nameof(filter));
+        var removed = MoveChoice.Of(filter, toolpath);
         var end = PrintCut.EndOfPrint(toolpath);
-        var choice = new MoveChoice(filter, toolpath);
-        return new MoveRemover(toolpath, (columns, i, number) => (number < end || end == 0) && choice.Has(columns, i)).Run(cancel);
+        if (end > 0) Array.Clear(removed, end, removed.Length - end);
+        return new MoveRemover(toolpath, removed).Run(cancel);
     }
 
     /// <summary>Keeps only the selected moves. See <see cref="Remove"/>.</summary>
@@ -64,8 +77,9 @@ public static class ToolpathEdits
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (filter is null) throw new ArgumentNullException(nameof(filter));
-        var choice = new MoveChoice(filter, toolpath);
-        return new MoveRemover(toolpath, (columns, i, _) => !choice.Has(columns, i)).Run(cancel);
+        var removed = MoveChoice.Of(filter, toolpath);
+        for (var i = 0; i < removed.Length; i++) removed[i] = !removed[i];
+        return new MoveRemover(toolpath, removed).Run(cancel);
     }
 
     /// <summary>The moves before one, and that one up to a position (mm), which is a part of it from 0 to 1. All blocks before it are shared.</summary>
@@ -115,14 +129,9 @@ public static class ToolpathEdits
     public static Result<Toolpath> InsertAtLayer(this Toolpath toolpath, int layer, PrinterEvent what)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
-        for (var block = 0; block < toolpath.Blocks.Count; block++)
+        foreach (var move in toolpath.Moves())
         {
-            var columns = toolpath.Blocks[block].Columns;
-            for (var i = 0; i < columns.Count; i++)
-            {
-                if (columns.Layer[i] >= 0 && toolpath.Layers[columns.Layer[i]].Index == layer)
-                    return new Result<Toolpath>(toolpath.Insert(toolpath.FirstOf(block) + i, what), []);
-            }
+            if (toolpath.NumberOfLayer(move) == layer) return new Result<Toolpath>(toolpath.Insert(move.Index, what), []);
         }
         return new Result<Toolpath>(null, [new Diagnostic(Severity.Error, "toolpath.no_layer", $"Layer {NumberFormatter.Format(layer)} not found.")]);
     }
@@ -130,25 +139,21 @@ public static class ToolpathEdits
     private static bool IsOf(Toolpath toolpath, Move move, PrinterEvent what)
         => what is DwellEvent ? move.Kind == MoveKind.Dwell : toolpath.HomeOf(move) is not null;
 
-    private static Toolpath Change(
-        Toolpath toolpath, MoveFilter filter, Action<ToolpathColumns> copyColumns, Action<ToolpathColumns, int> change, CancellationToken cancel)
+    // Changes the columns of each block that has chosen moves. They are shared: what changes is replaced first.
+    private static Toolpath Change(Toolpath toolpath, MoveFilter filter, Action<ToolpathColumns, bool[], int> change, CancellationToken cancel)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (filter is null) throw new ArgumentNullException(nameof(filter));
-        var choice = new MoveChoice(filter, toolpath);
-        var blocks = new List<ToolpathBlock>(toolpath.Blocks.Count);
-        for (var block = 0; block < toolpath.Blocks.Count; block++)
+        var chosen = MoveChoice.Of(filter, toolpath);
+        var blocks = toolpath.Blocks.ToArray();
+        for (var block = 0; block < blocks.Length; block++)
         {
             cancel.ThrowIfCancellationRequested();
-            var columns = toolpath.Blocks[block].Columns;
-            ToolpathColumns? copy = null;
-            for (var i = 0; i < columns.Count; i++)
-            {
-                if (!choice.Has(columns, i)) continue;
-                if (copy is null) copyColumns(copy = columns.Share());
-                change(copy, i);
-            }
-            blocks.Add(copy is null ? toolpath.Blocks[block] : new ToolpathBlock(copy));
+            var first = toolpath.FirstOf(block);
+            if (Array.IndexOf(chosen, true, first, blocks[block].Count) < 0) continue;
+            var columns = blocks[block].Columns.Share();
+            change(columns, chosen, first);
+            blocks[block] = new ToolpathBlock(columns);
         }
         return toolpath.WithBlocks(blocks);
     }

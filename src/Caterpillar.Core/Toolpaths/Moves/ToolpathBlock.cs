@@ -103,28 +103,31 @@ internal sealed class ToolpathColumns
         var count = Math.Min(Count, capacity);
         var arcs = Array.BinarySearch(ArcMoves, count);
         if (arcs < 0) arcs = ~arcs;
-        var copy = new ToolpathColumns(capacity) { Count = count, ArcMoves = ArcMoves, Arcs = Arcs };
+        var copy = new ToolpathColumns(capacity) { ArcMoves = ArcMoves, Arcs = Arcs };
         if (arcs < ArcMoves.Length) (copy.ArcMoves, copy.Arcs) = (ArcMoves.Take(arcs).ToArray(), Arcs.Take(arcs).ToArray());
-        Array.Copy(X, copy.X, count);
-        Array.Copy(Y, copy.Y, count);
-        Array.Copy(Z, copy.Z, count);
-        Array.Copy(E, copy.E, count);
-        Array.Copy(Deposited, copy.Deposited, count);
-        Array.Copy(Speed, copy.Speed, count);
-        Array.Copy(Kind, copy.Kind, count);
-        Array.Copy(Role, copy.Role, count);
-        Array.Copy(Tool, copy.Tool, count);
-        Array.Copy(Layer, copy.Layer, count);
-        Array.Copy(Source, copy.Source, count);
-        if (Line is not null)
-        {
-            copy.Line = new int[capacity];
-            Array.Copy(Line, copy.Line, count);
-        }
-        copy.A = Resized(A, count, capacity);
-        copy.B = Resized(B, count, capacity);
-        copy.C = Resized(C, count, capacity);
+        copy.Append(this, 0, count);
         return copy;
+    }
+
+    /// <summary>Adds a run of moves of other columns, without their arcs, where there is room.</summary>
+    public void Append(ToolpathColumns other, int from, int count)
+    {
+        Array.Copy(other.X, from, X, Count, count);
+        Array.Copy(other.Y, from, Y, Count, count);
+        Array.Copy(other.Z, from, Z, Count, count);
+        Array.Copy(other.E, from, E, Count, count);
+        Array.Copy(other.Deposited, from, Deposited, Count, count);
+        Array.Copy(other.Speed, from, Speed, Count, count);
+        Array.Copy(other.Kind, from, Kind, Count, count);
+        Array.Copy(other.Role, from, Role, Count, count);
+        Array.Copy(other.Tool, from, Tool, Count, count);
+        Array.Copy(other.Layer, from, Layer, Count, count);
+        Array.Copy(other.Source, from, Source, Count, count);
+        Line = Appended(Line, other.Line, from, count);
+        A = Appended(A, other.A, from, count);
+        B = Appended(B, other.B, from, count);
+        C = Appended(C, other.C, from, count);
+        Count += count;
     }
 
     /// <summary>Columns with new end points and, if asked for, new amounts to fill in. The rest is shared. For blocks of straight moves.</summary>
@@ -145,11 +148,11 @@ internal sealed class ToolpathColumns
         Line = Line,
     };
 
-    private static double[]? Resized(double[]? column, int count, int capacity)
+    private T[]? Appended<T>(T[]? column, T[]? other, int from, int count)
     {
-        if (column is null) return null;
-        var resized = new double[capacity];
-        Array.Copy(column, resized, count);
-        return resized;
+        if (other is null) return column;
+        column ??= new T[Capacity];
+        Array.Copy(other, from, column, Count, count);
+        return column;
     }
 }

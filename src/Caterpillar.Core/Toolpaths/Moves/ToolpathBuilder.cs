@@ -32,6 +32,12 @@ public sealed class ToolpathBuilder
     /// <summary>Number of moves in a block.</summary>
     internal int BlockSize { get; init; } = ToolpathBlock.Capacity;
 
+    /// <summary>Number of moves in the first block that there is room for at first.</summary>
+    internal int FirstSize
+    {
+        init => _columns = new ToolpathColumns(Math.Min(value, BlockSize));
+    }
+
     /// <summary>Called for each full block, before the next move is added.</summary>
     internal Action? Filled { get; init; }
 
@@ -77,6 +83,25 @@ public sealed class ToolpathBuilder
             _arcs.Add(geometry);
         }
         Position = end;
+    }
+
+    /// <summary>Adds a run of moves of some columns.</summary>
+    internal void Add(ToolpathColumns columns, int from, int to)
+    {
+        while (from < to)
+        {
+            if (_columns.Count == _columns.Capacity) Grow();
+            var count = Math.Min(to - from, _columns.Capacity - _columns.Count);
+            for (var i = from; i < from + count && columns.ArcMoves.Length > 0; i++)
+            {
+                if (!columns.TryGetArc(i, out var arc)) continue;
+                _arcMoves.Add(_columns.Count + i - from);
+                _arcs.Add(arc);
+            }
+            _columns.Append(columns, from, count);
+            from += count;
+        }
+        Position = new Vec3(columns.X[to - 1], columns.Y[to - 1], columns.Z[to - 1]);
     }
 
     /// <summary>Sets the rotary axes of the last move added, in degrees.</summary>

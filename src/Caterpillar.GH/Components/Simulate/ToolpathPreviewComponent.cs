@@ -46,7 +46,7 @@ public sealed class ToolpathPreviewComponent() : CaterpillarComponent(
         var setup = by == PreviewColor.Time ? SetupPort.Of(run, 6, goo) : null;
         var parts = run.Work("Drawing", [toolpath, units.ToMillimeters], (_, cancel) => new SceneParts(toolpath, units, cancel));
         var values = run.Work("Coloring", [toolpath, by, setup], (progress, cancel) =>
-            PreviewColors.ValuesOf(toolpath, by, setup is null ? null : Timeline.Of(toolpath, setup, progress, cancel), cancel));
+            PreviewColors.ValuesOf(toolpath, parts, by, setup is null ? null : Timeline.Of(toolpath, setup, progress, cancel), cancel));
         var colors = run.Work("Coloring", [values, layers], (_, _) => PreviewColors.Of(values, parts, layers, by));
         var content = new SceneContent(beads, travels, run.Get<bool>(7), run.Maybe<Machines.PrintSetup>(6)?.Printer);
         var scene = run.Work("Drawing", [colors, parts, content], (_, _) => new ToolpathScene(toolpath, parts, layers, colors, content, units));

@@ -317,6 +317,9 @@ namespace Grasshopper.Kernel.Types
         {
         }
 
+        // What a file holds is written as it was.
+        internal byte[] Bytes { get; set; }
+
         public override bool IsValid => m_value != null && m_value.IsValid;
 
         public override string TypeName => "Brep";
@@ -347,6 +350,22 @@ namespace Grasshopper.Kernel.Types
         }
 
         public override bool CastTo<Q>(ref Q target) => Casting.Give(m_value, ref target);
+
+        public override bool Write(GH_IWriter writer)
+        {
+            if (Bytes == null) return true;
+            writer.SetByteArray("ON_Data", Bytes);
+            writer.SetGuid("RefID", Guid.Empty);
+            return true;
+        }
+
+        public override bool Read(GH_IReader reader)
+        {
+            if (!reader.ItemExists("ON_Data")) return true;
+            Bytes = reader.GetByteArray("ON_Data");
+            m_value = (Brep)Stored.Read(Bytes);
+            return true;
+        }
     }
 
     public class GH_Box : GH_GeometricGoo<Box>

@@ -1,6 +1,6 @@
 using System.Collections.Generic;
 
-namespace Caterpillar.GH.Tests.Examples;
+namespace Caterpillar.GH.Tests.Examples.Arranging;
 
 /// <summary>Keeps things apart on a line, in their order, as near to where they want to be as least squares allow.</summary>
 internal static class Spread
