@@ -96,6 +96,27 @@ public class SliceTests : CliFixture
         Assert.That(Files(), Is.EqualTo(new[] { "part.gcode", "part.stl" }));
     }
 
+    [TestCase("m", 0.02)]
+    [TestCase("cm", 2)]
+    [TestCase("in", 20 / 25.4)]
+    [TestCase("10", 2)]
+    public void A_model_in_another_unit_is_read_in_it(string unit, double side)
+    {
+        File.WriteAllText("part.stl", Box(side, side, side / 4));
+        var run = Run("slice", "part.stl", "--unit", unit, "--set", "skirt_loops=0");
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        Assert.That(File.ReadAllText("part.gcode"), Does.Contain("Z5").And.Not.Contain("Z5.2"), "20 mm wide, 5 mm high");
+        Assert.That(run.Messages, Does.Not.Contain("models.unit"));
+    }
+
+    [Test]
+    public void A_unit_is_a_name_or_a_length()
+    {
+        File.WriteAllText("part.stl", Box(0.02, 0.02, 0.005));
+        Assert.That(Run("slice", "part.stl").Messages, Does.Contain("models.unit").And.Contain("In meters it would be 20 × 20 × 5 mm"));
+        foreach (var wrong in new[] { "parsec", "0", "-1" }) Assert.That(Run("slice", "part.stl", "--unit", wrong).Code, Is.EqualTo(2), wrong);
+    }
+
     [Test]
     public void A_reason_overrides_the_refusal_and_stays_in_the_file()
     {

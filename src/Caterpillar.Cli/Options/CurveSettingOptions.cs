@@ -24,17 +24,14 @@ internal sealed class CurveSettingOptions
 
     private readonly Described<string?> _dotSpeed = new("--dot-speed", "Filament speed for dots. Default: 2 mm/s.", "MM/S");
 
-    private readonly Described<string?> _unit = new("--unit", "Length of one unit in CSV, OBJ, and JSON without \"units\". Default: 1 mm.", "MM");
+    private readonly Described<string?> _unit = new("--unit", "Length of one unit in CSV, OBJ, and JSON without \"units\", in mm or by name: um, cm, m, in, ft. Default: mm.",
+        "MM|NAME");
 
     public CurveSettingOptions() => _shape.AcceptOnlyFromAmong("rectangle", "stadium", "circle");
 
     public Option[] All => [_width, _height, _flow, _speed, _shape, _strokes, _steps, _dots, _dotSpeed, _unit];
 
-    public double UnitOf(ParseResult arguments)
-    {
-        var unit = Numbers.MaybeAtLeast(arguments.GetValue(_unit), "--unit", 0) ?? 1;
-        return unit > 0 ? unit : throw new CliException(ExitCode.Usage, "--unit must be above 0.");
-    }
+    public double UnitOf(ParseResult arguments) => Numbers.Unit(arguments.GetValue(_unit));
 
     public CurveOptions Of(ParseResult arguments, PrintSetup setup)
     {

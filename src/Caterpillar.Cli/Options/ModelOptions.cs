@@ -6,6 +6,9 @@ namespace Caterpillar.Cli;
 /// <summary>Options that scale, rotate and place models. They act in this order, not in the order of the command line.</summary>
 internal sealed class ModelOptions
 {
+    private readonly Described<string?> _unit = new("--unit",
+        "Length of one unit in STL, OBJ and PLY, in mm or by name: um, cm, m, in, ft. Surfaces, curves and other files are in mm. Default: mm.", "MM|NAME");
+
     private readonly Described<string?> _scale = new("--scale",
         "Scale the models. One number: factor. Three: factors for X, Y and Z. With mm: longest side, or size in X, Y and Z.",
         "FACTOR|%|X,Y,Z|LENGTHmm|X,Y,Zmm");
@@ -25,7 +28,7 @@ internal sealed class ModelOptions
     private readonly Described<string?> _center = new("--center", "Center of the models on the bed. Default: center of the bed.", "X,Y");
     private readonly Described<bool> _keepPosition = new("--keep-position", "Keep the position of the models in their files.");
 
-    public Option[] All => [_scale, _rotate, _layFlat, _copies, _arrange, _spacing, _center, _keepPosition];
+    public Option[] All => [_unit, _scale, _rotate, _layFlat, _copies, _arrange, _spacing, _center, _keepPosition];
 
     /// <summary>Finds wrong usage before files are read.</summary>
     /// <exception cref="CliException">Options cannot be combined.</exception>
@@ -42,7 +45,12 @@ internal sealed class ModelOptions
         ];
         if (given.Length > 1) throw new CliException(ExitCode.Usage, $"{given[0]} cannot be combined with {given[1]}: both place the models.");
         _ = Placing(arguments);
+        _ = UnitOf(arguments);
     }
+
+    /// <summary>Length of one unit of the models in mm.</summary>
+    /// <exception cref="CliException">It is not a unit.</exception>
+    public double UnitOf(ParseResult arguments) => Numbers.Unit(arguments.GetValue(_unit));
 
     /// <summary>The given option that does more than move all models together, or null.</summary>
     public string? Turns(ParseResult arguments)

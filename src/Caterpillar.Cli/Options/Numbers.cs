@@ -29,6 +29,22 @@ internal static class Numbers
         return new Vec3(Factor(scale.X, "--scale", 1e-6), Factor(scale.Y, "--scale", 1e-6), Factor(scale.Z, "--scale", 1e-6));
     }
 
+    /// <summary>The length of a unit in mm, from a number or a name; 1 if there is none.</summary>
+    public static double Unit(string? text)
+    {
+        var unit = text?.Trim() switch
+        {
+            null or "mm" => 1,
+            "um" => 0.001,
+            "cm" => 10,
+            "m" => 1000,
+            "in" => 25.4,
+            "ft" => 304.8,
+            var other => Number(other, "--unit"),
+        };
+        return unit is > 0 and < 1e6 ? unit : throw new CliException(ExitCode.Usage, "--unit needs um, mm, cm, m, in, ft or a length above 0 in mm.");
+    }
+
     /// <summary>A factor, or a percentage: <c>0.5</c> and <c>50%</c> are the same.</summary>
     public static double Factor(string text, string option, double least)
     {

@@ -8,8 +8,9 @@ internal static class Meshes
     /// <param name="session">Reads files and standard input.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="sources">Gets the file of each mesh.</param>
+    /// <param name="unit">Length of one unit in files that do not state theirs, mm.</param>
     public static Result<IReadOnlyList<NamedMesh>> Read(
-        IReadOnlyList<string> files, Session session, IProgress<double>? progress = null, List<string>? sources = null)
+        IReadOnlyList<string> files, Session session, IProgress<double>? progress = null, List<string>? sources = null, double unit = 1)
     {
         var meshes = new List<NamedMesh>();
         var diagnostics = new List<Diagnostic>();
@@ -18,7 +19,8 @@ internal static class Meshes
         {
             var bytes = session.ReadBytes(files[i]);
             var part = progress.Part((double)i / files.Count, (i + 1.0) / files.Count);
-            var read = MeshReader.Read(bytes, Session.NameOf(files[i]), new MeshReadOptions { Memory = session.Memory }, part, session.Cancel);
+            var options = new MeshReadOptions { Memory = session.Memory, UnitLength = unit };
+            var read = MeshReader.Read(bytes, Session.NameOf(files[i]), options, part, session.Cancel);
             diagnostics.AddRange(read.Diagnostics);
             if (read.Value is null)
             {

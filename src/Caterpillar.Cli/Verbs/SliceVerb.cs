@@ -75,7 +75,7 @@ internal sealed class SliceVerb : Verb
         if (curves is not null && _placing.Turns(arguments) is { } option)
             throw new CliException(ExitCode.Usage, $"{option} cannot be combined with --infill-curves. Transform the model and the curves beforehand.");
         var sources = new List<string>();
-        var read = session.Run("Reading", progress => Meshes.Read(files, session, progress, sources));
+        var read = session.Run("Reading", progress => Meshes.Read(files, session, progress, sources, _placing.UnitOf(arguments)));
         var settings = own.For(read, sources);
         var placed = _placing.Placed(read, settings.Select(s => s.ModelType == ModelType.Part).ToArray(), arguments, setup, session);
         settings = InfillCurveOptions.With(settings, curves, placed[0].Mesh.Bounds.Min - read[0].Mesh.Bounds.Min);

@@ -236,14 +236,26 @@ public class PlanningTests
     public void Pressure_lag_primes_before_the_path_and_stops_early()
     {
         var rules = Rules with { StartDistance = 2, CoastingDistance = 3 };
-        Assert.That(Moves([Line(0, 0, 10, 0, 0)], rules), Is.EqualTo(new[] { "Prime 0,0,0 0.5 30", "Print 7,0,0 1.75 50", "Travel 10,0,0 0 50" }));
-        Assert.That(Moves([Line(0, 0, 4, 0, 0)], rules), Is.EqualTo(new[] { "Prime 0,0,0 0.5 30", "Print 2,0,0 0.5 50", "Travel 4,0,0 0 50" }));
+        Assert.That(Moves([Line(0, 0, 40, 0, 0)], rules), Is.EqualTo(new[] { "Prime 0,0,0 0.5 30", "Print 37,0,0 9.25 50", "Travel 40,0,0 0 50" }));
+        // A tenth of 30 mm is 3 mm, of 20 mm 2 mm.
+        Assert.That(Moves([Line(0, 0, 30, 0, 0)], rules), Is.EqualTo(new[] { "Prime 0,0,0 0.5 30", "Print 27,0,0 6.75 50", "Travel 30,0,0 0 50" }));
+        Assert.That(Moves([Line(0, 0, 20, 0, 0)], rules), Is.EqualTo(new[] { "Prime 0,0,0 0.5 30", "Print 18,0,0 4.5 50", "Travel 20,0,0 0 50" }));
+        Assert.That(Moves([Line(0, 0, 4, 0, 0)], rules), Is.EqualTo(new[] { "Prime 0,0,0 0.1 30", "Print 3.6,0,0 0.9 50", "Travel 4,0,0 0 50" }));
         var arc = new PrintPath([new Vec3(10, 0), new Vec3(-10, 0)], [new Bead(0.5)], false, [new Arc(Vec3.Zero, 180)]);
-        var half = Plan([arc], rules with { StartDistance = 0, CoastingDistance = 100 }, new PlanOptions { Start = new Vec3(10, 0) }).Toolpath;
-        Assert.That(half.Count, Is.EqualTo(2));
-        Assert.That(half[0].End.DistanceTo(new Vec3(0, 10)), Is.LessThan(1e-12));
-        Assert.That(half[0].Arc!.Value.Sweep, Is.EqualTo(90));
-        Assert.That(half[1].Arc!.Value.Sweep, Is.EqualTo(90));
+        var most = Plan([arc], rules with { StartDistance = 0, CoastingDistance = 100 }, new PlanOptions { Start = new Vec3(10, 0) }).Toolpath;
+        Assert.That(most.Count, Is.EqualTo(2));
+        Assert.That(most[0].End.DistanceTo(new Vec3(-9.510565163, 3.090169944)), Is.LessThan(1e-8), "162 of 180 degrees");
+        Assert.That(most[0].Arc!.Value.Sweep, Is.EqualTo(162).Within(1e-9));
+        Assert.That(most[1].Arc!.Value.Sweep, Is.EqualTo(18).Within(1e-9));
+    }
+
+    [Test]
+    public void Coasting_leaves_nine_tenths_of_the_wall_of_a_small_hole()
+    {
+        // The clay profile coasts 3 mm; the wall of the hole is 4 mm long.
+        var hole = new PrintPath([new Vec3(0, 0), new Vec3(1, 0), new Vec3(1, 1), new Vec3(0, 1)], new Bead(0.5), true).With(Role.OuterWall);
+        var moves = Moves([hole], Rules with { CoastingDistance = 3 });
+        Assert.That(moves, Is.EqualTo(new[] { "Print 1,0,0 0.25 50", "Print 1,1,0 0.25 50", "Print 0,1,0 0.25 50", "Print 0,0.4,0 0.15 50", "Travel 0,0,0 0 50" }));
     }
 
     [Test]

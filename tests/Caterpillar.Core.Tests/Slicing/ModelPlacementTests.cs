@@ -92,6 +92,21 @@ public class ModelPlacementTests
     }
 
     [Test]
+    public void A_tiny_or_huge_model_says_what_it_would_be_in_other_units()
+    {
+        string? Tell(double side)
+            => Solids.Try(new PrintSettings(), MeshMaker.Box(0, 0, 0, side, side / 2, side / 4)).Diagnostics
+                .SingleOrDefault(d => d.Code == "models.unit")?.Message;
+        Assert.That(Tell(0.16), Is.EqualTo("Model is 0.16 × 0.08 × 0.04 mm. In meters it would be 160 × 80 × 40 mm, in inches 4.06 × 2.03 × 1.02 mm, "
+            + "in centimeters 1.6 × 0.8 × 0.4 mm. Set the unit where the file is read (--unit, or Unit of Read Model), or scale the model."));
+        Assert.That(Tell(2.9), Is.Not.Null);
+        Assert.That(Tell(3), Is.Null);
+        var huge = new[] { new NamedMesh("scan", MeshMaker.Box(0, 0, 0, 160_000, 80_000, 40_000)) }.OnBed(new Printer());
+        Assert.That(ModelCheck.Fit(huge, new Printer()).Select(d => d.Code), Is.EqualTo(new[] { "models.too_large", "models.unit" }));
+        Assert.That(ModelCheck.Fit(huge, new Printer())[1].Message, Does.StartWith("Model is 160000 × 80000 × 40000 mm. In micrometers it would be 160 × 80 × 40 mm."));
+    }
+
+    [Test]
     public void What_does_not_fit_says_by_how_much_and_which_scale_does()
     {
         var printer = new Printer { Title = "Small", BuildVolume = new Vec3(100, 80, 50) };

@@ -152,6 +152,17 @@ public sealed class ModelPlacingTests
     }
 
     [Test]
+    public void Models_of_a_file_are_read_in_their_unit()
+    {
+        var file = Path.Combine(Caterpillar.Tests.TestData.Repository, "examples", "models", "bracket.stl");
+        var canvas = new Canvas<ReadModelComponent>().Feed("File", file).Solve();
+        var plain = BoxOf(canvas.All("Meshes").Single()).Diagonal;
+        var inches = BoxOf(canvas.Feed("Unit", 25.4).Solve().All("Meshes").Single()).Diagonal;
+        Assert.That(inches.X / plain.X, Is.EqualTo(25.4).Within(1e-4));
+        Assert.That(canvas.Feed("Unit", 0.0).Solve().Errors, Is.Not.Empty);
+    }
+
+    [Test]
     public void A_flat_drawing_from_a_file_is_raised_to_the_first_layer_unless_a_pen_draws_it()
     {
         var file = Path.Combine(Path.GetTempPath(), "caterpillar-" + Guid.NewGuid().ToString("N") + ".csv");

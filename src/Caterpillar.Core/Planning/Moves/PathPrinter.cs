@@ -3,6 +3,9 @@ namespace Caterpillar.Planning;
 /// <summary>Turns the segments of a path into printing moves, with compensation for the pressure lag at its ends.</summary>
 internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanReport counts, Deposit? deposit, SlowedRoles slowed)
 {
+    // A short path builds up less pressure: what is extruded early, left out at the end or left open is at most this share of it.
+    private const double MaxShare = 0.1;
+
     /// <summary>Prints a path from its start, where the head is.</summary>
     /// <param name="path">The path.</param>
     /// <param name="length">Its length, mm.</param>
@@ -11,18 +14,17 @@ internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanRepo
     /// <param name="lines">The line of each segment in a script.</param>
     public void Print(PrintPath path, double length, bool flows, bool goesOn, int[]? lines)
     {
-        // A path keeps at least half of its length between the two lags.
         var stopAt = double.PositiveInfinity;
         double startDistance = flows ? 0 : rules.StartDistance, stopDistance = goesOn ? 0 : rules.CoastingDistance;
         if (!rules.AddsNothing && (startDistance > 0 || stopDistance > 0) && path.BeadOf(0).Area > 0)
         {
             counts.LaggedPaths++;
-            if (stopDistance > 0) stopAt = length - Math.Min(stopDistance, length / 2);
-            var start = Math.Min(startDistance, length / 2);
+            if (stopDistance > 0) stopAt = length - Math.Min(stopDistance, length * MaxShare);
+            var start = Math.Min(startDistance, length * MaxShare);
             if (start > 0) emitter.Prime(emitter.ToolRules.EOf(start * path.BeadOf(0).Area), emitter.ToolRules.DeretractionSpeed);
         }
         if (!rules.AddsNothing && rules.SeamGap > 0 && path.IsClosed && path.Role is Role.OuterWall or Role.InnerWall)
-            stopAt = Math.Min(stopAt, length - Math.Min(rules.SeamGap, length / 10));
+            stopAt = Math.Min(stopAt, length - Math.Min(rules.SeamGap, length * MaxShare));
         var points = path.RawPoints;
         var done = 0.0;
         for (var i = 0; i < path.SegmentCount; i++)

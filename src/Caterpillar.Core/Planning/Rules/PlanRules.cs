@@ -87,10 +87,10 @@ internal sealed record PlanRules
 
     public double WipeDistance { get; init; }
 
-    /// <summary>The extruder extrudes this length of bead before a path starts.</summary>
+    /// <summary>The extruder extrudes this length of bead before a path starts, at most a tenth of the path.</summary>
     public double StartDistance { get; init; }
 
-    /// <summary>The extruder stops this far before the end of a path.</summary>
+    /// <summary>The extruder stops this far before the end of a path, at most a tenth of its length.</summary>
     public double CoastingDistance { get; init; }
 
     /// <summary>The extruder stops this far before the end of a closed wall.</summary>

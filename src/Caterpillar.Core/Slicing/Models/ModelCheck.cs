@@ -5,7 +5,7 @@ public static class ModelCheck
 {
     /// <summary>
     /// Checks whether models fit the build volume. Returns warnings <c>models.too_large</c> (by how much, and the scale that fits), <c>models.outside</c> (by
-    /// how much) and <c>models.excluded_area</c>. They are warnings because the check of the finished print decides.
+    /// how much), <c>models.unit</c> (what a huge model would be in another unit) and <c>models.excluded_area</c>. They are warnings because the check of the finished print decides.
     /// </summary>
     public static IReadOnlyList<Diagnostic> Fit(IReadOnlyList<NamedMesh> models, Printer printer)
     {
@@ -25,6 +25,7 @@ public static class ModelCheck
                 $"{model} {Size(box.Size)} mm: {TooMuch(box.Size, bed.Size)} for {printer.Title} ({Size(bed.Size)} mm"
                 + (printer.BedShape == BedShape.Round ? ", round bed). " : "). ")
                 + (scale >= 1e-4 ? $"Scale {it} to {NumberFormatter.Format(Math.Floor(scale * 1e4) / 100, 2)} % to fit." : "Check the unit.")));
+            if (UnitHint.Of(box.Size) is { } unit) problems.Add(unit);
         }
         else if (Beyond(box, bed) is { } beyond)
         {

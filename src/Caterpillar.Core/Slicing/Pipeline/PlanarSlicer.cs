@@ -67,6 +67,7 @@ public static class PlanarSlicer
         findings.AddRange(IdleSettings.Of(models, common));
         var helpers = models.Where(m => m.Settings.ModelType != ModelType.Part).ToArray();
         if (helpers.Length > 0) models = models.Where(m => m.Settings.ModelType == ModelType.Part).ToArray();
+        if (UnitHint.Of(ModelPlacement.BoxOf([.. models.Select(m => m.Mesh)]).Size) is { } unit) findings.Add(unit);
         if (models.All(m => m.Settings.Support == SupportKind.None) && helpers.FirstOrDefault(m => m.Settings.ModelType != ModelType.Modifier) is { } idle)
         {
             findings.Add(new Diagnostic(Severity.Warning, "slice.no_support",

@@ -26,6 +26,17 @@ public class ThreeMfTests
     }
 
     [Test]
+    public void A_unit_length_holds_for_files_that_state_no_unit()
+    {
+        var inches = new MeshReadOptions { UnitLength = 25.4 };
+        var model = Start + "<resources>" + MeshBytes.ModelObject(7, null, "name=\"brick\"") + "</resources><build><item objectid=\"7\"/></build></model>";
+        Assert.That(MeshReader.Read(MeshBytes.ThreeMf(model), "x.3mf", inches).Value![0].Mesh.Volume, Is.EqualTo(6).Within(1e-9), "millimeters");
+        var triangle = System.Text.Encoding.ASCII.GetBytes("v 0 0 0\nv 2 0 0\nv 0 3 1\nf 1 2 3\n");
+        Assert.That(MeshReader.Read(triangle, "x.obj", inches).Value![0].Mesh.Bounds.Max.DistanceTo(new Vec3(50.8, 76.2, 25.4)), Is.LessThan(1e-12));
+        Assert.That(MeshReader.Read(triangle, "x.obj").Value![0].Mesh.Bounds.Max, Is.EqualTo(new Vec3(2, 3, 1)));
+    }
+
+    [Test]
     public void Components_are_composed_and_mirrored_ones_face_outward()
     {
         var model = Start + "<resources>" + MeshBytes.ModelObject(1)

@@ -5,7 +5,7 @@ namespace Caterpillar.Geometry;
 /// <summary>
 /// Reads mesh files: STL (binary and ASCII), OBJ, PLY (ASCII and both binary byte orders) and 3MF, also compressed with gzip. The format is detected from
 /// the bytes, and from the name if they are not conclusive. STL, OBJ and PLY give one mesh, 3MF one per item on the plate. 3MF units are converted to mm;
-/// other files are read as mm. Equal vertices are merged, and polygons are split into fans of triangles. Unreadable bytes give errors, never exceptions.
+/// other files are read as mm, or in <see cref="MeshReadOptions.UnitLength"/>. Equal vertices are merged, and polygons are split into fans of triangles. Unreadable bytes give errors, never exceptions.
 /// </summary>
 public static class MeshReader
 {
@@ -65,6 +65,11 @@ public static class MeshReader
         var meshes = new List<NamedMesh>();
         var plain = GzipBytes.Unpack(bytes, name, "mesh.compression", diagnostics, options.Memory, cancel);
         var good = plain is not null && ReadPlain(new MeshSource(plain, name, diagnostics, options, progress, cancel), meshes);
+        if (good && options.UnitLength != 1 && !IsThreeMf(plain!))
+        {
+            var map = Affine.Scale(options.UnitLength, options.UnitLength, options.UnitLength);
+            for (var i = 0; i < meshes.Count; i++) meshes[i] = new NamedMesh(meshes[i].Name, meshes[i].Mesh.Transformed(map));
+        }
         if (good && meshes.All(m => m.Mesh.TriangleCount == 0))
         {
             diagnostics.Add(Severity.Error, "mesh.empty", "The file has no faces.", new SourceLocation(name));
@@ -78,7 +83,7 @@ public static class MeshReader
     {
         var bytes = source.Bytes;
         var ending = Path.GetExtension(WithoutGz(source.Name).Replace('\\', '/').Split('/').Last()).ToUpperInvariant();
-        if (StartsWith(bytes, "PK\u0003\u0004")) return ThreeMfReader.Read(source, meshes);
+        if (IsThreeMf(bytes)) return ThreeMfReader.Read(source, meshes);
         if (StartsWith(bytes, "ply\n") || StartsWith(bytes, "ply\r")) return PlyReader.Read(source, meshes);
         switch (ending)
         {
@@ -98,6 +103,8 @@ public static class MeshReader
         source.ErrorInBinary("mesh.unknown_format", "Unknown mesh format. Use STL, OBJ, PLY or 3MF.", 0);
         return false;
     }
+
+    private static bool IsThreeMf(byte[] bytes) => StartsWith(bytes, "PK\u0003\u0004");
 
     // A line that begins with "v " and a number, in the first kilobytes.
     private static bool LooksLikeObj(byte[] bytes)
