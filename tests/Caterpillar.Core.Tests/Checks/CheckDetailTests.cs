@@ -101,7 +101,7 @@ public class CheckDetailTests
     [TestCase("M221 S97.5", 1, "marlin2", "sets the flow to 97.5 % (M221)")]
     [TestCase("M221", 1, "marlin2", null)]
     [TestCase("M221 S", 1, "marlin2", null)]
-    [TestCase("M200", 2, "marlin2", "switches to E in mm³ (M200)")]
+    [TestCase("M200", 2, "marlin2", null)]
     [TestCase("M200 D0.9 S0.9", 2, "marlin2", "switches to E in mm³ (M200)")]
     [TestCase("M221 S100", 1, "marlin2", null)]
     [TestCase("M221 S50\nG1 X40 E1\nM221 S100", 1, "marlin2", null)]

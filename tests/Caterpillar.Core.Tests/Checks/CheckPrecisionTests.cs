@@ -16,10 +16,11 @@ public class CheckPrecisionTests
 {
     private static readonly PrintSetup Setup = SmallPrint.Setup();
 
-    [TestCase("S50 M221", "A raw line sets the flow to 50 %")]
+    // No firmware reads a word before its command; that line is not understood.
+    [TestCase("S50 M221", null)]
     [TestCase("M221 S50", "A raw line sets the flow to 50 %")]
-    [TestCase("S100 M221", null)]
-    public void The_flow_of_a_raw_line_may_be_stated_before_its_command(string raw, string? message)
+    [TestCase("M221 S100", null)]
+    public void The_flow_of_a_raw_line_is_stated_after_its_command(string raw, string? message)
     {
         var plan = new SmallPrint().Print(30, 10, 0.2).Event(new RawEvent(raw)).Print(50, 10, 0.2).Build();
         var findings = new Findings(Setup.Printer, plan);

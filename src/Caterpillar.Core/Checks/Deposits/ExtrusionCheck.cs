@@ -8,7 +8,8 @@ internal sealed class ExtrusionCheck
     public const double MostBridge = 60;
     private const double Touch = 0.1;
     private const double SampleStep = 0.5;
-    private const double ExactStep = 4;
+    private const double ExactStep = 8;
+    private const double FirstExact = 1;
     private const int MostSamples = 256;
 
     // An extrusion rests on another if about a seventh of its width does, as ends of infill on walls: farthest edge from its axis, as a part of its width
@@ -125,7 +126,9 @@ internal sealed class ExtrusionCheck
         var isHeld = _startsHeld && _end.DistanceTo(_start) <= _printer.NozzleDiameter;
         if (_air > (isHeld ? MostBridge : MostFree)) ReportAir(isHeld);
         _air = _length = _volume = 0;
-        _sinceGap = _sinceExact = double.MaxValue;
+        _sinceGap = double.MaxValue;
+        // The ends of paths touch others; short ones may be in the air.
+        _sinceExact = ExactStep - FirstExact;
         _isOpen = _anchored = _startsHeld = false;
         _fit.Break();
     }

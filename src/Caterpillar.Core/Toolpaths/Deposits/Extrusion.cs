@@ -53,9 +53,12 @@ internal struct Extrusion
     {
         double dx = Bx - Ax, dy = By - Ay;
         var square = dx * dx + dy * dy;
+        var reach = distance + Half;
+        // Most are clearly beside it, which is told without a division.
+        var aside = (p.X - Ax) * dy - (p.Y - Ay) * dx;
+        if (aside * aside > (reach * reach + 1e-6) * square) return double.NegativeInfinity;
         var t = square > 0 ? Math.Min(1, Math.Max(0, ((p.X - Ax) * dx + (p.Y - Ay) * dy) / square)) : (Az >= Bz ? 0 : 1);
         double ex = p.X - Ax - dx * t, ey = p.Y - Ay - dy * t;
-        var reach = distance + Half;
         return ex * ex + ey * ey <= reach * reach ? t >= 1 ? Bz : Az + (Bz - Az) * t : double.NegativeInfinity;
     }
 }

@@ -24,9 +24,10 @@ public static class LayerNumbers
             var c = block.Columns;
             for (var i = 0; i < c.Count; i++)
             {
-                if (c.Layer[i] < 0) continue;
-                moves[c.Layer[i]] = true;
-                prints[c.Layer[i]] |= c.Kind[i] == MoveKind.Print;
+                var layer = c.Layer[i];
+                if (layer < 0 || prints[layer]) continue;
+                moves[layer] = true;
+                prints[layer] = c.Kind[i] == MoveKind.Print;
             }
         }
         var used = Array.IndexOf(prints, true) >= 0 ? prints : moves;

@@ -58,12 +58,13 @@ public readonly record struct Bead
     /// </summary>
     public double Width(BeadShape shape = BeadShape.Rectangle)
     {
-        var round = 2 * Math.Sqrt(Area / Math.PI);
-        if (Height <= 0 || shape == BeadShape.Circle) return round;
+        if (Height <= 0 || shape == BeadShape.Circle) return Round();
         if (shape == BeadShape.Rectangle) return Area / Height;
         var width = Area / Height + Height * (1 - Math.PI / 4);
-        return width >= Height ? width : round;
+        return width >= Height ? width : Round();
     }
+
+    private double Round() => 2 * Math.Sqrt(Area / Math.PI);
 
     /// <summary>The same bead with another area, mm².</summary>
     public Bead WithArea(double area) => new(area, Height, Speed);
