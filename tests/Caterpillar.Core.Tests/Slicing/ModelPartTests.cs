@@ -121,7 +121,20 @@ public class ModelPartTests
     public void Layers_are_as_thick_as_slopes_and_level_facets_allow(double z, double cusp, double thickness)
     {
         var slopes = new SurfaceSlopes(Solids.Cone(0, 10, 5, 5, 4));
-        Assert.That(slopes.Thickness(z, 0.05, 0.3, cusp), Is.EqualTo(thickness).Within(1e-9));
+        Assert.That(slopes.Thickness(z, 0.05, 0.3, cusp, 0.2), Is.EqualTo(thickness).Within(1e-9));
+    }
+
+    // A cone that rises by 1 over a run: 1.44 · 0.2 mm · √(1 / run), from 0.07 to 0.28 mm.
+    [TestCase(0.5, 0.28)]
+    [TestCase(1, 0.28)]
+    [TestCase(4, 0.144)]
+    [TestCase(9, 0.096)]
+    [TestCase(25, 0.07)]
+    public void Without_a_cusp_layers_are_thin_only_where_the_surface_is_shallow(double run, double thickness)
+    {
+        // Corners of a square cone are √2 times farther out than the middles of its sides.
+        var slopes = new SurfaceSlopes(Solids.Cone(0, (10 * run + 1) * Math.Sqrt(2), 10, Math.Sqrt(2), 4));
+        Assert.That(slopes.Thickness(5, 0.07, 0.28, 0, 0.2), Is.EqualTo(thickness).Within(1e-9));
     }
 
     [Test]
@@ -130,9 +143,9 @@ public class ModelPartTests
         // Upright up to 3 mm, then the frustum: from 2.85 mm the layer reaches to the bin in which the slope begins.
         var mesh = TriMesh.Merge([Solids.Cone(0, 10, 3, 10, 4), Solids.Cone(3, 10, 8, 5, 4)]);
         var slopes = new SurfaceSlopes(mesh);
-        Assert.That(slopes.Thickness(1, 0.05, 0.3, 0.1), Is.EqualTo(0.3).Within(1e-9));
-        Assert.That(slopes.Thickness(2.85, 0.05, 0.3, 0.1), Is.EqualTo(0.15).Within(0.011));
-        Assert.That(slopes.Thickness(3.5, 0.05, 0.3, 0.1), Is.EqualTo(0.173).Within(1e-9));
+        Assert.That(slopes.Thickness(1, 0.05, 0.3, 0.1, 0.2), Is.EqualTo(0.3).Within(1e-9));
+        Assert.That(slopes.Thickness(2.85, 0.05, 0.3, 0.1, 0.2), Is.EqualTo(0.15).Within(0.011));
+        Assert.That(slopes.Thickness(3.5, 0.05, 0.3, 0.1, 0.2), Is.EqualTo(0.173).Within(1e-9));
     }
 
     private static Polyline Square(double side) => new([new(0, 0), new(side, 0), new(side, side), new(0, side)], true);

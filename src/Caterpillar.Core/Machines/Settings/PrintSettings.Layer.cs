@@ -24,8 +24,12 @@ public sealed partial record PrintSettings
     /// <summary>Maximum height of adaptive layers; 0 = 70 % of the nozzle diameter.</summary> <value>mm.</value>
     public double AdaptiveMaxHeight { get => OfNozzle(field, 0.28); init => field = LayerKeys.AdaptiveMaxHeight.Check(value); }
 
-    /// <summary>Maximum cusp height of adaptive layers: distance between steps and surface, normal to the surface.</summary> <value>mm.</value>
-    public double AdaptiveCuspHeight { get; init => field = LayerKeys.AdaptiveCuspHeight.Check(value); } = 0.1;
+    /// <summary>
+    /// Maximum cusp height of adaptive layers: distance between steps and surface, normal to the surface; 0 = layers thinner than layer_height_mm only where
+    /// the surface rises by less than 26°.
+    /// </summary>
+    /// <value>mm.</value>
+    public double AdaptiveCuspHeight { get; init => field = LayerKeys.AdaptiveCuspHeight.Check(value); }
 
     /// <summary>Grow outlines by this much; negative = shrink.</summary> <value>mm.</value>
     public double XySizeCompensation { get; init => field = LayerKeys.XySizeCompensation.Check(value); }
@@ -56,7 +60,7 @@ internal static class LayerKeys
     public static readonly NumberKey AdaptiveMaxHeight
         = All.NumberOrZero("adaptive_max_height_mm", 0.001, 1000, s => s.AdaptiveMaxHeight, (s, v) => s with { AdaptiveMaxHeight = v });
     public static readonly NumberKey AdaptiveCuspHeight
-        = All.Number("adaptive_cusp_height_mm", 0.0001, 1000, s => s.AdaptiveCuspHeight, (s, v) => s with { AdaptiveCuspHeight = v });
+        = All.NumberOrZero("adaptive_cusp_height_mm", 0.0001, 1000, s => s.AdaptiveCuspHeight, (s, v) => s with { AdaptiveCuspHeight = v });
     public static readonly NumberKey XySizeCompensation
         = All.Number("xy_size_compensation_mm", -100, 100, s => s.XySizeCompensation, (s, v) => s with { XySizeCompensation = v });
     public static readonly NumberKey XyHoleCompensation

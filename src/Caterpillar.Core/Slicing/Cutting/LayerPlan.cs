@@ -53,7 +53,8 @@ internal sealed class LayerPlan(TriMesh mesh, PrintSettings settings)
             if (z >= range.From - Rounding && z < range.To - Rounding) return range.Thickness;
         }
         return _formula is not null ? _formula.Evaluate(z)
-            : _slopes is not null ? _slopes.Thickness(z, settings.AdaptiveMinHeight, settings.AdaptiveMaxHeight, settings.AdaptiveCuspHeight)
+            : _slopes is not null ? _slopes.Thickness(z, settings.AdaptiveMinHeight, settings.AdaptiveMaxHeight, settings.AdaptiveCuspHeight,
+                settings.LayerHeight)
             : settings.LayerHeight;
     }
 }

@@ -2,12 +2,15 @@ namespace Caterpillar.Slicing;
 
 /// <summary>
 /// How shallow the surface of a mesh is at each height, for layers whose steps (cusps) stay below a limit: thickness · |cos of the angle between normal and Z|
-/// ≤ cusp (Dolenc and Mäkelä, "Slicing procedures for layered manufacturing techniques", 1994). Layers are to end at level facets, which have no cusp.
+/// ≤ cusp (Dolenc and Mäkelä, "Slicing procedures for layered manufacturing techniques", 1994), or for layers that are thinner than usual only where it
+/// rises by less than 26°: thickness ≤ 1.44 · usual · √(rise / run), as in PrusaSlicer, which follows Wasserfall et al., "Adaptive slicing for the FDM
+/// process revisited", 2017. Layers are to end at level facets, which have no cusp.
 /// </summary>
 internal sealed class SurfaceSlopes
 {
     private const double Bin = 0.01;
     private const double Least = 1e-3;
+    private const double Rise = 1.44;
     private readonly double _low;
     private readonly double[] _cosine;
     private readonly double[] _levels;
@@ -36,13 +39,19 @@ internal sealed class SurfaceSlopes
     }
 
     /// <summary>The thickness of a layer that begins at a height, mm.</summary>
-    public double Thickness(double z, double min, double max, double cusp)
+    /// <param name="z">The height.</param>
+    /// <param name="min">The least.</param>
+    /// <param name="max">The most.</param>
+    /// <param name="cusp">The limit of cusps, or 0 for layers by the rise alone.</param>
+    /// <param name="usual">Thickness of layers that are not adaptive.</param>
+    public double Thickness(double z, double min, double max, double cusp, double usual)
     {
         var thickness = max;
         // The layer grows bin by bin until the steepest limit within it is reached.
         for (var at = Math.Max(0, (int)Math.Floor((z - _low) / Bin)); at < _cosine.Length && _low + at * Bin < z + thickness; at++)
         {
-            var limit = cusp / Math.Max(Least, _cosine[at]);
+            var cosine = Math.Max(Least, _cosine[at]);
+            var limit = cusp > 0 ? cusp / cosine : Rise * usual * Math.Sqrt(Math.Sqrt(Math.Max(0, 1 - cosine * cosine)) / cosine);
             if (limit < thickness) thickness = Math.Max(limit, Math.Min(thickness, _low + at * Bin - z));
         }
         thickness = Math.Max(min, Math.Floor(thickness * 1000 + 1e-6) / 1000);
