@@ -24,8 +24,8 @@ internal sealed class CurveSettingOptions
 
     private readonly Described<string?> _dotSpeed = new("--dot-speed", "Filament speed for dots. Default: 2 mm/s.", "MM/S");
 
-    private readonly Described<string?> _unit = new("--unit", "Length of one unit in CSV, OBJ, and JSON without \"units\", in mm or by name: um, cm, m, in, ft. Default: mm.",
-        "MM|NAME");
+    private readonly Described<string?> _unit = new("--unit",
+        "Length of one unit in CSV, OBJ, and JSON without \"units\", in mm or by name: um, cm, m, in, ft. Default: mm.", "MM|NAME");
 
     public CurveSettingOptions() => _shape.AcceptOnlyFromAmong("rectangle", "stadium", "circle");
 

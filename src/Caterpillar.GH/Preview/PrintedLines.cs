@@ -3,8 +3,8 @@ using Rhino.Display;
 namespace Caterpillar.GH.Preview;
 
 /// <summary>
-/// The extrusions of some moves as lines, in order and in blocks, about a hundred of many, so that the part up to any move is drawn in few calls. Only the block in
-/// which that part ends is copied when it moves, into one array that is used again.
+/// The extrusions of some moves as lines, in order and in blocks, about a hundred of many, so that the part up to any move is drawn in few calls. Only the
+/// block in which that part ends is copied when it moves, into one array that is used again.
 /// </summary>
 internal sealed class PrintedLines
 {

@@ -255,7 +255,8 @@ public class PlanningTests
         // The clay profile coasts 3 mm; the wall of the hole is 4 mm long.
         var hole = new PrintPath([new Vec3(0, 0), new Vec3(1, 0), new Vec3(1, 1), new Vec3(0, 1)], new Bead(0.5), true).With(Role.OuterWall);
         var moves = Moves([hole], Rules with { CoastingDistance = 3 });
-        Assert.That(moves, Is.EqualTo(new[] { "Print 1,0,0 0.25 50", "Print 1,1,0 0.25 50", "Print 0,1,0 0.25 50", "Print 0,0.4,0 0.15 50", "Travel 0,0,0 0 50" }));
+        Assert.That(moves,
+            Is.EqualTo(new[] { "Print 1,0,0 0.25 50", "Print 1,1,0 0.25 50", "Print 0,1,0 0.25 50", "Print 0,0.4,0 0.15 50", "Travel 0,0,0 0 50" }));
     }
 
     [Test]

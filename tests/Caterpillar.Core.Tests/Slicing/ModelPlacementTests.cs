@@ -103,7 +103,8 @@ public class ModelPlacementTests
         Assert.That(Tell(3), Is.Null);
         var huge = new[] { new NamedMesh("scan", MeshMaker.Box(0, 0, 0, 160_000, 80_000, 40_000)) }.OnBed(new Printer());
         Assert.That(ModelCheck.Fit(huge, new Printer()).Select(d => d.Code), Is.EqualTo(new[] { "models.too_large", "models.unit" }));
-        Assert.That(ModelCheck.Fit(huge, new Printer())[1].Message, Does.StartWith("Model is 160000 × 80000 × 40000 mm. In micrometers it would be 160 × 80 × 40 mm."));
+        Assert.That(ModelCheck.Fit(huge, new Printer())[1].Message,
+            Does.StartWith("Model is 160000 × 80000 × 40000 mm. In micrometers it would be 160 × 80 × 40 mm."));
     }
 
     [Test]

@@ -68,7 +68,7 @@ public sealed class TurtleSessionTests
             Assert.That(plane.Origin.DistanceTo(point), Is.LessThan(1e-9));
             Assert.That((plane.XAxis - ahead).Length, Is.LessThan(1e-9));
             Assert.That(((Rg.Curve)_triangle.All("Triangle").Single()!).TryGetPolyline(out var corners), Is.True);
-            // A sharp corner ahead, and the middle of the other two behind it.
+            // A sharp corner ahead; the middle of the other two is the tail.
             Assert.That(corners.Count, Is.EqualTo(4));
             Assert.That(corners.Max(c => (c - point) * ahead), Is.GreaterThan(2));
             Assert.That(corners.Min(c => (c - point) * ahead), Is.LessThanOrEqualTo(1e-9));

@@ -104,7 +104,8 @@ public sealed partial record PrintSettings
     /// <summary>Deretract while the head descends to the start of a path, instead of afterwards.</summary>
     public bool DeretractDuringDescent { get; init; }
 
-    /// <summary>Length of bead extruded in place before a path starts, for materials that respond late; at most a tenth of the path.</summary> <value>mm.</value>
+    /// <summary>Length of bead extruded in place before a path starts, for materials that respond late; at most a tenth of the path.</summary>
+    /// <value>mm.</value>
     public double StartDistance { get; init => field = SettingsKeys.StartDistance.Check(value); }
 
     /// <summary>Coasting: stop the extruder this far before the end of a path, at most a tenth of its length.</summary> <value>mm.</value>

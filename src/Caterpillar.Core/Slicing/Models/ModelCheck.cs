@@ -5,7 +5,8 @@ public static class ModelCheck
 {
     /// <summary>
     /// Checks whether models fit the build volume. Returns warnings <c>models.too_large</c> (by how much, and the scale that fits), <c>models.outside</c> (by
-    /// how much), <c>models.unit</c> (what a huge model would be in another unit) and <c>models.excluded_area</c>. They are warnings because the check of the finished print decides.
+    /// how much), <c>models.unit</c> (what a huge model would be in another unit) and <c>models.excluded_area</c>. They are
+    /// warnings because the check of the finished print decides.
     /// </summary>
     public static IReadOnlyList<Diagnostic> Fit(IReadOnlyList<NamedMesh> models, Printer printer)
     {

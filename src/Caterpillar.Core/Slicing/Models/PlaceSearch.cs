@@ -8,7 +8,7 @@ internal sealed class PlaceSearch(Printer printer, ArrangeOptions options, Cance
     // Beyond, rows are looked for on the grid alone.
     private const int MaxEdges = 100;
 
-    private readonly BedArea _bed = new(printer, options.Margin);
+    private readonly BedArea _bed = new(printer, options);
 
     /// <summary>Each on the free point of a grid that is nearest to the middle of the bed; ties from the front left.</summary>
     public Footprint?[] FromTheMiddle(Footprint[] footprints, int[] order)

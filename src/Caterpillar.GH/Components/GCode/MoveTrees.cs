@@ -96,7 +96,7 @@ internal sealed class MoveTrees(
 
     private static T Word<T>(string name, string text)
         where T : struct, Enum
-        => Enum.TryParse<T>(text.Replace(" ", ""), true, out var value) && Enum.IsDefined(typeof(T), value) ? value
+        => Enum.TryParse<T>(string.Concat(text.Split(' ')), true, out var value) && Enum.IsDefined(typeof(T), value) ? value
             : throw new InputProblem($"{name} has no {text}. Use one of: {string.Join(", ", Enum.GetNames(typeof(T)))}.");
 
     private static string Text(int number) => NumberFormatter.Format(number);

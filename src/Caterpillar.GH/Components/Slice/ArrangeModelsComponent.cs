@@ -1,3 +1,4 @@
+using Caterpillar.Jobs;
 using Caterpillar.Slicing;
 
 namespace Caterpillar.GH.Components.Slice;
@@ -22,10 +23,11 @@ public sealed class ArrangeModelsComponent() : ModelMovingComponent(
     private protected override void Solve(Run run)
     {
         var geometry = GeometryOf(run);
-        var printer = SetupPort.Of(run, 1).Printer;
+        var setup = SetupPort.Of(run, 1);
+        var printer = setup.Printer;
         var pieces = run.Get<int>(2) is >= 1 and <= 10000 and var count ? count : throw new InputProblem("Count must be 1 to 10000.");
         var (spacing, margin) = (run.NotNegative(3), run.NotNegative(4));
-        var options = new ArrangeOptions { Spacing = spacing, Margin = margin, OneAfterTheOther = run.Get<bool>(5) };
+        var options = new ArrangeOptions { Spacing = spacing, Margin = margin, OneAfterTheOther = run.Get<bool>(5), KeepFree = PrimedArea.Of(setup) };
         var models = Models(run, geometry, run.Positive(6));
         object[] meshes = Array.ConvertAll(models, m => (object)m.Mesh);
         var result = run.Work("Arranging", [meshes, printer, pieces, options],

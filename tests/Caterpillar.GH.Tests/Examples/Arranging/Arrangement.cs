@@ -26,7 +26,8 @@ internal sealed class Arrangement
         foreach (var group in definition.Groups)
         {
             var block = new Block(group.NickName);
-            foreach (var item in definition.Items.Where(i => group.Members.Contains(i.Id))) block.Nodes.Add(new Node(item, block, Nodes.Count + block.Nodes.Count));
+            foreach (var item in definition.Items.Where(i => group.Members.Contains(i.Id)))
+                block.Nodes.Add(new Node(item, block, Nodes.Count + block.Nodes.Count));
             Blocks.Add(block);
             Nodes.AddRange(block.Nodes);
         }

@@ -79,7 +79,8 @@ internal sealed class Search(Arrangement all)
         var row = all.Rows[Next(all.Rows.Count)];
         var node = all.Movable[Next(all.Movable.Count)];
         if (kind == 0) row.Bias = Next(4) == 0 ? 0 : row.Bias + (Next(17) - 8) * (Next(2) == 0 ? 8 : 40);
-        else if (kind == 1 && all.Rows.Find(b => b.Step == row.Step && b.Order == row.Order + 1) is { } under) (row.Order, under.Order) = (under.Order, row.Order);
+        else if (kind == 1 && all.Rows.Find(b => b.Step == row.Step && b.Order == row.Order + 1) is { } under)
+            (row.Order, under.Order) = (under.Order, row.Order);
         else if (kind == 2 && _passes.Length > 0) Pass(_passes[Next(_passes.Length)], Next(2) == 0 ? 1 : -1);
         else node.Bias = Next(4) == 0 ? 0 : node.Bias + (Next(17) - 8) * (Next(2) == 0 ? 5 : 30);
     }

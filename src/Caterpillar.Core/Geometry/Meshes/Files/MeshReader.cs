@@ -5,7 +5,8 @@ namespace Caterpillar.Geometry;
 /// <summary>
 /// Reads mesh files: STL (binary and ASCII), OBJ, PLY (ASCII and both binary byte orders) and 3MF, also compressed with gzip. The format is detected from
 /// the bytes, and from the name if they are not conclusive. STL, OBJ and PLY give one mesh, 3MF one per item on the plate. 3MF units are converted to mm;
-/// other files are read as mm, or in <see cref="MeshReadOptions.UnitLength"/>. Equal vertices are merged, and polygons are split into fans of triangles. Unreadable bytes give errors, never exceptions.
+/// other files are read as mm, or in <see cref="MeshReadOptions.UnitLength"/>. Equal vertices are merged, and polygons are split into fans of triangles.
+/// Unreadable bytes give errors, never exceptions.
 /// </summary>
 public static class MeshReader
 {
