@@ -15,6 +15,12 @@ public sealed partial record PrintSettings
     /// <summary>Overhang angle from the vertical above which supports are added; 90 = only in enforcers.</summary> <value>Degrees.</value>
     public double SupportAngle { get; init => field = SupportKeys.SupportAngle.Check(value); } = 50;
 
+    /// <summary>Longest bridge without supports, held at both ends by straight lines and walls; 0 = bridges are supported.</summary> <value>mm.</value>
+    public double MaxBridgeLength { get; init => field = SupportKeys.MaxBridgeLength.Check(value); } = 60;
+
+    /// <summary>No supports below overhangs of up to 5 mm, no wider than 4 lines, that begin at the part.</summary>
+    public bool SupportRemoveSmallOverhang { get; init; } = true;
+
     /// <summary>Horizontal gap between supports and part.</summary> <value>mm.</value>
     public double SupportXyGap { get; init => field = SupportKeys.SupportXyGap.Check(value); } = 0.6;
 
@@ -58,6 +64,10 @@ internal static class SupportKeys
     public static readonly ProfileKey<PrintSettings, SupportPlacement> SupportPlacement
         = All.Choice("support_placement", s => s.SupportPlacement, (s, v) => s with { SupportPlacement = v });
     public static readonly NumberKey SupportAngle = All.Number("support_angle_deg", 0, 90, s => s.SupportAngle, (s, v) => s with { SupportAngle = v });
+    public static readonly NumberKey MaxBridgeLength
+        = All.Number("max_bridge_length_mm", 0, 1000, s => s.MaxBridgeLength, (s, v) => s with { MaxBridgeLength = v });
+    public static readonly ProfileKey<PrintSettings, bool> SupportRemoveSmallOverhang
+        = All.Boolean("support_remove_small_overhang", s => s.SupportRemoveSmallOverhang, (s, v) => s with { SupportRemoveSmallOverhang = v });
     public static readonly NumberKey SupportXyGap = All.Number("support_xy_gap_mm", 0.05, 100, s => s.SupportXyGap, (s, v) => s with { SupportXyGap = v });
     public static readonly NumberKey SupportTopGap = All.Number("support_top_gap_mm", 0, 100, s => s.SupportTopGap, (s, v) => s with { SupportTopGap = v });
     public static readonly NumberKey SupportBottomGap

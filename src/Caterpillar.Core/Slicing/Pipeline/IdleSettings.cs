@@ -46,7 +46,7 @@ internal static class IdleSettings
         Unless("brim_width_mm is above 0", s => s.BrimWidth == 0, BedKeys.BrimType, BedKeys.BrimGap),
         Unless("raft_layers is above 0", s => s.RaftLayers == 0, BedKeys.RaftExpansion, BedKeys.RaftLayerHeight, BedKeys.RaftGap, BedKeys.RaftDensityPercent),
         Unless("support=grid or support=tree", s => s.Support == SupportKind.None,
-            SupportKeys.SupportPlacement, SupportKeys.SupportAngle, SupportKeys.SupportXyGap, SupportKeys.SupportTopGap, SupportKeys.SupportBottomGap,
+            SupportKeys.SupportPlacement, SupportKeys.SupportAngle, SupportKeys.MaxBridgeLength, SupportKeys.SupportXyGap, SupportKeys.SupportTopGap, SupportKeys.SupportBottomGap,
             SupportKeys.SupportDensityPercent, SupportKeys.SupportInterfaceLayers, SupportKeys.SupportInterfaceDensityPercent, SupportKeys.TreeTipDistance,
             SupportKeys.TreeBranchAngle, SupportKeys.TreeBranchDiameter, SupportKeys.SupportSpeed),
         Unless("support=tree", s => s.Support == SupportKind.Grid,

@@ -24,7 +24,9 @@ internal sealed class SupportBuilder(SupportStack stack, ParallelOptions options
     /// <param name="enforcers">Bodies in which everything is.</param>
     public void Build(IReadOnlyList<LayerWork> others, IReadOnlyList<TriMesh> blockers, IReadOnlyList<TriMesh> enforcers)
     {
-        FindOverhangs(SectionsOf(blockers), SectionsOf(enforcers));
+        FindOverhangs();
+        if (_settings.SupportRemoveSmallOverhang) SmallOverhangs.Remove(_levels, _width, options.CancellationToken);
+        Apply(SectionsOf(blockers), SectionsOf(enforcers));
         if (Array.TrueForAll(_levels, l => l.Overhang.IsEmpty)) return;
         var gaps = new SupportGaps(stack);
         gaps.Find(Array.FindLastIndex(_levels, l => !l.Overhang.IsEmpty), others, options);
@@ -46,15 +48,21 @@ internal sealed class SupportBuilder(SupportStack stack, ParallelOptions options
         return sections.Select(s => Region.From(s.Loops)).ToArray();
     }
 
-    private void FindOverhangs(Region[]? blockers, Region[]? enforcers) => RegionEngine.ForEach(1, _levels.Length, options, (i, engine) =>
+    private void FindOverhangs() => RegionEngine.ForEach(1, _levels.Length, options, (i, engine) =>
     {
         var (level, below) = (_levels[i], _levels[i - 1].Part);
         var reach = _settings.SupportAngle < 90 ? Math.Min(1000, level.Thickness * Angle.Sin(_settings.SupportAngle) / Angle.Cos(_settings.SupportAngle))
             : 1000;
         if (reach < 1000 && below.Surrounds(level.Part)) return;
-        var overhang = below.IsEmpty && reach < 1000 ? level.Part : reach < 1000 ? LeaningOut(level.Part, below, reach, engine) : Region.Empty;
+        if (below.IsEmpty && reach < 1000) level.Overhang = level.Part;
+        else if (reach < 1000) level.Overhang = WithoutBridges(LeaningOut(level.Part, below, reach, engine), level.Part, below, engine);
+    });
+
+    private void Apply(Region[]? blockers, Region[]? enforcers) => RegionEngine.ForEach(1, _levels.Length, options, (i, engine) =>
+    {
+        var (level, overhang) = (_levels[i], _levels[i].Overhang);
         if (blockers is not null) overhang = overhang.Subtract(blockers[i], engine);
-        if (enforcers is not null) overhang = overhang.Union(level.Part.Subtract(below, engine).Intersect(enforcers[i], engine), engine);
+        if (enforcers is not null) overhang = overhang.Union(level.Part.Subtract(_levels[i - 1].Part, engine).Intersect(enforcers[i], engine), engine);
         level.Overhang = overhang;
     });
 
@@ -67,6 +75,14 @@ internal sealed class SupportBuilder(SupportStack stack, ParallelOptions options
         if (far.IsEmpty) return far;
         var near = far.Offset(reach + Least, JoinStyle.Round, 2, ArcTolerance, engine);
         return near.Intersect([part.Cropped(near.Box)], engine).Subtract(below.Cropped(near.Box), engine);
+    }
+
+    private Region WithoutBridges(Region overhang, Region part, Region below, RegionEngine engine)
+    {
+        if (!_settings.Bridges || _settings.MaxBridgeLength == 0 || overhang.IsEmpty) return overhang;
+        var islands = overhang.Islands;
+        var left = islands.Where(o => !BridgeFinder.Holds(o, part, below, _width, _settings.MaxBridgeLength, engine)).ToArray();
+        return left.Length == islands.Count ? overhang : Region.Own([.. left.SelectMany(o => o.Paths)]);
     }
 
     // Overhangs are held from the highest level that leaves the gap open.

@@ -31,7 +31,7 @@ public class SupportGapTests
         {
             LineWidth = 0.4, BeadShape = BeadShape.Rectangle, LayerHeight = LayerHeight, FirstLayerHeight = LayerHeight, TopLayers = 0, BottomLayers = 0,
             InfillDensityPercent = 0, WallCount = 1, MinLayerTime = 0, SkirtLoops = 0, Support = kind, SupportTopGap = LayerHeight,
-                SupportBottomGap = LayerHeight,
+                SupportBottomGap = LayerHeight, MaxBridgeLength = 0, SupportRemoveSmallOverhang = false,
         };
         var model = MeshReader.ReadMerged(TestData.Shared("meshes/" + mesh)).Value!;
         var layers = Solids.Slice(settings, model);
