@@ -1,4 +1,3 @@
-using Caterpillar.Curved;
 using Caterpillar.Jobs;
 
 namespace Caterpillar.Cli;

@@ -1,4 +1,3 @@
-using Caterpillar.Expressions;
 
 namespace Caterpillar.Cli;
 

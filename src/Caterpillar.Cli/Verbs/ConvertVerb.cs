@@ -1,5 +1,4 @@
 using Caterpillar.Checks;
-using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Jobs;
 

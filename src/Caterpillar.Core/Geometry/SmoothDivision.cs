@@ -11,8 +11,7 @@ internal static class SmoothDivision
     private static readonly double[] Tests = [0.19, 0.37, 0.5, 0.68, 0.83];
 
     /// <summary>
-    /// Appends the points after <paramref name="start"/>, the last of which is <paramref name="end"/>, and for each the share of the segment that
-    /// leads to it.
+    /// Appends the points after <paramref name="start"/>, the last of which is <paramref name="end"/>, and for each the share of the segment that leads to it.
     /// </summary>
     /// <param name="start">Start of the segment, mm.</param>
     /// <param name="end">End of the segment, mm.</param>

@@ -61,9 +61,7 @@ public sealed class Trace
     /// <summary>Adds a string to a point.</summary>
     public Trace Draw(Vec3 to) => Draw(to, Area);
 
-    /// <summary>
-    /// Adds an exactly closed polygon of equal strings on a horizontal circle, counterclockwise from <paramref name="from"/> degrees.
-    /// </summary>
+    /// <summary>Adds an exactly closed polygon of equal strings on a horizontal circle, counterclockwise from <paramref name="from"/> degrees.</summary>
     public Trace Circle(Vec3 center, double radius, int strings = DefaultStringsPerTurn, double from = 0)
     {
         CheckPositive(radius, nameof(radius));

@@ -256,9 +256,7 @@ public sealed partial class Turtle
         _recorder.Line = line;
     }
 
-    /// <summary>
-    /// The turtle as a triangle that points forward: <paramref name="size"/> mm to the left and to the right, and 2.5 times as much forward.
-    /// </summary>
+    /// <summary>The turtle as a triangle that points forward: <paramref name="size"/> mm to the left and to the right, and 2.5 times as much forward.</summary>
     public IReadOnlyList<Vec3> Triangle(double size = 2) => TriangleOf(Pose, size);
 
     /// <inheritdoc cref="Triangle"/>

@@ -19,6 +19,21 @@ public sealed class CanvasTests
         => Assert.That(Faults.Of(LayoutOf(name)), Is.Empty);
 
     [TestCaseSource(nameof(Names))]
+    public void No_stage_falls_into_parts_with_much_empty_space_between_them(string name)
+    {
+        var layout = LayoutOf(name);
+        Assert.That(layout.Frames.Select(f => EmptyBand(layout.Objects.Where(o => f.Group.Members.Contains(o.Item.Id)))), Has.All.LessThan(200));
+    }
+
+    [Test]
+    public void The_empty_space_of_a_stage_is_the_largest_gap_that_no_object_reaches_into()
+    {
+        double Of(params double[] heights) => EmptyBand(heights.Select(y => Placed.Of(Capsule(0, y, 1, "I"))));
+        Assert.That(Of(0), Is.Zero);
+        Assert.That(Of(0, 300, 100), Is.EqualTo(200 - 28), "Each is 28 high.");
+    }
+
+    [TestCaseSource(nameof(Names))]
     public void It_explains_itself_has_stages_and_shows_results(string name)
     {
         var layout = LayoutOf(name);
@@ -86,6 +101,18 @@ public sealed class CanvasTests
         Group Of(string name, params Item[] items) => new(name, "#ffffff", items.Select(i => i.Id).ToArray());
         var faults = Faults.Of(Layout.Of(new Definition([a, b, c], [Of("One", a), Of("", b)])));
         Assert.That(faults, Has.Some.EqualTo("C is in no group.").And.Some.EqualTo("A group has no name.").And.Some.Contains("overlaps the group"));
+    }
+
+    private static double EmptyBand(IEnumerable<Placed> objects)
+    {
+        var boxes = objects.Select(o => o.Box).OrderBy(b => b.Y).ToArray();
+        double band = 0, bottom = boxes[0].Bottom;
+        foreach (var box in boxes)
+        {
+            band = Math.Max(band, box.Y - bottom);
+            bottom = Math.Max(bottom, box.Bottom);
+        }
+        return band;
     }
 
     private static IReadOnlyList<string> FaultsOf(params Item[] items) => Faults.Of(Layout.Of(new Definition(items, [])));

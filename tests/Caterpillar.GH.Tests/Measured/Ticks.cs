@@ -120,7 +120,8 @@ public sealed class Ticks
         var processor = (Processor() - start).TotalMilliseconds / Count;
         var held = GC.GetTotalMemory(true) - before;
         TestContext.Out.WriteLine($"{typeof(T).Name,-28} {what,-24} {first,8:0} {firstProcessor,9:0} "
-            + $"{times[Count / 2],8:0.0} {times[Count - 1],8:0.0} {processor,9:0.0} {held / 1e6,8:0.0} {alone / 1e6,8:0.0}   {canvas.Component.RuntimeMessageLevel}");
+            + $"{times[Count / 2],8:0.0} {times[Count - 1],8:0.0} {processor,9:0.0} "
+            + $"{held / 1e6,8:0.0} {alone / 1e6,8:0.0}   {canvas.Component.RuntimeMessageLevel}");
         GC.KeepAlive(canvas);
     }
 }

@@ -1,8 +1,6 @@
 namespace Caterpillar.Checks;
 
-/// <summary>
-/// Collisions of nozzle, print head and gantry with earlier extrusions, the object below the print and bed clips, along any path.
-/// </summary>
+/// <summary>Collisions of nozzle, print head and gantry with earlier extrusions, the object below the print and bed clips, along any path.</summary>
 internal sealed class CollisionCheck
 {
     /// <summary>Codes of its findings.</summary>

@@ -33,9 +33,7 @@ internal static class GCodeEditor
 {
     public const string NoDocument = "The decoded file has no document. Decode it from a document or a file, not from a stream.";
 
-    /// <summary>
-    /// Writes the file with the moves of <paramref name="edited"/>: the decoded toolpath after edits that keep the order of its moves.
-    /// </summary>
+    /// <summary>Writes the file with the moves of <paramref name="edited"/>: the decoded toolpath after edits that keep the order of its moves.</summary>
     /// <returns>The diagnostics. If they contain errors, nothing was written.</returns>
     /// <exception cref="ArgumentException">The file was decoded from a stream, without its document.</exception>
     /// <exception cref="IOException">The stream cannot be written.</exception>

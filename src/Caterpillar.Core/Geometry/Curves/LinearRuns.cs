@@ -4,9 +4,8 @@ namespace Caterpillar.Geometry;
 internal static class LinearRuns
 {
     /// <summary>
-    /// Adds the numbers of the points of <paramref name="points"/> from <paramref name="first"/> to <paramref name="last"/> to keep, without the first.
-    /// A run grows while all its points lie within the tolerance of the chord and none goes back; runs are tried in doubling steps, so that long ones cost
-    /// little.
+    /// Adds the numbers of the points of <paramref name="points"/> from <paramref name="first"/> to <paramref name="last"/> to keep, without the first. A run
+    /// grows while all its points lie within the tolerance of the chord and none goes back; runs are tried in doubling steps, so that long ones cost little.
     /// </summary>
     public static void Keep(IReadOnlyList<Vec3> points, int first, int last, double tolerance, List<int> kept)
     {

@@ -87,8 +87,7 @@ internal sealed class MeshTopology
     }
 
     /// <summary>
-    /// All half-edges (low word of a key) sorted by their edge; true in <paramref name="sameAsBefore"/> where one lies on the same edge as the one
-    /// before it.
+    /// All half-edges (low word of a key) sorted by their edge; true in <paramref name="sameAsBefore"/> where one lies on the same edge as the one before it.
     /// </summary>
     public static (int[] Starts, long[] Keys) SortedEdges(int vertices, int[] triangles, out bool[] sameAsBefore)
     {

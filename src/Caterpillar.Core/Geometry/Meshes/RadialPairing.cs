@@ -7,8 +7,7 @@ namespace Caterpillar.Geometry;
 internal static class RadialPairing
 {
     /// <summary>
-    /// Sets the partners of the half-edges in <paramref name="keys"/> (low word) from <paramref name="from"/> to <paramref name="to"/>; true if
-    /// all have one.
+    /// Sets the partners of the half-edges in <paramref name="keys"/> (low word) from <paramref name="from"/> to <paramref name="to"/>; true if all have one.
     /// </summary>
     public static bool Pair(Vec3[] vertices, int[] triangles, long[] keys, int from, int to, int[] partner)
     {

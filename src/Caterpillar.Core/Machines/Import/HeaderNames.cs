@@ -18,8 +18,7 @@ internal static class HeaderNames
     ];
 
     /// <summary>
-    /// The text as a line of a template. Other text in braces keeps literal braces and is added to <paramref name="unknown"/> with its column
-    /// from 1.
+    /// The text as a line of a template. Other text in braces keeps literal braces and is added to <paramref name="unknown"/> with its column from 1.
     /// </summary>
     public static string ToTemplate(string text, List<string> used, List<(string Name, int Column)> unknown)
     {

@@ -72,8 +72,7 @@ public enum ZHopType : byte
 public readonly record struct AxisValues(double X, double Y, double Z, double E);
 
 /// <summary>
-/// A point of the outline of a print head: no part within <paramref name="Radius"/> mm of its axis is lower than <paramref name="Height"/> mm above the
-/// tip.
+/// A point of the outline of a print head: no part within <paramref name="Radius"/> mm of its axis is lower than <paramref name="Height"/> mm above the tip.
 /// </summary>
 public readonly record struct HeadPoint(double Radius, double Height);
 

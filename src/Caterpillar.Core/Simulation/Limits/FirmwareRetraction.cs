@@ -2,9 +2,7 @@ using Caterpillar.Flavors;
 
 namespace Caterpillar.Simulation;
 
-/// <summary>
-/// G10 and G11: lengths and speeds are those of the printer until the file sets others, and a second retraction does nothing.
-/// </summary>
+/// <summary>G10 and G11: lengths and speeds are those of the printer until the file sets others, and a second retraction does nothing.</summary>
 internal sealed class FirmwareRetraction(Printer printer)
 {
     private bool _retracted;

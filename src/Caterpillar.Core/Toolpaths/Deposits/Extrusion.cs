@@ -24,9 +24,7 @@ internal struct Extrusion
         return Math.Max(Az + (Bz - Az) * from, to >= 1 ? Bz : Az + (Bz - Az) * to);
     }
 
-    /// <summary>
-    /// True if its part within some distance of a segment, seen from above, touches a head at height <paramref name="z"/>.
-    /// </summary>
+    /// <summary>True if its part within some distance of a segment, seen from above, touches a head at height <paramref name="z"/>.</summary>
     public readonly bool Meets(in Vec3 a, in Vec3 b, double z, HeadShape head, bool lenient)
     {
         var excess = Top - z;

@@ -37,9 +37,7 @@ internal sealed class HeadShape
     /// <summary>Radius of the flat of the tip.</summary>
     public double FlatRadius { get; }
 
-    /// <summary>
-    /// Reach of the head from its axis for a top <paramref name="excess"/> mm above the tip, mm. Negative if the top is not above the tip.
-    /// </summary>
+    /// <summary>Reach of the head from its axis for a top <paramref name="excess"/> mm above the tip, mm. Negative if the top is not above the tip.</summary>
     public double Reach(double excess)
     {
         if (!(excess > 0)) return -1;

@@ -7,7 +7,8 @@ namespace Caterpillar.GH.Tests.Examples.Arranging;
 
 /// <summary>
 /// Places the objects of a definition: stages from left to right by what they need, those of one step below each other in their order; inside a stage columns
-/// by what feeds what, with inputs next to what they feed. Heights then follow the wires; <see cref="Search"/> betters them.
+/// by what feeds what, with inputs next to what they feed. Heights then follow the wires; <see cref="Search"/> betters them, and
+/// <see cref="Tightening"/> takes out empty space.
 /// </summary>
 internal sealed class Arrangement
 {
@@ -55,7 +56,9 @@ internal sealed class Arrangement
     {
         foreach (var block in Blocks) block.Settle(24, true);
         SettleBlocks(true);
-        new Search(this).Run();
+        var search = new Search(this);
+        search.Run();
+        new Tightening(this, search.Cost).Run();
         var notes = _definition.Items.Where(i => Nodes.All(n => n.Item.Id != i.Id)).ToArray();
         var all = new Dictionary<Guid, Spot>();
         var x = Left;
@@ -214,7 +217,8 @@ internal sealed class Arrangement
         return rows.ConvertAll(b => b.Passing is null ? stages.Dequeue() : b);
     }
 
-    private static double Between(Block above, Block below)
+    /// <summary>The least distance of neighbors in a step.</summary>
+    public static double Between(Block above, Block below)
         => (above.Passing is null ? Frame.Margin + 7 : 2) + (below.Passing is null ? Frame.Margin + Frame.Caption + 7 : 2);
 
     private static double Wish(Block block)

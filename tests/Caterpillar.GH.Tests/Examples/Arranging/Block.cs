@@ -37,6 +37,16 @@ internal sealed class Block(string name)
     /// <summary>Where the name stands, as an object that wires should not cross.</summary>
     public Placed Title { get; private set; } = new(null!, default, default, [], []);
 
+    /// <summary>The colored frame.</summary>
+    public Box Area
+    {
+        get
+        {
+            var left = Title.Box.X;
+            return new Box(left, Top - Frame.Margin, Nodes.Max(n => n.X + n.Shape.Box.Width) + Frame.Margin - left, Height + 2 * Frame.Margin);
+        }
+    }
+
     /// <summary>Puts the objects into columns, in their order.</summary>
     public void SetColumns()
     {
@@ -81,9 +91,19 @@ internal sealed class Block(string name)
                 }
             }
         }
+        Trim();
+    }
+
+    /// <summary>Makes the stage as high as its objects need, which stay where they are.</summary>
+    public void Fit() => Top += Trim();
+
+    // Measures objects from the highest one; gives how far below the old top that is.
+    private double Trim()
+    {
         var least = Nodes.Min(n => n.Top - (n.Item.Look == Look.Component ? 14 : 0));
         foreach (var node in Nodes.Concat(Passes)) node.Top -= least;
         Height = Nodes.Max(n => n.Top + n.Height);
+        return least;
     }
 
     // Wires pass anywhere; objects keep their rank.

@@ -20,7 +20,7 @@ internal sealed class Search(Arrangement all)
     // A wire under an object, compared with a pixel of height.
     private const double Hiding = 1_000_000;
     private readonly Node[] _passes = all.Movable.Where(n => n.Passing is not null).ToArray();
-    private uint _random = 2463534242;
+    private readonly Chance _chance = new();
 
     /// <summary>Leaves the arrangement at the best heights found.</summary>
     public void Run()
@@ -49,7 +49,7 @@ internal sealed class Search(Arrangement all)
             all.Settle();
             var tried = Cost();
             var patience = 500.0 * (Trials - trial) / Trials;
-            if (tried > cost + (Next(3) == 0 ? patience : 0))
+            if (tried > cost + (_chance.Next(3) == 0 ? patience : 0))
             {
                 before();
                 continue;
@@ -74,6 +74,7 @@ internal sealed class Search(Arrangement all)
     // Objects and stages move up or down; wires that pass change places with their neighbors.
     private void Change()
     {
+        int Next(int count) => _chance.Next(count);
         var kind = Next(5);
         var row = all.Rows[Next(all.Rows.Count)];
         var node = all.Movable[Next(all.Movable.Count)];
@@ -90,7 +91,8 @@ internal sealed class Search(Arrangement all)
         if (other is not null) (node.Order, other.Order) = (other.Order, node.Order);
     }
 
-    private double Cost()
+    /// <summary>What a reader would pay for the heights as they are, in pixels.</summary>
+    public double Cost()
     {
         foreach (var node in all.Nodes) node.Now = node.There();
         foreach (var block in all.Blocks) block.SetTitle();
@@ -132,13 +134,5 @@ internal sealed class Search(Arrangement all)
             return w.Start.Y + (w.End.Y - w.Start.Y) * t * t * (3 - 2 * t);
         }
         return (Height(a, from) - Height(b, from)) * (Height(a, to) - Height(b, to)) < 0;
-    }
-
-    private int Next(int count)
-    {
-        _random ^= _random << 13;
-        _random ^= _random >> 17;
-        _random ^= _random << 5;
-        return (int)(_random % (uint)count);
     }
 }

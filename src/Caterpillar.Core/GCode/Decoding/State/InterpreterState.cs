@@ -1,8 +1,6 @@
 namespace Caterpillar.GCode;
 
-/// <summary>
-/// The state of the machine between two lines. It decides how the next line is read. Its parts are values, so that a copy is a snapshot.
-/// </summary>
+/// <summary>The state of the machine between two lines. It decides how the next line is read. Its parts are values, so that a copy is a snapshot.</summary>
 internal sealed class InterpreterState
 {
     /// <summary>Differences below this count as no change, mm or degrees.</summary>

@@ -67,9 +67,7 @@ internal sealed class PlainMoves
             && !_read.Work.IsMachineLine && !_written.Work.IsMachineLine;
     }
 
-    /// <summary>
-    /// Writes the move of a motion whose words are known, the line from its start up to <paramref name="next"/>. False if nothing was done.
-    /// </summary>
+    /// <summary>Writes the move of a motion whose words are known, the line from its start up to <paramref name="next"/>. False if nothing was done.</summary>
     [MethodImpl(Compile.Optimized)]
     public bool Write(in LineRecord line, in WordPlaces places, byte[] text, int next, int number)
     {
