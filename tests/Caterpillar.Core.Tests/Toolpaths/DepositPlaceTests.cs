@@ -62,7 +62,8 @@ public class DepositPlaceTests
             var (p, low, radius) = (new Vec3(Next(12) - 1, Next(12) - 1), Next(3), Next(0.5));
             var high = low + Next(0.4);
             var expected = all.Any(e => e.TopAt(p, radius) is var top && top >= low && top <= high);
-            Assert.That(deposit.HasTop(p, low, high, radius), Is.EqualTo(expected), $"{p} {low} {high} {radius}");
+            Assert.That(deposit.TopUnder(p, high, radius, least: low) >= low, Is.EqualTo(expected), $"{p} {low} {high} {radius}");
+            Assert.That(deposit.TopUnder(p, high, radius) >= low, Is.EqualTo(expected), "the same without a lower bound");
             if (expected) found++;
         }
         Assert.That(found, Is.InRange(300, 1700));

@@ -17,7 +17,7 @@ internal sealed class BlobCheck(PrintSetup setup, PrintedSoFar printed, Findings
     // What is soft yields by this part of a layer.
     private const double Yields = 0.25;
     private readonly double _nozzle = setup.Printer.NozzleDiameter;
-    private readonly double _height = Math.Max(setup.Settings.LayerHeight, setup.Settings.FirstLayerHeight);
+    private readonly double _height = setup.Settings.LargerLayerHeight;
 
     /// <param name="move">The move.</param>
     /// <param name="isFirst">True if nothing is printed yet.</param>

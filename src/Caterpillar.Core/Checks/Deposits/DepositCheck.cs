@@ -20,7 +20,7 @@ internal sealed class DepositCheck : IMoveCheck
     public DepositCheck(PrintSetup setup, Findings findings, CancellationToken cancel = default, bool isOnlyBed = false)
     {
         (_cancel, _isOnlyBed) = (cancel, isOnlyBed);
-        _nearBed = (setup.PrintedOn?.Bounds.Max.Z ?? 0) + System.Math.Max(setup.Settings.LayerHeight, setup.Settings.FirstLayerHeight);
+        _nearBed = (setup.PrintedOn?.Bounds.Max.Z ?? 0) + setup.Settings.LargerLayerHeight;
         _homesUp = setup.Printer.BedShape == BedShape.Round;
         var volume = setup.Printer.BuildVolume;
         _farthest = System.Math.Max(10_000, 2 * (volume.X + volume.Y + volume.Z));

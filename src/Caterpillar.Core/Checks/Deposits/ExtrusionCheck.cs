@@ -14,7 +14,7 @@ internal sealed class ExtrusionCheck
 
     // An extrusion rests on another if about a seventh of its width does, as ends of infill on walls: farthest edge from its axis, as a part of its width
     // without the round sides.
-    private const double Beside = 0.4;
+    private const double FarthestEdge = 0.4;
 
     // Height over the root of the area on the bed.
     private const double Slenderest = 8;
@@ -46,7 +46,7 @@ internal sealed class ExtrusionCheck
         _blobs = new BlobCheck(setup, printed, findings);
         _isAsked = findings.LooksFor(Codes);
         _shape = setup.Settings.BeadShape;
-        _usualHeight = Math.Max(setup.Settings.LayerHeight, setup.Settings.FirstLayerHeight);
+        _usualHeight = setup.Settings.LargerLayerHeight;
     }
 
     /// <summary>Codes of its findings.</summary>
@@ -77,7 +77,7 @@ internal sealed class ExtrusionCheck
         var count = (int)Math.Min(Math.Ceiling(move.Length / SampleStep), MostSamples);
         var step = move.Length / count;
         var reach = 2 * Math.Max(nominal, _printer.NozzleDiameter / 2) + Touch;
-        var beside = Beside * area / own;
+        var beside = FarthestEdge * area / own;
         var gap = double.NaN;
         var tight = double.PositiveInfinity;
         var nearest = double.PositiveInfinity;
@@ -95,7 +95,7 @@ internal sealed class ExtrusionCheck
             // Cells are wider than what is in them.
             if (p.Z - floor > reach && (!isHeld || _sinceExact > ExactStep || _air > 0))
             {
-                isHeld = _printed.Deposit.HasTop(p, p.Z - reach, p.Z - 0.5 * least, beside);
+                isHeld = _printed.Deposit.TopUnder(p, p.Z - 0.5 * least, beside, least: p.Z - reach) >= p.Z - reach;
                 if (isHeld) _sinceExact = 0;
             }
             if (isHeld || move.Role == Role.Purge) Land(move);

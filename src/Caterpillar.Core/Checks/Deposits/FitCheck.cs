@@ -40,7 +40,7 @@ internal sealed class FitCheck
     {
         (_printer, _printed, _findings) = (setup.Printer, printed, findings);
         _shape = setup.Settings.BeadShape;
-        _usualHeight = Math.Max(setup.Settings.LayerHeight, setup.Settings.FirstLayerHeight);
+        _usualHeight = setup.Settings.LargerLayerHeight;
         _looksForDoubled = findings.LooksFor([CheckCodes.Duplicate]);
         _looksForNear = findings.LooksFor([CheckCodes.TooLow, CheckCodes.Squeezed]);
     }

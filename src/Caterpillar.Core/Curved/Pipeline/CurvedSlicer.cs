@@ -175,7 +175,7 @@ public static class CurvedSlicer
         : Math.Min(setup.Printer.NozzleDiameter * 0.15, setup.Settings.LayerHeight / 2);
 
     private static double MaxGap(PrintSetup setup) => setup.Settings.CurvedMaxGap > 0 ? setup.Settings.CurvedMaxGap
-        : Math.Max(setup.Printer.NozzleDiameter * 0.75, Math.Max(setup.Settings.LayerHeight, setup.Settings.FirstLayerHeight));
+        : Math.Max(setup.Printer.NozzleDiameter * 0.75, setup.Settings.LargerLayerHeight);
 
     // Bent arcs are none.
     private static PrintSettings OnField(PrintSettings settings, LayerField field)

@@ -25,6 +25,9 @@ public sealed partial record PrintSettings
     /// <summary>Height of the first layer; 0 = half the nozzle diameter.</summary> <value>mm.</value>
     public double FirstLayerHeight { get => OfNozzle(field, 0.2); init => field = SettingsKeys.FirstLayerHeight.Check(value); }
 
+    /// <summary>The larger of both heights, mm.</summary>
+    internal double LargerLayerHeight => Math.Max(LayerHeight, FirstLayerHeight);
+
     /// <summary>Width of extrusions; 0 = 112.5 % of the nozzle diameter.</summary> <value>mm.</value>
     public double LineWidth { get => OfNozzle(field, 0.45); init => field = SettingsKeys.LineWidth.Check(value); }
 

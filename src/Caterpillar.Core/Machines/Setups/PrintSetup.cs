@@ -89,11 +89,11 @@ public sealed record PrintSetup
         var diagnostics = new DiagnosticList();
         if (FromNozzle() is { Length: > 0 } sizes)
             diagnostics.Add(Severity.Note, "setup.from_nozzle", $"The nozzle of {Text(Printer.NozzleDiameter)} mm sets {sizes}.");
-        if (Settings.BeadShape == BeadShape.Stadium && Settings.LineWidth < Math.Max(Settings.LayerHeight, Settings.FirstLayerHeight))
+        if (Settings.BeadShape == BeadShape.Stadium && Settings.LineWidth < Settings.LargerLayerHeight)
             diagnostics.Add(Severity.Error, "setup.narrow_bead",
                 "line_width_mm is less than the layer height. bead_shape=stadium does not allow that. Use rectangle or circle.",
                 new SourceLocation(Key: "line_width_mm"));
-        if (Printer.ExtrusionUnit != ExtrusionUnit.None && Math.Max(Settings.LayerHeight, Settings.FirstLayerHeight) > Printer.NozzleDiameter)
+        if (Printer.ExtrusionUnit != ExtrusionUnit.None && Settings.LargerLayerHeight > Printer.NozzleDiameter)
             diagnostics.Add(Severity.Warning, "setup.layer_height",
                 "The layer height exceeds the nozzle diameter: extrusions will bond poorly. Use thinner layers or a larger nozzle.",
                 new SourceLocation(Key: "layer_height_mm"));

@@ -163,11 +163,11 @@ internal sealed class Deposit
 
     /// <summary>
     /// Highest top, mm, not above <paramref name="limit"/>, within <paramref name="radius"/> mm of a point, seen from above, of extrusions with a tag below
-    /// <paramref name="before"/>. Negative infinity = nothing.
+    /// <paramref name="before"/>. A result below <paramref name="least"/> = nothing.
     /// </summary>
-    public double TopUnder(Vec3 point, double limit, double radius = 0, int before = int.MaxValue)
+    public double TopUnder(Vec3 point, double limit, double radius = 0, int before = int.MaxValue, double least = double.NegativeInfinity)
     {
-        var best = double.NegativeInfinity;
+        var best = least - Rounding;
         if (_bins.IsEmpty || !_bins.MayHold(point.X, point.Y)) return best;
         var (lastRow, lastColumn) = (BinOf(point.Y + radius), BinOf(point.X + radius));
         for (var row = BinOf(point.Y - radius); row <= lastRow; row++)
@@ -181,23 +181,6 @@ internal sealed class Deposit
             }
         }
         return best;
-    }
-
-    /// <summary>True if the top of an extrusion within <paramref name="radius"/> mm of a point, seen from above, is between two heights, mm.</summary>
-    public bool HasTop(Vec3 point, double lowest, double highest, double radius)
-    {
-        if (_bins.IsEmpty || !_bins.MayHold(point.X, point.Y)) return false;
-        var (lastRow, lastColumn) = (BinOf(point.Y + radius), BinOf(point.X + radius));
-        for (var row = BinOf(point.Y - radius); row <= lastRow; row++)
-        {
-            for (var column = BinOf(point.X - radius); column <= lastColumn; column++)
-            {
-                if (_bins[column, row] is not { } bin || bin.Top < lowest) continue;
-                if (HasTopIn(bin, point, lowest, highest, radius)) return true;
-                if (bin.Dropped >= lowest && DroppedUnder(bin, column, row, point, highest, radius, double.NegativeInfinity) >= lowest) return true;
-            }
-        }
-        return false;
     }
 
     /// <summary>
@@ -307,25 +290,6 @@ internal sealed class Deposit
             }
         }
         return best;
-    }
-
-    private bool HasTopIn(DepositBin bin, Vec3 point, double lowest, double highest, double radius)
-    {
-        for (var i = bin.Count - 1; i >= 0; i--)
-        {
-            if (bin.Entries[i].Top < lowest)
-            {
-                // A whole block may be as low.
-                var first = i & -DepositBin.Block;
-                if (i == first + DepositBin.Block - 1 && bin.BlockTops[i >> DepositBin.BlockBits] < lowest) i = first;
-                continue;
-            }
-            // Most of the others are of the layer above.
-            if (bin.Entries[i].IsLevel && bin.Entries[i].Top > highest) continue;
-            var top = _store[bin.Entries[i].Extrusion].TopAt(point, radius);
-            if (top >= lowest && top <= highest) return true;
-        }
-        return false;
     }
 
     private double TopInBin(DepositBin bin, int column, int row, Vec3 a, Vec3 b, double radius, double best)

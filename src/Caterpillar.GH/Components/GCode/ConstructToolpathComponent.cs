@@ -15,7 +15,7 @@ public sealed class ConstructToolpathComponent() : CaterpillarComponent(
         Tree(new Param_Number(), "Speeds", "V", "Speed of each move, in mm/s." + Each);
         Tree(new Param_String(), "Kinds", "K", "Kind of each move, such as Print, Travel or Retract." + Each + " Default: from E and the points.", true);
         Tree(new Param_String(), "Roles", "R", "Role of each move, such as OuterWall." + Each + " Default: none.", true);
-        ports.Setup("Its filament and E unit are those of the moves. Default: generic.");
+        ports.Setup("Filament diameter and E unit must match the moves. Default: generic.");
 
         void Tree(IGH_Param param, string name, string nick, string description, bool optional = false)
             => ports.Add(param, name, nick, description, GH_ParamAccess.tree, optional);

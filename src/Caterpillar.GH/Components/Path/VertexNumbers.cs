@@ -34,7 +34,7 @@ internal sealed class VertexNumbers
 
     public static void Declare(InputPorts ports)
     {
-        const string Each = "One for all, or one for each vertex; on curves that are no polylines, at equal distances. ";
+        const string Each = "One for all, or one for each vertex; on curves that are not polylines, at equal distances. ";
         Numbers("Widths", "W", Each + "In mm. Default: width of the bead.");
         Numbers("Heights", "H", Each + "In mm. Default: height of the bead.");
         Numbers("Speeds", "V", Each + "In mm/s, 0 = speed of the print settings. Default: speed of the bead.");

@@ -27,7 +27,7 @@ public sealed class PrinterComponent() : KeyPortsComponent<Printer>(
         ports.Geometry("Head Parts", "H", "Parts of the print head, with the nozzle tip at the origin. Their bounding boxes must not touch the print. Default: "
             + "as in the profile.", GH_ParamAccess.list, optional: true);
         UsualPorts(ports);
-        ports.Text("Name", "Na", "Name of the printer. Default: that of the profile.", optional: true);
+        ports.Text("Name", "Na", "Name of the printer. Default: the name of the profile.", optional: true);
     }
 
     private protected override void Outputs(OutputPorts ports)
