@@ -163,11 +163,11 @@ internal sealed class Deposit
 
     /// <summary>
     /// Highest top, mm, not above <paramref name="limit"/>, within <paramref name="radius"/> mm of a point, seen from above, of extrusions with a tag below
-    /// <paramref name="before"/>. A result below <paramref name="least"/> = nothing.
+    /// <paramref name="before"/>. Negative infinity = nothing. With <paramref name="least"/>, any top from there on is enough, and a lower result = nothing.
     /// </summary>
-    public double TopUnder(Vec3 point, double limit, double radius = 0, int before = int.MaxValue, double least = double.NegativeInfinity)
+    public double TopUnder(Vec3 point, double limit, double radius = 0, int before = int.MaxValue, double? least = null)
     {
-        var best = least - Rounding;
+        var best = least - Rounding ?? double.NegativeInfinity;
         if (_bins.IsEmpty || !_bins.MayHold(point.X, point.Y)) return best;
         var (lastRow, lastColumn) = (BinOf(point.Y + radius), BinOf(point.X + radius));
         for (var row = BinOf(point.Y - radius); row <= lastRow; row++)
@@ -176,7 +176,8 @@ internal sealed class Deposit
             {
                 var bin = _bins[column, row];
                 if (bin is null || bin.Top <= best) continue;
-                best = TopUnderIn(bin, point, limit, radius, before, best);
+                best = TopUnderIn(bin, point, limit, radius, before, best, least ?? double.PositiveInfinity);
+                if (best >= least) return best;
                 if (bin.Dropped > best) best = DroppedUnder(bin, column, row, point, limit, radius, best);
             }
         }
@@ -274,7 +275,7 @@ internal sealed class Deposit
     }
 
     // The last ones are the highest as a rule: the others are skipped by their tops.
-    private double TopUnderIn(DepositBin bin, Vec3 point, double limit, double radius, int before, double best)
+    private double TopUnderIn(DepositBin bin, Vec3 point, double limit, double radius, int before, double best, double enough)
     {
         for (var block = (bin.Count - 1) >> DepositBin.BlockBits; block >= 0; block--)
         {
@@ -286,7 +287,9 @@ internal sealed class Deposit
                 ref var extrusion = ref _store[bin.Entries[i].Extrusion];
                 if (extrusion.Tag >= before) continue;
                 var top = extrusion.TopAt(point, radius);
-                if (top <= limit && top > best) best = top;
+                if (!(top <= limit && top > best)) continue;
+                best = top;
+                if (best >= enough) return best;
             }
         }
         return best;
