@@ -32,6 +32,7 @@ public class ManualCodeTests : CliFixture
         ("start.md", "dotnet new ", "needs the SDK; the program below it is compiled here"),
         ("turtle.md", "# a hexagonal", "TurtleManualTests runs it"),
         ("turtle.md", "start 110 110", "TurtleManualTests runs it"),
+        ("viewer.md", "<iframe ", "an element of a page"),
     ];
 
     // What new console projects import, and what the pages that show a few lines take as given.
