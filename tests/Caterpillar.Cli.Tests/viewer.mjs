@@ -55,11 +55,11 @@ async function look(width, height, theme) {
   for (const target of small) fault("a target is small: " + target);
   const wide = await value("document.documentElement.scrollWidth");
   if (wide > width) fault(`the page is ${wide} wide`);
-  await keyboard();
+  if ((theme === "dark") === (width < 700)) await keyboard();
   await names();
 }
 
-// Tab reaches everything, and keys move the camera, the layers and the time.
+// Once for each size. Tab reaches everything, and keys move the camera, the layers and the time.
 async function keyboard() {
   const seen = [];
   for (let i = 0; i < 80; i++) {
