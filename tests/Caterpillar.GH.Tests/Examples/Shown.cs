@@ -23,6 +23,10 @@ internal static class Shown
     public static string Picture(GH_Document document)
         => CanvasPictures.Picture.Svg(Layout.Of(Definition.Read(Sketch.Save(document))), Results(document), Icon);
 
+    /// <summary>A picture of some stages of a solved definition.</summary>
+    public static string Picture(GH_Document document, IReadOnlyCollection<string> stages)
+        => CanvasPictures.Picture.Svg(Layout.Of(Definition.Read(Sketch.Save(document)).Only(stages)), Results(document), Icon);
+
     internal static byte[]? Icon(Item item)
     {
         using var stream = Names.Value.TryGetValue(item.Kind, out var name) ? Icons.Open(name) : null;
