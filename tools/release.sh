@@ -17,6 +17,9 @@ dotnet pack src/Caterpillar.Cli -c Release -o "$out" --nologo -v quiet
 host=$(dotnet --info | sed -n 's/^ *RID: *//p' | head -n 1)
 native() { [ "$1" = "$host" ] && { command -v cc >/dev/null || [[ $1 == win-* ]]; }; }
 
+# The notices of the runtime that the program contains, as the SDK states them.
+dotnet_notices() { find "$(dirname "$(realpath "$(command -v dotnet)")")" -maxdepth 1 -iname 'ThirdPartyNotices.txt' | head -n 1; }
+
 for runtime in "$@"; do
   name=caterpillar-$version-$runtime
   rm -rf "${out:?}/$name" && mkdir "$out/$name"
@@ -28,7 +31,8 @@ for runtime in "$@"; do
     *) mv "$out/$name/build/Caterpillar.Cli" "$out/$name/caterpillar" ;;
   esac
   rm -r "$out/$name/build"
-  cp README.md LICENSE CHANGELOG.md "$out/$name/"
+  cp README.md LICENSE THIRD-PARTY-NOTICES.md CHANGELOG.md "$out/$name/"
+  cp "$(dotnet_notices)" "$out/$name/DOTNET-NOTICES.txt"
   case $runtime in
     win-*) (cd "$out" && zip -qr "$name.zip" "$name") ;;
     *) tar -C "$out" -czf "$out/$name.tar.gz" "$name" ;;

@@ -29,6 +29,7 @@ public class ManualCodeTests : CliFixture
         ("profiles.md", "{if ", "the form of a template; TemplateTests has its conditions"),
         ("rhino-only.md", "dotnet test ", "needs Rhino"),
         ("scale.md", "cp ", "needs a cluster; examples/scale/one_machine.sh has the same lines"),
+        ("scale.md", "tools/release.sh", "needs a container engine"),
         ("start.md", "dotnet new ", "needs the SDK; the program below it is compiled here"),
         ("turtle.md", "# a hexagonal", "TurtleManualTests runs it"),
         ("turtle.md", "start 110 110", "TurtleManualTests runs it"),
