@@ -71,7 +71,8 @@ internal sealed class ComponentPages
     {
         Port Of(IGH_Param param) => new(Guid.Empty, param.NickName, param.DataMapping == GH_DataMapping.None ? 0 : 1, []);
         return new Item(Guid.Empty, component.ComponentGuid, Look.Component, component.Name, component.NickName, default, default,
-            component.Params.Input.Select(Of).ToArray(), component.Params.Output.Select((p, i) => Of(p) with { Id = new Guid(i + 1, 0, 0, new byte[8]) }).ToArray());
+            component.Params.Input.Select(Of).ToArray(),
+            component.Params.Output.Select((p, i) => Of(p) with { Id = new Guid(i + 1, 0, 0, new byte[8]) }).ToArray());
     }
 
     private string Sheet()
