@@ -36,6 +36,7 @@ public class ManualCodeTests : CliFixture
         ("tutorial-image.md", "sqrt(64", "the formula of examples/gh/globe_from_image.ghx"),
         ("turtle.md", "# a hexagonal", "TurtleManualTests runs it"),
         ("turtle.md", "start 110 110", "TurtleManualTests runs it"),
+        ("viewer.md", "<iframe ", "an element of a page"),
     ];
 
     // What new console projects import, and what the pages that show a few lines take as given.
