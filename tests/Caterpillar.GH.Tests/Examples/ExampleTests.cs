@@ -82,6 +82,19 @@ public sealed class ExampleTests
         Assert.That(picture, Is.EqualTo(File.ReadAllText(file).Replace("\r\n", "\n")), "Made with CATERPILLAR_RENEW=1.");
     }
 
+    [Test]
+    public void The_manual_shows_the_first_print_stage_by_stage()
+    {
+        string[][] added = [["Setup", "Model"], ["Slice"], ["Plan"], ["Look"], ["Save"]];
+        for (var step = 1; step <= added.Length; step++)
+        {
+            var file = Path.Combine(Root, "docs", "images", "first_print", $"{step}.svg");
+            var picture = Shown.Picture(Done("first_print").Document, added.Take(step).SelectMany(s => s).ToArray());
+            if (Renews) File.WriteAllText(file, picture, new UTF8Encoding(false));
+            Assert.That(picture, Is.EqualTo(File.ReadAllText(file).Replace("\r\n", "\n")), "Made with CATERPILLAR_RENEW=1.");
+        }
+    }
+
     [TestCaseSource(nameof(Names))]
     public void Opening_it_with_every_Boolean_at_true_writes_nothing(string name)
     {
