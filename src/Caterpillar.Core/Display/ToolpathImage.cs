@@ -80,7 +80,6 @@ public static class ToolpathImage
         if (ranges.Box.IsEmpty) return canvas.Finish();
         canvas.Fit(ranges.Box.Include(options.Bed));
         DrawBed(canvas, options.Bed);
-        var chords = new List<Vec3>();
         foreach (var move in toolpath.Moves())
         {
             if ((move.Index & 0xFFFF) == 0)
@@ -98,12 +97,14 @@ public static class ToolpathImage
             var print = IsExtrusion(move, floor);
             var width = print && toolpath.VolumeOf(move) is { } volume && volume > 0 ? Math.Sqrt(volume / length * 4 / Math.PI) : options.DefaultWidth;
             var color = print ? ColorOf(toolpath, move, options.ColorBy, ranges) : Palette.Travel;
-            chords.Clear();
-            Chords(move, chords);
-            for (var i = 1; i < chords.Count; i++)
+            var chords = move.Arc is { } arc ? arc.ChordCount(move.Start, Math.Max(0.02, arc.Radius(move.Start) * 1e-5)) : 1;
+            var last = move.Start;
+            for (var i = 1; i <= chords; i++)
             {
                 if ((i & 0xFF) == 2) cancel.ThrowIfCancellationRequested();
-                canvas.Extrusion(chords[i - 1], chords[i], print ? width : 0, color);
+                var next = move.PointAt((double)i / chords);
+                canvas.Extrusion(last, next, print ? width : 0, color);
+                last = next;
             }
         }
         return canvas.Finish();
@@ -173,17 +174,6 @@ public static class ToolpathImage
         ColorBy.Layer => Palette.At(((toolpath.NumberOfLayer(move) ?? 0) - ranges.FirstLayer) / Math.Max(ranges.LastLayer - ranges.FirstLayer, 1.0)),
         _ => Palette.At(move.Index / Math.Max(toolpath.Count - 1.0, 1)),
     };
-
-    private static void Chords(Move move, List<Vec3> chords)
-    {
-        chords.Add(move.Start);
-        if (move.Arc is { } arc)
-        {
-            var count = arc.ChordCount(move.Start, Math.Max(0.02, arc.Radius(move.Start) * 1e-5));
-            for (var i = 1; i < count; i++) chords.Add(arc.PointAt(move.Start, move.End, (double)i / count));
-        }
-        chords.Add(move.End);
-    }
 
     // A disc consists of rods side by side, as high as it is, so many that its rim is smooth.
     private static void DrawBlob(ExtrusionCanvas canvas, Blob blob, Rgb color)

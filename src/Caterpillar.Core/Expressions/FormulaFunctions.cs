@@ -28,7 +28,7 @@ internal static class FormulaFunctions
             for (var i = 1; i < a.Count; i++) node = Two(name.Text, node!, a[i]);
         }
         return node ?? throw new FormulaException("formula.arguments",
-            $"The function '{name.Text}' takes {Count(name.Text)}, not {NumberFormatter.Format(a.Count)}.", name.Line, name.Column);
+            $"The function '{name.Text}' takes {Count(name.Text)}, not {NumberFormatter.Format(a.Count)}.", name);
     }
 
     private static FormulaNode? One(string name, FormulaNode a) => name switch

@@ -63,14 +63,8 @@ internal sealed class PathIndex
     /// <summary>The fan during a move, 0 to 1.</summary>
     public double FanAt(int move)
     {
-        int low = 0, high = _fanMoves.Count;
-        while (low < high)
-        {
-            var middle = (low + high) / 2;
-            if (_fanMoves[middle] <= move) low = middle + 1;
-            else high = middle;
-        }
-        return low > 0 ? _fans[low - 1] : 0;
+        var next = Search.First(0, _fanMoves.Count, (_fanMoves, move), static (s, i) => s._fanMoves[i] > s.move);
+        return next > 0 ? _fans[next - 1] : 0;
     }
 
     /// <summary>Sums over the moves before a move; at most <see cref="Step"/> moves are added up.</summary>
@@ -88,22 +82,10 @@ internal sealed class PathIndex
     {
         if (!(length < Total.Length)) return (_toolpath.Count, Total);
         // The last block, and the last kept sum of it, that begins at the length or before.
-        int block = 0, high = _sums.Length;
-        while (high - block > 1)
-        {
-            var middle = (block + high) / 2;
-            if (_sums[middle][0].Length <= length) block = middle;
-            else high = middle;
-        }
-        var sum = 0;
-        high = _sums[block].Length;
-        while (high - sum > 1)
-        {
-            var middle = (sum + high) / 2;
-            if (_sums[block][middle].Length <= length) sum = middle;
-            else high = middle;
-        }
-        var before = Add(block, sum * Step, _toolpath.Blocks[block].Count, _sums[block][sum], length, out var at);
+        var block = Search.First(1, _sums.Length, (_sums, length), static (s, i) => s._sums[i][0].Length > s.length) - 1;
+        var sums = _sums[block];
+        var sum = Search.First(1, sums.Length, (sums, length), static (s, i) => s.sums[i].Length > s.length) - 1;
+        var before = Add(block, sum * Step, _toolpath.Blocks[block].Count, sums[sum], length, out var at);
         return (_toolpath.FirstOf(block) + at, before);
     }
 

@@ -59,7 +59,7 @@ internal sealed class MoveColumns
             {
                 if ((i & 0xFFF) == 2) cancel.ThrowIfCancellationRequested();
                 var part = (double)i / chords;
-                Row(move, i < chords ? move.Arc!.Value.PointAt(move.Start, move.End, part) : move.End, area, begin + (End(move.Index) - begin) * part);
+                Row(move, move.PointAt(part), area, begin + (End(move.Index) - begin) * part);
             }
         }
         _firstRow[_toolpath.Count] = Rows;

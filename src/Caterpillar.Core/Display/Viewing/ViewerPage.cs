@@ -92,13 +92,7 @@ public static class ViewerPage
         }
     }
 
-    private static string Resource(string name)
-    {
-        using var stream = typeof(ViewerPage).Assembly.GetManifestResourceStream("viewer/" + name)
-            ?? throw new InvalidOperationException($"The resource viewer/{name} is missing.");
-        using var reader = new StreamReader(stream, Encoding.UTF8);
-        return reader.ReadToEnd();
-    }
+    private static string Resource(string name) => EmbeddedText.Read("viewer/" + name);
 
     // No part of the page may begin in the title.
     private static string Escaped(string text) => string.Join("&#123;", WebUtility.HtmlEncode(text).Split('{'));

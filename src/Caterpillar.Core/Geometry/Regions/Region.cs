@@ -67,35 +67,10 @@ public sealed class Region
     public bool IsEmpty => _paths.Length == 0;
 
     /// <summary>Area in mm², not counting holes.</summary>
-    public double Area
-    {
-        get
-        {
-            var sum = 0.0;
-            foreach (var path in _paths) sum += Grid.DoubleArea(path, 0, path.Length);
-            return sum / (2 * Grid.PerMm * Grid.PerMm);
-        }
-    }
+    public double Area => _paths.Sum(path => (double)Grid.DoubleArea(path, 0, path.Length)) / (2 * Grid.PerMm * Grid.PerMm);
 
     /// <summary>Total length of all contours, mm.</summary>
-    public double Perimeter
-    {
-        get
-        {
-            var sum = 0.0;
-            foreach (var path in _paths)
-            {
-                var a = path[path.Length - 1];
-                foreach (var b in path)
-                {
-                    double dx = (double)b.X - a.X, dy = (double)b.Y - a.Y;
-                    sum += Math.Sqrt(dx * dx + dy * dy);
-                    a = b;
-                }
-            }
-            return sum / Grid.PerMm;
-        }
-    }
+    public double Perimeter => _paths.Sum(Grid.Length) / Grid.PerMm;
 
     /// <summary>Bounding box in mm, at Z = 0.</summary>
     public Bounds Bounds
@@ -134,7 +109,7 @@ public sealed class Region
     {
         Grid.FromMm(a, nameof(a));
         Grid.FromMm(b, nameof(b));
-        return !IsEmpty && new PolylineClipper(Index, outside: false).IsWhole(a, b);
+        return !IsEmpty && new LineClipper(Index, outside: false).IsWhole(a, b);
     }
 
     /// <summary>The region without islands and holes whose contour encloses less than <paramref name="area"/> mm².</summary>
@@ -243,19 +218,9 @@ public sealed class Region
     /// <summary>Takes ownership of valid paths without a check.</summary>
     internal static Region Own(GridPoint[][] paths) => paths.Length == 0 ? Empty : new Region(paths);
 
-    internal static GridPoint[] ToGrid(Vec3[] points, string parameter)
-    {
-        var path = new GridPoint[points.Length];
-        for (var i = 0; i < path.Length; i++) path[i] = Grid.FromMm(points[i], parameter);
-        return path;
-    }
+    internal static GridPoint[] ToGrid(Vec3[] points, string parameter) => Array.ConvertAll(points, p => Grid.FromMm(p, parameter));
 
-    internal static Polyline ToPolyline(GridPoint[] path)
-    {
-        var points = new Vec3[path.Length];
-        for (var i = 0; i < points.Length; i++) points[i] = Grid.ToMm(path[i]);
-        return Polyline.Own(points, closed: true);
-    }
+    internal static Polyline ToPolyline(GridPoint[] path) => Polyline.Own(Array.ConvertAll(path, Grid.ToMm), closed: true);
 
     private static Region FromEngine(RegionEngine engine, FillRule rule, bool closeHoles)
     {

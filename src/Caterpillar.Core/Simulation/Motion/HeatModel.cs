@@ -42,17 +42,7 @@ internal sealed class HeaterCurve(double rate)
         return i < 0 || _to[i] == HeatModel.Ambient ? 0 : _to[i];
     }
 
-    private int Last(double time)
-    {
-        int low = 0, high = _times.Count;
-        while (low < high)
-        {
-            var middle = (low + high) / 2;
-            if (_times[middle] <= time) low = middle + 1;
-            else high = middle;
-        }
-        return low - 1;
-    }
+    private int Last(double time) => Search.First(0, _times.Count, (_times, time), static (s, i) => s._times[i] > s.time) - 1;
 }
 
 /// <summary>The heaters of a machine.</summary>
