@@ -127,14 +127,8 @@ public sealed record Modulation(ModulationMode Mode, Field Field, double Low, do
             var (points, beads, closed) = PathDivision.Straight(path, Resolution, cancel);
             return (points, beads, closed, null);
         }
-        var own = new Bead[path.SegmentCount];
-        var arcs = path.HasArcs ? new Arc?[own.Length] : null;
-        for (var i = 0; i < own.Length; i++)
-        {
-            own[i] = path.BeadOf(i);
-            if (arcs is not null) arcs[i] = path.ArcOf(i);
-        }
-        return ((Vec3[])path.RawPoints.Clone(), own, path.IsClosed, arcs);
+        var segments = Enumerable.Range(0, path.SegmentCount);
+        return ((Vec3[])path.RawPoints.Clone(), [.. segments.Select(path.BeadOf)], path.IsClosed, path.HasArcs ? [.. segments.Select(path.ArcOf)] : null);
     }
 
     private double? ValueAt(PathSample place, double neutral, int number, DiagnosticList problems)

@@ -20,23 +20,19 @@ internal sealed class PathIndex
     private readonly int[] _layerStarts;
     private readonly List<double> _heights = [];
     private readonly List<int> _heightMoves = [];
-    private readonly List<double> _fans = [];
-    private readonly List<int> _fanMoves = [];
+    private readonly List<(int Move, double Speed)> _fans = [];
     private double _top = double.NegativeInfinity;
 
     public PathIndex(Toolpath toolpath)
     {
         _toolpath = toolpath;
         _sums = new PathSums[toolpath.Blocks.Count][];
-        _layerStarts = new int[toolpath.Layers.Count];
-        for (var i = 0; i < _layerStarts.Length; i++) _layerStarts[i] = toolpath.Count;
+        _layerStarts = [.. Enumerable.Repeat(toolpath.Count, toolpath.Layers.Count)];
         var before = int.MinValue;
         for (var block = 0; block < _sums.Length; block++) before = Scan(block, before);
         foreach (var (move, what) in toolpath.Events)
         {
-            if (what is not FanEvent fan) continue;
-            _fans.Add(fan.Speed);
-            _fanMoves.Add(move);
+            if (what is FanEvent fan) _fans.Add((move, fan.Speed));
         }
     }
 
@@ -63,8 +59,8 @@ internal sealed class PathIndex
     /// <summary>The fan during a move, 0 to 1.</summary>
     public double FanAt(int move)
     {
-        var next = Search.First(0, _fanMoves.Count, (_fanMoves, move), static (s, i) => s._fanMoves[i] > s.move);
-        return next > 0 ? _fans[next - 1] : 0;
+        var next = Search.First(0, _fans.Count, (_fans, move), static (s, i) => s._fans[i].Move > s.move);
+        return next > 0 ? _fans[next - 1].Speed : 0;
     }
 
     /// <summary>Sums over the moves before a move; at most <see cref="Step"/> moves are added up.</summary>
@@ -73,8 +69,7 @@ internal sealed class PathIndex
         if (move >= _toolpath.Count) return Total;
         var block = _toolpath.BlockOf(move);
         var i = move - _toolpath.FirstOf(block);
-        var sums = _sums[block][i / Step];
-        return Add(block, i / Step * Step, i, sums, double.PositiveInfinity, out _);
+        return Add(block, i / Step * Step, i, _sums[block][i / Step], double.PositiveInfinity, out _);
     }
 
     /// <summary>The move in which the path of the head reaches a length, mm, and the sums before it.</summary>

@@ -19,8 +19,7 @@ public sealed class Timeline
         _heat = plan.Heat;
         Waits = plan.Waits;
         _path = path;
-        _volumesKnown = true;
-        for (var tool = 0; tool < toolpath.Tools.Count; tool++) _volumesKnown &= toolpath.VolumePerE(tool) is not null;
+        _volumesKnown = Enumerable.Range(0, toolpath.Tools.Count).All(tool => toolpath.VolumePerE(tool) is not null);
     }
 
     /// <summary>The simulated toolpath.</summary>
@@ -82,12 +81,6 @@ public sealed class Timeline
         for (int i = _motion.First[move], end = _motion.First[move + 1]; i < end; i++) peak = Math.Max(peak, _motion.Peak[i]);
         return peak;
     }
-
-    /// <summary>E extruded before a move, in the units of the tools.</summary>
-    public double FilamentBefore(int move) => _path.Before(move).Filament;
-
-    /// <summary>Material extruded before a move, mm³; null if the filament diameter of a tool is unknown.</summary>
-    public double? VolumeBefore(int move) => _volumesKnown ? _path.Before(move).Volume : null;
 
     /// <summary>The state at a time in seconds, clamped to the start and the end.</summary>
     public MachineState At(double time)

@@ -74,26 +74,11 @@ public sealed class Region
 
     /// <summary>Bounding box in mm, at Z = 0.</summary>
     public Bounds Bounds
-    {
-        get
-        {
-            var box = GridBox.Nothing;
-            foreach (var path in _paths) box.Include(GridBox.Of(path));
-            return IsEmpty ? Bounds.Empty : new Bounds(Grid.ToMm(new GridPoint(box.MinX, box.MinY)), Grid.ToMm(new GridPoint(box.MaxX, box.MaxY)));
-        }
-    }
+        => IsEmpty ? Bounds.Empty : new Bounds(Grid.ToMm(new GridPoint(Box.MinX, Box.MinY)), Grid.ToMm(new GridPoint(Box.MaxX, Box.MaxY)));
 
     /// <summary>The closed contours in mm at Z = 0: outlines counterclockwise, holes clockwise.</summary>
     public IReadOnlyList<Polyline> Contours
-    {
-        get
-        {
-            if (_contours is not null) return _contours;
-            var contours = new Polyline[_paths.Length];
-            for (var i = 0; i < contours.Length; i++) contours[i] = ToPolyline(_paths[i]);
-            return Interlocked.CompareExchange(ref _contours, contours, null) ?? contours;
-        }
-    }
+        => _contours ?? Interlocked.CompareExchange(ref _contours, Array.ConvertAll(_paths, ToPolyline), null) ?? _contours!;
 
     /// <summary>
     /// The connected pieces, in the order of their outlines. Each has its outline first, then its holes. An island in a hole is a piece of its own.
@@ -136,11 +121,7 @@ public sealed class Region
     internal static Region Union(IEnumerable<Region> regions, RegionEngine? engine)
     {
         if (regions is null) throw new ArgumentNullException(nameof(regions));
-        var parts = new List<Region>();
-        foreach (var region in regions)
-        {
-            if (!(region ?? throw new ArgumentException("A region is missing.", nameof(regions))).IsEmpty) parts.Add(region);
-        }
+        var parts = regions.Where(region => !(region ?? throw new ArgumentException("A region is missing.", nameof(regions))).IsEmpty).ToList();
         return parts.Count < 2 ? parts.Count == 0 ? Empty : parts[0] : RegionOperations.Combine(parts, [], InsideRule.Positive, engine ?? new RegionEngine());
     }
 
@@ -149,12 +130,7 @@ public sealed class Region
         => RegionOperations.Combine(areas, without, InsideRule.Difference, engine);
 
     /// <summary>Regions that are apart from each other as one.</summary>
-    internal static Region Beside(IEnumerable<Region> regions)
-    {
-        var paths = new List<GridPoint[]>();
-        foreach (var region in regions) paths.AddRange(region._paths);
-        return Own([.. paths]);
-    }
+    internal static Region Beside(IEnumerable<Region> regions) => Own([.. regions.SelectMany(region => region._paths)]);
 
     /// <summary>
     /// The region grown or shrunk by a distance. Corners that open up get a join; the others are exact. Raw offset curve, then union by positive winding
