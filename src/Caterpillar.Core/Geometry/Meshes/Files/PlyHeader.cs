@@ -79,7 +79,8 @@ internal sealed class PlyHeader
                     format = true;
                     break;
                 case "element":
-                    if (words.Length != 3 || !NumberReader.TryParseInt(words[2], out var count) || count < 0) return Wrong(source, at, "An element needs a name and a count.");
+                    if (words.Length != 3 || !NumberReader.TryParseInt(words[2], out var count) || count < 0)
+                        return Wrong(source, at, "An element needs a name and a count.");
                     header.Elements.Add(new PlyElement(words[1], count, line));
                     break;
                 case "property":
