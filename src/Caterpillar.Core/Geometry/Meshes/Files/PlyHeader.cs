@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text;
 using Caterpillar.Files;
 
@@ -79,7 +80,7 @@ internal sealed class PlyHeader
                     format = true;
                     break;
                 case "element":
-                    if (words.Length != 3 || !NumberReader.TryParseInt(words[2], out var count) || count < 0)
+                    if (words.Length != 3 || !long.TryParse(words[2], NumberStyles.None, CultureInfo.InvariantCulture, out var count))
                         return Wrong(source, at, "An element needs a name and a count.");
                     header.Elements.Add(new PlyElement(words[1], count, line));
                     break;
