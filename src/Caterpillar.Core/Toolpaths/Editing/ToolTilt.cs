@@ -18,7 +18,6 @@ public enum TiltAxes : byte
 /// <param name="MaxTilt">Maximum tilt from vertical, degrees, above 0 and at most 90. Steeper normals are limited to it.</param>
 public sealed record ToolTilt(TiltAxes Axes, double MaxTilt = 90)
 {
-
     // Degrees: where the tool is as good as upright its azimuth says nothing.
     private const double Upright = 0.05;
 
