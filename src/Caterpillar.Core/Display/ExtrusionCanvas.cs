@@ -3,25 +3,16 @@ using Caterpillar.Files;
 namespace Caterpillar.Display;
 
 /// <summary>Draws round extrusions with depth and shading into an image of twice the requested size.</summary>
-internal sealed class ExtrusionCanvas
+internal sealed class ExtrusionCanvas(int width, int height, Rgb background, View view)
 {
     // Light from the upper left, toward the eye: right, up and toward the viewer in the image.
     private static readonly Vec3 Light = new Vec3(-0.45, 0.6, 0.66).Unit();
 
-    private readonly RasterImage _image;
-    private readonly float[] _near;
-    private readonly View _view;
+    private readonly RasterImage _image = new(width, height, background);
+    private readonly float[] _near = [.. Enumerable.Repeat(float.MinValue, width * height)];
     private double _scale = 1;
     private double _left;
     private double _top;
-
-    public ExtrusionCanvas(int width, int height, Rgb background, View view)
-    {
-        _image = new RasterImage(width, height, background);
-        _near = new float[width * height];
-        for (var i = 0; i < _near.Length; i++) _near[i] = float.MinValue;
-        _view = view;
-    }
 
     /// <summary>Chooses the scale so that the box fills the image with a small margin.</summary>
     public void Fit(Bounds box)
@@ -29,7 +20,7 @@ internal sealed class ExtrusionCanvas
         var seen = Bounds.Empty;
         for (var corner = 0; corner < 8; corner++)
         {
-            seen = seen.Include(_view.Project(new Vec3(
+            seen = seen.Include(view.Project(new Vec3(
                 (corner & 1) == 0 ? box.Min.X : box.Max.X, (corner & 2) == 0 ? box.Min.Y : box.Max.Y, (corner & 4) == 0 ? box.Min.Z : box.Max.Z)));
         }
         _scale = 0.92 * Math.Min(_image.Width / Math.Max(seen.Size.X, 1), _image.Height / Math.Max(seen.Size.Y, 1));
@@ -40,8 +31,8 @@ internal sealed class ExtrusionCanvas
     /// <summary>Draws an extrusion with a diameter in mm. 0 = a thin flat line.</summary>
     public void Extrusion(Vec3 from, Vec3 to, double diameter, Rgb color)
     {
-        var a = _view.Project(from);
-        var b = _view.Project(to);
+        var a = view.Project(from);
+        var b = view.Project(to);
         var radius = Math.Max(diameter / 2 * _scale, diameter > 0 ? 0.8 : 0.6);
         double ax = _left + a.X * _scale, ay = _top - a.Y * _scale, bx = _left + b.X * _scale, by = _top - b.Y * _scale;
         int x0 = First(Math.Min(ax, bx) - radius), x1 = Last(Math.Max(ax, bx) + radius, _image.Width);

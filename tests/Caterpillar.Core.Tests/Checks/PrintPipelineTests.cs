@@ -97,7 +97,7 @@ public sealed class PrintPipelineTests
         Assert.That(Found(plan, format with { Header = ["another"] }), Is.Null);
         var changed = plan.Blocks[0].Columns.Copy(plan.Blocks[0].Count);
         changed.X[100] += 0.001;
-        Assert.That(Found(plan.WithBlocks([new ToolpathBlock(changed), .. plan.Blocks.Skip(1)]), format), Is.Null);
+        Assert.That(Found(plan.With([new ToolpathBlock(changed), .. plan.Blocks.Skip(1)]), format), Is.Null);
     }
 
     [Test]

@@ -18,7 +18,7 @@ public class ImageTests
         // 10 mm along X seen from above: the middle row is covered over 92 % of the width, the corners are background.
         var image = ToolpathImage.Draw(Line(Vec3.Zero, new Vec3(10, 0, 0)), new ToolpathImageOptions { Width = 200, Height = 100, View = View.Top });
         Assert.That((image.Width, image.Height), Is.EqualTo((200, 100)));
-        var background = new ToolpathImageOptions().Background;
+        var background = ToolpathImage.Background;
         Assert.That(image[100, 50], Is.Not.EqualTo(background));
         Assert.That(image[12, 50], Is.Not.EqualTo(background));
         Assert.That(image[100, 10], Is.EqualTo(background));
@@ -37,7 +37,7 @@ public class ImageTests
         foreach (var (view, height) in new[] { (View.Top, 92), (View.Front, 15) })
         {
             var image = ToolpathImage.Draw(toolpath, new ToolpathImageOptions { Width = 100, Height = 100, View = view });
-            Assert.That(Enumerable.Range(0, 100).Count(y => image[50, y] != new ToolpathImageOptions().Background), Is.InRange(height - 2, height + 2));
+            Assert.That(Enumerable.Range(0, 100).Count(y => image[50, y] != ToolpathImage.Background), Is.InRange(height - 2, height + 2));
         }
     }
 
@@ -60,7 +60,7 @@ public class ImageTests
     public void A_toolpath_that_prints_nothing_gives_an_empty_image()
     {
         var image = ToolpathImage.Draw(new ToolpathBuilder(MoveSource.Steps, null).Build([]), new ToolpathImageOptions { Width = 10, Height = 10 });
-        Assert.That(image[5, 5], Is.EqualTo(new ToolpathImageOptions().Background));
+        Assert.That(image[5, 5], Is.EqualTo(ToolpathImage.Background));
     }
 
     [Test]
@@ -101,6 +101,6 @@ public class ImageTests
             builder.Add(to, 0, 0, 20, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
         var image = ToolpathImage.Draw(builder.Build([new ToolpathTool(1)]),
             new ToolpathImageOptions { Width = 100, Height = 100, View = View.Top, Strokes = true });
-        Assert.That(image[50, 50], Is.Not.EqualTo(new ToolpathImageOptions().Background));
+        Assert.That(image[50, 50], Is.Not.EqualTo(ToolpathImage.Background));
     }
 }

@@ -21,7 +21,7 @@ internal static class ProgressCommands
         planner.Take(toolpath, null, cancel);
         var motion = planner.End().Motion;
         if (!(motion.TotalTime > 0)) return (toolpath, null);
-        return (setup.Printer.Flavor.Progress == ProgressCommand.None ? toolpath : toolpath.WithEvents(Events(toolpath, motion)), motion.TotalTime);
+        return (setup.Printer.Flavor.Progress == ProgressCommand.None ? toolpath : toolpath.With(events: Events(toolpath, motion)), motion.TotalTime);
     }
 
     private static List<MoveEvent> Events(Toolpath toolpath, MotionColumns motion)

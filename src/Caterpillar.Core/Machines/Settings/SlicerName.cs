@@ -1,4 +1,5 @@
 using System.Text.RegularExpressions;
+using Caterpillar.Files;
 
 namespace Caterpillar.Machines;
 
@@ -61,10 +62,8 @@ internal sealed record SlicerName(ProfileKey Key, string Slicer, string Name, st
 
     private static SlicerName[] Read()
     {
-        using var stream = typeof(SlicerName).Assembly.GetManifestResourceStream("names/SlicerNames.tsv")!;
-        using var reader = new StreamReader(stream);
         var keys = ProfileKeys.All.Where(k => k.Name != "title").ToDictionary(k => k.Name, StringComparer.Ordinal);
-        var rows = reader.ReadToEnd().Split(['\r', '\n'], StringSplitOptions.RemoveEmptyEntries).Select(l => l.Split('\t')).ToArray();
+        var rows = EmbeddedText.Rows("names/SlicerNames.tsv");
         return
         [
             .. from row in rows.Skip(1)

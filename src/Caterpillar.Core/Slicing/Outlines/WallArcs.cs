@@ -7,12 +7,11 @@ internal static class WallArcs
     public static SlicedLayer Fit(SlicedLayer layer, double tolerance)
     {
         if (!(tolerance > 0)) return layer;
-        var options = new ArcFitOptions { Tolerance = tolerance };
         var steps = new List<PathStep>(layer.Steps.Count);
         foreach (var step in layer.Steps)
         {
             var isWall = step.Path.Role is Role.OuterWall or Role.InnerWall or Role.OverhangWall or Role.GapFill;
-            steps.Add(isWall ? step.With(PathArcs.Fit(step.Path, options)) : step);
+            steps.Add(isWall ? step.With(PathArcs.Fit(step.Path, tolerance)) : step);
         }
         return layer with { Steps = steps };
     }

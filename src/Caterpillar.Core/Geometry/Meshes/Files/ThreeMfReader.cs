@@ -15,8 +15,6 @@ internal sealed class ThreeMfReader(MeshSource source, ZipArchive archive)
     private const int MaxItems = 10_000;
     private const int MaxUses = 1_000_000;
 
-    private readonly MeshSource _source = source;
-    private readonly ZipArchive _archive = archive;
     private readonly Dictionary<string, ThreeMfModel?> _models = new(StringComparer.OrdinalIgnoreCase);
     private long _triangles;
     private int _uses;
@@ -30,14 +28,12 @@ internal sealed class ThreeMfReader(MeshSource source, ZipArchive archive)
         }
         catch (XmlException e)
         {
-            source.Note(Severity.Error, "mesh.syntax", "The XML of the model is damaged.", new SourceLocation(source.Name, e.LineNumber, e.LinePosition));
-            return false;
+            return source.Fail("mesh.syntax", "The XML of the model is damaged.", new SourceLocation(source.Name, e.LineNumber, e.LinePosition));
         }
         catch (Exception e) when (e is not OperationCanceledException and not OutOfMemoryException and not DiagnosticException)
         {
             // The runtimes throw different kinds on damaged archives.
-            source.Note(Severity.Error, "mesh.compression", "The zip archive is damaged or incomplete.");
-            return false;
+            return source.Fail("mesh.compression", "The zip archive is damaged or incomplete.");
         }
     }
 
@@ -45,21 +41,17 @@ internal sealed class ThreeMfReader(MeshSource source, ZipArchive archive)
     {
         var root = RootPath();
         if (root is null)
-        {
-            _source.Note(Severity.Error, "mesh.empty", "The 3MF package has no 3D model.");
-            return false;
-        }
+            return source.Fail("mesh.empty", "The 3MF package has no 3D model.");
         if (Model(root) is not { } model) return false;
         if (model.Items.Count > MaxItems)
         {
             var (there, most) = (NumberFormatter.Format(model.Items.Count), NumberFormatter.Format(MaxItems));
-            _source.Note(Severity.Error, "mesh.too_large", $"The plate has {there} items. The maximum is {most}.");
-            return false;
+            return source.Fail("mesh.too_large", $"The plate has {there} items. The maximum is {most}.");
         }
-        _source.Afford(0, model.Items.Count);
+        source.Afford(0, model.Items.Count);
         for (var i = 0; i < model.Items.Count; i++)
         {
-            _source.Pulse(i, model.Items.Count);
+            source.Pulse(i, model.Items.Count);
             var item = model.Items[i];
             var parts = new List<(TriMesh Mesh, Affine Map)>();
             if (!Collect(root, item, Affine.Identity, 0, parts)) return false;
@@ -67,29 +59,23 @@ internal sealed class ThreeMfReader(MeshSource source, ZipArchive archive)
             var builder = new MeshBuilder(parts.Sum(p => p.Mesh.VertexCount), parts.Sum(p => p.Mesh.TriangleCount));
             foreach (var (mesh, map) in parts) builder.Append(mesh, map.Then(Affine.Scale(model.Unit)));
             var name = Model(item.Path ?? root)!.Objects[item.ObjectId].Name;
-            meshes.Add(new NamedMesh(name, builder.ToMesh(_source.Name, false, _source.Diagnostics)));
+            meshes.Add(new NamedMesh(name, builder.ToMesh(source.Name, false, source.Diagnostics)));
         }
         return true;
     }
 
     private bool Collect(string part, ThreeMfUse use, Affine outer, int depth, List<(TriMesh Mesh, Affine Map)> parts)
     {
-        var place = new SourceLocation(_source.Name, use.Line, use.Column, part);
+        var place = new SourceLocation(source.Name, use.Line, use.Column, part);
         if (depth > MaxDepth || ++_uses > MaxUses)
-        {
-            _source.Note(Severity.Error, "mesh.syntax", "Components contain each other, or the file has too many.", place);
-            return false;
-        }
+            return source.Fail("mesh.syntax", "Components contain each other, or the file has too many.", place);
         var path = use.Path ?? part;
         if (Model(path) is not { } model) return false;
         if (!model.Objects.TryGetValue(use.ObjectId, out var item))
-        {
-            _source.Note(Severity.Error, "mesh.index", $"Object {NumberFormatter.Format(use.ObjectId)} does not exist.", place);
-            return false;
-        }
+            return source.Fail("mesh.index", $"Object {NumberFormatter.Format(use.ObjectId)} does not exist.", place);
         if (item.Type is "support" or "other")
         {
-            _source.Note(Severity.Note, "mesh.ignored", "An object of the type support or other is ignored.", place);
+            source.Note(Severity.Note, "mesh.ignored", "An object of the type support or other is ignored.", place);
             return true;
         }
         var map = use.Map.Then(outer);
@@ -97,11 +83,8 @@ internal sealed class ThreeMfReader(MeshSource source, ZipArchive archive)
         {
             _triangles += mesh.TriangleCount;
             if (_triangles > MaxTriangles)
-            {
-                _source.Note(Severity.Error, "mesh.too_large", $"The items have more than {NumberFormatter.Format(MaxTriangles)} triangles in total.", place);
-                return false;
-            }
-            _source.Afford(_triangles, _uses);
+                return source.Fail("mesh.too_large", $"The items have more than {NumberFormatter.Format(MaxTriangles)} triangles in total.", place);
+            source.Afford(_triangles, _uses);
             parts.Add((mesh, map));
         }
         return item.Components.All(component => Collect(path, component, map, depth + 1, parts));
@@ -115,15 +98,15 @@ internal sealed class ThreeMfReader(MeshSource source, ZipArchive archive)
         {
             if (entry.Length > GzipReader.Limit(entry.CompressedLength))
             {
-                _source.Note(Severity.Error, "mesh.compression", GzipReader.TooLarge, new SourceLocation(_source.Name, Key: path));
+                source.Fail("mesh.compression", GzipReader.TooLarge, new SourceLocation(source.Name, Key: path));
                 return null;
             }
             using var stream = entry.Open();
-            model = ThreeMfParser.Parse(_source, path, stream);
+            model = ThreeMfParser.Parse(source, path, stream);
         }
         else
         {
-            _source.Note(Severity.Error, "mesh.syntax", "The 3MF package lacks this part.", new SourceLocation(_source.Name, Key: path));
+            source.Fail("mesh.syntax", "The 3MF package lacks this part.", new SourceLocation(source.Name, Key: path));
         }
         _models.Add(path, model);
         return model;
@@ -132,8 +115,8 @@ internal sealed class ThreeMfReader(MeshSource source, ZipArchive archive)
     private ZipArchiveEntry? Entry(string path)
     {
         var name = path.TrimStart('/');
-        return _archive.GetEntry(name)
-            ?? _archive.Entries.FirstOrDefault(e => string.Equals(e.FullName.Replace('\\', '/').TrimStart('/'), name, StringComparison.OrdinalIgnoreCase));
+        return archive.GetEntry(name)
+            ?? archive.Entries.FirstOrDefault(e => string.Equals(e.FullName.Replace('\\', '/').TrimStart('/'), name, StringComparison.OrdinalIgnoreCase));
     }
 
     // The target of the package's 3D model relationship, or the first part with the usual extension.
@@ -152,6 +135,6 @@ internal sealed class ThreeMfReader(MeshSource source, ZipArchive archive)
                 if (isModel && target is not null && Entry(target) is not null) return target;
             }
         }
-        return _archive.Entries.FirstOrDefault(e => e.FullName.EndsWith(".model", StringComparison.OrdinalIgnoreCase))?.FullName;
+        return archive.Entries.FirstOrDefault(e => e.FullName.EndsWith(".model", StringComparison.OrdinalIgnoreCase))?.FullName;
     }
 }

@@ -1,5 +1,6 @@
-namespace Caterpillar.Turtles;
+namespace Caterpillar.Basics;
 
+/// <summary>Messages of exceptions.</summary>
 internal static class Messages
 {
     /// <summary>The message of an exception without the name of the parameter, which the runtimes append differently.</summary>
