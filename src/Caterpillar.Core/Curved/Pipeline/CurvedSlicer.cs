@@ -62,7 +62,7 @@ public static class CurvedSlicer
             flat.Add(new SliceModel(new NamedMesh(models[i].Mesh.Name, mesh), OnField(models[i].Settings, field)));
         }
         var common = OnField(setup.Settings, field);
-        if (setup.Settings.RaftLayers > 0 || (!field.StartsLevel && (setup.Settings.SkirtLoops > 0 || setup.Settings.BrimWidth > 0)))
+        if (setup.Settings.RaftLayers > 0 || (!field.StartsLevel && setup.Settings.HasSkirtOrBrim))
             problems.Add(Severity.Note, "curved.no_skirt", "Curved layers have no raft. If they do not start level, they have no skirt or brim either.");
         var limits = new GapLimits(field, part, setup.Settings, MaxGap(setup));
         var sliced = PlanarSlicer.SliceEach(flat, common, new SliceOptions
@@ -171,7 +171,7 @@ public static class CurvedSlicer
     private static PrintSettings OnField(PrintSettings settings, LayerField field)
     {
         settings = settings with { RaftLayers = 0, ArcFittingTolerance = 0 };
-        return field.StartsLevel ? settings : settings with { SkirtLoops = 0, BrimWidth = 0 };
+        return field.StartsLevel ? settings : settings.WithoutSkirtAndBrim;
     }
 
     private static void CheckCover(LayerField field, PartColumns part, CurvedOptions options, DiagnosticList problems)

@@ -14,8 +14,8 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Slicing;
 
-/// <summary>Walls of planar layers as arcs.</summary>
-public sealed class WallArcTests
+/// <summary>Paths of planar layers as arcs.</summary>
+public sealed class LayerArcTests
 {
     private static readonly PrintSettings Plain = new() { WallCount = 2, SkirtLoops = 0 };
     private static readonly PrintSettings Arcs = Plain with { ArcFittingTolerance = 0.02 };
@@ -46,11 +46,55 @@ public sealed class WallArcTests
     [Test]
     public void Straight_walls_and_fillings_stay_as_they_are()
     {
-        var block = Solids.Block(0, 0, 0, 20, 20, 1);
+        var paths = Solids.Slice(Arcs, Solids.Block(0, 0, 0, 20, 20, 2)).SelectMany(l => Solids.Paths(l));
+        Assert.That(paths.Select(p => p.HasArcs), Is.Not.Empty.And.None.True);
+    }
 
-        Assert.That(Walls(Arcs, block).Select(w => w.HasArcs), Has.None.True);
-        Assert.That(Solids.Slice(Arcs, Disk).SelectMany(l => Solids.Paths(l, Role.Infill, Role.TopSurface, Role.BottomSurface)).Select(p => p.HasArcs),
-            Is.Not.Empty.And.None.True);
+    private static PrintPath[] Infill(PrintSettings settings, InfillPattern pattern)
+        => [.. Solids.Slice(settings with { InfillPattern = pattern }, Solids.Cone(0, 10, 4, 10, 192)).SelectMany(l => Solids.Paths(l, Role.Infill))];
+
+    [Test]
+    public void The_waves_of_a_gyroid_are_arcs()
+    {
+        var (straight, arcs) = (Infill(Plain, InfillPattern.Gyroid), Infill(Arcs, InfillPattern.Gyroid));
+        int Moves(PrintPath[] paths) => paths.Sum(p => p.SegmentCount);
+        Assert.That(Moves(arcs), Is.LessThan(0.7 * Moves(straight)));
+        Assert.That(arcs.Sum(p => p.Volume), Is.EqualTo(straight.Sum(p => p.Volume)).Within(0.7).Percent);
+    }
+
+    [TestCase(InfillPattern.Concentric)]
+    [TestCase(InfillPattern.Lines)]
+    public void Round_infill_becomes_arcs_and_keeps_its_course_and_volume(InfillPattern pattern)
+    {
+        var (straight, arcs) = (Infill(Plain, pattern), Infill(Arcs, pattern));
+
+        Assert.That(arcs, Has.Length.EqualTo(straight.Length));
+        Assert.That(arcs.Count(p => p.HasArcs), Is.GreaterThan(0));
+        Assert.That(arcs.Sum(p => p.SegmentCount), Is.LessThan((pattern == InfillPattern.Lines ? 1 : 0.5) * straight.Sum(p => p.SegmentCount)));
+        for (var i = 0; i < arcs.Length; i++)
+        {
+            Assert.That(arcs[i].Volume, Is.EqualTo(straight[i].Volume).Within(0.5).Percent);
+            foreach (var p in PathArcs.Expand(arcs[i], 0.001).RawPoints)
+                Assert.That((LoopPlace.Nearest(straight[i].RawPoints, p).Point - p).LengthXY, Is.LessThan(0.025));
+        }
+    }
+
+    [Test]
+    public void Skirt_brim_and_supports_have_the_arcs_of_the_print()
+    {
+        var around = Arcs with { SkirtLoops = 1, BrimWidth = 2 };
+        var supported = around with { Support = SupportKind.Grid };
+        var mushroom = TriMesh.Merge([Solids.Cone(0, 5, 4, 5, 96), Solids.Cone(4, 12, 5, 12, 96)]);
+        bool[] HaveArcs(PrintSettings common, Role role)
+        {
+            var model = new SliceModel(new NamedMesh("m", mushroom), supported with { Support = common.Support });
+            return [.. PlanarSlicer.SliceEach([model], common).Value!.Layers.SelectMany(l => Solids.Paths(l, role)).Select(p => p.HasArcs)];
+        }
+
+        Assert.That(HaveArcs(around, Role.Skirt), Is.Not.Empty.And.All.True);
+        Assert.That(HaveArcs(around, Role.Brim), Is.Not.Empty.And.All.True);
+        Assert.That(HaveArcs(supported, Role.Support), Has.Some.True);
+        Assert.That(HaveArcs(around with { ArcFittingTolerance = 0 }, Role.Skirt), Is.Not.Empty.And.None.True);
     }
 
     [Test]
@@ -84,7 +128,7 @@ public sealed class WallArcTests
         var written = SafeWriter.Write(plan, setup, memory);
         var read = GCodeDecoder.Decode(GCodeDocument.FromBytes(memory.ToArray(), "disk")).Value!.Toolpath;
 
-        Assert.That(written.Diagnostics.Where(d => d.Severity == Severity.Error), Is.Empty);
+        Assert.That(written.Diagnostics.Where(d => d.Severity >= Severity.Warning), Is.Empty);
         Assert.That(Encoding.ASCII.GetString(memory.ToArray()), Does.Match("(?m)^G[23] "));
         Assert.That(ExtrusionTotals.Of(read).Length, Is.EqualTo(ExtrusionTotals.Of(plan).Length).Within(0.01).Percent);
     }
