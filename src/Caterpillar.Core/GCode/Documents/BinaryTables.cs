@@ -141,7 +141,7 @@ internal sealed class BinaryTables(int lines)
 
     private void Known(string key, string value, int line)
     {
-        if (value == Begin && (key is "prusaslicer_config" or "prusaslicer_json_config"))
+        if (value == Begin && (key is "prusaslicer_config" or "prusaslicer_json_config" or BinaryComments.SetupBlock))
         {
             Enter(key, null, line);
             return;

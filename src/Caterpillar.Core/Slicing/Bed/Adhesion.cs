@@ -14,6 +14,8 @@ internal static class Adhesion
         if (settings.SkirtLoops == 0 && settings.BrimWidth == 0) return first;
         var rules = SliceRules.Of(settings, first.Layer.Thickness);
         var steps = new List<PathStep>();
+        // They go around all objects and belong to none.
+        var layer = first.Layer with { Object = "" };
         var pitch = rules.Pitch(rules.Width);
         var brim = settings.BrimWidth > 0 ? Math.Max(1, (int)Math.Floor(settings.BrimWidth / pitch + 0.5)) : 0;
         var outside = settings.BrimType != BrimType.InnerOnly;
@@ -32,8 +34,8 @@ internal static class Adhesion
             {
                 var isHole = contour.SignedAreaXY < 0;
                 if (!(isHole ? holes : outer)) continue;
-                var points = Array.ConvertAll(contour.Raw, p => p.WithZ(first.Layer.Z));
-                var path = PrintPath.Own(points, [rules.Bead(rules.Width)], closed: true).With(role, first.Layer);
+                var points = Array.ConvertAll(contour.Raw, p => p.WithZ(layer.Z));
+                var path = PrintPath.Own(points, [rules.Bead(rules.Width)], closed: true).With(role, layer);
                 // One rank for each loop keeps their order.
                 steps.Add(new PathStep(path, new StepGroup(0, -1, steps.Count)));
             }
