@@ -28,6 +28,7 @@ internal static class FileComments
             var template = PrintTemplate.Parse(reader.ReadToEnd().Split(['\r', '\n'], StringSplitOptions.RemoveEmptyEntries)).OrThrow();
             lines.AddRange(template.Render(PrintValues.Of(setup, toolpath)).OrThrow());
         }
+        lines.Add("; support_material = " + (setup.Settings.Support == SupportKind.None ? "0" : "1"));
         if (setup.Printer.ExtrusionUnit != ExtrusionUnit.None) lines.Add("; filament_type = " + setup.Material.Name.Split('_', '-', ' ')[0].ToUpperInvariant());
         if (seconds is { } time) lines.Add("; estimated printing time (normal mode) = " + Duration((long)Math.Round(time)));
         return (Encoding.UTF8.GetBytes(string.Concat(lines.Select(l => l + "\n"))), lines.Count);
