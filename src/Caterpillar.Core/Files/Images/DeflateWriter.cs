@@ -5,11 +5,6 @@ namespace Caterpillar.Files;
 /// </summary>
 internal sealed class DeflateWriter
 {
-    private const int Window = 32768;
-    private const int Shortest = 3;
-    private const int Longest = 258;
-    private const int MostTries = 64;
-    private const int HashSize = 1 << 15;
     private const int EndOfBlock = 256;
 
     // The least length and distance of each code, and the bits that follow it: RFC 1951, 3.2.5.
@@ -28,45 +23,17 @@ internal sealed class DeflateWriter
 
     private byte[] Run(byte[] data)
     {
-        // The last place of each hash of three bytes, and the place before each place with the same hash.
-        var last = Enumerable.Repeat(-1, HashSize).ToArray();
-        var before = new int[data.Length];
         // The only block, with fixed codes.
         Bits(3, 3);
-        for (var at = 0; at < data.Length;)
+        foreach (var (at, length, back) in RepeatFinder.Pieces(data, 32768, 258, 64))
         {
-            var (length, distance) = Match(data, at, last, before);
-            if (length < Shortest) Symbol(data[at]);
-            else Copy(length, distance);
-            for (var end = at + Math.Max(length, 1); at < end; at++)
-            {
-                if (at + Shortest > data.Length) continue;
-                var hash = Hash(data, at);
-                before[at] = last[hash];
-                last[hash] = at;
-            }
+            if (back == 0) Symbol(data[at]);
+            else Copy(length, back);
         }
         Symbol(EndOfBlock);
         Bits(0, 7);
         return _out.ToArray();
     }
-
-    private static (int Length, int Distance) Match(byte[] data, int at, int[] last, int[] before)
-    {
-        var best = (Length: 0, Distance: 0);
-        if (at + Shortest > data.Length) return best;
-        var limit = Math.Min(Longest, data.Length - at);
-        var from = last[Hash(data, at)];
-        for (var tries = 0; from >= 0 && at - from <= Window && tries < MostTries && best.Length < limit; tries++, from = before[from])
-        {
-            var length = 0;
-            while (length < limit && data[from + length] == data[at + length]) length++;
-            if (length > best.Length) best = (length, at - from);
-        }
-        return best;
-    }
-
-    private static int Hash(byte[] data, int at) => ((data[at] << 10) ^ (data[at + 1] << 5) ^ data[at + 2]) & (HashSize - 1);
 
     private void Copy(int length, int distance)
     {

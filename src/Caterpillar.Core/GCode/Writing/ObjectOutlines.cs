@@ -15,43 +15,23 @@ internal static class ObjectOutlines
     public static IReadOnlyList<(string Name, IReadOnlyList<Vec3> Outline)> Of(Toolpath toolpath)
     {
         var names = new List<string>();
-        var extremes = new List<Extremes>();
-        var (last, open) = (-1, (Extremes?)null);
-        for (var b = 0; b < toolpath.Blocks.Count; b++)
+        var outlines = new Dictionary<string, Extremes>(StringComparer.Ordinal);
+        foreach (var move in toolpath.Moves())
         {
-            var c = toolpath.Blocks[b].Columns;
-            var start = toolpath.StartOf(b);
-            for (var i = 0; i < c.Count; i++)
+            if (move.Layer < 0 || toolpath.Layers[move.Layer].Object is not { Length: > 0 } name) continue;
+            if (!outlines.TryGetValue(name, out var outline))
             {
-                if (c.Layer[i] != last)
-                {
-                    last = c.Layer[i];
-                    open = last < 0 || toolpath.Layers[last].Object is not { Length: > 0 } name ? null : Find(name);
-                }
-                var end = new Vec3(c.X[i], c.Y[i], c.Z[i]);
-                if (open is not null && c.Kind[i] == MoveKind.Print)
-                {
-                    open.Include(start);
-                    open.Include(end);
-                    if (c.TryGetArc(i, out var arc))
-                    {
-                        var count = arc.ChordCount(start, end, 0.05);
-                        for (var k = 1; k < count; k++) open.Include(arc.PointAt(start, end, (double)k / count));
-                    }
-                }
-                start = end;
+                names.Add(name);
+                outlines.Add(name, outline = new Extremes());
             }
+            if (move.Kind != MoveKind.Print) continue;
+            outline.Include(move.Start);
+            outline.Include(move.End);
+            if (move.Arc is not { } arc) continue;
+            var chords = arc.ChordCount(move.Start, move.End, 0.05);
+            for (var k = 1; k < chords; k++) outline.Include(arc.PointAt(move.Start, move.End, (double)k / chords));
         }
-        return [.. names.Select((name, i) => (name, extremes[i].Outline()))];
-
-        Extremes Find(string name)
-        {
-            var known = names.IndexOf(name);
-            if (known >= 0) return extremes[known];
-            names.Add(name);
-            extremes.Add(new Extremes());
-            return extremes[extremes.Count - 1];
-        }
+        return [.. names.Select(name => (name, outlines[name].Outline()))];
     }
 
     private sealed class Extremes
