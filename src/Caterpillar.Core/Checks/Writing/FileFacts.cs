@@ -1,6 +1,6 @@
+using Caterpillar.Display;
 using Caterpillar.Files;
 using Caterpillar.GCode;
-using Caterpillar.Display;
 
 namespace Caterpillar.Checks;
 

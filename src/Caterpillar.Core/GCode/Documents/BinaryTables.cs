@@ -68,7 +68,8 @@ internal sealed class BinaryTables(int lines)
     private static string[] Keys(string table)
     {
         using var stream = typeof(BinaryTables).Assembly.GetManifestResourceStream("comments/BinaryKeys.tsv")!;
-        var rows = new StreamReader(stream).ReadToEnd().Split(['\r', '\n'], StringSplitOptions.RemoveEmptyEntries).Select(l => l.Split('\t'));
+        using var reader = new StreamReader(stream);
+        var rows = reader.ReadToEnd().Split(['\r', '\n'], StringSplitOptions.RemoveEmptyEntries).Select(l => l.Split('\t'));
         return [.. rows.Where(r => r[0] == table).Select(r => r[1])];
     }
 

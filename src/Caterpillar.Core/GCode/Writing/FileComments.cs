@@ -22,12 +22,10 @@ internal static class FileComments
     public static (byte[] Bytes, int Lines) Tail(PrintSetup setup, Toolpath toolpath, double? seconds)
     {
         List<string> lines = setup.Printer.SetupComments ? [.. FileSetup.Lines(setup)] : [];
-        using (var stream = typeof(FileComments).Assembly.GetManifestResourceStream("comments/HostComments.txt")!)
-        {
-            using var reader = new StreamReader(stream);
-            var template = PrintTemplate.Parse(reader.ReadToEnd().Split(['\r', '\n'], StringSplitOptions.RemoveEmptyEntries)).OrThrow();
-            lines.AddRange(template.Render(PrintValues.Of(setup, toolpath)).OrThrow());
-        }
+        using var stream = typeof(FileComments).Assembly.GetManifestResourceStream("comments/HostComments.txt")!;
+        using var reader = new StreamReader(stream);
+        var template = PrintTemplate.Parse(reader.ReadToEnd().Split(['\r', '\n'], StringSplitOptions.RemoveEmptyEntries)).OrThrow();
+        lines.AddRange(template.Render(PrintValues.Of(setup, toolpath)).OrThrow());
         lines.Add("; support_material = " + (setup.Settings.Support == SupportKind.None ? "0" : "1"));
         if (setup.Printer.ExtrusionUnit != ExtrusionUnit.None) lines.Add("; filament_type = " + setup.Material.Name.Split('_', '-', ' ')[0].ToUpperInvariant());
         if (seconds is { } time) lines.Add("; estimated printing time (normal mode) = " + Duration((long)Math.Round(time)));
