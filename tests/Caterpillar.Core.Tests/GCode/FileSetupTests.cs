@@ -21,7 +21,12 @@ public class FileSetupTests
     [TestCaseSource(nameof(Printers))]
     public void A_setup_comes_back_from_its_comments(string printer)
     {
-        var setup = Library.Setup(printer, values: ["seam_enforcers_mm=[[1, 2, 3, 4], [4, 5, 6, 7]]", "wall_count=5", "density_g_cm3=1.3"]).OrThrow();
+        string[] values =
+        [
+            "seam_enforcers_mm=[[1, 2, 3, 4], [4, 5, 6, 7]]", "wall_count=5", "density_g_cm3=1.3", "axis_mappings=X=A*2.86,Y=B*2",
+            "check_severities=limit.flow=warning,bed.outside=warning", "end_gcode=G28\\nM84 ; = off",
+        ];
+        var setup = Library.Setup(printer, values: values).OrThrow();
         var read = FileSetup.Read(Document(setup)).OrThrow();
         Assert.That(read.Differences(setup), Is.Empty);
         Assert.That((read.Printer.Name, read.Material.Name, read.Settings.Name), Is.EqualTo((printer, setup.Material.Name, setup.Settings.Name)));

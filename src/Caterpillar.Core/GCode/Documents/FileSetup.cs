@@ -62,7 +62,7 @@ public static class FileSetup
                 return Failed("setup.damaged", $"The setup in the comments of the file is damaged: expected \"; key = value\" or \"{End}\".", place);
             var (key, value) = (line.Substring(2, equals - 2), Utf8(line.Substring(equals + 2)).Trim());
             if (Array.IndexOf(Names, key) >= 0) names[key] = value;
-            else values.Add((key + "=" + value, place with { Key = key }));
+            else values.Add((key + "=" + value.Replace(Break, "\n"), place with { Key = key }));
         }
         string Name(int which) => names.TryGetValue(Names[which], out var name) && name.Length > 0 ? name : "unnamed";
         var plain = new PrintSetup(new Printer { Name = Name(0), Title = Name(0) }, new Material { Name = Name(1), Title = Name(1) },
