@@ -39,9 +39,13 @@ internal sealed class ExtrusionCanvas(int width, int height, Rgb background, Vie
         int y0 = First(Math.Min(ay, by) - radius), y1 = Last(Math.Max(ay, by) + radius, _image.Height);
         double dx = bx - ax, dy = by - ay;
         var lengthSquared = dx * dx + dy * dy;
+        // How far the band around the line reaches to both sides in a row.
+        var reach = Math.Abs(dy) < 1e-6 ? double.PositiveInfinity : radius * Math.Sqrt(lengthSquared) / Math.Abs(dy) + 1;
         for (var y = y0; y <= y1; y++)
         {
-            for (var x = x0; x <= x1; x++)
+            var middle = double.IsInfinity(reach) ? ax : ax + (y + 0.5 - ay) * dx / dy;
+            var last = Math.Min(x1, Last(middle + reach, _image.Width));
+            for (var x = Math.Max(x0, First(middle - reach)); x <= last; x++)
             {
                 double px = x + 0.5 - ax, py = y + 0.5 - ay;
                 var t = lengthSquared > 0 ? Math.Max(0, Math.Min(1, (px * dx + py * dy) / lengthSquared)) : 0;

@@ -47,9 +47,12 @@ public static class ProfileImport
         return Commands(custom < lines.Count ? lines.Skip(custom) : lines.SkipWhile(l => Code(l).Length == 0 || Code(l) is "G0" or "G1" or "G2" or "G3"));
     }
 
-    // Without comments, among them images and settings, and without the progress of the print.
+    // Without comments, among them images and settings, and without progress and objects of the print.
     private static string Commands(IEnumerable<string> lines)
-        => Encoding.UTF8.GetString(Encoding.GetEncoding("iso-8859-1").GetBytes(string.Join("\n", lines.Where(l => Code(l) is not ("" or "M73")))));
+    {
+        var kept = lines.Where(l => Code(l) is not ("" or "M73" or "M486" or "EXCLUDE_OBJECT_DEFINE"));
+        return Encoding.UTF8.GetString(Encoding.GetEncoding("iso-8859-1").GetBytes(string.Join("\n", kept)));
+    }
 
     private static string Code(string line) => line.Split(';')[0].Trim().Split(' ')[0];
 }

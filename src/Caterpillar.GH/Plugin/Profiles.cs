@@ -24,6 +24,15 @@ internal static class Profiles
         return new Result<PrintSetup>(findings.Any(f => f.Severity == Severity.Error) ? null : setup, [.. problems, .. findings]);
     }
 
+    /// <summary>The printer, the material or the settings of a G-code file.</summary>
+    public static Result<T> OfFile<T>(string file)
+        where T : class
+    {
+        var read = FileSetup.ReadFile(file);
+        object?[] parts = [read.Value?.Printer, read.Value?.Material, read.Value?.Settings];
+        return new Result<T>(parts.OfType<T>().FirstOrDefault(), read.Diagnostics);
+    }
+
     private static Result<T>? Given<T>(T? value)
         where T : class
         => value is null ? null : new Result<T>(value, []);

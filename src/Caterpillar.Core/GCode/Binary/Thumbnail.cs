@@ -19,6 +19,19 @@ public sealed record Thumbnail(int Width, int Height, string Format)
         return new Thumbnail(width, height, format.Length == 0 ? "PNG" : format.Substring(1));
     }
 
+    /// <summary>The lines of an image in base64, as PrusaSlicer writes them.</summary>
+    internal IEnumerable<string> Lines(byte[] image)
+    {
+        const int RowLength = 78;
+        var name = Format == "PNG" ? "thumbnail" : "thumbnail_" + Format;
+        var encoded = Convert.ToBase64String(image);
+        yield return ";";
+        yield return $"; {name} begin {NumberFormatter.Format(Width)}x{NumberFormatter.Format(Height)} {NumberFormatter.Format(encoded.Length)}";
+        for (var at = 0; at < encoded.Length; at += RowLength) yield return "; " + encoded.Substring(at, Math.Min(RowLength, encoded.Length - at));
+        yield return $"; {name} end";
+        yield return ";";
+    }
+
     /// <summary>For example "16x16 PNG".</summary>
     public override string ToString() => NumberFormatter.Format(Width) + "x" + NumberFormatter.Format(Height) + " " + Format;
 
