@@ -54,13 +54,30 @@ public class PrinterImportTests : CliFixture
     }
 
     [Test]
+    public void Settings_of_another_slicer_become_a_folder_that_prints()
+    {
+        File.WriteAllText("old.ini", "printer_settings_id = Old One\nprint_settings_id = Fine\nfilament_settings_id = Grey\nbed_shape = 0x0,180x0,180x180,0x180\n"
+            + "max_print_height = 170\ngcode_flavor = marlin2\nstart_gcode = G28\\nG29\\nMAGIC ON\\nG1 X{unknown}\nlayer_height = 0.3\nperimeters = 3\n"
+            + "machine_max_feedrate_x = 200\nmachine_max_feedrate_y = 200\nmachine_max_feedrate_z = 12\nmachine_max_feedrate_e = 60\nsupport_material_angle = 30\n");
+        Assert.That(Run("printers", "--import", "old.ini").Code, Is.EqualTo(2), "no folder");
+        var run = Run("printers", "--import", "old.ini", "-o", "mine");
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        Assert.That(run.Messages, Does.Contain("import.macro").And.Contain("MAGIC").And.Contain("start_gcode line 4").And.Contain("support_material_angle=30"));
+        Assert.That(File.Exists("mine/old_one.json") && File.Exists("mine/materials/grey.json") && File.Exists("mine/settings/fine.json"));
+        File.WriteAllText("part.stl", Box(20, 10, 3));
+        var slice = Run("slice", "part.stl", "--printer", "mine/old_one.json", "--set", "macros=MAGIC=harmless", "-o", "part.gcode");
+        Assert.That(slice.Code, Is.Zero, slice.Messages);
+        Assert.That(File.ReadAllLines("part.gcode"), Does.Contain("MAGIC ON").And.Contain("; G1 X{unknown}"));
+        Assert.That(Run("printers", "Old Two", "--import", "old.ini", "-o", "mine").Code, Is.EqualTo(1));
+    }
+
+    [Test]
     public void Wrong_options_and_missing_files_have_their_codes()
     {
         File.WriteAllText("start.gcode", "G20\n");
         Assert.That(Run("printers", "--import", "start.gcode", "-", "-o", "x.json").Code, Is.EqualTo(1), "inches");
         Assert.That(File.Exists("x.json"), Is.False);
         Assert.That(Run("printers", "--import", "nothing.gcode", "-").Code, Is.EqualTo(1));
-        Assert.That(Run("printers", "--import", "start.gcode").Code, Is.EqualTo(2));
         Assert.That(Run("printers", "--base", "generic").Code, Is.EqualTo(2));
         Assert.That(Run("printers", "--import", "start.gcode", "-", "--base", "no_such").Code, Is.EqualTo(2));
     }
