@@ -14,11 +14,11 @@ public class PrinterImportTests : CliFixture
     {
         File.WriteAllText("start.gcode", Header);
         File.WriteAllText("end.gcode", "G1 E-3\nM104 S0\nG1 Z100 F5000\nM84\n");
-        var run = Run("printers", "--import", "start.gcode", "end.gcode", "-o", "mine.json", "--material-output", "material.json");
+        var run = Run("printers", "--import", "start.gcode", "end.gcode", "-o", "mine.json");
         Assert.That(run.Code, Is.Zero, run.Messages);
         Assert.That(run.Messages, Does.Contain("start.gcode:7:1: warning header.no_command").And.Contain("X 100, Y 100, Z 0.1 mm"));
         File.WriteAllText("line.csv", "60,60,0.2\n140,60,0.2\n");
-        var print = Run("curves", "line.csv", "--printer", "mine.json", "--material", "material.json");
+        var print = Run("curves", "line.csv", "--printer", "mine.json");
         Assert.That(print.Code, Is.Zero, print.Messages);
         var lines = File.ReadAllLines("line.gcode");
         Assert.That(lines, Does.Contain("M109 S205").And.Contain("; invalid: F300 E3").And.Contain("G91 ; as set by the header")
@@ -78,6 +78,7 @@ public class PrinterImportTests : CliFixture
         Assert.That(Run("printers", "--import", "start.gcode", "-", "-o", "x.json").Code, Is.EqualTo(1), "inches");
         Assert.That(File.Exists("x.json"), Is.False);
         Assert.That(Run("printers", "--import", "nothing.gcode", "-").Code, Is.EqualTo(1));
+        Assert.That(Run("printers", "--import", "a", "b", "c").Code, Is.EqualTo(2));
         Assert.That(Run("printers", "--base", "generic").Code, Is.EqualTo(2));
         Assert.That(Run("printers", "--import", "start.gcode", "-", "--base", "no_such").Code, Is.EqualTo(2));
     }

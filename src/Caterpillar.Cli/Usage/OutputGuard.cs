@@ -7,7 +7,7 @@ internal static class OutputGuard
 {
     // Options whose values are input files. All arguments are.
     private static readonly string[] Inputs = ["--printer", "--material", "--settings", "--import", "--base"];
-    private static readonly string[] Outputs = ["--output", "--material-output"];
+    private static readonly string[] Outputs = ["--output"];
 
     // Extensions that suggest other contents than a verb writes.
     private static readonly Dictionary<string, string> Kinds = new(StringComparer.OrdinalIgnoreCase)

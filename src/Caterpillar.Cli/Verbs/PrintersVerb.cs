@@ -22,18 +22,15 @@ internal sealed class PrintersVerb : Verb
     private readonly Described<string?> _like = new("--base", "With --import: similar printer for values that the files do not state.", "NAME|FILE");
 
     private readonly Described<string> _output = new("--output",
-        "Output file; - = standard output. With --import also a folder, which gets materials and settings in folders of their own.", "FILE.json|FOLDER",
-        "-o") { DefaultValueFactory = _ => "-" };
-
-    private readonly Described<string?> _material = new("--material-output",
-        "With --import: output file for a material with the temperatures of the header.", "FILE.json");
+        "Output file; - = standard output. With --import also a folder. Materials and settings get folders of their own in it.",
+        "FILE.json|FOLDER", "-o") { DefaultValueFactory = _ => "-" };
 
     public PrintersVerb()
         : base("printers", "List, show or create profiles of printers, materials and settings.", ["JSON", "a table"])
     {
         _name.CompletionSources.Add(_ => new ProfileLibrary().PrinterNames.Select(n => new CompletionItem(n)));
         Arguments.Add(_name);
-        Add([_keys, _import, _like, _output, _material]);
+        Add([_keys, _import, _like, _output]);
     }
 
     public override IReadOnlyList<(string Line, string Does)> Examples =>
@@ -49,9 +46,8 @@ internal sealed class PrintersVerb : Verb
         var name = arguments.GetValue(_name);
         var output = arguments.GetValue(_output)!;
         if (arguments.GetValue(_import) is { Length: > 0 } files)
-            PrinterImport.Run(files, name, arguments.GetValue(_like), output, arguments.GetValue(_material), session);
-        else if (arguments.GetValue(_like) is not null
-            || arguments.GetValue(_material) is not null) throw new CliException(ExitCode.Usage, "--base and --material-output need --import.");
+            PrinterImport.Run(files, name, arguments.GetValue(_like), output, session);
+        else if (arguments.GetValue(_like) is not null) throw new CliException(ExitCode.Usage, "--base needs --import.");
         else if (arguments.GetValue(_keys)) session.WriteText(output, WriteKeys);
         else if (name is not null) Show(name, output, session);
         else return List(output, session);

@@ -23,7 +23,7 @@ public static class HeaderImport
     /// The printer, or an error if the header leaves the machine in inches. Invalid lines give warnings (<c>header.bad_word</c>, <c>header.no_command</c>,
     /// <c>header.merge_conflict</c>, <c>header.unknown_name</c>) with their location and stay as comments. Notes report guessed values.
     /// </returns>
-    public static Result<ImportedProfiles> Read(
+    public static Result<ImportedPrinter> Read(
         string header, string footer, string name = "imported", Printer? like = null, string headerFile = "header", string footerFile = "footer")
     {
         if (header is null) throw new ArgumentNullException(nameof(header));
@@ -39,7 +39,7 @@ public static class HeaderImport
             problems.Add(Severity.Error, "header.inches", "The header leaves the machine in inches (G20). Toolpaths are in mm: use G21.",
                 new SourceLocation(headerFile));
         }
-        if (problems.HasErrors) return new Result<ImportedProfiles>(null, problems.ToList());
+        if (problems.HasErrors) return new Result<ImportedPrinter>(null, problems.ToList());
 
         var start = new HeaderTemplate(head, headerFile, problems);
         var startLines = start.Start(facts);
@@ -72,7 +72,7 @@ public static class HeaderImport
                 new SourceLocation(headerFile));
         }
         var material = new Material { Name = name, Title = name, NozzleTemperature = Math.Min(nozzle, 2000), BedTemperature = Math.Min(bed, 500) };
-        return new Result<ImportedProfiles>(new ImportedProfiles([printer], [material], [], facts.Position), problems.ToList());
+        return new Result<ImportedPrinter>(new ImportedPrinter(printer, material, facts.Position), problems.ToList());
     }
 
     // A size in a comment; else twice the position where the print starts, since that is the middle; else that of the similar printer. Never less than the

@@ -39,7 +39,11 @@ public sealed class ImportProfileComponent() : CaterpillarComponent(
         var made = run.Require(run.Work("Importing", key, (_, _) => ProfileImport.Read(File.ReadAllBytes(before.FullName),
             after is null ? null : File.ReadAllBytes(after.FullName), string.IsNullOrWhiteSpace(name) ? "imported" : name, like, header, footer ?? "footer",
             string.IsNullOrEmpty(wanted) ? null : wanted)));
-        run.SetAll(made.Printers.Count > 0 ? new PrinterGoo(made.Printers[0]) : null, made.Materials.Count > 0 ? new MaterialGoo(made.Materials[0]) : null,
+        var (printer, usual) = (made.Printers.FirstOrDefault(), like ?? new Printer());
+        // Its material and settings have outputs of their own; no folder has them.
+        if (made.Materials.Any(m => m.Name == printer?.DefaultMaterial)) printer = printer! with { DefaultMaterial = usual.DefaultMaterial };
+        if (made.Settings.Any(s => s.Name == printer?.DefaultSettings)) printer = printer! with { DefaultSettings = usual.DefaultSettings };
+        run.SetAll(printer is null ? null : new PrinterGoo(printer), made.Materials.Count > 0 ? new MaterialGoo(made.Materials[0]) : null,
             made.Start is { } start ? RhinoGeometry.ToPoint(start, run.Units) : null, made.Settings.Count > 0 ? new SettingsGoo(made.Settings[0]) : null);
     }
 }
