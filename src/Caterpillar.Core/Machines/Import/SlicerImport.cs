@@ -117,7 +117,7 @@ internal sealed class SlicerImport(IReadOnlyList<SlicerPreset> presets, string n
         foreach (var row in Defaults.Value[slicer].Where(r => !values.ContainsKey(r[1]))) values[row[1]] = row[2];
         var setup = new PrintSetup(like ?? new Printer(), new Material(), new PrintSettings());
         var used = new HashSet<string>(StringComparer.Ordinal);
-        setup = Apply(setup, slicer, values, new SlicerTemplate(values, file, problems), used, problems);
+        setup = Apply(setup, slicer, values, new SlicerTemplate(values, file, problems.Add), used, problems);
         foreach (var key in given.Where(k => !used.Contains(k) && !Ignored.Value.Contains(k)))
         {
             if (values[key].Split(',')[0].Trim('"') is not ("" or "0" or "0%" or "nil" or "none" or "disabled" or "100%")) _lost[key] = values[key];

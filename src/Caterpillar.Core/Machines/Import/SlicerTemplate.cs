@@ -6,7 +6,10 @@ namespace Caterpillar.Machines;
 /// Turns G-code templates of other slicers into ours: <c>[name]</c> and <c>{formula}</c> with names of <c>SlicerPlaceholders.tsv</c>, keys with a name here,
 /// and values of the file itself. What has no equal becomes a comment, and an unknown condition is false; both give a warning with the line.
 /// </summary>
-internal sealed class SlicerTemplate(IReadOnlyDictionary<string, string> values, string file, List<Diagnostic> problems)
+/// <param name="values">Values of the file.</param>
+/// <param name="file">Its name, for messages.</param>
+/// <param name="report">Gets the warnings.</param>
+internal sealed class SlicerTemplate(IReadOnlyDictionary<string, string> values, string file, Action<Diagnostic> report)
 {
     private const string Index = @"(?:\[[^\]]*\])?";
 
@@ -25,10 +28,11 @@ internal sealed class SlicerTemplate(IReadOnlyDictionary<string, string> values,
         if (text[0] == '"') text = text.Substring(1, text.Length - (text[text.Length - 1] == '"' && text.Length > 1 ? 2 : 1));
         if (text.IndexOf('\n') < 0) text = Regex.Replace(text, @"\\(.)", m => m.Groups[1].Value switch { "n" => "\n", "r" => "", "t" => "\t", var c => c });
         var lines = text.TrimEnd().Split('\n');
-        return [.. lines.Select((line, i) => Line(line.TrimEnd(), theirs, ours, i + 1))];
+        return [.. lines.Select((line, i) => Line(line.TrimEnd(), ours, new SourceLocation(file, Key: $"{theirs} line {NumberFormatter.Format(i + 1)}")))];
     }
 
-    private string Line(string line, string theirs, ProfileKey ours, int number)
+    /// <summary>A line of a template of theirs for a key of ours.</summary>
+    public string Line(string line, ProfileKey ours, SourceLocation place)
     {
         var parts = new List<(string Text, bool IsDirective)>();
         var lost = "";
@@ -36,7 +40,7 @@ internal sealed class SlicerTemplate(IReadOnlyDictionary<string, string> values,
         var comment = line.IndexOf(';');
         foreach (Match match in Braces.Matches(line))
         {
-            Plain(line.Substring(at, match.Index - at));
+            Plain(line.Substring(at, match.Index - at), at);
             at = match.Index + match.Length;
             if (match.Value[0] == '{' && Directive.Match(match.Value) is { Success: true } directive)
             {
@@ -52,11 +56,10 @@ internal sealed class SlicerTemplate(IReadOnlyDictionary<string, string> values,
             }
             else
             {
-                Plain(match.Value);
-                if (lost.Length == 0 && (comment < 0 || match.Index < comment)) lost = match.Value;
+                Plain(match.Value, match.Index);
             }
         }
-        Plain(line.Substring(at));
+        Plain(line.Substring(at), at);
         if (lost.Length > 0) Warn($"{lost} has no equal here. The line is kept as a comment: {line.Trim()}");
         var after = true;
         return string.Concat(parts.Select(part =>
@@ -66,19 +69,21 @@ internal sealed class SlicerTemplate(IReadOnlyDictionary<string, string> values,
             return begins ? "; " + part.Text : part.Text;
         }));
 
-        void Plain(string text)
+        void Plain(string text, int from)
         {
             if (text.Length > 0) parts.Add((text.Replace("{", "{{").Replace("}", "}}"), false));
+            var brace = text.IndexOfAny(['{', '}']);
+            if (text.Length > 0 && text[0] == '[') brace = 0;
+            if (lost.Length == 0 && brace >= 0 && (comment < 0 || from + brace < comment)) lost = text.Trim();
         }
 
-        void Warn(string message)
-            => problems.Add(new Diagnostic(Severity.Warning, "import.template", message, new SourceLocation(file, Key: $"{theirs} line {number}")));
+        void Warn(string message) => report(new Diagnostic(Severity.Warning, "import.template", message, place));
     }
 
-    // A name of a text gives the text.
+    // A name of a text gives the text. Formats as in {x:.2f} are left out: templates format numbers themselves.
     private string? Value(string inside, ProfileKey ours)
     {
-        inside = Regex.Replace(inside.Trim(), @"_(\d)$", "[$1]");
+        inside = Regex.Replace(Regex.Replace(inside.Trim(), @"^(\w+)[:!][^?]*$", "$1"), @"_(\d)$", "[$1]");
         if (Formula(inside, ours) is { } formula) return "{" + formula + "}";
         return Named.Match(inside) is { Success: true } name && name.Length == inside.Length && SlicerPreset.FirstOf(values, name.Groups[1].Value) is { } text
             && text.IndexOfAny(['{', '}']) < 0 ? text : null;
