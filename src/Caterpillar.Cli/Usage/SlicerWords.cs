@@ -1,3 +1,4 @@
+using Caterpillar.Files;
 
 namespace Caterpillar.Cli;
 
@@ -9,7 +10,7 @@ internal static class SlicerWords
     /// <see cref="SlicerName"/>.
     /// </summary>
     public static readonly (string Words, string Answer)[] Table
-        = [.. NameTable.Rows("SlicerWords", typeof(SlicerWords).Assembly).Select(row => (row[0], row[1]))];
+        = [.. EmbeddedText.Rows("names/SlicerWords.tsv").Skip(1).Select(row => (row[0], row[1]))];
 
     /// <summary>A sentence with the key or option for a word of another slicer, or null.</summary>
     /// <param name="option">The unknown option.</param>

@@ -3,6 +3,7 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using Caterpillar.Basics;
+using Caterpillar.Files;
 using Caterpillar.Jobs;
 using Caterpillar.Machines;
 using NUnit.Framework;
@@ -249,7 +250,7 @@ public class SlicerImportTests
             foreach (var rule in name.Conversion.Split(' ').Where(r => r.Contains('~') || r[0] == '%'))
                 Assert.That(rule.Split('~', '%').Last(), Does.Match("^[a-z][a-z0-9_]+$"), name.Name);
         }
-        foreach (var row in NameTable.Rows("SlicerDefaults")) Assert.That(SlicerName.Of(row[0], row[1]).Any() || row[1].StartsWith("machine_max", StringComparison.Ordinal)
+        foreach (var row in EmbeddedText.Rows("names/SlicerDefaults.tsv").Skip(1)) Assert.That(SlicerName.Of(row[0], row[1]).Any() || row[1].StartsWith("machine_max", StringComparison.Ordinal)
             || SlicerName.All.Any(n => n.Slicer == row[0] && n.Conversion.Contains(row[1])), row[1]);
     }
 

@@ -1,3 +1,5 @@
+using Caterpillar.Files;
+
 namespace Caterpillar.Machines;
 
 /// <summary>Makes profiles of ours from presets of another slicer.</summary>
@@ -6,8 +8,8 @@ internal sealed class SlicerImport(IReadOnlyList<SlicerPreset> presets, string n
     // How many values without an equal a message shows.
     private const int Shown = 400;
 
-    private static readonly Lazy<HashSet<string>> Ignored = new(() => [.. NameTable.Rows("SlicerIgnored").Select(r => r[0])]);
-    private static readonly Lazy<ILookup<string, string[]>> Defaults = new(() => NameTable.Rows("SlicerDefaults").ToLookup(r => r[0]));
+    private static readonly Lazy<HashSet<string>> Ignored = new(() => [.. EmbeddedText.Rows("names/SlicerIgnored.tsv").Skip(1).Select(r => r[0])]);
+    private static readonly Lazy<ILookup<string, string[]>> Defaults = new(() => EmbeddedText.Rows("names/SlicerDefaults.tsv").Skip(1).ToLookup(r => r[0]));
 
     private readonly HashSet<string> _names = new(StringComparer.Ordinal);
     private readonly SortedDictionary<string, string> _lost = new(StringComparer.Ordinal);

@@ -1,4 +1,5 @@
 using System.Text.RegularExpressions;
+using Caterpillar.Files;
 
 namespace Caterpillar.Machines;
 
@@ -19,7 +20,7 @@ internal sealed class SlicerTemplate(IReadOnlyDictionary<string, string> values,
     private static readonly Regex Compared = new($@"(\w+){Index}\s*(==|!=|<>)\s*""([^""]*)""");
     private static readonly Regex IsNil = new($@"is_nil\s*\(\s*(\w+){Index}\s*\)");
     private static readonly Regex Named = new($@"\b([A-Za-z_]\w*)(\[[^\]]*\])?");
-    private static readonly Lazy<Dictionary<string, string>> Placeholders = new(() => NameTable.Rows("SlicerPlaceholders").ToDictionary(r => r[0], r => r[1]));
+    private static readonly Lazy<Dictionary<string, string>> Placeholders = new(() => EmbeddedText.Rows("names/SlicerPlaceholders.tsv").Skip(1).ToDictionary(r => r[0], r => r[1]));
 
     /// <summary>The lines of a template of theirs for a key of ours.</summary>
     public IReadOnlyList<string> Lines(string theirs, ProfileKey ours)

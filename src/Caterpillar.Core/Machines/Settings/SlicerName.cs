@@ -1,4 +1,5 @@
 using System.Text.RegularExpressions;
+using Caterpillar.Files;
 
 namespace Caterpillar.Machines;
 
@@ -123,7 +124,7 @@ internal sealed record SlicerName(ProfileKey Key, string Slicer, string Name, st
     private static SlicerName[] Read()
     {
         var keys = ProfileKeys.All.Where(k => k.Name != "title").ToDictionary(k => k.Name, StringComparer.Ordinal);
-        var rows = NameTable.All("SlicerNames");
+        var rows = EmbeddedText.Rows("names/SlicerNames.tsv");
         return
         [
             .. from row in rows.Skip(1)
