@@ -28,7 +28,8 @@ internal static class PrinterImport
         foreach (var printer in imported.Printers) Put("", printer.Name, ProfileWriter.Write(printer), isFile ? output : null);
         foreach (var material in imported.Materials) Put("materials", material.Name, ProfileWriter.Write(material));
         foreach (var settings in imported.Settings) Put("settings", settings.Name, ProfileWriter.Write(settings));
-        session.Say(() => $"{output}: {(imported.Printers.Count == 1 ? imported.Printers[0].Title + ", " + imported.Printers[0].Flavor.Title : Number(imported.Printers.Count) + " printers")}"
+        session.Say(() => $"{output}: " + (imported.Printers.Count == 1 ? $"{imported.Printers[0].Title}, {imported.Printers[0].Flavor.Title}"
+            : $"printers: {Number(imported.Printers.Count)}")
             + $"; materials: {Number(imported.Materials.Count)}, settings: {Number(imported.Settings.Count)}");
         if (imported.Start is { } start)
         {

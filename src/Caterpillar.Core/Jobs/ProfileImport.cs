@@ -4,8 +4,8 @@ using Caterpillar.GCode;
 namespace Caterpillar.Jobs;
 
 /// <summary>
-/// Makes profiles from files of other programs: presets and bundles of PrusaSlicer (.ini), presets of OrcaSlicer and Bambu Studio (.json), the settings in their
-/// projects (.3mf) and prints, and start and end code, also of prints without settings.
+/// Makes profiles from files of other programs: presets and bundles of PrusaSlicer (.ini), presets of OrcaSlicer and Bambu Studio (.json), the settings in
+/// their projects (.3mf) and prints, and start and end code, also of prints without settings.
 /// </summary>
 public static class ProfileImport
 {
@@ -33,7 +33,10 @@ public static class ProfileImport
         {
             var problems = found.Diagnostics.ToList();
             var profiles = problems.Any(d => d.Severity == Severity.Error) ? null : new SlicerImport(found.Value!, name, like, fileName, problems).Run(printer);
-            return new Result<ImportedProfiles>(profiles, problems);
+            if (problems.Any(d => d.Severity == Severity.Error)) profiles = null;
+            // Printers of a bundle share most of their templates.
+            var kinds = problems.GroupBy(d => (d.Code, d.Message)).Select(g => g.First() with { Count = g.Count() });
+            return new Result<ImportedProfiles>(profiles, kinds.ToArray());
         }
         return Code(file, footer, name, like, fileName, footerName);
     }

@@ -31,7 +31,8 @@ public static class ProjectModels
         if (settings is null) throw new ArgumentNullException(nameof(settings));
         var marks = models.Where(m => m.Settings.ContainsKey(Painted)).SelectMany(m => Enumerable.Range(0, m.Mesh.TriangleCount).Select(t => Mark(m.Mesh, t)))
             .Take(MostMarks).ToArray();
-        return models.Select((m, i) => new SliceModel(m, With(settings[i % settings.Count], marks))).Where(m => !m.Mesh.Settings.ContainsKey(Painted)).ToArray();
+        var all = models.Select((m, i) => new SliceModel(m, With(settings[i % settings.Count], marks)));
+        return all.Where(m => !m.Mesh.Settings.ContainsKey(Painted)).ToArray();
     }
 
     private static PrintSettings Own(NamedMesh model, PrintSetup setup, List<Diagnostic> problems)

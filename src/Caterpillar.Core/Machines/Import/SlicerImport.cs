@@ -48,6 +48,11 @@ internal sealed class SlicerImport(IReadOnlyList<SlicerPreset> presets, string n
             else Once(preset, "filament", Setup(preset).Material, materials);
         }
         ReportLost();
+        if (printers.Count + materials.Count + settings.Count == 0)
+        {
+            const string None = "The file has no settings of a printer, a filament or a print.";
+            problems.Add(new Diagnostic(Severity.Error, "import.empty", None, new SourceLocation(file)));
+        }
         return new ImportedProfiles(printers, materials, settings);
 
         string Once<T>(SlicerPreset preset, string kind, T profile, List<T> all)
@@ -85,8 +90,9 @@ internal sealed class SlicerImport(IReadOnlyList<SlicerPreset> presets, string n
     {
         foreach (var names in SlicerName.All.Where(n => n.Slicer == slicer).GroupBy(n => n.Key))
         {
-            var value = names.First().IsTemplate ? template is null ? null : string.Join("\n", names.SelectMany(n => template.Lines(n.Name, n.Key)))
-                : names.Select(n => n.Convert(values)).FirstOrDefault(v => v is not null);
+            var value = names.Select(n => n.Convert(values)).FirstOrDefault(v => v is not null);
+            if (names.First().IsTemplate && template is not null && names.Any(n => values.ContainsKey(n.Name)))
+                value = string.Join("\n", names.SelectMany(n => template.Lines(n.Name, n.Key)));
             if (value is null) continue;
             used.UnionWith(names.SelectMany(n => n.Names));
             var with = setup.With(names.Key.Name + "=" + value);
@@ -136,7 +142,8 @@ internal sealed class SlicerImport(IReadOnlyList<SlicerPreset> presets, string n
         string[] before = Has(printer.StartGCode, "M140", "M190") ? [] : ["{if bed_temperature_c > 0}", "M190 S{bed_temperature_c}", "{endif}"];
         string[] after = Has(printer.StartGCode, "M104", "M109") ? [] : ["M109 S{start_nozzle_temperature_c}"];
         var change = printer.ToolChangeGCode;
-        if (change.Any(l => Command(l).Length > 0) && !change.Any(l => Command(l).StartsWith("T", StringComparison.Ordinal))) change = new([.. change, "T{tool}"]);
+        var changes = change.Any(l => Command(l).StartsWith("T", StringComparison.Ordinal));
+        if (!changes && change.Any(l => Command(l).Length > 0)) change = new([.. change, "T{tool}"]);
         return printer with { StartGCode = new([.. before, .. printer.StartGCode, .. after]), ToolChangeGCode = change };
     }
 
@@ -164,8 +171,8 @@ internal sealed class SlicerImport(IReadOnlyList<SlicerPreset> presets, string n
     {
         if (_lost.Count == 0) return;
         var shown = _lost.Select(l => l.Value.Length < 40 ? l.Key + "=" + l.Value : l.Key).Take(Shown);
-        problems.Add(new Diagnostic(Severity.Note, "import.no_equal",
-            $"{NumberFormatter.Format(_lost.Count)} {(_lost.Count == 1 ? "setting has" : "settings have")} no equal here: {string.Join(", ", shown)}.", new SourceLocation(file)));
+        var count = NumberFormatter.Format(_lost.Count) + (_lost.Count == 1 ? " setting has" : " settings have");
+        problems.Add(new Diagnostic(Severity.Note, "import.no_equal", $"{count} no equal here: {string.Join(", ", shown)}.", new SourceLocation(file)));
     }
 
     private string TitleOf(SlicerPreset preset, string kind)
@@ -177,8 +184,8 @@ internal sealed class SlicerImport(IReadOnlyList<SlicerPreset> presets, string n
     // Names of files without the signs that some systems or we ourselves give a meaning.
     private string NameOf(SlicerPreset preset, string kind)
     {
-        var plain = string.Join("_", new string([.. TitleOf(preset, kind).ToLowerInvariant().Select(c => c is >= 'a' and <= 'z' or >= '0' and <= '9' ? c : ' ')])
-            .Split([' '], StringSplitOptions.RemoveEmptyEntries));
+        var letters = TitleOf(preset, kind).ToLowerInvariant().Select(c => c is >= 'a' and <= 'z' or >= '0' and <= '9' ? c : ' ');
+        var plain = string.Join("_", string.Concat(letters).Split([' '], StringSplitOptions.RemoveEmptyEntries));
         if (plain.Length == 0) plain = "imported";
         var unique = plain;
         for (var i = 2; !_names.Add(kind + " " + unique); i++) unique = plain + "_" + NumberFormatter.Format(i);

@@ -20,7 +20,8 @@ internal sealed class SlicerTemplate(IReadOnlyDictionary<string, string> values,
     private static readonly Regex Compared = new($@"(\w+){Index}\s*(==|!=|<>)\s*""([^""]*)""");
     private static readonly Regex IsNil = new($@"is_nil\s*\(\s*(\w+){Index}\s*\)");
     private static readonly Regex Named = new($@"\b([A-Za-z_]\w*)(\[[^\]]*\])?");
-    private static readonly Lazy<Dictionary<string, string>> Placeholders = new(() => EmbeddedText.Rows("names/SlicerPlaceholders.tsv").Skip(1).ToDictionary(r => r[0], r => r[1]));
+    private static readonly Lazy<Dictionary<string, string>> Placeholders
+        = new(() => EmbeddedText.Rows("names/SlicerPlaceholders.tsv").Skip(1).ToDictionary(r => r[0], r => r[1]));
 
     /// <summary>The lines of a template of theirs for a key of ours.</summary>
     public IReadOnlyList<string> Lines(string theirs, ProfileKey ours)
@@ -111,7 +112,8 @@ internal sealed class SlicerTemplate(IReadOnlyDictionary<string, string> values,
         string Flag(bool yes) => yes ? "1" : "0";
     }
 
-    // Indices choose a tool, or a coordinate as in print_bed_max[1]. Names that only templates of layers and tools know mean the end or the first tool elsewhere.
+    // Indices choose a tool, or a coordinate as in print_bed_max[1]. Names that only templates of layers and tools know mean the end or the first tool
+    // elsewhere.
     private string Name(string name, string index, ProfileKey ours)
     {
         var tool = index.Trim('[', ']');

@@ -43,8 +43,8 @@ public sealed class ProfileLibrary
     public Result<PrintSettings> Settings(string nameOrFile) => Find(ProfileKinds.Settings, nameOrFile);
 
     /// <summary>
-    /// A complete setup. Material and settings default to the printer's <c>default_material</c> and <c>default_settings</c>, which for the file of a printer may
-    /// be in its folder. <paramref name="values"/> are <c>key=value</c> for any key of the three, applied in order.
+    /// A complete setup. Material and settings default to the printer's <c>default_material</c> and <c>default_settings</c>, which for the file of a printer
+    /// may be in its folder. <paramref name="values"/> are <c>key=value</c> for any key of the three, applied in order.
     /// </summary>
     /// <inheritdoc cref="Printer" path="/exception"/>
     public Result<PrintSetup> Setup(string printer = "generic", string? material = null, string? settings = null, IEnumerable<string>? values = null)

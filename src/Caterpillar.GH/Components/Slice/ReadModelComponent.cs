@@ -20,9 +20,10 @@ public sealed class ReadModelComponent() : CaterpillarComponent(
     {
         ports.Add(new Param_Mesh(), "Meshes", "M", "Models, at their position in the file.", GH_ParamAccess.list);
         ports.Text("Names", "N", "Names of the models in the file.", GH_ParamAccess.list);
-        ports.Add(new SettingsParam(), "Part Settings", "PS", "Print settings of each model, as a 3MF project of PrusaSlicer, OrcaSlicer or Bambu Studio states "
-            + "them; the rest is from Setup.", GH_ParamAccess.list);
-        ports.Add(new Param_Mesh(), "Modifiers", "Mo", "Modifiers, support blockers and enforcers of a project, and what is painted in it.", GH_ParamAccess.list);
+        ports.Add(new SettingsParam(), "Part Settings", "PS", "Print settings of each model, as a 3MF project of PrusaSlicer, OrcaSlicer or Bambu Studio "
+            + "states them; the rest is from Setup.", GH_ParamAccess.list);
+        ports.Add(new Param_Mesh(), "Modifiers", "Mo", "Modifiers, support blockers and enforcers of a project, and what is painted in it.",
+            GH_ParamAccess.list);
         ports.Add(new SettingsParam(), "Modifier Settings", "MS", "Print settings of each modifier.", GH_ParamAccess.list);
         ports.Diagnostics();
     }

@@ -23,9 +23,10 @@ public class ThreeMfProjectTests
         var config = """
             <config><object id="3" instances_count="1">
             <metadata type="object" key="name" value="plate.stl"/><metadata type="object" key="fill_density" value="30%"/>
-            <volume firstid="0" lastid="11"><metadata type="volume" key="name" value="body"/><metadata type="volume" key="volume_type" value="ModelPart"/></volume>
-            <volume firstid="12" lastid="23"><metadata type="volume" key="name" value="knob"/><metadata type="volume" key="volume_type" value="ParameterModifier"/>
-            <metadata type="volume" key="perimeters" value="5"/><metadata type="volume" key="infill_anchor" value="2"/></volume></object></config>
+            <volume firstid="0" lastid="11"><metadata type="volume" key="name" value="body"/>
+            <metadata type="volume" key="volume_type" value="ModelPart"/></volume>
+            <volume firstid="12" lastid="23"><metadata type="volume" key="name" value="knob"/>
+            <metadata type="volume" key="volume_type" value="ParameterModifier"/><metadata type="volume" key="perimeters" value="5"/><metadata type="volume" key="infill_anchor" value="2"/></volume></object></config>
             """;
         var read = MeshReader.Read(MeshBytes.ThreeMf(model, ("Metadata/Slic3r_PE_model.config", config)), "x.3mf").OrThrow();
         Assert.That(read.Select(m => m.Name), Is.EqualTo(new[] { "plate.stl", "plate.stl: knob" }));
@@ -95,7 +96,8 @@ public class ThreeMfProjectTests
     [Test]
     public void Painted_faces_become_enforcers_blockers_and_seams()
     {
-        var model = (Start + "<resources>" + MeshBytes.ModelObject(1) + "</resources><build><item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 50 0 0\"/></build></model>")
+        var model = (Start + "<resources>" + MeshBytes.ModelObject(1)
+            + "</resources><build><item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 50 0 0\"/></build></model>")
             .Replace("xmlns=", "xmlns:slic3rpe=\"http://schemas.slic3r.org/3mf/2017/06\" xmlns=");
         var faces = 0;
         model = System.Text.RegularExpressions.Regex.Replace(model, "(<triangle [^/]*)/>", m => faces++ switch
@@ -107,7 +109,8 @@ public class ThreeMfProjectTests
         var read = MeshReader.Read(MeshBytes.ThreeMf(model), "x.3mf").OrThrow();
         Assert.That(read.Select(m => m.Name.Split(':').Last().Trim()).Skip(1), Is.EqualTo(new[] { "painted supports", "painted no supports", "painted seam" }));
         var settings = ProjectModels.Settings(read, new PrintSetup()).OrThrow();
-        Assert.That(settings.Select(s => s.ModelType), Is.EqualTo(new[] { ModelType.Part, ModelType.SupportEnforcer, ModelType.SupportBlocker, ModelType.Modifier }));
+        ModelType[] types = [ModelType.Part, ModelType.SupportEnforcer, ModelType.SupportBlocker, ModelType.Modifier];
+        Assert.That(settings.Select(s => s.ModelType), Is.EqualTo(types));
         var moved = read.Select(m => m with { Mesh = m.Mesh.Moved(new Vec3(0, 7, 0)) }).ToArray();
         var models = ProjectModels.Models(moved, settings);
         Assert.That(models.Select(m => m.Settings.SeamEnforcers.Count), Is.EqualTo(new[] { 1, 0, 0 }));

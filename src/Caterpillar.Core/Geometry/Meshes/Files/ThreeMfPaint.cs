@@ -10,7 +10,8 @@ internal readonly record struct ThreeMfPaint(bool IsSeam, bool IsBlocked, Vec3 A
 
     /// <summary>
     /// The painted triangles of a face from an attribute of PrusaSlicer or OrcaSlicer (TriangleSelector): a tree in hexadecimal digits from right to left. The
-    /// low two bits of a digit are the number of divided sides. At 0 the others are the state; else they are the first side, and the children follow, last first.
+    /// low two bits of a digit are the number of divided sides. At 0 the others are the state; else they are the first side, and the children follow, last
+    /// first.
     /// </summary>
     public static void Read(string digits, bool isSeam, Vec3 a, Vec3 b, Vec3 c, List<ThreeMfPaint> found)
     {

@@ -58,7 +58,7 @@ internal sealed class ThreeMfProject
                     project.Plates.Add([]);
                     break;
                 case "metadata" when xml.GetAttribute("key") is { } key && xml.GetAttribute("value") is { } value:
-                    if (item is not null) (part ?? item).Settings[key] = value;
+                    if (item is not null && !IsPlain(key, value)) (part ?? item).Settings[key] = value;
                     else if (key == "object_id" && project.Plates.Count > 0) project.Plates[project.Plates.Count - 1].Add(Number("value"));
                     break;
                 case "assemble":
@@ -66,6 +66,10 @@ internal sealed class ThreeMfProject
             }
         }
         return project;
+
+        // What says nothing about how a part is printed.
+        static bool IsPlain(string key, string value)
+            => key == "matrix" || (key == "extruder" && value is "0" or "1") || key.StartsWith("source_", StringComparison.Ordinal);
 
         int Number(string attribute) => NumberReader.TryParseInt(xml.GetAttribute(attribute), out var number) ? number : -1;
     }

@@ -98,13 +98,14 @@ internal sealed class ThreeMfReader(MeshSource source, ZipArchive archive)
 
         void Add(ThreeMfPart? part, TriMesh mesh, Affine map)
         {
-            var own = part?.Settings.Where(s => !IsPlain(s.Key, s.Value)).ToArray() ?? [];
+            var own = part?.Settings.Where(s => s.Key != "name" && s.Value is not ("ModelPart" or "normal_part")).ToArray() ?? [];
             var builder = own.Length > 0 ? new MeshBuilder(mesh.VertexCount, mesh.TriangleCount) : whole;
             builder.Append(mesh, map);
             if (own.Length == 0) return;
             var settings = new Dictionary<string, string>(common);
             foreach (var pair in own) settings[pair.Key] = pair.Value;
-            others.Add(new NamedMesh($"{known!.Name ?? name}: {part!.Name ?? "part"}", builder.ToMesh(_source.Name, false, _source.Diagnostics)) { Settings = settings });
+            var made = builder.ToMesh(_source.Name, false, _source.Diagnostics);
+            others.Add(new NamedMesh($"{known!.Name ?? name}: {part!.Name ?? "part"}", made) { Settings = settings });
         }
 
         void Painted(string what, IEnumerable<ThreeMfPaint> faces, Func<IEnumerable<ThreeMfPaint>, TriMesh> made, string key, string value)
@@ -113,10 +114,6 @@ internal sealed class ThreeMfReader(MeshSource source, ZipArchive archive)
                 meshes.Add(new NamedMesh($"{known?.Name ?? name}: painted {what}", mesh) { Settings = new Dictionary<string, string> { [key] = value } });
         }
     }
-
-    // What says nothing about how a part is printed.
-    private static bool IsPlain(string key, string value)
-        => key is "name" or "matrix" or "extruder" && value is "0" || key.StartsWith("source_", StringComparison.Ordinal) || value is "ModelPart" or "normal_part";
 
     private void ReadProject()
     {
