@@ -57,7 +57,8 @@ public class PrinterImportTests : CliFixture
     public void Settings_of_another_slicer_become_a_folder_that_prints()
     {
         File.WriteAllText("old.ini", "printer_settings_id = Old One\nprint_settings_id = Fine\nfilament_settings_id = Grey\n"
-            + "bed_shape = 0x0,180x0,180x180,0x180\nmax_print_height = 170\ngcode_flavor = marlin2\nstart_gcode = G28\\nG29\\nMAGIC ON\\nG1 X{unknown}\nlayer_height = 0.3\nperimeters = 3\n"
+            + "bed_shape = 0x0,180x0,180x180,0x180\nmax_print_height = 170\ngcode_flavor = marlin2\n"
+            + "start_gcode = G28\\nG29\\nMAGIC ON\\nG1 X{unknown}\nlayer_height = 0.3\nperimeters = 3\n"
             + "machine_max_feedrate_x = 200\nmachine_max_feedrate_y = 200\nmachine_max_feedrate_z = 12\n"
             + "machine_max_feedrate_e = 60\nsupport_material_angle = 30\n");
         Assert.That(Run("printers", "--import", "old.ini").Code, Is.EqualTo(2), "no folder");

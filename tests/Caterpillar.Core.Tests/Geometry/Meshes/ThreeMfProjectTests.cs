@@ -26,7 +26,8 @@ public class ThreeMfProjectTests
             <volume firstid="0" lastid="11"><metadata type="volume" key="name" value="body"/>
             <metadata type="volume" key="volume_type" value="ModelPart"/></volume>
             <volume firstid="12" lastid="23"><metadata type="volume" key="name" value="knob"/>
-            <metadata type="volume" key="volume_type" value="ParameterModifier"/><metadata type="volume" key="perimeters" value="5"/><metadata type="volume" key="infill_anchor" value="2"/></volume></object></config>
+            <metadata type="volume" key="volume_type" value="ParameterModifier"/>
+            <metadata type="volume" key="perimeters" value="5"/><metadata type="volume" key="infill_anchor" value="2"/></volume></object></config>
             """;
         var read = MeshReader.Read(MeshBytes.ThreeMf(model, ("Metadata/Slic3r_PE_model.config", config)), "x.3mf").OrThrow();
         Assert.That(read.Select(m => m.Name), Is.EqualTo(new[] { "plate.stl", "plate.stl: knob" }));
