@@ -61,7 +61,7 @@ public class PrinterImportTests : CliFixture
             + "start_gcode = G28\\nG29\\nMAGIC ON\\nG1 X{unknown}\nlayer_height = 0.3\nperimeters = 3\n"
             + "machine_max_feedrate_x = 200\nmachine_max_feedrate_y = 200\nmachine_max_feedrate_z = 12\n"
             + "machine_max_feedrate_e = 60\nsupport_material_angle = 30\n");
-        Assert.That(Run("printers", "--import", "old.ini").Code, Is.EqualTo(2), "no folder");
+        Assert.That(Run("printers", "--import", "old.ini").Text, Does.Contain("\"title\": \"Old One\""), "the printer alone");
         var run = Run("printers", "--import", "old.ini", "-o", "mine");
         Assert.That(run.Code, Is.Zero, run.Messages);
         Assert.That(run.Messages, Does.Contain("import.macro").And.Contain("MAGIC").And.Contain("start_gcode line 4").And.Contain("support_material_angle=30"));
