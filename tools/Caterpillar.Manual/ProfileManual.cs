@@ -29,6 +29,7 @@ internal static class ProfileManual
             ```
             caterpillar printers                    # all profiles
             caterpillar printers ender3             # all keys of a profile, to start your own
+            caterpillar printers --import old.ini -o mine               # those of another slicer
             caterpillar printers --import HEADER FOOTER -o mine.json    # a printer from two G-code files, as in ExtruderTurtle
             caterpillar slice part.stl --printer ender3 --material petg --settings fine --set layer_height_mm=0.15
             ```

@@ -1,6 +1,21 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>A mesh with the name that its file gives it, or the file name if it has none.</summary>
-/// <param name="Name">The name, for messages and settings of one model.</param>
-/// <param name="Mesh">The mesh, mm.</param>
-public sealed record NamedMesh(string Name, TriMesh Mesh);
+public sealed record NamedMesh
+{
+    /// <summary>The name, for messages and settings of one model.</summary>
+    public string Name { get; init; }
+
+    /// <summary>The mesh, mm.</summary>
+    public TriMesh Mesh { get; init => field = value ?? throw new ArgumentNullException(nameof(value)); }
+
+    /// <summary>Settings of this mesh in a project of another slicer, in its words.</summary>
+    public IReadOnlyDictionary<string, string> Settings { get; init; } = new Dictionary<string, string>();
+
+    /// <summary>A mesh and its name.</summary>
+    public NamedMesh(string name, TriMesh mesh)
+    {
+        Name = name ?? throw new ArgumentNullException(nameof(name));
+        Mesh = mesh;
+    }
+}

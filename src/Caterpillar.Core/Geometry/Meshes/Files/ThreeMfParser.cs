@@ -10,18 +10,20 @@ internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xm
     private byte[] _number = new byte[64];
     private bool _good = true;
 
+    /// <summary>How XML of a package is read: without other documents, and not without end.</summary>
+    public static XmlReaderSettings Settings(long length) => new()
+    {
+        DtdProcessing = DtdProcessing.Prohibit,
+        XmlResolver = null,
+        IgnoreComments = true,
+        IgnoreWhitespace = true,
+        MaxCharactersInDocument = length,
+    };
+
     /// <summary>The model; null with an error where it cannot be read. May throw what the XML reader throws.</summary>
     public static ThreeMfModel? Parse(MeshSource source, string part, Stream stream)
     {
-        var settings = new XmlReaderSettings
-        {
-            DtdProcessing = DtdProcessing.Prohibit,
-            XmlResolver = null,
-            IgnoreComments = true,
-            IgnoreWhitespace = true,
-            MaxCharactersInDocument = Math.Min(int.MaxValue - 1024, GzipReader.Limit(source.Length)),
-        };
-        using var xml = XmlReader.Create(stream, settings);
+        using var xml = XmlReader.Create(stream, Settings(Math.Min(int.MaxValue - 1024, GzipReader.Limit(source.Length))));
         var parser = new ThreeMfParser(source, part, xml);
         parser.ReadModel();
         return parser._good ? parser._model : null;
@@ -101,6 +103,8 @@ internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xm
         var builder = new MeshBuilder(1024, 2048);
         var ids = new int[1024];
         var vertices = 0;
+        var triangles = 0;
+        var painted = new List<(int Triangle, bool IsSeam, string Digits)>();
         var depth = xml.Depth;
         if (xml.IsEmptyElement) return;
         for (long nodes = 0; _good && xml.Read() && xml.Depth > depth; nodes++)
@@ -121,7 +125,11 @@ internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xm
                     Fail("mesh.index", "A triangle uses a vertex that does not exist.");
                     return;
                 }
+                var before = builder.TriangleCount;
                 builder.AddTriangle(ids[a], ids[b], ids[c]);
+                if (builder.TriangleCount == before) item.Dropped.Add(triangles);
+                else if (_xml.AttributeCount > 3) ReadPaint(before, painted);
+                triangles++;
             }
         }
         if (builder.NotFinite > 0)
@@ -132,7 +140,20 @@ internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xm
         {
             source.Note(Severity.Note, "mesh.degenerate_faces", "A triangle with two equal vertices is ignored.", Place(), builder.Degenerate);
         }
-        item.Mesh = builder.ToMesh();
+        var mesh = item.Mesh = builder.ToMesh();
+        foreach (var (triangle, isSeam, digits) in painted)
+        {
+            var (a, b, c) = mesh.Triangle(triangle);
+            ThreeMfPaint.Read(digits, isSeam, mesh.RawVertices[a], mesh.RawVertices[b], mesh.RawVertices[c], item.Paint);
+        }
+    }
+
+    private void ReadPaint(int triangle, List<(int Triangle, bool IsSeam, string Digits)> painted)
+    {
+        if ((_xml.GetAttribute("slic3rpe:custom_supports") ?? _xml.GetAttribute("paint_supports")) is { } supports) painted.Add((triangle, false, supports));
+        if ((_xml.GetAttribute("slic3rpe:custom_seam") ?? _xml.GetAttribute("paint_seam")) is { } seam) painted.Add((triangle, true, seam));
+        if ((_xml.GetAttribute("slic3rpe:mmu_segmentation") ?? _xml.GetAttribute("paint_color")) is { Length: > 0 })
+            _source.Note(Severity.Warning, "mesh.painted_tools", "Faces painted for other tools are printed with the tool of their part.", Place());
     }
 
     private ThreeMfUse? ReadUse()
