@@ -9,8 +9,10 @@ internal sealed class InfillFiller(RegionEngine engine)
     // How far, in mm, lines may leave the area where they follow its boundary: fine corners there cost moves and show nowhere.
     private const double Smoothing = 0.02;
 
-    // mm; what is shorter would be a move of nothing in print.
-    private const double ShortestSegment = 0.01;
+    // mm; a printer is slow in shorter moves. What they may change: mm, and mm² in one place.
+    private const double ShortestSegment = 0.1;
+    private const double ShortTolerance = 0.05;
+    private const double ShortArea = 0.015;
 
     private readonly BoundaryLinks _links = new();
     private readonly LevelSet _levels = new();
@@ -42,7 +44,7 @@ internal sealed class InfillFiller(RegionEngine engine)
             : Pattern(request))
         {
             if (!request.Solid && IsShort(line, request.Width)) continue;
-            if (line.WithoutShort(ShortestSegment) is { } kept) result.Add(kept);
+            if (line.WithoutShort(ShortestSegment, ShortTolerance, ShortArea) is { } kept) result.Add(kept);
         }
         return result;
     }

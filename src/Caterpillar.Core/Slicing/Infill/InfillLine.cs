@@ -22,31 +22,31 @@ internal sealed record InfillLine(Vec3[] Points, bool Closed, double[]? Flow = n
         }
     }
 
-    /// <summary>Without points closer than a length (mm) to the one before; the ends stay. Null where nothing of that length is left.</summary>
-    public InfillLine? WithoutShort(double least)
+    /// <summary>With few segments shorter than a length (mm), as <see cref="ShortSegments"/> finds them. Null where the whole line is not longer.</summary>
+    public InfillLine? WithoutShort(double least, double tolerance, double area)
     {
-        var points = new Vec3[Points.Length];
-        var flow = Flow is null ? null : new double[Flow.Length];
-        points[0] = Points[0];
-        var n = 1;
-        for (var i = 1; i < Points.Length; i++)
+        var length = 0.0;
+        for (var i = 1; i < Points.Length && length < least; i++) length += Points[i].DistanceTo(Points[i - 1]);
+        if (length < least) return null;
+        if (ShortSegments.Keep(Points, Closed, least, tolerance, area) is not { } kept) return this;
+        return new InfillLine(Array.ConvertAll(kept, i => Points[i]), Closed, Flow is null ? null : FlowBetween(kept));
+    }
+
+    // One segment has the volume of those that it replaces, for each mm of their length.
+    private double[] FlowBetween(int[] kept)
+    {
+        var flow = new double[Closed ? kept.Length : kept.Length - 1];
+        for (var k = 0; k < flow.Length; k++)
         {
-            if (Points[i].DistanceTo(points[n - 1]) >= least)
+            double volume = 0, length = 0;
+            for (var i = kept[k]; i < (k + 1 < kept.Length ? kept[k + 1] : Points.Length); i++)
             {
-                if (flow is not null) flow[n - 1] = Flow![i - 1];
-                points[n++] = Points[i];
+                var piece = Points[i].DistanceTo(Points[i + 1 < Points.Length ? i + 1 : 0]);
+                volume += piece * Flow![i];
+                length += piece;
             }
-            else if (i + 1 == Points.Length && !Closed && n > 1)
-            {
-                points[n - 1] = Points[i];
-            }
+            flow[k] = length > 0 ? volume / length : 1;
         }
-        if (Closed && n > 1 && points[n - 1].DistanceTo(points[0]) < least) n--;
-        if (n < 2) return null;
-        if (n == Points.Length) return this;
-        if (flow is not null && Closed) flow[n - 1] = Flow![Flow.Length - 1];
-        System.Array.Resize(ref points, n);
-        if (flow is not null) System.Array.Resize(ref flow, Closed ? n : n - 1);
-        return new InfillLine(points, Closed, flow);
+        return flow;
     }
 }
