@@ -46,7 +46,6 @@ internal static class PrintTimes
             var setup = new PrintSetup { Printer = Printer, Settings = Settings };
             var placed = ModelPlacement.OnBed(MeshReader.Read(file).Value!, Printer.BuildBounds.Center);
             Row(name, "Caterpillar", Planner.Plan(PlanarSlicer.Slice(placed, Settings).Value!.ToSteps(), setup).Value!);
-            if (Environment.GetEnvironmentVariable("OWN") is not null) continue;
             var stl = Path.Combine(folder, name + ".stl");
             if (!File.Exists(stl)) File.WriteAllBytes(stl, StlWriter.ToBytes(TriMesh.Merge(placed.Select(m => m.Mesh).ToArray())));
             Peer(name, "PrusaSlicer", Path.Combine(folder, name + ".prusa.gcode"), output => Prusa(stl, output));
@@ -87,15 +86,8 @@ internal static class PrintTimes
         var printed = toolpath.Moves().Where(m => m.Kind == MoveKind.Print && m.Length > 0).ToList();
         var tiny = 100.0 * printed.Count(m => m.Length < ShortMove) / printed.Count;
         var (length, travel) = (printed.Sum(m => m.Length) / 1000, statistics.TravelLength / 1000);
-        Console.WriteLine(string.Create(CultureInfo.InvariantCulture,
-            $"| {mesh} | {program} | {length:0.0} m | {travel:0.0} m | {statistics.Retractions} | {printed.Count} | {tiny:0.0} % | {statistics.Duration:0} s |"));
-        if (Environment.GetEnvironmentVariable("DETAIL") is null) return;
-        foreach (var role in printed.GroupBy(m => m.Role).OrderBy(g => g.Key))
-        {
-            var time = statistics.Roles.Where(r => r.Role == role.Key).Sum(r => r.Time);
-            Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"     {role.Key,-16} {role.Count(),8} moves, {role.Count(m => m.Length < ShortMove),7} short, {role.Sum(m => m.Length) / 1000,8:0.0} m, {time,8:0} s"));
-        }
-        Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"     travel {statistics.TravelTime:0} s"));
+        var work = string.Create(CultureInfo.InvariantCulture, $"{length:0.0} m | {travel:0.0} m | {statistics.Retractions} | {printed.Count}");
+        Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"| {mesh} | {program} | {work} | {tiny:0.0} % | {statistics.Duration:0} s |"));
     }
 
     private static ProcessStartInfo Prusa(string stl, string output) => new("prusa-slicer",
@@ -107,7 +99,8 @@ internal static class PrintTimes
         + " --external-perimeter-speed 40 --small-perimeter-speed 40 --infill-speed 80 --solid-infill-speed 60 --top-solid-infill-speed 60 --bridge-speed 60"
         + " --gap-fill-speed 60 --first-layer-speed 25 --travel-speed 150 --retract-length 0.8 --retract-speed 35 --deretract-speed 35"
         + " --retract-before-travel 1.5 --retract-lift 0 --no-retract-layer-change --machine-limits-usage ignore --default-acceleration 0 --no-cooling"
-        + " --only-retract-when-crossing-perimeters --no-overhangs --no-ensure-vertical-shell-thickness --start-gcode G90 --end-gcode G90 " + stl);
+        + " --only-retract-when-crossing-perimeters --no-overhangs --no-thick-bridges --no-ensure-vertical-shell-thickness"
+        + " --start-gcode G90 --end-gcode G90 " + stl);
 
     private static ProcessStartInfo Cura(string stl, string output)
     {

@@ -80,24 +80,26 @@ internal static class Samples
             => File.WriteAllBytes(Path.Combine(folder, name + ".stl"), StlWriter.ToBytes(Prism.On(outline, height)));
     }
 
-    private static Polyline Box(double x0, double y0, double x1, double y1) => new([new(x0, y0), new(x1, y0), new(x1, y1), new(x0, y1)], closed: true);
+    private static Polyline Polygon(IEnumerable<Vec3> points) => new(points, closed: true);
+
+    private static Polyline Box(double x0, double y0, double x1, double y1) => Polygon([new(x0, y0), new(x1, y0), new(x1, y1), new(x0, y1)]);
 
     private static Region Rectangle(double x, double y) => Region.From([Box(-x / 2, -y / 2, x / 2, y / 2)]);
 
     private static Polyline Round(double x, double y, double radius, int sides)
-        => new(Enumerable.Range(0, sides).Select(i => Angle.SinCos(360.0 * i / sides)).Select(a => new Vec3(x + radius * a.Cos, y + radius * a.Sin)), closed: true);
+        => Polygon(Enumerable.Range(0, sides).Select(i => Angle.SinCos(360.0 * i / sides)).Select(a => new Vec3(x + radius * a.Cos, y + radius * a.Sin)));
 
-    private static Polyline Gear(int teeth, double low, double high) => new(Enumerable.Range(0, 4 * teeth).Select(i =>
+    private static Polyline Gear(int teeth, double low, double high) => Polygon(Enumerable.Range(0, 4 * teeth).Select(i =>
     {
         var (sin, cos) = Angle.SinCos(90.0 / teeth * i);
         var radius = i % 4 < 2 ? low : high;
         return new Vec3(radius * cos, radius * sin);
-    }), closed: true);
+    }));
 
     private static Region Turned(Region region, double degrees)
     {
         var (sin, cos) = Angle.SinCos(degrees);
-        return Region.From(region.Contours.Select(c => new Polyline(c.Raw.Select(p => new Vec3(p.X * cos - p.Y * sin, p.X * sin + p.Y * cos)), closed: true)).ToList());
+        return Region.From(region.Contours.Select(c => Polygon(c.Raw.Select(p => new Vec3(p.X * cos - p.Y * sin, p.X * sin + p.Y * cos)))).ToList());
     }
 
     /// <summary>A model of any format as binary STL.</summary>

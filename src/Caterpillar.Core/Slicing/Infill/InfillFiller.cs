@@ -3,14 +3,16 @@ namespace Caterpillar.Slicing;
 /// <summary>Fills areas with extrusions. One thread at a time; keeps its arrays for the next area.</summary>
 internal sealed class InfillFiller(RegionEngine engine)
 {
+    /// <summary>mm; a printer is slow in shorter moves.</summary>
+    public const double ShortestSegment = 0.1;
+
     // Longest link along the boundary, in distances of lines.
     private const double LongestLink = 2;
 
     // How far, in mm, lines may leave the area where they follow its boundary: fine corners there cost moves and show nowhere.
     private const double Smoothing = 0.02;
 
-    // mm; a printer is slow in shorter moves. What they may change: mm, and mm² in one place.
-    private const double ShortestSegment = 0.1;
+    // How far lines may move where short segments are left away: mm, and mm² in one place.
     private const double ShortTolerance = 0.05;
     private const double ShortArea = 0.015;
 

@@ -6,6 +6,9 @@ namespace Caterpillar.Slicing;
 /// <param name="Flow">Flow ratio of each segment, or null if it is 1 throughout.</param>
 internal sealed record InfillLine(Vec3[] Points, bool Closed, double[]? Flow = null)
 {
+    // mm; what is shorter as a whole would print nothing.
+    private const double ShortestLine = 0.01;
+
     /// <summary>Length in mm of an extrusion of the full area with the same volume.</summary>
     public double Length
     {
@@ -22,29 +25,26 @@ internal sealed record InfillLine(Vec3[] Points, bool Closed, double[]? Flow = n
         }
     }
 
-    /// <summary>With few segments shorter than a length (mm), as <see cref="ShortSegments"/> finds them. Null where the whole line is not longer.</summary>
+    /// <summary>With few segments shorter than a length, mm (<see cref="ShortSegments"/>). Null where the line itself is next to nothing.</summary>
     public InfillLine? WithoutShort(double least, double tolerance, double area)
     {
         var length = 0.0;
-        for (var i = 1; i < Points.Length && length < least; i++) length += Points[i].DistanceTo(Points[i - 1]);
-        if (length < least) return null;
+        for (var i = 1; i < Points.Length && length < ShortestLine; i++) length += Points[i].DistanceTo(Points[i - 1]);
+        if (length < ShortestLine) return null;
         if (ShortSegments.Keep(Points, Closed, least, tolerance, area) is not { } kept) return this;
         return new InfillLine(Array.ConvertAll(kept, i => Points[i]), Closed, Flow is null ? null : FlowBetween(kept));
     }
 
-    // One segment has the volume of those that it replaces, for each mm of their length.
+    // One segment has the volume of those that it replaces.
     private double[] FlowBetween(int[] kept)
     {
         var flow = new double[Closed ? kept.Length : kept.Length - 1];
         for (var k = 0; k < flow.Length; k++)
         {
-            double volume = 0, length = 0;
+            var volume = 0.0;
             for (var i = kept[k]; i < (k + 1 < kept.Length ? kept[k + 1] : Points.Length); i++)
-            {
-                var piece = Points[i].DistanceTo(Points[i + 1 < Points.Length ? i + 1 : 0]);
-                volume += piece * Flow![i];
-                length += piece;
-            }
+                volume += Flow![i] * Points[i].DistanceTo(Points[i + 1 < Points.Length ? i + 1 : 0]);
+            var length = Points[kept[k]].DistanceTo(Points[kept[k + 1 < kept.Length ? k + 1 : 0]]);
             flow[k] = length > 0 ? volume / length : 1;
         }
         return flow;
