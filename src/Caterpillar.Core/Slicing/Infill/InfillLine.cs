@@ -9,6 +9,9 @@ internal sealed record InfillLine(Vec3[] Points, bool Closed, double[]? Flow = n
     // mm; what is shorter as a whole would print nothing.
     private const double ShortestLine = 0.01;
 
+    // Times the flow of the segments that one replaces.
+    private const double LargestFlow = 1.5;
+
     /// <summary>Length in mm of an extrusion of the full area with the same volume.</summary>
     public double Length
     {
@@ -35,17 +38,19 @@ internal sealed record InfillLine(Vec3[] Points, bool Closed, double[]? Flow = n
         return new InfillLine(Array.ConvertAll(kept, i => Points[i]), Closed, Flow is null ? null : FlowBetween(kept));
     }
 
-    // One segment has the volume of those that it replaces.
+    // One segment has the volume of those that it replaces, unless they go to and fro.
     private double[] FlowBetween(int[] kept)
     {
         var flow = new double[Closed ? kept.Length : kept.Length - 1];
         for (var k = 0; k < flow.Length; k++)
         {
-            var volume = 0.0;
+            double volume = 0, most = 0;
             for (var i = kept[k]; i < (k + 1 < kept.Length ? kept[k + 1] : Points.Length); i++)
+            {
                 volume += Flow![i] * Points[i].DistanceTo(Points[i + 1 < Points.Length ? i + 1 : 0]);
-            var length = Points[kept[k]].DistanceTo(Points[kept[k + 1 < kept.Length ? k + 1 : 0]]);
-            flow[k] = length > 0 ? volume / length : 1;
+                most = Math.Max(most, Flow[i]);
+            }
+            flow[k] = Math.Min(volume / Points[kept[k]].DistanceTo(Points[kept[k + 1 < kept.Length ? k + 1 : 0]]), LargestFlow * most);
         }
         return flow;
     }
