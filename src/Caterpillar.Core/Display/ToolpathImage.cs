@@ -33,6 +33,9 @@ public sealed record ToolpathImageOptions
     /// <summary>The view. The part fills the image.</summary>
     public View View { get; init; } = View.ThreeQuarter;
 
+    /// <summary>The part of the bed that fills the image instead, mm; its Z does not matter. Empty = all that is drawn.</summary>
+    public Bounds Region { get; init; }
+
     /// <summary>The value that the colors of extrusions show.</summary>
     public ColorBy ColorBy { get; init; } = ColorBy.Role;
 
@@ -75,7 +78,7 @@ public static class ToolpathImage
         var floor = options.Strokes ? Lowest(toolpath) : double.NegativeInfinity;
         var ranges = Ranges(toolpath, options, floor);
         if (ranges.Box.IsEmpty) return canvas.Finish();
-        canvas.Fit(ranges.Box);
+        canvas.Fit(options.Region.IsEmpty ? ranges.Box : Above(options.Region, ranges.Box));
         foreach (var move in toolpath.Moves())
         {
             if ((move.Index & 0xFFFF) == 0)
@@ -87,11 +90,12 @@ public static class ToolpathImage
             var length = move.Length;
             if (length == 0)
             {
-                if (Blob.Of(toolpath, move) is { } blob) DrawBlob(canvas, blob, ColorOf(toolpath, move, options.ColorBy, ranges));
+                if (Blob.Of(toolpath, move) is { } blob)
+                    canvas.Extrusion(blob.Tip, blob.Tip, blob.Width, blob.Height, ColorOf(toolpath, move, options.ColorBy, ranges));
                 continue;
             }
             var print = IsExtrusion(move, floor);
-            var width = print && toolpath.VolumeOf(move) is { } volume && volume > 0 ? Math.Sqrt(volume / length * 4 / Math.PI) : DefaultWidth;
+            var (width, height) = print ? SizeOf(toolpath, move, DefaultWidth) : (0, 0);
             var color = print ? ColorOf(toolpath, move, options.ColorBy, ranges) : Palette.Travel;
             var chords = move.Arc is { } arc ? arc.ChordCount(move.Start, Math.Max(0.02, arc.Radius(move.Start) * 1e-5)) : 1;
             var last = move.Start;
@@ -99,7 +103,7 @@ public static class ToolpathImage
             {
                 if ((i & 0xFF) == 2) cancel.ThrowIfCancellationRequested();
                 var next = move.PointAt((double)i / chords);
-                canvas.Extrusion(last, next, print ? width : 0, color);
+                canvas.Extrusion(last, next, width, height, color);
                 last = next;
             }
         }
@@ -171,20 +175,16 @@ public static class ToolpathImage
         _ => Palette.At(move.Index / Math.Max(toolpath.Count - 1.0, 1)),
     };
 
-    // A disc consists of rods side by side, as high as it is, so many that its rim is smooth.
-    private static void DrawBlob(ExtrusionCanvas canvas, Blob blob, Rgb color)
+    // A bead with round sides is as wide as slicers count it; of unknown height, or in the air, it is round.
+    private static (double Width, double Height) SizeOf(Toolpath toolpath, Move move, double unknown)
     {
-        const int MostRods = 400;
-        var (center, reach) = (blob.Tip - new Vec3(0, 0, blob.Height / 2), (blob.Width - blob.Height) / 2);
-        var rods = (int)Math.Min(MostRods, 1 + 16 * reach / blob.Height);
-        for (var k = 0; k < rods; k++)
-        {
-            var aside = reach * ((2 * k + 1.0) / rods - 1);
-            var half = new Vec3(Math.Sqrt(Math.Max(0, reach * reach - aside * aside)), 0);
-            var middle = center + new Vec3(0, aside);
-            canvas.Extrusion(middle - half, middle + half, blob.Height, color);
-        }
+        if (toolpath.BeadOf(move) is not { Area: > 0 } bead) return (unknown, unknown);
+        var width = bead.Width(BeadShape.Stadium);
+        return (width, bead.Height > 0 ? Math.Min(width, bead.Height) : width);
     }
+
+    private static Bounds Above(Bounds region, Bounds box)
+        => new(region.Min.WithZ(box.Min.Z), region.Max.WithZ(box.Max.Z));
 
     private readonly record struct ColorRanges(Bounds Box, double Slow, double Fast, int FirstLayer, int LastLayer);
 }

@@ -27,6 +27,36 @@ public class ImageTests
         Assert.That(rows, Is.InRange(20, 22));
     }
 
+    [Test]
+    public void Beads_of_a_layer_are_as_wide_and_high_as_they_are()
+    {
+        // 0.4 mm² in a layer 0.5 mm high: 0.8 + 0.5 · (1 − π / 4) = 0.907 mm wide. 10 mm fill 184 of 200 pixels.
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(0, 0, 0.5));
+        builder.AddLayer(new Layer(0, 0.5, 0.5));
+        builder.Add(new Vec3(10, 0, 0.5), 4, 4, 20, MoveKind.Print, Role.OuterWall, 0, 0, 0);
+        var toolpath = builder.Build([new ToolpathTool(1)]);
+        foreach (var (view, rows) in new[] { (View.Top, 0.907 * 18.4), (View.Front, 0.5 * 18.4), (new View(-90, 30), 11.56) })
+        {
+            // From 30°: √((0.907 · sin)² + (0.5 · cos)²) = 0.628 mm.
+            var image = ToolpathImage.Draw(toolpath, new ToolpathImageOptions { Width = 200, Height = 100, View = view });
+            Assert.That(Covered(image, 100), Is.InRange(rows - 0.5, rows + 2), "with rows that it covers in part");
+        }
+    }
+
+    [Test]
+    public void A_region_fills_the_image()
+    {
+        // 2 mm of 10 mm fill 184 of 200 pixels, so a bead 1.13 mm wide takes 104 rows.
+        var options = new ToolpathImageOptions { Width = 200, Height = 200, View = View.Top, Region = new Bounds(new Vec3(8.5, -1), new Vec3(10.5, 1)) };
+        var image = ToolpathImage.Draw(Line(Vec3.Zero, new Vec3(10, 0, 0)), options);
+        Assert.That(Covered(image, 60), Is.EqualTo(104).Within(2));
+        Assert.That(image[0, 100], Is.Not.EqualTo(options.Background), "the line goes on to the left");
+        Assert.That(image[199, 100], Is.EqualTo(options.Background), "and ends at X 10.57");
+    }
+
+    private static int Covered(RasterImage image, int x)
+        => Enumerable.Range(0, image.Height).Count(y => image[x, y] != new ToolpathImageOptions().Background);
+
     // A dot alone fills the height of the image; seen from the side a disc is flat.
     [Test]
     public void Dots_are_drawn_as_large_as_they_are()

@@ -128,7 +128,7 @@ internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xm
                 var before = builder.TriangleCount;
                 builder.AddTriangle(ids[a], ids[b], ids[c]);
                 if (builder.TriangleCount == before) item.Dropped.Add(triangles);
-                else if (_xml.AttributeCount > 3) ReadPaint(before, painted);
+                else if (xml.AttributeCount > 3) ReadPaint(before, painted);
                 triangles++;
             }
         }
@@ -150,10 +150,10 @@ internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xm
 
     private void ReadPaint(int triangle, List<(int Triangle, bool IsSeam, string Digits)> painted)
     {
-        if ((_xml.GetAttribute("slic3rpe:custom_supports") ?? _xml.GetAttribute("paint_supports")) is { } supports) painted.Add((triangle, false, supports));
-        if ((_xml.GetAttribute("slic3rpe:custom_seam") ?? _xml.GetAttribute("paint_seam")) is { } seam) painted.Add((triangle, true, seam));
-        if ((_xml.GetAttribute("slic3rpe:mmu_segmentation") ?? _xml.GetAttribute("paint_color")) is { Length: > 0 })
-            _source.Note(Severity.Warning, "mesh.painted_tools", "Faces painted for other tools are printed with the tool of their part.", Place());
+        if ((xml.GetAttribute("slic3rpe:custom_supports") ?? xml.GetAttribute("paint_supports")) is { } supports) painted.Add((triangle, false, supports));
+        if ((xml.GetAttribute("slic3rpe:custom_seam") ?? xml.GetAttribute("paint_seam")) is { } seam) painted.Add((triangle, true, seam));
+        if ((xml.GetAttribute("slic3rpe:mmu_segmentation") ?? xml.GetAttribute("paint_color")) is { Length: > 0 })
+            source.Note(Severity.Warning, "mesh.painted_tools", "Faces painted for other tools are printed with the tool of their part.", Place());
     }
 
     private ThreeMfUse? ReadUse()

@@ -79,14 +79,14 @@ internal sealed class ThreeMfReader(MeshSource source, ZipArchive archive)
             if (volumes.Length < 2) Add(known?.Parts.FirstOrDefault(p => p.First < 0 ? p.Id == pieceId : true), piece.Mesh!, placed);
             else foreach (var volume in volumes) Add(volume, piece.Triangles(volume.First, volume.Last), placed);
         }
-        var mesh = whole.ToMesh(_source.Name, false, _source.Diagnostics);
+        var mesh = whole.ToMesh(source.Name, false, source.Diagnostics);
         if (mesh.TriangleCount > 0 || others.Count == 0) meshes.Add(new NamedMesh(known?.Name ?? name, mesh) { Settings = common });
         meshes.AddRange(others);
         Painted("supports", painted.Where(p => !p.IsSeam && !p.IsBlocked), ThreeMfPaint.Bodies, "subtype", "support_enforcer");
         Painted("no supports", painted.Where(p => !p.IsSeam && p.IsBlocked), ThreeMfPaint.Bodies, "subtype", "support_blocker");
         Painted("seam", painted.Where(p => p.IsSeam && !p.IsBlocked), ThreeMfPaint.Faces, "painted", "seam");
         if (painted.Any(p => p.IsSeam && p.IsBlocked))
-            _source.Note(Severity.Note, "mesh.unsupported", "Faces painted to have no seam are ignored.");
+            source.Note(Severity.Note, "mesh.unsupported", "Faces painted to have no seam are ignored.");
 
         void Add(ThreeMfPart? part, TriMesh mesh, Affine map)
         {
@@ -96,7 +96,7 @@ internal sealed class ThreeMfReader(MeshSource source, ZipArchive archive)
             if (own.Length == 0) return;
             var settings = new Dictionary<string, string>(common);
             foreach (var pair in own) settings[pair.Key] = pair.Value;
-            var made = builder.ToMesh(_source.Name, false, _source.Diagnostics);
+            var made = builder.ToMesh(source.Name, false, source.Diagnostics);
             others.Add(new NamedMesh($"{known!.Name ?? name}: {part!.Name ?? "part"}", made) { Settings = settings });
         }
 
@@ -111,11 +111,11 @@ internal sealed class ThreeMfReader(MeshSource source, ZipArchive archive)
     {
         if (ThreeMfProject.Paths.Select(Entry).FirstOrDefault(e => e is not null) is not { } entry) return;
         using var stream = entry.Open();
-        using var xml = XmlReader.Create(stream, ThreeMfParser.Settings(Math.Min(int.MaxValue - 1024, GzipReader.Limit(_source.Length))));
+        using var xml = XmlReader.Create(stream, ThreeMfParser.Settings(Math.Min(int.MaxValue - 1024, GzipReader.Limit(source.Length))));
         _project = ThreeMfProject.Read(xml);
         if (_project.Plates.Count > 1)
         {
-            _source.Note(Severity.Warning, "mesh.plates", $"The project has {NumberFormatter.Format(_project.Plates.Count)} plates. Only the first is read.");
+            source.Note(Severity.Warning, "mesh.plates", $"The project has {NumberFormatter.Format(_project.Plates.Count)} plates. Only the first is read.");
         }
     }
 
