@@ -56,7 +56,7 @@ public class PrinterImportTests : CliFixture
     [Test]
     public void Settings_of_another_slicer_become_a_folder_that_prints()
     {
-        File.WriteAllText("old.ini", "printer_settings_id = Old One\nprint_settings_id = Fine\nfilament_settings_id = Grey\n"
+        File.WriteAllText("old.ini", "printer_settings_id = Old One\nprint_settings_id = Fine\nfilament_settings_id = Silver\n"
             + "bed_shape = 0x0,180x0,180x180,0x180\nmax_print_height = 170\ngcode_flavor = marlin2\n"
             + "start_gcode = G28\\nG29\\nMAGIC ON\\nG1 X{unknown}\nlayer_height = 0.3\nperimeters = 3\n"
             + "machine_max_feedrate_x = 200\nmachine_max_feedrate_y = 200\nmachine_max_feedrate_z = 12\n"
@@ -65,7 +65,7 @@ public class PrinterImportTests : CliFixture
         var run = Run("printers", "--import", "old.ini", "-o", "mine");
         Assert.That(run.Code, Is.Zero, run.Messages);
         Assert.That(run.Messages, Does.Contain("import.macro").And.Contain("MAGIC").And.Contain("start_gcode line 4").And.Contain("support_material_angle=30"));
-        Assert.That(File.Exists("mine/old_one.json") && File.Exists("mine/materials/grey.json") && File.Exists("mine/settings/fine.json"));
+        Assert.That(File.Exists("mine/old_one.json") && File.Exists("mine/materials/silver.json") && File.Exists("mine/settings/fine.json"));
         File.WriteAllText("part.stl", Box(20, 10, 3));
         var slice = Run("slice", "part.stl", "--printer", "mine/old_one.json", "--set", "macros=MAGIC=harmless", "-o", "part.gcode");
         Assert.That(slice.Code, Is.Zero, slice.Messages);

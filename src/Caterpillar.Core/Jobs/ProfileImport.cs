@@ -45,11 +45,11 @@ public static class ProfileImport
     private static Result<IReadOnlyList<SlicerPreset>>? Presets(byte[] file, string fileName)
     {
         var problems = new List<Diagnostic>();
-        var text = Encoding.UTF8.GetString(file).TrimStart('\uFEFF');
+        var project = ProjectSettings.Of(file);
+        var text = Encoding.UTF8.GetString(project ?? file).TrimStart('\uFEFF');
         List<SlicerPreset>? presets = null;
-        if (ProjectSettings.Of(file) is { } inside) return Presets(inside, fileName);
         if (text.TrimStart().StartsWith("{", StringComparison.Ordinal)) presets = JsonPresets.Read(text, fileName, problems);
-        else if (IniPresets.IsIni(text)) presets = IniPresets.Read(text, fileName, problems);
+        else if (project is not null || IniPresets.IsIni(text)) presets = IniPresets.Read(text, fileName, problems);
         else if (GCodeDecoder.Decode(file).Value?.Settings is { Count: >= Enough } settings && settings.Keys.Count(SlicerPreset.IsKnown) >= Enough)
             presets = [new SlicerPreset("", "", settings, false)];
         return presets is null ? null : new Result<IReadOnlyList<SlicerPreset>>(presets, problems);

@@ -50,12 +50,12 @@ public class ImageTests
         var options = new ToolpathImageOptions { Width = 200, Height = 200, View = View.Top, Region = new Bounds(new Vec3(8.5, -1), new Vec3(10.5, 1)) };
         var image = ToolpathImage.Draw(Line(Vec3.Zero, new Vec3(10, 0, 0)), options);
         Assert.That(Covered(image, 60), Is.EqualTo(104).Within(2));
-        Assert.That(image[0, 100], Is.Not.EqualTo(options.Background), "the line goes on to the left");
-        Assert.That(image[199, 100], Is.EqualTo(options.Background), "and ends at X 10.57");
+        Assert.That(image[0, 100], Is.Not.EqualTo(ToolpathImage.Background), "the line goes on to the left");
+        Assert.That(image[199, 100], Is.EqualTo(ToolpathImage.Background), "and ends at X 10.57");
     }
 
     private static int Covered(RasterImage image, int x)
-        => Enumerable.Range(0, image.Height).Count(y => image[x, y] != new ToolpathImageOptions().Background);
+        => Enumerable.Range(0, image.Height).Count(y => image[x, y] != ToolpathImage.Background);
 
     // A dot alone fills the height of the image; seen from the side a disc is flat.
     [Test]

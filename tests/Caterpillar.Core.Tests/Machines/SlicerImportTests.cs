@@ -6,6 +6,7 @@ using Caterpillar.Basics;
 using Caterpillar.Files;
 using Caterpillar.Jobs;
 using Caterpillar.Machines;
+using Caterpillar.Geometry;
 using NUnit.Framework;
 
 namespace Caterpillar.Tests.Machines;
@@ -34,7 +35,7 @@ public class SlicerImportTests
         inherits = *common*; *fast*
         fill_pattern = gyroid
         perimeters = 3
-        infill_anchor = 2.5
+        infill_every_layers_odd = 2.5
         [filament:*pla*]
         temperature = 205
         first_layer_temperature = 215
@@ -88,7 +89,7 @@ public class SlicerImportTests
         Assert.That((settings.PrintSpeed, settings.OuterWallSpeed, settings.InfillSpeed, settings.SolidInfillSpeed, settings.TopSurfaceSpeed),
             Is.EqualTo((100.0, 50.0, 80.0, 40.0, 16.0)), "percents of percents");
         Assert.That(settings.MinLayerTime, Is.EqualTo(12), "the filament's");
-        Assert.That(made.Diagnostics.Single().Message, Does.StartWith("1 setting has no equal here: infill_anchor=2.5."));
+        Assert.That(made.Diagnostics.Single().Message, Does.StartWith("1 setting has no equal here: infill_every_layers_odd=2.5."));
     }
 
     [Test]

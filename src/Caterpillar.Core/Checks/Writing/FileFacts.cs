@@ -20,7 +20,7 @@ internal static class FileFacts
         {
             var (width, height) = ((int)size.X, (int)size.Y);
             var options = new ToolpathImageOptions { Width = width, Height = height, Strokes = setup.Printer.ExtrusionUnit == ExtrusionUnit.None };
-            var image = PngWriter.ToBytes(ToolpathImage.Draw(toolpath, options, null, cancel), options.Background);
+            var image = PngWriter.ToBytes(ToolpathImage.Draw(toolpath, options, null, cancel), ToolpathImage.Background);
             lines.AddRange(new Thumbnail(width, height, "PNG").Lines(image));
         }
         if (!format.LabelsObjects) return lines;

@@ -8,17 +8,7 @@ namespace Caterpillar.Machines;
 internal sealed record SlicerPreset(string Kind, string Name, IReadOnlyDictionary<string, string> Values, bool IsBase)
 {
     /// <summary>The first item of a value; empty if it is missing.</summary>
-    public string First(string key) => FirstOf(Values, key) ?? "";
-
-    /// <summary>The first item of a value without quotation marks, or null.</summary>
-    public static string? FirstOf(IReadOnlyDictionary<string, string> values, string key)
-    {
-        if (!values.TryGetValue(key, out var text)) return null;
-        text = text.Trim();
-        if (text.Length > 1 && text[0] == '"') return text.Substring(1, (text + "\"").IndexOf('"', 1) - 1);
-        var first = text.Split(',', ';')[0].Trim();
-        return first == "nil" ? null : first;
-    }
+    public string First(string key) => SlicerName.FirstOf(Values, key) ?? "";
 
     /// <summary>True for a name of a slicer whose presets can be read.</summary>
     public static bool IsKnown(string key) => SlicerName.Of("PrusaSlicer", key).Any() || SlicerName.Of("OrcaSlicer", key).Any();

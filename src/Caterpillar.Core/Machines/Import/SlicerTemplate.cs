@@ -87,7 +87,7 @@ internal sealed class SlicerTemplate(IReadOnlyDictionary<string, string> values,
     {
         inside = Regex.Replace(Regex.Replace(inside.Trim(), @"^(\w+)[:!][^?]*$", "$1"), @"_(\d)$", "[$1]");
         if (Formula(inside, ours) is { } formula) return "{" + formula + "}";
-        return Named.Match(inside) is { Success: true } name && name.Length == inside.Length && SlicerPreset.FirstOf(values, name.Groups[1].Value) is { } text
+        return Named.Match(inside) is { Success: true } name && name.Length == inside.Length && SlicerName.FirstOf(values, name.Groups[1].Value) is { } text
             && text.IndexOfAny(['{', '}']) < 0 ? text : null;
     }
 
@@ -103,12 +103,12 @@ internal sealed class SlicerTemplate(IReadOnlyDictionary<string, string> values,
             return null;
         }
         text = Compared.Replace(text, m => Flag(m.Groups[2].Value == "==" == (Text(m.Groups[1].Value) == m.Groups[3].Value)));
-        text = IsNil.Replace(text, m => Flag(SlicerPreset.FirstOf(values, m.Groups[1].Value) is null or ""));
+        text = IsNil.Replace(text, m => Flag(SlicerName.FirstOf(values, m.Groups[1].Value) is null or ""));
         text = Named.Replace(text, m => Name(m.Groups[1].Value, m.Groups[2].Value, ours));
         return PrintTemplate.Error(["{if " + text + "}", "{endif}"]) is null ? text : null;
 
         string Whole(string name) => values.TryGetValue(name, out var whole) ? whole.Trim('"').Replace("\\n", "\n") : "";
-        string Text(string name) => SlicerPreset.FirstOf(values, name) ?? "";
+        string Text(string name) => SlicerName.FirstOf(values, name) ?? "";
         string Flag(bool yes) => yes ? "1" : "0";
     }
 
@@ -126,6 +126,6 @@ internal sealed class SlicerTemplate(IReadOnlyDictionary<string, string> values,
         if (!isFirst) return name + index;
         var known = SlicerName.All.FirstOrDefault(n => n.Name == name && n.Conversion.Length == 0 && n.Key.Kind is KeyKind.Number or KeyKind.Integer);
         if (known is not null && values.ContainsKey(name)) return known.Key.Name;
-        return NumberReader.TryParse(SlicerPreset.FirstOf(values, name), out var number) ? NumberFormatter.Format(number, 6) : name + index;
+        return NumberReader.TryParse(SlicerName.FirstOf(values, name), out var number) ? NumberFormatter.Format(number, 6) : name + index;
     }
 }

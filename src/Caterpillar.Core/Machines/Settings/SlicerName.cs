@@ -70,16 +70,16 @@ internal sealed record SlicerName(ProfileKey Key, string Slicer, string Name, st
     {
         if (Conversion == Axes)
         {
-            var limits = Names.Select(n => SlicerPreset.FirstOf(values, n)).ToArray();
+            var limits = Names.Select(n => FirstOf(values, n)).ToArray();
             var text = string.Join(",", limits);
             return limits.All(l => l is not null) && Key.Format.Parse(text) is { } raw && Key.Problem(raw) is null ? text : null;
         }
         if (Conversion == Points)
         {
-            var height = SlicerPreset.FirstOf(values, "max_print_height") ?? SlicerPreset.FirstOf(values, "printable_height") ?? "250";
+            var height = FirstOf(values, "max_print_height") ?? FirstOf(values, "printable_height") ?? "250";
             return values.TryGetValue(Name, out var points) ? BedOutline.Read(points)?.ValueOf(Key.Name, height) : null;
         }
-        return SlicerPreset.FirstOf(values, Name) is { Length: > 0 } first ? Convert(Resolved(first, values, 0)) : null;
+        return FirstOf(values, Name) is { Length: > 0 } first ? Convert(Resolved(first, values, 0)) : null;
     }
 
     // Follows names of other values, at most as many as any file has in a row.
@@ -91,7 +91,7 @@ internal sealed record SlicerName(ProfileKey Key, string Slicer, string Name, st
         if (!NumberReader.TryParse(text.TrimEnd('%'), out var percent) || !NumberReader.TryParse(Of(whole.Substring(1)), out var all) || all <= 0) return text;
         return Text(percent / 100 * all);
 
-        string? Of(string name) => SlicerPreset.FirstOf(values, name) is { Length: > 0 } found
+        string? Of(string name) => FirstOf(values, name) is { Length: > 0 } found
             ? SlicerName.Of(Slicer, name).FirstOrDefault()?.Resolved(found, values, depth + 1) ?? found : null;
     }
 
@@ -133,5 +133,15 @@ internal sealed record SlicerName(ProfileKey Key, string Slicer, string Name, st
                let words = cell.Split([' '], 2)
                select new SlicerName(keys[row[0]], rows[0][column], words[0], words.Length > 1 ? words[1] : ""),
         ];
+    }
+
+    /// <summary>The first item of a value without quotation marks, or null.</summary>
+    public static string? FirstOf(IReadOnlyDictionary<string, string> values, string key)
+    {
+        if (!values.TryGetValue(key, out var text)) return null;
+        text = text.Trim();
+        if (text.Length > 1 && text[0] == '"') return text.Substring(1, (text + "\"").IndexOf('"', 1) - 1);
+        var first = text.Split(',', ';')[0].Trim();
+        return first == "nil" ? null : first;
     }
 }

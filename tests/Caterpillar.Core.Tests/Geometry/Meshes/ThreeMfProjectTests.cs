@@ -27,7 +27,7 @@ public class ThreeMfProjectTests
             <metadata type="volume" key="volume_type" value="ModelPart"/></volume>
             <volume firstid="12" lastid="23"><metadata type="volume" key="name" value="knob"/>
             <metadata type="volume" key="volume_type" value="ParameterModifier"/>
-            <metadata type="volume" key="perimeters" value="5"/><metadata type="volume" key="infill_anchor" value="2"/></volume></object></config>
+            <metadata type="volume" key="perimeters" value="5"/><metadata type="volume" key="infill_every_layers_odd" value="2"/></volume></object></config>
             """;
         var read = MeshReader.Read(MeshBytes.ThreeMf(model, ("Metadata/Slic3r_PE_model.config", config)), "x.3mf").OrThrow();
         Assert.That(read.Select(m => m.Name), Is.EqualTo(new[] { "plate.stl", "plate.stl: knob" }));
@@ -36,7 +36,7 @@ public class ThreeMfProjectTests
         var settings = ProjectModels.Settings(read, new PrintSetup());
         Assert.That(settings.Value!.Select(s => (s.ModelType, s.WallCount, s.InfillDensityPercent)),
             Is.EqualTo(new[] { (ModelType.Part, 2, 30.0), (ModelType.Modifier, 5, 30.0) }));
-        Assert.That(settings.Diagnostics.Single().Message, Is.EqualTo("plate.stl: knob: without an equal here: infill_anchor=2."));
+        Assert.That(settings.Diagnostics.Single().Message, Is.EqualTo("plate.stl: knob: without an equal here: infill_every_layers_odd=2."));
     }
 
     [Test]

@@ -369,7 +369,8 @@ M2 (end)
 ; ironing = 0
 ; max_layer_z = 1
 ;BEFORE_LAYER_CHANGE
-;1
+;1 mm is the top of the print
 ; total layers count = 0
 ; num_layers = 0
+; support_material = 0
 ; estimated printing time (normal mode) = 23s
