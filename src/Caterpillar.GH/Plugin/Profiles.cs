@@ -1,3 +1,4 @@
+using Caterpillar.GCode;
 using Grasshopper;
 
 namespace Caterpillar.GH.Plugin;

@@ -38,6 +38,9 @@ internal sealed record GCodeFormat
     /// <summary>Maximum deviation of chords from arcs, mm.</summary>
     public double ChordTolerance { get; init; } = 0.01;
 
+    /// <summary>Write comments with layers, roles and objects for the decoder and for the viewers of slicers.</summary>
+    public bool Comments { get; init; } = true;
+
     /// <summary>Comments at the beginning of the file, without <c>;</c>.</summary>
     public IReadOnlyList<string> Header { get; init; } = [];
 

@@ -140,8 +140,11 @@ internal sealed class GCodeWriter
     private void Template(IReadOnlyList<string> lines)
     {
         if (lines.Count == 0) return;
-        _role = Role.Purge;
-        _out.Comment("TYPE:" + RoleNames.Of(_role));
+        if (_format.Comments)
+        {
+            _role = Role.Purge;
+            _out.Comment("TYPE:" + RoleNames.Of(_role));
+        }
         foreach (var line in lines) _out.Line(line);
     }
 
@@ -176,7 +179,7 @@ internal sealed class GCodeWriter
                 break;
             case MoveKind.Print:
             case MoveKind.Prime when _role == Role.Purge:
-                if (c.Role[i] != _role)
+                if (_format.Comments && c.Role[i] != _role)
                 {
                     _role = c.Role[i];
                     _out.Comment("TYPE:" + RoleNames.Of(_role));
@@ -262,9 +265,12 @@ internal sealed class GCodeWriter
         if (before is null || layer.Index != before.Index || layer.Z != before.Z)
         {
             _motion.Extruder.BeginLayer();
-            _out.Comment("LAYER_CHANGE");
-            _out.Comment("Z:" + NumberFormatter.Format(layer.Z, 4));
-            if (layer.Thickness > 0) _out.Comment("HEIGHT:" + NumberFormatter.Format(layer.Thickness, 4));
+            if (_format.Comments)
+            {
+                _out.Comment("LAYER_CHANGE");
+                _out.Comment("Z:" + NumberFormatter.Format(layer.Z, 4));
+                if (layer.Thickness > 0) _out.Comment("HEIGHT:" + NumberFormatter.Format(layer.Thickness, 4));
+            }
             if (_layers++ > 0 && _format.LayerLines?.Invoke(layer) is { Count: > 0 } lines) RawOutside(lines);
         }
         Object(layer.Object);
@@ -273,16 +279,17 @@ internal sealed class GCodeWriter
     private void Object(string name)
     {
         if (name == _object) return;
+        var comments = _format.Comments && _labels.LacksNames;
         if (_object.Length > 0)
         {
-            if (_labels.LacksNames) _out.Comment(" stop printing object " + _object);
+            if (comments) _out.Comment(" stop printing object " + _object);
             foreach (var line in _labels.End(_labels.NumberOf(_object))) _out.Line(line);
         }
         _object = name;
         if (name.Length > 0)
         {
             foreach (var line in _labels.Start(_labels.NumberOf(name))) _out.Line(line);
-            if (_labels.LacksNames) _out.Comment(" printing object " + name);
+            if (comments) _out.Comment(" printing object " + name);
         }
         // Absolute E would extrude after an object that was canceled what was left out of it.
         if (_format.LabelsObjects && _rules.ObjectMarks != ObjectMarking.None) _motion.Extruder.Reset();
