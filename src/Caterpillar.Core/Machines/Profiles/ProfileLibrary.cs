@@ -50,7 +50,7 @@ public sealed class ProfileLibrary
     public Result<PrintSetup> Setup(string printer = "generic", string? material = null, string? settings = null, IEnumerable<string>? values = null)
     {
         var machine = Printer(printer);
-        var known = IsFile(printer) ? new ProfileLibrary([Path.GetDirectoryName(Path.GetFullPath(printer))!, .. _folders]) : this;
+        var known = IsFile(printer) && Path.GetDirectoryName(Path.GetFullPath(printer)) is { } folder ? new ProfileLibrary([folder, .. _folders]) : this;
         var materialResult = known.Material(material ?? machine.Value?.DefaultMaterial ?? "pla");
         var settingsResult = known.Settings(settings ?? machine.Value?.DefaultSettings ?? "standard");
         var diagnostics = machine.Diagnostics.Concat(materialResult.Diagnostics).Concat(settingsResult.Diagnostics).ToList();
