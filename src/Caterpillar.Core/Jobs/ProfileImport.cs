@@ -72,8 +72,11 @@ public static class ProfileImport
         List<SlicerPreset>? presets = null;
         if (text.TrimStart().StartsWith("{", StringComparison.Ordinal)) presets = JsonPresets.Read(text, fileName, problems);
         else if (project is not null || IniPresets.IsIni(text)) presets = IniPresets.Read(text, fileName, problems);
-        else if (GCodeDecoder.Decode(file).Value?.Settings is { Count: >= Enough } settings && settings.Keys.Count(SlicerPreset.IsKnown) >= Enough)
+        else if (GCodeDecoder.Decode(file).Value?.Settings is { Count: >= Enough } settings && settings.Keys.Count(SlicerPreset.IsKnown) >= Enough
+            && FileSetup.In(settings).Count == 0)
+        {
             presets = [new SlicerPreset("", "", settings, false)];
+        }
         return presets is null ? null : new Result<IReadOnlyList<SlicerPreset>>(presets, problems);
     }
 

@@ -1,5 +1,4 @@
 using Caterpillar.Jobs;
-using Caterpillar.GCode;
 
 namespace Caterpillar.GH.Goos;
 

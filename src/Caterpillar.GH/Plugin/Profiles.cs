@@ -1,5 +1,4 @@
 using Caterpillar.Jobs;
-using Caterpillar.GCode;
 using Grasshopper;
 
 namespace Caterpillar.GH.Plugin;

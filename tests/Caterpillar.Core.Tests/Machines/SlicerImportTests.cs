@@ -213,7 +213,7 @@ public class SlicerImportTests
     [Test]
     public void Code_for_layers_and_tools_has_their_numbers_and_a_tool_change_its_tool()
     {
-        var made = Read("before_layer_gcode = ;BEFORE\\nG92 E0\nlayer_gcode = ;[layer_z] {layer_num}\nend_gcode = ;{layer_z} {layer_num}\nG1 X0\n"
+        var made = Read("before_layer_gcode = ;BEFORE\\nG92 E0\nlayer_gcode = ;[layer_z] {layer_num}\nend_gcode = ;{layer_z} {layer_num}\\nG1 X0\n"
             + "toolchange_gcode = G1 X0 ; {next_extruder} {current_extruder}\n").OrThrow().Printers.Single();
         Assert.That(made.LayerChangeGCode, Is.EqualTo(new[] { ";BEFORE", "G92 E0", ";{layer_z_mm} {layer}" }));
         Assert.That(made.EndGCode.First(), Is.EqualTo(";{print_max_z_mm} {layer_count}"));
