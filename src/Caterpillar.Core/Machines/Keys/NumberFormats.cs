@@ -49,6 +49,35 @@ internal sealed class OptionalNumberFormat(double min, double max) : KeyFormat<d
     public override string? Problem(double? value) => value is { } number ? _number.Problem(number) : null;
 }
 
+/// <summary>
+/// A size in mm, or in % of the nozzle diameter: 120%. Print settings keep percentages as negative shares, and give the size for their nozzle.
+/// </summary>
+internal sealed class NozzleSizeFormat() : KeyFormat<double>(KeyKind.Number, "a number, or a percentage of the nozzle diameter")
+{
+    private const double Most = 1000;
+    private readonly NumberFormat _size = new(0, Most, 0.001);
+
+    public override string Range => _size.Range;
+
+    public override IReadOnlyList<KeyValuePair<string, object>> Schema
+        => [new("type", new object[] { "number", "string" }), new("minimum", 0.0), new("maximum", Most), new("pattern", "^[0-9.]+ ?%$")];
+
+    public override object? Parse(string text) => TryRead(text.Trim(), out _) ? text.Trim() : _size.Parse(text);
+
+    public override bool TryRead(object raw, out double value)
+    {
+        value = raw is double size ? size : 0;
+        if (raw is not string text || !text.EndsWith("%", StringComparison.Ordinal)) return raw is double;
+        if (!NumberReader.TryParse(text.Substring(0, text.Length - 1).Trim(), out var percent)) return false;
+        value = -percent / 100;
+        return percent > 0;
+    }
+
+    public override object Write(double value) => value < 0 ? NumberFormatter.Format(-value * 100, 6) + "%" : value;
+
+    public override string? Problem(double value) => value is < 0 and >= -10 ? null : value < 0 ? "must be at most 1000%" : _size.Problem(value);
+}
+
 /// <summary>An integer in a range.</summary>
 internal sealed class IntegerFormat(int min, int max) : KeyFormat<int>(KeyKind.Integer, "an integer")
 {

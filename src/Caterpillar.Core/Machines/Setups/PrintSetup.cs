@@ -104,10 +104,11 @@ public sealed record PrintSetup
         var diagnostics = new DiagnosticList();
         if (FromNozzle() is { Length: > 0 } sizes)
             diagnostics.Add(Severity.Note, "setup.from_nozzle", $"The nozzle of {Text(Printer.NozzleDiameter)} mm sets {sizes}.");
-        if (Settings.BeadShape == BeadShape.Stadium && Settings.LineWidth < Settings.LargerLayerHeight)
+        NumberKey[] widths = [SettingsKeys.LineWidth, TopBottomKeys.SolidInfillLineWidth, .. WidthKeys.All.OfType<NumberKey>()];
+        if (Settings.BeadShape == BeadShape.Stadium && widths.FirstOrDefault(IsNarrow) is { } narrow)
             diagnostics.Add(Severity.Error, "setup.narrow_bead",
-                "line_width_mm is less than the layer height. bead_shape=stadium does not allow that. Use rectangle or circle.",
-                new SourceLocation(Key: "line_width_mm"));
+                $"{narrow} is less than the layer height. bead_shape=stadium does not allow that. Use rectangle or circle.",
+                new SourceLocation(Key: narrow.Name));
         if (Printer.ExtrusionUnit != ExtrusionUnit.None && Settings.LargerLayerHeight > Printer.NozzleDiameter)
             diagnostics.Add(Severity.Warning, "setup.layer_height",
                 "The layer height exceeds the nozzle diameter: extrusions will bond poorly. Use thinner layers or a larger nozzle.",
@@ -121,6 +122,12 @@ public sealed record PrintSetup
                 new SourceLocation(Key: "firmware_retraction"));
         diagnostics.AddRange(SetupFindings.Of(this));
         return diagnostics.ToList();
+    }
+
+    private bool IsNarrow(NumberKey width)
+    {
+        var height = width == WidthKeys.FirstLayerLineWidth ? Settings.FirstLayerHeight : Settings.LargerLayerHeight;
+        return width.Get(Settings) is > 0.0 and var size && (double)size < height;
     }
 
     // Sizes that nobody gave, unless the nozzle is the usual one.

@@ -12,7 +12,7 @@ internal static class Adhesion
     public static SlicedLayer Around(SlicedLayer first, Region covered, PrintSettings settings)
     {
         if (settings.SkirtLoops == 0 && settings.BrimWidth == 0) return first;
-        var rules = SliceRules.Of(settings, first.Layer.Thickness);
+        var rules = SliceRules.Of(settings, first.Layer.Thickness, first: true);
         var steps = new List<PathStep>();
         var pitch = rules.Pitch(rules.Width);
         var brim = settings.BrimWidth > 0 ? Math.Max(1, (int)Math.Floor(settings.BrimWidth / pitch + 0.5)) : 0;
