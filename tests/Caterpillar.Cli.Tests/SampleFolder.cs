@@ -34,10 +34,43 @@ internal static class SampleFolder
         File.WriteAllText("pattern.svg", Svg(200, 200, "M102 96L106 96L106 98"));
         File.WriteAllText("header.gcode", "G21\nG90\nM82\nM104 S200\nG28\nM109 S200\nG92 E0\n");
         File.WriteAllText("footer.gcode", "M104 S0\nM140 S0\nG28 X0\nM84\n");
+        FillSlicers();
         run(["slice", "part.stl", "-o", "part.gcode"]);
         File.Copy("part.gcode", "print.gcode");
         run(["slice", Path.Combine(TestData.Repository, "examples", "models", "bracket.stl"), "-o", "bracket.gcode"]);
         CopyExamples();
+    }
+
+    // Settings of other slicers.
+    private static void FillSlicers()
+    {
+        const string Machine = "bed_shape = 0x0,220x0,220x220,0x220\nmax_print_height = 200\ngcode_flavor = marlin2\nnozzle_diameter = 0.4\n"
+            + "machine_max_feedrate_x = 200\nmachine_max_feedrate_y = 200\nmachine_max_feedrate_z = 12\nmachine_max_feedrate_e = 60\n"
+            + "retract_length = 0.8\nretract_speed = 35\nretract_lift = 0.2\nstart_gcode = G28\nend_gcode = M104 S0\\nM140 S0\n";
+        const string Print = "layer_height = 0.2\nfirst_layer_height = 0.2\nperimeters = 2\nfill_density = 15%\nfill_pattern = gyroid\n"
+            + "perimeter_speed = 60\nexternal_perimeter_speed = 50%\ninfill_speed = 80\ntravel_speed = 150\n";
+        const string Filament = "temperature = 210\nbed_temperature = 60\nfirst_layer_bed_temperature = 60\nfilament_diameter = 1.75\n";
+        File.WriteAllText("old.ini", "[printer:Old One]\ndefault_print_profile = Fine\ndefault_filament_profile = Silver\n" + Machine
+            + "[print:Fine]\n" + Print + "[filament:Silver]\n" + Filament);
+        File.WriteAllText("old.gcode", "G28\nM109 S210\nG1 X50 Y50 Z0.2 F3000\nG1 X90 E2\n; " + (Machine + Print + Filament).Replace("\n", "\n; "));
+        File.WriteAllText("machine.json", """
+            { "type": "machine", "name": "Machine", "printable_area": ["0x0", "220x0", "220x220", "0x220"], "printable_height": "200",
+              "nozzle_diameter": ["0.4"], "machine_start_gcode": "G28", "machine_end_gcode": "M104 S0" }
+            """);
+        using var zip = System.IO.Compression.ZipFile.Open("project.3mf", System.IO.Compression.ZipArchiveMode.Create);
+        const string Faces = "0 2 1,0 3 2,4 5 6,4 6 7,0 1 5,0 5 4,1 2 6,1 6 5,2 3 7,2 7 6,3 0 4,3 4 7";
+        var corners = new[] { "0 0 0", "9 0 0", "9 9 0", "0 9 0", "0 0 4", "9 0 4", "9 9 4", "0 9 4" }.Select(c => c.Split(' '));
+        Put("Metadata/Slic3r_PE.config", "; " + (Machine + Print + Filament).TrimEnd().Replace("\n", "\n; "));
+        Put("3D/3dmodel.model", "<model unit=\"millimeter\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\"><resources><object id=\"1\">"
+            + "<mesh><vertices>" + string.Concat(corners.Select(c => $"<vertex x=\"{c[0]}\" y=\"{c[1]}\" z=\"{c[2]}\"/>")) + "</vertices><triangles>"
+            + string.Concat(Faces.Split(',').Select(f => f.Split(' ')).Select(f => $"<triangle v1=\"{f[0]}\" v2=\"{f[1]}\" v3=\"{f[2]}\"/>"))
+            + "</triangles></mesh></object></resources><build><item objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 100 90 0\"/></build></model>");
+
+        void Put(string path, string text)
+        {
+            using var writer = new StreamWriter(zip.CreateEntry(path).Open());
+            writer.Write(text);
+        }
     }
 
     private static string Svg(int width, int height, string path)

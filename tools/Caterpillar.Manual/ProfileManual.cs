@@ -44,6 +44,8 @@ internal static class ProfileManual
 
             Sizes that are 0 or not given follow from the nozzle: `line_width_mm` is 112.5 % of its diameter, `layer_height_mm` and
             `first_layer_height_mm` are half of it. So `--set nozzle_diameter_mm=0.8` alone gives lines of 0.9 mm and layers of 0.4 mm.
+            Widths of extrusions (keys in `line_width_mm`, `min_wall_width_mm`, `max_wall_width_mm`) are in mm, or in % of the nozzle diameter:
+            `"outer_wall_line_width_mm": "120%"`.
 
 
             """);

@@ -41,6 +41,28 @@ public static class ProfileImport
         return Code(file, footer, name, like, fileName, footerName);
     }
 
+    /// <summary>True for names of files whose settings make a whole setup: G-code, settings of PrusaSlicer, and projects.</summary>
+    public static bool HasSetup(string file) => FileSetup.IsName(file)
+        || file.EndsWith(".ini", StringComparison.OrdinalIgnoreCase) || file.EndsWith(".3mf", StringComparison.OrdinalIgnoreCase);
+
+    /// <summary>The setup of a file: that of a print of Caterpillar, or from the settings of another slicer.</summary>
+    /// <param name="path">G-code, <c>.ini</c> or <c>.3mf</c>.</param>
+    /// <exception cref="IOException">The file cannot be read.</exception>
+    public static Result<PrintSetup> ReadSetup(string path)
+    {
+        var own = FileSetup.IsName(path) || !File.Exists(path) ? FileSetup.ReadFile(path) : null;
+        if (own is not null && own.Diagnostics.All(d => d.Code != "setup.not_in_file")) return own;
+        var file = File.ReadAllBytes(path);
+        if (Presets(file, path) is null && own is not null) return own;
+        var read = Read(file, null, Path.GetFileNameWithoutExtension(path), null, path);
+        if (read.Value is not { Printers.Count: > 0 } made) return new Result<PrintSetup>(null, read.Diagnostics);
+        // No folder has its material and settings.
+        var usual = new Printer();
+        var printer = made.Printers[0] with { DefaultMaterial = usual.DefaultMaterial, DefaultSettings = usual.DefaultSettings };
+        return new Result<PrintSetup>(
+            new PrintSetup(printer, made.Materials.FirstOrDefault() ?? new Material(), made.Settings.FirstOrDefault() ?? new PrintSettings()), read.Diagnostics);
+    }
+
     // The settings of another slicer; null if the file is something else.
     private static Result<IReadOnlyList<SlicerPreset>>? Presets(byte[] file, string fileName)
     {
@@ -50,8 +72,11 @@ public static class ProfileImport
         List<SlicerPreset>? presets = null;
         if (text.TrimStart().StartsWith("{", StringComparison.Ordinal)) presets = JsonPresets.Read(text, fileName, problems);
         else if (project is not null || IniPresets.IsIni(text)) presets = IniPresets.Read(text, fileName, problems);
-        else if (GCodeDecoder.Decode(file).Value?.Settings is { Count: >= Enough } settings && settings.Keys.Count(SlicerPreset.IsKnown) >= Enough)
+        else if (GCodeDecoder.Decode(file).Value?.Settings is { Count: >= Enough } settings && settings.Keys.Count(SlicerPreset.IsKnown) >= Enough
+            && FileSetup.In(settings).Count == 0)
+        {
             presets = [new SlicerPreset("", "", settings, false)];
+        }
         return presets is null ? null : new Result<IReadOnlyList<SlicerPreset>>(presets, problems);
     }
 

@@ -82,7 +82,7 @@ public static class Planner
         {
             PressureAdvance = policy == PlanPolicy.AsDrawn ? null : material.PressureAdvance,
         };
-        var motion = policy == PlanPolicy.AsDrawn ? null : setup.Motion;
+        var motion = policy == PlanPolicy.AsDrawn ? null : new CommandedMotion(setup);
         var heads = HeadCorridor.Rings(printer.HeadOutline.Select(p => (p.Radius, p.Height)))
             .Concat(printer.HeadBoxes.Select(b => (
                 Math.Sqrt(Math.Pow(Math.Max(Math.Abs(b.Min.X), Math.Abs(b.Max.X)), 2) + Math.Pow(Math.Max(Math.Abs(b.Min.Y), Math.Abs(b.Max.Y)), 2)), b.Min.Z)))
@@ -129,7 +129,7 @@ public static class Planner
             Fan = material.MinFanSpeedPercent / 100,
             FanOffLayers = material.FanOffLayers,
             Acceleration = printer.PrintAcceleration,
-            Motion = motion is { HasAcceleration: true } or { JerkLimit: not null } ? motion : null,
+            Motion = motion is { MostAcceleration: null, MostJerk: null } ? null : motion,
             SeparateAccelerations = printer.Flavor.SeparateAccelerations,
             FirmwareRetraction = motion is not null && printer.FirmwareRetraction && (material.RetractionLength ?? material.RetractionSpeed) is not null
                 ? new RetractionEvent(material.RetractionLength, material.RetractionSpeed, null, null) : null,

@@ -1,4 +1,4 @@
-using Caterpillar.GCode;
+using Caterpillar.Jobs;
 
 namespace Caterpillar.GH.Goos;
 
@@ -72,7 +72,7 @@ public abstract class ProfileGoo<T>(T? value) : ValueGoo<T>(value), IReadsText
     {
         if (base.CastFrom(source)) return true;
         if (Wrapped.Text(source) is not { } name) return false;
-        var found = FileSetup.IsName(name) ? Profiles.OfFile<T>(name) : Kind.Find(Profiles.Library, name);
+        var found = ProfileImport.HasSetup(name) ? Profiles.OfFile<T>(name) : Kind.Find(Profiles.Library, name);
         Problem = TextProblem.Of(found);
         Value = found.Value!;
         return Value is not null;

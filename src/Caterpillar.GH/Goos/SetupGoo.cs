@@ -1,4 +1,4 @@
-using Caterpillar.GCode;
+using Caterpillar.Jobs;
 
 namespace Caterpillar.GH.Goos;
 
@@ -23,9 +23,9 @@ public sealed class SetupGoo(PrintSetup? setup) : ValueGoo<PrintSetup>(setup), I
     {
         if (base.CastFrom(source)) return true;
         var bare = Wrapped.Bare(source);
-        if (Wrapped.Text(bare) is { } file && FileSetup.IsName(file))
+        if (Wrapped.Text(bare) is { } file && ProfileImport.HasSetup(file))
         {
-            var read = FileSetup.ReadFile(file);
+            var read = ProfileImport.ReadSetup(file);
             Problem = TextProblem.Of(read);
             Value = read.Value!;
             return Value is not null;

@@ -1,4 +1,4 @@
-using Caterpillar.GCode;
+using Caterpillar.Jobs;
 using Grasshopper;
 
 namespace Caterpillar.GH.Plugin;
@@ -29,7 +29,7 @@ internal static class Profiles
     public static Result<T> OfFile<T>(string file)
         where T : class
     {
-        var read = FileSetup.ReadFile(file);
+        var read = ProfileImport.ReadSetup(file);
         object?[] parts = [read.Value?.Printer, read.Value?.Material, read.Value?.Settings];
         return new Result<T>(parts.OfType<T>().FirstOrDefault(), read.Diagnostics);
     }

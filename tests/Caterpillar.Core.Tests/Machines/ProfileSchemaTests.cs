@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Text.RegularExpressions;
 using System.Text;
 using Caterpillar.Machines;
 using Caterpillar.Manual;
@@ -113,8 +114,8 @@ public class ProfileSchemaTests
             if (!words.Any(w => JToken.DeepEquals(w, value))) yield return path + ": not one of the words";
             yield break;
         }
-        var kind = (string?)schema["type"];
-        var fits = kind switch
+        var kinds = schema["type"] is JArray several ? several.Select(k => (string?)k).ToArray() : [(string?)schema["type"]];
+        var fits = kinds.Any(kind => kind switch
         {
             "object" => value.Type == JTokenType.Object,
             "array" => value.Type == JTokenType.Array,
@@ -122,10 +123,16 @@ public class ProfileSchemaTests
             "boolean" => value.Type == JTokenType.Boolean,
             "integer" => value.Type == JTokenType.Integer,
             _ => value.Type is JTokenType.Integer or JTokenType.Float,
-        };
+        });
         if (!fits)
         {
-            yield return path + ": no " + kind;
+            yield return path + ": no " + string.Join(", ", kinds);
+            yield break;
+        }
+        if (kinds.Length > 1 && value.Type == JTokenType.String)
+        {
+            if (schema["pattern"] is { } pattern && !Regex.IsMatch((string)value!, (string)pattern!)) yield return path + ": not like " + pattern;
+            if (schema["maxLength"] is { } longest && ((string)value!).Length > (int)longest) yield return path + ": too long";
             yield break;
         }
         if (schema["minimum"] is { } min && (double)value < (double)min) yield return path + ": too small";

@@ -76,7 +76,7 @@ public class SlicerImportTests
         Assert.That((one.DefaultMaterial, one.DefaultSettings), Is.EqualTo(("acme_pla", "normal_acme")));
         Assert.That(one.BuildVolume, Is.EqualTo(new Vec3(250, 210, 200)));
         Assert.That(one.MaxSpeed, Is.EqualTo(new AxisValues(200, 200, 12, 120)));
-        Assert.That(one.RetractionLength, Is.EqualTo(1.5), "the filament's");
+        Assert.That((one.RetractionLength, profiles.Materials[0].RetractionLength), Is.EqualTo((0.8, 1.5)), "the filament's");
         Assert.That(one.ExtrusionMode, Is.EqualTo(ExtrusionMode.Absolute), "the default of PrusaSlicer");
         Assert.That(profiles.Printers[1].BuildVolume.Z, Is.EqualTo(300));
         var material = profiles.Materials.Single();
@@ -153,8 +153,8 @@ public class SlicerImportTests
             var printer = profiles.Printers.Single();
             Assert.That((printer.Flavor.Name, printer.Origin, printer.BuildVolume, printer.ZHop, printer.ExtrusionMode),
                 Is.EqualTo(("klipper", BedOrigin.Center, new Vec3(180, 180, 180), 0.4, ExtrusionMode.Relative)));
-            Assert.That(printer.StartGCode, Is.EqualTo(new[] { "{if bed_temperature_c > 0}", "M190 S{bed_temperature_c}", "{endif}",
-                "START BED={bed_temperature_c}", "M109 S{start_nozzle_temperature_c}" }));
+            Assert.That(printer.StartGCode, Is.EqualTo(new[] { "{if bed_temperature_c > 0}", "M190 S{start_bed_temperature_c}", "{endif}",
+                "START BED={start_bed_temperature_c}", "M109 S{start_nozzle_temperature_c}" }));
             Assert.That(made.Diagnostics.Single(d => d.Code == "import.macro").Message, Does.StartWith("START: "));
             Assert.That(profiles.Materials.Single().NozzleTemperature, Is.EqualTo(245));
             var settings = profiles.Settings.Single();
@@ -179,7 +179,7 @@ public class SlicerImportTests
 
     [TestCase("M104 S[first_layer_temperature]", "M104 S{start_nozzle_temperature_c}")]
     [TestCase("M104 S{first_layer_temperature[0] - 10}", "M104 S{start_nozzle_temperature_c - 10}")]
-    [TestCase("M190 S[first_layer_bed_temperature_0]", "M190 S{bed_temperature_c}")]
+    [TestCase("M190 S[first_layer_bed_temperature_0]", "M190 S{start_bed_temperature_c}")]
     [TestCase("G1 Y{print_bed_max[1]*0.85} F{travel_speed*60}", "G1 Y{bed_max_y_mm*0.85} F{travel_speed_mm_s*60}")]
     [TestCase("{if max_layer_z < max_print_height-10}G1 Z{z_offset+min(max_layer_z+70, max_print_height-10)}{endif}",
         "{if print_max_z_mm < bed_max_z_mm-10}G1 Z{0.1+min(print_max_z_mm+70, bed_max_z_mm-10)}{endif}")]
@@ -213,11 +213,45 @@ public class SlicerImportTests
     [Test]
     public void Code_for_layers_and_tools_has_their_numbers_and_a_tool_change_its_tool()
     {
-        var made = Read("before_layer_gcode = ;BEFORE\\nG92 E0\nlayer_gcode = ;[layer_z] {layer_num}\nend_gcode = ;{layer_z} {layer_num}\nG1 X0\n"
+        var made = Read("before_layer_gcode = ;BEFORE\\nG92 E0\nlayer_gcode = ;[layer_z] {layer_num}\nend_gcode = ;{layer_z} {layer_num}\\nG1 X0\n"
             + "toolchange_gcode = G1 X0 ; {next_extruder} {current_extruder}\n").OrThrow().Printers.Single();
         Assert.That(made.LayerChangeGCode, Is.EqualTo(new[] { ";BEFORE", "G92 E0", ";{layer_z_mm} {layer}" }));
         Assert.That(made.EndGCode.First(), Is.EqualTo(";{print_max_z_mm} {layer_count}"));
         Assert.That(made.ToolChangeGCode, Is.EqualTo(new[] { "G1 X0 ; {tool} {tool}", "T{tool}" }));
+    }
+
+    [Test]
+    public void A_tool_change_of_which_a_line_is_lost_is_the_command_alone()
+    {
+        var made = Read("toolchange_gcode = G1 X0\\nG1 E{flush_length_1}\nperimeters = 2\n");
+        Assert.That(made.OrThrow().Printers.Single().ToolChangeGCode, Is.Empty);
+        Assert.That(made.Diagnostics.Select(d => d.Code), Does.Contain("import.template"));
+    }
+
+    [Test]
+    public void A_default_that_a_bundle_lacks_is_reported()
+    {
+        var made = Read("[printer:A]\nperimeters = 2\ndefault_print_profile = \"Fine\"\n");
+        Assert.That(made.Diagnostics.Single(d => d.Code == "import.no_parent").Message,
+            Is.EqualTo("A: default_print_profile \"Fine\" not found. The printer has our defaults."));
+    }
+
+    [Test]
+    public void A_file_of_another_slicer_is_a_whole_setup()
+    {
+        var file = Path.Combine(TestContext.CurrentContext.WorkDirectory, Guid.NewGuid().ToString("N") + ".ini");
+        try
+        {
+            File.WriteAllText(file, "nozzle_diameter = 0.6\ntemperature = 231\nperimeters = 4\n");
+            var setup = ProfileImport.ReadSetup(file).OrThrow();
+            Assert.That((setup.Printer.NozzleDiameter, setup.Material.NozzleTemperature, setup.Settings.WallCount), Is.EqualTo((0.6, 231.0, 4)));
+        }
+        finally
+        {
+            File.Delete(file);
+        }
+        Assert.That(ProfileImport.ReadSetup("no such.ini").Diagnostics.Single().Code, Is.EqualTo("profile.not_found"));
+        Assert.That(new[] { "a.ini", "b.3MF", "c.gcode", "d.json" }.Select(ProfileImport.HasSetup), Is.EqualTo(new[] { true, true, true, false }));
     }
 
     [TestCase("0x0,200x0,200x180,0x180", 200, 180, BedOrigin.Corner, BedShape.Rectangle)]

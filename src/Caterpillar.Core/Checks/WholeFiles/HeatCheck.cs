@@ -21,9 +21,9 @@ internal sealed class HeatCheck : IMoveCheck
         _needed = _printer.ExtrusionUnit == ExtrusionUnit.None ? 0 : _printer.MinExtrusionTemperature;
         _nozzles = new NozzleTemperatures(scope.NozzleTemperature);
         var material = setup.Material;
-        Nozzle(Math.Max(material.NozzleTemperature, material.FirstLayerNozzleTemperature), () => null);
-        Bed(Math.Max(material.BedTemperature, material.FirstLayerBedTemperature), () => null);
-        Chamber(material.ChamberTemperature, () => null);
+        Nozzle(Math.Max(material.NozzleTemperature, material.FirstLayerNozzleTemperature), null);
+        Bed(Math.Max(material.BedTemperature, material.FirstLayerBedTemperature), null);
+        Chamber(material.ChamberTemperature, null);
     }
 
     public IReadOnlyList<string> Codes =>
@@ -38,15 +38,15 @@ internal sealed class HeatCheck : IMoveCheck
         {
             case NozzleTemperatureEvent nozzle:
                 _heats = true;
-                Nozzle(nozzle.Celsius, () => PlaceOf(what));
+                Nozzle(nozzle.Celsius, what);
                 break;
             case BedTemperatureEvent bed:
                 _bed = what;
-                Bed(bed.Celsius, () => PlaceOf(what));
+                Bed(bed.Celsius, what);
                 break;
             case ChamberTemperatureEvent chamber:
                 _chamber = what;
-                Chamber(chamber.Celsius, () => PlaceOf(what));
+                Chamber(chamber.Celsius, what);
                 break;
         }
         _nozzles.Take(what);
@@ -91,22 +91,16 @@ internal sealed class HeatCheck : IMoveCheck
         return set is { } what && _findings.PlaceOfEvent(what)?.Origin is { } origin ? (place ?? new SourceLocation()) with { Origin = origin } : place;
     }
 
-    private void Nozzle(double celsius, Func<SourceLocation?> place)
-    {
-        if (celsius > _printer.MaxNozzleTemperature)
-            _findings.Add(CheckCodes.NozzleTemperature, place, () => Sentence("nozzle", celsius, _printer.MaxNozzleTemperature));
-    }
+    private void Nozzle(double celsius, MoveEvent? set) => Limit(CheckCodes.NozzleTemperature, "nozzle", celsius, _printer.MaxNozzleTemperature, set);
 
-    private void Bed(double celsius, Func<SourceLocation?> place)
-    {
-        if (celsius > _printer.MaxBedTemperature)
-            _findings.Add(CheckCodes.BedTemperature, place, () => Sentence("bed", celsius, _printer.MaxBedTemperature));
-    }
+    private void Bed(double celsius, MoveEvent? set) => Limit(CheckCodes.BedTemperature, "bed", celsius, _printer.MaxBedTemperature, set);
 
-    private void Chamber(double celsius, Func<SourceLocation?> place)
+    private void Chamber(double celsius, MoveEvent? set) => Limit(CheckCodes.ChamberTemperature, "chamber", celsius, _printer.MaxChamberTemperature, set);
+
+    // Without a command it is the temperature of the material.
+    private void Limit(string code, string part, double celsius, double most, MoveEvent? set)
     {
-        if (celsius > _printer.MaxChamberTemperature)
-            _findings.Add(CheckCodes.ChamberTemperature, place, () => Sentence("chamber", celsius, _printer.MaxChamberTemperature));
+        if (celsius > most) _findings.Add(code, () => set is { } what ? PlaceOf(what) : null, () => Sentence(part, celsius, most));
     }
 
     private string Sentence(string part, double celsius, double most)

@@ -1,3 +1,4 @@
+using System.Text.RegularExpressions;
 using Caterpillar.Files;
 
 namespace Caterpillar.Machines;
@@ -36,6 +37,8 @@ internal sealed class SlicerImport(IReadOnlyList<SlicerPreset> presets, string n
         {
             var print = machine.Kind.Length == 0 ? machine : Find("print", machine.First("default_print_profile"));
             var filament = machine.Kind.Length == 0 ? machine : Find("filament", machine.First("default_filament_profile"));
+            Missing(machine, "default_print_profile", print);
+            Missing(machine, "default_filament_profile", filament);
             var setup = Setup(machine, filament, print);
             var printer = setup.Printer with { Name = NameOf(machine, "printer"), Title = TitleOf(machine, "printer") };
             if (filament is not null) printer = printer with { DefaultMaterial = Once(filament, "filament", setup.Material, materials) };
@@ -92,7 +95,11 @@ internal sealed class SlicerImport(IReadOnlyList<SlicerPreset> presets, string n
         {
             var value = names.Select(n => n.Convert(values)).FirstOrDefault(v => v is not null);
             if (names.First().IsTemplate && template is not null && names.Any(n => values.ContainsKey(n.Name)))
+            {
                 value = string.Join("\n", names.SelectMany(n => template.Lines(n.Name, n.Key)));
+                // Half a tool change is worse than the command alone.
+                if (names.Key == TemplateKeys.ToolChangeGCode && template.HasLost) value = "";
+            }
             if (value is null) continue;
             used.UnionWith(names.SelectMany(n => n.Names));
             var with = setup.With(names.Key.Name + "=" + value);
@@ -114,12 +121,6 @@ internal sealed class SlicerImport(IReadOnlyList<SlicerPreset> presets, string n
         {
             foreach (var pair in part?.Values ?? new Dictionary<string, string>()) values[pair.Key] = pair.Value;
         }
-        // Values of a filament replace those of the printer.
-        foreach (var pair in values.Where(v => v.Key.StartsWith("filament_", StringComparison.Ordinal) && v.Value.Split(',')[0] is not ("nil" or "")).ToArray())
-        {
-            var plain = pair.Key.Substring("filament_".Length);
-            if (values.ContainsKey(plain)) values[plain] = pair.Value;
-        }
         var slicer = SlicerPreset.SlicerOf(values);
         var given = new HashSet<string>(values.Keys);
         foreach (var row in Defaults.Value[slicer].Where(r => !values.ContainsKey(r[1]))) values[row[1]] = row[2];
@@ -128,10 +129,10 @@ internal sealed class SlicerImport(IReadOnlyList<SlicerPreset> presets, string n
         setup = Apply(setup, slicer, values, new SlicerTemplate(values, file, problems.Add), used, problems);
         foreach (var key in given.Where(k => !used.Contains(k) && !Ignored.Value.Contains(k)))
         {
-            if (values[key].Split(',')[0].Trim('"') is not ("" or "0" or "0%" or "nil" or "none" or "disabled" or "100%")) _lost[key] = values[key];
+            if (values[key].Split(',')[0].Trim('"') is not ("" or "0" or "0%" or "nil" or "none" or "disabled" or "100%" or "0x0")) _lost[key] = values[key];
         }
         var completed = Completed(setup.Printer);
-        ReportMacros(completed);
+        ReportMacros(completed, parts[0]!);
         return setup with { Printer = completed };
     }
 
@@ -139,7 +140,7 @@ internal sealed class SlicerImport(IReadOnlyList<SlicerPreset> presets, string n
     private static Printer Completed(Printer printer)
     {
         bool Has(ValueList<string> lines, params string[] commands) => lines.Any(l => Array.IndexOf(commands, Command(l)) >= 0);
-        string[] before = Has(printer.StartGCode, "M140", "M190") ? [] : ["{if bed_temperature_c > 0}", "M190 S{bed_temperature_c}", "{endif}"];
+        string[] before = Has(printer.StartGCode, "M140", "M190") ? [] : ["{if bed_temperature_c > 0}", "M190 S{start_bed_temperature_c}", "{endif}"];
         string[] after = Has(printer.StartGCode, "M104", "M109") ? [] : ["M109 S{start_nozzle_temperature_c}"];
         var change = printer.ToolChangeGCode;
         var changes = change.Any(l => Command(l).StartsWith("T", StringComparison.Ordinal));
@@ -147,25 +148,28 @@ internal sealed class SlicerImport(IReadOnlyList<SlicerPreset> presets, string n
         return printer with { StartGCode = new([.. before, .. printer.StartGCode, .. after]), ToolChangeGCode = change };
     }
 
-    private void ReportMacros(Printer printer)
+    private void Missing(SlicerPreset machine, string key, SlicerPreset? found)
+    {
+        if (found is not null || machine.First(key).Length == 0) return;
+        problems.Add(new Diagnostic(Severity.Warning, "import.no_parent",
+            $"{machine.Name}: {key} \"{machine.First(key)}\" not found. The printer has our defaults.", new SourceLocation(file)));
+    }
+
+    private void ReportMacros(Printer printer, SlicerPreset preset)
     {
         var known = Flavors.FlavorCommands.Of(printer.Flavor);
         var unknown = printer.StartGCode.Concat(printer.EndGCode).Concat(printer.LayerChangeGCode).Concat(printer.ToolChangeGCode)
-            .Where(l => Command(l).Length > 0 && known.Find(Bare(l)) is null).Select(Command).Distinct().ToArray();
+            .Select(Bare).Where(l => l.Length > 0 && known.Find(l) is null).Select(Command).Distinct().ToArray();
         if (unknown.Length == 0) return;
         problems.Add(new Diagnostic(Severity.Warning, "import.macro", $"{string.Join(", ", unknown)}: not known what it does. Declare it in the key macros, "
-            + $"such as {unknown[0]}=homes heats, or {unknown[0]}=harmless.", new SourceLocation(file, Key: printer.Name)));
+            + $"such as {unknown[0]}=homes heats, or {unknown[0]}=harmless.", new SourceLocation(file, Key: TitleOf(preset, "printer"))));
     }
 
-    private static string Command(string line) => Bare(line).Split(' ', '{')[0].ToUpperInvariant();
+    private static string Command(string line) => Bare(line).Split(' ')[0].ToUpperInvariant();
 
-    // A line without its comment and the conditions before its command.
+    // A line without its comment and conditions, with any number for each value.
     private static string Bare(string line)
-    {
-        var code = line.Split(';')[0].Trim();
-        while (code.StartsWith("{", StringComparison.Ordinal) && code.IndexOf('}') is > 0 and var end) code = code.Substring(end + 1).TrimStart();
-        return code;
-    }
+        => Regex.Replace(Regex.Replace(line.Split(';')[0], @"\{(if|elsif|else|endif)\b[^}]*\}", ""), @"\{[^}]*\}", "0").Trim();
 
     private void ReportLost()
     {

@@ -23,6 +23,9 @@ internal sealed class SlicerTemplate(IReadOnlyDictionary<string, string> values,
     private static readonly Lazy<Dictionary<string, string>> Placeholders
         = new(() => EmbeddedText.Rows("names/SlicerPlaceholders.tsv").Skip(1).ToDictionary(r => r[0], r => r[1]));
 
+    /// <summary>True once a line became a comment.</summary>
+    public bool HasLost { get; private set; }
+
     /// <summary>The lines of a template of theirs for a key of ours.</summary>
     public IReadOnlyList<string> Lines(string theirs, ProfileKey ours)
     {
@@ -62,7 +65,8 @@ internal sealed class SlicerTemplate(IReadOnlyDictionary<string, string> values,
             }
         }
         Plain(line.Substring(at), at);
-        if (lost.Length > 0) Warn($"{lost} has no equal here. The line is kept as a comment: {line.Trim()}");
+        if (lost.Length > 0) Warn($"{lost} has no equal here. The line is kept as a comment.");
+        HasLost |= lost.Length > 0;
         var after = true;
         return string.Concat(parts.Select(part =>
         {

@@ -19,6 +19,9 @@ internal sealed class KeyTable<T> : List<ProfileKey<T>>
     public ProfileKey<T, double> NumberOrZero(string name, double least, double max, Func<T, double> get, Func<T, double, T> set)
         => Of(name, new NumberFormat(0, max, least), get, set);
 
+    /// <summary>A size in mm or in % of the nozzle diameter, or 0 for that of another key.</summary>
+    public ProfileKey<T, double> NozzleSize(string name, Func<T, double> get, Func<T, double, T> set) => Of(name, new NozzleSizeFormat(), get, set);
+
     /// <summary>A number, or null for the value of another profile.</summary>
     public ProfileKey<T, double?> Optional(string name, double min, double max, Func<T, double?> get, Func<T, double?, T> set)
         => Of(name, new OptionalNumberFormat(min, max), get, set);

@@ -1,8 +1,13 @@
 namespace Caterpillar.Machines;
 
 /// <summary>A number in a range.</summary>
-internal sealed class NumberFormat(double min, double max, double leastAboveZero = 0) : KeyFormat<double>(KeyKind.Number, "a number")
+internal class NumberFormat(double min, double max, double leastAboveZero = 0, string expected = "a number")
+    : KeyFormat<double>(KeyKind.Number, expected)
 {
+    /// <summary>Schema of a number in a range, or of a text with a pattern.</summary>
+    public static IReadOnlyList<KeyValuePair<string, object>> OrText(double min, double max, string pattern)
+        => [new("type", new object[] { "number", "string" }), new("minimum", min), new("maximum", max), new("pattern", pattern)];
+
     public override string Range => RawValues.Range(min, max);
 
     public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("type", "number"), new("minimum", min), new("maximum", max)];
@@ -33,8 +38,7 @@ internal sealed class OptionalNumberFormat(double min, double max) : KeyFormat<d
 
     public override string Range => _number.Range + ", or empty";
 
-    public override IReadOnlyList<KeyValuePair<string, object>> Schema
-        => [new("type", new object[] { "number", "string" }), new("minimum", min), new("maximum", max), new("maxLength", 0.0)];
+    public override IReadOnlyList<KeyValuePair<string, object>> Schema => NumberFormat.OrText(min, max, "^$");
 
     public override object? Parse(string text) => text.Trim().Length == 0 ? "" : _number.Parse(text);
 
@@ -47,6 +51,29 @@ internal sealed class OptionalNumberFormat(double min, double max) : KeyFormat<d
     public override object Write(double? value) => value is { } number ? number : "";
 
     public override string? Problem(double? value) => value is { } number ? _number.Problem(number) : null;
+}
+
+/// <summary>
+/// A size in mm, or in % of the nozzle diameter: 120%. Print settings keep percentages as negative shares, and give the size for their nozzle.
+/// </summary>
+internal sealed class NozzleSizeFormat() : NumberFormat(0, 1000, 0.001, "a number, or a percentage of the nozzle diameter")
+{
+    public override IReadOnlyList<KeyValuePair<string, object>> Schema => OrText(0, 1000, "^[0-9.]+ ?%$");
+
+    public override object? Parse(string text) => TryRead(text.Trim(), out _) ? text.Trim() : base.Parse(text);
+
+    public override bool TryRead(object raw, out double value)
+    {
+        value = raw is double size ? size < 0 ? double.NaN : size : 0;
+        if (raw is not string text || !text.EndsWith("%", StringComparison.Ordinal)) return raw is double;
+        var isPercent = NumberReader.TryParse(text.Substring(0, text.Length - 1).Trim(), out var percent) && percent > 0;
+        value = -percent / 100;
+        return isPercent;
+    }
+
+    public override object Write(double value) => value < 0 ? NumberFormatter.Format(-value * 100, 6) + "%" : value;
+
+    public override string? Problem(double value) => value is >= -10 and < 0 ? null : value < 0 ? "must be at most 1000%" : base.Problem(value);
 }
 
 /// <summary>An integer in a range.</summary>

@@ -28,8 +28,8 @@ public sealed partial record PrintSettings
     /// <summary>Direction of solid infill in the first layer, counterclockwise from +X. It turns by 90° each layer.</summary> <value>Degrees.</value>
     public double SolidInfillAngle { get; init => field = TopBottomKeys.SolidInfillAngle.Check(value); } = 45;
 
-    /// <summary>Line width of solid infill; 0 = line width.</summary> <value>mm.</value>
-    public double SolidInfillLineWidth { get; init => field = TopBottomKeys.SolidInfillLineWidth.Check(value); }
+    /// <summary>Width of solid infill and bottom surfaces; 0 = line width.</summary> <value>mm.</value>
+    public double SolidInfillLineWidth { get => OfNozzle(field, 0); init => field = TopBottomKeys.SolidInfillLineWidth.Check(value); }
 
     /// <summary>Minimum width of top and bottom surfaces. Narrower ones are left to the walls.</summary> <value>mm.</value>
     public double MinSolidWidth { get; init => field = TopBottomKeys.MinSolidWidth.Check(value); } = 0.2;
@@ -109,7 +109,7 @@ internal static class TopBottomKeys
     public static readonly NumberKey SolidInfillAngle
         = All.Number("solid_infill_angle_deg", -360, 360, s => s.SolidInfillAngle, (s, v) => s with { SolidInfillAngle = v });
     public static readonly NumberKey SolidInfillLineWidth
-        = All.NumberOrZero("solid_infill_line_width_mm", 0.01, 1000, s => s.SolidInfillLineWidth, (s, v) => s with { SolidInfillLineWidth = v });
+        = All.NozzleSize("solid_infill_line_width_mm", s => s.SolidInfillLineWidth, (s, v) => s with { SolidInfillLineWidth = v });
     public static readonly NumberKey MinSolidWidth = All.Number("min_solid_width_mm", 0, 1000, s => s.MinSolidWidth, (s, v) => s with { MinSolidWidth = v });
     public static readonly NumberKey SolidInfillExpansion
         = All.Number("solid_infill_expansion_mm", 0, 1000, s => s.SolidInfillExpansion, (s, v) => s with { SolidInfillExpansion = v });

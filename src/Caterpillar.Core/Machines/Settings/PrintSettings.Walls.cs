@@ -28,11 +28,11 @@ public sealed partial record PrintSettings
     /// <summary>Let wall widths follow the local thickness (Arachne). Otherwise all walls have the line width, and thinner places stay open.</summary>
     public bool VariableWallWidth { get; init; } = true;
 
-    /// <summary>Minimum width of variable-width walls; 0 = 45 % of the line width. Places thinner than half of it stay open.</summary> <value>mm.</value>
-    public double MinWallWidth { get; init => field = WallWidthKeys.MinWallWidth.Check(value); }
+    /// <summary>Minimum width of variable-width walls; 0 = 45 % of their line width. Places thinner than half of it stay open.</summary> <value>mm.</value>
+    public double MinWallWidth { get => OfNozzle(field, 0); init => field = WallWidthKeys.MinWallWidth.Check(value); }
 
-    /// <summary>Maximum width of variable-width walls; 0 = 180 % of the line width.</summary> <value>mm.</value>
-    public double MaxWallWidth { get; init => field = WallWidthKeys.MaxWallWidth.Check(value); }
+    /// <summary>Maximum width of variable-width walls; 0 = 180 % of their line width.</summary> <value>mm.</value>
+    public double MaxWallWidth { get => OfNozzle(field, 0); init => field = WallWidthKeys.MaxWallWidth.Check(value); }
 
     /// <summary>Fit arcs (G2, G3) to the paths of planar layers within this tolerance; 0 = off.</summary>
     /// <value>mm.</value> <remarks>No arc crosses a seam or a change of width or flow. Spiral vases have no arcs.</remarks>
@@ -57,9 +57,9 @@ internal static class WallWidthKeys
         = All.Number("small_loop_radius_mm", 0, 1000, s => s.SmallLoopRadius, (s, v) => s with { SmallLoopRadius = v });
     public static readonly FlagKey VariableWallWidth = All.Boolean("variable_wall_width", s => s.VariableWallWidth, (s, v) => s with { VariableWallWidth = v });
     public static readonly NumberKey MinWallWidth
-        = All.NumberOrZero("min_wall_width_mm", 0.01, 1000, s => s.MinWallWidth, (s, v) => s with { MinWallWidth = v });
+        = All.NozzleSize("min_wall_width_mm", s => s.MinWallWidth, (s, v) => s with { MinWallWidth = v });
     public static readonly NumberKey MaxWallWidth
-        = All.NumberOrZero("max_wall_width_mm", 0.01, 1000, s => s.MaxWallWidth, (s, v) => s with { MaxWallWidth = v });
+        = All.NozzleSize("max_wall_width_mm", s => s.MaxWallWidth, (s, v) => s with { MaxWallWidth = v });
     public static readonly NumberKey ArcFittingTolerance
         = All.NumberOrZero("arc_fitting_tolerance_mm", 0.001, 1, s => s.ArcFittingTolerance, (s, v) => s with { ArcFittingTolerance = v });
 }

@@ -130,8 +130,9 @@ public sealed partial record PrintSettings
     /// <summary>The settings as given: 0 for sizes that follow from the nozzle.</summary>
     internal PrintSettings AsGiven => this with { NozzleDiameter = 0 };
 
-    // A size is given, or proportional to the nozzle.
-    private double OfNozzle(double given, double ofUsual) => given > 0 ? given : ofUsual * (NozzleDiameter * 1000) / (UsualNozzle * 1000);
+    // A size is given in mm or as a negative share of the nozzle, or proportional to that.
+    private double OfNozzle(double given, double ofUsual)
+        => given < 0 && NozzleDiameter > 0 ? -given * NozzleDiameter : given != 0 ? given : ofUsual * (NozzleDiameter * 1000) / (UsualNozzle * 1000);
 }
 
 /// <summary>Keys of print settings: sizes, speeds, travel moves.</summary>
@@ -144,7 +145,7 @@ internal static class SettingsKeys
         = All.NumberOrZero("layer_height_mm", 0.001, 1000, s => s.LayerHeight, (s, v) => s with { LayerHeight = v });
     public static readonly NumberKey FirstLayerHeight
         = All.NumberOrZero("first_layer_height_mm", 0.001, 1000, s => s.FirstLayerHeight, (s, v) => s with { FirstLayerHeight = v });
-    public static readonly NumberKey LineWidth = All.NumberOrZero("line_width_mm", 0.001, 1000, s => s.LineWidth, (s, v) => s with { LineWidth = v });
+    public static readonly NumberKey LineWidth = All.NozzleSize("line_width_mm", s => s.LineWidth, (s, v) => s with { LineWidth = v });
     public static readonly ProfileKey<PrintSettings, BeadShape> BeadShape = All.Choice("bead_shape", s => s.BeadShape, (s, v) => s with { BeadShape = v });
     public static readonly IntegerKey WallCount = All.Integer("wall_count", 0, 10_000, s => s.WallCount, (s, v) => s with { WallCount = v });
     public static readonly NumberKey InfillDensityPercent

@@ -55,8 +55,8 @@ internal static class ProfileKinds
         MaterialKeys.All, () => new Material(), (m, name) => m with { Name = name });
 
     public static readonly ProfileKind<PrintSettings> Settings = new("settings", "settings/",
-        [.. SettingsKeys.All, .. WallWidthKeys.All, .. LayerKeys.All, .. TopBottomKeys.All, .. InfillKeys.All, .. BedKeys.All, .. SurfaceKeys.All,
-            .. SeamKeys.All, .. TravelKeys.All, .. RoleMotionKeys.All, .. CurvedKeys.All, .. SupportKeys.All],
+        [.. SettingsKeys.All, .. WidthKeys.All, .. WallWidthKeys.All, .. LayerKeys.All, .. TopBottomKeys.All, .. InfillKeys.All, .. BedKeys.All,
+            .. SurfaceKeys.All, .. SeamKeys.All, .. TravelKeys.All, .. RoleMotionKeys.All, .. CurvedKeys.All, .. SupportKeys.All],
         () => new PrintSettings(), (s, name) => s with { Name = name });
 
     /// <summary>The kind of profile that has a key, for messages.</summary>

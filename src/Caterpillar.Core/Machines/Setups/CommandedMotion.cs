@@ -8,63 +8,52 @@ namespace Caterpillar.Machines;
 /// </summary>
 internal sealed class CommandedMotion
 {
-    public static readonly IReadOnlyList<ProfileKey<PrintSettings>> Accelerations = [.. RoleMotionKeys.All.Where(k => k.Unit == "mm/s²")];
-    public static readonly IReadOnlyList<ProfileKey<PrintSettings>> Jerks = [.. RoleMotionKeys.All.Where(k => k.Unit == "mm/s")];
-
-    private readonly Printer _printer;
     private readonly PrintSettings _settings;
+    private readonly double _usual;
 
     public CommandedMotion(PrintSetup setup)
     {
-        (_printer, _settings) = (setup.Printer, setup.Settings);
-        HasAcceleration = Asked(Accelerations).Length > 0 && KnowsAccelerations;
-        JerkLimit = Asked(Jerks).Length > 0 ? JerkCommand : null;
-        if (HasAcceleration && _settings.TravelMoveAcceleration > 0) TravelAcceleration = Whole(_settings.TravelMoveAcceleration);
-        if (JerkLimit is not null && _settings.TravelMoveJerk > 0) TravelJerk = Math.Min(_settings.TravelMoveJerk, MostJerk);
+        var (printer, flavor) = (setup.Printer, setup.Printer.Flavor);
+        (_settings, _usual) = (setup.Settings, printer.PrintAcceleration);
+        Accelerations = [.. RoleMotionKeys.All.Where(k => k.Unit == "mm/s²" && k.Get(_settings) is > 0.0)];
+        Jerks = [.. RoleMotionKeys.All.Where(k => k.Unit == "mm/s" && k.Get(_settings) is > 0.0)];
+        var knows = flavor.Limits == LimitCommands.Repetier
+            || FlavorCommands.Of(flavor).Find("M204 S1") is { IsKnown: true, Class: CommandClass.Limits };
+        if (knows && Accelerations.Count > 0) MostAcceleration = Math.Min(printer.MaxAcceleration.X, printer.MaxAcceleration.Y);
+        if (Jerks.Count == 0) return;
+        // Junction deviation is a length, to which a jerk says nothing.
+        if (printer.Cornering == Cornering.SquareCornerVelocity && flavor.Limits == LimitCommands.Klipper)
+            (JerkLimit, MostJerk) = (MotionLimit.SquareCornerVelocity, printer.SquareCornerVelocity);
+        else if (printer.Cornering == Cornering.Jerk && flavor.Limits is not (LimitCommands.None or LimitCommands.Klipper))
+            (JerkLimit, MostJerk) = (MotionLimit.HeadJerk, Math.Min(printer.Jerk.X, printer.Jerk.Y));
     }
 
-    /// <summary>True if the flavor has a command for accelerations.</summary>
-    public bool KnowsAccelerations => _printer.Flavor.Limits == LimitCommands.Repetier
-        || FlavorCommands.Of(_printer.Flavor).Find("M204 S1") is { IsKnown: true, Class: CommandClass.Limits };
+    /// <summary>The keys that are given.</summary>
+    public IReadOnlyList<ProfileKey<PrintSettings>> Accelerations { get; }
 
-    /// <summary>The limit that the flavor has a command for and that the printer uses as its jerk, or null. Junction deviation is a length.</summary>
-    public MotionLimit? JerkCommand => (_printer.Cornering, _printer.Flavor.Limits) switch
-    {
-        (Cornering.Jerk, LimitCommands.Marlin or LimitCommands.RepRapFirmware or LimitCommands.Repetier) => MotionLimit.HeadJerk,
-        (Cornering.SquareCornerVelocity, LimitCommands.Klipper) => MotionLimit.SquareCornerVelocity,
-        _ => null,
-    };
+    /// <inheritdoc cref="Accelerations"/>
+    public IReadOnlyList<ProfileKey<PrintSettings>> Jerks { get; }
 
-    /// <summary>True if accelerations are commanded.</summary>
-    public bool HasAcceleration { get; }
+    /// <summary>Maximum acceleration, mm/s²; null = none is commanded.</summary>
+    public double? MostAcceleration { get; }
 
-    /// <summary>The limit by which jerk is commanded, or null.</summary>
+    /// <summary>Maximum jerk, mm/s, and the limit that it is; null = none is commanded.</summary>
+    public double? MostJerk { get; }
+
+    /// <inheritdoc cref="MostJerk"/>
     public MotionLimit? JerkLimit { get; }
 
     /// <summary>Acceleration of travel moves, mm/s²; null = no command.</summary>
-    public double? TravelAcceleration { get; }
+    public double? TravelAcceleration => _settings.TravelMoveAcceleration > 0 ? Whole(_settings.TravelMoveAcceleration) : null;
 
     /// <summary>Jerk of travel moves, mm/s; null = no command.</summary>
-    public double? TravelJerk { get; }
+    public double? TravelJerk => _settings.TravelMoveJerk > 0 && MostJerk is { } most ? Math.Min(_settings.TravelMoveJerk, most) : null;
 
-    private double MostAcceleration => Math.Min(_printer.MaxAcceleration.X, _printer.MaxAcceleration.Y);
+    /// <summary>Acceleration of extrusions of a role, mm/s²; null = no command.</summary>
+    public double? Acceleration(Role role, bool firstLayer) => Whole(_settings.AccelerationOf(role, firstLayer, _usual));
 
-    private double MostJerk => JerkCommand == MotionLimit.HeadJerk ? Math.Min(_printer.Jerk.X, _printer.Jerk.Y) : _printer.SquareCornerVelocity;
+    /// <summary>Jerk of extrusions of a role, mm/s; null = no command.</summary>
+    public double? Jerk(Role role, bool firstLayer) => MostJerk is { } most ? Math.Min(_settings.JerkOf(role, firstLayer, most), most) : null;
 
-    /// <summary>Acceleration of extrusions of a role, mm/s².</summary>
-    public double Acceleration(Role role, bool firstLayer) => Whole(_settings.AccelerationOf(role, firstLayer, _printer.PrintAcceleration));
-
-    /// <summary>Jerk of extrusions of a role, mm/s.</summary>
-    public double Jerk(Role role, bool firstLayer) => Math.Min(_settings.JerkOf(role, firstLayer, MostJerk), MostJerk);
-
-    /// <summary>Those of some keys that are given.</summary>
-    public ProfileKey<PrintSettings>[] Asked(IReadOnlyList<ProfileKey<PrintSettings>> keys) => [.. keys.Where(k => k.Get(_settings) is > 0.0)];
-
-    /// <summary>Keys with values above those of the printer, which are used instead.</summary>
-    public IEnumerable<(ProfileKey Key, double Most)> Above()
-        => Asked(Accelerations).Select(k => (Key: k, Most: KnowsAccelerations ? MostAcceleration : double.MaxValue))
-            .Concat(Asked(Jerks).Select(k => (Key: k, Most: JerkCommand is not null ? MostJerk : double.MaxValue)))
-            .Where(k => k.Key.Get(_settings) is double value && value > k.Most).Select(k => ((ProfileKey)k.Key, k.Most));
-
-    private double Whole(double acceleration) => Math.Max(1, Math.Floor(Math.Min(acceleration, MostAcceleration)));
+    private double? Whole(double acceleration) => MostAcceleration is { } most ? Math.Max(1, Math.Floor(Math.Min(acceleration, most))) : null;
 }

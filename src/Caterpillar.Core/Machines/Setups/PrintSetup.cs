@@ -75,9 +75,6 @@ public sealed record PrintSetup
     /// <summary>Wipe distance of the material, or of the settings, mm.</summary>
     internal double WipeDistance => Material.WipeDistance ?? Settings.WipeDistance;
 
-    /// <summary>Accelerations and jerk that the file commands.</summary>
-    internal CommandedMotion Motion => new(this);
-
     /// <summary>
     /// The setup with other values, each as <c>key=value</c> with any key of the three profiles: <c>layer_height_mm=0.3</c>,
     /// <c>build_volume_mm=300,300,400</c>. Unknown keys and invalid values are errors that name the key. Then the result has no setup.
@@ -104,10 +101,11 @@ public sealed record PrintSetup
         var diagnostics = new DiagnosticList();
         if (FromNozzle() is { Length: > 0 } sizes)
             diagnostics.Add(Severity.Note, "setup.from_nozzle", $"The nozzle of {Text(Printer.NozzleDiameter)} mm sets {sizes}.");
-        if (Settings.BeadShape == BeadShape.Stadium && Settings.LineWidth < Settings.LargerLayerHeight)
+        ProfileKey<PrintSettings>[] widths = [SettingsKeys.LineWidth, TopBottomKeys.SolidInfillLineWidth, .. WidthKeys.All];
+        if (Settings.BeadShape == BeadShape.Stadium && widths.FirstOrDefault(IsNarrow) is { } narrow)
             diagnostics.Add(Severity.Error, "setup.narrow_bead",
-                "line_width_mm is less than the layer height. bead_shape=stadium does not allow that. Use rectangle or circle.",
-                new SourceLocation(Key: "line_width_mm"));
+                $"{narrow} is less than the layer height. bead_shape=stadium does not allow that. Use rectangle or circle.",
+                new SourceLocation(Key: narrow.Name));
         if (Printer.ExtrusionUnit != ExtrusionUnit.None && Settings.LargerLayerHeight > Printer.NozzleDiameter)
             diagnostics.Add(Severity.Warning, "setup.layer_height",
                 "The layer height exceeds the nozzle diameter: extrusions will bond poorly. Use thinner layers or a larger nozzle.",
@@ -119,9 +117,12 @@ public sealed record PrintSetup
             diagnostics.Add(Severity.Error, "setup.no_firmware_retraction",
                 $"{Printer.Flavor.Title} has no firmware retraction: set firmware_retraction=false.",
                 new SourceLocation(Key: "firmware_retraction"));
-        diagnostics.AddRange(SetupFindings.Of(this));
+        SetupFindings.Add(this, diagnostics);
         return diagnostics.ToList();
     }
+
+    private bool IsNarrow(ProfileKey<PrintSettings> width) => width.Get(Settings) is > 0.0 and double size
+        && size < (width == WidthKeys.FirstLayerLineWidth ? Settings.FirstLayerHeight : Settings.LargerLayerHeight);
 
     // Sizes that nobody gave, unless the nozzle is the usual one.
     private string FromNozzle()

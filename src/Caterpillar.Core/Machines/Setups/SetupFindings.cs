@@ -6,32 +6,32 @@ namespace Caterpillar.Machines;
 internal static class SetupFindings
 {
     /// <summary>A warning about values without effect, and a note about values beyond the printer.</summary>
-    public static IEnumerable<Diagnostic> Of(PrintSetup setup)
+    public static void Add(PrintSetup setup, DiagnosticList diagnostics)
     {
-        var (printer, material, flavor, motion) = (setup.Printer, setup.Material, setup.Printer.Flavor, setup.Motion);
-        var lost = new List<(string Why, ProfileKey[] Keys)>
+        var (printer, material, flavor, motion) = (setup.Printer, setup.Material, setup.Printer.Flavor, new CommandedMotion(setup));
+        var lost = new List<string>();
+        if (motion.MostAcceleration is null) Lost($"{flavor.Title} has no command for accelerations", motion.Accelerations);
+        if (motion.MostJerk is null && printer.Cornering != Cornering.JunctionDeviation) Lost($"{flavor.Title} has no command for jerk", motion.Jerks);
+        else if (motion.MostJerk is null) Lost("The printer has cornering=junction_deviation", motion.Jerks);
+        if (material.PressureAdvance is not null && PressureAdvance(flavor, 0, 0).Count == 0)
+            Lost($"{flavor.Title} has no command for pressure advance", [MaterialKeys.PressureAdvance]);
+        if (material.ChamberTemperature > 0 && !printer.StartGCode.Any(l => l.Split('{', '}').Contains(MaterialKeys.ChamberTemperature.Name)))
+            Lost($"start_gcode of {printer.Title} does not heat a chamber", [MaterialKeys.ChamberTemperature]);
+        if (printer.FirmwareRetraction && flavor.RetractionSettings == RetractionCommands.None)
         {
-            ($"{flavor.Title} has no command for accelerations", motion.KnowsAccelerations ? [] : motion.Asked(CommandedMotion.Accelerations)),
-            (printer.Cornering == Cornering.JunctionDeviation ? "The printer has cornering=junction_deviation" : $"{flavor.Title} has no command for jerk",
-                motion.JerkCommand is not null ? [] : motion.Asked(CommandedMotion.Jerks)),
-            ($"{flavor.Title} has no command for pressure advance",
-                material.PressureAdvance is null || PressureAdvance(flavor, 0, 0).Count > 0 ? [] : [MaterialKeys.PressureAdvance]),
-            ($"start_gcode of {printer.Title} does not heat a chamber",
-                material.ChamberTemperature == 0 || printer.StartGCode.Any(Heats) ? [] : [MaterialKeys.ChamberTemperature]),
-            ($"{flavor.Title} has no command for the length of its firmware retraction",
-                !printer.FirmwareRetraction || flavor.RetractionSettings != RetractionCommands.None ? []
-                    : [.. new[] { MaterialKeys.RetractionLength, MaterialKeys.RetractionSpeed }.Where(k => k.Get(material) is double)]),
-        };
-        lost.RemoveAll(l => l.Keys.Length == 0);
-        if (lost.Count > 0)
-        {
-            var sentences = lost.Select(l => $"{l.Why}: {string.Join<ProfileKey>(", ", l.Keys)} {(l.Keys.Length == 1 ? "has" : "have")} no effect.");
-            yield return new Diagnostic(Severity.Warning, "setup.no_command", string.Join(" ", sentences), new SourceLocation(Key: lost[0].Keys[0].Name));
+            ProfileKey[] own = [.. new[] { MaterialKeys.RetractionLength, MaterialKeys.RetractionSpeed }.Where(k => k.Get(material) is double)];
+            Lost($"{flavor.Title} has no command for the length of its firmware retraction", own);
         }
-        var above = motion.Above().ToArray();
-        if (above.Length == 0) yield break;
-        var limits = string.Join(", ", above.Select(a => $"{a.Key} to {NumberFormatter.Format(a.Most, 2)} {a.Key.Unit}"));
-        yield return new Diagnostic(Severity.Note, "setup.above_printer", $"{printer.Title} limits {limits}.", new SourceLocation(Key: above[0].Key.Name));
+        if (lost.Count > 0) diagnostics.Add(Severity.Warning, "setup.no_command", string.Join(" ", lost));
+        var above = motion.Accelerations.Select(k => (Key: k, Most: motion.MostAcceleration)).Concat(motion.Jerks.Select(k => (Key: k, Most: motion.MostJerk)))
+            .Where(k => k.Key.Get(setup.Settings) is double value && value > k.Most)
+            .Select(k => $"{k.Key} to {NumberFormatter.Format(k.Most ?? 0, 2)} {k.Key.Unit}").ToArray();
+        if (above.Length > 0) diagnostics.Add(Severity.Note, "setup.above_printer", $"{printer.Title} limits {string.Join(", ", above)}.");
+
+        void Lost(string why, IReadOnlyList<ProfileKey> keys)
+        {
+            if (keys.Count > 0) lost.Add($"{why}: {string.Join(", ", keys)} {(keys.Count == 1 ? "has" : "have")} no effect.");
+        }
     }
 
     /// <summary>Lines that set the pressure advance of a tool, in seconds; none if the flavor has no such command.</summary>
@@ -40,6 +40,4 @@ internal static class SetupFindings
         var lines = Equivalents.Of("M900 K" + NumberFormatter.Format(seconds, 5), FlavorTable.Marlin2.Name, flavor.Name) ?? [];
         return [.. lines.Select(l => l.Replace(" D0 ", " D" + NumberFormatter.Format(tool) + " "))];
     }
-
-    private static bool Heats(string line) => line.IndexOf(MaterialKeys.ChamberTemperature.Name, StringComparison.Ordinal) >= 0;
 }

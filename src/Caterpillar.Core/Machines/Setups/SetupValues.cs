@@ -9,8 +9,7 @@ internal static class SetupValues
     public static Result<PrintSetup> Apply(PrintSetup setup, IEnumerable<(string Entry, SourceLocation Place)> values)
     {
         var diagnostics = new List<Diagnostic>();
-        // Percents of the nozzle need the nozzle.
-        foreach (var (entry, source) in values.OrderBy(v => !v.Entry.TrimStart().StartsWith(PrinterKeys.NozzleDiameter.Name, StringComparison.Ordinal)))
+        foreach (var (entry, source) in values)
         {
             var at = entry.IndexOfAny(['=']);
             var key = (at < 0 ? entry : entry.Substring(0, at)).Trim();
@@ -53,23 +52,21 @@ internal static class SetupValues
         T? Changed<T>(ProfileKind<T> kind, T profile)
             where T : class
             => kind.Find(key) is { } found
-                ? kind.Apply(profile, key, Parse(found, found.Get(profile), text, setup.Printer.NozzleDiameter), place, diagnostics)
+                ? kind.Apply(profile, key, Parse(found, found.Get(profile), text), place, diagnostics)
                 : null;
     }
 
     // Text of another kind is passed on as text, so that the message can show it.
-    private static object Parse(ProfileKey key, object present, string text, double nozzle)
-        => key.Format.Parse(text) ?? Percent(key, present, text.Trim(), nozzle) ?? text;
+    private static object Parse(ProfileKey key, object present, string text) => key.Format.Parse(text) ?? Percent(key, present, text.Trim()) ?? text;
 
-    // Speeds, flows and accelerations take percents of what the profile says, widths of extrusions of the nozzle, and factors are percents themselves.
-    private static object? Percent(ProfileKey key, object present, string text, double nozzle)
+    // Speeds, flows and accelerations take percents of what the profile says, and factors are percents themselves.
+    private static object? Percent(ProfileKey key, object present, string text)
     {
         if (key.Kind != KeyKind.Number || !text.EndsWith("%", StringComparison.Ordinal)) return null;
         if (!NumberReader.TryParse(text.Substring(0, text.Length - 1).Trim(), out var percent)) return null;
         bool Ends(string ending) => key.Name.EndsWith(ending, StringComparison.Ordinal);
         if (Ends("_percent")) return percent;
         if (Ends("_mm_s") || Ends("_mm_s2") || Ends("_mm3_s")) return present is double speed ? percent / 100 * speed : null;
-        if (Ends("_width_mm")) return percent / 100 * nozzle;
         return Ends("_ratio") ? percent / 100 : null;
     }
 }

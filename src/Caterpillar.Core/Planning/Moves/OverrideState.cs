@@ -12,7 +12,7 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
     private double? _bed, _bedNow = rules.FirstLayerBedTemperature ?? rules.BedTemperature;
 
     // What the firmware has is not known exactly: accelerations and jerk that are commanded at all are so from the first path on.
-    private double? _acceleration, _accelerationNow = rules.Motion is { HasAcceleration: true } ? null : rules.Acceleration;
+    private double? _acceleration, _accelerationNow = rules.Motion?.MostAcceleration is null ? rules.Acceleration : null;
     private double? _travelNow, _jerkNow;
 
     private readonly bool _layered = !rules.AddsNothing
@@ -49,26 +49,26 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
         if (rules.FirstLayerBedTemperature is not null && Differs(null, usual, ref _bedNow) is { } bed) emitter.Event(new BedTemperatureEvent(bed));
         usual = _fan ?? (layer >= 0 && layer < rules.FanOffLayers ? 0 : FanFor(layerTime));
         if (Differs(wanted?.Fan, usual, ref _fanNow) is { } fan) emitter.Event(new FanEvent(fan));
-        usual = _acceleration ?? (rules.Motion is { HasAcceleration: true } motion ? motion.Acceleration(path.Role, layer == 0) : rules.Acceleration);
+        usual = _acceleration ?? rules.Motion?.Acceleration(path.Role, layer == 0) ?? rules.Acceleration;
         if (Differs(wanted?.Acceleration, usual, ref _accelerationNow) is { } acceleration)
             emitter.Event(IsSeparate ? new LimitEvent(MotionLimit.PrintAcceleration, acceleration) : new AccelerationEvent(acceleration));
-        if (rules.Motion is { JerkLimit: not null } corners) Jerk(corners.Jerk(path.Role, layer == 0));
+        Jerk(rules.Motion?.Jerk(path.Role, layer == 0));
     }
 
     /// <summary>Sets what travel moves have of their own. A design that sets the acceleration sets that of travel moves, too.</summary>
     public void Travel()
     {
-        if (rules.Motion?.TravelJerk is { } jerk) Jerk(jerk);
+        Jerk(rules.Motion?.TravelJerk);
         if (_acceleration is not null || rules.Motion?.TravelAcceleration is not { } travel) return;
-        if (!IsSeparate && Differs(null, travel, ref _accelerationNow) is not null) emitter.Event(new AccelerationEvent(travel));
-        else if (IsSeparate && Differs(null, travel, ref _travelNow) is not null) emitter.Event(new LimitEvent(MotionLimit.TravelAcceleration, travel));
+        if (IsSeparate && Differs(null, travel, ref _travelNow) is not null) emitter.Event(new LimitEvent(MotionLimit.TravelAcceleration, travel));
+        else if (!IsSeparate && Differs(null, travel, ref _accelerationNow) is not null) emitter.Event(new AccelerationEvent(travel));
     }
 
-    private bool IsSeparate => rules.SeparateAccelerations && rules.Motion is { HasAcceleration: true };
+    private bool IsSeparate => rules.SeparateAccelerations && rules.Motion?.MostAcceleration is not null;
 
-    private void Jerk(double value)
+    private void Jerk(double? value)
     {
-        if (Differs(null, value, ref _jerkNow) is { } jerk) emitter.Event(new LimitEvent(rules.Motion!.JerkLimit!.Value, jerk));
+        if (value is not null && Differs(null, value, ref _jerkNow) is { } jerk) emitter.Event(new LimitEvent(rules.Motion!.JerkLimit!.Value, jerk));
     }
 
     // Quick layers get more of the fan, the quickest all of it.

@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace Caterpillar.Planning;
 
 /// <summary>Roles that are printed more slowly than requested because of the maximum volumetric flow.</summary>
@@ -29,7 +27,7 @@ internal sealed class SlowedRoles
         {
             if (_moves[i] == 0) continue;
             moves += _moves[i];
-            parts.Add($"{Words((Role)i)} from {NumberFormatter.Format(_wanted[i], 1)} to {NumberFormatter.Format(_least[i], 1)} mm/s");
+            parts.Add($"{Named((Role)i)} from {NumberFormatter.Format(_wanted[i], 1)} to {NumberFormatter.Format(_least[i], 1)} mm/s");
         }
         if (moves == 0) return;
         diagnostics.Add(Severity.Note, "plan.flow_slowed",
@@ -37,16 +35,5 @@ internal sealed class SlowedRoles
                 moves);
     }
 
-    // OuterWall becomes "outer wall".
-    private static string Words(Role role)
-    {
-        if (role == Role.Unspecified) return "paths";
-        var words = new StringBuilder();
-        foreach (var c in role.ToString())
-        {
-            if (char.IsUpper(c) && words.Length > 0) words.Append(' ');
-            words.Append(char.ToLowerInvariant(c));
-        }
-        return words.ToString();
-    }
+    private static string Named(Role role) => role == Role.Unspecified ? "paths" : Words.Snake(role.ToString()).Replace('_', ' ');
 }

@@ -45,17 +45,17 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
             Solid(area, Role.SolidInfill, Closing(_settings.InfillPattern), angle, rank);
             return;
         }
-        var thick = thickness == rules.Thickness ? rules : rules with { Walls = WallRules.Of(_settings, thickness), Thickness = thickness };
+        var thick = thickness == rules.Thickness ? rules : rules with { Walls = WallRules.Of(_settings, thickness, rules.First), Thickness = thickness };
         var pattern = layer.Body.InfillLines is null ? _settings.InfillPattern : InfillPattern.Curves;
-        var request = Request(area, pattern, rules.InfillSpacing, rules.Width, angle, solid: false);
-        Add(tools.Infill.Fill(request), thick.Bead(rules.Width), Role.Infill, rank);
+        var request = Request(area, pattern, rules.InfillSpacing, rules.InfillWidth, angle, solid: false);
+        Add(tools.Infill.Fill(request), thick.Bead(rules.InfillWidth), Role.Infill, rank);
     }
 
     private void Solid(Region area, Role role, InfillPattern pattern, double angle, int rank, bool overInfill = false)
     {
         if (role == Role.SolidInfill && pattern == InfillPattern.Lines) area = NarrowParts(area, rank);
         if (area.IsEmpty) return;
-        var width = role == Role.SolidInfill || overInfill ? rules.Width : rules.SolidInfillLineWidth;
+        var width = role == Role.TopSurface ? rules.TopWidth : rules.SolidWidth;
         var bead = overInfill ? rules.Bead(width).WithSpeed(_settings.InfillBridgeSpeed) : rules.Bead(width);
         var share = overInfill ? _settings.InfillBridgeFlowRatio : role == Role.Bridge ? _settings.BridgeFlowRatio : 1;
         var request = Request(area, pattern, rules.Pitch(width), width, angle, solid: true);
@@ -79,9 +79,10 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
             (piece.Offset(-half, JoinStyle.Miter, 2, ArcTolerance, tools.Engine).IsEmpty ? narrow : wide).AddRange(piece.Paths);
         if (narrow.Count == 0) return area;
         var group = new StepGroup(layer.Number, number, rank);
-        foreach (var wall in new WallBuilder(rules.Walls, tools.Engine).Fill(Region.Own(narrow.ToArray())).Paths)
+        var walls = rules.Walls with { InnerWidth = rules.SolidWidth };
+        foreach (var wall in new WallBuilder(walls, tools.Engine).Fill(Region.Own(narrow.ToArray())).Paths)
         {
-            var path = wall.ToPath(layer.Plan.Top, rules.Walls).With(Role.SolidInfill, layer.Layer);
+            var path = wall.ToPath(layer.Plan.Top, walls).With(Role.SolidInfill, layer.Layer);
             steps.Add(new PathStep(rules.Own(path), group) { Region = island.Region });
         }
         return Region.Own(wide.ToArray());
@@ -91,7 +92,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
     private void Iron(Region top, double angle)
     {
         if (top.IsEmpty || !(_settings.IroningFlowPercent > 0)) return;
-        var area = top.Offset(-rules.SolidInfillLineWidth / 2, JoinStyle.Miter, 2, ArcTolerance, tools.Engine);
+        var area = top.Offset(-rules.TopWidth / 2, JoinStyle.Miter, 2, ArcTolerance, tools.Engine);
         var request = new InfillRequest(area, InfillPattern.Monotonic, _settings.IroningSpacing, _settings.IroningSpacing)
         {
             Angle = angle + 90, Z = layer.Plan.Top, Layer = layer.Index,

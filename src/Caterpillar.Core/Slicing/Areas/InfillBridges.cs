@@ -21,7 +21,7 @@ internal static class InfillBridges
         foreach (var (lower, sparse) in Sparse(below, solid, engine))
         {
             var hollow = lower.InfillSpacing <= 0;
-            if (!hollow && lower.InfillSpacing <= Close * lower.Width) continue;
+            if (!hollow && lower.InfillSpacing <= Close * lower.InfillWidth) continue;
             var over = solid.Intersect(sparse, engine).Offset(-half, JoinStyle.Miter, 2, ArcTolerance, engine);
             if (over.IsEmpty) continue;
             var area = over.Offset(half + rules.Settings.BridgeAnchor, JoinStyle.Miter, 2, ArcTolerance, engine).Intersect(solid, engine);

@@ -22,7 +22,7 @@ internal static class LightningPlan
             heights[i] = layer.Plan.Top;
             var rules = RulesOf(layer);
             if (rules.InfillSpacing > 0) spacing = Math.Max(spacing, rules.InfillSpacing);
-            areas[i] = AreaFiller.CenterLines(ThickInfill.SparseOf(layer, engine, InfillPattern.Lightning), rules, rules.Width, rules.Overlap, engine);
+            areas[i] = AreaFiller.CenterLines(ThickInfill.SparseOf(layer, engine, InfillPattern.Lightning), rules, rules.InfillWidth, rules.Overlap, engine);
         }
         var tops = new Region[areas.Length];
         for (var i = 0; i < tops.Length; i++) tops[i] = i + 1 < tops.Length ? areas[i].Subtract(areas[i + 1], engine) : areas[i];

@@ -30,7 +30,7 @@ internal readonly record struct ThickInfill(Region Area, double Thickness)
             common = common is null ? sparse : common.Intersect(sparse, engine);
         }
         // Slivers that no extrusion fits into stay with their layers.
-        var half = layer.Rules.Width;
+        var half = layer.Rules.InfillWidth;
         common = common!.Offset(-half, JoinStyle.Miter, 2, 0.005, engine).Offset(half, JoinStyle.Miter, 2, 0.005, engine);
         return common.IsEmpty || first == last ? None : new ThickInfill(common, layer.Index == last ? thickness : 0);
     }

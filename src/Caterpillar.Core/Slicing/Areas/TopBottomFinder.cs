@@ -118,7 +118,7 @@ internal sealed class TopBottomFinder(LayerWork layer, SliceRules rules, RegionE
         var others = new List<GridPoint[]>();
         foreach (var piece in bottom.Islands)
         {
-            if (BridgeFinder.Find(piece, below.Near(piece.Box), rules.SolidInfillLineWidth) is { } angle) bridges.Add(new BridgeArea(piece, angle));
+            if (BridgeFinder.Find(piece, below.Near(piece.Box), rules.SolidWidth) is { } angle) bridges.Add(new BridgeArea(piece, angle));
             else others.AddRange(piece.Paths);
         }
         return areas with { Bottom = Region.Own(others.ToArray()), Bridges = bridges };

@@ -13,7 +13,7 @@ internal static class Adhesion
     public static SlicedLayer Around(SlicedLayer first, Region parts, Region covered, PrintSettings settings)
     {
         if (!settings.HasSkirtOrBrim) return first;
-        var rules = SliceRules.Of(settings, first.Layer.Thickness);
+        var rules = SliceRules.Of(settings, first.Layer.Thickness, first: true);
         var steps = new List<PathStep>();
         // They go around all objects and belong to none.
         var layer = first.Layer with { Object = "" };

@@ -12,13 +12,13 @@ internal static class Raft
     public static IReadOnlyList<SlicedLayer> Below(Region covered, PrintSettings settings)
     {
         var layers = new List<SlicedLayer>();
-        var rules = SliceRules.Of(settings, settings.RaftLayerHeight);
         // Gaps that a margin on both sides fills are closed, too.
         var area = covered.Offset(settings.RaftExpansion, JoinStyle.Round, arcTolerance: 0.05);
         var tools = new LayerTools();
-        var pitch = rules.Pitch(rules.Width);
         for (var i = 0; i < settings.RaftLayers; i++)
         {
+            var rules = SliceRules.Of(settings, settings.RaftLayerHeight, first: i == 0);
+            var pitch = rules.Pitch(rules.Width);
             var solid = i == settings.RaftLayers - 1;
             var layer = new Layer(i, (i + 1) * settings.RaftLayerHeight, settings.RaftLayerHeight);
             var steps = new List<PathStep>();

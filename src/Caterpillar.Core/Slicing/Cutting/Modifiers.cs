@@ -18,19 +18,19 @@ internal sealed class Modifiers(IReadOnlyList<SliceModel> models)
             var mesh = models[m].Mesh.Mesh;
             if (body.Layers.Length == 0 || !Overlap(mesh.Bounds, body.Model.Mesh.Bounds)) continue;
             var sections = MeshSections.At(mesh, heights, new SectionOptions { Threads = threads }, null, cancel).Value!;
-            var rules = new Dictionary<double, SliceRules>();
+            var rules = new Dictionary<SliceRules, SliceRules>();
             for (var i = 0; i < heights.Length; i++)
             {
                 var area = Region.From(sections[i].Loops);
                 if (area.IsEmpty) continue;
                 _used[m] = true;
                 var layer = body.Layers[i];
-                if (!rules.TryGetValue(layer.Plan.Thickness, out var own))
+                if (!rules.TryGetValue(layer.Rules, out var own))
                 {
                     // What layers have in common stays that of the part.
                     var settings = models[m].Settings with { CombineInfillLayers = layer.Rules.Settings.CombineInfillLayers,
                         OpenContours = layer.Rules.Settings.OpenContours };
-                    rules.Add(layer.Plan.Thickness, own = SliceRules.Of(settings, layer.Plan.Thickness, common));
+                    rules.Add(layer.Rules, own = SliceRules.Of(settings, layer.Plan.Thickness, common, layer.Rules.First));
                 }
                 layer.Modifiers.Add((own, area));
             }

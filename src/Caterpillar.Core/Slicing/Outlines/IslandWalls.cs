@@ -57,7 +57,7 @@ internal sealed class IslandWalls
             var strip = Moved(piece, anchor).Intersect(inside, _engine);
             // Nothing carries it, or it is a bridge.
             if (strip.Intersect(below, _engine).IsEmpty) continue;
-            if (_rules.Settings.Bridges && BridgeFinder.Find(strip, below, _rules.SolidInfillLineWidth) is not null) continue;
+            if (_rules.Settings.Bridges && BridgeFinder.Find(strip, below, _rules.SolidWidth) is not null) continue;
             air.AddRange(piece.Paths);
             strips.AddRange(strip.Paths);
         }

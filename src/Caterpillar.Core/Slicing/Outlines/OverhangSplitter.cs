@@ -120,7 +120,7 @@ internal sealed class OverhangSplitter(SliceRules rules, Region below, RegionEng
     private LineClipper Clipper(int kind, Vec3[] path)
     {
         if (_clippers[kind] is { } made) return made;
-        var distance = rules.Width * (_classes[kind].Percent / 100 - 0.5);
+        var distance = rules.Walls.OuterWidth * (_classes[kind].Percent / 100 - 0.5);
         var region = distance == 0 ? below : below.Offset(distance, JoinStyle.Miter, 2, 0.005, engine);
         var clipper = _clippers[kind] = new LineClipper(region.Index, outside: true);
         clipper.Follow(path);

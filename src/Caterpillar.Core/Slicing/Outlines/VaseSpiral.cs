@@ -27,7 +27,7 @@ internal sealed class VaseSpiral(bool isAlone)
         {
             if (Grid.DoubleArea(path, 0, path.Length) > 0) outlines.Add(path);
         }
-        var line = Region.Own(outlines.ToArray()).Offset(-layer.Rules.Width / 2, JoinStyle.Miter, 2, 0.005, engine);
+        var line = Region.Own(outlines.ToArray()).Offset(-layer.Rules.Walls.OuterWidth / 2, JoinStyle.Miter, 2, 0.005, engine);
         Polyline? largest = null;
         foreach (var contour in line.Contours)
         {
@@ -73,7 +73,7 @@ internal sealed class VaseSpiral(bool isAlone)
 
     private static PathStep Turn(Vec3[] points, LayerWork work, Func<double, double> flow, bool goesOn)
     {
-        var bead = work.Rules.Bead(work.Rules.Width);
+        var bead = work.Rules.Bead(work.Rules.Walls.OuterWidth);
         var all = 0.0;
         for (var i = 1; i < points.Length; i++) all += points[i].DistanceTo(points[i - 1]);
         var beads = new Bead[points.Length - 1];

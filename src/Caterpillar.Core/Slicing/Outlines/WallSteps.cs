@@ -48,7 +48,7 @@ internal static class WallSteps
 
     // Where an extrusion touches the layer below at all: half of its width farther than its center line may lie.
     private static Region Held(Region below, SliceRules rules, RegionEngine engine)
-        => below.Offset(rules.Width / 2, JoinStyle.Miter, 2, 0.01, engine);
+        => below.Offset(rules.Walls.OuterWidth / 2, JoinStyle.Miter, 2, 0.01, engine);
 
     private static PrintPath Path(LayerWork layer, SliceRules rules, WallPath wall, int number)
     {
@@ -70,11 +70,12 @@ internal static class WallSteps
     /// <summary>Contours that do not close, as single walls.</summary>
     public static void AddOpen(LayerWork layer, List<PathStep> steps)
     {
-        var bead = layer.Rules.Bead(layer.Rules.Width);
+        var width = layer.Rules.Walls.OuterWidth;
+        var bead = layer.Rules.Bead(width);
         for (var i = 0; i < layer.OpenLines.Count; i++)
         {
             var line = layer.OpenLines[i];
-            if (line.Count < 2 || line.Length < layer.Rules.Width) continue;
+            if (line.Count < 2 || line.Length < width) continue;
             var path = PrintPath.Own(Lifted(line.Raw, layer.Plan.Top), [bead], closed: false).With(Role.OuterWall, layer.Layer);
             steps.Add(new PathStep(layer.Rules.Own(path), new StepGroup(layer.Number, layer.Islands.Length, StepRank.Walls)));
         }

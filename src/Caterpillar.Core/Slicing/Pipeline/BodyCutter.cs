@@ -33,11 +33,12 @@ internal sealed class BodyCutter(
         memory.Plan(body, plan);
         var lift = Raft.Lift(common);
         var sections = ModelSections.Cut(body.Model, Array.ConvertAll(plan, l => l.Cut), settings, options.Threads, findings, progress, cancel);
-        var rules = new Dictionary<double, SliceRules>();
+        var rules = new Dictionary<(double, bool), SliceRules>();
         body.Layers = new LayerWork[plan.Length];
         for (var i = 0; i < plan.Length; i++)
         {
-            if (!rules.TryGetValue(plan[i].Thickness, out var rule)) rules.Add(plan[i].Thickness, rule = SliceRules.Of(settings, plan[i].Thickness, common));
+            var kind = (plan[i].Thickness, First: i == 0 && common.RaftLayers == 0);
+            if (!rules.TryGetValue(kind, out var rule)) rules.Add(kind, rule = SliceRules.Of(settings, kind.Thickness, common, kind.First));
             body.Layers[i] = new LayerWork(body, i, plan[i] with { Top = plan[i].Top + lift }, rule) { Section = sections[i] };
         }
         return body;

@@ -58,7 +58,7 @@ internal static class IdleSettings
             SupportKeys.SupportPlacement, SupportKeys.SupportAngle, SupportKeys.MaxBridgeLength, SupportKeys.SupportXyGap, SupportKeys.SupportTopGap,
             SupportKeys.SupportBottomGap, SupportKeys.SupportDensityPercent, SupportKeys.SupportInterfaceLayers,
             SupportKeys.SupportInterfaceDensityPercent, SupportKeys.TreeTipDistance, SupportKeys.TreeBranchAngle, SupportKeys.TreeBranchDiameter,
-            SupportKeys.SupportSpeed),
+            SupportKeys.SupportSpeed, WidthKeys.SupportLineWidth),
         Unless("support=tree", s => s.Support == SupportKind.Grid,
             SupportKeys.TreeTipDistance, SupportKeys.TreeBranchAngle, SupportKeys.TreeBranchDiameter),
         Unless("support=grid", s => s.Support == SupportKind.Tree, SupportKeys.SupportDensityPercent),

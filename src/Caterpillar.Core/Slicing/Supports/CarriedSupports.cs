@@ -9,7 +9,7 @@ internal sealed class CarriedSupports(SupportStack stack)
     private const double Film = 1e-3;
     private readonly PrintSettings _settings = stack.Settings;
     private readonly SupportLevel[] _levels = stack.Levels;
-    private readonly double _width = stack.Settings.LineWidth;
+    private readonly double _width = stack.Settings.WidthOf(stack.Settings.SupportLineWidth, false);
     private readonly RegionEngine _engine = new();
 
     /// <summary>Removes all supports that nothing carries.</summary>

@@ -16,7 +16,7 @@ internal sealed class SupportBuilder(SupportStack stack, ParallelOptions options
     private const double Joined = 1;
     private readonly PrintSettings _settings = stack.Settings;
     private readonly SupportLevel[] _levels = stack.Levels;
-    private readonly double _width = stack.Settings.LineWidth;
+    private readonly double _width = stack.Settings.WidthOf(stack.Settings.SupportLineWidth, false);
 
     /// <summary>Fills the levels of the stack.</summary>
     /// <param name="others">Layers of all other bodies, which supports keep away from.</param>

@@ -15,11 +15,16 @@ internal sealed class SupportFiller(SupportLevel level, PrintSettings settings, 
 
     private readonly RegionEngine _engine = tools.Engine;
     private readonly SliceRules _rules = level.Work.Rules;
-    private readonly double _width = settings.LineWidth;
+    private readonly double _width = level.Work.Rules.SupportWidth;
 
     // Where a support is thin, a single extrusion: two walls would lie in each other's place.
-    private readonly WallBuilder _walls = new(level.Work.Rules.Walls with { Count = 1, VariableWidth = true, Tolerance = Coarse }, tools.Engine);
+    private readonly WallBuilder _walls = new(Walls(level.Work.Rules), tools.Engine);
     private readonly List<PathStep> _steps = [];
+
+    private static WallRules Walls(SliceRules rules) => rules.Walls with
+    {
+        Count = 1, VariableWidth = true, Tolerance = Coarse, OuterWidth = rules.SupportWidth, InnerWidth = rules.SupportWidth,
+    };
 
     /// <summary>The steps that print the supports.</summary>
     public List<PathStep> Fill()

@@ -20,7 +20,7 @@ internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, Parallel
 
     private readonly PrintSettings _settings = stack.Settings;
     private readonly SupportLevel[] _levels = stack.Levels;
-    private readonly double _width = stack.Settings.LineWidth;
+    private readonly double _width = stack.Settings.WidthOf(stack.Settings.SupportLineWidth, false);
     private readonly double _slope = Angle.Sin(stack.Settings.TreeBranchAngle) / Angle.Cos(stack.Settings.TreeBranchAngle);
 
     // Layers that hold a contact: the dense ones on a lattice over the tips.

@@ -33,15 +33,20 @@ internal sealed record WallRules
     /// <summary>The same of walls that are not seen.</summary>
     public double InnerTolerance { get; init; } = 0.0125;
 
-    /// <summary>The walls of print settings, in a layer of a thickness.</summary>
-    public static WallRules Of(PrintSettings settings, double thickness) => new()
+    /// <summary>The walls of print settings, in a layer of a thickness, which may be the first.</summary>
+    public static WallRules Of(PrintSettings settings, double thickness, bool first = false)
     {
-        Count = settings.WallCount, OuterWidth = settings.LineWidth, InnerWidth = settings.LineWidth, Thickness = thickness, Shape = settings.BeadShape,
-        VariableWidth = settings.VariableWallWidth,
-        MinWidth = settings.MinWallWidth > 0 ? Math.Min(settings.MinWallWidth, settings.LineWidth) : settings.LineWidth * 0.45,
-        MaxWidth = settings.MaxWallWidth > 0 ? Math.Max(settings.MaxWallWidth, settings.LineWidth) : settings.LineWidth * 1.8,
-        InnerTolerance = settings.Resolution,
-    };
+        var (outer, inner) = (settings.WidthOf(settings.OuterWallLineWidth, first), settings.WidthOf(settings.InnerWallLineWidth, first));
+        var (least, most) = (Math.Min(outer, inner), Math.Max(outer, inner));
+        return new WallRules
+        {
+            Count = settings.WallCount, OuterWidth = outer, InnerWidth = inner, Thickness = thickness, Shape = settings.BeadShape,
+            VariableWidth = settings.VariableWallWidth,
+            MinWidth = settings.MinWallWidth > 0 ? Math.Min(settings.MinWallWidth, least) : least * 0.45,
+            MaxWidth = settings.MaxWallWidth > 0 ? Math.Max(settings.MaxWallWidth, most) : most * 1.8,
+            InnerTolerance = settings.Resolution,
+        };
+    }
 
     public double OuterSpacing => Spacing(OuterWidth);
 

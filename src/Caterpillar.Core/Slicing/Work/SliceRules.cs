@@ -14,27 +14,38 @@ internal sealed record SliceRules(PrintSettings Settings, WallRules Walls, doubl
     /// <summary>The settings of the whole print, which planning takes the usual speeds from.</summary>
     public PrintSettings Common { get; init; } = Settings;
 
+    /// <summary>True in the first layer on the bed.</summary>
+    public bool First { get; init; }
+
     /// <summary>Formula of the infill, or null.</summary>
     public Formula? InfillFormula { get; init; }
 
     /// <param name="settings">The settings that apply.</param>
     /// <param name="thickness">Thickness of the layer.</param>
     /// <param name="common">Those of the whole print.</param>
-    public static SliceRules Of(PrintSettings settings, double thickness, PrintSettings? common = null)
-        => new(settings, WallRules.Of(settings, thickness), thickness)
+    /// <param name="first">Whether it is the first on the bed.</param>
+    public static SliceRules Of(PrintSettings settings, double thickness, PrintSettings? common = null, bool first = false)
+        => new(settings, WallRules.Of(settings, thickness, first), thickness)
     {
+        First = first,
         Common = common ?? settings,
         InfillCurves = settings.InfillPattern == InfillPattern.Curves ? InfillPoint.Curves(settings.InfillCurves) : [],
         InfillFormula = settings.InfillFormula.Length > 0 ? Formula.Compile(settings.InfillFormula, LevelSet.Variables).Value : null,
     };
 
-    /// <summary>Width of the extrusions of infill.</summary>
-    public double Width => Settings.LineWidth;
+    /// <summary>Width of extrusions without one of their own.</summary>
+    public double Width => Settings.WidthOf(0, First);
 
-    public double SolidInfillLineWidth => Settings.SolidInfillLineWidth > 0 ? Settings.SolidInfillLineWidth : Settings.LineWidth;
+    public double InfillWidth => Settings.WidthOf(Settings.InfillLineWidth, First);
+
+    public double SolidWidth => Settings.WidthOf(Settings.SolidInfillLineWidth, First);
+
+    public double TopWidth => Settings.WidthOf(Settings.TopSurfaceLineWidth > 0 ? Settings.TopSurfaceLineWidth : Settings.SolidInfillLineWidth, First);
+
+    public double SupportWidth => Settings.WidthOf(Settings.SupportLineWidth, First);
 
     /// <summary>How far infill reaches into the walls.</summary>
-    public double Overlap => Settings.WallCount == 0 ? 0 : Settings.InfillOverlapPercent / 100 * Settings.LineWidth;
+    public double Overlap => Settings.WallCount == 0 ? 0 : Settings.InfillOverlapPercent / 100 * Width;
 
     /// <summary>How far the turns of lines that close an area do: with more, as much is printed twice as stays open with less.</summary>
     public double SolidOverlap => Overlap * 2 / 3;
@@ -42,10 +53,10 @@ internal sealed record SliceRules(PrintSettings Settings, WallRules Walls, doubl
     /// <summary>Area filled per length of infill. 0 = no infill.</summary>
     public double InfillSpacing => Settings.InfillSpacing > 0
         ? Settings.InfillSpacing / InfillFiller.Families(Settings.InfillPattern)
-        : Settings.InfillDensityPercent > 0 ? Pitch(Width) * 100 / Settings.InfillDensityPercent : 0;
+        : Settings.InfillDensityPercent > 0 ? Pitch(InfillWidth) * 100 / Settings.InfillDensityPercent : 0;
 
     /// <summary>Whether the infill leaves no gaps. What the user drew stays as it is.</summary>
-    public bool IsSolid => InfillSpacing > 0 && Settings.InfillPattern != InfillPattern.Curves && InfillSpacing <= Pitch(Width) * (1 + 1e-9);
+    public bool IsSolid => InfillSpacing > 0 && Settings.InfillPattern != InfillPattern.Curves && InfillSpacing <= Pitch(InfillWidth) * (1 + 1e-9);
 
     /// <summary>Direction of the infill of a layer, degrees from +X.</summary>
     public double InfillAngle(int layer) => Settings.InfillAngle + layer / Settings.CombineInfillLayers * Settings.InfillRotation;
