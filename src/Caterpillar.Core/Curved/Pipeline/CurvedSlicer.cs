@@ -129,20 +129,10 @@ public static class CurvedSlicer
     }
 
     private static bool IsLevel(List<PathStep> steps)
-    {
-        foreach (var step in steps)
-        {
-            foreach (var p in step.Path.RawPoints)
-            {
-                if (Math.Abs(p.Z - steps[0].Path.Start.Z) > 1e-6) return false;
-            }
-        }
-        return true;
-    }
+        => steps.TrueForAll(s => Array.TrueForAll(s.Path.RawPoints, p => Math.Abs(p.Z - steps[0].Path.Start.Z) <= 1e-6));
 
     private static List<PathStep> Within(List<PathStep> steps, Region region)
-        => steps.ConvertAll(s => s.Region is null
-            || ReferenceEquals(s.Region, region) ? s : s.With(s.Path, region));
+        => steps.ConvertAll(s => s.Region is null || ReferenceEquals(s.Region, region) ? s : s.With(s.Path, region));
 
     // Level travels inside the part would run through curved layers; steps that are joined may have lost pieces between them.
     private static List<PathStep> WithoutRegions(List<PathStep> steps)

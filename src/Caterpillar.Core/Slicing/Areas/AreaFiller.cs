@@ -58,7 +58,8 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
         var width = role == Role.SolidInfill || overInfill ? rules.Width : rules.SolidInfillLineWidth;
         var bead = overInfill ? rules.Bead(width).WithSpeed(_settings.InfillBridgeSpeed) : rules.Bead(width);
         var share = overInfill ? _settings.InfillBridgeFlowRatio : role == Role.Bridge ? _settings.BridgeFlowRatio : 1;
-        var lines = tools.Infill.Fill(Request(area, pattern, rules.Pitch(width), width, angle, solid: true));
+        var request = Request(area, pattern, rules.Pitch(width), width, angle, solid: true);
+        var lines = tools.Infill.Fill(request with { Hidden = role == Role.Bridge || (role == Role.SolidInfill && !rules.IsSolid) });
         // Rows between walls know what each of them has to fill.
         var rows = pattern is InfillPattern.Lines or InfillPattern.Monotonic && _settings.WallCount > 0;
         var flow = rows ? share : Balance(lines, area.Area * rules.Thickness, bead) * share;

@@ -15,6 +15,8 @@ internal static class Adhesion
         if (!settings.HasSkirtOrBrim) return first;
         var rules = SliceRules.Of(settings, first.Layer.Thickness);
         var steps = new List<PathStep>();
+        // They go around all objects and belong to none.
+        var layer = first.Layer with { Object = "" };
         var pitch = rules.Pitch(rules.Width);
         var hasBrim = settings.BrimWidth > 0 && settings.BrimType != BrimType.Ears;
         var brim = hasBrim ? Math.Max(1, (int)Math.Floor(settings.BrimWidth / pitch + 0.5)) : 0;
@@ -49,6 +51,6 @@ internal static class Adhesion
         }
 
         // One rank for each loop keeps their order.
-        void Add(PrintPath path, Role role) => steps.Add(new PathStep(path.With(role, first.Layer), new StepGroup(0, -1, steps.Count)));
+        void Add(PrintPath path, Role role) => steps.Add(new PathStep(path.With(role, layer), new StepGroup(0, -1, steps.Count)));
     }
 }

@@ -10,12 +10,11 @@ internal static class LayerArcs
     public static SlicedLayer Fit(SlicedLayer layer, double tolerance, bool ofPart)
     {
         if (tolerance == 0) return layer;
-        var options = new ArcFitOptions { Tolerance = tolerance };
         var steps = new List<PathStep>(layer.Steps.Count);
         foreach (var step in layer.Steps)
         {
             var isAround = step.Path.Role is Role.Support or Role.SupportInterface or Role.Skirt or Role.Brim or Role.Raft;
-            steps.Add(isAround == ofPart ? step : step.With(PathArcs.Fit(step.Path, options)));
+            steps.Add(isAround == ofPart ? step : step.With(PathArcs.Fit(step.Path, tolerance)));
         }
         return layer with { Steps = steps };
     }
