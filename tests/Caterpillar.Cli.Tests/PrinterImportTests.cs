@@ -80,7 +80,6 @@ public class PrinterImportTests : CliFixture
         Assert.That(Run("printers", "--import", "start.gcode", "-", "-o", "x.json").Code, Is.EqualTo(1), "inches");
         Assert.That(File.Exists("x.json"), Is.False);
         Assert.That(Run("printers", "--import", "nothing.gcode", "-").Code, Is.EqualTo(1));
-        Assert.That(Run("printers", "--import", "a", "b", "c").Code, Is.EqualTo(2));
         Assert.That(Run("printers", "--base", "generic").Code, Is.EqualTo(2));
         Assert.That(Run("printers", "--import", "start.gcode", "-", "--base", "no_such").Code, Is.EqualTo(2));
     }

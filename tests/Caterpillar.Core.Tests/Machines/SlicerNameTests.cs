@@ -96,7 +96,11 @@ public class SlicerNameTests
     public void A_slicer_has_one_key_for_a_name_with_a_convertible_value()
     {
         foreach (var name in SlicerName.All.Where(n => n.Conversion.Length == 0 || n.Conversion[0] is '*' or '/').GroupBy(n => (n.Slicer, n.Name)))
-            Assert.That(name.Count(), Is.EqualTo(name.Key.Name is "fill_angle" or "bridge_speed" or "bridge_flow_ratio" ? 2 : 1), name.Key.Name);
+        {
+            // PrusaSlicer has no names of its own for bridges over infill.
+            var both = name.Key.Name == "fill_angle" || (name.Key.Slicer == "PrusaSlicer" && name.Key.Name is "bridge_speed" or "bridge_flow_ratio");
+            Assert.That(name.Count(), Is.EqualTo(both ? 2 : 1), name.Key.Name);
+        }
     }
 
     [Test]
