@@ -28,9 +28,9 @@ internal static class PrintTimes
     ];
 
     // No heating, no start and end code: motion alone. Travels as the peers make them, without a lift.
-    private static readonly Printer Printer = new() { NozzleHeating = 0, BedHeating = 0, RetractionLength = 0.8, RetractionSpeed = 35 };
+    public static readonly Printer Printer = new() { NozzleHeating = 0, BedHeating = 0, RetractionLength = 0.8, RetractionSpeed = 35 };
 
-    private static readonly PrintSettings Settings = new()
+    public static readonly PrintSettings Settings = new()
     {
         LayerHeight = 0.2, FirstLayerHeight = 0.2, LineWidth = 0.45, WallCount = 2, InfillDensityPercent = 20, TopLayers = 4, BottomLayers = 4,
         TopThickness = 0, BottomThickness = 0, PrintSpeed = 60, OuterWallSpeed = 40, InfillSpeed = 80, SolidInfillSpeed = 60, TopSurfaceSpeed = 60,
@@ -54,7 +54,8 @@ internal static class PrintTimes
             var mine = Row(name, "Caterpillar", Planner.Plan(PlanarSlicer.Slice(models, Settings).Value!.ToSteps(), setup).Value!);
             var stl = Path.Combine(temporary, "model.stl");
             File.WriteAllBytes(stl, StlWriter.ToBytes(TriMesh.Merge(models.Select(m => m.Mesh).ToArray())));
-            var others = new[] { Peer(name, "PrusaSlicer", Prusa(stl, temporary), temporary), Peer(name, "CuraEngine", Cura(stl, temporary), temporary) };
+            var others = new[] { ("PrusaSlicer", Prusa(stl, temporary)), ("CuraEngine", Cura(stl, temporary)) }
+                .Select(p => Peer(p.Item2, temporary) is { } toolpath ? Row(name, p.Item1, toolpath) : (double?)null).ToArray();
             all++;
             if (others.All(o => o is null || mine < o)) first++;
         }
@@ -62,7 +63,8 @@ internal static class PrintTimes
         Directory.Delete(temporary, recursive: true);
     }
 
-    private static double? Peer(string name, string program, ProcessStartInfo start, string folder)
+    /// <summary>What another slicer prints; null if it is not installed or fails.</summary>
+    public static Toolpath? Peer(ProcessStartInfo start, string folder)
     {
         var output = Path.Combine(folder, "peer.gcode");
         File.Delete(output);
@@ -81,8 +83,7 @@ internal static class PrintTimes
             return null;
         }
         if (!File.Exists(output)) return null;
-        var decoded = GCodeDecoder.Decode(File.ReadAllBytes(output), new DecodeOptions { Flavor = FlavorTable.Marlin2, FilamentDiameter = 1.75 }).Value!;
-        return Row(name, program, decoded.Toolpath);
+        return GCodeDecoder.Decode(File.ReadAllBytes(output), new DecodeOptions { Flavor = FlavorTable.Marlin2, FilamentDiameter = 1.75 }).Value!.Toolpath;
     }
 
     private static double Row(string mesh, string program, Toolpath toolpath)
@@ -95,7 +96,8 @@ internal static class PrintTimes
         return statistics.Duration;
     }
 
-    private static ProcessStartInfo Prusa(string stl, string folder) => new("prusa-slicer",
+    /// <summary>PrusaSlicer with the same settings, and others.</summary>
+    public static ProcessStartInfo Prusa(string stl, string folder, string others = "") => new("prusa-slicer",
         "--export-gcode --loglevel 0 -o " + Path.Combine(folder, "peer.gcode")
         + " --nozzle-diameter 0.4 --filament-diameter 1.75 --layer-height 0.2 --first-layer-height 0.2 --center 110,110 --perimeters 2 --fill-density 20%"
         + " --fill-pattern rectilinear --top-solid-layers 4 --bottom-solid-layers 4 --top-solid-min-thickness 0 --bottom-solid-min-thickness 0 --skirts 0"
@@ -104,15 +106,17 @@ internal static class PrintTimes
         + " --external-perimeter-speed 40 --small-perimeter-speed 40 --infill-speed 80 --solid-infill-speed 60 --top-solid-infill-speed 60 --bridge-speed 60"
         + " --gap-fill-speed 60 --first-layer-speed 25 --travel-speed 150 --retract-length 0.8 --retract-speed 35 --deretract-speed 35"
         + " --retract-before-travel 1.5 --retract-lift 0 --no-retract-layer-change --machine-limits-usage ignore --default-acceleration 0 --no-cooling"
-        + " --only-retract-when-crossing-perimeters --no-overhangs --no-ensure-vertical-shell-thickness --start-gcode G90 --end-gcode G90 " + stl);
+        + " --only-retract-when-crossing-perimeters --no-overhangs --no-ensure-vertical-shell-thickness --start-gcode G90 --end-gcode G90 "
+        + others + " " + stl);
 
-    private static ProcessStartInfo Cura(string stl, string folder)
+    /// <summary>CuraEngine with the same settings, and others.</summary>
+    public static ProcessStartInfo Cura(string stl, string folder, params string[] others)
     {
         const string Resources = "/usr/share/cura/resources/";
         string[] values =
         [
             "layer_height=0.2", "layer_height_0=0.2", "wall_line_count=2", "infill_pattern=lines", "infill_sparse_density=20", "infill_line_distance=2.035",
-            "top_layers=4", "bottom_layers=4", "initial_bottom_layers=4", "adhesion_type=none", "support_enable=false", "machine_nozzle_size=0.4",
+            "top_layers=4", "bottom_layers=4", "initial_bottom_layers=4", "adhesion_type=none", "machine_nozzle_size=0.4",
             "machine_width=220", "machine_depth=220", "machine_height=250", "machine_center_is_zero=false", "center_object=true", "line_width=0.45",
             "wall_line_width=0.45", "wall_line_width_0=0.45", "wall_line_width_x=0.45", "infill_line_width=0.45", "skin_line_width=0.407",
             "retraction_enable=true", "retraction_amount=0.8", "retraction_speed=35", "retraction_retract_speed=35", "retraction_prime_speed=35",
@@ -122,7 +126,7 @@ internal static class PrintTimes
             "material_print_temperature=210", "material_print_temperature_layer_0=210", "material_diameter=1.75",
         ];
         var start = new ProcessStartInfo("CuraEngine", "slice -j " + Resources + "definitions/fdmprinter.def.json -o " + Path.Combine(folder, "peer.gcode")
-            + string.Concat(values.Select(v => " -s " + v)) + " -e0 -s material_diameter=1.75 -l " + stl);
+            + string.Concat(values.Concat(others).Select(v => " -s " + v)) + " -e0 -s material_diameter=1.75 -l " + stl);
         start.Environment["CURA_ENGINE_SEARCH_PATH"] = Resources + "definitions:" + Resources + "extruders";
         return start;
     }

@@ -31,9 +31,10 @@ internal sealed class SupportBuilder(SupportStack stack, ParallelOptions options
         var gaps = new SupportGaps(stack);
         gaps.Find(Array.FindLastIndex(_levels, l => !l.Overhang.IsEmpty), others, options);
         FindContacts();
-        if (_settings.Support == SupportKind.Tree) new TreeSupport(stack, gaps, options).Grow();
+        var carried = new CarriedSupports(stack);
+        if (_settings.Support == SupportKind.Tree) new TreeSupport(stack, gaps, options).Grow(carried);
         else Drop(gaps);
-        new CarriedSupports(stack).Keep(options.CancellationToken);
+        carried.Keep(options.CancellationToken);
         FindInterfaces();
     }
 

@@ -71,10 +71,10 @@ public class SupportTests
             if (i == 0) continue;
             // Below lies a support, up to as far aside as it may lean, or the part as near as the gaps leave it.
             var below = layers[i - 1].Support.Offset(settings.LayerHeight + 0.1, JoinStyle.Round);
-            // The lattice below a roof spans the tips of a tree, and reaches nowhere beyond them.
+            // The roof of a tree spans its tips, and leans out by a line beyond what is below.
             var roofed = kind == SupportKind.Tree && layers.Skip(i).Take(settings.SupportInterfaceLayers + 1)
                 .Any(l => Solids.Paths(l, Role.SupportInterface).Length > 0);
-            if (roofed) below = below.Union(layers[i - 1].Support.Closed(0.75 * settings.TreeTipDistance).Offset(0.1));
+            if (roofed) below = below.Union(layers[i - 1].Support.Closed(0.75 * settings.TreeTipDistance + Width).Offset(Width + 0.2));
             if (place == SupportPlacement.Everywhere)
             {
                 for (var k = i - 1; k >= 0 && layers[k].Layer.Z > layers[i]
