@@ -12,7 +12,7 @@ internal sealed class CarriedSupports(SupportStack stack)
     private readonly double _width = stack.Settings.LineWidth;
 
     // mm; half of the width below which an extrusion is too thin: those of the roofs of trees on steep slopes lean on each other.
-    private readonly double _thin = stack.Settings.LineWidth / (stack.Settings.Support == SupportKind.Tree ? 4 : 2);
+    private readonly double _thin = stack.Settings.LineWidth * (stack.Settings.Support == SupportKind.Tree ? 0.3 : 0.5);
     private readonly RegionEngine _engine = new();
 
     /// <summary>Removes all supports that nothing carries.</summary>
@@ -30,12 +30,13 @@ internal sealed class CarriedSupports(SupportStack stack)
         var level = _levels[i];
         if (i == 0)
         {
-            level.Pieces = ThinParts.Thick(level.Pieces, _width / 2, _engine);
+            level.Pieces = ThinParts.Thick(level.Pieces, _thin, _engine);
             return;
         }
         if (level.Pieces.IsEmpty) return;
         var below = _levels[i - 1].Pieces;
-        var islands = level.Pieces.Islands;
+        // A spot as small as a dot has no extrusion, and carries nothing.
+        var islands = level.Pieces.Islands.Where(o => o.Area > _width * _width).ToArray();
         // What is below, with what extrusions may lean out over it.
         var carrying = below.Near([.. islands.Select(r => r.Box)], 2 * Lean(level)).Offset(Lean(level), JoinStyle.Square, 2, ArcTolerance, _engine);
         var pieces = new List<Region>();
@@ -71,7 +72,7 @@ internal sealed class CarriedSupports(SupportStack stack)
         if (held.Area >= island.Area - Film) return island;
         if (_settings.SupportPlacement == SupportPlacement.Everywhere && Ground(i, island) is { Count: > 0 } ground)
             held = island.Intersect([held, .. ground], _engine);
-        return ThinParts.Thick(held, _thin, _engine);
+        return Region.Beside(ThinParts.Thick(held, _thin, _engine).Islands.Where(o => o.Area > _width * _width));
     }
 
     // mm that extrusions may lean out over the level below; of branches, corners and sides differ from their circles, too.

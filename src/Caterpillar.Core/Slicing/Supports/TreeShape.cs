@@ -44,12 +44,13 @@ internal sealed class TreeShape(List<TreeNode>[] nodes, TreeSpace space)
     /// <summary>Sets the radius of each branch: as wanted where there is room, and never more than what is below can carry.</summary>
     /// <param name="wanted">Gives the radius of a branch without regard to others.</param>
     /// <param name="least">Least radius, mm.</param>
+    /// <param name="clear">What the space leaves clear, mm.</param>
     /// <param name="reach">mm that a level may lean out over the one below.</param>
-    public void Thicken(Func<TreeNode, double> wanted, double least, Func<int, double> reach)
+    public void Thicken(Func<TreeNode, double> wanted, double least, double clear, Func<int, double> reach)
     {
         foreach (var node in nodes.SelectMany(n => n))
         {
-            node.Radius = Math.Min(wanted(node), least + space.Room(node.Level, node.Place));
+            node.Radius = Math.Min(wanted(node), clear + space.Room(node.Level, node.Place));
             if (node.Below is not { } below) continue;
             var free = Math.Max(0, reach(node.Level) - node.Place.DistanceTo(below.Place));
             node.Radius = Math.Max(least, Math.Min(node.Radius, below.Radius + free));

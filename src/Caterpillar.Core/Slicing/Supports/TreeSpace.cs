@@ -8,7 +8,7 @@ internal sealed class TreeSpace
     private readonly Region[] _trapped;
 
     /// <param name="levels">What supports keep out of on the levels up to the highest tip, and their thickness, mm.</param>
-    /// <param name="radius">Least radius of branches, mm.</param>
+    /// <param name="radius">What branches keep clear of obstacles, mm.</param>
     /// <param name="slope">mm that branches lean out for each mm down.</param>
     /// <param name="options">Threads, and cancelling.</param>
     public TreeSpace((Region[] Obstacles, double Thickness)[] levels, double radius, double slope, ParallelOptions options)
@@ -29,7 +29,7 @@ internal sealed class TreeSpace
         }
     }
 
-    /// <summary>Whether a branch of the least radius is too near to the part.</summary>
+    /// <summary>Whether the middle of a branch is too near to the part.</summary>
     public bool IsBlocked(int level, Vec3 place) => _blocked[level].Contains(place.X, place.Y);
 
     /// <summary>Whether no way leads from a place to the bed.</summary>
@@ -38,7 +38,7 @@ internal sealed class TreeSpace
     /// <summary>The nearest place from which a way leads to the bed.</summary>
     public Vec3 NearestExit(int level, Vec3 place) => Edge(_trapped[level], place);
 
-    /// <summary>mm that a branch of the least radius may be moved, or be thicker; at most 5.</summary>
+    /// <summary>mm that a branch may be moved, or be thicker than that; at most 5.</summary>
     public double Room(int level, Vec3 place)
     {
         const double Most = 5;

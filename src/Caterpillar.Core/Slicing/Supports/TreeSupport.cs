@@ -27,6 +27,10 @@ internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, Parallel
     private readonly SupportLevel[] _levels = stack.Levels;
     private readonly double _width = stack.Settings.LineWidth;
     private readonly double _least = Least * stack.Settings.LineWidth;
+
+    // What branches keep clear of the part, so that they are no thinner along it.
+    private readonly double _clear
+        = Math.Max(Least * stack.Settings.LineWidth, Math.Min(2 * Least * stack.Settings.LineWidth, stack.Settings.TreeBranchDiameter / 2));
     private readonly double _slope = Angle.Sin(stack.Settings.TreeBranchAngle) / Angle.Cos(stack.Settings.TreeBranchAngle);
     private readonly double _taper = Angle.Sin(stack.Settings.TreeBranchDiameterAngle) / Angle.Cos(stack.Settings.TreeBranchDiameterAngle);
 
@@ -39,7 +43,7 @@ internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, Parallel
     public void Grow(CarriedSupports carried)
     {
         var top = Array.FindLastIndex(_levels, l => !l.Contact.IsEmpty);
-        var space = new TreeSpace([.. _levels.Take(top + 1).Select(l => (l.Obstacles, l.Thickness))], _least, _slope, options);
+        var space = new TreeSpace([.. _levels.Take(top + 1).Select(l => (l.Obstacles, l.Thickness))], _clear, _slope, options);
         var areas = Areas(top);
         var tips = Array.ConvertAll(areas, _ => new List<Vec3>());
         AddTips(areas, 1, tips);
@@ -71,7 +75,7 @@ internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, Parallel
         }
         var shape = new TreeShape(nodes, space);
         shape.Smooth(IsUnderRoof);
-        shape.Thicken(Radius, _least, i => _slope * _levels[i].Thickness);
+        shape.Thicken(Radius, _least, _clear, i => _slope * _levels[i].Thickness);
         RegionEngine.ForEach(0, tips.Length, options, (i, engine) =>
         {
             _levels[i].Roofs = stack.ContactsOver(i, _roofLayers);
@@ -121,7 +125,7 @@ internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, Parallel
     private bool ReachesBed(int level, Vec3 place, TreeSpace space)
     {
         var below = Math.Max(0, level - _roofLayers);
-        return !space.IsTrapped(below, place) || space.NearestExit(below, place).DistanceTo(place) <= _least + _width / 2;
+        return !space.IsTrapped(below, place) || space.NearestExit(below, place).DistanceTo(place) <= _clear + _width / 2;
     }
 
     // Takes the branches down to a level: the strongest first, so that others join them.
