@@ -60,6 +60,12 @@ internal static class SupportTable
             var stl = Path.Combine(temporary, "model.stl");
             File.WriteAllBytes(stl, StlWriter.ToBytes(mesh));
             var samples = Samples(mesh);
+            Toolpath? Peer(Func<string, ProcessStartInfo> command)
+            {
+                var output = Path.Combine(temporary, "peer.gcode");
+                File.Delete(output);
+                return PrintTimes.Peer(output, command(output));
+            }
             void Row(string program, string supports, Toolpath? toolpath)
             {
                 if (toolpath is not null) Console.WriteLine($"| {name} | {program} | {supports} | {Measure(toolpath, samples)} |");
@@ -74,9 +80,9 @@ internal static class SupportTable
             {
                 const string Supports = "--support-material --support-material-threshold 40 --support-material-spacing 2.6 --support-material-xy-spacing 0.6"
                     + " --support-material-interface-layers 2 --support-material-interface-spacing 0.15 --dont-support-bridges=0 --support-material-style ";
-                Row(programs[1], "none", PrintTimes.Peer(PrintTimes.Prusa(stl, temporary), temporary));
-                Row(programs[1], "grid", PrintTimes.Peer(PrintTimes.Prusa(stl, temporary, Supports + "grid"), temporary));
-                Row(programs[1], "snug", PrintTimes.Peer(PrintTimes.Prusa(stl, temporary, Supports + "snug"), temporary));
+                Row(programs[1], "none", Peer(o => PrintTimes.Prusa(stl, o)));
+                Row(programs[1], "grid", Peer(o => PrintTimes.Prusa(stl, o, Supports + "grid")));
+                Row(programs[1], "snug", Peer(o => PrintTimes.Prusa(stl, o, Supports + "snug")));
             }
             if (!IsAsked(programs[2], programs)) continue;
             string[] common =
@@ -88,10 +94,10 @@ internal static class SupportTable
                 "support_roof_line_width=0.45", "support_roof_line_distance=0.6", "support_interface_pattern=lines", "speed_support_infill=60",
                 "speed_support_roof=60", "support_roof_pattern=lines",
             ];
-            Row(programs[2], "none", PrintTimes.Peer(PrintTimes.Cura(stl, temporary, "support_enable=false"), temporary));
-            Row(programs[2], "grid", PrintTimes.Peer(PrintTimes.Cura(stl, temporary, common), temporary));
-            Row(programs[2], "tree", PrintTimes.Peer(PrintTimes.Cura(stl, temporary, [.. common, "support_structure=tree", "support_wall_count=1",
-                "support_tree_enable=true", "support_tree_collision_resolution=0.2", "support_infill_rate=0", "support_line_distance=0"]), temporary));
+            Row(programs[2], "none", Peer(o => PrintTimes.Cura(stl, o, "support_enable=false")));
+            Row(programs[2], "grid", Peer(o => PrintTimes.Cura(stl, o, common)));
+            Row(programs[2], "tree", Peer(o => PrintTimes.Cura(stl, o, [.. common, "support_structure=tree", "support_wall_count=1",
+                "support_tree_enable=true", "support_tree_collision_resolution=0.2", "support_infill_rate=0", "support_line_distance=0"])));
         }
         Directory.Delete(temporary, recursive: true);
     }

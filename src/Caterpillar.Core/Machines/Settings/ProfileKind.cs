@@ -48,7 +48,7 @@ internal static class ProfileKinds
 {
     public static readonly ProfileKind<Printer> Printer = new("printer", "",
         [.. PrinterKeys.All, .. RetractionKeys.All, .. MotionKeys.All, .. HeadKeys.All, .. LimitKeys.All,
-            .. TemplateKeys.All, .. PauseKeys.All],
+            .. HostKeys.All, .. TemplateKeys.All, .. PauseKeys.All],
         () => new Printer(), (p, name) => p with { Name = name });
 
     public static readonly ProfileKind<Material> Material = new("material", "materials/",
@@ -56,7 +56,7 @@ internal static class ProfileKinds
 
     public static readonly ProfileKind<PrintSettings> Settings = new("settings", "settings/",
         [.. SettingsKeys.All, .. WallWidthKeys.All, .. LayerKeys.All, .. TopBottomKeys.All, .. InfillKeys.All, .. BedKeys.All, .. SurfaceKeys.All,
-            .. SeamKeys.All, .. TravelKeys.All, .. CurvedKeys.All, .. SupportKeys.All],
+            .. SeamKeys.All, .. TravelKeys.All, .. RoleMotionKeys.All, .. CurvedKeys.All, .. SupportKeys.All],
         () => new PrintSettings(), (s, name) => s with { Name = name });
 
     /// <summary>The kind of profile that has a key, for messages.</summary>
