@@ -24,9 +24,9 @@ internal static class PrintTimes
     private const double ShortMove = 0.1;
 
     // No heating, no start and end code: motion alone. Travels as the peers make them, without a lift.
-    private static readonly Printer Printer = new() { NozzleHeating = 0, BedHeating = 0, RetractionLength = 0.8, RetractionSpeed = 35 };
+    public static readonly Printer Printer = new() { NozzleHeating = 0, BedHeating = 0, RetractionLength = 0.8, RetractionSpeed = 35 };
 
-    private static readonly PrintSettings Settings = new()
+    public static readonly PrintSettings Settings = new()
     {
         LayerHeight = 0.2, FirstLayerHeight = 0.2, LineWidth = 0.45, WallCount = 2, InfillDensityPercent = 20, TopLayers = 4, BottomLayers = 4,
         TopThickness = 0, BottomThickness = 0, PrintSpeed = 60, OuterWallSpeed = 40, InfillSpeed = 80, SolidInfillSpeed = 60, TopSurfaceSpeed = 60,
@@ -48,17 +48,18 @@ internal static class PrintTimes
             Row(name, "Caterpillar", Planner.Plan(PlanarSlicer.Slice(placed, Settings).Value!.ToSteps(), setup).Value!);
             var stl = Path.Combine(folder, name + ".stl");
             if (!File.Exists(stl)) File.WriteAllBytes(stl, StlWriter.ToBytes(TriMesh.Merge(placed.Select(m => m.Mesh).ToArray())));
-            Peer(name, "PrusaSlicer", Path.Combine(folder, name + ".prusa.gcode"), output => Prusa(stl, output));
-            Peer(name, "CuraEngine", Path.Combine(folder, name + ".cura.gcode"), output => Cura(stl, output));
+            string prusa = Path.Combine(folder, name + ".prusa.gcode"), cura = Path.Combine(folder, name + ".cura.gcode");
+            if (Peer(prusa, Prusa(stl, prusa)) is { } first) Row(name, "PrusaSlicer", first);
+            if (Peer(cura, Cura(stl, cura)) is { } second) Row(name, "CuraEngine", second);
         }
     }
 
-    private static void Peer(string name, string program, string output, Func<string, ProcessStartInfo> command)
+    /// <summary>What another slicer prints, or has printed into a file; null if it is not installed or fails.</summary>
+    public static Toolpath? Peer(string output, ProcessStartInfo command)
     {
-        if (!File.Exists(output) && !Finish(command(output))) return;
-        if (!File.Exists(output)) return;
-        var decoded = GCodeDecoder.Decode(File.ReadAllBytes(output), new DecodeOptions { Flavor = FlavorTable.Marlin2, FilamentDiameter = 1.75 }).Value!;
-        Row(name, program, decoded.Toolpath);
+        if (!File.Exists(output) && !Finish(command)) return null;
+        if (!File.Exists(output)) return null;
+        return GCodeDecoder.Decode(File.ReadAllBytes(output), new DecodeOptions { Flavor = FlavorTable.Marlin2, FilamentDiameter = 1.75 }).Value!.Toolpath;
     }
 
     private static bool Finish(ProcessStartInfo start)
@@ -90,7 +91,8 @@ internal static class PrintTimes
         Console.WriteLine(string.Create(CultureInfo.InvariantCulture, $"| {mesh} | {program} | {work} | {tiny:0.0} % | {statistics.Duration:0} s |"));
     }
 
-    private static ProcessStartInfo Prusa(string stl, string output) => new("prusa-slicer",
+    /// <summary>PrusaSlicer with the same settings, and others.</summary>
+    public static ProcessStartInfo Prusa(string stl, string output, string others = "") => new("prusa-slicer",
         "--export-gcode --loglevel 0 -o " + output
         + " --nozzle-diameter 0.4 --filament-diameter 1.75 --layer-height 0.2 --first-layer-height 0.2 --center 110,110 --perimeters 2 --fill-density 20%"
         + " --fill-pattern rectilinear --top-solid-layers 4 --bottom-solid-layers 4 --top-solid-min-thickness 0 --bottom-solid-min-thickness 0 --skirts 0"
@@ -100,15 +102,16 @@ internal static class PrintTimes
         + " --gap-fill-speed 60 --first-layer-speed 25 --travel-speed 150 --retract-length 0.8 --retract-speed 35 --deretract-speed 35"
         + " --retract-before-travel 1.5 --retract-lift 0 --no-retract-layer-change --machine-limits-usage ignore --default-acceleration 0 --no-cooling"
         + " --only-retract-when-crossing-perimeters --no-overhangs --no-thick-bridges --no-ensure-vertical-shell-thickness"
-        + " --start-gcode G90 --end-gcode G90 " + stl);
+        + " --start-gcode G90 --end-gcode G90 " + others + " " + stl);
 
-    private static ProcessStartInfo Cura(string stl, string output)
+    /// <summary>CuraEngine with the same settings, and others.</summary>
+    public static ProcessStartInfo Cura(string stl, string output, params string[] others)
     {
         const string Resources = "/usr/share/cura/resources/";
         string[] values =
         [
             "layer_height=0.2", "layer_height_0=0.2", "wall_line_count=2", "infill_pattern=lines", "infill_sparse_density=20", "infill_line_distance=2.035",
-            "top_layers=4", "bottom_layers=4", "initial_bottom_layers=4", "adhesion_type=none", "support_enable=false", "machine_nozzle_size=0.4",
+            "top_layers=4", "bottom_layers=4", "initial_bottom_layers=4", "adhesion_type=none", "machine_nozzle_size=0.4",
             "machine_width=220", "machine_depth=220", "machine_height=250", "machine_center_is_zero=false", "center_object=true", "line_width=0.45",
             "wall_line_width=0.45", "wall_line_width_0=0.45", "wall_line_width_x=0.45", "infill_line_width=0.45", "skin_line_width=0.407",
             "retraction_enable=true", "retraction_amount=0.8", "retraction_speed=35", "retraction_retract_speed=35", "retraction_prime_speed=35",
@@ -118,7 +121,7 @@ internal static class PrintTimes
             "material_print_temperature=210", "material_print_temperature_layer_0=210", "material_diameter=1.75",
         ];
         var start = new ProcessStartInfo("CuraEngine", "slice -j " + Resources + "definitions/fdmprinter.def.json -o " + output
-            + string.Concat(values.Select(v => " -s " + v)) + " -e0 -s material_diameter=1.75 -l " + stl);
+            + string.Concat(values.Concat(others).Select(v => " -s " + v)) + " -e0 -s material_diameter=1.75 -l " + stl);
         start.Environment["CURA_ENGINE_SEARCH_PATH"] = Resources + "definitions:" + Resources + "extruders";
         return start;
     }

@@ -40,10 +40,13 @@ public sealed partial record PrintSettings
     public double SupportInterfaceDensityPercent { get; init => field = SupportKeys.SupportInterfaceDensityPercent.Check(value); } = 75;
 
     /// <summary>Distance between the tips of tree supports.</summary> <value>mm.</value>
-    public double TreeTipDistance { get; init => field = SupportKeys.TreeTipDistance.Check(value); } = 2.5;
+    public double TreeTipDistance { get; init => field = SupportKeys.TreeTipDistance.Check(value); } = 5;
 
     /// <summary>Maximum angle of tree branches from the vertical.</summary> <value>Degrees.</value>
     public double TreeBranchAngle { get; init => field = SupportKeys.TreeBranchAngle.Check(value); } = 40;
+
+    /// <summary>Angle at which tree branches get thicker downwards.</summary> <value>Degrees.</value>
+    public double TreeBranchDiameterAngle { get; init => field = SupportKeys.TreeBranchDiameterAngle.Check(value); } = 5;
 
     /// <summary>Maximum diameter of tree branches.</summary> <value>mm.</value>
     public double TreeBranchDiameter { get; init => field = SupportKeys.TreeBranchDiameter.Check(value); } = 5;
@@ -83,6 +86,8 @@ internal static class SupportKeys
         = All.Number("tree_tip_distance_mm", 0.2, 100, s => s.TreeTipDistance, (s, v) => s with { TreeTipDistance = v });
     public static readonly NumberKey TreeBranchAngle
         = All.Number("tree_branch_angle_deg", 0, 70, s => s.TreeBranchAngle, (s, v) => s with { TreeBranchAngle = v });
+    public static readonly NumberKey TreeBranchDiameterAngle
+        = All.Number("tree_branch_diameter_angle_deg", 0, 15, s => s.TreeBranchDiameterAngle, (s, v) => s with { TreeBranchDiameterAngle = v });
     public static readonly NumberKey TreeBranchDiameter
         = All.Number("tree_branch_diameter_mm", 0.2, 100, s => s.TreeBranchDiameter, (s, v) => s with { TreeBranchDiameter = v });
     public static readonly NumberKey SupportSpeed = All.Number("support_speed_mm_s", 0, 10_000, s => s.SupportSpeed, (s, v) => s with { SupportSpeed = v });

@@ -103,7 +103,7 @@ internal sealed class PrintSupports : IDisposable
         var places = new Dictionary<LayerWork, int>();
         for (var i = 0; i < works.Length; i++) places.Add(works[i], i);
         var levels = stacks
-            .SelectMany(s => s.Levels.Where(l => l.Bundles.Count > 0 || !l.Pieces.IsEmpty).Select(l => (Layer: places[l.Work], Level: l, s.Settings)))
+            .SelectMany(s => s.Levels.Where(l => !l.Pieces.IsEmpty).Select(l => (Layer: places[l.Work], Level: l, s.Settings)))
             .OrderBy(l => l.Layer).ToArray();
         for (var first = 0; first < levels.Length; first += Block)
         {
@@ -111,7 +111,7 @@ internal sealed class PrintSupports : IDisposable
             Parallel.For(0, filled.Length, options, () => new LayerTools(), (i, _, tools) =>
             {
                 var (layer, level, settings) = levels[first + i];
-                filled[i] = new Filled(layer, level.Support, new SupportFiller(level, settings, tools).Fill());
+                filled[i] = new Filled(layer, level.Pieces, new SupportFiller(level, settings, tools).Fill());
                 return tools;
             }, _ => { });
             _filled.Add(filled);

@@ -16,7 +16,7 @@ internal sealed class SupportBuilder(SupportStack stack, ParallelOptions options
     private const double Joined = 1;
     private readonly PrintSettings _settings = stack.Settings;
     private readonly SupportLevel[] _levels = stack.Levels;
-    private readonly double _width = stack.Settings.WidthOf(stack.Settings.SupportLineWidth, false);
+    private readonly double _width = stack.LineWidth;
 
     /// <summary>Fills the levels of the stack.</summary>
     /// <param name="others">Layers of all other bodies, which supports keep away from.</param>
@@ -31,9 +31,10 @@ internal sealed class SupportBuilder(SupportStack stack, ParallelOptions options
         var gaps = new SupportGaps(stack);
         gaps.Find(Array.FindLastIndex(_levels, l => !l.Overhang.IsEmpty), others, options);
         FindContacts();
-        if (_settings.Support == SupportKind.Tree) new TreeSupport(stack, gaps, options).Grow();
+        var carried = new CarriedSupports(stack);
+        if (_settings.Support == SupportKind.Tree) new TreeSupport(stack, gaps, options).Grow(carried);
         else Drop(gaps);
-        new CarriedSupports(stack).Keep(options.CancellationToken);
+        carried.Keep(options.CancellationToken);
         FindInterfaces();
     }
 

@@ -13,6 +13,9 @@ internal sealed class SupportFiller(SupportLevel level, PrintSettings settings, 
     // mm; nobody sees how closely supports follow their outline.
     private const double Coarse = 0.03;
 
+    // mm; half of the distance between supports over which nothing is retracted.
+    private const double Threads = 5;
+
     private readonly RegionEngine _engine = tools.Engine;
     private readonly SliceRules _rules = level.Work.Rules;
     private readonly double _width = level.Work.Rules.SupportWidth;
@@ -20,6 +23,9 @@ internal sealed class SupportFiller(SupportLevel level, PrintSettings settings, 
     // Where a support is thin, a single extrusion: two walls would lie in each other's place.
     private readonly WallBuilder _walls = new(Walls(level.Work.Rules), tools.Engine);
     private readonly List<PathStep> _steps = [];
+
+    // Where the nozzle goes from support to support without retraction: threads do no harm there.
+    private Region _reach = Region.Empty;
 
     private static WallRules Walls(SliceRules rules) => rules.Walls with
     {
@@ -29,32 +35,21 @@ internal sealed class SupportFiller(SupportLevel level, PrintSettings settings, 
     /// <summary>The steps that print the supports.</summary>
     public List<PathStep> Fill()
     {
+        _reach = level.Pieces.Offset(Threads, JoinStyle.Square, 2, Threads / 10, _engine).Offset(-Threads, JoinStyle.Square, 2, Threads / 10, _engine)
+            .Union(level.Pieces, _engine).Subtract(level.Forbidden, _engine);
         var islands = level.Pieces.Islands;
-        for (var i = 0; i < level.Bundles.Count; i++) Add(level.Bundles[i], FirstIsland + islands.Count + i);
         for (var i = 0; i < islands.Count; i++) Add(islands[i], FirstIsland + i);
         return _steps;
     }
 
-    private void Add(TrunkBundle bundle, int number)
-    {
-        var piece = new Piece(bundle.Region, number);
-        if (bundle.Trunks.Count > 1)
-        {
-            foreach (var wall in _walls.Outline(bundle.Region, false).Paths) Add(wall.ToPath(level.Top, _rules.Walls), piece, Role.Support, 0);
-            return;
-        }
-        var ring = Array.ConvertAll(bundle.Trunks[0].Ring(_width / 2), p => p.WithZ(level.Top));
-        Add(PrintPath.Own(ring, [_rules.Bead(_width)], closed: true), piece, Role.Support, 0);
-    }
-
     private void Add(Region island, int number)
     {
-        var piece = new Piece(island, number);
+        var piece = new Piece(_reach, number);
         var near = ThinParts.Thick(island.Intersect(level.Interface.Cropped(island.Box), _engine), _width / 2, _engine);
         var dense = Dense(near, piece);
         if (!dense.IsEmpty && Inset(island.Subtract(dense, _engine), _width / 2).IsEmpty) return;
         var isGrid = settings.Support == SupportKind.Grid;
-        var lattice = level.Lattice.Select(r => r.Cropped(island.Box)).Where(r => !r.IsEmpty).ToArray();
+        var lattice = level.Roofs.Select(r => r.Cropped(island.Box)).Where(r => !r.IsEmpty).ToArray();
         var walls = _walls.Outline(island, isGrid || lattice.Length > 0);
         var role = near.Area > island.Area / 2 ? Role.SupportInterface : Role.Support;
         foreach (var wall in walls.Paths) AddWall(wall.ToPath(level.Top, _rules.Walls), piece, role, dense);
@@ -79,7 +74,11 @@ internal sealed class SupportFiller(SupportLevel level, PrintSettings settings, 
         {
             var area = Inset(place, _width / 2);
             if (area.IsEmpty || Inset(area, _width / 4).IsEmpty) continue;
-            AddLines(piece, area, Role.SupportInterface, 2, _rules.Pitch(_width) * 100 / settings.SupportInterfaceDensityPercent, 90, linked: true);
+            var spacing = _rules.Pitch(_width) * 100 / settings.SupportInterfaceDensityPercent;
+            // In the narrow roofs of trees, links between lines cover as much as the lines.
+            var breadth = 2 * area.Area / area.Perimeter;
+            if (settings.Support == SupportKind.Tree) spacing *= breadth / Math.Max(breadth / 3, breadth + _width - spacing);
+            AddLines(piece, area, Role.SupportInterface, 2, spacing, 90, linked: true);
             filled = filled.Union(place, _engine);
         }
         return filled;

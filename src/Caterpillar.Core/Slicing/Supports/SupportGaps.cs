@@ -23,9 +23,6 @@ internal sealed class SupportGaps(SupportStack stack)
         level.Obstacles = [level.Forbidden, .. PartsAround(i).Where(p => !level.Forbidden.Surrounds(p))];
     });
 
-    /// <summary>Whether a trunk is clear of everything.</summary>
-    public bool IsClear(int level, Trunk trunk) => Array.TrueForAll(_levels[level].Obstacles, trunk.IsApartFrom);
-
     /// <summary>What of some regions, together, is clear of everything.</summary>
     public Region Clear(int level, IReadOnlyList<Region> supports, RegionEngine engine)
         => Region.Difference(supports, _levels[level].Obstacles, engine).Simplified(Tolerance, engine);

@@ -25,26 +25,23 @@ internal sealed class SupportLevel(LayerWork work)
     /// <summary>The overhangs of higher levels that are held from right here.</summary>
     public Region Contact { get; set; } = Region.Empty;
 
-    /// <summary>What the supports cover, all together.</summary>
-    public Region Support => Bundles.Count == 0 ? Pieces : Region.Own([.. Pieces.Paths, .. Bundles.SelectMany(b => b.Region.Paths)]);
-
-    /// <summary>What the supports cover besides the bundles.</summary>
+    /// <summary>What the supports cover.</summary>
     public Region Pieces { get; set; } = Region.Empty;
-
-    /// <summary>Branches of trees where nothing but other branches is near.</summary>
-    public IReadOnlyList<TrunkBundle> Bundles { get; set; } = [];
 
     /// <summary>Where pieces are dense.</summary>
     public Region Interface { get; set; } = Region.Empty;
 
-    /// <summary>Where lines run from tip to tip of trees, so that what is dense rests on something, unless they are dense.</summary>
-    public Region[] Lattice { get; set; } = [];
+    /// <summary>What rests on the tips of trees: dense lines below what they hold, or rows of lines from tip to tip that carry those.</summary>
+    public Region[] Roofs { get; set; } = [];
 }
 
 /// <summary>Bodies whose layers are at the same heights, from the bed up.</summary>
 internal sealed class SupportStack(PrintSettings settings, SupportLevel[] levels)
 {
     public PrintSettings Settings { get; } = settings;
+
+    /// <summary>Width of extrusions, mm.</summary>
+    public double LineWidth { get; } = settings.WidthOf(settings.SupportLineWidth, false);
 
     public SupportLevel[] Levels { get; } = levels;
 

@@ -1,257 +1,185 @@
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Supports as trees, grown from the top down: tips below what hangs over; further down, branches lean out of the shadow of the part, so that they reach
-/// the bed, and toward each other until they join. They get thicker downwards.
+/// Supports as trees. Tips stand below what hangs over; from the top down, branches grow toward each other until they join, and out of where no way leads
+/// to the bed. Then they are smoothed. They get thicker downwards. After the organic trees of PrusaSlicer and OrcaSlicer, with points instead of areas.
 /// </summary>
 internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, ParallelOptions options)
 {
     private const double ArcTolerance = 0.05;
 
-    // Growth of the radius, mm for each mm down, and for each tip that a branch carries, of the line width.
-    private const double Taper = 0.06;
-    private const double Joined = 0.15;
-
     // Least radius, of the line width: a loop fits in.
     private const double Least = 1.05;
 
-    // The nearest edge of the shadow is looked for again after so many levels.
-    private const int TargetLevels = 10;
+    // A branch looks for its nearest neighbor again after so many levels.
+    private const int PartnerLevels = 8;
+
+    // Of the height that is left; where branches would meet lower, they stay apart.
+    private const double Lowest = 0.8;
+
+    // mm; roofs that lie closer together than twice this are one.
+    private const double Hairline = 0.1;
+
+    // mm; the foot is wider by half of the height below this.
+    private const double Foot = 1.5;
 
     private readonly PrintSettings _settings = stack.Settings;
     private readonly SupportLevel[] _levels = stack.Levels;
-    private readonly double _width = stack.Settings.WidthOf(stack.Settings.SupportLineWidth, false);
+    private readonly double _width = stack.LineWidth;
+    private readonly double _least = Least * stack.LineWidth;
+
+    // What branches keep clear of the part, so that they are no thinner along it.
+    private readonly double _clear
+        = Math.Max(Least * stack.LineWidth, Math.Min(2 * Least * stack.LineWidth, stack.Settings.TreeBranchDiameter / 2));
     private readonly double _slope = Angle.Sin(stack.Settings.TreeBranchAngle) / Angle.Cos(stack.Settings.TreeBranchAngle);
+    private readonly double _taper = Angle.Sin(stack.Settings.TreeBranchDiameterAngle) / Angle.Cos(stack.Settings.TreeBranchDiameterAngle);
 
     // Layers that hold a contact: the dense ones on a lattice over the tips.
     private readonly int _roofLayers = stack.Settings.SupportInterfaceLayers > 0 ? stack.Settings.SupportInterfaceLayers + 1 : 0;
     private readonly RegionEngine _engine = new();
-    private List<Branch> _branches = [];
 
-    // A branch where it passes a level.
-    private readonly record struct Branch(Vec3 Place, double Depth, int Tips, Vec3? Target = null);
-
-    /// <summary>Fills the supports of the levels, without regard to what carries them; trunks are where nothing is near.</summary>
-    public void Grow()
+    /// <summary>Fills the supports of the levels, without regard to what carries them.</summary>
+    /// <param name="carried">Removes what nothing carries: where that leaves something in the air, more tips hold it.</param>
+    public void Grow(CarriedSupports carried)
     {
-        var shadows = Shadows();
-        var at = new List<Branch>?[_levels.Length];
-        var next = new int[_levels.Length][];
+        var top = Array.FindLastIndex(_levels, l => !l.Contact.IsEmpty);
+        var space = new TreeSpace([.. _levels.Take(top + 1).Select(l => (l.Obstacles, l.Thickness))], _clear, _slope, options);
+        var areas = Areas(top);
+        var tips = Array.ConvertAll(areas, _ => new List<Vec3>());
+        AddTips(areas, 1, tips);
+        Grow(tips, space);
+        if (_roofLayers == 0) return;
+        carried.Keep(options.CancellationToken);
+        RegionEngine.ForEach(0, areas.Length, options, (i, engine) =>
+        {
+            if (areas[i].IsEmpty) return;
+            var held = _levels[i].Pieces.Offset(_width / 2, JoinStyle.Miter, 2, ArcTolerance, engine);
+            areas[i] = ThinParts.Thick(areas[i].Subtract(held, engine), _width / 4, engine);
+        });
+        AddTips(areas, 0.5, tips);
+        Grow(tips, space);
+    }
+
+    private void Grow(List<Vec3>[] tips, TreeSpace space)
+    {
+        var nodes = new List<TreeNode>[tips.Length];
+        for (var i = tips.Length - 1; i >= 0; i--)
+        {
+            options.CancellationToken.ThrowIfCancellationRequested();
+            nodes[i] = i + 1 < tips.Length ? Descend(nodes[i + 1], i, space) : [];
+            foreach (var place in tips[i])
+            {
+                var tip = new TreeNode(i, place.WithZ(0)) { ReachesBed = ReachesBed(i, place.WithZ(0), space) };
+                if (tip.ReachesBed || _settings.SupportPlacement == SupportPlacement.Everywhere) nodes[i].Add(tip);
+            }
+        }
+        var shape = new TreeShape(nodes, space);
+        shape.Smooth(IsUnderRoof);
+        shape.Thicken(Radius, _least, _clear, i => _slope * _levels[i].Thickness);
+        RegionEngine.ForEach(0, tips.Length, options, (i, engine) =>
+        {
+            _levels[i].Roofs = stack.ContactsOver(i, _roofLayers);
+            // Strips of a slope on adjacent levels lie side by side, with hairlines between them.
+            var roof = Region.Union(_levels[i].Roofs, engine).Offset(Hairline, JoinStyle.Miter, 2, ArcTolerance, engine)
+                .Offset(-Hairline, JoinStyle.Miter, 2, ArcTolerance, engine);
+            Region[] pieces = [roof, .. nodes[i].Select(n => n.Region)];
+            _levels[i].Pieces = gaps.Clear(i, pieces, engine);
+        });
+    }
+
+    // A tip stays below the layers that rest on it.
+    private bool IsUnderRoof(TreeNode node) => node.Depth < _roofLayers * _levels[node.Level].Thickness - 1e-6;
+
+    private double Radius(TreeNode node)
+        => Math.Max(_least, Math.Min(_settings.TreeBranchDiameter / 2, _least + _taper * node.Depth))
+            + (node.ReachesBed ? Math.Max(0, Foot - _levels[node.Level].Top) / 2 : 0);
+
+    // What is held from each level: where the part leaves room for supports.
+    private Region[] Areas(int top)
+    {
+        var areas = new Region[top + 1];
         var waiting = Region.Empty;
-        for (var i = shadows.Length - 1; i >= 0; i--)
+        for (var i = top; i >= 0; i--)
         {
             options.CancellationToken.ThrowIfCancellationRequested();
             var level = _levels[i];
-            if (_branches.Count > 0) next[i + 1] = Descend(level, shadows[i]);
-            if (!level.Contact.IsEmpty || !waiting.IsEmpty)
-            {
-                Region[] wanted = [waiting, level.Contact];
-                var ready = Region.Difference(wanted, [level.Forbidden], _engine).Offset(-_width / 20, JoinStyle.Miter, 2, ArcTolerance, _engine);
-                AddTips(ready);
-                // With the seam around it that was left away above: it would be looked at again on every level.
-                var done = ready.Offset(_width, JoinStyle.Miter, 2, ArcTolerance, _engine);
-                waiting = Region.Difference(wanted, [level.Part, done], _engine).Simplified(ArcTolerance, _engine);
-            }
-            if (_branches.Count > 0) at[i] = [.. _branches];
+            areas[i] = Region.Empty;
+            if (level.Contact.IsEmpty && waiting.IsEmpty) continue;
+            Region[] wanted = [waiting, level.Contact];
+            areas[i] = Region.Difference(wanted, [level.Forbidden], _engine).Offset(-_width / 20, JoinStyle.Miter, 2, ArcTolerance, _engine);
+            // With the seam around it that was left away above: it would be looked at again on every level.
+            var done = areas[i].Offset(_width, JoinStyle.Miter, 2, ArcTolerance, _engine);
+            waiting = Region.Difference(wanted, [level.Part, done], _engine).Simplified(ArcTolerance, _engine);
         }
-        RegionEngine.ForEach(0, _levels.Length, options, (i, engine) => Divide(i, at[i] is { } branches ? Trunks(branches, next[i]) : [], engine));
+        return areas;
     }
 
-    // Trunks where nothing is near; the others are one with what they hold and stand at.
-    private void Divide(int level, Trunk[] trunks, RegionEngine engine)
+    // So far apart, of the usual distance.
+    private void AddTips(Region[] areas, double spacing, List<Vec3>[] tips)
     {
-        var free = new List<TrunkBundle>();
-        var roof = _levels[level].Lattice = stack.ContactsOver(level, _roofLayers);
-        var pieces = new List<Region>(roof);
-        foreach (var group in TrunkBundle.Groups(trunks))
-        {
-            var isFree = group.TrueForAll(t => Array.TrueForAll(roof, t.IsApartFrom) && gaps.IsClear(level, t));
-            if (isFree) free.Add(new TrunkBundle(group, Region.Union(group.Select(t => t.Region), engine)));
-            else pieces.AddRange(group.Select(t => t.Region));
-        }
-        _levels[level].Bundles = free;
-        if (pieces.Count > 0) _levels[level].Pieces = gaps.Clear(level, pieces, engine);
+        var places = new TreeTips(spacing * _settings.TreeTipDistance, _width);
+        for (var i = 0; i < areas.Length; i++) tips[i].AddRange(places.Below(areas[i], _levels[i].Top));
     }
 
-    // What the part covers up to each level, seen from below, with the distance that branches keep.
-    private Region[] Shadows()
+    // Tips are nearer to the part than branches, which move away from it below.
+    private bool ReachesBed(int level, Vec3 place, TreeSpace space)
     {
-        var shadows = new Region[_levels.Length];
-        var shadow = Region.Empty;
-        for (var i = 0; i < shadows.Length; i++)
-        {
-            if (!shadow.Surrounds(_levels[i].Part)) shadow = shadow.Union(_levels[i].Part, _engine).Simplified(0.1, _engine);
-            shadows[i] = shadow;
-        }
-        var top = Array.FindLastIndex(_levels, l => !l.Contact.IsEmpty);
-        var around = new Region[top + 1];
-        bool IsNew(int i) => i == 0 || shadows[i] != shadows[i - 1];
-        RegionEngine.ForEach(0, top + 1, options, (i, engine) =>
-        {
-            if (IsNew(i)) around[i] = Around(shadows[i], engine);
-        });
-        for (var i = 1; i <= top; i++)
-        {
-            if (!IsNew(i)) around[i] = around[i - 1];
-        }
-        return around;
+        var below = Math.Max(0, level - _roofLayers);
+        return !space.IsTrapped(below, place) || space.NearestExit(below, place).DistanceTo(place) <= _clear + _width / 2;
     }
 
-    private Region Around(Region shadow, RegionEngine engine)
-        => shadow.Offset(_settings.SupportXyGap + _width, JoinStyle.Round, 2, ArcTolerance, engine).Simplified(ArcTolerance, engine);
-
-    // Takes the branches down to a level. Returns for each the number of the one that goes on with it there; −1 where it ends.
-    private int[] Descend(SupportLevel level, Region shadow)
+    // Takes the branches down to a level: the strongest first, so that others join them.
+    private List<TreeNode> Descend(List<TreeNode> above, int i, TreeSpace space)
     {
-        var step = level.Thickness * _slope;
-        var reach = level.Top * _slope;
-        var moved = new List<Branch>(_branches.Count);
-        var places = new int[_branches.Count];
-        for (var b = 0; b < _branches.Count; b++)
+        var (level, thickness) = (_levels[i], _levels[i + 1].Thickness);
+        var step = thickness * _slope;
+        var moved = new List<TreeNode>(above.Count);
+        foreach (var node in above.OrderByDescending(n => n.Tips))
         {
-            var branch = _branches[b];
-            var place = branch.Place;
-            places[b] = -1;
             // On the part: the branch ends here.
-            if (level.Part.Contains(place.X, place.Y)) continue;
-            var next = place;
-            // A tip stays below the layers that rest on it.
-            if (branch.Depth < _roofLayers * level.Thickness - 1e-6)
+            if (level.Part.Contains(node.Place.X, node.Place.Y)) continue;
+            var stays = IsUnderRoof(node);
+            var joined = stays ? null : moved.Find(m => m.Place.DistanceTo(node.Place) <= step && (m.ReachesBed || !node.ReachesBed));
+            if (joined is null)
             {
-                places[b] = moved.Count;
-                moved.Add(branch with { Depth = branch.Depth + level.Thickness });
-                continue;
+                if (!stays) node.Partner = Partner(node, above, space);
+                joined = new TreeNode(i, stays ? node.Place : Next(node, i, step, space)) { Tips = 0, ReachesBed = node.ReachesBed, Partner = node.Partner };
+                moved.Add(joined);
             }
-            if (shadow.Contains(place.X, place.Y))
-            {
-                // Lower shadows are no larger: a place outside stays outside.
-                if (branch.Target is null || level.Work.Index % TargetLevels == 0) branch = branch with { Target = Edge(shadow, place) };
-                var edge = branch.Target!.Value;
-                var distance = edge.DistanceTo(place);
-                if (distance <= reach) next = Toward(place, edge, Math.Min(step, distance + 0.01));
-                else if (_settings.SupportPlacement == SupportPlacement.BuildPlate) continue;
-                // Never through a wall.
-                if (level.Forbidden.Contains(next.X, next.Y) && !level.Forbidden.Contains(place.X, place.Y)) next = place;
-            }
-            else if (Neighbor(b, 2 * reach) is { } other)
-            {
-                next = Toward(place, other, Math.Min(step, place.DistanceTo(other) / 2));
-                if (shadow.Contains(next.X, next.Y)) next = place;
-            }
-            places[b] = moved.Count;
-            moved.Add(branch with { Place = next, Depth = branch.Depth + level.Thickness });
+            joined.Tips += node.Tips;
+            joined.Depth = Math.Max(joined.Depth, node.Depth + thickness);
+            node.Below = joined;
         }
-        var numbers = Merge(moved, level.Thickness);
-        return Array.ConvertAll(places, p => p < 0 ? p : numbers[p]);
+        return moved;
     }
 
-    // Branches that have met become one. Returns the number of each among those that are left.
-    private int[] Merge(List<Branch> branches, double thickness)
+    private Vec3 Next(TreeNode node, int i, double step, TreeSpace space)
     {
-        // No farther than what is above may lean out.
-        var reach = Math.Min(_width / 2, thickness);
-        var kept = new List<Branch>(branches.Count);
-        var numbers = new int[branches.Count];
-        for (var b = 0; b < numbers.Length; b++)
-        {
-            var branch = branches[b];
-            var same = kept.FindIndex(k => k.Place.DistanceTo(branch.Place) < reach);
-            numbers[b] = same < 0 ? kept.Count : same;
-            if (same < 0) kept.Add(branch);
-            else kept[same] = new Branch(kept[same].Place, Math.Max(kept[same].Depth, branch.Depth), kept[same].Tips + branch.Tips);
-        }
-        _branches = kept;
-        return numbers;
+        var place = node.Place;
+        var next = node.Partner is { } partner ? Toward(place, partner.Place, Math.Min(step, place.DistanceTo(partner.Place) / 2)) : place;
+        if (!node.ReachesBed) return space.IsBlocked(i, next) && !space.IsBlocked(i, place) ? place : next;
+        if (!space.IsTrapped(i, next)) return next;
+        var exit = space.NearestExit(i, next);
+        if (exit.DistanceTo(place) > step) exit = space.NearestExit(i, place);
+        return Toward(place, exit, Math.Min(step, exit.DistanceTo(place) + 0.01));
     }
 
-    private Vec3? Neighbor(int branch, double reach)
+    // The branch that another one grows toward: its nearest neighbor, if both can meet.
+    private TreeNode? Partner(TreeNode node, List<TreeNode> others, TreeSpace space)
     {
-        var least = reach;
-        Vec3? best = null;
-        for (var i = 0; i < _branches.Count; i++)
+        // The one that it has grown toward so far, on this level.
+        if (node.Level % PartnerLevels != 0 && node.Partner?.Below is { } same && same != node && same.Level == node.Level) return same;
+        TreeNode? best = null;
+        var height = _levels[node.Level].Top;
+        var least = 2 * _slope * Lowest * height;
+        foreach (var other in others)
         {
-            if (i == branch) continue;
-            var distance = _branches[i].Place.DistanceTo(_branches[branch].Place);
-            if (distance >= least) continue;
+            var distance = other.Place.DistanceTo(node.Place);
+            if (other == node || distance >= least || (node.ReachesBed && !other.ReachesBed)) continue;
+            var meeting = stack.LevelBelow(height - distance / 2 / _slope);
+            if (meeting < 0 || space.IsTrapped(meeting, Vec3.Lerp(node.Place, other.Place, 0.5)) && node.ReachesBed) continue;
             least = distance;
-            best = _branches[i].Place;
-        }
-        return best;
-    }
-
-    // Along the edges, so that the outermost extrusions of what tips carry have both ends of each span on one, and within.
-    private void AddTips(Region ready)
-    {
-        var spacing = _settings.TreeTipDistance;
-        foreach (var island in ready.Islands)
-        {
-            var count = _branches.Count;
-            var edge = island.Offset(-_width / 2, JoinStyle.Miter, 2, ArcTolerance, _engine);
-            if (edge.IsEmpty) edge = island;
-            foreach (var contour in edge.Contours)
-            {
-                var length = contour.Length;
-                // A small place has its tip in the middle.
-                if (length < spacing) continue;
-                var steps = Math.Ceiling(length / spacing);
-                for (var k = 0; k < steps; k++) AddTip(LoopPlace.AtLength(contour.Raw, length * k / steps).Point);
-            }
-            var box = island.Bounds;
-            for (var y = Math.Ceiling(box.Min.Y / spacing) * spacing; y <= box.Max.Y; y += spacing)
-            {
-                for (var x = Math.Ceiling(box.Min.X / spacing) * spacing; x <= box.Max.X; x += spacing)
-                {
-                    if (edge.Contains(x, y)) AddTip(new Vec3(x, y));
-                }
-            }
-            if (_branches.Count == count && Middle(island) is { } middle) AddTip(middle);
-        }
-    }
-
-    private void AddTip(Vec3 place)
-    {
-        if (!_branches.Exists(b => b.Place.DistanceTo(place) < _settings.TreeTipDistance / 2)) _branches.Add(new Branch(place, 0, 1));
-    }
-
-    // A point well inside: the middle of the longest level line at half its height.
-    private static Vec3? Middle(Region island)
-    {
-        var box = island.Bounds;
-        Vec3? middle = null;
-        var longest = 0.0;
-        foreach (var line in island.HatchLines(0, box.Size.Y + 1, box.Center.Y))
-        {
-            if (line.From.DistanceTo(line.To) <= longest) continue;
-            longest = line.From.DistanceTo(line.To);
-            middle = Vec3.Lerp(line.From, line.To, 0.5);
-        }
-        return middle;
-    }
-
-    private Trunk[] Trunks(List<Branch> branches, int[]? next)
-    {
-        var trunks = new Trunk[branches.Count];
-        for (var b = 0; b < trunks.Length; b++)
-        {
-            var branch = branches[b];
-            var radius = Math.Max(Least * _width, Math.Min(
-                _settings.TreeBranchDiameter / 2, _width * (1 + Joined * Math.Sqrt(branch.Tips - 1)) + Taper * branch.Depth));
-            trunks[b] = Trunk.Around(branch.Place, radius, b, next?[b] ?? -1);
-        }
-        return trunks;
-    }
-
-    private static Vec3 Edge(Region region, Vec3 from)
-    {
-        var best = from;
-        var least = double.PositiveInfinity;
-        foreach (var contour in region.Contours)
-        {
-            var place = LoopPlace.Nearest(contour.Raw, from).Point;
-            var distance = place.DistanceTo(from);
-            if (distance >= least) continue;
-            least = distance;
-            best = place;
+            best = other;
         }
         return best;
     }

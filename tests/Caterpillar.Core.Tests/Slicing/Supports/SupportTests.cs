@@ -71,18 +71,18 @@ public class SupportTests
             if (i == 0) continue;
             // Below lies a support, up to as far aside as it may lean, or the part as near as the gaps leave it.
             var below = layers[i - 1].Support.Offset(settings.LayerHeight + 0.1, JoinStyle.Round);
-            // The lattice below a roof spans the tips of a tree, and reaches nowhere beyond them.
-            var roofed = kind == SupportKind.Tree && layers.Skip(i).Take(settings.SupportInterfaceLayers + 1)
+            // The roof of a tree spans its tips, and leans out by a line beyond what is below.
+            var roofed = kind == SupportKind.Tree && layers.Skip(i - settings.SupportInterfaceLayers).Take(2 * settings.SupportInterfaceLayers + 1)
                 .Any(l => Solids.Paths(l, Role.SupportInterface).Length > 0);
-            if (roofed) below = below.Union(layers[i - 1].Support.Closed(0.75 * settings.TreeTipDistance).Offset(0.1));
+            if (roofed) below = below.Union(layers[i - 1].Support.Closed(0.75 * settings.TreeTipDistance + Width).Offset(Width + 0.2));
             if (place == SupportPlacement.Everywhere)
             {
                 for (var k = i - 1; k >= 0 && layers[k].Layer.Z > layers[i]
                     .Layer.Z - settings.SupportBottomGap - settings.SupportXyGap - 3 * settings.LayerHeight; k--)
                     below = below.Union(layers[k].Region);
             }
-            var loose = below.ClipLines(paths.Select(Line), outside: true).Sum(l => l.Length);
-            Assert.That(loose, Is.LessThan(0.01), $"hangs in the air at {layers[i].Layer.Z}");
+            var loose = below.ClipLines(paths.Select(Line), outside: true);
+            Assert.That(loose.Sum(l => l.Length), Is.LessThan(0.01), $"hangs in the air at {loose.FirstOrDefault()?[0]}");
         }
         Assert.That(lengths, Is.GreaterThan(50));
     }
