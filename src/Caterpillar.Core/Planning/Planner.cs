@@ -74,11 +74,15 @@ public static class Planner
         var (printer, material, settings, law) = (setup.Printer, setup.Material, setup.Settings, setup.Extrusion);
         var tool = new ToolRules(
             law.VolumePerE,
-            law.EOfFilament(printer.RetractionLength),
-            printer.RetractionSpeed,
-            printer.DeretractionSpeed > 0 ? printer.DeretractionSpeed : printer.RetractionSpeed,
+            law.EOfFilament(setup.RetractionLength),
+            setup.RetractionSpeed,
+            printer.DeretractionSpeed > 0 ? printer.DeretractionSpeed : setup.RetractionSpeed,
             law.EOfFilament(printer.DeretractionExtra),
-            law.FilamentPerE);
+            law.FilamentPerE)
+        {
+            PressureAdvance = policy == PlanPolicy.AsDrawn ? null : material.PressureAdvance,
+        };
+        var motion = policy == PlanPolicy.AsDrawn ? null : setup.Motion;
         var heads = HeadCorridor.Rings(printer.HeadOutline.Select(p => (p.Radius, p.Height)))
             .Concat(printer.HeadBoxes.Select(b => (
                 Math.Sqrt(Math.Pow(Math.Max(Math.Abs(b.Min.X), Math.Abs(b.Max.X)), 2) + Math.Pow(Math.Max(Math.Abs(b.Min.Y), Math.Abs(b.Max.Y)), 2)), b.Min.Z)))
@@ -91,7 +95,7 @@ public static class Planner
             TravelSpeed = settings.TravelSpeed,
             ZHopSpeed = printer.ZHopSpeed,
             Lift = settings.ZHopType switch { ZHopType.AbovePrint => LiftRule.Highest, ZHopType.AbovePath => LiftRule.Corridor, _ => LiftRule.None },
-            Clearance = printer.ZHop,
+            Clearance = setup.ZHop,
             MinLiftTravel = settings.ZHopMinTravel,
             Head = heads.Length > 0 ? new HeadCorridor(heads) : new HeadCorridor(printer.NozzleDiameter),
             Outline = new HeadShape(printer.HeadOutline.Select(p => (p.Radius, p.Height))),
@@ -111,7 +115,7 @@ public static class Planner
             FanTime = material.FanLayerTime,
             MinRetractTravel = settings.RetractionMinTravel,
             // Firmware retraction cannot be spread over a move.
-            WipeDistance = printer.FirmwareRetraction ? 0 : settings.WipeDistance,
+            WipeDistance = printer.FirmwareRetraction ? 0 : setup.WipeDistance,
             StartDistance = settings.StartDistance,
             CoastingDistance = settings.CoastingDistance,
             SeamGap = settings.SeamGap,
@@ -120,9 +124,15 @@ public static class Planner
             NozzleTemperature = material.NozzleTemperature > 0 ? material.NozzleTemperature : null,
             FirstLayerNozzleTemperature = material.FirstLayerNozzleTemperature > 0
                 && material.NozzleTemperature > 0 ? material.FirstLayerNozzleTemperature : null,
+            BedTemperature = material.BedTemperature > 0 ? material.BedTemperature : null,
+            FirstLayerBedTemperature = material.FirstLayerBedTemperature > 0 && material.BedTemperature > 0 ? material.FirstLayerBedTemperature : null,
             Fan = material.MinFanSpeedPercent / 100,
             FanOffLayers = material.FanOffLayers,
             Acceleration = printer.PrintAcceleration,
+            Motion = motion is { HasAcceleration: true } or { JerkLimit: not null } ? motion : null,
+            SeparateAccelerations = printer.Flavor.SeparateAccelerations,
+            FirmwareRetraction = motion is not null && printer.FirmwareRetraction && (material.RetractionLength ?? material.RetractionSpeed) is not null
+                ? new RetractionEvent(material.RetractionLength, material.RetractionSpeed, null, null) : null,
             FirstLayerHeight = settings.FirstLayerHeight,
             LayerHeight = settings.LayerHeight,
         };

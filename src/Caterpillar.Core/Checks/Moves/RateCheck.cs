@@ -81,7 +81,7 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
     // Of the limits for corners only those of the firmware's own rule.
     private bool Counts(MotionLimit limit) => limit switch
     {
-        >= MotionLimit.JerkX and <= MotionLimit.JerkE => _printer.Cornering == Cornering.Jerk,
+        >= MotionLimit.JerkX and <= MotionLimit.JerkE or MotionLimit.HeadJerk => _printer.Cornering == Cornering.Jerk,
         MotionLimit.JunctionDeviation => _printer.Cornering == Cornering.JunctionDeviation,
         MotionLimit.SquareCornerVelocity or MotionLimit.Speed => _printer.Cornering == Cornering.SquareCornerVelocity,
         MotionLimit.MinimumCruiseRatio => false,
@@ -108,6 +108,7 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
         <= MotionLimit.SpeedE => $"The maximum speed of {"XYZE"[limit - MotionLimit.SpeedX]}",
         <= MotionLimit.JerkE => $"The jerk of {"XYZE"[limit - MotionLimit.JerkX]}",
         MotionLimit.JunctionDeviation => "The junction deviation",
+        MotionLimit.HeadJerk => "The jerk of X and Y",
         MotionLimit.SquareCornerVelocity => "The square corner velocity",
         _ => "The maximum speed of the print head",
     };

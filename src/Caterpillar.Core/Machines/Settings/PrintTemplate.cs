@@ -10,6 +10,7 @@ internal static class PrintTemplate
         new("material_name", "Name of the material profile."),
         new("settings_name", "Name of the settings profile."),
         new("start_nozzle_temperature_c", "Nozzle temperature of the first layer, or nozzle_temperature_c if that is 0."),
+        new("start_bed_temperature_c", "Bed temperature of the first layer, or bed_temperature_c if that is 0."),
         new("bed_min_x_mm", "Minimum X that the nozzle can reach."),
         new("bed_min_y_mm", "Minimum Y that the nozzle can reach."),
         new("bed_max_x_mm", "Maximum X that the nozzle can reach."),

@@ -63,6 +63,21 @@ public sealed record PrintSetup
         }
     }
 
+    /// <summary>Retraction length of the material, or of the printer, mm.</summary>
+    internal double RetractionLength => Material.RetractionLength ?? Printer.RetractionLength;
+
+    /// <summary>Retraction speed of the material, or of the printer, mm/s.</summary>
+    internal double RetractionSpeed => Material.RetractionSpeed ?? Printer.RetractionSpeed;
+
+    /// <summary>Z-hop of the material, or of the printer, mm.</summary>
+    internal double ZHop => Material.ZHop ?? Printer.ZHop;
+
+    /// <summary>Wipe distance of the material, or of the settings, mm.</summary>
+    internal double WipeDistance => Material.WipeDistance ?? Settings.WipeDistance;
+
+    /// <summary>Accelerations and jerk that the file commands.</summary>
+    internal CommandedMotion Motion => new(this);
+
     /// <summary>
     /// The setup with other values, each as <c>key=value</c> with any key of the three profiles: <c>layer_height_mm=0.3</c>,
     /// <c>build_volume_mm=300,300,400</c>. Unknown keys and invalid values are errors that name the key. Then the result has no setup.
@@ -104,6 +119,7 @@ public sealed record PrintSetup
             diagnostics.Add(Severity.Error, "setup.no_firmware_retraction",
                 $"{Printer.Flavor.Title} has no firmware retraction: set firmware_retraction=false.",
                 new SourceLocation(Key: "firmware_retraction"));
+        diagnostics.AddRange(SetupFindings.Of(this));
         return diagnostics.ToList();
     }
 

@@ -16,6 +16,11 @@ internal static class PrintValues
         texts["settings_name"] = setup.Settings.Name;
         var material = setup.Material;
         numbers["start_nozzle_temperature_c"] = material.FirstLayerNozzleTemperature > 0 ? material.FirstLayerNozzleTemperature : material.NozzleTemperature;
+        numbers["start_bed_temperature_c"] = material.FirstLayerBedTemperature > 0 ? material.FirstLayerBedTemperature : material.BedTemperature;
+        numbers[MaterialKeys.RetractionLength.Name] = setup.RetractionLength;
+        numbers[MaterialKeys.RetractionSpeed.Name] = setup.RetractionSpeed;
+        numbers[MaterialKeys.ZHop.Name] = setup.ZHop;
+        numbers[MaterialKeys.WipeDistance.Name] = setup.WipeDistance;
         var bed = setup.Printer.BuildBounds;
         numbers["bed_min_x_mm"] = bed.Min.X;
         numbers["bed_min_y_mm"] = bed.Min.Y;
@@ -34,7 +39,7 @@ internal static class PrintValues
         {
             switch (key.Kind)
             {
-                case KeyKind.Number or KeyKind.Integer: numbers[key.Name] = (double)key.Get(profile); break;
+                case KeyKind.Number or KeyKind.Integer: numbers[key.Name] = key.Get(profile) as double? ?? 0; break;
                 case KeyKind.Boolean: numbers[key.Name] = (bool)key.Get(profile) ? 1 : 0; break;
                 case KeyKind.Choice: texts[key.Name] = (string)key.Get(profile); break;
             }

@@ -17,6 +17,9 @@ internal enum LiftRule : byte
 /// <param name="LengthPerE">mm of filament per unit of E.</param>
 internal sealed record ToolRules(double? VolumePerE, double RetractE, double RetractSpeed, double DeretractionSpeed, double ExtraE, double LengthPerE = 1)
 {
+    /// <summary>Pressure advance, s; null = no command.</summary>
+    public double? PressureAdvance { get; init; }
+
     /// <summary>E per mm³ of material; 0 = a tool without E.</summary>
     public double EOf(double volume) => VolumePerE is { } unit ? volume / unit : 0;
 
@@ -107,6 +110,12 @@ internal sealed record PlanRules
     public double? FirstLayerNozzleTemperature { get; init; }
 
     /// <inheritdoc cref="NozzleTemperature"/>
+    public double? BedTemperature { get; init; }
+
+    /// <inheritdoc cref="FirstLayerNozzleTemperature"/>
+    public double? FirstLayerBedTemperature { get; init; }
+
+    /// <inheritdoc cref="NozzleTemperature"/>
     public double? Fan { get; init; }
 
     /// <summary>The fan for layers of the least time; in between it is interpolated.</summary>
@@ -120,6 +129,15 @@ internal sealed record PlanRules
 
     /// <inheritdoc cref="NozzleTemperature"/>
     public double? Acceleration { get; init; }
+
+    /// <summary>Accelerations and jerk by role; null = none is commanded.</summary>
+    public CommandedMotion? Motion { get; init; }
+
+    /// <summary>True if travel moves have their own command for their acceleration.</summary>
+    public bool SeparateAccelerations { get; init; }
+
+    /// <summary>Settings of the firmware retraction; null = those of the firmware.</summary>
+    public RetractionEvent? FirmwareRetraction { get; init; }
 
     /// <summary>Speed of a segment of a path, mm/s, as far as the flow allows.</summary>
     public double SpeedOf(PrintPath path, in Bead bead, bool firstLayer)
