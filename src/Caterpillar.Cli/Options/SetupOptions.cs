@@ -1,4 +1,5 @@
 using System.CommandLine.Completions;
+using Caterpillar.GCode;
 
 namespace Caterpillar.Cli;
 
@@ -24,7 +25,8 @@ internal sealed class SetupOptions
 
     public Described<string?> Material { get; } = new("--material", "Material profile: name or JSON file. Default: set by the printer.", "NAME|FILE", "-m");
 
-    public Described<string?> Settings { get; } = new("--settings", "Print settings: name or JSON file. Default: set by the printer.", "NAME|FILE", "-s");
+    public Described<string?> Settings { get; } = new("--settings",
+        "Print settings: name or JSON file, or G-code of Caterpillar, whose whole setup is used. Default: set by the printer.", "NAME|FILE", "-s");
 
     public Described<string[]> Set { get; } = new("--set",
         "Override a key of printer, material or settings, such as layer_height_mm=0.3. Repeatable. \"caterpillar printers --keys\" lists all keys.",
@@ -58,9 +60,23 @@ internal sealed class SetupOptions
         var printer = own.Count > 0 ? own[0] : arguments.GetValue(Printer) ?? "generic";
         var material = arguments.GetValue(Material) ?? (own.Count > 1 ? own[1] : null);
         var settings = arguments.GetValue(Settings) ?? (own.Count > 2 ? own[2] : null);
+        if (settings is not null && FileSetup.IsName(settings)) return OfFile(settings, arguments, values, session);
         var plain = session.Profiles.Setup(printer, material, settings);
         if (plain.Diagnostics.Any(d => d.Code == "profile.not_found")) session.ValueOrFail(plain, ExitCode.Usage);
         if (values.Length == 0 || plain.Value is null) return session.ValueOrFail(plain);
         return session.ValueOrFail(session.Profiles.Setup(printer, material, settings, values), ExitCode.Usage);
+    }
+
+    // The setup of a written file, with the printer and material of the options if they are given.
+    private PrintSetup OfFile(string file, ParseResult arguments, string[] values, Session session)
+    {
+        var read = FileSetup.ReadFile(file);
+        var setup = session.ValueOrFail(read, read.Diagnostics.Any(d => d.Code == "profile.not_found") ? ExitCode.Usage : ExitCode.BadInput);
+        if (IsGiven(arguments)) setup = setup with { Printer = session.ValueOrFail(session.Profiles.Printer(arguments.GetValue(Printer)!), ExitCode.Usage) };
+        if (arguments.GetValue(Material) is { } material)
+            setup = setup with { Material = session.ValueOrFail(session.Profiles.Material(material), ExitCode.Usage) };
+        setup = session.ValueOrFail(setup.With(values), ExitCode.Usage);
+        var found = setup.Check();
+        return session.ValueOrFail(new Result<PrintSetup>(found.Any(d => d.Severity == Severity.Error) ? null : setup, found));
     }
 }

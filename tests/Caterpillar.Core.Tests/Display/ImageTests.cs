@@ -18,7 +18,7 @@ public class ImageTests
         // 10 mm along X seen from above: the middle row is covered over 92 % of the width, the corners are background.
         var image = ToolpathImage.Draw(Line(Vec3.Zero, new Vec3(10, 0, 0)), new ToolpathImageOptions { Width = 200, Height = 100, View = View.Top });
         Assert.That((image.Width, image.Height), Is.EqualTo((200, 100)));
-        var background = new ToolpathImageOptions().Background;
+        var background = ToolpathImage.Background;
         Assert.That(image[100, 50], Is.Not.EqualTo(background));
         Assert.That(image[12, 50], Is.Not.EqualTo(background));
         Assert.That(image[100, 10], Is.EqualTo(background));
@@ -50,12 +50,12 @@ public class ImageTests
         var options = new ToolpathImageOptions { Width = 200, Height = 200, View = View.Top, Region = new Bounds(new Vec3(8.5, -1), new Vec3(10.5, 1)) };
         var image = ToolpathImage.Draw(Line(Vec3.Zero, new Vec3(10, 0, 0)), options);
         Assert.That(Covered(image, 60), Is.EqualTo(104).Within(2));
-        Assert.That(image[0, 100], Is.Not.EqualTo(options.Background), "the line goes on to the left");
-        Assert.That(image[199, 100], Is.EqualTo(options.Background), "and ends at X 10.57");
+        Assert.That(image[0, 100], Is.Not.EqualTo(ToolpathImage.Background), "the line goes on to the left");
+        Assert.That(image[199, 100], Is.EqualTo(ToolpathImage.Background), "and ends at X 10.57");
     }
 
     private static int Covered(RasterImage image, int x)
-        => Enumerable.Range(0, image.Height).Count(y => image[x, y] != new ToolpathImageOptions().Background);
+        => Enumerable.Range(0, image.Height).Count(y => image[x, y] != ToolpathImage.Background);
 
     // A dot alone fills the height of the image; seen from the side a disc is flat.
     [Test]
@@ -67,7 +67,7 @@ public class ImageTests
         foreach (var (view, height) in new[] { (View.Top, 92), (View.Front, 15) })
         {
             var image = ToolpathImage.Draw(toolpath, new ToolpathImageOptions { Width = 100, Height = 100, View = view });
-            Assert.That(Enumerable.Range(0, 100).Count(y => image[50, y] != new ToolpathImageOptions().Background), Is.InRange(height - 2, height + 2));
+            Assert.That(Enumerable.Range(0, 100).Count(y => image[50, y] != ToolpathImage.Background), Is.InRange(height - 2, height + 2));
         }
     }
 
@@ -90,7 +90,7 @@ public class ImageTests
     public void A_toolpath_that_prints_nothing_gives_an_empty_image()
     {
         var image = ToolpathImage.Draw(new ToolpathBuilder(MoveSource.Steps, null).Build([]), new ToolpathImageOptions { Width = 10, Height = 10 });
-        Assert.That(image[5, 5], Is.EqualTo(new ToolpathImageOptions().Background));
+        Assert.That(image[5, 5], Is.EqualTo(ToolpathImage.Background));
     }
 
     [Test]
@@ -131,6 +131,6 @@ public class ImageTests
             builder.Add(to, 0, 0, 20, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
         var image = ToolpathImage.Draw(builder.Build([new ToolpathTool(1)]),
             new ToolpathImageOptions { Width = 100, Height = 100, View = View.Top, Strokes = true });
-        Assert.That(image[50, 50], Is.Not.EqualTo(new ToolpathImageOptions().Background));
+        Assert.That(image[50, 50], Is.Not.EqualTo(ToolpathImage.Background));
     }
 }

@@ -97,6 +97,6 @@ public static class PrintCheck
     {
         if (toolpath.Tools.All(t => t.VolumePerE is not null) || setup.Printer.ExtrusionUnit == ExtrusionUnit.None) return toolpath;
         var known = new ToolpathTool(ExtrusionModel.FilamentAreaOf(setup.Material.FilamentDiameter));
-        return toolpath.WithTools(toolpath.Tools.Select(t => t.VolumePerE is null ? known : t));
+        return toolpath.With(tools: toolpath.Tools.Select(t => t.VolumePerE is null ? known : t));
     }
 }

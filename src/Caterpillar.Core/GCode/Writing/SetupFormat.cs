@@ -53,6 +53,8 @@ internal static class SetupFormat
             DecimalsF = printer.DecimalsF,
             FirmwareRetraction = printer.FirmwareRetraction,
             HasE = printer.ExtrusionUnit != ExtrusionUnit.None,
+            // Relative moves that a firmware skips would shift all that follow.
+            LabelsObjects = printer.ObjectLabels && !printer.RelativeXyz,
             Header = Header(setup),
             Start = start,
             End = end,
@@ -64,7 +66,7 @@ internal static class SetupFormat
     // The unit of E is stated as slicers state it, so that the extrusions can be measured in the file.
     private static string[] Header(PrintSetup setup)
     {
-        string[] header = ["Made with Caterpillar", "Flavor " + setup.Printer.Flavor.Name,
+        string[] header = [FileComments.Producer, "Flavor " + setup.Printer.Flavor.Name,
             $"Printer {setup.Printer.Name}, material {setup.Material.Name}, settings {setup.Settings.Name}"];
         if (setup.Printer.AxisMappings.Count > 0) header = [.. header, DecodedGCode.MappingsKey + " = " + string.Join(", ", setup.Printer.AxisMappings)];
         return setup.Printer.ExtrusionUnit switch

@@ -3,24 +3,31 @@ namespace Caterpillar.Machines;
 /// <summary>Applies <c>key=value</c> to a setup.</summary>
 internal static class SetupValues
 {
-    public static Result<PrintSetup> Apply(PrintSetup setup, IEnumerable<string> values)
+    public static Result<PrintSetup> Apply(PrintSetup setup, IEnumerable<string> values) => Apply(setup, values.Select(v => (v, new SourceLocation())));
+
+    /// <summary>Applies values from places, which messages name.</summary>
+    public static Result<PrintSetup> Apply(PrintSetup setup, IEnumerable<(string Entry, SourceLocation Place)> values)
     {
         var diagnostics = new List<Diagnostic>();
         // Percents of the nozzle need the nozzle.
-        foreach (var entry in values.OrderBy(v => !v.TrimStart().StartsWith(PrinterKeys.NozzleDiameter.Name, StringComparison.Ordinal)))
+        foreach (var (entry, source) in values.OrderBy(v => !v.Entry.TrimStart().StartsWith(PrinterKeys.NozzleDiameter.Name, StringComparison.Ordinal)))
         {
             var at = entry.IndexOfAny(['=']);
             var key = (at < 0 ? entry : entry.Substring(0, at)).Trim();
-            var place = new SourceLocation(Key: key);
+            var place = source with { Key = key };
             if (at < 0) diagnostics.Add(new Diagnostic(Severity.Error, "profile.no_value", $"\"{entry}\" is not of the form key=value.", place));
             else setup = One(setup, key, entry.Substring(at + 1), place, diagnostics);
         }
         return new Result<PrintSetup>(diagnostics.Any(d => d.Severity == Severity.Error) ? null : setup, diagnostics);
     }
 
-    public static IReadOnlyList<KeyValuePair<string, string>> Of(PrintSetup setup)
+    /// <summary>The values as text.</summary>
+    /// <param name="setup">The setup.</param>
+    /// <param name="asGiven">True to leave what follows from the nozzle open, so that it follows another nozzle.</param>
+    public static IReadOnlyList<KeyValuePair<string, string>> Of(PrintSetup setup, bool asGiven = false)
     {
-        return [.. Of(ProfileKinds.Settings, setup.Settings), .. Of(ProfileKinds.Printer, setup.Printer), .. Of(ProfileKinds.Material, setup.Material)];
+        var settings = asGiven ? setup.Settings.AsGiven : setup.Settings;
+        return [.. Of(ProfileKinds.Settings, settings), .. Of(ProfileKinds.Printer, setup.Printer), .. Of(ProfileKinds.Material, setup.Material)];
 
         static IEnumerable<KeyValuePair<string, string>> Of<T>(ProfileKind<T> kind, T profile)
             where T : class

@@ -82,7 +82,8 @@ internal sealed class InfillFiller(RegionEngine engine)
                 StraightPatterns.Add(request, lines);
                 break;
         }
-        return request.Linked ? _links.Join(request.Area, lines, LongestLink * distance) : lines;
+        var longest = request.LongestLink > 0 ? request.LongestLink : LongestLink * distance;
+        return request.Linked ? _links.Join(request.Area, lines, longest, anchor: request.Anchor) : lines;
     }
 
     private static void Check(double value, string name)

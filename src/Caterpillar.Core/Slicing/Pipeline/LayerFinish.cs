@@ -50,7 +50,7 @@ internal sealed class LayerFinish(
         }
         else
         {
-            finished = WallArcs.Fit(finished, work.Rules.Settings.ArcFittingTolerance);
+            finished = LayerArcs.Fit(finished, work.Rules.Settings.ArcFittingTolerance, ofPart: true);
         }
         _all.Add(finished);
         if (take is null || _isByObject) return;
@@ -102,6 +102,7 @@ internal sealed class LayerFinish(
 
     private void GiveOn(SlicedLayer[] level)
     {
+        for (var i = 0; i < level.Length; i++) level[i] = LayerArcs.Fit(level[i], settings.ArcFittingTolerance, ofPart: false);
         _cooling.Apply(level);
         take?.Invoke(level);
         foreach (var layer in level) _finished.Add(take is null ? layer : layer with { Steps = [] });
@@ -118,10 +119,16 @@ internal sealed class LayerFinish(
     private void Begin()
     {
         var low = _low ?? _level;
-        var covered = Region.Union(low.Select(l => l.Region).Concat(low.Select(l => l.Support)));
+        var parts = low.Select(l => l.Region);
+        var covered = Region.Union(parts.Concat(low.Select(l => l.Support)));
         _low = null;
-        if (settings.RaftLayers == 0) _level[0] = Adhesion.Around(_level[0], covered, settings);
-        else foreach (var layer in Raft.Below(covered, settings)) GiveOn([_finished.Count > 0 ? layer : Adhesion.Around(layer, layer.Region, settings)]);
+        if (settings.RaftLayers == 0)
+        {
+            _level[0] = Adhesion.Around(_level[0], Region.Union(parts), covered, settings);
+            return;
+        }
+        foreach (var layer in Raft.Below(covered, settings))
+            GiveOn([_finished.Count > 0 ? layer : Adhesion.Around(layer, layer.Region, layer.Region, settings)]);
     }
 
     private void EndVase(VaseSpiral spiral, int last, Body body)
