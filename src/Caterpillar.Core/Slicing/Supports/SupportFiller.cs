@@ -70,14 +70,13 @@ internal sealed class SupportFiller(SupportLevel level, PrintSettings settings, 
     private Region Dense(Region near, Piece piece)
     {
         var filled = Region.Empty;
+        var spacing = _rules.Pitch(_width) * 100 / settings.SupportInterfaceDensityPercent;
+        // Lines may miss the narrow roofs that trees have on slopes.
+        if (settings.Support == SupportKind.Tree) near = ThinParts.Thick(near, (_width + spacing) / 2, _engine);
         foreach (var place in near.Islands)
         {
             var area = Inset(place, _width / 2);
             if (area.IsEmpty || Inset(area, _width / 4).IsEmpty) continue;
-            var spacing = _rules.Pitch(_width) * 100 / settings.SupportInterfaceDensityPercent;
-            // In the narrow roofs of trees, links between lines cover as much as the lines.
-            var breadth = 2 * area.Area / area.Perimeter;
-            if (settings.Support == SupportKind.Tree) spacing *= breadth / Math.Max(breadth / 3, breadth + _width - spacing);
             AddLines(piece, area, Role.SupportInterface, 2, spacing, 90, linked: true);
             filled = filled.Union(place, _engine);
         }
