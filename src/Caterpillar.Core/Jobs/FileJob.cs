@@ -89,7 +89,7 @@ public sealed record FileJob
         var job = WithCut(at.Upper(), new LineCut(1, at.Lines.Upper - 1, lines, false, at.SafeHeight, true));
         return new Result<FileJob>(job, Code.Start is not null ? [] : [new Diagnostic(Severity.Note, "cut.place_nozzle",
             $"Before the upper half starts, lower the nozzle until it touches the lower half at Z {NumberFormatter.Format(at.Height, 3)} mm. "
-            + "The file homes only X and Y." + File.Flavor.HeightNeeds)]);
+            + $"The file homes only X and Y. {File.Flavor.HeightNeeds}".TrimEnd())]);
     }
 
     private FileJob WithCut(Toolpath toolpath, LineCut cut) => this with { Toolpath = toolpath, Code = Code with { Cuts = [.. Code.Cuts, cut] } };

@@ -61,7 +61,7 @@ public class EditSafetyTests
             }
             var below = Watch(Bytes(lower.OrThrow()), job);
             var upper = job.KeepAbove(z);
-            if (job.File.Flavor.StatesHeight is null)
+            if (job.File.Flavor.StatesHeight.Length == 0)
             {
                 Assert.That(upper.Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "cut.no_start" }));
                 string[] start = ["G92 Z" + NumberFormatter.Format(standing, 3), "G91", "G1 Z5", "G90", "M109 S200", "G28 X0 Y0"];

@@ -33,11 +33,8 @@ public static class ImageReader
     internal static int Pixels(long width, long height)
     {
         if (width < 1 || height < 1) throw new InvalidDataException("The image has no pixels.");
-        if (width > MaxPixels || height > MaxPixels
-            || width * height > MaxPixels)
-        {
+        if (width > MaxPixels || height > MaxPixels || width * height > MaxPixels)
             throw new InvalidDataException("The image has more than 100 million pixels.");
-        }
         return (int)(width * height);
     }
 

@@ -7,8 +7,9 @@ internal sealed class PngReader
 {
     private static readonly byte[] Signature = [0x89, 0x50, 0x4E, 0x47, 13, 10, 26, 10];
 
-    // Adam7: first column and row, steps.
-    private static readonly (int X, int Y, int Dx, int Dy)[] Passes =
+    // First column and row, steps.
+    private static readonly (int X, int Y, int Dx, int Dy)[] Plain = [(0, 0, 1, 1)];
+    private static readonly (int X, int Y, int Dx, int Dy)[] Adam7 =
         [(0, 0, 8, 8), (4, 0, 8, 8), (0, 4, 4, 8), (2, 0, 4, 4), (0, 2, 2, 4), (1, 0, 2, 2), (0, 1, 1, 2)];
 
     private readonly byte[] _file;
@@ -16,7 +17,7 @@ internal sealed class PngReader
     private int _height;
     private int _depth;
     private int _color;
-    private bool _interlaced;
+    private (int X, int Y, int Dx, int Dy)[] _passes = Plain;
     private byte[] _palette = [];
     private byte[] _transparency = [];
 
@@ -50,11 +51,7 @@ internal sealed class PngReader
         var data = Unpack(packed);
         var pixels = new double[count];
         var from = 0;
-        if (!_interlaced) ReadPass(data, ref from, (0, 0, 1, 1), pixels);
-        else
-        {
-            foreach (var pass in Passes) ReadPass(data, ref from, pass, pixels);
-        }
+        foreach (var pass in _passes) ReadPass(data, ref from, pass, pixels);
         return new GrayImage(_width, _height, pixels);
     }
 
@@ -65,39 +62,20 @@ internal sealed class PngReader
         _height = BigEndian(20);
         _depth = _file[24];
         _color = _file[25];
-        _interlaced = _file[28] == 1;
-        var depths = _color switch { 0 => " 1 2 4 8 16 ", 3 => " 1 2 4 8 ", 2 or 4 or 6 => " 8 16 ", _ => "" };
-        if (depths.IndexOf(" " + Basics.NumberFormatter.Format(_depth) + " ",
-            StringComparison.Ordinal) < 0)
-        {
-            throw new InvalidDataException("The PNG has an unknown color type or depth.");
-        }
+        _passes = _file[28] == 1 ? Adam7 : Plain;
+        int[] depths = _color switch { 0 => [1, 2, 4, 8, 16], 3 => [1, 2, 4, 8], 2 or 4 or 6 => [8, 16], _ => [] };
+        if (!depths.Contains(_depth)) throw new InvalidDataException("The PNG has an unknown color type or depth.");
     }
 
     private byte[] Unpack(MemoryStream packed)
     {
-        long size = 0;
-        if (!_interlaced) size = (RowBytes(_width) + 1L) * _height;
-        else
-        {
-            foreach (var pass in Passes)
-            {
-                var (w, h) = Size(pass);
-                if (w > 0) size += (RowBytes(w) + 1L) * h;
-            }
-        }
+        var size = _passes.Select(Size).Where(p => p.Width > 0).Sum(p => (RowBytes(p.Width) + 1L) * p.Height);
         // Deflate shrinks at most about 1032 times; a declared size beyond that is not allocated.
         if (packed.Length < 2 || size > packed.Length * 1100) throw new InvalidDataException("The PNG is cut off.");
         packed.Position = 2;
         var data = new byte[size];
         using var inflate = new DeflateStream(packed, CompressionMode.Decompress);
-        for (var got = 0; got < data.Length;)
-        {
-            var read = inflate.Read(data, got, data.Length - got);
-            if (read == 0) throw new InvalidDataException("The PNG is cut off.");
-            got += read;
-        }
-        return data;
+        return ReadStream.Fill(inflate, data, 0, data.Length) == data.Length ? data : throw new InvalidDataException("The PNG is cut off.");
     }
 
     private (int Width, int Height) Size((int X, int Y, int Dx, int Dy) pass)
@@ -166,10 +144,5 @@ internal sealed class PngReader
 
     private int BigEndian(int at) => (_file[at] << 24) | (_file[at + 1] << 16) | (_file[at + 2] << 8) | _file[at + 3];
 
-    private byte[] Slice(int at, int length)
-    {
-        var slice = new byte[length];
-        Array.Copy(_file, at, slice, 0, length);
-        return slice;
-    }
+    private byte[] Slice(int at, int length) => [.. new ArraySegment<byte>(_file, at, length)];
 }

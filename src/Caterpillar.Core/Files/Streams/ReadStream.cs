@@ -1,29 +1,11 @@
 namespace Caterpillar.Files;
 
 /// <summary>A stream that can only be read, from beginning to end.</summary>
-internal abstract class ReadStream : Stream
+internal abstract class ReadStream : OneWayStream
 {
     public override bool CanRead => true;
 
-    public override bool CanSeek => false;
-
     public override bool CanWrite => false;
-
-    public override long Length => throw new NotSupportedException();
-
-    public override long Position
-    {
-        get => throw new NotSupportedException();
-        set => throw new NotSupportedException();
-    }
-
-    public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
-
-    public override void Flush()
-    {
-    }
-
-    public override void SetLength(long value) => throw new NotSupportedException();
 
     public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
 
@@ -41,11 +23,8 @@ internal abstract class ReadStream : Stream
 }
 
 /// <summary>A stream whose first bytes were read in advance and are returned again.</summary>
-internal sealed class PeekedStream(byte[] head, int count, Stream rest) : ReadStream
+internal sealed class PeekedStream(byte[] head, int known, Stream rest) : ReadStream
 {
-    private readonly byte[] _head = head;
-    private readonly int _count = count;
-    private readonly Stream _rest = rest;
     private int _taken;
 
     /// <summary>Reads the first bytes into <paramref name="head"/>. The returned stream still begins with them.</summary>
@@ -59,16 +38,16 @@ internal sealed class PeekedStream(byte[] head, int count, Stream rest) : ReadSt
 
     public override int Read(byte[] buffer, int offset, int count)
     {
-        if (_taken >= _count) return _rest.Read(buffer, offset, count);
-        var part = Math.Min(count, _count - _taken);
-        Buffer.BlockCopy(_head, _taken, buffer, offset, part);
+        if (_taken >= known) return rest.Read(buffer, offset, count);
+        var part = Math.Min(count, known - _taken);
+        Buffer.BlockCopy(head, _taken, buffer, offset, part);
         _taken += part;
         return part;
     }
 
     protected override void Dispose(bool disposing)
     {
-        if (disposing) _rest.Dispose();
+        if (disposing) rest.Dispose();
         base.Dispose(disposing);
     }
 }

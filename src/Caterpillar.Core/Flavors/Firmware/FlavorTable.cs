@@ -1,12 +1,56 @@
 namespace Caterpillar.Flavors;
 
-/// <summary>All G-code flavors. Each has its rules, notes and source in a file of <c>Firmware</c>.</summary>
-public static partial class FlavorTable
+/// <summary>
+/// All G-code flavors. Each has its rules, notes and source in a file of <c>Firmware</c>: on each line a rule, a tab and its value, with <c>-</c> for none.
+/// Other rules are as in the flavor that it is <c>Like</c>, or as usual.
+/// </summary>
+public static class FlavorTable
 {
-    private static readonly Lazy<IReadOnlyList<FlavorRules>> Flavors = new(List);
+    /// <summary>Neutral rules, as in the viewers of slicers.</summary>
+    public static FlavorRules Slicer { get; } = Read("slicer");
+
+    /// <summary>Marlin 2.</summary>
+    public static FlavorRules Marlin2 { get; } = Read("marlin2");
+
+    /// <summary>Marlin 1.</summary>
+    public static FlavorRules Marlin1 { get; } = Read("marlin1");
+
+    /// <summary>Prusa-Firmware.</summary>
+    public static FlavorRules Prusa { get; } = Read("prusa");
+
+    /// <summary>Firmware of Bambu Lab printers.</summary>
+    public static FlavorRules Bambu { get; } = Read("bambu");
+
+    /// <summary>Klipper.</summary>
+    public static FlavorRules Klipper { get; } = Read("klipper");
+
+    /// <summary>RepRapFirmware.</summary>
+    public static FlavorRules RepRapFirmware { get; } = Read("reprapfirmware");
+
+    /// <summary>Repetier.</summary>
+    public static FlavorRules Repetier { get; } = Read("repetier");
+
+    /// <summary>Smoothieware.</summary>
+    public static FlavorRules Smoothie { get; } = Read("smoothie");
+
+    /// <summary>Sailfish and MakerWare.</summary>
+    public static FlavorRules Sailfish { get; } = Read("sailfish");
+
+    /// <summary>Mach3 and LinuxCNC: the extruder is the A axis.</summary>
+    public static FlavorRules Cnc { get; } = Read("cnc");
+
+    /// <summary>UltiGCode.</summary>
+    public static FlavorRules Ultigcode { get; } = Read("ultigcode");
+
+    /// <summary>Bits from Bytes, with extruders that are switched on and off.</summary>
+    public static FlavorRules Bfb { get; } = Read("bfb");
+
+    /// <summary>Grbl, for pens and lasers.</summary>
+    public static FlavorRules Grbl { get; } = Read("grbl");
 
     /// <summary>All flavors. The first is neutral. The second is the default if a file does not indicate one.</summary>
-    public static IReadOnlyList<FlavorRules> All => Flavors.Value;
+    public static IReadOnlyList<FlavorRules> All { get; } =
+        [Slicer, Marlin2, Marlin1, Prusa, Bambu, Klipper, RepRapFirmware, Repetier, Smoothie, Sailfish, Cnc, Ultigcode, Bfb, Grbl];
 
     /// <summary>The flavor with this name or common alias, ignoring case, spaces and punctuation; null if unknown.</summary>
     public static FlavorRules? Find(string name)
@@ -16,6 +60,5 @@ public static partial class FlavorTable
         return All.FirstOrDefault(d => d.Name == plain || d.OtherNames.Contains(plain));
     }
 
-    private static IReadOnlyList<FlavorRules> List()
-        => [Slicer, Marlin2, Marlin1, Prusa, Bambu, Klipper, RepRapFirmware, Repetier, Smoothie, Sailfish, Cnc, Ultigcode, Bfb, Grbl];
+    private static FlavorRules Read(string name) => new(RuleWords.Of(name));
 }

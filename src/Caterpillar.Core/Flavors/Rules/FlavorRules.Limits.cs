@@ -1,16 +1,16 @@
 namespace Caterpillar.Flavors;
 
 /// <summary>Motion limits and the display of progress.</summary>
-public sealed partial record FlavorRules
+public sealed partial class FlavorRules
 {
     /// <summary>Commands that set limits of speed and acceleration.</summary>
-    internal LimitCommands Limits { get; init; }
+    internal LimitCommands Limits { get; } = words.One<LimitCommands>(nameof(Limits));
 
     /// <summary>Printing and travel moves have commands for their accelerations (M204 P and T, M201 and M202). Otherwise M204 S is for both.</summary>
-    internal bool SeparateAccelerations { get; init; }
+    internal bool SeparateAccelerations { get; } = words.Is(nameof(SeparateAccelerations));
 
     /// <summary>What M73 shows.</summary>
-    internal ProgressCommand Progress { get; init; }
+    internal ProgressCommand Progress { get; } = words.One<ProgressCommand>(nameof(Progress));
 }
 
 /// <summary>Commands that set motion limits.</summary>

@@ -1,46 +1,46 @@
 namespace Caterpillar.Flavors;
 
 /// <summary>Waiting, speed factors and the fan.</summary>
-public sealed partial record FlavorRules
+public sealed partial class FlavorRules
 {
     /// <summary>Commands that wait for a time. The writer uses the first.</summary>
-    internal IReadOnlyList<string> Dwells { get; init; } = ["G4"];
+    internal IReadOnlyList<string> Dwells { get; } = words.List(nameof(Dwells), "G4");
 
     /// <summary>Seconds per unit of P in G4.</summary>
-    internal double DwellP { get; init; } = 0.001;
+    internal double DwellP { get; } = words.Number(nameof(DwellP), 0.001);
 
     /// <summary>Seconds per unit of S in G4, which replaces P; 0 = S is ignored.</summary>
-    internal double DwellS { get; init; } = 1;
+    internal double DwellS { get; } = words.Number(nameof(DwellS), 1);
 
     /// <summary>P and S of G4 add up.</summary>
-    internal bool DwellSums { get; init; }
+    internal bool DwellSums { get; } = words.Is(nameof(DwellSums));
 
     /// <summary>M220 S scales the speed, in percent.</summary>
-    internal bool SpeedFactor { get; init; }
+    internal bool SpeedFactor { get; } = words.Is(nameof(SpeedFactor));
 
     /// <summary>What B and R of M220 do.</summary>
-    internal SpeedMemoryRule SpeedMemory { get; init; }
+    internal SpeedMemoryRule SpeedMemory { get; } = words.One<SpeedMemoryRule>(nameof(SpeedMemory));
 
     /// <summary>M220 and M221 without S mean 100 %.</summary>
-    internal bool FactorsReset { get; init; }
+    internal bool FactorsReset { get; } = words.Is(nameof(FactorsReset));
 
     /// <summary>How objects are marked, so that one can be left out while printing.</summary>
-    internal ObjectMarking ObjectMarks { get; init; }
+    internal ObjectMarking ObjectMarks { get; } = words.One<ObjectMarking>(nameof(ObjectMarks));
 
     /// <summary>M104, M109, M140 and M190 without S switch the heater off. Otherwise they do nothing.</summary>
-    internal bool NoTargetIsOff { get; init; }
+    internal bool NoTargetIsOff { get; } = words.Is(nameof(NoTargetIsOff));
 
     /// <summary>Meaning of the number of M106.</summary>
-    internal FanScale Fan { get; init; } = FanScale.Byte;
+    internal FanScale Fan { get; } = words.One(nameof(Fan), FanScale.Byte);
 
     /// <summary>The letter of the fan speed in M106.</summary>
-    internal char FanLetter { get; init; } = 'S';
+    internal char FanLetter { get; } = words.Text(nameof(FanLetter), "S")[0];
 
     /// <summary>P of M106 and M107 is the number of a fan. Otherwise they are for the part cooling fan, whatever P is.</summary>
-    internal bool FanNumbers { get; init; } = true;
+    internal bool FanNumbers { get; } = words.Is(nameof(FanNumbers), true);
 
     /// <summary>M126 and M127 switch the part cooling fan.</summary>
-    internal bool ValveIsFan { get; init; }
+    internal bool ValveIsFan { get; } = words.Is(nameof(ValveIsFan));
 
     /// <summary>Seconds that a dwell with these words takes; null for a missing word.</summary>
     internal double DwellSeconds(double? p, double? s)

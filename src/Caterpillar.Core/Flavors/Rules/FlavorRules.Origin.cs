@@ -1,63 +1,63 @@
 namespace Caterpillar.Flavors;
 
 /// <summary>Origins and units: G20, G28, G53 to G59.3 and G92.</summary>
-public sealed partial record FlavorRules
+public sealed partial class FlavorRules
 {
     /// <summary>What <c>G92</c> without letters does.</summary>
-    internal BareG92Rule BareG92 { get; init; } = BareG92Rule.Nothing;
+    internal BareG92Rule BareG92 { get; } = words.One(nameof(BareG92), BareG92Rule.Nothing);
 
     /// <summary>Commands that reset the offsets of G92.</summary>
-    internal IReadOnlyList<string> ShiftResets { get; init; } = [];
+    internal IReadOnlyList<string> ShiftResets { get; } = words.List(nameof(ShiftResets));
 
     /// <summary>What G28 does.</summary>
-    internal HomingRule Homing { get; init; } = HomingRule.HomesToZero;
+    internal HomingRule Homing { get; } = words.One(nameof(Homing), HomingRule.HomesToZero);
 
     /// <summary>Commands that home.</summary>
-    internal IReadOnlyList<string> HomingCommands { get; init; } = ["G28"];
+    internal IReadOnlyList<string> HomingCommands { get; } = words.List(nameof(HomingCommands), "G28");
 
     /// <summary>Homing keeps the offsets of G92. Otherwise it resets them for the homed axes.</summary>
-    internal bool HomingKeepsShifts { get; init; }
+    internal bool HomingKeepsShifts { get; } = words.Is(nameof(HomingKeepsShifts));
 
     /// <summary>Homing selects the XY plane (G17).</summary>
-    internal bool HomingSelectsXy { get; init; }
+    internal bool HomingSelectsXy { get; } = words.Is(nameof(HomingSelectsXy));
 
     /// <summary>A number other than 0 after an axis of G28 is the position of that axis after homing.</summary>
-    internal bool HomesToNumber { get; init; }
+    internal bool HomesToNumber { get; } = words.Is(nameof(HomesToNumber));
 
     /// <summary>
-    /// Command that states the height of the nozzle, with <c>{z}</c> in mm, before X and Y are homed over a part that stands on the bed. Null = none is safe.
+    /// Command that states the height of the nozzle, with <c>{z}</c> in mm, before X and Y are homed over a part that stands on the bed. Empty = none is safe.
     /// </summary>
-    internal string? StatesHeight { get; init; } = "G92 Z{z}";
+    internal string StatesHeight { get; } = words.Text(nameof(StatesHeight), "G92 Z{z}");
 
     /// <summary>What <see cref="StatesHeight"/> needs, as a sentence. Empty = nothing.</summary>
-    internal string HeightNeeds { get; init; } = "";
+    internal string HeightNeeds { get; } = words.Text(nameof(HeightNeeds));
 
     /// <summary>G53 (for one line), G54 to G59.3, and G10 L2 and L20, which set their origins.</summary>
-    internal bool Workspaces { get; init; }
+    internal bool Workspaces { get; } = words.Is(nameof(Workspaces));
 
     /// <summary>
     /// G92 sets the origin of the selected coordinate system. Selecting one resets the offsets of G92, and homing leaves it. Before the first of G54 to G59.3
     /// none is selected. There is neither G53 for one line nor G10 L2.
     /// </summary>
-    internal bool WorkspacesByG92 { get; init; }
+    internal bool WorkspacesByG92 { get; } = words.Is(nameof(WorkspacesByG92));
 
     /// <summary>What M206, the home offset, does.</summary>
-    internal HomeOffsetRule HomeOffset { get; init; }
+    internal HomeOffsetRule HomeOffset { get; } = words.One<HomeOffsetRule>(nameof(HomeOffset));
 
     /// <summary>Maximum distance of M290 in Z, mm; 0 = M290 does not move the head.</summary>
-    internal double LargestBabystep { get; init; }
+    internal double LargestBabystep { get; } = words.Number(nameof(LargestBabystep));
 
     /// <summary>Homing keeps what M290 has moved, and M290 R0 is the sum of all its distances.</summary>
-    internal bool HomingKeepsBabysteps { get; init; }
+    internal bool HomingKeepsBabysteps { get; } = words.Is(nameof(HomingKeepsBabysteps));
 
     /// <summary>G60 stores the position, and G61 returns to it.</summary>
-    internal bool SavedPositions { get; init; }
+    internal bool SavedPositions { get; } = words.Is(nameof(SavedPositions));
 
     /// <summary>G20 switches all lengths to inches. Otherwise it is refused and does nothing.</summary>
-    internal bool Inches { get; init; } = true;
+    internal bool Inches { get; } = words.Is(nameof(Inches), true);
 
     /// <summary>Effect of G20 on the extruder.</summary>
-    internal InchesOfERule InchesOfE { get; init; }
+    internal InchesOfERule InchesOfE { get; } = words.One<InchesOfERule>(nameof(InchesOfE));
 }
 
 /// <summary>What <c>G92</c> without letters does.</summary>

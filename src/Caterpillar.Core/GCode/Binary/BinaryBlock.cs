@@ -61,11 +61,8 @@ internal sealed class BinaryBlock
         {
             var sum = new byte[4];
             if (ReadStream.Fill(file, sum, 0, 4) < 4) throw new InvalidDataException(CutOff);
-            if (Crc32.Of(data, 0, data.Length, Crc32.Of(head, 0, header)) != UInt32(sum,
-                0))
-            {
+            if (Crc32.Of(data, 0, data.Length, Crc32.Of(head, 0, header)) != UInt32(sum, 0))
                 throw new InvalidDataException("The checksum of a block is wrong.");
-            }
         }
         if (compression != 0 && plain > limit(size)) throw new InvalidDataException("A block states an unpacked size that it cannot have.");
         var at = header - parameters;
@@ -112,11 +109,8 @@ internal sealed class BinaryBlock
     {
         // An empty block has no stream at all.
         if (packed.Length == 0 && plain == 0) return packed;
-        if (packed.Length < 8 || (packed[0] & 15) != 8 || (packed[0] << 8 | packed[1]) % 31 != 0
-            || (packed[1] & 32) != 0)
-        {
+        if (packed.Length < 8 || (packed[0] & 15) != 8 || (packed[0] << 8 | packed[1]) % 31 != 0 || (packed[1] & 32) != 0)
             throw new InvalidDataException("The deflate data of a block is damaged.");
-        }
         // Deflate grows at most 1032 times.
         if (plain > 1040L * packed.Length) throw new InvalidDataException("A block states an unpacked size that it cannot have.");
         using var stream = new DeflateStream(new MemoryStream(packed, 2, packed.Length - 2, false), CompressionMode.Decompress);
@@ -132,11 +126,8 @@ internal sealed class BinaryBlock
             throw new InvalidDataException("The deflate data of a block is damaged.");
         }
         var end = packed.Length - 4;
-        if (Adler(data) != (uint)(packed[end] << 24 | packed[end + 1] << 16 | packed[end + 2] << 8 | packed[end
-            + 3]))
-        {
+        if (Adler(data) != (uint)(packed[end] << 24 | packed[end + 1] << 16 | packed[end + 2] << 8 | packed[end + 3]))
             throw new InvalidDataException("The deflate data of a block is damaged or cut off.");
-        }
         return data;
     }
 

@@ -1,3 +1,4 @@
+using Caterpillar.Files;
 using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
@@ -11,26 +12,7 @@ internal static class FlavorDetector
     private const int Tail = 96 * 1024;
     private const int MaxHead = 8 * 1024 * 1024;
 
-    // Commands, as they begin a line, that only one firmware has.
-    private static readonly (string Start, string Name, string Why)[] Commands =
-    [
-        ("SET_VELOCITY_LIMIT", "klipper", "the extended command SET_VELOCITY_LIMIT"),
-        ("SET_PRESSURE_ADVANCE", "klipper", "the extended command SET_PRESSURE_ADVANCE"),
-        ("EXCLUDE_OBJECT", "klipper", "the extended command EXCLUDE_OBJECT"),
-        ("SAVE_GCODE_STATE", "klipper", "the extended command SAVE_GCODE_STATE"),
-        ("START_PRINT", "klipper", "the macro START_PRINT"),
-        ("PRINT_START", "klipper", "the macro PRINT_START"),
-        ("BED_MESH_CALIBRATE", "klipper", "the extended command BED_MESH_CALIBRATE"),
-        ("M620 ", "bambu", "M620 (filament changer)"),
-        ("M1002 ", "bambu", "M1002"),
-        ("M862.", "prusa", "M862 (printer check)"),
-        ("M566 ", "reprapfirmware", "M566"),
-        ("M572 ", "reprapfirmware", "M572 (pressure advance)"),
-        ("M98 P", "reprapfirmware", "M98 (macro file)"),
-        ("M205 J", "marlin2", "M205 J (junction deviation)"),
-        ("M413 ", "marlin2", "M413 (power-loss recovery)"),
-        ("$H", "grbl", "$H (homing)"),
-    ];
+    private static readonly Lazy<string[][]> Signs = new(() => EmbeddedText.Rows("comments/FlavorSigns.tsv"));
 
     public static Detection Detect(IReadOnlyList<GCodeChunk> chunks, ExtrusionAxis axis)
     {
@@ -112,12 +94,11 @@ internal static class FlavorDetector
 
     private static string? ByCommand(string text, List<string> evidence)
     {
-        foreach (var (start, name, why) in Commands)
+        foreach (var sign in Signs.Value)
         {
-            var at = text.IndexOf("\n" + start, StringComparison.Ordinal);
-            if (at < 0 && !text.StartsWith(start, StringComparison.Ordinal)) continue;
-            evidence.Add("The file contains " + why + ".");
-            return name;
+            if (text.IndexOf("\n" + sign[0], StringComparison.Ordinal) < 0 && !text.StartsWith(sign[0], StringComparison.Ordinal)) continue;
+            evidence.Add("The file contains " + sign[2] + ".");
+            return sign[1];
         }
         return null;
     }

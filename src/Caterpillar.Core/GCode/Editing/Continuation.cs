@@ -28,7 +28,7 @@ internal sealed class Continuation(DecodedGCode file, PrintCut cut)
     /// <summary>The lines, or the error <c>cut.no_start</c> or <c>cut.no_temperature</c>.</summary>
     public Result<IReadOnlyList<string>> Start()
     {
-        if (file.Flavor.StatesHeight is not { } height)
+        if (file.Flavor.StatesHeight is not { Length: > 0 } height)
             return Failed("cut.no_start", $"{file.Flavor.Title} cannot be told the height of a part that stands on the bed.");
         Read();
         if (_nozzles.Count == 0 && file.Axis.HasAmounts) return Failed("cut.no_temperature", "The file does not state the temperature of the nozzle.");

@@ -1,4 +1,5 @@
 using System.Text;
+using Caterpillar.Files;
 
 namespace Caterpillar.GCode;
 
@@ -22,9 +23,7 @@ internal static class FileComments
     public static (byte[] Bytes, int Lines) Tail(PrintSetup setup, Toolpath toolpath, double? seconds)
     {
         List<string> lines = setup.Printer.SetupComments ? [.. FileSetup.Lines(setup)] : [];
-        using var stream = typeof(FileComments).Assembly.GetManifestResourceStream("comments/HostComments.txt")!;
-        using var reader = new StreamReader(stream);
-        var template = PrintTemplate.Parse(reader.ReadToEnd().Split(['\r', '\n'], StringSplitOptions.RemoveEmptyEntries)).OrThrow();
+        var template = PrintTemplate.Parse(EmbeddedText.Lines("comments/HostComments.txt")).OrThrow();
         lines.AddRange(template.Render(PrintValues.Of(setup, toolpath)).OrThrow());
         lines.Add("; support_material = " + (setup.Settings.Support == SupportKind.None ? "0" : "1"));
         if (setup.Printer.ExtrusionUnit != ExtrusionUnit.None) lines.Add("; filament_type = " + setup.Material.Name.Split('_', '-', ' ')[0].ToUpperInvariant());

@@ -76,14 +76,14 @@ internal sealed class WrittenLines
     }
 
     /// <summary>The first move whose last line is not before a line. Number of moves = none.</summary>
-    public int NextMove(int line) => First(_moves, line, i => OfMove(i).Last);
+    public int NextMove(int line) => Search.First(0, _moves, (Lines: this, line), (s, move) => s.Lines.OfMove(move).Last >= s.line);
 
     /// <summary>The event of a line, or −1.</summary>
     public int EventAt(int line)
     {
         lock (_events)
         {
-            var at = First(_events.Count, line, i => _events[i].Last);
+            var at = Search.First(0, _events.Count, (_events, line), (s, i) => s._events[i].Last >= s.line);
             return at < _events.Count && line > _events[at].Before ? _events[at].Event : -1;
         }
     }
@@ -93,22 +93,9 @@ internal sealed class WrittenLines
     {
         lock (_events)
         {
-            var at = First(_events.Count, what, i => _events[i].Event);
+            var at = Search.First(0, _events.Count, (_events, what), (s, i) => s._events[i].Event >= s.what);
             return at < _events.Count && _events[at].Event == what ? _events[at].Before + 1 : 0;
         }
-    }
-
-    // The first of ascending values that is not below the wanted one; their number where all are.
-    private static int First(int count, int wanted, Func<int, int> valueAt)
-    {
-        int low = 0, high = count;
-        while (low < high)
-        {
-            var middle = (low + high) / 2;
-            if (valueAt(middle) < wanted) low = middle + 1;
-            else high = middle;
-        }
-        return low;
     }
 
     private static int Number(long lines) => (int)Math.Min(lines, int.MaxValue);

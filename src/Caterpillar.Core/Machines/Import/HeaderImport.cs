@@ -58,7 +58,7 @@ public static class HeaderImport
             StartGCode = startLines,
             EndGCode = endLines,
         };
-        if (facts.IsPrusa && like is null) printer = printer with { Flavor = FlavorTable.All.First(d => d.Name == "prusa") };
+        if (facts.IsPrusa && like is null) printer = printer with { Flavor = FlavorTable.Prusa };
         if (facts.LastTool >= printer.ToolCount) printer = printer with { ToolOffsets = new ValueList<Vec3>(Enumerable.Repeat(Vec3.Zero, facts.LastTool + 1)) };
         if (nozzle <= 0)
         {
