@@ -23,7 +23,7 @@ internal sealed class ModelSettingOptions
             var known = parts.FindIndex(p => p.Model == model);
             var before = known < 0 ? setup : setup with { Settings = parts[known].Settings };
             var with = session.ValueOrFail(before.With(Values(text[(colon + 1)..])), ExitCode.Usage);
-            if (with.Printer != setup.Printer || with.Material != setup.Material)
+            if (with.Printer != setup.Printer || with.Material != setup.Material || !with.ToolMaterials.Equals(setup.ToolMaterials))
                 throw new CliException(ExitCode.Usage, $"--for {text}: only print settings can differ between models. Use --set for printer and material.");
             if (known < 0) parts.Add((model, with.Settings));
             else parts[known] = (model, with.Settings);

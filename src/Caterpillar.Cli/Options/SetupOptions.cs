@@ -22,7 +22,8 @@ internal sealed class SetupOptions
 
     public Described<string?> Printer { get; }
 
-    public Described<string?> Material { get; } = new("--material", "Material profile: name or JSON file. Default: set by the printer.", "NAME|FILE", "-m");
+    public Described<string[]> Material { get; } = new("--material",
+        "Material profile: name or JSON file. Repeat for the next tools. Default: set by the printer.", "NAME|FILE", "-m");
 
     public Described<string?> Settings { get; } = new("--settings", "Print settings: name or JSON file. Default: set by the printer.", "NAME|FILE", "-s");
 
@@ -56,11 +57,11 @@ internal sealed class SetupOptions
         var values = arguments.GetValue(Set) ?? [];
         if (own is null || IsGiven(arguments)) own = [];
         var printer = own.Count > 0 ? own[0] : arguments.GetValue(Printer) ?? "generic";
-        var material = arguments.GetValue(Material) ?? (own.Count > 1 ? own[1] : null);
+        var materials = arguments.GetValue(Material) is { Length: > 0 } given ? given : own.Skip(1).Take(1).ToArray();
         var settings = arguments.GetValue(Settings) ?? (own.Count > 2 ? own[2] : null);
-        var plain = session.Profiles.Setup(printer, material, settings);
+        var plain = session.Profiles.Setup(printer, materials.FirstOrDefault(), settings);
         if (plain.Diagnostics.Any(d => d.Code == "profile.not_found")) session.ValueOrFail(plain, ExitCode.Usage);
-        if (values.Length == 0 || plain.Value is null) return session.ValueOrFail(plain);
-        return session.ValueOrFail(session.Profiles.Setup(printer, material, settings, values), ExitCode.Usage);
+        if ((values.Length == 0 && materials.Length < 2) || plain.Value is null) return session.ValueOrFail(plain);
+        return session.ValueOrFail(session.Profiles.Setup(printer, materials.FirstOrDefault(), settings, values, [.. materials.Skip(1)]), ExitCode.Usage);
     }
 }

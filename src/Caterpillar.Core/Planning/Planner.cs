@@ -71,14 +71,7 @@ public static class Planner
 
     internal static PlanRules Rules(PrintSetup setup, PlanPolicy policy)
     {
-        var (printer, material, settings, law) = (setup.Printer, setup.Material, setup.Settings, setup.Extrusion);
-        var tool = new ToolRules(
-            law.VolumePerE,
-            law.EOfFilament(printer.RetractionLength),
-            printer.RetractionSpeed,
-            printer.DeretractionSpeed > 0 ? printer.DeretractionSpeed : printer.RetractionSpeed,
-            law.EOfFilament(printer.DeretractionExtra),
-            law.FilamentPerE);
+        var (printer, settings) = (setup.Printer, setup.Settings);
         var heads = HeadCorridor.Rings(printer.HeadOutline.Select(p => (p.Radius, p.Height)))
             .Concat(printer.HeadBoxes.Select(b => (
                 Math.Sqrt(Math.Pow(Math.Max(Math.Abs(b.Min.X), Math.Abs(b.Max.X)), 2) + Math.Pow(Math.Max(Math.Abs(b.Min.Y), Math.Abs(b.Max.Y)), 2)), b.Min.Z)))
@@ -86,7 +79,8 @@ public static class Planner
         return new PlanRules
         {
             Policy = policy,
-            Tools = Enumerable.Repeat(tool, printer.ToolCount).ToArray(),
+            Tools = [.. Enumerable.Range(0, printer.ToolCount).Select(tool => ToolRulesOf(setup, tool, policy))],
+            SharedNozzle = printer.SharedNozzle,
             PrintSpeed = settings.SpeedOf,
             TravelSpeed = settings.TravelSpeed,
             ZHopSpeed = printer.ZHopSpeed,
@@ -102,13 +96,9 @@ public static class Planner
             Comb = settings.Comb,
             MaxCombDetour = settings.AvoidCrossingMaxDetour,
             CombInset = settings.LineWidth,
-            // As drawn, a design that asks for too much is refused when it is written.
-            MaxFlow = policy == PlanPolicy.AsDrawn ? double.PositiveInfinity : setup.MaxFlow,
             MinLayerTime = settings.MinLayerTime,
             LayerTimeWait = policy == PlanPolicy.AsDrawn ? LayerTimeWait.None : settings.LayerTimeWait,
             Reach = printer.BuildBounds,
-            MaxFan = Math.Max(material.MinFanSpeedPercent, material.MaxFanSpeedPercent) / 100,
-            FanTime = material.FanLayerTime,
             MinRetractTravel = settings.RetractionMinTravel,
             // Firmware retraction cannot be spread over a move.
             WipeDistance = printer.FirmwareRetraction ? 0 : settings.WipeDistance,
@@ -117,14 +107,35 @@ public static class Planner
             SeamGap = settings.SeamGap,
             DeretractDuringDescent = settings.DeretractDuringDescent && !printer.FirmwareRetraction,
             Shape = settings.BeadShape,
-            NozzleTemperature = material.NozzleTemperature > 0 ? material.NozzleTemperature : null,
-            FirstLayerNozzleTemperature = material.FirstLayerNozzleTemperature > 0
-                && material.NozzleTemperature > 0 ? material.FirstLayerNozzleTemperature : null,
-            Fan = material.MinFanSpeedPercent / 100,
-            FanOffLayers = material.FanOffLayers,
             Acceleration = printer.PrintAcceleration,
             FirstLayerHeight = settings.FirstLayerHeight,
             LayerHeight = settings.LayerHeight,
+        };
+    }
+
+    private static ToolRules ToolRulesOf(PrintSetup setup, int tool, PlanPolicy policy)
+    {
+        static double? Given(double celsius) => celsius > 0 ? celsius : null;
+
+        var (printer, material, law) = (setup.Printer, setup.MaterialOf(tool), setup.ExtrusionOf(tool));
+        var celsius = Given(material.NozzleTemperature);
+        return new ToolRules(
+            law.VolumePerE,
+            law.EOfFilament(printer.RetractionLength),
+            printer.RetractionSpeed,
+            printer.DeretractionSpeed > 0 ? printer.DeretractionSpeed : printer.RetractionSpeed,
+            law.EOfFilament(printer.DeretractionExtra),
+            law.FilamentPerE)
+        {
+            // As drawn, a design that asks for too much is refused when it is written.
+            MaxFlow = policy == PlanPolicy.AsDrawn ? double.PositiveInfinity : setup.MaxFlowOf(tool),
+            NozzleTemperature = celsius,
+            FirstLayerNozzleTemperature = celsius is null ? null : Given(material.FirstLayerNozzleTemperature),
+            StandbyTemperature = celsius is null || printer.SharedNozzle ? null : Given(material.StandbyTemperature),
+            Fan = material.MinFanSpeedPercent / 100,
+            MaxFan = Math.Max(material.MinFanSpeedPercent, material.MaxFanSpeedPercent) / 100,
+            FanTime = material.FanLayerTime,
+            FanOffLayers = material.FanOffLayers,
         };
     }
 }

@@ -38,7 +38,7 @@ internal sealed class StatisticsSums
         {
             if (_roles[i].Count > 0) roles.Add(new RoleTime((Role)i, _roles[i].Time, _roles[i].Length, _roles[i].KnownVolume));
         }
-        var material = _timeline.Setup.Material;
+        double? mass = 0, cost = 0;
         var all = new Sum();
         var tools = new List<ToolUse>();
         foreach (var pair in _tools)
@@ -46,15 +46,19 @@ internal sealed class StatisticsSums
             var sum = pair.Value;
             all.Volume += sum.Volume;
             all.VolumeUnknown |= sum.VolumeUnknown;
-            all.E += FilamentOf(pair.Key, sum.E);
-            tools.Add(new ToolUse(pair.Key, sum.Time, FilamentOf(pair.Key, sum.E), sum.KnownVolume, Mass(sum.KnownVolume)));
+            var (material, filament) = (_timeline.Setup.MaterialOf(pair.Key), FilamentOf(pair.Key, sum.E));
+            all.E += filament;
+            // mm³ and g/cm³
+            var grams = sum.KnownVolume / 1000 * material.Density;
+            mass += grams;
+            cost += grams / 1000 * material.CostPerKg;
+            tools.Add(new ToolUse(pair.Key, sum.Time, filament, sum.KnownVolume, grams));
         }
         var layers = new List<LayerTime>();
         for (var i = 0; i < _layers.Length; i++)
         {
             if (_layers[i] is { } sum) layers.Add(new LayerTime(i, sum.Start, sum.Time, sum.Length, sum.KnownVolume));
         }
-        var mass = Mass(all.KnownVolume);
         return new PrintStatistics
         {
             Duration = _timeline.Duration,
@@ -69,7 +73,7 @@ internal sealed class StatisticsSums
             Volume = all.KnownVolume,
             Filament = all.E,
             Mass = mass,
-            Cost = material.CostPerKg > 0 ? mass / 1000 * material.CostPerKg : null,
+            Cost = cost > 0 ? cost : null,
             GreatestFlow = _flowMove >= 0 ? _flow : null,
             GreatestFlowMove = _flowMove,
             GreatestSpeed = _speed,
@@ -129,10 +133,7 @@ internal sealed class StatisticsSums
         if (length > 0 && volume / length * _timeline.PeakOf(move) is { } flow && flow > _flow) (_flow, _flowMove) = (flow, move);
     }
 
-    private double FilamentOf(int tool, double e) => e * MotionPlanner.FilamentPerE(_toolpath.VolumePerE(tool), _timeline.Setup);
-
-    // mm³ and g/cm³
-    private double? Mass(double? volume) => volume / 1000 * _timeline.Setup.Material.Density;
+    private double FilamentOf(int tool, double e) => e * MotionPlanner.FilamentPerE(tool, _toolpath.VolumePerE(tool), _timeline.Setup);
 
     private sealed class Sum
     {

@@ -12,14 +12,19 @@ internal static class Profiles
     public static ProfileLibrary Library => new(UserFolder);
 
     /// <summary>A setup. What is null is the generic printer, and the material and settings that the printer names.</summary>
-    public static Result<PrintSetup> Setup(Printer? printer = null, Material? material = null, PrintSettings? settings = null)
+    /// <param name="printer">The printer.</param>
+    /// <param name="material">The material, or that of tool 0.</param>
+    /// <param name="settings">The print settings.</param>
+    /// <param name="others">The materials of the tools from 1 on.</param>
+    public static Result<PrintSetup> Setup(
+        Printer? printer = null, Material? material = null, PrintSettings? settings = null, IEnumerable<Material>? others = null)
     {
         var machine = Given(printer) ?? Library.Printer("generic");
         var filament = Given(material) ?? Library.Material(machine.Value?.DefaultMaterial ?? "pla");
         var rules = Given(settings) ?? Library.Settings(machine.Value?.DefaultSettings ?? "standard");
         Diagnostic[] problems = [.. machine.Diagnostics, .. filament.Diagnostics, .. rules.Diagnostics];
         if (machine.Value is null || filament.Value is null || rules.Value is null) return new Result<PrintSetup>(null, problems);
-        var setup = new PrintSetup(machine.Value, filament.Value, rules.Value);
+        var setup = new PrintSetup(machine.Value, filament.Value, rules.Value) { ToolMaterials = new(others ?? []) };
         var findings = setup.Check();
         return new Result<PrintSetup>(findings.Any(f => f.Severity == Severity.Error) ? null : setup, [.. problems, .. findings]);
     }

@@ -62,7 +62,7 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
         var flow = move.Deposited / move.Length * Math.Min(move.Speed, most);
         // In short and in slow moves the last decimals count for more.
         var least = (move.Deposited - _roundedE * move.Pushed / move.E) / (move.Length + 2 * _roundedXyz) * Math.Min(move.Speed - _roundedF / 2, most);
-        if (least > setup.MaxFlow * Rounding) ReportFlow(flow, move.Index);
+        if (least > setup.MaxFlowOf(move.Tool) * Rounding) ReportFlow(flow, setup.MaxFlowOf(move.Tool), move.Index);
     }
 
     public void End(Toolpath whole)
@@ -127,8 +127,8 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
                 + $"{Figures.Short(most)} mm/s{(inPlace ? "" : " in this direction")}. {consequence}", speed / most);
     }
 
-    private void ReportFlow(double flow, int move)
+    private void ReportFlow(double flow, double most, int move)
         => findings.Add(CheckCodes.Flow, move,
-            () => $"A move needs a flow of {Figures.Short(flow)} mm³/s, but the maximum is {Figures.Short(setup.MaxFlow)} mm³/s. "
+            () => $"A move needs a flow of {Figures.Short(flow)} mm³/s, but the maximum is {Figures.Short(most)} mm³/s. "
                 + "Lower speed, width or layer height.", flow);
 }

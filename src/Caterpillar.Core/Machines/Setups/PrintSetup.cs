@@ -30,8 +30,11 @@ public sealed record PrintSetup
         }
     }
 
-    /// <summary>The material.</summary>
+    /// <summary>The material, or with several tools that of tool 0.</summary>
     public Material Material { get; init; }
+
+    /// <summary>The materials of the tools from 1 on. A tool beyond the list has the material of tool 0.</summary>
+    public ValueList<Material> ToolMaterials { get; init; } = ValueList<Material>.Empty;
 
     /// <summary>The print settings. Line width and heights that they do not give follow from the nozzle of the printer.</summary>
     public PrintSettings Settings
@@ -49,18 +52,22 @@ public sealed record PrintSetup
     /// <summary>Factories of your own checks. Each checked or written file gets new instances.</summary>
     public ValueList<Func<IOwnCheck>> OwnChecks { get; init; } = ValueList<Func<IOwnCheck>>.Empty;
 
-    /// <summary>Converts extrusions to E.</summary>
-    public ExtrusionModel Extrusion => new(Printer.ExtrusionUnit, Material.FilamentDiameter, Material.FlowRatio);
+    /// <summary>Converts extrusions of tool 0 to E.</summary>
+    public ExtrusionModel Extrusion => ExtrusionOf(0);
 
-    /// <summary>Maximum volumetric flow of printer and material, mm³/s; infinite if both are unknown.</summary>
-    public double MaxFlow
+    /// <summary>The material of a tool.</summary>
+    public Material MaterialOf(int tool) => tool > 0 && tool <= ToolMaterials.Count ? ToolMaterials[tool - 1] : Material;
+
+    /// <summary>Converts extrusions of a tool to E.</summary>
+    public ExtrusionModel ExtrusionOf(int tool)
+        => new(Printer.ExtrusionUnit, MaterialOf(tool).FilamentDiameter, MaterialOf(tool).FlowRatio);
+
+    /// <summary>Maximum volumetric flow of printer and material with a tool, mm³/s; infinite if both are unknown.</summary>
+    public double MaxFlowOf(int tool)
     {
-        get
-        {
-            var machine = Printer.MaxFlow > 0 ? Printer.MaxFlow : double.PositiveInfinity;
-            var material = Material.MaxFlow > 0 ? Material.MaxFlow : double.PositiveInfinity;
-            return Math.Min(machine, material);
-        }
+        var machine = Printer.MaxFlow > 0 ? Printer.MaxFlow : double.PositiveInfinity;
+        var material = MaterialOf(tool).MaxFlow is > 0 and var most ? most : double.PositiveInfinity;
+        return Math.Min(machine, material);
     }
 
     /// <summary>
@@ -100,6 +107,11 @@ public sealed record PrintSetup
         if (Settings.AdaptiveLayers && Settings.AdaptiveMinHeight > Settings.AdaptiveMaxHeight)
             diagnostics.Add(Severity.Error, "setup.adaptive_heights", "adaptive_min_height_mm is greater than adaptive_max_height_mm.",
                 new SourceLocation(Key: "adaptive_min_height_mm"));
+        if (ToolMaterials.Count >= Printer.ToolCount)
+            diagnostics.Add(Severity.Error, "setup.materials",
+                $"The setup has {NumberFormatter.Format(ToolMaterials.Count + 1)} materials, but {Printer.Title} has "
+                + $"{NumberFormatter.Format(Printer.ToolCount)} tool{(Printer.ToolCount == 1 ? "" : "s")}. Set tool_offsets_mm, with a row for each tool.",
+                new SourceLocation(Key: "tool_offsets_mm"));
         if (Printer.FirmwareRetraction && !Printer.Flavor.FirmwareRetraction)
             diagnostics.Add(Severity.Error, "setup.no_firmware_retraction",
                 $"{Printer.Flavor.Title} has no firmware retraction: set firmware_retraction=false.",

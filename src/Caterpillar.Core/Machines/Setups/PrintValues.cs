@@ -3,18 +3,18 @@ namespace Caterpillar.Machines;
 /// <summary>Values for templates: all numbers and words of the three profiles by their keys, and values of the print.</summary>
 internal static class PrintValues
 {
-    /// <summary>The values of a setup, and of the print if a toolpath is given.</summary>
-    public static TemplateValues Of(PrintSetup setup, Toolpath? toolpath = null)
+    /// <summary>The values of a setup with the material of a tool, and of the print if a toolpath is given.</summary>
+    public static TemplateValues Of(PrintSetup setup, Toolpath? toolpath = null, int tool = 0)
     {
+        var material = setup.MaterialOf(tool);
         var numbers = new Dictionary<string, double>(StringComparer.Ordinal);
         var texts = new Dictionary<string, string>(StringComparer.Ordinal);
         Take(ProfileKinds.Printer.Keys, setup.Printer, numbers, texts);
-        Take(ProfileKinds.Material.Keys, setup.Material, numbers, texts);
+        Take(ProfileKinds.Material.Keys, material, numbers, texts);
         Take(ProfileKinds.Settings.Keys, setup.Settings, numbers, texts);
         texts["printer_name"] = setup.Printer.Name;
-        texts["material_name"] = setup.Material.Name;
+        texts["material_name"] = material.Name;
         texts["settings_name"] = setup.Settings.Name;
-        var material = setup.Material;
         numbers["start_nozzle_temperature_c"] = material.FirstLayerNozzleTemperature > 0 ? material.FirstLayerNozzleTemperature : material.NozzleTemperature;
         var bed = setup.Printer.BuildBounds;
         numbers["bed_min_x_mm"] = bed.Min.X;
@@ -22,7 +22,7 @@ internal static class PrintValues
         numbers["bed_max_x_mm"] = bed.Max.X;
         numbers["bed_max_y_mm"] = bed.Max.Y;
         numbers["bed_max_z_mm"] = bed.Max.Z;
-        numbers["volume_per_e_mm3"] = setup.Extrusion.VolumePerE ?? 0;
+        numbers["volume_per_e_mm3"] = setup.ExtrusionOf(tool).VolumePerE ?? 0;
         numbers["tool_count"] = setup.Printer.ToolCount;
         return new TemplateValues(numbers, texts, toolpath is null ? null : new(() => Measure(toolpath, setup)));
     }
@@ -45,8 +45,7 @@ internal static class PrintValues
     {
         var numbers = new Dictionary<string, double>(StringComparer.Ordinal);
         var bounds = Bounds.Empty;
-        double volume = 0, filament = 0;
-        var law = setup.Extrusion;
+        double volume = 0, filament = 0, mass = 0, cost = 0;
         var wasPrinting = false;
         for (var b = 0; b < toolpath.Blocks.Count; b++)
         {
@@ -57,8 +56,11 @@ internal static class PrintValues
                 var end = new Vec3(c.X[i], c.Y[i], c.Z[i]);
                 if (c.Deposited[i] != 0)
                 {
-                    volume += c.Deposited[i] * (toolpath.VolumePerE(c.Tool[i]) ?? 0);
-                    filament += c.Deposited[i] * law.FilamentPerE;
+                    var (material, added) = (setup.MaterialOf(c.Tool[i]), c.Deposited[i] * (toolpath.VolumePerE(c.Tool[i]) ?? 0));
+                    volume += added;
+                    filament += c.Deposited[i] * setup.ExtrusionOf(c.Tool[i]).FilamentPerE;
+                    mass += added / 1000 * material.Density;
+                    cost += added / 1_000_000 * material.Density * material.CostPerKg;
                 }
                 var prints = c.Kind[i] == MoveKind.Print;
                 if (prints && !wasPrinting) bounds = bounds.Include(start);
@@ -76,8 +78,8 @@ internal static class PrintValues
         numbers["print_max_z_mm"] = bounds.Max.Z;
         numbers["material_used_mm3"] = volume;
         numbers["filament_used_mm"] = filament;
-        numbers["material_used_g"] = volume / 1000 * setup.Material.Density;
-        numbers["material_cost"] = volume / 1_000_000 * setup.Material.Density * setup.Material.CostPerKg;
+        numbers["material_used_g"] = mass;
+        numbers["material_cost"] = cost;
         return numbers;
     }
 }

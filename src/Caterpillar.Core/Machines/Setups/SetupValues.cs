@@ -15,7 +15,7 @@ internal static class SetupValues
             if (at < 0) diagnostics.Add(new Diagnostic(Severity.Error, "profile.no_value", $"\"{entry}\" is not of the form key=value.", place));
             else setup = One(setup, key, entry.Substring(at + 1), place, diagnostics);
         }
-        return new Result<PrintSetup>(diagnostics.Any(d => d.Severity == Severity.Error) ? null : setup, diagnostics);
+        return new Result<PrintSetup>(diagnostics.Any(d => d.Severity == Severity.Error) ? null : setup, diagnostics.Distinct().ToArray());
     }
 
     public static IReadOnlyList<KeyValuePair<string, string>> Of(PrintSetup setup)
@@ -36,7 +36,8 @@ internal static class SetupValues
             return setup;
         }
         if (Changed(ProfileKinds.Settings, setup.Settings) is { } settings) return setup with { Settings = settings };
-        if (Changed(ProfileKinds.Material, setup.Material) is { } material) return setup with { Material = material };
+        if (Changed(ProfileKinds.Material, setup.Material) is { } material)
+            return setup with { Material = material, ToolMaterials = new(setup.ToolMaterials.Select(m => Changed(ProfileKinds.Material, m)!)) };
         if (Changed(ProfileKinds.Printer, setup.Printer) is { } printer) return setup with { Printer = printer };
         var known = ProfileKeys.Settings.Concat(ProfileKeys.Material).Concat(ProfileKeys.Printer).Select(k => k.Name).Where(k => k != "title");
         diagnostics.Add(UnknownKey.Problem("printers, materials or settings", key, text, known, place));

@@ -4,16 +4,32 @@ namespace Caterpillar.Planning;
 /// Temperature, fan and acceleration: what the design set, what a path overrides, and the current values. Events are written only if these differ, so
 /// that neighboring paths with the same overrides do not switch back and forth.
 /// </summary>
-internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
+internal sealed class OverrideState
 {
-    // Set by the design; until then the rules give the usual values. The start code heats for the first layer and leaves the fan off.
-    private double? _temperature, _temperatureNow = rules.FirstLayerNozzleTemperature ?? rules.NozzleTemperature;
-    private double? _fan, _fanNow = rules.AddsNothing ? rules.Fan : 0;
-    private double? _acceleration, _accelerationNow = rules.Acceleration;
+    private readonly PlanRules _rules;
+    private readonly MoveEmitter _emitter;
+    private readonly bool _layered;
 
-    private readonly bool _layered = !rules.AddsNothing
-        && (rules.Fan > 0 || (rules.FanTime > 0 && rules.MaxFan > 0) || rules.FirstLayerNozzleTemperature is not null);
+    // Set by the design for each tool; until then the rules give the usual values.
+    private readonly double?[] _temperature;
+
+    // Of each nozzle; null = never heated.
+    private readonly double?[] _temperatureNow;
+    private double? _fan, _fanNow;
+    private double? _acceleration, _accelerationNow;
     private bool _overridden;
+
+    public OverrideState(PlanRules rules, MoveEmitter emitter)
+    {
+        (_rules, _emitter) = (rules, emitter);
+        _temperature = new double?[rules.Tools.Length];
+        _temperatureNow = new double?[rules.Tools.Length];
+        // The start code heats the first tool for the first layer and leaves the fan off.
+        _temperatureNow[0] = Usual(0, 0);
+        _fanNow = rules.AddsNothing ? rules.Tools[0].Fan : 0;
+        _accelerationNow = rules.Acceleration;
+        _layered = !rules.AddsNothing && rules.Tools.Any(t => t.Fan > 0 || (t.FanTime > 0 && t.MaxFan > 0) || t.FirstLayerNozzleTemperature is not null);
+    }
 
     /// <summary>True if a value stayed overridden because its previous value is unknown.</summary>
     public bool CouldNotRevert { get; private set; }
@@ -23,9 +39,31 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
     {
         switch (what)
         {
-            case NozzleTemperatureEvent { Tool: null } e: _temperature = _temperatureNow = e.Celsius; break;
+            case NozzleTemperatureEvent e when (e.Tool ?? _emitter.Tool) is var tool && tool < _temperature.Length:
+                _temperature[tool] = _temperatureNow[Nozzle(tool)] = e.Celsius;
+                break;
             case FanEvent e: _fan = _fanNow = e.Speed; break;
             case AccelerationEvent e: _acceleration = _accelerationNow = e.Value; break;
+        }
+    }
+
+    /// <summary>Changes the tool: the last one cools down to its standby temperature, the new one is heated before it is used.</summary>
+    /// <param name="tool">The new tool.</param>
+    /// <param name="next">The path that it prints first; null = unknown.</param>
+    public void SwitchTool(int tool, PrintPath? next)
+    {
+        var last = _emitter.Tool;
+        if (_rules.Tools[last].StandbyTemperature is { } standby && standby < _temperatureNow[last]) Heat(last, standby, false);
+        _emitter.SwitchTool(tool);
+        if (Usual(tool, next is null ? -1 : LayerOf(next)) is { } celsius && celsius != _temperatureNow[Nozzle(tool)]) Heat(tool, celsius, true);
+    }
+
+    /// <summary>Turns off all nozzles but the current one, which the end code turns off.</summary>
+    public void End()
+    {
+        for (var tool = 0; tool < _temperatureNow.Length && !_rules.SharedNozzle; tool++)
+        {
+            if (tool != _emitter.Tool && _temperatureNow[tool] > 0) Heat(tool, 0, false);
         }
     }
 
@@ -37,20 +75,33 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
         if (wanted is null && !_layered && !_overridden) return;
         _overridden = wanted is not null;
         var layer = _layered ? LayerOf(path) : 0;
-        var usual = _temperature ?? (layer == 0 ? rules.FirstLayerNozzleTemperature : null) ?? rules.NozzleTemperature;
-        if (Differs(wanted?.NozzleTemperature, usual, ref _temperatureNow) is { } celsius) emitter.Event(new NozzleTemperatureEvent(celsius));
-        usual = _fan ?? (layer >= 0 && layer < rules.FanOffLayers ? 0 : FanFor(layerTime));
-        if (Differs(wanted?.Fan, usual, ref _fanNow) is { } fan) emitter.Event(new FanEvent(fan));
-        usual = _acceleration ?? rules.Acceleration;
-        if (Differs(wanted?.Acceleration, usual, ref _accelerationNow) is { } acceleration) emitter.Event(new AccelerationEvent(acceleration));
+        var usual = Usual(_emitter.Tool, layer);
+        if (Differs(wanted?.NozzleTemperature, usual, ref _temperatureNow[Nozzle(_emitter.Tool)]) is { } celsius)
+            _emitter.Event(new NozzleTemperatureEvent(celsius));
+        usual = _fan ?? (layer >= 0 && layer < _emitter.ToolRules.FanOffLayers ? 0 : FanFor(layerTime));
+        if (Differs(wanted?.Fan, usual, ref _fanNow) is { } fan) _emitter.Event(new FanEvent(fan));
+        usual = _acceleration ?? _rules.Acceleration;
+        if (Differs(wanted?.Acceleration, usual, ref _accelerationNow) is { } acceleration) _emitter.Event(new AccelerationEvent(acceleration));
+    }
+
+    private int Nozzle(int tool) => _rules.SharedNozzle ? 0 : tool;
+
+    private double? Usual(int tool, int layer)
+        => _temperature[tool] ?? (layer == 0 ? _rules.Tools[tool].FirstLayerNozzleTemperature : null) ?? _rules.Tools[tool].NozzleTemperature;
+
+    private void Heat(int tool, double celsius, bool wait)
+    {
+        _temperatureNow[Nozzle(tool)] = celsius;
+        _emitter.Event(new NozzleTemperatureEvent(celsius, wait, _rules.SharedNozzle ? null : tool));
     }
 
     // Quick layers get more of the fan, the quickest all of it.
     private double? FanFor(double layerTime)
     {
-        if (rules.Fan is not { } least || !(layerTime < rules.FanTime)) return rules.Fan;
-        var share = layerTime <= rules.MinLayerTime ? 1 : (rules.FanTime - layerTime) / (rules.FanTime - rules.MinLayerTime);
-        return Math.Round((least + (rules.MaxFan - least) * share) * 100) / 100;
+        var tool = _emitter.ToolRules;
+        if (tool.Fan is not { } least || !(layerTime < tool.FanTime)) return tool.Fan;
+        var share = layerTime <= _rules.MinLayerTime ? 1 : (tool.FanTime - layerTime) / (tool.FanTime - _rules.MinLayerTime);
+        return Math.Round((least + (tool.MaxFan - least) * share) * 100) / 100;
     }
 
     // A path without a layer counts by its highest point: a helix that starts on the bed does not belong to the first layer.
@@ -59,7 +110,7 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
         if (path.Layer is { } layer) return layer.Index;
         var top = double.NegativeInfinity;
         foreach (var p in path.RawPoints) top = Math.Max(top, p.Z);
-        return rules.LayerOf(path, top);
+        return _rules.LayerOf(path, top);
     }
 
     private double? Differs(double? wanted, double? usual, ref double? now)

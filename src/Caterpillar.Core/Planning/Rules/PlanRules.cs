@@ -17,6 +17,30 @@ internal enum LiftRule : byte
 /// <param name="LengthPerE">mm of filament per unit of E.</param>
 internal sealed record ToolRules(double? VolumePerE, double RetractE, double RetractSpeed, double DeretractionSpeed, double ExtraE, double LengthPerE = 1)
 {
+    /// <summary>Material that machine and tool can push, mm³/s.</summary>
+    public double MaxFlow { get; init; } = double.PositiveInfinity;
+
+    /// <summary>The value without overrides; null if the settings do not state it.</summary>
+    public double? NozzleTemperature { get; init; }
+
+    /// <summary>The same in the first layer, if it differs.</summary>
+    public double? FirstLayerNozzleTemperature { get; init; }
+
+    /// <summary>The same while another tool prints, if it differs.</summary>
+    public double? StandbyTemperature { get; init; }
+
+    /// <inheritdoc cref="NozzleTemperature"/>
+    public double? Fan { get; init; }
+
+    /// <summary>The fan for layers of the least time; in between it is interpolated.</summary>
+    public double MaxFan { get; init; }
+
+    /// <summary>Layers that take less than this, s, get more fan speed; 0 = off.</summary>
+    public double FanTime { get; init; }
+
+    /// <summary>Number of first layers that are printed without the fan.</summary>
+    public int FanOffLayers { get; init; }
+
     /// <summary>E per mm³ of material; 0 = a tool without E.</summary>
     public double EOf(double volume) => VolumePerE is { } unit ? volume / unit : 0;
 
@@ -70,8 +94,8 @@ internal sealed record PlanRules
     /// <summary>Distance that such travels keep from the outline around corners.</summary>
     public double CombInset { get; init; } = 0.45;
 
-    /// <summary>Material that the machine can push, mm³/s.</summary>
-    public double MaxFlow { get; init; } = double.PositiveInfinity;
+    /// <summary>True if all tools heat and feed the same nozzle.</summary>
+    public bool SharedNozzle { get; init; }
 
     /// <summary>Minimum layer time, s, and how the machine waits after shorter layers.</summary>
     public double MinLayerTime { get; init; }
@@ -101,31 +125,14 @@ internal sealed record PlanRules
     public BeadShape Shape { get; init; }
 
     /// <summary>The value without overrides; null if the settings do not state it.</summary>
-    public double? NozzleTemperature { get; init; }
-
-    /// <summary>The same in the first layer, if it differs.</summary>
-    public double? FirstLayerNozzleTemperature { get; init; }
-
-    /// <inheritdoc cref="NozzleTemperature"/>
-    public double? Fan { get; init; }
-
-    /// <summary>The fan for layers of the least time; in between it is interpolated.</summary>
-    public double MaxFan { get; init; }
-
-    /// <summary>Layers that take less than this, s, get more fan speed; 0 = off.</summary>
-    public double FanTime { get; init; }
-
-    /// <summary>Number of first layers that are printed without the fan.</summary>
-    public int FanOffLayers { get; init; }
-
-    /// <inheritdoc cref="NozzleTemperature"/>
     public double? Acceleration { get; init; }
 
     /// <summary>Speed of a segment of a path, mm/s, as far as the flow allows.</summary>
     public double SpeedOf(PrintPath path, in Bead bead, bool firstLayer)
     {
         var speed = bead.Speed > 0 ? bead.Speed : PrintSpeed(path.Role, firstLayer);
-        return speed * bead.Area > MaxFlow ? MaxFlow / bead.Area : speed;
+        var most = Tools[path.Tool].MaxFlow;
+        return speed * bead.Area > most ? most / bead.Area : speed;
     }
 
     /// <summary>Height of the first layer and of the others, for paths without a layer.</summary>

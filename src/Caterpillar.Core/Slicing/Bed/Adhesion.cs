@@ -5,7 +5,7 @@ internal static class Adhesion
 {
     private const double ArcTolerance = 0.05;
 
-    /// <summary>The first layer with the loops in front of its steps.</summary>
+    /// <summary>The first layer with the loops in front of its steps, by the tool of the first one.</summary>
     /// <param name="first">The layer.</param>
     /// <param name="covered">Area of the parts on the bed.</param>
     /// <param name="settings">The settings of the print.</param>
@@ -33,7 +33,7 @@ internal static class Adhesion
                 var isHole = contour.SignedAreaXY < 0;
                 if (!(isHole ? holes : outer)) continue;
                 var points = Array.ConvertAll(contour.Raw, p => p.WithZ(first.Layer.Z));
-                var path = PrintPath.Own(points, [rules.Bead(rules.Width)], closed: true).With(role, first.Layer);
+                var path = PrintPath.Own(points, [rules.Bead(rules.Width)], closed: true).With(role, first.Layer, first.Steps[0].Path.Tool);
                 // One rank for each loop keeps their order.
                 steps.Add(new PathStep(path, new StepGroup(0, -1, steps.Count)));
             }

@@ -32,7 +32,7 @@ internal sealed class Modifiers(IReadOnlyList<SliceModel> models)
                         OpenContours = layer.Rules.Settings.OpenContours };
                     rules.Add(layer.Plan.Thickness, own = SliceRules.Of(settings, layer.Plan.Thickness, common));
                 }
-                layer.Modifiers.Add((own, area));
+                layer.Modifiers.Add((own with { Top = layer.Rules.Top }, area));
             }
         }
     }

@@ -38,7 +38,7 @@ internal sealed class BodyCutter(
         for (var i = 0; i < plan.Length; i++)
         {
             if (!rules.TryGetValue(plan[i].Thickness, out var rule)) rules.Add(plan[i].Thickness, rule = SliceRules.Of(settings, plan[i].Thickness, common));
-            body.Layers[i] = new LayerWork(body, i, plan[i] with { Top = plan[i].Top + lift }, rule) { Section = sections[i] };
+            body.Layers[i] = new LayerWork(body, i, plan[i] with { Top = plan[i].Top + lift }, rule with { Top = plan[i].Top }) { Section = sections[i] };
         }
         return body;
     }

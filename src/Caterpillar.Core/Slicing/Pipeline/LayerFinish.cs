@@ -29,6 +29,10 @@ internal sealed class LayerFinish(
     // What stands on the bed, where all layers are known; else those of the lowest height.
     private List<SlicedLayer>? _low;
 
+    // The layers of each height, where tools take turns: their order depends on all of them.
+    private readonly List<SlicedLayer[]>? _levels = ToolTurns.AreNeeded(works, settings) ? [] : null;
+    private bool _begun;
+
     // Those of the height that is being collected, and all that are finished.
     private readonly List<SlicedLayer> _level = [];
     private readonly List<SlicedLayer> _finished = [];
@@ -53,7 +57,7 @@ internal sealed class LayerFinish(
             finished = WallArcs.Fit(finished, work.Rules.Settings.ArcFittingTolerance);
         }
         _all.Add(finished);
-        if (take is null || _isByObject) return;
+        if (take is null || _isByObject || _levels is not null) return;
         // The highest layer of a vase may yet become its end.
         var open = supports?.AddTo(_all, waits: false) ?? _all.Count;
         foreach (var vase in _vases.Values) open = Math.Min(open, vase.Last);
@@ -72,6 +76,11 @@ internal sealed class LayerFinish(
         if (_isByObject) _low = Low();
         Release(_all.Count);
         EndLevel();
+        if (_levels is not null)
+        {
+            var number = 0;
+            foreach (var turns in ToolTurns.Of(_levels)) GiveOn(ToolTurns.Layers(turns, ref number));
+        }
         _cooling.Report(problems);
         return _finished.ToArray();
     }
@@ -95,9 +104,16 @@ internal sealed class LayerFinish(
     private void EndLevel()
     {
         if (_level.Count == 0) return;
-        if (_finished.Count == 0) Begin();
-        GiveOn(_level.ToArray());
+        if (!_begun) Begin();
+        _begun = true;
+        Collect(_level.ToArray());
         _level.Clear();
+    }
+
+    private void Collect(SlicedLayer[] level)
+    {
+        if (_levels is null) GiveOn(level);
+        else _levels.Add(level);
     }
 
     private void GiveOn(SlicedLayer[] level)
@@ -121,7 +137,7 @@ internal sealed class LayerFinish(
         var covered = Region.Union(low.Select(l => l.Region).Concat(low.Select(l => l.Support)));
         _low = null;
         if (settings.RaftLayers == 0) _level[0] = Adhesion.Around(_level[0], covered, settings);
-        else foreach (var layer in Raft.Below(covered, settings)) GiveOn([_finished.Count > 0 ? layer : Adhesion.Around(layer, layer.Region, settings)]);
+        else foreach (var layer in Raft.Below(covered, settings)) Collect([layer.Layer.Index > 0 ? layer : Adhesion.Around(layer, layer.Region, settings)]);
     }
 
     private void EndVase(VaseSpiral spiral, int last, Body body)

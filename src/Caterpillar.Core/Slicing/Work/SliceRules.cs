@@ -14,6 +14,12 @@ internal sealed record SliceRules(PrintSettings Settings, WallRules Walls, doubl
     /// <summary>The settings of the whole print, which planning takes the usual speeds from.</summary>
     public PrintSettings Common { get; init; } = Settings;
 
+    /// <summary>Top of the layer above the bottom of the model.</summary>
+    public double Top { get; init; }
+
+    /// <summary>The tool of the walls.</summary>
+    public int WallTool => Settings.ToolOf(Role.OuterWall, Top);
+
     /// <summary>Formula of the infill, or null.</summary>
     public Formula? InfillFormula { get; init; }
 
@@ -53,9 +59,10 @@ internal sealed record SliceRules(PrintSettings Settings, WallRules Walls, doubl
     /// <summary>Spacing of neighbors at which extrusions fill the layer.</summary>
     public double Pitch(double width) => Walls.Spacing(width);
 
-    /// <summary>A path with the flow of these settings, and with their speed if it differs from the print.</summary>
+    /// <summary>A path with the tool and the flow of these settings, and with their speed if it differs from the print.</summary>
     public PrintPath Own(PrintPath path)
     {
+        if (Settings.ToolOf(path.Role, Top) is var tool && tool != path.Tool) path = path.With(tool: tool);
         var first = path.Layer is { Index: 0 };
         var speed = ReferenceEquals(Settings, Common) ? 0 : Settings.SpeedOf(path.Role, first);
         if (speed == Common.SpeedOf(path.Role, first)) speed = 0;

@@ -1,0 +1,92 @@
+namespace Caterpillar.Slicing;
+
+/// <summary>What one tool prints of the layers at one height.</summary>
+internal sealed class ToolTurn(int tool, List<SlicedLayer> layers)
+{
+    public int Tool { get; } = tool;
+
+    /// <summary>The layers in their order, each with the paths of this tool only.</summary>
+    public List<SlicedLayer> Layers { get; } = layers;
+}
+
+/// <summary>
+/// Divides the layers of each height among the tools, with few changes: the last tool of one height begins the next, and one that the next height needs, too,
+/// comes last.
+/// </summary>
+internal static class ToolTurns
+{
+    /// <summary>True if layers may need several tools.</summary>
+    /// <param name="works">The layers.</param>
+    /// <param name="settings">The settings of the print.</param>
+    public static bool AreNeeded(LayerWork[] works, PrintSettings settings)
+    {
+        var tools = new HashSet<int>(settings.RaftLayers > 0 ? [settings.ToolOf(Role.Raft)] : []);
+        PrintSettings? last = null;
+        foreach (var work in works)
+        {
+            Add(work.Rules);
+            foreach (var (rules, _) in work.Modifiers) Add(rules);
+        }
+        return tools.Count > 1;
+
+        void Add(SliceRules rules)
+        {
+            if (!ReferenceEquals(rules.Settings, last)) tools.UnionWith(rules.Settings.Tools);
+            last = rules.Settings;
+        }
+    }
+
+    /// <summary>The turns of each height.</summary>
+    public static List<ToolTurn[]> Of(IReadOnlyList<SlicedLayer[]> levels)
+    {
+        var turns = new List<ToolTurn[]>(levels.Count);
+        var tools = levels.Select(ToolsOf).ToArray();
+        var last = 0;
+        for (var i = 0; i < levels.Count; i++)
+        {
+            var order = Order(tools[i], last, i + 1 < tools.Length ? tools[i + 1] : []);
+            turns.Add(Array.ConvertAll(order, tool => new ToolTurn(tool, Share(levels[i], tool))));
+            last = order[order.Length - 1];
+        }
+        return turns;
+    }
+
+    /// <summary>The layers of turns in their order, so that sorting keeps it.</summary>
+    /// <param name="turns">The turns of one height.</param>
+    /// <param name="number">Number of the next layer in the print.</param>
+    public static SlicedLayer[] Layers(ToolTurn[] turns, ref int number)
+    {
+        var layers = new List<SlicedLayer>();
+        foreach (var layer in turns.SelectMany(t => t.Layers))
+        {
+            var at = number++;
+            layers.Add(layer with { Steps = [.. layer.Steps.Select(s => s.With(s.Path, s.Region, s.Group!.Value with { Layer = at }))] });
+        }
+        return layers.ToArray();
+    }
+
+    private static SortedSet<int> ToolsOf(SlicedLayer[] level) => new(level.SelectMany(l => l.Steps).Select(s => s.Path.Tool));
+
+    private static int[] Order(SortedSet<int> tools, int last, SortedSet<int> next)
+    {
+        var others = tools.Where(t => t != last).ToList();
+        if (others.Exists(next.Contains))
+        {
+            var end = others.Find(next.Contains);
+            others.Remove(end);
+            others.Add(end);
+        }
+        return tools.Contains(last) ? [last, .. others] : [.. others];
+    }
+
+    private static List<SlicedLayer> Share(SlicedLayer[] level, int tool)
+    {
+        var share = new List<SlicedLayer>();
+        foreach (var layer in level)
+        {
+            var steps = layer.Steps.Where(s => s.Path.Tool == tool).ToArray();
+            if (steps.Length > 0) share.Add(steps.Length == layer.Steps.Count ? layer : layer with { Steps = steps });
+        }
+        return share;
+    }
+}
