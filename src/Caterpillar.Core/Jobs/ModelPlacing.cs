@@ -55,7 +55,10 @@ public sealed record ModelPlacing
         if (LayFlat) models = models.LaidFlat();
         if (Arrange || Copies > 1)
         {
-            var options = new ArrangeOptions { Spacing = Spacing, OneAfterTheOther = byObject, KeepFree = PrimedArea.Of(setup) };
+            var options = new ArrangeOptions
+            {
+                Spacing = Spacing, OneAfterTheOther = byObject, KeepFree = PrimedArea.Of(setup), Settings = setup.Settings,
+            };
             var arranged = ModelArranger.Arrange(models.Copies(Copies), printer, options, cancel);
             if (arranged.Value is null) return arranged;
             models = arranged.Value;

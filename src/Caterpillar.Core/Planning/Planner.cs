@@ -8,6 +8,7 @@ public static class Planner
 {
     // mm
     private const double Everywhere = 1e6;
+    private const double TowerWipe = 5;
 
     /// <summary>Plans steps. No value if a step uses a tool that the printer does not have.</summary>
     /// <exception cref="ArgumentException">A step is null.</exception>
@@ -102,6 +103,7 @@ public static class Planner
             MinRetractTravel = settings.RetractionMinTravel,
             // Firmware retraction cannot be spread over a move.
             WipeDistance = printer.FirmwareRetraction ? 0 : settings.WipeDistance,
+            TowerWipeDistance = printer.FirmwareRetraction ? 0 : Math.Max(TowerWipe, settings.WipeDistance),
             StartDistance = settings.StartDistance,
             CoastingDistance = settings.CoastingDistance,
             SeamGap = settings.SeamGap,

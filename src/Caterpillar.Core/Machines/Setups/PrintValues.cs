@@ -15,7 +15,14 @@ internal static class PrintValues
         texts["printer_name"] = setup.Printer.Name;
         texts["material_name"] = material.Name;
         texts["settings_name"] = setup.Settings.Name;
-        numbers["start_nozzle_temperature_c"] = material.FirstLayerNozzleTemperature > 0 ? material.FirstLayerNozzleTemperature : material.NozzleTemperature;
+        numbers[PrintTemplate.Start] = StartOf(material);
+        for (var i = 0; i < setup.Printer.ToolCount; i++)
+        {
+            var number = NumberFormatter.Format(i);
+            foreach (var key in ProfileKinds.Material.Keys.Where(k => k.Kind is KeyKind.Number or KeyKind.Integer))
+                numbers[TemplateNames.OfTool(key.Name, number)] = (double)key.Get(setup.MaterialOf(i));
+            numbers[TemplateNames.OfTool(PrintTemplate.Start, number)] = StartOf(setup.MaterialOf(i));
+        }
         var bed = setup.Printer.BuildBounds;
         numbers["bed_min_x_mm"] = bed.Min.X;
         numbers["bed_min_y_mm"] = bed.Min.Y;
@@ -26,6 +33,9 @@ internal static class PrintValues
         numbers["tool_count"] = setup.Printer.ToolCount;
         return new TemplateValues(numbers, texts, toolpath is null ? null : new(() => Measure(toolpath, setup)));
     }
+
+    private static double StartOf(Material material)
+        => material.FirstLayerNozzleTemperature > 0 ? material.FirstLayerNozzleTemperature : material.NozzleTemperature;
 
     private static void Take<T>(IReadOnlyList<ProfileKey<T>> keys, T profile, Dictionary<string, double> numbers, Dictionary<string, string> texts)
         where T : class

@@ -111,6 +111,9 @@ internal sealed record PlanRules
 
     public double WipeDistance { get; init; }
 
+    /// <summary>The same when the nozzle leaves a purge tower.</summary>
+    public double TowerWipeDistance { get; init; }
+
     /// <summary>The extruder extrudes this length of bead before a path starts, at most a tenth of the path.</summary>
     public double StartDistance { get; init; }
 

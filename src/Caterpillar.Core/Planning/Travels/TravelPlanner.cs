@@ -215,8 +215,10 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     // Back along an open path, onward along a closed one, while the filament is retracted.
     private bool TryWipe(double e, ToolRules tool)
     {
-        if (rules.WipeDistance <= 0 || _last is not { } path || path.End.DistanceTo(emitter.Position) > Touching) return false;
-        var points = WipePath.Along(path, rules.WipeDistance);
+        if (_last is not { } path || path.End.DistanceTo(emitter.Position) > Touching) return false;
+        var distance = path.Role == Role.PrimeTower ? rules.TowerWipeDistance : rules.WipeDistance;
+        if (distance <= 0) return false;
+        var points = WipePath.Along(path, distance);
         var length = 0.0;
         for (var i = 1; i < points.Count; i++) length += points[i - 1].DistanceTo(points[i]);
         if (!(length > 0)) return false;

@@ -31,6 +31,14 @@ internal sealed class PlaceSearch(Printer printer, ArrangeOptions options, Cance
         return placed;
     }
 
+    /// <summary>One footprint as near as possible to the middle of others that stand already; null if there is no place.</summary>
+    public Footprint? Beside(Footprint footprint, Footprint[] others)
+    {
+        var middle = others.Aggregate(Bounds.Empty, (all, o) => all.Include(o.Box)).Center.WithZ(0);
+        var places = others.Length > MaxEdges ? Grid() : Grid().Concat(Corners(footprint, others));
+        return First(footprint, places.OrderBy(p => (p - middle).LengthSquared).ThenBy(p => p.Y).ThenBy(p => p.X).ToArray(), 0, others).Found;
+    }
+
     private Footprint?[] OnGrid(Footprint[] footprints, int[] order, Vec3[] places)
     {
         var placed = new Footprint?[footprints.Length];

@@ -45,16 +45,20 @@ internal static class IdleSettings
         Unless("skirt_loops is above 0", s => s.SkirtLoops == 0, BedKeys.SkirtDistance),
         Unless("brim_width_mm is above 0", s => s.BrimWidth == 0, BedKeys.BrimType, BedKeys.BrimGap),
         Unless("raft_layers is above 0", s => s.RaftLayers == 0, BedKeys.RaftExpansion, BedKeys.RaftLayerHeight, BedKeys.RaftGap, BedKeys.RaftDensityPercent),
+        new(Severity.Warning, "with print_sequence=by_object", "A tower beside models would be in the way of the head",
+            s => s.PrintSequence == PrintSequence.ByObject, PurgeKeys.PurgeTower),
+        Unless("purge_tower=true", s => !s.PurgeTower, PurgeKeys.PurgeTowerWidth, PurgeKeys.PurgeTowerBrimWidth, PurgeKeys.PurgeTowerPosition),
+        Unless("purge_tower=true or purge_into_infill=true", s => s is { PurgeTower: false, PurgeIntoInfill: false }, PurgeKeys.PurgeVolume),
         Unless("support=grid or support=tree", s => s.Support == SupportKind.None,
             SupportKeys.SupportPlacement, SupportKeys.SupportAngle, SupportKeys.MaxBridgeLength, SupportKeys.SupportXyGap, SupportKeys.SupportTopGap,
             SupportKeys.SupportBottomGap, SupportKeys.SupportDensityPercent, SupportKeys.SupportInterfaceLayers,
             SupportKeys.SupportInterfaceDensityPercent, SupportKeys.TreeTipDistance, SupportKeys.TreeBranchAngle, SupportKeys.TreeBranchDiameter,
-            SupportKeys.SupportSpeed),
+            SupportKeys.SupportSpeed, ToolKeys.SupportInterfaceTool),
         Unless("support=tree", s => s.Support == SupportKind.Grid,
             SupportKeys.TreeTipDistance, SupportKeys.TreeBranchAngle, SupportKeys.TreeBranchDiameter),
         Unless("support=grid", s => s.Support == SupportKind.Tree, SupportKeys.SupportDensityPercent),
         Unless("support_interface_layers is above 0", s => s.Support != SupportKind.None && s.SupportInterfaceLayers == 0,
-            SupportKeys.SupportInterfaceDensityPercent),
+            SupportKeys.SupportInterfaceDensityPercent, ToolKeys.SupportInterfaceTool),
     ];
 
     /// <summary>One diagnostic for each reason.</summary>

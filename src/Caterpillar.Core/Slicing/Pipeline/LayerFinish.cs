@@ -9,10 +9,10 @@ namespace Caterpillar.Slicing;
 /// <param name="settings">The settings of the print.</param>
 /// <param name="supports">Adds supports. Null = no supports.</param>
 /// <param name="problems">Receives diagnostics.</param>
-/// <param name="take">Receives finished layers, or null.</param>
+/// <param name="options">Who takes finished layers, and the bed.</param>
 internal sealed class LayerFinish(
     LayerWork[] works, IReadOnlyList<Body> bodies, PrintSettings settings, PrintSupports? supports, DiagnosticList problems,
-    Action<IReadOnlyList<SlicedLayer>>? take)
+    SliceOptions options)
 {
     private const double SameHeight = 1e-9;
     private readonly Dictionary<Body, (VaseSpiral Spiral, int Last)> _vases = [];
@@ -30,7 +30,7 @@ internal sealed class LayerFinish(
     private List<SlicedLayer>? _low;
 
     // The layers of each height, where tools take turns: their order depends on all of them.
-    private readonly List<SlicedLayer[]>? _levels = ToolTurns.AreNeeded(works, settings) ? [] : null;
+    private readonly List<SlicedLayer[]>? _levels = options.Divide is null && ToolTurns.AreNeeded(works, settings) ? [] : null;
     private bool _begun;
 
     // Those of the height that is being collected, and all that are finished.
@@ -57,7 +57,7 @@ internal sealed class LayerFinish(
             finished = WallArcs.Fit(finished, work.Rules.Settings.ArcFittingTolerance);
         }
         _all.Add(finished);
-        if (take is null || _isByObject || _levels is not null) return;
+        if (options.Take is null || _isByObject || _levels is not null) return;
         // The highest layer of a vase may yet become its end.
         var open = supports?.AddTo(_all, waits: false) ?? _all.Count;
         foreach (var vase in _vases.Values) open = Math.Min(open, vase.Last);
@@ -78,8 +78,9 @@ internal sealed class LayerFinish(
         EndLevel();
         if (_levels is not null)
         {
-            var number = 0;
-            foreach (var turns in ToolTurns.Of(_levels)) GiveOn(ToolTurns.Layers(turns, ref number));
+            var (turns, number) = (ToolTurns.Of(_levels), 0);
+            Purge(turns);
+            foreach (var turn in turns) GiveOn(ToolTurns.Layers(turn, ref number));
         }
         _cooling.Report(problems);
         return _finished.ToArray();
@@ -119,8 +120,20 @@ internal sealed class LayerFinish(
     private void GiveOn(SlicedLayer[] level)
     {
         _cooling.Apply(level);
-        take?.Invoke(level);
-        foreach (var layer in level) _finished.Add(take is null ? layer : layer with { Steps = [] });
+        options.Take?.Invoke(level);
+        foreach (var layer in level) _finished.Add(options.Take is null ? layer : layer with { Steps = [] });
+    }
+
+    private void Purge(List<ToolTurn[]> turns)
+    {
+        if (!settings.PurgeTower && !settings.PurgeIntoInfill) return;
+        foreach (var turn in turns.SelectMany(t => t)) turn.Purge = turn.Changes ? settings.PurgeVolumeFor(options.Printer) : 0;
+        if (settings.PurgeIntoInfill) turns.ForEach(InfillPurge.Take);
+        var left = turns.Sum(t => t.Count(turn => turn.Purge > 0));
+        if (settings.PurgeTower && settings.PrintSequence == PrintSequence.ByLayer)
+            PurgeTower.Add(turns, bodies, settings, options.Printer, options.KeepFree);
+        else if (left > 0)
+            problems.Add(Severity.Warning, "slice.purge", "The infill after a tool change is less than purge_volume_mm3. Set purge_tower=true.", null, left);
     }
 
     // All objects that stand as low as the first layer, which are those that the loops go around together.

@@ -9,6 +9,12 @@ public sealed record SliceOptions
     /// <summary>Memory limit for the layers. Exceeding it is the error <see cref="MemoryLimit.Code"/>.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
+    /// <summary>The printer whose bed has room for a purge tower. Null = unknown: the tower stands to the right of the models.</summary>
+    public Printer? Printer { get; init; }
+
+    /// <summary>Area of the bed that a purge tower keeps free besides the excluded areas of the printer, mm.</summary>
+    public Bounds KeepFree { get; init; } = Bounds.Empty;
+
     /// <summary>
     /// Receives finished layers, all of one height together and from bottom to top, on a thread of the slicer. The layers of the result then have no steps.
     /// With supports, the first come after the supports are found. If models are printed one after the other, all layers come at the end.

@@ -1,14 +1,5 @@
 namespace Caterpillar.Slicing;
 
-/// <summary>What one tool prints of the layers at one height.</summary>
-internal sealed class ToolTurn(int tool, List<SlicedLayer> layers)
-{
-    public int Tool { get; } = tool;
-
-    /// <summary>The layers in their order, each with the paths of this tool only.</summary>
-    public List<SlicedLayer> Layers { get; } = layers;
-}
-
 /// <summary>
 /// Divides the layers of each height among the tools, with few changes: the last tool of one height begins the next, and one that the next height needs, too,
 /// comes last.
@@ -36,7 +27,7 @@ internal static class ToolTurns
         }
     }
 
-    /// <summary>The turns of each height.</summary>
+    /// <summary>The turns of each height. The print begins with tool 0.</summary>
     public static List<ToolTurn[]> Of(IReadOnlyList<SlicedLayer[]> levels)
     {
         var turns = new List<ToolTurn[]>(levels.Count);
@@ -45,8 +36,13 @@ internal static class ToolTurns
         for (var i = 0; i < levels.Count; i++)
         {
             var order = Order(tools[i], last, i + 1 < tools.Length ? tools[i + 1] : []);
-            turns.Add(Array.ConvertAll(order, tool => new ToolTurn(tool, Share(levels[i], tool))));
-            last = order[order.Length - 1];
+            var level = new ToolTurn[order.Length];
+            for (var k = 0; k < level.Length; k++)
+            {
+                level[k] = new ToolTurn(order[k], order[k] != last, Share(levels[i], order[k]));
+                last = order[k];
+            }
+            turns.Add(level);
         }
         return turns;
     }

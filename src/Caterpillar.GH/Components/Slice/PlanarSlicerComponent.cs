@@ -36,8 +36,10 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         var parts = Parts(run, solids, setup);
         SliceModel[] all = [.. parts, .. modifiers];
         object[] helpers = modifiers.SelectMany(m => new object[] { m.Mesh.Mesh, m.Settings }).ToArray();
-        var result = run.Work("Slicing", [settings, models, parts.Select(p => p.Settings).ToArray(), helpers],
-            (progress, cancel) => PlanarSlicer.SliceEach(all, settings, null, progress, cancel));
+        // Only a purge tower depends on the bed.
+        var options = settings.PurgeTower ? new SliceOptions { Printer = setup.Printer, KeepFree = PrimedArea.Of(setup) } : null;
+        var result = run.Work("Slicing", [settings, models, parts.Select(p => p.Settings).ToArray(), helpers, options is null ? "" : setup.Printer],
+            (progress, cancel) => PlanarSlicer.SliceEach(all, settings, options, progress, cancel));
         SetResult(run, models, solids, result, setup);
     }
 
