@@ -3,17 +3,20 @@ namespace Caterpillar.Slicing;
 /// <summary>What a layer covers: what its plane cuts out of the mesh, without details that nobody sees, and with the compensations of the settings.</summary>
 internal static class LayerRegion
 {
-    /// <summary>Finds the region of a layer, if it is not known yet.</summary>
+    /// <summary>Finds the region of a layer, if it is not known yet. The layers next to it may ask for it, too.</summary>
     public static void Find(LayerWork layer, RegionEngine engine)
     {
-        if (layer.Section is not { } section) return;
-        layer.Section = null;
-        var settings = layer.Rules.Settings;
-        if (settings.OpenContours == OpenContours.Walls) layer.OpenLines = section.OpenLines;
-        var region = Region.From(section.Loops, FillRule.NonZero, false, engine);
-        // What simplifying cuts off stays open where there is nothing but walls.
-        var tolerance = IsAllWalls(region, layer.Rules.Walls) ? settings.Resolution / 2 : settings.Resolution;
-        layer.Region = Compensated(region.Simplified(tolerance, engine), layer, engine);
+        lock (layer.Gate)
+        {
+            if (layer.Section is not { } section) return;
+            layer.Section = null;
+            var settings = layer.Rules.Settings;
+            if (settings.OpenContours == OpenContours.Walls) layer.OpenLines = section.OpenLines;
+            var region = Region.From(section.Loops, FillRule.NonZero, false, engine);
+            // What simplifying cuts off stays open where there is nothing but walls.
+            var tolerance = IsAllWalls(region, layer.Rules.Walls) ? settings.Resolution / 2 : settings.Resolution;
+            layer.Region = Compensated(region.Simplified(tolerance, engine), layer, engine);
+        }
     }
 
     // On average the walls of both sides fill the layer.

@@ -25,9 +25,8 @@ internal sealed record LayerZones(SliceRules Rules, Region Region, IReadOnlyList
         while (zones.Count > 0)
         {
             var rules = zones[0].Rules;
-            bool IsAlike((SliceRules Rules, Region) zone) => zone.Rules.Walls == rules.Walls && zone.Rules.WallTool == rules.WallTool;
-            var alike = zones.FindAll(IsAlike);
-            zones.RemoveAll(IsAlike);
+            var alike = zones.FindAll(z => z.Rules.HasSameWalls(rules));
+            zones.RemoveAll(z => z.Rules.HasSameWalls(rules));
             // Where all walls are alike nothing was divided.
             var region = zones.Count == 0
                 && groups.Count == 0 ? layer.Region : alike.Count == 1 ? alike[0].Area : Geometry.Region.Union(alike.ConvertAll(z => z.Area));

@@ -10,6 +10,12 @@ internal static class WallSteps
         var overhangs = below is null || settings.OverhangClasses.Count == 0 ? null : new OverhangSplitter(island.Rules, below, engine);
         var air = below is null ? null : new LineClipper(Held(below, island.Rules, engine).Index, outside: true);
         var group = new StepGroup(layer.Number, number, StepRank.Walls);
+        foreach (var wall in island.OverAir)
+        {
+            var path = wall.ToPath(layer.Plan.Top, island.Rules.Walls).With(Role.InnerWall, layer.Layer);
+            var rank = Math.Max(StepRank.OverAir, StepRank.Walls - wall.Index);
+            steps.Add(new PathStep(island.Rules.Own(overhangs?.Split(path) ?? path), group with { Rank = rank }) { Region = island.Region });
+        }
         for (var i = 0; i < island.Walls.Count; i++)
         {
             if (WallChains.IsLoop(island.Walls[i])) continue;
@@ -26,7 +32,7 @@ internal static class WallSteps
                 var path = Path(layer, island.Rules, island.Walls[chain[i]], chain[i]);
                 var split = overhangs?.Split(path) ?? path;
                 hangsOver |= !ReferenceEquals(split, path);
-                paths[i] = island.Rules.Own(split);
+                paths[i] = island.Rules.Own(Slowed(split, settings));
                 if (supports is not null && overhangs is not { IsSupported: true }) supports[i] = LoopSupport.Of(split.RawPoints, air!);
             }
             var outerFirst = WallChains.OuterFirst(settings, layer.Index, hangsOver);
@@ -51,6 +57,14 @@ internal static class WallSteps
             layer.Number, number);
         var role = wall.Index == 0 ? Role.OuterWall : wall.IsExtrusion ? Role.GapFill : Role.InnerWall;
         return wall.ToPath(layer.Plan.Top, rules.Walls).With(role, layer.Layer);
+    }
+
+    // Around small holes and pins there is little time to cool, and much acceleration.
+    private static PrintPath Slowed(PrintPath path, PrintSettings settings)
+    {
+        var most = settings.SmallLoopSpeed;
+        if (most == 0 || path.Length > 2 * Math.PI * settings.SmallLoopRadius || most >= settings.SpeedOf(path.Role, path.Layer!.Index == 0)) return path;
+        return path.WithBeads(i => path.BeadOf(i).Speed is > 0 and var own && own <= most ? path.BeadOf(i) : path.BeadOf(i).WithSpeed(most));
     }
 
     /// <summary>Contours that do not close, as single walls.</summary>

@@ -49,22 +49,25 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
     /// Beads along the contours of an area, round after round, until it is full. The beads cover it by their spacings: its border may be the inner edge of
     /// walls.
     /// </summary>
-    public WallResult Fill(Region area)
+    /// <param name="area">The area.</param>
+    /// <param name="first">Index of the first round.</param>
+    /// <param name="rounds">Largest number of rounds.</param>
+    public WallResult Fill(Region area, int first = 0, int rounds = int.MaxValue - 1)
     {
         var output = new WallOutput(rules);
-        if (rules.VariableWidth)
+        var level = new WallLevel(rules, rules.InnerWidth, rules.InnerWidth, engine, _offset);
+        for (var round = 0; round < rounds && !area.IsEmpty; round++)
         {
-            var level = new WallLevel(rules, rules.InnerWidth, rules.InnerWidth, engine, _offset);
-            for (var round = 0; !area.IsEmpty; round++) area = level.Walls(area, round, output);
-            return output.Result(area);
+            if (rules.VariableWidth)
+            {
+                area = level.Walls(area, first + round, output);
+                continue;
+            }
+            var line = area.Offset(-rules.InnerSpacing / 2, JoinStyle.Miter, 2, ArcTolerance, engine);
+            output.Loops(line, first + round, rules.InnerWidth, engine);
+            area = line.Offset(-rules.InnerSpacing / 2, JoinStyle.Miter, 2, ArcTolerance, engine);
         }
-        var line = area.Offset(-rules.InnerSpacing / 2, JoinStyle.Miter, 2, ArcTolerance, engine);
-        for (var round = 0; !line.IsEmpty; round++)
-        {
-            output.Loops(line, round, rules.InnerWidth, engine);
-            line = line.Offset(-rules.InnerSpacing, JoinStyle.Miter, 2, ArcTolerance, engine);
-        }
-        return output.Result(line);
+        return output.Result(area.IsEmpty || !rules.VariableWidth ? area : level.Extrusions(area, first + rounds, output));
     }
 
     // Where no place is so thin that its thickness matters, the walls are plain offsets. There is so much to spare that a coarse outline tells it.

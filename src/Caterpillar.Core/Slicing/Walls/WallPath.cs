@@ -37,6 +37,18 @@ internal sealed record WallPath(Vec3[] Points, double[] Widths, bool Closed, int
         double Scaled(double w) => Math.Min(Math.Max(rules.Width(rules.Spacing(w) * share), Math.Min(w, rules.MinWidth)), Math.Max(w, rules.MaxWidth));
     }
 
+    /// <summary>A piece of it, with its widths there.</summary>
+    public WallPath Along(Polyline piece)
+    {
+        var widths = new double[piece.Count];
+        for (var i = 0; i < widths.Length; i++)
+        {
+            var place = LoopPlace.Nearest(Points, piece[i]);
+            widths[i] = Widths[place.Segment] + (Widths[place.Segment + 1 == Points.Length ? 0 : place.Segment + 1] - Widths[place.Segment]) * place.T;
+        }
+        return this with { Points = piece.Raw, Widths = widths, Closed = piece.IsClosed };
+    }
+
     /// <summary>The path that prints it at a height, mm.</summary>
     public PrintPath ToPath(double z, WallRules rules)
     {

@@ -23,6 +23,9 @@ internal sealed class LayerWork(Body body, int index, PlannedLayer plan, SliceRu
     /// <summary>Bodies in which other settings apply, as this layer cuts them.</summary>
     public List<(SliceRules Rules, Region Area)> Modifiers { get; } = [];
 
+    /// <summary>Held while the region is found.</summary>
+    public object Gate { get; } = new();
+
     /// <summary>What the plane cuts out of the mesh; let go once the region is there.</summary>
     public Section? Section { get; set; }
 
@@ -71,6 +74,9 @@ internal sealed class IslandWork(Region region, SliceRules rules)
     public SliceRules Rules { get; } = rules;
 
     public IReadOnlyList<WallPath> Walls { get; set; } = [];
+
+    /// <summary>Walls over air beyond those of the settings, from the innermost outwards.</summary>
+    public IReadOnlyList<WallPath> OverAir { get; set; } = [];
 
     /// <summary>What the walls leave.</summary>
     public IReadOnlyList<InsideWork> Insides { get; set; } = [];

@@ -59,6 +59,11 @@ internal sealed record SliceRules(PrintSettings Settings, WallRules Walls, doubl
     /// <summary>Spacing of neighbors at which extrusions fill the layer.</summary>
     public double Pitch(double width) => Walls.Spacing(width);
 
+    /// <summary>Whether walls are laid as with other rules, so that areas of both may share them.</summary>
+    public bool HasSameWalls(SliceRules other) => Walls == other.Walls && WallTool == other.WallTool
+        && Settings.OnlyOneWallFirstLayer == other.Settings.OnlyOneWallFirstLayer && Settings.OnlyOneWallTop == other.Settings.OnlyOneWallTop
+        && Settings.AlternateExtraWall == other.Settings.AlternateExtraWall && Settings.ExtraWallsOnOverhangs == other.Settings.ExtraWallsOnOverhangs;
+
     /// <summary>A path with the tool and the flow of these settings, and with their speed if it differs from the print.</summary>
     public PrintPath Own(PrintPath path)
     {
