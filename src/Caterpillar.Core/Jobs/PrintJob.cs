@@ -80,7 +80,7 @@ public sealed class PrintJob : IDisposable
             var slicing = new SliceOptions
             {
                 Threads = options.Threads, Memory = options.Memory, InfillLines = options.InfillLines,
-                Printer = setup.Printer, KeepFree = setup.Settings.PurgeTower ? PrimedArea.Of(setup) : Bounds.Empty,
+                Printer = setup.Settings.PurgeTower ? PrimedArea.Excluded(setup, isForTower: true) : setup.Printer,
                 Take = layers => overlap.Pipeline.Add([.. layers.SelectMany(l => l.Steps)]),
             };
             var sliced = PlanarSlicer.SliceEach(models, setup.Settings, slicing, progress, cancel);

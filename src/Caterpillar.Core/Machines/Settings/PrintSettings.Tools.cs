@@ -28,6 +28,25 @@ public sealed partial record PrintSettings
     /// <summary>Tool for support interfaces; -1 = as support_tool.</summary>
     public int SupportInterfaceTool { get; init => field = ToolKeys.SupportInterfaceTool.Check(value); } = -1;
 
+    /// <summary>Purge tools after a change on a tower beside the models.</summary>
+    public bool PurgeTower { get; init; }
+
+    /// <summary>Purge tools after a change into infill, as far as there is some. Infill may then have the tool of another part.</summary>
+    public bool PurgeIntoInfill { get; init; }
+
+    /// <summary>Volume purged at each tool change; 0 = 140 for a shared nozzle, otherwise 15.</summary> <value>mm³.</value>
+    public double PurgeVolume { get; init => field = ToolKeys.PurgeVolume.Check(value); }
+
+    /// <summary>Width of the purge tower in X. Its depth depends on the volume.</summary> <value>mm.</value>
+    public double PurgeTowerWidth { get; init => field = ToolKeys.PurgeTowerWidth.Check(value); } = 35;
+
+    /// <summary>Width of the brim of the purge tower; 0 = off.</summary> <value>mm.</value>
+    public double PurgeTowerBrimWidth { get; init => field = ToolKeys.PurgeTowerBrimWidth.Check(value); } = 3;
+
+    /// <summary>Front left corner of the purge tower, without its brim; empty = next to the models.</summary>
+    /// <value>mm.</value> <remarks>One point, or none.</remarks>
+    public ValueList<Vec3> PurgeTowerPosition { get; init => field = ToolKeys.PurgeTowerPosition.Check(value); } = ValueList<Vec3>.Empty;
+
     /// <summary>All tools that may be needed.</summary>
     internal IEnumerable<int> Tools => ToolChanges.Select(c => c.Tool)
         .Concat([PartTool, WallTool, InfillTool, SolidInfillTool, SupportTool, SupportInterfaceTool]).Where(t => t >= 0);
@@ -57,7 +76,7 @@ public sealed partial record PrintSettings
     }
 }
 
-/// <summary>Keys of print settings: tools.</summary>
+/// <summary>Keys of print settings: tools, and purging after their changes.</summary>
 internal static class ToolKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();
@@ -72,6 +91,18 @@ internal static class ToolKeys
     public static readonly IntegerKey SupportTool = Own("support_tool", s => s.SupportTool, (s, v) => s with { SupportTool = v });
     public static readonly IntegerKey SupportInterfaceTool
         = Own("support_interface_tool", s => s.SupportInterfaceTool, (s, v) => s with { SupportInterfaceTool = v });
+
+    public static readonly FlagKey PurgeTower = All.Boolean("purge_tower", s => s.PurgeTower, (s, v) => s with { PurgeTower = v });
+    public static readonly FlagKey PurgeIntoInfill
+        = All.Boolean("purge_into_infill", s => s.PurgeIntoInfill, (s, v) => s with { PurgeIntoInfill = v });
+    public static readonly NumberKey PurgeVolume = All.Number("purge_volume_mm3", 0, 100_000, s => s.PurgeVolume, (s, v) => s with { PurgeVolume = v });
+    public static readonly NumberKey PurgeTowerWidth
+        = All.Number("purge_tower_width_mm", 10, 10_000, s => s.PurgeTowerWidth, (s, v) => s with { PurgeTowerWidth = v });
+    public static readonly NumberKey PurgeTowerBrimWidth
+        = All.Number("purge_tower_brim_width_mm", 0, 1000, s => s.PurgeTowerBrimWidth, (s, v) => s with { PurgeTowerBrimWidth = v });
+    public static readonly ProfileKey<PrintSettings, ValueList<Vec3>> PurgeTowerPosition = All.Of(
+        "purge_tower_position_mm", new RowsFormat<Vec3>(["x", "y"], 1, -100_000, 100_000, n => new Vec3(n[0], n[1]), v => [v.X, v.Y]),
+        s => s.PurgeTowerPosition, (s, v) => s with { PurgeTowerPosition = v });
 
     private static IntegerKey Own(string name, Func<PrintSettings, int> get, Func<PrintSettings, int, PrintSettings> set)
         => All.Integer(name, -1, ToolChange.Highest, get, set);

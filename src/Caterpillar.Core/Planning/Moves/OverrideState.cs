@@ -4,32 +4,21 @@ namespace Caterpillar.Planning;
 /// Temperature, fan and acceleration: what the design set, what a path overrides, and the current values. Events are written only if these differ, so
 /// that neighboring paths with the same overrides do not switch back and forth.
 /// </summary>
-internal sealed class OverrideState
+internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
 {
-    private readonly PlanRules _rules;
-    private readonly MoveEmitter _emitter;
-    private readonly bool _layered;
+    // Set by the design, for each tool; until then the rules give the usual values.
+    private readonly double?[] _temperature = new double?[rules.Tools.Length];
 
-    // Set by the design for each tool; until then the rules give the usual values.
-    private readonly double?[] _temperature;
+    // Of each nozzle; null = never heated. The start code heats the first one for the first layer and leaves the fan off.
+    private readonly double?[] _temperatureNow
+        = [rules.Tools[0].FirstLayerNozzleTemperature ?? rules.Tools[0].NozzleTemperature, .. new double?[rules.Tools.Length - 1]];
 
-    // Of each nozzle; null = never heated.
-    private readonly double?[] _temperatureNow;
-    private double? _fan, _fanNow;
-    private double? _acceleration, _accelerationNow;
+    private double? _fan, _fanNow = rules.AddsNothing ? rules.Tools[0].Fan : 0;
+    private double? _acceleration, _accelerationNow = rules.Acceleration;
+
+    private readonly bool _layered = !rules.AddsNothing
+        && rules.Tools.Any(t => t.Fan > 0 || (t.FanTime > 0 && t.MaxFan > 0) || t.FirstLayerNozzleTemperature is not null);
     private bool _overridden;
-
-    public OverrideState(PlanRules rules, MoveEmitter emitter)
-    {
-        (_rules, _emitter) = (rules, emitter);
-        _temperature = new double?[rules.Tools.Length];
-        _temperatureNow = new double?[rules.Tools.Length];
-        // The start code heats the first tool for the first layer and leaves the fan off.
-        _temperatureNow[0] = Usual(0, 0);
-        _fanNow = rules.AddsNothing ? rules.Tools[0].Fan : 0;
-        _accelerationNow = rules.Acceleration;
-        _layered = !rules.AddsNothing && rules.Tools.Any(t => t.Fan > 0 || (t.FanTime > 0 && t.MaxFan > 0) || t.FirstLayerNozzleTemperature is not null);
-    }
 
     /// <summary>True if a value stayed overridden because its previous value is unknown.</summary>
     public bool CouldNotRevert { get; private set; }
@@ -39,7 +28,7 @@ internal sealed class OverrideState
     {
         switch (what)
         {
-            case NozzleTemperatureEvent e when (e.Tool ?? _emitter.Tool) is var tool && tool < _temperature.Length:
+            case NozzleTemperatureEvent e when (e.Tool ?? emitter.Tool) is var tool && tool < _temperature.Length:
                 _temperature[tool] = _temperatureNow[Nozzle(tool)] = e.Celsius;
                 break;
             case FanEvent e: _fan = _fanNow = e.Speed; break;
@@ -52,18 +41,18 @@ internal sealed class OverrideState
     /// <param name="next">The path that it prints first; null = unknown.</param>
     public void SwitchTool(int tool, PrintPath? next)
     {
-        var last = _emitter.Tool;
-        if (_rules.Tools[last].StandbyTemperature is { } standby && standby < _temperatureNow[last]) Heat(last, standby, false);
-        _emitter.SwitchTool(tool);
+        var last = emitter.Tool;
+        if (rules.Tools[last].StandbyTemperature is { } standby && standby < _temperatureNow[last]) Heat(last, standby, false);
+        emitter.SwitchTool(tool);
         if (Usual(tool, next is null ? -1 : LayerOf(next)) is { } celsius && celsius != _temperatureNow[Nozzle(tool)]) Heat(tool, celsius, true);
     }
 
     /// <summary>Turns off all nozzles but the current one, which the end code turns off.</summary>
     public void End()
     {
-        for (var tool = 0; tool < _temperatureNow.Length && !_rules.SharedNozzle; tool++)
+        for (var tool = 0; tool < _temperatureNow.Length && !rules.SharedNozzle; tool++)
         {
-            if (tool != _emitter.Tool && _temperatureNow[tool] > 0) Heat(tool, 0, false);
+            if (tool != emitter.Tool && _temperatureNow[tool] > 0) Heat(tool, 0, false);
         }
     }
 
@@ -75,32 +64,32 @@ internal sealed class OverrideState
         if (wanted is null && !_layered && !_overridden) return;
         _overridden = wanted is not null;
         var layer = _layered ? LayerOf(path) : 0;
-        var usual = Usual(_emitter.Tool, layer);
-        if (Differs(wanted?.NozzleTemperature, usual, ref _temperatureNow[Nozzle(_emitter.Tool)]) is { } celsius)
-            _emitter.Event(new NozzleTemperatureEvent(celsius));
-        usual = _fan ?? (layer >= 0 && layer < _emitter.ToolRules.FanOffLayers ? 0 : FanFor(layerTime));
-        if (Differs(wanted?.Fan, usual, ref _fanNow) is { } fan) _emitter.Event(new FanEvent(fan));
-        usual = _acceleration ?? _rules.Acceleration;
-        if (Differs(wanted?.Acceleration, usual, ref _accelerationNow) is { } acceleration) _emitter.Event(new AccelerationEvent(acceleration));
+        var usual = Usual(emitter.Tool, layer);
+        if (Differs(wanted?.NozzleTemperature, usual, ref _temperatureNow[Nozzle(emitter.Tool)]) is { } celsius)
+            emitter.Event(new NozzleTemperatureEvent(celsius));
+        usual = _fan ?? (layer >= 0 && layer < emitter.ToolRules.FanOffLayers ? 0 : FanFor(layerTime));
+        if (Differs(wanted?.Fan, usual, ref _fanNow) is { } fan) emitter.Event(new FanEvent(fan));
+        usual = _acceleration ?? rules.Acceleration;
+        if (Differs(wanted?.Acceleration, usual, ref _accelerationNow) is { } acceleration) emitter.Event(new AccelerationEvent(acceleration));
     }
 
-    private int Nozzle(int tool) => _rules.SharedNozzle ? 0 : tool;
+    private int Nozzle(int tool) => rules.SharedNozzle ? 0 : tool;
 
     private double? Usual(int tool, int layer)
-        => _temperature[tool] ?? (layer == 0 ? _rules.Tools[tool].FirstLayerNozzleTemperature : null) ?? _rules.Tools[tool].NozzleTemperature;
+        => _temperature[tool] ?? (layer == 0 ? rules.Tools[tool].FirstLayerNozzleTemperature : null) ?? rules.Tools[tool].NozzleTemperature;
 
     private void Heat(int tool, double celsius, bool wait)
     {
         _temperatureNow[Nozzle(tool)] = celsius;
-        _emitter.Event(new NozzleTemperatureEvent(celsius, wait, _rules.SharedNozzle ? null : tool));
+        emitter.Event(new NozzleTemperatureEvent(celsius, wait, rules.SharedNozzle ? null : tool));
     }
 
     // Quick layers get more of the fan, the quickest all of it.
     private double? FanFor(double layerTime)
     {
-        var tool = _emitter.ToolRules;
+        var tool = emitter.ToolRules;
         if (tool.Fan is not { } least || !(layerTime < tool.FanTime)) return tool.Fan;
-        var share = layerTime <= _rules.MinLayerTime ? 1 : (tool.FanTime - layerTime) / (tool.FanTime - _rules.MinLayerTime);
+        var share = layerTime <= rules.MinLayerTime ? 1 : (tool.FanTime - layerTime) / (tool.FanTime - rules.MinLayerTime);
         return Math.Round((least + (tool.MaxFan - least) * share) * 100) / 100;
     }
 
@@ -110,7 +99,7 @@ internal sealed class OverrideState
         if (path.Layer is { } layer) return layer.Index;
         var top = double.NegativeInfinity;
         foreach (var p in path.RawPoints) top = Math.Max(top, p.Z);
-        return _rules.LayerOf(path, top);
+        return rules.LayerOf(path, top);
     }
 
     private double? Differs(double? wanted, double? usual, ref double? now)

@@ -15,7 +15,6 @@ public static class ModelArranger
         if (models is null) throw new ArgumentNullException(nameof(models));
         if (printer is null) throw new ArgumentNullException(nameof(printer));
         options ??= new ArrangeOptions();
-        printer = TowerPlace.Reserve(printer, options);
         var known = new Dictionary<TriMesh, Footprint>();
         var footprints = models.Select(m => known.TryGetValue(m.Mesh, out var same) ? same : known[m.Mesh] = Footprint.Of(m.Mesh)).ToArray();
         var order = Enumerable.Range(0, models.Count).Where(i => models[i].Mesh.TriangleCount > 0)

@@ -13,10 +13,9 @@ internal static class TowerPlace
     /// <param name="depth">Depth of the tower, mm.</param>
     /// <param name="obstacles">Models and supports from above.</param>
     /// <param name="settings">The settings of the print.</param>
-    /// <param name="printer">The printer. Null = the tower stands to the right of everything.</param>
-    /// <param name="keepFree">Area of the bed that stays free.</param>
+    /// <param name="printer">The printer.</param>
     /// <exception cref="DiagnosticException">There is no room.</exception>
-    public static Vec3 Find(double depth, Footprint[] obstacles, PrintSettings settings, Printer? printer, Bounds keepFree)
+    public static Vec3 Find(double depth, Footprint[] obstacles, PrintSettings settings, Printer printer)
     {
         var brim = new Vec3(settings.PurgeTowerBrimWidth, settings.PurgeTowerBrimWidth);
         var size = new Vec3(settings.PurgeTowerWidth, depth);
@@ -30,33 +29,32 @@ internal static class TowerPlace
             if (Array.TrueForAll(obstacles, o => there.IsApart(o, distance))) return corner;
             throw NoRoom($"The purge tower of {dimensions} at purge_tower_position_mm is less than {NumberFormatter.Format(distance, 1)} mm from a model.");
         }
-        if (printer is null)
-        {
-            var box = obstacles.Aggregate(Bounds.Empty, (all, o) => all.Include(o.Box));
-            return new Vec3(box.Max.X + distance + brim.X, box.Center.Y - depth / 2);
-        }
-        var search = new PlaceSearch(printer, new ArrangeOptions { Spacing = distance, KeepFree = keepFree }, default);
+        var search = new PlaceSearch(printer, new ArrangeOptions { Spacing = distance }, default);
         return search.Beside(tower, obstacles) is { } place ? place.Box.Min + brim
             : throw NoRoom($"There is no room for the purge tower of {dimensions} beside the models. Move them, or change purge_tower_width_mm.");
     }
 
     /// <summary>The printer without the part of the bed that a tower takes, which models must leave free.</summary>
-    public static Printer Reserve(Printer printer, ArrangeOptions options)
+    public static Printer Reserve(Printer printer, PrintSettings settings)
     {
-        if (options.Settings is not { PurgeTower: true } settings || printer.ToolCount == 1) return printer;
+        if (!settings.PurgeTower || printer.ToolCount == 1) return printer;
         // More than two tools in one layer are rare.
         var rows = new TowerRows(SliceRules.Of(settings, Math.Min(settings.LayerHeight, settings.FirstLayerHeight)), settings.PurgeTowerWidth);
-        var depth = rows.DepthOf((Math.Min(printer.ToolCount, 3) - 1) * rows.CountFor(settings.PurgeVolumeFor(printer)));
+        var depth = rows.DepthOf((Math.Min(printer.ToolCount, 3) - 1) * rows.CountFor(VolumeOf(settings, printer)));
         depth = Math.Max(LeastReserved, depth);
         var around = new Vec3(1, 1) * (settings.PurgeTowerBrimWidth + Distance(settings));
         var tower = Footprint.Of(new Bounds(-around, new Vec3(settings.PurgeTowerWidth, depth) + around));
         var place = settings.PurgeTowerPosition.Count > 0 ? tower.Moved(settings.PurgeTowerPosition[0].X, settings.PurgeTowerPosition[0].Y)
-            : new PlaceSearch(printer, options, default).InRows([tower], [0])[0];
+            : new PlaceSearch(printer, new ArrangeOptions(), default).InRows([tower], [0])[0];
         return place is null ? printer : printer with { ExcludedAreas = new(printer.ExcludedAreas.Append(place.Box)) };
     }
 
+    /// <summary>Volume to purge at each tool change, mm³.</summary>
+    public static double VolumeOf(PrintSettings settings, Printer printer)
+        => settings.PurgeVolume > 0 ? settings.PurgeVolume : printer.SharedNozzle ? 140 : 15;
+
     private static double Distance(PrintSettings settings)
-        => Clearance + (settings.BrimWidth > 0 ? settings.BrimGap + settings.BrimWidth : 0) + (settings.RaftLayers > 0 ? settings.RaftExpansion : 0)
+        => Clearance + (settings.BrimWidth > 0 ? settings.BrimGap + settings.BrimWidth : 0)
             + (settings.SkirtLoops > 0 ? settings.SkirtDistance + settings.SkirtLoops * settings.LineWidth : 0);
 
     private static DiagnosticException NoRoom(string message) => new([new Diagnostic(Severity.Error, "slice.purge_tower", message)]);

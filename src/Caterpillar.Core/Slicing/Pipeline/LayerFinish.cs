@@ -127,11 +127,10 @@ internal sealed class LayerFinish(
     private void Purge(List<ToolTurn[]> turns)
     {
         if (!settings.PurgeTower && !settings.PurgeIntoInfill) return;
-        foreach (var turn in turns.SelectMany(t => t)) turn.Purge = turn.Changes ? settings.PurgeVolumeFor(options.Printer) : 0;
+        foreach (var turn in turns.SelectMany(t => t)) turn.Purge = turn.Changes ? TowerPlace.VolumeOf(settings, options.Printer) : 0;
         if (settings.PurgeIntoInfill) turns.ForEach(InfillPurge.Take);
         var left = turns.Sum(t => t.Count(turn => turn.Purge > 0));
-        if (settings.PurgeTower && settings.PrintSequence == PrintSequence.ByLayer)
-            PurgeTower.Add(turns, bodies, settings, options.Printer, options.KeepFree);
+        if (settings.PurgeTower && settings.PrintSequence == PrintSequence.ByLayer) PurgeTower.Add(turns, settings, options.Printer);
         else if (left > 0)
             problems.Add(Severity.Warning, "slice.purge", "The infill after a tool change is less than purge_volume_mm3. Set purge_tower=true.", null, left);
     }

@@ -9,11 +9,8 @@ public sealed record SliceOptions
     /// <summary>Memory limit for the layers. Exceeding it is the error <see cref="MemoryLimit.Code"/>.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
-    /// <summary>The printer whose bed has room for a purge tower. Null = unknown: the tower stands to the right of the models.</summary>
-    public Printer? Printer { get; init; }
-
-    /// <summary>Area of the bed that a purge tower keeps free besides the excluded areas of the printer, mm.</summary>
-    public Bounds KeepFree { get; init; } = Bounds.Empty;
+    /// <summary>The printer whose bed must have room for a purge tower beside the models.</summary>
+    public Printer Printer { get; init; } = new();
 
     /// <summary>
     /// Receives finished layers, all of one height together and from bottom to top, on a thread of the slicer. The layers of the result then have no steps.

@@ -21,31 +21,18 @@ internal sealed class PurgeTower
 
     /// <summary>Adds the layers of the tower to the turns, if tools purge.</summary>
     /// <param name="levels">The turns of each height.</param>
-    /// <param name="bodies">What stands on the bed.</param>
     /// <param name="settings">The settings of the print.</param>
-    /// <param name="printer">The printer; null = unknown.</param>
-    /// <param name="keepFree">Area of the bed that stays free.</param>
+    /// <param name="printer">The printer.</param>
     /// <exception cref="DiagnosticException">There is no place for the tower, or it cannot grow.</exception>
-    public static void Add(IReadOnlyList<ToolTurn[]> levels, IReadOnlyList<Body> bodies, PrintSettings settings, Printer? printer, Bounds keepFree)
+    public static void Add(IReadOnlyList<ToolTurn[]> levels, PrintSettings settings, Printer printer)
     {
         var tower = new PurgeTower(settings);
         tower.Plan(levels);
         if (tower._storeys.Count == 0) return;
-        var corner = TowerPlace.Find(tower._storeys[0].Depth, Obstacles(levels, bodies), settings, printer, keepFree);
+        var objects = levels.SelectMany(l => l).SelectMany(t => t.Layers).GroupBy(l => l.Layer.Object, StringComparer.Ordinal);
+        var obstacles = objects.Select(o => o.Aggregate(Bounds.Empty, (box, l) => box.Include(l.Region.Bounds).Include(l.Support.Bounds)));
+        var corner = TowerPlace.Find(tower._storeys[0].Depth, [.. obstacles.Select(Footprint.Of)], settings, printer);
         foreach (var storey in tower._storeys) tower.Print(storey, corner);
-    }
-
-    // Models and supports from above.
-    private static Footprint[] Obstacles(IReadOnlyList<ToolTurn[]> levels, IReadOnlyList<Body> bodies)
-    {
-        var supports = new Dictionary<string, Bounds>(StringComparer.Ordinal);
-        foreach (var layer in levels.SelectMany(l => l).SelectMany(t => t.Layers))
-        {
-            if (layer.Support.IsEmpty) continue;
-            var box = supports.TryGetValue(layer.Layer.Object, out var known) ? known : Bounds.Empty;
-            supports[layer.Layer.Object] = box.Include(layer.Support.Bounds);
-        }
-        return [.. bodies.Select(b => b.Model.Mesh).Where(m => !m.Bounds.IsEmpty).Select(Footprint.Of), .. supports.Values.Select(Footprint.Of)];
     }
 
     private void Plan(IReadOnlyList<ToolTurn[]> levels)

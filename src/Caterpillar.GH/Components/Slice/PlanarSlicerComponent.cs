@@ -37,9 +37,9 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         SliceModel[] all = [.. parts, .. modifiers];
         object[] helpers = modifiers.SelectMany(m => new object[] { m.Mesh.Mesh, m.Settings }).ToArray();
         // Only a purge tower depends on the bed.
-        var options = settings.PurgeTower ? new SliceOptions { Printer = setup.Printer, KeepFree = PrimedArea.Of(setup) } : null;
-        var result = run.Work("Slicing", [settings, models, parts.Select(p => p.Settings).ToArray(), helpers, options is null ? "" : setup.Printer],
-            (progress, cancel) => PlanarSlicer.SliceEach(all, settings, options, progress, cancel));
+        var printer = settings.PurgeTower ? PrimedArea.Excluded(setup, isForTower: true) : new Printer();
+        var result = run.Work("Slicing", [settings, models, parts.Select(p => p.Settings).ToArray(), helpers, printer],
+            (progress, cancel) => PlanarSlicer.SliceEach(all, settings, new SliceOptions { Printer = printer }, progress, cancel));
         SetResult(run, models, solids, result, setup);
     }
 

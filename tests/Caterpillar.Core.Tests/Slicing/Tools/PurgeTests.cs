@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
+using Caterpillar.Jobs;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Slicing;
@@ -112,7 +113,7 @@ public class PurgeTests
         var settings = Settings with { SkirtLoops = skirt, BrimWidth = brim };
         var middle = setup.Printer.BuildBounds.Center;
         var keepFree = new Bounds(new Vec3(-300, middle.Y - 30, 0), new Vec3(middle.X, middle.Y + 30, 1));
-        var options = new SliceOptions { Printer = setup.Printer, KeepFree = keepFree };
+        var options = new SliceOptions { Printer = setup.Printer with { ExcludedAreas = new(keepFree) } };
         SliceModel Block(double x, int tool)
             => new(new NamedMesh("part", Solids.Block(middle.X + x, middle.Y - 5, 0, middle.X + x + 8, middle.Y + 5, 0.5)), settings with { PartTool = tool });
         var layers = PlanarSlicer.SliceEach([Block(-10, 0), Block(2, 1)], settings, options).Value!.Layers;
@@ -233,14 +234,13 @@ public class PurgeTests
     public void Arranged_models_leave_room_for_the_tower()
     {
         // Sixteen fit on the bed, and with a tower fewer.
-        var models = new[] { new NamedMesh("part", Solids.Block(0, 0, 0, 45, 45, 0.5)) }.Copies(15);
-        var options = new ArrangeOptions { Settings = Settings, Spacing = 5 };
-        var arranged = ModelArranger.Arrange(models, ToolTests.TwoNozzles, options).Value!;
+        NamedMesh[] part = [new NamedMesh("part", Solids.Block(0, 0, 0, 45, 45, 0.5))];
+        var (setup, plain) = (new PrintSetup { Printer = ToolTests.TwoNozzles, Settings = Settings }, new PrintSetup());
+        Assert.That(ModelArranger.Arrange(part.Copies(16), PrimedArea.Excluded(plain)).Value, Is.Not.Null);
+        Assert.That(ModelArranger.Arrange(part.Copies(16), PrimedArea.Excluded(setup)).Diagnostics.Single().Code, Is.EqualTo("models.no_space"));
+        var arranged = ModelArranger.Arrange(part.Copies(13), PrimedArea.Excluded(setup)).Value!;
         var parts = arranged.Select((m, i) => new SliceModel(m, Settings with { PartTool = i % 2, InfillDensityPercent = 0 })).ToArray();
         Assert.That(PlanarSlicer.SliceEach(parts, Settings, OnBed).Value!.Layers.Count(IsTower), Is.EqualTo(2));
-        var full = ModelArranger.Arrange(new[] { models[0] }.Copies(16), ToolTests.TwoNozzles, options);
-        Assert.That(full.Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "models.no_space" }));
-        Assert.That(ModelArranger.Arrange(new[] { models[0] }.Copies(16), ToolTests.TwoNozzles, options with { Settings = null }).Value, Is.Not.Null);
     }
 
     private static bool IsTower(SlicedLayer layer) => layer.Steps[0].Path.Role == Role.PrimeTower;
