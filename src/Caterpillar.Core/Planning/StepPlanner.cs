@@ -108,8 +108,8 @@ internal sealed class StepPlanner
             return;
         }
         _counts.Paths++;
-        if (path.Tool != _emitter.Tool) SwitchTool(path.Tool, path);
         _emitter.EnterLayer(path.Layer);
+        if (path.Tool != _emitter.Tool) SwitchTool(path.Tool, path);
         var flows = _goesOn && _emitter.Retracted == 0 && _emitter.Position.DistanceTo(path.Start) <= TravelPlanner.Touching;
         _goesOn = step.GoesOn && IsNext(index, path.End);
         _travel.To(path.Start, direct: !_prepared, step.Region);

@@ -49,7 +49,7 @@ internal static class IdleSettings
         Unless("skirt_loops is above 0", s => s.SkirtLoops == 0, BedKeys.SkirtDistance),
         Unless("brim_width_mm is above 0", s => s.BrimWidth == 0, BedKeys.BrimType, BedKeys.BrimGap),
         Unless("raft_layers is above 0", s => s.RaftLayers == 0, BedKeys.RaftExpansion, BedKeys.RaftLayerHeight, BedKeys.RaftGap, BedKeys.RaftDensityPercent),
-        new(Severity.Warning, "with print_sequence=by_object", "A tower beside models would be in the way of the head",
+        new(Severity.Warning, "with print_sequence=by_object", "The head would hit a tower beside the models",
             s => s.PrintSequence == PrintSequence.ByObject, ToolKeys.PurgeTower),
         Unless("purge_tower=true", s => !s.PurgeTower, ToolKeys.PurgeTowerWidth, ToolKeys.PurgeTowerBrimWidth, ToolKeys.PurgeTowerPosition),
         Unless("purge_tower=true or purge_into_infill=true", s => s is { PurgeTower: false, PurgeIntoInfill: false }, ToolKeys.PurgeVolume),

@@ -29,7 +29,7 @@ internal sealed class LayerFinish(
     // What stands on the bed, where all layers are known; else those of the lowest height.
     private List<SlicedLayer>? _low;
 
-    // The layers of each height, where tools take turns: their order depends on all of them.
+    // The layers of each height, where tools take turns: their order depends on all of them. Curved layers keep theirs.
     private readonly List<SlicedLayer[]>? _levels = options.Divide is null && ToolTurns.AreNeeded(works, settings) ? [] : null;
     private bool _begun;
 

@@ -56,7 +56,7 @@ internal static class InfillPurge
     private static double VolumeOf(PrintPath path)
     {
         var volume = 0.0;
-        for (var i = 0; i < path.SegmentCount; i++) volume += path.BeadOf(i).Area * path.RawPoints[i].DistanceTo(path.RawPoints[(i + 1) % path.RawPoints.Length]);
+        for (var i = 0; i < path.SegmentCount; i++) volume += path.BeadOf(i).Area * path.RawPoints[i].DistanceTo(path.EndOf(i));
         return volume;
     }
 }

@@ -112,14 +112,15 @@ internal sealed class PurgeTower
 
     private static SlicedLayer LayerOf(Storey storey, Bounds box, int tool, List<(Vec3[] Points, bool Closed)> paths)
     {
+        var region = Region.From([new Polyline(Rectangle(box, 0), true)]);
         var steps = new List<PathStep>();
         var bead = storey.Rules.Bead(storey.Rules.Width);
         foreach (var (points, closed) in paths)
         {
             var path = PrintPath.Own(Array.ConvertAll(points, p => p.WithZ(storey.Layer.Z)), [bead], closed).With(Role.PrimeTower, storey.Layer, tool);
-            steps.Add(new PathStep(path, new StepGroup(0, 0, steps.Count)) { KeepStart = true });
+            steps.Add(new PathStep(path, new StepGroup(0, 0, steps.Count)) { KeepStart = true, Region = region });
         }
-        return new SlicedLayer(storey.Layer, Region.From([new Polyline(Rectangle(box, 0), true)]), steps);
+        return new SlicedLayer(storey.Layer, region, steps);
     }
 
     private IEnumerable<(Vec3[] Points, bool Closed)> Brim(Bounds box, SliceRules rules)

@@ -1,3 +1,4 @@
+using Caterpillar.Jobs;
 using Caterpillar.Slicing;
 
 namespace Caterpillar.GH.Components.Slice;

