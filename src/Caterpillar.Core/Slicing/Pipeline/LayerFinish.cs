@@ -30,7 +30,7 @@ internal sealed class LayerFinish(
     private List<SlicedLayer>? _low;
 
     // The layers of each height, where tools take turns: their order depends on all of them. Curved layers keep theirs.
-    private readonly List<SlicedLayer[]>? _levels = options.Divide is null && ToolTurns.AreNeeded(works, settings) ? [] : null;
+    private readonly List<SlicedLayer[]>? _levels = options.Divide is null && ToolTurns.AreNeeded(works) ? [] : null;
     private bool _begun;
 
     // Those of the height that is being collected, and all that are finished.

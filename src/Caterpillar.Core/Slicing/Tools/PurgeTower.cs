@@ -46,18 +46,19 @@ internal sealed class PurgeTower
             var layer = levels[i][0].Layers[0].Layer;
             var (gap, most) = (layer.Z - z, Math.Max(layer.Thickness, _settings.LargerLayerHeight));
             var purges = Array.FindAll(levels[i], t => t.Purge > 0);
-            // Between the layers of models with other heights it waits for the next change.
-            if (purges.Length == 0 && gap < layer.Thickness - Rounding && levels[i + 1][0].Layers[0].Layer.Z - z <= most + Rounding) continue;
+            // Between the layers of models with other heights it waits for the next one.
+            if (purges.Length == 0 && gap < layer.Thickness - Rounding) continue;
             if (gap < layer.Thickness / 4)
                 throw new DiagnosticException([new Diagnostic(Severity.Error, "slice.purge_tower", "Tools change at z = "
                     + $"{NumberFormatter.Format(layer.Z, 3)} mm, only {NumberFormatter.Format(gap, 3)} mm above the purge tower. "
                     + "Print all models with the same layer heights.")]);
-            // Where a gap parts raft and models it grows in several layers.
+            // Where it has waited, and beside the gap above a raft, it grows in several layers.
             var pieces = (int)Math.Ceiling(gap / most - Rounding);
             for (var k = 1; k <= pieces; k++)
             {
                 var own = new Layer(layer.Index, k == pieces ? layer.Z : z + gap * k / pieces, gap / pieces, "");
-                _storeys.Add(new Storey(own, RulesOf(gap / pieces), levels[i], k == pieces ? purges : []));
+                var purging = k == pieces && purges.Length > 0;
+                _storeys.Add(new Storey(own, RulesOf(gap / pieces), purging ? purges : [levels[i][0]], purging));
             }
             z = layer.Z;
         }
@@ -66,7 +67,7 @@ internal sealed class PurgeTower
         {
             var storey = _storeys[i];
             var rows = RowsOf(storey);
-            depth = Math.Max(depth, rows.DepthOf(storey.Purges.Sum(t => rows.CountFor(t.Purge))));
+            if (storey.Purges) depth = Math.Max(depth, rows.DepthOf(storey.Visits.Sum(t => rows.CountFor(t.Purge))));
             storey.Depth = depth;
         }
     }
@@ -82,18 +83,17 @@ internal sealed class PurgeTower
 
     private void Print(Storey storey, Vec3 corner)
     {
-        var (rules, purges, size) = (storey.Rules, storey.Purges, RowsOf(storey));
+        var (rules, size) = (storey.Rules, RowsOf(storey));
         var (pitch, inset, half) = (size.Pitch, size.Inset, rules.Width / 2);
         var box = new Bounds(corner, corner + new Vec3(_settings.PurgeTowerWidth, storey.Depth));
         double left = box.Min.X + inset, right = box.Max.X - inset, y = box.Min.Y + half + pitch, rear = box.Max.Y - half - pitch;
         var isFirst = ReferenceEquals(storey, _storeys[0]);
-        for (var i = 0; i < Math.Max(1, purges.Length); i++)
+        foreach (var turn in storey.Visits)
         {
-            var turn = purges.Length > 0 ? purges[i] : storey.Turns[0];
             var paths = new List<(Vec3[] Points, bool Closed)>();
-            if (isFirst && i == 0) paths.AddRange(Brim(box, rules));
-            var rows = purges.Length > 0 ? size.CountFor(turn.Purge) : 0;
-            var ends = i >= purges.Length - 1;
+            if (isFirst && turn == storey.Visits[0]) paths.AddRange(Brim(box, rules));
+            var rows = storey.Purges ? size.CountFor(turn.Purge) : 0;
+            var ends = turn == storey.Visits[storey.Visits.Length - 1];
             // It stands on a closed layer.
             if (ends && isFirst) rows += Math.Max(0, (int)((rear - y) / pitch + 1 - rows + 1e-6));
             if (rows > 0) paths.Add((Zigzag(rows, y, pitch, left, right), false));
@@ -151,16 +151,16 @@ internal sealed class PurgeTower
 
     private static Vec3[] Upright(Vec3[] points) => Array.ConvertAll(points, p => new Vec3(p.Y, p.X));
 
-    // A layer of the tower, and the turns that purge on it.
-    private sealed class Storey(Layer layer, SliceRules rules, ToolTurn[] turns, ToolTurn[] purges)
+    // A layer of the tower, and the turns that print it.
+    private sealed class Storey(Layer layer, SliceRules rules, ToolTurn[] visits, bool purges)
     {
         public Layer Layer { get; } = layer;
 
         public SliceRules Rules { get; } = rules;
 
-        public ToolTurn[] Turns { get; } = turns;
+        public ToolTurn[] Visits { get; } = visits;
 
-        public ToolTurn[] Purges { get; } = purges;
+        public bool Purges { get; } = purges;
 
         public double Depth { get; set; }
     }

@@ -22,25 +22,8 @@ internal sealed class ToolTurn(int tool, bool changes, List<SlicedLayer> layers)
 internal static class ToolTurns
 {
     /// <summary>True if layers may need several tools.</summary>
-    /// <param name="works">The layers.</param>
-    /// <param name="settings">The settings of the print.</param>
-    public static bool AreNeeded(LayerWork[] works, PrintSettings settings)
-    {
-        var tools = new HashSet<int>(settings.RaftLayers > 0 ? [settings.ToolOf(Role.Raft)] : []);
-        PrintSettings? last = null;
-        foreach (var work in works)
-        {
-            Add(work.Rules);
-            foreach (var (rules, _) in work.Modifiers) Add(rules);
-        }
-        return tools.Count > 1;
-
-        void Add(SliceRules rules)
-        {
-            if (!ReferenceEquals(rules.Settings, last)) tools.UnionWith(rules.Settings.Tools);
-            last = rules.Settings;
-        }
-    }
+    public static bool AreNeeded(LayerWork[] works)
+        => works.SelectMany(w => w.Modifiers.Select(m => m.Rules).Prepend(w.Rules)).SelectMany(r => r.Settings.Tools).Distinct().Skip(1).Any();
 
     /// <summary>The turns of each height. The print begins with tool 0.</summary>
     public static List<ToolTurn[]> Of(IReadOnlyList<SlicedLayer[]> levels)
