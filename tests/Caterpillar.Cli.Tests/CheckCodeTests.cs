@@ -103,6 +103,7 @@ public class CheckCodeTests : CliFixture
         CheckCodes.Tool => "T3\n" + Extrusion(30, 10),
         CheckCodes.NozzleTemperature => "M104 S500\n",
         CheckCodes.BedTemperature => "M140 S300\nM140 S0\n",
+        CheckCodes.ChamberTemperature => "M141 S90\nM141 S0\n",
         CheckCodes.Stationary => "G1 E300\n",
         CheckCodes.Amount => "G1 X60 E-500\n",
         CheckCodes.Starved => Extrusion(30, 10) + "G1 X31 E-0.3\n" + Extrusion(50, 10),

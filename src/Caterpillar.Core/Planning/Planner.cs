@@ -72,7 +72,8 @@ public static class Planner
 
     internal static PlanRules Rules(PrintSetup setup, PlanPolicy policy)
     {
-        var (printer, settings) = (setup.Printer, setup.Settings);
+        var (printer, material, settings) = (setup.Printer, setup.Material, setup.Settings);
+        var motion = policy == PlanPolicy.AsDrawn ? null : setup.Motion;
         var heads = HeadCorridor.Rings(printer.HeadOutline.Select(p => (p.Radius, p.Height)))
             .Concat(printer.HeadBoxes.Select(b => (
                 Math.Sqrt(Math.Pow(Math.Max(Math.Abs(b.Min.X), Math.Abs(b.Max.X)), 2) + Math.Pow(Math.Max(Math.Abs(b.Min.Y), Math.Abs(b.Max.Y)), 2)), b.Min.Z)))
@@ -80,13 +81,13 @@ public static class Planner
         return new PlanRules
         {
             Policy = policy,
-            Tools = [.. Enumerable.Range(0, printer.ToolCount).Select(tool => ToolRulesOf(setup, tool, policy))],
+            Tools = [.. Enumerable.Range(0, printer.ToolCount).Select(tool => ToolRulesOf(setup.OfTool(tool), policy))],
             SharedNozzle = printer.SharedNozzle,
             PrintSpeed = settings.SpeedOf,
             TravelSpeed = settings.TravelSpeed,
             ZHopSpeed = printer.ZHopSpeed,
             Lift = settings.ZHopType switch { ZHopType.AbovePrint => LiftRule.Highest, ZHopType.AbovePath => LiftRule.Corridor, _ => LiftRule.None },
-            Clearance = printer.ZHop,
+            Clearance = setup.ZHop,
             MinLiftTravel = settings.ZHopMinTravel,
             Head = heads.Length > 0 ? new HeadCorridor(heads) : new HeadCorridor(printer.NozzleDiameter),
             Outline = new HeadShape(printer.HeadOutline.Select(p => (p.Radius, p.Height))),
@@ -102,35 +103,44 @@ public static class Planner
             Reach = printer.BuildBounds,
             MinRetractTravel = settings.RetractionMinTravel,
             // Firmware retraction cannot be spread over a move.
-            WipeDistance = printer.FirmwareRetraction ? 0 : settings.WipeDistance,
-            TowerWipeDistance = printer.FirmwareRetraction ? 0 : Math.Max(TowerWipe, settings.WipeDistance),
+            WipeDistance = printer.FirmwareRetraction ? 0 : setup.WipeDistance,
+            TowerWipeDistance = printer.FirmwareRetraction ? 0 : TowerWipe,
             StartDistance = settings.StartDistance,
             CoastingDistance = settings.CoastingDistance,
             SeamGap = settings.SeamGap,
             DeretractDuringDescent = settings.DeretractDuringDescent && !printer.FirmwareRetraction,
             Shape = settings.BeadShape,
+            BedTemperature = material.BedTemperature > 0 ? material.BedTemperature : null,
+            FirstLayerBedTemperature = material.FirstLayerBedTemperature > 0 && material.BedTemperature > 0 ? material.FirstLayerBedTemperature : null,
             Acceleration = printer.PrintAcceleration,
+            Motion = motion is { HasAcceleration: true } or { JerkLimit: not null } ? motion : null,
+            SeparateAccelerations = printer.Flavor.SeparateAccelerations,
+            FirmwareRetraction = motion is not null && printer.FirmwareRetraction && (material.RetractionLength ?? material.RetractionSpeed) is not null
+                ? new RetractionEvent(material.RetractionLength, material.RetractionSpeed, null, null) : null,
             FirstLayerHeight = settings.FirstLayerHeight,
             LayerHeight = settings.LayerHeight,
         };
     }
 
-    private static ToolRules ToolRulesOf(PrintSetup setup, int tool, PlanPolicy policy)
+    private static ToolRules ToolRulesOf(PrintSetup setup, PlanPolicy policy)
     {
         static double? Given(double celsius) => celsius > 0 ? celsius : null;
 
-        var (printer, material, law) = (setup.Printer, setup.MaterialOf(tool), setup.ExtrusionOf(tool));
+        var (printer, material, law) = (setup.Printer, setup.Material, setup.Extrusion);
         var celsius = Given(material.NozzleTemperature);
         return new ToolRules(
             law.VolumePerE,
-            law.EOfFilament(printer.RetractionLength),
-            printer.RetractionSpeed,
-            printer.DeretractionSpeed > 0 ? printer.DeretractionSpeed : printer.RetractionSpeed,
+            law.EOfFilament(setup.RetractionLength),
+            setup.RetractionSpeed,
+            printer.DeretractionSpeed > 0 ? printer.DeretractionSpeed : setup.RetractionSpeed,
             law.EOfFilament(printer.DeretractionExtra),
             law.FilamentPerE)
         {
+            PressureAdvance = policy == PlanPolicy.AsDrawn ? null : material.PressureAdvance,
+            WipeDistance = material.WipeDistance is { } wipe && !printer.FirmwareRetraction ? wipe : null,
+            Clearance = material.ZHop,
             // As drawn, a design that asks for too much is refused when it is written.
-            MaxFlow = policy == PlanPolicy.AsDrawn ? double.PositiveInfinity : setup.MaxFlowOf(tool),
+            MaxFlow = policy == PlanPolicy.AsDrawn ? double.PositiveInfinity : setup.MaxFlow,
             NozzleTemperature = celsius,
             FirstLayerNozzleTemperature = celsius is null ? null : Given(material.FirstLayerNozzleTemperature),
             StandbyTemperature = celsius is null || printer.SharedNozzle ? null : Given(material.StandbyTemperature),

@@ -44,6 +44,9 @@ internal sealed class StepPlanner
         _travel = new TravelPlanner(rules, _emitter, counts, _deposit) { RisesFirst = obstacle is not null };
         _printer = new PathPrinter(rules, _emitter, counts, _deposit, _slowed);
         _overrides = new OverrideState(rules, _emitter);
+        if (rules.Motion is not null) _emitter.BeforeTravel = _overrides.Travel;
+        _emitter.StateTool();
+        if (rules.FirmwareRetraction is { } retraction) _emitter.Event(retraction);
     }
 
     /// <summary>Writes the moves of the next steps.</summary>

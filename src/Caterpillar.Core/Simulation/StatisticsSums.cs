@@ -46,7 +46,7 @@ internal sealed class StatisticsSums
             var sum = pair.Value;
             all.Volume += sum.Volume;
             all.VolumeUnknown |= sum.VolumeUnknown;
-            var (material, filament) = (_timeline.Setup.MaterialOf(pair.Key), FilamentOf(pair.Key, sum.E));
+            var (material, filament) = (_timeline.Setup.OfTool(pair.Key).Material, FilamentOf(pair.Key, sum.E));
             all.E += filament;
             // mm³ and g/cm³
             var grams = sum.KnownVolume / 1000 * material.Density;

@@ -124,6 +124,7 @@ public class CheckCodeTests
         CheckCodes.Tool => (new SmallPrint().Event(new ToolEvent(3)).Print(30, 10, 0.2, tool: 3), null),
         CheckCodes.NozzleTemperature => (new SmallPrint().Event(new NozzleTemperatureEvent(500)).Print(30, 10, 0.2), null),
         CheckCodes.BedTemperature => (new SmallPrint().Event(new BedTemperatureEvent(300)).Print(30, 10, 0.2), null),
+        CheckCodes.ChamberTemperature => (new SmallPrint().Event(new ChamberTemperatureEvent(90)).Print(30, 10, 0.2), null),
         CheckCodes.Stationary => (At(10, 10, 0.2).Print(30, 10, 0.2).Go(30, 10, 50).Prime(600), null),
         CheckCodes.Amount => (At(10, 10, 0.2).Print(30, 10, 0.2, 30), null),
         CheckCodes.ColdExtrusion => (new SmallPrint().Event(new NozzleTemperatureEvent(50)).Print(30, 10, 0.2), null),

@@ -23,7 +23,7 @@ public class ProfileCheckTests
     {
         var setup = Library.Setup(name).OrThrow();
         var (height, center) = (setup.Settings.FirstLayerHeight, setup.Printer.BuildBounds.Center);
-        var bead = new Bead(setup.Settings.LineWidth * height, height, Math.Min(20, setup.MaxFlowOf(0) / (setup.Settings.LineWidth * height)));
+        var bead = new Bead(setup.Settings.LineWidth * height, height, Math.Min(20, setup.MaxFlow / (setup.Settings.LineWidth * height)));
         if (setup.Printer.ExtrusionUnit == ExtrusionUnit.None) bead = new Bead(0, 0, 20);
         Vec3 At(double x, double y) => new(center.X + x, center.Y + y, height);
         var path = new PrintPath([At(-10, -10), At(10, -10), At(10, 10), At(-10, 10), At(-10, -9)], bead);

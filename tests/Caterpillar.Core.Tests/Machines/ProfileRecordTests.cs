@@ -54,8 +54,8 @@ public class ProfileRecordTests
     public void The_weaker_of_machine_and_material_limits_the_flow()
     {
         var setup = new PrintSetup { Printer = new Printer { MaxFlow = 12 }, Material = new Material { MaxFlow = 8 } };
-        Assert.That(setup.MaxFlowOf(0), Is.EqualTo(8));
-        Assert.That((setup with { Material = new Material() }).MaxFlowOf(0), Is.EqualTo(12));
-        Assert.That((setup with { Material = new Material(), Printer = new Printer { MaxFlow = 0 } }).MaxFlowOf(0), Is.EqualTo(double.PositiveInfinity));
+        Assert.That(setup.MaxFlow, Is.EqualTo(8));
+        Assert.That((setup with { Material = new Material() }).MaxFlow, Is.EqualTo(12));
+        Assert.That((setup with { Material = new Material(), Printer = new Printer { MaxFlow = 0 } }).MaxFlow, Is.EqualTo(double.PositiveInfinity));
     }
 }

@@ -22,7 +22,7 @@ internal sealed class ExtruderCheck(PrintSetup setup, Findings findings) : IMove
 
     // What may be retracted along a path, also because as much was retracted in place before, as for a change of filament.
     private readonly double _usual
-        = Math.Max(LongestWipe, MostRetractions * setup.Printer.RetractionLength) * ExtrusionModel.FilamentAreaOf(setup.Material.FilamentDiameter);
+        = Math.Max(LongestWipe, MostRetractions * setup.RetractionLength) * ExtrusionModel.FilamentAreaOf(setup.Material.FilamentDiameter);
 
     private double _most;
 

@@ -17,6 +17,7 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
     private readonly MachineLimits _own = new(setup.Printer);
     private readonly MachineLimits _limits = new(setup.Printer);
     private readonly double[] _filamentPerE = MotionPlanner.FilamentPerE(tools, setup);
+    private readonly double[] _maxFlows = [.. Enumerable.Range(0, setup.Printer.ToolCount).Select(tool => setup.OfTool(tool).MaxFlow)];
     private bool _raised;
 
     // What rounding in a file may change: coordinates in mm, E, speeds in mm/s.
@@ -62,7 +63,8 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
         var flow = move.Deposited / move.Length * Math.Min(move.Speed, most);
         // In short and in slow moves the last decimals count for more.
         var least = (move.Deposited - _roundedE * move.Pushed / move.E) / (move.Length + 2 * _roundedXyz) * Math.Min(move.Speed - _roundedF / 2, most);
-        if (least > setup.MaxFlowOf(move.Tool) * Rounding) ReportFlow(flow, setup.MaxFlowOf(move.Tool), move.Index);
+        var allowed = _maxFlows[Math.Min(Math.Max(move.Tool, 0), _maxFlows.Length - 1)];
+        if (least > allowed * Rounding) ReportFlow(flow, allowed, move.Index);
     }
 
     public void End(Toolpath whole)
@@ -81,7 +83,7 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
     // Of the limits for corners only those of the firmware's own rule.
     private bool Counts(MotionLimit limit) => limit switch
     {
-        >= MotionLimit.JerkX and <= MotionLimit.JerkE => _printer.Cornering == Cornering.Jerk,
+        >= MotionLimit.JerkX and <= MotionLimit.JerkE or MotionLimit.HeadJerk => _printer.Cornering == Cornering.Jerk,
         MotionLimit.JunctionDeviation => _printer.Cornering == Cornering.JunctionDeviation,
         MotionLimit.SquareCornerVelocity or MotionLimit.Speed => _printer.Cornering == Cornering.SquareCornerVelocity,
         MotionLimit.MinimumCruiseRatio => false,
@@ -108,6 +110,7 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
         <= MotionLimit.SpeedE => $"The maximum speed of {"XYZE"[limit - MotionLimit.SpeedX]}",
         <= MotionLimit.JerkE => $"The jerk of {"XYZE"[limit - MotionLimit.JerkX]}",
         MotionLimit.JunctionDeviation => "The junction deviation",
+        MotionLimit.HeadJerk => "The jerk of X and Y",
         MotionLimit.SquareCornerVelocity => "The square corner velocity",
         _ => "The maximum speed of the print head",
     };

@@ -97,6 +97,6 @@ public static class PrintCheck
     {
         if (toolpath.Tools.All(t => t.VolumePerE is not null) || setup.Printer.ExtrusionUnit == ExtrusionUnit.None) return toolpath;
         return toolpath.WithTools(toolpath.Tools.Select((t, i)
-            => t.VolumePerE is null ? new ToolpathTool(ExtrusionModel.FilamentAreaOf(setup.MaterialOf(i).FilamentDiameter)) : t));
+            => t.VolumePerE is null ? new ToolpathTool(ExtrusionModel.FilamentAreaOf(setup.OfTool(i).Material.FilamentDiameter)) : t));
     }
 }

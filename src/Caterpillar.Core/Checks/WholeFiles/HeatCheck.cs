@@ -9,6 +9,7 @@ internal sealed class HeatCheck : IMoveCheck
     private readonly double _needed;
     private readonly NozzleTemperatures _nozzles;
     private MoveEvent? _bed;
+    private MoveEvent? _chamber;
     private bool _heats;
     private int? _firstExtrusion;
 
@@ -22,13 +23,15 @@ internal sealed class HeatCheck : IMoveCheck
         foreach (var material in setup.ToolMaterials.Append(setup.Material))
         {
             Nozzle(Math.Max(material.NozzleTemperature, material.FirstLayerNozzleTemperature), () => null);
-            Bed(material.BedTemperature, () => null);
+            Bed(Math.Max(material.BedTemperature, material.FirstLayerBedTemperature), () => null);
+            Chamber(material.ChamberTemperature, () => null);
         }
     }
 
     public IReadOnlyList<string> Codes =>
     [
-        CheckCodes.NozzleTemperature, CheckCodes.BedTemperature, CheckCodes.ColdExtrusion, CheckCodes.NoHeating, CheckCodes.HeatLeftOn,
+        CheckCodes.NozzleTemperature, CheckCodes.BedTemperature, CheckCodes.ChamberTemperature, CheckCodes.ColdExtrusion, CheckCodes.NoHeating,
+        CheckCodes.HeatLeftOn,
     ];
 
     public void Event(MoveEvent what)
@@ -42,6 +45,10 @@ internal sealed class HeatCheck : IMoveCheck
             case BedTemperatureEvent bed:
                 _bed = what;
                 Bed(bed.Celsius, () => PlaceOf(what));
+                break;
+            case ChamberTemperatureEvent chamber:
+                _chamber = what;
+                Chamber(chamber.Celsius, () => PlaceOf(what));
                 break;
         }
         _nozzles.Take(what);
@@ -65,6 +72,8 @@ internal sealed class HeatCheck : IMoveCheck
             _findings.Add(CheckCodes.HeatLeftOn, () => PlaceOf(nozzle), () => Left("nozzle", ((NozzleTemperatureEvent)nozzle.Event).Celsius, "M104 S0"));
         if (_bed is { Event: BedTemperatureEvent { Celsius: > 0 } left } bed)
             _findings.Add(CheckCodes.HeatLeftOn, () => PlaceOf(bed), () => Left("bed", left.Celsius, "M140 S0"));
+        if (_chamber is { Event: ChamberTemperatureEvent { Celsius: > 0 } warm } chamber)
+            _findings.Add(CheckCodes.HeatLeftOn, () => PlaceOf(chamber), () => Left("chamber", warm.Celsius, "M141 S0"));
     }
 
     private void ReportCold(int move, double celsius, MoveEvent? set)
@@ -94,6 +103,12 @@ internal sealed class HeatCheck : IMoveCheck
     {
         if (celsius > _printer.MaxBedTemperature)
             _findings.Add(CheckCodes.BedTemperature, place, () => Sentence("bed", celsius, _printer.MaxBedTemperature));
+    }
+
+    private void Chamber(double celsius, Func<SourceLocation?> place)
+    {
+        if (celsius > _printer.MaxChamberTemperature)
+            _findings.Add(CheckCodes.ChamberTemperature, place, () => Sentence("chamber", celsius, _printer.MaxChamberTemperature));
     }
 
     private string Sentence(string part, double celsius, double most)

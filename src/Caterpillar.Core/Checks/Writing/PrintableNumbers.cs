@@ -51,6 +51,8 @@ internal static class PrintableNumbers
     {
         NozzleTemperatureEvent nozzle => nozzle.Celsius,
         BedTemperatureEvent bed => bed.Celsius,
+        ChamberTemperatureEvent chamber => chamber.Celsius,
+        PressureAdvanceEvent advance => advance.Seconds,
         FanEvent fan => fan.Speed,
         AccelerationEvent acceleration => acceleration.Value,
         LimitEvent limit => limit.Value,

@@ -41,6 +41,7 @@ public static partial class FlavorTable
         Title = "Marlin 2",
         Progress = ProgressCommand.PercentAndMinutes,
         OtherNames = ["marlin", "reprapmarlinsprinter"],
+        SeparateAccelerations = true,
         Source =
             "Marlin 2.1, Marlin/src/gcode: gcode.cpp (get_destination_from_command, process_parsed_command), gcode.h (set_relative_mode, "
             + "axis_is_relative), parser.h (axis_unit_factor), motion/G2_G3.cpp (G2_G3, plan_arc), motion/G4.cpp, motion/G5.cpp, motion/M290.cpp, "

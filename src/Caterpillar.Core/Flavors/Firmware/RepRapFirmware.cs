@@ -9,6 +9,7 @@ public static partial class FlavorTable
         Title = "RepRapFirmware",
         Progress = ProgressCommand.PercentAndMinutes,
         Limits = LimitCommands.RepRapFirmware,
+        SeparateAccelerations = true,
         OtherNames = ["rrf", "duet"],
         Source =
             "RepRapFirmware 3.5.3 (2024-10-23), src/GCodes: GCodes.cpp (DoStraightMove, DoArcMove, LoadExtrusionAndFeedrateFromGCode, DoDwell), "

@@ -7,6 +7,8 @@ public static partial class FlavorTable
     {
         Name = "repetier",
         Title = "Repetier",
+        Limits = LimitCommands.Repetier,
+        SeparateAccelerations = true,
         Source =
             "Repetier-Firmware 1.0.4, src/ArduinoAVR/Repetier: Printer.cpp (setDestinationStepsFromGCode), Commands.cpp (processGCode, processMCode, "
             + "processArc), gcode.cpp (parseAscii), motion.cpp (PrintLine::arc), Extruder.cpp (selectExtruderById)",

@@ -6,6 +6,9 @@ public sealed partial record FlavorRules
     /// <summary>Commands that set limits of speed and acceleration.</summary>
     internal LimitCommands Limits { get; init; }
 
+    /// <summary>Printing and travel moves have commands for their accelerations (M204 P and T, M201 and M202). Otherwise M204 S is for both.</summary>
+    internal bool SeparateAccelerations { get; init; }
+
     /// <summary>What M73 shows.</summary>
     internal ProgressCommand Progress { get; init; }
 }
@@ -24,6 +27,9 @@ internal enum LimitCommands
 
     /// <summary>M204 S, or the lesser of P and T; SET_VELOCITY_LIMIT.</summary>
     Klipper,
+
+    /// <summary>M201 X Y of printing and M202 X Y of travel moves in mm/s², M207 X (jerk of X and Y in mm/s).</summary>
+    Repetier,
 }
 
 /// <summary>What M73 shows on the display of the printer.</summary>

@@ -28,6 +28,16 @@ internal static class EventText
             case ToolEvent tool:
                 yield return Tool(tool.Tool, rules);
                 break;
+            case ChamberTemperatureEvent chamber:
+                yield return (chamber.Wait ? "M191 S" : "M141 S") + NumberFormatter.Format(chamber.Celsius, 1);
+                break;
+            case PressureAdvanceEvent advance:
+                foreach (var line in SetupFindings.PressureAdvance(rules, advance.Seconds, advance.Tool)) yield return line;
+                break;
+            case AccelerationEvent acceleration when rules.Limits == LimitCommands.Repetier:
+                yield return LimitText.Line(new LimitEvent(MotionLimit.PrintAcceleration, acceleration.Value), rules.Limits)!;
+                yield return LimitText.Line(new LimitEvent(MotionLimit.TravelAcceleration, acceleration.Value), rules.Limits)!;
+                break;
             case AccelerationEvent acceleration:
                 yield return "M204 S" + NumberFormatter.Format(acceleration.Value, 0);
                 break;

@@ -12,6 +12,7 @@ internal static class LimitText
             : what.Limit == MotionLimit.JunctionDeviation ? "M205 J" + Number(what.Value, 5) : null),
         LimitCommands.RepRapFirmware => Words(what, 60, "M566"),
         LimitCommands.Klipper => Named(what),
+        LimitCommands.Repetier => Repetier(what),
         _ => null,
     };
 
@@ -19,6 +20,7 @@ internal static class LimitText
     {
         MotionLimit.PrintAcceleration => "M204 P" + Number(what.Value, 3),
         MotionLimit.TravelAcceleration => "M204 T" + Number(what.Value, 3),
+        MotionLimit.HeadJerk => jerk + Both(what.Value * speedUnit),
         >= MotionLimit.AccelerationX and <= MotionLimit.AccelerationE => "M201 " + Axis(what.Limit - MotionLimit.AccelerationX) + Number(what.Value, 3),
         >= MotionLimit.SpeedX and <= MotionLimit.SpeedE => "M203 " + Axis(what.Limit - MotionLimit.SpeedX) + Number(what.Value * speedUnit, 3),
         >= MotionLimit.JerkX and <= MotionLimit.JerkE => jerk + " " + Axis(what.Limit - MotionLimit.JerkX) + Number(what.Value * speedUnit, 3),
@@ -34,6 +36,16 @@ internal static class LimitText
         MotionLimit.MinimumCruiseRatio => "SET_VELOCITY_LIMIT MINIMUM_CRUISE_RATIO=" + Number(what.Value, 4),
         _ => null,
     };
+
+    private static string? Repetier(LimitEvent what) => what.Limit switch
+    {
+        MotionLimit.PrintAcceleration => "M201" + Both(what.Value),
+        MotionLimit.TravelAcceleration => "M202" + Both(what.Value),
+        MotionLimit.HeadJerk => "M207 X" + Number(what.Value, 3),
+        _ => null,
+    };
+
+    private static string Both(double value) => " X" + Number(value, 3) + " Y" + Number(value, 3);
 
     private static char Axis(int number) => "XYZE"[number];
 

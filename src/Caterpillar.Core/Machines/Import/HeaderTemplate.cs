@@ -13,7 +13,7 @@ internal sealed class HeaderTemplate(HeaderText header, string file, DiagnosticL
         foreach (var line in header.Lines)
         {
             if (line.IsCommand("M104", "M109")) Heat(line, facts.NozzleTemperature, "nozzle_temperature_c", "start_nozzle_temperature_c");
-            else if (line.IsCommand("M140", "M190")) Heat(line, facts.BedTemperature, "bed_temperature_c", "bed_temperature_c");
+            else if (line.IsCommand("M140", "M190")) Heat(line, facts.BedTemperature, "bed_temperature_c", "start_bed_temperature_c");
             else Add(line);
         }
         return new ValueList<string>(_lines);

@@ -19,6 +19,10 @@ internal sealed class KeyTable<T> : List<ProfileKey<T>>
     public ProfileKey<T, double> NumberOrZero(string name, double least, double max, Func<T, double> get, Func<T, double, T> set)
         => Of(name, new NumberFormat(0, max, least), get, set);
 
+    /// <summary>A number, or null for the value of another profile.</summary>
+    public ProfileKey<T, double?> Optional(string name, double min, double max, Func<T, double?> get, Func<T, double?, T> set)
+        => Of(name, new OptionalNumberFormat(min, max), get, set);
+
     public ProfileKey<T, int> Integer(string name, int min, int max, Func<T, int> get, Func<T, int, T> set)
         => Of(name, new IntegerFormat(min, max), get, set);
 

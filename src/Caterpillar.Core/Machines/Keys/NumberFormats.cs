@@ -26,6 +26,29 @@ internal sealed class NumberFormat(double min, double max, double leastAboveZero
     private static string Shown(double value) => double.IsInfinity(value) ? "infinite" : NumberFormatter.Shortest(value);
 }
 
+/// <summary>A number in a range, or nothing: an empty text.</summary>
+internal sealed class OptionalNumberFormat(double min, double max) : KeyFormat<double?>(KeyKind.Number, "a number, or an empty text")
+{
+    private readonly NumberFormat _number = new(min, max);
+
+    public override string Range => _number.Range + ", or empty";
+
+    public override IReadOnlyList<KeyValuePair<string, object>> Schema
+        => [new("type", new object[] { "number", "string" }), new("minimum", min), new("maximum", max), new("maxLength", 0.0)];
+
+    public override object? Parse(string text) => text.Trim().Length == 0 ? "" : _number.Parse(text);
+
+    public override bool TryRead(object raw, out double? value)
+    {
+        value = raw as double?;
+        return raw is double or "";
+    }
+
+    public override object Write(double? value) => value is { } number ? number : "";
+
+    public override string? Problem(double? value) => value is { } number ? _number.Problem(number) : null;
+}
+
 /// <summary>An integer in a range.</summary>
 internal sealed class IntegerFormat(int min, int max) : KeyFormat<int>(KeyKind.Integer, "an integer")
 {

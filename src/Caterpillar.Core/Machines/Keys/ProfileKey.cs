@@ -92,7 +92,7 @@ internal sealed class ProfileKey<TProfile, TValue>(
     /// <exception cref="ArgumentOutOfRangeException">It is not.</exception>
     public TValue Check(TValue value)
     {
-        if (value is null) throw new ArgumentNullException(nameof(value), Name);
+        if (value is null && !typeof(TValue).IsValueType) throw new ArgumentNullException(nameof(value), Name);
         return format.Problem(value) is { } problem ? throw new ArgumentOutOfRangeException(nameof(value), value, Name + ": " + problem) : value;
     }
 

@@ -1,4 +1,5 @@
 using IntegerKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Material, int>;
+using OptionalKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Material, double?>;
 using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Material, double>;
 
 namespace Caterpillar.Machines;
@@ -30,6 +31,12 @@ public sealed record Material
     /// <summary>Bed temperature; 0 = off.</summary> <value>°C.</value>
     public double BedTemperature { get; init => field = MaterialKeys.BedTemperature.Check(value); } = 60;
 
+    /// <summary>Bed temperature of the first layer; 0 = bed_temperature_c.</summary> <value>°C.</value>
+    public double FirstLayerBedTemperature { get; init => field = MaterialKeys.FirstLayerBedTemperature.Check(value); }
+
+    /// <summary>Chamber temperature; 0 = off.</summary> <value>°C.</value>
+    public double ChamberTemperature { get; init => field = MaterialKeys.ChamberTemperature.Check(value); }
+
     /// <summary>Flow ratio of all extrusions.</summary> <remarks>1 if the material exactly fills the requested bead.</remarks>
     public double FlowRatio { get; init => field = MaterialKeys.FlowRatio.Check(value); } = 1;
 
@@ -54,6 +61,21 @@ public sealed record Material
     /// <summary>Maximum volumetric flow of the material; 0 = unknown.</summary> <value>mm³/s.</value>
     public double MaxFlow { get; init => field = MaterialKeys.MaxFlow.Check(value); }
 
+    /// <summary>Pressure advance (linear advance K); empty = as the firmware has it.</summary> <value>s.</value>
+    public double? PressureAdvance { get; init => field = MaterialKeys.PressureAdvance.Check(value); }
+
+    /// <summary>Retraction length of the material; empty = retraction_length_mm.</summary> <value>mm.</value>
+    public double? RetractionLength { get; init => field = MaterialKeys.RetractionLength.Check(value); }
+
+    /// <summary>Retraction speed of the material; empty = retraction_speed_mm_s.</summary> <value>mm/s.</value>
+    public double? RetractionSpeed { get; init => field = MaterialKeys.RetractionSpeed.Check(value); }
+
+    /// <summary>Z-hop of the material; empty = z_hop_mm.</summary> <value>mm.</value>
+    public double? ZHop { get; init => field = MaterialKeys.ZHop.Check(value); }
+
+    /// <summary>Wipe distance of the material; empty = wipe_distance_mm.</summary> <value>mm.</value>
+    public double? WipeDistance { get; init => field = MaterialKeys.WipeDistance.Check(value); }
+
     public override string ToString() => Title;
 }
 
@@ -72,6 +94,10 @@ internal static class MaterialKeys
     public static readonly NumberKey StandbyTemperature
         = All.Number("standby_temperature_c", 0, 2000, m => m.StandbyTemperature, (m, v) => m with { StandbyTemperature = v });
     public static readonly NumberKey BedTemperature = All.Number("bed_temperature_c", 0, 500, m => m.BedTemperature, (m, v) => m with { BedTemperature = v });
+    public static readonly NumberKey FirstLayerBedTemperature
+        = All.Number("first_layer_bed_temperature_c", 0, 500, m => m.FirstLayerBedTemperature, (m, v) => m with { FirstLayerBedTemperature = v });
+    public static readonly NumberKey ChamberTemperature
+        = All.Number("chamber_temperature_c", 0, 500, m => m.ChamberTemperature, (m, v) => m with { ChamberTemperature = v });
     public static readonly NumberKey FlowRatio = All.Number("flow_ratio", 0.01, 100, m => m.FlowRatio, (m, v) => m with { FlowRatio = v });
     public static readonly NumberKey MinFanSpeedPercent
         = All.Number("min_fan_speed_percent", 0, 100, m => m.MinFanSpeedPercent, (m, v) => m with { MinFanSpeedPercent = v });
@@ -82,4 +108,13 @@ internal static class MaterialKeys
     public static readonly NumberKey Density = All.Number("density_g_cm3", 0.01, 30, m => m.Density, (m, v) => m with { Density = v });
     public static readonly NumberKey CostPerKg = All.Number("cost_per_kg", 0, 1_000_000, m => m.CostPerKg, (m, v) => m with { CostPerKg = v });
     public static readonly NumberKey MaxFlow = All.Number("material_max_flow_mm3_s", 0, 1_000_000, m => m.MaxFlow, (m, v) => m with { MaxFlow = v });
+    public static readonly OptionalKey PressureAdvance
+        = All.Optional("pressure_advance_s", 0, 10, m => m.PressureAdvance, (m, v) => m with { PressureAdvance = v });
+    public static readonly OptionalKey RetractionLength
+        = All.Optional("material_retraction_length_mm", 0, 1000, m => m.RetractionLength, (m, v) => m with { RetractionLength = v });
+    public static readonly OptionalKey RetractionSpeed
+        = All.Optional("material_retraction_speed_mm_s", 0.01, 10_000, m => m.RetractionSpeed, (m, v) => m with { RetractionSpeed = v });
+    public static readonly OptionalKey ZHop = All.Optional("material_z_hop_mm", 0, 1000, m => m.ZHop, (m, v) => m with { ZHop = v });
+    public static readonly OptionalKey WipeDistance
+        = All.Optional("material_wipe_distance_mm", 0, 1000, m => m.WipeDistance, (m, v) => m with { WipeDistance = v });
 }

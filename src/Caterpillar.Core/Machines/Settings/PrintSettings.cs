@@ -119,21 +119,8 @@ public sealed partial record PrintSettings
 
     /// <summary>Speed in mm/s of paths without their own.</summary>
     public double SpeedOf(Role role, bool firstLayer = false)
-    {
-        var own = role switch
-        {
-            Role.OuterWall => OuterWallSpeed,
-            Role.TopSurface => TopSurfaceSpeed > 0 ? TopSurfaceSpeed : OuterWallSpeed,
-            Role.Infill => InfillSpeed,
-            Role.SolidInfill or Role.BottomSurface => SolidInfillSpeed > 0 ? SolidInfillSpeed : InfillSpeed,
-            Role.Bridge => BridgeSpeed,
-            Role.Ironing => IroningSpeed,
-            Role.Support or Role.SupportInterface => SupportSpeed,
-            _ => 0,
-        };
-        var speed = own > 0 ? own : PrintSpeed;
-        return firstLayer && FirstLayerSpeed > 0 && FirstLayerSpeed < speed ? FirstLayerSpeed : speed;
-    }
+        => new RoleValues(OuterWallSpeed, 0, InfillSpeed, SolidInfillSpeed, TopSurfaceSpeed, BridgeSpeed, SupportSpeed)
+            .Of(role, firstLayer ? FirstLayerSpeed : 0, role == Role.Ironing && IroningSpeed > 0 ? IroningSpeed : PrintSpeed);
 
     public override string ToString() => Title;
 

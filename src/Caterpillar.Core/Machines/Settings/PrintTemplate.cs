@@ -3,16 +3,14 @@ namespace Caterpillar.Machines;
 /// <summary>Templates of printers: they may contain keys of the three profiles and names of values of the print.</summary>
 internal static class PrintTemplate
 {
-    /// <summary>Name of the nozzle temperature with which a print begins.</summary>
-    public const string Start = "start_nozzle_temperature_c";
-
     /// <summary>Names in addition to the keys of profiles, and their meanings.</summary>
     public static IReadOnlyList<KeyValuePair<string, string>> Names { get; } =
     [
         new("printer_name", "Name of the printer profile."),
         new("material_name", "Name of the material profile."),
         new("settings_name", "Name of the settings profile."),
-        new(Start, "Nozzle temperature of the first layer, or nozzle_temperature_c if that is 0."),
+        new("start_nozzle_temperature_c", "Nozzle temperature of the first layer, or nozzle_temperature_c if that is 0."),
+        new("start_bed_temperature_c", "Bed temperature of the first layer, or bed_temperature_c if that is 0."),
         new("bed_min_x_mm", "Minimum X that the nozzle can reach."),
         new("bed_min_y_mm", "Minimum Y that the nozzle can reach."),
         new("bed_max_x_mm", "Maximum X that the nozzle can reach."),
@@ -54,7 +52,7 @@ internal static class PrintTemplate
             [.. keys.Where(k => k.Kind is KeyKind.Number or KeyKind.Integer or KeyKind.Boolean).Select(k => k.Name), .. texts[false]],
             [.. keys.Where(k => k.Kind is KeyKind.Choice).Select(k => k.Name), .. texts[true]])
         {
-            OfTools = [.. ProfileKeys.Material.Select(k => k.Name), Start],
+            OfTools = [.. ProfileKeys.Material.Select(k => k.Name), .. texts[false].Where(n => n.StartsWith("start_", StringComparison.Ordinal))],
         };
     }
 }

@@ -8,7 +8,7 @@ internal static class PrintWideKeys
         SettingsKeys.TravelSpeed, SettingsKeys.ZHopType, SettingsKeys.ZHopMinTravel, SettingsKeys.Detour, SettingsKeys.Comb, TravelKeys.AvoidCrossingMaxDetour,
         SettingsKeys.RetractionMinTravel, SettingsKeys.WipeDistance, SettingsKeys.DeretractDuringDescent, SettingsKeys.StartDistance,
         SettingsKeys.CoastingDistance, SeamKeys.SeamGap, SettingsKeys.SortPaths, SettingsKeys.PrintSequence, SettingsKeys.MergeOverlappingModels,
-        SurfaceKeys.MinLayerTime, SurfaceKeys.MinPrintSpeed, TravelKeys.LayerTimeWait, .. BedKeys.All,
+        SurfaceKeys.MinLayerTime, SurfaceKeys.MinPrintSpeed, TravelKeys.LayerTimeWait, .. BedKeys.All, .. RoleMotionKeys.All,
         ToolKeys.PurgeTower, ToolKeys.PurgeIntoInfill, ToolKeys.PurgeVolume, ToolKeys.PurgeTowerWidth, ToolKeys.PurgeTowerBrimWidth,
         ToolKeys.PurgeTowerPosition,
     ];

@@ -17,6 +17,9 @@ public sealed partial record Printer
     /// <summary>Maximum bed temperature; 0 = bed is not heated.</summary> <value>°C.</value>
     public double MaxBedTemperature { get; init => field = LimitKeys.MaxBedTemperature.Check(value); } = 120;
 
+    /// <summary>Maximum chamber temperature; 0 = chamber is not heated.</summary> <value>°C.</value>
+    public double MaxChamberTemperature { get; init => field = LimitKeys.MaxChamberTemperature.Check(value); }
+
     /// <summary>Maximum volume to extrude or retract while the head does not move.</summary> <value>mm³.</value>
     public double MaxStationaryVolume { get; init => field = LimitKeys.MaxStationaryVolume.Check(value); } = 500;
 }
@@ -33,6 +36,8 @@ internal static class LimitKeys
         = All.Number("max_nozzle_temperature_c", 0, 2000, p => p.MaxNozzleTemperature, (p, v) => p with { MaxNozzleTemperature = v });
     public static readonly NumberKey MaxBedTemperature
         = All.Number("max_bed_temperature_c", 0, 500, p => p.MaxBedTemperature, (p, v) => p with { MaxBedTemperature = v });
+    public static readonly NumberKey MaxChamberTemperature
+        = All.Number("max_chamber_temperature_c", 0, 500, p => p.MaxChamberTemperature, (p, v) => p with { MaxChamberTemperature = v });
     public static readonly NumberKey MaxStationaryVolume
         = All.Number("max_stationary_volume_mm3", 0, 1e9, p => p.MaxStationaryVolume, (p, v) => p with { MaxStationaryVolume = v });
 }

@@ -52,23 +52,37 @@ public sealed record PrintSetup
     /// <summary>Factories of your own checks. Each checked or written file gets new instances.</summary>
     public ValueList<Func<IOwnCheck>> OwnChecks { get; init; } = ValueList<Func<IOwnCheck>>.Empty;
 
-    /// <summary>Converts extrusions of tool 0 to E.</summary>
-    public ExtrusionModel Extrusion => ExtrusionOf(0);
+    /// <summary>Converts extrusions to E.</summary>
+    public ExtrusionModel Extrusion => new(Printer.ExtrusionUnit, Material.FilamentDiameter, Material.FlowRatio);
 
-    /// <summary>The material of a tool.</summary>
-    public Material MaterialOf(int tool) => tool > 0 && tool <= ToolMaterials.Count ? ToolMaterials[tool - 1] : Material;
-
-    /// <summary>Converts extrusions of a tool to E.</summary>
-    public ExtrusionModel ExtrusionOf(int tool)
-        => new(Printer.ExtrusionUnit, MaterialOf(tool).FilamentDiameter, MaterialOf(tool).FlowRatio);
-
-    /// <summary>Maximum volumetric flow of printer and material with a tool, mm³/s; infinite if both are unknown.</summary>
-    public double MaxFlowOf(int tool)
+    /// <summary>Maximum volumetric flow of printer and material, mm³/s; infinite if both are unknown.</summary>
+    public double MaxFlow
     {
-        var machine = Printer.MaxFlow > 0 ? Printer.MaxFlow : double.PositiveInfinity;
-        var material = MaterialOf(tool).MaxFlow is > 0 and var most ? most : double.PositiveInfinity;
-        return Math.Min(machine, material);
+        get
+        {
+            var machine = Printer.MaxFlow > 0 ? Printer.MaxFlow : double.PositiveInfinity;
+            var material = Material.MaxFlow > 0 ? Material.MaxFlow : double.PositiveInfinity;
+            return Math.Min(machine, material);
+        }
     }
+
+    /// <summary>The setup with the material of a tool.</summary>
+    public PrintSetup OfTool(int tool) => tool > 0 && tool <= ToolMaterials.Count ? this with { Material = ToolMaterials[tool - 1] } : this;
+
+    /// <summary>Retraction length of the material, or of the printer, mm.</summary>
+    internal double RetractionLength => Material.RetractionLength ?? Printer.RetractionLength;
+
+    /// <summary>Retraction speed of the material, or of the printer, mm/s.</summary>
+    internal double RetractionSpeed => Material.RetractionSpeed ?? Printer.RetractionSpeed;
+
+    /// <summary>Z-hop of the material, or of the printer, mm.</summary>
+    internal double ZHop => Material.ZHop ?? Printer.ZHop;
+
+    /// <summary>Wipe distance of the material, or of the settings, mm.</summary>
+    internal double WipeDistance => Material.WipeDistance ?? Settings.WipeDistance;
+
+    /// <summary>Accelerations and jerk that the file commands.</summary>
+    internal CommandedMotion Motion => new(this);
 
     /// <summary>
     /// The setup with other values, each as <c>key=value</c> with any key of the three profiles: <c>layer_height_mm=0.3</c>,
@@ -116,6 +130,7 @@ public sealed record PrintSetup
             diagnostics.Add(Severity.Error, "setup.no_firmware_retraction",
                 $"{Printer.Flavor.Title} has no firmware retraction: set firmware_retraction=false.",
                 new SourceLocation(Key: "firmware_retraction"));
+        diagnostics.AddRange(SetupFindings.Of(this));
         return diagnostics.ToList();
     }
 

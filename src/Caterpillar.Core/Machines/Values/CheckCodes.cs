@@ -31,6 +31,7 @@ public static class CheckCodes
     public const string Tool = "limit.tool";
     public const string NozzleTemperature = "limit.nozzle_temperature";
     public const string BedTemperature = "limit.bed_temperature";
+    public const string ChamberTemperature = "limit.chamber_temperature";
     public const string Stationary = "limit.stationary";
     public const string Amount = "limit.amount";
     public const string ColdExtrusion = "limit.cold_extrusion";
@@ -81,6 +82,7 @@ public static class CheckCodes
         new(Tool, Severity.Error, "tools that the printer does not have"),
         new(NozzleTemperature, Severity.Error, "nozzle temperatures above the maximum of the printer"),
         new(BedTemperature, Severity.Error, "bed temperatures above the maximum of the printer"),
+        new(ChamberTemperature, Severity.Warning, "chamber temperatures above the maximum of the printer"),
         new(Stationary, Severity.Error, "too much material extruded or retracted in place"),
         new(Amount, Severity.Error, "moves that extrude far more than a nozzle prints, or retract more than any retraction"),
         new(ColdExtrusion, Severity.Error, "extrusion with a cold nozzle"),

@@ -54,6 +54,9 @@ internal sealed class MoveEmitter
     /// <summary>True if some E of printing moves only restored earlier retraction.</summary>
     public bool PrintedRetracted { get; private set; }
 
+    /// <summary>Called before each travel move.</summary>
+    public Action? BeforeTravel { get; set; }
+
     /// <summary>Line of the script that the next moves come from; 0 if unknown.</summary>
     public int Line
     {
@@ -77,12 +80,20 @@ internal sealed class MoveEmitter
     {
         _builder.AddEvent(new ToolEvent(tool), Source);
         Tool = tool;
+        StateTool();
         _counts.ToolChanges++;
+    }
+
+    /// <summary>Sets what depends on the tool.</summary>
+    public void StateTool()
+    {
+        if (ToolRules.PressureAdvance is { } advance) Event(new PressureAdvanceEvent(advance, Tool));
     }
 
     public void Travel(Vec3 to, double speed)
     {
         if (IsPlaced && to == Position) return;
+        BeforeTravel?.Invoke();
         if (IsPlaced) _counts.TravelLength += Position.DistanceTo(to);
         Add(to, 0, 0, speed, MoveKind.Travel, Role.Unspecified);
     }

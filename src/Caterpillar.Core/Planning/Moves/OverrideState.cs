@@ -14,10 +14,15 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
         = [rules.Tools[0].FirstLayerNozzleTemperature ?? rules.Tools[0].NozzleTemperature, .. new double?[rules.Tools.Length - 1]];
 
     private double? _fan, _fanNow = rules.AddsNothing ? rules.Tools[0].Fan : 0;
-    private double? _acceleration, _accelerationNow = rules.Acceleration;
+    private double? _bed, _bedNow = rules.FirstLayerBedTemperature ?? rules.BedTemperature;
+
+    // What the firmware has is not known exactly: accelerations and jerk that are commanded at all are so from the first path on.
+    private double? _acceleration, _accelerationNow = rules.Motion is { HasAcceleration: true } ? null : rules.Acceleration;
+    private double? _travelNow, _jerkNow;
 
     private readonly bool _layered = !rules.AddsNothing
-        && rules.Tools.Any(t => t.Fan > 0 || (t.FanTime > 0 && t.MaxFan > 0) || t.FirstLayerNozzleTemperature is not null);
+        && (rules.FirstLayerBedTemperature is not null || rules.Motion is not null
+            || rules.Tools.Any(t => t.Fan > 0 || (t.FanTime > 0 && t.MaxFan > 0) || t.FirstLayerNozzleTemperature is not null));
     private bool _overridden;
 
     /// <summary>True if a value stayed overridden because its previous value is unknown.</summary>
@@ -31,8 +36,9 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
             case NozzleTemperatureEvent e when (e.Tool ?? emitter.Tool) is var tool && tool < _temperature.Length:
                 _temperature[tool] = _temperatureNow[Nozzle(tool)] = e.Celsius;
                 break;
+            case BedTemperatureEvent e: _bed = _bedNow = e.Celsius; break;
             case FanEvent e: _fan = _fanNow = e.Speed; break;
-            case AccelerationEvent e: _acceleration = _accelerationNow = e.Value; break;
+            case AccelerationEvent e: (_acceleration, _accelerationNow, _travelNow) = (e.Value, e.Value, null); break;
         }
     }
 
@@ -67,10 +73,30 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
         var usual = Usual(emitter.Tool, layer);
         if (Differs(wanted?.NozzleTemperature, usual, ref _temperatureNow[Nozzle(emitter.Tool)]) is { } celsius)
             emitter.Event(new NozzleTemperatureEvent(celsius));
+        usual = _bed ?? (layer == 0 ? rules.FirstLayerBedTemperature : null) ?? rules.BedTemperature;
+        if (rules.FirstLayerBedTemperature is not null && Differs(null, usual, ref _bedNow) is { } bed) emitter.Event(new BedTemperatureEvent(bed));
         usual = _fan ?? (layer >= 0 && layer < emitter.ToolRules.FanOffLayers ? 0 : FanFor(layerTime));
         if (Differs(wanted?.Fan, usual, ref _fanNow) is { } fan) emitter.Event(new FanEvent(fan));
-        usual = _acceleration ?? rules.Acceleration;
-        if (Differs(wanted?.Acceleration, usual, ref _accelerationNow) is { } acceleration) emitter.Event(new AccelerationEvent(acceleration));
+        usual = _acceleration ?? (rules.Motion is { HasAcceleration: true } motion ? motion.Acceleration(path.Role, layer == 0) : rules.Acceleration);
+        if (Differs(wanted?.Acceleration, usual, ref _accelerationNow) is { } acceleration)
+            emitter.Event(IsSeparate ? new LimitEvent(MotionLimit.PrintAcceleration, acceleration) : new AccelerationEvent(acceleration));
+        if (rules.Motion is { JerkLimit: not null } corners) Jerk(corners.Jerk(path.Role, layer == 0));
+    }
+
+    /// <summary>Sets what travel moves have of their own. A design that sets the acceleration sets that of travel moves, too.</summary>
+    public void Travel()
+    {
+        if (rules.Motion?.TravelJerk is { } jerk) Jerk(jerk);
+        if (_acceleration is not null || rules.Motion?.TravelAcceleration is not { } travel) return;
+        if (!IsSeparate && Differs(null, travel, ref _accelerationNow) is not null) emitter.Event(new AccelerationEvent(travel));
+        else if (IsSeparate && Differs(null, travel, ref _travelNow) is not null) emitter.Event(new LimitEvent(MotionLimit.TravelAcceleration, travel));
+    }
+
+    private bool IsSeparate => rules.SeparateAccelerations && rules.Motion is { HasAcceleration: true };
+
+    private void Jerk(double value)
+    {
+        if (Differs(null, value, ref _jerkNow) is { } jerk) emitter.Event(new LimitEvent(rules.Motion!.JerkLimit!.Value, jerk));
     }
 
     private int Nozzle(int tool) => rules.SharedNozzle ? 0 : tool;

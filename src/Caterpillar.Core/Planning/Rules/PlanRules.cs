@@ -17,6 +17,15 @@ internal enum LiftRule : byte
 /// <param name="LengthPerE">mm of filament per unit of E.</param>
 internal sealed record ToolRules(double? VolumePerE, double RetractE, double RetractSpeed, double DeretractionSpeed, double ExtraE, double LengthPerE = 1)
 {
+    /// <summary>Pressure advance, s; null = no command.</summary>
+    public double? PressureAdvance { get; init; }
+
+    /// <summary>Wipe and height of travels of the material; null = as in the other rules.</summary>
+    public double? WipeDistance { get; init; }
+
+    /// <inheritdoc cref="WipeDistance"/>
+    public double? Clearance { get; init; }
+
     /// <summary>Material that machine and tool can push, mm³/s.</summary>
     public double MaxFlow { get; init; } = double.PositiveInfinity;
 
@@ -128,7 +137,22 @@ internal sealed record PlanRules
     public BeadShape Shape { get; init; }
 
     /// <summary>The value without overrides; null if the settings do not state it.</summary>
+    public double? BedTemperature { get; init; }
+
+    /// <summary>The same in the first layer, if it differs.</summary>
+    public double? FirstLayerBedTemperature { get; init; }
+
+    /// <inheritdoc cref="BedTemperature"/>
     public double? Acceleration { get; init; }
+
+    /// <summary>Accelerations and jerk by role; null = none is commanded.</summary>
+    public CommandedMotion? Motion { get; init; }
+
+    /// <summary>True if travel moves have their own command for their acceleration.</summary>
+    public bool SeparateAccelerations { get; init; }
+
+    /// <summary>Settings of the firmware retraction; null = those of the firmware.</summary>
+    public RetractionEvent? FirmwareRetraction { get; init; }
 
     /// <summary>Speed of a segment of a path, mm/s, as far as the flow allows.</summary>
     public double SpeedOf(PrintPath path, in Bead bead, bool firstLayer)

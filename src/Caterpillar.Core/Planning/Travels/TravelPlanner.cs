@@ -17,6 +17,8 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
 
     private Region? _inside;
 
+    private double Clearance => emitter.ToolRules.Clearance ?? rules.Clearance;
+
     /// <summary>A path has been printed to its end.</summary>
     public void Printed(PrintPath path, Region? inside)
     {
@@ -64,14 +66,14 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
         {
             if (RisesFirst)
             {
-                var top = Math.Max(start.Z, emitter.Highest) + rules.Clearance;
+                var top = Math.Max(start.Z, emitter.Highest) + Clearance;
                 // Where the start code leaves the head is not known: a line of its own moves Z alone.
                 emitter.Event(new RawEvent($"G0 Z{NumberFormatter.Format(top, 3)} F{NumberFormatter.Format(rules.ZHopSpeed * 60, 0)}"));
                 emitter.Travel(start.WithZ(top), rules.TravelSpeed);
                 Down(start);
                 return;
             }
-            if (rules.Lift != LiftRule.None) emitter.Travel(start.WithZ(start.Z + rules.Clearance), rules.TravelSpeed);
+            if (rules.Lift != LiftRule.None) emitter.Travel(start.WithZ(start.Z + Clearance), rules.TravelSpeed);
             Down(start);
             return;
         }
@@ -174,10 +176,10 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     private double HeightOver(Vec3 from, Vec3 to, double level, bool safely)
     {
         if (rules.Lift == LiftRule.Highest)
-            return safely || from.DistanceTo(to) > rules.MinLiftTravel ? Math.Max(level, emitter.Highest) + rules.Clearance : level;
+            return safely || from.DistanceTo(to) > rules.MinLiftTravel ? Math.Max(level, emitter.Highest) + Clearance : level;
         if (deposit is null) return level;
         var needed = rules.Head.RequiredHeight(deposit, from, to, level);
-        return needed > level + Flush ? needed + rules.Clearance : level;
+        return needed > level + Flush ? needed + Clearance : level;
     }
 
     // A detour is taken if it is faster than going up and down.
@@ -216,7 +218,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     private bool TryWipe(double e, ToolRules tool)
     {
         if (_last is not { } path || path.End.DistanceTo(emitter.Position) > Touching) return false;
-        var distance = path.Role == Role.PrimeTower ? rules.TowerWipeDistance : rules.WipeDistance;
+        var distance = path.Role == Role.PrimeTower ? rules.TowerWipeDistance : emitter.ToolRules.WipeDistance ?? rules.WipeDistance;
         if (distance <= 0) return false;
         var points = WipePath.Along(path, distance);
         var length = 0.0;

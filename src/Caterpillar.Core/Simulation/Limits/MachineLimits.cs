@@ -23,6 +23,7 @@ internal sealed class MachineLimits
         Set(MotionLimit.SquareCornerVelocity, printer.SquareCornerVelocity);
         Set(MotionLimit.MinimumCruiseRatio, printer.MinimumCruiseRatio);
         Set(MotionLimit.Speed, Math.Min(printer.MaxSpeed.X, printer.MaxSpeed.Y));
+        Set(MotionLimit.HeadJerk, Math.Min(printer.Jerk.X, printer.Jerk.Y));
         HeadAcceleration = Math.Min(printer.MaxAcceleration.X, printer.MaxAcceleration.Y);
     }
 
@@ -40,6 +41,10 @@ internal sealed class MachineLimits
                 Set(MotionLimit.PrintAcceleration, acceleration.Value);
                 Set(MotionLimit.TravelAcceleration, acceleration.Value);
                 HeadAcceleration = Math.Max(acceleration.Value, Least);
+                break;
+            case LimitEvent { Limit: MotionLimit.HeadJerk } jerk:
+                Set(MotionLimit.JerkX, jerk.Value);
+                Set(MotionLimit.JerkY, jerk.Value);
                 break;
             case LimitEvent limit:
                 Set(limit.Limit, limit.Value);

@@ -241,7 +241,7 @@ internal sealed class MotionPlanner
     /// <summary>mm of filament for a unit of E of a tool: a tool whose E is a volume has a factor of 1 mm³.</summary>
     public static double FilamentPerE(int tool, double? volumePerE, PrintSetup setup)
     {
-        var radius = setup.MaterialOf(tool).FilamentDiameter / 2;
+        var radius = setup.OfTool(tool).Material.FilamentDiameter / 2;
         return volumePerE == 1 ? 1 / (Math.PI * radius * radius) : 1;
     }
 }

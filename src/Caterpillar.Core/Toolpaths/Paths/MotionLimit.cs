@@ -41,4 +41,7 @@ internal enum MotionLimit
 
     /// <summary>Maximum speed of the head, mm/s (Klipper).</summary>
     Speed,
+
+    /// <summary>Jerk of X and Y, mm/s.</summary>
+    HeadJerk,
 }

@@ -9,6 +9,12 @@ public sealed record NozzleTemperatureEvent(double Celsius, bool Wait = false, i
 /// <summary>Bed temperature in °C (0 = off). With <paramref name="Wait"/>, the machine waits for it (M140, M190).</summary>
 public sealed record BedTemperatureEvent(double Celsius, bool Wait = false) : PrinterEvent;
 
+/// <summary>Chamber temperature in °C (0 = off). With <paramref name="Wait"/>, the machine waits for it (M141, M191).</summary>
+internal sealed record ChamberTemperatureEvent(double Celsius, bool Wait = false) : PrinterEvent;
+
+/// <summary>Pressure advance of a tool in seconds (M900, M572, SET_PRESSURE_ADVANCE).</summary>
+internal sealed record PressureAdvanceEvent(double Seconds, int Tool = 0) : PrinterEvent;
+
 /// <summary>Speed of the part cooling fan, 0 to 1 (M106, M107).</summary>
 public sealed record FanEvent(double Speed) : PrinterEvent;
 

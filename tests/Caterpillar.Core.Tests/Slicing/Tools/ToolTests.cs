@@ -146,9 +146,9 @@ public class ToolTests
         var volume = 0.08 * path.Length;
         Assert.That(e[0], Is.EqualTo(volume / (Math.PI / 4 * 1.75 * 1.75)).Within(1e-9));
         Assert.That(e[1], Is.EqualTo(volume * 0.9 / (Math.PI / 4 * 2.85 * 2.85)).Within(1e-9));
-        Assert.That(setup.MaxFlowOf(0), Is.EqualTo(4));
-        Assert.That(setup.MaxFlowOf(1), Is.EqualTo(12));
-        Assert.That(setup.MaterialOf(7), Is.EqualTo(setup.Material));
+        Assert.That(setup.MaxFlow, Is.EqualTo(4));
+        Assert.That(setup.OfTool(1).MaxFlow, Is.EqualTo(12));
+        Assert.That(setup.OfTool(7), Is.SameAs(setup));
     }
 
     [Test]

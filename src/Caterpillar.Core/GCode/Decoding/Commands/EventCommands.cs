@@ -29,6 +29,10 @@ internal sealed class EventCommands(Machine machine)
             case 1900:
                 if (Temperature(line, out var bed)) _moves.AddEvent(new BedTemperatureEvent(bed, code == 1900));
                 return true;
+            case 1410:
+            case 1910:
+                if (Temperature(line, out var chamber)) _moves.AddEvent(new ChamberTemperatureEvent(chamber, code == 1910));
+                return true;
             case 5680 when _rules.ToolTemperatures && line.TryGet('A', out var state) && state == 0:
                 _moves.AddEvent(new NozzleTemperatureEvent(0, false, ToolOf(line, 'P')));
                 return true;
@@ -78,6 +82,7 @@ internal sealed class EventCommands(Machine machine)
         var celsius = target ?? 0;
         if (!IsTemperature(celsius)) return;
         if (heater.ToUpperInvariant() == "HEATER_BED") _moves.AddEvent(new BedTemperatureEvent(celsius));
+        else if (heater.ToUpperInvariant() == "CHAMBER") _moves.AddEvent(new ChamberTemperatureEvent(celsius));
         else if (ExtendedCommands.ToolOf(heater) is { } tool) _moves.AddEvent(new NozzleTemperatureEvent(celsius, false, tool));
     }
 

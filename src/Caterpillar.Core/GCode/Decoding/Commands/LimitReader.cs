@@ -22,7 +22,14 @@ internal sealed class LimitReader(Machine machine)
             case 2080 when _rules.RetractionSettings == RetractionCommands.Marlin:
                 SetRetraction("M208", new RetractionEvent(null, null, Word(line, 'S', 1), Word(line, 'F', 60)));
                 return true;
-            case 2040:
+            case 2010 or 2020 when _rules.Limits == LimitCommands.Repetier:
+                var slower = Math.Min(line.Get('X', double.MaxValue), line.Get('Y', double.MaxValue));
+                Named(slower, code == 2010 ? MotionLimit.PrintAcceleration : MotionLimit.TravelAcceleration);
+                return true;
+            case 2070 when _rules.Limits == LimitCommands.Repetier:
+                Limit(line, 'X', MotionLimit.HeadJerk, 1);
+                return true;
+            case 2040 when _rules.Limits != LimitCommands.Repetier:
                 Accelerations(line);
                 return true;
             case 2010 when _rules.Limits is LimitCommands.Marlin or LimitCommands.RepRapFirmware:
