@@ -8,7 +8,6 @@ public static class Planner
 {
     // mm
     private const double Everywhere = 1e6;
-    private const double TowerWipe = 5;
 
     /// <summary>Plans steps. No value if a step uses a tool that the printer does not have.</summary>
     /// <exception cref="ArgumentException">A step is null.</exception>
@@ -102,9 +101,8 @@ public static class Planner
             LayerTimeWait = policy == PlanPolicy.AsDrawn ? LayerTimeWait.None : settings.LayerTimeWait,
             Reach = printer.BuildBounds,
             MinRetractTravel = settings.RetractionMinTravel,
-            // Firmware retraction cannot be spread over a move.
-            WipeDistance = printer.FirmwareRetraction ? 0 : setup.WipeDistance,
-            TowerWipeDistance = printer.FirmwareRetraction ? 0 : TowerWipe,
+            WipeDistance = setup.WipeDistance,
+            CanWipe = !printer.FirmwareRetraction,
             StartDistance = settings.StartDistance,
             CoastingDistance = settings.CoastingDistance,
             SeamGap = settings.SeamGap,
@@ -124,30 +122,19 @@ public static class Planner
 
     private static ToolRules ToolRulesOf(PrintSetup setup, PlanPolicy policy)
     {
-        static double? Given(double celsius) => celsius > 0 ? celsius : null;
-
-        var (printer, material, law) = (setup.Printer, setup.Material, setup.Extrusion);
-        var celsius = Given(material.NozzleTemperature);
+        var law = setup.Extrusion;
         return new ToolRules(
             law.VolumePerE,
             law.EOfFilament(setup.RetractionLength),
             setup.RetractionSpeed,
-            printer.DeretractionSpeed > 0 ? printer.DeretractionSpeed : setup.RetractionSpeed,
-            law.EOfFilament(printer.DeretractionExtra),
+            setup.Printer.DeretractionSpeed > 0 ? setup.Printer.DeretractionSpeed : setup.RetractionSpeed,
+            law.EOfFilament(setup.Printer.DeretractionExtra),
             law.FilamentPerE)
         {
-            PressureAdvance = policy == PlanPolicy.AsDrawn ? null : material.PressureAdvance,
-            WipeDistance = material.WipeDistance is { } wipe && !printer.FirmwareRetraction ? wipe : null,
-            Clearance = material.ZHop,
+            PressureAdvance = policy == PlanPolicy.AsDrawn ? null : setup.Material.PressureAdvance,
             // As drawn, a design that asks for too much is refused when it is written.
             MaxFlow = policy == PlanPolicy.AsDrawn ? double.PositiveInfinity : setup.MaxFlow,
-            NozzleTemperature = celsius,
-            FirstLayerNozzleTemperature = celsius is null ? null : Given(material.FirstLayerNozzleTemperature),
-            StandbyTemperature = celsius is null || printer.SharedNozzle ? null : Given(material.StandbyTemperature),
-            Fan = material.MinFanSpeedPercent / 100,
-            MaxFan = Math.Max(material.MinFanSpeedPercent, material.MaxFanSpeedPercent) / 100,
-            FanTime = material.FanLayerTime,
-            FanOffLayers = material.FanOffLayers,
+            Material = setup.Material,
         };
     }
 }

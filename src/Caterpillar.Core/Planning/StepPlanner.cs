@@ -54,7 +54,7 @@ internal sealed class StepPlanner
     {
         var below = _clock;
         _steps = steps;
-        if (_rules.LayerTimeWait != LayerTimeWait.None || _rules.Tools.Any(t => t.FanTime > 0)) _clock = new LayerClock(steps, _rules);
+        if (_rules.LayerTimeWait != LayerTimeWait.None || _rules.Tools.Any(t => t.Material is { FanLayerTime: > 0 })) _clock = new LayerClock(steps, _rules);
         NotePlaces();
         for (var i = 0; i < _steps.Length; i++)
         {

@@ -11,11 +11,7 @@ internal static class Profiles
     /// <summary>A library of the profiles that are in the folder now.</summary>
     public static ProfileLibrary Library => new(UserFolder);
 
-    /// <summary>A setup. What is null is the generic printer, and the material and settings that the printer names.</summary>
-    /// <param name="printer">The printer.</param>
-    /// <param name="material">The material, or that of tool 0.</param>
-    /// <param name="settings">The print settings.</param>
-    /// <param name="others">The materials of the tools from 1 on.</param>
+    /// <summary>A setup. What is null is the generic printer, and the material and settings that the printer names. Others are for tools from 1 on.</summary>
     public static Result<PrintSetup> Setup(
         Printer? printer = null, Material? material = null, PrintSettings? settings = null, IEnumerable<Material>? others = null)
     {

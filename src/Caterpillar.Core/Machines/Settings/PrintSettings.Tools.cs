@@ -43,10 +43,6 @@ public sealed partial record PrintSettings
     /// <summary>Width of the brim of the purge tower; 0 = off.</summary> <value>mm.</value>
     public double PurgeTowerBrimWidth { get; init => field = ToolKeys.PurgeTowerBrimWidth.Check(value); } = 3;
 
-    /// <summary>Front left corner of the purge tower, without its brim; empty = next to the models.</summary>
-    /// <value>mm.</value> <remarks>One point, or none.</remarks>
-    public ValueList<Vec3> PurgeTowerPosition { get; init => field = ToolKeys.PurgeTowerPosition.Check(value); } = ValueList<Vec3>.Empty;
-
     /// <summary>All tools that may be needed.</summary>
     internal IEnumerable<int> Tools => ToolChanges.Select(c => c.Tool)
         .Concat([PartTool, WallTool, InfillTool, SolidInfillTool, SupportTool, SupportInterfaceTool]).Where(t => t >= 0);
@@ -81,9 +77,12 @@ internal static class ToolKeys
 {
     public static readonly KeyTable<PrintSettings> All = new();
 
-    public static readonly IntegerKey PartTool = All.Integer("part_tool", 0, ToolChange.Highest, s => s.PartTool, (s, v) => s with { PartTool = v });
+    // The highest number of a tool.
+    private const int Highest = 63;
+
+    public static readonly IntegerKey PartTool = All.Integer("part_tool", 0, Highest, s => s.PartTool, (s, v) => s with { PartTool = v });
     public static readonly ProfileKey<PrintSettings, ValueList<ToolChange>> ToolChanges = All.Of(
-        "tool_changes_mm", new RowsFormat<ToolChange>(["from", "tool"], 1000, 0, 100_000, ToolChange.Of, c => [c.From, c.Tool], ToolChange.Problem),
+        "tool_changes_mm", new RowsFormat<ToolChange>(["from", "tool"], 1000, 0, 10_000, ToolChange.Of, c => [c.From, c.Tool], ToolChange.Problem),
         s => s.ToolChanges, (s, v) => s with { ToolChanges = v });
     public static readonly IntegerKey WallTool = Own("wall_tool", s => s.WallTool, (s, v) => s with { WallTool = v });
     public static readonly IntegerKey InfillTool = Own("infill_tool", s => s.InfillTool, (s, v) => s with { InfillTool = v });
@@ -100,10 +99,6 @@ internal static class ToolKeys
         = All.Number("purge_tower_width_mm", 10, 10_000, s => s.PurgeTowerWidth, (s, v) => s with { PurgeTowerWidth = v });
     public static readonly NumberKey PurgeTowerBrimWidth
         = All.Number("purge_tower_brim_width_mm", 0, 1000, s => s.PurgeTowerBrimWidth, (s, v) => s with { PurgeTowerBrimWidth = v });
-    public static readonly ProfileKey<PrintSettings, ValueList<Vec3>> PurgeTowerPosition = All.Of(
-        "purge_tower_position_mm", new RowsFormat<Vec3>(["x", "y"], 1, -100_000, 100_000, n => new Vec3(n[0], n[1]), v => [v.X, v.Y]),
-        s => s.PurgeTowerPosition, (s, v) => s with { PurgeTowerPosition = v });
-
     private static IntegerKey Own(string name, Func<PrintSettings, int> get, Func<PrintSettings, int, PrintSettings> set)
-        => All.Integer(name, -1, ToolChange.Highest, get, set);
+        => All.Integer(name, -1, Highest, get, set);
 }

@@ -50,9 +50,6 @@ internal static class PrintTemplate
         var texts = Names.ToLookup(p => p.Key.EndsWith("_name", StringComparison.Ordinal), p => p.Key);
         return new TemplateNames(
             [.. keys.Where(k => k.Kind is KeyKind.Number or KeyKind.Integer or KeyKind.Boolean).Select(k => k.Name), .. texts[false]],
-            [.. keys.Where(k => k.Kind is KeyKind.Choice).Select(k => k.Name), .. texts[true]])
-        {
-            OfTools = [.. ProfileKeys.Material.Select(k => k.Name), .. texts[false].Where(n => n.StartsWith("start_", StringComparison.Ordinal))],
-        };
+            [.. keys.Where(k => k.Kind is KeyKind.Choice).Select(k => k.Name), .. texts[true]]);
     }
 }

@@ -10,7 +10,6 @@ internal static class PrintWideKeys
         SettingsKeys.CoastingDistance, SeamKeys.SeamGap, SettingsKeys.SortPaths, SettingsKeys.PrintSequence, SettingsKeys.MergeOverlappingModels,
         SurfaceKeys.MinLayerTime, SurfaceKeys.MinPrintSpeed, TravelKeys.LayerTimeWait, .. BedKeys.All, .. RoleMotionKeys.All,
         ToolKeys.PurgeTower, ToolKeys.PurgeIntoInfill, ToolKeys.PurgeVolume, ToolKeys.PurgeTowerWidth, ToolKeys.PurgeTowerBrimWidth,
-        ToolKeys.PurgeTowerPosition,
     ];
 
     /// <summary>Names of these keys that a model sets: values that differ from the print and from the defaults.</summary>

@@ -122,10 +122,8 @@ public sealed record PrintSetup
             diagnostics.Add(Severity.Error, "setup.adaptive_heights", "adaptive_min_height_mm is greater than adaptive_max_height_mm.",
                 new SourceLocation(Key: "adaptive_min_height_mm"));
         if (ToolMaterials.Count >= Printer.ToolCount)
-            diagnostics.Add(Severity.Error, "setup.materials",
-                $"The setup has {NumberFormatter.Format(ToolMaterials.Count + 1)} materials, but {Printer.Title} has "
-                + $"{NumberFormatter.Format(Printer.ToolCount)} tool{(Printer.ToolCount == 1 ? "" : "s")}. Set tool_offsets_mm, with a row for each tool.",
-                new SourceLocation(Key: "tool_offsets_mm"));
+            diagnostics.Add(Severity.Error, "setup.materials", $"{NumberFormatter.Format(ToolMaterials.Count + 1)} materials need as many tools: set "
+                + $"tool_offsets_mm of {Printer.Title} to a list with a row for each.", new SourceLocation(Key: "tool_offsets_mm"));
         if (Printer.FirmwareRetraction && !Printer.Flavor.FirmwareRetraction)
             diagnostics.Add(Severity.Error, "setup.no_firmware_retraction",
                 $"{Printer.Flavor.Title} has no firmware retraction: set firmware_retraction=false.",

@@ -3,24 +3,25 @@ namespace Caterpillar.Machines;
 /// <summary>Values for templates: all numbers and words of the three profiles by their keys, and values of the print.</summary>
 internal static class PrintValues
 {
-    /// <summary>The values of a setup with the material of a tool, and of the print if a toolpath is given.</summary>
+    /// <summary>The values of a setup, and of the print if a toolpath is given; keys of materials are those of a tool.</summary>
     public static TemplateValues Of(PrintSetup whole, Toolpath? toolpath = null, int tool = 0)
     {
         var setup = whole.OfTool(tool);
         var numbers = new Dictionary<string, double>(StringComparer.Ordinal);
         var texts = new Dictionary<string, string>(StringComparer.Ordinal);
         Take(ProfileKinds.Printer.Keys, setup.Printer, numbers, texts);
+        Take(ProfileKinds.Material.Keys, setup.Material, numbers, texts);
         Take(ProfileKinds.Settings.Keys, setup.Settings, numbers, texts);
-        for (var i = 0; i < whole.Printer.ToolCount; i++)
-        {
-            var own = new Dictionary<string, double>(StringComparer.Ordinal);
-            TakeMaterial(whole.OfTool(i), own, texts);
-            foreach (var value in own) numbers[TemplateNames.OfTool(value.Key, NumberFormatter.Format(i))] = value.Value;
-        }
-        TakeMaterial(setup, numbers, texts);
         texts["printer_name"] = setup.Printer.Name;
         texts["material_name"] = setup.Material.Name;
         texts["settings_name"] = setup.Settings.Name;
+        var material = setup.Material;
+        numbers["start_nozzle_temperature_c"] = material.FirstLayerNozzleTemperature > 0 ? material.FirstLayerNozzleTemperature : material.NozzleTemperature;
+        numbers["start_bed_temperature_c"] = material.FirstLayerBedTemperature > 0 ? material.FirstLayerBedTemperature : material.BedTemperature;
+        numbers[MaterialKeys.RetractionLength.Name] = setup.RetractionLength;
+        numbers[MaterialKeys.RetractionSpeed.Name] = setup.RetractionSpeed;
+        numbers[MaterialKeys.ZHop.Name] = setup.ZHop;
+        numbers[MaterialKeys.WipeDistance.Name] = setup.WipeDistance;
         var bed = setup.Printer.BuildBounds;
         numbers["bed_min_x_mm"] = bed.Min.X;
         numbers["bed_min_y_mm"] = bed.Min.Y;
@@ -30,18 +31,6 @@ internal static class PrintValues
         numbers["volume_per_e_mm3"] = setup.Extrusion.VolumePerE ?? 0;
         numbers["tool_count"] = setup.Printer.ToolCount;
         return new TemplateValues(numbers, texts, toolpath is null ? null : new(() => Measure(toolpath, whole)));
-    }
-
-    private static void TakeMaterial(PrintSetup setup, Dictionary<string, double> numbers, Dictionary<string, string> texts)
-    {
-        var material = setup.Material;
-        Take(ProfileKinds.Material.Keys, material, numbers, texts);
-        numbers["start_nozzle_temperature_c"] = material.FirstLayerNozzleTemperature > 0 ? material.FirstLayerNozzleTemperature : material.NozzleTemperature;
-        numbers["start_bed_temperature_c"] = material.FirstLayerBedTemperature > 0 ? material.FirstLayerBedTemperature : material.BedTemperature;
-        numbers[MaterialKeys.RetractionLength.Name] = setup.RetractionLength;
-        numbers[MaterialKeys.RetractionSpeed.Name] = setup.RetractionSpeed;
-        numbers[MaterialKeys.ZHop.Name] = setup.ZHop;
-        numbers[MaterialKeys.WipeDistance.Name] = setup.WipeDistance;
     }
 
     private static void Take<T>(IReadOnlyList<ProfileKey<T>> keys, T profile, Dictionary<string, double> numbers, Dictionary<string, string> texts)
@@ -63,7 +52,7 @@ internal static class PrintValues
         var numbers = new Dictionary<string, double>(StringComparer.Ordinal);
         var bounds = Bounds.Empty;
         double volume = 0, filament = 0, mass = 0, cost = 0;
-        var tools = Enumerable.Range(0, Math.Max(toolpath.Tools.Count, 1)).Select(tool => (setup.OfTool(tool).Material, setup.OfTool(tool).Extrusion)).ToArray();
+        var tools = Enumerable.Range(0, Math.Max(toolpath.Tools.Count, 1)).Select(setup.OfTool).Select(s => (s.Material, s.Extrusion.FilamentPerE)).ToArray();
         var wasPrinting = false;
         for (var b = 0; b < toolpath.Blocks.Count; b++)
         {
@@ -74,10 +63,10 @@ internal static class PrintValues
                 var end = new Vec3(c.X[i], c.Y[i], c.Z[i]);
                 if (c.Deposited[i] != 0)
                 {
-                    var (material, law) = tools[Math.Min((int)c.Tool[i], tools.Length - 1)];
+                    var (material, length) = tools[Math.Min((int)c.Tool[i], tools.Length - 1)];
                     var added = c.Deposited[i] * (toolpath.VolumePerE(c.Tool[i]) ?? 0);
                     volume += added;
-                    filament += c.Deposited[i] * law.FilamentPerE;
+                    filament += c.Deposited[i] * length;
                     mass += added / 1000 * material.Density;
                     cost += added / 1_000_000 * material.Density * material.CostPerKg;
                 }

@@ -19,7 +19,7 @@ internal sealed class Template(IReadOnlyList<TemplatePart> parts, TemplateNames 
     {
         var parser = new TemplateParser(names, source);
         parser.Parse(lines);
-        return new Result<Template>(parser.Problems.Count == 0 ? new Template(parser.Parts, names with { Numbers = parser.Numbers }) : null, parser.Problems);
+        return new Result<Template>(parser.Problems.Count == 0 ? new Template(parser.Parts, names) : null, parser.Problems);
     }
 
     /// <summary>The lines for these values. An unknown or infinite value is an error.</summary>

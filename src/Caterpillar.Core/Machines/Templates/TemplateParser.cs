@@ -1,5 +1,4 @@
 using System.Text;
-using System.Text.RegularExpressions;
 
 namespace Caterpillar.Machines;
 
@@ -10,7 +9,6 @@ internal sealed class TemplateParser(TemplateNames names, SourceLocation source)
     private const int MaxNesting = 100;
 
     private readonly List<TemplatePart> _parts = [];
-    private readonly List<string> _numbers = [.. names.Numbers];
     private readonly List<Diagnostic> _problems = [];
 
     // For each open if: its location, and whether its else has come.
@@ -21,9 +19,6 @@ internal sealed class TemplateParser(TemplateNames names, SourceLocation source)
     public IReadOnlyList<TemplatePart> Parts => _parts;
 
     public IReadOnlyList<Diagnostic> Problems => _problems;
-
-    /// <summary>The names of numbers, with those of tools that occur.</summary>
-    public string[] Numbers => _numbers.ToArray();
 
     public void Parse(IReadOnlyList<string> lines)
     {
@@ -111,13 +106,13 @@ internal sealed class TemplateParser(TemplateNames names, SourceLocation source)
 
     private void Formula(TemplatePartKind kind, string inside, int from, SourceLocation place)
     {
-        var text = Regex.Replace(inside.Substring(from), @"([a-z][a-z0-9_]*)\[([0-9]{1,2})\]", OfTool);
+        var text = inside.Substring(from);
         if (text.Trim().Length == 0)
         {
             Problem("template.empty", kind == TemplatePartKind.Value ? "Empty braces." : "Missing condition.", place);
             return;
         }
-        var formula = Expressions.Formula.Compile(text, _numbers, place);
+        var formula = Expressions.Formula.Compile(text, names.Numbers, place);
         foreach (var problem in formula.Diagnostics)
         {
             var code = problem.Code == "formula.unknown" ? "template.unknown_name" : problem.Code;
@@ -125,14 +120,6 @@ internal sealed class TemplateParser(TemplateNames names, SourceLocation source)
         }
         if (formula.Value is { UsesRandom: true }) Problem("template.random", "Templates cannot contain random numbers.", place);
         _parts.Add(new TemplatePart(kind, text.Trim(), place, formula.Value));
-    }
-
-    private string OfTool(Match match)
-    {
-        if (!names.OfTools.Contains(match.Groups[1].Value)) return match.Value;
-        var name = TemplateNames.OfTool(match.Groups[1].Value, match.Groups[2].Value);
-        if (!_numbers.Contains(name)) _numbers.Add(name);
-        return name;
     }
 
     private void Problem(string code, string message, SourceLocation place) => _problems.Add(new Diagnostic(Severity.Error, code, message, place));

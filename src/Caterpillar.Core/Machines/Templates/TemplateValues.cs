@@ -1,14 +1,7 @@
 namespace Caterpillar.Machines;
 
 /// <summary>The names of numbers (in the order of the slots of formulas) and texts that a template may contain.</summary>
-internal sealed record TemplateNames(string[] Numbers, string[] Texts)
-{
-    /// <summary>Numbers that each tool has: <c>name[1]</c> is that of tool 1.</summary>
-    public IReadOnlyList<string> OfTools { get; init; } = [];
-
-    /// <summary>The name of a number of a tool in formulas.</summary>
-    public static string OfTool(string name, string tool) => name + "_of_tool_" + tool;
-}
+internal sealed record TemplateNames(string[] Numbers, string[] Texts);
 
 /// <summary>The values of these names. Immutable.</summary>
 internal sealed class TemplateValues(Dictionary<string, double> numbers, Dictionary<string, string> texts, Lazy<Dictionary<string, double>>? ofPrint)

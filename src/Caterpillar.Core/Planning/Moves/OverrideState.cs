@@ -10,10 +10,9 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
     private readonly double?[] _temperature = new double?[rules.Tools.Length];
 
     // Of each nozzle; null = never heated. The start code heats the first one for the first layer and leaves the fan off.
-    private readonly double?[] _temperatureNow
-        = [rules.Tools[0].FirstLayerNozzleTemperature ?? rules.Tools[0].NozzleTemperature, .. new double?[rules.Tools.Length - 1]];
+    private readonly double?[] _temperatureNow = [rules.Tools[0].Temperature(isFirstLayer: true), .. new double?[rules.Tools.Length - 1]];
 
-    private double? _fan, _fanNow = rules.AddsNothing ? rules.Tools[0].Fan : 0;
+    private double? _fan, _fanNow = rules.AddsNothing ? LeastFan(rules.Tools[0]) : 0;
     private double? _bed, _bedNow = rules.FirstLayerBedTemperature ?? rules.BedTemperature;
 
     // What the firmware has is not known exactly: accelerations and jerk that are commanded at all are so from the first path on.
@@ -22,7 +21,8 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
 
     private readonly bool _layered = !rules.AddsNothing
         && (rules.FirstLayerBedTemperature is not null || rules.Motion is not null
-            || rules.Tools.Any(t => t.Fan > 0 || (t.FanTime > 0 && t.MaxFan > 0) || t.FirstLayerNozzleTemperature is not null));
+            || rules.Tools.Any(t => t.Material is { MinFanSpeedPercent: > 0 } or { FanLayerTime: > 0, MaxFanSpeedPercent: > 0 }
+                or { FirstLayerNozzleTemperature: > 0 }));
     private bool _overridden;
 
     /// <summary>True if a value stayed overridden because its previous value is unknown.</summary>
@@ -43,12 +43,11 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
     }
 
     /// <summary>Changes the tool: the last one cools down to its standby temperature, the new one is heated before it is used.</summary>
-    /// <param name="tool">The new tool.</param>
-    /// <param name="next">The path that it prints first; null = unknown.</param>
     public void SwitchTool(int tool, PrintPath? next)
     {
         var last = emitter.Tool;
-        if (rules.Tools[last].StandbyTemperature is { } standby && standby < _temperatureNow[last]) Heat(last, standby, false);
+        if (!rules.SharedNozzle && rules.Tools[last].Material?.StandbyTemperature is > 0 and var standby && standby < _temperatureNow[last])
+            Heat(last, standby, false);
         emitter.SwitchTool(tool);
         if (Usual(tool, next is null ? -1 : LayerOf(next)) is { } celsius && celsius != _temperatureNow[Nozzle(tool)]) Heat(tool, celsius, true);
     }
@@ -75,7 +74,7 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
             emitter.Event(new NozzleTemperatureEvent(celsius));
         usual = _bed ?? (layer == 0 ? rules.FirstLayerBedTemperature : null) ?? rules.BedTemperature;
         if (rules.FirstLayerBedTemperature is not null && Differs(null, usual, ref _bedNow) is { } bed) emitter.Event(new BedTemperatureEvent(bed));
-        usual = _fan ?? (layer >= 0 && layer < emitter.ToolRules.FanOffLayers ? 0 : FanFor(layerTime));
+        usual = _fan ?? (layer >= 0 && layer < emitter.ToolRules.Material?.FanOffLayers ? 0 : FanFor(layerTime));
         if (Differs(wanted?.Fan, usual, ref _fanNow) is { } fan) emitter.Event(new FanEvent(fan));
         usual = _acceleration ?? (rules.Motion is { HasAcceleration: true } motion ? motion.Acceleration(path.Role, layer == 0) : rules.Acceleration);
         if (Differs(wanted?.Acceleration, usual, ref _accelerationNow) is { } acceleration)
@@ -101,8 +100,9 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
 
     private int Nozzle(int tool) => rules.SharedNozzle ? 0 : tool;
 
-    private double? Usual(int tool, int layer)
-        => _temperature[tool] ?? (layer == 0 ? rules.Tools[tool].FirstLayerNozzleTemperature : null) ?? rules.Tools[tool].NozzleTemperature;
+    private double? Usual(int tool, int layer) => _temperature[tool] ?? rules.Tools[tool].Temperature(layer == 0);
+
+    private static double? LeastFan(ToolRules tool) => tool.Material?.MinFanSpeedPercent / 100;
 
     private void Heat(int tool, double celsius, bool wait)
     {
@@ -113,10 +113,11 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
     // Quick layers get more of the fan, the quickest all of it.
     private double? FanFor(double layerTime)
     {
-        var tool = emitter.ToolRules;
-        if (tool.Fan is not { } least || !(layerTime < tool.FanTime)) return tool.Fan;
-        var share = layerTime <= rules.MinLayerTime ? 1 : (tool.FanTime - layerTime) / (tool.FanTime - rules.MinLayerTime);
-        return Math.Round((least + (tool.MaxFan - least) * share) * 100) / 100;
+        var material = emitter.ToolRules.Material;
+        if (LeastFan(emitter.ToolRules) is not { } least || !(layerTime < material!.FanLayerTime)) return LeastFan(emitter.ToolRules);
+        var most = Math.Max(least, material.MaxFanSpeedPercent / 100);
+        var share = layerTime <= rules.MinLayerTime ? 1 : (material.FanLayerTime - layerTime) / (material.FanLayerTime - rules.MinLayerTime);
+        return Math.Round((least + (most - least) * share) * 100) / 100;
     }
 
     // A path without a layer counts by its highest point: a helix that starts on the bed does not belong to the first layer.

@@ -20,35 +20,15 @@ internal sealed record ToolRules(double? VolumePerE, double RetractE, double Ret
     /// <summary>Pressure advance, s; null = no command.</summary>
     public double? PressureAdvance { get; init; }
 
-    /// <summary>Wipe and height of travels of the material; null = as in the other rules.</summary>
-    public double? WipeDistance { get; init; }
-
-    /// <inheritdoc cref="WipeDistance"/>
-    public double? Clearance { get; init; }
-
     /// <summary>Material that machine and tool can push, mm³/s.</summary>
     public double MaxFlow { get; init; } = double.PositiveInfinity;
 
-    /// <summary>The value without overrides; null if the settings do not state it.</summary>
-    public double? NozzleTemperature { get; init; }
+    /// <summary>Its temperatures, fan, Z-hop and wipe; null = none are known.</summary>
+    public Material? Material { get; init; }
 
-    /// <summary>The same in the first layer, if it differs.</summary>
-    public double? FirstLayerNozzleTemperature { get; init; }
-
-    /// <summary>The same while another tool prints, if it differs.</summary>
-    public double? StandbyTemperature { get; init; }
-
-    /// <inheritdoc cref="NozzleTemperature"/>
-    public double? Fan { get; init; }
-
-    /// <summary>The fan for layers of the least time; in between it is interpolated.</summary>
-    public double MaxFan { get; init; }
-
-    /// <summary>Layers that take less than this, s, get more fan speed; 0 = off.</summary>
-    public double FanTime { get; init; }
-
-    /// <summary>Number of first layers that are printed without the fan.</summary>
-    public int FanOffLayers { get; init; }
+    /// <summary>Temperature without overrides, °C; null if the material does not state it.</summary>
+    public double? Temperature(bool isFirstLayer) => Material is not { NozzleTemperature: > 0 } material ? null
+        : isFirstLayer && material.FirstLayerNozzleTemperature > 0 ? material.FirstLayerNozzleTemperature : material.NozzleTemperature;
 
     /// <summary>E per mm³ of material; 0 = a tool without E.</summary>
     public double EOf(double volume) => VolumePerE is { } unit ? volume / unit : 0;
@@ -120,8 +100,8 @@ internal sealed record PlanRules
 
     public double WipeDistance { get; init; }
 
-    /// <summary>The same when the nozzle leaves a purge tower.</summary>
-    public double TowerWipeDistance { get; init; }
+    /// <summary>False for firmware retraction, which cannot be spread over a move.</summary>
+    public bool CanWipe { get; init; } = true;
 
     /// <summary>The extruder extrudes this length of bead before a path starts, at most a tenth of the path.</summary>
     public double StartDistance { get; init; }

@@ -7,6 +7,9 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
 
     // Points closer than this are equal, mm: far below the resolution of any file or machine.
     internal const double Touching = 1e-6;
+
+    // mm; the nozzle leaves a purge tower clean.
+    private const double TowerWipe = 5;
     private readonly bool[] _hasPrinted = new bool[rules.Tools.Length];
     private readonly DetourFinder? _detours = deposit is not null && rules.Detour ? new DetourFinder(deposit, rules.Head) : null;
     private readonly CombPath _around = new(rules.CombInset);
@@ -17,7 +20,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
 
     private Region? _inside;
 
-    private double Clearance => emitter.ToolRules.Clearance ?? rules.Clearance;
+    private double Clearance => emitter.ToolRules.Material?.ZHop ?? rules.Clearance;
 
     /// <summary>A path has been printed to its end.</summary>
     public void Printed(PrintPath path, Region? inside)
@@ -218,8 +221,8 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     private bool TryWipe(double e, ToolRules tool)
     {
         if (_last is not { } path || path.End.DistanceTo(emitter.Position) > Touching) return false;
-        var distance = path.Role == Role.PrimeTower ? rules.TowerWipeDistance : emitter.ToolRules.WipeDistance ?? rules.WipeDistance;
-        if (distance <= 0) return false;
+        var distance = path.Role == Role.PrimeTower ? TowerWipe : emitter.ToolRules.Material?.WipeDistance ?? rules.WipeDistance;
+        if (distance <= 0 || !rules.CanWipe) return false;
         var points = WipePath.Along(path, distance);
         var length = 0.0;
         for (var i = 1; i < points.Count; i++) length += points[i - 1].DistanceTo(points[i]);

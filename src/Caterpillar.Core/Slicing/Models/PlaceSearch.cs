@@ -10,18 +10,18 @@ internal sealed class PlaceSearch(Printer printer, ArrangeOptions options, Cance
 
     private readonly BedArea _bed = new(printer, options);
 
-    /// <summary>Each on the free point of a grid that is nearest to the middle of the bed; ties from the front left.</summary>
-    public Footprint?[] FromTheMiddle(Footprint[] footprints, int[] order)
+    /// <summary>Each on the free point of a grid that is nearest to the middle of the bed; ties from the front left. Others stand already.</summary>
+    public Footprint?[] FromTheMiddle(Footprint[] footprints, int[] order, params Footprint[] others)
     {
         var center = printer.BuildBounds.Center.WithZ(0);
-        return OnGrid(footprints, order, Grid().OrderBy(p => (p - center).LengthSquared).ThenBy(p => p.Y).ThenBy(p => p.X).ToArray());
+        return OnGrid(footprints, order, Grid().OrderBy(p => (p - center).LengthSquared).ThenBy(p => p.Y).ThenBy(p => p.X).ToArray(), others);
     }
 
     /// <summary>Each as far in front, then as far left as it goes: beside the edges of the bed and of those that are placed, or on the grid.</summary>
     public Footprint?[] InRows(Footprint[] footprints, int[] order)
     {
         var grid = Grid();
-        if (order.Length > MaxEdges) return OnGrid(footprints, order, [.. grid]);
+        if (order.Length > MaxEdges) return OnGrid(footprints, order, [.. grid], []);
         var placed = new Footprint?[footprints.Length];
         foreach (var i in order)
         {
@@ -31,15 +31,7 @@ internal sealed class PlaceSearch(Printer printer, ArrangeOptions options, Cance
         return placed;
     }
 
-    /// <summary>One footprint as near as possible to the middle of others that stand already; null if there is no place.</summary>
-    public Footprint? Beside(Footprint footprint, Footprint[] others)
-    {
-        var middle = others.Aggregate(Bounds.Empty, (all, o) => all.Include(o.Box)).Center.WithZ(0);
-        var places = others.Length > MaxEdges ? Grid() : Grid().Concat(Corners(footprint, others));
-        return First(footprint, places.OrderBy(p => (p - middle).LengthSquared).ThenBy(p => p.Y).ThenBy(p => p.X).ToArray(), 0, others).Found;
-    }
-
-    private Footprint?[] OnGrid(Footprint[] footprints, int[] order, Vec3[] places)
+    private Footprint?[] OnGrid(Footprint[] footprints, int[] order, Vec3[] places, Footprint[] others)
     {
         var placed = new Footprint?[footprints.Length];
         // Where there is no room for a copy there is none for the next.
@@ -47,7 +39,7 @@ internal sealed class PlaceSearch(Printer printer, ArrangeOptions options, Cance
         foreach (var i in order)
         {
             tried.TryGetValue(footprints[i], out var from);
-            (placed[i], tried[footprints[i]]) = First(footprints[i], places, from, placed);
+            (placed[i], tried[footprints[i]]) = First(footprints[i], places, from, [.. others, .. placed]);
         }
         return placed;
     }

@@ -51,7 +51,7 @@ internal static class IdleSettings
         Unless("raft_layers is above 0", s => s.RaftLayers == 0, BedKeys.RaftExpansion, BedKeys.RaftLayerHeight, BedKeys.RaftGap, BedKeys.RaftDensityPercent),
         new(Severity.Warning, "with print_sequence=by_object", "The head would hit a tower beside the models",
             s => s.PrintSequence == PrintSequence.ByObject, ToolKeys.PurgeTower),
-        Unless("purge_tower=true", s => !s.PurgeTower, ToolKeys.PurgeTowerWidth, ToolKeys.PurgeTowerBrimWidth, ToolKeys.PurgeTowerPosition),
+        Unless("purge_tower=true", s => !s.PurgeTower, ToolKeys.PurgeTowerWidth, ToolKeys.PurgeTowerBrimWidth),
         Unless("purge_tower=true or purge_into_infill=true", s => s is { PurgeTower: false, PurgeIntoInfill: false }, ToolKeys.PurgeVolume),
         Unless("support=grid or support=tree", s => s.Support == SupportKind.None,
             SupportKeys.SupportPlacement, SupportKeys.SupportAngle, SupportKeys.MaxBridgeLength, SupportKeys.SupportXyGap, SupportKeys.SupportTopGap,

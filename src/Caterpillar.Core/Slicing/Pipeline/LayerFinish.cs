@@ -76,12 +76,7 @@ internal sealed class LayerFinish(
         if (_isByObject) _low = Low();
         Release(_all.Count);
         EndLevel();
-        if (_levels is not null)
-        {
-            var (turns, number) = (ToolTurns.Of(_levels), 0);
-            Purge(turns);
-            foreach (var turn in turns) GiveOn(ToolTurns.Layers(turn, ref number));
-        }
+        if (_levels is not null) TakeTurns();
         _cooling.Report(problems);
         return _finished.ToArray();
     }
@@ -124,15 +119,19 @@ internal sealed class LayerFinish(
         foreach (var layer in level) _finished.Add(options.Take is null ? layer : layer with { Steps = [] });
     }
 
-    private void Purge(List<ToolTurn[]> turns)
+    private void TakeTurns()
     {
-        if (!settings.PurgeTower && !settings.PurgeIntoInfill) return;
-        foreach (var turn in turns.SelectMany(t => t)) turn.Purge = turn.Changes ? TowerPlace.VolumeOf(settings, options.Printer) : 0;
+        var (turns, number) = (ToolTurns.Of(_levels!), 0);
+        var volume = settings.PurgeVolume > 0 ? settings.PurgeVolume : options.Printer.SharedNozzle ? 140 : 15;
+        if (settings.PurgeTower || settings.PurgeIntoInfill)
+        {
+            foreach (var turn in turns.SelectMany(t => t).Where(t => t.Changes)) turn.Purge = volume;
+        }
         if (settings.PurgeIntoInfill) turns.ForEach(InfillPurge.Take);
-        var left = turns.Sum(t => t.Count(turn => turn.Purge > 0));
         if (settings.PurgeTower && settings.PrintSequence == PrintSequence.ByLayer) PurgeTower.Add(turns, settings, options.Printer);
-        else if (left > 0)
+        else if (turns.Sum(t => t.Count(turn => turn.Purge > 0)) is > 0 and var left)
             problems.Add(Severity.Warning, "slice.purge", "The infill after a tool change is less than purge_volume_mm3. Set purge_tower=true.", null, left);
+        foreach (var turn in turns) GiveOn(ToolTurns.Layers(turn, ref number));
     }
 
     // All objects that stand as low as the first layer, which are those that the loops go around together.

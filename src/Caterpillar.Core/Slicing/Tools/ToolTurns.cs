@@ -1,18 +1,13 @@
 namespace Caterpillar.Slicing;
 
 /// <summary>What one tool prints of the layers at one height.</summary>
-internal sealed class ToolTurn(int tool, bool changes, List<SlicedLayer> layers)
+/// <param name="Tool">Number of the tool.</param>
+/// <param name="Changes">True if another tool comes before it.</param>
+/// <param name="Layers">The layers in their order, each with the paths of this tool only.</param>
+internal sealed record ToolTurn(int Tool, bool Changes, List<SlicedLayer> Layers)
 {
-    public int Tool { get; } = tool;
-
-    /// <summary>Another tool comes before it.</summary>
-    public bool Changes { get; } = changes;
-
     /// <summary>What is to be purged before anything else is printed, mm³.</summary>
     public double Purge { get; set; }
-
-    /// <summary>The layers in their order, each with the paths of this tool only.</summary>
-    public List<SlicedLayer> Layers { get; } = layers;
 }
 
 /// <summary>
@@ -46,8 +41,6 @@ internal static class ToolTurns
     }
 
     /// <summary>The layers of turns in their order, so that sorting keeps it.</summary>
-    /// <param name="turns">The turns of one height.</param>
-    /// <param name="number">Number of the next layer in the print.</param>
     public static SlicedLayer[] Layers(ToolTurn[] turns, ref int number)
     {
         var layers = new List<SlicedLayer>();

@@ -135,19 +135,13 @@ public class PurgeTests
     }
 
     [Test]
-    public void The_tower_stands_where_it_is_told_or_says_why_not()
+    public void Without_room_for_the_tower_nothing_is_printed()
     {
-        var there = Settings with { PurgeTowerPosition = new(new Vec3(20, 30, 0)), PurgeTowerBrimWidth = 0 };
-        var tower = Slice(there, Part(100, 0.5, 0), Part(120, 0.5, 1)).First(IsTower);
-        Assert.That((tower.Region.Bounds.Min - new Vec3(20, 30, 0)).Length, Is.LessThan(1e-3));
-        Assert.That(tower.Region.Bounds.Size.X, Is.EqualTo(35).Within(1e-3));
-
-        string Message(PrintSettings settings, params SliceModel[] models) => PlanarSlicer.SliceEach(models, settings, OnBed).Diagnostics.Single().Message;
-        Assert.That(Message(there with { PurgeTowerPosition = new(new Vec3(90, 90, 0)) }, Part(100, 0.5, 0), Part(120, 0.5, 1)),
-            Does.StartWith("The purge tower of 35 × 5 mm at purge_tower_position_mm is less than 8.5 mm from a model."));
         SliceModel Wide(double y, int tool) => new(new NamedMesh("part", Solids.Block(5, y, 0, 215, y + 100, 0.5)), Settings with { PartTool = tool });
-        Assert.That(Message(Settings, Wide(5, 0), Wide(110, 1)),
-            Does.StartWith("There is no room for the purge tower of 35 × 5 mm beside the models."));
+        var result = PlanarSlicer.SliceEach([Wide(5, 0), Wide(110, 1)], Settings, OnBed);
+        Assert.That(result.Value, Is.Null);
+        Assert.That(result.Diagnostics.Single().ToString(), Is.EqualTo("error slice.purge_tower: There is no room for the purge tower of 35 × 5 mm "
+            + "beside the models. Move them, or change purge_tower_width_mm."));
     }
 
     [Test]

@@ -201,15 +201,14 @@ public class ToolTests
         Assert.That(found.Value, Is.Null);
         Assert.That(found.Diagnostics.Single().Code, Is.EqualTo("setup.materials"));
         Assert.That(found.Diagnostics.Single().Message,
-            Is.EqualTo("The setup has 2 materials, but Generic 220 has 1 tool. Set tool_offsets_mm, with a row for each tool."));
+            Is.EqualTo("2 materials need as many tools: set tool_offsets_mm of Generic 220 to a list with a row for each."));
     }
 
     [TestCase("wall_tool=-2", "wall_tool must be -1 to 63, not -2.")]
     [TestCase("part_tool=-1", "part_tool must be 0 to 63, not -1.")]
     [TestCase("part_tool=0.5", "part_tool needs an integer, not 0.5.")]
     [TestCase("tool_changes_mm=5,1; 5,0", "tool_changes_mm must have ascending heights.")]
-    [TestCase("tool_changes_mm=5,0.5", "tool_changes_mm must have tool numbers of 0 to 63.")]
-    [TestCase("tool_changes_mm=5,64", "tool_changes_mm must have tool numbers of 0 to 63.")]
+    [TestCase("tool_changes_mm=5,0.5", "tool_changes_mm needs a list of lists [from, tool], not a list of 1 value.")]
     public void Wrong_values_are_refused(string value, string message)
         => Assert.That(new PrintSetup().With(value).Diagnostics.Select(d => d.Message), Is.EqualTo(new[] { message }));
 
