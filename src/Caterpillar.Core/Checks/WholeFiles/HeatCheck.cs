@@ -94,21 +94,16 @@ internal sealed class HeatCheck : IMoveCheck
     }
 
     private void Nozzle(double celsius, Func<SourceLocation?> place)
-    {
-        if (celsius > _printer.MaxNozzleTemperature)
-            _findings.Add(CheckCodes.NozzleTemperature, place, () => Sentence("nozzle", celsius, _printer.MaxNozzleTemperature));
-    }
+        => Limit(CheckCodes.NozzleTemperature, "nozzle", celsius, _printer.MaxNozzleTemperature, place);
 
-    private void Bed(double celsius, Func<SourceLocation?> place)
-    {
-        if (celsius > _printer.MaxBedTemperature)
-            _findings.Add(CheckCodes.BedTemperature, place, () => Sentence("bed", celsius, _printer.MaxBedTemperature));
-    }
+    private void Bed(double celsius, Func<SourceLocation?> place) => Limit(CheckCodes.BedTemperature, "bed", celsius, _printer.MaxBedTemperature, place);
 
     private void Chamber(double celsius, Func<SourceLocation?> place)
+        => Limit(CheckCodes.ChamberTemperature, "chamber", celsius, _printer.MaxChamberTemperature, place);
+
+    private void Limit(string code, string part, double celsius, double most, Func<SourceLocation?> place)
     {
-        if (celsius > _printer.MaxChamberTemperature)
-            _findings.Add(CheckCodes.ChamberTemperature, place, () => Sentence("chamber", celsius, _printer.MaxChamberTemperature));
+        if (celsius > most) _findings.Add(code, place, () => Sentence(part, celsius, most));
     }
 
     private string Sentence(string part, double celsius, double most)

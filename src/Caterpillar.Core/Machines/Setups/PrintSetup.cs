@@ -56,15 +56,7 @@ public sealed record PrintSetup
     public ExtrusionModel Extrusion => new(Printer.ExtrusionUnit, Material.FilamentDiameter, Material.FlowRatio);
 
     /// <summary>Maximum volumetric flow of printer and material, mm³/s; infinite if both are unknown.</summary>
-    public double MaxFlow
-    {
-        get
-        {
-            var machine = Printer.MaxFlow > 0 ? Printer.MaxFlow : double.PositiveInfinity;
-            var material = Material.MaxFlow > 0 ? Material.MaxFlow : double.PositiveInfinity;
-            return Math.Min(machine, material);
-        }
-    }
+    public double MaxFlow => new[] { Printer.MaxFlow, Material.MaxFlow }.Where(flow => flow > 0).DefaultIfEmpty(double.PositiveInfinity).Min();
 
     /// <summary>The setup with the material of a tool.</summary>
     public PrintSetup OfTool(int tool) => tool > 0 && tool <= ToolMaterials.Count ? this with { Material = ToolMaterials[tool - 1] } : this;
