@@ -10,18 +10,21 @@ internal sealed class PlaceSearch(Printer printer, ArrangeOptions options, Cance
 
     private readonly BedArea _bed = new(printer, options);
 
-    /// <summary>Each on the free point of a grid that is nearest to the middle of the bed; ties from the front left. Others stand already.</summary>
-    public Footprint?[] FromTheMiddle(Footprint[] footprints, int[] order, params Footprint[] others)
+    /// <summary>What stands on the bed already.</summary>
+    public Footprint[] Others { get; init; } = [];
+
+    /// <summary>Each on the free point of a grid that is nearest to the middle of the bed; ties from the front left.</summary>
+    public Footprint?[] FromTheMiddle(Footprint[] footprints, int[] order)
     {
         var center = printer.BuildBounds.Center.WithZ(0);
-        return OnGrid(footprints, order, Grid().OrderBy(p => (p - center).LengthSquared).ThenBy(p => p.Y).ThenBy(p => p.X).ToArray(), others);
+        return OnGrid(footprints, order, Grid().OrderBy(p => (p - center).LengthSquared).ThenBy(p => p.Y).ThenBy(p => p.X).ToArray());
     }
 
     /// <summary>Each as far in front, then as far left as it goes: beside the edges of the bed and of those that are placed, or on the grid.</summary>
     public Footprint?[] InRows(Footprint[] footprints, int[] order)
     {
         var grid = Grid();
-        if (order.Length > MaxEdges) return OnGrid(footprints, order, [.. grid], []);
+        if (order.Length > MaxEdges) return OnGrid(footprints, order, [.. grid]);
         var placed = new Footprint?[footprints.Length];
         foreach (var i in order)
         {
@@ -31,7 +34,7 @@ internal sealed class PlaceSearch(Printer printer, ArrangeOptions options, Cance
         return placed;
     }
 
-    private Footprint?[] OnGrid(Footprint[] footprints, int[] order, Vec3[] places, Footprint[] others)
+    private Footprint?[] OnGrid(Footprint[] footprints, int[] order, Vec3[] places)
     {
         var placed = new Footprint?[footprints.Length];
         // Where there is no room for a copy there is none for the next.
@@ -39,7 +42,7 @@ internal sealed class PlaceSearch(Printer printer, ArrangeOptions options, Cance
         foreach (var i in order)
         {
             tried.TryGetValue(footprints[i], out var from);
-            (placed[i], tried[footprints[i]]) = First(footprints[i], places, from, [.. others, .. placed]);
+            (placed[i], tried[footprints[i]]) = First(footprints[i], places, from, placed);
         }
         return placed;
     }
@@ -93,7 +96,7 @@ internal sealed class PlaceSearch(Printer printer, ArrangeOptions options, Cance
         {
             if (other is not null && !moved.IsApart(other, Spacing(moved, other))) return false;
         }
-        return true;
+        return Array.TrueForAll(Others, other => moved.IsApart(other, Spacing(moved, other)));
     }
 
     // The lower one is printed first.

@@ -14,9 +14,9 @@ internal static class TowerPlace
     public static Bounds Find(double depth, Footprint[] obstacles, PrintSettings settings, Printer printer)
     {
         var brim = new Vec3(settings.PurgeTowerBrimWidth, settings.PurgeTowerBrimWidth);
-        var search = new PlaceSearch(printer, new ArrangeOptions { Spacing = Distance(settings) }, default);
+        var search = new PlaceSearch(printer, new ArrangeOptions { Spacing = Distance(settings) }, default) { Others = obstacles };
         var size = new Vec3(settings.PurgeTowerWidth, depth);
-        if (search.FromTheMiddle([Footprint.Of(new Bounds(-brim, size + brim))], [0], obstacles)[0] is { } place)
+        if (search.FromTheMiddle([Footprint.Of(new Bounds(-brim, size + brim))], [0])[0] is { } place)
             return new Bounds(place.Box.Min + brim, place.Box.Min + brim + size);
         throw Problem($"There is no room for the purge tower of {NumberFormatter.Format(size.X, 1)} × {NumberFormatter.Format(size.Y, 1)} mm "
             + "beside the models. Move them, or change purge_tower_width_mm.");
