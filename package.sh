@@ -6,4 +6,4 @@ cd "$(dirname "$0")"
 version=$(sed -nE 's/.*<Version>(.*)<\/Version>.*/\1/p' Directory.Build.props)
 dotnet build src/Caterpillar.GH -c Release -p:RhinoSdk=nuget --nologo -v quiet
 gha=artifacts/nuget/gha
-dotnet run --project tools/Caterpillar.Package -- "$gha/net48" "$gha/net8.0" src/Caterpillar.GH/Resources/package.png "$version" artifacts/package
+dotnet run --project tools/Caterpillar.Package -- "$gha/net48" "$gha/net8.0" src/Caterpillar.GH/Resources/package.png . "$version" artifacts/package

@@ -5,7 +5,8 @@ namespace Caterpillar.Bench;
 
 /// <summary>
 /// <c>dotnet run -c Release --project bench -- --filter *</c>; a class or method name instead of * runs part of it.
-/// <c>dotnet run -c Release --project bench -- times FOLDER</c>: print times against other slicers for the meshes of a folder.
+/// <c>dotnet run -c Release --project bench -- times FOLDER MODEL...</c>: print times and short moves against other slicers, whose files are kept in a folder.
+/// <c>dotnet run -c Release --project bench -- parts FOLDER</c>: plain parts as STL: plates, disks, frames, a gear.
 /// <c>dotnet run -c Release --project bench -- coverage MODEL FILE.gcode...</c>: what the beads of solid prints leave open and cover twice (bench/coverage.sh).
 /// <c>dotnet run -c Release --project bench -- damaged FOLDER FIRST COUNT OUT</c>, <c>lost GOOD.gcode BAD.gcode</c>: layers that damaged meshes lose
 /// (bench/damaged.sh).
@@ -23,7 +24,8 @@ internal static class Program
 {
     private static void Main(string[] arguments)
     {
-        if (arguments is ["times", var folder]) PrintTimes.Run(folder);
+        if (arguments is ["times", var folder, _, ..]) PrintTimes.Run(folder, arguments[2..]);
+        else if (arguments is ["parts", var parts]) Samples.WriteParts(parts);
         else if (arguments is ["coverage", _, _, ..]) Coverage.Run(arguments[1..]);
         else if (arguments is ["damaged", var models, var first, var count, var target])
             DamagedMeshes.Run(models, int.Parse(first, CultureInfo.InvariantCulture), int.Parse(count, CultureInfo.InvariantCulture), target);

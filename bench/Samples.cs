@@ -5,6 +5,7 @@ using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Tests.Geometry.Meshes;
+using Caterpillar.Tests.Slicing;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Bench;
@@ -59,6 +60,46 @@ internal static class Samples
     {
         var rings = (int)Math.Sqrt(triangles / 4.0);
         File.WriteAllBytes(file, StlWriter.ToBytes(BumpySphere(2 * rings, rings)));
+    }
+
+    /// <summary>Plain parts, as people print them.</summary>
+    public static void WriteParts(string folder)
+    {
+        Directory.CreateDirectory(folder);
+        Part("box", Rectangle(120, 90), 8);
+        Part("disk", Region.From([Round(0, 0, 50, 180)]), 6);
+        Part("frame", Turned(Rectangle(100, 100).Subtract(Rectangle(60, 60)), 30), 10);
+        Part("angle", Turned(Rectangle(90, 90).Subtract(Region.From([Box(-30, -30, 60, 60)])), 12), 12);
+        var holes = from x in Enumerable.Range(-2, 5) from y in Enumerable.Range(-1, 3) select Round(x * 22, y * 25, 4 + (x + y) % 3, 64);
+        Part("sieve", Rectangle(120, 90).Subtract(Region.From(holes.ToList())), 6);
+        Part("gear", Region.From([Gear(24, 30, 36)]).Subtract(Region.From([Round(0, 0, 8, 96)])), 10);
+        var slots = Enumerable.Range(-4, 9).Select(x => Box(x * 10 - 3, -25, x * 10 + 3, 25)).ToList();
+        Part("grille", Rectangle(110, 70).Subtract(Region.From(slots)), 5);
+
+        void Part(string name, Region outline, double height)
+            => File.WriteAllBytes(Path.Combine(folder, name + ".stl"), StlWriter.ToBytes(Prism.On(outline, height)));
+    }
+
+    private static Polyline Polygon(IEnumerable<Vec3> points) => new(points, closed: true);
+
+    private static Polyline Box(double x0, double y0, double x1, double y1) => Polygon([new(x0, y0), new(x1, y0), new(x1, y1), new(x0, y1)]);
+
+    private static Region Rectangle(double x, double y) => Region.From([Box(-x / 2, -y / 2, x / 2, y / 2)]);
+
+    private static Polyline Round(double x, double y, double radius, int sides)
+        => Polygon(Enumerable.Range(0, sides).Select(i => Angle.SinCos(360.0 * i / sides)).Select(a => new Vec3(x + radius * a.Cos, y + radius * a.Sin)));
+
+    private static Polyline Gear(int teeth, double low, double high) => Polygon(Enumerable.Range(0, 4 * teeth).Select(i =>
+    {
+        var (sin, cos) = Angle.SinCos(90.0 / teeth * i);
+        var radius = i % 4 < 2 ? low : high;
+        return new Vec3(radius * cos, radius * sin);
+    }));
+
+    private static Region Turned(Region region, double degrees)
+    {
+        var (sin, cos) = Angle.SinCos(degrees);
+        return Region.From(region.Contours.Select(c => Polygon(c.Raw.Select(p => new Vec3(p.X * cos - p.Y * sin, p.X * sin + p.Y * cos)))).ToList());
     }
 
     /// <summary>A model of any format as binary STL.</summary>

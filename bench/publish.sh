@@ -3,7 +3,5 @@
 #   bench/publish.sh FOLDER
 set -eu
 cd "$(dirname "$0")/.."
-native=false
-command -v cc >/dev/null && native=true
-dotnet publish src/Caterpillar.Cli -c Release -o "$1" -p:Native=$native -v quiet --nologo >/dev/null
+dotnet publish src/Caterpillar.Cli -c Release -o "$1" -v quiet --nologo >/dev/null
 echo "$1/Caterpillar.Cli"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Builds what a release consists of: NuGet packages (the library, the tool), an archive of the program for each system, and checksums.
+# Builds what a release consists of: NuGet packages (the library, the tool), an archive of the program for each system, a bill of materials, and checksums.
+# The same sources give the same bytes in archives: files are in one order and have one time.
 #   tools/release.sh FOLDER [RUNTIME...]     for example linux-x64 win-x64 osx-arm64; by default all
 set -eu
 cd "$(dirname "$0")/.."
@@ -17,6 +18,9 @@ dotnet pack src/Caterpillar.Cli -c Release -o "$out" --nologo -v quiet
 host=$(dotnet --info | sed -n 's/^ *RID: *//p' | head -n 1)
 native() { [ "$1" = "$host" ] && { command -v cc >/dev/null || [[ $1 == win-* ]]; }; }
 
+# The notices of the runtime that the program contains, as the SDK states them.
+dotnet_notices() { find "$(dirname "$(realpath "$(command -v dotnet)")")" -maxdepth 1 -iname 'ThirdPartyNotices.txt' | head -n 1; }
+
 for runtime in "$@"; do
   name=caterpillar-$version-$runtime
   rm -rf "${out:?}/$name" && mkdir "$out/$name"
@@ -28,12 +32,21 @@ for runtime in "$@"; do
     *) mv "$out/$name/build/Caterpillar.Cli" "$out/$name/caterpillar" ;;
   esac
   rm -r "$out/$name/build"
-  cp README.md LICENSE CHANGELOG.md "$out/$name/"
+  cp README.md LICENSE THIRD-PARTY-NOTICES.md CHANGELOG.md "$out/$name/"
+  cp "$(dotnet_notices)" "$out/$name/DOTNET-NOTICES.txt"
+  find "$out/$name" -exec touch -d 2000-01-01T00:00:00Z {} +
   case $runtime in
-    win-*) (cd "$out" && zip -qr "$name.zip" "$name") ;;
-    *) tar -C "$out" -czf "$out/$name.tar.gz" "$name" ;;
+    win-*) (cd "$out" && find "$name" -type f | LC_ALL=C sort | zip -qX "$name.zip" -@) ;;
+    *) tar -C "$out" --sort=name --owner=0 --group=0 --numeric-owner -c "$name" | gzip -n >"$out/$name.tar.gz" ;;
   esac
   rm -r "${out:?}/$name"
 done
-cd "$out" && sha256sum -- *.nupkg *.snupkg *.tar.gz *.zip 2>/dev/null >SHA256SUMS || true
+# What is inside, for whoever has to know: CycloneDX.
+tools=$(mktemp -d)
+trap 'rm -rf "$tools"' EXIT
+dotnet tool install CycloneDX --tool-path "$tools" >/dev/null
+for project in Core Cli GH; do
+  "$tools/dotnet-CycloneDX" "src/Caterpillar.$project/Caterpillar.$project.csproj" -o "$out" -fn "caterpillar-$version-$(echo $project | tr A-Z a-z).cdx.json" -F Json -rs -dgl >/dev/null
+done
+cd "$out" && sha256sum -- *.nupkg *.snupkg *.tar.gz *.zip *.cdx.json 2>/dev/null >SHA256SUMS || true
 cat SHA256SUMS

@@ -128,6 +128,8 @@ public class BatchTests : CliFixture
             Assert.That(run.Code, Is.Zero, run.Messages);
         }
         Assert.That(Names("out"), Is.EqualTo(Enumerable.Range(1, 5).Select(i => $"star_{i}.gcode")));
+        Run("turtle", "star.turtle", "--table", "values.csv", "-o", "zero/", "--part", "0/3", "--summary", "0.csv");
+        Assert.That(Column(Summary("0.csv"), "job"), Is.EqualTo(Column(Summary("3.csv"), "job")), "indices may begin with 0");
         Assert.That(Column(Summary("2.csv"), "job"), Is.EqualTo(new[] { "2", "5" }));
         Assert.That(Run("turtle", "star.turtle", "--table", "values.csv", "-o", "few/", "--part", "2/9").Code, Is.Zero);
         Assert.That(Run("turtle", "star.turtle", "--table", "values.csv", "-o", "few/", "--part", "9/9").Code, Is.Zero, "a part may be empty");
@@ -143,6 +145,29 @@ public class BatchTests : CliFixture
         Assert.That(run.Messages, Does.Contain("0 of 2 done").And.Contain("repeat the command with --resume"));
         Assert.That(Names("out"), Is.Empty);
         Assert.That(Column(Summary("s.csv"), "status"), Is.All.EqualTo("not started"));
+    }
+
+    [Test]
+    public void Interrupted_again_the_summary_keeps_what_was_done()
+    {
+        string[] words = ["slice", "--each", "models/*.stl", "-o", "out/", "--summary", "s.csv", "--resume"];
+        Assert.That(Run(words).Code, Is.Zero);
+        var first = File.ReadAllText("s.csv");
+        using var stop = new CancellationTokenSource();
+        stop.Cancel();
+        Assert.That(Run([], words, stop.Token).Code, Is.EqualTo(130));
+        Assert.That(File.ReadAllText("s.csv"), Is.EqualTo(first));
+        File.Delete("out/a.gcode");
+        Run([], words, stop.Token);
+        Assert.That(Column(Summary("s.csv"), "status"), Is.EqualTo(new[] { "not started", "done" }));
+    }
+
+    [Test]
+    public void The_first_summary_is_written_before_the_first_file()
+    {
+        Directory.CreateDirectory("s.csv");
+        Assert.That(Run("slice", "--each", "models/*.stl", "-o", "out/", "--summary", "s.csv").Code, Is.Not.Zero);
+        Assert.That(Names("out"), Is.Empty);
     }
 
     [Test]

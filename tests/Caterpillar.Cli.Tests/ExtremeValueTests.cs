@@ -57,7 +57,7 @@ public partial class ExtremeValueTests : CliFixture
         var wrong = new List<string>();
         foreach (var option in verb.Options.Where(o => o.Name.StartsWith("--", StringComparison.Ordinal)))
         {
-            if (option.Name is "--set" or "--output" or "--material-output") continue;
+            if (option.Name is "--set" or "--output") continue;
             foreach (var value in option.ValueType == typeof(bool) ? [""] : Some(Values))
             {
                 string[] given = option.ValueType == typeof(bool) ? [option.Name] : [option.Name, value];
@@ -84,7 +84,7 @@ public partial class ExtremeValueTests : CliFixture
         foreach (var verb in Caterpillar.Cli.Verbs.All().Where(v => Verbs.ContainsKey(v.Name)))
         {
             foreach (var option in verb.Options.Where(o => o.Name.StartsWith("--", StringComparison.Ordinal)
-                && o.Name is not ("--output" or "--material-output")))
+                && o.Name is not "--output"))
             {
                 foreach (var value in Values)
                 {

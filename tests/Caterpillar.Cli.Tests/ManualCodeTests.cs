@@ -22,16 +22,21 @@ public class ManualCodeTests : CliFixture
         ("README.md", "./test.sh", "runs these tests"),
         ("rhino-only.md", "dotnet build src/Caterpillar.GH", "needs McNeel's packages"),
         ("first-print.md", "dotnet publish ", "needs the SDK; the program that it makes is tested"),
+        ("concepts.md", "model, turtle", "a drawing"),
         ("compute.md", "curl ", "needs a server with Rhino.Compute"),
+        ("install.md", "./package.sh", "needs McNeel's packages"),
         ("library.md", "dotnet add ", "the form of a call"),
         ("library.md", "models, turtle", "a drawing"),
         ("models.md", "part.stl: ", "the form of a message"),
         ("profiles.md", "{if ", "the form of a template; TemplateTests has its conditions"),
         ("rhino-only.md", "dotnet test ", "needs Rhino"),
         ("scale.md", "cp ", "needs a cluster; examples/scale/one_machine.sh has the same lines"),
+        ("scale.md", "tools/release.sh", "needs a container engine"),
         ("start.md", "dotnet new ", "needs the SDK; the program below it is compiled here"),
+        ("tutorial-image.md", "sqrt(64", "the formula of examples/gh/globe_from_image.ghx"),
         ("turtle.md", "# a hexagonal", "TurtleManualTests runs it"),
         ("turtle.md", "start 110 110", "TurtleManualTests runs it"),
+        ("viewer.md", "<iframe ", "an element of a page"),
     ];
 
     // What new console projects import, and what the pages that show a few lines take as given.

@@ -3,6 +3,7 @@ using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
+using Caterpillar.Tests;
 using NUnit.Framework;
 
 namespace Caterpillar.Cli.Tests;
@@ -112,6 +113,23 @@ public class ViewTests : CliFixture
     }
 
     [Test]
+    public void Phone_desktop_keyboard_and_screen_readers_find_everything()
+    {
+        const string Node = "/usr/bin/node";
+        if (!File.Exists(Node)) Assert.Ignore("Skipped: no Node is installed, which drives the browser.");
+        File.WriteAllText("a.gcode", Code);
+        Run("view", "a.gcode", "--printer", "generic");
+        var script = Path.Combine(TestData.Repository, "tests", "Caterpillar.Cli.Tests", "viewer.mjs");
+        var start = new ProcessStartInfo(Node) { RedirectStandardOutput = true };
+        foreach (var word in new[] { "--experimental-websocket", "--no-warnings", script, Browser(), Path.GetFullPath("a.html") }) start.ArgumentList.Add(word);
+        using var process = Process.Start(start)!;
+        var faults = process.StandardOutput.ReadToEnd();
+        process.WaitForExit();
+        Assert.That(faults, Is.Empty);
+        Assert.That(process.ExitCode, Is.Zero);
+    }
+
+    [Test]
     public void Layers_moments_and_colors_change_what_is_drawn()
     {
         File.WriteAllText("a.gcode", Code);
@@ -140,12 +158,17 @@ public class ViewTests : CliFixture
         }
     }
 
-    private static (string Text, bool Ready) BrowseOnce(string page, string hash, string action)
+    private static string Browser()
     {
         var browser = new[] { "/usr/bin/chromium", "/usr/bin/google-chrome" }.FirstOrDefault(File.Exists);
         if (browser is null) Assert.Ignore("Skipped: no Chromium is installed, in which the page could be opened.");
+        return browser!;
+    }
+
+    private static (string Text, bool Ready) BrowseOnce(string page, string hash, string action)
+    {
         var profile = Path.GetFullPath("profile");
-        var start = new ProcessStartInfo(browser!) { RedirectStandardOutput = true, RedirectStandardError = true };
+        var start = new ProcessStartInfo(Browser()) { RedirectStandardOutput = true, RedirectStandardError = true };
         string[] arguments =
         [
             "--headless", "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",

@@ -68,6 +68,13 @@ internal sealed record Definition(IReadOnlyList<Item> Items, IReadOnlyList<Group
         return new Definition(items, groups);
     }
 
+    /// <summary>Only these groups, with what is in them.</summary>
+    public Definition Only(IReadOnlyCollection<string> groups)
+    {
+        var kept = Groups.Where(g => groups.Contains(g.NickName)).ToArray();
+        return new Definition(Items.Where(i => kept.Any(g => g.Members.Contains(i.Id))).ToArray(), kept);
+    }
+
     private static Group ReadGroup(XElement container)
     {
         var color = (PaintOf(container) ?? "150;170;135;255").Split(';').Select(v => int.Parse(v, CultureInfo.InvariantCulture)).ToArray();

@@ -18,6 +18,9 @@ internal static class ProfileManual
 
             <!-- Made from the table of keys: CATERPILLAR_RENEW=1 ./test.sh rewrites it. -->
 
+            On the canvas: [Print Setup](components/PrintSetup.md), [Deconstruct Setup](components/DeconstructSetup.md), [Printer](components/Printer.md),
+            [Material](components/Material.md), [Print Settings](components/PrintSettings.md).
+
             A print needs three profiles: a **printer** (build volume, limits, G-code format), a **material** and **settings** (how to print).
             They are JSON files with one key per line. Keys end in their unit. The built-in profiles are in `printers/`, `printers/materials/` and
             `printers/settings/`. Profiles in your own folder override them
@@ -26,6 +29,7 @@ internal static class ProfileManual
             ```
             caterpillar printers                    # all profiles
             caterpillar printers ender3             # all keys of a profile, to start your own
+            caterpillar printers --import old.ini -o mine               # those of another slicer
             caterpillar printers --import HEADER FOOTER -o mine.json    # a printer from two G-code files, as in ExtruderTurtle
             caterpillar slice part.stl --printer ender3 --material petg --settings fine --set layer_height_mm=0.15
             ```

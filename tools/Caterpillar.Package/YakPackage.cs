@@ -20,11 +20,12 @@ internal sealed class YakPackage
 
     private readonly SortedDictionary<string, byte[]> _entries = new(StringComparer.Ordinal);
 
-    private YakPackage(string version, string tag, string icon)
+    private YakPackage(string version, string tag, string icon, string texts)
     {
         FileName = $"caterpillar-{version}-{tag}.yak";
         _entries.Add("manifest.yml", Encoding.UTF8.GetBytes(Manifest(version)));
         _entries.Add("icon.png", File.ReadAllBytes(icon));
+        foreach (var name in new[] { "LICENSE", "THIRD-PARTY-NOTICES.md" }) _entries.Add(name, File.ReadAllBytes(Path.Combine(texts, name)));
     }
 
     /// <summary>Name, version, and the oldest Rhino it is for.</summary>
@@ -32,9 +33,9 @@ internal sealed class YakPackage
 
     /// <summary>For Rhino 8 on .NET Framework and, from 8.20 on, on .NET.</summary>
     /// <exception cref="InvalidOperationException">A build lacks the plug-in, or holds a library of Rhino.</exception>
-    public static YakPackage ForRhino8(string net48, string net8, string icon, string version)
+    public static YakPackage ForRhino8(string net48, string net8, string icon, string texts, string version)
     {
-        var package = new YakPackage(version, "rh8_20-any", icon);
+        var package = new YakPackage(version, "rh8_20-any", icon, texts);
         package.Add(net48, "net48/");
         package.Add(net8, "net8.0/");
         return package;
@@ -42,10 +43,10 @@ internal sealed class YakPackage
 
     /// <summary>For Rhino 7, which knows no folders.</summary>
     /// <inheritdoc cref="ForRhino8" path="/exception"/>
-    public static YakPackage ForRhino7(string net48, string icon, string version)
+    public static YakPackage ForRhino7(string net48, string icon, string texts, string version)
     {
         // The oldest version that it is compiled against.
-        var package = new YakPackage(version, "rh7_37-any", icon);
+        var package = new YakPackage(version, "rh7_37-any", icon, texts);
         package.Add(net48, "");
         return package;
     }

@@ -8,7 +8,8 @@ internal sealed class Batch
     // As large as that of a main thread: designs may nest deeply.
     private const int StackBytes = 16 << 20;
 
-    private static readonly TimeSpan BetweenSummaries = TimeSpan.FromSeconds(5);
+    // The summary takes no more than this share of the time.
+    private const double SummaryShare = 0.05;
 
     private readonly Verb _verb;
     private readonly ParseResult _parsed;
@@ -18,6 +19,9 @@ internal sealed class Batch
     private readonly BatchSummary _summary;
     private readonly BatchCall _call;
     private readonly object _turn = new();
+    private readonly Stopwatch _watch = Stopwatch.StartNew();
+    private TimeSpan _nextSummary;
+    private volatile bool _hasNews;
     private int _next;
 
     private Batch(Verb verb, ParseResult parsed, Session session)
@@ -44,6 +48,7 @@ internal sealed class Batch
         foreach (var job in _jobs) CheckCall(job, checker);
         foreach (var folder in _jobs.Select(j => j.Output is { } o ? Path.GetDirectoryName(Path.GetFullPath(o)) : null).OfType<string>().Distinct())
             Directory.CreateDirectory(folder);
+        WriteSummary();
         var workers = _verb.Batch!.Workers(_parsed, _jobs.Count);
         var share = new MemoryLimit(Math.Max(1, _session.Memory.Bytes / workers));
         var threads = Math.Max(1, Environment.ProcessorCount / workers);
@@ -51,7 +56,7 @@ internal sealed class Batch
         foreach (var thread in all) thread.Start();
         Report(workers > 1);
         foreach (var thread in all) thread.Join();
-        WriteSummary();
+        WriteSummary(isLast: true);
         return Close();
     }
 
@@ -74,6 +79,7 @@ internal sealed class Batch
             lock (_turn)
             {
                 _outcomes[index] = outcome;
+                _hasNews = true;
                 Monitor.PulseAll(_turn);
             }
         }
@@ -82,29 +88,31 @@ internal sealed class Batch
     // Prints the outcomes in order. Runs that need more than their share of the memory are repeated alone, with all of it.
     private void Report(bool shared)
     {
-        var watch = Stopwatch.StartNew();
-        var written = TimeSpan.Zero;
         for (var i = 0; i < _jobs.Count; i++)
         {
-            lock (_turn)
-            {
-                while (_outcomes[i].Status == BatchStatus.NotStarted)
-                {
-                    if (_session.Cancel.IsCancellationRequested && i >= Volatile.Read(ref _next)) return;
-                    Monitor.Wait(_turn, 100);
-                }
-            }
-            if (shared && _outcomes[i].NeedsMemory) continue;
-            Say(i);
-            if (watch.Elapsed - written < BetweenSummaries) continue;
-            WriteSummary();
-            written = watch.Elapsed;
+            if (!WaitFor(i)) return;
+            if (!shared || !_outcomes[i].NeedsMemory) Say(i);
         }
         for (var i = 0; shared && i < _jobs.Count && !_session.Cancel.IsCancellationRequested; i++)
         {
             if (!_outcomes[i].NeedsMemory) continue;
             _outcomes[i] = _call.Run(_jobs[i], _session.Memory, Environment.ProcessorCount);
             Say(i);
+        }
+    }
+
+    // False if it will not be started any more.
+    private bool WaitFor(int index)
+    {
+        while (true)
+        {
+            if (_hasNews && _watch.Elapsed >= _nextSummary) WriteSummary();
+            lock (_turn)
+            {
+                if (_outcomes[index].Status != BatchStatus.NotStarted) return true;
+                if (_session.Cancel.IsCancellationRequested && index >= Volatile.Read(ref _next)) return false;
+                Monitor.Wait(_turn, 100);
+            }
         }
     }
 
@@ -118,16 +126,18 @@ internal sealed class Batch
             _session.Messages.WriteLine($"[{Count(index + 1)}/{Count(_jobs.Count)}] {line.TrimEnd('\r')}");
     }
 
-    private void WriteSummary()
+    private void WriteSummary(bool isLast = false)
     {
-        if (SummaryFile is not { } file
-            || (file == "-" && _outcomes.Any(o => o.Status == BatchStatus.NotStarted) && !_session.Cancel.IsCancellationRequested))
-        {
-            return;
-        }
+        if (SummaryFile is not { } file || (file == "-" && !isLast)) return;
         BatchOutcome[] now;
-        lock (_turn) now = [.. _outcomes];
+        lock (_turn)
+        {
+            now = [.. _outcomes];
+            _hasNews = false;
+        }
+        var begin = _watch.Elapsed;
         _summary.Write(_session, file, now);
+        _nextSummary = _watch.Elapsed + TimeSpan.FromTicks((long)((_watch.Elapsed - begin).Ticks / SummaryShare));
     }
 
     private int Close()

@@ -9,6 +9,9 @@ internal sealed class BatchSummary
     private readonly string[] _header;
     private readonly Dictionary<string, string[]> _earlier = new(StringComparer.Ordinal);
 
+    // Rows of the earlier summary by what they were made from, until their runs are looked at again.
+    private readonly Dictionary<string, string[]> _rows = new(StringComparer.Ordinal);
+
     /// <param name="columns">Columns of the table of values.</param>
     public BatchSummary(IReadOnlyList<string> columns)
     {
@@ -34,6 +37,7 @@ internal sealed class BatchSummary
             var (output, bytes) = (row[places[2]], row[places[3]]);
             if (output.Length > 0 && (!File.Exists(output) || NumberFormatter.Format(new FileInfo(output).Length) != bytes)) continue;
             _earlier[row[places[0]]] = figures.Select(i => row[i]).ToArray();
+            if (table.Columns.SequenceEqual(_header)) _rows[Key(row)] = [.. row];
         }
     }
 
@@ -44,8 +48,19 @@ internal sealed class BatchSummary
     public void Write(Session session, string file, IEnumerable<BatchOutcome> outcomes) => session.WriteText(file, text =>
     {
         text.WriteLine(CsvTable.Line(_header));
-        foreach (var outcome in outcomes) text.WriteLine(CsvTable.Line(Cells(outcome)));
+        foreach (var outcome in outcomes) text.WriteLine(CsvTable.Line(Row(outcome)));
     });
+
+    private string[] Row(BatchOutcome outcome)
+    {
+        string[] cells = [.. Cells(outcome)];
+        if (outcome.Status != BatchStatus.NotStarted || !_rows.TryGetValue(Key(cells), out var row)) return cells;
+        row[0] = cells[0];
+        return row;
+    }
+
+    // Inputs, values and output.
+    private string Key(IReadOnlyList<string> row) => string.Join("\n", row.Take(Array.IndexOf(_header, "status")).Skip(1));
 
     private static IEnumerable<string> Cells(BatchOutcome outcome)
         =>

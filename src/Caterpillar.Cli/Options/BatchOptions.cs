@@ -57,12 +57,12 @@ internal sealed class BatchOptions
     {
         if (parsed.GetValue(Part) is not { } text) return jobs;
         var words = text.Split('/');
-        if (words.Length != 2 || !NumberReader.TryParseInt(words[0], out var part) || !NumberReader.TryParseInt(words[1], out var parts) || part < 1
-            || part > parts)
+        if (words.Length != 2 || !NumberReader.TryParseInt(words[0], out var part) || !NumberReader.TryParseInt(words[1], out var parts)
+            || part < 0 || part > parts || parts == 0)
         {
             throw new CliException(ExitCode.Usage, $"--part needs I/N, such as 3/20, not \"{text}\".");
         }
-        return jobs.Where((_, i) => i % parts == part - 1).ToArray();
+        return jobs.Where((_, i) => (i + 1) % parts == part % parts).ToArray();
     }
 
     /// <summary>The options that all runs share, as words.</summary>

@@ -1,3 +1,5 @@
+using Caterpillar.Jobs;
+
 namespace Caterpillar.Cli;
 
 /// <summary>Settings for one of several models: <c>--for lid.stl:wall_count=3,infill_density_percent=50</c>.</summary>
@@ -12,7 +14,7 @@ internal sealed class ModelSettingOptions
     /// <exception cref="CliException">A value is wrong, or not a print setting.</exception>
     public ModelSettings Resolve(ParseResult arguments, PrintSetup setup, Session session)
     {
-        var parts = new List<(string Model, PrintSettings Settings)>();
+        var parts = new List<(string Model, List<string> Values)>();
         foreach (var text in arguments.GetValue(_for) ?? [])
         {
             // The name may hold a colon, keys hold none.
@@ -20,15 +22,13 @@ internal sealed class ModelSettingOptions
             var colon = equals < 0 ? -1 : text.LastIndexOf(':', equals);
             if (colon < 1) throw new CliException(ExitCode.Usage, $"--for needs MODEL:KEY=VALUE, not \"{text}\".");
             var model = text[..colon];
-            var known = parts.FindIndex(p => p.Model == model);
-            var before = known < 0 ? setup : setup with { Settings = parts[known].Settings };
-            var with = session.ValueOrFail(before.With(Values(text[(colon + 1)..])), ExitCode.Usage);
+            var values = Values(text[(colon + 1)..]);
+            var with = session.ValueOrFail(setup.With(values), ExitCode.Usage);
             if (with.Printer != setup.Printer || with.Material != setup.Material || !with.ToolMaterials.Equals(setup.ToolMaterials))
                 throw new CliException(ExitCode.Usage, $"--for {text}: only print settings can differ between models. Use --set for printer and material.");
-            if (known < 0) parts.Add((model, with.Settings));
-            else parts[known] = (model, with.Settings);
+            parts.Add((model, values));
         }
-        return new ModelSettings(setup.Settings, parts);
+        return new ModelSettings(setup, parts);
     }
 
     // A comma is part of a value where no KEY= follows.
@@ -45,19 +45,20 @@ internal sealed class ModelSettingOptions
 }
 
 /// <summary>The settings of each model.</summary>
-internal sealed class ModelSettings(PrintSettings common, IReadOnlyList<(string Model, PrintSettings Settings)> own)
+internal sealed class ModelSettings(PrintSetup setup, IReadOnlyList<(string Model, List<string> Values)> own)
 {
+    /// <summary>What a project says of its models, and then the options.</summary>
     /// <exception cref="CliException">A model is not found.</exception>
-    public IReadOnlyList<PrintSettings> For(IReadOnlyList<NamedMesh> models, IReadOnlyList<string> files)
+    public IReadOnlyList<PrintSettings> For(IReadOnlyList<NamedMesh> models, IReadOnlyList<string> files, Session session)
     {
-        var settings = Enumerable.Repeat(common, models.Count).ToArray();
-        foreach (var (name, value) in own)
+        var settings = session.ValueOrFail(ProjectModels.Settings(models, setup)).ToArray();
+        foreach (var (name, values) in own)
         {
             var found = false;
             for (var i = 0; i < settings.Length; i++)
             {
                 if (name != models[i].Name && name != files[i] && name != Path.GetFileName(files[i])) continue;
-                settings[i] = value;
+                settings[i] = session.ValueOrFail((setup with { Settings = settings[i] }).With(values)).Settings;
                 found = true;
             }
             if (found) continue;

@@ -21,7 +21,9 @@ internal static class DecodeSummary
             new[] { "  All moves", Box(report.AllBounds) },
         };
         string[][] images = report.Thumbnails.Count == 0 ? [] : [["  Images", string.Join(", ", report.Thumbnails)]];
-        TextTable.Write(text, [.. rows, .. Roles(moves), .. images]);
+        var names = report.Setup.Take(3).Select(p => p.Key.Split('_')[0] + " " + p.Value);
+        string[][] setup = report.Setup.Count == 0 ? [] : [["  Setup", string.Join(", ", names)]];
+        TextTable.Write(text, [.. rows, .. Roles(moves), .. images, .. setup]);
         if (decoding.Ignored.Count > 0)
         {
             var ignored = decoding.Ignored.OrderByDescending(p => p.Value).ThenBy(p => p.Key, System.StringComparer.Ordinal).ToArray();

@@ -7,7 +7,7 @@ internal static class OutputGuard
 {
     // Options whose values are input files. All arguments are.
     private static readonly string[] Inputs = ["--printer", "--material", "--settings", "--import", "--base"];
-    private static readonly string[] Outputs = ["--output", "--material-output"];
+    private static readonly string[] Outputs = ["--output"];
 
     // Extensions that suggest other contents than a verb writes.
     private static readonly Dictionary<string, string> Kinds = new(StringComparer.OrdinalIgnoreCase)
@@ -41,7 +41,7 @@ internal static class OutputGuard
     {
         foreach (var output in Outputs.SelectMany(name => Values(parsed, name)).Where(f => f is not "-" and not ""))
         {
-            if (Directory.Exists(output)) throw new CliException(ExitCode.BadInput, $"{output} is a folder, not a file.");
+            if (Directory.Exists(output) && !Values(parsed, "--import").Any()) throw new CliException(ExitCode.BadInput, $"{output} is a folder, not a file.");
             if (Path.GetDirectoryName(output) is { Length: > 0 } folder && !Directory.Exists(folder))
                 throw new CliException(ExitCode.BadInput, $"{output}: folder not found.");
         }

@@ -108,7 +108,7 @@ internal sealed class ConvertVerb : Verb
     {
         var tolerance = Tolerance(arguments);
         var edits = _edits.Of(job.Toolpath, tolerance, () => Pause(arguments, session), arguments, session);
-        var edited = job.Edit(arguments.GetValue(_arcs) == "fit" ? edits with { FitArcs = new ArcFitOptions { Tolerance = tolerance } } : edits);
+        var edited = job.Edit(arguments.GetValue(_arcs) == "fit" ? edits with { FitArcs = tolerance } : edits);
         // A missing layer is an error of the command line.
         if (edited.Diagnostics.FirstOrDefault(d => d.Code == "toolpath.no_layer") is not { } none) return session.ValueOrFail(edited);
         session.Print(edited.Diagnostics.Where(d => d != none));

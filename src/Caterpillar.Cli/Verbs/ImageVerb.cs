@@ -19,6 +19,8 @@ internal sealed class ImageVerb : Verb
     private readonly Described<string?> _view = new("--view",
         "View direction, or azimuth and elevation in degrees. Default: -60,28, or top for flat drawings.", "top|front|AZIMUTH,ELEVATION");
 
+    private readonly Described<string?> _region = new("--region", "Part of the bed that fills the image, mm. Default: all that is drawn.", "X0,Y0,X1,Y1");
+
     private readonly Described<ColorBy> _color = new("--color", "Property that colors show. Default: role.", "role|speed|height|layer|progress");
 
     private readonly Described<bool> _travel = new("--travel", "Draw travel moves as thin lines.");
@@ -29,7 +31,7 @@ internal sealed class ImageVerb : Verb
         : base("image", "Draw an image of a print, or of one layer.", ["an image"], ".png")
     {
         Arguments.Add(_file);
-        Add([_out, _layer, _upTo, _view, _color, _travel, _width]);
+        Add([_out, _layer, _upTo, _view, _region, _color, _travel, _width]);
         AllowBatches();
     }
 
@@ -37,6 +39,7 @@ internal sealed class ImageVerb : Verb
     [
         ("image part.gcode -o part.png", "Draw all layers"),
         ("image part.gcode --layer 3 --view top --color speed -o layer.png", "Draw one layer from above, colored by speed"),
+        ("image part.gcode --layer 3 --view top --region 100,100,120,115 -o corner.png", "Draw a corner of it, enlarged"),
     ];
 
     public override int Run(ParseResult arguments, Session session)
@@ -54,6 +57,7 @@ internal sealed class ImageVerb : Verb
             Width = width,
             Height = width * 3 / 4,
             View = view ?? (drawing ? View.Top : View.ThreeQuarter),
+            Region = arguments.GetValue(_region) is { } region ? RegionOf(region) : default,
             // Some firmware distinguishes pen moves from travel moves.
             Strokes = drawing && !toolpath.Moves().Any(m => m.Kind == MoveKind.Print && m.Role != Role.Purge),
             ColorBy = arguments.GetValue(_color),
@@ -80,6 +84,14 @@ internal sealed class ImageVerb : Verb
             : throw new CliException(ExitCode.BadInput, layers.Count == 0
                 ? "The file has no layers."
                 : $"Layer {last} not found. The file has layers {layers[0]} to {layers[^1]}.");
+    }
+
+    private static Bounds RegionOf(string text)
+    {
+        var v = Numbers.List(text, "--region");
+        return v.Length == 4 && v[0] < v[2] && v[1] < v[3]
+            ? new Bounds(new Vec3(v[0], v[1]), new Vec3(v[2], v[3]))
+            : throw new CliException(ExitCode.Usage, "--region needs X0,Y0,X1,Y1 in mm: the lowest corner, then the highest.");
     }
 
     private static View ViewOf(string text)

@@ -15,23 +15,22 @@ internal sealed class PrintersVerb : Verb
     private readonly Described<bool> _keys = new("--keys", "List the keys of profiles with their ranges and descriptions.");
 
     private readonly Described<string[]> _import = new("--import",
-        "Create a printer profile from two files with start and end G-code, such as those of ExtruderTurtle. As FOOTER: - = none.",
-        "HEADER FOOTER") { Arity = new ArgumentArity(2, 2), AllowMultipleArgumentsPerToken = true };
+        "Create profiles from settings of PrusaSlicer (.ini, bundles, too), OrcaSlicer or Bambu Studio (.json), or those in their prints and 3MF projects; "
+            + "or a printer from two files with start and end G-code, such as those of ExtruderTurtle. As FOOTER: - = none. With NAME: that printer only.",
+        "FILE [FOOTER]") { Arity = new ArgumentArity(1, 2), AllowMultipleArgumentsPerToken = true };
 
     private readonly Described<string?> _like = new("--base", "With --import: similar printer for values that the files do not state.", "NAME|FILE");
 
     private readonly Described<string> _output = new("--output",
-        "Output file; - = standard output.", "FILE.json", "-o") { DefaultValueFactory = _ => "-" };
-
-    private readonly Described<string?> _material = new("--material-output",
-        "With --import: output file for a material with the temperatures of the header.", "FILE.json");
+        "Output file; - = standard output. With --import also a folder. Materials and settings get folders of their own in it.",
+        "FILE.json|FOLDER", "-o") { DefaultValueFactory = _ => "-" };
 
     public PrintersVerb()
         : base("printers", "List, show or create profiles of printers, materials and settings.", ["JSON", "a table"])
     {
         _name.CompletionSources.Add(_ => new ProfileLibrary().PrinterNames.Select(n => new CompletionItem(n)));
         Arguments.Add(_name);
-        Add([_keys, _import, _like, _output, _material]);
+        Add([_keys, _import, _like, _output]);
     }
 
     public override IReadOnlyList<(string Line, string Does)> Examples =>
@@ -39,16 +38,16 @@ internal sealed class PrintersVerb : Verb
         ("printers", "List all profiles"),
         ("printers ender3 -o mine.json", "Copy a profile to edit it"),
         ("printers --keys", "List all keys with their ranges and descriptions"),
+        ("printers --import old.ini -o mine", "Create printers, materials and settings from those of another slicer"),
     ];
 
     public override int Run(ParseResult arguments, Session session)
     {
         var name = arguments.GetValue(_name);
         var output = arguments.GetValue(_output)!;
-        if (arguments.GetValue(_import) is { Length: 2 } files) PrinterImport.Run(files[0], files[1], arguments.GetValue(_like), output,
-            arguments.GetValue(_material), session);
-        else if (arguments.GetValue(_like) is not null
-            || arguments.GetValue(_material) is not null) throw new CliException(ExitCode.Usage, "--base and --material-output need --import.");
+        if (arguments.GetValue(_import) is { Length: > 0 } files)
+            PrinterImport.Run(files, name, arguments.GetValue(_like), output, session);
+        else if (arguments.GetValue(_like) is not null) throw new CliException(ExitCode.Usage, "--base needs --import.");
         else if (arguments.GetValue(_keys)) session.WriteText(output, WriteKeys);
         else if (name is not null) Show(name, output, session);
         else return List(output, session);

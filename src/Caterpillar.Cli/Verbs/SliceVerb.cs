@@ -76,10 +76,10 @@ internal sealed class SliceVerb : Verb
             throw new CliException(ExitCode.Usage, $"{option} cannot be combined with --infill-curves. Transform the model and the curves beforehand.");
         var sources = new List<string>();
         var read = session.Run("Reading", progress => Meshes.Read(files, session, progress, sources, _placing.UnitOf(arguments)));
-        var settings = own.For(read, sources);
+        var settings = own.For(read, sources, session);
         var placed = _placing.Placed(read, settings.Select(s => s.ModelType == ModelType.Part).ToArray(), arguments, setup, session);
         settings = InfillCurveOptions.With(settings, curves, placed[0].Mesh.Bounds.Min - read[0].Mesh.Bounds.Min);
         // Copies follow in the order of the originals.
-        return (read, placed.Select((m, i) => new SliceModel(m, settings[i % settings.Count])).ToArray());
+        return (read, [.. ProjectModels.Models(placed, settings)]);
     }
 }

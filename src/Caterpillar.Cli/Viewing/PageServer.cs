@@ -24,6 +24,7 @@ internal sealed class PageServer : IDisposable
     {
         Address = $"http://localhost:{port}/";
         _listener.Prefixes.Add(Address);
+        _listener.Prefixes.Add($"http://127.0.0.1:{port}/");
         _listener.Start();
     }
 

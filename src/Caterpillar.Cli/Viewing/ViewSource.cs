@@ -3,6 +3,7 @@ using Caterpillar.Display;
 using Caterpillar.Files;
 using Caterpillar.GCode;
 using Caterpillar.Simulation;
+using Caterpillar.Slicing;
 
 namespace Caterpillar.Cli;
 
@@ -35,7 +36,8 @@ internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool
     {
         var meshes = session.Run("Reading", progress => Meshes.Read([file], session, progress));
         Summary = NumberFormatter.Format(meshes.Sum(m => m.Mesh.TriangleCount)) + " triangles";
-        return new ViewerContent(Title(file)) { Model = TriMesh.Merge(meshes.Select(m => m.Mesh)), Printer = setup.Resolve(arguments, session).Printer };
+        var printer = setup.Resolve(arguments, session).Printer;
+        return new ViewerContent(Title(file)) { Model = TriMesh.Merge(ModelPlacement.OnBed(meshes, printer).Select(m => m.Mesh)), Printer = printer };
     }
 
     private ViewerContent GCode(string file, byte[] bytes)

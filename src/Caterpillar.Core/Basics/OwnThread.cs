@@ -8,6 +8,16 @@ internal static class OwnThread
 
     public static Task Run(Action work) => Task.Factory.StartNew(work, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
 
+    /// <summary>Runs work on a thread with a stack of so many bytes and waits for it.</summary>
+    public static void Run(Action work, int stack)
+    {
+        var task = new Task(work);
+        var thread = new Thread(() => task.RunSynchronously(TaskScheduler.Default), stack) { IsBackground = true };
+        thread.Start();
+        thread.Join();
+        task.GetAwaiter().GetResult();
+    }
+
     /// <summary>Waits for the end, successful or not.</summary>
     public static void Wait(Task work) => ((IAsyncResult)work).AsyncWaitHandle.WaitOne();
 

@@ -49,7 +49,7 @@ public sealed class ExtrusionMesh
             if (run.Count == 0) run.Add((move.Start, width, height, i));
             var chords = move.Arc is { } arc ? arc.ChordCount(move.Start, ArcTolerance) : 1;
             for (var k = 1; k <= chords; k++)
-                run.Add((k == chords ? move.End : move.Arc!.Value.PointAt(move.Start, move.End, (double)k / chords), width, height, i));
+                run.Add((move.PointAt((double)k / chords), width, height, i));
         }
         mesh.Close(run);
         foreach (var (blob, move) in blobs) mesh.Add(blob, move);

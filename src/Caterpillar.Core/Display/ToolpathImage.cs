@@ -33,6 +33,9 @@ public sealed record ToolpathImageOptions
     /// <summary>The view. The part fills the image.</summary>
     public View View { get; init; } = View.ThreeQuarter;
 
+    /// <summary>The part of the bed that fills the image instead, mm; its Z does not matter. Empty = all that is drawn.</summary>
+    public Bounds Region { get; init; }
+
     /// <summary>The value that the colors of extrusions show.</summary>
     public ColorBy ColorBy { get; init; } = ColorBy.Role;
 
@@ -48,22 +51,19 @@ public sealed record ToolpathImageOptions
     /// <summary>The moves to draw, for example some layers. All by default.</summary>
     public MoveFilter Filter { get; init; } = new();
 
-    /// <summary>Width of extrusions with unknown area, mm.</summary>
-    public double DefaultWidth { get; init; } = 0.4;
-
-    /// <summary>The bed to draw. Empty = none.</summary>
-    public Bounds Bed { get; init; }
-
     /// <summary>Memory limit for drawing.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
-
-    /// <summary>The background color.</summary>
-    public Rgb Background { get; init; } = new(250, 250, 248);
 }
 
 /// <summary>Draws a toolpath as shaded extrusions, seen from any side.</summary>
 public static class ToolpathImage
 {
+    // Width of extrusions with unknown area, mm.
+    private const double DefaultWidth = 0.4;
+
+    /// <summary>The background color.</summary>
+    public static Rgb Background { get; } = new(250, 250, 248);
+
     /// <summary>An image of the toolpath. Empty if the toolpath prints nothing.</summary>
     /// <exception cref="DiagnosticException">The image needs more memory than the limit.</exception>
     public static RasterImage Draw(Toolpath toolpath, ToolpathImageOptions? options = null, IProgress<double>? progress = null,
@@ -74,13 +74,11 @@ public static class ToolpathImage
         // Four points of color and depth for each point of the image.
         options.Memory.Check(40.0 * options.Width * options.Height, $"An image of {NumberFormatter.Format(options.Width)} × "
             + $"{NumberFormatter.Format(options.Height)} pixels");
-        var canvas = new ExtrusionCanvas(options.Width * 2, options.Height * 2, options.Background, options.View);
+        var canvas = new ExtrusionCanvas(options.Width * 2, options.Height * 2, Background, options.View);
         var floor = options.Strokes ? Lowest(toolpath) : double.NegativeInfinity;
         var ranges = Ranges(toolpath, options, floor);
         if (ranges.Box.IsEmpty) return canvas.Finish();
-        canvas.Fit(ranges.Box.Include(options.Bed));
-        DrawBed(canvas, options.Bed);
-        var chords = new List<Vec3>();
+        canvas.Fit(options.Region.IsEmpty ? ranges.Box : Above(options.Region, ranges.Box));
         foreach (var move in toolpath.Moves())
         {
             if ((move.Index & 0xFFFF) == 0)
@@ -92,18 +90,21 @@ public static class ToolpathImage
             var length = move.Length;
             if (length == 0)
             {
-                if (Blob.Of(toolpath, move) is { } blob) DrawBlob(canvas, blob, ColorOf(toolpath, move, options.ColorBy, ranges));
+                if (Blob.Of(toolpath, move) is { } blob)
+                    canvas.Extrusion(blob.Tip, blob.Tip, blob.Width, blob.Height, ColorOf(toolpath, move, options.ColorBy, ranges));
                 continue;
             }
             var print = IsExtrusion(move, floor);
-            var width = print && toolpath.VolumeOf(move) is { } volume && volume > 0 ? Math.Sqrt(volume / length * 4 / Math.PI) : options.DefaultWidth;
+            var (width, height) = print ? SizeOf(toolpath, move, DefaultWidth) : (0, 0);
             var color = print ? ColorOf(toolpath, move, options.ColorBy, ranges) : Palette.Travel;
-            chords.Clear();
-            Chords(move, chords);
-            for (var i = 1; i < chords.Count; i++)
+            var chords = move.Arc is { } arc ? arc.ChordCount(move.Start, Math.Max(0.02, arc.Radius(move.Start) * 1e-5)) : 1;
+            var last = move.Start;
+            for (var i = 1; i <= chords; i++)
             {
                 if ((i & 0xFF) == 2) cancel.ThrowIfCancellationRequested();
-                canvas.Extrusion(chords[i - 1], chords[i], print ? width : 0, color);
+                var next = move.PointAt((double)i / chords);
+                canvas.Extrusion(last, next, width, height, color);
+                last = next;
             }
         }
         return canvas.Finish();
@@ -174,41 +175,16 @@ public static class ToolpathImage
         _ => Palette.At(move.Index / Math.Max(toolpath.Count - 1.0, 1)),
     };
 
-    private static void Chords(Move move, List<Vec3> chords)
+    // A bead with round sides is as wide as slicers count it; of unknown height, or in the air, it is round.
+    private static (double Width, double Height) SizeOf(Toolpath toolpath, Move move, double unknown)
     {
-        chords.Add(move.Start);
-        if (move.Arc is { } arc)
-        {
-            var count = arc.ChordCount(move.Start, Math.Max(0.02, arc.Radius(move.Start) * 1e-5));
-            for (var i = 1; i < count; i++) chords.Add(arc.PointAt(move.Start, move.End, (double)i / count));
-        }
-        chords.Add(move.End);
+        if (toolpath.BeadOf(move) is not { Area: > 0 } bead) return (unknown, unknown);
+        var width = bead.Width(BeadShape.Stadium);
+        return (width, bead.Height > 0 ? Math.Min(width, bead.Height) : width);
     }
 
-    // A disc consists of rods side by side, as high as it is, so many that its rim is smooth.
-    private static void DrawBlob(ExtrusionCanvas canvas, Blob blob, Rgb color)
-    {
-        const int MostRods = 400;
-        var (center, reach) = (blob.Tip - new Vec3(0, 0, blob.Height / 2), (blob.Width - blob.Height) / 2);
-        var rods = (int)Math.Min(MostRods, 1 + 16 * reach / blob.Height);
-        for (var k = 0; k < rods; k++)
-        {
-            var aside = reach * ((2 * k + 1.0) / rods - 1);
-            var half = new Vec3(Math.Sqrt(Math.Max(0, reach * reach - aside * aside)), 0);
-            var middle = center + new Vec3(0, aside);
-            canvas.Extrusion(middle - half, middle + half, blob.Height, color);
-        }
-    }
-
-    private static void DrawBed(ExtrusionCanvas canvas, Bounds bed)
-    {
-        if (bed.IsEmpty) return;
-        var line = new Rgb(222, 222, 216);
-        for (var x = Math.Ceiling(bed.Min.X / 10) * 10; x <= bed.Max.X; x += 10)
-            canvas.Extrusion(new Vec3(x, bed.Min.Y, bed.Min.Z), new Vec3(x, bed.Max.Y, bed.Min.Z), 0, line);
-        for (var y = Math.Ceiling(bed.Min.Y / 10) * 10; y <= bed.Max.Y; y += 10)
-            canvas.Extrusion(new Vec3(bed.Min.X, y, bed.Min.Z), new Vec3(bed.Max.X, y, bed.Min.Z), 0, line);
-    }
+    private static Bounds Above(Bounds region, Bounds box)
+        => new(region.Min.WithZ(box.Min.Z), region.Max.WithZ(box.Max.Z));
 
     private readonly record struct ColorRanges(Bounds Box, double Slow, double Fast, int FirstLayer, int LastLayer);
 }

@@ -112,7 +112,7 @@ public static class CurvePaths
                 break;
             }
             places.Add(curve.Name.Length > 0 ? source with { Key = source.Key ?? curve.Name } : source);
-            run.Add(options.FitArcs > 0 ? PathArcs.Fit(path, new ArcFitOptions { Tolerance = options.FitArcs }) : path);
+            run.Add(options.FitArcs > 0 ? PathArcs.Fit(path, options.FitArcs) : path);
         }
         EndRun();
         if (!diagnostics.HasErrors && steps.Count == 0) diagnostics.Add(Severity.Error, "curves.empty", "No curve to print.");

@@ -3,8 +3,8 @@ namespace Caterpillar.Drawings;
 /// <summary>Makes the path of one user curve.</summary>
 internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics, CancellationToken cancel)
 {
-    // Maximum number of segments of one ramp.
-    private const int MaxRampParts = 256;
+    // Maximum change of area or speed from one segment of a ramp to the next, as a fraction.
+    private const double RampStep = 0.1;
 
     /// <summary>The path, or null with a diagnostic.</summary>
     public PrintPath? Make(UserCurve curve, SourceLocation source)
@@ -22,7 +22,6 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
 
     private PrintPath? MakePath(UserCurve curve, SourceLocation source)
     {
-        if (!(options.RampStep > 0)) throw new ArgumentException("The step of a ramp must be positive.");
         var whole = BeadOf(curve.Area, curve.Width, curve.Height, curve.Speed, curve.Flow, source);
         if (whole is null) return null;
         var path = curve.Along is { Count: > 0 } along ? Ramps(curve, along, source) : Uniform(curve.Curve, whole.Value);
@@ -31,7 +30,9 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
             diagnostics.Add(Severity.Warning, "curves.too_short", "Curves without length are ignored.", source);
             return null;
         }
-        Watch(path, source);
+        if (path.RawPoints.Any(p => p.Z < 0))
+            diagnostics.Add(Severity.Warning, "curves.below_bed", $"A curve goes below the bed, to Z {NumberFormatter.Format(path.Bounds.Min.Z, 3)} mm.",
+                source);
         if (curve.Role == Role.Unspecified && curve.Layer is null && curve.Tool == 0 && curve.Name.Length == 0 && curve.Overrides is null) return path;
         return path.With(curve.Role, curve.Layer, curve.Tool, curve.Name, curve.Overrides);
     }
@@ -42,9 +43,7 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
         var points = divided.Raw;
         if (points.Length == 2 && points[0] == points[1]) return null;
         if (divided.RawArcs is not { } arcs) return PrintPath.Own(points, [bead], divided.IsClosed);
-        var beads = new Bead[divided.SegmentCount];
-        for (var i = 0; i < beads.Length; i++) beads[i] = bead;
-        return new PrintPath(points, beads, divided.IsClosed, arcs);
+        return new PrintPath(points, Enumerable.Repeat(bead, divided.SegmentCount), divided.IsClosed, arcs);
     }
 
     private PrintPath? Ramps(UserCurve curve, PointValues along, SourceLocation source)
@@ -156,31 +155,15 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
         }
         if (options.Strokes) return new Bead(0, h, s);
         if (area is { } given) return new Bead(given, h, s);
-        if (options.Shape == BeadShape.Stadium && w < h)
-        {
-            // Too narrow for the shape: a round extrusion of the width.
-            return Bead.FromWidth(w, h, flow, s, BeadShape.Circle);
-        }
-        return Bead.FromWidth(w, h, flow, s, options.Shape);
-    }
-
-    private void Watch(PrintPath path, SourceLocation source)
-    {
-        foreach (var p in path.RawPoints)
-        {
-            if (p.Z >= 0) continue;
-            diagnostics.Add(Severity.Warning, "curves.below_bed", $"A curve goes below the bed, to Z {NumberFormatter.Format(path.Bounds.Min.Z, 3)} mm.",
-                source);
-            return;
-        }
+        // Too narrow for the shape: a round extrusion of the width.
+        return Bead.FromWidth(w, h, flow, s, options.Shape == BeadShape.Stadium && w < h ? BeadShape.Circle : options.Shape);
     }
 
     private int Parts(double a, double b)
     {
         var largest = Math.Max(a, b);
         var change = Math.Abs(b - a);
-        if (change == 0) return 1;
-        return (int)Math.Min(Math.Ceiling(change / (options.RampStep * largest) - 1e-9), MaxRampParts);
+        return change == 0 ? 1 : (int)Math.Ceiling(change / (RampStep * largest) - 1e-9);
     }
 
     private static double? At(IReadOnlyList<double>? column, double place)

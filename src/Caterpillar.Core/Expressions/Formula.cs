@@ -29,20 +29,18 @@ internal sealed class Formula(string text, string[] variables, FormulaNode node,
     {
         if (text is null) throw new ArgumentNullException(nameof(text));
         var names = (variables ?? []).ToArray();
-        var diagnostics = new DiagnosticList();
         try
         {
             var tokens = Lexer.Read(text).Where(t => t.Kind != TokenKind.NewLine).ToList();
-            var scope = new SlotScope(names);
-            var parser = new FormulaParser(tokens, 0, scope);
+            var parser = new FormulaParser(tokens, 0, new SlotScope(names));
             var node = parser.Parse();
             parser.ExpectEnd();
             return new Result<Formula>(new Formula(text, names, node, parser.UsesRandom), []);
         }
         catch (FormulaException e)
         {
-            diagnostics.Add(Severity.Error, e.Code, e.Message, (source ?? new SourceLocation()) with { Line = e.Line, Column = e.Column });
-            return new Result<Formula>(null, diagnostics.ToList());
+            var place = (source ?? new SourceLocation()) with { Line = e.Line, Column = e.Column };
+            return new Result<Formula>(null, [new Diagnostic(Severity.Error, e.Code, e.Message, place)]);
         }
     }
 

@@ -4,21 +4,15 @@ namespace Caterpillar.Expressions;
 /// Input of the evaluation of a formula: the values of its variables by slot, and random numbers. One thread at a time may use a context. Its values
 /// may change between evaluations.
 /// </summary>
-internal sealed class FormulaContext
+/// <param name="values">Values of the variables in the order of <see cref="Formula.Compile"/>; kept, not copied.</param>
+/// <param name="random">Source of <c>random()</c>; null = a new one with seed 0.</param>
+internal sealed class FormulaContext(double[] values, SeededRandom? random = null)
 {
-    /// <param name="values">Values of the variables in the order of <see cref="Formula.Compile"/>; kept, not copied.</param>
-    /// <param name="random">Source of <c>random()</c>; null = a new one with seed 0.</param>
-    public FormulaContext(double[] values, SeededRandom? random = null)
-    {
-        Values = values ?? throw new ArgumentNullException(nameof(values));
-        Random = random ?? new SeededRandom();
-    }
-
     /// <summary>Values by slot.</summary>
-    public double[] Values { get; set; }
+    public double[] Values { get; set; } = values ?? throw new ArgumentNullException(nameof(values));
 
     /// <summary>Source of <c>random()</c>, <c>random(a, b)</c> and <c>randint(a, b)</c>.</summary>
-    public SeededRandom Random { get; set; }
+    public SeededRandom Random { get; set; } = random ?? new SeededRandom();
 
     // First slot of the procedure that runs; scripts only.
     public int Base { get; set; }

@@ -28,7 +28,7 @@ internal static class FormulaFunctions
             for (var i = 1; i < a.Count; i++) node = Two(name.Text, node!, a[i]);
         }
         return node ?? throw new FormulaException("formula.arguments",
-            $"The function '{name.Text}' takes {Count(name.Text)}, not {NumberFormatter.Format(a.Count)}.", name.Line, name.Column);
+            $"The function '{name.Text}' takes {Count(name.Text)}, not {NumberFormatter.Format(a.Count)}.", name);
     }
 
     private static FormulaNode? One(string name, FormulaNode a) => name switch
@@ -108,9 +108,7 @@ internal static class FormulaFunctions
         var x = a[0].Evaluate;
         var y = a.Count > 1 ? a[1].Evaluate : _ => 0;
         var z = a.Count > 2 ? a[2].Evaluate : _ => 0;
-        var depth = 0;
-        foreach (var node in a) depth = Math.Max(depth, node.Depth);
-        return new FormulaNode(c => Noise.At(c.Random.Seed, x(c), y(c), z(c)), depth + 1);
+        return new FormulaNode(c => Noise.At(c.Random.Seed, x(c), y(c), z(c)), a.Max(node => node.Depth) + 1);
     }
 
     private static double Tan(double degrees)

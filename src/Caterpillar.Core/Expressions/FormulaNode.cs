@@ -4,30 +4,18 @@ namespace Caterpillar.Expressions;
 internal delegate double Evaluator(FormulaContext context);
 
 /// <summary>A part of a formula while it is compiled.</summary>
-internal sealed class FormulaNode
+internal sealed class FormulaNode(Evaluator evaluate, int depth = 1)
 {
-    public FormulaNode(Evaluator evaluate, int depth = 1)
-    {
-        Evaluate = evaluate;
-        Depth = depth;
-    }
+    public FormulaNode(double value) : this(_ => value) => (IsConstant, Value) = (true, value);
 
-    public FormulaNode(double value)
-    {
-        IsConstant = true;
-        Value = value;
-        Evaluate = _ => value;
-        Depth = 1;
-    }
-
-    public Evaluator Evaluate { get; }
+    public Evaluator Evaluate { get; } = evaluate;
 
     public bool IsConstant { get; }
 
     public double Value { get; }
 
     /// <summary>Nesting depth of the evaluation.</summary>
-    public int Depth { get; }
+    public int Depth { get; } = depth;
 
     public static FormulaNode Of(FormulaNode a, Func<double, double> function)
     {
@@ -66,7 +54,7 @@ internal sealed class FormulaNode
             "or" => c => x(c) != 0 || y(c) != 0 ? 1 : 0,
             _ => throw new ArgumentOutOfRangeException(nameof(symbol)),
         };
-        return Folded(evaluate, a.IsConstant && b.IsConstant, Deeper(a, b));
+        return a.IsConstant && b.IsConstant ? new FormulaNode(evaluate(new FormulaContext([]))) : new FormulaNode(evaluate, Deeper(a, b));
     }
 
     public static FormulaNode Choice(FormulaNode condition, FormulaNode yes, FormulaNode no)
@@ -77,9 +65,6 @@ internal sealed class FormulaNode
         var b = no.Evaluate;
         return new FormulaNode(c => test(c) != 0 ? a(c) : b(c), Math.Max(condition.Depth, Math.Max(yes.Depth, no.Depth)) + 1);
     }
-
-    private static FormulaNode Folded(Evaluator evaluate, bool constant, int depth)
-        => constant ? new FormulaNode(evaluate(new FormulaContext([]))) : new FormulaNode(evaluate, depth);
 
     private static int Deeper(FormulaNode a, FormulaNode b) => Math.Max(a.Depth, b.Depth) + 1;
 }

@@ -87,10 +87,10 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
     private FormulaNode Comparison()
     {
         var node = Sum();
-        if (Next.Is("=")) throw new FormulaException("formula.syntax", "'=' does not compare. Use '=='.", Next.Line, Next.Column);
+        if (Next.Is("=")) throw new FormulaException("formula.syntax", "'=' does not compare. Use '=='.", Next);
         if (!IsComparison(Next)) return node;
         node = Binary(Next.Text, node, 3);
-        if (IsComparison(Next)) throw new FormulaException("formula.syntax", "Comparisons cannot be chained. Join them with 'and'.", Next.Line, Next.Column);
+        if (IsComparison(Next)) throw new FormulaException("formula.syntax", "Comparisons cannot be chained. Join them with 'and'.", Next);
         return node;
     }
 
@@ -176,22 +176,22 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
         {
             if (Next.Is("(") && !Next.SpaceBefore)
             {
-                throw new FormulaException("formula.unknown", $"'{name.Text}' is a variable, not a function.", name.Line, name.Column);
+                throw new FormulaException("formula.unknown", $"'{name.Text}' is a variable, not a function.", name);
             }
             return variable;
         }
         if (Next.Is("(") && (FormulaFunctions.Knows(name.Text) || scope.Functions.Contains(name.Text))) return Call(name);
         if (name.Text == "pi") return new FormulaNode(System.Math.PI);
         if (name.Text == "tau") return new FormulaNode(2 * System.Math.PI);
-        if (FormulaFunctions.Knows(name.Text)) throw new FormulaException("formula.syntax", $"The function '{name.Text}' needs '('.", name.Line, name.Column);
+        if (FormulaFunctions.Knows(name.Text)) throw new FormulaException("formula.syntax", $"The function '{name.Text}' needs '('.", name);
         if (scope.IsArray(name.Text))
         {
-            throw new FormulaException("formula.syntax", $"'{name.Text}' is an array. Use {name.Text}[index].", name.Line, name.Column);
+            throw new FormulaException("formula.syntax", $"'{name.Text}' is an array. Use {name.Text}[index].", name);
         }
         var function = Next.Is("(") && !Next.SpaceBefore;
         var known = function ? scope.Functions.Concat(FormulaFunctions.Names) : scope.Names.Concat(["pi", "tau"]).Concat(FormulaFunctions.Names);
         throw new FormulaException("formula.unknown",
-            $"Unknown {(function ? "function" : "variable")} '{name.Text}'.{SpellingSuggestion.Hint(name.Text, known)}", name.Line, name.Column);
+            $"Unknown {(function ? "function" : "variable")} '{name.Text}'.{SpellingSuggestion.Hint(name.Text, known)}", name);
     }
 
     private FormulaNode Call(Token name)
@@ -221,7 +221,7 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
             var unclosed = Next.Kind is TokenKind.End or TokenKind.NewLine || Next.Is(";") || Next.Is("[");
             var at = unclosed ? open : Next;
             throw new FormulaException(
-                "formula.bracket", unclosed ? $"'{open.Text}' has no closing '{bracket}'." : $"Found {Next}, expected '{bracket}'.", at.Line, at.Column);
+                "formula.bracket", unclosed ? $"'{open.Text}' has no closing '{bracket}'." : $"Found {Next}, expected '{bracket}'.", at);
         }
         At++;
     }
@@ -230,9 +230,8 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
 
     private static FormulaNode Checked(FormulaNode node, Token at) => node.Depth > 4 * MaxDepth ? throw TooDeep(at) : node;
 
-    private static FormulaException TooDeep(Token at) => new("formula.too_long", "The formula is too long or too deeply nested.", at.Line, at.Column);
+    private static FormulaException TooDeep(Token at) => new("formula.too_long", "The formula is too long or too deeply nested.", at);
 
     private static FormulaException Unexpected(Token token, string expected)
-        => new("formula.syntax", $"Found {token}, expected {expected}.",
-            token.Line, token.Column);
+        => new("formula.syntax", $"Found {token}, expected {expected}.", token);
 }

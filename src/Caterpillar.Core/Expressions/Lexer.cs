@@ -32,7 +32,7 @@ internal static class Lexer
     private static readonly string[] Pairs = ["==", "!=", "<>", "<=", ">=", "&&", "||", "+=", "-=", "*=", "/=", "->"];
 
     // One-letter texts without an allocation each.
-    private static readonly string[] Singles = MakeSingles();
+    private static readonly Dictionary<char, string> Singles = "+-*/%^()[],;=<>!?:&|".ToDictionary(c => c, c => c.ToString());
 
     /// <exception cref="FormulaException">An invalid character, an unclosed string, a number out of range.</exception>
     public static List<Token> Read(string text)
@@ -124,8 +124,7 @@ internal static class Lexer
         // The typographic minus sign, as in text from the web.
         if (c == '\u2212') return "-";
         if (c is '\u00D7' or '\u00B7') return "*";
-        if (c < 128 && Singles[c].Length > 0) return Singles[c];
-        throw new FormulaException("formula.character", $"Unexpected character '{c}'.", line, column);
+        return Singles.TryGetValue(c, out var single) ? single : throw new FormulaException("formula.character", $"Unexpected character '{c}'.", line, column);
     }
 
     private static int NumberEnd(string text, int i)
@@ -140,12 +139,4 @@ internal static class Lexer
     }
 
     private static bool IsDigit(char c) => c is >= '0' and <= '9';
-
-    private static string[] MakeSingles()
-    {
-        var singles = new string[128];
-        for (var c = 0; c < 128; c++) singles[c] = "";
-        foreach (var c in "+-*/%^()[],;=<>!?:&|") singles[c] = c.ToString();
-        return singles;
-    }
 }

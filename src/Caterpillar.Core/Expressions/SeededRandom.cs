@@ -4,22 +4,16 @@ namespace Caterpillar.Expressions;
 /// A random generator with a seed that gives the same numbers on every runtime and in every version (SplitMix64: Steele, Lea, Flood, "Fast splittable
 /// pseudorandom number generators", OOPSLA 2014). Not thread-safe.
 /// </summary>
-internal sealed class SeededRandom
+/// <param name="seed">The same seed gives the same numbers everywhere.</param>
+internal sealed class SeededRandom(int seed = 0)
 {
     /// <summary>The step from one state to the next: 2⁶⁴ divided by the golden ratio.</summary>
     public const ulong Golden = 0x9E3779B97F4A7C15;
 
-    private ulong _state;
-
-    /// <summary>The same seed gives the same numbers everywhere.</summary>
-    public SeededRandom(int seed = 0)
-    {
-        Seed = seed;
-        _state = Mix(unchecked((ulong)seed * Golden + Golden));
-    }
+    private ulong _state = Mix(unchecked((ulong)seed * Golden + Golden));
 
     /// <summary>The seed.</summary>
-    public int Seed { get; }
+    public int Seed { get; } = seed;
 
     /// <summary>The next number, at least 0 and below 1.</summary>
     public double NextDouble()

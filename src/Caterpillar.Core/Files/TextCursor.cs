@@ -85,6 +85,13 @@ internal sealed class TextCursor(byte[] bytes, int at, int end)
         return ReadNan(out value);
     }
 
+    /// <summary>Reads three numbers, on several lines or within one. False, at the first that is none.</summary>
+    public bool ReadPoint(bool withinLine, out double x, out double y, out double z)
+    {
+        y = z = 0;
+        return ReadNext(withinLine, out x) && ReadNext(withinLine, out y) && ReadNext(withinLine, out z);
+    }
+
     /// <summary>The rest of the line, trimmed, at most 200 characters.</summary>
     public string RestOfLine()
     {
@@ -94,6 +101,12 @@ internal sealed class TextCursor(byte[] bytes, int at, int end)
         var stop = At;
         while (stop > start && Bytes[stop - 1] <= ' ') stop--;
         return Encoding.UTF8.GetString(Bytes, start, Math.Min(200, stop - start));
+    }
+
+    private bool ReadNext(bool withinLine, out double value)
+    {
+        value = 0;
+        return (withinLine ? SkipSpaces() : SkipSpace()) && ReadNumber(out value);
     }
 
     private bool ReadNan(out double value)

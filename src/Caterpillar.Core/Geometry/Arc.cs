@@ -53,6 +53,9 @@ public readonly record struct Arc(Vec3 Center, double Sweep, ArcPlane Plane = Ar
         return World((u * cos - v * sin) * scale, (v * cos + u * sin) * scale, w + (ew - w) * t);
     }
 
+    /// <summary>The point at parameter <paramref name="t"/> of a segment, which is straight without an arc.</summary>
+    internal static Vec3 PointAt(Arc? arc, Vec3 start, Vec3 end, double t) => arc is { } turn ? turn.PointAt(start, end, t) : Vec3.Lerp(start, end, t);
+
     /// <summary>The exact bounding box of the arc from start to end, mm.</summary>
     public Bounds Bounds(Vec3 start, Vec3 end)
     {

@@ -18,13 +18,7 @@ public readonly record struct Frame
     /// <summary>Z axis, the unit vector X × Y.</summary>
     public Vec3 Z { get; }
 
-    private Frame(Vec3 origin, Vec3 x, Vec3 y, Vec3 z)
-    {
-        Origin = origin;
-        X = x;
-        Y = y;
-        Z = z;
-    }
+    private Frame(Vec3 origin, Vec3 x, Vec3 y, Vec3 z) => (Origin, X, Y, Z) = (origin, x, y, z);
 
     /// <summary>The world axes at the origin.</summary>
     public static Frame World => new(Vec3.Zero, Vec3.UnitX, Vec3.UnitY, Vec3.UnitZ);
@@ -38,11 +32,8 @@ public readonly record struct Frame
     {
         var ux = x.Unit();
         var uz = Vec3.Cross(ux, y.Unit()).Unit();
-        if (!(ux.LengthSquared > 0.5)
-            || !(uz.LengthSquared > 0.5))
-        {
+        if (!(ux.LengthSquared > 0.5) || !(uz.LengthSquared > 0.5))
             throw new ArgumentException("The axes of a frame must not be parallel or zero.", nameof(y));
-        }
         return new Frame(origin, ux, Vec3.Cross(uz, ux), uz);
     }
 

@@ -21,9 +21,9 @@ internal static class SmoothDivision
     /// <param name="points">Receives the points, before the mapping.</param>
     /// <param name="shares">Receives the shares, whose sum is 1; null if not needed.</param>
     public static void Divide(Vec3 start, Vec3 end, Arc? arc, double tolerance, Func<Vec3[], Vec3[]> map, List<Vec3> points, List<double>? shares = null)
-        => new Division(new Piece(start, end, arc), tolerance, map, points, shares).Split(0, 1, 0);
+        => new Division(start, end, arc, tolerance, map, points, shares).Split(0, 1, 0);
 
-    private sealed class Division(Piece piece, double tolerance, Func<Vec3[], Vec3[]> map, List<Vec3> points, List<double>? shares)
+    private sealed class Division(Vec3 start, Vec3 end, Arc? arc, double tolerance, Func<Vec3[], Vec3[]> map, List<Vec3> points, List<double>? shares)
     {
         public void Split(double from, double to, int depth)
         {
@@ -34,16 +34,16 @@ internal static class SmoothDivision
                 Split(middle, to, depth + 1);
                 return;
             }
-            points.Add(to == 1 ? piece.End : piece.At(to));
+            points.Add(to == 1 ? end : At(to));
             shares?.Add(to - from);
         }
 
         private bool IsSmooth(double from, double to)
         {
             var samples = new Vec3[Tests.Length + 2];
-            samples[0] = piece.At(from);
-            for (var i = 0; i < Tests.Length; i++) samples[i + 1] = piece.At(from + (to - from) * Tests[i]);
-            samples[samples.Length - 1] = piece.At(to);
+            samples[0] = At(from);
+            for (var i = 0; i < Tests.Length; i++) samples[i + 1] = At(from + (to - from) * Tests[i]);
+            samples[samples.Length - 1] = At(to);
             var mapped = map(samples);
             Vec3 a = mapped[0], b = mapped[mapped.Length - 1];
             for (var i = 1; i < mapped.Length - 1; i++)
@@ -53,12 +53,7 @@ internal static class SmoothDivision
             }
             return true;
         }
-    }
 
-    private readonly struct Piece(Vec3 start, Vec3 end, Arc? arc)
-    {
-        public Vec3 End => end;
-
-        public Vec3 At(double t) => arc is { } turn ? turn.PointAt(start, end, t) : Vec3.Lerp(start, end, t);
+        private Vec3 At(double t) => Arc.PointAt(arc, start, end, t);
     }
 }

@@ -40,8 +40,8 @@ public sealed record FileEdits
     /// <summary>Remove the selection: only extrusions if roles or a box are selected, else layers and objects with their travel moves.</summary>
     public bool Remove { get; init; }
 
-    /// <summary>Fit arcs to extrusions; null = off.</summary>
-    public ArcFitOptions? FitArcs { get; init; }
+    /// <summary>Tolerance of arcs fitted to extrusions, mm; 0 = off.</summary>
+    public double FitArcs { get; init; }
 
     /// <summary>Maximum deviation of transformed or deformed extrusions, mm.</summary>
     public double Tolerance { get; init; } = 0.01;
@@ -71,7 +71,7 @@ public sealed record FileEdits
             toolpath = changed.Value;
         }
         if (Remove) toolpath = toolpath.Remove(Filter.Roles is null && Filter.Box is null ? filter : extrusions);
-        if (FitArcs is not null) toolpath = toolpath.FitArcs(FitArcs);
+        if (FitArcs > 0) toolpath = toolpath.FitArcs(FitArcs);
         if ((Remove || Move is not null) && Hanging(original) is null && Hanging(toolpath) is { } layer)
             found.Add(new Diagnostic(Severity.Warning, "edit.in_the_air", $"Layer {NumberFormatter.Format(layer.Index)} begins at Z "
                 + $"{NumberFormatter.Format(layer.Z - layer.Thickness, 3)} mm, with nothing below it. To continue on a part that stands there, keep the "

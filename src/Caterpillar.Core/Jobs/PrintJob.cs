@@ -223,7 +223,7 @@ public sealed class PrintJob : IDisposable
     private static Result<PrintJob> SliceOnto(
         IReadOnlyList<SliceModel> models, PrintSetup setup, PrintJobOptions options, IProgress<double>? progress, CancellationToken cancel)
     {
-        static PrintSettings Plain(PrintSettings settings) => settings with { SkirtLoops = 0, BrimWidth = 0, RaftLayers = 0, PurgeTower = false };
+        static PrintSettings Plain(PrintSettings settings) => settings.WithoutSkirtAndBrim with { RaftLayers = 0, PurgeTower = false };
         var plain = models.Select(m => new SliceModel(m.Mesh, Plain(m.Settings))).ToArray();
         var slicing = new SliceOptions { Threads = options.Threads, Memory = options.Memory };
         var flat = PlanarSlicer.SliceEach(plain, Plain(setup.Settings), slicing, progress.Part(0, 0.6), cancel);

@@ -3,30 +3,71 @@ using Caterpillar.GCode;
 
 namespace Caterpillar.Jobs;
 
-/// <summary>Makes a printer and a material from files with start and end code, or from a whole print, of which only these are taken.</summary>
+/// <summary>
+/// Makes profiles from files of other programs: presets and bundles of PrusaSlicer (.ini), presets of OrcaSlicer and Bambu Studio (.json), the settings in
+/// their projects (.3mf) and prints, and start and end code, also of prints without settings.
+/// </summary>
 public static class ProfileImport
 {
+    // So many known names in the comments of a print are the settings of a slicer.
+    private const int Enough = 20;
+
     /// <summary>Imports files. For codes of diagnostics, see <see cref="HeaderImport"/>.</summary>
-    /// <param name="header">Bytes of a file with start code, or of a print.</param>
-    /// <param name="footer">Bytes of a file with end code, or of a print. Null = the end of the print in <paramref name="header"/>, or no end code.</param>
-    /// <param name="name">Name of the new profiles.</param>
+    /// <param name="file">Bytes of a file with settings, of a print, or of start code.</param>
+    /// <param name="footer">Bytes of a file with end code, or of a print. Null = the end of the print in <paramref name="file"/>, or no end code.</param>
+    /// <param name="name">Name of profiles that have none.</param>
     /// <param name="like">A similar printer for everything that the files do not contain; null = generic.</param>
-    /// <param name="headerFile">Name of the header in messages.</param>
-    /// <param name="footerFile">Name of the footer in messages.</param>
-    /// <returns>The profiles, or an error if the header is no G-code or leaves the machine in inches.</returns>
-    public static Result<ImportedPrinter> Read(
-        byte[] header, byte[]? footer, string name, Printer? like = null, string headerFile = "header", string footerFile = "footer")
+    /// <param name="fileName">Name of the file in messages. What a JSON preset inherits is looked for near it.</param>
+    /// <param name="footerName">Name of the footer in messages.</param>
+    /// <param name="printer">Name of the printer to take from a file with several; null = all.</param>
+    /// <returns>
+    /// The profiles, or an error if the file is of none of these kinds, or start code leaves the machine in inches. Settings without an equal here are the note
+    /// <c>import.no_equal</c>, lines of templates the warning <c>import.template</c>, macros whose effect is unknown the warning <c>import.macro</c>.
+    /// </returns>
+    /// <exception cref="IOException">A file that a JSON preset inherits cannot be read.</exception>
+    public static Result<ImportedProfiles> Read(
+        byte[] file, byte[]? footer, string name, Printer? like = null, string fileName = "header", string footerName = "footer", string? printer = null)
+    {
+        if (file is null) throw new ArgumentNullException(nameof(file));
+        if (footer is null && Presets(file, fileName) is { } found)
+        {
+            var problems = found.Diagnostics.ToList();
+            var profiles = problems.Any(d => d.Severity == Severity.Error) ? null : new SlicerImport(found.Value!, name, like, fileName, problems).Run(printer);
+            if (problems.Any(d => d.Severity == Severity.Error)) profiles = null;
+            // Printers of a bundle share most of their templates.
+            var kinds = problems.GroupBy(d => (d.Code, d.Message)).Select(g => g.First() with { Count = g.Count() });
+            return new Result<ImportedProfiles>(profiles, kinds.ToArray());
+        }
+        return Code(file, footer, name, like, fileName, footerName);
+    }
+
+    // The settings of another slicer; null if the file is something else.
+    private static Result<IReadOnlyList<SlicerPreset>>? Presets(byte[] file, string fileName)
+    {
+        var problems = new List<Diagnostic>();
+        var project = ProjectSettings.Of(file);
+        var text = Encoding.UTF8.GetString(project ?? file).TrimStart('\uFEFF');
+        List<SlicerPreset>? presets = null;
+        if (text.TrimStart().StartsWith("{", StringComparison.Ordinal)) presets = JsonPresets.Read(text, fileName, problems);
+        else if (project is not null || IniPresets.IsIni(text)) presets = IniPresets.Read(text, fileName, problems);
+        else if (GCodeDecoder.Decode(file).Value?.Settings is { Count: >= Enough } settings && settings.Keys.Count(SlicerPreset.IsKnown) >= Enough)
+            presets = [new SlicerPreset("", "", settings, false)];
+        return presets is null ? null : new Result<IReadOnlyList<SlicerPreset>>(presets, problems);
+    }
+
+    private static Result<ImportedProfiles> Code(byte[] header, byte[]? footer, string name, Printer? like, string headerName, string footerName)
     {
         var decoded = GCodeDecoder.Decode(header).Value;
-        if (decoded?.NotGCode is { } none) return new Result<ImportedPrinter>(null, [none with { Source = new SourceLocation(headerFile) }]);
+        if (decoded?.NotGCode is { } none) return new Result<ImportedProfiles>(null, [none with { Source = new SourceLocation(headerName) }]);
         var ending = footer is null ? decoded : GCodeDecoder.Decode(footer).Value;
         var start = IsPrint(decoded) ? StartCode(decoded!) : Encoding.UTF8.GetString(header);
         var end = IsPrint(ending) ? EndCode(ending!) : Encoding.UTF8.GetString(footer ?? []);
-        var imported = HeaderImport.Read(start, end, name, like, headerFile, footerFile);
+        var imported = HeaderImport.Read(start, end, name, like, headerName, footerName);
+        if (imported.Value is not { } made) return new Result<ImportedProfiles>(null, imported.Diagnostics);
         // A file that names its flavor knows better than a similar printer.
-        if (imported.Value is null || decoded is null || decoded.Evidence.Contains(FlavorDetector.NotStated)) return imported;
-        var printer = imported.Value.Printer with { Flavor = decoded.Flavor };
-        return new Result<ImportedPrinter>(imported.Value with { Printer = printer }, imported.Diagnostics);
+        var printer = decoded is null || decoded.Evidence.Contains(FlavorDetector.NotStated) ? made.Printer : made.Printer with { Flavor = decoded.Flavor };
+        if (made.Material.NozzleTemperature > 0) printer = printer with { DefaultMaterial = made.Material.Name };
+        return new Result<ImportedProfiles>(new ImportedProfiles([printer], [made.Material], [], made.Start), imported.Diagnostics);
     }
 
     // A header may print, too: a purge line.
@@ -47,9 +88,12 @@ public static class ProfileImport
         return Commands(custom < lines.Count ? lines.Skip(custom) : lines.SkipWhile(l => Code(l).Length == 0 || Code(l) is "G0" or "G1" or "G2" or "G3"));
     }
 
-    // Without comments, among them images and settings, and without the progress of the print.
+    // Without comments, among them images and settings, and without progress and objects of the print.
     private static string Commands(IEnumerable<string> lines)
-        => Encoding.UTF8.GetString(Encoding.GetEncoding("iso-8859-1").GetBytes(string.Join("\n", lines.Where(l => Code(l) is not ("" or "M73")))));
+    {
+        var kept = lines.Where(l => Code(l) is not ("" or "M73" or "M486" or "EXCLUDE_OBJECT_DEFINE"));
+        return Encoding.UTF8.GetString(Encoding.GetEncoding("iso-8859-1").GetBytes(string.Join("\n", kept)));
+    }
 
     private static string Code(string line) => line.Split(';')[0].Trim().Split(' ')[0];
 }

@@ -125,11 +125,7 @@ public sealed class Deformation
     /// <summary>Maps a run of points through all stages; angles continue from point to point.</summary>
     internal Vec3[] Map(Vec3[] points)
     {
-        foreach (var stage in _stages)
-        {
-            var coordinates = stage.Coordinates(points);
-            points = Array.ConvertAll(coordinates, stage.Map);
-        }
+        foreach (var stage in _stages) points = Array.ConvertAll(stage.Coordinates(points), stage.Map);
         return points;
     }
 

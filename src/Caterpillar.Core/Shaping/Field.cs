@@ -1,4 +1,3 @@
-using Caterpillar.Expressions;
 using Caterpillar.Files;
 
 namespace Caterpillar.Shaping;
@@ -19,7 +18,7 @@ public delegate double Field(PathSample place);
 /// </summary>
 public delegate (double U, double V) ImageMapping(PathSample place);
 
-/// <summary>Fields from images, and masks. Any other function of a <see cref="PathSample"/> is a field too.</summary>
+/// <summary>Fields from images. Any other function of a <see cref="PathSample"/> is a field too.</summary>
 public static class Fields
 {
     /// <summary>The brightness of an image, 0 (black) to 1 (white), of the nearest pixel or, if <paramref name="smooth"/>, interpolated.</summary>
@@ -33,31 +32,6 @@ public static class Fields
             return smooth ? image.Between(u, v) : image.Nearest(u, v);
         };
     }
-
-    /// <summary>A mask: 1 for the given roles, 0 for others.</summary>
-    public static Field OfRole(params Role[] roles) => place => Array.IndexOf(roles, place.Role) >= 0 ? 1 : 0;
-
-    /// <summary>A mask: 1 inside a box, 0 outside.</summary>
-    public static Field Inside(Bounds box) => place => box.Contains(place.Position) ? 1 : 0;
-
-    /// <summary>A random value from 0 to 1 for each cell of a grid of <paramref name="cell"/> mm. The same seed always gives the same values.</summary>
-    public static Field Noise(int seed, double cell)
-    {
-        if (!(cell > 0)) throw new ArgumentOutOfRangeException(nameof(cell), "The cell must be above 0 mm.");
-        return place =>
-        {
-            unchecked
-            {
-                var hash = (ulong)seed * 0x9E3779B97F4A7C15UL;
-                hash = Next(hash ^ (ulong)(long)Math.Floor(place.Position.X / cell));
-                hash = Next(hash ^ (ulong)(long)Math.Floor(place.Position.Y / cell));
-                hash = Next(hash ^ (ulong)(long)Math.Floor(place.Position.Z / cell));
-                return (hash >> 11) * (1.0 / (1UL << 53));
-            }
-        };
-    }
-
-    private static ulong Next(ulong state) => SeededRandom.Mix(unchecked(state + SeededRandom.Golden));
 }
 
 /// <summary>Mappings of images onto paths.</summary>

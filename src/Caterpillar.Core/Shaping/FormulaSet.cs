@@ -5,7 +5,6 @@ namespace Caterpillar.Shaping;
 /// <summary>Compiles the formulas of a deformation or a field over the same variables, and evaluates them from any thread.</summary>
 internal sealed class FormulaSet(string[] variables, SourceLocation? source)
 {
-    private readonly string[] _variables = variables;
     private readonly SourceLocation _source = source ?? new SourceLocation();
     private readonly SpareContext _contexts = new SpareContext(variables.Length);
 
@@ -23,7 +22,7 @@ internal sealed class FormulaSet(string[] variables, SourceLocation? source)
             Problems.Add(new Diagnostic(Severity.Error, "formula.empty", $"The formula of {purpose} is empty.", place));
             return null;
         }
-        var compiled = Formula.Compile(text, _variables, place);
+        var compiled = Formula.Compile(text, variables, place);
         foreach (var problem in compiled.Diagnostics) Problems.Add(problem with { Message = $"{problem.Message} (formula of {purpose}: \"{text.Trim()}\")" });
         if (compiled.Value is not { UsesRandom: true } formula) return compiled.Value;
         // Its value would depend on the order of evaluation.

@@ -75,8 +75,7 @@ public sealed record GapBead
             var width = Width > 0 ? Width : bead.Height > 0 ? bead.Area / bead.Height : 0;
             if (bead.Area > 0 && !(width > 0))
             {
-                problems.Add(Severity.Error, "gap.no_width", "A bead has no height. Set the extrusion width.",
-                    new SourceLocation(Step: number));
+                problems.Add(Severity.Error, "gap.no_width", "A bead has no height. Set the extrusion width.", new SourceLocation(Step: number));
                 return null;
             }
             var parts = (int)Math.Min(1_000_000, Math.Max(1, Math.Ceiling(path.LengthOf(i) / Resolution - 1e-9)));
@@ -84,8 +83,8 @@ public sealed record GapBead
             var first = beads.Count;
             for (var k = 1; k <= parts; k++)
             {
-                var to = k == parts ? end : At((double)k / parts);
-                var middle = At((k - 0.5) / parts);
+                var to = k == parts ? end : Arc.PointAt(arc, start, end, (double)k / parts);
+                var middle = Arc.PointAt(arc, start, end, (k - 0.5) / parts);
                 var piece = arc is { } turn ? turn with { Sweep = turn.Sweep / parts } : (Arc?)null;
                 var own = bead;
                 if (bead.Area > 0)
@@ -108,8 +107,6 @@ public sealed record GapBead
                 }
                 from = to;
             }
-
-            Vec3 At(double t) => arc is { } a ? a.PointAt(start, end, t) : Vec3.Lerp(start, end, t);
         }
         probe.End();
         if (path.IsClosed) points.RemoveAt(points.Count - 1);
@@ -119,23 +116,21 @@ public sealed record GapBead
     // The bead that fills a gap under a piece of a length and a rise.
     private Bead Filling(double gap, double length, double rise, double width, Bead bead, int number, DiagnosticList problems)
     {
+        var place = new SourceLocation(Step: number);
         if (!(gap <= AirGap))
         {
-            problems.Add(Severity.Note, "gap.air", "A piece of a path has nothing underneath. Its bead stays unchanged.",
-                new SourceLocation(Step: number));
+            problems.Add(Severity.Note, "gap.air", "A piece of a path has nothing underneath. Its bead stays unchanged.", place);
             return bead;
         }
         if (gap < MinGap - 1e-9)
         {
-            problems.Add(
-                Severity.Warning, "gap.narrow", $"A gap of {NumberFormatter.Format(gap, 3)} mm is below the minimum of {NumberFormatter.Format(MinGap, 3)} mm.",
-                    new SourceLocation(Step: number));
+            problems.Add(Severity.Warning, "gap.narrow",
+                $"A gap of {NumberFormatter.Format(gap, 3)} mm is below the minimum of {NumberFormatter.Format(MinGap, 3)} mm.", place);
         }
         if (gap > MaxGap + 1e-9)
         {
-            problems.Add(
-                Severity.Note, "gap.wide", $"A gap of {NumberFormatter.Format(gap, 3)} mm is above the maximum of {NumberFormatter.Format(MaxGap, 3)} mm.",
-                    new SourceLocation(Step: number));
+            problems.Add(Severity.Note, "gap.wide",
+                $"A gap of {NumberFormatter.Format(gap, 3)} mm is above the maximum of {NumberFormatter.Format(MaxGap, 3)} mm.", place);
         }
         gap = Math.Min(MaxGap, Math.Max(MinGap, gap));
         // A vertical piece has no gap below: its bead stays.

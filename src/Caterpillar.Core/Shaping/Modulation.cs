@@ -22,31 +22,14 @@ public enum ModulationMode
 /// Modulates the speed, flow or position of paths by a field such as an image or a function (Kanada 2016, section 3.5: <c>modulate_cylinder</c>, here for
 /// any path).
 /// </summary>
-public sealed record Modulation
+/// <param name="Mode">Property that is modulated.</param>
+/// <param name="Field">Field, from 0 (low) to 1 (high).</param>
+/// <param name="Low">Factor of speed or area, or displacement in mm, where the field is 0.</param>
+/// <param name="High">Factor of speed or area, or displacement in mm, where the field is 1.</param>
+public sealed record Modulation(ModulationMode Mode, Field Field, double Low, double High)
 {
     /// <summary>Minimum ratio of speeds or areas that prints well (Kanada 2016: 0.6 or 0.7 to 1).</summary>
     public const double MinRatio = 0.6;
-
-    /// <summary>A modulation whose factor of speed or flow, or displacement in mm, is low where the field is 0 and high where it is 1.</summary>
-    public Modulation(ModulationMode mode, Field field, double low, double high)
-    {
-        Mode = mode;
-        Field = field ?? throw new ArgumentNullException(nameof(field));
-        Low = low;
-        High = high;
-    }
-
-    /// <summary>Property that is modulated.</summary>
-    public ModulationMode Mode { get; }
-
-    /// <summary>Field, from 0 (low) to 1 (high).</summary>
-    public Field Field { get; }
-
-    /// <summary>Factor of speed or area, or displacement in mm, where the field is 0.</summary>
-    public double Low { get; }
-
-    /// <summary>Factor of speed or area, or displacement in mm, where the field is 1.</summary>
-    public double High { get; }
 
     /// <summary>Strength of the modulation at each point, 0 to 1. Null = full strength everywhere.</summary>
     public Field? Mask { get; init; }
@@ -66,7 +49,7 @@ public sealed record Modulation
         var problems = new DiagnosticList();
         var modulated = new List<PrintPath>(paths.Count);
         double least = double.MaxValue, greatest = 0;
-        if (Resolution > 0 && !(paths.Sum(LengthOf) / Resolution <= PathDivision.MaxSegments))
+        if (Resolution > 0 && !(paths.Sum(p => p.Length) / Resolution <= PathDivision.MaxSegments))
         {
             problems.Add(Severity.Error, "shape.too_fine",
                 $"The paths would have more than {NumberFormatter.Format(PathDivision.MaxSegments)} segments in total. Use a coarser resolution.");
@@ -88,13 +71,6 @@ public sealed record Modulation
                 + $"Prints often fail below 1 to {NumberFormatter.Format(MinRatio, 2)}.");
         }
         return new Result<IReadOnlyList<PrintPath>>(problems.HasErrors ? null : modulated, problems.ToList());
-    }
-
-    private static double LengthOf(PrintPath path)
-    {
-        var length = 0.0;
-        for (var i = 0; i < path.SegmentCount; i++) length += path.LengthOf(i);
-        return length;
     }
 
     private PrintPath? Scale(PrintPath path, int number, DiagnosticList problems, ref double least, ref double greatest, CancellationToken cancel)
@@ -151,14 +127,8 @@ public sealed record Modulation
             var (points, beads, closed) = PathDivision.Straight(path, Resolution, cancel);
             return (points, beads, closed, null);
         }
-        var own = new Bead[path.SegmentCount];
-        var arcs = path.HasArcs ? new Arc?[own.Length] : null;
-        for (var i = 0; i < own.Length; i++)
-        {
-            own[i] = path.BeadOf(i);
-            if (arcs is not null) arcs[i] = path.ArcOf(i);
-        }
-        return ((Vec3[])path.RawPoints.Clone(), own, path.IsClosed, arcs);
+        var segments = Enumerable.Range(0, path.SegmentCount);
+        return ((Vec3[])path.RawPoints.Clone(), [.. segments.Select(path.BeadOf)], path.IsClosed, path.HasArcs ? [.. segments.Select(path.ArcOf)] : null);
     }
 
     private double? ValueAt(PathSample place, double neutral, int number, DiagnosticList problems)

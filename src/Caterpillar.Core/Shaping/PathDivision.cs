@@ -38,28 +38,19 @@ internal static class PathDivision
         var beads = new List<Bead>();
         for (var i = 0; i < path.SegmentCount; i++)
         {
-            var piece = new Piece(path, i);
-            var parts = path.ArcOf(i)?.ChordCount(path.Points[i], ArcTolerance) ?? 1.0;
+            Vec3 start = path.Points[i], end = path.EndOf(i);
+            var arc = path.ArcOf(i);
+            var parts = arc?.ChordCount(start, ArcTolerance) ?? 1.0;
             if (maximum > 0) parts = Math.Max(parts, Math.Ceiling(path.LengthOf(i) / maximum - 1e-9));
             parts = Math.Min(parts, 10_000_000);
             for (var k = 1; k <= parts; k++)
             {
                 if ((points.Count & 0x3FFF) == 0) cancel.ThrowIfCancellationRequested();
-                points.Add(k == parts ? piece.End : piece.At(k / parts));
+                points.Add(k == parts ? end : Arc.PointAt(arc, start, end, k / parts));
                 beads.Add(path.BeadOf(i));
             }
         }
         if (path.IsClosed) points.RemoveAt(points.Count - 1);
         return (points.ToArray(), beads.ToArray(), path.IsClosed);
-    }
-
-    private readonly struct Piece(PrintPath path, int segment)
-    {
-        private readonly Vec3 _start = path.Points[segment];
-        private readonly Arc? _arc = path.ArcOf(segment);
-
-        public Vec3 End { get; } = path.EndOf(segment);
-
-        public Vec3 At(double t) => _arc is { } arc ? arc.PointAt(_start, End, t) : Vec3.Lerp(_start, End, t);
     }
 }

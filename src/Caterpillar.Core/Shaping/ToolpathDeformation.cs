@@ -30,12 +30,6 @@ public static class ToolpathDeformation
         return map.Problem is { } problem ? new Result<Toolpath>(null, [problem]) : new Result<Toolpath>(mapped, []);
     }
 
-    /// <summary>Deforms the part: all moves in layers, or all moves if the toolpath has no layers. Start and end G-code stay unchanged.</summary>
-    /// <inheritdoc cref="Deform(Toolpath, MoveFilter, Deformation, double, CancellationToken)" path="/returns"/>
-    /// <inheritdoc cref="Deform(Toolpath, MoveFilter, Deformation, double, CancellationToken)" path="/exception"/>
-    public static Result<Toolpath> Deform(this Toolpath toolpath, Deformation deformation, double tolerance = 0.01)
-        => toolpath.Deform(new MoveFilter().InLayersOf(toolpath), deformation, tolerance);
-
     private sealed class DeformationRunMap(Deformation deformation, double tolerance) : RunMap
     {
         private readonly Func<Vec3[], Vec3[]> _map = deformation.Map;

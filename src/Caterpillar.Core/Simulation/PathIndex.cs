@@ -20,23 +20,19 @@ internal sealed class PathIndex
     private readonly int[] _layerStarts;
     private readonly List<double> _heights = [];
     private readonly List<int> _heightMoves = [];
-    private readonly List<double> _fans = [];
-    private readonly List<int> _fanMoves = [];
+    private readonly List<(int Move, double Speed)> _fans = [];
     private double _top = double.NegativeInfinity;
 
     public PathIndex(Toolpath toolpath)
     {
         _toolpath = toolpath;
         _sums = new PathSums[toolpath.Blocks.Count][];
-        _layerStarts = new int[toolpath.Layers.Count];
-        for (var i = 0; i < _layerStarts.Length; i++) _layerStarts[i] = toolpath.Count;
+        _layerStarts = [.. Enumerable.Repeat(toolpath.Count, toolpath.Layers.Count)];
         var before = int.MinValue;
         for (var block = 0; block < _sums.Length; block++) before = Scan(block, before);
         foreach (var (move, what) in toolpath.Events)
         {
-            if (what is not FanEvent fan) continue;
-            _fans.Add(fan.Speed);
-            _fanMoves.Add(move);
+            if (what is FanEvent fan) _fans.Add((move, fan.Speed));
         }
     }
 
@@ -63,14 +59,8 @@ internal sealed class PathIndex
     /// <summary>The fan during a move, 0 to 1.</summary>
     public double FanAt(int move)
     {
-        int low = 0, high = _fanMoves.Count;
-        while (low < high)
-        {
-            var middle = (low + high) / 2;
-            if (_fanMoves[middle] <= move) low = middle + 1;
-            else high = middle;
-        }
-        return low > 0 ? _fans[low - 1] : 0;
+        var next = Search.First(0, _fans.Count, (_fans, move), static (s, i) => s._fans[i].Move > s.move);
+        return next > 0 ? _fans[next - 1].Speed : 0;
     }
 
     /// <summary>Sums over the moves before a move; at most <see cref="Step"/> moves are added up.</summary>
@@ -79,8 +69,7 @@ internal sealed class PathIndex
         if (move >= _toolpath.Count) return Total;
         var block = _toolpath.BlockOf(move);
         var i = move - _toolpath.FirstOf(block);
-        var sums = _sums[block][i / Step];
-        return Add(block, i / Step * Step, i, sums, double.PositiveInfinity, out _);
+        return Add(block, i / Step * Step, i, _sums[block][i / Step], double.PositiveInfinity, out _);
     }
 
     /// <summary>The move in which the path of the head reaches a length, mm, and the sums before it.</summary>
@@ -88,22 +77,10 @@ internal sealed class PathIndex
     {
         if (!(length < Total.Length)) return (_toolpath.Count, Total);
         // The last block, and the last kept sum of it, that begins at the length or before.
-        int block = 0, high = _sums.Length;
-        while (high - block > 1)
-        {
-            var middle = (block + high) / 2;
-            if (_sums[middle][0].Length <= length) block = middle;
-            else high = middle;
-        }
-        var sum = 0;
-        high = _sums[block].Length;
-        while (high - sum > 1)
-        {
-            var middle = (sum + high) / 2;
-            if (_sums[block][middle].Length <= length) sum = middle;
-            else high = middle;
-        }
-        var before = Add(block, sum * Step, _toolpath.Blocks[block].Count, _sums[block][sum], length, out var at);
+        var block = Search.First(1, _sums.Length, (_sums, length), static (s, i) => s._sums[i][0].Length > s.length) - 1;
+        var sums = _sums[block];
+        var sum = Search.First(1, sums.Length, (sums, length), static (s, i) => s.sums[i].Length > s.length) - 1;
+        var before = Add(block, sum * Step, _toolpath.Blocks[block].Count, sums[sum], length, out var at);
         return (_toolpath.FirstOf(block) + at, before);
     }
 

@@ -1,42 +1,27 @@
 namespace Caterpillar.Simulation;
 
 /// <summary>Computes <see cref="PrintStatistics"/>.</summary>
-internal sealed class StatisticsSums
+internal sealed class StatisticsSums(Timeline timeline)
 {
-    private readonly Timeline _timeline;
-    private readonly Toolpath _toolpath;
-    private readonly Sum[] _roles = new Sum[Enum.GetValues(typeof(Role)).Length];
+    private readonly Toolpath _toolpath = timeline.Toolpath;
+    private readonly Sum[] _roles = Array.ConvertAll((Role[])Enum.GetValues(typeof(Role)), _ => new Sum());
     private readonly SortedDictionary<int, Sum> _tools = [];
-    private readonly Sum?[] _layers;
+    private readonly Sum?[] _layers = new Sum?[timeline.Toolpath.Layers.Count];
 
     // Objects that are printed together share their layers: the first entry of each.
-    private readonly int[] _firstEntries;
+    private readonly int[] _firstEntries = new int[timeline.Toolpath.Layers.Count];
     private readonly Sum _print = new(), _travel = new(), _extruder = new();
     private int _retractions, _flowMove = -1;
     private double _flow, _speed;
     private Bounds _bounds = Bounds.Empty;
 
-    public StatisticsSums(Timeline timeline)
-    {
-        _timeline = timeline;
-        _toolpath = timeline.Toolpath;
-        _layers = new Sum?[_toolpath.Layers.Count];
-        _firstEntries = new int[_layers.Length];
-        for (var i = 1; i < _layers.Length; i++) _firstEntries[i] = _toolpath.Layers[i].Index == _toolpath.Layers[i - 1].Index ? _firstEntries[i - 1] : i;
-        for (var i = 0; i < _roles.Length; i++) _roles[i] = new Sum();
-    }
-
     public PrintStatistics Run(CancellationToken cancel)
     {
+        for (var i = 1; i < _layers.Length; i++) _firstEntries[i] = _toolpath.Layers[i].Index == _toolpath.Layers[i - 1].Index ? _firstEntries[i - 1] : i;
         for (var block = 0; block < _toolpath.Blocks.Count; block++)
         {
             cancel.ThrowIfCancellationRequested();
             Block(block);
-        }
-        var roles = new List<RoleTime>();
-        for (var i = 0; i < _roles.Length; i++)
-        {
-            if (_roles[i].Count > 0) roles.Add(new RoleTime((Role)i, _roles[i].Time, _roles[i].Length, _roles[i].KnownVolume));
         }
         double? mass = 0, cost = 0;
         var all = new Sum();
@@ -46,7 +31,7 @@ internal sealed class StatisticsSums
             var sum = pair.Value;
             all.Volume += sum.Volume;
             all.VolumeUnknown |= sum.VolumeUnknown;
-            var (material, filament) = (_timeline.Setup.OfTool(pair.Key).Material, FilamentOf(pair.Key, sum.E));
+            var (material, filament) = (timeline.Setup.OfTool(pair.Key).Material, FilamentOf(pair.Key, sum.E));
             all.E += filament;
             // mm³ and g/cm³
             var grams = sum.KnownVolume / 1000 * material.Density;
@@ -54,15 +39,10 @@ internal sealed class StatisticsSums
             cost += grams / 1000 * material.CostPerKg;
             tools.Add(new ToolUse(pair.Key, sum.Time, filament, sum.KnownVolume, grams));
         }
-        var layers = new List<LayerTime>();
-        for (var i = 0; i < _layers.Length; i++)
-        {
-            if (_layers[i] is { } sum) layers.Add(new LayerTime(i, sum.Start, sum.Time, sum.Length, sum.KnownVolume));
-        }
         return new PrintStatistics
         {
-            Duration = _timeline.Duration,
-            Waits = _timeline.Waits,
+            Duration = timeline.Duration,
+            Waits = timeline.Waits,
             PrintTime = _print.Time,
             TravelTime = _travel.Time,
             ExtruderTime = _extruder.Time,
@@ -78,9 +58,11 @@ internal sealed class StatisticsSums
             GreatestFlowMove = _flowMove,
             GreatestSpeed = _speed,
             PrintBounds = _bounds,
-            Roles = roles,
+            Roles = [.. Enumerable.Range(0, _roles.Length).Where(i => _roles[i].Count > 0)
+                .Select(i => new RoleTime((Role)i, _roles[i].Time, _roles[i].Length, _roles[i].KnownVolume))],
             Tools = tools,
-            Layers = layers,
+            Layers = [.. Enumerable.Range(0, _layers.Length).Where(i => _layers[i] is not null)
+                .Select(i => new LayerTime(i, _layers[i]!.Start, _layers[i]!.Time, _layers[i]!.Length, _layers[i]!.KnownVolume))],
         };
     }
 
@@ -98,9 +80,9 @@ internal sealed class StatisticsSums
             var end = new Vec3(c.X[i], c.Y[i], c.Z[i]);
             var isArc = c.TryGetArc(i, out var arc);
             var length = isArc ? arc.Length(at, end) : at.DistanceTo(end);
-            var start = _timeline.StartOf(number);
-            var over = _timeline.StartOf(number + 1);
-            var moving = over - start - _timeline.WaitBefore(number);
+            var start = timeline.StartOf(number);
+            var over = timeline.StartOf(number + 1);
+            var moving = over - start - timeline.WaitBefore(number);
             if (tool is null || c.Tool[i] != toolNumber)
             {
                 toolNumber = c.Tool[i];
@@ -112,7 +94,7 @@ internal sealed class StatisticsSums
             tool.Add(moving, length, c.Deposited[i], factor);
             var what = kind == MoveKind.Print ? _print : length > 1e-9 ? _travel : _extruder;
             what.Add(moving, length, c.Deposited[i], factor);
-            if (length > 1e-9) _speed = Math.Max(_speed, _timeline.PeakOf(number));
+            if (length > 1e-9) _speed = Math.Max(_speed, timeline.PeakOf(number));
             if (kind == MoveKind.Print)
             {
                 _roles[(int)c.Role[i]].Add(moving, length, c.Deposited[i], factor);
@@ -130,10 +112,10 @@ internal sealed class StatisticsSums
 
     private void Flow(int move, double length, double? volume)
     {
-        if (length > 0 && volume / length * _timeline.PeakOf(move) is { } flow && flow > _flow) (_flow, _flowMove) = (flow, move);
+        if (length > 0 && volume / length * timeline.PeakOf(move) is { } flow && flow > _flow) (_flow, _flowMove) = (flow, move);
     }
 
-    private double FilamentOf(int tool, double e) => e * MotionPlanner.FilamentPerE(tool, _toolpath.VolumePerE(tool), _timeline.Setup);
+    private double FilamentOf(int tool, double e) => e * MotionPlanner.FilamentPerE(tool, _toolpath.VolumePerE(tool), timeline.Setup);
 
     private sealed class Sum
     {

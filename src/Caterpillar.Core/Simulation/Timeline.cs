@@ -19,8 +19,7 @@ public sealed class Timeline
         _heat = plan.Heat;
         Waits = plan.Waits;
         _path = path;
-        _volumesKnown = true;
-        for (var tool = 0; tool < toolpath.Tools.Count; tool++) _volumesKnown &= toolpath.VolumePerE(tool) is not null;
+        _volumesKnown = Enumerable.Range(0, toolpath.Tools.Count).All(tool => toolpath.VolumePerE(tool) is not null);
     }
 
     /// <summary>The simulated toolpath.</summary>
@@ -83,12 +82,6 @@ public sealed class Timeline
         return peak;
     }
 
-    /// <summary>E extruded before a move, in the units of the tools.</summary>
-    public double FilamentBefore(int move) => _path.Before(move).Filament;
-
-    /// <summary>Material extruded before a move, mm³; null if the filament diameter of a tool is unknown.</summary>
-    public double? VolumeBefore(int move) => _volumesKnown ? _path.Before(move).Volume : null;
-
     /// <summary>The state at a time in seconds, clamped to the start and the end.</summary>
     public MachineState At(double time)
     {
@@ -134,30 +127,11 @@ public sealed class Timeline
     }
 
     // The first trapezoid that ends after a time; their number where none does.
-    private int FirstAfter(double time)
-    {
-        int low = 0, high = _motion.Count;
-        while (low < high)
-        {
-            var middle = (int)(((uint)low + (uint)high) / 2);
-            if (_motion.EndTime[middle] <= time) low = middle + 1;
-            else high = middle;
-        }
-        return low;
-    }
+    private int FirstAfter(double time) => Search.First(0, _motion.Count, (_motion.EndTime, time), static (s, i) => s.EndTime[i] > s.time);
 
     // The last move that begins with this trapezoid or before.
     private int MoveOf(int trapezoid)
-    {
-        int low = 0, high = Toolpath.Count + 1;
-        while (high - low > 1)
-        {
-            var middle = (int)(((uint)low + (uint)high) / 2);
-            if (_motion.First[middle] <= trapezoid) low = middle;
-            else high = middle;
-        }
-        return low;
-    }
+        => Search.First(1, Toolpath.Count + 1, (_motion.First, trapezoid), static (s, i) => s.First[i] > s.trapezoid) - 1;
 
     private int MoveAtSource(int source)
     {
@@ -169,17 +143,13 @@ public sealed class Timeline
             }
             return Toolpath.Count;
         }
-        int low = 0, high = _path.SourcedMoves;
-        while (low < high)
+        var move = Search.First(0, _path.SourcedMoves, (Toolpath, source), static (s, i) =>
         {
-            var middle = (int)(((uint)low + (uint)high) / 2);
             // A move without a source goes with the next that has one.
-            var next = middle;
-            while (Toolpath[next].Source < 0) next++;
-            if (Toolpath[next].Source < source) low = next + 1;
-            else high = middle;
-        }
-        return low < _path.SourcedMoves ? low : Toolpath.Count;
+            while (s.Toolpath[i].Source < 0) i++;
+            return s.Toolpath[i].Source >= s.source;
+        });
+        return move < _path.SourcedMoves ? move : Toolpath.Count;
     }
 
     // The moment at which a part of a move is done.
@@ -215,7 +185,7 @@ public sealed class Timeline
         var sums = _path.Before(number);
         var length = move.Length;
         var flow = Toolpath.VolumePerE(move.Tool) is { } factor ? FlowOf(move, length, speed) * factor : (double?)null;
-        var position = over ? move.End : PointAt(move, done);
+        var position = over ? move.End : move.PointAt(done);
         var nozzle = _heat.NozzleOrNull(move.Tool);
         return new MachineState
         {
@@ -250,9 +220,6 @@ public sealed class Timeline
     // E per second: along the path, or of the extruder alone.
     private static double FlowOf(in Move move, double length, double speed)
         => length > 0 ? move.Deposited / length * speed : move.Deposited > 0 ? move.Deposited / move.E * speed : 0;
-
-    private static Vec3 PointAt(in Move move, double done)
-        => move.Arc is { } arc ? arc.PointAt(move.Start, move.End, done) : Vec3.Lerp(move.Start, move.End, done);
 
     private static Vec3 DirectionAt(in Move move, double done)
     {

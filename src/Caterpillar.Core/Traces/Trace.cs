@@ -67,7 +67,7 @@ public sealed class Trace
         CheckPositive(radius, nameof(radius));
         if (strings < 3) throw new ArgumentOutOfRangeException(nameof(strings), "A circle needs at least three strings.");
         var first = OnCircle(center, radius, from);
-        Reach(first);
+        Move(first);
         for (var i = 1; i < strings; i++) Draw(OnCircle(center, radius, from + 360.0 * i / strings));
         return Draw(first);
     }
@@ -157,12 +157,7 @@ public sealed class Trace
     }
 
     /// <summary>The part as steps, in printing order.</summary>
-    public IReadOnlyList<Step> ToSteps()
-    {
-        var steps = new List<Step>();
-        foreach (var path in ToPaths()) steps.Add(path);
-        return steps;
-    }
+    public IReadOnlyList<Step> ToSteps() => ToPaths().ToSteps();
 
     private static Vec3 OnCircle(Vec3 center, double radius, double degrees)
     {
@@ -195,9 +190,6 @@ public sealed class Trace
         SetSpeed(speed > 0 ? Math.Min(speed, RiseSpeed) : RiseSpeed).Draw(Position.WithZ(z)).SetSpeed(speed);
     }
 
-    // To the start of a shape.
-    private void Reach(Vec3 start) => Position = CheckFinite(start, nameof(start));
-
     private Trace Turns(double turns, int stringsPerTurn, Func<double, Vec3> at, FlowRamp? ramp = null)
     {
         if (stringsPerTurn < 3) throw new ArgumentOutOfRangeException(nameof(stringsPerTurn), "A turn needs at least three strings.");
@@ -205,7 +197,7 @@ public sealed class Trace
         {
             throw new ArgumentOutOfRangeException(nameof(turns), "The part has more than 100 million strings. Increase the pitch.");
         }
-        Reach(at(0));
+        Move(at(0));
         // A last string as short as rounding errors is dropped.
         var whole = (int)Math.Floor(turns * stringsPerTurn + 1e-9);
         var rest = turns * stringsPerTurn - whole > 1e-9;

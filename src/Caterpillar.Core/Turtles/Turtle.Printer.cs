@@ -13,9 +13,6 @@ public sealed partial class Turtle
     /// <summary>The bead of moves with the pen down.</summary>
     public Bead Bead => _state.Bead;
 
-    /// <summary>Diameter of the filament, mm.</summary>
-    public double FilamentDiameter => _options.Extrusion.FilamentDiameter;
-
     /// <summary>Extrusion in mm of filament per mm of path.</summary>
     public double Density => _options.Extrusion.FactorOfArea(Bead.Area);
 
@@ -45,33 +42,18 @@ public sealed partial class Turtle
     /// Sets the extrusion in mm of filament per mm of path. ExtruderTurtle uses 0.01 to 0.10. Its default is 0.05. For a 0.4 mm nozzle and 0.2 mm layers, 0.03
     /// is standard.
     /// </summary>
-    public Turtle SetDensity(double filamentPerMm)
-    {
-        _state.Bead = new Bead(_options.Extrusion.AreaOfFactor(filamentPerMm), 0, _state.Bead.Speed);
-        return this;
-    }
+    public Turtle SetDensity(double filamentPerMm) => With(new Bead(_options.Extrusion.AreaOfFactor(filamentPerMm), 0, Speed));
 
     /// <summary>Sets the cross-section of the extrusion in mm² (Kanada), and its height if known.</summary>
-    public Turtle SetArea(double area, double height = 0)
-    {
-        _state.Bead = new Bead(area, height, _state.Bead.Speed);
-        return this;
-    }
+    public Turtle SetArea(double area, double height = 0) => With(new Bead(area, height, Speed));
 
     /// <summary>Sets the extrusion by width and height in mm and a flow ratio (Caterpillar). The default shape comes from the options.</summary>
     /// <exception cref="ArgumentOutOfRangeException">A value is negative or not finite, or a stadium is narrower than its height.</exception>
     public Turtle SetBead(double width, double height, double flow = 1, BeadShape? shape = null)
-    {
-        _state.Bead = Bead.FromWidth(width, height, flow, _state.Bead.Speed, shape ?? _options.Shape);
-        return this;
-    }
+        => With(Bead.FromWidth(width, height, flow, Speed, shape ?? _options.Shape));
 
     /// <summary>Sets the bead. A bead without a speed keeps the current speed.</summary>
-    public Turtle SetBead(Bead bead)
-    {
-        _state.Bead = bead.Speed > 0 ? bead : bead.WithSpeed(_state.Bead.Speed);
-        return this;
-    }
+    public Turtle SetBead(Bead bead) => With(bead.Speed > 0 ? bead : bead.WithSpeed(Speed));
 
     /// <summary>Sets the print speed in mm/min, as in G-code (ExtruderTurtle). The "mm/s" in its paper is an error.</summary>
     public Turtle SetRate(double mmPerMinute) => SetSpeed(mmPerMinute / 60);
@@ -80,8 +62,7 @@ public sealed partial class Turtle
     public Turtle SetSpeed(double mmPerSecond)
     {
         if (mmPerSecond > MaxSpeed) throw new ArgumentOutOfRangeException(nameof(mmPerSecond), "The speed must be at most 1000000 mm/s.");
-        _state.Bead = _state.Bead.WithSpeed(Positive(mmPerSecond, "The speed must be above 0."));
-        return this;
+        return With(Bead.WithSpeed(Positive(mmPerSecond, "The speed must be above 0.")));
     }
 
     /// <summary>Sets the travel speed in mm/s; 0 = print speed.</summary>
@@ -159,11 +140,8 @@ public sealed partial class Turtle
     /// <summary>Puts the following extrusions on a layer at the Z of the turtle. The layer height is in mm; 0 = unknown.</summary>
     public Turtle Layer(int index, double height = 0, string name = "")
     {
-        if (index < 0 || !(height >= 0)
-            || double.IsInfinity(height))
-        {
+        if (index < 0 || !(height >= 0) || double.IsInfinity(height))
             throw new ArgumentOutOfRangeException(nameof(index), "The layer number and layer height must be 0 or more.");
-        }
         return Tag(_state.Tags with { Layer = new Layer(index, Z, height, name) });
     }
 
@@ -183,6 +161,12 @@ public sealed partial class Turtle
 
     /// <summary>Sets the role of the following extrusions.</summary>
     public Turtle As(Role role) => Tag(_state.Tags with { Role = role });
+
+    private Turtle With(Bead bead)
+    {
+        _state.Bead = bead;
+        return this;
+    }
 
     private Turtle Tag(PathTags tags)
     {

@@ -3,6 +3,9 @@ namespace Caterpillar.Turtles;
 // Arcs, circles and polygons: their vertices are computed from the pose at the start, so that they close exactly.
 public sealed partial class Turtle
 {
+    // Deviation of the chords of arcs without a number of segments, mm.
+    private const double ArcTolerance = 0.01;
+
     /// <summary>
     /// Draws an arc. Positive angles turn left, negative angles turn right. The heading stays tangent. With <paramref name="climb"/> the arc rises evenly along
     /// the up axis (a helix). Full turns without climb end exactly in the pose where they started.
@@ -22,7 +25,7 @@ public sealed partial class Turtle
         var sweep = Degrees(angle);
         if (double.IsNaN(sweep) || Math.Abs(sweep) > 3.6e6) throw new ArgumentOutOfRangeException(nameof(angle), "The angle must be at most 10000 turns.");
         var start = Pose;
-        var count = segments > 0 ? segments : new Arc(Vec3.Zero, sweep).ChordCount(new Vec3(radius, 0), _options.ArcTolerance);
+        var count = segments > 0 ? segments : new Arc(Vec3.Zero, sweep).ChordCount(new Vec3(radius, 0), ArcTolerance);
         var side = sweep < 0 ? -1.0 : 1.0;
         for (var i = 1; i <= count; i++)
         {

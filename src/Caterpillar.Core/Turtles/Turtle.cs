@@ -19,16 +19,11 @@ public sealed partial class Turtle
     public Turtle(TurtleOptions? options = null)
     {
         _options = options ?? new TurtleOptions();
-        if (!(_options.ArcTolerance > 0)
-            || !_options.Start.Origin.IsFinite)
-        {
-            throw new ArgumentException("The arc tolerance must be above 0, and the start must be finite.", nameof(options));
-        }
+        if (!_options.Start.Origin.IsFinite) throw new ArgumentException("The start must be finite.", nameof(options));
         _state = new TurtleState { Pose = _options.Start, PenDown = true, Tags = new PathTags(Role.Unspecified, null, 0, "", null) };
-        AngleUnit = _options.AngleUnit;
         if (_options.KeepPoses) _poses = [_options.Start];
-        SetDensity(_options.Density);
-        SetRate(_options.Rate);
+        SetDensity(ExtrusionModel.DefaultFactor);
+        SetRate(1000);
         if (_options.Bead is { } bead) SetBead(bead);
     }
 
@@ -114,11 +109,7 @@ public sealed partial class Turtle
     public Turtle Face(Vec3 point) => Turn(Heading.Towards(point - Position, Heading.Of(Pose).Yaw).ToFrame(Position));
 
     /// <summary>Levels the wings and keeps the forward direction. Has no effect if the turtle faces straight up or down.</summary>
-    public Turtle Level()
-    {
-        var now = Heading.Of(Pose);
-        return Turn((now with { Roll = 0 }).ToFrame(Position));
-    }
+    public Turtle Level() => Turn((Heading.Of(Pose) with { Roll = 0 }).ToFrame(Position));
 
     /// <summary>Moves forward. A negative distance moves backward without turning.</summary>
     public Turtle Forward(double distance) => MoveTo(Position + Pose.X * distance, deposit: true);
@@ -129,16 +120,8 @@ public sealed partial class Turtle
     /// </summary>
     public Turtle Forward(double distance, double rise)
     {
-        var ahead = Pose.X;
-        if (ahead.Z == 0)
-        {
-            ahead = ahead.Unit();
-        }
-        else
-        {
-            var (sin, cos) = Angle.SinCos(Heading.Of(Pose).Yaw);
-            ahead = new Vec3(cos, sin);
-        }
+        var (sin, cos) = Angle.SinCos(Heading.Of(Pose).Yaw);
+        var ahead = Pose.X.Z == 0 ? Pose.X.Unit() : new Vec3(cos, sin);
         return MoveTo(Position + ahead * distance + Vec3.UnitZ * rise, deposit: true);
     }
 
@@ -218,10 +201,7 @@ public sealed partial class Turtle
     /// <summary>Repeats an action: <c>turtle.Repeat(5, t => t.Forward(40).Left(144))</c>.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The count is negative.</exception>
     public Turtle Repeat(int count, Action<Turtle> body)
-    {
-        if (body is null) throw new ArgumentNullException(nameof(body));
-        return Repeat(count, (turtle, _) => body(turtle));
-    }
+        => Repeat(count, body is null ? throw new ArgumentNullException(nameof(body)) : (turtle, _) => body(turtle));
 
     /// <summary>Repeats an action. Its second argument is the number of the repetition, from 0.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The count is negative.</exception>

@@ -9,26 +9,14 @@ public sealed record TurtleOptions
     /// <summary>The extrusion model that converts mm of filament to extrusions. For a print, use the model of its setup.</summary>
     public ExtrusionModel Extrusion { get; init; } = new(ExtrusionUnit.Mm, 1.75);
 
-    /// <summary>Initial extrusion, mm of filament per mm of path.</summary>
-    public double Density { get; init; } = ExtrusionModel.DefaultFactor;
-
-    /// <summary>Initial bead, instead of the density. A bead without a speed uses the rate. Null = density.</summary>
+    /// <summary>Initial bead. A bead without a speed moves at 1000 mm/min. Null = 0.05 mm of filament per mm of path.</summary>
     public Bead? Bead { get; init; }
 
     /// <summary>Bead shape of extrusions that are set by width and height. For a print, use the shape of its settings.</summary>
     public BeadShape Shape { get; init; } = BeadShape.Rectangle;
 
-    /// <summary>Initial print speed, mm/min.</summary>
-    public double Rate { get; init; } = 1000;
-
     /// <summary>Maximum speed of travel moves straight up or down, mm/s, as the printer's Z axis allows. Infinite = no limit.</summary>
     public double MaxLiftSpeed { get; init; } = double.PositiveInfinity;
-
-    /// <summary>Unit of all angles of the turtle.</summary>
-    public AngleUnit AngleUnit { get; init; }
-
-    /// <summary>Maximum deviation of chords from arcs and circles, mm, if no number of segments is given.</summary>
-    public double ArcTolerance { get; init; } = 0.01;
 
     /// <summary>Keep the pose after every move and turn for previews. See <see cref="Turtle.Poses"/>.</summary>
     public bool KeepPoses { get; init; }

@@ -28,7 +28,7 @@ public sealed class TurtleTimeline
     /// </summary>
     public Frame PoseAt(double part)
     {
-        var i = MoveAt(part, out var along);
+        var (i, along) = At(part);
         if (i < 0) return Frame.World;
         var move = _moves[i];
         var yaw = 0.0;
@@ -48,14 +48,7 @@ public sealed class TurtleTimeline
     /// <summary>The move at a position along the path, 0 to 1, and the part of it that is done. −1 without moves.</summary>
     public (int Move, double Done) At(double part)
     {
-        var move = MoveAt(part, out var along);
-        return (move, along);
-    }
-
-    private int MoveAt(double part, out double along)
-    {
-        along = 1;
-        if (_moves.Count == 0) return -1;
+        if (_moves.Count == 0) return (-1, 1);
         if (double.IsNaN(part)) throw new ArgumentOutOfRangeException(nameof(part), "A position along the path must be a number from 0 to 1.");
         var wanted = Math.Min(Math.Max(part, 0), 1) * Length;
         var i = Array.BinarySearch(_ends, wanted);
@@ -65,8 +58,7 @@ public sealed class TurtleTimeline
         i = Math.Min(i, _ends.Length - 1);
         while (i < _ends.Length - 1 && _moves[i].Length == 0) i++;
         var length = _moves[i].Length;
-        along = length > 0 ? Math.Min(Math.Max((wanted - (_ends[i] - length)) / length, 0), 1) : 1;
-        return i;
+        return (i, length > 0 ? Math.Min(Math.Max((wanted - (_ends[i] - length)) / length, 0), 1) : 1);
     }
 
     private static Vec3 First(IReadOnlyList<Step> steps)

@@ -1,3 +1,5 @@
+using Caterpillar.GCode;
+
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A printer on a wire. At a port for printers, text is the name of a profile.</summary>
@@ -56,7 +58,9 @@ public sealed class SettingsGoo(PrintSettings? settings) : ProfileGoo<PrintSetti
     private protected override ProfileKind<PrintSettings> Kind => ProfileKinds.Settings;
 }
 
-/// <summary>Base of printers, materials and settings: a name, and the JSON that a definition stores.</summary>
+/// <summary>
+/// Base of printers, materials and settings: a name, and the JSON that a definition stores. Text may also be a G-code file of Caterpillar, which has them all.
+/// </summary>
 public abstract class ProfileGoo<T>(T? value) : ValueGoo<T>(value), IReadsText
     where T : class
 {
@@ -68,7 +72,7 @@ public abstract class ProfileGoo<T>(T? value) : ValueGoo<T>(value), IReadsText
     {
         if (base.CastFrom(source)) return true;
         if (Wrapped.Text(source) is not { } name) return false;
-        var found = Kind.Find(Profiles.Library, name);
+        var found = FileSetup.IsName(name) ? Profiles.OfFile<T>(name) : Kind.Find(Profiles.Library, name);
         Problem = TextProblem.Of(found);
         Value = found.Value!;
         return Value is not null;

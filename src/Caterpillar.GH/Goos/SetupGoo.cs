@@ -1,8 +1,10 @@
+using Caterpillar.GCode;
+
 namespace Caterpillar.GH.Goos;
 
 /// <summary>
-/// Printer, material, settings and what is printed on, as one value. Text is the name of a printer profile. A printer, a material or settings make a setup
-/// with the usual profiles for the rest.
+/// Printer, material, settings and what is printed on, as one value. Text is the name of a printer profile, or a G-code file of Caterpillar, whose setup it
+/// is. A printer, a material or settings make a setup with the usual profiles for the rest.
 /// </summary>
 public sealed class SetupGoo(PrintSetup? setup) : ValueGoo<PrintSetup>(setup), IReadsText
 {
@@ -21,6 +23,13 @@ public sealed class SetupGoo(PrintSetup? setup) : ValueGoo<PrintSetup>(setup), I
     {
         if (base.CastFrom(source)) return true;
         var bare = Wrapped.Bare(source);
+        if (Wrapped.Text(bare) is { } file && FileSetup.IsName(file))
+        {
+            var read = FileSetup.ReadFile(file);
+            Problem = TextProblem.Of(read);
+            Value = read.Value!;
+            return Value is not null;
+        }
         var printer = new PrinterGoo();
         if (Wrapped.Text(bare) is not null || bare is PrinterGoo or Printer)
         {

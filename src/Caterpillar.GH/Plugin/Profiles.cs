@@ -1,3 +1,4 @@
+using Caterpillar.GCode;
 using Grasshopper;
 
 namespace Caterpillar.GH.Plugin;
@@ -23,6 +24,15 @@ internal static class Profiles
         var setup = new PrintSetup(machine.Value, filament.Value, rules.Value) { ToolMaterials = new(others ?? []) };
         var findings = setup.Check();
         return new Result<PrintSetup>(findings.Any(f => f.Severity == Severity.Error) ? null : setup, [.. problems, .. findings]);
+    }
+
+    /// <summary>The printer, the material or the settings of a G-code file.</summary>
+    public static Result<T> OfFile<T>(string file)
+        where T : class
+    {
+        var read = FileSetup.ReadFile(file);
+        object?[] parts = [read.Value?.Printer, read.Value?.Material, read.Value?.Settings];
+        return new Result<T>(parts.OfType<T>().FirstOrDefault(), read.Diagnostics);
     }
 
     private static Result<T>? Given<T>(T? value)

@@ -30,7 +30,7 @@ public class RoomTests
         ["GCode"] = Data,
         ["Simulation"] = Data,
         ["Display"] = Data,
-        ["Checks"] = [.. Data, "Planning", "GCode", "Simulation"],
+        ["Checks"] = [.. Data, "Planning", "GCode", "Simulation", "Display"],
         ["Jobs"] = [.. Data, "Turtles", "Traces", "Drawings", "Slicing", "Curved", "Shaping", "Planning", "GCode", "Simulation", "Display", "Checks"],
     };
 

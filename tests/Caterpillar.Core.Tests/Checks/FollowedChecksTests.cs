@@ -24,7 +24,7 @@ public sealed class FollowedChecksTests
         var toolpath = Long(thickness);
         Assert.That(toolpath.Blocks.Count, Is.GreaterThan(1));
         var file = SmallPrint.Written(toolpath, Setup).File;
-        var whole = PrintCheck.Run(file.Toolpath.WithTools(toolpath.Tools), Setup);
+        var whole = PrintCheck.Run(file.Toolpath.With(tools: toolpath.Tools), Setup);
 
         var shares = new Shares();
 

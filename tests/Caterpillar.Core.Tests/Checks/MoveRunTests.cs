@@ -141,7 +141,7 @@ public class MoveRunTests
     private static (string Code, int? Move)[] Compared(Toolpath plan, WrittenLines lines, ToolpathColumns read)
     {
         var findings = new Findings(Setup.Printer, plan);
-        PlanComparison.Run(plan, plan.WithBlocks([new ToolpathBlock(read)]), SetupFormat.Of(Setup, plan).Value!, lines, findings);
+        PlanComparison.Run(plan, plan.With([new ToolpathBlock(read)]), SetupFormat.Of(Setup, plan).Value!, lines, findings);
         return findings.ToList().Select(d => (d.Code, d.Source?.Move)).ToArray();
     }
 
@@ -162,7 +162,7 @@ public class MoveRunTests
 
     private static (Toolpath Plan, WrittenLines Lines, ToolpathColumns Read) Written(SmallPrint print)
     {
-        var plan = print.Build().WithTools([new ToolpathTool(SmallPrint.FilamentArea), new ToolpathTool(SmallPrint.FilamentArea)]);
+        var plan = print.Build().With(tools: [new ToolpathTool(SmallPrint.FilamentArea), new ToolpathTool(SmallPrint.FilamentArea)]);
         var (file, lines, _) = SmallPrint.Written(plan, Setup);
         var all = file.Toolpath.Blocks.Single().Columns;
         // Without the travel to the start, if the file has one.

@@ -136,7 +136,7 @@ public class SingleMoveTests
     [Test]
     public void Only_tools_whose_filament_is_not_stated_get_that_of_the_material()
     {
-        var toolpath = new SmallPrint().Print(20, 10, 0.2).Build().WithTools([new ToolpathTool(null), new ToolpathTool(3)]);
+        var toolpath = new SmallPrint().Print(20, 10, 0.2).Build().With(tools: [new ToolpathTool(null), new ToolpathTool(3)]);
         var volumes = PrintCheck.WithVolumes(toolpath, Setup).Tools.Select(t => t.VolumePerE).ToArray();
         Assert.That(volumes[0], Is.EqualTo(SmallPrint.FilamentArea).Within(1e-9));
         Assert.That(volumes[1], Is.EqualTo(3));
@@ -323,7 +323,7 @@ public class SingleMoveTests
         Assert.That(Found(toolpath), Is.EqualTo(new[] { CheckCodes.InAir, CheckCodes.Unsupported }));
         Assert.That(Found(toolpath, block), Is.EqualTo(new[] { CheckCodes.InAir, CheckCodes.Unsupported }));
         Assert.That(Found(toolpath, block with { Thicknesses = null }), Is.EqualTo(new[] { CheckCodes.InAir, CheckCodes.Unsupported }));
-        var other = toolpath.WithTools([new ToolpathTool(1000)]);
+        var other = toolpath.With(tools: [new ToolpathTool(1000)]);
         Assert.That(Found(other, block), Is.EqualTo(PrintCheck.Run(other, Setup).Select(d => d.Code)).And.Member(CheckCodes.Width), "other tools");
     }
 

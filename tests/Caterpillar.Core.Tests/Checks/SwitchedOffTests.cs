@@ -69,7 +69,11 @@ public sealed class SwitchedOffTests
     }
 
     private static PrintSetup Off(IEnumerable<string> codes)
-        => new(Strict with { CheckSeverities = new(codes.Select(c => new CheckSeverity(c, null))) }, new Material(), new PrintSettings());
+    {
+        // The comments of the setup would name the codes.
+        var printer = Strict with { CheckSeverities = new(codes.Select(c => new CheckSeverity(c, null))), SetupComments = false };
+        return new PrintSetup(printer, new Material(), new PrintSettings());
+    }
 
     private static Diagnostic[] Written(Toolpath toolpath, IEnumerable<string> off)
         => [.. SafeWriter.WriteDraft(toolpath, Off(off), new MemoryStream()).Diagnostics.Where(d => d.Code != SafeWriter.Refused)];

@@ -51,7 +51,7 @@ public class CurvedSlicerTests
             new("cone", Solids.Cone(0, 12, 9, 5)), new("block", Solids.Block(20, -5, 0, 30, 5, 4)),
                 new("roof", Solids.Cone(5, 3, 8, 10).Moved(new Vec3(50, 0, -5))),
         ], new Vec3(110, 110));
-        var field = kind == "level" ? LayerField.Level : LayerField.Of(p => p.Z, double.PositiveInfinity);
+        var field = kind == "level" ? LayerField.Vertical(PlanSurface.Level(0)) : LayerField.Of(p => p.Z, double.PositiveInfinity);
         if (kind == "function") setup = setup with { Settings = setup.Settings with { SkirtLoops = 0, CurvedMaxSlope = 5 } };
         var curved = Decoded(CurvedSlicer.Slice(models, field, setup).OrThrow(), setup);
         var planar = Decoded(PlanarSlicer.Slice(models, setup.Settings).OrThrow(), setup);

@@ -18,7 +18,7 @@ public class LayerFieldTests
 
     private static LayerField[] Fields() =>
     [
-        LayerField.Level, LayerField.Vertical(PlanSurface.Of((x, y) => 0.1 * x * y, 2)),
+        LayerField.Vertical(PlanSurface.Level(0)), LayerField.Vertical(PlanSurface.Of((x, y) => 0.1 * x * y, 2)),
         LayerField.Vertical(PlanSurface.Of((x, _) => 6 + 0.1 * x), new LayerBlend(1, 5)),
         LayerField.Between(PlanSurface.Level(0), PlanSurface.Of((x, _) => 6 + 0.1 * x), PlanSurface.Level(9)),
         LayerField.Formula("z + 0.3 * sin(20 * z + 10 * x)").OrThrow(), LayerField.Offset(CurvedSolids.Sheet(30, 50, 130, 60, 50).Moved(new Vec3(0, -30, -28))),

@@ -18,7 +18,7 @@ public class ImageTests
         // 10 mm along X seen from above: the middle row is covered over 92 % of the width, the corners are background.
         var image = ToolpathImage.Draw(Line(Vec3.Zero, new Vec3(10, 0, 0)), new ToolpathImageOptions { Width = 200, Height = 100, View = View.Top });
         Assert.That((image.Width, image.Height), Is.EqualTo((200, 100)));
-        var background = new ToolpathImageOptions().Background;
+        var background = ToolpathImage.Background;
         Assert.That(image[100, 50], Is.Not.EqualTo(background));
         Assert.That(image[12, 50], Is.Not.EqualTo(background));
         Assert.That(image[100, 10], Is.EqualTo(background));
@@ -26,6 +26,36 @@ public class ImageTests
         var rows = Enumerable.Range(0, 100).Count(y => image[100, y] != background);
         Assert.That(rows, Is.InRange(20, 22));
     }
+
+    [Test]
+    public void Beads_of_a_layer_are_as_wide_and_high_as_they_are()
+    {
+        // 0.4 mm² in a layer 0.5 mm high: 0.8 + 0.5 · (1 − π / 4) = 0.907 mm wide. 10 mm fill 184 of 200 pixels.
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(0, 0, 0.5));
+        builder.AddLayer(new Layer(0, 0.5, 0.5));
+        builder.Add(new Vec3(10, 0, 0.5), 4, 4, 20, MoveKind.Print, Role.OuterWall, 0, 0, 0);
+        var toolpath = builder.Build([new ToolpathTool(1)]);
+        foreach (var (view, rows) in new[] { (View.Top, 0.907 * 18.4), (View.Front, 0.5 * 18.4), (new View(-90, 30), 11.56) })
+        {
+            // From 30°: √((0.907 · sin)² + (0.5 · cos)²) = 0.628 mm.
+            var image = ToolpathImage.Draw(toolpath, new ToolpathImageOptions { Width = 200, Height = 100, View = view });
+            Assert.That(Covered(image, 100), Is.InRange(rows - 0.5, rows + 2), "with rows that it covers in part");
+        }
+    }
+
+    [Test]
+    public void A_region_fills_the_image()
+    {
+        // 2 mm of 10 mm fill 184 of 200 pixels, so a bead 1.13 mm wide takes 104 rows.
+        var options = new ToolpathImageOptions { Width = 200, Height = 200, View = View.Top, Region = new Bounds(new Vec3(8.5, -1), new Vec3(10.5, 1)) };
+        var image = ToolpathImage.Draw(Line(Vec3.Zero, new Vec3(10, 0, 0)), options);
+        Assert.That(Covered(image, 60), Is.EqualTo(104).Within(2));
+        Assert.That(image[0, 100], Is.Not.EqualTo(ToolpathImage.Background), "the line goes on to the left");
+        Assert.That(image[199, 100], Is.EqualTo(ToolpathImage.Background), "and ends at X 10.57");
+    }
+
+    private static int Covered(RasterImage image, int x)
+        => Enumerable.Range(0, image.Height).Count(y => image[x, y] != ToolpathImage.Background);
 
     // A dot alone fills the height of the image; seen from the side a disc is flat.
     [Test]
@@ -37,7 +67,7 @@ public class ImageTests
         foreach (var (view, height) in new[] { (View.Top, 92), (View.Front, 15) })
         {
             var image = ToolpathImage.Draw(toolpath, new ToolpathImageOptions { Width = 100, Height = 100, View = view });
-            Assert.That(Enumerable.Range(0, 100).Count(y => image[50, y] != new ToolpathImageOptions().Background), Is.InRange(height - 2, height + 2));
+            Assert.That(Enumerable.Range(0, 100).Count(y => image[50, y] != ToolpathImage.Background), Is.InRange(height - 2, height + 2));
         }
     }
 
@@ -60,7 +90,7 @@ public class ImageTests
     public void A_toolpath_that_prints_nothing_gives_an_empty_image()
     {
         var image = ToolpathImage.Draw(new ToolpathBuilder(MoveSource.Steps, null).Build([]), new ToolpathImageOptions { Width = 10, Height = 10 });
-        Assert.That(image[5, 5], Is.EqualTo(new ToolpathImageOptions().Background));
+        Assert.That(image[5, 5], Is.EqualTo(ToolpathImage.Background));
     }
 
     [Test]
@@ -101,6 +131,6 @@ public class ImageTests
             builder.Add(to, 0, 0, 20, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
         var image = ToolpathImage.Draw(builder.Build([new ToolpathTool(1)]),
             new ToolpathImageOptions { Width = 100, Height = 100, View = View.Top, Strokes = true });
-        Assert.That(image[50, 50], Is.Not.EqualTo(new ToolpathImageOptions().Background));
+        Assert.That(image[50, 50], Is.Not.EqualTo(ToolpathImage.Background));
     }
 }

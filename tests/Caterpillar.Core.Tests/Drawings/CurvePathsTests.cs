@@ -16,7 +16,7 @@ public class CurvePathsTests
     public void The_E_per_mm_of_the_sample_in_the_paper_is_reproduced()
     {
         // G1 X65.7029 Y68.4932 Z40.1287 E1.3947, then G1 X66.6977 Y67.4932 Z40.2310 E1.5861: 0.1353 mm of filament per mm.
-        var line = new LineCurve(new Vec3(65.7029, 68.4932, 40.1287), new Vec3(66.6977, 67.4932, 40.2310));
+        var line = new PolylineCurve([new Vec3(65.7029, 68.4932, 40.1287), new Vec3(66.6977, 67.4932, 40.2310)]);
         var options = new CurveOptions { Width = 0.8, Height = 0.4, Flow = 1.017 };
         var path = CurvePaths.ToPaths([new UserCurve(line)], options).Value!.Single();
         var law = new ExtrusionModel(ExtrusionUnit.Mm, 1.75);
@@ -29,7 +29,7 @@ public class CurvePathsTests
     public void Curves_are_printed_in_their_order()
     {
         var random = new Random(41);
-        var curves = Enumerable.Range(0, 20).Select(_ => new UserCurve(new LineCurve(Point(random), Point(random)))).ToArray();
+        var curves = Enumerable.Range(0, 20).Select(_ => new UserCurve(new PolylineCurve([Point(random), Point(random)]))).ToArray();
         var steps = CurvePaths.ToSteps(curves).Value!;
         for (var i = 0; i < curves.Length; i++)
         {
@@ -46,7 +46,7 @@ public class CurvePathsTests
     [Test]
     public void Settings_of_a_curve_take_precedence_over_those_for_all()
     {
-        var line = new LineCurve(Vec3.Zero, Vec3.UnitX);
+        var line = new PolylineCurve([Vec3.Zero, Vec3.UnitX]);
         var options = new CurveOptions { Width = 0.5, Height = 0.2, Speed = 30 };
         Bead Bead(UserCurve curve) => CurvePaths.ToPaths([curve], options).Value!.Single().BeadOf(0);
         Assert.That(Bead(new UserCurve(line)), Is.EqualTo(new Bead(0.5 * 0.2, 0.2, 30)));
@@ -59,7 +59,7 @@ public class CurvePathsTests
     [Test]
     public void A_flat_drawing_is_stacked_in_layers()
     {
-        var line = new UserCurve(new LineCurve(new Vec3(10, 10), new Vec3(30, 10))) { Name = "a", Layer = new Layer(7, 9) };
+        var line = new UserCurve(new PolylineCurve([new Vec3(10, 10), new Vec3(30, 10)])) { Name = "a", Layer = new Layer(7, 9) };
         UserCurve[] flat = [line, UserCurve.DotAt(new Vec3(10, 20), 2)];
         var settings = new PrintSettings { FirstLayerHeight = 0.3, LayerHeight = 0.2, LineWidth = 0.5, BeadShape = BeadShape.Rectangle };
         var options = CurveOptions.For(new PrintSetup { Settings = settings }) with { Layers = 3 };
@@ -74,7 +74,7 @@ public class CurvePathsTests
         var own = CurvePaths.ToPaths([flat[0] with { Height = 0.25 }], options).Value!;
         Assert.That(own.Select(p => p.BeadOf(0).Area), Is.All.EqualTo(0.125).Within(1e-12), "a height of its own stays");
         Assert.That(CurvePaths.ToPaths(flat, options with { Layers = 1 }).Value!.Single().Layer, Is.EqualTo(new Layer(0, 0.3, 0.3)));
-        UserCurve[] rising = [new(new LineCurve(new Vec3(10, 20), new Vec3(30, 20, 1)))];
+        UserCurve[] rising = [new(new PolylineCurve([new Vec3(10, 20), new Vec3(30, 20, 1)]))];
         foreach (var wrong in new[] { CurvePaths.ToPaths(rising, options), CurvePaths.ToPaths(flat, options with { Strokes = true }) })
             Assert.That((wrong.Value, wrong.Diagnostics.Single().Code), Is.EqualTo(((IReadOnlyList<PrintPath>?)null, "curves.not_flat")));
     }
@@ -82,7 +82,7 @@ public class CurvePathsTests
     [Test]
     public void A_flat_drawing_is_printed_at_the_height_of_the_first_layer()
     {
-        UserCurve[] flat = [new(new LineCurve(new Vec3(10, 10), new Vec3(30, 10))), new(new LineCurve(new Vec3(10, 20), new Vec3(30, 20)))];
+        UserCurve[] flat = [new(new PolylineCurve([new Vec3(10, 10), new Vec3(30, 10)])), new(new PolylineCurve([new Vec3(10, 20), new Vec3(30, 20)]))];
         var setup = new PrintSetup { Settings = new PrintSettings { FirstLayerHeight = 0.3 } };
         var raised = CurvePaths.ToPaths(flat, CurveOptions.For(setup));
         Assert.That(raised.Value!.SelectMany(p => p.Points).Select(p => p.Z), Is.All.EqualTo(0.3));
@@ -93,7 +93,7 @@ public class CurvePathsTests
         Assert.That(Heights([flat[0] with { Area = 0 }], CurveOptions.For(setup)), Is.All.Zero, "nothing is extruded");
         var plotter = setup with { Printer = new Printer { ExtrusionUnit = ExtrusionUnit.None } };
         Assert.That(Heights(flat, CurveOptions.For(plotter)), Is.All.Zero, "a printer without an extruder");
-        UserCurve[] rising = [flat[0], new(new LineCurve(new Vec3(10, 20), new Vec3(30, 20, 1)))];
+        UserCurve[] rising = [flat[0], new(new PolylineCurve([new Vec3(10, 20), new Vec3(30, 20, 1)]))];
         Assert.That(Heights(rising, CurveOptions.For(setup)), Is.EqualTo(new[] { 0.0, 0, 0, 1 }), "not flat");
 
         static double[] Heights(UserCurve[] curves, CurveOptions options)
@@ -136,7 +136,7 @@ public class CurvePathsTests
     [Test]
     public void The_layer_of_a_flat_curve_is_raised_with_it()
     {
-        var curve = new UserCurve(new LineCurve(Vec3.Zero, new Vec3(10, 0))) { Layer = new Layer(2, 0) };
+        var curve = new UserCurve(new PolylineCurve([Vec3.Zero, new Vec3(10, 0)])) { Layer = new Layer(2, 0) };
         var path = CurvePaths.ToPaths([curve], new CurveOptions { FlatHeight = 0.3 }).Value!.Single();
         Assert.That((path.Start.Z, path.Layer), Is.EqualTo((0.3, new Layer(2, 0.3))));
     }
@@ -179,7 +179,7 @@ public class CurvePathsTests
     [Test]
     public void Touching_curves_are_joined_on_request()
     {
-        var curves = new[] { new UserCurve(new LineCurve(Vec3.Zero, Vec3.UnitX)), new UserCurve(new LineCurve(Vec3.UnitX, new Vec3(1, 1))) };
+        var curves = new[] { new UserCurve(new PolylineCurve([Vec3.Zero, Vec3.UnitX])), new UserCurve(new PolylineCurve([Vec3.UnitX, new Vec3(1, 1)])) };
         Assert.That(CurvePaths.ToPaths(curves).Value, Has.Count.EqualTo(2));
         Assert.That(CurvePaths.ToPaths(curves, new CurveOptions { MergeTolerance = 0.01 }).Value, Has.Count.EqualTo(1));
     }
@@ -187,12 +187,12 @@ public class CurvePathsTests
     [Test]
     public void Bad_curves_are_reported()
     {
-        var line = new LineCurve(Vec3.Zero, Vec3.UnitX);
+        var line = new PolylineCurve([Vec3.Zero, Vec3.UnitX]);
         Diagnostic Problem(UserCurve curve) => CurvePaths.ToPaths([curve]).Diagnostics[0];
         Assert.That(Problem(new UserCurve(line) { Area = -1 }).Code, Is.EqualTo("curves.bead"));
         Assert.That(Problem(new UserCurve(line) { Width = double.NaN }).Severity, Is.EqualTo(Severity.Error));
         Assert.That(Problem(new UserCurve(line) { Along = new PointValues(areas: [0.1, -0.1]) }).Code, Is.EqualTo("curves.bead"));
-        var below = CurvePaths.ToPaths([new UserCurve(new LineCurve(Vec3.Zero, new Vec3(5, 0, -1)))]);
+        var below = CurvePaths.ToPaths([new UserCurve(new PolylineCurve([Vec3.Zero, new Vec3(5, 0, -1)]))]);
         Assert.That(below.Value, Has.Count.EqualTo(1));
         Assert.That(below.Diagnostics[0].Code, Is.EqualTo("curves.below_bed"));
         Assert.That(below.Diagnostics[0].Message, Does.Contain("Z -1 mm"));
@@ -228,7 +228,7 @@ public class CurvePathsTests
     public void Merged_curves_state_the_first_of_them_and_those_after_it_their_own()
     {
         UserCurve Line(double from, double to, int line)
-            => new(new LineCurve(new Vec3(from, 0, 0.2), new Vec3(to, 0, 0.2))) { Source = new SourceLocation("a.csv", line) };
+            => new(new PolylineCurve([new Vec3(from, 0, 0.2), new Vec3(to, 0, 0.2)])) { Source = new SourceLocation("a.csv", line) };
         var steps = CurvePaths.ToSteps([Line(0, 10, 1), Line(10, 20, 2), Line(20, 30, 3), Line(50, 60, 4), Line(80, 90, 5), Line(90, 95, 6)],
             new CurveOptions { MergeTolerance = 0.01 }).Value!;
         Assert.That(steps.Select(s => ((PathStep)s).Path.End.X), Is.EqualTo(new[] { 30.0, 60, 95 }));

@@ -107,7 +107,7 @@ internal sealed class DotAndStepTests
     [Test]
     public void On_a_curve_without_vertices_values_step_at_equal_lengths()
     {
-        var line = new UserCurve(new LineCurve(Vec3.Zero, new Vec3(40, 0, 0))) { Along = new PointValues(widths: [0.4, 0.8, 0.6]) };
+        var line = new UserCurve(new PolylineCurve([Vec3.Zero, new Vec3(40, 0, 0)])) { Along = new PointValues(widths: [0.4, 0.8, 0.6]) };
         var path = CurvePaths.ToPaths([line], Plain with { Height = 1, Steps = true }).OrThrow().Single();
         Assert.That(path.Points.Select(p => p.X), Is.EqualTo(new[] { 0.0, 20, 40 }).Within(1e-9));
         Assert.That(Enumerable.Range(0, 2).Select(i => path.BeadOf(i).Area), Is.EqualTo(new[] { 0.4, 0.8 }).Within(1e-12));

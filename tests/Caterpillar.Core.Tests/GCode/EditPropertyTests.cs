@@ -37,7 +37,7 @@ public class EditPropertyTests
             var removed = Removed(toolpath, random);
             var together = new MoveRemover(toolpath, removed).Run();
             // In blocks of one move no two can be copied together.
-            var single = new MoveRemover(toolpath.WithBlocks(toolpath.Blocks.SelectMany(Apart)), removed).Run();
+            var single = new MoveRemover(toolpath.With(toolpath.Blocks.SelectMany(Apart)), removed).Run();
             return together.Moves().SequenceEqual(single.Moves()) && together.Events.SequenceEqual(single.Events)
                 && together.Blocks.SelectMany(Lines).SequenceEqual(single.Blocks.SelectMany(Lines)) ? null : "The cuts differ.";
         });

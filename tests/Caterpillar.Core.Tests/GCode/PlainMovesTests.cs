@@ -34,7 +34,7 @@ public class PlainMovesTests
         {
             var random = new Random(seed);
             var decoded = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(Program(random)), new DecodeOptions { Flavor = Flavor(random) }).Value!;
-            Compare(decoded, Conversions().ElementAt(random.Next(6)));
+            Compare(decoded, Conversions().ElementAt(random.Next(8)));
             Compare(decoded, Edits(decoded.Toolpath).ElementAt(random.Next(6)));
         }
     }
@@ -71,7 +71,7 @@ public class PlainMovesTests
     [
         new() { RelativeE = true }, new() { RelativeE = false }, new() { Flavor = FlavorTable.Klipper, FilamentDiameter = 1.75 },
         new() { Flavor = FlavorTable.RepRapFirmware, RelativeE = true, FilamentDiameter = 1.75 }, new() { ExpandArcs = true, RelativeE = false },
-        new() { DecimalsXyz = 3, DecimalsE = 4 },
+        new() { DecimalsXyz = 3, DecimalsE = 4 }, new() { DecimalsXyz = 2, DecimalsE = 3, DecimalsF = 0 }, new() { DecimalsF = 1, RelativeE = true },
     ];
 
     private static IEnumerable<Toolpath> Edits(Toolpath toolpath)

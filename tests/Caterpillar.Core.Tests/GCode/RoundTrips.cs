@@ -82,7 +82,7 @@ internal static class RoundTrips
     public static string? Fitted(DecodedGCode decoding)
     {
         if (!decoding.Flavor.Arcs) return null;
-        return Edited(decoding, decoding.Toolpath.FitArcs(new ArcFitOptions { Tolerance = 0.02 }), new MoveTolerance { Chords = 0.01 });
+        return Edited(decoding, decoding.Toolpath.FitArcs(0.02), new MoveTolerance { Chords = 0.01 });
     }
 
     // E stays, or is converted between mm³ and mm.

@@ -166,9 +166,9 @@ public class HeaderImportTests
         Assert.That(Render(found, p => p.StartGCode)[0], Is.EqualTo("START_PRINT BED=60 EXTRUDER=210"));
     }
 
-    [TestCase("G1 X{start}", "header.unknown_name", "G1 X{start}")]
-    [TestCase("G1 X{x", "header.unknown_name", "G1 X{x")]
-    [TestCase("M117 }", "header.unknown_name", "M117 }")]
+    [TestCase("G1 X{start}", "import.template", "; G1 X{start}")]
+    [TestCase("G1 X{x", "import.template", "; G1 X{x")]
+    [TestCase("M117 }", "import.template", "; M117 }")]
     [TestCase("G1 X", "header.bad_word", "; invalid: G1 X")]
     [TestCase("G1 X1 ,Y2", "header.bad_word", "; invalid: G1 X1 ,Y2")]
     [TestCase("X1 Y2", "header.no_command", "; invalid: X1 Y2")]

@@ -84,7 +84,7 @@ public class SlicerNameTests
         {
             foreach (var pair in name.Conversion.Split(' ').Where(c => c.Contains('=')))
                 Assert.That(name.Convert(pair.Split('=')[0]), Is.EqualTo(pair.Split('=')[1]), name.Name);
-            if (name.Key.Kind is not (KeyKind.Number or KeyKind.Integer)) continue;
+            if (name.Key.Kind is not (KeyKind.Number or KeyKind.Integer) || name.Conversion.EndsWith("?", System.StringComparison.Ordinal)) continue;
             // Any of these is in the range of each key.
             var values = new[] { "1", "2", "0.2", "80" }.Select(name.Convert).OfType<string>().ToArray();
             Assert.That(values, Is.Not.Empty, name.Name);

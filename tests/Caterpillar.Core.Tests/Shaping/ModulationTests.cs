@@ -31,7 +31,7 @@ public class ModulationTests
     public void Flow_changes_at_a_constant_speed_and_a_mask_limits_it()
     {
         var modulation = new Modulation(ModulationMode.Flow, _ => 1, 1, 1.5) { Resolution = 2,
-            Mask = Fields.Inside(new Bounds(new Vec3(-1, -1, -1), new Vec3(10, 1, 1))) };
+            Mask = place => place.Position.X <= 10 ? 1 : 0 };
         var path = modulation.Apply([Line]).Value!.Single();
         Assert.That(Enumerable.Range(0, 5).Select(i => path.BeadOf(i).Area), Is.All.EqualTo(0.6).Within(1e-12));
         Assert.That(Enumerable.Range(5, 5).Select(i => path.BeadOf(i)), Is.All.EqualTo(new Bead(0.4, 0.2, 30)));
@@ -91,17 +91,6 @@ public class ModulationTests
     }
 
     [Test]
-    public void Noise_repeats_for_a_seed_and_differs_between_cells()
-    {
-        var noise = Fields.Noise(7, 1);
-        var values = Enumerable.Range(0, 1000).Select(i => noise(new PathSample(new Vec3(i + 0.5, -i, 3), 0, 1, 0, Role.Unspecified))).ToArray();
-        Assert.That(values, Is.All.InRange(0, 1));
-        Assert.That(values.Average(), Is.EqualTo(0.5).Within(0.05));
-        Assert.That(values.Distinct().Count(), Is.EqualTo(1000));
-        Assert.That(Fields.Noise(8, 1)(new PathSample(new Vec3(0.5, 0, 3), 0, 1, 0, Role.Unspecified)), Is.Not.EqualTo(values[0]));
-    }
-
-    [Test]
     public void Fields_without_a_value_and_paths_without_a_speed_are_errors()
     {
         var nan = new Modulation(ModulationMode.Flow, _ => double.NaN, 1, 2).Apply([Line]);
@@ -139,26 +128,5 @@ public class ModulationTests
         Assert.That(mapping(At(20, 20, 3)), Is.EqualTo((1.0, 0.875)));
         Assert.That(mapping(At(20, 20, 5)), Is.EqualTo((1.0, 0.375)));
         Assert.That(mapping(At(0, 0, 1)), Is.EqualTo((0.0, 0.375)));
-    }
-
-    [Test]
-    public void Masks_of_roles_and_their_opposite()
-    {
-        PathSample Of(Role role) => new(Vec3.Zero, 0, 1, 0, role);
-        var walls = Fields.OfRole(Role.OuterWall, Role.InnerWall);
-        Assert.That(new[] { Role.OuterWall, Role.InnerWall, Role.Infill }.Select(r => walls(Of(r))), Is.EqualTo(new[] { 1.0, 1, 0 }));
-    }
-
-    [Test]
-    public void Noise_is_the_same_in_a_cell_and_differs_along_every_axis_and_between_seeds()
-    {
-        PathSample At(double x, double y, double z) => new(new Vec3(x, y, z), 0, 1, 0, Role.Infill);
-        var noise = Fields.Noise(7, 2);
-        Assert.That(noise(At(0.1, 0.1, 0.1)), Is.EqualTo(noise(At(1.9, 1.9, 1.9))).And.InRange(0, 1));
-        var values = new[] { noise(At(1, 1, 1)), noise(At(3, 1, 1)), noise(At(1, 3, 1)), noise(At(1, 1, 3)), noise(At(-1, 1, 1)),
-            Fields.Noise(8, 2)(At(1, 1, 1)) };
-        Assert.That(values, Is.Unique);
-        // Evenly spread: the mean of 1,000 cells is near a half.
-        Assert.That(Enumerable.Range(0, 1000).Average(i => noise(At(2 * i + 1, 1, 1))), Is.EqualTo(0.5).Within(0.05));
     }
 }

@@ -91,7 +91,7 @@ public class KlipperTimesTests
         var text = System.Text.Encoding.GetEncoding(28591).GetString(TestData.ReadBytes(file));
         var bytes = System.Text.Encoding.GetEncoding(28591).GetBytes(System.Text.RegularExpressions.Regex.Replace(text, "(?m)^T[0-9]", ";"));
         var toolpath = GCodeDecoder.Decode(GCodeDocument.FromBytes(bytes, file), new DecodeOptions { Flavor = FlavorTable.Klipper }).Value!.Toolpath;
-        return toolpath.WithTools([new ToolpathTool(null)]);
+        return toolpath.With(tools: [new ToolpathTool(null)]);
     }
 
     private static PrintSetup Setup(string set)

@@ -107,8 +107,8 @@ public class TimelineDetailTests
             {
                 var state = timeline.AtLength((before + length / 2) / timeline.Length);
                 Assert.That((state.Move, Math.Round(state.Done, 6)), Is.EqualTo((i, 0.5)));
-                Assert.That(timeline.FilamentBefore(i), Is.EqualTo(0.5 * i).Within(1e-6));
-                Assert.That(timeline.VolumeBefore(i), Is.EqualTo(i).Within(1e-6));
+                Assert.That(timeline.AtMove(i).Filament, Is.EqualTo(0.5 * i).Within(1e-6));
+                Assert.That(timeline.AtMove(i).Volume, Is.EqualTo(i).Within(1e-6));
             }
             before += length;
         }

@@ -85,8 +85,8 @@ public class TimelineEdgeTests
             var state = timeline.AtLength((i + 0.25) / moves);
             Assert.That((state.Move, Math.Round(state.Done, 9)), Is.EqualTo((i, 0.25)));
             Assert.That(state.Position.X, Is.EqualTo(10 * i + 2.5).Within(1e-9));
-            Assert.That(timeline.FilamentBefore(i), Is.EqualTo(amount * i).Within(1e-12));
-            Assert.That(timeline.VolumeBefore(i), Is.EqualTo(3 * amount * i).Within(1e-12));
+            Assert.That(timeline.AtMove(i).Filament, Is.EqualTo(amount * i).Within(1e-12));
+            Assert.That(timeline.AtMove(i).Volume, Is.EqualTo(3 * amount * i).Within(1e-12));
             Assert.That(state.Filament, Is.EqualTo(amount * (i + 0.25)).Within(1e-9));
         }
         Assert.That(timeline.At(timeline.Duration).Filament, Is.EqualTo(amount * moves).Within(1e-9));

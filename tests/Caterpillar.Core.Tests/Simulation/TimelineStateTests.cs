@@ -68,7 +68,7 @@ public class TimelineStateTests
         builder.Add(new Vec3(10, 0), 1, 1, 50, MoveKind.Print, Role.Infill, -1, 0, -1);
         builder.Add(new Vec3(20, 0), 1, 1, 50, MoveKind.Print, Role.Infill, -1, 1, -1);
         var timeline = Timeline.Of(builder.Build([new ToolpathTool(1), new ToolpathTool(other)]), new PrintSetup());
-        Assert.That((timeline.VolumeBefore(2), timeline.AtMove(2).Volume), Is.EqualTo((volume, volume)));
+        Assert.That(timeline.AtMove(2).Volume, Is.EqualTo(volume));
     }
 
     [Test]

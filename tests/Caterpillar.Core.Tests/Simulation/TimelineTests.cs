@@ -180,7 +180,7 @@ public class TimelineTests
             volume += move.Deposited * (toolpath.VolumePerE(move.Tool) ?? 0);
         }
         Assert.That(next, Is.EqualTo(times.Length));
-        Assert.That(timeline.VolumeBefore(toolpath.Count) ?? volume, Is.EqualTo(volume).Within(1e-6));
+        Assert.That(timeline.AtMove(toolpath.Count).Volume ?? volume, Is.EqualTo(volume).Within(1e-6));
         Assert.That(timeline.Length, Is.EqualTo(length).Within(1e-6));
     }
 

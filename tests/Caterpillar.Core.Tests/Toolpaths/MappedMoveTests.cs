@@ -167,12 +167,12 @@ public class MappedMoveTests
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         for (var i = 0; i < 0x10000 + 9; i++) builder.Add(new Vec3(i % 7, 1), 0, 0, 30, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
         var toolpath = builder.Build([]);
-        var shares = new Shares();
-        new AxisMapping(PathAxis.X, OutputAxis.A, 1).Apply(toolpath, shares);
-        Assert.That(shares.Values, Is.EqualTo(new[] { 0, 65_536 / 65_545.0 }).Within(1e-12));
-        shares.Values.Clear();
-        new ToolTilt(TiltAxes.AC).Apply(toolpath, _ => Vec3.UnitZ, shares);
-        Assert.That(shares.Values, Is.EqualTo(Enumerable.Range(0, 17).Select(k => 4096 * k / 65_545.0)).Within(1e-12));
+        Shares mapping = new(), tilt = new();
+        new AxisMapping(PathAxis.X, OutputAxis.A, 1).Apply(toolpath, mapping);
+        new ToolTilt(TiltAxes.AC).Apply(toolpath, _ => Vec3.UnitZ, tilt);
+        var expected = Enumerable.Range(0, 17).Select(k => 4096 * k / 65_545.0).ToArray();
+        Assert.That(mapping.Values, Is.EqualTo(expected).Within(1e-12));
+        Assert.That(tilt.Values, Is.EqualTo(expected).Within(1e-12));
     }
 
     private sealed class Shares : IProgress<double>

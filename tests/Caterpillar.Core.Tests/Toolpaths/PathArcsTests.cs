@@ -61,7 +61,7 @@ public class PathArcsTests
         // A regular hexagon is not a circle unless the tolerance allows it.
         var hexagon = new PrintPath(OnCircle(Vec3.Zero, 5, 0, 360, 6).Take(6), Thin, closed: true);
         Assert.That(PathArcs.Fit(hexagon).HasArcs, Is.False);
-        Assert.That(PathArcs.Fit(hexagon, new ArcFitOptions { Tolerance = 0.7 }).HasArcs, Is.True);
+        Assert.That(PathArcs.Fit(hexagon, 0.7).HasArcs, Is.True);
     }
 
     [Test]
@@ -73,7 +73,7 @@ public class PathArcsTests
         {
             var tolerance = 0.005 + 0.05 * random.NextDouble();
             var path = RandomPath(random, tolerance);
-            var fitted = PathArcs.Fit(path, new ArcFitOptions { Tolerance = tolerance });
+            var fitted = PathArcs.Fit(path, tolerance);
             Assert.That(fitted.Start, Is.EqualTo(path.Start));
             Assert.That(fitted.End, Is.EqualTo(path.End));
             var at = 0;
@@ -129,7 +129,7 @@ public class PathArcsTests
         var circle = new PrintPath([new(5, 0, 1), new(-5, 0, 1)], [Thin, Thin], true, [new Arc(Vec3.Zero, 180), new Arc(Vec3.Zero, 180)]);
         var chords = PathArcs.Expand(circle, 0.002);
         Assert.That(chords.IsClosed, Is.True);
-        var back = PathArcs.Fit(chords, new ArcFitOptions { Tolerance = 0.01 });
+        var back = PathArcs.Fit(chords, 0.01);
         Assert.That(back.SegmentCount, Is.EqualTo(2));
         Assert.That(back.Length, Is.EqualTo(circle.Length).Within(1e-3));
         Assert.That(PathArcs.Expand(circle, 100).SegmentCount, Is.GreaterThanOrEqualTo(3));
@@ -139,8 +139,7 @@ public class PathArcsTests
     public void Options_out_of_range_are_refused()
     {
         var path = new PrintPath([new(0, 0), new(1, 0)], Thin);
-        Assert.That(() => PathArcs.Fit(path, new ArcFitOptions { Tolerance = 0 }), Throws.ArgumentException);
-        Assert.That(() => PathArcs.Fit(path, new ArcFitOptions { MinSegments = 1 }), Throws.ArgumentException);
+        Assert.That(() => PathArcs.Fit(path, 0), Throws.ArgumentException);
         Assert.That(() => PathArcs.Expand(path, double.NaN), Throws.InstanceOf<ArgumentOutOfRangeException>());
     }
 

@@ -111,8 +111,8 @@ public class ToolpathSumTests
         var c = Blocks([0, 1, 2, 3, 99, 5, 6, 7, 8, 98], 5, 5);
         Assert.That(ToolpathDifference.Of(a, c), Is.EqualTo(new ToolpathDifference(2, 2, 2)));
         var (one, two) = (Blocks([0, 1, 2], 3), Blocks([5, 6], 2));
-        var twice = one.WithBlocks([one.Blocks[0], two.Blocks[0], one.Blocks[0]]);
-        var turned = one.WithBlocks([two.Blocks[0], one.Blocks[0], one.Blocks[0]]);
+        var twice = one.With([one.Blocks[0], two.Blocks[0], one.Blocks[0]]);
+        var turned = one.With([two.Blocks[0], one.Blocks[0], one.Blocks[0]]);
         // 0 1 2 5 6 0 1 2 against 5 6 0 1 2 0 1 2.
         Assert.That(ToolpathDifference.Of(twice, turned), Is.EqualTo(new ToolpathDifference(5, 5, 5)));
     }
@@ -127,7 +127,7 @@ public class ToolpathSumTests
                 builder.Add(new Vec3(numbers[next], 0), numbers[next], numbers[next], numbers[next], MoveKind.Print, Role.Infill, -1, 0, 0);
             return builder.Build([]);
         }).ToArray();
-        return parts[0].WithBlocks(parts.SelectMany(p => p.Blocks));
+        return parts[0].With(parts.SelectMany(p => p.Blocks));
     }
 
     private static Toolpath One(double x, double speed, double amount)

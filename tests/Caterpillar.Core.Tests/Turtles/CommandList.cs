@@ -64,7 +64,7 @@ internal static class CommandList
     /// <summary>The numbers of a drawing, in the words of truth.json.</summary>
     public static Totals Total(Turtle turtle, Vec3 start)
     {
-        var history = TurtleHistory.Of(turtle.ToSteps(), turtle.FilamentDiameter, start);
+        var history = TurtleHistory.Of(turtle.ToSteps(), start: start);
         var totals = new Totals();
         Sum printLength = new(), travelLength = new(), ePrint = new(), eExtrude = new(), time = new();
         foreach (var move in history)

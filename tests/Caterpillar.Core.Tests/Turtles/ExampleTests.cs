@@ -156,6 +156,12 @@ internal sealed class ExampleTests
         ["lamp_shade"] = Of(2 * 72 + 100 * 90, new Vec3(110, 110, 0.4)),
         ["gap_hill"] = new Recipe(Is.InRange(4 * 30 * 30 - 120, 4 * 30 * 30 * 2), new Vec3(125, 109.5, 0.25 + 0.15 * 3), null, null),
         ["cooled_tower"] = Of(60 * 4, new Vec3(110, 110, 0.2 + 60 * 0.2), 0.05 * 4 * Sum(0, 59, n => 12 - 0.1 * n)),
+        // A square has a line more than gaps, and a gap between two lines.
+        ["calibration_first_layer"] = new Recipe(Is.EqualTo(5 * (68 + 67)), null, 0.2, null),
+        ["calibration_flow"] = new Recipe(Is.EqualTo(5 * 4 * (4 + 39)), null, 8, null),
+        ["calibration_pressure_advance"] = new Recipe(Is.EqualTo(4 + 21 * 3), null, 0.2, null),
+        ["calibration_retraction"] = new Recipe(Is.EqualTo(48 * 2 * (12 + 1 + 159 * 2)), null, 32, null),
+        ["calibration_temperature"] = new Recipe(Is.EqualTo(4 * (240 * 2 + 12)), null, 48, null),
         ["parameter_test"] = Of(20 * 100, new Vec3(160, 125, 5.2), 4 * 25 * 80 * (0.02 + 0.035 + 0.05 + 0.065 + 0.08)),
     };
 

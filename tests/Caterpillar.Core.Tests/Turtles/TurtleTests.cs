@@ -246,6 +246,6 @@ internal sealed class TurtleTests
         ];
         foreach (var act in bad) Assert.That(act, Throws.InstanceOf<ArgumentException>());
         Assert.That(() => new Turtle().Forward(1).StartAt(0, 0), Throws.InvalidOperationException);
-        Assert.That(() => new Turtle(new TurtleOptions { ArcTolerance = 0 }), Throws.ArgumentException);
+        Assert.That(() => new Turtle(new TurtleOptions { Start = Frame.At(new Vec3(double.NaN, 0)) }), Throws.ArgumentException);
     }
 }

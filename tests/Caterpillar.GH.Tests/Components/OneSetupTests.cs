@@ -239,6 +239,29 @@ public sealed class OneSetupTests
     }
 
     [Test]
+    public void A_setup_a_printer_a_material_and_settings_come_from_a_written_file()
+    {
+        var file = System.IO.Path.Combine(System.IO.Path.GetTempPath(), "caterpillar-" + Guid.NewGuid().ToString("N") + ".gcode");
+        var setup = SetupOf("lutum").With("wall_count=7").OrThrow();
+        File.WriteAllText(file, "G28\n" + string.Join("\n", FileSetup.Lines(setup)) + "\n");
+        try
+        {
+            var (whole, printer, settings, material) = (new SetupGoo(), new PrinterGoo(), new SettingsGoo(), new MaterialGoo());
+            Assert.That(new[] { whole.CastFrom(file), printer.CastFrom(file), settings.CastFrom(file), material.CastFrom(file) }, Is.All.True);
+            Assert.That(whole.Value.Differences(setup), Is.Empty);
+            Assert.That((printer.Value, material.Value, settings.Value), Is.EqualTo((whole.Value.Printer, whole.Value.Material, whole.Value.Settings)));
+            File.WriteAllText(file, "G28\n");
+            var empty = new SetupGoo();
+            Assert.That(empty.CastFrom(file), Is.False);
+            Assert.That(empty.Problem, Does.Contain("setup.not_in_file"));
+        }
+        finally
+        {
+            File.Delete(file);
+        }
+    }
+
+    [Test]
     public void Deconstructed_it_gives_every_key_with_a_value_that_is_read_back()
     {
         var setup = SetupOf("potter_super");

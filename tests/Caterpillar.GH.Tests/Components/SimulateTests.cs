@@ -47,7 +47,7 @@ public sealed class SimulateTests
             Assert.That(canvas.One<double>("Time"), Is.EqualTo(state.Time));
             Assert.That(canvas.One<int>("Line"), Is.EqualTo(state.Source));
             var printed = canvas.One<Toolpath>("Printed");
-            Assert.That(Printed(printed), Is.EqualTo(timeline.FilamentBefore(state.Move) + (state.Move < goo.Value.Count
+            Assert.That(Printed(printed), Is.EqualTo(timeline.AtMove(state.Move).Filament + (state.Move < goo.Value.Count
                 ? goo.Value[state.Move].Deposited * state.Done : 0)).Within(1e-9));
         }
     }

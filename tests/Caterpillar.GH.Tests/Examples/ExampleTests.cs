@@ -6,6 +6,7 @@ using System.IO;
 using System.Linq;
 using System.Security.Cryptography;
 using System.Text;
+using System.Text.RegularExpressions;
 using Caterpillar.GH.Components.GCode;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Plugin;
@@ -82,6 +83,19 @@ public sealed class ExampleTests
         Assert.That(picture, Is.EqualTo(File.ReadAllText(file).Replace("\r\n", "\n")), "Made with CATERPILLAR_RENEW=1.");
     }
 
+    [Test]
+    public void The_manual_shows_the_first_print_stage_by_stage()
+    {
+        string[][] added = [["Setup", "Model"], ["Slice"], ["Plan"], ["Look"], ["Save"]];
+        for (var step = 1; step <= added.Length; step++)
+        {
+            var file = Path.Combine(Root, "docs", "images", "first_print", $"{step}.svg");
+            var picture = Shown.Picture(Done("first_print").Document, added.Take(step).SelectMany(s => s).ToArray());
+            if (Renews) File.WriteAllText(file, picture, new UTF8Encoding(false));
+            Assert.That(picture, Is.EqualTo(File.ReadAllText(file).Replace("\r\n", "\n")), "Made with CATERPILLAR_RENEW=1.");
+        }
+    }
+
     [TestCaseSource(nameof(Names))]
     public void Opening_it_with_every_Boolean_at_true_writes_nothing(string name)
     {
@@ -114,11 +128,21 @@ public sealed class ExampleTests
     private static string Short(string code)
     {
         const int Longest = 100_000, Lines = 100;
+        code = WithoutSetup(code);
         if (code.Length <= Longest) return code;
         var lines = code.Split('\n');
         using var hash = SHA256.Create();
         var digest = string.Concat(hash.ComputeHash(Encoding.UTF8.GetBytes(code)).Select(b => b.ToString("x2", CultureInfo.InvariantCulture)));
         return $"; {lines.Length} lines, SHA-256 {digest}\n{string.Join("\n", lines.Take(Lines))}\n...\n{string.Join("\n", lines.Skip(lines.Length - Lines))}";
+    }
+
+    // The setup in a file has every key, and its first line the version: files would change with each of them.
+    private static string WithoutSetup(string code)
+    {
+        const string Begin = "; caterpillar_config = begin", End = "; caterpillar_config = end\n";
+        var begin = code.IndexOf(Begin, StringComparison.Ordinal);
+        if (begin >= 0) code = code.Remove(begin, code.IndexOf(End, begin, StringComparison.Ordinal) + End.Length - begin);
+        return Regex.Replace(code, @"by Caterpillar [\d.]+ on", "by Caterpillar on");
     }
 
     private static string FileOf(string name) => Path.Combine(Root, "examples", "gh", name + ".ghx");

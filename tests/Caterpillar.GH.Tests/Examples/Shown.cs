@@ -23,7 +23,11 @@ internal static class Shown
     public static string Picture(GH_Document document)
         => CanvasPictures.Picture.Svg(Layout.Of(Definition.Read(Sketch.Save(document))), Results(document), Icon);
 
-    private static byte[]? Icon(Item item)
+    /// <summary>A picture of some stages of a solved definition.</summary>
+    public static string Picture(GH_Document document, IReadOnlyCollection<string> stages)
+        => CanvasPictures.Picture.Svg(Layout.Of(Definition.Read(Sketch.Save(document)).Only(stages)), Results(document), Icon);
+
+    internal static byte[]? Icon(Item item)
     {
         using var stream = Names.Value.TryGetValue(item.Kind, out var name) ? Icons.Open(name) : null;
         if (stream is null) return null;

@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.IO.Compression;
 using System.Linq;
+using System.Xml.Linq;
 using Caterpillar.GH.Plugin;
 using Caterpillar.Package;
 using Mono.Cecil;
@@ -13,6 +14,7 @@ namespace Caterpillar.GH.Tests.Plugin;
 public sealed class PackageTests
 {
     private static readonly string[] FromRhino = ["RhinoCommon", "Grasshopper", "GH_IO", "System.Drawing.Common", "Microsoft.Win32.SystemEvents"];
+    private static readonly string Texts = Caterpillar.Tests.TestData.Repository;
     private string _icon = "";
 
     private static string Build(string framework)
@@ -25,7 +27,7 @@ public sealed class PackageTests
     }
 
     [OneTimeSetUp]
-    public void Prepare() => _icon = Path.Combine(Caterpillar.Tests.TestData.Repository, "src", "Caterpillar.GH", "Resources", "package.png");
+    public void Prepare() => _icon = Path.Combine(Texts, "src", "Caterpillar.GH", "Resources", "package.png");
 
     private static byte[] Bytes(YakPackage package)
     {
@@ -37,11 +39,12 @@ public sealed class PackageTests
     [Test]
     public void A_package_for_Rhino_8_has_a_folder_for_each_runtime_with_all_that_is_needed()
     {
-        var package = YakPackage.ForRhino8(Build("net48"), Build("net8.0"), _icon, "0.1.0");
+        var package = YakPackage.ForRhino8(Build("net48"), Build("net8.0"), _icon, Texts, "0.1.0");
         Assert.That(package.FileName, Is.EqualTo("caterpillar-0.1.0-rh8_20-any.yak"));
         using var zip = new ZipArchive(new MemoryStream(Bytes(package)), ZipArchiveMode.Read);
         var names = zip.Entries.Select(e => e.FullName).ToArray();
-        Assert.That(names, Is.EqualTo(new[] { "icon.png", "manifest.yml", "net48/Caterpillar.Core.dll", "net48/Caterpillar.GH.gha", "net48/Newtonsoft.Json.dll",
+        Assert.That(names, Is.EqualTo(new[] { "LICENSE", "THIRD-PARTY-NOTICES.md", "icon.png", "manifest.yml",
+            "net48/Caterpillar.Core.dll", "net48/Caterpillar.GH.gha", "net48/Newtonsoft.Json.dll",
             "net8.0/Caterpillar.Core.dll", "net8.0/Caterpillar.GH.gha", "net8.0/Newtonsoft.Json.dll" }));
         foreach (var folder in new[] { "net48/", "net8.0/" })
         {
@@ -64,17 +67,18 @@ public sealed class PackageTests
     [Test]
     public void A_package_for_Rhino_7_is_flat()
     {
-        var package = YakPackage.ForRhino7(Build("net48"), _icon, "1.2.3-beta");
+        var package = YakPackage.ForRhino7(Build("net48"), _icon, Texts, "1.2.3-beta");
         Assert.That(package.FileName, Is.EqualTo("caterpillar-1.2.3-beta-rh7_37-any.yak"));
         using var zip = new ZipArchive(new MemoryStream(Bytes(package)), ZipArchiveMode.Read);
         Assert.That(zip.Entries.Select(e => e.FullName),
-            Is.EqualTo(new[] { "Caterpillar.Core.dll", "Caterpillar.GH.gha", "Newtonsoft.Json.dll", "icon.png", "manifest.yml" }));
+            Is.EqualTo(new[] { "Caterpillar.Core.dll", "Caterpillar.GH.gha", "LICENSE",
+                "Newtonsoft.Json.dll", "THIRD-PARTY-NOTICES.md", "icon.png", "manifest.yml" }));
     }
 
     [Test]
     public void The_manifest_states_what_the_package_manager_asks_for()
     {
-        using var zip = new ZipArchive(new MemoryStream(Bytes(YakPackage.ForRhino7(Build("net48"), _icon, "0.1.0"))), ZipArchiveMode.Read);
+        using var zip = new ZipArchive(new MemoryStream(Bytes(YakPackage.ForRhino7(Build("net48"), _icon, Texts, "0.1.0"))), ZipArchiveMode.Read);
         using var reader = new StreamReader(zip.GetEntry("manifest.yml")!.Open());
         var lines = reader.ReadToEnd().Split('\n');
         Assert.That(lines, Has.Member("name: caterpillar").And.Member("version: 0.1.0").And.Member("icon: icon.png"));
@@ -84,12 +88,26 @@ public sealed class PackageTests
     }
 
     [Test]
+    public void The_notices_name_every_package_that_the_projects_bring_along()
+    {
+        var notices = File.ReadAllText(Path.Combine(Texts, "THIRD-PARTY-NOTICES.md"));
+        foreach (var project in Directory.GetFiles(Path.Combine(Texts, "src"), "*.csproj", SearchOption.AllDirectories))
+        {
+            foreach (var package in XDocument.Load(project).Descendants("PackageReference").Where(p => p.Attribute("PrivateAssets") is null))
+            {
+                Assert.That(notices, Does.Contain($"| {package.Attribute("Include")!.Value} | {package.Attribute("Version")!.Value} |"), project);
+            }
+        }
+    }
+
+    [Test]
     public void The_same_build_gives_the_same_bytes_and_a_wrong_folder_is_refused()
     {
-        Assert.That(Bytes(YakPackage.ForRhino7(Build("net48"), _icon, "0.1.0")), Is.EqualTo(Bytes(YakPackage.ForRhino7(Build("net48"), _icon, "0.1.0"))));
-        Assert.That(() => YakPackage.ForRhino7(Path.GetTempPath() + "nothing", _icon, "0.1.0"), Throws.InvalidOperationException);
+        Assert.That(Bytes(YakPackage.ForRhino7(Build("net48"), _icon, Texts, "0.1.0")),
+            Is.EqualTo(Bytes(YakPackage.ForRhino7(Build("net48"), _icon, Texts, "0.1.0"))));
+        Assert.That(() => YakPackage.ForRhino7(Path.GetTempPath() + "nothing", _icon, Texts, "0.1.0"), Throws.InvalidOperationException);
         var hosts = TestContext.CurrentContext.TestDirectory;
-        Assert.That(() => YakPackage.ForRhino7(hosts, _icon, "0.1.0"), Throws.InvalidOperationException.With.Message.Contains("must not be packed"));
+        Assert.That(() => YakPackage.ForRhino7(hosts, _icon, Texts, "0.1.0"), Throws.InvalidOperationException.With.Message.Contains("must not be packed"));
     }
 
     private static bool IsFramework(string name)

@@ -89,7 +89,7 @@ internal sealed class ReadBack : IDisposable
         RawModes.Run(_plan, _format, modes, index => _places?.OfEvent(index));
         _comparison?.End(file.Toolpath, _read);
         var read = AxisMapping.Unroll(file.Toolpath, _setup.Printer.AxisMappings, _cancel);
-        if (read.Tools.Count <= _plan.Tools.Count) read = read.WithTools(_plan.Tools);
+        if (read.Tools.Count <= _plan.Tools.Count) read = read.With(tools: _plan.Tools);
         _places = new WrittenPlaces(_plan, move => move < 0 || move >= read.Count ? null : read[move].Source, Lines, _setup.Printer);
         var scope = CheckScope.OfWritten(file, _setup) with { FirstLine = Lines.Before(0, -1) + 1, IsOwnLine = IsOwnLine };
         var timing = OwnThread.Run(() => Time(read));

@@ -5,7 +5,7 @@ namespace Caterpillar.Checks;
 
 /// <summary>
 /// The text of a print while the rest of it is still being planned: written, read back and checked at once, and not kept. The file has the same text and, in
-/// addition, the lines that only the whole print tells: its time and its progress. Whether it is the same is seen when the file is written.
+/// addition, the lines that only the whole print tells: its time, images, objects and progress. Whether it is the same is seen when the file is written.
 /// </summary>
 internal sealed class PrintDraft : IDisposable
 {
@@ -53,7 +53,7 @@ internal sealed class PrintDraft : IDisposable
         _planned.CompleteAdding();
         var writer = new GCodeWriter(timed, format);
         var text = new TextDigest(stream);
-        writer.WriteAll(text, progress.Part(0, 0.5), _cancel);
+        writer.WriteAll(text, progress.Part(0, 0.5), _cancel, stream ?? Stream.Null);
         OwnThread.Wait(_writing);
         _writing.GetAwaiter().GetResult();
         NoteAdded(plan, timed, format);
@@ -87,7 +87,7 @@ internal sealed class PrintDraft : IDisposable
     // The lines that the file has and the draft has not.
     private void NoteAdded(Toolpath plan, Toolpath timed, GCodeFormat format)
     {
-        if (format.PrintTime is not null) _back.Lines.Add(format.Header.Count);
+        foreach (var _ in format.Facts) _back.Lines.Add(format.Header.Count);
         var next = 0;
         foreach (var entry in timed.Events)
         {

@@ -102,7 +102,7 @@ internal sealed class PrintPipeline : IDisposable
         if (soFar.Blocks.Count == 1)
         {
             _draft = PrintDraft.Begin(soFar, _setup, _cancel);
-            if (_setup.Printer.ProgressCommands) _timing = new MotionPlanner(soFar, _setup, timesOnly: true);
+            _timing = new MotionPlanner(soFar, _setup, timesOnly: true);
         }
         _draft?.Take(soFar);
         _timing?.Take(soFar, null, _stop.Token);

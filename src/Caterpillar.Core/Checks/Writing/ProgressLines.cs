@@ -7,8 +7,8 @@ namespace Caterpillar.Checks;
 internal static class ProgressCommands
 {
     /// <summary>
-    /// The toolpath with a <see cref="ProgressEvent"/> wherever the percent or the minutes left change, and the seconds that it takes; unchanged and null
-    /// where the printer wants none.
+    /// The toolpath with a <see cref="ProgressEvent"/> wherever the percent or the minutes left change, unchanged where the printer wants none; and the
+    /// seconds that it takes, null for nothing.
     /// </summary>
     /// <param name="toolpath">The toolpath.</param>
     /// <param name="setup">The printer, material and settings.</param>
@@ -16,12 +16,12 @@ internal static class ProgressCommands
     /// <param name="cancel">Cancels.</param>
     public static (Toolpath Toolpath, double? Seconds) Add(Toolpath toolpath, PrintSetup setup, MotionPlanner? begun, CancellationToken cancel)
     {
-        if (!setup.Printer.ProgressCommands) return (toolpath, null);
         var planner = begun ?? new MotionPlanner(toolpath, setup, timesOnly: true);
         planner.Take(toolpath, null, cancel);
         var motion = planner.End().Motion;
         if (!(motion.TotalTime > 0)) return (toolpath, null);
-        return (setup.Printer.Flavor.Progress == ProgressCommand.None ? toolpath : toolpath.WithEvents(Events(toolpath, motion)), motion.TotalTime);
+        var isShown = setup.Printer.ProgressCommands && setup.Printer.Flavor.Progress != ProgressCommand.None;
+        return (isShown ? toolpath.With(events: Events(toolpath, motion)) : toolpath, motion.TotalTime);
     }
 
     private static List<MoveEvent> Events(Toolpath toolpath, MotionColumns motion)

@@ -66,7 +66,7 @@ public static class SafeWriter
         if (format.Value is null) return new Result<WrittenGCode>(null, new WriteGuard([], reason).Refusal(format.Diagnostics));
         var (timed, seconds) = ProgressCommands.Add(toolpath, setup, begun.Timing, cancel);
         foreach (var mapping in setup.Printer.AxisMappings) timed = mapping.Apply(timed, null, cancel);
-        var plain = format.Value with { PrintTime = seconds };
+        var plain = format.Value with { Facts = FileFacts.Of(timed, setup, format.Value, seconds, cancel) };
         // With a reason what was found stands at the top of the file: it is written again, where something was.
         var isOverridden = WriteGuard.IsReason(reason);
         var direct = isDraft && (!isOverridden || stream.CanSeek);
@@ -84,7 +84,10 @@ public static class SafeWriter
             writer.WriteAll(stream, direct ? null : progress.Part(0.7, 1), cancel);
             (lines, bytes) = (writer.Lines, writer.Bytes);
         }
-        return new Result<WrittenGCode>(new WrittenGCode(bytes, lines, guard.Overridden, read?.Seconds) { File = read?.File }, guard.Notes(format.Diagnostics));
+        var tail = FileComments.Tail(setup, toolpath, seconds);
+        stream.Write(tail.Bytes, 0, tail.Bytes.Length);
+        var file = new WrittenGCode(bytes + tail.Bytes.Length, lines + tail.Lines, guard.Overridden, read?.Seconds) { File = read?.File };
+        return new Result<WrittenGCode>(file, guard.Notes(format.Diagnostics));
     }
 
     private static CheckedGCode WriteAndCheck(

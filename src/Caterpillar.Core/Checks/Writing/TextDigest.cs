@@ -3,8 +3,8 @@ using Caterpillar.Files;
 namespace Caterpillar.Checks;
 
 /// <summary>
-/// A stream of G-code with a number of 64 bits for its lines, without those about time and progress: files that have the same are the same text. Lines are
-/// written whole. Only for one run of a program.
+/// A stream of G-code with a number of 64 bits for its lines, without those about progress: files that have the same are the same text. Lines are written
+/// whole. Only for one run of a program.
 /// </summary>
 /// <param name="target">Receives the text; null = none.</param>
 internal sealed class TextDigest(Stream? target) : WriteStream
@@ -23,7 +23,7 @@ internal sealed class TextDigest(Stream? target) : WriteStream
         {
             var next = Array.IndexOf(buffer, (byte)'\n', offset, end - offset) + 1;
             if (next == 0) next = end;
-            if (!TellsTime(buffer, offset, next)) sum = Mix(buffer, offset, next, sum);
+            if (!TellsProgress(buffer, offset, next)) sum = Mix(buffer, offset, next, sum);
             offset = next;
         }
         Sum = sum;
@@ -31,9 +31,8 @@ internal sealed class TextDigest(Stream? target) : WriteStream
 
     public override void Flush() => target?.Flush();
 
-    private static bool TellsTime(byte[] line, int at, int end)
-        => end - at > 6 && ((line[at] == 'M' && line[at + 1] == '7' && line[at + 2] == '3' && line[at + 3] == ' ')
-            || (line[at] == ';' && line[at + 1] == 'T' && line[at + 2] == 'I' && line[at + 3] == 'M' && line[at + 4] == 'E' && line[at + 5] == ':'));
+    private static bool TellsProgress(byte[] line, int at, int end)
+        => end - at > 6 && line[at] == 'M' && line[at + 1] == '7' && line[at + 2] == '3' && line[at + 3] == ' ';
 
     private static ulong Mix(byte[] line, int at, int end, ulong sum)
     {

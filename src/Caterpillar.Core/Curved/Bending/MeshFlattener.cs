@@ -43,7 +43,7 @@ internal sealed class MeshFlattener
             if (flattener._faces.Count > MaxTriangles) return null;
             cancel.ThrowIfCancellationRequested();
         }
-        return flattener.Result();
+        return TriMesh.Own(flattener._flat.ToArray(), flattener._faces.ConvertAll(f => (f.A, f.B, f.C)));
     }
 
     // One round: false when nothing had to be divided.
@@ -138,18 +138,6 @@ internal sealed class MeshFlattener
         _edges[edge] = _edges[edge] with { Middle = _part.Count };
         _part.Add(part);
         _flat.Add(flat);
-    }
-
-    private TriMesh Result()
-    {
-        var triangles = new int[_faces.Count * 3];
-        for (var i = 0; i < _faces.Count; i++)
-        {
-            triangles[3 * i] = _faces[i].A;
-            triangles[3 * i + 1] = _faces[i].B;
-            triangles[3 * i + 2] = _faces[i].C;
-        }
-        return TriMesh.Own(_flat.ToArray(), triangles);
     }
 
     // The number of its middle is −1 where an edge stays whole.

@@ -1,22 +1,16 @@
 namespace Caterpillar.Curved;
 
 /// <summary>How steep the layers of a part are: along two axes at right angles, at positions along each of them, and at levels of the field.</summary>
-internal sealed class SlopeSamples
+internal sealed class SlopeSamples(int nodes, int levels)
 {
     // Columns that are looked at on each level.
     private const int Columns = 3000;
 
-    private readonly int _nodes;
-    private readonly List<(double U, double V, double ByU, double ByV)>[] _levels;
+    private readonly List<(double U, double V, double ByU, double ByV)>[] _levels
+        = Array.ConvertAll(new int[levels], _ => new List<(double U, double V, double ByU, double ByV)>());
+
     private Vec3 _min;
     private Vec3 _max;
-
-    private SlopeSamples(int nodes, int levels)
-    {
-        _nodes = nodes;
-        _levels = new List<(double U, double V, double ByU, double ByV)>[levels];
-        for (var i = 0; i < levels; i++) _levels[i] = [];
-    }
 
     /// <summary>Direction of the first axis.</summary>
     public double Cos { get; private set; } = 1;
@@ -99,14 +93,14 @@ internal sealed class SlopeSamples
 
     private AxisStretch Axis(List<(double U, double V, double ByU, double ByV)> samples, bool first)
     {
-        double from = first ? _min.X : _min.Y, to = first ? _max.X : _max.Y, step = Math.Max((to - from) / (_nodes - 1), 1e-6);
-        var sums = new double[_nodes];
-        var counts = new double[_nodes];
+        double from = first ? _min.X : _min.Y, to = first ? _max.X : _max.Y, step = Math.Max((to - from) / (nodes - 1), 1e-6);
+        var sums = new double[nodes];
+        var counts = new double[nodes];
         foreach (var s in samples)
         {
             // Shared by the nodes on both sides.
             var t = ((first ? s.U : s.V) - from) / step;
-            var i = (int)Math.Min(Math.Max(t, 0), _nodes - 2);
+            var i = (int)Math.Min(Math.Max(t, 0), nodes - 2);
             var share = Math.Min(1, Math.Max(0, t - i));
             var square = first ? s.ByU * s.ByU : s.ByV * s.ByV;
             sums[i] += (1 - share) * square;
@@ -114,8 +108,8 @@ internal sealed class SlopeSamples
             sums[i + 1] += share * square;
             counts[i + 1] += share;
         }
-        var stretch = new double[_nodes];
-        for (var i = 0; i < _nodes; i++) stretch[i] = Math.Sqrt(1 + Around(sums, counts, i));
+        var stretch = new double[nodes];
+        for (var i = 0; i < nodes; i++) stretch[i] = Math.Sqrt(1 + Around(sums, counts, i));
         return new AxisStretch(from, step, stretch, (from + to) / 2);
     }
 

@@ -110,25 +110,16 @@ internal static class BoundaryFinder
     /// <summary>A vertex that is not connected to any of a set; null if there is none.</summary>
     public static int? Unreached(TriMesh mesh, int[] set)
     {
-        var group = Enumerable.Range(0, mesh.VertexCount).ToArray();
+        var pieces = new DisjointSets(mesh.VertexCount);
         var corners = mesh.RawTriangles;
         for (var t = 0; t < corners.Length; t += 3)
         {
-            group[Root(corners[t])] = Root(corners[t + 1]);
-            group[Root(corners[t + 1])] = Root(corners[t + 2]);
+            pieces.Join(corners[t], corners[t + 1]);
+            pieces.Join(corners[t + 1], corners[t + 2]);
         }
-        var reached = new HashSet<int>(set.Select(Root));
-        foreach (var v in corners)
-        {
-            if (!reached.Contains(Root(v))) return v;
-        }
-        return null;
-
-        int Root(int v)
-        {
-            while (group[v] != v) v = group[v] = group[group[v]];
-            return v;
-        }
+        var reached = new HashSet<int>(set.Select(pieces.Of));
+        var at = Array.FindIndex(corners, v => !reached.Contains(pieces.Of(v)));
+        return at < 0 ? null : corners[at];
     }
 
     // The faces that go on smoothly from a face, and whether the mesh falls away at all of their edges.

@@ -19,12 +19,7 @@ public sealed class BoundaryShape
     public static BoundaryShape Of(IReadOnlyList<BoundaryShape> shapes)
     {
         if (shapes is null) throw new ArgumentNullException(nameof(shapes));
-        return new BoundaryShape(p =>
-        {
-            var least = double.PositiveInfinity;
-            foreach (var shape in shapes) least = Math.Min(least, shape.DistanceTo(p));
-            return least;
-        });
+        return new BoundaryShape(p => shapes.Select(s => s.DistanceTo(p)).DefaultIfEmpty(double.PositiveInfinity).Min());
     }
 
     /// <summary>A boundary from curves on the part.</summary>

@@ -8,13 +8,7 @@ public sealed class MeshBoundaries
 {
     private const int MostTriangles = 400_000;
 
-    private MeshBoundaries(TriMesh original, TriMesh mesh, int[] lower, int[] upper)
-    {
-        Original = original;
-        Mesh = mesh;
-        Lower = lower;
-        Upper = upper;
-    }
+    private MeshBoundaries(TriMesh original, TriMesh mesh, int[] lower, int[] upper) => (Original, Mesh, Lower, Upper) = (original, mesh, lower, upper);
 
     /// <summary>The mesh with its long edges divided.</summary>
     internal TriMesh Mesh { get; }

@@ -57,13 +57,7 @@ internal sealed class SpanGrid(Bounds bounds, double cell, double[] levels)
     public double Level(Vec3 p)
     {
         var (node, u, v) = Locate(p.X, p.Y);
-        int low = 0, high = _levels.Length - 1;
-        while (high - low > 1)
-        {
-            var middle = (low + high) / 2;
-            if (At(middle, node, u, v) <= p.Z) low = middle;
-            else high = middle;
-        }
+        var low = Search.First(1, _levels.Length - 1, (Grid: this, node, u, v, p.Z), static (s, i) => s.Grid.At(i, s.node, s.u, s.v) > s.Z) - 1;
         double from = At(low, node, u, v), to = At(low + 1, node, u, v);
         return _levels[low] + (_levels[low + 1] - _levels[low]) * (p.Z - from) / (to - from);
     }
@@ -88,12 +82,7 @@ internal sealed class SpanGrid(Bounds bounds, double cell, double[] levels)
         return low + (high - low) * v;
     }
 
-    private double[] Flat(double height)
-    {
-        var result = new double[_columns * _rows];
-        for (var n = 0; n < result.Length; n++) result[n] = height;
-        return result;
-    }
+    private double[] Flat(double height) => Enumerable.Repeat(height, _columns * _rows).ToArray();
 
     private double[] Spanned(List<Vec3[]> curves)
     {

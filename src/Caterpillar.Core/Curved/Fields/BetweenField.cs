@@ -11,16 +11,8 @@ internal sealed class BetweenField(PlanSurface[] surfaces) : LayerField
 
     private BetweenField(PlanSurface[] surfaces, double[] values) : this(surfaces) => _values = values;
 
-    public override double Detail
-    {
-        get
-        {
-            var least = double.PositiveInfinity;
-            foreach (var surface in surfaces) least = Math.Min(least, surface.Detail);
-            // The quotient of two planes is curved, gently.
-            return double.IsInfinity(least) ? 10 : least;
-        }
-    }
+    // The quotient of two planes is curved, gently.
+    public override double Detail { get; } = surfaces.Min(s => s.Detail) is < double.PositiveInfinity and var least ? least : 10;
 
     public override bool StartsLevel => surfaces[0].IsLevel;
 

@@ -4,28 +4,18 @@ namespace Caterpillar.Curved;
 /// Layers between boundaries of a mesh. On its surface the field is linear in each triangle, so its level curves are the walls; inside of them a layer spans
 /// its walls.
 /// </summary>
-internal sealed class BoundaryField : LayerField
+/// <param name="boundaries">The boundaries.</param>
+/// <param name="values">Of each vertex, from 0 at the lower boundary to the height at the upper one.</param>
+/// <param name="height">Value at the upper boundary.</param>
+/// <param name="levels">Values of the level curves that are spanned.</param>
+internal sealed class BoundaryField(MeshBoundaries boundaries, double[] values, double height, Func<double[]> levels) : LayerField
 {
-    private readonly MeshBoundaries _boundaries;
-
-    // Of each vertex, from 0 at the lower boundary to the height at the upper one.
-    private readonly double[] _values;
-    private readonly double _height;
-    private readonly Lazy<SpanGrid> _grid;
-
-    private BoundaryField(MeshBoundaries boundaries, double[] values, double height, Func<double[]> levels)
-    {
-        _boundaries = boundaries;
-        _values = values;
-        _height = height;
-        _grid = new Lazy<SpanGrid>(() => SpanGrid.Of(boundaries.Mesh, values, levels()));
-        var low = boundaries.Lower.Select(v => boundaries.Mesh.RawVertices[v].Z).ToArray();
-        StartsLevel = low.Max() - low.Min() < 1e-3;
-    }
+    private readonly Lazy<SpanGrid> _grid = new(() => SpanGrid.Of(boundaries.Mesh, values, levels()));
 
     public override double Detail => 1;
 
     public override bool StartsLevel { get; }
+        = boundaries.Lower.Max(v => boundaries.Mesh.RawVertices[v].Z) - boundaries.Lower.Min(v => boundaries.Mesh.RawVertices[v].Z) < 1e-3;
 
     /// <summary>A field of values from 0 at the lower boundary to 1 at the upper one.</summary>
     public static LayerField Of(MeshBoundaries boundaries, double[] shares)
@@ -70,19 +60,16 @@ internal sealed class BoundaryField : LayerField
 
     internal override TriMesh? FlatMesh(TriMesh mesh)
     {
-        var (own, given) = (_boundaries.Original, mesh);
-        if (!ReferenceEquals(own, given) && !(own.RawVertices.AsEnumerable().SequenceEqual(given.RawVertices)
-            && own.RawTriangles.AsEnumerable().SequenceEqual(given.RawTriangles)))
-        {
+        var (own, fine) = (boundaries.Original, boundaries.Mesh);
+        if (!ReferenceEquals(own, mesh) && !(own.RawVertices.AsEnumerable().SequenceEqual(mesh.RawVertices)
+            && own.RawTriangles.AsEnumerable().SequenceEqual(mesh.RawTriangles)))
             return null;
-        }
-        var fine = _boundaries.Mesh;
-        return TriMesh.Own(fine.RawVertices.Select((p, i) => p.WithZ(_values[i])).ToArray(), fine.RawTriangles);
+        return TriMesh.Own(fine.RawVertices.Select((p, i) => p.WithZ(values[i])).ToArray(), fine.RawTriangles);
     }
 
     internal override LayerField FitTo(PartColumns part, PrintSettings settings, DiagnosticList problems)
     {
-        var slope = new SurfaceSlope(_boundaries.Mesh, _values);
+        var slope = new SurfaceSlope(boundaries.Mesh, values);
         if (slope.Falling(out var place) is > 0.01 and var share)
         {
             // Small places where branches meet do little harm.
@@ -93,10 +80,9 @@ internal sealed class BoundaryField : LayerField
             if (most) return this;
         }
         var first = settings.FirstLayerHeight;
-        var layers = Math.Max(1, (int)Math.Ceiling((_height - first) / settings.LayerHeight - 1e-6));
-        var height = first + layers * settings.LayerHeight;
-        var values = Array.ConvertAll(_values, v => v * height / _height);
-        return new BoundaryField(_boundaries, values, height, () => [0, .. Even(first, height, layers)]);
+        var layers = Math.Max(1, (int)Math.Ceiling((height - first) / settings.LayerHeight - 1e-6));
+        var whole = first + layers * settings.LayerHeight;
+        return new BoundaryField(boundaries, Array.ConvertAll(values, v => v * whole / height), whole, () => [0, .. Even(first, whole, layers)]);
     }
 
     private static double[] Even(double from, double to, int parts)

@@ -89,9 +89,6 @@ public abstract class LayerField
         return new ShiftedField(field, shift);
     }
 
-    /// <summary>Planar layers: the field z.</summary>
-    public static LayerField Level => new VerticalField(PlanSurface.Level(0), null);
-
     /// <summary>Layers that are copies of a plan, moved up and down. With a blend, the layers near the bed are level.</summary>
     /// <exception cref="ArgumentException">The blend does not end above its start.</exception>
     public static LayerField Vertical(PlanSurface plan, LayerBlend? blend = null)
@@ -106,19 +103,14 @@ public abstract class LayerField
     public static LayerField Offset(TriMesh surface) => new OffsetField(surface ?? throw new ArgumentNullException(nameof(surface)));
 
     /// <summary>
-    /// Layers of a part that is bent by a map before it is sliced flat. The paths are bent back. The map must be smooth, must not fold the part, and must be
-    /// thread-safe.
+    /// Layers of a part that is bent by a map before it is sliced flat: formulas for the bent x, y and z in x, y, z, r and theta. The paths are bent back. The
+    /// map must be smooth and must not fold the part.
     /// </summary>
-    /// <param name="bend">Maps a point of the part to a point of the bent part, mm.</param>
-    public static LayerField Deformed(Func<Vec3, Vec3> bend) => new DeformedField(bend ?? throw new ArgumentNullException(nameof(bend)));
-
-    /// <summary>Like <see cref="Deformed(Func{Vec3, Vec3})"/>, with formulas for the bent x, y and z in x, y, z, r and theta.</summary>
     /// <returns>The field, or an error with the column.</returns>
     public static Result<LayerField> Deformed(string x, string y, string z, Vec3 origin = default, SourceLocation? source = null)
     {
         var compiled = new[] { FieldFormula.Compile(x, source), FieldFormula.Compile(y, source), FieldFormula.Compile(z, source) };
-        var problems = new List<Diagnostic>();
-        foreach (var one in compiled) problems.AddRange(one.Diagnostics);
+        var problems = compiled.SelectMany(one => one.Diagnostics).ToList();
         if (compiled[0].Value is not { } fx || compiled[1].Value is not { } fy || compiled[2].Value is not { } fz)
             return new Result<LayerField>(null, problems);
         return new Result<LayerField>(

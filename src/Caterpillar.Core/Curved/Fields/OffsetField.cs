@@ -4,27 +4,15 @@ namespace Caterpillar.Curved;
 /// Layers at equal distances from a surface: its normal offsets. Where those would run into each other, on the hollow side, the distance keeps them apart along
 /// a crease.
 /// </summary>
-internal sealed class OffsetField : LayerField
+internal sealed class OffsetField(TriMesh mesh) : LayerField
 {
-    private readonly TriMesh _mesh;
-    private readonly MeshDistance _distance;
-    private readonly MeshHeights _heights;
+    private readonly MeshDistance _distance = new(mesh);
+    private readonly MeshHeights _heights = new(mesh);
 
     // −1 for a surface that faces down.
-    private readonly double _side;
+    private readonly double _side = !mesh.IsWatertight && Enumerable.Range(0, mesh.TriangleCount).Sum(t => mesh.Normal(t).Z) < 0 ? -1 : 1;
 
-    public OffsetField(TriMesh mesh)
-    {
-        _mesh = mesh;
-        _distance = new MeshDistance(mesh);
-        _heights = new MeshHeights(mesh);
-        var up = 0.0;
-        for (var t = 0; t < mesh.TriangleCount; t++) up += mesh.Normal(t).Z;
-        _side = up < 0 && !mesh.IsWatertight ? -1 : 1;
-        Detail = Math.Max(0.25, Math.Sqrt(2 * mesh.Area / mesh.TriangleCount));
-    }
-
-    public override double Detail { get; }
+    public override double Detail { get; } = Math.Max(0.25, Math.Sqrt(2 * mesh.Area / mesh.TriangleCount));
 
     public override double Value(Vec3 point) => _side * _distance.Nearest(point).Distance;
 
@@ -54,7 +42,7 @@ internal sealed class OffsetField : LayerField
         return normal * _side;
     }
 
-    internal override void Check(DiagnosticList problems) => PlanSurface.Of(_mesh).Check(problems);
+    internal override void Check(DiagnosticList problems) => PlanSurface.Of(mesh).Check(problems);
 
     internal override LayerField FitTo(PartColumns part, PrintSettings settings, DiagnosticList problems)
     {

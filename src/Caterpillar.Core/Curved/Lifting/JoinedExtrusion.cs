@@ -54,10 +54,6 @@ internal sealed class JoinedExtrusion(double tolerance, double share)
         var start = Points[Points.Count - 2];
         if (start.DistanceTo(to) <= start.DistanceTo(Points[Points.Count - 1])) return false;
         if (Points[Points.Count - 1].DistanceToSegment(start, to) > tolerance) return false;
-        foreach (var p in _passed)
-        {
-            if (p.DistanceToSegment(start, to) > tolerance) return false;
-        }
-        return true;
+        return _passed.TrueForAll(p => p.DistanceToSegment(start, to) <= tolerance);
     }
 }

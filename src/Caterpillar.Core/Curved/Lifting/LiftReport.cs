@@ -41,13 +41,6 @@ internal sealed class LiftReport
             Place = place;
         }
 
-        public void Add(Spot other)
-        {
-            if (!(other.Length > 0)) return;
-            Length += other.Length;
-            if (!(other.Worst > Worst)) return;
-            Worst = other.Worst;
-            Place = other.Place;
-        }
+        public void Add(Spot other) => Note(other.Length, other.Worst, other.Place);
     }
 }

@@ -36,7 +36,7 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
             _segmentStart = from;
             for (var k = 1; k <= parts; k++)
             {
-                var b = At(k == parts ? to : arc?.PointAt(from, to, (double)k / parts) ?? Vec3.Lerp(from, to, (double)k / parts), bead.Height);
+                var b = At(Arc.PointAt(arc, from, to, (double)k / parts), bead.Height);
                 Divide(a, b, bead, 0, step);
                 a = b;
             }
@@ -150,17 +150,9 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
     private void JoinEnds(PathStep step)
     {
         if (_pieces.Count < 2) return;
-        PrintPath last = _pieces[_pieces.Count - 1].Path, first = _pieces[0].Path;
-        if (last.End.DistanceTo(first.Start) > 1e-9) return;
-        var points = new List<Vec3>(last.Points);
-        var beads = new List<Bead>();
-        for (var i = 0; i < last.SegmentCount; i++) beads.Add(last.BeadOf(i));
-        for (var i = 0; i < first.SegmentCount; i++)
-        {
-            points.Add(first.EndOf(i));
-            beads.Add(first.BeadOf(i));
-        }
-        _pieces[0] = step.With(step.Path.WithGeometry(points, beads, closed: false));
+        var joined = PathMerging.Merge([_pieces[_pieces.Count - 1].Path, _pieces[0].Path], 1e-9);
+        if (joined.Count > 1) return;
+        _pieces[0] = step.With(joined[0]);
         _pieces.RemoveAt(_pieces.Count - 1);
     }
 

@@ -46,7 +46,7 @@ internal sealed class LayerPatch
     {
         var numbers = new Dictionary<(int Column, int Row), int>();
         var cells = new List<PatchCell>();
-        var parents = new List<int>();
+        var sets = new DisjointSets(0);
         var firsts = new int[layer.Steps.Count];
         for (var s = 0; s < firsts.Length; s++)
         {
@@ -56,7 +56,12 @@ internal sealed class LayerPatch
             {
                 Vec3 from = path.RawPoints[i], to = path.EndOf(i);
                 var parts = Math.Max(1, (int)Math.Ceiling((to - from).LengthXY / (0.5 * cell)));
-                for (var k = 1; k <= parts; k++) before = Join(before, Enter(Vec3.Lerp(from, to, (double)k / parts)));
+                for (var k = 1; k <= parts; k++)
+                {
+                    var next = Enter(Vec3.Lerp(from, to, (double)k / parts));
+                    sets.Join(before, next);
+                    before = next;
+                }
             }
         }
         for (var n = 0; n < cells.Count; n++)
@@ -64,18 +69,14 @@ internal sealed class LayerPatch
             var (column, row) = (cells[n].Column, cells[n].Row);
             foreach (var (dx, dy) in new[] { (1, 0), (0, 1), (1, 1), (1, -1) })
             {
-                if (numbers.TryGetValue((column + dx, row + dy), out var other)) Join(n, other);
+                if (numbers.TryGetValue((column + dx, row + dy), out var other)) sets.Join(n, other);
             }
         }
         var patches = new List<LayerPatch>();
-        foreach (var group in Enumerable.Range(0, firsts.Length).GroupBy(s => Root(firsts[s])))
+        foreach (var group in Enumerable.Range(0, firsts.Length).GroupBy(s => sets.Of(firsts[s])))
         {
-            var own = new List<PatchCell>();
-            for (var n = 0; n < cells.Count; n++)
-            {
-                if (Root(n) == group.Key) own.Add(cells[n]);
-            }
-            patches.Add(new LayerPatch(index, group.Select(s => layer.Steps[s]).ToList(), own.ToArray()));
+            var own = cells.Where((_, n) => sets.Of(n) == group.Key).ToArray();
+            patches.Add(new LayerPatch(index, group.Select(s => layer.Steps[s]).ToList(), own));
         }
         return patches;
 
@@ -86,24 +87,11 @@ internal sealed class LayerPatch
             {
                 numbers.Add(key, n = cells.Count);
                 cells.Add(new PatchCell(key.Item1, key.Item2, p.Z, p.Z));
-                parents.Add(n);
+                sets.Add();
             }
             var old = cells[n];
             if (p.Z < old.Low || p.Z > old.Top) cells[n] = old with { Low = Math.Min(old.Low, p.Z), Top = Math.Max(old.Top, p.Z) };
             return n;
-        }
-
-        int Root(int n)
-        {
-            while (parents[n] != n) n = parents[n] = parents[parents[n]];
-            return n;
-        }
-
-        int Join(int a, int b)
-        {
-            var (x, y) = (Root(a), Root(b));
-            parents[Math.Max(x, y)] = Math.Min(x, y);
-            return b;
         }
     }
 }

@@ -62,8 +62,7 @@ public static class CurvedSlicer
             flat.Add(new SliceModel(new NamedMesh(models[i].Mesh.Name, mesh), OnField(models[i].Settings, field)));
         }
         var common = OnField(setup.Settings, field);
-        var noLoops = !field.StartsLevel && (setup.Settings.SkirtLoops > 0 || setup.Settings.BrimWidth > 0);
-        if (setup.Settings.RaftLayers > 0 || setup.Settings.PurgeTower || noLoops)
+        if (setup.Settings.RaftLayers > 0 || setup.Settings.PurgeTower || (!field.StartsLevel && setup.Settings.HasSkirtOrBrim))
             problems.Add(Severity.Note, "curved.no_skirt",
                 "Curved layers have no raft and no purge tower. If they do not start level, they have no skirt or brim either.");
         var limits = new GapLimits(field, part, setup.Settings, MaxGap(setup));
@@ -131,20 +130,10 @@ public static class CurvedSlicer
     }
 
     private static bool IsLevel(List<PathStep> steps)
-    {
-        foreach (var step in steps)
-        {
-            foreach (var p in step.Path.RawPoints)
-            {
-                if (Math.Abs(p.Z - steps[0].Path.Start.Z) > 1e-6) return false;
-            }
-        }
-        return true;
-    }
+        => steps.TrueForAll(s => Array.TrueForAll(s.Path.RawPoints, p => Math.Abs(p.Z - steps[0].Path.Start.Z) <= 1e-6));
 
     private static List<PathStep> Within(List<PathStep> steps, Region region)
-        => steps.ConvertAll(s => s.Region is null
-            || ReferenceEquals(s.Region, region) ? s : s.With(s.Path, region));
+        => steps.ConvertAll(s => s.Region is null || ReferenceEquals(s.Region, region) ? s : s.With(s.Path, region));
 
     // Level travels inside the part would run through curved layers; steps that are joined may have lost pieces between them.
     private static List<PathStep> WithoutRegions(List<PathStep> steps)
@@ -183,7 +172,7 @@ public static class CurvedSlicer
     private static PrintSettings OnField(PrintSettings settings, LayerField field)
     {
         settings = settings with { RaftLayers = 0, ArcFittingTolerance = 0 };
-        return field.StartsLevel ? settings : settings with { SkirtLoops = 0, BrimWidth = 0 };
+        return field.StartsLevel ? settings : settings.WithoutSkirtAndBrim;
     }
 
     private static void CheckCover(LayerField field, PartColumns part, CurvedOptions options, DiagnosticList problems)

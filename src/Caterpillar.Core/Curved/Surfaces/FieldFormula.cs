@@ -3,25 +3,22 @@ using Caterpillar.Expressions;
 namespace Caterpillar.Curved;
 
 /// <summary>A formula over a place: x, y, z in mm, and r (mm) and theta (degrees, −180 to 180) about the Z axis. For any thread.</summary>
-internal sealed class FieldFormula
+internal sealed class FieldFormula(Formula formula)
 {
     /// <summary>Formulas are expected to have no features smaller than this, mm.</summary>
     public const double Detail = 2;
 
     private static readonly string[] Variables = ["x", "y", "z", "r", "theta"];
-    private readonly Formula _formula;
     private readonly SpareContext _contexts = new(Variables.Length);
 
-    private FieldFormula(Formula formula) => _formula = formula;
-
-    public bool IsConstant => _formula.IsConstant;
+    public bool IsConstant => formula.IsConstant;
 
     public static Result<FieldFormula> Compile(string text, SourceLocation? source)
     {
         if (text is null) throw new ArgumentNullException(nameof(text));
         var compiled = Formula.Compile(text, Variables, source);
-        if (compiled.Value is not { } formula) return new Result<FieldFormula>(null, compiled.Diagnostics);
-        if (!formula.UsesRandom) return new Result<FieldFormula>(new FieldFormula(formula), compiled.Diagnostics);
+        if (compiled.Value is not { } own) return new Result<FieldFormula>(null, compiled.Diagnostics);
+        if (!own.UsesRandom) return new Result<FieldFormula>(new FieldFormula(own), compiled.Diagnostics);
         return new Result<FieldFormula>(null, [new Diagnostic(Severity.Error, "formula.random",
             "The formula of the field uses random numbers. Use random(seed), which has one value for each seed.", source)]);
     }
@@ -35,7 +32,7 @@ internal sealed class FieldFormula
         values[2] = z;
         values[3] = Math.Sqrt(x * x + y * y);
         values[4] = Angle.Atan2(y, x);
-        var value = _formula.Evaluate(context);
+        var value = formula.Evaluate(context);
         _contexts.Return(context);
         return value;
     }

@@ -3,17 +3,11 @@ using Caterpillar.Files;
 namespace Caterpillar.Curved;
 
 /// <summary>A height map over a rectangle as a plan.</summary>
-internal sealed class ImagePlan : PlanSurface
+internal sealed class ImagePlan(GrayImage image, Bounds box) : PlanSurface
 {
-    private readonly GrayImage _image;
-    private readonly Bounds _box;
-
-    public ImagePlan(GrayImage image, Bounds box)
-    {
-        _image = image ?? throw new ArgumentNullException(nameof(image));
-        if (!(box.Size.X > 0 && box.Size.Y > 0)) throw new ArgumentException("The rectangle of a height map must have an area.", nameof(box));
-        _box = box;
-    }
+    private readonly GrayImage _image = image ?? throw new ArgumentNullException(nameof(image));
+    private readonly Bounds _box = box.Size.X > 0 && box.Size.Y > 0 ? box
+        : throw new ArgumentException("The rectangle of a height map must have an area.", nameof(box));
 
     public override double Detail => Math.Max(0.1, Math.Min(_box.Size.X / _image.Width, _box.Size.Y / _image.Height));
 

@@ -4,24 +4,16 @@ namespace Caterpillar.Display;
 /// The moves of a toolpath as columns of a viewer page, a row for each straight piece. Arcs are divided. Moves in place have a row without length,
 /// and the volume of what they extrude as area. Lengths in µm, areas in 10⁻⁴ mm², speeds in 0.01 mm/s, times in ms. 5 to 10 bytes per move after packing.
 /// </summary>
-internal sealed class MoveColumns
+internal sealed class MoveColumns(ViewerContent content)
 {
     /// <summary>Maximum deviation of chords from arcs, mm, and for arcs larger than any printer as a share of the radius.</summary>
     private const double ChordError = 0.02, ShareOfRadius = 2e-6;
 
-    private readonly ViewerContent _content;
-    private readonly Toolpath _toolpath;
+    private readonly Toolpath _toolpath = content.Toolpath!;
     private readonly PackedColumn _x = new("x"), _y = new("y"), _z = new("z"), _area = new("area"), _time = new("time"), _line = new("line");
     private readonly PackedColumn _what = new("what", true), _layer = new("layer", true), _tool = new("tool", true), _speed = new("speed", true);
     private readonly PackedColumn _move = new("move");
-    private readonly int[] _firstRow;
-
-    private MoveColumns(ViewerContent content)
-    {
-        _content = content;
-        _toolpath = content.Toolpath!;
-        _firstRow = new int[_toolpath.Count + 1];
-    }
+    private readonly int[] _firstRow = new int[content.Toolpath!.Count + 1];
 
     /// <summary>The columns in the order of the page.</summary>
     public IEnumerable<PackedColumn> All => [_x, _y, _z, _what, _layer, _tool, _line, _move, _speed, _area, _time];
@@ -59,13 +51,13 @@ internal sealed class MoveColumns
             {
                 if ((i & 0xFFF) == 2) cancel.ThrowIfCancellationRequested();
                 var part = (double)i / chords;
-                Row(move, i < chords ? move.Arc!.Value.PointAt(move.Start, move.End, part) : move.End, area, begin + (End(move.Index) - begin) * part);
+                Row(move, move.PointAt(part), area, begin + (End(move.Index) - begin) * part);
             }
         }
         _firstRow[_toolpath.Count] = Rows;
     }
 
-    private double End(int move) => _content.EndOf?.Invoke(move) ?? 0;
+    private double End(int move) => content.EndOf?.Invoke(move) ?? 0;
 
     private void Row(in Move move, Vec3 end, double area, double time)
     {

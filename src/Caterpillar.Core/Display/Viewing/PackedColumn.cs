@@ -6,7 +6,6 @@ namespace Caterpillar.Display;
 /// </summary>
 internal sealed class PackedColumn(string name, bool runs = false)
 {
-    private readonly bool _runs = runs;
     private readonly List<byte> _bytes = [];
     private long _last;
     private long _run;
@@ -18,7 +17,7 @@ internal sealed class PackedColumn(string name, bool runs = false)
     public void Add(long value)
     {
         Count++;
-        if (_runs && _run > 0 && value == _last)
+        if (runs && _run > 0 && value == _last)
         {
             _run++;
             return;
@@ -44,7 +43,7 @@ internal sealed class PackedColumn(string name, bool runs = false)
 
     private void EndRun()
     {
-        if (_runs && _run > 0) Number((ulong)_run);
+        if (runs && _run > 0) Number((ulong)_run);
     }
 
     private void Difference(long value)

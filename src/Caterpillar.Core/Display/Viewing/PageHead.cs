@@ -57,6 +57,7 @@ internal static class PageHead
                 NozzleTemperatureEvent nozzle => ("nozzle", nozzle.Celsius),
                 BedTemperatureEvent bed => ("bed", bed.Celsius),
                 FanEvent fan => ("fan", fan.Speed),
+                AccelerationEvent acceleration => ("acceleration", acceleration.Value),
                 PauseEvent => ("pause", 0),
                 _ => null,
             };

@@ -47,17 +47,12 @@ public static class ViewerPage
             case "title": text.Write(Escaped(content.Title)); break;
             case "style": text.Write(Resource("viewer.css")); break;
             case "head": text.Write(PageHead.ToJson(content, moves)); break;
-            case "moves": if (moves is not null) Packed(text, Columns(moves), cancel); break;
+            case "moves": if (moves is not null) Packed(text, moves.All.Select(column => column.ToBytes()), cancel); break;
             case "model": if (content.Model is { TriangleCount: > 0 } model) Packed(text, ModelColumns.Of(model), cancel); break;
             case "gcode": if (content.GCode is { } code) GCode(text, code, cancel); break;
             case "script": foreach (var script in Scripts) text.Write(Resource(script)); break;
             default: throw new InvalidOperationException($"The page has no part {name}.");
         }
-    }
-
-    private static IEnumerable<byte[]> Columns(MoveColumns moves)
-    {
-        foreach (var column in moves.All) yield return column.ToBytes();
     }
 
     private static void GCode(TextWriter text, byte[] code, CancellationToken cancel)
@@ -92,13 +87,7 @@ public static class ViewerPage
         }
     }
 
-    private static string Resource(string name)
-    {
-        using var stream = typeof(ViewerPage).Assembly.GetManifestResourceStream("viewer/" + name)
-            ?? throw new InvalidOperationException($"The resource viewer/{name} is missing.");
-        using var reader = new StreamReader(stream, Encoding.UTF8);
-        return reader.ReadToEnd();
-    }
+    private static string Resource(string name) => EmbeddedText.Read("viewer/" + name);
 
     // No part of the page may begin in the title.
     private static string Escaped(string text) => string.Join("&#123;", WebUtility.HtmlEncode(text).Split('{'));

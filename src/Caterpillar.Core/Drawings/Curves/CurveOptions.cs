@@ -37,9 +37,6 @@ public sealed record CurveOptions
     /// <summary>Subdivision of curved parts. Linear parts keep only their end points.</summary>
     public SubdivisionOptions Subdivision { get; init; } = SubdivisionOptions.ByDistance(1);
 
-    /// <summary>Maximum change of area or speed from one segment to the next, as a fraction. Segments are split if it changes more.</summary>
-    public double RampStep { get; init; } = 0.1;
-
     /// <summary>Values that vary along a curve stay constant from their point to the next, instead of varying linearly.</summary>
     public bool Steps { get; init; }
 

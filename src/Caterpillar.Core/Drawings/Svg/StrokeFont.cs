@@ -1,3 +1,5 @@
+using Caterpillar.Files;
+
 namespace Caterpillar.Drawings;
 
 /// <summary>
@@ -11,48 +13,50 @@ internal static class StrokeFont
     private const double Gap = 3;
     private const int Below = 4;
 
+    // The middle of the marks.
+    private const double MarkCenter = 3;
+
     // What other characters look like.
     private const string Box = "60e6e6q0q0e";
 
+    private static readonly Dictionary<(string Kind, char Character), string> Shapes = EmbeddedText.Rows("drawings/StrokeFont.tsv").Skip(1)
+        .SelectMany(row => row[2].Select(character => (Key: (row[0], character), Shape: row[1]))).ToDictionary(s => s.Key, s => s.Shape);
+
     /// <summary>True for characters that have a shape. Others are boxes.</summary>
-    public static bool Has(char character) => StrokeFontData.Glyph(character).Length > 0 || StrokeFontData.Accented(character) is not null;
+    public static bool Has(char character) => Shapes.ContainsKey(("glyph", character)) || Accented(character) is not null;
 
     /// <summary>The strokes of a line of text from the origin along X, with Y up.</summary>
     /// <param name="text">One line.</param>
     /// <param name="capHeight">Height of capitals, mm.</param>
     /// <exception cref="ArgumentOutOfRangeException">The height is not above 0.</exception>
-    public static IReadOnlyList<Vec3[]> Strokes(string text, double capHeight)
+    public static IReadOnlyList<Vec3[]> Strokes(string text, double capHeight) => Drawn(text, capHeight).Strokes;
+
+    /// <summary>Width of the text from its first letter to the start of a following letter, mm.</summary>
+    /// <inheritdoc cref="Strokes"/>
+    public static double Advance(string text, double capHeight) => Drawn(text, capHeight).Advance;
+
+    private static (IReadOnlyList<Vec3[]> Strokes, double Advance) Drawn(string text, double capHeight)
     {
         var scale = Scale(capHeight);
         var strokes = new List<Vec3[]>();
         double x = 0;
         foreach (var character in text ?? throw new ArgumentNullException(nameof(text))) x += Draw(character, x, scale, strokes);
-        return strokes;
-    }
-
-    /// <summary>Width of the text from its first letter to the start of a following letter, mm.</summary>
-    /// <inheritdoc cref="Strokes"/>
-    public static double Advance(string text, double capHeight)
-    {
-        var scale = Scale(capHeight);
-        double x = 0;
-        foreach (var character in text ?? throw new ArgumentNullException(nameof(text))) x += (WidthOf(Plain(character)) + Gap) * scale;
-        return x;
+        return (strokes, x);
     }
 
     private static double Scale(double capHeight) => capHeight > 0 && !double.IsInfinity(capHeight)
         ? capHeight / CapHeight
         : throw new ArgumentOutOfRangeException(nameof(capHeight), "The letter height must be above 0.");
 
-    private static char Plain(char character) => StrokeFontData.Accented(character)?.Letter ?? character;
+    // The letter below an accent, and the accent.
+    private static (char Letter, char Mark)? Accented(char character)
+        => Shapes.TryGetValue(("accent", character), out var both) ? (both[0], both[1]) : null;
 
-    private static string GlyphOf(char character) => StrokeFontData.Glyph(character) is { Length: > 0 } glyph ? glyph : Box;
-
-    private static double WidthOf(char character) => GlyphOf(character)[0] - '0';
+    private static string GlyphOf(char character) => Shapes.TryGetValue(("glyph", character), out var glyph) ? glyph : Box;
 
     private static double Draw(char character, double x, double scale, List<Vec3[]> strokes)
     {
-        var accented = StrokeFontData.Accented(character);
+        var accented = Accented(character);
         var letter = accented?.Letter ?? character;
         var glyph = GlyphOf(letter);
         var width = (double)(glyph[0] - '0');
@@ -66,8 +70,8 @@ internal static class StrokeFont
         if (accented is { } with)
         {
             var top = char.IsUpper(letter) ? CapHeight : SmallHeight;
-            foreach (var mark in StrokeFontData.Mark(with.Mark).Split(' '))
-                Add(mark, x + (width / 2 - StrokeFontData.MarkCenter) * scale, with.Mark == ',' ? 0 : top * scale, scale, strokes);
+            foreach (var mark in Shapes[("mark", with.Mark)].Split(' '))
+                Add(mark, x + (width / 2 - MarkCenter) * scale, with.Mark == ',' ? 0 : top * scale, scale, strokes);
         }
         return (width + Gap) * scale;
     }

@@ -1,12 +1,14 @@
+using System.Text;
+
 namespace Caterpillar.Drawings;
 
 /// <summary>
 /// The data of an SVG path (SVG 1.1, section 8.3): all commands, absolute and relative. Subpaths are in user units with Y as in the file. Lines become
 /// polylines, Béziers become NURBS curves, and elliptical arcs become arcs or NURBS curves (implementation notes F.6).
 /// </summary>
-internal sealed class SvgPath
+internal sealed class SvgPath(string data)
 {
-    private readonly byte[] _text;
+    private readonly byte[] _text = Encoding.ASCII.GetBytes(data);
     private readonly List<Curve> _subpaths = [];
     private readonly List<Curve> _pieces = [];
     private readonly List<Vec3> _line = [];
@@ -15,20 +17,20 @@ internal sealed class SvgPath
     private Vec3 _here;
     private Vec3 _control;
     private char _last;
-    private string? _error;
-
-    private SvgPath(string data)
-    {
-        _text = new byte[data.Length];
-        for (var i = 0; i < data.Length; i++) _text[i] = data[i] < 128 ? (byte)data[i] : (byte)'?';
-    }
 
     /// <summary>The subpaths, or the error and its position in the text. Subpaths without length are counted.</summary>
     public static (IReadOnlyList<Curve> Subpaths, int Empty, string? Error, int At) Parse(string data)
     {
         var path = new SvgPath(data);
-        path.Run();
-        return (path._subpaths, path.Empty, path._error, path._at);
+        try
+        {
+            path.Run();
+            return (path._subpaths, path.Empty, null, path._at);
+        }
+        catch (FormatException e)
+        {
+            return ([], 0, e.Message, path._at);
+        }
     }
 
     private int Empty { get; set; }
@@ -36,25 +38,15 @@ internal sealed class SvgPath
     private void Run()
     {
         Skip();
-        if (_at < _text.Length && _text[_at] is not ((byte)'M' or (byte)'m'))
+        if (_at < _text.Length && _text[_at] is not ((byte)'M' or (byte)'m')) throw new FormatException("Path data must begin with M.");
+        for (; _at < _text.Length; Skip())
         {
-            _error = "Path data must begin with M.";
-            return;
-        }
-        while (_error is null)
-        {
-            Skip();
-            if (_at >= _text.Length) break;
             var command = (char)_text[_at];
-            if (!IsCommand(command))
-            {
-                _error = "Expected a path command: M L H V C S Q T A or Z.";
-                return;
-            }
+            if (!IsCommand(command)) throw new FormatException("Expected a path command: M L H V C S Q T A or Z.");
             _at++;
             Repeat(command);
         }
-        if (_error is null) End(false);
+        End(false);
     }
 
     private void Repeat(char command)
@@ -65,7 +57,7 @@ internal sealed class SvgPath
             _last = 'Z';
             return;
         }
-        for (var first = true; _error is null; first = false)
+        for (var first = true; ; first = false)
         {
             if (!first)
             {
@@ -88,7 +80,6 @@ internal sealed class SvgPath
         {
             case 'M':
                 var to = Pair(origin);
-                if (_error is not null) return;
                 End(false);
                 _start = _here = to;
                 break;
@@ -121,7 +112,6 @@ internal sealed class SvgPath
 
     private void LineTo(Vec3 to)
     {
-        if (_error is not null) return;
         if (_line.Count == 0) _line.Add(_here);
         if (to != _here) _line.Add(to);
         _here = to;
@@ -129,21 +119,19 @@ internal sealed class SvgPath
 
     private void CurveTo(Vec3 a, Vec3 b, Vec3 to)
     {
-        if (_error is not null) return;
         if (a != _here || b != _here || to != _here) Add(NurbsCurve.Clamped(3, [_here, a, b, to]));
         (_control, _here) = (b, to);
     }
 
     private void QuadTo(Vec3 control, Vec3 to)
     {
-        if (_error is not null) return;
         if (control != _here || to != _here) Add(NurbsCurve.Clamped(2, [_here, control, to]));
         (_control, _here) = (control, to);
     }
 
     private void ArcTo(double rx, double ry, double rotation, bool large, bool positive, Vec3 to)
     {
-        if (_error is not null || to == _here) return;
+        if (to == _here) return;
         (rx, ry) = (Math.Abs(rx), Math.Abs(ry));
         if (rx == 0 || ry == 0)
         {
@@ -240,19 +228,10 @@ internal sealed class SvgPath
 
     private double Number()
     {
-        if (_error is not null) return 0;
         Skip();
         var next = NumberReader.Scan(_text, _at, _text.Length, true, out var value);
-        if (next == _at)
-        {
-            _error = "Expected a number.";
-            return 0;
-        }
-        if (!(Math.Abs(value) <= 1e9))
-        {
-            _error = "A number is out of range.";
-            return 0;
-        }
+        if (next == _at) throw new FormatException("Expected a number.");
+        if (!(Math.Abs(value) <= 1e9)) throw new FormatException("A number is out of range.");
         _at = next;
         return value;
     }
@@ -260,10 +239,8 @@ internal sealed class SvgPath
     // 0 or 1, which need no separator after them.
     private bool Flag()
     {
-        if (_error is not null) return false;
         Skip();
         if (_at < _text.Length && (_text[_at] == 0x30 || _text[_at] == 0x31)) return _text[_at++] == '1';
-        _error = "Expected a flag, 0 or 1.";
-        return false;
+        throw new FormatException("Expected a flag, 0 or 1.");
     }
 }

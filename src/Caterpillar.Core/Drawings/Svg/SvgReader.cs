@@ -29,14 +29,12 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
     private const int MaxUseDepth = 32;
     private const double BytesPerCurve = 400;
 
-    private readonly CurveSource _source = source;
-    private readonly SvgXml _xml = xml;
     private double _pageHeight = double.NaN;
     private (double Width, double Height)? _viewport;
     private int _uses;
     private int _useDepth;
 
-    private XmlReader Xml => _xml.Reader;
+    private XmlReader Xml => xml.Reader;
 
     public static void Read(CurveSource source)
     {
@@ -54,12 +52,12 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
         {
             var message = e.Message;
             var end = message.IndexOf(" Line ", StringComparison.Ordinal);
-            source.Error("curves.svg", end > 0 ? message.Substring(0, end) : message, source.Place(Math.Max(1, e.LineNumber), Math.Max(1, e.LinePosition)));
+            source.Fail("curves.svg", end > 0 ? message.Substring(0, end) : message, source.Place(Math.Max(1, e.LineNumber), Math.Max(1, e.LinePosition)));
         }
         catch (Exception e) when (e is ArgumentException or InvalidOperationException or IndexOutOfRangeException)
         {
             // Damaged text that makes the XML reader throw.
-            source.Error("curves.svg", "This is not well-formed XML.", source.Place(1));
+            source.Fail("curves.svg", "This is not well-formed XML.", source.Place(1));
         }
     }
 
@@ -69,7 +67,7 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
         while (Xml.Read())
         {
             if (Xml.NodeType != XmlNodeType.Element) continue;
-            if (Xml.LocalName != "svg") _source.Error("curves.svg", "An SVG file must begin with an svg element.", _xml.Here());
+            if (Xml.LocalName != "svg") source.Fail("curves.svg", "An SVG file must begin with an svg element.", xml.Here());
             else if (!Hides()) ReadContent(page, true);
             return;
         }
@@ -94,12 +92,9 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
         {
             if (Xml.NodeType == XmlNodeType.EndElement) scopes.Pop();
             if (Xml.NodeType != XmlNodeType.Element) continue;
-            _xml.Pulse();
+            xml.Pulse();
             if (scopes.Count > MaxDepth)
-            {
-                _source.Error("curves.svg", "Elements are nested too deeply.", _xml.Here());
-                return false;
-            }
+                return source.Fail("curves.svg", "Elements are nested too deeply.", xml.Here());
             if (!Hides() && !Element(scopes.Peek(), false, scopes)) return false;
         }
         return true;
@@ -107,9 +102,9 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
 
     private bool Hides()
     {
-        if (!_xml.IsHidden()) return false;
-        _source.Diagnostics.Add(Severity.Note, "curves.hidden", "Hidden elements are ignored.", _xml.Here());
-        _xml.SkipContent();
+        if (!xml.IsHidden()) return false;
+        source.Diagnostics.Add(Severity.Note, "curves.hidden", "Hidden elements are ignored.", xml.Here());
+        xml.SkipContent();
         return true;
     }
 
@@ -122,21 +117,21 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
         if (name == "text") return Text(outer);
         if (Definitions.Contains(name) && !isSymbol)
         {
-            _xml.SkipContent();
+            xml.SkipContent();
             return true;
         }
         if (name is not ("svg" or "symbol" or "g" or "a" or "switch") && !Shapes.Contains(name))
         {
             if (name is "image")
             {
-                _source.Diagnostics.Add(Severity.Warning, "curves.svg_" + name, $"\"{name}\" elements are ignored. Convert them to paths.", _xml.Here());
+                source.Diagnostics.Add(Severity.Warning, "curves.svg_" + name, $"\"{name}\" elements are ignored. Convert them to paths.", xml.Here());
             }
             else if (Xml.NamespaceURI is "" or "http://www.w3.org/2000/svg")
             {
-                _source.Diagnostics.Add(Severity.Note, "curves.ignored",
-                    $"Elements without curves are ignored. The first is \"{(name.Length > 30 ? name.Substring(0, 30) : name)}\".", _xml.Here());
+                source.Diagnostics.Add(Severity.Note, "curves.ignored",
+                    $"Elements without curves are ignored. The first is \"{(name.Length > 30 ? name.Substring(0, 30) : name)}\".", xml.Here());
             }
-            _xml.SkipContent();
+            xml.SkipContent();
             return true;
         }
         var empty = Xml.IsEmptyElement;
@@ -151,9 +146,9 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
     {
         var map = outer.Map;
         var (width, height) = (outer.Width, outer.Height);
-        if (_xml.Attribute("transform") is { } transform && !isRoot)
+        if (xml.Attribute("transform") is { } transform && !isRoot)
         {
-            if (SvgValues.Transform(transform) is not { } own) return _xml.Fail<Scope>("transform", "Expected a list of transforms.");
+            if (SvgValues.Transform(transform) is not { } own) return xml.Fail<Scope>("transform", "Expected a list of transforms.");
             map = own.Then(map);
         }
         if (isSvg)
@@ -161,43 +156,43 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
             if (View(isRoot, ref width, ref height) is not { } view) return null;
             map = view.Then(isRoot ? ToMm() : map);
         }
-        return outer.Settings.Inside(_xml, _source.Options) is { } settings ? new Scope(map, settings, width, height) : null;
+        return outer.Settings.Inside(xml, source.Options) is { } settings ? new Scope(map, settings, width, height) : null;
     }
 
     private Affine? View(bool isRoot, ref double width, ref double height)
     {
         double[]? box = null;
-        if (_xml.Attribute("viewBox") is { } text)
+        if (xml.Attribute("viewBox") is { } text)
         {
             box = SvgValues.Numbers(text);
             if (box is not { Length: 4 } || !(box[2] > 0 && box[3] > 0))
             {
-                return _xml.FailValue<Affine>("viewBox", "A viewBox needs four numbers, the last two positive.");
+                return xml.Fail<Affine?>("viewBox", "A viewBox needs four numbers, the last two positive.");
             }
         }
         var ownWidth = Extent("width", box is null ? (isRoot ? 0 : width) : box[2], width, isRoot, out var badWidth);
         var ownHeight = Extent("height", box is null ? (isRoot ? 0 : height) : box[3], height, isRoot, out var badHeight);
         if (_viewport is { } used) (ownWidth, ownHeight, badWidth, badHeight) = (used.Width, used.Height, false, false);
-        if (badWidth || badHeight) return _xml.FailValue<Affine>(badWidth ? "width" : "height", "Expected a length.");
+        if (badWidth || badHeight) return xml.Fail<Affine?>(badWidth ? "width" : "height", "Expected a length.");
         double x = 0, y = 0;
         if (!isRoot)
         {
-            x = SvgValues.Length(_xml.Attribute("x"), width) ?? 0;
-            y = SvgValues.Length(_xml.Attribute("y"), height) ?? 0;
+            x = SvgValues.Length(xml.Attribute("x"), width) ?? 0;
+            y = SvgValues.Length(xml.Attribute("y"), height) ?? 0;
         }
         else
         {
             _pageHeight = ownHeight;
         }
         (width, height) = box is null ? (ownWidth, ownHeight) : (box[2], box[3]);
-        return box is null ? Affine.Move(new Vec3(x, y)) : SvgValues.ViewBox(box, x, y, ownWidth, ownHeight, _xml.Attribute("preserveAspectRatio"));
+        return box is null ? Affine.Move(new Vec3(x, y)) : SvgValues.ViewBox(box, x, y, ownWidth, ownHeight, xml.Attribute("preserveAspectRatio"));
     }
 
     // For the root, a percentage of the unknown window means the size of its viewBox.
     private double Extent(string name, double missing, double whole, bool isRoot, out bool bad)
     {
         bad = false;
-        var text = _xml.Attribute(name);
+        var text = xml.Attribute(name);
         if (text is null || text.Trim() == "auto" || (isRoot && text.Trim().EndsWith("%", StringComparison.Ordinal))) return missing;
         var value = SvgValues.Length(text, whole);
         bad = value is not > 0;
@@ -210,18 +205,18 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
         const double S = 1 / SvgValues.PixelsPerMm;
         if (_pageHeight == 0)
         {
-            _source.Diagnostics.Add(Severity.Note, "curves.svg_page", "The file has no page height. Curves stay below the X axis, as drawn.", _xml.Here());
+            source.Diagnostics.Add(Severity.Note, "curves.svg_page", "The file has no page height. Curves stay below the X axis, as drawn.", xml.Here());
         }
         return new Affine(new Vec3(S, 0), new Vec3(0, -S), Vec3.UnitZ, new Vec3(0, _pageHeight * S));
     }
 
     private bool Shape(string name, Scope scope)
     {
-        var place = _xml.Here();
+        var place = xml.Here();
         var diagonal = Math.Sqrt((scope.Width * scope.Width + scope.Height * scope.Height) / 2);
         double? Length(string attribute)
         {
-            var text = _xml.Attribute(attribute);
+            var text = xml.Attribute(attribute);
             var whole = attribute is "r" ? diagonal : attribute[0] is 'y' || attribute is "cy" or "ry" or "height" ? scope.Height : scope.Width;
             return text is null || text.Trim() == "auto" ? 0 : SvgValues.Length(text, whole);
         }
@@ -229,30 +224,24 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
         IReadOnlyList<Curve>? curves;
         if (name == "path")
         {
-            (curves, empty, var error, var at) = SvgPath.Parse(_xml.Attribute("d") ?? "");
+            (curves, empty, var error, var at) = SvgPath.Parse(xml.Attribute("d") ?? "");
             if (error is not null)
-            {
-                _source.Error("curves.svg_path", error, _xml.InAttribute("d", at));
-                return false;
-            }
+                return source.Fail("curves.svg_path", error, xml.InAttribute("d", at));
         }
         else
         {
             curves = name switch
             {
                 "line" => SvgShapes.Line(Length),
-                "polyline" or "polygon" => SvgShapes.Polyline(_xml.Attribute("points") ?? "", name == "polygon"),
+                "polyline" or "polygon" => SvgShapes.Polyline(xml.Attribute("points") ?? "", name == "polygon"),
                 "circle" => SvgShapes.Ellipse(Length("cx"), Length("cy"), Length("r"), Length("r")),
                 "ellipse" => SvgShapes.Ellipse(Length("cx"), Length("cy"), Length("rx"), Length("ry")),
-                _ => SvgShapes.Rectangle(Length, _xml.Attribute("rx") is { } rx && rx != "auto", _xml.Attribute("ry") is { } ry && ry != "auto"),
+                _ => SvgShapes.Rectangle(Length, xml.Attribute("rx") is { } rx && rx != "auto", xml.Attribute("ry") is { } ry && ry != "auto"),
             };
         }
         if (curves is null)
-        {
-            _source.Error("curves.svg", $"This \"{name}\" element has an invalid attribute.", place);
-            return false;
-        }
-        if (curves.Count == 0 || empty > 0) _source.TooShort(place);
+            return source.Fail("curves.svg", $"This \"{name}\" element has an invalid attribute.", place);
+        if (curves.Count == 0 || empty > 0) source.TooShort(place);
         foreach (var curve in curves) Add(curve, scope, place);
         return true;
     }
@@ -267,49 +256,46 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
         catch (ArgumentException)
         {
             // A map that flattens the curve to a point, or beyond the range of numbers.
-            _source.TooShort(place);
+            source.TooShort(place);
             return;
         }
         if (!placed.Bounds.Min.IsFinite || !placed.Bounds.Max.IsFinite)
         {
-            _source.Error("curves.not_finite", "Coordinates must be finite.", place);
+            source.Fail("curves.not_finite", "Coordinates must be finite.", place);
             return;
         }
-        _source.Curves.Add(scope.Settings.Of(placed, place));
+        source.Curves.Add(scope.Settings.Of(placed, place));
     }
 
     // False after an error.
     private bool Use(Scope outer)
     {
         if (Enter(outer, false, false) is not { } scope) return false;
-        var place = _xml.Here();
-        var href = (_xml.Attribute("href") ?? Xml.GetAttribute("href", "http://www.w3.org/1999/xlink") ?? "").Trim();
-        double Length(string name, double whole, double missing) => SvgValues.Length(_xml.Attribute(name), whole) ?? missing;
+        var place = xml.Here();
+        var href = (xml.Attribute("href") ?? Xml.GetAttribute("href", "http://www.w3.org/1999/xlink") ?? "").Trim();
+        double Length(string name, double whole, double missing) => SvgValues.Length(xml.Attribute(name), whole) ?? missing;
         var move = Affine.Move(new Vec3(Length("x", scope.Width, 0), Length("y", scope.Height, 0)));
         var viewport = (Length("width", scope.Width, scope.Width), Length("height", scope.Height, scope.Height));
-        _xml.SkipContent();
-        if (href.Length < 2 || href[0] != '#' || !_xml.Named().TryGetValue(href.Substring(1), out var target))
+        xml.SkipContent();
+        if (href.Length < 2 || href[0] != '#' || !xml.Named().TryGetValue(href.Substring(1), out var target))
         {
-            _source.Diagnostics.Add(Severity.Warning, "curves.svg_use", "The target of this \"use\" element is not in the file. It is ignored.", place);
+            source.Diagnostics.Add(Severity.Warning, "curves.svg_use", "The target of this \"use\" element is not in the file. It is ignored.", place);
             return true;
         }
         if (++_uses > MaxUses || _useDepth == MaxUseDepth)
+            return source.Fail("curves.svg", "\"use\" elements refer to each other, or the file has too many of them.", place);
+        if (source.Options.Memory.Refuse(source.Curves.Count * BytesPerCurve, "The curves that \"use\" elements repeat", place) is { } tooMuch)
         {
-            _source.Error("curves.svg", "\"use\" elements refer to each other, or the file has too many of them.", place);
+            source.Diagnostics.Add(tooMuch);
             return false;
         }
-        if (_source.Options.Memory.Refuse(_source.Curves.Count * BytesPerCurve, "The curves that \"use\" elements repeat", place) is { } tooMuch)
-        {
-            _source.Diagnostics.Add(tooMuch);
-            return false;
-        }
-        var kept = _xml.Reader;
+        var kept = xml.Reader;
         _useDepth++;
-        _xml.Reader = target.CreateReader();
+        xml.Reader = target.CreateReader();
         _viewport = viewport;
         var good = ReadInside(scope with { Map = move.Then(scope.Map) });
         _viewport = null;
-        _xml.Reader = kept;
+        xml.Reader = kept;
         _useDepth--;
         return good;
     }
@@ -318,9 +304,9 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
     private bool Text(Scope outer)
     {
         if (Enter(outer, false, false) is not { } scope) return false;
-        var place = _xml.Here();
+        var place = xml.Here();
         var cap = FontSize() * CapHeight;
-        var anchor = _xml.Attribute("text-anchor") ?? _xml.Style("text-anchor") ?? "start";
+        var anchor = xml.Attribute("text-anchor") ?? xml.Style("text-anchor") ?? "start";
         var (x, y) = (0.0, 0.0);
         Place(scope, ref x, ref y);
         if (Xml.IsEmptyElement) return true;
@@ -331,7 +317,7 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
             if (Xml.NodeType is not (XmlNodeType.Text or XmlNodeType.CDATA) || !(cap > 0)) continue;
             var line = OneLine(Xml.Value);
             if (line.Any(c => !StrokeFont.Has(c)))
-                _source.Diagnostics.Add(Severity.Warning, "curves.svg_letters", "Characters missing from the single-line font are drawn as boxes.", place);
+                source.Diagnostics.Add(Severity.Warning, "curves.svg_letters", "Characters missing from the single-line font are drawn as boxes.", place);
             var width = StrokeFont.Advance(line, cap);
             var start = anchor == "middle" ? x - width / 2 : anchor == "end" ? x - width : x;
             foreach (var stroke in StrokeFont.Strokes(line, cap))
@@ -344,7 +330,7 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
     // Where an element of text begins; what it does not say goes on from before.
     private void Place(Scope scope, ref double x, ref double y)
     {
-        double? First(string name, double whole) => _xml.Attribute(name) is { } list
+        double? First(string name, double whole) => xml.Attribute(name) is { } list
             ? SvgValues.Length(list.Trim().Split(' ', ',')[0], whole) : null;
         x = (First("x", scope.Width) ?? x) + (First("dx", scope.Width) ?? 0);
         y = (First("y", scope.Height) ?? y) + (First("dy", scope.Height) ?? 0);
@@ -352,7 +338,7 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
 
     private double FontSize()
     {
-        var text = _xml.Attribute("font-size") ?? _xml.Style("font-size");
+        var text = xml.Attribute("font-size") ?? xml.Style("font-size");
         return SvgValues.Length(text, UsualSize) is { } size && size <= 1e6 ? size : UsualSize;
     }
 

@@ -26,14 +26,8 @@ internal sealed record SvgSettings(double?[] Values, double Z, int Tool, int? La
             if (Value(height, 0) is not { } value) return xml.Fail<SvgSettings>("data-z", "The height must be a number in mm.");
             z = value;
         }
-        if (xml.Attribute("data-tool") is { } toolText)
-        {
-            if (!NumberReader.TryParseInt(toolText.Trim(), out tool)
-                || tool is < 0 or > 1000)
-            {
-                return xml.Fail<SvgSettings>("data-tool", "The tool must be a number from 0 to 1000.");
-            }
-        }
+        if (xml.Attribute("data-tool") is { } toolText && (!NumberReader.TryParseInt(toolText.Trim(), out tool) || tool is < 0 or > 1000))
+            return xml.Fail<SvgSettings>("data-tool", "The tool must be a number from 0 to 1000.");
         if (xml.Attribute("data-layer") is { } layerText)
         {
             if (!NumberReader.TryParseInt(layerText.Trim(), out var number)) return xml.Fail<SvgSettings>("data-layer", "The layer must be an integer.");

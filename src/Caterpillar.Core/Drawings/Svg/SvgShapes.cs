@@ -6,7 +6,7 @@ internal static class SvgShapes
     public static IReadOnlyList<Curve>? Line(Func<string, double?> length)
     {
         if (length("x1") is not { } x1 || length("y1") is not { } y1 || length("x2") is not { } x2 || length("y2") is not { } y2) return null;
-        return x1 == x2 && y1 == y2 ? [] : [new LineCurve(new Vec3(x1, y1), new Vec3(x2, y2))];
+        return x1 == x2 && y1 == y2 ? [] : [new PolylineCurve([new Vec3(x1, y1), new Vec3(x2, y2)])];
     }
 
     public static IReadOnlyList<Curve>? Polyline(string text, bool closed)
@@ -36,11 +36,9 @@ internal static class SvgShapes
 
     public static IReadOnlyList<Curve>? Rectangle(Func<string, double?> length, bool hasRx, bool hasRy)
     {
-        if (length("x") is not { } x || length("y") is not { } y || length("width") is not { } w || length("height") is not { } h || w < 0
-            || h < 0)
-        {
+        if (length("x") is not { } x || length("y") is not { } y || length("width") is not (>= 0 and var w)
+            || length("height") is not (>= 0 and var h))
             return null;
-        }
         if (w == 0 || h == 0) return [];
         var rx = hasRx ? length("rx") : hasRy ? length("ry") : 0;
         var ry = hasRy ? length("ry") : hasRx ? length("rx") : 0;
@@ -56,11 +54,11 @@ internal static class SvgShapes
             var (sin, cos) = Angle.SinCos(90 * (i - 1));
             var unit = new ArcCurve(Frame.FromAxes(Vec3.Zero, new Vec3(cos, sin), new Vec3(-sin, cos)), 1, 90);
             var arc = unit.Transformed(new Affine(new Vec3(a, 0), new Vec3(0, b), Vec3.UnitZ, corners[i]));
-            if (here.DistanceTo(arc.Start) > 1e-12) pieces.Add(new LineCurve(here, arc.Start));
+            if (here.DistanceTo(arc.Start) > 1e-12) pieces.Add(new PolylineCurve([here, arc.Start]));
             pieces.Add(arc);
             here = arc.End;
         }
-        if (here.DistanceTo(new Vec3(x + a, y)) > 1e-12) pieces.Add(new LineCurve(here, new Vec3(x + a, y)));
+        if (here.DistanceTo(new Vec3(x + a, y)) > 1e-12) pieces.Add(new PolylineCurve([here, new Vec3(x + a, y)]));
         return [new PolyCurve(pieces)];
     }
 }

@@ -34,8 +34,7 @@ internal static class SvgValues
     /// <summary>Numbers separated by spaces or commas.</summary>
     public static double[]? Numbers(string text)
     {
-        var bytes = new byte[text.Length];
-        for (var i = 0; i < bytes.Length; i++) bytes[i] = text[i] < 128 ? (byte)text[i] : (byte)'?';
+        var bytes = Encoding.ASCII.GetBytes(text);
         var values = new List<double>();
         for (var at = 0; ;)
         {
@@ -59,11 +58,8 @@ internal static class SvgValues
             if (at == text.Length) return map;
             var open = text.IndexOf('(', at);
             var close = open < 0 ? -1 : text.IndexOf(')', open);
-            if (close < 0 || Numbers(text.Substring(open + 1, close - open - 1)) is not { } n
-                || One(text.Substring(at, open - at).Trim(), n) is not { } next)
-            {
-                return null;
-            }
+            if (close < 0 || Numbers(text.Substring(open + 1, close - open - 1)) is not { } n) return null;
+            if (One(text.Substring(at, open - at).Trim(), n) is not { } next) return null;
             map = next.Then(map);
             at = close + 1;
         }

@@ -111,18 +111,11 @@ internal sealed class SvgXml
         return _source.Place(line + 1, at - _lines[line] + 1);
     }
 
+    /// <summary>An error at an attribute; the default of a type, for what comes of it.</summary>
     public T? Fail<T>(string attribute, string message)
-        where T : class
     {
-        _source.Error("curves.svg", message, InAttribute(attribute, 0));
-        return null;
-    }
-
-    public T? FailValue<T>(string attribute, string message)
-        where T : struct
-    {
-        _source.Error("curves.svg", message, InAttribute(attribute, 0));
-        return null;
+        _source.Fail("curves.svg", message, InAttribute(attribute, 0));
+        return default;
     }
 
     private int LineStart(int line) => line >= 1 && line <= _lines.Length ? _lines[line - 1] : 0;

@@ -12,15 +12,13 @@ internal sealed class CsvCurves(CurveSource source)
 {
     private const int MaxColumns = 64;
 
-    private readonly CurveSource _source = source;
     private readonly byte[] _bytes = source.Bytes;
     private readonly List<double>?[] _values = new List<double>?[CurveColumns.Settings];
     private readonly int[] _starts = new int[MaxColumns];
     private readonly int[] _ends = new int[MaxColumns];
     private CurveColumn[]? _columns;
     private byte _delimiter;
-    private Vec3[] _points = new Vec3[256];
-    private int _count;
+    private readonly List<Vec3> _points = [];
     private int _curveLine;
     private int _line = 1;
     private int _lineStart;
@@ -40,7 +38,7 @@ internal sealed class CsvCurves(CurveSource source)
         var lineEnd = Array.IndexOf(_bytes, (byte)'\n') < 0 ? (byte)'\r' : (byte)'\n';
         for (var at = ByteOrderMark.Length(_bytes); at < _bytes.Length; _line++)
         {
-            if ((_line & 0x3FFF) == 0) _source.Pulse(at, _bytes.Length);
+            if ((_line & 0x3FFF) == 0) source.Pulse(at, _bytes.Length);
             _lineStart = at;
             var end = Array.IndexOf(_bytes, lineEnd, at);
             if (end < 0) end = _bytes.Length;
@@ -66,7 +64,7 @@ internal sealed class CsvCurves(CurveSource source)
         if (cells < 0) return Fail("curves.csv", "A row has more than 64 cells.", start);
         if (_columns is null)
         {
-            if (!Names(cells)) return !_source.Diagnostics.HasErrors;
+            if (!Names(cells)) return !source.Diagnostics.HasErrors;
         }
         return Row(cells);
     }
@@ -89,10 +87,9 @@ internal sealed class CsvCurves(CurveSource source)
 
     private void Add(double x, double y, double z)
     {
-        if (_count == 0) _curveLine = _line;
-        if (_count == _points.Length) Array.Resize(ref _points, _count * 2);
-        var unit = _source.Options.UnitLength;
-        _points[_count++] = new Vec3(x * unit, y * unit, z * unit);
+        if (_points.Count == 0) _curveLine = _line;
+        var unit = source.Options.UnitLength;
+        _points.Add(new Vec3(x * unit, y * unit, z * unit));
     }
 
     // True if the row already holds values: then the columns are x, y and z.
@@ -102,40 +99,31 @@ internal sealed class CsvCurves(CurveSource source)
         for (var i = 0; i < cells; i++) words |= !TryNumber(i, out _, out _);
         if (!words)
         {
-            if (cells is 2 or 3)
-            {
-                _columns = cells == 2 ? [CurveColumn.X, CurveColumn.Y] : [CurveColumn.X, CurveColumn.Y, CurveColumn.Z];
-                return true;
-            }
-            Fail("curves.csv", "Expected rows of x, y and z. Other columns need a first line with their names, for example x,y,z,width,speed.", _starts[0]);
-            return false;
+            if (cells is not (2 or 3))
+                return Fail("curves.csv", "Expected rows of x, y and z. Other columns need a first line with their names, for example x,y,z,width,speed.",
+                    _starts[0]);
+            _columns = cells == 2 ? [CurveColumn.X, CurveColumn.Y] : [CurveColumn.X, CurveColumn.Y, CurveColumn.Z];
+            return true;
         }
         _columns = new CurveColumn[cells];
         var seen = new bool[(int)CurveColumn.Key + 1];
         for (var i = 0; i < cells; i++)
         {
-            var name = Encoding.UTF8.GetString(_bytes, _starts[i], _ends[i] - _starts[i]);
+            var name = Cell(i);
             var column = CurveColumns.Of(name);
             _columns[i] = column;
             if (column == CurveColumn.Ignored)
             {
-                _source.Diagnostics.Add(Severity.Warning, "curves.ignored", $"Unknown column \"{Short(name)}\" is ignored.", At(_starts[i]));
+                source.Diagnostics.Add(Severity.Warning, "curves.ignored", $"Unknown column \"{Short(name)}\" is ignored.", At(_starts[i]));
                 continue;
             }
-            if (seen[(int)column])
-            {
-                Fail("curves.csv", $"The column \"{Short(name)}\" occurs twice.", _starts[i]);
-                return false;
-            }
+            if (seen[(int)column]) return Fail("curves.csv", $"The column \"{Short(name)}\" occurs twice.", _starts[i]);
             seen[(int)column] = true;
             var setting = column - CurveColumn.Area;
             if (setting is >= 0 and < CurveColumns.Settings) _values[setting] = [];
         }
-        if (!(seen[(int)CurveColumn.X] && seen[(int)CurveColumn.Y]))
-        {
-            Fail("curves.csv", "The first line must contain numbers, or the column names x and y.", _starts[0]);
-        }
-        return false;
+        return seen[(int)CurveColumn.X] && seen[(int)CurveColumn.Y] ? false
+            : Fail("curves.csv", "The first line must contain numbers, or the column names x and y.", _starts[0]);
     }
 
     private bool Row(int cells)
@@ -147,7 +135,7 @@ internal sealed class CsvCurves(CurveSource source)
         }
         var key = Array.IndexOf(columns, CurveColumn.Key);
         if (key >= 0 && !SameKey(_starts[key], _ends[key])) EndCurve();
-        if (_count == 0)
+        if (_points.Count == 0)
         {
             _curveLine = _line;
             (_keyStart, _keyEnd) = key >= 0 ? (_starts[key], _ends[key]) : (0, 0);
@@ -162,14 +150,10 @@ internal sealed class CsvCurves(CurveSource source)
             {
                 return Fail("curves.percent", CurveColumns.NoPercentage, _starts[i]);
             }
-            if (column > CurveColumn.Z && value < 0
-                && column != CurveColumn.Layer)
-            {
-                return Fail("curves.bead", CurveColumns.Negative, _starts[i]);
-            }
+            if (column > CurveColumn.Z && value < 0 && column != CurveColumn.Layer) return Fail("curves.bead", CurveColumns.Negative, _starts[i]);
             if (column - CurveColumn.Area is >= 0 and < CurveColumns.Settings and var setting) _values[setting]!.Add(value);
             else if (column != CurveColumn.Dot) _row[(int)column] = value;
-            else if (value > 0) _dots.Add((_count, value));
+            else if (value > 0) _dots.Add((_points.Count, value));
         }
         if (Given(CurveColumn.Tool) is > 1000 || Given(CurveColumn.Layer) is > 1e8 or < -1e8)
             return Fail("curves.number", "The tool or layer number is out of range.", _starts[0]);
@@ -181,12 +165,11 @@ internal sealed class CsvCurves(CurveSource source)
 
     private void EndCurve()
     {
-        if (_count == 0) return;
-        var points = new Vec3[_count];
-        Array.Copy(_points, points, _count);
+        if (_points.Count == 0) return;
+        var points = _points.ToArray();
         var columns = Array.ConvertAll(_values, v => v?.ToArray());
         foreach (var column in _values) column?.Clear();
-        _count = 0;
+        _points.Clear();
         if (_dots.Count == 0)
         {
             Add(points, columns, 0);
@@ -203,27 +186,22 @@ internal sealed class CsvCurves(CurveSource source)
         _dots.Clear();
         var last = points.Length - 1;
         if (from < last) Add(Part(points, from, last), Array.ConvertAll(columns, c => c is null ? null : Part(c, from, last)), volume);
-        else _source.Curves.Add(With(UserCurve.DotAt(points[last], volume)));
+        else source.Curves.Add(With(UserCurve.DotAt(points[last], volume)));
     }
 
-    private static T[] Part<T>(T[] values, int from, int to)
-    {
-        var part = new T[to - from + 1];
-        Array.Copy(values, from, part, 0, part.Length);
-        return part;
-    }
+    private static T[] Part<T>(T[] values, int from, int to) => new ArraySegment<T>(values, from, to - from + 1).ToArray();
 
     private void Add(Vec3[] points, double[]?[] columns, double dot)
     {
         if (dot > 0 && Array.TrueForAll(points, p => p == points[0]))
         {
-            _source.Curves.Add(With(UserCurve.DotAt(points[0], dot)));
+            source.Curves.Add(With(UserCurve.DotAt(points[0], dot)));
             return;
         }
-        var curve = _source.Polyline(points, false, _source.Place(_curveLine), out var endDropped);
+        var curve = source.Polyline(points, false, source.Place(_curveLine), out var endDropped);
         if (curve is null) return;
         if (endDropped) columns = CurveColumns.Shortened(columns, points.Length - 1);
-        _source.Curves.Add(CurveColumns.WithValues(With(new UserCurve(curve) { Dot = dot }), columns));
+        source.Curves.Add(CurveColumns.WithValues(With(new UserCurve(curve) { Dot = dot }), columns));
     }
 
     private UserCurve With(UserCurve curve) => curve with
@@ -232,12 +210,12 @@ internal sealed class CsvCurves(CurveSource source)
         Flow = Given(CurveColumn.Flow),
         Tool = (int)(Given(CurveColumn.Tool) ?? 0),
         Layer = Given(CurveColumn.Layer) is { } layer ? new Layer((int)layer, curve.Curve.Bounds.Max.Z) : null,
-        Source = _source.Place(_curveLine),
+        Source = source.Place(_curveLine),
     };
 
     private bool SameKey(int start, int end)
     {
-        if (_count == 0) return true;
+        if (_points.Count == 0) return true;
         if (end - start != _keyEnd - _keyStart) return false;
         for (var i = 0; i < end - start; i++)
         {
@@ -299,13 +277,9 @@ internal sealed class CsvCurves(CurveSource source)
     {
         value = 0;
         var comma = Array.IndexOf(_bytes, (byte)',', start, end - start);
-        if (comma < 0 || Array.IndexOf(_bytes, (byte)',', comma + 1, end - comma - 1) >= 0
-            || Array.IndexOf(_bytes, (byte)'.', start, end - start) >= 0)
-        {
+        if (comma < 0 || Array.IndexOf(_bytes, (byte)',', comma + 1, end - comma - 1) >= 0 || Array.IndexOf(_bytes, (byte)'.', start, end - start) >= 0)
             return false;
-        }
-        var copy = new byte[end - start];
-        Array.Copy(_bytes, start, copy, 0, copy.Length);
+        var copy = Part(_bytes, start, end - 1);
         copy[comma - start] = (byte)'.';
         return NumberReader.TryParse(copy, 0, copy.Length, out value);
     }
@@ -320,7 +294,7 @@ internal sealed class CsvCurves(CurveSource source)
 
     private bool Resolve(CurveColumn column, ref double value)
     {
-        var reference = CurveColumns.Whole(column, _source.Options);
+        var reference = CurveColumns.Whole(column, source.Options);
         value = value / 100 * reference;
         return reference > 0;
     }
@@ -329,11 +303,7 @@ internal sealed class CsvCurves(CurveSource source)
 
     private static string Short(string text) => text.Length > 30 ? text.Substring(0, 30) + "…" : text;
 
-    private SourceLocation At(int offset) => _source.Place(_line, offset - _lineStart + 1);
+    private SourceLocation At(int offset) => source.Place(_line, offset - _lineStart + 1);
 
-    private bool Fail(string code, string message, int offset)
-    {
-        _source.Error(code, message, At(offset));
-        return false;
-    }
+    private bool Fail(string code, string message, int offset) => source.Fail(code, message, At(offset));
 }

@@ -95,15 +95,5 @@ internal static class CurveColumns
     }
 
     /// <summary>The columns with only their first values.</summary>
-    public static double[]?[] Shortened(double[]?[] columns, int count)
-    {
-        var shorter = new double[]?[columns.Length];
-        for (var i = 0; i < columns.Length; i++)
-        {
-            if (columns[i] is not { } column) continue;
-            shorter[i] = new double[count];
-            System.Array.Copy(column, shorter[i]!, count);
-        }
-        return shorter;
-    }
+    public static double[]?[] Shortened(double[]?[] columns, int count) => System.Array.ConvertAll(columns, c => c?.Take(count).ToArray());
 }

@@ -22,7 +22,11 @@ internal sealed class CurveSource(
 
     public SourceLocation Place(int line, int? column = null, string? key = null) => new(Name, line, column, key);
 
-    public void Error(string code, string message, SourceLocation place) => Diagnostics.Add(Severity.Error, code, message, place);
+    public bool Fail(string code, string message, SourceLocation place)
+    {
+        Diagnostics.Add(Severity.Error, code, message, place);
+        return false;
+    }
 
     /// <summary>A curve of fewer than two different points.</summary>
     public void TooShort(SourceLocation place)
@@ -33,9 +37,7 @@ internal sealed class CurveSource(
     {
         endDropped = false;
         var count = points.Length;
-        var different = false;
-        for (var i = 1; i < count && !different; i++) different = points[i] != points[0];
-        if (!different)
+        if (Array.TrueForAll(points, p => p == points[0]))
         {
             TooShort(place);
             return null;

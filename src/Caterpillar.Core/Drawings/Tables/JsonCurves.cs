@@ -22,7 +22,6 @@ internal sealed class JsonCurves(CurveSource source)
         ["curves", "units", "points", "closed", "degree", "knots", "weights", "periodic", "center", "radius", "start", "sweep", "pieces", "name", "tool",
             "layer", "dot", .. Settings];
 
-    private readonly CurveSource _source = source;
     private double _unit = source.Options.UnitLength;
 
     public static void Read(CurveSource source)
@@ -42,13 +41,13 @@ internal sealed class JsonCurves(CurveSource source)
         }
         catch (JsonReaderException e)
         {
-            source.Error("curves.json", FirstSentence(e.Message), source.Place(Math.Max(1, e.LineNumber), Math.Max(1, e.LinePosition)));
+            source.Fail("curves.json", FirstSentence(e.Message), source.Place(Math.Max(1, e.LineNumber), Math.Max(1, e.LinePosition)));
             return;
         }
         catch (Exception e) when (e is OverflowException or FormatException or ArgumentException or InvalidCastException)
         {
             // The library does not check the range of numbers.
-            source.Error("curves.json", "A number is out of range.", source.Place(Math.Max(1, reader.LineNumber), Math.Max(1, reader.LinePosition)));
+            source.Fail("curves.json", "A number is out of range.", source.Place(Math.Max(1, reader.LineNumber), Math.Max(1, reader.LinePosition)));
             return;
         }
         new JsonCurves(source).Root(root);
@@ -99,7 +98,7 @@ internal sealed class JsonCurves(CurveSource source)
     {
         for (var i = 0; i < list.Count; i++)
         {
-            if ((i & 0xFF) == 0) _source.Pulse(i, list.Count);
+            if ((i & 0xFF) == 0) source.Pulse(i, list.Count);
             if (!Curve(list[i], outer)) return;
         }
     }
@@ -107,7 +106,7 @@ internal sealed class JsonCurves(CurveSource source)
     // False where nothing more is to be read.
     private bool Curve(JToken token, JObject[] outer)
     {
-        var goesOn = _source.Diagnostics.HasErrors;
+        var goesOn = source.Diagnostics.HasErrors;
         try
         {
             var values = new double[]?[CurveColumns.Settings];
@@ -116,7 +115,7 @@ internal sealed class JsonCurves(CurveSource source)
             var user = new UserCurve(curve) { Source = Place(token) };
             // From the outside in: inner settings win.
             foreach (var holder in token is JObject own ? outer.Concat([own]) : outer) user = Apply(user, holder);
-            _source.Curves.Add(CurveColumns.WithValues(user, values));
+            source.Curves.Add(CurveColumns.WithValues(user, values));
             return true;
         }
         catch (CurveException problem)
@@ -176,7 +175,7 @@ internal sealed class JsonCurves(CurveSource source)
         }
         catch (ArgumentException e)
         {
-            throw new CurveException("curves.json", FirstSentence(e.Message), token);
+            throw new CurveException("curves.json", FirstSentence(Messages.Clean(e)), token);
         }
     }
 
@@ -222,7 +221,7 @@ internal sealed class JsonCurves(CurveSource source)
             points[i] = Point(list[i], rows[i]);
         }
         if (points.Length == 1 && token is JObject { } holder && holder["dot"] is not null) return new PolylineCurve([points[0], points[0]]);
-        var curve = _source.Polyline(points, closed, Place(token), out var endDropped);
+        var curve = source.Polyline(points, closed, Place(token), out var endDropped);
         if (curve is null || values is null) return curve;
         for (var c = 0; c < CurveColumns.Settings; c++)
         {
@@ -276,7 +275,7 @@ internal sealed class JsonCurves(CurveSource source)
         if (token.Type == JTokenType.String && ((string)token!).Trim() is { Length: > 1 } text && text[text.Length - 1] == '%'
             && NumberReader.TryParse(text.Substring(0, text.Length - 1).Trim(), out var percent))
         {
-            var reference = CurveColumns.Whole(CurveColumns.Of(key), _source.Options);
+            var reference = CurveColumns.Whole(CurveColumns.Of(key), source.Options);
             if (!(reference > 0)) throw new CurveException("curves.percent", CurveColumns.NoPercentage, token);
             value = percent / 100 * reference;
         }
@@ -304,25 +303,21 @@ internal sealed class JsonCurves(CurveSource source)
         foreach (var property in holder.Properties())
         {
             if (Array.IndexOf(Known, property.Name) < 0)
-                _source.Diagnostics.Add(Severity.Warning, "curves.ignored",
+                source.Diagnostics.Add(Severity.Warning, "curves.ignored",
                     $"Unknown key \"{(property.Name.Length > 30 ? property.Name.Substring(0, 30) : property.Name)}\" is ignored.",
                     Place(property));
         }
     }
 
     private SourceLocation Place(JToken token)
-        => token is IJsonLineInfo info && info.HasLineInfo() ? _source.Place(info.LineNumber, info.LinePosition) : new SourceLocation(_source.Name);
+        => token is IJsonLineInfo info && info.HasLineInfo() ? source.Place(info.LineNumber, info.LinePosition) : new SourceLocation(source.Name);
 
-    private void Report(CurveException problem) => _source.Error(problem.Code, problem.Message, Place(problem.Token));
+    private void Report(CurveException problem) => source.Fail(problem.Code, problem.Message, Place(problem.Token));
 
     private static string FirstSentence(string message)
     {
         var end = message.IndexOf(". ", StringComparison.Ordinal);
-        var text = end > 0 ? message.Substring(0, end + 1) : message;
-        var parameter = text.IndexOf(" (Parameter", StringComparison.Ordinal);
-        if (parameter < 0) parameter = text.IndexOf("\nParameter", StringComparison.Ordinal);
-        text = parameter > 0 ? text.Substring(0, parameter) : text;
-        return text.Trim();
+        return end > 0 ? message.Substring(0, end + 1) : message;
     }
 
     // Ends the curve at hand.

@@ -5,8 +5,7 @@ namespace Caterpillar.Drawings;
 /// <summary>The polylines of Wavefront OBJ: <c>v</c> and <c>l</c> with positive and negative numbers of vertices, named by <c>o</c> and <c>g</c>.</summary>
 internal sealed class ObjCurves(CurveSource source)
 {
-    private readonly CurveSource _source = source;
-    private readonly TextCursor _cursor = new TextCursor(source.Bytes, ByteOrderMark.Length(source.Bytes), source.Bytes.Length);
+    private readonly TextCursor _cursor = new(source.Bytes, ByteOrderMark.Length(source.Bytes), source.Bytes.Length);
     private readonly List<Vec3> _vertices = [];
     private int _line = 1;
     private int _lineStart;
@@ -25,7 +24,7 @@ internal sealed class ObjCurves(CurveSource source)
                 if (_cursor.Bytes[counted] != '\n') continue;
                 _line++;
                 _lineStart = counted + 1;
-                if ((_line & 0x3FFF) == 0) _source.Pulse(counted, _cursor.End);
+                if ((_line & 0x3FFF) == 0) source.Pulse(counted, _cursor.End);
             }
             var start = _cursor.SkipWord();
             var good = true;
@@ -41,15 +40,9 @@ internal sealed class ObjCurves(CurveSource source)
 
     private bool Vertex()
     {
-        double x = 0, y = 0, z = 0;
-        var good = _cursor.SkipSpaces() && _cursor.ReadNumber(out x) && _cursor.SkipSpaces() && _cursor.ReadNumber(out y) && _cursor.SkipSpaces()
-            && _cursor.ReadNumber(out z);
-        if (!good)
-        {
-            _source.Error("curves.obj", "A vertex needs three numbers.", At(_cursor.At));
-            return false;
-        }
-        _vertices.Add(new Vec3(x, y, z) * _source.Options.UnitLength);
+        if (!_cursor.ReadPoint(withinLine: true, out var x, out var y, out var z))
+            return source.Fail("curves.obj", "A vertex needs three numbers.", At(_cursor.At));
+        _vertices.Add(new Vec3(x, y, z) * source.Options.UnitLength);
         return true;
     }
 
@@ -60,29 +53,20 @@ internal sealed class ObjCurves(CurveSource source)
         {
             if (_cursor.Bytes[_cursor.At] == '#') break;
             var start = _cursor.SkipWord();
-            var end = System.Array.IndexOf(_cursor.Bytes, (byte)'/', start, _cursor.At - start);
-            if (!NumberReader.TryParse(_cursor.Bytes, start, end < 0 ? _cursor.At : end, out var number) || number != System.Math.Floor(number))
-            {
-                _source.Error("curves.obj", "The points of a line must be vertex numbers.", At(start));
-                return false;
-            }
+            var end = Array.IndexOf(_cursor.Bytes, (byte)'/', start, _cursor.At - start);
+            if (!NumberReader.TryParse(_cursor.Bytes, start, end < 0 ? _cursor.At : end, out var number) || number != Math.Floor(number))
+                return source.Fail("curves.obj", "The points of a line must be vertex numbers.", At(start));
             var index = number < 0 ? _vertices.Count + number : number - 1;
             if (!(index >= 0 && index < _vertices.Count))
-            {
-                _source.Error("curves.obj", $"A line uses vertex {NumberFormatter.Format(number, 0)}, which is not defined before it.", At(start));
-                return false;
-            }
+                return source.Fail("curves.obj", $"A line uses vertex {NumberFormatter.Format(number, 0)}, which is not defined before it.", At(start));
             var point = _vertices[(int)index];
             if (!point.IsFinite)
-            {
-                _source.Error("curves.not_finite", "A line uses a vertex that is not finite.", At(start));
-                return false;
-            }
+                return source.Fail("curves.not_finite", "A line uses a vertex that is not finite.", At(start));
             points.Add(point);
         }
         var place = At(lineAt);
-        var curve = _source.Polyline(points.ToArray(), false, place, out _);
-        if (curve is not null) _source.Curves.Add(new UserCurve(curve) { Name = _name, Source = place });
+        var curve = source.Polyline(points.ToArray(), false, place, out _);
+        if (curve is not null) source.Curves.Add(new UserCurve(curve) { Name = _name, Source = place });
         return true;
     }
 
@@ -98,10 +82,10 @@ internal sealed class ObjCurves(CurveSource source)
     private void Other(int start)
     {
         if (_cursor.Bytes[start] == '#') return;
-        if (_cursor.WordIs(start, "f")) _source.Diagnostics.Add(Severity.Note, "curves.faces", "Faces are not curves and are ignored.", At(start));
+        if (_cursor.WordIs(start, "f")) source.Diagnostics.Add(Severity.Note, "curves.faces", "Faces are not curves and are ignored.", At(start));
         else if (_cursor.WordIs(start, "curv") || _cursor.WordIs(start, "cstype"))
-            _source.Diagnostics.Add(Severity.Warning, "curves.unsupported", "Free-form OBJ curves are ignored. Only l elements are read.", At(start));
+            source.Diagnostics.Add(Severity.Warning, "curves.unsupported", "Free-form OBJ curves are ignored. Only l elements are read.", At(start));
     }
 
-    private SourceLocation At(int offset) => _source.Place(_line, offset - _lineStart + 1);
+    private SourceLocation At(int offset) => source.Place(_line, offset - _lineStart + 1);
 }

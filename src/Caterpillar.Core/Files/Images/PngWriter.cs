@@ -1,12 +1,10 @@
-using System.IO.Compression;
-
 namespace Caterpillar.Files;
 
-/// <summary>Writes images as PNG (8 bits per channel, no alpha).</summary>
+/// <summary>Writes images as PNG (8 bits per channel, no alpha): the same bytes on every runtime.</summary>
 public static class PngWriter
 {
-    /// <summary>The bytes of a PNG file.</summary>
-    public static byte[] ToBytes(RasterImage image)
+    /// <summary>The bytes of a PNG file. Pixels of the <paramref name="clear"/> color are transparent; null = none.</summary>
+    public static byte[] ToBytes(RasterImage image, Rgb? clear = null)
     {
         if (image is null) throw new ArgumentNullException(nameof(image));
         using var file = new MemoryStream();
@@ -17,6 +15,7 @@ public static class PngWriter
         header[8] = 8;
         header[9] = 2;
         Chunk(file, "IHDR", header);
+        if (clear is { } color) Chunk(file, "tRNS", [0, color.R, 0, color.G, 0, color.B]);
         Chunk(file, "IDAT", Compressed(Filtered(image)));
         Chunk(file, "IEND", []);
         return file.ToArray();
@@ -42,7 +41,8 @@ public static class PngWriter
         using var memory = new MemoryStream();
         memory.WriteByte(0x78);
         memory.WriteByte(0x9C);
-        using (var deflate = new DeflateStream(memory, CompressionLevel.Optimal, leaveOpen: true)) deflate.Write(data, 0, data.Length);
+        var packed = DeflateWriter.Pack(data);
+        memory.Write(packed, 0, packed.Length);
         uint a = 1, b = 0;
         foreach (var value in data)
         {

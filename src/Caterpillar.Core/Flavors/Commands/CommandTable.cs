@@ -1,3 +1,5 @@
+using Caterpillar.Files;
+
 namespace Caterpillar.Flavors;
 
 /// <summary>Every command of every flavor, from <c>Commands.tsv</c>. A row is read when one of its commands is met.</summary>
@@ -10,9 +12,7 @@ internal sealed class CommandTable
 
     private CommandTable()
     {
-        using var stream = typeof(CommandTable).Assembly.GetManifestResourceStream("flavors/Commands.tsv")!;
-        using var reader = new StreamReader(stream);
-        var lines = reader.ReadToEnd().Split(['\r', '\n'], StringSplitOptions.RemoveEmptyEntries);
+        var lines = EmbeddedText.Lines("flavors/Commands.tsv");
         _notes = lines.TakeWhile(l => l[0] == '#').ToArray();
         _rows = lines.Skip(_notes.Length + 1).ToArray();
         _byHash = _rows.SelectMany(r => NamesOf(r).Select(n => (Row: r, Hash: CommandText.HashOf(n)))).ToLookup(r => r.Hash, r => r.Row);

@@ -1,9 +1,11 @@
+using Caterpillar.Files;
+
 namespace Caterpillar.Flavors;
 
 /// <summary>Commands of one flavor in the words of another, from <c>Equivalents.tsv</c>.</summary>
 internal static class Equivalents
 {
-    private static readonly Lazy<string[][]> Rows = new(Read);
+    private static readonly Lazy<string[][]> Rows = new(() => EmbeddedText.Rows("flavors/Equivalents.tsv"));
 
     /// <summary>A line without comment in the words of another flavor.</summary>
     /// <returns>The lines, none if the other flavor has no such command, or null if the table does not have the line.</returns>
@@ -99,12 +101,5 @@ internal static class Equivalents
     {
         var parts = brace.Trim('{', '}').Split('*');
         return (parts[0], parts.Length > 1 && NumberReader.TryParse(parts[1], out var factor) ? factor : 1);
-    }
-
-    private static string[][] Read()
-    {
-        using var stream = typeof(Equivalents).Assembly.GetManifestResourceStream("flavors/Equivalents.tsv")!;
-        using var reader = new StreamReader(stream);
-        return [.. reader.ReadToEnd().Split(['\r', '\n'], StringSplitOptions.RemoveEmptyEntries).Where(l => l[0] != '#').Select(l => l.Split('\t'))];
     }
 }

@@ -82,5 +82,6 @@ public static partial class FlavorTable
         HomeOffset = HomeOffsetRule.AtHoming,
         LargestBabystep = 0,
         Pauses = ["M601", "M0", "M1", "M25", "M125", "M600"],
+        ObjectMarks = ObjectMarking.None,
     };
 }

@@ -5,7 +5,8 @@ namespace Caterpillar.GCode;
 /// <summary>Blocks of binary G-code other than G-code, as comments like PrusaSlicer writes them into text.</summary>
 internal sealed class BinaryComments
 {
-    private const int RowLength = 78;
+    /// <summary>The name of the block with a setup of Caterpillar, and its first key.</summary>
+    public const string SetupBlock = "caterpillar_config", FirstOfSetup = "printer_name";
 
     private readonly StringBuilder _text = new();
     private readonly StringBuilder _json = new();
@@ -56,20 +57,19 @@ internal sealed class BinaryComments
             Line(_json, "; prusaslicer_json_config = end");
             return;
         }
-        Line(_ini, "\n; prusaslicer_config = begin");
-        foreach (var pair in Pairs(block)) Setting(_ini, pair);
-        Line(_ini, "; prusaslicer_config = end\n");
+        var pairs = Pairs(block).ToList();
+        var name = pairs.Count > 0 && pairs[0].Key == FirstOfSetup ? SetupBlock : "prusaslicer_config";
+        Line(_ini, $"\n; {name} = begin");
+        foreach (var pair in pairs) Setting(_ini, pair);
+        Line(_ini, $"; {name} = end\n");
     }
 
     /// <summary>A thumbnail in base64.</summary>
-    public void ToolpathImage(BinaryBlock block)
+    public void Thumbnail(BinaryBlock block)
     {
-        var name = "thumbnail" + block.Encoding switch { 0 => "", 1 => "_JPG", 2 => "_QOI", _ => "_" + NumberFormatter.Format(block.Encoding) };
-        var encoded = Convert.ToBase64String(block.Data);
-        Line("\n;\n; " + name + " begin " + NumberFormatter.Format(block.Width) + "x" + NumberFormatter.Format(block.Height) + " "
-            + NumberFormatter.Format(encoded.Length));
-        for (var at = 0; at < encoded.Length; at += RowLength) Line("; " + encoded.Substring(at, Math.Min(RowLength, encoded.Length - at)));
-        Line("; " + name + " end\n;");
+        var format = block.Encoding switch { 0 => "PNG", 1 => "JPG", 2 => "QOI", _ => NumberFormatter.Format(block.Encoding) };
+        Line("");
+        foreach (var line in new GCode.Thumbnail(block.Width, block.Height, format).Lines(block.Data)) Line(line);
     }
 
     private static void Line(StringBuilder text, string line) => text.Append(line).Append('\n');

@@ -94,7 +94,7 @@ internal sealed class BinaryGCodeStream(Stream file) : ReadStream
                     return BinaryComments.Join(_before, code);
                 case BinaryBlockKind.Thumbnail:
                     // After the G-code it can only come at the end.
-                    (_code ? _print : _before).ToolpathImage(block);
+                    (_code ? _print : _before).Thumbnail(block);
                     break;
                 case BinaryBlockKind.File:
                     (_code ? _print : _before).Producer(block);

@@ -1,3 +1,5 @@
+using Caterpillar.Files;
+
 namespace Caterpillar.GCode;
 
 /// <summary>The LZSS compression of heatshrink (Atomic Object): a bit 1 and a byte, or a bit 0, a distance and a length.</summary>
@@ -47,51 +49,14 @@ internal static class Heatshrink
     /// <summary>Packs bytes. Tries the nearest 32 earlier positions with the same three bytes.</summary>
     public static byte[] Pack(byte[] data, int window, int lookahead)
     {
-        const int Tries = 32, Shortest = 3;
-        var longest = 1 << lookahead;
-        var farthest = 1 << window;
-        var head = new int[1 << 14];
-        var before = new int[data.Length];
         var bits = new BitBuffer(data.Length);
-        for (var i = 0; i < head.Length; i++) head[i] = -1;
-        for (var at = 0; at < data.Length;)
+        foreach (var (at, length, back) in RepeatFinder.Pieces(data, 1 << window, 1 << lookahead, 32))
         {
-            int best = 0, back = 0;
-            if (at + Shortest <= data.Length)
-            {
-                var most = System.Math.Min(longest, data.Length - at);
-                var tries = Tries;
-                for (var from = head[Hash(data, at)]; from >= 0 && at - from <= farthest && tries-- > 0 && best < most; from = before[from])
-                {
-                    var length = 0;
-                    while (length < most && data[from + length] == data[at + length]) length++;
-                    if (length <= best) continue;
-                    best = length;
-                    back = at - from;
-                }
-            }
-            var step = 1;
-            if (best < Shortest)
-            {
-                bits.Add(0x100 | data[at], 9);
-            }
-            else
-            {
-                bits.Add((back - 1) << lookahead | (best - 1), 1 + window + lookahead);
-                step = best;
-            }
-            for (var end = at + step; at < end; at++)
-            {
-                if (at + Shortest > data.Length) continue;
-                ref var slot = ref head[Hash(data, at)];
-                before[at] = slot;
-                slot = at;
-            }
+            if (back == 0) bits.Add(0x100 | data[at], 9);
+            else bits.Add((back - 1) << lookahead | (length - 1), 1 + window + lookahead);
         }
         return bits.ToArray();
     }
-
-    private static int Hash(byte[] data, int at) => (int)((uint)(data[at] | data[at + 1] << 8 | data[at + 2] << 16) * 2654435761u >> 18);
 
     private sealed class BitBuffer(int size)
     {

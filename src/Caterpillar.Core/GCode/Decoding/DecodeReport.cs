@@ -130,6 +130,9 @@ public sealed record DecodeReport
     /// <summary>The thumbnails in the comments, in order.</summary>
     public IReadOnlyList<Thumbnail> Thumbnails { get; init; } = [];
 
+    /// <summary>The setup in the comments of a file of Caterpillar (<see cref="FileSetup"/>), by key; empty = none.</summary>
+    public IReadOnlyList<KeyValuePair<string, string>> Setup { get; init; } = [];
+
     /// <summary>The report as a JSON object. Sums of E are null if the file has no E values.</summary>
     public string ToJson(string indent = "")
     {
@@ -147,6 +150,7 @@ public sealed record DecodeReport
         json.Raw("end_position", JsonLines.Point(EndPosition));
         json.Raw("features", FeatureObject());
         if (Thumbnails.Count > 0) json.Raw("thumbnails", ThumbnailList());
+        if (Setup.Count > 0) json.Raw("setup", Object(Setup.Select(p => (p.Key, JsonLines.Quoted(p.Value)))));
         return json.ToString();
     }
 

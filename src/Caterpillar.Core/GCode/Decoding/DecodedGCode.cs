@@ -53,7 +53,9 @@ public sealed class DecodedGCode
 
     internal IReadOnlyList<AxisMapping> MappingsOn(Printer? printer)
     {
-        var stated = Settings.TryGetValue(MappingsKey, out var text) ? Array.ConvertAll(text.Split(','), t => AxisMapping.Parse(t.Trim())) : [];
+        // The header separates them with commas, the setup as lines.
+        var stated = Settings.TryGetValue(MappingsKey, out var text)
+            ? Array.ConvertAll(text.Replace("\\n", ",").Split(','), t => AxisMapping.Parse(t.Trim())) : [];
         return stated.Length > 0 && Array.IndexOf(stated, null) < 0 ? stated! : printer?.AxisMappings ?? ValueList<AxisMapping>.Empty;
     }
 

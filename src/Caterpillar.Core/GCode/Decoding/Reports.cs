@@ -31,6 +31,7 @@ internal static class Reports
             Features = machine.Features.ToList(),
             ByteOrderMark = mark,
             Thumbnails = interpreter.Comments.Thumbnails,
+            Setup = FileSetup.In(interpreter.Comments.Settings),
         };
     }
 }

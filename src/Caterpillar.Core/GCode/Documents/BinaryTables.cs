@@ -11,23 +11,7 @@ internal sealed class BinaryTables(int lines)
     private const string Begin = "begin", End = "end";
 
     // Keys of PrusaSlicer, in its order.
-    private static readonly string[] PrinterKeys =
-    [
-        "printer_model", "filament_type", "filament_abrasive", "nozzle_diameter", "nozzle_high_flow", "bed_temperature", "brim_width", "fill_density",
-            "layer_height", "temperature", "ironing",
-        "support_material", "max_layer_z", "extruder_colour", "filament used [mm]", "filament used [cm3]", "filament used [g]", "filament cost",
-            "estimated printing time (normal mode)",
-        "estimated printing time (silent mode)", "total filament used for wipe tower [g]", "objects_info",
-    ];
-
-    private static readonly string[] PrintKeys =
-    [
-        "total toolchanges", "filament used [mm]", "filament used [cm3]", "filament used [g]", "filament cost", "total filament used [g]",
-            "total filament cost",
-        "total filament used for wipe tower [g]", "estimated printing time (normal mode)", "estimated printing time (silent mode)",
-            "estimated first layer printing time (normal mode)",
-        "estimated first layer printing time (silent mode)",
-    ];
+    private static readonly string[] PrinterKeys = Keys("printer"), PrintKeys = Keys("print");
 
     private readonly BitArray _held = new BitArray(lines);
     private readonly BitArray _blank = new BitArray(lines);
@@ -79,6 +63,14 @@ internal sealed class BinaryTables(int lines)
         }
         tables.HoldBlankEnds();
         return tables;
+    }
+
+    private static string[] Keys(string table)
+    {
+        using var stream = typeof(BinaryTables).Assembly.GetManifestResourceStream("comments/BinaryKeys.tsv")!;
+        using var reader = new StreamReader(stream);
+        var rows = reader.ReadToEnd().Split(['\r', '\n'], StringSplitOptions.RemoveEmptyEntries).Select(l => l.Split('\t'));
+        return [.. rows.Where(r => r[0] == table).Select(r => r[1])];
     }
 
     // Empty lines at both ends are what readers put between the tables.
@@ -141,7 +133,7 @@ internal sealed class BinaryTables(int lines)
 
     private void Known(string key, string value, int line)
     {
-        if (value == Begin && (key is "prusaslicer_config" or "prusaslicer_json_config"))
+        if (value == Begin && (key is "prusaslicer_config" or "prusaslicer_json_config" or BinaryComments.SetupBlock))
         {
             Enter(key, null, line);
             return;

@@ -18,6 +18,7 @@ internal sealed class Splicer
     private readonly CommentBuffer _comments;
     private readonly CommentScale _scale;
     private readonly PartFigures _figures;
+    private readonly OutlineFigures _outlines;
     private readonly FlavorComments _flavor;
     private readonly MoveWriter _moves;
     private readonly PlainMoves _plain;
@@ -41,6 +42,8 @@ internal sealed class Splicer
         _scale = new CommentScale(decoding.Toolpath, edited);
         _figures = new PartFigures(decoding.Toolpath, edited, options.Cuts.Count > 0);
         _code = new CodeReplacement(_context, options, plan, _figures);
+        _outlines = new OutlineFigures(decoding, edited);
+        if (_outlines.IsActive) plan.Touch(1, decoding.PrintLines.First);
         if (_scale.ChangesLayers || _figures.IsActive) plan.Touch(1, int.MaxValue);
         var conversion = new MoveConversion(_context);
         _moves = new MoveWriter(_context, conversion, options.RewriteAll);
@@ -187,7 +190,7 @@ internal sealed class Splicer
     {
         _comments.Keep();
         if (events > 0) InsertBeforeEvents(events);
-        _others.Write(line, _figures.Image(line, _context.Number));
+        _others.Write(line, _outlines.Image(_figures.Image(line, _context.Number)));
     }
 
     private void WriteMotion(FileLine line, int moves, int commands, int events)

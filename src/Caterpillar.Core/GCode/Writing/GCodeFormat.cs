@@ -44,8 +44,11 @@ internal sealed record GCodeFormat
     /// <summary>Comments at the beginning of the file, without <c>;</c>.</summary>
     public IReadOnlyList<string> Header { get; init; } = [];
 
-    /// <summary>Print time in seconds for a line <c>;TIME:</c>, which print hosts read. Null = none.</summary>
-    public double? PrintTime { get; init; }
+    /// <summary>Lines after the header that only the whole print tells: its time, images and objects.</summary>
+    public IReadOnlyList<string> Facts { get; init; } = [];
+
+    /// <summary>Mark objects with the commands of the flavor. Otherwise comments name them.</summary>
+    public bool LabelsObjects { get; init; }
 
     /// <summary>Start G-code.</summary>
     public IReadOnlyList<string> Start { get; init; } = [];

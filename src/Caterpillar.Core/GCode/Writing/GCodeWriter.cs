@@ -14,6 +14,7 @@ internal sealed class GCodeWriter
     private readonly LineBuffer _out;
     private readonly MotionLines _motion;
     private readonly RawEffects _raw;
+    private readonly ObjectLabels _labels;
     private readonly bool _switches;
     private Toolpath _toolpath;
     private int _nextBlock;
@@ -39,6 +40,7 @@ internal sealed class GCodeWriter
         _motion = new MotionLines(_format, _out);
         _switches = _format.Switches;
         _raw = new RawEffects(_rules, _format.ExtruderLetter);
+        _labels = new ObjectLabels(_format.LabelsObjects ? _rules.ObjectMarks : ObjectMarking.None);
     }
 
     /// <summary>Records the lines of each move, event and template. Null = off.</summary>
@@ -58,9 +60,9 @@ internal sealed class GCodeWriter
         => new GCodeWriter(toolpath, format).WriteAll(stream, progress, cancel);
 
     /// <inheritdoc cref="Write"/>
-    public void WriteAll(Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
+    public void WriteAll(Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default, Stream? facts = null)
     {
-        WriteStart(stream);
+        WriteStart(stream, facts);
         for (var i = 0; i < _toolpath.Blocks.Count; i++)
         {
             cancel.ThrowIfCancellationRequested();
@@ -80,10 +82,14 @@ internal sealed class GCodeWriter
     }
 
     /// <summary>Writes header, start G-code and modal state.</summary>
-    public void WriteStart(Stream stream)
+    /// <param name="stream">The file.</param>
+    /// <param name="facts">Takes the lines that only the whole print tells, at their place in the file; null = the same stream.</param>
+    public void WriteStart(Stream stream, Stream? facts = null)
     {
         foreach (var line in _format.Header) _out.Comment(" " + line);
-        if (_format.PrintTime is { } seconds) _out.Comment("TIME:" + NumberFormatter.Format((long)Math.Round(seconds)));
+        Flush(stream);
+        foreach (var line in _format.Facts) _out.Line(line);
+        Flush(facts ?? stream);
         Template(_format.Start);
         _raw.Read(_format.Start);
         _motion.StateUnits(_raw);
@@ -123,7 +129,7 @@ internal sealed class GCodeWriter
         if (_nextBlock != _toolpath.Blocks.Count) throw new InvalidOperationException("Write all blocks before the end.");
         Events(_toolpath.Count);
         if (_on) Switch(false);
-        if (_format.Comments && _object.Length > 0) Object("");
+        Object("");
         if (_format.End.Count > 0) _motion.SetRelative(false);
         Written?.BeginEnd(Lines);
         Template(_format.End);
@@ -239,7 +245,7 @@ internal sealed class GCodeWriter
         var lines = _format.ToolLines?.Invoke(_tool, tool);
         _motion.Extruder.Leave(_tool, tool);
         _tool = tool;
-        if (lines is { Count: > 0 }) Raw(lines);
+        if (lines is { Count: > 0 }) RawOutside(lines);
         else StateTool(tool);
         _motion.Extruder.Enter(tool);
     }
@@ -252,7 +258,7 @@ internal sealed class GCodeWriter
         _layer = number;
         if (number < 0)
         {
-            if (_format.Comments) Object("");
+            Object("");
             return;
         }
         var layer = _toolpath.Layers[number];
@@ -265,17 +271,37 @@ internal sealed class GCodeWriter
                 _out.Comment("Z:" + NumberFormatter.Format(layer.Z, 4));
                 if (layer.Thickness > 0) _out.Comment("HEIGHT:" + NumberFormatter.Format(layer.Thickness, 4));
             }
-            if (_layers++ > 0 && _format.LayerLines?.Invoke(layer) is { Count: > 0 } lines) Raw(lines);
+            if (_layers++ > 0 && _format.LayerLines?.Invoke(layer) is { Count: > 0 } lines) RawOutside(lines);
         }
-        if (_format.Comments) Object(layer.Object);
+        Object(layer.Object);
     }
 
     private void Object(string name)
     {
         if (name == _object) return;
-        if (_object.Length > 0) _out.Comment(" stop printing object " + _object);
+        var comments = _format.Comments && _labels.LacksNames;
+        if (_object.Length > 0)
+        {
+            if (comments) _out.Comment(" stop printing object " + _object);
+            foreach (var line in _labels.End(_labels.NumberOf(_object))) _out.Line(line);
+        }
         _object = name;
-        if (name.Length > 0) _out.Comment(" printing object " + name);
+        if (name.Length > 0)
+        {
+            foreach (var line in _labels.Start(_labels.NumberOf(name))) _out.Line(line);
+            if (comments) _out.Comment(" printing object " + name);
+        }
+        // Absolute E would extrude after an object that was canceled what was left out of it.
+        if (_format.LabelsObjects && _rules.ObjectMarks != ObjectMarking.None) _motion.Extruder.Reset();
+    }
+
+    // Of a canceled object the firmware skips all moves, those of templates, too.
+    private void RawOutside(IReadOnlyList<string> lines)
+    {
+        var name = _object;
+        if (_format.LabelsObjects) Object("");
+        Raw(lines);
+        Object(name);
     }
 
     private void Raw(IReadOnlyList<string> lines)

@@ -55,6 +55,8 @@ internal static class SetupFormat
             DecimalsF = printer.DecimalsF,
             FirmwareRetraction = printer.FirmwareRetraction,
             HasE = printer.ExtrusionUnit != ExtrusionUnit.None,
+            // Relative moves that a firmware skips would shift all that follow.
+            LabelsObjects = printer.ObjectLabels && !printer.RelativeXyz,
             Header = Header(setup),
             Start = start,
             End = end,
@@ -67,7 +69,7 @@ internal static class SetupFormat
     private static string[] Header(PrintSetup setup)
     {
         Material[] materials = [setup.Material, .. setup.ToolMaterials];
-        string[] header = ["Made with Caterpillar", "Flavor " + setup.Printer.Flavor.Name,
+        string[] header = [FileComments.Producer, "Flavor " + setup.Printer.Flavor.Name,
             $"Printer {setup.Printer.Name}, material {string.Join(" + ", materials.Select(m => m.Name))}, settings {setup.Settings.Name}"];
         if (setup.Printer.AxisMappings.Count > 0) header = [.. header, DecodedGCode.MappingsKey + " = " + string.Join(", ", setup.Printer.AxisMappings)];
         return setup.Printer.ExtrusionUnit switch

@@ -31,10 +31,6 @@ public sealed class ArcCurve : Curve
     /// <summary>Angle in degrees, positive from the X axis of the frame toward its Y axis.</summary>
     public double Sweep { get; }
 
-    public override double DomainStart => 0;
-
-    public override double DomainEnd => 1;
-
     public override bool IsClosed => Math.Abs(Sweep) == 360 || base.IsClosed;
 
     public override double Length => Radius * Math.Abs(Angle.ToRadians(Sweep));

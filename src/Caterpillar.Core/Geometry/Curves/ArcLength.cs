@@ -18,13 +18,12 @@ internal sealed class ArcLength
     private static readonly double[] Weights =
         [0.29552422471475287, 0.26926671930999636, 0.21908636251598204, 0.14945134915058059, 0.06667134430868814];
 
-    private readonly List<CurveSpan> _spans;
     private readonly List<Leaf> _leaves = [];
 
     /// <param name="spans">The spans of a curve, in order.</param>
     public ArcLength(List<CurveSpan> spans)
     {
-        _spans = spans;
+        Spans = spans;
         for (var i = 0; i < spans.Count; i++)
         {
             if (spans[i].IsEven) Add(i, 0, 1, spans[i].EvenLength);
@@ -35,7 +34,7 @@ internal sealed class ArcLength
     /// <summary>Length of the whole curve, mm.</summary>
     public double Total { get; private set; }
 
-    public List<CurveSpan> Spans => _spans;
+    public List<CurveSpan> Spans { get; }
 
     public int LeafCount => _leaves.Count;
 
@@ -45,20 +44,14 @@ internal sealed class ArcLength
     /// <summary>The leaf, and the u of its span, at a length from the start.</summary>
     public (int Leaf, double U) Locate(double length)
     {
-        int low = 0, high = _leaves.Count;
-        while (high - low > 1)
-        {
-            var middle = (low + high) / 2;
-            if (_leaves[middle].Start <= length) low = middle;
-            else high = middle;
-        }
+        var low = Search.First(1, _leaves.Count, (_leaves, length), static (s, i) => s._leaves[i].Start > s.length) - 1;
         var leaf = _leaves[low];
         var target = length - leaf.Start;
         if (!(target > 0)) return (low, leaf.From);
         if (target >= leaf.Length) return (low, leaf.To);
         var share = target / leaf.Length;
-        if (_spans[leaf.Span].IsEven) return (low, leaf.From + (leaf.To - leaf.From) * share);
-        return (low, Invert(_spans[leaf.Span], leaf, target, share));
+        if (Spans[leaf.Span].IsEven) return (low, leaf.From + (leaf.To - leaf.From) * share);
+        return (low, Invert(Spans[leaf.Span], leaf, target, share));
     }
 
     // Newton's method, kept inside a shrinking bracket.
@@ -85,8 +78,8 @@ internal sealed class ArcLength
     private void Refine(int span, double a, double b, double whole, int depth)
     {
         var middle = 0.5 * (a + b);
-        var left = Integral(_spans[span], a, middle);
-        var right = Integral(_spans[span], middle, b);
+        var left = Integral(Spans[span], a, middle);
+        var right = Integral(Spans[span], middle, b);
         var change = Math.Abs(left + right - whole);
         if (change <= AbsoluteTolerance + RelativeTolerance * whole || depth == MaxDepth)
         {

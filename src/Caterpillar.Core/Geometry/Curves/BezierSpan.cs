@@ -3,31 +3,19 @@ namespace Caterpillar.Geometry;
 /// <summary>
 /// A rational Bézier curve of any degree with positive weights over u from 0 to 1, evaluated by de Casteljau's algorithm in homogeneous coordinates.
 /// </summary>
-internal sealed class BezierSpan
+internal sealed class BezierSpan(HomogeneousPoint[] controls)
 {
-    private readonly HomogeneousPoint[] _controls;
+    public int Degree => controls.Length - 1;
 
-    public BezierSpan(HomogeneousPoint[] controls) => _controls = controls;
+    public Vec3 Control(int i) => controls[i].Point;
 
-    public int Degree => _controls.Length - 1;
-
-    public Vec3 Control(int i) => _controls[i].Point;
-
-    public Bounds Hull
-    {
-        get
-        {
-            var bounds = Bounds.Empty;
-            foreach (var control in _controls) bounds = bounds.Include(control.Point);
-            return bounds;
-        }
-    }
+    public Bounds Hull => Bounds.Of(controls.Select(c => c.Point));
 
     public Vec3 Point(double u)
     {
-        if (u <= 0) return _controls[0].Point;
-        if (u >= 1) return _controls[Degree].Point;
-        var work = (HomogeneousPoint[])_controls.Clone();
+        if (u <= 0) return controls[0].Point;
+        if (u >= 1) return controls[Degree].Point;
+        var work = (HomogeneousPoint[])controls.Clone();
         Reduce(work, u, 0);
         return work[0].Point;
     }
@@ -36,7 +24,7 @@ internal sealed class BezierSpan
     public (Vec3 First, Vec3 Second) Derivatives(double u)
     {
         var p = Degree;
-        var work = (HomogeneousPoint[])_controls.Clone();
+        var work = (HomogeneousPoint[])controls.Clone();
         Vec3 bend = default;
         var bendWeight = 0.0;
         if (p >= 2)
@@ -55,31 +43,9 @@ internal sealed class BezierSpan
         return (first, (bend - first * (2 * slopeWeight) - point * bendWeight) / here.Weight);
     }
 
-    public Vec3 StartTangent
-    {
-        get
-        {
-            for (var i = 1; i <= Degree; i++)
-            {
-                var d = Control(i) - Control(0);
-                if (d.Length > 1e-10) return d.Unit();
-            }
-            return default;
-        }
-    }
+    public Vec3 StartTangent => Tangent(Enumerable.Range(1, Degree).Select(i => Control(i) - Control(0)));
 
-    public Vec3 EndTangent
-    {
-        get
-        {
-            for (var i = Degree - 1; i >= 0; i--)
-            {
-                var d = Control(Degree) - Control(i);
-                if (d.Length > 1e-10) return d.Unit();
-            }
-            return default;
-        }
-    }
+    public Vec3 EndTangent => Tangent(Enumerable.Range(1, Degree).Select(i => Control(Degree) - Control(Degree - i)));
 
     /// <summary>True if the control points lie along the chord, in order and within a tolerance in mm; then the curve does too.</summary>
     public bool IsStraight(double tolerance)
@@ -102,6 +68,9 @@ internal sealed class BezierSpan
 
     /// <summary>True if all control points coincide.</summary>
     public bool IsPoint => Hull.Size.Length <= 1e-12;
+
+    // The first of some directions that is long enough.
+    private static Vec3 Tangent(IEnumerable<Vec3> directions) => directions.FirstOrDefault(d => d.Length > 1e-10).Unit();
 
     private void Reduce(HomogeneousPoint[] work, double u, int to)
     {

@@ -14,10 +14,10 @@ public abstract class Curve
     }
 
     /// <summary>Parameter of the start.</summary>
-    public abstract double DomainStart { get; }
+    public virtual double DomainStart => 0;
 
     /// <summary>Parameter of the end, greater than <see cref="DomainStart"/>.</summary>
-    public abstract double DomainEnd { get; }
+    public virtual double DomainEnd => 1;
 
     /// <summary>The first point, mm.</summary>
     public Vec3 Start => PointAt(DomainStart);

@@ -1,53 +1,32 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>A smooth span of a curve, with its own parameter u from 0 to 1: a straight line at constant speed, an arc, or a rational Bézier piece.</summary>
-internal readonly struct CurveSpan
+internal readonly record struct CurveSpan(Vec3 Start, Vec3 End, BezierSpan? Bezier = null, ArcCurve? Arc = null)
 {
-    private readonly BezierSpan? _bezier;
-    private readonly ArcCurve? _arc;
+    public static CurveSpan Of(BezierSpan bezier) => new(bezier.Point(0), bezier.Point(1), bezier);
 
-    private CurveSpan(Vec3 start, Vec3 end, BezierSpan? bezier, ArcCurve? arc)
-    {
-        Start = start;
-        End = end;
-        _bezier = bezier;
-        _arc = arc;
-    }
-
-    public static CurveSpan Straight(Vec3 start, Vec3 end) => new(start, end, null, null);
-
-    public static CurveSpan Of(BezierSpan bezier) => new(bezier.Point(0), bezier.Point(1), bezier, null);
-
-    public static CurveSpan Of(ArcCurve arc) => new(arc.Start, arc.End, null, arc);
-
-    public Vec3 Start { get; }
-
-    public Vec3 End { get; }
-
-    public ArcCurve? Arc => _arc;
-
-    public BezierSpan? Bezier => _bezier;
+    public static CurveSpan Of(ArcCurve arc) => new(arc.Start, arc.End, Arc: arc);
 
     /// <summary>True if length is linear in u.</summary>
-    public bool IsEven => _bezier is null;
+    public bool IsEven => Bezier is null;
 
-    public Vec3 StartTangent => _arc is not null ? _arc.Derivatives(0).First.Unit() : _bezier is not null ? _bezier.StartTangent : (End - Start).Unit();
+    public Vec3 StartTangent => Arc is not null ? Arc.Derivatives(0).First.Unit() : Bezier is not null ? Bezier.StartTangent : (End - Start).Unit();
 
-    public Vec3 EndTangent => _arc is not null ? _arc.Derivatives(1).First.Unit() : _bezier is not null ? _bezier.EndTangent : (End - Start).Unit();
+    public Vec3 EndTangent => Arc is not null ? Arc.Derivatives(1).First.Unit() : Bezier is not null ? Bezier.EndTangent : (End - Start).Unit();
 
     /// <summary>Length of a span that <see cref="IsEven"/>, mm.</summary>
-    public double EvenLength => _arc is not null ? _arc.Length : Start.DistanceTo(End);
+    public double EvenLength => Arc is not null ? Arc.Length : Start.DistanceTo(End);
 
-    public bool IsStraight(double tolerance) => _arc is null && (_bezier is null || _bezier.IsStraight(tolerance));
+    public bool IsStraight(double tolerance) => Arc is null && (Bezier is null || Bezier.IsStraight(tolerance));
 
     public Vec3 Point(double u)
-        => _arc is not null ? _arc.PointAt(u) : _bezier is not null ? _bezier.Point(u) : Vec3.Lerp(Start, End, u);
+        => Arc is not null ? Arc.PointAt(u) : Bezier is not null ? Bezier.Point(u) : Vec3.Lerp(Start, End, u);
 
     /// <summary>First and second derivative with respect to u.</summary>
     public (Vec3 First, Vec3 Second) Derivatives(double u)
     {
-        if (_bezier is not null) return _bezier.Derivatives(u);
-        return _arc is not null ? _arc.Derivatives(u) : (End - Start, Vec3.Zero);
+        if (Bezier is not null) return Bezier.Derivatives(u);
+        return Arc is not null ? Arc.Derivatives(u) : (End - Start, Vec3.Zero);
     }
 
     /// <summary>The angle between two unit vectors, 0 to 180 degrees.</summary>
@@ -56,9 +35,9 @@ internal readonly struct CurveSpan
     /// <summary>1/mm; infinite if the derivative is zero.</summary>
     public double Curvature(double u)
     {
-        if (_arc is not null) return 1 / _arc.Radius;
-        if (_bezier is null) return 0;
-        var (first, second) = _bezier.Derivatives(u);
+        if (Arc is not null) return 1 / Arc.Radius;
+        if (Bezier is null) return 0;
+        var (first, second) = Bezier.Derivatives(u);
         var speed = first.Length;
         return speed > 0 ? Vec3.Cross(first, second).Length / (speed * speed * speed) : double.PositiveInfinity;
     }

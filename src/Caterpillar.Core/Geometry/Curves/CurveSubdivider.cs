@@ -16,11 +16,8 @@ public static class CurveSubdivider
         if (options is null) throw new ArgumentNullException(nameof(options));
         options.Check();
         // "Straight" never allows more deviation than the chords.
-        if (options.ChordTolerance > 0
-            && options.LinearTolerance > 0.5 * options.ChordTolerance)
-        {
+        if (options.ChordTolerance > 0 && options.LinearTolerance > 0.5 * options.ChordTolerance)
             options = options with { LinearTolerance = 0.5 * options.ChordTolerance };
-        }
         var work = new Work(options, cancel);
         if (curve is PolylineCurve polyline) return work.Polyline(polyline);
         var spans = curve.Spans();
@@ -51,6 +48,9 @@ public static class CurveSubdivider
 
     private sealed class Work(SubdivisionOptions options, CancellationToken cancel)
     {
+        // Minimum change of direction of a kink, degrees.
+        private const double KinkAngle = 0.5;
+
         private readonly List<Vec3> _points = [];
         private readonly List<bool> _linear = [];
         private List<Arc?>? _arcs;
@@ -60,16 +60,13 @@ public static class CurveSubdivider
         public bool CanStayArc(CurveSpan span)
             => options.KeepArcs && span.Arc is { } arc && Math.Abs(Vec3.Dot(arc.Frame.Z, Vec3.UnitZ)) >= 1 - 1e-14 && Math.Abs(arc.Start.Z - arc.End.Z) <= 1e-9;
 
-        public bool IsKink(CurveSpan before, CurveSpan after) => CurveSpan.TurnDegrees(before.EndTangent, after.StartTangent) > options.KinkAngle;
+        public bool IsKink(CurveSpan before, CurveSpan after) => CurveSpan.TurnDegrees(before.EndTangent, after.StartTangent) > KinkAngle;
 
         public Subdivision Polyline(PolylineCurve curve)
         {
             var source = curve.Polyline.Raw;
-            if (curve.Polyline.IsClosed == curve.IsClosed
-                && KeepsAll(source, curve.IsClosed))
-            {
-                return new Subdivision(source, curve.IsClosed, AllLinear(curve.Polyline.SegmentCount), null);
-            }
+            if (curve.Polyline.IsClosed == curve.IsClosed && KeepsAll(source, curve.IsClosed))
+                return new Subdivision(source, curve.IsClosed, Enumerable.Repeat(true, curve.Polyline.SegmentCount).ToArray(), null);
             var count = curve.Polyline.SegmentCount + 1;
             var points = new Vec3[count];
             var used = 0;
@@ -97,13 +94,6 @@ public static class CurveSubdivider
             }
             var last = points.Length - 1;
             return !closed || (points[0] != points[last] && !LinearRuns.IsStraight([points[last - 1], points[last], points[0]], 0, 2, options.LinearTolerance));
-        }
-
-        private static bool[] AllLinear(int count)
-        {
-            var linear = new bool[count];
-            for (var i = 0; i < count; i++) linear[i] = true;
-            return linear;
         }
 
         public void Linear(List<CurveSpan> spans, int first, int end)
@@ -140,11 +130,7 @@ public static class CurveSubdivider
 
         private void Add(Vec3 point, bool linear, Arc? arc = null)
         {
-            if (arc is not null && _arcs is null)
-            {
-                _arcs = [];
-                foreach (var _ in _linear) _arcs.Add(null);
-            }
+            if (arc is not null) _arcs ??= [.. Enumerable.Repeat<Arc?>(null, _linear.Count)];
             _points.Add(point);
             _linear.Add(linear);
             _arcs?.Add(arc);

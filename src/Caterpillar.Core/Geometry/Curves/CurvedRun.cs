@@ -4,46 +4,30 @@ namespace Caterpillar.Geometry;
 /// Divides a smooth run of curved spans. The requests become a density of segments along the length (one by the distance, √(κ/8t) for a chord tolerance t at
 /// curvature κ, κ/α for a turn α); equal steps of its integral give the points. Every segment is then measured and halved if it fails.
 /// </summary>
-internal sealed class CurvedRun
+internal sealed class CurvedRun(List<CurveSpan> spans, SubdivisionOptions options, int mostPoints, CancellationToken cancel)
 {
     // Shares of the request for which the density is computed and which samples may reach: between samples the chord error can be 2 % larger.
     private const double Planned = 0.93;
     private const double Measured = 0.97;
     private const double MaxDensity = 1e4;
 
-    private readonly SubdivisionOptions _options;
-    private readonly ArcLength _length;
-    private readonly double _longest;
+    private readonly ArcLength _length = new(spans);
+    private readonly double _longest
+        = options.MaxLength > 0 && (options.Distance == 0 || options.MaxLength < options.Distance) ? options.MaxLength : options.Distance;
+
     private readonly List<(double S, double Amount)> _table = [];
     private readonly List<Vec3> _points = [];
-
-    private readonly int _mostPoints;
-    private readonly CancellationToken _cancel;
     private int _pulse;
-
-    /// <param name="spans">The spans, one after the other.</param>
-    /// <param name="options">How they are divided.</param>
-    /// <param name="mostPoints">More points end in a <see cref="SubdivisionLimitException"/>.</param>
-    /// <param name="cancel">Cancels the call.</param>
-    public CurvedRun(List<CurveSpan> spans, SubdivisionOptions options, int mostPoints, CancellationToken cancel)
-    {
-        _options = options;
-        _mostPoints = mostPoints;
-        _cancel = cancel;
-        _length = new ArcLength(spans);
-        _longest = options.Distance;
-        if (options.MaxLength > 0 && (_longest == 0 || options.MaxLength < _longest)) _longest = options.MaxLength;
-    }
 
     // Of a length; a circle would need more points than the limit.
     private const double Precision = 1e-14;
 
-    private bool Adapts => _options.ChordTolerance > 0 || _options.Angle > 0;
+    private bool Adapts => options.ChordTolerance > 0 || options.Angle > 0;
 
     /// <summary>The points after the start of the run, with its end.</summary>
     public List<Vec3> Divide()
     {
-        if (_options.MinLength == 0 && IsHopeless()) throw new SubdivisionLimitException();
+        if (options.MinLength == 0 && IsHopeless()) throw new SubdivisionLimitException();
         var stations = Adapts ? ByDensity() : ByLength();
         var last = new Station(0, 0, 0);
         foreach (var s in stations)
@@ -61,8 +45,8 @@ internal sealed class CurvedRun
     // Chords cannot be nearer to the curve than its points are exact, nor turn less than the ends of its parts.
     private bool IsHopeless()
     {
-        if (_options.ChordTolerance > 0 && _options.ChordTolerance < Precision * _length.Total) return true;
-        if (!(_options.Angle > 0)) return false;
+        if (options.ChordTolerance > 0 && options.ChordTolerance < Precision * _length.Total) return true;
+        if (!(options.Angle > 0)) return false;
         var turn = 0.0;
         for (var i = 0; i < _length.LeafCount; i++)
         {
@@ -70,23 +54,23 @@ internal sealed class CurvedRun
             var span = _length.Spans[leaf.Span];
             turn += CurveSpan.TurnDegrees(Tangent(span, leaf.From), Tangent(span, leaf.To));
         }
-        return turn > _options.Angle * _mostPoints;
+        return turn > options.Angle * mostPoints;
     }
 
     // Lengths along the run at which it is cut, without its ends.
     private double[] ByLength()
     {
         var total = _length.Total;
-        var step = Math.Max(_longest, _options.MinLength);
-        if (!_options.EqualDivision)
+        var step = Math.Max(_longest, options.MinLength);
+        if (!options.EqualDivision)
         {
             var whole = Count(total / step) - 1;
             // A remainder below the minimum is added to the previous segment.
-            if (whole > 0 && total - whole * step < _options.MinLength * (1 - 1e-9)) whole--;
+            if (whole > 0 && total - whole * step < options.MinLength * (1 - 1e-9)) whole--;
             return Stations(Math.Max(whole, 0), k => k * step);
         }
         var count = Count(total / step);
-        if (_options.MinLength > 0) count = Math.Min(count, AtLeast(total / _options.MinLength));
+        if (options.MinLength > 0) count = Math.Min(count, AtLeast(total / options.MinLength));
         count = AtLeastAround(count);
         return Stations(count - 1, k => total * k / count);
     }
@@ -95,14 +79,14 @@ internal sealed class CurvedRun
     {
         BuildTable();
         var total = _table[_table.Count - 1].Amount;
-        if (!_options.EqualDivision)
+        if (!options.EqualDivision)
         {
             var whole = Count(total) - 1;
             return Stations(Math.Max(whole, 0), k => LengthOf(k));
         }
         var count = Count(total);
         // With the density at its cap, rounding up would make segments shorter than the minimum.
-        if (_options.MinLength > 0 && count > 1 && _options.MinLength * count > _length.Total) count = AtLeast(_length.Total / _options.MinLength);
+        if (options.MinLength > 0 && count > 1 && options.MinLength * count > _length.Total) count = AtLeast(_length.Total / options.MinLength);
         count = AtLeastAround(count);
         return Stations(count - 1, k => LengthOf(total * k / count));
     }
@@ -110,14 +94,14 @@ internal sealed class CurvedRun
     // A loop needs at least a triangle.
     private int AtLeastAround(int count)
     {
-        var spans = _length.Spans;
-        return spans[0].Start.DistanceTo(spans[spans.Count - 1].End) <= Curve.JoinTolerance ? Math.Max(count, 3) : count;
+        var parts = _length.Spans;
+        return parts[0].Start.DistanceTo(parts[parts.Count - 1].End) <= Curve.JoinTolerance ? Math.Max(count, 3) : count;
     }
 
     private int Count(double amount)
-        => amount <= _mostPoints ? (int)Math.Max(Math.Ceiling(amount - 1e-9), 1) : throw new SubdivisionLimitException();
+        => amount <= mostPoints ? (int)Math.Max(Math.Ceiling(amount - 1e-9), 1) : throw new SubdivisionLimitException();
 
-    private int AtLeast(double amount) => (int)Math.Min(Math.Max(Math.Floor(amount + 1e-9), 1), _mostPoints);
+    private int AtLeast(double amount) => (int)Math.Min(Math.Max(Math.Floor(amount + 1e-9), 1), mostPoints);
 
     private double[] Stations(int count, Func<int, double> at)
     {
@@ -134,9 +118,9 @@ internal sealed class CurvedRun
     {
         var density = _longest > 0 ? 1 / _longest : 0;
         var curvature = Math.Min(span.Curvature(u), 1e12);
-        if (_options.ChordTolerance > 0) density = Math.Max(density, Math.Sqrt(curvature / (8 * Planned * _options.ChordTolerance)));
-        if (_options.Angle > 0) density = Math.Max(density, curvature / Basics.Angle.ToRadians(Measured * _options.Angle));
-        return Math.Min(density, _options.MinLength > 0 ? Math.Min(1 / _options.MinLength, MaxDensity) : MaxDensity);
+        if (options.ChordTolerance > 0) density = Math.Max(density, Math.Sqrt(curvature / (8 * Planned * options.ChordTolerance)));
+        if (options.Angle > 0) density = Math.Max(density, curvature / Basics.Angle.ToRadians(Measured * options.Angle));
+        return Math.Min(density, options.MinLength > 0 ? Math.Min(1 / options.MinLength, MaxDensity) : MaxDensity);
     }
 
     // The integral of the density over the length, as a table that is linear between its entries.
@@ -165,7 +149,7 @@ internal sealed class CurvedRun
     // Long work hears a wish to stop.
     private void Pulse()
     {
-        if ((++_pulse & 0xFFF) == 0) _cancel.ThrowIfCancellationRequested();
+        if ((++_pulse & 0xFFF) == 0) cancel.ThrowIfCancellationRequested();
     }
 
     private void Integrate(CurveSpan span, Sample a, Sample b, int depth)
@@ -193,20 +177,14 @@ internal sealed class CurvedRun
     {
         var sum = _table[_table.Count - 1].Amount + amount;
         // No need to look at the rest.
-        if (sum > _mostPoints) throw new SubdivisionLimitException();
+        if (sum > mostPoints) throw new SubdivisionLimitException();
         _table.Add((s, sum));
     }
 
     private double LengthOf(double amount)
     {
-        int low = 0, high = _table.Count - 1;
-        while (high - low > 1)
-        {
-            var middle = (low + high) / 2;
-            if (_table[middle].Amount <= amount) low = middle;
-            else high = middle;
-        }
-        var (s, reached) = _table[low];
+        var high = Search.First(1, _table.Count - 1, (_table, amount), static (s, i) => s._table[i].Amount > s.amount);
+        var (s, reached) = _table[high - 1];
         var size = _table[high].Amount - reached;
         return size > 0 ? s + (_table[high].S - s) * Math.Min(1, (amount - reached) / size) : s;
     }
@@ -214,8 +192,8 @@ internal sealed class CurvedRun
     private void Add(Station from, Station to, int depth)
     {
         Pulse();
-        if (_points.Count > _mostPoints) throw new SubdivisionLimitException();
-        if (depth < 24 && (to.S - from.S) * 0.5 >= Math.Max(_options.MinLength, 1e-6) && Fails(from, to))
+        if (_points.Count > mostPoints) throw new SubdivisionLimitException();
+        if (depth < 24 && (to.S - from.S) * 0.5 >= Math.Max(options.MinLength, 1e-6) && Fails(from, to))
         {
             var s = 0.5 * (from.S + to.S);
             var (leaf, u) = _length.Locate(s);
@@ -236,23 +214,17 @@ internal sealed class CurvedRun
     // Samples in every leaf, within which the speed changes little, then a search around the farthest one.
     private bool Deviates(Station from, Station to)
     {
-        if (_options.ChordTolerance == 0) return false;
+        if (options.ChordTolerance == 0) return false;
         const int Samples = 6;
-        var limit = Measured * _options.ChordTolerance;
-        var start = PointOf(from);
-        var chord = PointOf(to) - start;
-        for (var number = from.Leaf; number <= to.Leaf; number++)
+        var limit = Measured * options.ChordTolerance;
+        Vec3 start = PointOf(from), end = PointOf(to);
+        foreach (var (span, a, b) in Parts(from, to))
         {
-            var leaf = _length.LeafAt(number);
-            var span = _length.Spans[leaf.Span];
-            var a = number == from.Leaf ? from.U : leaf.From;
-            var b = number == to.Leaf ? to.U : leaf.To;
-            if (!(b > a)) continue;
             var step = (b - a) / Samples;
             var (largest, at) = (0.0, a);
             for (var k = 0; k <= Samples; k++)
             {
-                var distance = Distance(span.Point(a + step * k), start, chord);
+                var distance = span.Point(a + step * k).DistanceToSegment(start, end);
                 if (distance > largest) (largest, at) = (distance, a + step * k);
             }
             if (largest > limit) return true;
@@ -260,7 +232,7 @@ internal sealed class CurvedRun
             for (var width = step / 2; width > step / 20; width /= 2)
             {
                 var (left, right) = (Math.Max(a, at - width), Math.Min(b, at + width));
-                var (dl, dr) = (Distance(span.Point(left), start, chord), Distance(span.Point(right), start, chord));
+                var (dl, dr) = (span.Point(left).DistanceToSegment(start, end), span.Point(right).DistanceToSegment(start, end));
                 if (dl > largest) (largest, at) = (dl, left);
                 if (dr > largest) (largest, at) = (dr, right);
             }
@@ -271,34 +243,33 @@ internal sealed class CurvedRun
 
     private bool Turns(Station from, Station to)
     {
-        if (_options.Angle == 0) return false;
+        if (options.Angle == 0) return false;
         const int Samples = 6;
         var turn = 0.0;
         Vec3? last = null;
-        for (var number = from.Leaf; number <= to.Leaf; number++)
+        foreach (var (span, a, b) in Parts(from, to))
         {
-            var leaf = _length.LeafAt(number);
-            var span = _length.Spans[leaf.Span];
-            var a = number == from.Leaf ? from.U : leaf.From;
-            var b = number == to.Leaf ? to.U : leaf.To;
-            if (!(b > a)) continue;
             for (var k = 0; k <= Samples; k++)
             {
                 var tangent = Tangent(span, a + (b - a) * k / Samples);
                 if (last is { } before) turn += CurveSpan.TurnDegrees(before, tangent);
                 last = tangent;
-                if (turn > _options.Angle) return true;
+                if (turn > options.Angle) return true;
             }
         }
         return false;
     }
 
-    private static double Distance(Vec3 p, Vec3 start, Vec3 chord)
+    // The pieces of spans between two stations, leaf by leaf, each from one u to another.
+    private IEnumerable<(CurveSpan Span, double From, double To)> Parts(Station from, Station to)
     {
-        var d = p - start;
-        var squared = chord.LengthSquared;
-        var along = squared > 0 ? Math.Min(Math.Max(Vec3.Dot(d, chord) / squared, 0), 1) : 0;
-        return (d - chord * along).Length;
+        for (var number = from.Leaf; number <= to.Leaf; number++)
+        {
+            var leaf = _length.LeafAt(number);
+            var a = number == from.Leaf ? from.U : leaf.From;
+            var b = number == to.Leaf ? to.U : leaf.To;
+            if (b > a) yield return (_length.Spans[leaf.Span], a, b);
+        }
     }
 
     private static Vec3 Tangent(CurveSpan span, double u) => u <= 0 ? span.StartTangent : u >= 1 ? span.EndTangent : span.Derivatives(u).First.Unit();

@@ -31,11 +31,8 @@ public sealed class NurbsCurve : Curve
         if (w is not null && w.Length != controls.Length) throw new ArgumentException("Every control point needs a weight.", nameof(weights));
         for (var i = 0; i < _knots.Length; i++)
         {
-            if (double.IsNaN(_knots[i] - _knots[i])
-                || (i > 0 && _knots[i] < _knots[i - 1]))
-            {
+            if (double.IsNaN(_knots[i] - _knots[i]) || (i > 0 && _knots[i] < _knots[i - 1]))
                 throw new ArgumentException("Knots must be finite and ascending.", nameof(knots));
-            }
         }
         if (!(_knots[degree] < _knots[controls.Length])) throw new ArgumentException("The domain of the knots is empty.", nameof(knots));
         for (var i = degree + 1; i + degree < controls.Length; i++)
@@ -53,12 +50,7 @@ public sealed class NurbsCurve : Curve
         Degree = degree;
     }
 
-    private NurbsCurve(int degree, HomogeneousPoint[] controls, double[] knots)
-    {
-        Degree = degree;
-        _controls = controls;
-        _knots = knots;
-    }
+    private NurbsCurve(int degree, HomogeneousPoint[] controls, double[] knots) => (Degree, _controls, _knots) = (degree, controls, knots);
 
     /// <summary>Degree of the curve.</summary>
     public int Degree { get; }
@@ -164,13 +156,7 @@ public sealed class NurbsCurve : Curve
     // The number of the non-empty knot span that holds t.
     private int SpanOf(double t)
     {
-        int low = Degree, high = _controls.Length;
-        while (high - low > 1)
-        {
-            var middle = (low + high) / 2;
-            if (_knots[middle] <= t) low = middle;
-            else high = middle;
-        }
+        var low = Search.First(Degree + 1, _controls.Length, (_knots, t), static (s, i) => s._knots[i] > s.t) - 1;
         while (low > Degree && !(_knots[low] < _knots[low + 1])) low--;
         return low;
     }

@@ -22,16 +22,17 @@ public sealed class PolyCurve : Curve
     /// <summary>The pieces in order. Each starts where the previous one ends.</summary>
     public IReadOnlyList<Curve> Pieces => _pieces;
 
-    public override double DomainStart => 0;
-
     public override double DomainEnd => _pieces.Length;
 
     public override Bounds Bounds => _pieces.Aggregate(Bounds.Empty, (b, p) => b.Include(p.Bounds));
 
     public override Vec3 PointAt(double t)
     {
-        var (piece, inner) = Locate(t);
-        return piece.PointAt(inner);
+        t = Clamp(t);
+        var i = Math.Min((int)t, _pieces.Length - 1);
+        var piece = _pieces[i];
+        var share = t - i;
+        return piece.PointAt(share >= 1 ? piece.DomainEnd : piece.DomainStart + share * (piece.DomainEnd - piece.DomainStart));
     }
 
     public override Curve Transformed(Affine map) => new PolyCurve(_pieces.Select(p => p.Transformed(map)), double.MaxValue);
@@ -39,14 +40,5 @@ public sealed class PolyCurve : Curve
     internal override void AddSpans(List<CurveSpan> spans)
     {
         foreach (var piece in _pieces) piece.AddSpans(spans);
-    }
-
-    private (Curve Piece, double Inner) Locate(double t)
-    {
-        t = Clamp(t);
-        var i = Math.Min((int)t, _pieces.Length - 1);
-        var piece = _pieces[i];
-        var share = t - i;
-        return (piece, share >= 1 ? piece.DomainEnd : piece.DomainStart + share * (piece.DomainEnd - piece.DomainStart));
     }
 }

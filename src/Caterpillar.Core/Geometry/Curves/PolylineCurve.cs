@@ -23,8 +23,6 @@ public sealed class PolylineCurve : Curve
     /// <summary>The polyline.</summary>
     public Polyline Polyline { get; }
 
-    public override double DomainStart => 0;
-
     public override double DomainEnd => Polyline.SegmentCount;
 
     public override bool IsClosed => Polyline.IsClosed || base.IsClosed;
@@ -40,18 +38,13 @@ public sealed class PolylineCurve : Curve
         return Vec3.Lerp(_points[i], At(i + 1), t - i);
     }
 
-    public override Curve Transformed(Affine map)
-    {
-        var points = new Vec3[_points.Length];
-        for (var i = 0; i < points.Length; i++) points[i] = map.Apply(_points[i]);
-        return new PolylineCurve(Polyline.Own(points, Polyline.IsClosed));
-    }
+    public override Curve Transformed(Affine map) => new PolylineCurve(Polyline.Own(Array.ConvertAll(_points, map.Apply), Polyline.IsClosed));
 
     internal override void AddSpans(List<CurveSpan> spans)
     {
         for (var i = 0; i < Polyline.SegmentCount; i++)
         {
-            if (_points[i] != At(i + 1)) spans.Add(CurveSpan.Straight(_points[i], At(i + 1)));
+            if (_points[i] != At(i + 1)) spans.Add(new CurveSpan(_points[i], At(i + 1)));
         }
     }
 

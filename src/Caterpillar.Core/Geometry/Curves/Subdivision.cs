@@ -7,15 +7,8 @@ public sealed class Subdivision
 {
     private readonly Vec3[] _points;
     private readonly bool[] _linear;
-    private readonly Arc?[]? _arcs;
 
-    internal Subdivision(Vec3[] points, bool closed, bool[] linear, Arc?[]? arcs)
-    {
-        _points = points;
-        _linear = linear;
-        _arcs = arcs;
-        IsClosed = closed;
-    }
+    internal Subdivision(Vec3[] points, bool closed, bool[] linear, Arc?[]? arcs) => (_points, IsClosed, _linear, RawArcs) = (points, closed, linear, arcs);
 
     /// <summary>The points, mm. A closed curve does not repeat the first one at the end.</summary>
     public IReadOnlyList<Vec3> Points => _points;
@@ -34,5 +27,5 @@ public sealed class Subdivision
 
     internal Vec3[] Raw => _points;
 
-    internal Arc?[]? RawArcs => _arcs;
+    internal Arc?[]? RawArcs { get; }
 }

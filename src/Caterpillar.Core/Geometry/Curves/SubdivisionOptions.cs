@@ -30,9 +30,6 @@ public sealed record SubdivisionOptions
     /// <summary>Maximum deviation from the chord of parts that count as straight, mm.</summary>
     public double LinearTolerance { get; init; } = 1e-5;
 
-    /// <summary>Minimum change of direction of a kink, in degrees. Kinks always become vertices.</summary>
-    public double KinkAngle { get; init; } = 0.5;
-
     /// <summary>Division by distance along the curve, mm.</summary>
     public static SubdivisionOptions ByDistance(double distance) => new() { Distance = distance };
 
@@ -42,15 +39,12 @@ public sealed record SubdivisionOptions
     /// <exception cref="ArgumentException">A value is negative or not finite, no limit is set, or the lengths contradict each other.</exception>
     internal void Check()
     {
-        foreach (var value in new[] { Distance, ChordTolerance, Angle, MinLength, MaxLength, LinearTolerance, KinkAngle })
+        foreach (var value in new[] { Distance, ChordTolerance, Angle, MinLength, MaxLength, LinearTolerance })
         {
             if (!(value >= 0) || double.IsInfinity(value)) throw new ArgumentException("The values of a subdivision must be 0 or more and finite.");
         }
-        if (Distance == 0 && ChordTolerance == 0 && Angle == 0
-            && MaxLength == 0)
-        {
+        if (Distance == 0 && ChordTolerance == 0 && Angle == 0 && MaxLength == 0)
             throw new ArgumentException("A subdivision needs a distance, a tolerance, an angle or a maximum length.");
-        }
         if (MaxLength > 0 && MinLength > MaxLength) throw new ArgumentException("The minimum segment length must not exceed the maximum.");
     }
 }

@@ -6,8 +6,6 @@ namespace Caterpillar.Geometry;
 /// </summary>
 internal sealed class ConvexHull(IReadOnlyList<Vec3> points, double tolerance)
 {
-    private readonly IReadOnlyList<Vec3> _points = points;
-    private readonly double _tolerance = tolerance;
     private readonly List<Face> _faces = [];
 
     /// <summary>Triples of point numbers; none where the points lie in a plane.</summary>
@@ -17,12 +15,7 @@ internal sealed class ConvexHull(IReadOnlyList<Vec3> points, double tolerance)
         var hull = new ConvexHull(points, bounds.IsEmpty ? 0 : 1e-9 * bounds.Size.Length);
         if (points.Count < 4 || !hull.Begin(bounds)) return [];
         hull.Grow();
-        var triangles = new List<(int, int, int)>();
-        foreach (var face in hull._faces)
-        {
-            if (face.IsAlive) triangles.Add((face.A, face.B, face.C));
-        }
-        return triangles;
+        return [.. hull._faces.Where(f => f.IsAlive).Select(f => (f.A, f.B, f.C))];
     }
 
     // A large tetrahedron: the two farthest points of an axis, the farthest from their line, the farthest from that plane.
@@ -31,29 +24,29 @@ internal sealed class ConvexHull(IReadOnlyList<Vec3> points, double tolerance)
         var size = bounds.Size;
         Func<Vec3, double> along = size.X >= size.Y && size.X >= size.Z ? p => p.X : size.Y >= size.Z ? p => p.Y : p => p.Z;
         int a = Farthest(p => -along(p)), b = Farthest(along);
-        var axis = _points[b] - _points[a];
-        var c = Farthest(p => Vec3.Cross(p - _points[a], axis).Length);
-        var normal = Vec3.Cross(axis, _points[c] - _points[a]).Unit();
-        var d = Farthest(p => Math.Abs(Vec3.Dot(p - _points[a], normal)));
-        var height = Vec3.Dot(_points[d] - _points[a], normal);
-        if (!(Math.Abs(height) > _tolerance)) return false;
+        var axis = points[b] - points[a];
+        var c = Farthest(p => Vec3.Cross(p - points[a], axis).Length);
+        var normal = Vec3.Cross(axis, points[c] - points[a]).Unit();
+        var d = Farthest(p => Math.Abs(Vec3.Dot(p - points[a], normal)));
+        var height = Vec3.Dot(points[d] - points[a], normal);
+        if (!(Math.Abs(height) > tolerance)) return false;
         if (height > 0) (b, c) = (c, b);
-        Face[] faces = [new(this, a, b, c), new(this, a, d, b), new(this, b, d, c), new(this, c, d, a)];
+        Face[] faces = [new(points, a, b, c), new(points, a, d, b), new(points, b, d, c), new(points, c, d, a)];
         for (var i = 0; i < 4; i++)
         {
             for (var j = 0; j < 4; j++) faces[i].LinkTo(faces[j]);
         }
         _faces.AddRange(faces);
-        for (var p = 0; p < _points.Count; p++) Assign(p, faces);
+        for (var p = 0; p < points.Count; p++) Assign(p, faces);
         return true;
     }
 
     private int Farthest(Func<Vec3, double> measure)
     {
         var best = 0;
-        for (var i = 1; i < _points.Count; i++)
+        for (var i = 1; i < points.Count; i++)
         {
-            if (measure(_points[i]) > measure(_points[best])) best = i;
+            if (measure(points[i]) > measure(points[best])) best = i;
         }
         return best;
     }
@@ -72,7 +65,7 @@ internal sealed class ConvexHull(IReadOnlyList<Vec3> points, double tolerance)
             var cone = new List<Face>(horizon.Count);
             foreach (var (beyond, from, to) in horizon)
             {
-                var added = new Face(this, from, to, face.Eye);
+                var added = new Face(points, from, to, face.Eye);
                 added.LinkTo(beyond);
                 beyond.LinkTo(added);
                 cone.Add(added);
@@ -111,7 +104,7 @@ internal sealed class ConvexHull(IReadOnlyList<Vec3> points, double tolerance)
             {
                 var other = face.Neighbors[k]!;
                 if (!other.IsAlive) continue;
-                if (other.Distance(_points[eye]) > _tolerance)
+                if (other.Distance(points[eye]) > tolerance)
                 {
                     other.IsAlive = false;
                     stack.Push(other);
@@ -131,31 +124,24 @@ internal sealed class ConvexHull(IReadOnlyList<Vec3> points, double tolerance)
     {
         foreach (var face in faces)
         {
-            var distance = face.Distance(_points[point]);
-            if (!(distance > _tolerance)) continue;
+            var distance = face.Distance(points[point]);
+            if (!(distance > tolerance)) continue;
             face.Outside.Add(point);
             if (distance > face.EyeDistance) (face.Eye, face.EyeDistance) = (point, distance);
             return;
         }
     }
 
-    private sealed class Face
+    private sealed class Face(IReadOnlyList<Vec3> points, int a, int b, int c)
     {
-        private readonly Vec3 _origin;
-        private readonly Vec3 _normal;
+        private readonly Vec3 _origin = points[a];
+        private readonly Vec3 _normal = Vec3.Cross(points[b] - points[a], points[c] - points[a]).Unit();
 
-        public Face(ConvexHull hull, int a, int b, int c)
-        {
-            (A, B, C) = (a, b, c);
-            _origin = hull._points[a];
-            _normal = Vec3.Cross(hull._points[b] - _origin, hull._points[c] - _origin).Unit();
-        }
+        public int A => a;
 
-        public int A { get; }
+        public int B => b;
 
-        public int B { get; }
-
-        public int C { get; }
+        public int C => c;
 
         public bool IsAlive { get; set; } = true;
 
@@ -168,7 +154,7 @@ internal sealed class ConvexHull(IReadOnlyList<Vec3> points, double tolerance)
         // Over the edges AB, BC, CA.
         public Face?[] Neighbors { get; } = new Face?[3];
 
-        public int Corner(int k) => k % 3 == 0 ? A : k % 3 == 1 ? B : C;
+        public int Corner(int k) => k % 3 == 0 ? a : k % 3 == 1 ? b : c;
 
         public double Distance(Vec3 p) => Vec3.Dot(p - _origin, _normal);
 

@@ -15,9 +15,12 @@ internal static class CrackSnap
         var largest = Math.Max(Largest(bounds.Min), Largest(bounds.Max));
         var snap = RelativeSnap * largest;
         if (!(snap > 0)) return mesh;
-        var (target, moved) = Targets(mesh, snap);
+        var rim = OnOpenEdges(mesh);
+        var reach = new double[mesh.VertexCount];
+        foreach (var v in rim) reach[v] = snap;
+        var (targets, moved, _) = VertexSnap.Targets(mesh, reach, rim);
         if (moved == 0) return mesh;
-        var builder = MeshBuilder.Merging(mesh, target);
+        var builder = MeshBuilder.Merging(mesh, targets);
         var closed = builder.ToMesh();
         if (closed.NakedEdgeCount >= mesh.NakedEdgeCount) return mesh;
         diagnostics.Add(Severity.Warning, "mesh.snapped",
@@ -29,56 +32,16 @@ internal static class CrackSnap
         return closed;
     }
 
-    // For each vertex the first one on an open edge within the snap, or itself.
-    private static (int[] Target, int Moved) Targets(TriMesh mesh, double snap)
+    private static int[] OnOpenEdges(TriMesh mesh)
     {
-        var vertices = mesh.RawVertices;
-        var target = new int[vertices.Length];
-        for (var v = 0; v < target.Length; v++) target[v] = v;
-        var open = new bool[vertices.Length];
         var partner = mesh.Topology.Partner;
+        var open = new SortedSet<int>();
         for (var h = 0; h < partner.Length; h++)
         {
-            if (partner[h] < 0) open[mesh.RawTriangles[h]] = open[mesh.RawTriangles[MeshTopology.Next(h)]] = true;
+            if (partner[h] < 0) open.UnionWith([mesh.RawTriangles[h], mesh.RawTriangles[MeshTopology.Next(h)]]);
         }
-        var cells = new Dictionary<(long, long, long), List<int>>();
-        var moved = 0;
-        for (var v = 0; v < target.Length; v++)
-        {
-            if (!open[v]) continue;
-            var p = vertices[v];
-            var (x, y, z) = (Cell(p.X, snap), Cell(p.Y, snap), Cell(p.Z, snap));
-            var nearest = Nearest(cells, vertices, p, (x, y, z), snap);
-            if (nearest >= 0)
-            {
-                target[v] = nearest;
-                moved++;
-                continue;
-            }
-            if (!cells.TryGetValue((x, y, z), out var list)) cells.Add((x, y, z), list = []);
-            list.Add(v);
-        }
-        return (target, moved);
+        return [.. open];
     }
-
-    private static int Nearest(Dictionary<(long, long, long), List<int>> cells, Vec3[] vertices, Vec3 p, (long X, long Y, long Z) at, double snap)
-    {
-        var best = -1;
-        var distance = snap;
-        for (var i = 0; i < 27; i++)
-        {
-            if (!cells.TryGetValue((at.X + i % 3 - 1, at.Y + i / 3 % 3 - 1, at.Z + i / 9 - 1), out var list)) continue;
-            foreach (var v in list)
-            {
-                var d = vertices[v].DistanceTo(p);
-                if (d > distance || (d == distance && best >= 0 && v > best)) continue;
-                (best, distance) = (v, d);
-            }
-        }
-        return best;
-    }
-
-    private static long Cell(double value, double size) => (long)Math.Floor(value / size);
 
     private static double Largest(Vec3 p) => Math.Max(Math.Abs(p.X), Math.Max(Math.Abs(p.Y), Math.Abs(p.Z)));
 }

@@ -47,17 +47,17 @@ internal static class MeshCleaning
         for (var t = 0; t < triangles.Length; t += 3)
         {
             int a = triangles[t], b = triangles[t + 1], c = triangles[t + 2];
-            var key = a < b && a < c ? (a, b, c) : b < c ? (b, c, a) : (c, a, b);
-            if (!known.Add(key)) continue;
-            kept.Add(a);
-            kept.Add(b);
-            kept.Add(c);
+            if (!known.Add(Turned(a, b, c))) continue;
+            kept.AddRange([a, b, c]);
         }
         var dropped = (triangles.Length - kept.Count) / 3;
         if (dropped == 0) return mesh;
         diagnostics.Add(Severity.Note, "mesh.duplicate_faces", "A duplicate face was removed.", source, dropped);
         return TriMesh.Own(mesh.RawVertices, kept.ToArray());
     }
+
+    /// <summary>The same triangle from its smallest corner.</summary>
+    public static (int, int, int) Turned(int a, int b, int c) => a < b && a < c ? (a, b, c) : b < c ? (b, c, a) : (c, a, b);
 
     /// <summary>Reports what keeps the mesh from being a closed surface. Notes only: an open surface may be intended.</summary>
     public static void ReportTopology(TriMesh mesh, SourceLocation source, DiagnosticList diagnostics)

@@ -32,6 +32,10 @@ internal sealed class MeshDistance
             centers[t] = (a + b + c) / 3;
             AddNormals(t, a, b, c);
         }
+        foreach (var edge in _edges)
+        {
+            if (edge.Value.Count == 1) _rims.UnionWith([edge.Key.Item1, edge.Key.Item2]);
+        }
         Build(centers, 0, _order.Length);
     }
 
@@ -133,15 +137,6 @@ internal sealed class MeshDistance
 
     private int Build(Vec3[] centers, int first, int count)
     {
-        if (_nodes.Count == 0)
-        {
-            foreach (var edge in _edges)
-            {
-                if (edge.Value.Count != 1) continue;
-                _rims.Add(edge.Key.Item1);
-                _rims.Add(edge.Key.Item2);
-            }
-        }
         var at = _nodes.Count;
         var box = Bounds.Empty;
         var middle = Bounds.Empty;

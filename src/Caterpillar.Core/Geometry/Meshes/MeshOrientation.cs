@@ -9,14 +9,9 @@ internal static class MeshOrientation
 {
     public static TriMesh Unify(TriMesh mesh, SourceLocation source, DiagnosticList diagnostics)
     {
-        var turned = 0;
-        var result = mesh;
-        if (mesh.WindingConflictCount > 0)
-        {
-            var turn = ConflictsToFlip(mesh);
-            foreach (var t in turn) turned += t ? 1 : 0;
-            if (turned > 0) result = Flipped(mesh, turn);
-        }
+        var turn = mesh.WindingConflictCount > 0 ? ConflictsToFlip(mesh) : [];
+        var turned = turn.Count(t => t);
+        var result = turned > 0 ? Flipped(mesh, turn) : mesh;
         if (turned > 0)
         {
             diagnostics.Add(Severity.Warning, "mesh.flipped_faces", "A face was inside out relative to its neighbors and was flipped.", source, turned);
@@ -26,7 +21,8 @@ internal static class MeshOrientation
         return Flipped(result, null);
     }
 
-    private static TriMesh Flipped(TriMesh mesh, bool[]? which)
+    /// <summary>The mesh with some of its triangles flipped, or all.</summary>
+    public static TriMesh Flipped(TriMesh mesh, bool[]? which)
     {
         var triangles = (int[])mesh.RawTriangles.Clone();
         for (var t = 0; t < mesh.TriangleCount; t++)
@@ -65,28 +61,14 @@ internal static class MeshOrientation
                     body.Add(other / 3);
                 }
             }
-            if (conflicts && IsInsideOut(body, turn))
-            {
-                foreach (var t in body) turn[t] = !turn[t];
-            }
-            else if (!conflicts)
-            {
-                foreach (var t in body) turn[t] = false;
-            }
+            var isInsideOut = IsInsideOut(body, turn);
+            foreach (var t in body) turn[t] = conflicts && turn[t] != isInsideOut;
         }
         return turn;
     }
 
     // As most of the triangles were: a cavity stays a cavity, and BodyOrientation looks at what is wrong as a whole.
-    private static bool IsInsideOut(List<int> body, bool[] turn)
-    {
-        var turned = 0;
-        foreach (var t in body)
-        {
-            if (turn[t]) turned++;
-        }
-        return 2 * turned > body.Count;
-    }
+    private static bool IsInsideOut(List<int> body, bool[] turn) => 2 * body.Count(t => turn[t]) > body.Count;
 
     // For each half-edge the other one of an edge with exactly two triangles, else −1.
     private static int[] Neighbors(TriMesh mesh)

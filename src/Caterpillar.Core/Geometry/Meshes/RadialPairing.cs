@@ -28,7 +28,8 @@ internal static class RadialPairing
             angles[i] = PseudoAngle(Vec3.Dot(apex, side), Vec3.Dot(apex, up));
             partner[edge] = -1;
         }
-        SortByAngle(edges, angles);
+        // Ties keep the order of the half-edges.
+        edges = edges.Select((edge, i) => (Edge: edge, Angle: angles[i])).OrderBy(e => e.Angle).Select(e => e.Edge).ToArray();
         // A forward triangle has its outside ahead in angle, so the solid lies after it: match each forward one with the
         // nearest unmatched backward one before it, as brackets; twice around, because the circle has no beginning.
         var open = new int[count];
@@ -51,33 +52,7 @@ internal static class RadialPairing
                 }
             }
         }
-        foreach (var edge in edges)
-        {
-            if (partner[edge] < 0) return false;
-        }
-        return true;
-    }
-
-    private static void SortByAngle(int[] edges, double[] angles)
-    {
-        if (edges.Length > 64)
-        {
-            // Ties keep the order of the half-edges.
-            var order = new int[edges.Length];
-            for (var i = 0; i < order.Length; i++) order[i] = i;
-            Array.Sort(order, (a, b) => angles[a] != angles[b] ? angles[a].CompareTo(angles[b]) : edges[a].CompareTo(edges[b]));
-            var sorted = new int[edges.Length];
-            for (var i = 0; i < order.Length; i++) sorted[i] = edges[order[i]];
-            Array.Copy(sorted, edges, sorted.Length);
-            return;
-        }
-        for (var i = 1; i < edges.Length; i++)
-        {
-            var (edge, angle) = (edges[i], angles[i]);
-            var j = i;
-            for (; j > 0 && angles[j - 1] > angle; j--) (edges[j], angles[j]) = (edges[j - 1], angles[j - 1]);
-            (edges[j], angles[j]) = (edge, angle);
-        }
+        return Array.TrueForAll(edges, e => partner[e] >= 0);
     }
 
     private static Vec3 Across(Vec3 axis)

@@ -180,6 +180,14 @@ public sealed class TriMesh
     /// <summary>Takes ownership of the arrays without a copy or check; for <see cref="MeshBuilder"/>.</summary>
     internal static TriMesh Own(Vec3[] vertices, int[] triangles) => triangles.Length == 0 ? Empty : new TriMesh(vertices, triangles);
 
+    /// <summary>The same from the corners of each triangle.</summary>
+    internal static TriMesh Own(Vec3[] vertices, List<(int A, int B, int C)> faces)
+    {
+        var triangles = new int[3 * faces.Count];
+        for (var i = 0; i < faces.Count; i++) (triangles[3 * i], triangles[3 * i + 1], triangles[3 * i + 2]) = faces[i];
+        return Own(vertices, triangles);
+    }
+
     internal Vec3[] RawVertices => _vertices;
 
     internal int[] RawTriangles => _triangles;

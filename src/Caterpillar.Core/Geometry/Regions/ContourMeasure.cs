@@ -49,18 +49,13 @@ internal static class ContourMeasure
             if (twice > 0) outer++;
             else holes++;
             area += twice / (2 * perMm * perMm);
-            perimeter += Length(ring) / perMm;
+            perimeter += Grid.Length(ring) / perMm;
         }
         return (area, perimeter, outer, holes);
     }
 
     private static GridPoint[] ToGrid(Vec3[] points, Vec3 center, double perMm)
-    {
-        var path = new GridPoint[points.Length];
-        for (var i = 0; i < path.Length; i++) path[i] = new GridPoint(Grid.Round((points[i].X - center.X) * perMm),
-            Grid.Round((points[i].Y - center.Y) * perMm));
-        return path;
-    }
+        => Array.ConvertAll(points, p => new GridPoint(Grid.Round((p.X - center.X) * perMm), Grid.Round((p.Y - center.Y) * perMm)));
 
     private static double Length(Vec3[] points)
     {
@@ -69,19 +64,6 @@ internal static class ContourMeasure
         foreach (var b in points)
         {
             sum += (b - a).LengthXY;
-            a = b;
-        }
-        return sum;
-    }
-
-    private static double Length(GridPoint[] points)
-    {
-        var sum = 0.0;
-        var a = points[points.Length - 1];
-        foreach (var b in points)
-        {
-            double dx = (double)b.X - a.X, dy = (double)b.Y - a.Y;
-            sum += Math.Sqrt(dx * dx + dy * dy);
             a = b;
         }
         return sum;

@@ -13,8 +13,7 @@ internal static class HatchScanner
         if (double.IsNaN(angle) || double.IsInfinity(angle)) throw new ArgumentException("The angle must be a number.", nameof(angle));
         if (!(spacing > 0) || double.IsInfinity(spacing)) throw new ArgumentException("The spacing must be positive.", nameof(spacing));
         if (double.IsNaN(phase) || double.IsInfinity(phase)) throw new ArgumentException("The phase must be a number.", nameof(phase));
-        var count = 0;
-        foreach (var path in paths) count += path.Length;
+        var count = paths.Sum(path => path.Length);
         if (count == 0) return Array.Empty<HatchLine>();
         var (sin, cos) = Angle.SinCos(angle);
         var along = new double[count];

@@ -4,10 +4,11 @@ namespace Caterpillar.Geometry;
 /// The parts of the segments of a path inside a region, or outside. Segments that follow each other are near the same edges, and are mostly on the same side of
 /// all.
 /// </summary>
-internal sealed class LineClipper(RegionIndex index, bool outside)
+/// <param name="index">The region.</param>
+/// <param name="outside">Keep what is outside.</param>
+/// <param name="together">Segments that look for edges together.</param>
+internal sealed class LineClipper(RegionIndex index, bool outside, int together = 16)
 {
-    // Segments that look for edges together.
-    private const int Run = 16;
     private readonly LineCuts _cuts = new(index);
     private readonly List<int> _leaves = [];
     private Vec3[] _path = [];
@@ -22,9 +23,7 @@ internal sealed class LineClipper(RegionIndex index, bool outside)
     public void Parts(int segment, List<(double From, double To)> parts)
     {
         Vec3 a = _path[segment], b = _path[segment + 1 == _path.Length ? 0 : segment + 1];
-        if (segment / Run != _run) FindLeaves(segment / Run);
-        _cuts.Begin(a, b);
-        foreach (var leaf in _leaves) _cuts.Add(leaf);
+        Cut(segment, a, b);
         var goesOn = _after == segment && _last is not null && !_cuts.Touched;
         // The end of a segment that ends at an edge tells nothing of the next.
         _after = _cuts.EndTouches ? -1 : segment + 1;
@@ -33,15 +32,11 @@ internal sealed class LineClipper(RegionIndex index, bool outside)
             if (_last == true) parts.Add((0, 1));
             return;
         }
-        var cuts = _cuts.Found;
-        if (cuts.Count > 1) cuts.Sort();
-        cuts.Add(1);
         var from = 0.0;
-        foreach (var to in cuts)
+        foreach (var to in InOrder())
         {
             if (to <= from) continue;
-            var middle = Vec3.Lerp(a, b, (from + to) / 2);
-            _last = index.Contains(middle.X * Grid.PerMm, middle.Y * Grid.PerMm) != outside;
+            _last = Keeps(Vec3.Lerp(a, b, (from + to) / 2));
             if (_last == true)
             {
                 if (parts.Count > 0 && parts[parts.Count - 1].To == from) parts[parts.Count - 1] = (parts[parts.Count - 1].From, to);
@@ -51,6 +46,38 @@ internal sealed class LineClipper(RegionIndex index, bool outside)
         }
     }
 
+    /// <summary>True if all of a line is kept.</summary>
+    public bool IsWhole(Vec3 a, Vec3 b)
+    {
+        Follow([a, b]);
+        Cut(0, a, b);
+        var from = 0.0;
+        foreach (var to in InOrder())
+        {
+            if (to <= from) continue;
+            if (!Keeps(Vec3.Lerp(a, b, (from + to) / 2))) return false;
+            from = to;
+        }
+        return true;
+    }
+
+    private void Cut(int segment, Vec3 a, Vec3 b)
+    {
+        if (segment / together != _run) FindLeaves(segment / together);
+        _cuts.Begin(a, b);
+        foreach (var leaf in _leaves) _cuts.Add(leaf);
+    }
+
+    // The cuts with the end of the segment.
+    private List<double> InOrder()
+    {
+        if (_cuts.Found.Count > 1) _cuts.Found.Sort();
+        _cuts.Found.Add(1);
+        return _cuts.Found;
+    }
+
+    private bool Keeps(Vec3 point) => index.Contains(point.X * Grid.PerMm, point.Y * Grid.PerMm) != outside;
+
     // The leaves of edges near a run of segments.
     private void FindLeaves(int run)
     {
@@ -59,7 +86,7 @@ internal sealed class LineClipper(RegionIndex index, bool outside)
         var tree = index.Tree;
         if (tree.Levels == 0) return;
         double minX = double.PositiveInfinity, minY = minX, maxX = double.NegativeInfinity, maxY = maxX;
-        for (var i = run * Run; i <= (run + 1) * Run && i <= _path.Length; i++)
+        for (var i = run * together; i <= (run + 1) * together && i <= _path.Length; i++)
         {
             ref readonly var p = ref _path[i == _path.Length ? 0 : i];
             double x = p.X * Grid.PerMm, y = p.Y * Grid.PerMm;

@@ -25,31 +25,18 @@ internal sealed class LineCuts(RegionIndex index)
         _near = 2 / Math.Sqrt((_bx - _ax) * (_bx - _ax) + (_by - _ay) * (_by - _ay));
     }
 
-    /// <summary>Adds the cuts with all edges.</summary>
-    public void AddAll()
-    {
-        if (index.Tree.Levels > 0) Descend(_ax, _ay, _bx, _by, index.Tree.Levels - 1, 0);
-    }
-
     /// <summary>Adds the cuts with the edges of one leaf of the index.</summary>
-    public void Add(int leaf) => Descend(_ax, _ay, _bx, _by, 0, leaf);
-
-    private void Descend(double ax, double ay, double bx, double by, int level, int node)
+    public void Add(int leaf)
     {
         var tree = index.Tree;
-        ref readonly var box = ref tree.Boxes[tree.LevelStart[level] + node];
+        double ax = _ax, ay = _ay, bx = _bx, by = _by;
+        ref readonly var box = ref tree.Boxes[leaf];
         if ((ax < bx ? bx : ax) < box.MinX - 1.0 || (ax < bx ? ax : bx) > box.MaxX + 1.0 || (ay < by ? by : ay) < box.MinY - 1.0
             || (ay < by ? ay : by) > box.MaxY + 1.0)
         {
             return;
         }
-        if (level > 0)
-        {
-            Descend(ax, ay, bx, by, level - 1, 2 * node);
-            if (2 * node + 1 < tree.LevelCount[level - 1]) Descend(ax, ay, bx, by, level - 1, 2 * node + 1);
-            return;
-        }
-        for (var i = tree.LeafStart[node]; i < tree.LeafStart[node + 1]; i++) Cut(ax, ay, bx, by, index.Segments[i]);
+        for (var i = tree.LeafStart[leaf]; i < tree.LeafStart[leaf + 1]; i++) Cut(ax, ay, bx, by, index.Segments[i]);
     }
 
     private void Cut(double ax, double ay, double bx, double by, in Segment s)

@@ -67,58 +67,18 @@ public sealed class Region
     public bool IsEmpty => _paths.Length == 0;
 
     /// <summary>Area in mm², not counting holes.</summary>
-    public double Area
-    {
-        get
-        {
-            var sum = 0.0;
-            foreach (var path in _paths) sum += Grid.DoubleArea(path, 0, path.Length);
-            return sum / (2 * Grid.PerMm * Grid.PerMm);
-        }
-    }
+    public double Area => _paths.Sum(path => (double)Grid.DoubleArea(path, 0, path.Length)) / (2 * Grid.PerMm * Grid.PerMm);
 
     /// <summary>Total length of all contours, mm.</summary>
-    public double Perimeter
-    {
-        get
-        {
-            var sum = 0.0;
-            foreach (var path in _paths)
-            {
-                var a = path[path.Length - 1];
-                foreach (var b in path)
-                {
-                    double dx = (double)b.X - a.X, dy = (double)b.Y - a.Y;
-                    sum += Math.Sqrt(dx * dx + dy * dy);
-                    a = b;
-                }
-            }
-            return sum / Grid.PerMm;
-        }
-    }
+    public double Perimeter => _paths.Sum(Grid.Length) / Grid.PerMm;
 
     /// <summary>Bounding box in mm, at Z = 0.</summary>
     public Bounds Bounds
-    {
-        get
-        {
-            var box = GridBox.Nothing;
-            foreach (var path in _paths) box.Include(GridBox.Of(path));
-            return IsEmpty ? Bounds.Empty : new Bounds(Grid.ToMm(new GridPoint(box.MinX, box.MinY)), Grid.ToMm(new GridPoint(box.MaxX, box.MaxY)));
-        }
-    }
+        => IsEmpty ? Bounds.Empty : new Bounds(Grid.ToMm(new GridPoint(Box.MinX, Box.MinY)), Grid.ToMm(new GridPoint(Box.MaxX, Box.MaxY)));
 
     /// <summary>The closed contours in mm at Z = 0: outlines counterclockwise, holes clockwise.</summary>
     public IReadOnlyList<Polyline> Contours
-    {
-        get
-        {
-            if (_contours is not null) return _contours;
-            var contours = new Polyline[_paths.Length];
-            for (var i = 0; i < contours.Length; i++) contours[i] = ToPolyline(_paths[i]);
-            return Interlocked.CompareExchange(ref _contours, contours, null) ?? contours;
-        }
-    }
+        => _contours ?? Interlocked.CompareExchange(ref _contours, Array.ConvertAll(_paths, ToPolyline), null) ?? _contours!;
 
     /// <summary>
     /// The connected pieces, in the order of their outlines. Each has its outline first, then its holes. An island in a hole is a piece of its own.
@@ -134,7 +94,7 @@ public sealed class Region
     {
         Grid.FromMm(a, nameof(a));
         Grid.FromMm(b, nameof(b));
-        return !IsEmpty && new PolylineClipper(Index, outside: false).IsWhole(a, b);
+        return !IsEmpty && new LineClipper(Index, outside: false).IsWhole(a, b);
     }
 
     /// <summary>The region without islands and holes whose contour encloses less than <paramref name="area"/> mm².</summary>
@@ -161,11 +121,7 @@ public sealed class Region
     internal static Region Union(IEnumerable<Region> regions, RegionEngine? engine)
     {
         if (regions is null) throw new ArgumentNullException(nameof(regions));
-        var parts = new List<Region>();
-        foreach (var region in regions)
-        {
-            if (!(region ?? throw new ArgumentException("A region is missing.", nameof(regions))).IsEmpty) parts.Add(region);
-        }
+        var parts = regions.Where(region => !(region ?? throw new ArgumentException("A region is missing.", nameof(regions))).IsEmpty).ToList();
         return parts.Count < 2 ? parts.Count == 0 ? Empty : parts[0] : RegionOperations.Combine(parts, [], InsideRule.Positive, engine ?? new RegionEngine());
     }
 
@@ -174,12 +130,7 @@ public sealed class Region
         => RegionOperations.Combine(areas, without, InsideRule.Difference, engine);
 
     /// <summary>Regions that are apart from each other as one.</summary>
-    internal static Region Beside(IEnumerable<Region> regions)
-    {
-        var paths = new List<GridPoint[]>();
-        foreach (var region in regions) paths.AddRange(region._paths);
-        return Own([.. paths]);
-    }
+    internal static Region Beside(IEnumerable<Region> regions) => Own([.. regions.SelectMany(region => region._paths)]);
 
     /// <summary>
     /// The region grown or shrunk by a distance. Corners that open up get a join; the others are exact. Raw offset curve, then union by positive winding
@@ -243,19 +194,9 @@ public sealed class Region
     /// <summary>Takes ownership of valid paths without a check.</summary>
     internal static Region Own(GridPoint[][] paths) => paths.Length == 0 ? Empty : new Region(paths);
 
-    internal static GridPoint[] ToGrid(Vec3[] points, string parameter)
-    {
-        var path = new GridPoint[points.Length];
-        for (var i = 0; i < path.Length; i++) path[i] = Grid.FromMm(points[i], parameter);
-        return path;
-    }
+    internal static GridPoint[] ToGrid(Vec3[] points, string parameter) => Array.ConvertAll(points, p => Grid.FromMm(p, parameter));
 
-    internal static Polyline ToPolyline(GridPoint[] path)
-    {
-        var points = new Vec3[path.Length];
-        for (var i = 0; i < points.Length; i++) points[i] = Grid.ToMm(path[i]);
-        return Polyline.Own(points, closed: true);
-    }
+    internal static Polyline ToPolyline(GridPoint[] path) => Polyline.Own(Array.ConvertAll(path, Grid.ToMm), closed: true);
 
     private static Region FromEngine(RegionEngine engine, FillRule rule, bool closeHoles)
     {

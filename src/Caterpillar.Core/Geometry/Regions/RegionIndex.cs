@@ -8,9 +8,7 @@ internal sealed class RegionIndex
 
     public RegionIndex(GridPoint[][] paths)
     {
-        var count = 0;
-        foreach (var path in paths) count += path.Length;
-        Segments = new Segment[count];
+        Segments = new Segment[paths.Sum(path => path.Length)];
         var start = new int[paths.Length + 1];
         var n = 0;
         for (var c = 0; c < paths.Length; c++)

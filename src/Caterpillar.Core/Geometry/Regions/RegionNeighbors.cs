@@ -16,21 +16,14 @@ internal static class RegionNeighbors
     /// <summary>The same for several boxes, each with what is around it up to a distance, mm.</summary>
     public static Region Near(this Region region, IReadOnlyList<GridBox> boxes, double distance)
     {
-        var places = new GridBox[boxes.Count];
-        for (var i = 0; i < places.Length; i++) places[i] = boxes[i].Grown(distance);
+        var places = boxes.Select(box => box.Grown(distance)).ToArray();
         return Only(region, part => Array.Exists(places, p => GridBox.Overlap(part, p)));
     }
 
     private static Region Only(Region region, Predicate<GridBox> isNear)
     {
         var near = Array.ConvertAll(region.Boxes, b => isNear(b));
-        if (Array.TrueForAll(near, n => n)) return region;
-        var paths = new List<GridPoint[]>();
-        for (var i = 0; i < near.Length; i++)
-        {
-            if (near[i]) paths.Add(region.Paths[i]);
-        }
-        return Region.Own([.. paths]);
+        return Array.TrueForAll(near, n => n) ? region : Region.Own([.. region.Paths.Where((_, i) => near[i])]);
     }
 
     /// <summary>
@@ -72,17 +65,7 @@ internal static class RegionNeighbors
     public static bool SameAs(this Region region, Region other)
     {
         if (ReferenceEquals(region, other)) return true;
-        if (region.Paths.Length != other.Paths.Length) return false;
-        for (var i = 0; i < region.Paths.Length; i++)
-        {
-            GridPoint[] a = region.Paths[i], b = other.Paths[i];
-            if (a.Length != b.Length) return false;
-            for (var k = 0; k < a.Length; k++)
-            {
-                if (a[k] != b[k]) return false;
-            }
-        }
-        return true;
+        return region.Paths.Length == other.Paths.Length && region.Paths.Zip(other.Paths, (a, b) => a.SequenceEqual(b)).All(same => same);
     }
 
     /// <summary>
@@ -95,10 +78,7 @@ internal static class RegionNeighbors
         GridBox box = region.Box, inner = other.Box;
         if (inner.MinX <= box.MinX || inner.MinY <= box.MinY || inner.MaxX >= box.MaxX || inner.MaxY >= box.MaxY) return false;
         if (RegionMeeting.Meet(region.Index, other.Index)) return false;
-        foreach (var path in other.Paths)
-        {
-            if (!region.Index.Contains(path[0].X, path[0].Y)) return false;
-        }
+        if (!other.Paths.All(path => region.Index.Contains(path[0].X, path[0].Y))) return false;
         // A hole of this region within the other one.
         for (var i = 0; i < region.Paths.Length; i++)
         {
@@ -114,15 +94,7 @@ internal static class RegionNeighbors
         var near = region.Near(box);
         if (near.IsEmpty || small.IsEmpty) return true;
         if (RegionMeeting.Meet(region.Index, small.Index)) return false;
-        foreach (var path in small.Paths)
-        {
-            if (region.Index.Contains(path[0].X, path[0].Y)) return false;
-        }
-        foreach (var path in near.Paths)
-        {
-            if (small.Index.Contains(path[0].X, path[0].Y)) return false;
-        }
-        return true;
+        return !small.Paths.Any(path => region.Index.Contains(path[0].X, path[0].Y)) && !near.Paths.Any(path => small.Index.Contains(path[0].X, path[0].Y));
     }
 
     /// <summary>Whether the region has no point within a distance, mm, of a place, in mm.</summary>

@@ -21,7 +21,7 @@ public static class HeaderImport
     /// <param name="footerFile">Name of the footer in messages.</param>
     /// <returns>
     /// The printer, or an error if the header leaves the machine in inches. Invalid lines give warnings (<c>header.bad_word</c>, <c>header.no_command</c>,
-    /// <c>header.merge_conflict</c>, <c>header.unknown_name</c>) with their location and stay as comments. Notes report guessed values.
+    /// <c>header.merge_conflict</c>, <c>import.template</c>) with their location and stay as comments. Notes report guessed values.
     /// </returns>
     public static Result<ImportedPrinter> Read(
         string header, string footer, string name = "imported", Printer? like = null, string headerFile = "header", string footerFile = "footer")
@@ -45,8 +45,8 @@ public static class HeaderImport
         var startLines = start.Start(facts);
         var endLines = new HeaderTemplate(foot, footerFile, problems).End(facts);
         var (volume, origin) = Bed(facts, foot.Facts, like ?? new Printer(), headerFile, problems);
-        var nozzle = facts.NozzleTemperature ?? (start.Used.Contains("hotend_temp") ? DefaultNozzle : 0);
-        var bed = facts.BedTemperature ?? (start.Used.Contains("bed_temp") ? DefaultBed : 0);
+        var nozzle = facts.NozzleTemperature ?? (header.Contains("{hotend_temp") ? DefaultNozzle : 0);
+        var bed = facts.BedTemperature ?? (header.Contains("{bed_temp") ? DefaultBed : 0);
         var printer = (like ?? new Printer()) with
         {
             Name = name,

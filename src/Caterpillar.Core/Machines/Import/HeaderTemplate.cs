@@ -4,9 +4,7 @@ namespace Caterpillar.Machines;
 internal sealed class HeaderTemplate(HeaderText header, string file, DiagnosticList problems)
 {
     private readonly List<string> _lines = [];
-
-    /// <summary>The names in braces that were found.</summary>
-    public List<string> Used { get; } = [];
+    private readonly SlicerTemplate _template = new(new Dictionary<string, string>(), file, problems.Add);
 
     public ValueList<string> Start(HeaderFacts facts)
     {
@@ -36,18 +34,7 @@ internal sealed class HeaderTemplate(HeaderText header, string file, DiagnosticL
 
     private void Add(HeaderLine line) => _lines.Add(Convert(line.Text));
 
-    private string Convert(string text)
-    {
-        var unknown = new List<(string Name, int Column)>();
-        var converted = HeaderNames.ToTemplate(text, Used, unknown);
-        if (unknown.Count > 0)
-        {
-            problems.Add(Severity.Warning, "header.unknown_name",
-                $"{unknown[0].Name} is not {{x}}, {{y}}, {{z}}, {{feedrate}}, {{hotend_temp}} or {{bed_temp}}. It stays unchanged.",
-                new SourceLocation(file, null, unknown[0].Column));
-        }
-        return converted;
-    }
+    private string Convert(string text) => _template.Line(text, TemplateKeys.StartGCode, new SourceLocation(file));
 
     // The temperature comes from the material, and the line is omitted for a material without one.
     private void Heat(HeaderLine line, double? own, string condition, string value)
@@ -55,10 +42,9 @@ internal sealed class HeaderTemplate(HeaderText header, string file, DiagnosticL
         var temperature = HeaderFacts.TemperatureOf(line);
         if (temperature is null || temperature != own)
         {
-            var named = Used.Count;
             var converted = Convert(line.Text);
-            if (Used.Count > named) AddIf(condition, converted);
-            else _lines.Add(converted);
+            if (converted == line.Text) _lines.Add(converted);
+            else AddIf(condition, converted);
             if (temperature is not null && temperature != own)
             {
                 problems.Add(Severity.Note, "header.other_temperature",

@@ -11,10 +11,15 @@ namespace Caterpillar.Machines;
 public sealed class ProfileLibrary
 {
     private const long LargestFile = 16 << 20;
-    private readonly string? _userFolder;
+    private readonly string[] _folders;
 
     /// <param name="userFolder">Folder of the user's profiles; null = none. It need not exist.</param>
-    public ProfileLibrary(string? userFolder = null) => _userFolder = userFolder;
+    public ProfileLibrary(string? userFolder = null)
+        : this(userFolder is null ? [] : [userFolder])
+    {
+    }
+
+    private ProfileLibrary(string[] folders) => _folders = folders;
 
     /// <summary>Names of all printers, sorted.</summary>
     public IReadOnlyList<string> PrinterNames => Names(ProfileKinds.Printer);
@@ -38,9 +43,9 @@ public sealed class ProfileLibrary
     public Result<PrintSettings> Settings(string nameOrFile) => Find(ProfileKinds.Settings, nameOrFile);
 
     /// <summary>
-    /// A complete setup. Material and settings default to the printer's <c>default_material</c> and <c>default_settings</c>. <paramref name="values"/> are
-    /// <c>key=value</c> for any key of the three, applied in order; keys of materials apply to those of all tools. <paramref name="toolMaterials"/> are the
-    /// materials of the tools from 1 on.
+    /// A complete setup. Material and settings default to the printer's <c>default_material</c> and <c>default_settings</c>, which for the file of a printer
+    /// may be in its folder. <paramref name="values"/> are <c>key=value</c> for any key of the three, applied in order; keys of materials apply to all tools.
+    /// <paramref name="toolMaterials"/> are the materials of the tools from 1 on.
     /// </summary>
     /// <inheritdoc cref="Printer" path="/exception"/>
     public Result<PrintSetup> Setup(
@@ -48,9 +53,10 @@ public sealed class ProfileLibrary
         IReadOnlyList<string>? toolMaterials = null)
     {
         var machine = Printer(printer);
-        var materialResult = Material(material ?? machine.Value?.DefaultMaterial ?? "pla");
-        var settingsResult = Settings(settings ?? machine.Value?.DefaultSettings ?? "standard");
-        var others = (toolMaterials ?? []).Select(Material).ToArray();
+        var known = IsFile(printer) && Path.GetDirectoryName(Path.GetFullPath(printer)) is { } folder ? new ProfileLibrary([folder, .. _folders]) : this;
+        var materialResult = known.Material(material ?? machine.Value?.DefaultMaterial ?? "pla");
+        var settingsResult = known.Settings(settings ?? machine.Value?.DefaultSettings ?? "standard");
+        var others = (toolMaterials ?? []).Select(known.Material).ToArray();
         var diagnostics = machine.Diagnostics.Concat(materialResult.Diagnostics).Concat(settingsResult.Diagnostics)
             .Concat(others.SelectMany(m => m.Diagnostics)).ToList();
         if (machine.Value is null || materialResult.Value is null || settingsResult.Value is null || Array.Exists(others, m => m.Value is null))
@@ -103,11 +109,8 @@ public sealed class ProfileLibrary
         where T : class
     {
         if (name.IndexOfAny(['/', '\\', '.']) >= 0) yield break;
-        if (_userFolder is not null)
-        {
-            var file = Path.Combine(_userFolder, kind.Folder, name + ".json");
-            if (File.Exists(file)) yield return new Source(file, name, () => File.ReadAllText(file));
-        }
+        foreach (var file in _folders.Select(f => Path.Combine(f, kind.Folder, name + ".json")).Where(File.Exists))
+            yield return new Source(file, name, () => File.ReadAllText(file));
         var resource = Resources().FirstOrDefault(r => r.Path == kind.Folder + name + ".json").Resource;
         if (resource is not null) yield return new Source("printers/" + kind.Folder + name + ".json", name, () => ReadResource(resource));
     }
@@ -121,11 +124,8 @@ public sealed class ProfileLibrary
             if (!path.StartsWith(kind.Folder, StringComparison.Ordinal) || path.IndexOf('/', kind.Folder.Length) >= 0) continue;
             names.Add(path.Substring(kind.Folder.Length, path.Length - kind.Folder.Length - ".json".Length));
         }
-        var folder = _userFolder is null ? null : Path.Combine(_userFolder, kind.Folder);
-        if (folder is not null && Directory.Exists(folder))
-        {
-            names.UnionWith(Directory.GetFiles(folder, "*.json") .Select(f => Path.GetFileNameWithoutExtension(f)));
-        }
+        foreach (var folder in _folders.Select(f => Path.Combine(f, kind.Folder)).Where(Directory.Exists))
+            names.UnionWith(Directory.GetFiles(folder, "*.json").Select(f => Path.GetFileNameWithoutExtension(f)));
         return names.ToArray();
     }
 

@@ -25,6 +25,13 @@ public sealed partial record PrintSettings
     /// <summary>Combine the infill of this many layers into one thicker layer.</summary>
     public int CombineInfillLayers { get; init => field = InfillKeys.CombineInfillLayers.Check(value); } = 1;
 
+    /// <summary>Length along the wall by which free ends of sparse infill lines are anchored; 0 = not anchored.</summary>
+    /// <value>mm.</value> <remarks>At most half of the distance to the next line.</remarks>
+    public double InfillAnchor { get; init => field = InfillKeys.InfillAnchor.Check(value); }
+
+    /// <summary>Maximum length along the wall that joins two sparse infill lines; 0 = twice their distance.</summary> <value>mm.</value>
+    public double InfillAnchorMax { get; init => field = InfillKeys.InfillAnchorMax.Check(value); }
+
     /// <summary>Print the infill of an island before its walls.</summary>
     public bool InfillFirst { get; init; }
 }
@@ -49,5 +56,8 @@ internal static class InfillKeys
         s => s.InfillCurves, (s, v) => s with { InfillCurves = v });
     public static readonly IntegerKey CombineInfillLayers
         = All.Integer("combine_infill_layers", 1, 1000, s => s.CombineInfillLayers, (s, v) => s with { CombineInfillLayers = v });
+    public static readonly NumberKey InfillAnchor = All.Number("infill_anchor_mm", 0, 1000, s => s.InfillAnchor, (s, v) => s with { InfillAnchor = v });
+    public static readonly NumberKey InfillAnchorMax
+        = All.NumberOrZero("infill_anchor_max_mm", 0.01, 1000, s => s.InfillAnchorMax, (s, v) => s with { InfillAnchorMax = v });
     public static readonly FlagKey InfillFirst = All.Boolean("infill_before_walls", s => s.InfillFirst, (s, v) => s with { InfillFirst = v });
 }

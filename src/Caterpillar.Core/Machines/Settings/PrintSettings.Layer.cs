@@ -37,6 +37,17 @@ public sealed partial record PrintSettings
     /// <summary>Enlarge holes by this much on each side; negative = shrink.</summary> <value>mm.</value>
     public double XyHoleCompensation { get; init => field = LayerKeys.XyHoleCompensation.Check(value); }
 
+    /// <summary>
+    /// Print round upright holes as polygons with about two sides for each mm of the diameter, whose sides touch the circle: many short chords print too small.
+    /// </summary>
+    public bool HoleToPolyhole { get; init; }
+
+    /// <summary>Turn these polygons by half a side in every other layer.</summary>
+    public bool HoleToPolyholeTwisted { get; init; } = true;
+
+    /// <summary>Maximum deviation of the corners of a round hole from a circle.</summary> <value>mm.</value>
+    public double HoleToPolyholeThreshold { get; init => field = LayerKeys.HoleToPolyholeThreshold.Check(value); } = 0.01;
+
     /// <summary>Shrink the outline of the first layer by this much; negative = grow.</summary> <value>mm.</value>
     public double ElephantFootCompensation { get; init => field = LayerKeys.ElephantFootCompensation.Check(value); }
 }
@@ -65,6 +76,11 @@ internal static class LayerKeys
         = All.Number("xy_size_compensation_mm", -100, 100, s => s.XySizeCompensation, (s, v) => s with { XySizeCompensation = v });
     public static readonly NumberKey XyHoleCompensation
         = All.Number("xy_hole_compensation_mm", -100, 100, s => s.XyHoleCompensation, (s, v) => s with { XyHoleCompensation = v });
+    public static readonly FlagKey HoleToPolyhole = All.Boolean("hole_to_polyhole", s => s.HoleToPolyhole, (s, v) => s with { HoleToPolyhole = v });
+    public static readonly FlagKey HoleToPolyholeTwisted
+        = All.Boolean("hole_to_polyhole_twisted", s => s.HoleToPolyholeTwisted, (s, v) => s with { HoleToPolyholeTwisted = v });
+    public static readonly NumberKey HoleToPolyholeThreshold
+        = All.Number("hole_to_polyhole_threshold_mm", 0, 10, s => s.HoleToPolyholeThreshold, (s, v) => s with { HoleToPolyholeThreshold = v });
     public static readonly NumberKey ElephantFootCompensation
         = All.Number("elephant_foot_compensation_mm", -100, 100, s => s.ElephantFootCompensation, (s, v) => s with { ElephantFootCompensation = v });
 }

@@ -34,7 +34,7 @@ public sealed partial record PrintSettings
     /// <summary>Maximum width of variable-width walls; 0 = 180 % of the line width.</summary> <value>mm.</value>
     public double MaxWallWidth { get; init => field = WallWidthKeys.MaxWallWidth.Check(value); }
 
-    /// <summary>Fit arcs (G2, G3) to the walls of planar layers within this tolerance; 0 = off.</summary>
+    /// <summary>Fit arcs (G2, G3) to the paths of planar layers within this tolerance; 0 = off.</summary>
     /// <value>mm.</value> <remarks>No arc crosses a seam or a change of width or flow. Spiral vases have no arcs.</remarks>
     public double ArcFittingTolerance { get; init => field = WallWidthKeys.ArcFittingTolerance.Check(value); }
 }

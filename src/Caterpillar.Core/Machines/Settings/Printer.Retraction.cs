@@ -3,7 +3,7 @@ using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, 
 
 namespace Caterpillar.Machines;
 
-// Retraction, lifts and the progress of a print.
+// Retraction and lifts.
 public sealed partial record Printer
 {
     /// <summary>Retraction length; 0 = off.</summary> <value>mm.</value>
@@ -21,9 +21,6 @@ public sealed partial record Printer
     /// <summary>Retract with G10 and G11. Length and speed are set in the firmware.</summary>
     public bool FirmwareRetraction { get; init; }
 
-    /// <summary>Write the print time (;TIME) and the progress (M73), if the flavor supports it.</summary>
-    public bool ProgressCommands { get; init; } = true;
-
     /// <summary>Z-hop: height of travel moves above what has been printed.</summary> <value>mm.</value>
     public double ZHop { get; init => field = RetractionKeys.ZHop.Check(value); } = 0.4;
 
@@ -31,7 +28,7 @@ public sealed partial record Printer
     public double ZHopSpeed { get; init => field = RetractionKeys.ZHopSpeed.Check(value); } = 10;
 }
 
-/// <summary>Keys of printers: retraction, Z-hop and progress.</summary>
+/// <summary>Keys of printers: retraction and Z-hop.</summary>
 internal static class RetractionKeys
 {
     public static readonly KeyTable<Printer> All = new();
@@ -46,7 +43,6 @@ internal static class RetractionKeys
         = All.Number("deretraction_extra_mm", 0, 1000, p => p.DeretractionExtra, (p, v) => p with { DeretractionExtra = v });
     public static readonly FlagKey FirmwareRetraction
         = All.Boolean("firmware_retraction", p => p.FirmwareRetraction, (p, v) => p with { FirmwareRetraction = v });
-    public static readonly FlagKey ProgressCommands = All.Boolean("progress_commands", p => p.ProgressCommands, (p, v) => p with { ProgressCommands = v });
     public static readonly NumberKey ZHop = All.Number("z_hop_mm", 0, 1000, p => p.ZHop, (p, v) => p with { ZHop = v });
     public static readonly NumberKey ZHopSpeed = All.Number("z_hop_speed_mm_s", 0.01, 10_000, p => p.ZHopSpeed, (p, v) => p with { ZHopSpeed = v });
 }

@@ -48,7 +48,7 @@ internal static class ProfileKinds
 {
     public static readonly ProfileKind<Printer> Printer = new("printer", "",
         [.. PrinterKeys.All, .. RetractionKeys.All, .. MotionKeys.All, .. HeadKeys.All, .. LimitKeys.All,
-            .. TemplateKeys.All, .. PauseKeys.All],
+            .. HostKeys.All, .. TemplateKeys.All, .. PauseKeys.All],
         () => new Printer(), (p, name) => p with { Name = name });
 
     public static readonly ProfileKind<Material> Material = new("material", "materials/",

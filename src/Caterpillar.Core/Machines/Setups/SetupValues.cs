@@ -1,34 +1,53 @@
+using System.Text.RegularExpressions;
+
 namespace Caterpillar.Machines;
 
 /// <summary>Applies <c>key=value</c> to a setup.</summary>
 internal static class SetupValues
 {
-    public static Result<PrintSetup> Apply(PrintSetup setup, IEnumerable<string> values)
+    public static Result<PrintSetup> Apply(PrintSetup setup, IEnumerable<string> values) => Apply(setup, values.Select(v => (v, new SourceLocation())));
+
+    /// <summary>Applies values from places, which messages name.</summary>
+    public static Result<PrintSetup> Apply(PrintSetup setup, IEnumerable<(string Entry, SourceLocation Place)> values)
     {
         var diagnostics = new List<Diagnostic>();
         // Percents of the nozzle need the nozzle.
-        foreach (var entry in values.OrderBy(v => !v.TrimStart().StartsWith(PrinterKeys.NozzleDiameter.Name, StringComparison.Ordinal)))
+        foreach (var (entry, source) in values.OrderBy(v => !v.Entry.TrimStart().StartsWith(PrinterKeys.NozzleDiameter.Name, StringComparison.Ordinal)))
         {
             var at = entry.IndexOfAny(['=']);
             var key = (at < 0 ? entry : entry.Substring(0, at)).Trim();
-            var place = new SourceLocation(Key: key);
+            var place = source with { Key = key };
             if (at < 0) diagnostics.Add(new Diagnostic(Severity.Error, "profile.no_value", $"\"{entry}\" is not of the form key=value.", place));
             else setup = One(setup, key, entry.Substring(at + 1), place, diagnostics);
         }
         return new Result<PrintSetup>(diagnostics.Any(d => d.Severity == Severity.Error) ? null : setup, diagnostics.Distinct().ToArray());
     }
 
-    public static IReadOnlyList<KeyValuePair<string, string>> Of(PrintSetup setup)
+    /// <summary>The values as text.</summary>
+    /// <param name="setup">The setup.</param>
+    /// <param name="asGiven">True to leave what follows from the nozzle open, so that it follows another nozzle.</param>
+    public static IReadOnlyList<KeyValuePair<string, string>> Of(PrintSetup setup, bool asGiven = false)
     {
-        return [.. Of(ProfileKinds.Settings, setup.Settings), .. Of(ProfileKinds.Printer, setup.Printer), .. Of(ProfileKinds.Material, setup.Material)];
+        var settings = asGiven ? setup.Settings.AsGiven : setup.Settings;
+        return
+        [
+            .. Of(ProfileKinds.Settings, settings), .. Of(ProfileKinds.Printer, setup.Printer), .. Of(ProfileKinds.Material, setup.Material),
+            .. setup.ToolMaterials.SelectMany((m, i) => Of(ProfileKinds.Material, m).Select(v => new KeyValuePair<string, string>(OfTool(v.Key, i + 1), v.Value))),
+        ];
 
         static IEnumerable<KeyValuePair<string, string>> Of<T>(ProfileKind<T> kind, T profile)
             where T : class
             => kind.Keys.Where(k => k.Name != "title").Select(k => new KeyValuePair<string, string>(k.Name, RawValues.Text(k.Get(profile))));
     }
 
+    /// <summary>The key of the material of a tool: <c>nozzle_temperature_c[1]</c>.</summary>
+    public static string OfTool(string key, int tool) => $"{key}[{NumberFormatter.Format(tool)}]";
+
     private static PrintSetup One(PrintSetup setup, string key, string text, SourceLocation place, List<Diagnostic> diagnostics)
     {
+        var named = Regex.Match(key, @"^(.+)\[([0-9]{1,2})\]$");
+        int? tool = named.Success ? int.Parse(named.Groups[2].Value) : null;
+        if (ProfileKinds.Material.Find(named.Success ? named.Groups[1].Value : "") is { } ofMaterial && tool <= setup.ToolMaterials.Count) key = ofMaterial.Name;
         // All three have a title, which does not affect the print.
         if (key == "title")
         {
@@ -36,8 +55,11 @@ internal static class SetupValues
             return setup;
         }
         if (Changed(ProfileKinds.Settings, setup.Settings) is { } settings) return setup with { Settings = settings };
-        if (Changed(ProfileKinds.Material, setup.Material) is { } material)
-            return setup with { Material = material, ToolMaterials = new(setup.ToolMaterials.Select(m => Changed(ProfileKinds.Material, m)!)) };
+        if (ProfileKinds.Material.Find(key) is not null)
+        {
+            Material Own(Material old, int i) => tool is null || tool == i ? Changed(ProfileKinds.Material, old)! : old;
+            return setup with { Material = Own(setup.Material, 0), ToolMaterials = new(setup.ToolMaterials.Select((m, i) => Own(m, i + 1))) };
+        }
         if (Changed(ProfileKinds.Printer, setup.Printer) is { } printer) return setup with { Printer = printer };
         var known = ProfileKeys.Settings.Concat(ProfileKeys.Material).Concat(ProfileKeys.Printer).Select(k => k.Name).Where(k => k != "title");
         diagnostics.Add(UnknownKey.Problem("printers, materials or settings", key, text, known, place));

@@ -1,3 +1,5 @@
+using Caterpillar.Files;
+
 namespace Caterpillar.Machines;
 
 /// <summary>The codes of all checks. The key <c>check_severities</c> of a printer changes their severities.</summary>
@@ -51,56 +53,8 @@ public static class CheckCodes
     public const string SettingCommand = "command.setting";
 
     /// <summary>All checks, with their default severities and what they find.</summary>
-    public static IReadOnlyList<CheckRule> All { get; } =
-    [
-        new(Outside, Severity.Error, "moves outside the build volume"),
-        new(Below, Severity.Error, "moves below the bed"),
-        new(ExcludedArea, Severity.Error, "extrusions in an excluded area of the bed"),
-        new(NozzleHits, Severity.Error, "the nozzle hits an earlier extrusion while it prints"),
-        new(TravelHits, Severity.Error, "the nozzle hits an earlier extrusion on a travel move"),
-        new(HeadHits, Severity.Error, "a box of the print head hits an earlier extrusion"),
-        new(GantryHits, Severity.Error, "the gantry hits an earlier extrusion"),
-        new(ClipHit, Severity.Error, "the nozzle, print head or gantry hits a bed clip"),
-        new(Slope, Severity.Note, "the flat of the nozzle tip cuts into a slope of up to 45° next to it"),
-        new(TooLow, Severity.Error, "more than 5 mm of extrusions with a gap to the bed, the object or what is solid of less than 30 % of their height"),
-        new(Unsupported, Severity.Warning, "extrusions in the air: more than 5 mm with a free end, or more than 60 mm between two supports"),
-        new(Duplicate, Severity.Warning, "more than 20 mm of a path in the same place as another extrusion"),
-        new(Squeezed, Severity.Warning, "more material than fits under the nozzle: more than 5 mm of extrusions with less than 60 % of their height, or a blob "
-            + "wider than 10 nozzle diameters"),
-        new(Blob, Severity.Error, "blobs wider than 20 nozzle diameters"),
-        new(Width, Severity.Warning, "more than 5 mm of extrusions wider than 3 nozzle diameters, or narrower than a fifth of one"),
-        new(Height, Severity.Warning, "layers higher than the nozzle diameter"),
-        new(Starved, Severity.Warning, "retractions in the middle of an extrusion, and extrusions that only make up for a retraction"),
-        new(Gap, Severity.Note, "gaps of 0.1 to 1 mm in a straight line of extrusions"),
-        new(InAir, Severity.Error, "prints that begin in the air: more than 5 mm of the first extrusion touch neither the bed nor an object"),
-        new(FirstLayer, Severity.Warning, "prints higher than 8 times the square root of their contact area with the bed"),
-        new(Flow, Severity.Error, "flow above the maximum volumetric flow of hot end or material"),
-        new(Speed, Severity.Warning, "extrusions faster than the axes or the extruder allow"),
-        new(TravelSpeed, Severity.Note, "travel moves faster than the axes allow, or retractions faster than the extruder allows"),
-        new(Acceleration, Severity.Note, "accelerations above the maximum of the axes"),
-        new(Raised, Severity.Note, "commands that raise a speed or jerk limit above the limit of the printer"),
-        new(Tool, Severity.Error, "tools that the printer does not have"),
-        new(NozzleTemperature, Severity.Error, "nozzle temperatures above the maximum of the printer"),
-        new(BedTemperature, Severity.Error, "bed temperatures above the maximum of the printer"),
-        new(ChamberTemperature, Severity.Warning, "chamber temperatures above the maximum of the printer"),
-        new(Stationary, Severity.Error, "too much material extruded or retracted in place"),
-        new(Amount, Severity.Error, "moves that extrude far more than a nozzle prints, or retract more than any retraction"),
-        new(ColdExtrusion, Severity.Error, "extrusion with a cold nozzle"),
-        new(FilePosition, Severity.Error, "lines of the file that move the head to another point than planned"),
-        new(FileExtrusion, Severity.Error, "lines of the file that extrude another amount than planned"),
-        new(FileModes, Severity.Error, "raw lines that leave the machine in another mode"),
-        new(ExtrusionMode, Severity.Error, "E values that make sense only in the other mode, absolute or relative"),
-        new(NoHoming, Severity.Warning, "files that print without homing"),
-        new(NoHeating, Severity.Warning, "files that extrude without heating the nozzle"),
-        new(UnknownPosition, Severity.Warning, "extrusions before the positions of all three axes are known"),
-        new(HeatLeftOn, Severity.Warning, "nozzles or beds that are still heated at the end"),
-        new(UnsafeCommand, Severity.Error, "commands that lose position, scale or heat, or move unpredictably, in that part of a print"),
-        new(UnknownCommand, Severity.Warning, "commands of a file that are not understood"),
-        new(UnverifiedCommand, Severity.Error, "commands to be written that are not understood"),
-        new(PauseCommand, Severity.Note, "commands that pause the print"),
-        new(MachineCommand, Severity.Note, "commands whose effect depends on the machine"),
-        new(SettingCommand, Severity.Note, "commands before or after the print that change calibration, coordinates or stored settings"),
-    ];
+    public static IReadOnlyList<CheckRule> All { get; } = [.. EmbeddedText.Rows("names/CheckCodes.tsv").Skip(1)
+        .Select(row => new CheckRule(row[0], (Severity)Enum.Parse(typeof(Severity), row[1], true), row[2]))];
 
     /// <summary>The check with a code; null if the code is unknown.</summary>
     public static CheckRule? Find(string code) => All.FirstOrDefault(r => r.Code == code);

@@ -21,6 +21,9 @@ public enum BrimType : byte
 
     /// <summary>Both.</summary>
     OuterAndInner,
+
+    /// <summary>Only at sharp corners: disks with the brim width as their radius.</summary>
+    Ears,
 }
 
 /// <summary>Handling of contours that do not close.</summary>

@@ -5,54 +5,36 @@ namespace Caterpillar.Simulation;
 /// </summary>
 internal sealed class HeaterCurve(double rate)
 {
-    private readonly List<double> _times = [];
-    private readonly List<double> _from = [];
-    private readonly List<double> _to = [];
+    private readonly List<(double Time, double From, double To)> _changes = [];
 
     /// <summary>°C per second.</summary>
     public double Rate => rate;
 
     /// <summary>Sets another temperature from a time on, in seconds; times ascend.</summary>
     public void Set(double time, double celsius)
-    {
-        var now = At(time);
-        _times.Add(time);
-        _from.Add(now);
-        _to.Add(Math.Max(celsius, HeatModel.Ambient));
-    }
+        => _changes.Add((time, At(time), Math.Max(celsius, HeatModel.Ambient)));
 
     /// <summary>Seconds from the last <see cref="Set"/> until it is as hot, at a rate that is not 0; nothing waits for cooling.</summary>
-    public double TimeTo(double celsius) => Math.Max(celsius - _from[_from.Count - 1], 0) / rate;
+    public double TimeTo(double celsius) => Math.Max(celsius - _changes[_changes.Count - 1].From, 0) / rate;
 
     /// <summary>°C at a time.</summary>
     public double At(double time)
     {
         var i = Last(time);
         if (i < 0) return HeatModel.Ambient;
-        if (rate == 0) return _to[i];
-        var change = _to[i] - _from[i];
-        var most = rate * (time - _times[i]);
-        return Math.Abs(change) <= most ? _to[i] : _from[i] + Math.Sign(change) * most;
+        var (start, from, to) = _changes[i];
+        var most = rate * (time - start);
+        return rate == 0 || Math.Abs(to - from) <= most ? to : from + Math.Sign(to - from) * most;
     }
 
     /// <summary>°C that were set last before a time; 0 = off or never set.</summary>
     public double TargetAt(double time)
     {
         var i = Last(time);
-        return i < 0 || _to[i] == HeatModel.Ambient ? 0 : _to[i];
+        return i < 0 || _changes[i].To == HeatModel.Ambient ? 0 : _changes[i].To;
     }
 
-    private int Last(double time)
-    {
-        int low = 0, high = _times.Count;
-        while (low < high)
-        {
-            var middle = (low + high) / 2;
-            if (_times[middle] <= time) low = middle + 1;
-            else high = middle;
-        }
-        return low - 1;
-    }
+    private int Last(double time) => Search.First(0, _changes.Count, (_changes, time), static (s, i) => s._changes[i].Time > s.time) - 1;
 }
 
 /// <summary>The heaters of a machine.</summary>

@@ -4,6 +4,9 @@ namespace Caterpillar.Slicing;
 internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules rules, int number, LayerTools tools, List<PathStep> steps)
 {
     private const double ArcTolerance = 0.005;
+
+    // mm; a tenth of an extrusion. Arcs need points that lie nearer to them.
+    private const double UsualChords = 0.04;
     private readonly PrintSettings _settings = rules.Settings;
 
     /// <summary>Adds the steps.</summary>
@@ -55,7 +58,8 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
         var width = role == Role.SolidInfill || overInfill ? rules.Width : rules.SolidInfillLineWidth;
         var bead = overInfill ? rules.Bead(width).WithSpeed(_settings.InfillBridgeSpeed) : rules.Bead(width);
         var share = overInfill ? _settings.InfillBridgeFlowRatio : role == Role.Bridge ? _settings.BridgeFlowRatio : 1;
-        var lines = tools.Infill.Fill(Request(area, pattern, rules.Pitch(width), width, angle, solid: true));
+        var request = Request(area, pattern, rules.Pitch(width), width, angle, solid: true);
+        var lines = tools.Infill.Fill(request with { Hidden = role == Role.Bridge || (role == Role.SolidInfill && !rules.IsSolid) });
         // Rows between walls know what each of them has to fill.
         var rows = pattern is InfillPattern.Lines or InfillPattern.Monotonic && _settings.WallCount > 0;
         var flow = rows ? share : Balance(lines, area.Area * rules.Thickness, bead) * share;
@@ -100,7 +104,8 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
     private InfillRequest Request(Region area, InfillPattern pattern, double spacing, double width, double angle, bool solid)
         => new(CenterLines(area, rules, width, solid ? rules.SolidOverlap : rules.Overlap, tools.Engine), pattern, spacing, width)
         {
-            Overlap = solid ? rules.SolidOverlap : 0,
+            Overlap = solid ? rules.SolidOverlap : 0, LongestLink = solid ? 0 : _settings.InfillAnchorMax, Anchor = solid ? 0 : _settings.InfillAnchor,
+            Chords = _settings.ArcFittingTolerance > 0 ? Math.Min(UsualChords, _settings.ArcFittingTolerance / 4) : UsualChords,
             Angle = angle, Z = layer.Plan.Top, Layer = layer.Index, Solid = solid, Linked = pattern != InfillPattern.Curves, Formula = rules.InfillFormula,
             Curves = pattern switch
             {

@@ -20,7 +20,7 @@ internal static class Raft
         for (var i = 0; i < settings.RaftLayers; i++)
         {
             var solid = i == settings.RaftLayers - 1;
-            var layer = new Layer(i, (i + 1) * settings.RaftLayerHeight, settings.RaftLayerHeight, "raft");
+            var layer = new Layer(i, (i + 1) * settings.RaftLayerHeight, settings.RaftLayerHeight);
             var steps = new List<PathStep>();
             var islands = area.Islands;
             for (var k = 0; k < islands.Count; k++)

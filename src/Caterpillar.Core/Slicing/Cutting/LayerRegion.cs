@@ -15,6 +15,8 @@ internal static class LayerRegion
             var region = Region.From(section.Loops, FillRule.NonZero, false, engine);
             // What simplifying cuts off stays open where there is nothing but walls.
             var tolerance = IsAllWalls(region, layer.Rules.Walls) ? settings.Resolution / 2 : settings.Resolution;
+            var turned = settings.HoleToPolyholeTwisted && layer.Index % 2 == 1;
+            if (settings.HoleToPolyhole) region = Polyholes.In(region, settings.HoleToPolyholeThreshold, turned, engine);
             layer.Region = Compensated(region.Simplified(tolerance, engine), layer, engine);
         }
     }

@@ -15,7 +15,7 @@ internal sealed partial class BoundaryLinks
     public List<InfillLine> Sweep(
         Region area, IReadOnlyList<InfillLine> lines, IReadOnlyList<(int Row, double From, double To)> spans, double limit, double width = 0)
     {
-        _width = width;
+        (_width, _anchor) = (width, 0);
         var result = new List<InfillLine>(lines.Count);
         if (lines.Count == 0) return result;
         var boundary = new BoundaryIndex(area);

@@ -4,10 +4,9 @@ namespace Caterpillar.Slicing;
 // it. There the row leaves its direction before its end and goes straight to the boundary, where the link begins earlier, so that it reaches into the wedge.
 internal sealed partial class BoundaryLinks
 {
-    // In widths: how far before its end a row is left at most, and at least. Found by painting the extrusions of whole layers: little stays open, and not much
-    // more material is needed than with straight ends.
+    // In widths: how far before its end a row is left at most. Found by painting the extrusions of whole layers: little stays open, and not much more material
+    // is needed than with straight ends.
     private const double Longest = 0.9;
-    private const double Shortest = 0.1;
 
     // Flow from the row to the boundary: row and link cover most of what lies there.
     private const double Cross = 0.5;
@@ -60,7 +59,7 @@ internal sealed partial class BoundaryLinks
         if (!(cosine >= LeastCosine)) return null;
         // The link stays an extrusion away from the end before it.
         var leave = Math.Min(Longest * _width, ((forward ? place.Before : place.After) - _width) / cosine);
-        if (leave < Shortest * _width) return null;
+        if (leave * Math.Sqrt(1 - Math.Min(cosine * cosine, 1)) < InfillFiller.ShortestSegment) return null;
         var reach = cosine * leave;
         var around = boundary.Lengths[place.Contour];
         var at = place.At + (forward ? -reach : reach);

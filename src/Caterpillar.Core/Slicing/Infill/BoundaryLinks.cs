@@ -11,15 +11,17 @@ internal sealed partial class BoundaryLinks
     private End[] _ends = [];
     private Link[] _links = [];
     private int[] _root = [];
+    private double _anchor;
 
     /// <summary>The same lines, joined where the distance along the boundary is at most <paramref name="limit"/> mm.</summary>
     /// <param name="area">The area whose boundary the lines end on.</param>
     /// <param name="lines">The lines.</param>
     /// <param name="limit">Longest link along the boundary, mm.</param>
     /// <param name="width">Width of the extrusions, mm, where their turns leave nothing open along the boundary; 0 for plain corners.</param>
-    public List<InfillLine> Join(Region area, IReadOnlyList<InfillLine> lines, double limit, double width = 0)
+    /// <param name="anchor">How far ends that are not joined are led along the boundary, mm.</param>
+    public List<InfillLine> Join(Region area, IReadOnlyList<InfillLine> lines, double limit, double width = 0, double anchor = 0)
     {
-        _width = width;
+        (_width, _anchor) = (width, anchor);
         var result = new List<InfillLine>(lines.Count);
         if (lines.Count == 0) return result;
         var boundary = new BoundaryIndex(area);
@@ -29,7 +31,7 @@ internal sealed partial class BoundaryLinks
         for (var i = 0; i < lines.Count; i++)
         {
             if (done[i]) continue;
-            if (lines[i].Closed || (_links[2 * i].To < 0 && _links[2 * i + 1].To < 0)) result.Add(lines[i]);
+            if (lines[i].Closed || (anchor == 0 && _links[2 * i].To < 0 && _links[2 * i + 1].To < 0)) result.Add(lines[i]);
             // A chain is written from its end that comes first.
             else if (_links[2 * i].To < 0) result.Add(Chain(boundary, lines, 2 * i, done));
             else if (_links[2 * i + 1].To < 0) result.Add(Chain(boundary, lines, 2 * i + 1, done));
@@ -51,13 +53,14 @@ internal sealed partial class BoundaryLinks
         {
             _root[i] = i;
             _links[2 * i] = _links[2 * i + 1] = new Link(-1, 0, 0, 0, true);
+            _places[2 * i] = _places[2 * i + 1] = new Place(-1, 0, 0, 0);
             if (lines[i].Closed) continue;
             var points = lines[i].Points;
             if (boundary.Find(points[0], out var contour, out var at)) _ends[count++] = new End(contour, at, 2 * i);
             if (boundary.Find(points[points.Length - 1], out contour, out at)) _ends[count++] = new End(contour, at, 2 * i + 1);
         }
         Array.Sort(_ends, 0, count);
-        if (_width > 0) Distances(boundary, count);
+        if (_width > 0 || _anchor > 0) Distances(boundary, count);
         return count;
     }
 
@@ -103,6 +106,7 @@ internal sealed partial class BoundaryLinks
         _flow.Clear();
         var varies = false;
         Vec3? entry = null;
+        Anchor(boundary, end, toEnd: true);
         while (true)
         {
             var line = lines[end >> 1];
@@ -117,7 +121,11 @@ internal sealed partial class BoundaryLinks
                 Add(i == 0 && entry is { } joined ? joined : line.Points[forward ? i : n - 1 - i], flow);
             }
             var link = _links[end ^ 1];
-            if (link.To < 0) break;
+            if (link.To < 0)
+            {
+                Anchor(boundary, end ^ 1, toEnd: false);
+                break;
+            }
             var (leave, join) = (Turn(boundary, lines, end ^ 1, link.Forward), Turn(boundary, lines, link.To, !link.Forward));
             if (leave is { } turn)
             {
@@ -140,6 +148,24 @@ internal sealed partial class BoundaryLinks
         for (var i = 0; i < points.Length; i++) points[i] = _points[i].WithZ(z);
         _flow.RemoveAt(0);
         return new InfillLine(points, false, varies ? _flow.ToArray() : null);
+    }
+
+    // Along the boundary beside a free end, on the side with more room, at most to the middle between it and the next end; toEnd: the chain begins there.
+    private void Anchor(BoundaryIndex boundary, int id, bool toEnd)
+    {
+        var place = _places[id];
+        if (_anchor == 0 || place.Contour < 0) return;
+        var forward = place.After >= place.Before;
+        var length = Math.Min(_anchor, Math.Max(place.Before, place.After) / 2);
+        var around = boundary.Lengths[place.Contour];
+        var far = place.At + (forward ? length : -length);
+        far -= Math.Floor(far / around) * around;
+        if (toEnd) Add(boundary.At(place.Contour, far), 1);
+        var first = _points.Count;
+        boundary.Corners(place.Contour, forward ? place.At : far, forward ? far : place.At, _points);
+        if (forward == toEnd) _points.Reverse(first, _points.Count - first);
+        while (_flow.Count < _points.Count) _flow.Add(1);
+        if (!toEnd) Add(boundary.At(place.Contour, far), 1);
     }
 
     private void Add(Vec3 point, double flow)

@@ -9,9 +9,6 @@ internal static class GyroidPattern
     /// <summary>Length of all sections per area, times the period; the mean over a period of heights.</summary>
     public const double MeanLength = 2.4586;
 
-    // mm; a tenth of an extrusion.
-    private const double ChordTolerance = 0.04;
-
     public static List<Polyline> Waves(InfillRequest request)
     {
         var period = MeanLength * request.Spacing;
@@ -26,7 +23,7 @@ internal static class GyroidPattern
         long first = (long)Math.Floor(minAlong / period), last = (long)Math.Floor(maxAlong / period);
         for (var branch = -1; branch <= 1; branch += 2)
         {
-            var wave = Period(sin, cos, exchanged, branch, period);
+            var wave = Period(sin, cos, exchanged, branch, period, request.Chords);
             double low = double.PositiveInfinity, high = double.NegativeInfinity;
             foreach (var p in wave)
             {
@@ -53,7 +50,7 @@ internal static class GyroidPattern
     }
 
     // One period of a branch, subdivided until chords lie within the tolerance.
-    private static List<(double Along, double Across)> Period(double sin, double cos, bool exchanged, int branch, double period)
+    private static List<(double Along, double Across)> Period(double sin, double cos, bool exchanged, int branch, double period, double chords)
     {
         const int Pieces = 8;
         var wave = new List<(double Along, double Across)> { (0, Across(0)) };
@@ -79,7 +76,7 @@ internal static class GyroidPattern
             double middle = (from + to) / 2, across = Across(middle);
             double run = (to - from) / 360 * period, rise = end - start;
             var off = Math.Abs(across - (start + end) / 2) * run / Math.Sqrt(run * run + rise * rise);
-            if (off > ChordTolerance && depth > 0)
+            if (off > chords && depth > 0)
             {
                 Divide(from, start, middle, across, depth - 1);
                 Divide(middle, across, to, end, depth - 1);

@@ -3,14 +3,18 @@ namespace Caterpillar.Slicing;
 /// <summary>Fills areas with extrusions. One thread at a time; keeps its arrays for the next area.</summary>
 internal sealed class InfillFiller(RegionEngine engine)
 {
+    /// <summary>mm; a printer is slow in shorter moves.</summary>
+    public const double ShortestSegment = 0.1;
+
     // Longest link along the boundary, in distances of lines.
     private const double LongestLink = 2;
 
     // How far, in mm, lines may leave the area where they follow its boundary: fine corners there cost moves and show nowhere.
     private const double Smoothing = 0.02;
 
-    // mm; what is shorter would be a move of nothing in print.
-    private const double ShortestSegment = 0.01;
+    // How far lines may move where short segments are left away: mm, and mm² in one place.
+    private const double ShortTolerance = 0.05;
+    private const double ShortArea = 0.015;
 
     private readonly BoundaryLinks _links = new();
     private readonly LevelSet _levels = new();
@@ -42,7 +46,7 @@ internal sealed class InfillFiller(RegionEngine engine)
             : Pattern(request))
         {
             if (!request.Solid && IsShort(line, request.Width)) continue;
-            if (line.WithoutShort(ShortestSegment) is { } kept) result.Add(kept);
+            if (line.WithoutShort(ShortestSegment, ShortTolerance, ShortArea) is { } kept) result.Add(kept);
         }
         return result;
     }
@@ -78,7 +82,8 @@ internal sealed class InfillFiller(RegionEngine engine)
                 StraightPatterns.Add(request, lines);
                 break;
         }
-        return request.Linked ? _links.Join(request.Area, lines, LongestLink * distance) : lines;
+        var longest = request.LongestLink > 0 ? request.LongestLink : LongestLink * distance;
+        return request.Linked ? _links.Join(request.Area, lines, longest, anchor: request.Anchor) : lines;
     }
 
     private static void Check(double value, string name)

@@ -6,6 +6,12 @@ namespace Caterpillar.Slicing;
 /// <param name="Flow">Flow ratio of each segment, or null if it is 1 throughout.</param>
 internal sealed record InfillLine(Vec3[] Points, bool Closed, double[]? Flow = null)
 {
+    // mm; what is shorter as a whole would print nothing.
+    private const double ShortestLine = 0.01;
+
+    // Times the flow of the segments that one replaces.
+    private const double LargestFlow = 1.5;
+
     /// <summary>Length in mm of an extrusion of the full area with the same volume.</summary>
     public double Length
     {
@@ -22,31 +28,30 @@ internal sealed record InfillLine(Vec3[] Points, bool Closed, double[]? Flow = n
         }
     }
 
-    /// <summary>Without points closer than a length (mm) to the one before; the ends stay. Null where nothing of that length is left.</summary>
-    public InfillLine? WithoutShort(double least)
+    /// <summary>With few segments shorter than a length, mm (<see cref="ShortSegments"/>). Null where the line itself is next to nothing.</summary>
+    public InfillLine? WithoutShort(double least, double tolerance, double area)
     {
-        var points = new Vec3[Points.Length];
-        var flow = Flow is null ? null : new double[Flow.Length];
-        points[0] = Points[0];
-        var n = 1;
-        for (var i = 1; i < Points.Length; i++)
+        var length = 0.0;
+        for (var i = 1; i < Points.Length && length < ShortestLine; i++) length += Points[i].DistanceTo(Points[i - 1]);
+        if (length < ShortestLine) return null;
+        if (ShortSegments.Keep(Points, Closed, least, tolerance, area) is not { } kept) return this;
+        return new InfillLine(Array.ConvertAll(kept, i => Points[i]), Closed, Flow is null ? null : FlowBetween(kept));
+    }
+
+    // One segment has the volume of those that it replaces, unless they go to and fro.
+    private double[] FlowBetween(int[] kept)
+    {
+        var flow = new double[Closed ? kept.Length : kept.Length - 1];
+        for (var k = 0; k < flow.Length; k++)
         {
-            if (Points[i].DistanceTo(points[n - 1]) >= least)
+            double volume = 0, most = 0;
+            for (var i = kept[k]; i < (k + 1 < kept.Length ? kept[k + 1] : Points.Length); i++)
             {
-                if (flow is not null) flow[n - 1] = Flow![i - 1];
-                points[n++] = Points[i];
+                volume += Flow![i] * Points[i].DistanceTo(Points[i + 1 < Points.Length ? i + 1 : 0]);
+                most = Math.Max(most, Flow[i]);
             }
-            else if (i + 1 == Points.Length && !Closed && n > 1)
-            {
-                points[n - 1] = Points[i];
-            }
+            flow[k] = Math.Min(volume / Points[kept[k]].DistanceTo(Points[kept[k + 1 < kept.Length ? k + 1 : 0]]), LargestFlow * most);
         }
-        if (Closed && n > 1 && points[n - 1].DistanceTo(points[0]) < least) n--;
-        if (n < 2) return null;
-        if (n == Points.Length) return this;
-        if (flow is not null && Closed) flow[n - 1] = Flow![Flow.Length - 1];
-        System.Array.Resize(ref points, n);
-        if (flow is not null) System.Array.Resize(ref flow, Closed ? n : n - 1);
-        return new InfillLine(points, Closed, flow);
+        return flow;
     }
 }

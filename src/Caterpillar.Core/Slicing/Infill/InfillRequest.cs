@@ -24,8 +24,17 @@ internal sealed record InfillRequest(Region Area, InfillPattern Pattern, double 
     /// <summary>Ends of lines are joined along the boundary.</summary>
     public bool Linked { get; init; } = true;
 
+    /// <summary>Longest joint along the boundary, mm; 0 = twice the distance of the lines.</summary>
+    public double LongestLink { get; init; }
+
+    /// <summary>How far an end that is not joined is led along the boundary, mm.</summary>
+    public double Anchor { get; init; }
+
     /// <summary>Nothing may stay uncovered: rows fit between the sides of each island, and the flow follows their distance.</summary>
     public bool Solid { get; init; }
+
+    /// <summary>Solid lines end straight: what their turns leave open beside the walls is not seen, and bends take time.</summary>
+    public bool Hidden { get; init; }
 
     /// <summary>How far ends of solid lines reach into what surrounds the area, mm; lines along its edge do not.</summary>
     public double Overlap { get; init; }
@@ -37,6 +46,9 @@ internal sealed record InfillRequest(Region Area, InfillPattern Pattern, double 
 
     /// <summary>For <see cref="InfillPattern.Formula"/>: maximum deviation of the lines from the exact curve, mm.</summary>
     public double Tolerance { get; init; } = 0.02;
+
+    /// <summary>For <see cref="InfillPattern.Gyroid"/>: maximum deviation of its chords, mm.</summary>
+    public double Chords { get; init; } = 0.04;
 
     /// <summary>For <see cref="InfillPattern.Curves"/> and <see cref="InfillPattern.Lightning"/>: the lines of this layer, in mm.</summary>
     public IReadOnlyList<Polyline>? Curves { get; init; }

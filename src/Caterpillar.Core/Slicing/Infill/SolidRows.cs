@@ -48,7 +48,7 @@ internal sealed class SolidRows
             _spans.Add((hatch.Row, from, to));
         }
         var limit = request.Linked ? longestLink * request.Spacing : -1;
-        var width = request.Solid ? request.Spacing : 0;
+        var width = request.Solid && !request.Hidden ? request.Spacing : 0;
         if (request.Pattern == InfillPattern.Monotonic) result.AddRange(_links.Sweep(island, _lines, _spans, limit, width));
         else if (request.Linked) result.AddRange(_links.Join(island, _lines, limit, width));
         else result.AddRange(_lines);

@@ -69,7 +69,7 @@ public static class ModelPlacement
         if (models is null) throw new ArgumentNullException(nameof(models));
         if (count < 1) throw new ArgumentOutOfRangeException(nameof(count), "The count must be at least 1.");
         var all = new List<NamedMesh>(models.Count * count);
-        for (var i = 1; i <= count; i++) all.AddRange(models.Select(m => i == 1 ? m : new NamedMesh($"{m.Name} ({NumberFormatter.Format(i)})", m.Mesh)));
+        for (var i = 1; i <= count; i++) all.AddRange(models.Select(m => i == 1 ? m : m with { Name = $"{m.Name} ({NumberFormatter.Format(i)})" }));
         return all;
     }
 
@@ -93,5 +93,5 @@ public static class ModelPlacement
     private static Vec3 Foot(Bounds box) => box.IsEmpty ? Vec3.Zero : box.Center.WithZ(box.Min.Z);
 
     private static IReadOnlyList<NamedMesh> Each(IReadOnlyList<NamedMesh> models, Func<TriMesh, TriMesh> change)
-        => (models ?? throw new ArgumentNullException(nameof(models))).Select(m => new NamedMesh(m.Name, change(m.Mesh))).ToArray();
+        => (models ?? throw new ArgumentNullException(nameof(models))).Select(m => m with { Mesh = change(m.Mesh) }).ToArray();
 }

@@ -54,7 +54,7 @@ internal sealed class LayerFinish(
         }
         else
         {
-            finished = WallArcs.Fit(finished, work.Rules.Settings.ArcFittingTolerance);
+            finished = LayerArcs.Fit(finished, work.Rules.Settings.ArcFittingTolerance, ofPart: true);
         }
         _all.Add(finished);
         if (options.Take is null || _isByObject || _levels is not null) return;
@@ -114,6 +114,7 @@ internal sealed class LayerFinish(
 
     private void GiveOn(SlicedLayer[] level)
     {
+        for (var i = 0; i < level.Length; i++) level[i] = LayerArcs.Fit(level[i], settings.ArcFittingTolerance, ofPart: false);
         _cooling.Apply(level);
         options.Take?.Invoke(level);
         foreach (var layer in level) _finished.Add(options.Take is null ? layer : layer with { Steps = [] });
@@ -145,10 +146,16 @@ internal sealed class LayerFinish(
     private void Begin()
     {
         var low = _low ?? _level;
-        var covered = Region.Union(low.Select(l => l.Region).Concat(low.Select(l => l.Support)));
+        var parts = low.Select(l => l.Region);
+        var covered = Region.Union(parts.Concat(low.Select(l => l.Support)));
         _low = null;
-        if (settings.RaftLayers == 0) _level[0] = Adhesion.Around(_level[0], covered, settings);
-        else foreach (var layer in Raft.Below(covered, settings)) Collect([layer.Layer.Index > 0 ? layer : Adhesion.Around(layer, layer.Region, settings)]);
+        if (settings.RaftLayers == 0)
+        {
+            _level[0] = Adhesion.Around(_level[0], Region.Union(parts), covered, settings);
+            return;
+        }
+        foreach (var layer in Raft.Below(covered, settings))
+            Collect([layer.Layer.Index > 0 ? layer : Adhesion.Around(layer, layer.Region, layer.Region, settings)]);
     }
 
     private void EndVase(VaseSpiral spiral, int last, Body body)

@@ -16,15 +16,18 @@ internal static class LoopCorner
     /// <param name="arm">Length over which the directions before and after the vertex are taken, so that rounded corners count, mm.</param>
     public static double Score(Vec3[] loop, int vertex, double arm)
     {
+        var turn = Turn(loop, vertex, arm);
+        var sharp = Math.Min(1, Math.Max(0, (Math.Abs(turn) - Least) / (Full - Least)));
+        return turn > 0 ? sharp * Convex : sharp;
+    }
+
+    /// <summary>By how much the loop turns left, around the part, in degrees from −180 to 180; arms as for <see cref="Score"/>.</summary>
+    public static double Turn(Vec3[] loop, int vertex, double arm)
+    {
         var at = loop[vertex];
         var back = Along(loop, vertex, -1, arm) - at;
         var on = Along(loop, vertex, 1, arm) - at;
-        var cross = on.X * back.Y - on.Y * back.X;
-        var dot = -(on.X * back.X + on.Y * back.Y);
-        // cross > 0: the loop turns left, around the part.
-        var turn = Angle.Atan2(Math.Abs(cross), dot);
-        var sharp = Math.Min(1, Math.Max(0, (turn - Least) / (Full - Least)));
-        return cross > 0 ? sharp * Convex : sharp;
+        return Angle.Atan2(on.X * back.Y - on.Y * back.X, -(on.X * back.X + on.Y * back.Y));
     }
 
     private static Vec3 Along(Vec3[] loop, int vertex, int direction, double length)

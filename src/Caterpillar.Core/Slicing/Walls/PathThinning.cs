@@ -35,27 +35,6 @@ internal static class PathThinning
         return (kept.ToArray(), keptWidths.ToArray());
     }
 
-    /// <summary>Without points closer than a length, mm, to the one before; the ends of an open path stay.</summary>
-    public static (Vec3[] Points, double[] Widths) WithoutShort(Vec3[] points, double[] widths, bool closed, double least)
-    {
-        var n = 1;
-        var kept = points;
-        var keptWidths = widths;
-        for (var i = 1; i < points.Length; i++)
-        {
-            // What comes back to the beginning is as near as what follows.
-            var near = (points[i] - kept[n - 1]).LengthXY < least || (closed && i + 1 == points.Length && (points[i] - points[0]).LengthXY < least);
-            if (near && kept == points) (kept, keptWidths) = ((Vec3[])points.Clone(), (double[])widths.Clone());
-            if (!near) n++;
-            // The end of an open path replaces the point that is so near to it.
-            if (!near || (!closed && i + 1 == points.Length && n > 1)) (kept[n - 1], keptWidths[n - 1]) = (points[i], widths[i]);
-        }
-        if (n == points.Length) return (points, widths);
-        Array.Resize(ref kept, n);
-        Array.Resize(ref keptWidths, n);
-        return (kept, keptWidths);
-    }
-
     private static int Reach(IReadOnlyList<Vec3> points, IReadOnlyList<double> widths, int from, int last, double tolerance, double widthTolerance)
     {
         var a = points[from];

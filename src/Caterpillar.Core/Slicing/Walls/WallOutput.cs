@@ -11,8 +11,9 @@ internal sealed class WallOutput(WallRules rules)
     private const double LargestStep = 0.05;
     private const double ShortestStep = 0.1;
 
-    // mm; shorter moves would be lost when they are written.
-    private const double Shortest = 0.004;
+    // mm; a printer is slow in shorter moves. They go where the wall stays within a tolerance.
+    private const double ShortestMove = 0.1;
+    private const double ShortTolerance = 0.01;
 
     public List<WallPath> Paths { get; } = [];
 
@@ -26,10 +27,12 @@ internal sealed class WallOutput(WallRules rules)
         // Offsetting leaves corners of rounding size, which a printer need not see.
         foreach (var contour in line.Simplified(ToleranceOf(index), engine).Contours)
         {
-            var widths = new double[contour.Count];
+            var points = contour.Raw;
+            if (LongMoves(points, closed: true) is { } kept) points = Array.ConvertAll(kept, i => points[i]);
+            if (points.Length < 3) continue;
+            var widths = new double[points.Length];
             for (var i = 0; i < widths.Length; i++) widths[i] = width;
-            var (kept, keptWidths) = PathThinning.WithoutShort(contour.Raw, widths, closed: true, Shortest);
-            if (kept.Length >= 3) Paths.Add(new WallPath(kept, keptWidths, Closed: true, index, IsExtrusion: false));
+            Paths.Add(new WallPath(points, widths, Closed: true, index, IsExtrusion: false));
         }
     }
 
@@ -52,13 +55,15 @@ internal sealed class WallOutput(WallRules rules)
 
     private double ToleranceOf(int index) => index == 0 ? rules.Tolerance : Math.Max(rules.Tolerance, rules.InnerTolerance);
 
+    private static int[]? LongMoves(Vec3[] points, bool closed) => ShortSegments.Keep(points, closed, ShortestMove, ShortTolerance, double.PositiveInfinity);
+
     private void Add(IReadOnlyList<Vec3> points, IReadOnlyList<double> widths, bool closed, int index, bool isExtrusion)
     {
         var visible = index == 0 && !isExtrusion;
         var tolerance = ToleranceOf(visible ? 0 : 1);
         var widthTolerance = visible ? OuterWidthShare * rules.OuterWidth : InnerWidthShare * rules.InnerWidth;
         var (kept, keptWidths) = PathThinning.Thin(points, widths, closed, tolerance, widthTolerance);
-        (kept, keptWidths) = PathThinning.WithoutShort(kept, keptWidths, closed, Shortest);
+        if (LongMoves(kept, closed) is { } few) (kept, keptWidths) = (Array.ConvertAll(few, i => kept[i]), Array.ConvertAll(few, i => keptWidths[i]));
         if (kept.Length < 2 || (closed && kept.Length < 3)) return;
         var thinned = kept.Length < points.Count;
         if (index == 0) (kept, keptWidths) = WidthSteps.Split(kept, keptWidths, closed, LargestStep, ShortestStep);

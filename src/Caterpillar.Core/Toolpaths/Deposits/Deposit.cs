@@ -178,7 +178,7 @@ internal sealed class Deposit
                 if (bin is null || bin.Top <= best) continue;
                 best = TopUnderIn(bin, point, limit, radius, before, best, least ?? double.PositiveInfinity);
                 if (best >= least) return best;
-                if (bin.Dropped > best) best = DroppedUnder(bin, column, row, point, limit, radius, best);
+                if (bin.Dropped > best) best = DroppedUnder(bin, column, row, point, point, limit, radius, best);
             }
         }
         return best;
@@ -301,23 +301,16 @@ internal sealed class Deposit
         {
             if (bin.Entries[i].Top > best) best = Math.Max(best, _store[bin.Entries[i].Extrusion].TopWithin(a, b, radius));
         }
-        if (bin.Dropped <= best) return best;
-        var reach = radius + _cell * 0.7072;
-        for (var i = 0; i < DepositBin.Cells; i++)
-        {
-            var top = Math.Min(_cells.InBin(column, row, i).Top, bin.Dropped);
-            if (top > best && FlatSegment.SquareDistance(DepositCells.Center(column, row, i, _cell), a, b) <= reach * reach) best = top;
-        }
-        return best;
+        return bin.Dropped <= best ? best : DroppedUnder(bin, column, row, a, b, double.PositiveInfinity, radius, best);
     }
 
-    private double DroppedUnder(DepositBin bin, int column, int row, Vec3 point, double limit, double radius, double best)
+    private double DroppedUnder(DepositBin bin, int column, int row, Vec3 a, Vec3 b, double limit, double radius, double best)
     {
         var reach = radius + _cell * 0.7072;
         for (var i = 0; i < DepositBin.Cells; i++)
         {
             var top = Math.Min(_cells.InBin(column, row, i).Top, bin.Dropped);
-            if (top > best && top <= limit && FlatSegment.SquareDistance(DepositCells.Center(column, row, i, _cell), point, point) <= reach * reach) best = top;
+            if (top > best && top <= limit && FlatSegment.SquareDistance(DepositCells.Center(column, row, i, _cell), a, b) <= reach * reach) best = top;
         }
         return best;
     }

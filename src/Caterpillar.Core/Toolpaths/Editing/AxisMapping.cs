@@ -30,8 +30,6 @@ public enum OutputAxis : byte
 /// <param name="Hold">Constant value of the source coordinate if another word replaces it, mm.</param>
 public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, double Hold = 0)
 {
-    private const double ChordTolerance = 0.01;
-
     /// <summary>The mapping for a drum with a diameter in mm. One circumference is one turn.</summary>
     public static AxisMapping Drum(PathAxis from, OutputAxis to, double diameter, double hold = 0)
         => diameter > 0 ? new AxisMapping(from, to, 360 / (Math.PI * diameter), hold)
@@ -89,7 +87,7 @@ public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, dou
             blocks.Add(new ToolpathBlock(columns));
         }
         Vec3? first = toolpath.Start is { } known ? Unrolled(known, Vec3.Zero, mappings) : null;
-        return toolpath.WithBlocks(blocks).With(first, toolpath.Layers);
+        return toolpath.With(blocks).With(first, toolpath.Layers);
     }
 
     /// <summary>Where the head of the machine is for a point of the surface. A coordinate that a rotary word replaces is held.</summary>
@@ -107,44 +105,23 @@ public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, dou
     public Toolpath Apply(Toolpath toolpath, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
-        if (Scale == 0 || double.IsNaN(Scale - Scale)
-            || double.IsNaN(Hold - Hold))
-        {
+        if (Scale == 0 || double.IsNaN(Scale - Scale) || double.IsNaN(Hold - Hold))
             throw new InvalidOperationException("The scale of an axis must be finite and not zero.");
-        }
         if (To >= OutputAxis.X && To - OutputAxis.X != (int)From)
             throw new InvalidOperationException("A linear word can only be mapped from its own coordinate.");
-        var builder = new ToolpathBuilder(toolpath.Source, toolpath.Start is { } start ? Mapped(start) : null);
-        foreach (var layer in toolpath.Layers) builder.AddLayer(layer);
         var turns = toolpath.HasTurns;
-        var nextEvent = 0;
         var turn = 0.0;
-        foreach (var move in toolpath.Moves())
+        return StraightPieces.Rebuilt(toolpath, toolpath.Start is { } start ? Mapped(start) : null, Add, progress, cancel);
+
+        void Add(ToolpathBuilder builder, Move piece)
         {
-            if ((move.Index & 0xFFFF) == 0)
-            {
-                cancel.ThrowIfCancellationRequested();
-                progress?.Report((double)move.Index / toolpath.Count);
-            }
-            for (; nextEvent < toolpath.Events.Count
-                && toolpath.Events[nextEvent].Move <= move.Index; nextEvent++) builder.AddEvent(toolpath.Events[nextEvent].Event);
-            var parts = move.Arc is { } arc ? arc.ChordCount(move.Start, ChordTolerance) : 1;
-            var last = move.Start;
-            for (var k = 1; k <= parts; k++)
-            {
-                var next = move.Arc is { } curve ? curve.PointAt(move.Start, move.End, (double)k / parts) : move.End;
-                var (from, to) = (Mapped(last), Mapped(next));
-                var newTurn = IsRotary ? Coordinate(next) * Scale : 0;
-                builder.Add(to, move.E / parts, move.Deposited / parts, Speed(move, last, next, from, to, newTurn - turn), move.Kind, move.Role, move.Layer,
-                    move.Tool, move.Source);
-                (turn, last) = (newTurn, next);
-                if (!IsRotary && !turns) continue;
-                var own = toolpath.TurnsOf(move.Index) ?? default;
-                builder.SetRotary(To == OutputAxis.A ? turn : own.A, To == OutputAxis.B ? turn : own.B, To == OutputAxis.C ? turn : own.C);
-            }
+            var newTurn = IsRotary ? Coordinate(piece.End) * Scale : 0;
+            builder.Add(piece with { End = Mapped(piece.End), Speed = Speed(piece, newTurn - turn) });
+            turn = newTurn;
+            if (!IsRotary && !turns) return;
+            var own = toolpath.TurnsOf(piece.Index) ?? default;
+            builder.SetRotary(To == OutputAxis.A ? turn : own.A, To == OutputAxis.B ? turn : own.B, To == OutputAxis.C ? turn : own.C);
         }
-        for (; nextEvent < toolpath.Events.Count; nextEvent++) builder.AddEvent(toolpath.Events[nextEvent].Event);
-        return builder.Build(toolpath.Tools);
     }
 
     private static Vec3 Unrolled(Vec3 p, Vec3 turn, IReadOnlyList<AxisMapping> mappings)
@@ -167,12 +144,11 @@ public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, dou
         _ => kind,
     };
 
-    private static double Speed(Move move, Vec3 last, Vec3 next, Vec3 from, Vec3 to, double degrees)
+    private double Speed(in Move piece, double degrees)
     {
-        var length = last.DistanceTo(next);
-        if (!(length > 0)) return move.Speed;
-        var distance = from.DistanceTo(to);
-        return move.Speed * (distance > 0 ? distance : Math.Abs(degrees)) / length;
+        if (!(piece.Length > 0)) return piece.Speed;
+        var distance = Mapped(piece.Start).DistanceTo(Mapped(piece.End));
+        return piece.Speed * (distance > 0 ? distance : Math.Abs(degrees)) / piece.Length;
     }
 
     private double Coordinate(Vec3 p) => From switch { PathAxis.X => p.X, PathAxis.Y => p.Y, _ => p.Z };

@@ -5,8 +5,7 @@ internal static class MappedMoves
 {
     public static bool[] All(Toolpath toolpath)
     {
-        var all = new bool[toolpath.Count];
-        for (var i = 0; i < all.Length; i++) all[i] = true;
+        var all = Enumerable.Repeat(true, toolpath.Count).ToArray();
         var inPlace = new bool[toolpath.Count];
         for (var block = 0; block < toolpath.Blocks.Count; block++) InPlace(toolpath, block, inPlace);
         Unmap(toolpath, all, inPlace);

@@ -55,7 +55,7 @@ internal sealed class MoveRemover(Toolpath toolpath, bool[] removed)
             _blocks.AddRange(_editor.ToBlocks());
         }
         Events(int.MaxValue);
-        return toolpath.WithBlocks(_blocks, _events);
+        return toolpath.With(_blocks, _events);
     }
 
     // A printing move after which everything is as before, but for the position.
@@ -199,14 +199,7 @@ internal sealed class MoveRemover(Toolpath toolpath, bool[] removed)
         return balance;
     }
 
-    private bool IsBalanced()
-    {
-        foreach (var tool in _tools.Values)
-        {
-            if (Math.Abs(tool.Missing) > NoChange || tool.MissesFirmware || tool.HasFirmwareLeft) return false;
-        }
-        return true;
-    }
+    private bool IsBalanced() => _tools.Values.All(t => Math.Abs(t.Missing) <= NoChange && !t.MissesFirmware && !t.HasFirmwareLeft);
 
     /// <summary>The retraction of a tool, for all moves and for the kept moves.</summary>
     private sealed class Balance

@@ -33,7 +33,7 @@ internal static class PauseInserter
         var events = toolpath.Events.Select(e => e.Move >= before.Index && !IsBefore(toolpath, e, before) ? e with { Move = e.Move + made } : e).ToList();
         events.Insert(events.FindIndex(e => e.Move > parked) is >= 0 and var place ? place : events.Count, new MoveEvent(parked, what));
         var blocks = toolpath.Blocks.Take(block).Concat(editor.ToBlocks()).Concat(toolpath.Blocks.Skip(block + 1));
-        return toolpath.WithBlocks(blocks, events);
+        return toolpath.With(blocks, events);
     }
 
     // What the file says before the first move of the layer stays there, up to a dwell or homing, whose move it is.

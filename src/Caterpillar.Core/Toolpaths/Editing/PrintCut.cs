@@ -102,7 +102,7 @@ internal sealed class PrintCut
         var events = _toolpath.Events
             .Where(e => e.Source < 0 ? e.Move < _lowerEnd || e.Move > _printEnd : e.Source <= lines.LowerEnd || e.Source > lines.PrintEnd)
             .Select(e => e.Move <= _lowerEnd ? e : e with { Move = e.Move + shift });
-        return _toolpath.WithBlocks([.. _toolpath.Blocks.Take(block), .. editor.ToBlocks()], events);
+        return _toolpath.With([.. _toolpath.Blocks.Take(block), .. editor.ToBlocks()], events);
     }
 
     /// <summary>The upper half, which the head reaches from above, retracted, and the end code.</summary>
@@ -119,7 +119,7 @@ internal sealed class PrintCut
         var shift = (Retraction is not null ? 3 : 2) - _upper;
         editor.Add(_toolpath.Blocks[block].Columns, _upper - _toolpath.FirstOf(block), _toolpath.Blocks[block].Count);
         var events = _toolpath.Events.Where(e => e.Source < 0 ? e.Move >= _upper : e.Source >= line).Select(e => e with { Move = e.Move + shift });
-        return _toolpath.WithBlocks([.. editor.ToBlocks(), .. _toolpath.Blocks.Skip(block + 1)], events);
+        return _toolpath.With([.. editor.ToBlocks(), .. _toolpath.Blocks.Skip(block + 1)], events);
     }
 
     // The end code, not below this height up to the first move that homes Z.

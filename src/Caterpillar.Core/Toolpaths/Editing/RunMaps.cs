@@ -14,7 +14,7 @@ internal sealed class AffineRunMap(Affine map, double tolerance) : RunMap
         var chords = move.Arc is { } arc && !_keepsArcs ? arc.ChordCount(move.Start, move.End, tolerance) : 1;
         for (var k = 1; k <= chords; k++)
         {
-            run.Points.Add(k == chords ? move.End : move.Arc!.Value.PointAt(move.Start, move.End, (double)k / chords));
+            run.Points.Add(move.PointAt((double)k / chords));
             run.Shares.Add(1.0 / chords);
         }
         run.Close(move, _keepsArcs ? move.Arc : null);

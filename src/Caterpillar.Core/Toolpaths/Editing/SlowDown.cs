@@ -5,11 +5,7 @@ internal static class SlowDown
 {
     /// <summary>Time of a path, s, at the speeds that a function returns for each segment (mm/s).</summary>
     public static double TimeOf(PrintPath path, Func<PrintPath, int, double> speedOf)
-    {
-        var time = 0.0;
-        for (var i = 0; i < path.SegmentCount; i++) time += path.LengthOf(i) / speedOf(path, i);
-        return time;
-    }
+        => Enumerable.Range(0, path.SegmentCount).Sum(i => path.LengthOf(i) / speedOf(path, i));
 
     /// <summary>The paths with lower speeds, or the same paths if they already take long enough.</summary>
     /// <param name="paths">The paths, in any order.</param>

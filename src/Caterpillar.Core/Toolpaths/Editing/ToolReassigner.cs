@@ -31,14 +31,14 @@ internal sealed class ToolReassigner(Toolpath toolpath, int from, int until, int
         }
         var tools = toolpath.Tools.ToList();
         while (tools.Count <= tool) tools.Add(tools.Count > 0 ? tools[tools.Count - 1] : new ToolpathTool(null));
-        return toolpath.WithBlocks(blocks).WithTools(tools);
+        return toolpath.With(blocks, tools: tools);
     }
 
     private void Balance(ToolpathColumns columns, ref ToolpathColumns? copy, int i, int toolNow)
     {
         var e = columns.E[i];
         if (e == 0) return;
-        var deretracted = Deretract(_before, columns.Tool[i], e);
+        var deretracted = Deretract(_before, columns.Tool[i], e, out _);
         var deretractedNow = Deretract(_now, toolNow, e, out var hadRetracted);
         if (e < 0 || Math.Abs(deretracted - deretractedNow) <= 1e-9) return;
         copy ??= columns.Copy(columns.Count);
@@ -48,8 +48,6 @@ internal sealed class ToolReassigner(Toolpath toolpath, int from, int until, int
         copy.Deposited[i] = deposited;
         copy.Kind[i] = inPlace ? (hadRetracted ? MoveKind.Deretract : MoveKind.Prime) : deposited > 0 ? MoveKind.Print : MoveKind.MovingDeretract;
     }
-
-    private static double Deretract(Dictionary<int, double> retracted, int tool, double e) => Deretract(retracted, tool, e, out _);
 
     // The part of the E that only deretracts.
     private static double Deretract(Dictionary<int, double> retracted, int tool, double e, out bool hadRetracted)

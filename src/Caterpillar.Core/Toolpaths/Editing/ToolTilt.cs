@@ -18,8 +18,6 @@ public enum TiltAxes : byte
 /// <param name="MaxTilt">Maximum tilt from vertical, degrees, above 0 and at most 90. Steeper normals are limited to it.</param>
 public sealed record ToolTilt(TiltAxes Axes, double MaxTilt = 90)
 {
-    private const double ChordTolerance = 0.01;
-
     // Degrees: where the tool is as good as upright its azimuth says nothing.
     private const double Upright = 0.05;
 
@@ -68,32 +66,15 @@ public sealed record ToolTilt(TiltAxes Axes, double MaxTilt = 90)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (normal is null) throw new ArgumentNullException(nameof(normal));
-        var builder = new ToolpathBuilder(toolpath.Source, toolpath.Start);
-        foreach (var layer in toolpath.Layers) builder.AddLayer(layer);
-        var nextEvent = 0;
         var (tilt, turn) = (0.0, 0.0);
-        foreach (var move in toolpath.Moves())
+        return StraightPieces.Rebuilt(toolpath, toolpath.Start, Add, progress, cancel);
+
+        void Add(ToolpathBuilder builder, Move piece)
         {
-            if ((move.Index & 0xFFF) == 0)
-            {
-                cancel.ThrowIfCancellationRequested();
-                progress?.Report((double)move.Index / toolpath.Count);
-            }
-            for (; nextEvent < toolpath.Events.Count && toolpath.Events[nextEvent].Move <= move.Index; nextEvent++)
-                builder.AddEvent(toolpath.Events[nextEvent].Event);
-            var parts = move.Arc is { } arc ? arc.ChordCount(move.Start, ChordTolerance) : 1;
-            var last = move.Start;
-            for (var k = 1; k <= parts; k++)
-            {
-                var next = move.Arc is { } curve ? curve.PointAt(move.Start, move.End, (double)k / parts) : move.End;
-                if (next != last) (tilt, turn) = Angles(normal(next), turn);
-                builder.Add(next, move.E / parts, move.Deposited / parts, move.Speed, move.Kind, move.Role, move.Layer, move.Tool, move.Source);
-                builder.SetRotary(Axes == TiltAxes.AC ? tilt : 0, Axes == TiltAxes.BC ? tilt : 0, turn);
-                last = next;
-            }
+            if (piece.End != piece.Start) (tilt, turn) = Angles(normal(piece.End), turn);
+            builder.Add(piece);
+            builder.SetRotary(Axes == TiltAxes.AC ? tilt : 0, Axes == TiltAxes.BC ? tilt : 0, turn);
         }
-        for (; nextEvent < toolpath.Events.Count; nextEvent++) builder.AddEvent(toolpath.Events[nextEvent].Event);
-        return builder.Build(toolpath.Tools);
     }
 
     private static bool Turns(double[]? angles) => angles is not null && Array.Exists(angles, a => a != 0);

@@ -8,11 +8,10 @@ internal static class ToolpathArcs
     /// nothing between its lines. Its material per mm varies by no more than <paramref name="evenness"/> and the rounding of the file. An arc gets the source
     /// of its first move and the material of all.
     /// </summary>
-    public static Toolpath FitArcs(this Toolpath toolpath, ArcFitOptions? options = null, double evenness = 0.02)
+    public static Toolpath FitArcs(this Toolpath toolpath, double tolerance = 0.02, double evenness = 0.02)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
-        var eventful = new HashSet<int>();
-        foreach (var what in toolpath.Events) eventful.Add(what.Move);
+        var eventful = new HashSet<int>(toolpath.Events.Select(e => e.Move));
         var blocks = new List<ToolpathBlock>();
         var events = new List<MoveEvent>();
         var next = 0;
@@ -24,7 +23,7 @@ internal static class ToolpathArcs
             var points = new Vec3[columns.Count + 1];
             points[0] = toolpath.StartOf(block);
             for (var i = 0; i < columns.Count; i++) points[i + 1] = new Vec3(columns.X[i], columns.Y[i], columns.Z[i]);
-            var fitter = new ArcFitter(points, options);
+            var fitter = new ArcFitter(points, tolerance);
             BlockEditor? editor = null;
             var run = 0;
             for (var i = 0; i < columns.Count;)
@@ -61,7 +60,7 @@ internal static class ToolpathArcs
             else blocks.AddRange(editor.ToBlocks());
         }
         for (; next < toolpath.Events.Count; next++) events.Add(toolpath.Events[next] with { Move = made });
-        return toolpath.WithBlocks(blocks, events);
+        return toolpath.With(blocks, events);
     }
 
     // After the last move of the run that starts at a move.

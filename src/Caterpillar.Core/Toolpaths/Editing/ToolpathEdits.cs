@@ -100,7 +100,7 @@ public static class ToolpathEdits
                 columns.Arcs = [.. columns.Arcs.Take(columns.Arcs.Length - 1), arc with { Sweep = arc.Sweep * done }];
         }
         var count = toolpath.FirstOf(block) + columns.Count;
-        return toolpath.WithBlocks([.. toolpath.Blocks.Take(block), new ToolpathBlock(columns)], toolpath.Events.Where(e => e.Move < count));
+        return toolpath.With([.. toolpath.Blocks.Take(block), new ToolpathBlock(columns)], toolpath.Events.Where(e => e.Move < count));
     }
 
     /// <summary>
@@ -121,7 +121,7 @@ public static class ToolpathEdits
             && IsOf(toolpath, toolpath[move], events[at - 1].Event)) at--;
         var next = events.Skip(at).Where(e => e.Event is ToolEvent).Select(e => (int?)e.Move).FirstOrDefault() ?? toolpath.Count;
         events.Insert(at, new MoveEvent(move, what));
-        return (what is ToolEvent { Tool: >= 0 } tool ? new ToolReassigner(toolpath, move, next, tool.Tool).Run() : toolpath).WithEvents(events);
+        return (what is ToolEvent { Tool: >= 0 } tool ? new ToolReassigner(toolpath, move, next, tool.Tool).Run() : toolpath).With(events: events);
     }
 
     /// <summary>Inserts an event (a pause, a tool, a temperature) before the first move of a layer, by its number in its object.</summary>
@@ -155,7 +155,7 @@ public static class ToolpathEdits
             change(columns, chosen, first);
             blocks[block] = new ToolpathBlock(columns);
         }
-        return toolpath.WithBlocks(blocks);
+        return toolpath.With(blocks);
     }
 
     private static void Positive(double value, string name)

@@ -48,7 +48,7 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
             _blocks.AddRange(_editor.ToBlocks());
         }
         Events(int.MaxValue);
-        return toolpath.WithBlocks(_blocks, _events);
+        return toolpath.With(_blocks, _events);
     }
 
     // A block without any move that stays, at once.
@@ -66,14 +66,7 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
     }
 
     // The last move of a block may lead to an extrusion of the next.
-    private bool IsTouched(int first, int count)
-    {
-        for (var i = first; i < first + count; i++)
-        {
-            if (mapped[i]) return true;
-        }
-        return LeadsToRun(toolpath[first + count - 1]);
-    }
+    private bool IsTouched(int first, int count) => Array.IndexOf(mapped, true, first, count) >= 0 || LeadsToRun(toolpath[first + count - 1]);
 
     private bool LeadsToRun(Move move)
         => !mapped[move.Index] && move.Index + 1 < mapped.Length && mapped[move.Index + 1] && move.Kind != MoveKind.Print && !move.IsInPlace;
@@ -128,11 +121,8 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
     // Its start or end may have moved with an extrusion. Vertical moves stay vertical.
     private void Unmapped(Move move, Vec3 end)
     {
-        if (end == move.End && _position != move.Start && move.Kind != MoveKind.Print && move.Start.X == end.X
-            && move.Start.Y == end.Y)
-        {
+        if (end == move.End && _position != move.Start && move.Kind != MoveKind.Print && move.Start.X == end.X && move.Start.Y == end.Y)
             end = _position.WithZ(end.Z);
-        }
         if (_position == move.Start && end == move.End)
         {
             Add(move, end, move.E, move.Deposited, move.Speed, move.Arc);
@@ -141,7 +131,7 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
         var chords = move.Arc is { } arc ? arc.ChordCount(move.Start, move.End, tolerance) : 1;
         for (var k = 1; k <= chords; k++)
         {
-            var to = k == chords ? end : move.Arc!.Value.PointAt(move.Start, move.End, (double)k / chords);
+            var to = k == chords ? end : move.PointAt((double)k / chords);
             var deposited = move.Deposited / chords;
             if (move.Kind == MoveKind.Print && move.Length > 0) deposited = move.Deposited / move.Length * _position.DistanceTo(to);
             Add(move, to, deposited + Rest(move, 1.0 / chords, k == 1), deposited, move.Speed, null);

@@ -9,9 +9,7 @@ public static class LayerNumbers
     public static IReadOnlyList<int> NumbersOfLayers(this Toolpath toolpath)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
-        var numbers = new SortedSet<int>();
-        foreach (var layer in toolpath.UsedLayers()) numbers.Add(layer.Index);
-        return [.. numbers];
+        return [.. new SortedSet<int>(toolpath.UsedLayers().Select(l => l.Index))];
     }
 
     /// <summary>The layers that have extrusions, or moves if none has extrusions.</summary>

@@ -25,6 +25,9 @@ public readonly record struct Move(
     /// <summary>True if a machine does not distinguish these points.</summary>
     internal static bool IsSame(Vec3 start, Vec3 end) => start.DistanceTo(end) <= 1e-9;
 
+    /// <summary>The point at a part of the motion, 0 to 1.</summary>
+    internal Vec3 PointAt(double t) => Geometry.Arc.PointAt(Arc, Start, End, t);
+
     /// <summary>Length of the motion, mm.</summary>
     public double Length => Arc is { } arc ? arc.Length(Start, End) : Start.DistanceTo(End);
 }

@@ -157,31 +157,17 @@ public sealed class Toolpath
     /// <summary>mm³ per unit of E of a tool. Null if unknown.</summary>
     public double? VolumePerE(int tool) => tool >= 0 && tool < _tools.Length ? _tools[tool].VolumePerE : null;
 
-    /// <summary>The same toolpath with other blocks, for edits.</summary>
-    internal Toolpath WithBlocks(IEnumerable<ToolpathBlock> blocks, IEnumerable<MoveEvent>? events = null, IEnumerable<Layer>? layers = null)
-        => new(blocks, layers ?? Layers, events ?? _events, Tools, Start, Source, Places);
-
-    /// <summary>The same moves with other events.</summary>
-    internal Toolpath WithEvents(IEnumerable<MoveEvent> events) => new(_blocks, Layers, events, Tools, Start, Source, Places);
-
-    /// <summary>The same moves with other tools.</summary>
-    internal Toolpath WithTools(IEnumerable<ToolpathTool> tools) => new(_blocks, Layers, _events, tools, Start, Source, Places);
+    /// <summary>The same toolpath with other parts, for edits.</summary>
+    internal Toolpath With(
+        IEnumerable<ToolpathBlock>? blocks = null, IEnumerable<MoveEvent>? events = null, IEnumerable<Layer>? layers = null,
+        IEnumerable<ToolpathTool>? tools = null)
+        => new(blocks ?? _blocks, layers ?? _layers, events ?? _events, tools ?? _tools, Start, Source, Places);
 
     /// <summary>The same moves from another start, in layers of other heights.</summary>
     internal Toolpath With(Vec3? start, IEnumerable<Layer> layers) => new(_blocks, layers, _events, Tools, start, Source, Places);
 
     /// <summary>Number of the first event at or after a move.</summary>
-    internal int FirstEventOf(int move)
-    {
-        int low = 0, high = _events.Length;
-        while (low < high)
-        {
-            var middle = (low + high) / 2;
-            if (_events[middle].Move < move) low = middle + 1;
-            else high = middle;
-        }
-        return low;
-    }
+    internal int FirstEventOf(int move) => Search.First(0, _events.Length, (_events, move), static (s, i) => s._events[i].Move >= s.move);
 
     /// <summary>Number of the first move of a block.</summary>
     internal int FirstOf(int block) => _firsts[block];

@@ -131,22 +131,13 @@ internal sealed class ToolpathColumns
     }
 
     /// <summary>Columns with new end points and, if asked for, new amounts to fill in. The rest is shared. For blocks of straight moves.</summary>
-    public ToolpathColumns WithGeometry(bool newAmounts) => new(0)
+    public ToolpathColumns WithGeometry(bool newAmounts)
     {
-        Count = Count,
-        X = new double[Count],
-        Y = new double[Count],
-        Z = new double[Count],
-        E = newAmounts ? new double[Count] : E,
-        Deposited = newAmounts ? new double[Count] : Deposited,
-        Speed = Speed,
-        Kind = Kind,
-        Role = Role,
-        Tool = Tool,
-        Layer = Layer,
-        Source = Source,
-        Line = Line,
-    };
+        var copy = Share();
+        (copy.X, copy.Y, copy.Z) = (new double[Count], new double[Count], new double[Count]);
+        if (newAmounts) (copy.E, copy.Deposited) = (new double[Count], new double[Count]);
+        return copy;
+    }
 
     private T[]? Appended<T>(T[]? column, T[]? other, int from, int count)
     {

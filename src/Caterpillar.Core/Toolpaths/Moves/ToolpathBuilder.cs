@@ -85,6 +85,9 @@ public sealed class ToolpathBuilder
         Position = end;
     }
 
+    internal void Add(in Move move)
+        => Add(move.End, move.E, move.Deposited, move.Speed, move.Kind, move.Role, move.Layer, move.Tool, move.Source, move.Arc);
+
     /// <summary>Adds a run of moves of some columns.</summary>
     internal void Add(ToolpathColumns columns, int from, int to)
     {

@@ -7,11 +7,11 @@ public static class PathArcs
     /// Replaces runs of straight segments with arcs within a tolerance (see <see cref="ArcFitter"/>). Existing arcs stay. A new arc never crosses a change of
     /// the bead or the seam of a closed path, so that its material per mm is constant.
     /// </summary>
-    public static PrintPath Fit(PrintPath path, ArcFitOptions? options = null)
+    public static PrintPath Fit(PrintPath path, double tolerance = 0.02)
     {
         if (path is null) throw new ArgumentNullException(nameof(path));
         var vertices = Vertices(path);
-        var fitter = new ArcFitter(vertices, options);
+        var fitter = new ArcFitter(vertices, tolerance);
         var points = new List<Vec3> { vertices[0] };
         var beads = new List<Bead>();
         var arcs = new List<Arc?>();
@@ -70,14 +70,7 @@ public static class PathArcs
         return Build(path, points, beads, null);
     }
 
-    private static Vec3[] Vertices(PrintPath path)
-    {
-        if (!path.IsClosed) return path.RawPoints;
-        var vertices = new Vec3[path.Points.Count + 1];
-        Array.Copy(path.RawPoints, vertices, path.Points.Count);
-        vertices[path.Points.Count] = path.Start;
-        return vertices;
-    }
+    private static Vec3[] Vertices(PrintPath path) => path.IsClosed ? [.. path.RawPoints, path.Start] : path.RawPoints;
 
     private static PrintPath Build(PrintPath path, List<Vec3> points, List<Bead> beads, List<Arc?>? arcs)
     {

@@ -74,14 +74,10 @@ public static class PathMerging
         if (last.End.DistanceTo(path.End) <= tolerance) return path.Reversed();
         // Only the first path of a chain can still be reversed.
         if (chain.Count > 1) return null;
-        if (last.Start.DistanceTo(path.Start) <= tolerance)
-        {
-            chain[0] = last.Reversed();
-            return path;
-        }
-        if (last.Start.DistanceTo(path.End) > tolerance) return null;
+        var meets = last.Start.DistanceTo(path.Start) <= tolerance;
+        if (!meets && last.Start.DistanceTo(path.End) > tolerance) return null;
         chain[0] = last.Reversed();
-        return path.Reversed();
+        return meets ? path : path.Reversed();
     }
 
     private static bool Alike(PrintPath a, PrintPath b)

@@ -44,11 +44,8 @@ public sealed class PrintPath
         {
             throw new ArgumentException($"A path of {segments} segments needs {segments} arcs or nulls, not {arcs.Length}.", nameof(arcs));
         }
-        if (arcs is not null && Array.Exists(arcs,
-            a => a is { Plane: not ArcPlane.XY }))
-        {
+        if (arcs is not null && Array.Exists(arcs, a => a is { Plane: not ArcPlane.XY }))
             throw new ArgumentException("Arcs of a path must be in the XY plane.", nameof(arcs));
-        }
         _points = points;
         _beads = beads;
         _arcs = arcs;
@@ -164,12 +161,8 @@ public sealed class PrintPath
         Array.Reverse(points, IsClosed ? 1 : 0, points.Length - (IsClosed ? 1 : 0));
         var beads = (Bead[])_beads.Clone();
         Array.Reverse(beads);
-        Arc?[]? arcs = null;
-        if (_arcs is not null)
-        {
-            arcs = new Arc?[_arcs.Length];
-            for (var i = 0; i < arcs.Length; i++) arcs[i] = _arcs[arcs.Length - 1 - i]?.Reversed();
-        }
+        var arcs = _arcs is null ? null : Array.ConvertAll(_arcs, a => a?.Reversed());
+        if (arcs is not null) Array.Reverse(arcs);
         return With(points, beads, arcs);
     }
 

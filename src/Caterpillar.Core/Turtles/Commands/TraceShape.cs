@@ -8,8 +8,6 @@ internal sealed class TraceShape(double strings, Action<Trace> draw)
     /// <summary>Memory of one string until it is a move, bytes.</summary>
     public const int StringBytes = 250;
 
-    private readonly Action<Trace> _draw = draw;
-
     /// <summary>About how many strings it has.</summary>
     public double Strings { get; } = double.IsNaN(strings) ? 0 : strings;
 
@@ -47,7 +45,7 @@ internal sealed class TraceShape(double strings, Action<Trace> draw)
     public Trace Make(Bead bead, CancellationToken cancel)
     {
         var trace = new Trace(bead.Area) { Cancel = cancel }.SetSpeed(bead.Speed);
-        _draw(trace);
+        draw(trace);
         return trace;
     }
 

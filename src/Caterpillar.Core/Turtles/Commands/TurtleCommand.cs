@@ -11,12 +11,7 @@ public sealed class TurtleCommand
     private readonly double[] _values;
 
     private TurtleCommand(TurtleAction action, double[] values, string text, IReadOnlyList<TurtleCommand> body)
-    {
-        Action = action;
-        _values = values;
-        Text = text;
-        Body = body;
-    }
+        => (Action, _values, Text, Body) = (action, values, text, body);
 
     /// <summary>The action of the command.</summary>
     public TurtleAction Action { get; }
@@ -43,11 +38,8 @@ public sealed class TurtleCommand
             throw new ArgumentException($"Wrong number of values. The command is: {info.Usage}.", nameof(values));
         for (var i = 0; i < values.Length; i++)
         {
-            if (double.IsInfinity(values[i])
-                || (double.IsNaN(values[i]) && !(info.MayKeep && i < 3)))
-            {
+            if (double.IsInfinity(values[i]) || (double.IsNaN(values[i]) && !(info.MayKeep && i < 3)))
                 throw new ArgumentException("A value is not finite.", nameof(values));
-            }
         }
         return new TurtleCommand(action, (double[])values.Clone(), text ?? "", []);
     }

@@ -11,12 +11,7 @@ public sealed class LSystemWord
     private readonly int[]? _first;
     private readonly double[] _values;
 
-    internal LSystemWord(char[] symbols, int[]? first, double[] values)
-    {
-        _symbols = symbols;
-        _first = first;
-        _values = values;
-    }
+    internal LSystemWord(char[] symbols, int[]? first, double[] values) => (_symbols, _first, _values) = (symbols, first, values);
 
     /// <summary>Number of letters.</summary>
     public int Count => _symbols.Length;

@@ -31,9 +31,7 @@ internal sealed class Instruction(ScriptOp op, Token at)
 {
     public ScriptOp Op { get; } = op;
 
-    public int Line { get; } = at.Line;
-
-    public int Column { get; } = at.Column;
+    public Token At { get; } = at;
 
     public int Target { get; set; }
 
@@ -61,6 +59,8 @@ internal sealed class Instruction(ScriptOp op, Token at)
     /// <summary>The included file. Null = the script itself.</summary>
     public string? File { get; set; }
 
+    public SourceLocation Place => new(File, At.Line, At.Column);
+
     public ShapingRules? Shaping { get; init; }
 }
 
@@ -72,9 +72,7 @@ internal sealed class Argument(FormulaNode node, Token at)
     /// <summary>Its value if it is a finite constant, else NaN.</summary>
     public double Constant { get; } = node.IsConstant && !double.IsInfinity(node.Value) ? node.Value : double.NaN;
 
-    public int Line { get; } = at.Line;
-
-    public int Column { get; } = at.Column;
+    public Token At { get; } = at;
 }
 
 /// <summary>A procedure of a script.</summary>

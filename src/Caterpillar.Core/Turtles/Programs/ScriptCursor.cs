@@ -63,5 +63,5 @@ internal sealed class ScriptCursor(ScriptSource source)
 
     public static bool EndsStatement(Token t) => t.Kind is TokenKind.End or TokenKind.NewLine || t.Is(";") || t.Is("]");
 
-    public static FormulaException Error(string code, string message, Token at) => new(code, message, at.Line, at.Column);
+    public static FormulaException Error(string code, string message, Token at) => new(code, message, at);
 }

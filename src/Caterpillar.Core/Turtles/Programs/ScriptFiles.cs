@@ -81,5 +81,5 @@ public sealed class ScriptFiles
     private static bool Below(string path, string folder)
         => path.StartsWith(folder.TrimEnd(Path.DirectorySeparatorChar) + Path.DirectorySeparatorChar, StringComparison.Ordinal);
 
-    private static FormulaException Error(string message, Token name) => new("turtle.file", message, name.Line, name.Column);
+    private static FormulaException Error(string message, Token name) => new("turtle.file", message, name);
 }

@@ -15,13 +15,11 @@ internal sealed class ScriptFrames(FormulaContext context, int globals, int maxD
     /// <param name="words">Words that are being drawn at the call.</param>
     /// <param name="at">The call: line and column.</param>
     /// <exception cref="FormulaException">Too many procedures call each other.</exception>
-    public void Enter(Procedure procedure, double[] given, int back, int words, (int Line, int Column) at)
+    public void Enter(Procedure procedure, double[] given, int back, int words, Token at)
     {
         if (_frames.Count >= maxDepth)
-        {
             throw new FormulaException("turtle.recursion",
-                $"Procedure calls are nested {NumberFormatter.Format(maxDepth)} levels deep. Is there an endless recursion?", at.Line, at.Column);
-        }
+                $"Procedure calls are nested {NumberFormatter.Format(maxDepth)} levels deep. Is there an endless recursion?", at);
         var start = context.Base + _size;
         _frames.Add(new Frame(back, context.Base, _size, words));
         var values = context.Values;

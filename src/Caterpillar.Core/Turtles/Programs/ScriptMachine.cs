@@ -19,6 +19,9 @@ internal sealed class ScriptMachine
     // A letter with a value, in two generations.
     private const int LetterBytes = 64;
 
+    // For functions that call each other a thousand levels deep.
+    private const int StackBytes = 64 << 20;
+
     // Where a function that a formula has called returns to.
     private const int ToFormula = -1;
 
@@ -74,7 +77,7 @@ internal sealed class ScriptMachine
     /// <exception cref="FormulaException">The program failed.</exception>
     public void Run()
     {
-        if (_code.CallsFunctions) LargeStack.Run(RunHere);
+        if (_code.CallsFunctions) OwnThread.Run(RunHere, StackBytes);
         else RunHere();
     }
 
@@ -96,21 +99,16 @@ internal sealed class ScriptMachine
         for (var i = 0; i < given.Length; i++)
         {
             given[i] = arguments[i](_context);
-            if (double.IsNaN(given[i] - given[i]))
-            {
-                throw new FormulaException("turtle.not_finite", $"A value for '{at.Text}' is not finite.", at.Line, at.Column);
-            }
+            if (double.IsNaN(given[i] - given[i])) throw new FormulaException("turtle.not_finite", $"A value for '{at.Text}' is not finite.", at);
         }
         var current = _current;
-        _frames.Enter(procedure, given, ToFormula, _words.Count, (at.Line, at.Column));
+        _frames.Enter(procedure, given, ToFormula, _words.Count, at);
         _functions++;
         Loop(procedure.Start);
         _functions--;
         _current = current;
         if (_stopped) throw new StopException();
-        var result = _result;
-        return double.IsNaN(result) ? throw new FormulaException("turtle.no_result", $"'{at.Text}' ended without returning a value.", at.Line, at.Column)
-            : result;
+        return double.IsNaN(_result) ? throw new FormulaException("turtle.no_result", $"'{at.Text}' ended without returning a value.", at) : _result;
     }
 
     private void RunHere()
@@ -197,7 +195,7 @@ internal sealed class ScriptMachine
                     pc = NextLetter(at, pc);
                     break;
                 case ScriptOp.Print:
-                    _prints.Add(TextOf(at.Text!), new SourceLocation(at.File, at.Line, at.Column));
+                    _prints.Add(TextOf(at.Text!), at.Place);
                     break;
                 case ScriptOp.BeginShaping:
                     BeginShaping(at);
@@ -242,7 +240,7 @@ internal sealed class ScriptMachine
         for (var i = 0; i < arguments.Length; i++) _numbers[i] = arguments[i] is { } argument ? Number(argument) : double.NaN;
         var moves = Turtle.MoveCount;
         if (moves >= _limits.MaxMoves) throw TooManyMoves(at);
-        Turtle.At(_file, at.Line);
+        Turtle.At(_file, at.At.Line);
         try
         {
             if (TraceShape.Of(at.Action, arguments.Length, _numbers) is { } shape) Draw(at, shape);
@@ -267,9 +265,8 @@ internal sealed class ScriptMachine
 
     private void Call(Instruction at, int back)
     {
-        var given = new double[at.Arguments.Length];
-        for (var i = 0; i < given.Length; i++) given[i] = Number(at.Arguments[i]!);
-        _frames.Enter(at.Procedure!, given, back, _words.Count, (at.Line, at.Column));
+        var given = Array.ConvertAll(at.Arguments, a => Number(a!));
+        _frames.Enter(at.Procedure!, given, back, _words.Count, at.At);
     }
 
     private int Return(Instruction at)
@@ -294,7 +291,7 @@ internal sealed class ScriptMachine
         }
         var result = at.System!.Grow(variables, generations, seed, MaxLetters(), null, _cancel);
         if (result.Value is null) throw Error(at, result.Diagnostics[0].Code, result.Diagnostics[0].Message);
-        foreach (var note in result.Diagnostics) Notes.Add(note with { Source = new SourceLocation(at.File, at.Line, at.Column) });
+        foreach (var note in result.Diagnostics) Notes.Add(note with { Source = at.Place });
         return result.Value;
     }
 
@@ -309,7 +306,7 @@ internal sealed class ScriptMachine
                     $"The letter '{word[index]}' has {Text(word.ValueCount(index))} values, but its procedure takes {Text(procedure.Parameters.Count)}.");
             var given = new double[procedure.Parameters.Count];
             for (var v = 0; v < given.Length; v++) given[v] = word.Value(index, v);
-            _frames.Enter(procedure, given, pc - 1, _words.Count, (at.Line, at.Column));
+            _frames.Enter(procedure, given, pc - 1, _words.Count, at.At);
             return procedure.Start;
         }
         if (Turtle.MoveCount >= _limits.MaxMoves) throw TooManyMoves(at);
@@ -337,13 +334,9 @@ internal sealed class ScriptMachine
         _context.Base = block.Base;
         var steps = Turtle.StepsFrom(block.First);
         if (_limits.Memory.Refuse(Bytes + 2 * Turtle.Bytes, "The shaped paths") is { } refusal)
-            throw new FormulaException(refusal.Code, refusal.Message, at.Line, at.Column);
+            throw new FormulaException(refusal.Code, refusal.Message, at);
         var shaped = new Shaper(block.Rules, _context, block.Frame, Turtle).Apply(steps, _cancel);
-        if (shaped.Value is null)
-        {
-            var problem = shaped.Diagnostics[0];
-            throw new FormulaException(problem.Code, problem.Message, at.Line, at.Column);
-        }
+        if (shaped.Value is null) throw new FormulaException(shaped.Diagnostics[0].Code, shaped.Diagnostics[0].Message, at);
         foreach (var note in shaped.Diagnostics) Notes.Add(note with { Source = new SourceLocation(_current.File, at.Line, at.Column) });
         Turtle.ReplaceSteps(block.First, shaped.Value);
         _context.Base = current;
@@ -372,7 +365,7 @@ internal sealed class ScriptMachine
         var message = double.IsNaN(value)
             ? "The value is not a number. Causes: 0 / 0, a root or logarithm of a negative number, or randint(from, to) without an integer in between."
             : "The value is infinite: division by zero, or a number too large.";
-        throw new FormulaException("turtle.not_finite", message, argument.Line, argument.Column);
+        throw new FormulaException("turtle.not_finite", message, argument.At);
     }
 
     private double Integer(Argument argument, double low, double high)
@@ -381,13 +374,13 @@ internal sealed class ScriptMachine
         if (value >= low && value <= high && value == Math.Floor(value)) return value;
         throw new FormulaException("turtle.value",
             $"Found {NumberFormatter.Format(value, 6)}, expected an integer from {NumberFormatter.Format(low, 0)} to {NumberFormatter.Format(high, 0)}.",
-            argument.Line, argument.Column);
+            argument.At);
     }
 
     private void SetElement(Instruction at)
     {
         var array = _context.Arrays[at.Slot] ?? throw Error(at, "turtle.index", $"The array '{at.Name}' has not been created yet.");
-        var index = ScriptScope.Index(Number(at.Arguments[0]!), array.Length, at.Name, at.Line, at.Column);
+        var index = ScriptScope.Index(Number(at.Arguments[0]!), array.Length, at.Name, at.At);
         array[index] = Number(at.Arguments[1]!);
     }
 
@@ -402,7 +395,7 @@ internal sealed class ScriptMachine
         var from = Number(at.Arguments[0]!);
         var to = Number(at.Arguments[1]!);
         var step = at.Arguments[2] is { } given ? Number(given) : 1;
-        if (step == 0) throw new FormulaException("turtle.value", "The step of a loop must not be 0.", at.Arguments[2]!.Line, at.Arguments[2]!.Column);
+        if (step == 0) throw new FormulaException("turtle.value", "The step of a loop must not be 0.", at.Arguments[2]!.At);
         // Slightly more, so that 0 to 1 step 0.1 has its 11 iterations.
         var count = Math.Floor((to - from) / step + 1e-9) + 1;
         if (!(count > 0)) return false;
@@ -426,9 +419,9 @@ internal sealed class ScriptMachine
     private static string Text(long number) => NumberFormatter.Format(number);
 
     private static FormulaException TooDeep(Token at) => new("turtle.recursion",
-        $"Function calls are nested {Text(MaxFunctionDepth)} levels deep. Is there an endless recursion?", at.Line, at.Column);
+        $"Function calls are nested {Text(MaxFunctionDepth)} levels deep. Is there an endless recursion?", at);
 
-    private static FormulaException Error(Instruction at, string code, string message) => new(code, message, at.Line, at.Column);
+    private static FormulaException Error(Instruction at, string code, string message) => new(code, message, at.At);
 
     private readonly record struct Open(ShapingRules Rules, Frame Frame, int First, int Base);
 

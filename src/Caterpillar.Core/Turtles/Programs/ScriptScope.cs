@@ -120,7 +120,6 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
 
     public FormulaNode? Variable(string name, Token at)
     {
-        var (line, column) = (at.Line, at.Column);
         if (Coordinates.TryGetValue(name, out var given))
         {
             UsedCoordinates.Add(name);
@@ -131,7 +130,7 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
             return new FormulaNode(c =>
             {
                 var value = c.Values[c.Base + local];
-                return double.IsNaN(value) ? throw NoValue(name, line, column) : value;
+                return double.IsNaN(value) ? throw NoValue(name, at) : value;
             });
         }
         if (_globals.TryGetValue(name, out var global))
@@ -139,7 +138,7 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
             return new FormulaNode(c =>
             {
                 var value = c.Values[global];
-                return double.IsNaN(value) ? throw NoValue(name, line, column) : value;
+                return double.IsNaN(value) ? throw NoValue(name, at) : value;
             });
         }
         if (name == Counter && Repeats.Count > 0)
@@ -165,13 +164,13 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
         var isImage = _images.TryGetValue(name.Text, out var image);
         if (!procedures.TryGetValue(name.Text, out var procedure) && !isImage) return null;
         if (procedure is { ReturnsValue: false })
-            throw new FormulaException("turtle.no_result", $"The procedure '{name.Text}' returns no value.", name.Line, name.Column);
+            throw new FormulaException("turtle.no_result", $"The procedure '{name.Text}' returns no value.", name);
         var count = procedure?.Parameters.Count ?? 2;
         if (arguments.Count != count)
         {
             throw new FormulaException("formula.arguments",
                 $"'{name.Text}' takes {NumberFormatter.Format(count)} {(count == 1 ? "value" : "values")}, not {NumberFormatter.Format(arguments.Count)}.",
-                    name.Line, name.Column);
+                name);
         }
         var values = arguments.ConvertAll(a => a.Evaluate).ToArray();
         var depth = arguments.Select(a => a.Depth).DefaultIfEmpty(0).Max() + 1;
@@ -187,27 +186,24 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
     {
         var slot = _arrays[name];
         var evaluate = index.Evaluate;
-        var (line, column) = (at.Line, at.Column);
         return new FormulaNode(
             c =>
             {
                 var array = c.Arrays[slot];
                 return array is null
-                    ? throw new FormulaException("turtle.index", $"The array '{name}' has not been created yet.", line, column)
-                    : array[Index(evaluate(c), array.Length, name, line, column)];
+                    ? throw new FormulaException("turtle.index", $"The array '{name}' has not been created yet.", at)
+                    : array[Index(evaluate(c), array.Length, name, at)];
             },
             index.Depth + 1);
     }
 
     // Only finite numbers are ever assigned: NaN marks a variable without a value.
-    private static FormulaException NoValue(string name, int line, int column)
-        => new("turtle.no_value", $"The variable '{name}' has no value yet.", line, column);
+    private static FormulaException NoValue(string name, Token at) => new("turtle.no_value", $"The variable '{name}' has no value yet.", at);
 
-    public static int Index(double index, int length, string name, int line, int column)
+    public static int Index(double index, int length, string name, Token at)
     {
         if (index >= 0 && index < length && index == Math.Floor(index)) return (int)index;
         var shown = double.IsNaN(index) || double.IsInfinity(index) ? "This index" : NumberFormatter.Format(index, 6);
-        throw new FormulaException("turtle.index", $"{shown} is not an index of '{name}'. Its indices are 0 to {NumberFormatter.Format(length - 1)}.", line,
-            column);
+        throw new FormulaException("turtle.index", $"{shown} is not an index of '{name}'. Its indices are 0 to {NumberFormatter.Format(length - 1)}.", at);
     }
 }

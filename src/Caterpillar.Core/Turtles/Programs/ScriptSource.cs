@@ -57,10 +57,10 @@ internal sealed class ScriptSource(string? file, List<Token> tokens)
         private ScriptSource? Include(Token name, string? file, string? from)
         {
             var path = files.Find(name, from);
-            if (_open.Contains(path)) throw new FormulaException("turtle.include", $"'{name.Text}' includes itself.", name.Line, name.Column);
+            if (_open.Contains(path)) throw new FormulaException("turtle.include", $"'{name.Text}' includes itself.", name);
             if (!_read.Add(path)) return null;
             if (_read.Count > MaxIncludes)
-                throw new FormulaException("turtle.include", "A script can include up to 100 files.", name.Line, name.Column);
+                throw new FormulaException("turtle.include", "A script can include up to 100 files.", name);
             _open.Add(path);
             var source = Read(Encoding.UTF8.GetString(ScriptFiles.Read(path, name)), Beside(file ?? main, name.Text), path);
             _open.RemoveAt(_open.Count - 1);
@@ -73,10 +73,10 @@ internal sealed class ScriptSource(string? file, List<Token> tokens)
             if (_images.TryGetValue(path, out var known)) return known;
             var read = ImageReader.Read(ScriptFiles.Read(path, name), name.Text);
             var image = read.Value
-                ?? throw new FormulaException(read.Diagnostics[0].Code, $"'{name.Text}': {read.Diagnostics[0].Message}", name.Line, name.Column);
+                ?? throw new FormulaException(read.Diagnostics[0].Code, $"'{name.Text}': {read.Diagnostics[0].Message}", name);
             _pixels += (long)image.Width * image.Height;
             if (_pixels > ImageReader.MaxPixels)
-                throw new FormulaException("turtle.file", "The images of the script have more than 100 million pixels in total.", name.Line, name.Column);
+                throw new FormulaException("turtle.file", "The images of the script have more than 100 million pixels in total.", name);
             return _images[path] = image;
         }
 

@@ -150,11 +150,11 @@ internal sealed class Shaper(ShapingRules rules, FormulaContext context, Frame f
         if (rules[name] is not { } formula) return usual;
         var value = formula.Evaluate(context);
         return value >= low && value <= high ? value : throw new FormulaException("turtle.value",
-            $"'{name}' must be a number from {NumberFormatter.Format(low, 3)} to {NumberFormatter.Format(high, 3)}.", formula.Line, formula.Column);
+            $"'{name}' must be a number from {NumberFormatter.Format(low, 3)} to {NumberFormatter.Format(high, 3)}.", formula.At);
     }
 
     private Affine Inverse() => new(new Vec3(frame.X.X, frame.Y.X, frame.Z.X), new Vec3(frame.X.Y, frame.Y.Y, frame.Z.Y),
         new Vec3(frame.X.Z, frame.Y.Z, frame.Z.Z), frame.ToLocal(Vec3.Zero));
 
-    private FormulaException Error(string code, string message) => new(code, message, rules.At.Line, rules.At.Column);
+    private FormulaException Error(string code, string message) => new(code, message, rules.At);
 }

@@ -7,11 +7,7 @@ public sealed class TurtleProgram
 
     private TurtleProgram(
         string description, Func<Turtle, TurtleLimits, CancellationToken, IReadOnlyList<Diagnostic>> run, IReadOnlyList<string>? profiles = null)
-    {
-        Description = description;
-        _run = run;
-        Profiles = profiles ?? [];
-    }
+        => (Description, _run, Profiles) = (description, run, profiles ?? []);
 
     /// <summary>Names of the printer, material and settings profiles of the script (<c>use</c>). All or the later ones may be missing.</summary>
     public IReadOnlyList<string> Profiles { get; }

@@ -16,12 +16,7 @@ public sealed class TurtleScript
     private readonly ScriptCode _code;
     private readonly string? _file;
 
-    private TurtleScript(string text, string? file, ScriptCode code)
-    {
-        Text = text;
-        _file = file;
-        _code = code;
-    }
+    private TurtleScript(string text, string? file, ScriptCode code) => (Text, _file, _code) = (text, file, code);
 
     /// <summary>The text of the script.</summary>
     public string Text { get; }
@@ -83,11 +78,12 @@ public sealed class TurtleScript
         if (turtle is null) throw new ArgumentNullException(nameof(turtle));
         var given = variables ?? new Dictionary<string, double>();
         var diagnostics = new DiagnosticList();
+        var place = _file is null ? null : new SourceLocation(_file);
         foreach (var name in given.Keys.Where(n => !Parameters.Contains(n)).OrderBy(n => n, StringComparer.Ordinal))
             diagnostics.Add(Severity.Warning, "turtle.parameter", $"The program has no parameter '{name}'.{SpellingSuggestion.Hint(name, Parameters)}",
-                _file is null ? null : new SourceLocation(_file));
+                place);
         foreach (var name in given.Keys.Where(n => double.IsNaN(given[n]) || double.IsInfinity(given[n])).OrderBy(n => n, StringComparer.Ordinal))
-            diagnostics.Add(Severity.Error, "turtle.not_finite", $"The value of '{name}' is not finite.", _file is null ? null : new SourceLocation(_file));
+            diagnostics.Add(Severity.Error, "turtle.not_finite", $"The value of '{name}' is not finite.", place);
         if (diagnostics.HasErrors) return diagnostics.ToList();
         var unclosed = turtle.StackDepth;
         var machine = new ScriptMachine(_code, turtle, limits ?? new TurtleLimits(), given, seed, cancel, _file);
@@ -96,7 +92,7 @@ public sealed class TurtleScript
             machine.Run();
             if (turtle.StackDepth > unclosed)
                 diagnostics.Add(Severity.Note, "turtle.push", $"Pushed states without a pop: {NumberFormatter.Format(turtle.StackDepth - unclosed)}.",
-                    _file is null ? null : new SourceLocation(_file));
+                    place);
         }
         catch (FormulaException e)
         {
@@ -104,7 +100,7 @@ public sealed class TurtleScript
         }
         foreach (var note in machine.Notes.ToList()) diagnostics.Add(note with { Source = note.Source! with { File = note.Source.File ?? _file } });
         progress?.Report(1);
-        return [.. machine.Prints.Select(p => p.Source is { File: null } place ? p with { Source = place with { File = _file } } : p),
+        return [.. machine.Prints.Select(p => p.Source is { File: null } own ? p with { Source = own with { File = _file } } : p),
             .. diagnostics.ToList()];
     }
 

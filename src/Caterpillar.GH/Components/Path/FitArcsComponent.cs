@@ -10,7 +10,7 @@ public sealed class FitArcsComponent() : CaterpillarComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.PrintPaths();
-        ports.Number("Tolerance", "T", "Maximum distance between an arc and the segments it replaces, in mm.", new ArcFitOptions().Tolerance);
+        ports.Number("Tolerance", "T", "Maximum distance between an arc and the segments it replaces, in mm.", 0.02);
     }
 
     private protected override void Outputs(OutputPorts ports)
@@ -19,19 +19,19 @@ public sealed class FitArcsComponent() : CaterpillarComponent(
     private protected override void Solve(Run run)
     {
         var paths = run.Paths(0);
-        var options = new ArcFitOptions { Tolerance = run.Positive(1) };
-        var fitted = run.Work("Fitting arcs", [options, paths], (progress, cancel) => Fit(paths.Goos, options, progress, cancel));
+        var tolerance = run.Positive(1);
+        var fitted = run.Work("Fitting arcs", [tolerance, paths], (progress, cancel) => Fit(paths.Goos, tolerance, progress, cancel));
         run.SetList(0, fitted.Paths);
         run.Summarize($"{NumberFormatter.Format(fitted.Before)} → {NumberFormatter.Format(fitted.After)} segments");
     }
 
-    private static Fitted Fit(IReadOnlyList<PrintPathGoo> paths, ArcFitOptions options, IProgress<double> progress, CancellationToken cancel)
+    private static Fitted Fit(IReadOnlyList<PrintPathGoo> paths, double tolerance, IProgress<double> progress, CancellationToken cancel)
     {
         var fitted = new PrintPathGoo[paths.Count];
         for (var i = 0; i < fitted.Length; i++)
         {
             cancel.ThrowIfCancellationRequested();
-            fitted[i] = paths[i].With(PathArcs.Fit(paths[i].Value, options));
+            fitted[i] = paths[i].With(PathArcs.Fit(paths[i].Value, tolerance));
             progress.Report((i + 1.0) / fitted.Length);
         }
         return new Fitted(fitted, paths.Sum(p => (long)p.Value.SegmentCount), fitted.Sum(p => (long)p.Value.SegmentCount));

@@ -39,8 +39,8 @@ internal static class CurveMaker
         var quarter = new ArcCurve(Frame.FromAxes(new Vec3(10, 5), -Vec3.UnitY, Vec3.UnitX), 5, 90);
         var nurbs = NurbsCurve.Clamped(3, [new(15, 15), new(15, 19), new(20, 24, 2), new(26, 20, 4), new(30, 20, 4)]);
         return new PolyCurve(
-            [new LineCurve(new Vec3(0, 0), new Vec3(10, 0)), quarter, new LineCurve(new Vec3(15, 5), new Vec3(15, 15)), nurbs,
-                new LineCurve(new Vec3(30, 20, 4), new Vec3(30, 0, 4))]);
+            [new PolylineCurve([new Vec3(0, 0), new Vec3(10, 0)]), quarter, new PolylineCurve([new Vec3(15, 5), new Vec3(15, 15)]), nurbs,
+                new PolylineCurve([new Vec3(30, 20, 4), new Vec3(30, 0, 4)])]);
     }
 
     /// <summary>The definition by Cox and de Boor, with nothing reused.</summary>

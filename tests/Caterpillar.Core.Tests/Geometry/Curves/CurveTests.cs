@@ -11,13 +11,12 @@ public class CurveTests
     [Test]
     public void A_line_has_its_length_and_ends()
     {
-        var line = new LineCurve(new Vec3(1, 2, 3), new Vec3(4, 6, 3));
+        var line = new PolylineCurve([new Vec3(1, 2, 3), new Vec3(4, 6, 3)]);
         Assert.That(line.Length, Is.EqualTo(5));
         Assert.That(line.PointAt(0.5), Is.EqualTo(new Vec3(2.5, 4, 3)));
         Assert.That(line.End, Is.EqualTo(new Vec3(4, 6, 3)));
         Assert.That(line.Spans()[0].StartTangent, Is.EqualTo(new Vec3(0.6, 0.8)));
-        Assert.That(() => new LineCurve(Vec3.Zero, Vec3.Zero), Throws.ArgumentException);
-        Assert.That(() => new LineCurve(Vec3.Zero, new Vec3(double.NaN, 0)), Throws.ArgumentException);
+        Assert.That(() => new PolylineCurve([Vec3.Zero, new Vec3(double.NaN, 0)]), Throws.ArgumentException);
     }
 
     [Test]
@@ -179,10 +178,10 @@ public class CurveTests
     [Test]
     public void Pieces_must_meet()
     {
-        var line = new LineCurve(new Vec3(0, 0), new Vec3(1, 0));
-        Assert.That(() => new PolyCurve([line, new LineCurve(new Vec3(1.1, 0), new Vec3(2, 0))]), Throws.ArgumentException);
+        var line = new PolylineCurve([new Vec3(0, 0), new Vec3(1, 0)]);
+        Assert.That(() => new PolyCurve([line, new PolylineCurve([new Vec3(1.1, 0), new Vec3(2, 0)])]), Throws.ArgumentException);
         Assert.That(() => new PolyCurve([]), Throws.ArgumentException);
-        var joined = new PolyCurve([line, new PolyCurve([new LineCurve(new Vec3(1, 0), new Vec3(2, 0))])]);
+        var joined = new PolyCurve([line, new PolyCurve([new PolylineCurve([new Vec3(1, 0), new Vec3(2, 0)])])]);
         Assert.That(joined.Pieces, Has.Count.EqualTo(2));
         Assert.That(joined.PointAt(1.5), Is.EqualTo(new Vec3(1.5, 0)));
     }

@@ -223,7 +223,7 @@ public class SubdivisionTests
     [Test]
     public void Requests_out_of_range_are_refused()
     {
-        var line = new LineCurve(Vec3.Zero, Vec3.UnitX);
+        var line = new PolylineCurve([Vec3.Zero, Vec3.UnitX]);
         Assert.That(() => CurveSubdivider.Subdivide(line, new SubdivisionOptions()), Throws.ArgumentException);
         Assert.That(() => CurveSubdivider.Subdivide(line, SubdivisionOptions.ByDistance(-1)), Throws.ArgumentException);
         Assert.That(() => CurveSubdivider.Subdivide(line, SubdivisionOptions.ByDistance(double.NaN)), Throws.ArgumentException);

@@ -197,7 +197,7 @@ public class MeshSectionTests
         using var cancel = new CancellationTokenSource();
         cancel.Cancel();
         Assert.That(() => MeshSections.At(MeshBytes.Box, [1], null, null, cancel.Token), Throws.InstanceOf<OperationCanceledException>());
-        Assert.That(() => MeshReader.Read(MeshBytes.Obj(), "x.obj", null, cancel.Token), Throws.InstanceOf<OperationCanceledException>());
+        Assert.That(() => MeshReader.Read(MeshBytes.Obj(), "x.obj", cancel: cancel.Token), Throws.InstanceOf<OperationCanceledException>());
         Assert.That(() => MeshSections.At(MeshBytes.Box, [double.NaN]), Throws.ArgumentException);
         Assert.That(MeshSections.At(MeshBytes.Box, []).Value, Is.Empty);
         Assert.That(MeshSections.At(TriMesh.Empty, [1]).Value!.Single().Loops, Is.Empty);

@@ -73,7 +73,7 @@ public class ParallelMeshTests
     {
         using var cancel = new CancellationTokenSource();
         cancel.Cancel();
-        Assert.That(() => MeshReader.Read(StlWriter.ToBytes(Sphere), "a.stl", null, cancel.Token), Throws.InstanceOf<OperationCanceledException>());
+        Assert.That(() => MeshReader.Read(StlWriter.ToBytes(Sphere), "a.stl", cancel: cancel.Token), Throws.InstanceOf<OperationCanceledException>());
     }
 
     [Test]

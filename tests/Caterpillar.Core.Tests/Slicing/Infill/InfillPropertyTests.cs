@@ -40,7 +40,8 @@ public class InfillPropertyTests
         var alone = Fill(request with { Linked = false });
         var linked = Fill(request);
         var extra = Length(linked) - Length(alone);
-        Assert.That(extra, Is.InRange(-1e-6, area.Perimeter + 1e-3));
+        // Where a link begins with a short segment its corner is cut.
+        Assert.That(extra, Is.InRange(-0.1 * (alone.Count - linked.Count) - 1e-6, area.Perimeter + 1e-3));
         Assert.That(linked, Has.Count.LessThanOrEqualTo(alone.Count));
         // Each link is at most two distances of lines long, and saves one line.
         var longest = 2 * spacing * Math.Max(InfillFiller.Families(pattern), pattern == InfillPattern.Honeycomb ? 4.0 / 3 : 1.3);

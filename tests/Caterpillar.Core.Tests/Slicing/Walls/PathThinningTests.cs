@@ -27,19 +27,6 @@ public class PathThinningTests
     }
 
     [Test]
-    public void Points_that_nearly_coincide_become_one()
-    {
-        Vec3[] points = [new(0, 0), new(0.001, 0), new(1, 0), new(1, 1), new(1, 1.002), new(0, 0.001)];
-        double[] widths = [1, 2, 3, 4, 5, 6];
-        var (loop, loopWidths) = PathThinning.WithoutShort(points, widths, closed: true, 0.004);
-        Assert.That(loop, Is.EqualTo(new[] { points[0], points[2], points[3] }));
-        Assert.That(loopWidths, Is.EqualTo(new double[] { 1, 3, 4 }));
-        var (line, lineWidths) = PathThinning.WithoutShort([.. points.Take(5)], [.. widths.Take(5)], closed: false, 0.004);
-        Assert.That(line, Is.EqualTo(new[] { points[0], points[2], points[4] }));
-        Assert.That(lineWidths, Is.EqualTo(new double[] { 1, 3, 5 }));
-    }
-
-    [Test]
     public void What_is_left_is_within_both_tolerances_of_what_was_there([Range(1, 8)] int seed)
     {
         const double Tolerance = 0.0125, WidthTolerance = 0.009;

@@ -98,34 +98,20 @@ public class WallPartTests
         Assert.That(inside.Count, Is.EqualTo(1));
     }
 
-    [TestCase(false, "0 1 3", "0 0.0005 1 1.0005 3")]
-    [TestCase(false, "0 1 3", "0 1 2.9995 3")]
-    [TestCase(false, "0 0.001", "0 0.001")]
-    [TestCase(false, "0", "0 0.0005 0.0009")]
-    [TestCase(true, "0 1 2", "0 1 2 0.0005")]
-    [TestCase(true, "0 1 2", "0 1 1.0009 2")]
-    public void Moves_shorter_than_the_least_are_left_out(bool closed, string kept, string places)
-    {
-        var points = places.Split(' ').Select(t => new Vec3(double.Parse(t, System.Globalization.CultureInfo.InvariantCulture), 0)).ToArray();
-        var (left, widths) = PathThinning.WithoutShort(points, points.Select(p => p.X + 7).ToArray(), closed, 0.001);
-        Assert.That(string.Join(" ", left.Select(p => p.X.ToString(System.Globalization.CultureInfo.InvariantCulture))), Is.EqualTo(kept));
-        Assert.That(widths, Is.EqualTo(left.Select(p => p.X + 7)), "widths go with their points");
-        Assert.That(points[0].X, Is.Zero);
-    }
-
     [Test]
     public void Short_moves_of_infill_are_left_out_with_their_flow()
     {
         static Vec3[] Along(params double[] x) => Array.ConvertAll(x, v => new Vec3(v, 0));
-        var open = new InfillLine(Along(0, 1, 1.05, 3, 3.01), false, [1, 2, 3, 4]).WithoutShort(0.1)!;
+        var open = new InfillLine(Along(0, 1, 1.05, 3, 3.01), false, [1, 2, 3, 4]).WithoutShort(0.1, 0.05, 0.01)!;
         Assert.That(open.Points, Is.EqualTo(Along(0, 1, 3.01)));
-        Assert.That(open.Flow, Is.EqualTo(new[] { 1.0, 3 }));
-        var closed = new InfillLine([new(0, 0), new(4, 0), new(4, 3), new(4, 3.05), new(0.05, 0)], true, [1, 2, 3, 4, 5]).WithoutShort(0.1)!;
-        Assert.That(closed.Points, Is.EqualTo(new Vec3[] { new(0, 0), new(4, 0), new(4, 3) }));
-        Assert.That(closed.Flow, Is.EqualTo(new[] { 1.0, 2, 5 }));
-        Assert.That(new InfillLine(Along(0, 0.05, 0.09), false).WithoutShort(0.1), Is.Null);
+        // The volume stays: 0.05 · 2 + 1.95 · 3 + 0.01 · 4.
+        Assert.That(open.Flow, Is.EqualTo(new[] { 1, 5.99 / 2.01 }).Within(1e-12));
+        var closed = new InfillLine([new(0, 0), new(4, 0), new(4, 3), new(4, 3.05), new(0, 3.05)], true, [1, 2, 3, 4, 5]).WithoutShort(0.1, 0.05, 0.2)!;
+        Assert.That(closed.Points, Is.EqualTo(new Vec3[] { new(0, 0), new(4, 0), new(4, 3.05), new(0, 3.05) }));
+        Assert.That(closed.Flow, Is.EqualTo(new[] { 1, (3 * 2 + 0.05 * 3) / 3.05, 4, 5 }).Within(1e-12));
+        Assert.That(new InfillLine(Along(0, 0.005, 0.009), false).WithoutShort(0.1, 0.05, 0.01), Is.Null);
         var whole = new InfillLine(Along(0, 0.1), false);
-        Assert.That(whole.WithoutShort(0.1), Is.SameAs(whole));
+        Assert.That(whole.WithoutShort(0.1, 0.05, 0.01), Is.SameAs(whole));
         Assert.That(new InfillLine([new(0, 0), new(4, 0), new(4, 3)], true, [1, 2, 3]).Length, Is.EqualTo(4 + 6 + 15));
         Assert.That(new InfillLine([new(0, 0), new(4, 0), new(4, 3)], false, [1, 2]).Length, Is.EqualTo(4 + 6));
         Assert.That(new InfillLine([new(0, 0), new(4, 0), new(4, 3)], true).Length, Is.EqualTo(12));

@@ -60,7 +60,7 @@ public class WallTests
         Assert.That(paths, Has.Count.EqualTo(1));
         Assert.That((paths[0].Closed, paths[0].IsExtrusion), Is.EqualTo((true, true)));
         // At the corners the largest disc is wider.
-        Assert.That(paths[0].Widths, Has.All.InRange(0.4999, 0.5 * 1.18));
+        Assert.That(paths[0].Widths, Has.All.InRange(0.499, 0.5 * 1.18));
         Assert.That(paths[0].Points.Select(p => Math.Max(Math.Abs(p.X), Math.Abs(p.Y))), Has.All.EqualTo(9.75).Within(0.06));
     }
 

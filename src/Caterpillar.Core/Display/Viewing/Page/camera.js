@@ -84,6 +84,14 @@ class Camera {
     this.changed();
   }
 
+  // The line of sight through a place of the canvas: a point and a direction.
+  ray(x, y) {
+    const size = this.distance * 2 * Math.tan(0.35) / this.canvas.clientHeight, up = cross(this.back, this.right);
+    const dx = x - (this.canvas.clientWidth - this.covered[0]) / 2, dy = y - (this.canvas.clientHeight - this.covered[1]) / 2;
+    const seen = add(this.target, add(times(this.right, dx * size), times(up, -dy * size)));
+    return [this.eye, add(seen, times(this.eye, -1))];
+  }
+
   // Zooms so that what lies under the pointer stays there.
   zoom(factor, x, y) {
     const before = this.distance;

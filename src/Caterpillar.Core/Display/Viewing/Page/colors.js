@@ -40,16 +40,18 @@ function colorings(moves, head) {
     { id: "layer", name: "Layer", unit: "", of: (i) => moves.layer[i] },
     head.timed ? { id: "time", name: "Time", unit: "s", of: (i) => moves.time[i] } : { id: "time", name: "Order", unit: "", of: (i) => i },
     { id: "layertime", name: "Layer time", unit: "s", lazy: () => layerTimes(moves, head) },
+    { id: "layertimelog", name: "Layer time (logarithmic)", unit: "s", log: true, lazy: () => layerTimes(moves, head) },
     { id: "tool", name: "Tool", of: (i) => Math.max(tools.indexOf(moves.tool[i]), 0), category: tools.map((t, i) => [`T${t}`, toolColors[i % toolColors.length]]) },
     { id: "temperature", name: "Nozzle temperature", unit: "°C", lazy: () => eventValues(moves, head, "nozzle") },
+    { id: "acceleration", name: "Acceleration", unit: "mm/s²", lazy: () => eventValues(moves, head, "acceleration") },
     { id: "fan", name: "Fan speed", unit: "%", lazy: () => eventValues(moves, head, "fan").map((v) => v * 100) },
   ];
-  if (!head.timed) list.splice(list.findIndex((c) => c.id === "layertime"), 1);
+  const lacks = (c) => (!head.timed && c.id.startsWith("layertime")) || (c.id === "acceleration" && !head.events.some((e) => e[1] === "acceleration"));
   for (const coloring of list) {
     let values = null;
     coloring.values = () => (values ??= coloring.lazy ? coloring.lazy() : map(coloring.of));
   }
-  return list;
+  return list.filter((c) => !lacks(c));
 }
 
 function layerTimes(moves, head) {
@@ -91,10 +93,12 @@ function paint(coloring, moves, head, into) {
     return null;
   }
   const range = rangeOf(values, moves, head);
-  const size = Math.max(range.high - range.low, 1e-9);
+  if (coloring.log) range.low = Math.max(range.low, range.high / 1e4, 1e-3);
+  const place = coloring.log ? (v) => Math.log(Math.max(v, 1e-9)) : (v) => v;
+  const low = place(range.low), size = Math.max(place(range.high) - low, 1e-9);
   const table = Array.from({ length: 256 }, (_, i) => scaleColor(scale, i / 255));
   for (let i = 0; i < moves.rows; i++) {
-    const color = table[Math.min(Math.max(Math.round((values[i] - range.low) / size * 255), 0), 255)];
+    const color = table[Math.min(Math.max(Math.round((place(values[i]) - low) / size * 255), 0), 255)];
     into[4 * i] = color[0];
     into[4 * i + 1] = color[1];
     into[4 * i + 2] = color[2];

@@ -15,7 +15,7 @@ class Frames {
 
   redraw() {
     clearTimeout(this.resting);
-    this.whole = null;
+    this.setWhole(null);
     if (this.isQueued) return;
     this.isQueued = true;
     requestAnimationFrame(() => {
@@ -42,15 +42,20 @@ class Frames {
     if (skip === 1 && time < frameTime / 4) this.areSlow = false;
     clearTimeout(this.resting);
     this.resting = setTimeout(() => {
-      this.whole = this.scene.drawWhole(this.camera, this.state, piece);
+      this.setWhole(this.scene.drawWhole(this.camera, this.state, piece));
       this.next(this.whole);
     }, pause);
+  }
+
+  setWhole(whole) {
+    this.whole = whole;
+    byId("refining").hidden = whole === null;
   }
 
   // A piece when the one before is done, until the whole is there or something changes.
   next(whole) {
     if (whole !== this.whole) return;
-    if (whole.next().done) this.whole = null;
+    if (whole.next().done) this.setWhole(null);
     else this.afterDrawing(() => this.next(whole));
   }
 

@@ -1,7 +1,10 @@
 // State of the view; what can be shared stands in the address after #.
-const state = { dark: false, bed: true, head: true, model: true, travel: false, retractions: false, seams: false, row: 0, part: 1, nozzle: null, background: [1, 1, 1] };
+const state = {
+  dark: false, bed: true, head: true, model: true, travel: false, retractions: false, seams: false, above: false,
+  row: 0, part: 1, nozzle: null, cut: uncut, background: [1, 1, 1],
+};
 let head, moves, scene, camera, frames, list, coloring, total, box;
-let layersRange, movesRange, firstLayer = 0, lastLayer = 0, ranks = [], playing = false;
+let layersRange, movesRange, withinRange, cutRange, measuredFrom = null, layerRows = [], firstLayer = 0, lastLayer = 0, ranks = [], playing = false;
 const hidden = new Set();
 const lines = new FileLines();
 
@@ -45,7 +48,7 @@ function inLayers(i) {
 }
 
 function filter() {
-  const beads = [], travels = [], retractions = [], seams = [];
+  const beads = [], travels = [], retractions = [], seams = [], above = [];
   let before = -1;
   for (let i = 0; i < moves.rows; i++) {
     const kind = moves.kind[i];
@@ -57,9 +60,10 @@ function filter() {
       } else if (kind === kinds.prime && moves.width[i] > 0 && !hidden.has(moves.role[i])) beads.push(i);
       else if (kind === kinds.retract) retractions.push(i);
       else if (kind === kinds.travel || kind === kinds.wipe || kind === kinds.movingDeretract) travels.push(i);
-    }
+    } else if (role === 1 && moves.layer[i] >= 0 && ranks[moves.layer[i]] > lastLayer) above.push(i);
     before = role;
   }
+  scene.list("above", Uint32Array.from(above));
   scene.list("beads", Uint32Array.from(beads));
   scene.list("travels", Uint32Array.from(travels));
   scene.list("retractions", Uint32Array.from(retractions));
@@ -79,7 +83,64 @@ function setLayers(first, last) {
   firstLayer = first;
   lastLayer = last;
   showLayers();
+  showWithin();
   filter();
+  redraw();
+}
+
+// First and last row of each layer on the slider.
+function findLayerRows() {
+  layerRows = heights.map(() => [0, moves.rows - 1]);
+  const seen = new Set();
+  for (let i = 0; i < moves.rows; i++) {
+    if (moves.layer[i] < 0) continue;
+    const rank = ranks[moves.layer[i]];
+    if (!seen.has(rank)) layerRows[rank] = [i, i];
+    seen.add(rank);
+    layerRows[rank][1] = i;
+  }
+}
+
+// The moves of the layer that is being printed, or of the topmost one that is shown.
+function showWithin() {
+  if (!layerRows.length) return;
+  const now = moves.layer[state.row] >= 0 ? ranks[moves.layer[state.row]] : lastLayer;
+  const [first, last] = layerRows[Math.min(Math.max(now, firstLayer), lastLayer)];
+  withinRange.limits(first, last);
+  withinRange.set(Math.min(Math.max(state.row, first), last));
+  byId("withinText").textContent = `move ${withinRange.values[0] - first + 1} of ${last - first + 1}`;
+}
+
+function layerText(row) {
+  const layer = moves.layer[row] >= 0 ? head.layers[moves.layer[row]] : null;
+  return layer ? `layer ${layer[0]}, height ${number(layer[1], 3)} mm` : "no layer";
+}
+
+function timeText(row) {
+  const when = head.timed ? `${duration(moves.time[row])} of ${duration(moves.time[moves.rows - 1])}` : `move ${moves.move[row]}`;
+  return `${when}, ${layerText(row)}`;
+}
+
+// Pauses and changes of tools, as rows with a text.
+function marks() {
+  const places = head.events.filter((e) => e[1] === "pause").map((e) => [e[0], `Pause, ${timeText(Math.min(e[0], moves.rows - 1))}`]);
+  for (let i = 1, tool = moves.tool[0]; i < moves.rows; i++) {
+    if (moves.tool[i] === tool) continue;
+    tool = moves.tool[i];
+    places.push([i, `Tool T${tool}, ${timeText(i)}`]);
+  }
+  return places.slice(0, 1000);
+}
+
+function setCut() {
+  const axis = byId("cutAxis").value;
+  byId("cutPlace").hidden = axis === "";
+  if (axis === "") state.cut = uncut;
+  else {
+    const i = Number(axis), normal = [0, 0, 0];
+    normal[i] = 1;
+    state.cut = [...normal, box[0][i] + (box[1][i] - box[0][i]) * cutRange.values[0] / 1000 - scene.middle[i]];
+  }
   redraw();
 }
 
@@ -93,16 +154,50 @@ function setMoment(row, part = 1) {
   state.nozzle = [0, 1, 2].map((i) => from[i] + (to[i] - from[i]) * part - scene.middle[i]);
   scene.until(r);
   movesRange.set(r);
+  showWithin();
+  showLines(r);
   const seconds = r > 0 ? moves.time[r - 1] + (moves.time[r] - moves.time[r - 1]) * part : moves.time[r] * part;
   byId("movesText").textContent = head.timed ? `${duration(seconds)} of ${duration(moves.time[moves.rows - 1])}` : `move ${moves.move[r]} of ${head.moves}`;
   redraw();
 }
 
-function pickRow(row) {
-  showMove(row, moves, head);
-  lines.show(row >= 0 && head.source === "line" ? moves.line[row] : 0, byId("lines")).then(() => {
-    if (row >= 0) byId("pickedSection").scrollIntoView({ block: "nearest" });
-  });
+// The lines of the file follow the moment, ten times a second at most.
+let linesRow = -1, linesWait = 0;
+function showLines(row) {
+  linesRow = row;
+  if (linesWait || byId("codeSection").hidden) return;
+  linesWait = setTimeout(() => {
+    linesWait = 0;
+    lines.show(Math.max(moves.line[linesRow], 0), byId("lines"));
+  }, 100);
+}
+
+function pickRow(row, measured) {
+  showMove(row, moves, head, measured);
+  if (row >= 0) showLines(row);
+}
+
+// The place on an extrusion that is nearest to a line of sight, in mm.
+function placeOn(row, [eye, direction]) {
+  const b = [moves.x[row], moves.y[row], moves.z[row]].map((v, i) => v - scene.middle[i]);
+  const a = row > 0 ? [moves.x[row - 1], moves.y[row - 1], moves.z[row - 1]].map((v, i) => v - scene.middle[i]) : b;
+  const along = add(b, times(a, -1)), from = add(a, times(eye, -1));
+  const aa = dot(along, along), ad = dot(along, direction), dd = dot(direction, direction), denominator = aa * dd - ad * ad;
+  const part = denominator > 1e-12 ? (ad * dot(from, direction) - dd * dot(from, along)) / denominator : 0;
+  return add(add(a, times(along, Math.min(Math.max(part, 0), 1))), scene.middle);
+}
+
+// A click shows a move; with Shift, the distance from the click before it, too.
+function click(x, y, measures) {
+  const row = scene.pick(camera, state, x, y);
+  const place = row >= 0 ? placeOn(row, camera.ray(x, y)) : null;
+  const rows = [];
+  if (measures && place && measuredFrom) {
+    const d = add(place, times(measuredFrom, -1));
+    rows.push(["Distance", number(Math.hypot(...d), 3) + " mm"], ["Δ X, Y, Z", d.map((v) => number(v, 3)).join(", ") + " mm"]);
+  }
+  measuredFrom = place ?? measuredFrom;
+  pickRow(row, rows);
 }
 
 function momentAt(seconds) {
@@ -123,6 +218,7 @@ function momentAt(seconds) {
 function play() {
   playing = !playing;
   byId("play").textContent = playing ? "■" : "▶";
+  byId("play").setAttribute("aria-label", playing ? "Pause" : "Play");
   if (!playing) return;
   const end = head.timed ? moves.time[moves.rows - 1] : moves.rows - 1;
   let seconds = state.row >= moves.rows - 1 ? 0 : head.timed ? (state.row > 0 ? moves.time[state.row - 1] : 0) : state.row;
@@ -160,6 +256,7 @@ function theme(dark) {
 }
 
 function goTo(finding) {
+  if (playing) play();
   let row = finding.row ?? -1;
   if (row < 0 && finding.line !== undefined && moves) row = moves.line.findIndex((line) => line >= finding.line);
   if (row < 0 || !moves) return;
@@ -173,7 +270,7 @@ function goTo(finding) {
   redraw();
 }
 
-const switches = { travel: "T", retractions: "R", seams: "S", bed: "B", nozzle: "N", model: "M" };
+const switches = { travel: "T", retractions: "R", seams: "S", above: "A", bed: "B", nozzle: "N", model: "M" };
 
 function flip(id) {
   state[id === "nozzle" ? "head" : id] = byId(id).checked;
@@ -184,14 +281,39 @@ const keys = [
   ["Space", "play or pause", () => moves && play()],
   ["↑ ↓", "show one layer more or fewer"],
   ["← →", "one move back or forward (Shift: 100 moves)"],
+  ["I J K L", "rotate (Shift: pan)"],
+  ["+ −", "zoom"],
+  ["Shift+click", "distance from the last click"],
   ["F", "fit view", () => camera.fit(camera.box)],
   ["1", "top view", () => camera.look(-90, 90)],
   ["2", "front view", () => camera.look(-90, 0)],
   ["3", "right view", () => camera.look(0, 0)],
   ["4", "3D view", () => camera.look(-60, 28)],
   ["D", "light or dark theme", () => theme(!state.dark)],
+  ["P", "fold or unfold the panel", () => fold(!byId("panel").classList.contains("folded"))],
   ["?", "keyboard shortcuts", () => byId("keys").showModal()],
 ];
+
+function fold(folded) {
+  byId("panel").classList.toggle("folded", folded);
+  byId("fold").setAttribute("aria-expanded", String(!folded));
+  cover();
+  redraw();
+}
+
+const steps = { j: [-40, 0], l: [40, 0], i: [0, -40], k: [0, 40] };
+
+// Turning, panning and zooming by keyboard.
+function drive(e) {
+  const step = steps[e.key.toLowerCase()], view = byId("view");
+  if (step && e.shiftKey) camera.pan(-step[0], -step[1]);
+  else if (step) camera.turn(...step);
+  else if ("+=-_".includes(e.key)) {
+    camera.zoom("+=".includes(e.key) ? 0.8 : 1.25, (view.clientWidth - camera.covered[0]) / 2, (view.clientHeight - camera.covered[1]) / 2);
+  }
+  else return false;
+  return true;
+}
 
 function listen() {
   for (const [id, key] of Object.entries(switches)) {
@@ -203,10 +325,14 @@ function listen() {
     }]);
   }
   fillTable(byId("keyTable"), keys.map(([key, what]) => [element("kbd", {}, key), what]));
-  const press = { fit: "F", top: "1", front: "2", right: "3", corner: "4", theme: "D", help: "?" };
+  const press = { fit: "F", top: "1", front: "2", right: "3", corner: "4", theme: "D", help: "?", fold: "P" };
   for (const [id, key] of Object.entries(press)) byId(id).addEventListener("click", () => keys.find((k) => k[0] === key)[2]());
   document.addEventListener("keydown", (e) => {
     if (e.target.matches("input[type=text], select") || e.ctrlKey || e.metaKey || e.altKey || byId("keys").open) return;
+    if (drive(e)) {
+      e.preventDefault();
+      return;
+    }
     if (moves && (e.key === "ArrowLeft" || e.key === "ArrowRight")) {
       setMoment(state.row + (e.key === "ArrowRight" ? 1 : -1) * (e.shiftKey ? 100 : 1));
       pickRow(state.row);
@@ -230,7 +356,7 @@ function listen() {
   let down = null, waiting = 0;
   view.addEventListener("pointerdown", (e) => { down = [e.clientX, e.clientY]; });
   view.addEventListener("pointerup", (e) => {
-    if (down && Math.hypot(e.clientX - down[0], e.clientY - down[1]) < 4) pickRow(scene.pick(camera, state, e.clientX, e.clientY));
+    if (down && Math.hypot(e.clientX - down[0], e.clientY - down[1]) < 4) click(e.clientX, e.clientY, e.shiftKey);
     down = null;
   });
   // What lies under a resting pointer is shown; a click keeps it.
@@ -276,6 +402,12 @@ function fromAddress() {
       setMoment(...momentAt(part * (head.timed ? moves.time[moves.rows - 1] : moves.rows - 1)));
     }
     if (values.has("line")) goTo({ line: Number(values.get("line")) });
+    if (values.has("cut")) {
+      const [axis, place] = values.get("cut").split(",");
+      byId("cutAxis").value = { x: "0", y: "1" }[axis.toLowerCase()] ?? "";
+      cutRange.set(Math.min(Math.max(Math.round((Number(place) || 0.5) * 1000), 0), 1000));
+      setCut();
+    }
   }
   if (values.has("view")) {
     const [azimuth, elevation] = values.get("view").split(",").map(Number);
@@ -307,7 +439,8 @@ async function start() {
     byId("modelSwitch").hidden = !moves;
   }
   for (const id of ["coloring", "pickedSection"]) byId(id).hidden = !moves;
-  for (const id of ["travel", "retractions", "seams", "nozzle"]) byId(id).parentElement.hidden = !moves;
+  byId("codeSection").hidden = !moves || head.source !== "line" || !byId("gcodeData").textContent.trim();
+  for (const id of ["travel", "retractions", "seams", "above", "nozzle"]) byId(id).parentElement.hidden = !moves;
   if (!moves) byId("printTitle").textContent = "Model";
   if (moves) {
     total = sums(moves, head.start);
@@ -315,14 +448,19 @@ async function start() {
     list = colorings(moves, head);
     byId("color").append(...list.map((c) => element("option", { value: c.id }, c.name)));
     heights = rankLayers();
+    findLayerRows();
     lastLayer = Math.max(heights.length - 1, 0);
-    layersRange = new Range(byId("layers"), ["First layer", "Last layer"], ([a, b]) => setLayers(a, b));
+    layersRange = new Range(byId("layers"), ["First layer", "Last layer"], ([a, b]) => setLayers(a, b),
+      (rank) => `layer ${rank}, height ${number((heights[rank] ?? 0) / 1000, 3)} mm`);
     layersRange.limits(0, lastLayer);
-    movesRange = new Range(byId("moves"), ["Position in the print"], ([row]) => {
+    const toRow = ([row]) => {
       setMoment(row);
       pickRow(row);
-    });
+    };
+    movesRange = new Range(byId("moves"), ["Position in the print"], toRow, timeText);
     movesRange.limits(0, moves.rows - 1);
+    movesRange.mark(marks());
+    withinRange = new Range(byId("within"), ["Move within the last layer"], toRow, timeText);
     state.row = moves.rows - 1;
     recolor("role");
     setLayers(0, lastLayer);
@@ -330,12 +468,18 @@ async function start() {
     state.nozzle = null;
     showMove(-1, moves, head);
   }
-  byId("layersRow").hidden = heights.length < 2;
+  byId("layersRow").hidden = byId("withinRow").hidden = heights.length < 2;
+  cutRange = new Range(byId("cutPlace"), ["Place of the cut"], setCut, (v) => `${number(v / 10, 1)} % of the size`);
+  cutRange.limits(0, 1000);
+  cutRange.set(500);
+  byId("cutPlace").hidden = true;
+  byId("cutAxis").addEventListener("change", setCut);
   showStatistics(moves, head, total, box, heights.length);
   showFindings(head, goTo);
   listen();
   byId("panel").hidden = false;
   byId("bar").hidden = !moves;
+  if (window.matchMedia("(max-width: 700px)").matches) fold(true);
   cover();
   camera.fit([0, 1, 2].reduce((b, i) => {
     b[0][i] = box[0][i] - middle[i];
@@ -353,7 +497,9 @@ async function start() {
 }
 
 function cover() {
-  const view = byId("view"), panel = byId("panel").getBoundingClientRect(), bar = byId("bar").getBoundingClientRect();
+  const view = byId("view"), bar = byId("bar").getBoundingClientRect();
+  document.documentElement.style.setProperty("--bar", bar.height + "px");
+  const panel = byId("panel").getBoundingClientRect();
   const beside = panel.width < view.clientWidth / 2;
   const bottom = view.clientHeight - Math.min(bar.height ? bar.top : view.clientHeight, beside ? view.clientHeight : panel.top);
   camera.covered = [beside ? view.clientWidth - panel.left : 0, bottom];

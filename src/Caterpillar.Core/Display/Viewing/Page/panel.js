@@ -66,7 +66,8 @@ function showLegend(coloring, range, head, total, hidden, toggled) {
   const legend = byId("legend");
   if (!coloring.category) {
     const isDuration = coloring.unit === "s" && range.high >= 100, last = isDuration ? 2 : 4;
-    const ticks = Array.from({ length: last + 1 }, (_, i) => range.low + (range.high - range.low) * i / last);
+    const at = (part) => coloring.log ? range.low * (range.high / range.low) ** part : range.low + (range.high - range.low) * part;
+    const ticks = Array.from({ length: last + 1 }, (_, i) => at(i / last));
     const decimals = range.high - range.low > 20 ? 0 : range.high - range.low > 1 ? 1 : 3;
     const show = isDuration ? (v) => duration(v) : (v) => number(v, decimals);
     const edge = (i) => (i === 0 && range.clippedLow ? "≤ " : i === last && range.clippedHigh ? "≥ " : "");
@@ -78,23 +79,35 @@ function showLegend(coloring, range, head, total, hidden, toggled) {
   }
   if (coloring.id !== "role") {
     legend.replaceChildren(...coloring.category.map(([name, color]) => element("div", { className: "entry" }, element("span"),
-      element("span", { className: "swatch", style: `background: ${color}` }), element("span", {}, name), element("span"))));
+      element("span", { className: "swatch", style: `background: ${color}` }), element("span", {}, name))));
     return;
   }
   const used = [...total.roles.keys()].sort((a, b) => a - b);
+  const whole = { seconds: 0, volume: 0 };
+  for (const sum of total.roles.values()) {
+    whole.seconds += sum.seconds;
+    whole.volume += sum.volume;
+  }
+  const share = (part, of) => of > 0 ? number(100 * part / of, 0) + " %" : "";
+  const cell = (text, title) => element("span", { className: "amount", title }, text);
   legend.replaceChildren(...used.map((role) => {
     const box = element("input", { type: "checkbox", checked: !hidden.has(role) });
     box.addEventListener("change", () => toggled(role, !box.checked));
     const sum = total.roles.get(role);
     const amount = head.timed ? duration(sum.seconds) : number(sum.length / 1000) + " m";
     return element("label", { className: "entry" }, box, element("span", { className: "swatch", style: `background: ${head.roles[role][1]}` }),
-      element("span", {}, head.roles[role][0]), element("span", {}, amount));
+      element("span", {}, head.roles[role][0]), cell(amount, head.timed ? "Printing time" : "Length"),
+      cell(head.timed ? share(sum.seconds, whole.seconds) : "", "Share of the printing time"), cell(share(sum.volume, whole.volume), "Share of the material"));
   }));
 }
 
 function showFindings(head, go) {
-  byId("findingsSection").hidden = head.findings.length === 0;
-  byId("findings").replaceChildren(...head.findings.map((finding) => {
+  const count = head.findings.length;
+  byId("findingsSection").hidden = count === 0;
+  byId("findingsCount").textContent = count === 0 ? "" : `${count} ${count === 1 ? "finding" : "findings"}`;
+  const rank = { Error: 0, Warning: 1 };
+  const sorted = [...head.findings].sort((a, b) => (rank[a.severity] ?? 2) - (rank[b.severity] ?? 2));
+  byId("findings").replaceChildren(...sorted.map((finding) => {
     const text = `${finding.message}${finding.count > 1 ? ` (${finding.count} times)` : ""}`;
     const button = element("button", { className: finding.severity, title: `${finding.severity} ${finding.code} ${finding.place}` }, text);
     button.addEventListener("click", () => go(finding));
@@ -102,7 +115,7 @@ function showFindings(head, go) {
   }));
 }
 
-function showMove(row, moves, head) {
+function showMove(row, moves, head, measured = []) {
   if (row < 0 || row >= moves.rows) {
     fillTable(byId("picked"), [["Click an extrusion for details.", ""]]);
     return;
@@ -120,7 +133,7 @@ function showMove(row, moves, head) {
   }
   if (layer) rows.push(["Layer", `${layer[0]}, Z ${number(layer[1], 3)} mm${layer[3] ? ", " + layer[3] : ""}`]);
   if (head.timed) rows.push(["Time", duration(moves.time[row])]);
-  fillTable(byId("picked"), rows);
+  fillTable(byId("picked"), [...rows, ...measured]);
 }
 
 // The lines of the file around one, unpacked when they are first asked for.
@@ -147,7 +160,8 @@ class FileLines {
       return;
     }
     const entries = [];
-    for (let n = Math.max(1, line - 4); n <= Math.min(this.starts.length, line + 4); n++) {
+    const around = 7;
+    for (let n = Math.max(1, line - around); n <= Math.min(this.starts.length, line + around); n++) {
       entries.push(element("div", { className: n === line ? "now" : "" }, `${n}  ${this.text(n)}`));
     }
     out.replaceChildren(...entries);

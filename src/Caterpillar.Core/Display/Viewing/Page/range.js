@@ -1,8 +1,9 @@
 // A slider with one handle, or with two for a range; works with pointer and keyboard.
 class Range {
-  constructor(element, labels, changed) {
+  constructor(element, labels, changed, textOf) {
     this.element = element;
     this.changed = changed;
+    this.textOf = textOf;
     this.least = 0;
     this.greatest = 1;
     this.values = labels.map(() => 0);
@@ -54,6 +55,17 @@ class Range {
     this.greatest = Math.max(greatest, least);
   }
 
+  // Places that stand out, each a value with a text.
+  mark(places) {
+    for (const old of this.element.querySelectorAll(".mark")) old.remove();
+    const size = Math.max(this.greatest - this.least, 1);
+    for (const [value, title] of places) {
+      const mark = Object.assign(document.createElement("div"), { className: "mark", title });
+      mark.style.left = 100 * (value - this.least) / size + "%";
+      this.element.insertBefore(mark, this.handles[0]);
+    }
+  }
+
   move(index, value) {
     let next = Math.round(Math.min(Math.max(value, this.least), this.greatest));
     if (this.values.length > 1) next = index === 0 ? Math.min(next, this.values[1]) : Math.max(next, this.values[0]);
@@ -76,6 +88,7 @@ class Range {
       handle.setAttribute("aria-valuemin", this.least);
       handle.setAttribute("aria-valuemax", this.greatest);
       handle.setAttribute("aria-valuenow", this.values[i]);
+      handle.setAttribute("aria-valuetext", this.textOf(this.values[i]));
     });
     const from = parts.length > 1 ? parts[0] : 0;
     this.chosen.style.left = from + "%";

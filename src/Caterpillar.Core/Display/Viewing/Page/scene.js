@@ -24,6 +24,7 @@ uniform uint last;
 uniform bool picking;
 out vec3 normal;
 flat out vec4 color;
+out vec3 place;
 vec3 sideOf(vec3 d) { return length(d.xy) > 1e-6 ? normalize(vec3(d.y, -d.x, 0)) : vec3(1, 0, 0); }
 void main() {
   int corner = gl_VertexID % (2 * sides);
@@ -58,17 +59,20 @@ void main() {
   normal = normalize(side * at.x / max(width, 1e-3) + up * at.y / max(height, 1e-3));
   color = picking ? vec4(float(row & 255u), float((row >> 8) & 255u), float((row >> 16) & 255u), float(row >> 24) + 1.0) / 255.0
     : texelFetch(colors, ivec2(i % ${textureWidth}, i / ${textureWidth}), 0);
+  place = p;
   gl_Position = matrix * vec4(p, 1);
 }`;
 
 const beadFragment = `#version 300 es
 precision highp float;
-in vec3 normal;
+in vec3 normal, place;
 flat in vec4 color;
+uniform vec4 cut;
 uniform bool picking;
 uniform vec3 eyeSide, eyeBack;
 out vec4 result;
 void main() {
+  if (dot(place, cut.xyz) > cut.w) discard;
   if (picking) { result = color; return; }
   vec3 n = normalize(normal);
   vec3 light = normalize(vec3(0, 0, 0.75) + eyeBack * 0.5 - eyeSide * 0.45);
@@ -109,20 +113,24 @@ layout(location = 0) in vec3 place;
 layout(location = 2) in vec3 facing;
 uniform mat4 matrix;
 uniform vec3 shift;
-out vec3 normal;
-void main() { normal = facing; gl_Position = matrix * vec4(place + shift, 1); }`;
+out vec3 normal, at;
+void main() { normal = facing; at = place + shift; gl_Position = matrix * vec4(at, 1); }`;
 
 const solidFragment = `#version 300 es
 precision highp float;
-in vec3 normal;
-uniform vec4 tint;
+in vec3 normal, at;
+uniform vec4 tint, cut;
 uniform vec3 eyeSide, eyeBack;
 out vec4 result;
 void main() {
+  if (dot(at, cut.xyz) > cut.w) discard;
   vec3 n = normalize(normal);
   vec3 light = normalize(vec3(0, 0, 0.75) + eyeBack * 0.5 - eyeSide * 0.45);
   result = vec4(tint.rgb * (0.45 + 0.6 * max(dot(n, light), dot(-n, light) * 0.5)), tint.a);
 }`;
+
+// The plane beyond which nothing is shown: a normal and a distance.
+const uncut = [0, 0, 0, 1];
 
 class Scene {
   constructor(canvas, middle) {
@@ -230,7 +238,8 @@ class Scene {
 
   // Draws the rows up to one.
   until(row) {
-    for (const entry of Object.values(this.lists)) {
+    for (const [name, entry] of Object.entries(this.lists)) {
+      if (name === "above") continue;
       let low = 0, high = entry.rows.length;
       while (low < high) {
         const middle = (low + high) >> 1;
@@ -287,6 +296,7 @@ class Scene {
     gl.uniform1f(uniforms.thin, pixel * (picking ? 3 : 0.8));
     gl.uniform1ui(uniforms.last, state.part < 1 ? state.row : 0xffffffff);
     gl.uniform1i(uniforms.picking, picking ? 1 : 0);
+    gl.uniform4fv(uniforms.cut, state.cut);
     const across = this.usualWidth / pixel, shape = this.shapes[quick || across < 5 || count >= 300000 ? 2 : across < 10 || count >= 60000 ? 1 : 0];
     // Corners run clockwise as seen from outside.
     gl.enable(gl.CULL_FACE);
@@ -321,11 +331,12 @@ class Scene {
     gl.drawArrays(gl.LINES, 0, mesh.count);
   }
 
-  drawSolid(name, camera, tint, shift) {
+  drawSolid(name, camera, tint, shift, cut = uncut) {
     const mesh = this.meshes[name];
     if (!mesh?.count) return;
     const gl = this.gl, uniforms = this.use(this.solid, camera);
     gl.uniform4fv(uniforms.tint, tint);
+    gl.uniform4fv(uniforms.cut, cut);
     gl.uniform3fv(uniforms.shift, shift);
     gl.bindBuffer(gl.ARRAY_BUFFER, mesh.buffer);
     for (const [location, offset] of [[0, 0], [2, 12]]) {
@@ -376,19 +387,22 @@ class Scene {
 
   drawForeground(camera, state) {
     const gl = this.gl, ink = state.dark ? 1 : 0;
+    gl.enable(gl.BLEND);
+    gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+    if (state.above) this.drawRows(this.lines, "above", camera, [ink, ink, ink, 0.25], gl.LINES, 2);
+    gl.disable(gl.BLEND);
     if (state.travel) this.drawRows(this.lines, "travels", camera, [0.35, 0.5, 0.85, 1], gl.LINES, 2);
     gl.disable(gl.DEPTH_TEST);
     if (state.retractions) this.drawRows(this.marks, "retractions", camera, [0.85, 0.2, 0.55, 1], gl.POINTS, 1, 5);
     if (state.seams) this.drawRows(this.marks, "seams", camera, [ink, ink, ink, 1], gl.POINTS, 1, 5);
     gl.enable(gl.DEPTH_TEST);
-    if (state.model) this.drawSolid("model", camera, [0.62, 0.74, 0.6, 1], [0, 0, 0]);
+    if (state.model) this.drawSolid("model", camera, [0.62, 0.74, 0.6, 1], [0, 0, 0], state.cut);
     if (state.head && state.nozzle) {
       // What lies behind the head stays visible.
       this.drawLines("headBoxes", camera, [0.45, 0.5, 0.58, 1], state.nozzle);
       gl.enable(gl.BLEND);
       gl.depthMask(false);
-      gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
-      this.drawSolid("head", camera, [0.4, 0.45, 0.52, 0.45], state.nozzle);
+      this.drawSolid("head", camera, [0.4, 0.45, 0.52, 0.22], state.nozzle);
       gl.depthMask(true);
       gl.disable(gl.BLEND);
     }

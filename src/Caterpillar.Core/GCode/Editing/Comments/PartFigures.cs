@@ -23,7 +23,8 @@ internal sealed class PartFigures
         ("ilament", Of($@"^;\s*(?:total )?[Ff]ilament (?:used|cost|length|volume|weight).*?[=:]\s*(?:(?<amount>{Number})(?:cm3|mm3|mm|m|g|[ (),;])*)+")),
         ("VOLUME_USED", Of($@"VOLUME_USED:(?<amount>{Number})")),
         ("MAXZ", Of($@"^;MAXZ:(?<top>{Number})")),
-        ("max_z_height", Of($@"max_z_height: (?<top>{Number})")),
+        ("max_", Of($@"max_z_height: (?<top>{Number})|max_layer_z = (?<top>{Number})")),
+        ("top of the", Of($@"^;(?<top>{Number}) mm is the top of the print")),
         ("M73 ", Of($@"^M73(?: P(?<percent>{Number})| R(?<left>{Number})| Q(?<percent>{Number})| S(?<left>{Number})| L(?<next>{Number})| C\d+| D\d+)+")),
     ];
 
@@ -120,14 +121,7 @@ internal sealed class PartFigures
             seconds += unit * (NumberReader.TryParse(part.Groups[1].Value, out var count) ? count : 0);
         }
         if (seconds == 0) return text;
-        var left = (int)(seconds * _after.Total / _before.Total + 0.5);
-        var made = "";
-        foreach (var (unit, name) in new[] { (86400, "d"), (3600, "h"), (60, "m"), (1, "s") })
-        {
-            if (left >= unit || made.Length > 0 || unit == 1) made += (made.Length > 0 ? " " : "") + NumberFormatter.Format(left / unit) + name;
-            left %= unit;
-        }
-        return made;
+        return FileComments.Duration((long)(seconds * _after.Total / _before.Total + 0.5));
     }
 
     private static Regex Of(string pattern) => new(pattern, RegexOptions.CultureInvariant);

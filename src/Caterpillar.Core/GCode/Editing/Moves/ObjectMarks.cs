@@ -11,9 +11,9 @@ internal sealed class ObjectMarks(FlavorRules from, FlavorRules to)
 {
     private static readonly Regex Name = new(
         @"NAME=('[^']*'|""[^""]*""|\S+)|[A-Z]""([^""]*)""|^M486 A(.+)$", RegexOptions.CultureInvariant | RegexOptions.IgnoreCase);
-    private readonly List<string> _names = [];
+    private readonly ObjectLabels _labels = new(to.ObjectMarks);
     private bool _counted;
-    private string _current = "";
+    private int _current = -1;
     private bool _isMasked;
 
     /// <summary>True if the target has another notation, or none.</summary>
@@ -24,8 +24,8 @@ internal sealed class ObjectMarks(FlavorRules from, FlavorRules to)
     {
         var match = Name.Match(code);
         var name = match.Success ? match.Groups.Cast<Group>().Skip(1).First(g => g.Success).Value.Trim('\'', '"') : "";
-        if (code.StartsWith("EXCLUDE_OBJECT_DEFINE", StringComparison.OrdinalIgnoreCase)) IndexOf(name);
-        if (code.StartsWith("EXCLUDE_OBJECT_START", StringComparison.OrdinalIgnoreCase)) return Start(IndexOf(name));
+        if (code.StartsWith("EXCLUDE_OBJECT_DEFINE", StringComparison.OrdinalIgnoreCase)) _labels.NumberOf(name);
+        if (code.StartsWith("EXCLUDE_OBJECT_START", StringComparison.OrdinalIgnoreCase)) return Start(_labels.NumberOf(name));
         if (code.StartsWith("EXCLUDE_OBJECT_END", StringComparison.OrdinalIgnoreCase)) return End();
         if (code.StartsWith("M624", StringComparison.OrdinalIgnoreCase)) return Masked(code.Substring(4).Trim());
         if (code.StartsWith("M625", StringComparison.OrdinalIgnoreCase)) return _isMasked ? End() : [];
@@ -33,8 +33,7 @@ internal sealed class ObjectMarks(FlavorRules from, FlavorRules to)
         var number = Regex.Match(code, @"S\s*(-?\d+)", RegexOptions.CultureInvariant | RegexOptions.IgnoreCase);
         if (!number.Success || !NumberReader.TryParseInt(number.Groups[1].Value, out var index)) return [];
         if (index is < 0 or > 9999) return End();
-        Reserve(index);
-        if (name.Length > 0) _names[index] = Regex.Replace(name, @"\W+", "_");
+        _labels.Name(index, name.Length > 0 ? name : null);
         return Start(index);
     }
 
@@ -46,38 +45,18 @@ internal sealed class ObjectMarks(FlavorRules from, FlavorRules to)
         if (!_isMasked) return [];
         var index = 0;
         while (bits >> index != 1) index++;
-        Reserve(index);
+        _labels.Name(index, null);
         return Start(index);
     }
 
-    private void Reserve(int index)
-    {
-        while (_names.Count <= index) _names.Add("object_" + NumberFormatter.Format(_names.Count));
-    }
-
-    private int IndexOf(string name)
-    {
-        var index = _names.IndexOf(name);
-        if (index < 0) _names.Add(name);
-        return index < 0 ? _names.Count - 1 : index;
-    }
-
+    // Numbers need their count first.
     private IReadOnlyList<string> Start(int index)
     {
-        var number = NumberFormatter.Format(index);
-        _current = _names[index];
-        if (to.ObjectMarks == ObjectMarking.Names) return ["EXCLUDE_OBJECT_START NAME=" + _current];
-        if (to.ObjectMarks == ObjectMarking.None) return [];
-        var line = to.ObjectMarks == ObjectMarking.NumbersWithNames ? $"M486 S{number} A\"{_current}\"" : "M486 S" + number;
-        if (_counted) return [line];
+        _current = index;
+        IReadOnlyList<string> count = _counted || to.ObjectMarks == ObjectMarking.Names ? [] : _labels.Definitions([]);
         _counted = true;
-        return ["M486 T" + NumberFormatter.Format(_names.Count), line];
+        return [.. count, .. _labels.Start(index)];
     }
 
-    private IReadOnlyList<string> End() => to.ObjectMarks switch
-    {
-        ObjectMarking.None => [],
-        ObjectMarking.Names => _current.Length > 0 ? ["EXCLUDE_OBJECT_END NAME=" + _current] : [],
-        _ => ["M486 S-1"],
-    };
+    private IReadOnlyList<string> End() => _current < 0 && to.ObjectMarks == ObjectMarking.Names ? [] : _labels.End(_current);
 }

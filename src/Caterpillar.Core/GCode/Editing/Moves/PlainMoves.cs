@@ -34,6 +34,9 @@ internal sealed class PlainMoves
     private readonly double _toleranceE;
     private readonly double _tolerance;
 
+    // By slot: the most decimals that a number may keep. Null without limits.
+    private readonly int[]? _limits;
+
     // By slot: what becomes of the words of the current line.
     private readonly Number[] _numbers = new Number[Slots];
 
@@ -45,9 +48,14 @@ internal sealed class PlainMoves
         _style = context.Style;
         _tolerance = 0.5 * NumberFormatter.FromUnits(1, _style.DecimalsXyz);
         _toleranceE = moves.ToleranceE;
+        if (context.Target is { LimitsDecimals: true })
+        {
+            var xyz = _style.LimitXyz ?? int.MaxValue;
+            _limits = [xyz, xyz, xyz, _style.LimitE ?? int.MaxValue, _style.LimitF ?? int.MaxValue];
+        }
         _possible = !rewriteAll && !_style.Numbered && !_style.LowerCase && !_style.NoSpace && context.Axis == context.Decoding.Axis
             && context.Axis.Letter != 0 && context.Axis != ExtrusionAxis.Both
-            && context.Target is null or { LimitsDecimals: false, ChangesUnit: false, StatedDiameter: null }
+            && context.Target is null or { ChangesUnit: false, StatedDiameter: null }
             && KnowsWords(context.Rules.Letters) && KnowsWords(context.Decoding.Flavor.Letters)
             && !context.Read.PrintsWithoutE && !context.Written.PrintsWithoutE && Math.Max(_style.DecimalsXyz, _style.DecimalsE) <= MostDecimals;
     }
@@ -78,7 +86,7 @@ internal sealed class PlainMoves
         ref var head = ref _written.Head;
         var endsRight = Math.Abs(written.X + head.ShiftX - wanted.X) <= NoChange && Math.Abs(written.Y + head.ShiftY - wanted.Y) <= NoChange
             && Math.Abs(written.Z + head.ShiftZ - wanted.Z) <= NoChange;
-        var stays = moves && endsRight && Math.Abs(written.E - wanted.E - (_edits ? 0 : carried)) <= _toleranceE
+        var stays = moves && endsRight && !IsTooFine(places) && Math.Abs(written.E - wanted.E - (_edits ? 0 : carried)) <= _toleranceE
             && (!(wanted.Speed > 0) || Math.Abs(written.Speed - wanted.Speed) <= 1e-9 * wanted.Speed);
         if (!stays)
         {
@@ -143,7 +151,7 @@ internal sealed class PlainMoves
         ref var head = ref _written.Head;
         var from = _written.Modes.RelativeE ? 0 : _written.Extrusion.E;
         if (!Axis(X, hasX, line.X, places, wanted.X - head.ShiftX, head.X) || !Axis(Y, hasY, line.Y, places, wanted.Y - head.ShiftY, head.Y)
-            || !Axis(Z, hasZ, line.Z, places, wanted.Z - head.ShiftZ, head.Z) || !Extruder(hasE, line.E, wanted.E, from, carried)
+            || !Axis(Z, hasZ, line.Z, places, wanted.Z - head.ShiftZ, head.Z) || !Extruder(hasE, line.E, places, wanted.E, from, carried)
             || !Feed(hasF, line.F, places, wanted.Speed))
         {
             return false;
@@ -191,25 +199,36 @@ internal sealed class PlainMoves
     private bool Axis(int slot, bool has, double says, in WordPlaces places, double target, double current)
     {
         if (!has) return !(Math.Abs(target - current) > _tolerance);
-        if (Math.Abs(says - target) <= NoChange) return Stays(slot, says);
-        return Becomes(slot, target, Math.Max(places.DecimalsOf(slot), _style.DecimalsXyz));
+        if (Math.Abs(says - target) <= NoChange && MayStay(slot, places)) return Stays(slot, says);
+        return Becomes(slot, target, _style.LimitXyz ?? Math.Max(places.DecimalsOf(slot), _style.DecimalsXyz));
     }
 
-    private bool Extruder(bool has, double says, double me, double from, double carried)
+    private bool Extruder(bool has, double says, in WordPlaces places, double me, double from, double carried)
     {
         if (!has) return Math.Abs(me) < NoChange;
         var value = from + me + (me != 0 ? carried : 0);
-        return Math.Abs(says - value) > NoChange ? Becomes(E, value, _style.DecimalsE) : Stays(E, says);
+        return Math.Abs(says - value) > NoChange || !MayStay(E, places) ? Becomes(E, value, _style.DecimalsE) : Stays(E, says);
     }
 
     private bool Feed(bool has, double says, in WordPlaces places, double speed)
     {
         if (!(speed > 0)) return !has || Stays(F, says);
         var feed = speed * 60;
-        if (!has) says = _written.Feed.Rate;
-        if (Math.Abs(says - feed) <= 1e-9 * feed) return !has || Stays(F, says);
-        if (!has) return Math.Abs(says - feed) <= _style.FeedTolerance;
-        return Becomes(F, feed, Math.Max(_style.DecimalsF, Math.Min(places.DecimalsOf(F), 9)));
+        if (!has) return Math.Abs(_written.Feed.Rate - feed) <= Math.Max(1e-9 * feed, _style.FeedTolerance);
+        if (Math.Abs(says - feed) <= 1e-9 * feed && MayStay(F, places)) return Stays(F, says);
+        return Becomes(F, feed, _style.LimitF ?? Math.Max(_style.DecimalsF, Math.Min(places.DecimalsOf(F), 9)));
+    }
+
+    private bool MayStay(int slot, in WordPlaces places) => _limits is null || places.DecimalsOf(slot) <= _limits[slot];
+
+    private bool IsTooFine(in WordPlaces places)
+    {
+        if (_limits is null) return false;
+        for (var w = 0; w < places.Count; w++)
+        {
+            if (!MayStay(places.SlotAt(w), places)) return true;
+        }
+        return false;
     }
 
     private bool Stays(int slot, double says)

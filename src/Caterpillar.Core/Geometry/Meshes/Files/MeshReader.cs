@@ -16,31 +16,25 @@ public static class MeshReader
     public static Result<IReadOnlyList<NamedMesh>> Read(string path, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (path is null) throw new ArgumentNullException(nameof(path));
-        return Read(File.ReadAllBytes(path), path, progress, cancel);
+        return Read(File.ReadAllBytes(path), path, null, progress, cancel);
     }
 
-    /// <summary>Reads the bytes of a file with options.</summary>
-    /// <inheritdoc cref="Read(byte[], string, IProgress{double}?, CancellationToken)"/>
+    /// <summary>Reads the bytes of a file. Messages use <paramref name="name"/>, and its extension may determine the format.</summary>
     public static Result<IReadOnlyList<NamedMesh>> Read(
-        byte[] bytes, string name, MeshReadOptions options, IProgress<double>? progress = null, CancellationToken cancel = default)
+        byte[] bytes, string name, MeshReadOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (bytes is null) throw new ArgumentNullException(nameof(bytes));
         if (name is null) throw new ArgumentNullException(nameof(name));
-        if (options is null) throw new ArgumentNullException(nameof(options));
         var diagnostics = new DiagnosticList();
         try
         {
-            return ReadAll(bytes, name, diagnostics, options, progress, cancel);
+            return ReadAll(bytes, name, diagnostics, options ?? new MeshReadOptions(), progress, cancel);
         }
         catch (DiagnosticException tooMuch)
         {
             return new Result<IReadOnlyList<NamedMesh>>(null, [.. diagnostics.ToList(), .. tooMuch.Diagnostics]);
         }
     }
-
-    /// <summary>Reads the bytes of a file. Messages use <paramref name="name"/>, and its extension may determine the format.</summary>
-    public static Result<IReadOnlyList<NamedMesh>> Read(byte[] bytes, string name, IProgress<double>? progress = null, CancellationToken cancel = default)
-        => Read(bytes, name, new MeshReadOptions(), progress, cancel);
 
     /// <summary>Reads a file and merges everything in it into one mesh.</summary>
     /// <exception cref="IOException">The file cannot be read from the disk.</exception>
@@ -93,16 +87,13 @@ public static class MeshReader
             case ".OBJ":
                 return ObjReader.Read(source, meshes);
             case ".PLY":
-                source.ErrorInBinary("mesh.syntax", "A PLY file must start with the line \"ply\".", 0);
-                return false;
+                return source.ErrorInBinary("mesh.syntax", "A PLY file must start with the line \"ply\".", 0);
             case ".3MF":
-                source.ErrorInBinary("mesh.syntax", "A 3MF file must be a zip archive.", 0);
-                return false;
+                return source.ErrorInBinary("mesh.syntax", "A 3MF file must be a zip archive.", 0);
         }
         if (StlReader.HasBinaryLength(bytes) || StlTextReader.LooksLikeText(bytes)) return StlReader.Read(source, meshes);
         if (LooksLikeObj(bytes)) return ObjReader.Read(source, meshes);
-        source.ErrorInBinary("mesh.unknown_format", "Unknown mesh format. Use STL, OBJ, PLY or 3MF.", 0);
-        return false;
+        return source.ErrorInBinary("mesh.unknown_format", "Unknown mesh format. Use STL, OBJ, PLY or 3MF.", 0);
     }
 
     private static bool IsThreeMf(byte[] bytes) => StartsWith(bytes, "PK\u0003\u0004");
@@ -123,13 +114,5 @@ public static class MeshReader
 
     private static string WithoutGz(string name) => name.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? name.Substring(0, name.Length - 3) : name;
 
-    private static bool StartsWith(byte[] bytes, string text)
-    {
-        if (bytes.Length < text.Length) return false;
-        for (var i = 0; i < text.Length; i++)
-        {
-            if (bytes[i] != text[i]) return false;
-        }
-        return true;
-    }
+    private static bool StartsWith(byte[] bytes, string text) => bytes.Take(text.Length).SequenceEqual(text.Select(c => (byte)c));
 }

@@ -41,12 +41,19 @@ internal sealed class MeshSource(
         options.Memory.Check(bytes, items, new SourceLocation(Name));
     }
 
+    /// <summary>An error, of the whole file if it has no place. False, like the next two, for the caller to return.</summary>
+    public bool Fail(string code, string message, SourceLocation? place = null)
+    {
+        Diagnostics.Add(Severity.Error, code, message, place ?? new SourceLocation(Name));
+        return false;
+    }
+
     /// <summary>An error at a byte of a text file; the location is given as line and column.</summary>
-    public void ErrorInText(string code, string message, int offset) => Diagnostics.Add(Severity.Error, code, message, PlaceInText(offset));
+    public bool ErrorInText(string code, string message, int offset) => Fail(code, message, PlaceInText(offset));
 
     /// <summary>An error at a byte of a binary file.</summary>
-    public void ErrorInBinary(string code, string message, long offset)
-        => Diagnostics.Add(Severity.Error, code, $"{message} (byte {NumberFormatter.Format(offset)})", new SourceLocation(Name));
+    public bool ErrorInBinary(string code, string message, long offset)
+        => Fail(code, $"{message} (byte {NumberFormatter.Format(offset)})", new SourceLocation(Name));
 
     /// <summary>Reports something about the file, or a location in it.</summary>
     public void Note(Severity severity, string code, string message, SourceLocation? place = null, int count = 1)

@@ -4,15 +4,18 @@ namespace Caterpillar.Geometry;
 public sealed record NamedMesh
 {
     /// <summary>The name, for messages and settings of one model.</summary>
-    public string Name { get; }
+    public string Name { get; init; }
 
     /// <summary>The mesh, mm.</summary>
-    public TriMesh Mesh { get; }
+    public TriMesh Mesh { get; init => field = value ?? throw new ArgumentNullException(nameof(value)); }
+
+    /// <summary>Settings of this mesh in a project of another slicer, in its words.</summary>
+    public IReadOnlyDictionary<string, string> Settings { get; init; } = new Dictionary<string, string>();
 
     /// <summary>A mesh and its name.</summary>
     public NamedMesh(string name, TriMesh mesh)
     {
         Name = name ?? throw new ArgumentNullException(nameof(name));
-        Mesh = mesh ?? throw new ArgumentNullException(nameof(mesh));
+        Mesh = mesh;
     }
 }

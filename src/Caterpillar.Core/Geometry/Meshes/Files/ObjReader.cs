@@ -6,28 +6,17 @@ namespace Caterpillar.Geometry;
 /// Reads the polygons of Wavefront OBJ: <c>v</c> and <c>f</c> in all forms, negative indices, indices of vertices that come later, continued lines. Polygons
 /// are split as fans from their first vertex. All objects and groups become one mesh, because groups often are patches of one surface. Materials are ignored.
 /// </summary>
-internal sealed class ObjReader
+internal sealed class ObjReader(MeshSource source)
 {
-    private readonly MeshSource _source;
-    private readonly TextCursor _cursor;
-    private readonly MeshBuilder _builder;
-    private int[] _ids;
+    private readonly TextCursor _cursor = new(source.Bytes, ByteOrderMark.Length(source.Bytes), source.Length);
+    private readonly MeshBuilder _builder = new(source.Length / 60 + 16, source.Length / 30 + 32);
+    private int[] _ids = new int[source.Length / 60 + 16];
     private int _vertices;
-    private int[] _corners;
+    private int[] _corners = new int[source.Length / 10 + 96];
     private int _used;
     private int _largest = -1;
     private int _largestAt;
     private string _name = "";
-
-    private ObjReader(MeshSource source)
-    {
-        _source = source;
-        _cursor = new TextCursor(source.Bytes, ByteOrderMark.Length(source.Bytes), source.Length);
-        var expected = source.Length / 60 + 16;
-        _builder = new MeshBuilder(expected, expected * 2);
-        _ids = new int[expected];
-        _corners = new int[expected * 6];
-    }
 
     public static bool Read(MeshSource source, List<NamedMesh> meshes)
     {
@@ -36,8 +25,7 @@ internal sealed class ObjReader
         if (reader._largest >= reader._vertices)
         {
             var (index, count) = (NumberFormatter.Format(reader._largest + 1L), NumberFormatter.Format(reader._vertices));
-            source.ErrorInText("mesh.index", $"A face uses vertex {index}, but the file has only {count}.", reader._largestAt);
-            return false;
+            return source.ErrorInText("mesh.index", $"A face uses vertex {index}, but the file has only {count}.", reader._largestAt);
         }
         var (ids, corners) = (reader._ids, reader._corners);
         for (var i = 0; i < reader._used; i += 3) reader._builder.AddTriangle(ids[corners[i]], ids[corners[i + 1]], ids[corners[i + 2]]);
@@ -50,7 +38,7 @@ internal sealed class ObjReader
     {
         for (var lines = 0; _cursor.SkipSpace(); lines++)
         {
-            if ((lines & 0xFFFF) == 0) _source.Pulse(_cursor.At, _source.Length);
+            if ((lines & 0xFFFF) == 0) source.Pulse(_cursor.At, source.Length);
             var first = _cursor.Bytes[_cursor.At];
             var start = _cursor.SkipWord();
             var length = _cursor.At - start;
@@ -75,19 +63,12 @@ internal sealed class ObjReader
 
     private bool ReadVertex()
     {
-        double x = 0, y = 0, z = 0;
-        var good = _cursor.SkipSpaces() && _cursor.ReadNumber(out x)
-            && _cursor.SkipSpaces() && _cursor.ReadNumber(out y)
-            && _cursor.SkipSpaces() && _cursor.ReadNumber(out z);
-        if (!good)
-        {
-            if (_cursor.AtEnd) _source.ErrorInText("mesh.truncated", "The file ends inside a vertex.", _cursor.At);
-            else _source.ErrorInText("mesh.syntax", "A vertex needs three numbers.", _cursor.At);
-            return false;
-        }
+        if (!_cursor.ReadPoint(withinLine: true, out var x, out var y, out var z))
+            return _cursor.AtEnd ? source.ErrorInText("mesh.truncated", "The file ends inside a vertex.", _cursor.At)
+                : source.ErrorInText("mesh.syntax", "A vertex needs three numbers.", _cursor.At);
         if (_vertices == _ids.Length)
         {
-            _source.Afford(2L * _vertices);
+            source.Afford(2L * _vertices);
             Array.Resize(ref _ids, _vertices * 2);
         }
         _ids[_vertices++] = _builder.AddVertex(x, y, z);
@@ -108,7 +89,7 @@ internal sealed class ObjReader
         }
         if (count < 3)
         {
-            _source.Note(Severity.Warning, "mesh.incomplete_faces", "A face with fewer than three vertices is ignored.", _source.PlaceInText(faceAt));
+            source.Note(Severity.Warning, "mesh.incomplete_faces", "A face with fewer than three vertices is ignored.", source.PlaceInText(faceAt));
         }
         return true;
     }
@@ -128,16 +109,10 @@ internal sealed class ObjReader
             if (index <= int.MaxValue) index = index * 10 + (bytes[at] - '0');
         }
         if (at == digits || (at < _cursor.At && bytes[at] != '/'))
-        {
-            _source.ErrorInText("mesh.syntax", "A vertex of a face must be a number or numbers separated by slashes.", start);
-            return false;
-        }
+            return source.ErrorInText("mesh.syntax", "A vertex of a face must be a number or numbers separated by slashes.", start);
         var absolute = negative ? _vertices - index : index - 1;
         if (absolute < 0 || absolute >= int.MaxValue)
-        {
-            _source.ErrorInText("mesh.index", "A face uses a vertex that does not exist.", start);
-            return false;
-        }
+            return source.ErrorInText("mesh.index", "A face uses a vertex that does not exist.", start);
         corner = (int)absolute;
         if (corner > _largest) (_largest, _largestAt) = (corner, faceAt);
         return true;
@@ -147,7 +122,7 @@ internal sealed class ObjReader
     {
         if (_used + 3 > _corners.Length)
         {
-            _source.Afford(2L * _used / 3);
+            source.Afford(2L * _used / 3);
             Array.Resize(ref _corners, _corners.Length * 2);
         }
         _corners[_used] = a;
@@ -174,10 +149,10 @@ internal sealed class ObjReader
                 return;
             case "cstype" or "deg" or "bmat" or "step" or "curv" or "curv2" or "surf" or "parm" or "trim" or "hole" or "scrv" or "sp" or "end" or "con":
                 const string Message = "Free-form curves and surfaces are ignored. Only polygons are read from OBJ files.";
-                _source.Note(Severity.Warning, "mesh.unsupported", Message, _source.PlaceInText(start));
+                source.Note(Severity.Warning, "mesh.unsupported", Message, source.PlaceInText(start));
                 return;
             default:
-                _source.Note(Severity.Note, "mesh.ignored", "A line with an unknown keyword is ignored.", _source.PlaceInText(start));
+                source.Note(Severity.Note, "mesh.ignored", "A line with an unknown keyword is ignored.", source.PlaceInText(start));
                 return;
         }
     }

@@ -80,24 +80,12 @@ internal sealed class PlyData(MeshSource source, PlyFormat format, int at)
     /// <summary>Reports that there is no number at the cursor.</summary>
     public bool Wrong(string what)
     {
-        if (_cursor.At >= source.Length || !IsText)
-        {
-            var message = $"The file ends inside {what}.";
-            if (IsText) source.ErrorInText("mesh.truncated", message, source.Length);
-            else source.ErrorInBinary("mesh.truncated", message, At);
-        }
-        else
-        {
-            source.ErrorInText("mesh.syntax", $"A value in {what} is not a number.", At);
-        }
-        return false;
+        var message = $"The file ends inside {what}.";
+        if (!IsText) return source.ErrorInBinary("mesh.truncated", message, At);
+        return At < source.Length ? source.ErrorInText("mesh.syntax", $"A value in {what} is not a number.", At)
+            : source.ErrorInText("mesh.truncated", message, source.Length);
     }
 
     /// <summary>Reports an impossible value.</summary>
-    public bool Error(string code, string message)
-    {
-        if (IsText) source.ErrorInText(code, message, At);
-        else source.ErrorInBinary(code, message, At);
-        return false;
-    }
+    public bool Error(string code, string message) => IsText ? source.ErrorInText(code, message, At) : source.ErrorInBinary(code, message, At);
 }

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Text;
 using Caterpillar.Files;
 
@@ -79,7 +80,8 @@ internal sealed class PlyHeader
                     format = true;
                     break;
                 case "element":
-                    if (words.Length != 3 || !TryCount(words[2], out var count)) return Wrong(source, at, "An element needs a name and a count.");
+                    if (words.Length != 3 || !long.TryParse(words[2], NumberStyles.None, CultureInfo.InvariantCulture, out var count))
+                        return Wrong(source, at, "An element needs a name and a count.");
                     header.Elements.Add(new PlyElement(words[1], count, line));
                     break;
                 case "property":
@@ -120,46 +122,25 @@ internal sealed class PlyHeader
         if (Elements.Count == 0) return false;
         var list = words.Length > 1 && words[1] == "list";
         if (words.Length != (list ? 5 : 3)) return false;
-        if (!TryType(words[list ? 3 : 1], out var type)) return false;
-        PlyType? length = null;
-        if (list)
-        {
-            if (!TryType(words[2], out var l)) return false;
-            length = l;
-        }
+        if (TypeOf(words[list ? 3 : 1]) is not { } type) return false;
+        var length = list ? TypeOf(words[2]) : null;
+        if (list && length is null) return false;
         Elements[Elements.Count - 1].Properties.Add(new PlyProperty(words[words.Length - 1], type, length));
         return true;
     }
 
-    private static bool TryType(string word, out PlyType type)
+    private static PlyType? TypeOf(string word) => word switch
     {
-        PlyType? found = word switch
-        {
-            "char" or "int8" => PlyType.Int8,
-            "uchar" or "uint8" => PlyType.UInt8,
-            "short" or "int16" => PlyType.Int16,
-            "ushort" or "uint16" => PlyType.UInt16,
-            "int" or "int32" => PlyType.Int32,
-            "uint" or "uint32" => PlyType.UInt32,
-            "float" or "float32" => PlyType.Float32,
-            "double" or "float64" => PlyType.Float64,
-            _ => null,
-        };
-        type = found ?? default;
-        return found is not null;
-    }
-
-    private static bool TryCount(string word, out long count)
-    {
-        count = 0;
-        if (word.Length is 0 or > 12) return false;
-        foreach (var c in word)
-        {
-            if (c is < '0' or > '9') return false;
-            count = count * 10 + (c - '0');
-        }
-        return true;
-    }
+        "char" or "int8" => PlyType.Int8,
+        "uchar" or "uint8" => PlyType.UInt8,
+        "short" or "int16" => PlyType.Int16,
+        "ushort" or "uint16" => PlyType.UInt16,
+        "int" or "int32" => PlyType.Int32,
+        "uint" or "uint32" => PlyType.UInt32,
+        "float" or "float32" => PlyType.Float32,
+        "double" or "float64" => PlyType.Float64,
+        _ => null,
+    };
 
     private static PlyHeader? Wrong(MeshSource source, int at, string message)
     {

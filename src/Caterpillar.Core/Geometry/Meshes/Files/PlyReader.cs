@@ -6,9 +6,7 @@ namespace Caterpillar.Geometry;
 /// </summary>
 internal sealed class PlyReader(MeshSource source, PlyHeader header)
 {
-    private readonly MeshSource _source = source;
     private readonly PlyData _data = new PlyData(source, header.Format, header.DataAt);
-    private readonly List<PlyElement> _elements = header.Elements;
     private MeshBuilder? _builder;
     private int[] _ids = [];
     private int[] _polygon = new int[8];
@@ -23,10 +21,7 @@ internal sealed class PlyReader(MeshSource source, PlyHeader header)
             if (!reader.ReadElement(element)) return false;
         }
         if (reader._builder is not { } builder)
-        {
-            source.Note(Severity.Error, "mesh.empty", "The PLY file has no element \"vertex\".");
-            return false;
-        }
+            return source.Fail("mesh.empty", "The PLY file has no element \"vertex\".");
         meshes.Add(new NamedMesh(MeshReader.PlainName(source.Name), builder.ToMesh(source.Name, false, source.Diagnostics)));
         return true;
     }
@@ -45,8 +40,7 @@ internal sealed class PlyReader(MeshSource source, PlyHeader header)
         if (element.Name is "face" or "tristrips")
         {
             var message = $"The element \"{element.Name}\" has no readable list of vertices and is ignored.";
-            _source.Note(Severity.Warning, "mesh.unsupported", message,
-                new SourceLocation(_source.Name, element.Line));
+            source.Note(Severity.Warning, "mesh.unsupported", message, new SourceLocation(source.Name, element.Line));
         }
         for (long i = 0; i < element.Count; i++)
         {
@@ -62,8 +56,8 @@ internal sealed class PlyReader(MeshSource source, PlyHeader header)
         var (x, y, z) = (element.Find("x"), element.Find("y"), element.Find("z"));
         if (x < 0 || y < 0 || z < 0) return _data.Error("mesh.syntax", "The vertices have no x, y or z.");
         var count = (int)element.Count;
-        _source.Afford(2L * count);
-        _builder = new MeshBuilder(count, Math.Min(2 * (count / 2 + 16), _source.Length / 12));
+        source.Afford(2L * count);
+        _builder = new MeshBuilder(count, Math.Min(2 * (count / 2 + 16), source.Length / 12));
         _ids = new int[count];
         var point = new double[3];
         var target = new int[element.Properties.Count];
@@ -109,13 +103,13 @@ internal sealed class PlyReader(MeshSource source, PlyHeader header)
                 _polygon[k] = _ids[(int)index];
             }
             if (corners < 3) shorts++;
-            if (corners > 1000 || (i & 0xFFFF) == 0) _source.Afford((long)_builder.TriangleCount + corners);
+            if (corners > 1000 || (i & 0xFFFF) == 0) source.Afford((long)_builder.TriangleCount + corners);
             for (var k = 2; k < corners; k++) _builder.AddTriangle(_polygon[0], _polygon[k - 1], _polygon[k]);
             if (!SkipProperties(element, list + 1, element.Properties.Count)) return false;
         }
         if (shorts > 0)
         {
-            _source.Note(Severity.Warning, "mesh.incomplete_faces", "A face with fewer than three vertices is ignored.", count: shorts);
+            source.Note(Severity.Warning, "mesh.incomplete_faces", "A face with fewer than three vertices is ignored.", count: shorts);
         }
         return true;
     }
@@ -138,6 +132,6 @@ internal sealed class PlyReader(MeshSource source, PlyHeader header)
 
     private void Pulse(long row)
     {
-        if ((row & 0xFFFF) == 0) _source.Pulse(_data.At, _source.Length);
+        if ((row & 0xFFFF) == 0) source.Pulse(_data.At, source.Length);
     }
 }

@@ -18,7 +18,7 @@ internal sealed class StlCorners(MeshSource source, int start, int facetBytes, i
         var counts = new int[shares];
         if (shares == 1) counts[0] = Weld(0, 1);
         else Parallel.For(0, shares, new ParallelOptions { CancellationToken = source.Cancel }, share => counts[share] = Weld(share, shares));
-        var points = new Vec3[Sum(counts)];
+        var points = new Vec3[counts.Sum()];
         var used = 0;
         for (var corner = 0; corner < _first.Length; corner++)
         {
@@ -75,12 +75,5 @@ internal sealed class StlCorners(MeshSource source, int start, int facetBytes, i
         var bytes = source.Bytes;
         // Turns -0.0 into 0.0.
         return new Vec3(BitConverter.ToSingle(bytes, at) + 0.0, BitConverter.ToSingle(bytes, at + 4) + 0.0, BitConverter.ToSingle(bytes, at + 8) + 0.0);
-    }
-
-    private static int Sum(int[] counts)
-    {
-        var sum = 0;
-        foreach (var count in counts) sum += count;
-        return sum;
     }
 }

@@ -14,10 +14,7 @@ internal static class StlReader
     {
         if (!HasBinaryLength(source.Bytes) && StlTextReader.LooksLikeText(source.Bytes)) return StlTextReader.Read(source, meshes);
         if (source.Length < HeaderBytes)
-        {
-            source.ErrorInBinary("mesh.truncated", "The file ends inside the 84 bytes of the STL header.", source.Length);
-            return false;
-        }
+            return source.ErrorInBinary("mesh.truncated", "The file ends inside the 84 bytes of the STL header.", source.Length);
         long declared = BitConverter.ToUInt32(source.Bytes, 80);
         var there = (source.Length - HeaderBytes) / FacetBytes;
         if (declared == 0 && there > 0 && (source.Length - HeaderBytes) % FacetBytes == 0)
@@ -26,11 +23,8 @@ internal static class StlReader
             declared = there;
         }
         if (declared > there)
-        {
-            source.ErrorInBinary("mesh.truncated",
+            return source.ErrorInBinary("mesh.truncated",
                 $"The STL header states {NumberFormatter.Format(declared)} facets, but the file ends after {NumberFormatter.Format(there)}.", source.Length);
-            return false;
-        }
         if (HeaderBytes + FacetBytes * declared < source.Length)
         {
             var trailing = (int)(source.Length - HeaderBytes - FacetBytes * declared);

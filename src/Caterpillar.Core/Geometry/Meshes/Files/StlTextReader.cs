@@ -5,11 +5,10 @@ namespace Caterpillar.Geometry;
 /// <summary>
 /// Reads ASCII STL: words in any case, any white space and line ends, several solids (taken as one mesh, so that a surface in patches closes).
 /// </summary>
-internal sealed class StlTextReader
+internal sealed class StlTextReader(MeshSource source)
 {
-    private readonly MeshSource _source;
-    private readonly TextCursor _cursor;
-    private readonly MeshBuilder _builder;
+    private readonly TextCursor _cursor = new(source.Bytes, ByteOrderMark.Length(source.Bytes), source.Length);
+    private readonly MeshBuilder _builder = new(source.Length / 400 + 16, source.Length / 200);
     private string _name = "";
     private bool _open;
 
@@ -19,14 +18,6 @@ internal sealed class StlTextReader
     private int _a;
     private int _b;
     private int _c;
-
-    private StlTextReader(MeshSource source)
-    {
-        _source = source;
-        _cursor = new TextCursor(source.Bytes, ByteOrderMark.Length(source.Bytes), source.Length);
-        var triangles = source.Length / 200;
-        _builder = new MeshBuilder(triangles / 2 + 16, triangles);
-    }
 
     /// <summary>True if the file begins with "solid" and continues with a facet or the end of the solid.</summary>
     public static bool LooksLikeText(byte[] bytes)
@@ -57,19 +48,19 @@ internal sealed class StlTextReader
         {
             if ((words & 0xFFFF) == 0)
             {
-                _source.Pulse(_cursor.At, _source.Length);
-                _source.Afford(_builder.TriangleCount);
+                source.Pulse(_cursor.At, source.Length);
+                source.Afford(_builder.TriangleCount);
             }
             if (!Word(_cursor.SkipWord())) return false;
         }
-        if (_facetAt >= 0) return Fail("The file ends inside a facet.", _source.Length, "mesh.truncated");
+        if (_facetAt >= 0) return Fail("The file ends inside a facet.", source.Length, "mesh.truncated");
         if (_open)
         {
-            var end = _source.PlaceInText(_source.Length);
-            _source.Note(Severity.Warning, "mesh.truncated", "The file ends without \"endsolid\" and may be incomplete.", end);
+            var end = source.PlaceInText(source.Length);
+            source.Note(Severity.Warning, "mesh.truncated", "The file ends without \"endsolid\" and may be incomplete.", end);
         }
-        var name = _name.Length > 0 ? _name : MeshReader.PlainName(_source.Name);
-        meshes.Add(new NamedMesh(name, _builder.ToMesh(_source.Name, true, _source.Diagnostics)));
+        var name = _name.Length > 0 ? _name : MeshReader.PlainName(source.Name);
+        meshes.Add(new NamedMesh(name, _builder.ToMesh(source.Name, true, source.Diagnostics)));
         return true;
     }
 
@@ -105,9 +96,9 @@ internal sealed class StlTextReader
     {
         if (_facetAt < 0) return Fail("A vertex is outside a facet.", word);
         if (_corners == 3) return Fail("A facet has more than three vertices.", word);
-        if (!ReadPoint(out var x, out var y, out var z))
+        if (!_cursor.ReadPoint(withinLine: false, out var x, out var y, out var z))
         {
-            return _cursor.AtEnd ? Fail("The file ends inside a vertex.", _source.Length, "mesh.truncated") : Fail("A coordinate is not a number.", _cursor.At);
+            return _cursor.AtEnd ? Fail("The file ends inside a vertex.", source.Length, "mesh.truncated") : Fail("A coordinate is not a number.", _cursor.At);
         }
         (_a, _b, _c) = (_b, _c, _builder.AddVertex(x, y, z));
         _corners++;
@@ -131,20 +122,5 @@ internal sealed class StlTextReader
         return true;
     }
 
-    private bool ReadPoint(out double x, out double y, out double z)
-    {
-        y = z = 0;
-        _cursor.SkipSpace();
-        if (!_cursor.ReadNumber(out x)) return false;
-        _cursor.SkipSpace();
-        if (!_cursor.ReadNumber(out y)) return false;
-        _cursor.SkipSpace();
-        return _cursor.ReadNumber(out z);
-    }
-
-    private bool Fail(string message, int at, string code = "mesh.syntax")
-    {
-        _source.ErrorInText(code, message, at);
-        return false;
-    }
+    private bool Fail(string message, int at, string code = "mesh.syntax") => source.ErrorInText(code, message, at);
 }

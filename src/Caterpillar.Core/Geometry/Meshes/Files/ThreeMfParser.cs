@@ -6,25 +6,24 @@ namespace Caterpillar.Geometry;
 /// <summary>Reads the XML of one model part of a 3MF package (3MF Core Specification 1.3; paths of the Production Extension).</summary>
 internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xml)
 {
-    private readonly MeshSource _source = source;
-    private readonly string _part = part;
-    private readonly XmlReader _xml = xml;
     private readonly ThreeMfModel _model = new();
     private byte[] _number = new byte[64];
     private bool _good = true;
 
+    /// <summary>How XML of a package is read: without other documents, and not without end.</summary>
+    public static XmlReaderSettings Settings(long length) => new()
+    {
+        DtdProcessing = DtdProcessing.Prohibit,
+        XmlResolver = null,
+        IgnoreComments = true,
+        IgnoreWhitespace = true,
+        MaxCharactersInDocument = length,
+    };
+
     /// <summary>The model; null with an error where it cannot be read. May throw what the XML reader throws.</summary>
     public static ThreeMfModel? Parse(MeshSource source, string part, Stream stream)
     {
-        var settings = new XmlReaderSettings
-        {
-            DtdProcessing = DtdProcessing.Prohibit,
-            XmlResolver = null,
-            IgnoreComments = true,
-            IgnoreWhitespace = true,
-            MaxCharactersInDocument = Math.Min(int.MaxValue - 1024, GzipReader.Limit(source.Length)),
-        };
-        using var xml = XmlReader.Create(stream, settings);
+        using var xml = XmlReader.Create(stream, Settings(Math.Min(int.MaxValue - 1024, GzipReader.Limit(source.Length))));
         var parser = new ThreeMfParser(source, part, xml);
         parser.ReadModel();
         return parser._good ? parser._model : null;
@@ -32,11 +31,11 @@ internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xm
 
     private void ReadModel()
     {
-        for (long nodes = 0; _good && _xml.Read(); nodes++)
+        for (long nodes = 0; _good && xml.Read(); nodes++)
         {
-            if ((nodes & 0xFFF) == 0) _source.Pulse(0, 0);
-            if (_xml.NodeType != XmlNodeType.Element) continue;
-            switch (_xml.LocalName)
+            if ((nodes & 0xFFF) == 0) source.Pulse(0, 0);
+            if (xml.NodeType != XmlNodeType.Element) continue;
+            switch (xml.LocalName)
             {
                 case "model":
                     ReadUnit();
@@ -45,9 +44,9 @@ internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xm
                     ReadObject();
                     break;
                 case "item":
-                    if (_xml.GetAttribute("printable") == "0")
+                    if (xml.GetAttribute("printable") == "0")
                     {
-                        _source.Note(Severity.Note, "mesh.ignored", "An item marked as not printable is ignored.", Place());
+                        source.Note(Severity.Note, "mesh.ignored", "An item marked as not printable is ignored.", Place());
                         break;
                     }
                     if (ReadUse() is { } item) _model.Items.Add(item);
@@ -58,7 +57,7 @@ internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xm
 
     private void ReadUnit()
     {
-        var unit = _xml.GetAttribute("unit") ?? "millimeter";
+        var unit = xml.GetAttribute("unit") ?? "millimeter";
         _model.Unit = unit switch
         {
             "micron" => 0.001,
@@ -70,32 +69,32 @@ internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xm
             _ => 0,
         };
         if (_model.Unit == 0) Fail("mesh.unit", $"\"{unit}\" is not a unit of 3MF.");
-        foreach (var prefix in (_xml.GetAttribute("requiredextensions") ?? "").Split([' '], StringSplitOptions.RemoveEmptyEntries))
+        foreach (var prefix in (xml.GetAttribute("requiredextensions") ?? "").Split([' '], StringSplitOptions.RemoveEmptyEntries))
         {
-            var uri = _xml.LookupNamespace(prefix) ?? "";
+            var uri = xml.LookupNamespace(prefix) ?? "";
             if (uri.IndexOf("/production/", StringComparison.Ordinal) >= 0 || uri.IndexOf("/material/", StringComparison.Ordinal) >= 0) continue;
-            _source.Note(Severity.Warning, "mesh.unsupported", $"The model requires the extension \"{prefix}\", which is not supported.", Place());
+            source.Note(Severity.Warning, "mesh.unsupported", $"The model requires the extension \"{prefix}\", which is not supported.", Place());
         }
     }
 
     private void ReadObject()
     {
         if (!TryInt("id", out var id)) return;
-        var named = _xml.GetAttribute("name");
-        var item = new ThreeMfObject(string.IsNullOrEmpty(named) ? "object " + NumberFormatter.Format(id) : named!, _xml.GetAttribute("type") ?? "model");
+        var named = xml.GetAttribute("name");
+        var item = new ThreeMfObject(string.IsNullOrEmpty(named) ? "object " + NumberFormatter.Format(id) : named!, xml.GetAttribute("type") ?? "model");
         if (_model.Objects.ContainsKey(id))
         {
             Fail("mesh.syntax", $"Two objects have the ID {NumberFormatter.Format(id)}.");
             return;
         }
         _model.Objects.Add(id, item);
-        if (_xml.IsEmptyElement) return;
-        var depth = _xml.Depth;
-        while (_good && _xml.Read() && _xml.Depth > depth)
+        if (xml.IsEmptyElement) return;
+        var depth = xml.Depth;
+        while (_good && xml.Read() && xml.Depth > depth)
         {
-            if (_xml.NodeType != XmlNodeType.Element) continue;
-            if (_xml.LocalName == "mesh") ReadMesh(item);
-            else if (_xml.LocalName == "component" && ReadUse() is { } use) item.Components.Add(use);
+            if (xml.NodeType != XmlNodeType.Element) continue;
+            if (xml.LocalName == "mesh") ReadMesh(item);
+            else if (xml.LocalName == "component" && ReadUse() is { } use) item.Components.Add(use);
         }
     }
 
@@ -104,19 +103,21 @@ internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xm
         var builder = new MeshBuilder(1024, 2048);
         var ids = new int[1024];
         var vertices = 0;
-        var depth = _xml.Depth;
-        if (_xml.IsEmptyElement) return;
-        for (long nodes = 0; _good && _xml.Read() && _xml.Depth > depth; nodes++)
+        var triangles = 0;
+        var painted = new List<(int Triangle, bool IsSeam, string Digits)>();
+        var depth = xml.Depth;
+        if (xml.IsEmptyElement) return;
+        for (long nodes = 0; _good && xml.Read() && xml.Depth > depth; nodes++)
         {
-            if ((nodes & 0xFFFF) == 0) _source.Pulse(0, 0);
-            if (_xml.NodeType != XmlNodeType.Element) continue;
-            if (_xml.LocalName == "vertex")
+            if ((nodes & 0xFFFF) == 0) source.Pulse(0, 0);
+            if (xml.NodeType != XmlNodeType.Element) continue;
+            if (xml.LocalName == "vertex")
             {
                 if (!TryNumber("x", out var x) || !TryNumber("y", out var y) || !TryNumber("z", out var z)) return;
                 if (vertices == ids.Length) Array.Resize(ref ids, 2 * vertices);
                 ids[vertices++] = builder.AddVertex(x, y, z);
             }
-            else if (_xml.LocalName == "triangle")
+            else if (xml.LocalName == "triangle")
             {
                 if (!TryInt("v1", out var a) || !TryInt("v2", out var b) || !TryInt("v3", out var c)) return;
                 if ((uint)a >= (uint)vertices || (uint)b >= (uint)vertices || (uint)c >= (uint)vertices)
@@ -124,32 +125,49 @@ internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xm
                     Fail("mesh.index", "A triangle uses a vertex that does not exist.");
                     return;
                 }
+                var before = builder.TriangleCount;
                 builder.AddTriangle(ids[a], ids[b], ids[c]);
+                if (builder.TriangleCount == before) item.Dropped.Add(triangles);
+                else if (xml.AttributeCount > 3) ReadPaint(before, painted);
+                triangles++;
             }
         }
         if (builder.NotFinite > 0)
         {
-            _source.Note(Severity.Warning, "mesh.not_finite", "A triangle with a coordinate beyond 1e9 is ignored.", Place(), builder.NotFinite);
+            source.Note(Severity.Warning, "mesh.not_finite", "A triangle with a coordinate beyond 1e9 is ignored.", Place(), builder.NotFinite);
         }
         if (builder.Degenerate > 0)
         {
-            _source.Note(Severity.Note, "mesh.degenerate_faces", "A triangle with two equal vertices is ignored.", Place(), builder.Degenerate);
+            source.Note(Severity.Note, "mesh.degenerate_faces", "A triangle with two equal vertices is ignored.", Place(), builder.Degenerate);
         }
-        item.Mesh = builder.ToMesh();
+        var mesh = item.Mesh = builder.ToMesh();
+        foreach (var (triangle, isSeam, digits) in painted)
+        {
+            var (a, b, c) = mesh.Triangle(triangle);
+            ThreeMfPaint.Read(digits, isSeam, mesh.RawVertices[a], mesh.RawVertices[b], mesh.RawVertices[c], item.Paint);
+        }
+    }
+
+    private void ReadPaint(int triangle, List<(int Triangle, bool IsSeam, string Digits)> painted)
+    {
+        if ((xml.GetAttribute("slic3rpe:custom_supports") ?? xml.GetAttribute("paint_supports")) is { } supports) painted.Add((triangle, false, supports));
+        if ((xml.GetAttribute("slic3rpe:custom_seam") ?? xml.GetAttribute("paint_seam")) is { } seam) painted.Add((triangle, true, seam));
+        if ((xml.GetAttribute("slic3rpe:mmu_segmentation") ?? xml.GetAttribute("paint_color")) is { Length: > 0 })
+            source.Note(Severity.Warning, "mesh.painted_tools", "Faces painted for other tools are printed with the tool of their part.", Place());
     }
 
     private ThreeMfUse? ReadUse()
     {
         if (!TryInt("objectid", out var id)) return null;
-        var place = _xml as IXmlLineInfo;
+        var place = xml as IXmlLineInfo;
         string? path = null;
-        for (var i = 0; i < _xml.AttributeCount; i++)
+        for (var i = 0; i < xml.AttributeCount; i++)
         {
-            _xml.MoveToAttribute(i);
-            if (_xml.LocalName == "path") path = _xml.Value;
+            xml.MoveToAttribute(i);
+            if (xml.LocalName == "path") path = xml.Value;
         }
-        _xml.MoveToElement();
-        if (!TryMap(_xml.GetAttribute("transform"), out var map))
+        xml.MoveToElement();
+        if (!TryMap(xml.GetAttribute("transform"), out var map))
         {
             Fail("mesh.syntax", "A transform must have twelve numbers and must not be singular.");
             return null;
@@ -175,16 +193,14 @@ internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xm
 
     private bool TryInt(string attribute, out int value)
     {
-        if (NumberReader.TryParseInt(_xml.GetAttribute(attribute), out value) && value >= 0) return true;
-        Fail("mesh.syntax", $"<{_xml.LocalName}> needs an integer \"{attribute}\".");
-        return false;
+        if (NumberReader.TryParseInt(xml.GetAttribute(attribute), out value) && value >= 0) return true;
+        return Fail("mesh.syntax", $"<{xml.LocalName}> needs an integer \"{attribute}\".");
     }
 
     private bool TryNumber(string attribute, out double value)
     {
-        if (TryParse(_xml.GetAttribute(attribute), out value)) return true;
-        Fail("mesh.syntax", $"<{_xml.LocalName}> needs a number \"{attribute}\".");
-        return false;
+        if (TryParse(xml.GetAttribute(attribute), out value)) return true;
+        return Fail("mesh.syntax", $"<{xml.LocalName}> needs a number \"{attribute}\".");
     }
 
     private bool TryParse(string? text, out double value)
@@ -196,13 +212,13 @@ internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xm
         return NumberReader.TryParse(_number, 0, text.Length, out value);
     }
 
-    private SourceLocation Place() => _xml is IXmlLineInfo info
-        ? new SourceLocation(_source.Name, info.LineNumber, info.LinePosition, _part)
-        : new SourceLocation(_source.Name, Key: _part);
+    private SourceLocation Place() => xml is IXmlLineInfo info
+        ? new SourceLocation(source.Name, info.LineNumber, info.LinePosition, part)
+        : new SourceLocation(source.Name, Key: part);
 
-    private void Fail(string code, string message)
+    private bool Fail(string code, string message)
     {
         _good = false;
-        _source.Note(Severity.Error, code, message, Place());
+        return source.Fail(code, message, Place());
     }
 }

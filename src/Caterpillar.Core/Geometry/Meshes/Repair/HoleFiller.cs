@@ -31,11 +31,7 @@ internal static class HoleFiller
         }
         if (holes.Count == 0) return (mesh, holes, 0);
         var loose = LoosePieces.Find(mesh, pieces, repaired, holes);
-        var triangles = new List<int>(mesh.RawTriangles.Length + added.Count);
-        for (var h = 0; h < mesh.RawTriangles.Length; h++)
-        {
-            if (!loose[pieces.Of[h / 3]]) triangles.Add(mesh.RawTriangles[h]);
-        }
+        var triangles = mesh.RawTriangles.Where((_, h) => !loose[pieces.Of[h / 3]]).ToList();
         var left = mesh.TriangleCount - triangles.Count / 3;
         triangles.AddRange(added);
         var all = triangles.ToArray();
@@ -85,10 +81,5 @@ internal static class HoleFiller
         return ring.Length >= 3 ? ring : null;
     }
 
-    private static Bounds BoxOf(TriMesh mesh, int[] ring)
-    {
-        var bounds = Bounds.Empty;
-        foreach (var edge in ring) bounds = bounds.Include(mesh.RawVertices[mesh.RawTriangles[edge]]);
-        return bounds;
-    }
+    private static Bounds BoxOf(TriMesh mesh, int[] ring) => Bounds.Of(ring.Select(edge => mesh.RawVertices[mesh.RawTriangles[edge]]));
 }

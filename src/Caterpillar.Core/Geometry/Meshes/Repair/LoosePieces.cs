@@ -14,8 +14,7 @@ internal static class LoosePieces
     /// <summary>True for the pieces that are left out; those that were repaired stay.</summary>
     public static bool[] Find(TriMesh mesh, MeshPieces pieces, bool[] repaired, IReadOnlyList<FilledHole> holes)
     {
-        var boxes = new Bounds[pieces.Count];
-        for (var h = 0; h < mesh.RawTriangles.Length; h++) boxes[pieces.Of[h / 3]] = boxes[pieces.Of[h / 3]].Include(mesh.RawVertices[mesh.RawTriangles[h]]);
+        var boxes = pieces.Boxes(mesh);
         var bins = new Bins(holes, mesh.Bounds);
         var loose = new bool[pieces.Count];
         for (var piece = 0; piece < loose.Length; piece++)

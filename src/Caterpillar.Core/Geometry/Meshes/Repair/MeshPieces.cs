@@ -3,10 +3,6 @@ namespace Caterpillar.Geometry;
 /// <summary>The pieces of a mesh: triangles that are joined over paired edges. Numbered by their first triangle.</summary>
 internal sealed class MeshPieces
 {
-    private readonly List<double> _area = [];
-    private readonly List<double> _volume = [];
-    private readonly List<bool> _closed = [];
-
     public MeshPieces(TriMesh mesh)
     {
         var partner = mesh.Topology.Partner;
@@ -17,7 +13,7 @@ internal sealed class MeshPieces
         for (var first = 0; first < Of.Length; first++)
         {
             if (Of[first] >= 0) continue;
-            var number = _area.Count;
+            var number = Area.Count;
             double area = 0, volume = 0;
             var closed = true;
             Of[first] = number;
@@ -40,23 +36,31 @@ internal sealed class MeshPieces
                     }
                 }
             }
-            _area.Add(area);
-            _volume.Add(volume);
-            _closed.Add(closed);
+            Area.Add(area);
+            Volume.Add(volume);
+            IsClosed.Add(closed);
         }
     }
 
-    public int Count => _area.Count;
+    public int Count => Area.Count;
 
     /// <summary>Number of the piece of each triangle.</summary>
     public int[] Of { get; }
 
     /// <summary>Area of the surface of each piece, mm².</summary>
-    public IReadOnlyList<double> Area => _area;
+    public List<double> Area { get; } = [];
 
     /// <summary>Signed volume of each piece, mm³; negative where its triangles face inward.</summary>
-    public IReadOnlyList<double> Volume => _volume;
+    public List<double> Volume { get; } = [];
 
     /// <summary>True where every edge of a piece has a partner.</summary>
-    public IReadOnlyList<bool> IsClosed => _closed;
+    public List<bool> IsClosed { get; } = [];
+
+    /// <summary>The box around each piece.</summary>
+    public Bounds[] Boxes(TriMesh mesh)
+    {
+        var boxes = new Bounds[Count];
+        for (var h = 0; h < mesh.RawTriangles.Length; h++) boxes[Of[h / 3]] = boxes[Of[h / 3]].Include(mesh.RawVertices[mesh.RawTriangles[h]]);
+        return boxes;
+    }
 }

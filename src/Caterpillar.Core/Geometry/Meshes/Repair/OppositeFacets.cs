@@ -44,15 +44,9 @@ internal static class OppositeFacets
         return (dropped == 0 ? mesh : Without(mesh, drop), dropped);
     }
 
-    /// <summary>The mesh without some of its triangles.</summary>
-    public static TriMesh Without(TriMesh mesh, bool[] drop)
+    private static TriMesh Without(TriMesh mesh, bool[] drop)
     {
-        var kept = new List<int>(mesh.RawTriangles.Length);
-        for (var h = 0; h < mesh.RawTriangles.Length; h++)
-        {
-            if (!drop[h / 3]) kept.Add(mesh.RawTriangles[h]);
-        }
-        var triangles = kept.ToArray();
+        var triangles = mesh.RawTriangles.Where((_, h) => !drop[h / 3]).ToArray();
         return TriMesh.Own(MeshCleaning.DropUnused(mesh.RawVertices, triangles), triangles);
     }
 
@@ -64,21 +58,18 @@ internal static class OppositeFacets
         for (var t = 0; t < triangles.Length / 3; t++)
         {
             int a = triangles[3 * t], b = triangles[3 * t + 1], c = triangles[3 * t + 2];
-            if (known.TryGetValue(Turned(a, c, b), out var other))
+            if (known.TryGetValue(MeshCleaning.Turned(a, c, b), out var other))
             {
                 pairs.Add((other, t));
-                known.Remove(Turned(a, c, b));
+                known.Remove(MeshCleaning.Turned(a, c, b));
             }
             else
             {
-                known[Turned(a, b, c)] = t;
+                known[MeshCleaning.Turned(a, b, c)] = t;
             }
         }
         return pairs;
     }
-
-    // The same triangle from its smallest corner.
-    private static (int, int, int) Turned(int a, int b, int c) => a < b && a < c ? (a, b, c) : b < c ? (b, c, a) : (c, a, b);
 
     private static (long Key, bool Forward) Edge(int[] triangles, int halfEdge)
     {

@@ -17,8 +17,7 @@ internal sealed class MeanValueSpan
     /// <summary>A span of curves, of which the holes run the other way round than the outlines.</summary>
     public MeanValueSpan(IReadOnlyList<Vec3[]> curves)
     {
-        var count = 0;
-        foreach (var curve in curves) count += curve.Length;
+        var count = curves.Sum(curve => curve.Length);
         (_x, _y, _z, _next) = (new double[count], new double[count], new double[count], new int[count]);
         _firsts = new int[curves.Count + 1];
         var (at, number) = (0, 0);

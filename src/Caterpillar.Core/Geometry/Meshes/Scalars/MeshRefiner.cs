@@ -25,10 +25,7 @@ internal sealed class MeshRefiner
     {
         var refiner = new MeshRefiner(mesh);
         while (refiner._faces.Count < most && refiner.Round(longest * longest)) cancel.ThrowIfCancellationRequested();
-        var triangles = new int[refiner._faces.Count * 3];
-        for (var i = 0; i < refiner._faces.Count; i++)
-            (triangles[3 * i], triangles[3 * i + 1], triangles[3 * i + 2]) = refiner._faces[i];
-        return (TriMesh.Own(refiner._points.ToArray(), triangles), refiner._parents);
+        return (TriMesh.Own(refiner._points.ToArray(), refiner._faces), refiner._parents);
     }
 
     private bool Round(double square)

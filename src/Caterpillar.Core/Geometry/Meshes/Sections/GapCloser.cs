@@ -6,43 +6,22 @@ namespace Caterpillar.Geometry;
 /// is turned round). A contour closes on itself while others are still joined only where it is at least twice as long as the gap, so that a fragment does
 /// not curl up. After each round no two ends of different contours are that near, so the number of pairs stays in proportion to the number of ends.
 /// </summary>
-internal sealed class GapCloser
+internal sealed class GapCloser(List<Polyline> lines, double gap)
 {
     private const double FirstReach = 1e-6;
     private const double Growth = 4;
 
-    private readonly List<Polyline> _lines;
-    private readonly double _gap;
-
     // Line i begins at node 2i and ends at node 2i + 1.
-    private readonly int[] _mate;
-    private readonly int[] _chain;
-    private readonly double[] _length;
-    private readonly List<int> _free = [];
+    private readonly int[] _mate = Enumerable.Repeat(-1, 2 * lines.Count).ToArray();
+    private readonly DisjointSets _chains = new(lines.Count);
+    private readonly double[] _length = lines.Select(l => l.Length).ToArray();
+    private readonly List<int> _free = [.. Enumerable.Range(0, 2 * lines.Count)];
     private readonly List<(double Distance, int A, int B)> _pairs = [];
     private readonly Dictionary<(long, long), int> _cells = [];
-    private readonly int[] _nextInCell;
+    private readonly int[] _nextInCell = new int[2 * lines.Count];
     private int _closed;
     private double _sum;
     private double _widest;
-
-    private GapCloser(List<Polyline> lines, double gap)
-    {
-        _lines = lines;
-        _gap = gap;
-        _mate = new int[2 * lines.Count];
-        _nextInCell = new int[2 * lines.Count];
-        _chain = new int[lines.Count];
-        _length = new double[lines.Count];
-        for (var i = 0; i < lines.Count; i++)
-        {
-            _mate[2 * i] = _mate[2 * i + 1] = -1;
-            _chain[i] = i;
-            _length[i] = lines[i].Length;
-            _free.Add(2 * i);
-            _free.Add(2 * i + 1);
-        }
-    }
 
     /// <summary>Joins lines where possible: closed contours are added to the loops, the rest stays in <paramref name="open"/>.</summary>
     public static ClosedGaps Close(List<Polyline> open, List<Polyline> loops, double gap)
@@ -57,7 +36,7 @@ internal sealed class GapCloser
         return new ClosedGaps(closer._closed, closer._sum, closer._widest);
     }
 
-    private Vec3 Position(int node) => _lines[node >> 1][(node & 1) == 0 ? 0 : _lines[node >> 1].Count - 1];
+    private Vec3 Position(int node) => lines[node >> 1][(node & 1) == 0 ? 0 : lines[node >> 1].Count - 1];
 
     // Ends at exactly the same place: beginnings meet ends in their order, what is left over meets its like.
     private void JoinEqualEnds()
@@ -95,7 +74,7 @@ internal sealed class GapCloser
 
     private void JoinWithin(double reach)
     {
-        FindPairs(Math.Min(reach, _gap));
+        FindPairs(Math.Min(reach, gap));
         foreach (var turning in new[] { false, true })
         {
             foreach (var (distance, a, b) in _pairs)
@@ -113,7 +92,7 @@ internal sealed class GapCloser
             if (_mate[node] >= 0) continue;
             var other = OtherEnd(node);
             var distance = Position(node).DistanceTo(Position(other));
-            if (distance <= _gap && _length[Root(node >> 1)] > 1.05 * distance) Join(node, other, distance, true);
+            if (distance <= gap && _length[_chains.Of(node >> 1)] > 1.05 * distance) Join(node, other, distance, true);
         }
     }
 
@@ -127,14 +106,14 @@ internal sealed class GapCloser
     private bool Join(int a, int b, double distance, bool closeShort)
     {
         if (_mate[a] >= 0 || _mate[b] >= 0) return false;
-        var (ca, cb) = (Root(a >> 1), Root(b >> 1));
+        var (ca, cb) = (_chains.Of(a >> 1), _chains.Of(b >> 1));
         if (ca == cb && !closeShort && _length[ca] < 2 * distance) return false;
         _mate[a] = b;
         _mate[b] = a;
         if (ca != cb)
         {
-            _chain[Math.Max(ca, cb)] = Math.Min(ca, cb);
-            _length[Math.Min(ca, cb)] = _length[ca] + distance + _length[cb];
+            _chains.Join(ca, cb);
+            _length[_chains.Of(ca)] = _length[ca] + distance + _length[cb];
         }
         _closed++;
         _sum += distance;
@@ -168,15 +147,9 @@ internal sealed class GapCloser
         _pairs.Sort((p, q) => p.Distance != q.Distance ? p.Distance.CompareTo(q.Distance) : p.A != q.A ? p.A.CompareTo(q.A) : p.B.CompareTo(q.B));
     }
 
-    private int Root(int line)
-    {
-        while (_chain[line] != line) line = _chain[line] = _chain[_chain[line]];
-        return line;
-    }
-
     private void Assemble(List<Polyline> loops)
     {
-        var used = new bool[_lines.Count];
+        var used = new bool[lines.Count];
         var open = new List<Polyline>();
         // Open chains first, from either end; what is left is closed.
         for (var node = 0; node < _mate.Length; node++)
@@ -187,8 +160,8 @@ internal sealed class GapCloser
         {
             if (!used[line] && Trace(2 * line, used, true) is { } loop) loops.Add(loop);
         }
-        _lines.Clear();
-        _lines.AddRange(open);
+        lines.Clear();
+        lines.AddRange(open);
     }
 
     private Polyline? Trace(int start, bool[] used, bool closed)
@@ -197,7 +170,7 @@ internal sealed class GapCloser
         double along = 0, against = 0;
         for (var node = start; node >= 0 && !used[node >> 1]; node = _mate[node ^ 1])
         {
-            var line = _lines[node >> 1];
+            var line = lines[node >> 1];
             used[node >> 1] = true;
             var forward = (node & 1) == 0;
             if (forward) along += line.Length;

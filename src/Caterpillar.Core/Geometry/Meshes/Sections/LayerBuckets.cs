@@ -82,13 +82,6 @@ internal sealed class LayerBuckets
             else if (_heights[at] <= z) at++;
             else return at;
         }
-        int low = 1, high = n - 1;
-        while (low < high)
-        {
-            var middle = (low + high) / 2;
-            if (_heights[middle] <= z) low = middle + 1;
-            else high = middle;
-        }
-        return low;
+        return Search.First(1, n - 1, (_heights, z), static (s, i) => s._heights[i] > s.z);
     }
 }

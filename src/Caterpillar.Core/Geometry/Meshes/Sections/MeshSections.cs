@@ -37,10 +37,7 @@ internal static class MeshSections
         }
         var diagnostics = new DiagnosticList();
         var ordered = new Section[ascending.Length];
-        for (var i = 0; i < ordered.Length; i++)
-        {
-            ordered[order[i]] = sections[i] ?? new Section(ascending[i], [], []);
-        }
+        for (var i = 0; i < ordered.Length; i++) ordered[order[i]] = sections[i] ?? new Section(ascending[i], [], []);
         Report(ordered, diagnostics);
         progress?.Report(1);
         return new Result<IReadOnlyList<Section>>(ordered, diagnostics.ToList());
@@ -79,43 +76,24 @@ internal static class MeshSections
 
     private static (double[] Ascending, int[] Order) Sorted(IReadOnlyList<double> heights)
     {
-        var ascending = new double[heights.Count];
-        var order = new int[ascending.Length];
-        for (var i = 0; i < ascending.Length; i++)
-        {
-            if (double.IsNaN(heights[i] - heights[i])) throw new ArgumentException("The heights must be finite numbers.", nameof(heights));
-            order[i] = i;
-        }
-        Array.Sort(order, (a, b) => heights[a] != heights[b] ? heights[a].CompareTo(heights[b]) : a.CompareTo(b));
-        for (var i = 0; i < ascending.Length; i++) ascending[i] = heights[order[i]];
-        return (ascending, order);
+        if (heights.Any(z => double.IsNaN(z - z))) throw new ArgumentException("The heights must be finite numbers.", nameof(heights));
+        var order = Enumerable.Range(0, heights.Count).OrderBy(i => heights[i]).ToArray();
+        return (Array.ConvertAll(order, i => heights[i]), order);
     }
 
     private static void Report(Section[] sections, DiagnosticList diagnostics)
     {
-        var closed = 0;
-        var widest = 0.0;
-        foreach (var section in sections)
-        {
-            closed += section.Gaps.Count;
-            widest = Math.Max(widest, section.Gaps.Widest);
-        }
+        var closed = sections.Sum(s => s.Gaps.Count);
+        var widest = sections.Select(s => s.Gaps.Widest).DefaultIfEmpty().Max();
         if (closed > 0)
         {
             diagnostics.Add(Severity.Warning, "mesh.gap_closed",
                 $"A gap in a contour was closed. The widest gap is {NumberFormatter.Format(widest, 6)} mm.", null, closed);
         }
-        var ends = 0;
-        Section? first = null;
-        foreach (var section in sections)
-        {
-            ends += section.OpenEnds;
-            if (section.OpenEnds > 0) first ??= section;
-        }
-        if (first is not null)
+        if (sections.FirstOrDefault(s => s.OpenEnds > 0) is { } first)
         {
             diagnostics.Add(Severity.Warning, "mesh.naked_edges",
-                $"The mesh is open: a contour has a loose end, first at z = {NumberFormatter.Format(first.Z, 6)} mm.", null, ends);
+                $"The mesh is open: a contour has a loose end, first at z = {NumberFormatter.Format(first.Z, 6)} mm.", null, sections.Sum(s => s.OpenEnds));
         }
     }
 }

@@ -12,14 +12,10 @@ namespace Caterpillar.Geometry;
 internal sealed record SectionMeasure(double Z, double Length, double Area, int Outer, int Holes, int Open);
 
 /// <summary>Measures of plane sections of one model. Immutable.</summary>
-internal sealed class SectionReport(string model, IReadOnlyList<SectionMeasure> sections)
+/// <param name="Model">Name of the model, for example its file.</param>
+/// <param name="Sections">One entry for each height, in the requested order.</param>
+internal sealed record SectionReport(string Model, IReadOnlyList<SectionMeasure> Sections)
 {
-    /// <summary>Name of the model, for example its file.</summary>
-    public string Model { get; } = model;
-
-    /// <summary>One entry for each height, in the requested order.</summary>
-    public IReadOnlyList<SectionMeasure> Sections { get; } = sections;
-
     /// <summary>Cuts a mesh at heights in mm and measures the sections.</summary>
     /// <returns>The report, and the diagnostics of <see cref="MeshSections.At"/>.</returns>
     /// <exception cref="ArgumentException">A height is not finite.</exception>

@@ -1,25 +1,9 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>A point on the grid of regions: 10 nm.</summary>
-internal readonly struct GridPoint : IEquatable<GridPoint>
+internal readonly record struct GridPoint(int X, int Y)
 {
-    public readonly int X;
-
-    public readonly int Y;
-
-    public GridPoint(int x, int y)
-    {
-        X = x;
-        Y = y;
-    }
-
-    public static bool operator ==(GridPoint a, GridPoint b) => a.X == b.X && a.Y == b.Y;
-
-    public static bool operator !=(GridPoint a, GridPoint b) => !(a == b);
-
-    public bool Equals(GridPoint other) => this == other;
-
-    public override bool Equals(object? obj) => obj is GridPoint other && this == other;
+    public bool Equals(GridPoint other) => X == other.X && Y == other.Y;
 
     public override int GetHashCode() => unchecked(X * 397 ^ Y);
 
@@ -55,6 +39,20 @@ internal static class Grid
     /// <summary>Cross product of b − a and c − a: positive if c is left of the line from a to b. Exact.</summary>
     public static long Cross(GridPoint a, GridPoint b, GridPoint c)
         => ((long)b.X - a.X) * ((long)c.Y - a.Y) - ((long)b.Y - a.Y) * ((long)c.X - a.X);
+
+    /// <summary>Length of a closed ring, in grid units.</summary>
+    public static double Length(GridPoint[] ring)
+    {
+        var sum = 0.0;
+        var a = ring[ring.Length - 1];
+        foreach (var b in ring)
+        {
+            double dx = (double)b.X - a.X, dy = (double)b.Y - a.Y;
+            sum += Math.Sqrt(dx * dx + dy * dy);
+            a = b;
+        }
+        return sum;
+    }
 
     /// <summary>Twice the signed area of a ring. Exact for simple rings (partial sums may wrap around, the total does not).</summary>
     public static long DoubleArea(GridPoint[] ring, int start, int count)

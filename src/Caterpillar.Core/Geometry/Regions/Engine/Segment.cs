@@ -1,20 +1,12 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>A directed segment on the grid.</summary>
-internal struct Segment
+internal struct Segment(GridPoint a, GridPoint b)
 {
-    public int Ax;
-    public int Ay;
-    public int Bx;
-    public int By;
-
-    public Segment(GridPoint a, GridPoint b)
-    {
-        Ax = a.X;
-        Ay = a.Y;
-        Bx = b.X;
-        By = b.Y;
-    }
+    public int Ax = a.X;
+    public int Ay = a.Y;
+    public int Bx = b.X;
+    public int By = b.Y;
 
     public readonly GridPoint A => new(Ax, Ay);
 

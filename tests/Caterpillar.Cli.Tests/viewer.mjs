@@ -1,0 +1,95 @@
+// What a user meets on a page of the viewer, in a real browser: a phone and a desktop, light and dark, by keyboard alone, and for screen readers.
+//   node --experimental-websocket viewer.mjs CHROMIUM PAGE.html
+// Prints a line for each fault; no line is good. With PICTURES=FOLDER, it keeps a picture of each view.
+import { spawn } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const [program, page] = process.argv.slice(2), folder = mkdtempSync(join(tmpdir(), "viewer-"));
+const browser = spawn(program, ["--headless", "--no-sandbox", "--no-first-run", "--disable-background-networking", "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader", "--remote-debugging-port=0", `--user-data-dir=${folder}`, "about:blank"], { stdio: ["ignore", "ignore", "pipe"] });
+const address = await new Promise((found) => browser.stderr.on("data", (text) => {
+  const match = /ws:\/\/\S+/.exec(text);
+  if (match) found(match[0]);
+}));
+const targets = await (await fetch(`http://${address.split("/")[2]}/json/list`)).json();
+const socket = new WebSocket(targets.find((t) => t.type === "page").webSocketDebuggerUrl);
+await new Promise((opened) => { socket.onopen = opened; });
+const answers = new Map();
+let calls = 0, name = "";
+const fault = (text) => console.log(`${name}: ${text}`);
+socket.onmessage = ({ data }) => {
+  const { id, result, method, params } = JSON.parse(data);
+  if (id) answers.get(id)?.(result);
+  else if (method === "Runtime.exceptionThrown") fault("exception " + params.exceptionDetails.text);
+};
+const send = (method, params = {}) => new Promise((answer) => {
+  answers.set(++calls, answer);
+  socket.send(JSON.stringify({ id: calls, method, params }));
+});
+const value = async (expression) => (await send("Runtime.evaluate", { expression, awaitPromise: true, returnByValue: true })).result?.value;
+const wait = (time) => new Promise((done) => setTimeout(done, time));
+const press = async (key, shift = false) => {
+  await send("Input.dispatchKeyEvent", { type: "keyDown", key, modifiers: shift ? 8 : 0, text: key.length === 1 ? key : undefined });
+  await send("Input.dispatchKeyEvent", { type: "keyUp", key });
+};
+const picture = async () => {
+  await wait(400);
+  return (await send("Page.captureScreenshot")).data;
+};
+const focused = () => value("(() => { const a = document.activeElement; return a.getAttribute('aria-label') ?? a.textContent.trim() ?? a.id; })()");
+
+async function look(width, height, theme) {
+  name = `${width} × ${height}, ${theme}`;
+  await send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: width < 700 });
+  await send("Page.navigate", { url: "about:blank" });
+  await send("Page.navigate", { url: `${pathToFileURL(page)}#${theme}&at=0.5` });
+  while (await value("document.documentElement.dataset.state") !== "ready") await wait(100);
+  if (process.env.PICTURES) writeFileSync(join(process.env.PICTURES, `viewer_${width}_${theme}.png`), Buffer.from(await picture(), "base64"));
+  const sliders = await value("[...document.querySelectorAll('#bar .range')].map((r) => r.getBoundingClientRect()).map((b) => [b.width, b.height, b.right])");
+  for (const [w, h, right] of sliders) if (w < 280 || h < 24 || right > width) fault(`a slider of ${w} × ${h} that ends at ${right}`);
+  const small = await value("[...document.querySelectorAll('button, select, label')].filter((b) => b.offsetParent && !b.closest('dialog'))"
+    + ".map((b) => [b.textContent, b.getBoundingClientRect()]).filter(([, b]) => b.width < 24 || b.height < 24).map(([t, b]) => `${t} ${b.width} × ${b.height}`)");
+  for (const target of small) fault("a target is small: " + target);
+  const wide = await value("document.documentElement.scrollWidth");
+  if (wide > width) fault(`the page is ${wide} wide`);
+  if ((theme === "dark") === (width < 700)) await keyboard();
+  await names();
+}
+
+// Once for each size. Tab reaches everything, and keys move the camera, the layers and the time.
+async function keyboard() {
+  const seen = [];
+  for (let i = 0; i < 80; i++) {
+    await press("Tab");
+    seen.push(await focused());
+    if (seen.length > 3 && seen[seen.length - 1] === seen[0]) break;
+  }
+  for (const control of ["Fold or unfold the panel", "Last layer", "Position in the print", "Play"]) if (!seen.includes(control)) fault("Tab does not reach " + control);
+  await value("document.getElementById('view').focus()");
+  for (const [key, shift, what] of [["l", false, "rotate"], ["L", true, "pan"], ["+", false, "zoom"], ["ArrowDown", false, "layers"], ["ArrowLeft", true, "moves"]]) {
+    const before = await picture();
+    await press(key, shift);
+    if (before === await picture()) fault(`${key} changes nothing (${what})`);
+  }
+}
+
+// Each control has a name, and sliders say what their number means.
+async function names() {
+  if (await value("document.getElementById('panel').classList.contains('folded')")) await press("p");
+  const { nodes } = await send("Accessibility.getFullAXTree");
+  for (const node of nodes.filter((n) => !n.ignored && ["button", "slider", "checkbox", "combobox", "application"].includes(n.role?.value)))
+    if (!(node.name?.value ?? "").trim()) fault(`a ${node.role.value} without a name`);
+  const texts = await value("[...document.querySelectorAll('[role=slider]')].filter((s) => s.offsetParent).map((s) => s.getAttribute('aria-valuetext'))");
+  if (texts.length < 3) fault("sliders are missing");
+  if (!texts.some((t) => /layer \d+, height [\d.]+ mm/.test(t)) || !texts.some((t) => / of .*layer/.test(t))) fault("values of sliders are not spoken: " + texts.join("; "));
+}
+
+for (const domain of ["Page", "Runtime", "Accessibility"]) await send(domain + ".enable");
+for (const theme of ["light", "dark"]) for (const [width, height] of [[390, 844], [1440, 900]]) await look(width, height, theme);
+browser.kill();
+await new Promise((ended) => browser.on("exit", ended));
+rmSync(folder, { recursive: true, force: true });
+process.exit(0);

@@ -1,0 +1,143 @@
+// Makes docs/images/canvas_to_print.png: an animated PNG of the first print, from the canvas to the finished part.
+//   node --experimental-websocket tools/animation.mjs CATERPILLAR CHROMIUM [FILE.png]
+// CATERPILLAR is the published program. The pictures of the canvas are docs/images/first_print, those of the print are the viewer's.
+import { execFileSync, spawn } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { deflateSync, inflateSync } from "node:zlib";
+
+const width = 720, height = 480, stepTime = 1.6, printTime = 0.12, lastTime = 2.5, printFrames = 30;
+const root = join(dirname(fileURLToPath(import.meta.url)), ".."), folder = mkdtempSync(join(tmpdir(), "animation-"));
+const [program, chromium, file = join(root, "docs", "images", "canvas_to_print.png")] = process.argv.slice(2);
+
+const crcTable = Int32Array.from({ length: 256 }, (_, n) => {
+  for (let k = 0; k < 8; k++) n = n & 1 ? (n >>> 1) ^ 0xedb88320 : n >>> 1;
+  return n;
+});
+const crc = (bytes) => ~bytes.reduce((sum, byte) => crcTable[(sum ^ byte) & 255] ^ (sum >>> 8), -1);
+
+// The colors of a PNG with 8 bits for each of three or four channels, three bytes for each pixel.
+function read(png) {
+  let at = 8, channels = 3;
+  const parts = [];
+  while (at < png.length) {
+    const length = png.readUInt32BE(at), kind = png.toString("latin1", at + 4, at + 8), data = png.subarray(at + 8, at + 8 + length);
+    if (kind === "IHDR") channels = data[9] === 6 ? 4 : 3;
+    if (kind === "IDAT") parts.push(data);
+    at += 12 + length;
+  }
+  const raw = inflateSync(Buffer.concat(parts)), stride = width * channels, out = Buffer.alloc(width * height * 3);
+  let before = Buffer.alloc(stride);
+  for (let y = 0; y < height; y++) {
+    const filter = raw[y * (stride + 1)], row = Buffer.from(raw.subarray(y * (stride + 1) + 1, (y + 1) * (stride + 1)));
+    for (let i = 0; i < stride && filter; i++) {
+      const left = i >= channels ? row[i - channels] : 0, up = before[i], corner = i >= channels ? before[i - channels] : 0, guess = left + up - corner;
+      const [a, b, c] = [Math.abs(guess - left), Math.abs(guess - up), Math.abs(guess - corner)];
+      row[i] += [0, left, up, (left + up) >> 1, a <= b && a <= c ? left : b <= c ? up : corner][filter];
+    }
+    for (let x = 0; x < width; x++) for (let k = 0; k < 3; k++) out[(y * width + x) * 3 + k] = row[x * channels + k];
+    before = row;
+  }
+  return out;
+}
+
+// The box in which two images differ.
+function changed(image, before) {
+  let [left, top, right, bottom] = [width, height, -1, -1];
+  for (let i = 0; i < image.length; i++) {
+    if (image[i] === before[i]) continue;
+    const x = Math.floor(i / 3) % width, y = Math.floor(i / 3 / width);
+    [left, top, right, bottom] = [Math.min(left, x), Math.min(top, y), Math.max(right, x), Math.max(bottom, y)];
+  }
+  return right < 0 ? [0, 0, 1, 1] : [left, top, right - left + 1, bottom - top + 1];
+}
+
+function pack(image, [x, y, w, h]) {
+  const rows = [];
+  for (let j = y; j < y + h; j++) rows.push(Buffer.of(0), image.subarray((j * width + x) * 3, (j * width + x + w) * 3));
+  return deflateSync(Buffer.concat(rows), { level: 9 });
+}
+
+function write(frames) {
+  const out = [Buffer.of(0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10)];
+  const words = (...values) => Buffer.concat(values.map(([size, value]) => {
+    const bytes = Buffer.alloc(size);
+    bytes.writeUIntBE(value, 0, size);
+    return bytes;
+  }));
+  const chunk = (kind, data) => {
+    const body = Buffer.concat([Buffer.from(kind, "latin1"), data]);
+    out.push(words([4, data.length]), body, words([4, crc(body) >>> 0]));
+  };
+  chunk("IHDR", words([4, width], [4, height], [1, 8], [1, 2], [1, 0], [1, 0], [1, 0]));
+  chunk("acTL", words([4, frames.length], [4, 0]));
+  let number = 0, before = null;
+  for (const [image, seconds] of frames) {
+    const box = before ? changed(image, before) : [0, 0, width, height], data = pack(image, box);
+    chunk("fcTL", words([4, number++], [4, box[2]], [4, box[3]], [4, box[0]], [4, box[1]], [2, Math.round(seconds * 100)], [2, 100], [1, 0], [1, 0]));
+    if (before) chunk("fdAT", Buffer.concat([words([4, number++]), data]));
+    else chunk("IDAT", data);
+    before = image;
+  }
+  chunk("IEND", Buffer.alloc(0));
+  writeFileSync(file, Buffer.concat(out));
+}
+
+// One page in the browser, of which pictures are taken.
+async function opened() {
+  const browser = spawn(chromium, ["--headless", "--no-sandbox", "--no-first-run", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+    "--remote-debugging-port=0", `--user-data-dir=${join(folder, "profile")}`, "about:blank"], { stdio: ["ignore", "ignore", "pipe"] });
+  const address = await new Promise((found) => browser.stderr.on("data", (text) => {
+    const match = /ws:\/\/\S+/.exec(text);
+    if (match) found(match[0]);
+  }));
+  const targets = await (await fetch(`http://${address.split("/")[2]}/json/list`)).json();
+  const socket = new WebSocket(targets.find((t) => t.type === "page").webSocketDebuggerUrl), answers = new Map();
+  await new Promise((open) => { socket.onopen = open; });
+  let calls = 0;
+  socket.onmessage = ({ data }) => answers.get(JSON.parse(data).id)?.(JSON.parse(data).result);
+  const send = (method, params = {}) => new Promise((answer) => {
+    answers.set(++calls, answer);
+    socket.send(JSON.stringify({ id: calls, method, params }));
+  });
+  const wait = (time) => new Promise((done) => setTimeout(done, time));
+  const value = async (expression) => (await send("Runtime.evaluate", { expression })).result?.value;
+  await send("Page.enable");
+  await send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: false });
+  return {
+    async picture(url, isReady, prepare = "") {
+      await send("Page.navigate", { url: "about:blank" });
+      await send("Page.navigate", { url });
+      while (!await value(isReady)) await wait(50);
+      if (prepare) await value(prepare);
+      await wait(500);
+      return read(Buffer.from((await send("Page.captureScreenshot")).data, "base64"));
+    },
+    close: () => browser.kill(),
+  };
+}
+
+const page = await opened(), frames = [];
+for (let step = 1; step <= 5; step++) {
+  const svg = readFileSync(join(root, "docs", "images", "first_print", `${step}.svg`), "utf8"), html = join(folder, `${step}.html`);
+  writeFileSync(html, `<body style="margin:0;background:#d4d0c8;display:flex;height:100vh;align-items:center;justify-content:center">
+    <img src="data:image/svg+xml;base64,${Buffer.from(svg).toString("base64")}" style="max-width:100%;max-height:100%">`);
+  frames.push([await page.picture(pathToFileURL(html), "document.images[0]?.complete"), stepTime]);
+}
+const code = join(folder, "vase.gcode"), html = join(folder, "vase.html");
+execFileSync(program, ["slice", join(root, "examples", "models", "vase.stl"), "--scale", "0.5", "-o", code, "-q"]);
+execFileSync(program, ["view", code, "--printer", "generic", "-o", html, "-q"]);
+// Only the view: the panels are moved out of the picture.
+const outside = "#panel, #bar, #message, #refining { left: 100% !important; top: 100% !important; width: 1px !important; height: 1px !important; overflow: hidden; }";
+writeFileSync(html, readFileSync(html, "utf8").replace("</style>", outside + "</style>"));
+for (let k = 1; k <= printFrames; k++) {
+  const hash = `#light&at=${k / printFrames}&view=-60,24`;
+  frames.push([await page.picture(pathToFileURL(html) + hash, "document.documentElement.dataset.state === 'ready'"), k < printFrames ? printTime : lastTime]);
+}
+page.close();
+write(frames);
+rmSync(folder, { recursive: true, force: true, maxRetries: 5, retryDelay: 200 });
+console.log(`${file}: ${frames.length} images, ${(readFileSync(file).length / 1e6).toFixed(2)} MB`);
+process.exit(0);
