@@ -59,6 +59,7 @@ internal static class ProfileManual
             `start_gcode` and `end_gcode` are the lines before and after the print, `layer_change_gcode` those before each layer except the first,
             `tool_change_gcode` those for a tool change. Braces contain any key of the three profiles, any name from the list below, or a formula
             (`{min(print_max_z_mm + 10, bed_max_z_mm)}`). `{{` and `}}` are literal braces. Numbers are written with up to five decimals.
+            Keys of materials are those of tool 0, in `tool_change_gcode` those of the new tool.
 
             ```
             {if bed_temperature_c > 0}

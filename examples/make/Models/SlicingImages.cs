@@ -30,6 +30,8 @@ internal static class SlicingImages
         Draw(folder, "adaptive", dome, adaptive, 0, 999, new View(-60, 8), ColorBy.Layer);
         Draw(folder, "brim", Table(), plain with { BrimWidth = 4, SkirtLoops = 2, SkirtDistance = 4 }, 0, 3, Slanted);
         Draw(folder, "raft", Table(), plain with { RaftLayers = 3 }, 0, 6, Slanted);
+        var tools = plain with { PurgeTower = true, PurgeVolume = 20, PurgeTowerWidth = 25, WallTool = 1 };
+        Draw(folder, "two_tools", Revolved((12, 0), (12, 8)), tools, 0, 75, Slanted);
         var vase = plain with { SpiralVase = true, LayerHeight = 0.6, FirstLayerHeight = 0.6, LineWidth = 0.8 };
         Draw(folder, "vase", Revolved((8, 0), (12, 6), (13, 10), (10, 18), (12, 24)), vase, 0, 999, Slanted);
         Draw(folder, "rough", Revolved((8, 0), (8, 10)), plain with { FuzzySkinThickness = 0.25, LayerHeight = 0.3 }, 0, 25, Slanted);
@@ -42,7 +44,7 @@ internal static class SlicingImages
 
     private static void Draw(string folder, string name, TriMesh mesh, PrintSettings settings, int from, int to, View view, ColorBy color = ColorBy.Role)
     {
-        var setup = new PrintSetup { Settings = settings };
+        var setup = new PrintSetup { Settings = settings, Printer = new Printer { ToolOffsets = new(Vec3.Zero, Vec3.Zero) } };
         var sliced = PlanarSlicer.Slice([new NamedMesh(name, mesh.Moved(new Vec3(100, 100)))], settings).Value ?? throw new InvalidOperationException(name);
         var steps = sliced.Layers.Where((_, i) => i >= from && i <= to).SelectMany(l => l.Steps).ToArray();
         var toolpath = Planner.Plan(steps, setup).Value ?? throw new InvalidOperationException(name);

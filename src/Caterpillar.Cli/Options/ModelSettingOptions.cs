@@ -24,7 +24,7 @@ internal sealed class ModelSettingOptions
             var model = text[..colon];
             var values = Values(text[(colon + 1)..]);
             var with = session.ValueOrFail(setup.With(values), ExitCode.Usage);
-            if (with.Printer != setup.Printer || with.Material != setup.Material)
+            if (with.Printer != setup.Printer || with.Material != setup.Material || !with.ToolMaterials.Equals(setup.ToolMaterials))
                 throw new CliException(ExitCode.Usage, $"--for {text}: only print settings can differ between models. Use --set for printer and material.");
             parts.Add((model, values));
         }

@@ -24,7 +24,8 @@ internal sealed class SetupOptions
 
     public Described<string?> Printer { get; }
 
-    public Described<string?> Material { get; } = new("--material", "Material profile: name or JSON file. Default: set by the printer.", "NAME|FILE", "-m");
+    public Described<string[]> Material { get; } = new("--material",
+        "Material profile: name or JSON file. Repeat for the next tools. Default: set by the printer.", "NAME|FILE", "-m");
 
     public Described<string?> Settings { get; } = new("--settings",
         "Print settings: name or JSON file, or G-code, a 3MF project or .ini of another slicer, whose whole setup is used. Default: set by the printer.",
@@ -60,13 +61,13 @@ internal sealed class SetupOptions
         var values = arguments.GetValue(Set) ?? [];
         if (own is null || IsGiven(arguments)) own = [];
         var printer = own.Count > 0 ? own[0] : arguments.GetValue(Printer) ?? "generic";
-        var material = arguments.GetValue(Material) ?? (own.Count > 1 ? own[1] : null);
+        var materials = arguments.GetValue(Material) is { Length: > 0 } given ? given : own.Skip(1).Take(1).ToArray();
         var settings = arguments.GetValue(Settings) ?? (own.Count > 2 ? own[2] : null);
         if (settings is not null && ProfileImport.HasSetup(settings)) return OfFile(settings, arguments, values, session);
-        var plain = session.Profiles.Setup(printer, material, settings);
+        var plain = session.Profiles.Setup(printer, materials.FirstOrDefault(), settings);
         if (plain.Diagnostics.Any(d => d.Code == "profile.not_found")) session.ValueOrFail(plain, ExitCode.Usage);
-        if (values.Length == 0 || plain.Value is null) return session.ValueOrFail(plain);
-        return session.ValueOrFail(session.Profiles.Setup(printer, material, settings, values), ExitCode.Usage);
+        if ((values.Length == 0 && materials.Length < 2) || plain.Value is null) return session.ValueOrFail(plain);
+        return session.ValueOrFail(session.Profiles.Setup(printer, materials.FirstOrDefault(), settings, values, [.. materials.Skip(1)]), ExitCode.Usage);
     }
 
     // The setup of a written file, with the printer and material of the options if they are given.
@@ -75,8 +76,11 @@ internal sealed class SetupOptions
         var read = ProfileImport.ReadSetup(file);
         var setup = session.ValueOrFail(read, read.Diagnostics.Any(d => d.Code == "profile.not_found") ? ExitCode.Usage : ExitCode.BadInput);
         if (IsGiven(arguments)) setup = setup with { Printer = session.ValueOrFail(session.Profiles.Printer(arguments.GetValue(Printer)!), ExitCode.Usage) };
-        if (arguments.GetValue(Material) is { } material)
-            setup = setup with { Material = session.ValueOrFail(session.Profiles.Material(material), ExitCode.Usage) };
+        if (arguments.GetValue(Material) is { Length: > 0 } names)
+        {
+            var materials = Array.ConvertAll(names, name => session.ValueOrFail(session.Profiles.Material(name), ExitCode.Usage));
+            setup = setup with { Material = materials[0], ToolMaterials = new(materials.Skip(1)) };
+        }
         setup = session.ValueOrFail(setup.With(values), ExitCode.Usage);
         var found = setup.Check();
         return session.ValueOrFail(new Result<PrintSetup>(found.Any(d => d.Severity == Severity.Error) ? null : setup, found));

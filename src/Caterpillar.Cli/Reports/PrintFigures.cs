@@ -24,15 +24,23 @@ internal sealed record PrintFigures(
     public IReadOnlyList<double?> Values => [Layers, Size?.X, Size?.Y, Size?.Z, Printed, Volume, Filament, Mass, Seconds];
 
     /// <summary>Of a plan.</summary>
-    public static PrintFigures Of(Toolpath toolpath, PrintSetup setup) => Of(toolpath, setup.Material.FilamentDiameter, setup.Material.Density, null);
+    public static PrintFigures Of(Toolpath toolpath, PrintSetup setup) => Of(toolpath, setup, null);
 
     /// <summary>Layers and size of the plan; time and material of the whole file, with start and end code.</summary>
     public PrintFigures OfFile(Toolpath file, PrintSetup setup, double seconds)
-        => Of(file, setup.Material.FilamentDiameter, setup.Material.Density, this) with { Seconds = seconds };
+        => Of(file, setup, this) with { Seconds = seconds };
 
     /// <summary>Of a decoded file, whose moves may have been edited.</summary>
     public static PrintFigures Of(DecodedGCode decoding, Toolpath toolpath)
         => Of(toolpath, Setting(decoding, "filament_diameter"), Setting(decoding, "filament_density"), null);
+
+    private static PrintFigures Of(Toolpath toolpath, PrintSetup setup, PrintFigures? planned)
+    {
+        var figures = Of(toolpath, setup.Material.FilamentDiameter, setup.Material.Density, planned);
+        if (setup.ToolMaterials.Count == 0 || figures.Mass is null) return figures;
+        var values = PrintValues.Of(setup, toolpath);
+        return figures with { Filament = values.Number("filament_used_mm"), Mass = values.Number("material_used_g") };
+    }
 
     // Diameter in mm and density in g/cm³; 0 = unknown.
     private static PrintFigures Of(Toolpath toolpath, double diameter, double density, PrintFigures? planned)

@@ -55,8 +55,8 @@ public sealed record ModelPlacing
         if (LayFlat) models = models.LaidFlat();
         if (Arrange || Copies > 1)
         {
-            var options = new ArrangeOptions { Spacing = Spacing, OneAfterTheOther = byObject, KeepFree = PrimedArea.Of(setup) };
-            var arranged = ModelArranger.Arrange(models.Copies(Copies), printer, options, cancel);
+            var options = new ArrangeOptions { Spacing = Spacing, OneAfterTheOther = byObject };
+            var arranged = ModelArranger.Arrange(models.Copies(Copies), PrimedArea.Excluded(setup), options, cancel);
             if (arranged.Value is null) return arranged;
             models = arranged.Value;
         }

@@ -80,6 +80,7 @@ public sealed class PrintJob : IDisposable
             var slicing = new SliceOptions
             {
                 Threads = options.Threads, Memory = options.Memory, InfillLines = options.InfillLines,
+                Printer = setup.Settings.PurgeTower ? PrimedArea.Excluded(setup, isForTower: true) : setup.Printer,
                 Take = layers => overlap.Pipeline.Add([.. layers.SelectMany(l => l.Steps)]),
             };
             var sliced = PlanarSlicer.SliceEach(models, setup.Settings, slicing, progress, cancel);
@@ -218,11 +219,11 @@ public sealed class PrintJob : IDisposable
         return After(found, Planned(plan, setup, options, layers, null, null, cancel));
     }
 
-    // Loops around the part and rafts are for beds.
+    // Loops around the part, rafts and towers are for beds.
     private static Result<PrintJob> SliceOnto(
         IReadOnlyList<SliceModel> models, PrintSetup setup, PrintJobOptions options, IProgress<double>? progress, CancellationToken cancel)
     {
-        static PrintSettings Plain(PrintSettings settings) => settings.WithoutSkirtAndBrim with { RaftLayers = 0 };
+        static PrintSettings Plain(PrintSettings settings) => settings.WithoutSkirtAndBrim with { RaftLayers = 0, PurgeTower = false };
         var plain = models.Select(m => new SliceModel(m.Mesh, Plain(m.Settings))).ToArray();
         var slicing = new SliceOptions { Threads = options.Threads, Memory = options.Memory };
         var flat = PlanarSlicer.SliceEach(plain, Plain(setup.Settings), slicing, progress.Part(0, 0.6), cancel);

@@ -71,17 +71,7 @@ public static class Planner
 
     internal static PlanRules Rules(PrintSetup setup, PlanPolicy policy)
     {
-        var (printer, material, settings, law) = (setup.Printer, setup.Material, setup.Settings, setup.Extrusion);
-        var tool = new ToolRules(
-            law.VolumePerE,
-            law.EOfFilament(setup.RetractionLength),
-            setup.RetractionSpeed,
-            printer.DeretractionSpeed > 0 ? printer.DeretractionSpeed : setup.RetractionSpeed,
-            law.EOfFilament(printer.DeretractionExtra),
-            law.FilamentPerE)
-        {
-            PressureAdvance = policy == PlanPolicy.AsDrawn ? null : material.PressureAdvance,
-        };
+        var (printer, material, settings) = (setup.Printer, setup.Material, setup.Settings);
         var motion = policy == PlanPolicy.AsDrawn ? null : new CommandedMotion(setup);
         var heads = HeadCorridor.Rings(printer.HeadOutline.Select(p => (p.Radius, p.Height)))
             .Concat(printer.HeadBoxes.Select(b => (
@@ -90,7 +80,8 @@ public static class Planner
         return new PlanRules
         {
             Policy = policy,
-            Tools = Enumerable.Repeat(tool, printer.ToolCount).ToArray(),
+            Tools = [.. Enumerable.Range(0, printer.ToolCount).Select(tool => ToolRulesOf(setup.OfTool(tool), policy))],
+            SharedNozzle = printer.SharedNozzle,
             PrintSpeed = settings.SpeedOf,
             TravelSpeed = settings.TravelSpeed,
             ZHopSpeed = printer.ZHopSpeed,
@@ -106,28 +97,19 @@ public static class Planner
             Comb = settings.Comb,
             MaxCombDetour = settings.AvoidCrossingMaxDetour,
             CombInset = settings.LineWidth,
-            // As drawn, a design that asks for too much is refused when it is written.
-            MaxFlow = policy == PlanPolicy.AsDrawn ? double.PositiveInfinity : setup.MaxFlow,
             MinLayerTime = settings.MinLayerTime,
             LayerTimeWait = policy == PlanPolicy.AsDrawn ? LayerTimeWait.None : settings.LayerTimeWait,
             Reach = printer.BuildBounds,
-            MaxFan = Math.Max(material.MinFanSpeedPercent, material.MaxFanSpeedPercent) / 100,
-            FanTime = material.FanLayerTime,
             MinRetractTravel = settings.RetractionMinTravel,
-            // Firmware retraction cannot be spread over a move.
-            WipeDistance = printer.FirmwareRetraction ? 0 : setup.WipeDistance,
+            WipeDistance = setup.WipeDistance,
+            CanWipe = !printer.FirmwareRetraction,
             StartDistance = settings.StartDistance,
             CoastingDistance = settings.CoastingDistance,
             SeamGap = settings.SeamGap,
             DeretractDuringDescent = settings.DeretractDuringDescent && !printer.FirmwareRetraction,
             Shape = settings.BeadShape,
-            NozzleTemperature = material.NozzleTemperature > 0 ? material.NozzleTemperature : null,
-            FirstLayerNozzleTemperature = material.FirstLayerNozzleTemperature > 0
-                && material.NozzleTemperature > 0 ? material.FirstLayerNozzleTemperature : null,
             BedTemperature = material.BedTemperature > 0 ? material.BedTemperature : null,
             FirstLayerBedTemperature = material.FirstLayerBedTemperature > 0 && material.BedTemperature > 0 ? material.FirstLayerBedTemperature : null,
-            Fan = material.MinFanSpeedPercent / 100,
-            FanOffLayers = material.FanOffLayers,
             Acceleration = printer.PrintAcceleration,
             Motion = motion is { MostAcceleration: null, MostJerk: null } ? null : motion,
             SeparateAccelerations = printer.Flavor.SeparateAccelerations,
@@ -135,6 +117,24 @@ public static class Planner
                 ? new RetractionEvent(material.RetractionLength, material.RetractionSpeed, null, null) : null,
             FirstLayerHeight = settings.FirstLayerHeight,
             LayerHeight = settings.LayerHeight,
+        };
+    }
+
+    private static ToolRules ToolRulesOf(PrintSetup setup, PlanPolicy policy)
+    {
+        var law = setup.Extrusion;
+        return new ToolRules(
+            law.VolumePerE,
+            law.EOfFilament(setup.RetractionLength),
+            setup.RetractionSpeed,
+            setup.Printer.DeretractionSpeed > 0 ? setup.Printer.DeretractionSpeed : setup.RetractionSpeed,
+            law.EOfFilament(setup.Printer.DeretractionExtra),
+            law.FilamentPerE)
+        {
+            PressureAdvance = policy == PlanPolicy.AsDrawn ? null : setup.Material.PressureAdvance,
+            // As drawn, a design that asks for too much is refused when it is written.
+            MaxFlow = policy == PlanPolicy.AsDrawn ? double.PositiveInfinity : setup.MaxFlow,
+            Material = setup.Material,
         };
     }
 }

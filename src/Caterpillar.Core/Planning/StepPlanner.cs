@@ -54,7 +54,7 @@ internal sealed class StepPlanner
     {
         var below = _clock;
         _steps = steps;
-        if (_rules.LayerTimeWait != LayerTimeWait.None || _rules.FanTime > 0) _clock = new LayerClock(steps, _rules);
+        if (_rules.LayerTimeWait != LayerTimeWait.None || _rules.Tools.Any(t => t.Material is { FanLayerTime: > 0 })) _clock = new LayerClock(steps, _rules);
         NotePlaces();
         for (var i = 0; i < _steps.Length; i++)
         {
@@ -81,7 +81,8 @@ internal sealed class StepPlanner
     /// <summary>The moves of all steps. Adds the remaining diagnostics.</summary>
     public Toolpath Build()
     {
-        _slowed.Report(_rules.MaxFlow, _diagnostics);
+        _overrides.End();
+        _slowed.Report(_diagnostics);
         if (_overrides.CouldNotRevert)
             _diagnostics.Add(Severity.Note, "plan.override_kept",
                 "A path overrides a setting whose default is unknown. The new value stays in effect after the path.");
@@ -110,8 +111,8 @@ internal sealed class StepPlanner
             return;
         }
         _counts.Paths++;
-        if (path.Tool != _emitter.Tool) SwitchTool(path.Tool);
         _emitter.EnterLayer(path.Layer);
+        if (path.Tool != _emitter.Tool) SwitchTool(path.Tool, path);
         var flows = _goesOn && _emitter.Retracted == 0 && _emitter.Position.DistanceTo(path.Start) <= TravelPlanner.Touching;
         _goesOn = step.GoesOn && IsNext(index, path.End);
         _travel.To(path.Start, direct: !_prepared, step.Region);
@@ -229,7 +230,7 @@ internal sealed class StepPlanner
                 Extrude(extrude);
                 return;
             case ToolEvent tool:
-                if (tool.Tool != _emitter.Tool) SwitchTool(tool.Tool);
+                if (tool.Tool != _emitter.Tool) SwitchTool(tool.Tool, null);
                 return;
             case DwellEvent dwell:
                 _emitter.Dwell(dwell);
@@ -255,9 +256,18 @@ internal sealed class StepPlanner
         _prepared = false;
     }
 
-    private void SwitchTool(int tool)
+    // Where the tool heats up, it drips: on the purge tower, if that comes next.
+    private void SwitchTool(int tool, PrintPath? next)
     {
-        if (_emitter.IsPlaced) _travel.RetractFor(double.PositiveInfinity);
-        _emitter.SwitchTool(tool);
+        if (_emitter.IsPlaced)
+        {
+            _travel.RetractFor(double.PositiveInfinity);
+            if (next is { Role: Role.PrimeTower })
+            {
+                _travel.To(next.Start, direct: false, null);
+                if (_emitter.Retracted == 0) _travel.RetractFor(double.PositiveInfinity);
+            }
+        }
+        _overrides.SwitchTool(tool, next);
     }
 }

@@ -23,7 +23,7 @@ internal sealed class StatisticsSums(Timeline timeline)
             cancel.ThrowIfCancellationRequested();
             Block(block);
         }
-        var material = timeline.Setup.Material;
+        double? mass = 0, cost = 0;
         var all = new Sum();
         var tools = new List<ToolUse>();
         foreach (var pair in _tools)
@@ -31,10 +31,14 @@ internal sealed class StatisticsSums(Timeline timeline)
             var sum = pair.Value;
             all.Volume += sum.Volume;
             all.VolumeUnknown |= sum.VolumeUnknown;
-            all.E += FilamentOf(pair.Key, sum.E);
-            tools.Add(new ToolUse(pair.Key, sum.Time, FilamentOf(pair.Key, sum.E), sum.KnownVolume, Mass(sum.KnownVolume)));
+            var (material, filament) = (timeline.Setup.OfTool(pair.Key).Material, FilamentOf(pair.Key, sum.E));
+            all.E += filament;
+            // mm³ and g/cm³
+            var grams = sum.KnownVolume / 1000 * material.Density;
+            mass += grams;
+            cost += grams / 1000 * material.CostPerKg;
+            tools.Add(new ToolUse(pair.Key, sum.Time, filament, sum.KnownVolume, grams));
         }
-        var mass = Mass(all.KnownVolume);
         return new PrintStatistics
         {
             Duration = timeline.Duration,
@@ -49,7 +53,7 @@ internal sealed class StatisticsSums(Timeline timeline)
             Volume = all.KnownVolume,
             Filament = all.E,
             Mass = mass,
-            Cost = material.CostPerKg > 0 ? mass / 1000 * material.CostPerKg : null,
+            Cost = cost > 0 ? cost : null,
             GreatestFlow = _flowMove >= 0 ? _flow : null,
             GreatestFlowMove = _flowMove,
             GreatestSpeed = _speed,
@@ -111,10 +115,7 @@ internal sealed class StatisticsSums(Timeline timeline)
         if (length > 0 && volume / length * timeline.PeakOf(move) is { } flow && flow > _flow) (_flow, _flowMove) = (flow, move);
     }
 
-    private double FilamentOf(int tool, double e) => e * MotionPlanner.FilamentPerE(_toolpath.VolumePerE(tool), timeline.Setup);
-
-    // mm³ and g/cm³
-    private double? Mass(double? volume) => volume / 1000 * timeline.Setup.Material.Density;
+    private double FilamentOf(int tool, double e) => e * MotionPlanner.FilamentPerE(tool, _toolpath.VolumePerE(tool), timeline.Setup);
 
     private sealed class Sum
     {

@@ -74,9 +74,9 @@ internal sealed class InputPorts(GH_Component.GH_InputParamManager manager, List
         => Add(new SetupParam(), "Setup", "Se", "Print setup, or the name of a printer profile. " + more, optional: true);
 
     /// <summary>A profile: from the menu, by name, from a file or from a wire.</summary>
-    public void Profile(IGH_Param param, string name, string nick, string more)
+    public void Profile(IGH_Param param, string name, string nick, string more, GH_ParamAccess access = Item)
         => Add(param, name, nick, $"Profile from the menu, its name, or a file (JSON). Or {name.ToLowerInvariant()} from another component. " + more,
-            optional: true);
+            access, optional: true);
 
     /// <summary>Deviation of meshes from curved surfaces.</summary>
     public void MeshTolerance() => Number("Tolerance", "T", "Maximum deviation of the mesh from a curved surface, in mm.", 0.05);

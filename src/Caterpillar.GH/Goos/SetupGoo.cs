@@ -54,6 +54,7 @@ public sealed class SetupGoo(PrintSetup? setup) : ValueGoo<PrintSetup>(setup), I
         writer.SetInt32("Version", StoredText.Version);
         new PrinterGoo(Value.Printer).Write(writer.CreateChunk("Printer"));
         new MaterialGoo(Value.Material).Write(writer.CreateChunk("Material"));
+        for (var i = 0; i < Value.ToolMaterials.Count; i++) new MaterialGoo(Value.ToolMaterials[i]).Write(writer.CreateChunk("ToolMaterial", i));
         new SettingsGoo(Value.Settings).Write(writer.CreateChunk("Settings"));
         if (Value.PrintedOn is { } mesh) writer.SetByteArray("PrintedOn", MeshBytes.Pack(mesh));
         return true;
@@ -64,11 +65,18 @@ public sealed class SetupGoo(PrintSetup? setup) : ValueGoo<PrintSetup>(setup), I
         if (!reader.ChunkExists("Printer")) return true;
         var (printer, material, settings) = (new PrinterGoo(), new MaterialGoo(), new SettingsGoo());
         var whole = printer.Read(reader.FindChunk("Printer")) && material.Read(reader.FindChunk("Material")) && settings.Read(reader.FindChunk("Settings"));
+        var others = new List<Material>();
+        for (var i = 0; whole && reader.ChunkExists("ToolMaterial", i); i++)
+        {
+            var other = new MaterialGoo();
+            whole = other.Read(reader.FindChunk("ToolMaterial", i));
+            others.Add(other.Value);
+        }
         if (!whole) return false;
         var printsOn = reader.ItemExists("PrintedOn");
         var mesh = printsOn ? MeshBytes.Unpack(reader.GetByteArray("PrintedOn")) : null;
         if (printsOn && mesh is null) return false;
-        Value = new PrintSetup(printer.Value, material.Value, settings.Value) { PrintedOn = mesh };
+        Value = new PrintSetup(printer.Value, material.Value, settings.Value) { PrintedOn = mesh, ToolMaterials = new(others) };
         return true;
     }
 
@@ -76,7 +84,8 @@ public sealed class SetupGoo(PrintSetup? setup) : ValueGoo<PrintSetup>(setup), I
     internal bool ReadPart(GH_IReader reader) => !reader.ChunkExists("Setup") || Read(reader.FindChunk("Setup"));
 
     protected override string Describe(PrintSetup value)
-        => $"Print Setup ({value.Printer.Title}, nozzle {N(value.Printer.NozzleDiameter)} mm; {value.Material.Title}; {value.Settings.Title}, layers of "
+        => $"Print Setup ({value.Printer.Title}, nozzle {N(value.Printer.NozzleDiameter)} mm; "
+            + $"{string.Join(" + ", value.ToolMaterials.Prepend(value.Material).Select(m => m.Title))}; {value.Settings.Title}, layers of "
             + $"{N(value.Settings.LayerHeight)} mm, lines of {N(value.Settings.LineWidth)} mm{(value.PrintedOn is null ? "" : "; prints on an object")})";
 
     private static string N(double value) => NumberFormatter.Format(value, 3);

@@ -12,15 +12,16 @@ internal static class Profiles
     /// <summary>A library of the profiles that are in the folder now.</summary>
     public static ProfileLibrary Library => new(UserFolder);
 
-    /// <summary>A setup. What is null is the generic printer, and the material and settings that the printer names.</summary>
-    public static Result<PrintSetup> Setup(Printer? printer = null, Material? material = null, PrintSettings? settings = null)
+    /// <summary>A setup. What is null is the generic printer, and the material and settings that the printer names. Others are for tools from 1 on.</summary>
+    public static Result<PrintSetup> Setup(
+        Printer? printer = null, Material? material = null, PrintSettings? settings = null, IEnumerable<Material>? others = null)
     {
         var machine = Given(printer) ?? Library.Printer("generic");
         var filament = Given(material) ?? Library.Material(machine.Value?.DefaultMaterial ?? "pla");
         var rules = Given(settings) ?? Library.Settings(machine.Value?.DefaultSettings ?? "standard");
         Diagnostic[] problems = [.. machine.Diagnostics, .. filament.Diagnostics, .. rules.Diagnostics];
         if (machine.Value is null || filament.Value is null || rules.Value is null) return new Result<PrintSetup>(null, problems);
-        var setup = new PrintSetup(machine.Value, filament.Value, rules.Value);
+        var setup = new PrintSetup(machine.Value, filament.Value, rules.Value) { ToolMaterials = new(others ?? []) };
         var findings = setup.Check();
         return new Result<PrintSetup>(findings.Any(f => f.Severity == Severity.Error) ? null : setup, [.. problems, .. findings]);
     }

@@ -171,7 +171,9 @@ public class LimitCheckTests
             foreach (var what in before) b.AddEvent(what);
             b.Add(new Vec3(20, 10, 0.2), 0.1, 0.1, 10, MoveKind.Print, Role.Unspecified, -1, tool, 0);
         }
-        Assert.That(Run(two, b => With(b, 1, new NozzleTemperatureEvent(210), new ToolEvent(1))), Is.Empty, "one nozzle for both, or both heated");
+        var shared = two with { Printer = two.Printer with { SharedNozzle = true } };
+        Assert.That(Run(shared, b => With(b, 1, new NozzleTemperatureEvent(210), new ToolEvent(1))), Is.Empty, "one nozzle for both");
+        Assert.That(Run(two, b => With(b, 1, new NozzleTemperatureEvent(210), new ToolEvent(1))).Single().Code, Is.EqualTo("limit.cold_extrusion"));
         Assert.That(Run(two, b => With(b, 0, new NozzleTemperatureEvent(210, Tool: 0), new NozzleTemperatureEvent(0, Tool: 1))), Is.Empty,
             "the other one is cold");
         Assert.That(Run(two, b => With(b, 1, new NozzleTemperatureEvent(210, Tool: 0), new ToolEvent(1))).Single().Code, Is.EqualTo("limit.cold_extrusion"));

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
+using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
@@ -168,7 +169,8 @@ public class PlanningTests
             Line(0, 0, 10, 0, 0), Line(10, 0, 20, 0, 0).With(overrides: hot), Line(20, 0, 30, 0, 0).With(overrides: hot), Line(30, 0, 40, 0, 0),
             new FanEvent(0.5), Line(40, 0, 50, 0, 0).With(overrides: hot), Line(50, 0, 60, 0, 0),
         ];
-        var toolpath = Plan(steps, Rules with { NozzleTemperature = 200, Fan = 1 }).Toolpath;
+        var material = new Material { NozzleTemperature = 200, FanOffLayers = 0 };
+        var toolpath = Plan(steps, Rules with { Tools = [Rules.Tools[0] with { Material = material }] }).Toolpath;
         Assert.That(toolpath.Events, Is.EqualTo(new MoveEvent[]
         {
             new(0, new FanEvent(1)), new(1, new NozzleTemperatureEvent(230)), new(1, new FanEvent(0)), new(3, new NozzleTemperatureEvent(200)),

@@ -40,8 +40,10 @@ public class BedAreaTests
     [TestCase(8, 97.1, true)]
     public void An_area_stays_free(double x, double y, bool fits)
     {
-        var options = new ArrangeOptions { KeepFree = new Bounds(new Vec3(5, 10, 0), new Vec3(6, 90, 0.3)) };
-        Assert.That(new BedArea(new Printer { BuildVolume = new Vec3(200, 200, 50) }, options).Holds(Square(x, y)), Is.EqualTo(fits));
+        string[] start = ["G28", "G1 Z0.3", "G1 X5.8 Y10.2", "G1 Y89.8 E9"];
+        var printer = new Printer { BuildVolume = new Vec3(200, 200, 50), StartGCode = new ValueList<string>(start) };
+        var bed = PrimedArea.Excluded(new PrintSetup { Printer = printer });
+        Assert.That(new BedArea(bed, new ArrangeOptions()).Holds(Square(x, y)), Is.EqualTo(fits));
     }
 
     [Test]

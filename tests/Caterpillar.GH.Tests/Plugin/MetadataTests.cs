@@ -86,7 +86,7 @@ public sealed class MetadataTests
     public void Singular_and_plural_follow_access(Type type)
     {
         // Words that are the same in both, or one value for many things.
-        string[] collective = ["Geometry", "Settings", "Diagnostics", "Infill", "Generations", "Script", "Summary", "Printed On"];
+        string[] collective = ["Geometry", "Settings", "Diagnostics", "Infill", "Generations", "Script", "Summary", "Printed On", "Material"];
         foreach (var port in PluginTypes.Make<GH_Component>(type).Params)
         {
             if (collective.Contains(port.Name)) continue;

@@ -17,6 +17,7 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
     private readonly MachineLimits _own = new(setup.Printer);
     private readonly MachineLimits _limits = new(setup.Printer);
     private readonly double[] _filamentPerE = MotionPlanner.FilamentPerE(tools, setup);
+    private readonly double[] _maxFlows = [.. Enumerable.Range(0, setup.Printer.ToolCount).Select(tool => setup.OfTool(tool).MaxFlow)];
     private bool _raised;
 
     // What rounding in a file may change: coordinates in mm, E, speeds in mm/s.
@@ -62,7 +63,8 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
         var flow = move.Deposited / move.Length * Math.Min(move.Speed, most);
         // In short and in slow moves the last decimals count for more.
         var least = (move.Deposited - _roundedE * move.Pushed / move.E) / (move.Length + 2 * _roundedXyz) * Math.Min(move.Speed - _roundedF / 2, most);
-        if (least > setup.MaxFlow * Rounding) ReportFlow(flow, move.Index);
+        var allowed = _maxFlows[Math.Min(Math.Max(move.Tool, 0), _maxFlows.Length - 1)];
+        if (least > allowed * Rounding) ReportFlow(flow, allowed, move.Index);
     }
 
     public void End(Toolpath whole)
@@ -128,8 +130,8 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
                 + $"{Figures.Short(most)} mm/s{(inPlace ? "" : " in this direction")}. {consequence}", speed / most);
     }
 
-    private void ReportFlow(double flow, int move)
+    private void ReportFlow(double flow, double most, int move)
         => findings.Add(CheckCodes.Flow, move,
-            () => $"A move needs a flow of {Figures.Short(flow)} mm³/s, but the maximum is {Figures.Short(setup.MaxFlow)} mm³/s. "
+            () => $"A move needs a flow of {Figures.Short(flow)} mm³/s, but the maximum is {Figures.Short(most)} mm³/s. "
                 + "Lower speed, width or layer height.", flow);
 }

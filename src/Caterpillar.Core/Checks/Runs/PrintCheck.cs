@@ -96,7 +96,7 @@ public static class PrintCheck
     internal static Toolpath WithVolumes(Toolpath toolpath, PrintSetup setup)
     {
         if (toolpath.Tools.All(t => t.VolumePerE is not null) || setup.Printer.ExtrusionUnit == ExtrusionUnit.None) return toolpath;
-        var known = new ToolpathTool(ExtrusionModel.FilamentAreaOf(setup.Material.FilamentDiameter));
-        return toolpath.With(tools: toolpath.Tools.Select(t => t.VolumePerE is null ? known : t));
+        return toolpath.With(tools: toolpath.Tools.Select((t, i)
+            => t.VolumePerE is null ? new ToolpathTool(ExtrusionModel.FilamentAreaOf(setup.OfTool(i).Material.FilamentDiameter)) : t));
     }
 }

@@ -19,11 +19,13 @@ internal sealed class HeatCheck : IMoveCheck
         _scope = scope;
         _findings = findings;
         _needed = _printer.ExtrusionUnit == ExtrusionUnit.None ? 0 : _printer.MinExtrusionTemperature;
-        _nozzles = new NozzleTemperatures(scope.NozzleTemperature);
-        var material = setup.Material;
-        Nozzle(Math.Max(material.NozzleTemperature, material.FirstLayerNozzleTemperature), null);
-        Bed(Math.Max(material.BedTemperature, material.FirstLayerBedTemperature), null);
-        Chamber(material.ChamberTemperature, null);
+        _nozzles = new NozzleTemperatures(scope.NozzleTemperature, _printer);
+        foreach (var material in setup.ToolMaterials.Append(setup.Material))
+        {
+            Nozzle(Math.Max(material.NozzleTemperature, material.FirstLayerNozzleTemperature), null);
+            Bed(Math.Max(material.BedTemperature, material.FirstLayerBedTemperature), null);
+            Chamber(material.ChamberTemperature, null);
+        }
     }
 
     public IReadOnlyList<string> Codes =>
@@ -113,13 +115,13 @@ internal sealed class HeatCheck : IMoveCheck
 
 /// <summary>
 /// Temperatures of the nozzles, °C. A command that names no tool is for the current tool; where the file names none at all, its tools share a nozzle or are
-/// heated to the same temperature.
+/// heated to the same temperature, unless the printer is known to have several nozzles.
 /// </summary>
-internal sealed class NozzleTemperatures(double initial)
+internal sealed class NozzleTemperatures(double initial, Printer printer)
 {
     private readonly SortedDictionary<int, (double Celsius, MoveEvent Set)> _ofTool = [];
     private (double Celsius, MoveEvent? Set) _shared = (initial, null);
-    private bool _isNamed;
+    private bool _isNamed = printer.ToolCount > 1 && !printer.SharedNozzle;
     private int _tool;
 
     /// <summary>The last command of a nozzle that is still heated, or null.</summary>
@@ -142,7 +144,7 @@ internal sealed class NozzleTemperatures(double initial)
             case ToolEvent change:
                 _tool = change.Tool;
                 break;
-            case NozzleTemperatureEvent { Tool: { } named } heat:
+            case NozzleTemperatureEvent { Tool: { } named } heat when !printer.SharedNozzle:
                 _isNamed = true;
                 _ofTool[named] = (heat.Celsius, what);
                 break;

@@ -62,8 +62,9 @@ public static class CurvedSlicer
             flat.Add(new SliceModel(new NamedMesh(models[i].Mesh.Name, mesh), OnField(models[i].Settings, field)));
         }
         var common = OnField(setup.Settings, field);
-        if (setup.Settings.RaftLayers > 0 || (!field.StartsLevel && setup.Settings.HasSkirtOrBrim))
-            problems.Add(Severity.Note, "curved.no_skirt", "Curved layers have no raft. If they do not start level, they have no skirt or brim either.");
+        if (setup.Settings.RaftLayers > 0 || setup.Settings.PurgeTower || (!field.StartsLevel && setup.Settings.HasSkirtOrBrim))
+            problems.Add(Severity.Note, "curved.no_skirt",
+                "Curved layers have no raft and no purge tower. If they do not start level, they have no skirt or brim either.");
         var limits = new GapLimits(field, part, setup.Settings, MaxGap(setup));
         var sliced = PlanarSlicer.SliceEach(flat, common, new SliceOptions
         {

@@ -61,12 +61,13 @@ public static class FileSetup
             if (!line.StartsWith("; ", StringComparison.Ordinal) || equals < 0)
                 return Failed("setup.damaged", $"The setup in the comments of the file is damaged: expected \"; key = value\" or \"{End}\".", place);
             var (key, value) = (line.Substring(2, equals - 2), Utf8(line.Substring(equals + 2)).Trim());
-            if (Array.IndexOf(Names, key) >= 0) names[key] = value;
+            if (Array.IndexOf(Names, key) >= 0 || key.StartsWith(Names[1] + "[", StringComparison.Ordinal)) names[key] = value;
             else values.Add((key + "=" + value.Replace(Break, "\n"), place with { Key = key }));
         }
         string Name(int which) => names.TryGetValue(Names[which], out var name) && name.Length > 0 ? name : "unnamed";
+        var others = Enumerable.Range(1, names.Count).Select(i => SetupValues.OfTool(Names[1], i)).TakeWhile(names.ContainsKey).Select(i => names[i]);
         var plain = new PrintSetup(new Printer { Name = Name(0), Title = Name(0) }, new Material { Name = Name(1), Title = Name(1) },
-            new PrintSettings { Name = Name(2), Title = Name(2) });
+            new PrintSettings { Name = Name(2), Title = Name(2) }) { ToolMaterials = new(others.Select(name => new Material { Name = name, Title = name })) };
         return SetupValues.Apply(plain, values);
     }
 
@@ -76,6 +77,7 @@ public static class FileSetup
         Begin,
         $"; {Names[0]} = {setup.Printer.Name}",
         $"; {Names[1]} = {setup.Material.Name}",
+        .. setup.ToolMaterials.Select((m, i) => $"; {SetupValues.OfTool(Names[1], i + 1)} = {m.Name}"),
         $"; {Names[2]} = {setup.Settings.Name}",
         .. SetupValues.Of(setup, asGiven: true).Select(v => "; " + v.Key + " = " + v.Value.Replace("\n", Break)),
         End,

@@ -10,7 +10,7 @@ internal static class SetupFormat
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         var printer = setup.Printer;
         var problems = new DiagnosticList();
-        var format = Format(setup, PrintValues.Of(setup, toolpath), true, toolpath.Layers.FirstOrDefault(), problems);
+        var format = Format(setup, toolpath, true, toolpath.Layers.FirstOrDefault(), problems);
         if (LayerRounding.Check(toolpath, printer.DecimalsXyz, new SourceLocation(printer.Name, Key: "decimals_xyz")) is { } rounded) problems.Add(rounded);
         if (problems.HasErrors) return new Result<GCodeFormat>(null, problems.ToList());
         if (format.LacksAmounts(toolpath))
@@ -29,20 +29,22 @@ internal static class SetupFormat
     internal static GCodeFormat? OfUnknown(PrintSetup setup)
     {
         var problems = new DiagnosticList();
-        var format = Format(setup, PrintValues.Of(setup), false, new Layer(0, 0, 0, ""), problems);
+        var format = Format(setup, null, false, new Layer(0, 0, 0, ""), problems);
         return problems.HasErrors ? null : format;
     }
 
-    private static GCodeFormat Format(PrintSetup setup, TemplateValues values, bool hasEnd, Layer? first, DiagnosticList problems)
+    private static GCodeFormat Format(PrintSetup setup, Toolpath? toolpath, bool hasEnd, Layer? first, DiagnosticList problems)
     {
         var printer = setup.Printer;
+        var values = PrintValues.Of(setup, toolpath);
         var start = Lines(printer, "start_gcode", printer.StartGCode, values, problems);
         var end = hasEnd ? Lines(printer, "end_gcode", printer.EndGCode, values, problems) : [];
         var layers = Template(printer, "layer_change_gcode", printer.LayerChangeGCode, problems);
         var tools = Template(printer, "tool_change_gcode", printer.ToolChangeGCode, problems);
+        TemplateValues[] ofTools = tools is null ? [] : [.. Enumerable.Range(0, printer.ToolCount).Select(tool => PrintValues.Of(setup, toolpath, tool))];
         // Layer and tool templates are tried once with the values of the first, so that an error is found before anything is written.
         if (layers is not null && first is not null) problems.AddRange(layers.Render(OfLayer(values, first)).Diagnostics);
-        if (tools is not null) problems.AddRange(tools.Render(values.With("tool", 0).With("previous_tool", 0)).Diagnostics);
+        if (tools is not null) problems.AddRange(tools.Render(OfTools(values, 0, 0)).Diagnostics);
         return new GCodeFormat
         {
             Flavor = printer.Flavor,
@@ -59,23 +61,26 @@ internal static class SetupFormat
             Start = start,
             End = end,
             LayerLines = layers is null ? null : layer => layers.Render(OfLayer(values, layer)).Value ?? [],
-            ToolLines = tools is null ? null : (from, to) => tools.Render(values.With("tool", to).With("previous_tool", from)).Value ?? [],
+            ToolLines = tools is null ? null : (from, to) => tools.Render(OfTools(to < ofTools.Length ? ofTools[to] : values, from, to)).Value ?? [],
         };
     }
 
     // The unit of E is stated as slicers state it, so that the extrusions can be measured in the file.
     private static string[] Header(PrintSetup setup)
     {
+        Material[] materials = [setup.Material, .. setup.ToolMaterials];
         string[] header = [FileComments.Producer, "Flavor " + setup.Printer.Flavor.Name,
-            $"Printer {setup.Printer.Name}, material {setup.Material.Name}, settings {setup.Settings.Name}"];
+            $"Printer {setup.Printer.Name}, material {string.Join(" + ", materials.Select(m => m.Name))}, settings {setup.Settings.Name}"];
         if (setup.Printer.AxisMappings.Count > 0) header = [.. header, DecodedGCode.MappingsKey + " = " + string.Join(", ", setup.Printer.AxisMappings)];
         return setup.Printer.ExtrusionUnit switch
         {
-            ExtrusionUnit.Mm => [.. header, "filament_diameter = " + NumberFormatter.Format(setup.Material.FilamentDiameter, 4)],
+            ExtrusionUnit.Mm => [.. header, "filament_diameter = " + string.Join(",", materials.Select(m => NumberFormatter.Format(m.FilamentDiameter, 4)))],
             ExtrusionUnit.Mm3 => [.. header, "use_volumetric_e = 1"],
             _ => header,
         };
     }
+
+    private static TemplateValues OfTools(TemplateValues values, int from, int to) => values.With("tool", to).With("previous_tool", from);
 
     private static TemplateValues OfLayer(TemplateValues values, Layer layer) => values.With("layer", layer.Index).With("layer_z_mm", layer.Z);
 

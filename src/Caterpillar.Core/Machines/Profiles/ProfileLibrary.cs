@@ -44,18 +44,25 @@ public sealed class ProfileLibrary
 
     /// <summary>
     /// A complete setup. Material and settings default to the printer's <c>default_material</c> and <c>default_settings</c>, which for the file of a printer
-    /// may be in its folder. <paramref name="values"/> are <c>key=value</c> for any key of the three, applied in order.
+    /// may be in its folder. <paramref name="values"/> are <c>key=value</c> for any key of the three, applied in order; keys of materials apply to all tools.
+    /// <paramref name="toolMaterials"/> are the materials of the tools from 1 on.
     /// </summary>
     /// <inheritdoc cref="Printer" path="/exception"/>
-    public Result<PrintSetup> Setup(string printer = "generic", string? material = null, string? settings = null, IEnumerable<string>? values = null)
+    public Result<PrintSetup> Setup(
+        string printer = "generic", string? material = null, string? settings = null, IEnumerable<string>? values = null,
+        IReadOnlyList<string>? toolMaterials = null)
     {
         var machine = Printer(printer);
         var known = IsFile(printer) && Path.GetDirectoryName(Path.GetFullPath(printer)) is { } folder ? new ProfileLibrary([folder, .. _folders]) : this;
         var materialResult = known.Material(material ?? machine.Value?.DefaultMaterial ?? "pla");
         var settingsResult = known.Settings(settings ?? machine.Value?.DefaultSettings ?? "standard");
-        var diagnostics = machine.Diagnostics.Concat(materialResult.Diagnostics).Concat(settingsResult.Diagnostics).ToList();
-        if (machine.Value is null || materialResult.Value is null || settingsResult.Value is null) return new Result<PrintSetup>(null, diagnostics);
-        var setup = new PrintSetup(machine.Value, materialResult.Value, settingsResult.Value).With(values ?? []);
+        var others = (toolMaterials ?? []).Select(known.Material).ToArray();
+        var diagnostics = machine.Diagnostics.Concat(materialResult.Diagnostics).Concat(settingsResult.Diagnostics)
+            .Concat(others.SelectMany(m => m.Diagnostics)).ToList();
+        if (machine.Value is null || materialResult.Value is null || settingsResult.Value is null || Array.Exists(others, m => m.Value is null))
+            return new Result<PrintSetup>(null, diagnostics);
+        var plain = new PrintSetup(machine.Value, materialResult.Value, settingsResult.Value) { ToolMaterials = new(others.Select(m => m.Value!)) };
+        var setup = plain.With(values ?? []);
         diagnostics.AddRange(setup.Diagnostics);
         if (setup.Value is null) return new Result<PrintSetup>(null, diagnostics);
         var findings = setup.Value.Check();

@@ -25,6 +25,9 @@ public sealed record Material
     /// <summary>Nozzle temperature of the first layer; 0 = nozzle_temperature_c.</summary> <value>°C.</value>
     public double FirstLayerNozzleTemperature { get; init => field = MaterialKeys.FirstLayerNozzleTemperature.Check(value); }
 
+    /// <summary>Nozzle temperature of a tool while another one prints; 0 = unchanged.</summary> <value>°C.</value>
+    public double StandbyTemperature { get; init => field = MaterialKeys.StandbyTemperature.Check(value); }
+
     /// <summary>Bed temperature; 0 = off.</summary> <value>°C.</value>
     public double BedTemperature { get; init => field = MaterialKeys.BedTemperature.Check(value); } = 60;
 
@@ -88,6 +91,8 @@ internal static class MaterialKeys
         = All.Number("nozzle_temperature_c", 0, 2000, m => m.NozzleTemperature, (m, v) => m with { NozzleTemperature = v });
     public static readonly NumberKey FirstLayerNozzleTemperature
         = All.Number("first_layer_nozzle_temperature_c", 0, 2000, m => m.FirstLayerNozzleTemperature, (m, v) => m with { FirstLayerNozzleTemperature = v });
+    public static readonly NumberKey StandbyTemperature
+        = All.Number("standby_temperature_c", 0, 2000, m => m.StandbyTemperature, (m, v) => m with { StandbyTemperature = v });
     public static readonly NumberKey BedTemperature = All.Number("bed_temperature_c", 0, 500, m => m.BedTemperature, (m, v) => m with { BedTemperature = v });
     public static readonly NumberKey FirstLayerBedTemperature
         = All.Number("first_layer_bed_temperature_c", 0, 500, m => m.FirstLayerBedTemperature, (m, v) => m with { FirstLayerBedTemperature = v });

@@ -9,6 +9,7 @@ internal static class PrintWideKeys
         SettingsKeys.RetractionMinTravel, SettingsKeys.WipeDistance, SettingsKeys.DeretractDuringDescent, SettingsKeys.StartDistance,
         SettingsKeys.CoastingDistance, SeamKeys.SeamGap, SettingsKeys.SortPaths, SettingsKeys.PrintSequence, SettingsKeys.MergeOverlappingModels,
         SurfaceKeys.MinLayerTime, SurfaceKeys.MinPrintSpeed, TravelKeys.LayerTimeWait, .. BedKeys.All, .. RoleMotionKeys.All,
+        ToolKeys.PurgeTower, ToolKeys.PurgeIntoInfill, ToolKeys.PurgeVolume, ToolKeys.PurgeTowerWidth, ToolKeys.PurgeTowerBrimWidth,
     ];
 
     /// <summary>Names of these keys that a model sets: values that differ from the print and from the defaults.</summary>

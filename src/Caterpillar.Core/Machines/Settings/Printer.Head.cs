@@ -6,6 +6,9 @@ public sealed partial record Printer
     /// <summary>Offset of each tool from the first one.</summary> <value>mm.</value>
     public ValueList<Vec3> ToolOffsets { get; init => field = HeadKeys.ToolOffsets.Check(value); } = new(Vec3.Zero);
 
+    /// <summary>The tools feed one nozzle: a tool change swaps the filament. Otherwise each tool has a nozzle of its own, which it heats.</summary>
+    public bool SharedNozzle { get; init; }
+
     /// <summary>Profile of nozzle and head: radius at each height above the tip.</summary> <value>mm.</value> <remarks>Radius and height ascend.</remarks>
     public ValueList<HeadPoint> HeadOutline { get; init => field = HeadKeys.HeadOutline.Check(value); }
         = new(new HeadPoint(0.5, 0), new(4, 6), new(20, 12));
@@ -40,6 +43,8 @@ internal static class HeadKeys
     public static readonly ProfileKey<Printer, ValueList<Vec3>> ToolOffsets = All.Of(
         "tool_offsets_mm", new RowsFormat<Vec3>(["x", "y", "z"], 64, -10_000, 10_000, n => new Vec3(n[0], n[1], n[2]), v => [v.X, v.Y, v.Z]) { Fewest = 1 },
         p => p.ToolOffsets, (p, v) => p with { ToolOffsets = v });
+    public static readonly ProfileKey<Printer, bool> SharedNozzle
+        = All.Boolean("shared_nozzle", p => p.SharedNozzle, (p, v) => p with { SharedNozzle = v });
     public static readonly ProfileKey<Printer, ValueList<HeadPoint>> HeadOutline = All.Of(
         "head_outline_mm",
         new RowsFormat<HeadPoint>(["radius", "height"], 64, 0, 10_000, n => new HeadPoint(n[0], n[1]), h => [h.Radius, h.Height], Ascends) { Fewest = 1 },

@@ -56,7 +56,7 @@ internal static class ProfileKinds
 
     public static readonly ProfileKind<PrintSettings> Settings = new("settings", "settings/",
         [.. SettingsKeys.All, .. WidthKeys.All, .. WallWidthKeys.All, .. LayerKeys.All, .. TopBottomKeys.All, .. InfillKeys.All, .. BedKeys.All,
-            .. SurfaceKeys.All, .. SeamKeys.All, .. TravelKeys.All, .. RoleMotionKeys.All, .. CurvedKeys.All, .. SupportKeys.All],
+            .. SurfaceKeys.All, .. SeamKeys.All, .. TravelKeys.All, .. RoleMotionKeys.All, .. CurvedKeys.All, .. SupportKeys.All, .. ToolKeys.All],
         () => new PrintSettings(), (s, name) => s with { Name = name });
 
     /// <summary>The kind of profile that has a key, for messages.</summary>

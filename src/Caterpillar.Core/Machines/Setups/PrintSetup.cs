@@ -30,8 +30,11 @@ public sealed record PrintSetup
         }
     }
 
-    /// <summary>The material.</summary>
+    /// <summary>The material, or with several tools that of tool 0.</summary>
     public Material Material { get; init; }
+
+    /// <summary>The materials of the tools from 1 on. A tool beyond the list has the material of tool 0.</summary>
+    public ValueList<Material> ToolMaterials { get; init; } = ValueList<Material>.Empty;
 
     /// <summary>The print settings. Line width and heights that they do not give follow from the nozzle of the printer.</summary>
     public PrintSettings Settings
@@ -53,15 +56,10 @@ public sealed record PrintSetup
     public ExtrusionModel Extrusion => new(Printer.ExtrusionUnit, Material.FilamentDiameter, Material.FlowRatio);
 
     /// <summary>Maximum volumetric flow of printer and material, mm³/s; infinite if both are unknown.</summary>
-    public double MaxFlow
-    {
-        get
-        {
-            var machine = Printer.MaxFlow > 0 ? Printer.MaxFlow : double.PositiveInfinity;
-            var material = Material.MaxFlow > 0 ? Material.MaxFlow : double.PositiveInfinity;
-            return Math.Min(machine, material);
-        }
-    }
+    public double MaxFlow => new[] { Printer.MaxFlow, Material.MaxFlow }.Where(flow => flow > 0).DefaultIfEmpty(double.PositiveInfinity).Min();
+
+    /// <summary>The setup with the material of a tool.</summary>
+    public PrintSetup OfTool(int tool) => tool > 0 && tool <= ToolMaterials.Count ? this with { Material = ToolMaterials[tool - 1] } : this;
 
     /// <summary>Retraction length of the material, or of the printer, mm.</summary>
     internal double RetractionLength => Material.RetractionLength ?? Printer.RetractionLength;
@@ -113,6 +111,9 @@ public sealed record PrintSetup
         if (Settings.AdaptiveLayers && Settings.AdaptiveMinHeight > Settings.AdaptiveMaxHeight)
             diagnostics.Add(Severity.Error, "setup.adaptive_heights", "adaptive_min_height_mm is greater than adaptive_max_height_mm.",
                 new SourceLocation(Key: "adaptive_min_height_mm"));
+        if (ToolMaterials.Count >= Printer.ToolCount)
+            diagnostics.Add(Severity.Error, "setup.materials", $"{NumberFormatter.Format(ToolMaterials.Count + 1)} materials need as many tools: set "
+                + $"tool_offsets_mm of {Printer.Title} to a list with a row for each.", new SourceLocation(Key: "tool_offsets_mm"));
         if (Printer.FirmwareRetraction && !Printer.Flavor.FirmwareRetraction)
             diagnostics.Add(Severity.Error, "setup.no_firmware_retraction",
                 $"{Printer.Flavor.Title} has no firmware retraction: set firmware_retraction=false.",

@@ -3,9 +3,10 @@ namespace Caterpillar.Machines;
 /// <summary>Values for templates: all numbers and words of the three profiles by their keys, and values of the print.</summary>
 internal static class PrintValues
 {
-    /// <summary>The values of a setup, and of the print if a toolpath is given.</summary>
-    public static TemplateValues Of(PrintSetup setup, Toolpath? toolpath = null)
+    /// <summary>The values of a setup, and of the print if a toolpath is given; keys of materials are those of a tool.</summary>
+    public static TemplateValues Of(PrintSetup whole, Toolpath? toolpath = null, int tool = 0)
     {
+        var setup = whole.OfTool(tool);
         var numbers = new Dictionary<string, double>(StringComparer.Ordinal);
         var texts = new Dictionary<string, string>(StringComparer.Ordinal);
         Take(ProfileKinds.Printer.Keys, setup.Printer, numbers, texts);
@@ -29,7 +30,7 @@ internal static class PrintValues
         numbers["bed_max_z_mm"] = bed.Max.Z;
         numbers["volume_per_e_mm3"] = setup.Extrusion.VolumePerE ?? 0;
         numbers["tool_count"] = setup.Printer.ToolCount;
-        return new TemplateValues(numbers, texts, toolpath is null ? null : new(() => Measure(toolpath, setup)));
+        return new TemplateValues(numbers, texts, toolpath is null ? null : new(() => Measure(toolpath, whole)));
     }
 
     private static void Take<T>(IReadOnlyList<ProfileKey<T>> keys, T profile, Dictionary<string, double> numbers, Dictionary<string, string> texts)
@@ -50,8 +51,8 @@ internal static class PrintValues
     {
         var numbers = new Dictionary<string, double>(StringComparer.Ordinal);
         var bounds = Bounds.Empty;
-        double volume = 0, filament = 0;
-        var law = setup.Extrusion;
+        double volume = 0, filament = 0, mass = 0, cost = 0;
+        var tools = Enumerable.Range(0, Math.Max(toolpath.Tools.Count, 1)).Select(setup.OfTool).Select(s => (s.Material, s.Extrusion.FilamentPerE)).ToArray();
         var wasPrinting = false;
         for (var b = 0; b < toolpath.Blocks.Count; b++)
         {
@@ -62,8 +63,12 @@ internal static class PrintValues
                 var end = new Vec3(c.X[i], c.Y[i], c.Z[i]);
                 if (c.Deposited[i] != 0)
                 {
-                    volume += c.Deposited[i] * (toolpath.VolumePerE(c.Tool[i]) ?? 0);
-                    filament += c.Deposited[i] * law.FilamentPerE;
+                    var (material, length) = tools[Math.Min((int)c.Tool[i], tools.Length - 1)];
+                    var added = c.Deposited[i] * (toolpath.VolumePerE(c.Tool[i]) ?? 0);
+                    volume += added;
+                    filament += c.Deposited[i] * length;
+                    mass += added / 1000 * material.Density;
+                    cost += added / 1_000_000 * material.Density * material.CostPerKg;
                 }
                 var prints = c.Kind[i] == MoveKind.Print;
                 if (prints && !wasPrinting) bounds = bounds.Include(start);
@@ -81,8 +86,8 @@ internal static class PrintValues
         numbers["print_max_z_mm"] = bounds.Max.Z;
         numbers["material_used_mm3"] = volume;
         numbers["filament_used_mm"] = filament;
-        numbers["material_used_g"] = volume / 1000 * setup.Material.Density;
-        numbers["material_cost"] = volume / 1_000_000 * setup.Material.Density * setup.Material.CostPerKg;
+        numbers["material_used_g"] = mass;
+        numbers["material_cost"] = cost;
         return numbers;
     }
 }

@@ -1,3 +1,5 @@
+using System.Text.RegularExpressions;
+
 namespace Caterpillar.Machines;
 
 /// <summary>Applies <c>key=value</c> to a setup.</summary>
@@ -17,7 +19,7 @@ internal static class SetupValues
             if (at < 0) diagnostics.Add(new Diagnostic(Severity.Error, "profile.no_value", $"\"{entry}\" is not of the form key=value.", place));
             else setup = One(setup, key, entry.Substring(at + 1), place, diagnostics);
         }
-        return new Result<PrintSetup>(diagnostics.Any(d => d.Severity == Severity.Error) ? null : setup, diagnostics);
+        return new Result<PrintSetup>(diagnostics.Any(d => d.Severity == Severity.Error) ? null : setup, diagnostics.Distinct().ToArray());
     }
 
     /// <summary>The values as text.</summary>
@@ -26,15 +28,25 @@ internal static class SetupValues
     public static IReadOnlyList<KeyValuePair<string, string>> Of(PrintSetup setup, bool asGiven = false)
     {
         var settings = asGiven ? setup.Settings.AsGiven : setup.Settings;
-        return [.. Of(ProfileKinds.Settings, settings), .. Of(ProfileKinds.Printer, setup.Printer), .. Of(ProfileKinds.Material, setup.Material)];
+        return
+        [
+            .. Of(ProfileKinds.Settings, settings), .. Of(ProfileKinds.Printer, setup.Printer), .. Of(ProfileKinds.Material, setup.Material),
+            .. setup.ToolMaterials.SelectMany((m, i) => Of(ProfileKinds.Material, m).Select(v => new KeyValuePair<string, string>(OfTool(v.Key, i + 1), v.Value))),
+        ];
 
         static IEnumerable<KeyValuePair<string, string>> Of<T>(ProfileKind<T> kind, T profile)
             where T : class
             => kind.Keys.Where(k => k.Name != "title").Select(k => new KeyValuePair<string, string>(k.Name, RawValues.Text(k.Get(profile))));
     }
 
+    /// <summary>The key of the material of a tool: <c>nozzle_temperature_c[1]</c>.</summary>
+    public static string OfTool(string key, int tool) => $"{key}[{NumberFormatter.Format(tool)}]";
+
     private static PrintSetup One(PrintSetup setup, string key, string text, SourceLocation place, List<Diagnostic> diagnostics)
     {
+        var named = Regex.Match(key, @"^(.+)\[([0-9]{1,2})\]$");
+        int? tool = named.Success ? int.Parse(named.Groups[2].Value) : null;
+        if (ProfileKinds.Material.Find(named.Success ? named.Groups[1].Value : "") is { } ofMaterial && tool <= setup.ToolMaterials.Count) key = ofMaterial.Name;
         // All three have a title, which does not affect the print.
         if (key == "title")
         {
@@ -42,7 +54,11 @@ internal static class SetupValues
             return setup;
         }
         if (Changed(ProfileKinds.Settings, setup.Settings) is { } settings) return setup with { Settings = settings };
-        if (Changed(ProfileKinds.Material, setup.Material) is { } material) return setup with { Material = material };
+        if (ProfileKinds.Material.Find(key) is not null)
+        {
+            Material Own(Material old, int i) => tool is null || tool == i ? Changed(ProfileKinds.Material, old)! : old;
+            return setup with { Material = Own(setup.Material, 0), ToolMaterials = new(setup.ToolMaterials.Select((m, i) => Own(m, i + 1))) };
+        }
         if (Changed(ProfileKinds.Printer, setup.Printer) is { } printer) return setup with { Printer = printer };
         var known = ProfileKeys.Settings.Concat(ProfileKeys.Material).Concat(ProfileKeys.Printer).Select(k => k.Name).Where(k => k != "title");
         diagnostics.Add(UnknownKey.Problem("printers, materials or settings", key, text, known, place));

@@ -6,9 +6,13 @@ namespace Caterpillar.Planning;
 /// </summary>
 internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
 {
-    // Set by the design; until then the rules give the usual values. The start code heats for the first layer and leaves the fan off.
-    private double? _temperature, _temperatureNow = rules.FirstLayerNozzleTemperature ?? rules.NozzleTemperature;
-    private double? _fan, _fanNow = rules.AddsNothing ? rules.Fan : 0;
+    // Set by the design, for each tool; until then the rules give the usual values.
+    private readonly double?[] _temperature = new double?[rules.Tools.Length];
+
+    // Of each nozzle; null = never heated. The start code heats the first one for the first layer and leaves the fan off.
+    private readonly double?[] _temperatureNow = [rules.Tools[0].Temperature(isFirstLayer: true), .. new double?[rules.Tools.Length - 1]];
+
+    private double? _fan, _fanNow = rules.AddsNothing ? LeastFan(rules.Tools[0]) : 0;
     private double? _bed, _bedNow = rules.FirstLayerBedTemperature ?? rules.BedTemperature;
 
     // What the firmware has is not known exactly: accelerations and jerk that are commanded at all are so from the first path on.
@@ -16,8 +20,9 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
     private double? _travelNow, _jerkNow;
 
     private readonly bool _layered = !rules.AddsNothing
-        && (rules.Fan > 0 || (rules.FanTime > 0 && rules.MaxFan > 0) || rules.FirstLayerNozzleTemperature is not null
-            || rules.FirstLayerBedTemperature is not null || rules.Motion is not null);
+        && (rules.FirstLayerBedTemperature is not null || rules.Motion is not null
+            || rules.Tools.Any(t => t.Material is { MinFanSpeedPercent: > 0 } or { FanLayerTime: > 0, MaxFanSpeedPercent: > 0 }
+                or { FirstLayerNozzleTemperature: > 0 }));
     private bool _overridden;
 
     /// <summary>True if a value stayed overridden because its previous value is unknown.</summary>
@@ -28,10 +33,31 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
     {
         switch (what)
         {
-            case NozzleTemperatureEvent { Tool: null } e: _temperature = _temperatureNow = e.Celsius; break;
+            case NozzleTemperatureEvent e when (e.Tool ?? emitter.Tool) is var tool && tool < _temperature.Length:
+                _temperature[tool] = _temperatureNow[Nozzle(tool)] = e.Celsius;
+                break;
             case BedTemperatureEvent e: _bed = _bedNow = e.Celsius; break;
             case FanEvent e: _fan = _fanNow = e.Speed; break;
             case AccelerationEvent e: (_acceleration, _accelerationNow, _travelNow) = (e.Value, e.Value, null); break;
+        }
+    }
+
+    /// <summary>Changes the tool: the last one cools down to its standby temperature, the new one is heated before it is used.</summary>
+    public void SwitchTool(int tool, PrintPath? next)
+    {
+        var last = emitter.Tool;
+        if (!rules.SharedNozzle && rules.Tools[last].Material?.StandbyTemperature is > 0 and var standby && standby < _temperatureNow[last])
+            Heat(last, standby, false);
+        emitter.SwitchTool(tool);
+        if (Usual(tool, next is null ? -1 : LayerOf(next)) is { } celsius && celsius != _temperatureNow[Nozzle(tool)]) Heat(tool, celsius, true);
+    }
+
+    /// <summary>Turns off all nozzles but the current one, which the end code turns off.</summary>
+    public void End()
+    {
+        for (var tool = 0; tool < _temperatureNow.Length && !rules.SharedNozzle; tool++)
+        {
+            if (tool != emitter.Tool && _temperatureNow[tool] > 0) Heat(tool, 0, false);
         }
     }
 
@@ -43,11 +69,12 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
         if (wanted is null && !_layered && !_overridden) return;
         _overridden = wanted is not null;
         var layer = _layered ? LayerOf(path) : 0;
-        var usual = _temperature ?? (layer == 0 ? rules.FirstLayerNozzleTemperature : null) ?? rules.NozzleTemperature;
-        if (Differs(wanted?.NozzleTemperature, usual, ref _temperatureNow) is { } celsius) emitter.Event(new NozzleTemperatureEvent(celsius));
+        var usual = Usual(emitter.Tool, layer);
+        if (Differs(wanted?.NozzleTemperature, usual, ref _temperatureNow[Nozzle(emitter.Tool)]) is { } celsius)
+            emitter.Event(new NozzleTemperatureEvent(celsius));
         usual = _bed ?? (layer == 0 ? rules.FirstLayerBedTemperature : null) ?? rules.BedTemperature;
         if (rules.FirstLayerBedTemperature is not null && Differs(null, usual, ref _bedNow) is { } bed) emitter.Event(new BedTemperatureEvent(bed));
-        usual = _fan ?? (layer >= 0 && layer < rules.FanOffLayers ? 0 : FanFor(layerTime));
+        usual = _fan ?? (layer >= 0 && layer < emitter.ToolRules.Material?.FanOffLayers ? 0 : FanFor(layerTime));
         if (Differs(wanted?.Fan, usual, ref _fanNow) is { } fan) emitter.Event(new FanEvent(fan));
         usual = _acceleration ?? rules.Motion?.Acceleration(path.Role, layer == 0) ?? rules.Acceleration;
         if (Differs(wanted?.Acceleration, usual, ref _accelerationNow) is { } acceleration)
@@ -71,12 +98,26 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
         if (value is not null && Differs(null, value, ref _jerkNow) is { } jerk) emitter.Event(new LimitEvent(rules.Motion!.JerkLimit!.Value, jerk));
     }
 
+    private int Nozzle(int tool) => rules.SharedNozzle ? 0 : tool;
+
+    private double? Usual(int tool, int layer) => _temperature[tool] ?? rules.Tools[tool].Temperature(layer == 0);
+
+    private static double? LeastFan(ToolRules tool) => tool.Material?.MinFanSpeedPercent / 100;
+
+    private void Heat(int tool, double celsius, bool wait)
+    {
+        _temperatureNow[Nozzle(tool)] = celsius;
+        emitter.Event(new NozzleTemperatureEvent(celsius, wait, rules.SharedNozzle ? null : tool));
+    }
+
     // Quick layers get more of the fan, the quickest all of it.
     private double? FanFor(double layerTime)
     {
-        if (rules.Fan is not { } least || !(layerTime < rules.FanTime)) return rules.Fan;
-        var share = layerTime <= rules.MinLayerTime ? 1 : (rules.FanTime - layerTime) / (rules.FanTime - rules.MinLayerTime);
-        return Math.Round((least + (rules.MaxFan - least) * share) * 100) / 100;
+        var material = emitter.ToolRules.Material;
+        if (LeastFan(emitter.ToolRules) is not { } least || !(layerTime < material!.FanLayerTime)) return LeastFan(emitter.ToolRules);
+        var most = Math.Max(least, material.MaxFanSpeedPercent / 100);
+        var share = layerTime <= rules.MinLayerTime ? 1 : (material.FanLayerTime - layerTime) / (material.FanLayerTime - rules.MinLayerTime);
+        return Math.Round((least + (most - least) * share) * 100) / 100;
     }
 
     // A path without a layer counts by its highest point: a helix that starts on the bed does not belong to the first layer.

@@ -42,7 +42,8 @@ internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanRepo
             var bead = path.BeadOf(i);
             var isFirst = rules.LayerOf(path, Math.Max(from.Z, to.Z)) == 0;
             var speed = rules.SpeedOf(path, bead, isFirst);
-            if (speed * bead.Area >= rules.MaxFlow) slowed.Add(path.Role, bead.Speed > 0 ? bead.Speed : rules.PrintSpeed(path.Role, isFirst), speed);
+            var most = emitter.ToolRules.MaxFlow;
+            if (speed * bead.Area >= most) slowed.Add(path.Role, bead.Speed > 0 ? bead.Speed : rules.PrintSpeed(path.Role, isFirst), speed, most);
             var printed = Math.Min(segment, Math.Max(stopAt - done, 0));
             done += segment;
             if (printed >= segment)

@@ -8,18 +8,20 @@ internal sealed class SlowedRoles
     private readonly double[] _least = new double[Roles];
     private readonly int[] _moves = new int[Roles];
 
-    /// <summary>A move of a role at a lower speed than wanted, mm/s.</summary>
-    public void Add(Role role, double wanted, double speed)
+    private double _limit = double.PositiveInfinity;
+
+    /// <summary>A move of a role at a lower speed than wanted, mm/s, because of a maximum flow, mm³/s.</summary>
+    public void Add(Role role, double wanted, double speed, double limit)
     {
         if (!(speed < wanted)) return;
+        _limit = Math.Min(_limit, limit);
         var i = (int)role;
         if (_moves[i]++ == 0 || speed < _least[i]) (_wanted[i], _least[i]) = (wanted, speed);
     }
 
     /// <summary>One note that names the roles and their lowest speeds.</summary>
-    /// <param name="limit">mm³/s.</param>
     /// <param name="diagnostics">Where to add it.</param>
-    public void Report(double limit, DiagnosticList diagnostics)
+    public void Report(DiagnosticList diagnostics)
     {
         var parts = new List<string>();
         var moves = 0;
@@ -31,7 +33,7 @@ internal sealed class SlowedRoles
         }
         if (moves == 0) return;
         diagnostics.Add(Severity.Note, "plan.flow_slowed",
-            $"Printing is slowed down to the maximum volumetric flow of {NumberFormatter.Format(limit, 2)} mm³/s: {string.Join(", ", parts)}.", null,
+            $"Printing is slowed down to the maximum volumetric flow of {NumberFormatter.Format(_limit, 2)} mm³/s: {string.Join(", ", parts)}.", null,
                 moves);
     }
 

@@ -20,6 +20,16 @@ internal sealed record ToolRules(double? VolumePerE, double RetractE, double Ret
     /// <summary>Pressure advance, s; null = no command.</summary>
     public double? PressureAdvance { get; init; }
 
+    /// <summary>Material that machine and tool can push, mm³/s.</summary>
+    public double MaxFlow { get; init; } = double.PositiveInfinity;
+
+    /// <summary>Its temperatures, fan, Z-hop and wipe; null = none are known.</summary>
+    public Material? Material { get; init; }
+
+    /// <summary>Temperature without overrides, °C; null if the material does not state it.</summary>
+    public double? Temperature(bool isFirstLayer) => Material is not { NozzleTemperature: > 0 } material ? null
+        : isFirstLayer && material.FirstLayerNozzleTemperature > 0 ? material.FirstLayerNozzleTemperature : material.NozzleTemperature;
+
     /// <summary>E per mm³ of material; 0 = a tool without E.</summary>
     public double EOf(double volume) => VolumePerE is { } unit ? volume / unit : 0;
 
@@ -73,8 +83,8 @@ internal sealed record PlanRules
     /// <summary>Distance that such travels keep from the outline around corners.</summary>
     public double CombInset { get; init; } = 0.45;
 
-    /// <summary>Material that the machine can push, mm³/s.</summary>
-    public double MaxFlow { get; init; } = double.PositiveInfinity;
+    /// <summary>True if all tools heat and feed the same nozzle.</summary>
+    public bool SharedNozzle { get; init; }
 
     /// <summary>Minimum layer time, s, and how the machine waits after shorter layers.</summary>
     public double MinLayerTime { get; init; }
@@ -90,6 +100,9 @@ internal sealed record PlanRules
 
     public double WipeDistance { get; init; }
 
+    /// <summary>False for firmware retraction, which cannot be spread over a move.</summary>
+    public bool CanWipe { get; init; } = true;
+
     /// <summary>The extruder extrudes this length of bead before a path starts, at most a tenth of the path.</summary>
     public double StartDistance { get; init; }
 
@@ -104,30 +117,12 @@ internal sealed record PlanRules
     public BeadShape Shape { get; init; }
 
     /// <summary>The value without overrides; null if the settings do not state it.</summary>
-    public double? NozzleTemperature { get; init; }
-
-    /// <summary>The same in the first layer, if it differs.</summary>
-    public double? FirstLayerNozzleTemperature { get; init; }
-
-    /// <inheritdoc cref="NozzleTemperature"/>
     public double? BedTemperature { get; init; }
 
-    /// <inheritdoc cref="FirstLayerNozzleTemperature"/>
+    /// <summary>The same in the first layer, if it differs.</summary>
     public double? FirstLayerBedTemperature { get; init; }
 
-    /// <inheritdoc cref="NozzleTemperature"/>
-    public double? Fan { get; init; }
-
-    /// <summary>The fan for layers of the least time; in between it is interpolated.</summary>
-    public double MaxFan { get; init; }
-
-    /// <summary>Layers that take less than this, s, get more fan speed; 0 = off.</summary>
-    public double FanTime { get; init; }
-
-    /// <summary>Number of first layers that are printed without the fan.</summary>
-    public int FanOffLayers { get; init; }
-
-    /// <inheritdoc cref="NozzleTemperature"/>
+    /// <inheritdoc cref="BedTemperature"/>
     public double? Acceleration { get; init; }
 
     /// <summary>Accelerations and jerk by role; null = none is commanded.</summary>
@@ -143,7 +138,8 @@ internal sealed record PlanRules
     public double SpeedOf(PrintPath path, in Bead bead, bool firstLayer)
     {
         var speed = bead.Speed > 0 ? bead.Speed : PrintSpeed(path.Role, firstLayer);
-        return speed * bead.Area > MaxFlow ? MaxFlow / bead.Area : speed;
+        var most = Tools[path.Tool].MaxFlow;
+        return speed * bead.Area > most ? most / bead.Area : speed;
     }
 
     /// <summary>Height of the first layer and of the others, for paths without a layer.</summary>

@@ -7,6 +7,9 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
 
     // Points closer than this are equal, mm: far below the resolution of any file or machine.
     internal const double Touching = 1e-6;
+
+    // mm; the nozzle leaves a purge tower clean.
+    private const double TowerWipe = 5;
     private readonly bool[] _hasPrinted = new bool[rules.Tools.Length];
     private readonly DetourFinder? _detours = deposit is not null && rules.Detour ? new DetourFinder(deposit, rules.Head) : null;
     private readonly CombPath _around = new(rules.CombInset);
@@ -16,6 +19,8 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     public bool RisesFirst { get; init; }
 
     private Region? _inside;
+
+    private double Clearance => emitter.ToolRules.Material?.ZHop ?? rules.Clearance;
 
     /// <summary>A path has been printed to its end.</summary>
     public void Printed(PrintPath path, Region? inside)
@@ -64,14 +69,14 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
         {
             if (RisesFirst)
             {
-                var top = Math.Max(start.Z, emitter.Highest) + rules.Clearance;
+                var top = Math.Max(start.Z, emitter.Highest) + Clearance;
                 // Where the start code leaves the head is not known: a line of its own moves Z alone.
                 emitter.Event(new RawEvent($"G0 Z{NumberFormatter.Format(top, 3)} F{NumberFormatter.Format(rules.ZHopSpeed * 60, 0)}"));
                 emitter.Travel(start.WithZ(top), rules.TravelSpeed);
                 Down(start);
                 return;
             }
-            if (rules.Lift != LiftRule.None) emitter.Travel(start.WithZ(start.Z + rules.Clearance), rules.TravelSpeed);
+            if (rules.Lift != LiftRule.None) emitter.Travel(start.WithZ(start.Z + Clearance), rules.TravelSpeed);
             Down(start);
             return;
         }
@@ -174,10 +179,10 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     private double HeightOver(Vec3 from, Vec3 to, double level, bool safely)
     {
         if (rules.Lift == LiftRule.Highest)
-            return safely || from.DistanceTo(to) > rules.MinLiftTravel ? Math.Max(level, emitter.Highest) + rules.Clearance : level;
+            return safely || from.DistanceTo(to) > rules.MinLiftTravel ? Math.Max(level, emitter.Highest) + Clearance : level;
         if (deposit is null) return level;
         var needed = rules.Head.RequiredHeight(deposit, from, to, level);
-        return needed > level + Flush ? needed + rules.Clearance : level;
+        return needed > level + Flush ? needed + Clearance : level;
     }
 
     // A detour is taken if it is faster than going up and down.
@@ -215,8 +220,10 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     // Back along an open path, onward along a closed one, while the filament is retracted.
     private bool TryWipe(double e, ToolRules tool)
     {
-        if (rules.WipeDistance <= 0 || _last is not { } path || path.End.DistanceTo(emitter.Position) > Touching) return false;
-        var points = WipePath.Along(path, rules.WipeDistance);
+        if (_last is not { } path || path.End.DistanceTo(emitter.Position) > Touching) return false;
+        var distance = path.Role == Role.PrimeTower ? TowerWipe : emitter.ToolRules.Material?.WipeDistance ?? rules.WipeDistance;
+        if (distance <= 0 || !rules.CanWipe) return false;
+        var points = WipePath.Along(path, distance);
         var length = 0.0;
         for (var i = 1; i < points.Count; i++) length += points[i - 1].DistanceTo(points[i]);
         if (!(length > 0)) return false;

@@ -48,14 +48,16 @@ internal sealed class HeatModel(Printer printer)
 
     public HeaterCurve Bed { get; } = new(printer.BedHeating);
 
+    /// <summary>The nozzle of a tool.</summary>
     public HeaterCurve Nozzle(int tool)
     {
+        if (printer.SharedNozzle) tool = 0;
         if (!_nozzles.TryGetValue(tool, out var curve)) _nozzles.Add(tool, curve = new HeaterCurve(printer.NozzleHeating));
         return curve;
     }
 
     /// <summary>The nozzle of a tool, or null if it was never set.</summary>
-    public HeaterCurve? NozzleOrNull(int tool) => _nozzles.TryGetValue(tool, out var curve) ? curve : null;
+    public HeaterCurve? NozzleOrNull(int tool) => _nozzles.TryGetValue(printer.SharedNozzle ? 0 : tool, out var curve) ? curve : null;
 
     /// <summary>Sets a heater when the trapezoids before one are over.</summary>
     public void Set(HeaterCurve heater, int trapezoid, double celsius) => _open.Add((heater, trapezoid, celsius));

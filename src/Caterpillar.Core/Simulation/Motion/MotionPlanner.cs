@@ -234,14 +234,14 @@ internal sealed class MotionPlanner
     public static double[] FilamentPerE(IReadOnlyList<ToolpathTool> tools, PrintSetup setup)
     {
         var factors = new double[Math.Max(tools.Count, 1)];
-        for (var tool = 0; tool < factors.Length; tool++) factors[tool] = FilamentPerE(tool < tools.Count ? tools[tool].VolumePerE : null, setup);
+        for (var tool = 0; tool < factors.Length; tool++) factors[tool] = FilamentPerE(tool, tool < tools.Count ? tools[tool].VolumePerE : null, setup);
         return factors;
     }
 
     /// <summary>mm of filament for a unit of E of a tool: a tool whose E is a volume has a factor of 1 mm³.</summary>
-    public static double FilamentPerE(double? volumePerE, PrintSetup setup)
+    public static double FilamentPerE(int tool, double? volumePerE, PrintSetup setup)
     {
-        var radius = setup.Material.FilamentDiameter / 2;
+        var radius = setup.OfTool(tool).Material.FilamentDiameter / 2;
         return volumePerE == 1 ? 1 / (Math.PI * radius * radius) : 1;
     }
 }

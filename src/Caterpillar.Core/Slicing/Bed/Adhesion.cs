@@ -5,7 +5,7 @@ internal static class Adhesion
 {
     private const double ArcTolerance = 0.05;
 
-    /// <summary>The first layer with the loops in front of its steps.</summary>
+    /// <summary>The first layer with the loops in front of its steps, by the tool of the first one.</summary>
     /// <param name="first">The layer.</param>
     /// <param name="parts">Area of the parts on the bed.</param>
     /// <param name="covered">Area of all on the bed.</param>
@@ -51,6 +51,6 @@ internal static class Adhesion
         }
 
         // One rank for each loop keeps their order.
-        void Add(PrintPath path, Role role) => steps.Add(new PathStep(path.With(role, layer), new StepGroup(0, -1, steps.Count)));
+        void Add(PrintPath path, Role role) => steps.Add(new PathStep(path.With(role, layer, first.Steps[0].Path.Tool), new StepGroup(0, -1, steps.Count)));
     }
 }

@@ -33,7 +33,7 @@ internal static class Raft
                 foreach (var line in tools.Infill.Fill(request))
                 {
                     if (line.Points.Length < 2) continue;
-                    var path = PrintPath.Own(line.Points, [rules.Bead(rules.Width)], line.Closed).With(Role.Raft, layer);
+                    var path = PrintPath.Own(line.Points, [rules.Bead(rules.Width)], line.Closed).With(Role.Raft, layer, settings.ToolOf(Role.Raft));
                     steps.Add(new PathStep(path, new StepGroup(i, k)) { Region = islands[k] });
                 }
             }

@@ -32,7 +32,7 @@ internal sealed class Modifiers(IReadOnlyList<SliceModel> models)
                         OpenContours = layer.Rules.Settings.OpenContours };
                     rules.Add(layer.Rules, own = SliceRules.Of(settings, layer.Plan.Thickness, common, layer.Rules.First));
                 }
-                layer.Modifiers.Add((own, area));
+                layer.Modifiers.Add((own with { Top = layer.Rules.Top }, area));
             }
         }
     }

@@ -9,9 +9,6 @@ public sealed record ArrangeOptions
     /// <summary>Minimum distance from the edge of the bed and from excluded areas, mm.</summary>
     public double Margin { get; init; } = 2;
 
-    /// <summary>Area of the bed that stays free besides the excluded areas of the printer, mm.</summary>
-    public Bounds KeepFree { get; init; } = Bounds.Empty;
-
     /// <summary>True if models are printed one after the other: they need room for the print head next to printed models.</summary>
     public bool OneAfterTheOther { get; init; }
 }

@@ -1,11 +1,11 @@
 namespace Caterpillar.Slicing;
 
-/// <summary>Area of the bed for models: rectangle or ellipse, without the margin, the excluded areas and another one that stays free.</summary>
+/// <summary>Area of the bed for models: rectangle or ellipse, without the margin and the excluded areas.</summary>
 internal sealed class BedArea(Printer printer, ArrangeOptions options)
 {
     private readonly Bounds _bed = printer.BuildBounds;
     private readonly Footprint[] _excluded
-        = printer.ExcludedAreas.Append(options.KeepFree).Where(a => !a.IsEmpty).Select(Footprint.Of).ToArray();
+        = printer.ExcludedAreas.Where(a => !a.IsEmpty).Select(Footprint.Of).ToArray();
 
     public bool Holds(Footprint footprint) => footprint.Corners.All(Holds) && !Array.Exists(_excluded, area => footprint.Separation(area) < options.Margin);
 

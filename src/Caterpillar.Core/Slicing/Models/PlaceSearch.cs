@@ -10,6 +10,9 @@ internal sealed class PlaceSearch(Printer printer, ArrangeOptions options, Cance
 
     private readonly BedArea _bed = new(printer, options);
 
+    /// <summary>What stands on the bed already.</summary>
+    public Footprint[] Others { get; init; } = [];
+
     /// <summary>Each on the free point of a grid that is nearest to the middle of the bed; ties from the front left.</summary>
     public Footprint?[] FromTheMiddle(Footprint[] footprints, int[] order)
     {
@@ -93,7 +96,7 @@ internal sealed class PlaceSearch(Printer printer, ArrangeOptions options, Cance
         {
             if (other is not null && !moved.IsApart(other, Spacing(moved, other))) return false;
         }
-        return true;
+        return Array.TrueForAll(Others, other => moved.IsApart(other, Spacing(moved, other)));
     }
 
     // The lower one is printed first.

@@ -39,7 +39,7 @@ internal sealed class BodyCutter(
         {
             var kind = (plan[i].Thickness, First: i == 0 && common.RaftLayers == 0);
             if (!rules.TryGetValue(kind, out var rule)) rules.Add(kind, rule = SliceRules.Of(settings, kind.Thickness, common, kind.First));
-            body.Layers[i] = new LayerWork(body, i, plan[i] with { Top = plan[i].Top + lift }, rule) { Section = sections[i] };
+            body.Layers[i] = new LayerWork(body, i, plan[i] with { Top = plan[i].Top + lift }, rule with { Top = plan[i].Top }) { Section = sections[i] };
         }
         return body;
     }

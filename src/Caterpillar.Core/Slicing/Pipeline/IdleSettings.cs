@@ -54,16 +54,20 @@ internal static class IdleSettings
         Unless("brim_width_mm is above 0", s => s.BrimWidth == 0 && s.BrimEars.Count == 0, BedKeys.BrimGap),
         Unless("brim_type=ears", s => s.BrimType != BrimType.Ears, BedKeys.BrimEarsMaxAngle),
         Unless("raft_layers is above 0", s => s.RaftLayers == 0, BedKeys.RaftExpansion, BedKeys.RaftLayerHeight, BedKeys.RaftGap, BedKeys.RaftDensityPercent),
+        new(Severity.Warning, "with print_sequence=by_object", "The head would hit a tower beside the models",
+            s => s.PrintSequence == PrintSequence.ByObject, ToolKeys.PurgeTower),
+        Unless("purge_tower=true", s => !s.PurgeTower, ToolKeys.PurgeTowerWidth, ToolKeys.PurgeTowerBrimWidth),
+        Unless("purge_tower=true or purge_into_infill=true", s => s is { PurgeTower: false, PurgeIntoInfill: false }, ToolKeys.PurgeVolume),
         Unless("support=grid or support=tree", s => s.Support == SupportKind.None,
             SupportKeys.SupportPlacement, SupportKeys.SupportAngle, SupportKeys.MaxBridgeLength, SupportKeys.SupportXyGap, SupportKeys.SupportTopGap,
             SupportKeys.SupportBottomGap, SupportKeys.SupportDensityPercent, SupportKeys.SupportInterfaceLayers,
             SupportKeys.SupportInterfaceDensityPercent, SupportKeys.TreeTipDistance, SupportKeys.TreeBranchAngle, SupportKeys.TreeBranchDiameterAngle,
-            SupportKeys.TreeBranchDiameter, SupportKeys.SupportSpeed, WidthKeys.SupportLineWidth),
+            SupportKeys.TreeBranchDiameter, SupportKeys.SupportSpeed, WidthKeys.SupportLineWidth, ToolKeys.SupportInterfaceTool),
         Unless("support=tree", s => s.Support == SupportKind.Grid,
             SupportKeys.TreeTipDistance, SupportKeys.TreeBranchAngle, SupportKeys.TreeBranchDiameterAngle, SupportKeys.TreeBranchDiameter),
         Unless("support=grid", s => s.Support == SupportKind.Tree, SupportKeys.SupportDensityPercent),
         Unless("support_interface_layers is above 0", s => s.Support != SupportKind.None && s.SupportInterfaceLayers == 0,
-            SupportKeys.SupportInterfaceDensityPercent),
+            SupportKeys.SupportInterfaceDensityPercent, ToolKeys.SupportInterfaceTool),
     ];
 
     /// <summary>One diagnostic for each reason.</summary>

@@ -9,10 +9,10 @@ namespace Caterpillar.Slicing;
 /// <param name="settings">The settings of the print.</param>
 /// <param name="supports">Adds supports. Null = no supports.</param>
 /// <param name="problems">Receives diagnostics.</param>
-/// <param name="take">Receives finished layers, or null.</param>
+/// <param name="options">Who takes finished layers, and the bed.</param>
 internal sealed class LayerFinish(
     LayerWork[] works, IReadOnlyList<Body> bodies, PrintSettings settings, PrintSupports? supports, DiagnosticList problems,
-    Action<IReadOnlyList<SlicedLayer>>? take)
+    SliceOptions options)
 {
     private const double SameHeight = 1e-9;
     private readonly Dictionary<Body, (VaseSpiral Spiral, int Last)> _vases = [];
@@ -28,6 +28,10 @@ internal sealed class LayerFinish(
 
     // What stands on the bed, where all layers are known; else those of the lowest height.
     private List<SlicedLayer>? _low;
+
+    // The layers of each height, where tools take turns: their order depends on all of them. Curved layers keep theirs.
+    private readonly List<SlicedLayer[]>? _levels = options.Divide is null && ToolTurns.AreNeeded(works) ? [] : null;
+    private bool _begun;
 
     // Those of the height that is being collected, and all that are finished.
     private readonly List<SlicedLayer> _level = [];
@@ -53,7 +57,7 @@ internal sealed class LayerFinish(
             finished = LayerArcs.Fit(finished, work.Rules.Settings.ArcFittingTolerance, ofPart: true);
         }
         _all.Add(finished);
-        if (take is null || _isByObject) return;
+        if (options.Take is null || _isByObject || _levels is not null) return;
         // The highest layer of a vase may yet become its end.
         var open = supports?.AddTo(_all, waits: false) ?? _all.Count;
         foreach (var vase in _vases.Values) open = Math.Min(open, vase.Last);
@@ -72,6 +76,7 @@ internal sealed class LayerFinish(
         if (_isByObject) _low = Low();
         Release(_all.Count);
         EndLevel();
+        if (_levels is not null) TakeTurns();
         _cooling.Report(problems);
         return _finished.ToArray();
     }
@@ -95,17 +100,39 @@ internal sealed class LayerFinish(
     private void EndLevel()
     {
         if (_level.Count == 0) return;
-        if (_finished.Count == 0) Begin();
-        GiveOn(_level.ToArray());
+        if (!_begun) Begin();
+        _begun = true;
+        Collect(_level.ToArray());
         _level.Clear();
+    }
+
+    private void Collect(SlicedLayer[] level)
+    {
+        if (_levels is null) GiveOn(level);
+        else _levels.Add(level);
     }
 
     private void GiveOn(SlicedLayer[] level)
     {
         for (var i = 0; i < level.Length; i++) level[i] = LayerArcs.Fit(level[i], settings.ArcFittingTolerance, ofPart: false);
         _cooling.Apply(level);
-        take?.Invoke(level);
-        foreach (var layer in level) _finished.Add(take is null ? layer : layer with { Steps = [] });
+        options.Take?.Invoke(level);
+        foreach (var layer in level) _finished.Add(options.Take is null ? layer : layer with { Steps = [] });
+    }
+
+    private void TakeTurns()
+    {
+        var (turns, number) = (ToolTurns.Of(_levels!), 0);
+        var volume = settings.PurgeVolume > 0 ? settings.PurgeVolume : options.Printer.SharedNozzle ? 140 : 15;
+        if (settings.PurgeTower || settings.PurgeIntoInfill)
+        {
+            foreach (var turn in turns.SelectMany(t => t).Where(t => t.Changes)) turn.Purge = volume;
+        }
+        if (settings.PurgeIntoInfill) turns.ForEach(InfillPurge.Take);
+        if (settings.PurgeTower && settings.PrintSequence == PrintSequence.ByLayer) PurgeTower.Add(turns, settings, options.Printer);
+        else if (turns.Sum(t => t.Count(turn => turn.Purge > 0)) is > 0 and var left)
+            problems.Add(Severity.Warning, "slice.purge", "The infill after a tool change is less than purge_volume_mm3. Set purge_tower=true.", null, left);
+        foreach (var turn in turns) GiveOn(ToolTurns.Layers(turn, ref number));
     }
 
     // All objects that stand as low as the first layer, which are those that the loops go around together.
@@ -128,7 +155,7 @@ internal sealed class LayerFinish(
             return;
         }
         foreach (var layer in Raft.Below(covered, settings))
-            GiveOn([_finished.Count > 0 ? layer : Adhesion.Around(layer, layer.Region, layer.Region, settings)]);
+            Collect([layer.Layer.Index > 0 ? layer : Adhesion.Around(layer, layer.Region, layer.Region, settings)]);
     }
 
     private void EndVase(VaseSpiral spiral, int last, Body body)

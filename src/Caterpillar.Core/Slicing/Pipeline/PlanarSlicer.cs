@@ -92,7 +92,7 @@ public static class PlanarSlicer
         var parallel = new ParallelOptions { CancellationToken = cancel, MaxDegreeOfParallelism = threads > 0 ? threads : -1 };
         var stream = new LayerStream(ordered, threads, cancel);
         using var supports = PrintSupports.Begin(ordered, bodies, helpers, common, parallel);
-        var finish = new LayerFinish(ordered, bodies, common, supports, problems, options.Take);
+        var finish = new LayerFinish(ordered, bodies, common, supports, problems, options);
         foreach (var layer in affordable.Watch(stream.Run(progress.Part(0.4, 1)))) finish.Add(layer);
         var kept = finish.End();
         foreach (var body in bodies) ThinPlaces.Report(body, findings);

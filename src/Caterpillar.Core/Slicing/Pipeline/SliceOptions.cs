@@ -9,6 +9,9 @@ public sealed record SliceOptions
     /// <summary>Memory limit for the layers. Exceeding it is the error <see cref="MemoryLimit.Code"/>.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
+    /// <summary>The printer whose bed must have room for a purge tower beside the models.</summary>
+    public Printer Printer { get; init; } = new();
+
     /// <summary>
     /// Receives finished layers, all of one height together and from bottom to top, on a thread of the slicer. The layers of the result then have no steps.
     /// With supports, the first come after the supports are found. If models are printed one after the other, all layers come at the end.

@@ -111,7 +111,10 @@ internal sealed class SupportFiller(SupportLevel level, PrintSettings settings, 
     }
 
     private void Add(PrintPath path, Piece piece, Role role, int rank)
-        => _steps.Add(new PathStep(path.With(role, level.Work.Layer), new StepGroup(level.Work.Number, piece.Number, rank)) { Region = piece.Region });
+    {
+        path = path.With(role, level.Work.Layer, settings.ToolOf(role, _rules.Top));
+        _steps.Add(new PathStep(path, new StepGroup(level.Work.Number, piece.Number, rank)) { Region = piece.Region });
+    }
 
     private Region Inset(Region region, double distance) => region.Offset(-distance, JoinStyle.Miter, 2, ArcTolerance, _engine);
 

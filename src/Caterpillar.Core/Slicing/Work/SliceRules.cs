@@ -17,6 +17,12 @@ internal sealed record SliceRules(PrintSettings Settings, WallRules Walls, doubl
     /// <summary>True in the first layer on the bed.</summary>
     public bool First { get; init; }
 
+    /// <summary>Top of the layer above the bottom of the model.</summary>
+    public double Top { get; init; }
+
+    /// <summary>The tool of the walls.</summary>
+    public int WallTool => Settings.ToolOf(Role.OuterWall, Top);
+
     /// <summary>Formula of the infill, or null.</summary>
     public Formula? InfillFormula { get; init; }
 
@@ -65,13 +71,14 @@ internal sealed record SliceRules(PrintSettings Settings, WallRules Walls, doubl
     public double Pitch(double width) => Walls.Spacing(width);
 
     /// <summary>Whether walls are laid as with other rules, so that areas of both may share them.</summary>
-    public bool HasSameWalls(SliceRules other) => Walls == other.Walls
+    public bool HasSameWalls(SliceRules other) => Walls == other.Walls && WallTool == other.WallTool
         && Settings.OnlyOneWallFirstLayer == other.Settings.OnlyOneWallFirstLayer && Settings.OnlyOneWallTop == other.Settings.OnlyOneWallTop
         && Settings.AlternateExtraWall == other.Settings.AlternateExtraWall && Settings.ExtraWallsOnOverhangs == other.Settings.ExtraWallsOnOverhangs;
 
-    /// <summary>A path with the flow of these settings, and with their speed if it differs from the print.</summary>
+    /// <summary>A path with the tool and the flow of these settings, and with their speed if it differs from the print.</summary>
     public PrintPath Own(PrintPath path)
     {
+        if (Settings.ToolOf(path.Role, Top) is var tool && tool != path.Tool) path = path.With(tool: tool);
         var first = path.Layer is { Index: 0 };
         var speed = ReferenceEquals(Settings, Common) ? 0 : Settings.SpeedOf(path.Role, first);
         if (speed == Common.SpeedOf(path.Role, first)) speed = 0;

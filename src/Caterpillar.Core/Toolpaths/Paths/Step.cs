@@ -60,8 +60,10 @@ public sealed class PathStep : Step
     public PathStep With(PrintPath path) => With(path, Region);
 
     /// <summary>The same step with another path and region.</summary>
-    public PathStep With(PrintPath path, Region? region)
-        => new(path, Group)
+    public PathStep With(PrintPath path, Region? region) => With(path, region, Group);
+
+    internal PathStep With(PrintPath path, Region? region, StepGroup? group)
+        => new(path, group)
         {
             KeepStart = KeepStart, Joined = Joined, GoesOn = GoesOn, Region = region, Source = Source,
             Lines = path.SegmentCount == Lines?.Length ? Lines : null,

@@ -27,7 +27,7 @@ internal sealed class MoveTrees(
             var layer = builder.AddLayer(LayerOf(_places[branch], moves));
             foreach (var move in moves) Add(builder, move, layer);
         }
-        return builder.Build(Enumerable.Repeat(new ToolpathTool(setup.Extrusion.VolumePerE), setup.Printer.ToolCount));
+        return builder.Build(Enumerable.Range(0, setup.Printer.ToolCount).Select(t => new ToolpathTool(setup.OfTool(t).Extrusion.VolumePerE)));
     }
 
     private IEnumerable<Given> Moves(int branch, DocumentUnits units)

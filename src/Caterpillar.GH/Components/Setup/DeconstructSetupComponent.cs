@@ -12,7 +12,7 @@ public sealed class DeconstructSetupComponent() : CaterpillarComponent(
     private protected override void Outputs(OutputPorts ports)
     {
         ports.Add(new PrinterParam(), "Printer", "P", "Printer.");
-        ports.Add(new MaterialParam(), "Material", "M", "Material.");
+        ports.Add(new MaterialParam(), "Material", "M", "Material of each tool.", GH_ParamAccess.list);
         ports.Add(new SettingsParam(), "Settings", "S", "Print settings.");
         ports.Add(new Param_Mesh { Hidden = true }, "Printed On", "O", "Objects on the bed to print on, as one mesh. Null if none.");
         ports.Curve("Bed", "B", "Outline of the bed.");
@@ -24,8 +24,11 @@ public sealed class DeconstructSetupComponent() : CaterpillarComponent(
     {
         var setup = run.Get<PrintSetup>(0);
         var units = run.Units;
-        run.SetAll(new PrinterGoo(setup.Printer), new MaterialGoo(setup.Material), new SettingsGoo(setup.Settings),
-            setup.PrintedOn is { } mesh ? RhinoMesh.FromTriangles(mesh, units) : null, RhinoGeometry.ToBed(setup.Printer, units));
+        run.Set(0, new PrinterGoo(setup.Printer));
+        run.SetList(1, setup.ToolMaterials.Prepend(setup.Material).Select(m => new MaterialGoo(m)));
+        run.Set(2, new SettingsGoo(setup.Settings));
+        run.Set(3, setup.PrintedOn is { } mesh ? RhinoMesh.FromTriangles(mesh, units) : null);
+        run.Set(4, RhinoGeometry.ToBed(setup.Printer, units));
         var values = setup.Values();
         run.SetList(5, values.Select(v => v.Key));
         run.SetList(6, values.Select(v => v.Value));

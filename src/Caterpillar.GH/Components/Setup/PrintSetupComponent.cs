@@ -13,7 +13,8 @@ public sealed class PrintSetupComponent() : ProfileComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Profile(new PrinterChoiceParam(), "Printer", "P", "Default: generic.");
-        ports.Profile(new MaterialChoiceParam(), "Material", "M", "Default: as the printer names it.");
+        ports.Profile(new MaterialChoiceParam(), "Material", "M", "A list is for the tools in their order. Default: as the printer names it.",
+            GH_ParamAccess.list);
         ports.Profile(new SettingsChoiceParam(), "Settings", "S", "Default: as the printer names them.");
         ports.Geometry("Printed On", "O", "Objects on the bed to print on. Travel moves stay above them, checks find collisions with them, and curved layers "
             + "begin on them.", GH_ParamAccess.list, optional: true);
@@ -27,7 +28,8 @@ public sealed class PrintSetupComponent() : ProfileComponent(
 
     private protected override void Solve(Run run)
     {
-        var setup = run.Require(Profiles.Setup(run.Maybe<Printer>(0), run.Maybe<Material>(1), run.Maybe<PrintSettings>(2)));
+        var materials = run.List<Material>(1);
+        var setup = run.Require(Profiles.Setup(run.Maybe<Printer>(0), materials.FirstOrDefault(), run.Maybe<PrintSettings>(2), materials.Skip(1)));
         object[] meshes = Array.ConvertAll(run.Models(3, Tolerance), m => (object)m.Triangles);
         // The same mesh for the same objects: what follows is not computed again.
         var mesh = meshes.Length == 0 ? null : run.Work("Joining", meshes, (_, _) => TriMesh.Merge(meshes.Cast<TriMesh>()));

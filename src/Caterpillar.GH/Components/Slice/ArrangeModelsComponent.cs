@@ -24,10 +24,10 @@ public sealed class ArrangeModelsComponent() : ModelMovingComponent(
     {
         var geometry = GeometryOf(run);
         var setup = SetupPort.Of(run, 1);
-        var printer = setup.Printer;
+        var printer = PrimedArea.Excluded(setup);
         var pieces = run.Get<int>(2) is >= 1 and <= 10000 and var count ? count : throw new InputProblem("Count must be 1 to 10000.");
         var (spacing, margin) = (run.NotNegative(3), run.NotNegative(4));
-        var options = new ArrangeOptions { Spacing = spacing, Margin = margin, OneAfterTheOther = run.Get<bool>(5), KeepFree = PrimedArea.Of(setup) };
+        var options = new ArrangeOptions { Spacing = spacing, Margin = margin, OneAfterTheOther = run.Get<bool>(5) };
         var models = Models(run, geometry, run.Positive(6));
         object[] meshes = Array.ConvertAll(models, m => (object)m.Mesh);
         var result = run.Work("Arranging", [meshes, printer, pieces, options],

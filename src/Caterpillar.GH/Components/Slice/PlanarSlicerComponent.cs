@@ -1,3 +1,4 @@
+using Caterpillar.Jobs;
 using Caterpillar.Slicing;
 
 namespace Caterpillar.GH.Components.Slice;
@@ -36,8 +37,10 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         var parts = Parts(run, solids, setup);
         SliceModel[] all = [.. parts, .. modifiers];
         object[] helpers = modifiers.SelectMany(m => new object[] { m.Mesh.Mesh, m.Settings }).ToArray();
-        var result = run.Work("Slicing", [settings, models, parts.Select(p => p.Settings).ToArray(), helpers],
-            (progress, cancel) => PlanarSlicer.SliceEach(all, settings, null, progress, cancel));
+        // Only a purge tower depends on the bed.
+        var printer = settings.PurgeTower ? PrimedArea.Excluded(setup, isForTower: true) : new Printer();
+        var result = run.Work("Slicing", [settings, models, parts.Select(p => p.Settings).ToArray(), helpers, printer],
+            (progress, cancel) => PlanarSlicer.SliceEach(all, settings, new SliceOptions { Printer = printer }, progress, cancel));
         SetResult(run, models, solids, result, setup);
     }
 
