@@ -61,7 +61,7 @@ public class FlavorRuleTests
                 var rule = typeof(FlavorRules).GetProperty(name, BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic);
                 Assert.That(rule, Is.Not.Null, $"{flavor.Name}: {name}");
                 var type = rule!.PropertyType;
-                if (type == typeof(bool)) Assert.That(value, Is.AnyOf("yes", "no"), $"{flavor.Name}: {name}");
+                if (type == typeof(bool)) Assert.That(value is "yes" or "no", $"{flavor.Name}: {name}");
                 if (type == typeof(double) || type == typeof(int)) Assert.That(NumberReader.TryParse(value, out _), $"{flavor.Name}: {name}");
             }
         }
