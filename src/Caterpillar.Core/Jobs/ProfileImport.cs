@@ -59,8 +59,8 @@ public static class ProfileImport
         // No folder has its material and settings.
         var usual = new Printer();
         var printer = made.Printers[0] with { DefaultMaterial = usual.DefaultMaterial, DefaultSettings = usual.DefaultSettings };
-        return new Result<PrintSetup>(
-            new PrintSetup(printer, made.Materials.FirstOrDefault() ?? new Material(), made.Settings.FirstOrDefault() ?? new PrintSettings()), read.Diagnostics);
+        var (material, settings) = (made.Materials.FirstOrDefault() ?? new Material(), made.Settings.FirstOrDefault() ?? new PrintSettings());
+        return new Result<PrintSetup>(new PrintSetup(printer, material, settings), read.Diagnostics);
     }
 
     // The settings of another slicer; null if the file is something else.
