@@ -24,7 +24,7 @@ internal static class TurtleImages
     public static void Write(string programs, string folder)
     {
         var options = new ToolpathImageOptions { Width = Width, Height = Height, ColorBy = ColorBy.Role };
-        var sheet = new RasterImage(Columns * Width, (Programs.Length + Columns - 1) / Columns * Height, options.Background);
+        var sheet = new RasterImage(Columns * Width, (Programs.Length + Columns - 1) / Columns * Height, ToolpathImage.Background);
         var setup = new ProfileLibrary().Setup("generic").OrThrow();
         for (var i = 0; i < Programs.Length; i++)
         {
