@@ -21,8 +21,7 @@ internal static class TurtleDefinitions
 
     public static Sketch Commands(string name)
     {
-        var s = new Sketch(name, "A turtle program from components instead of a script: forward and turn, repeated to a polygon, around which a "
-            + "small pause waits.",
+        var s = new Sketch(name, "A turtle program from components instead of a script: forward and turn, repeated to a polygon, after a small pause.",
             "Sides and Turn together: 5 and 72 give a pentagon, 5 and 144 a star.");
         var setup = s.Setup();
         s.Stage("Design");
@@ -31,12 +30,12 @@ internal static class TurtleDefinitions
             s.Slider("Height", 0.2, 0.1, 1, 2)),
             ("Speed", s.Slider("Speed", 25, 1, 100, 0)));
         var pen = s.Component<TurtlePenComponent>(("Down", s.Toggle("Pen down", true)));
+        var wait = s.Component<TurtleEventComponent>(("Kind", new Pick("Dwell")), ("Value", s.Slider("Wait, ms", 500, 0, 5000, 0)));
         var forward = s.Component<TurtleMoveComponent>(("Distance", s.Slider("Side", 30, 5, 80, 0)));
         var turn = s.Component<TurtleRotateComponent>(("Yaw", s.Slider("Turn", 90, 0, 180, 0)));
         var square = s.Component<TurtleRepeatComponent>(("Commands", new object[] { forward, turn }), ("Count", s.Slider("Sides", 4, 1, 12, 0)));
-        var wait = s.Component<TurtleEventComponent>(("Kind", new Pick("Dwell")), ("Value", s.Slider("Wait, ms", 500, 0, 5000, 0)));
         s.Stage("Shape");
-        var program = s.Component<TurtleProgramComponent>(("Commands", new object[] { jump, bead, pen, square, wait }));
+        var program = s.Component<TurtleProgramComponent>(("Commands", new object[] { jump, bead, pen, wait, square }));
         var turtle = s.With<TurtleComponent>(setup, ("Program", program));
         return s.Print((turtle, "Steps"), "Order");
     }
