@@ -51,7 +51,7 @@ public class SetupTests
     [TestCase("height_ranges_mm=10,12,0", "profile.out_of_range", "0.001")]
     [TestCase("height_ranges_mm=[[11,14,0.3],[10,12,0.1]]", "profile.out_of_range", "two ranges for 11 to 12 mm")]
     [TestCase("brim=5", "profile.unknown_key",
-        "Did you mean brim_width_mm, brim_type, brim_ears_max_angle_deg, brim_ears_mm or brim_gap_mm?")]
+        "Did you mean brim_width_mm, brim_type, brim_ears_max_angle_deg, brim_ears_mm, brim_gap_mm or purge_tower_brim_width_mm?")]
     [TestCase("raft=1", "profile.unknown_key", "Did you mean raft_layers, raft_expansion_mm, raft_layer_height_mm, raft_gap_mm or raft_density_percent?")]
     [TestCase("skirt=2", "profile.unknown_key", "Did you mean skirt_loops or skirt_distance_mm?")]
     [TestCase("wall_line_count=3", "profile.unknown_key", "wall_count=3.")]

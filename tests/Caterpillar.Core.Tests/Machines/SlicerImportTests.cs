@@ -186,7 +186,7 @@ public class SlicerImportTests
     [TestCase("{if printer_notes=~/.*MODEL_MINI.*/}M1{elsif printer_notes=~/.*MODEL_MK3.*/ and nozzle_diameter[0]==0.6}M2{else}M3{endif}",
         "{if 0}M1{elsif 1 and nozzle_diameter_mm==0.6}M2{else}M3{endif}")]
     [TestCase("{if filament_type[initial_tool]==\"PLA\"}G4{endif}", "{if 1}G4{endif}")]
-    [TestCase("M104 S{is_nil(idle_temperature[0]) ? 150 : idle_temperature[0]}", "M104 S{0 ? 150 : 140}")]
+    [TestCase("M104 S{is_nil(idle_temperature[0]) ? 150 : idle_temperature[0]}", "M104 S{0 ? 150 : standby_temperature_c}")]
     [TestCase("M862.3 P \"[printer_model]\" ; [printer_model]", "M862.3 P \"MK3S\" ; MK3S")]
     [TestCase("M486 S{int(3.7)}", "M486 S{trunc(3.7)}")]
     [TestCase("G92 E0 ; {unknown} [stays]", "G92 E0 ; {{unknown}} [stays]")]

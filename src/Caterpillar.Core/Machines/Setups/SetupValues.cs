@@ -32,7 +32,8 @@ internal static class SetupValues
         return
         [
             .. Of(ProfileKinds.Settings, settings), .. Of(ProfileKinds.Printer, setup.Printer), .. Of(ProfileKinds.Material, setup.Material),
-            .. setup.ToolMaterials.SelectMany((m, i) => Of(ProfileKinds.Material, m).Select(v => new KeyValuePair<string, string>(OfTool(v.Key, i + 1), v.Value))),
+            .. setup.ToolMaterials.SelectMany((material, i) => Of(ProfileKinds.Material, material)
+                .Select(v => new KeyValuePair<string, string>(OfTool(v.Key, i + 1), v.Value))),
         ];
 
         static IEnumerable<KeyValuePair<string, string>> Of<T>(ProfileKind<T> kind, T profile)
@@ -47,7 +48,7 @@ internal static class SetupValues
     {
         var named = Regex.Match(key, @"^(.+)\[([0-9]{1,2})\]$");
         int? tool = named.Success ? int.Parse(named.Groups[2].Value) : null;
-        if (ProfileKinds.Material.Find(named.Success ? named.Groups[1].Value : "") is { } ofMaterial && tool <= setup.ToolMaterials.Count) key = ofMaterial.Name;
+        if (tool <= setup.ToolMaterials.Count && ProfileKinds.Material.Find(named.Groups[1].Value) is not null) key = named.Groups[1].Value;
         // All three have a title, which does not affect the print.
         if (key == "title")
         {
