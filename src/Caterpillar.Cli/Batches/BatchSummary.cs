@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace Caterpillar.Cli;
 
 /// <summary>The results of a batch as a CSV table, and the runs that an earlier table lists as done.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Curved;
-using Caterpillar.Slicing;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Options for layers between boundaries of the model.</summary>

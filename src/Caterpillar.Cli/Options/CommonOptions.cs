@@ -1,7 +1,4 @@
 using System.CommandLine.Completions;
-using Caterpillar.Flavors;
-using Caterpillar.Expressions;
-using Caterpillar.GCode;
 
 namespace Caterpillar.Cli;
 

@@ -1,5 +1,3 @@
-using Caterpillar.Drawings;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Extrusion options for curves without settings of their own.</summary>

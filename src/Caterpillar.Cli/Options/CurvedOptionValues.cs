@@ -1,7 +1,3 @@
-using Caterpillar.Files;
-using Caterpillar.Curved;
-using Caterpillar.Slicing;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Options for slicing along surfaces. Surfaces and formulas use the coordinates of the model's file and move with the model.</summary>

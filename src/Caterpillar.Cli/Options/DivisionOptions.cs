@@ -1,5 +1,3 @@
-using Caterpillar.Drawings;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Options for the division of curved parts and for arcs.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Curved;
-using Caterpillar.Slicing;
-
 namespace Caterpillar.Cli;
 
 /// <summary>The option for infill lines that follow directions of the surface.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Drawings;
-using Caterpillar.Slicing;
-
 namespace Caterpillar.Cli;
 
 /// <summary>User curves as infill: <c>--infill-curves web.svg</c>.</summary>

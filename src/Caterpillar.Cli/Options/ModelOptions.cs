@@ -1,6 +1,3 @@
-using Caterpillar.Jobs;
-using Caterpillar.Slicing;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Options that scale, rotate and place models. They act in this order, not in the order of the command line.</summary>

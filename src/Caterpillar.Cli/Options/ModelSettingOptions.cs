@@ -1,5 +1,3 @@
-using Caterpillar.Jobs;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Settings for one of several models: <c>--for lid.stl:wall_count=3,infill_density_percent=50</c>.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Expressions;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Options that select moves of a decoded file.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Jobs;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Options for an object on the bed that is printed on.</summary>

@@ -1,6 +1,4 @@
 using System.CommandLine.Completions;
-using Caterpillar.Jobs;
-using Caterpillar.GCode;
 
 namespace Caterpillar.Cli;
 

@@ -1,6 +1,3 @@
-using Caterpillar.GCode;
-using Caterpillar.Simulation;
-
 namespace Caterpillar.Cli;
 
 /// <summary>The times of a file, with the motion limits of the given printer, else of the slicer's settings in the file, else of the generic printer.</summary>

@@ -1,7 +1,3 @@
-using Caterpillar.GCode;
-using Caterpillar.Jobs;
-using Caterpillar.Shaping;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Options that edit a decoded file. They act on the selected layers. Start and end G-code are outside of layers and stay unchanged.</summary>

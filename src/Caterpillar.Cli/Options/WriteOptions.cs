@@ -1,7 +1,3 @@
-using Caterpillar.Checks;
-using Caterpillar.Jobs;
-using Caterpillar.Simulation;
-
 namespace Caterpillar.Cli;
 
 /// <summary>The output file, and the reason to write despite the checks; for every verb that makes G-code.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.GCode;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Summary of a decoded file as text.</summary>

@@ -1,4 +1,3 @@
-using Caterpillar.Files;
 using Newtonsoft.Json;
 
 namespace Caterpillar.Cli;

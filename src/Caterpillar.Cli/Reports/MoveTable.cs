@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Moves as comma-separated values, one row each.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.GCode;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Figures of a print.</summary>

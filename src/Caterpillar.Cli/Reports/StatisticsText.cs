@@ -1,5 +1,3 @@
-using Caterpillar.Simulation;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Statistics of a print as tables, with a histogram of layer times.</summary>

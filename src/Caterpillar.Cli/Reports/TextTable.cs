@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Text in columns, two spaces apart; an empty row gives an empty line.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-using Caterpillar.Planning;
 using Newtonsoft.Json;
 
 namespace Caterpillar.Cli;

@@ -1,5 +1,3 @@
-using Caterpillar.Checks;
-
 namespace Caterpillar.Cli;
 
 /// <summary>A written G-code file and the findings of the checks.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Drawings;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Reads curve files of options.</summary>

@@ -1,5 +1,4 @@
 using System.Security.Cryptography;
-using Caterpillar.Files;
 
 namespace Caterpillar.Cli;
 

@@ -1,7 +1,3 @@
-using System.Text;
-using Caterpillar.Checks;
-using Caterpillar.Files;
-using Caterpillar.GCode;
 using Spectre.Console;
 
 namespace Caterpillar.Cli;

@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Standard output, or standard error, which may be closed: nobody reads the messages then, but the work goes on.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Reads a stream that may block forever (standard input), and stops waiting when the work is canceled.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Files that are being written. They are removed if the program must end at once.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Answers to options of other slicers, which are keys or options with other names here.</summary>

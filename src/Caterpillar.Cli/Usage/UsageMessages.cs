@@ -1,6 +1,5 @@
 using System.CommandLine.Parsing;
 using System.Text.RegularExpressions;
-using Caterpillar.Expressions;
 
 namespace Caterpillar.Cli;
 

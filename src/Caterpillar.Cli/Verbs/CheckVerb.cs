@@ -1,5 +1,3 @@
-using Caterpillar.Checks;
-using Caterpillar.GCode;
 using Newtonsoft.Json;
 
 namespace Caterpillar.Cli;

@@ -1,7 +1,3 @@
-using Caterpillar.Checks;
-using Caterpillar.GCode;
-using Caterpillar.Jobs;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Edits a G-code file, or converts it to another flavor or notation. Lines that need no change keep their bytes.</summary>

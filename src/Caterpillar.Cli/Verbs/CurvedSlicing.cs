@@ -1,6 +1,3 @@
-using Caterpillar.Jobs;
-using Caterpillar.Slicing;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Slices along surfaces, or onto an object.</summary>

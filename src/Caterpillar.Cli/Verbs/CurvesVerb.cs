@@ -1,7 +1,3 @@
-using Caterpillar.Drawings;
-using Caterpillar.Jobs;
-using Caterpillar.Planning;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Prints curves as drawn, in the given order.</summary>

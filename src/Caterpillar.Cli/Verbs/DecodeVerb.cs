@@ -1,7 +1,4 @@
 using System.Security.Cryptography;
-using Caterpillar.Files;
-using Caterpillar.GCode;
-using Caterpillar.Simulation;
 
 namespace Caterpillar.Cli;
 

@@ -1,7 +1,3 @@
-using Caterpillar.Display;
-using Caterpillar.Files;
-using Caterpillar.GCode;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Draws an image of a print.</summary>

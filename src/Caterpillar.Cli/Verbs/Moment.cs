@@ -1,5 +1,3 @@
-using Caterpillar.Simulation;
-
 namespace Caterpillar.Cli;
 
 /// <summary>A moment of a print in words: <c>42%</c>, <c>12m30s</c>, <c>line:1000</c>, <c>move:7</c>, <c>layer:3</c>, <c>z:1.2</c>.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Jobs;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Creates profiles from files of other programs.</summary>

@@ -1,7 +1,3 @@
-using Caterpillar.Files;
-using Caterpillar.GCode;
-using Caterpillar.Simulation;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Reports the state of the machine at moments of a file.</summary>

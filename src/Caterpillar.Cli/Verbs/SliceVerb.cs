@@ -1,6 +1,3 @@
-using Caterpillar.Jobs;
-using Caterpillar.Slicing;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Slices meshes into G-code, in planar layers or along a surface.</summary>

@@ -1,8 +1,3 @@
-using System.Text;
-using Caterpillar.Jobs;
-using Caterpillar.Planning;
-using Caterpillar.Turtles;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Runs a turtle program and writes its G-code.</summary>

@@ -1,6 +1,5 @@
 using System.Diagnostics;
 using System.Net;
-using Caterpillar.Display;
 
 namespace Caterpillar.Cli;
 

@@ -1,10 +1,3 @@
-using Caterpillar.Checks;
-using Caterpillar.Display;
-using Caterpillar.Files;
-using Caterpillar.GCode;
-using Caterpillar.Simulation;
-using Caterpillar.Slicing;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Reads the contents of a viewer page: G-code, meshes, or a design, which is turned into G-code first.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.Display;
 
 /// <summary>Draws extrusions of an elliptic section with depth and shading into an image of twice the requested size.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.Display;
 
 /// <summary>The colors of roles and scales, the same in images, web pages and on the canvas.</summary>

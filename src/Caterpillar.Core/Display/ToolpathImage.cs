@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.Display;
 
 /// <summary>The value that the colors of an image show.</summary>

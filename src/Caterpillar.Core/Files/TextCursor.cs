@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace Caterpillar.Files;
 
 /// <summary>Reads the words and lines of a text file in memory.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Shaping;
-
 namespace Caterpillar.Jobs;
 
 /// <summary>

@@ -1,8 +1,3 @@
-using Caterpillar.Checks;
-using Caterpillar.Flavors;
-using Caterpillar.Files;
-using Caterpillar.GCode;
-
 namespace Caterpillar.Jobs;
 
 /// <summary>Edits and converts a G-code file and writes it again. Unchanged lines keep their bytes. Immutable.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Slicing;
-
 namespace Caterpillar.Jobs;
 
 /// <summary>Scales, rotates and places models, in the order of these properties. By default they are together in the center of the bed.</summary>

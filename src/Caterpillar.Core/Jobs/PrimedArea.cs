@@ -1,7 +1,3 @@
-using System.Text;
-using Caterpillar.GCode;
-using Caterpillar.Slicing;
-
 namespace Caterpillar.Jobs;
 
 /// <summary>The part of the bed that the start G-code prints on, as with a prime line.</summary>

@@ -1,12 +1,3 @@
-using Caterpillar.Checks;
-using Caterpillar.Curved;
-using Caterpillar.Drawings;
-using Caterpillar.Files;
-using Caterpillar.GCode;
-using Caterpillar.Planning;
-using Caterpillar.Slicing;
-using Caterpillar.Turtles;
-
 namespace Caterpillar.Jobs;
 
 /// <summary>

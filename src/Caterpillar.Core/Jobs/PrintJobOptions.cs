@@ -1,6 +1,3 @@
-using Caterpillar.Planning;
-using Caterpillar.Slicing;
-
 namespace Caterpillar.Jobs;
 
 /// <summary>Options of a print besides printer, material and settings.</summary>

@@ -1,6 +1,3 @@
-using System.Text;
-using Caterpillar.GCode;
-
 namespace Caterpillar.Jobs;
 
 /// <summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Slicing;
-
 namespace Caterpillar.Jobs;
 
 /// <summary>Settings of models in 3MF projects of other slicers: of objects and parts, and painted faces.</summary>

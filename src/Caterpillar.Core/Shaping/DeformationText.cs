@@ -1,5 +1,3 @@
-using Caterpillar.Expressions;
-
 namespace Caterpillar.Shaping;
 
 /// <summary>Coordinate system of the formulas of a deformation.</summary>

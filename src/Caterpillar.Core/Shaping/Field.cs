@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.Shaping;
 
 /// <summary>A point on a path, as the argument of a <see cref="Field"/>.</summary>

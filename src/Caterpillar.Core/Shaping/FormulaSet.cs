@@ -1,5 +1,3 @@
-using Caterpillar.Expressions;
-
 namespace Caterpillar.Shaping;
 
 /// <summary>Compiles the formulas of a deformation or a field over the same variables, and evaluates them from any thread.</summary>

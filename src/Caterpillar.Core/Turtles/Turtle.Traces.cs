@@ -1,5 +1,3 @@
-using Caterpillar.Traces;
-
 namespace Caterpillar.Turtles;
 
 // Parts made of strings, and steps that are taken back to be shaped.

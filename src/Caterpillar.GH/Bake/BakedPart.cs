@@ -1,4 +1,3 @@
-using Caterpillar.Display;
 using Rhino.DocObjects;
 using Layer = Caterpillar.Toolpaths.Layer;
 

@@ -1,5 +1,4 @@
 using System.Drawing;
-using Caterpillar.Display;
 using Rhino.DocObjects;
 using Rhino.UI;
 

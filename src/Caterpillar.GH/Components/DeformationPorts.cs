@@ -1,5 +1,3 @@
-using Caterpillar.Shaping;
-
 namespace Caterpillar.GH.Components;
 
 /// <summary>What a deformation changes.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Simulation;
-
 namespace Caterpillar.GH.Components;
 
 /// <summary>The setup of a component: the connected one, else the one that its paths or its toolpath were made with, else the generic one.</summary>

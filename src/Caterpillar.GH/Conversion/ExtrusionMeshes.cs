@@ -1,5 +1,4 @@
 using System.Drawing;
-using Caterpillar.Display;
 
 namespace Caterpillar.GH.Conversion;
 

@@ -1,5 +1,4 @@
 using System.Drawing;
-using Caterpillar.Files;
 
 namespace Caterpillar.GH.Conversion;
 

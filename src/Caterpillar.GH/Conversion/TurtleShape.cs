@@ -1,5 +1,3 @@
-using Caterpillar.Turtles;
-
 namespace Caterpillar.GH.Conversion;
 
 /// <summary>The turtle's triangle as Rhino geometry.</summary>

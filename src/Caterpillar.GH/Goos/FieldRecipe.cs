@@ -1,6 +1,4 @@
 using System.Collections;
-using Caterpillar.Curved;
-using Caterpillar.Slicing;
 
 namespace Caterpillar.GH.Goos;
 

@@ -1,5 +1,3 @@
-using Caterpillar.GCode;
-
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A G-code file on a wire, as one value. A Panel shows a summary, G-code Text shows its lines.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Curved;
-using Caterpillar.Slicing;
-
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A field of layers on a wire. Layers copy a mesh, surface or Brep. Text is the formula of a field.</summary>

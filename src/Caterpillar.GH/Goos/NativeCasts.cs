@@ -1,5 +1,3 @@
-using Caterpillar.Display;
-
 namespace Caterpillar.GH.Goos;
 
 /// <summary>Paths and toolpaths as geometry of Rhino and Grasshopper. Null if they have none of the requested type.</summary>

@@ -1,4 +1,3 @@
-using Caterpillar.Drawings;
 using Caterpillar.GH.Bake;
 
 namespace Caterpillar.GH.Goos;

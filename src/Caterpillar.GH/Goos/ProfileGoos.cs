@@ -1,5 +1,3 @@
-using Caterpillar.Jobs;
-
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A printer on a wire. At a port for printers, text is the name of a profile.</summary>

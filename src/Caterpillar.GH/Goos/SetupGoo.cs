@@ -1,5 +1,3 @@
-using Caterpillar.Jobs;
-
 namespace Caterpillar.GH.Goos;
 
 /// <summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Flavors;
-using Caterpillar.GCode;
 using Caterpillar.GH.Bake;
 
 namespace Caterpillar.GH.Goos;

@@ -1,4 +1,3 @@
-using Caterpillar.Turtles;
 using Newtonsoft.Json;
 
 namespace Caterpillar.GH.Goos;

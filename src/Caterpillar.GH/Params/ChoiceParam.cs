@@ -1,6 +1,5 @@
 using System.Drawing;
 using System.Globalization;
-using Caterpillar.Expressions;
 
 namespace Caterpillar.GH.Params;
 

@@ -1,4 +1,3 @@
-using Caterpillar.GCode;
 using Rhino.Commands;
 using Rhino.DocObjects;
 using Rhino.Input;

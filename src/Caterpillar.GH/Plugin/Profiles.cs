@@ -1,4 +1,3 @@
-using Caterpillar.Jobs;
 using Grasshopper;
 
 namespace Caterpillar.GH.Plugin;

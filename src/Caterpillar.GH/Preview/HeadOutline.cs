@@ -1,6 +1,3 @@
-using Caterpillar.Display;
-using Caterpillar.Turtles;
-
 namespace Caterpillar.GH.Preview;
 
 /// <summary>The print head as rings and edges, its profile and mesh, and a turtle that points in the direction of motion.</summary>

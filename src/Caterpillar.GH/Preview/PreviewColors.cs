@@ -1,6 +1,4 @@
 using System.Drawing;
-using Caterpillar.Display;
-using Caterpillar.Simulation;
 
 namespace Caterpillar.GH.Preview;
 

@@ -44,7 +44,7 @@ public sealed class SettingKeysTests
         if (range.StartsWith("a formula in z", StringComparison.Ordinal)) return ["0.2 + z / 1000"];
         if (range.StartsWith("a formula", StringComparison.Ordinal)) return ["sin(x) + y * z"];
         if (range.StartsWith("[x, y]", StringComparison.Ordinal)) return ["[3, 4]"];
-        if (range.Contains(" lists ")) return ["[[1, 2, 0.1]]", "[[0, 1, 2], [0, 3, 4]]", "[[50, 20, 100, 1]]"];
+        if (range.Contains(" lists ")) return ["[[1, 2, 0.1]]", "[[0, 1, 2], [0, 3, 4]]", "[[50, 20, 100, 1]]", "[[5, 1]]"];
         var ends = range.Split([" to "], StringSplitOptions.None);
         if (ends.Length < 2) return range.Split([", ", " or "], StringSplitOptions.None);
         var (low, high) = (Number(ends[0]), Number(ends[1]));

@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace Caterpillar.Basics;
 
 /// <summary>How serious a <see cref="Diagnostic"/> is.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Simulation;
-
 namespace Caterpillar.Checks;
 
 /// <summary>The speed that the axes and the extruder allow a move, as the firmware shares it out: see <see cref="CornerRules"/>.</summary>

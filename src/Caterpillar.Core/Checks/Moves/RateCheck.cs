@@ -1,6 +1,3 @@
-using Caterpillar.Planning;
-using Caterpillar.Simulation;
-
 namespace Caterpillar.Checks;
 
 /// <summary>

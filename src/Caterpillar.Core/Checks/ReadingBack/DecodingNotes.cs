@@ -1,5 +1,3 @@
-using Caterpillar.GCode;
-
 namespace Caterpillar.Checks;
 
 /// <summary>What the decoder notices in a file that is written, without what the checks say themselves.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.GCode;
-
 namespace Caterpillar.Checks;
 
 /// <summary>Reads an edited file again, compares it with its toolpath and checks it.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Flavors;
-using Caterpillar.GCode;
-
 namespace Caterpillar.Checks;
 
 /// <summary>

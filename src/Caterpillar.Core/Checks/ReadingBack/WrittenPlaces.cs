@@ -1,5 +1,3 @@
-using Caterpillar.GCode;
-
 namespace Caterpillar.Checks;
 
 /// <summary>Places in a file that was written from a plan: its line, the move of the plan, and where the design states it.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.GCode;
-
 namespace Caterpillar.Checks;
 
 /// <summary>Shows moves to checks, block by block.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.GCode;
-
 namespace Caterpillar.Checks;
 
 /// <summary>Shows moves to the checks of the user, block by block.</summary>

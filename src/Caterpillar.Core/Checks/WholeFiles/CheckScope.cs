@@ -1,5 +1,3 @@
-using Caterpillar.GCode;
-
 namespace Caterpillar.Checks;
 
 /// <summary>Facts about the checked toolpath.</summary>

@@ -1,7 +1,3 @@
-using Caterpillar.Display;
-using Caterpillar.Files;
-using Caterpillar.GCode;
-
 namespace Caterpillar.Checks;
 
 /// <summary>Lines at the head of a file that only the whole print tells: its time, images of it, and its objects with their outlines.</summary>

@@ -1,5 +1,4 @@
 using System.Collections.Concurrent;
-using Caterpillar.GCode;
 
 namespace Caterpillar.Checks;
 

@@ -1,6 +1,4 @@
 using System.Collections.Concurrent;
-using Caterpillar.Planning;
-using Caterpillar.Simulation;
 
 namespace Caterpillar.Checks;
 

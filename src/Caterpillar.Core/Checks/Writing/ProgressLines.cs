@@ -1,6 +1,3 @@
-using Caterpillar.Flavors;
-using Caterpillar.Simulation;
-
 namespace Caterpillar.Checks;
 
 /// <summary>Times a print and adds progress commands for the display. Start and end code are not timed.</summary>

@@ -1,7 +1,3 @@
-using Caterpillar.Files;
-using Caterpillar.GCode;
-using Caterpillar.Simulation;
-
 namespace Caterpillar.Checks;
 
 /// <summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Slicing;
-
 namespace Caterpillar.Curved;
 
 /// <summary>Divides layers that are too thick somewhere, measured across the layer at sample columns of the part.</summary>

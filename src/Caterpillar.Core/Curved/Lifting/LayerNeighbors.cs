@@ -1,5 +1,3 @@
-using Caterpillar.Slicing;
-
 namespace Caterpillar.Curved;
 
 /// <summary>What the layers above and below cover, for places where layers are too thin to be printed one by one. Only reads; any thread.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Slicing;
-
 namespace Caterpillar.Curved;
 
 /// <summary>A place of a patch in the grid of cells: the lowest and the highest point of its paths there, mm.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Slicing;
-
 namespace Caterpillar.Curved;
 
 /// <summary>The curved layers of all models, and the field that they follow.</summary>

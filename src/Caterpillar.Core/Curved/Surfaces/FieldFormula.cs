@@ -1,5 +1,3 @@
-using Caterpillar.Expressions;
-
 namespace Caterpillar.Curved;
 
 /// <summary>A formula over a place: x, y, z in mm, and r (mm) and theta (degrees, −180 to 180) about the Z axis. For any thread.</summary>

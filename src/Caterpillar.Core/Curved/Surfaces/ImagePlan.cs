@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.Curved;
 
 /// <summary>A height map over a rectangle as a plan.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.Curved;
 
 /// <summary>A surface that layers follow: one height for each (x, y), mm. Immutable and thread-safe.</summary>

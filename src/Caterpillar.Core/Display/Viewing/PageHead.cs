@@ -1,5 +1,4 @@
 using System.Globalization;
-using Caterpillar.Files;
 using Newtonsoft.Json;
 
 namespace Caterpillar.Display;

@@ -1,7 +1,5 @@
 using System.IO.Compression;
 using System.Net;
-using System.Text;
-using Caterpillar.Files;
 
 namespace Caterpillar.Display;
 

@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace Caterpillar.Drawings;
 
 /// <summary>SVG lengths, lists of numbers and transforms. Null if the text is invalid.</summary>

@@ -1,6 +1,3 @@
-using System.Text;
-using Caterpillar.Files;
-
 namespace Caterpillar.Drawings;
 
 /// <summary>

@@ -1,6 +1,4 @@
 using System.Globalization;
-using System.Text;
-using Caterpillar.Files;
 using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 

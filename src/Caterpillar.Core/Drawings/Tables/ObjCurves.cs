@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.Drawings;
 
 /// <summary>The polylines of Wavefront OBJ: <c>v</c> and <c>l</c> with positive and negative numbers of vertices, named by <c>o</c> and <c>g</c>.</summary>

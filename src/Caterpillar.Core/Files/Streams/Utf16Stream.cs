@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace Caterpillar.Files;
 
 /// <summary>UTF-16 with a byte order mark as one byte per character. Characters beyond Latin-1 become question marks.</summary>

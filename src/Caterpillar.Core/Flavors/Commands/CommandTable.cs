@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.Flavors;
 
 /// <summary>Every command of every flavor, from <c>Commands.tsv</c>. A row is read when one of its commands is met.</summary>

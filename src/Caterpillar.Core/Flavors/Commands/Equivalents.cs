@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.Flavors;
 
 /// <summary>Commands of one flavor in the words of another, from <c>Equivalents.tsv</c>.</summary>

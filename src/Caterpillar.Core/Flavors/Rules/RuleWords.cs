@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.Flavors;
 
 /// <summary>The rules in the file of a flavor. A rule that it does not name has its usual value.</summary>

@@ -1,5 +1,4 @@
 using System.IO.Compression;
-using Caterpillar.Files;
 
 namespace Caterpillar.GCode;
 

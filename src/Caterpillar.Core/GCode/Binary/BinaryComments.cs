@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Blocks of binary G-code other than G-code, as comments like PrusaSlicer writes them into text.</summary>

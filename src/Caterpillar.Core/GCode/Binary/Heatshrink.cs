@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.GCode;
 
 /// <summary>The LZSS compression of heatshrink (Atomic Object): a bit 1 and a byte, or a bit 0, a distance and a length.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Files;
-using Caterpillar.Flavors;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Finds the G-code flavor of a file from slicer comments and from commands that only one firmware has.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Flavors;
-using Caterpillar.Files;
-
 namespace Caterpillar.GCode;
 
 /// <summary>

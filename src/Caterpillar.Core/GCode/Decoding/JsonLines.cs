@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace Caterpillar.GCode;
 
 /// <summary>A JSON object with one entry per line, written without a library so that numbers keep our format.</summary>

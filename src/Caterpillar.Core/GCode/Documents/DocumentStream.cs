@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Collects written text as the chunks of a document, without another copy.</summary>

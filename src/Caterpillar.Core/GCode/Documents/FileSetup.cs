@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace Caterpillar.GCode;
 
 /// <summary>The setup of a print in the comments of its file, as <c>; key = value</c> with all keys of printer, material and settings.</summary>

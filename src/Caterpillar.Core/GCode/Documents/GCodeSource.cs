@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.GCode;
 
 /// <summary>A stream of G-code as plain text. Gzip is unpacked. Binary G-code and UTF-16 become plain text. The stream itself stays open.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Flavors;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Replaces start and end G-code around the layers of a file, and leaves out the lines of a cut.</summary>

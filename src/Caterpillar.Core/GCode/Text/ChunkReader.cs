@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Reads a stream of text into chunks that end after line ends.</summary>

@@ -1,6 +1,3 @@
-using System.Text;
-using Caterpillar.Files;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Bytes of G-code are Latin-1, one character per byte. A UTF-8 byte order mark is skipped.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Flavors;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Written E: the exact and the written sum of each tool. Their difference goes into the next number.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Flavors;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Possible effects of raw lines and templates on the following lines.</summary>

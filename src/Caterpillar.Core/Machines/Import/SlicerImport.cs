@@ -1,5 +1,4 @@
 using System.Text.RegularExpressions;
-using Caterpillar.Files;
 
 namespace Caterpillar.Machines;
 

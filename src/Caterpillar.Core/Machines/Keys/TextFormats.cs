@@ -1,5 +1,3 @@
-using Caterpillar.Expressions;
-
 namespace Caterpillar.Machines;
 
 /// <summary>True or false.</summary>

@@ -1,6 +1,3 @@
-using System.Text;
-using Caterpillar.Expressions;
-
 namespace Caterpillar.Machines;
 
 /// <summary>

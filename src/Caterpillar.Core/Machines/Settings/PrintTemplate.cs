@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.Machines;
 
 /// <summary>Templates of printers: they may contain keys of the three profiles and names of values of the print.</summary>

@@ -1,4 +1,3 @@
-using Caterpillar.Flavors;
 using FlagKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, bool>;
 using IntegerKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, int>;
 using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, double>;

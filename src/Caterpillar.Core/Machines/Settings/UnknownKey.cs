@@ -1,5 +1,4 @@
 using System.Text.RegularExpressions;
-using Caterpillar.Expressions;
 
 namespace Caterpillar.Machines;
 

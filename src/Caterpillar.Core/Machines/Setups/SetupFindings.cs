@@ -1,5 +1,3 @@
-using Caterpillar.Flavors;
-
 namespace Caterpillar.Machines;
 
 /// <summary>Values of a setup that a file for its printer cannot pass on, or not entirely.</summary>

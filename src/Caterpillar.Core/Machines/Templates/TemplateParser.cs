@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace Caterpillar.Machines;
 
 /// <summary>Splits lines into text, values and directives, and checks their nesting.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Expressions;
-
 namespace Caterpillar.Machines;
 
 internal enum TemplatePartKind : byte

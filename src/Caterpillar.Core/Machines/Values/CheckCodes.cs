@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.Machines;
 
 /// <summary>The codes of all checks. The key <c>check_severities</c> of a printer changes their severities.</summary>

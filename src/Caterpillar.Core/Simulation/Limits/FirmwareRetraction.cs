@@ -1,5 +1,3 @@
-using Caterpillar.Flavors;
-
 namespace Caterpillar.Simulation;
 
 /// <summary>G10 and G11: lengths and speeds are those of the printer until the file sets others, and a second retraction does nothing.</summary>

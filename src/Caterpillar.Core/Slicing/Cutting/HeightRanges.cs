@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Heights in a sentence: runs of layers that follow each other as ranges.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Expressions;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Divides a model into layers: the first of its own thickness, then by ranges of heights, a formula, the slope of the surface, or alike.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Expressions;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>An area of a layer to be filled.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Expressions;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>A formula over the area of one layer, and its zeros between two points.</summary>

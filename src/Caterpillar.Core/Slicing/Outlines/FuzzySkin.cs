@@ -1,5 +1,3 @@
-using Caterpillar.Expressions;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>Walls that wander in and out at random. The numbers depend on the seed and the wall's place in the print alone.</summary>

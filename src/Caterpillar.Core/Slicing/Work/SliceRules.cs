@@ -1,5 +1,3 @@
-using Caterpillar.Expressions;
-
 namespace Caterpillar.Slicing;
 
 /// <summary>The numbers of the settings that slicing one layer needs. Lengths in mm.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Traces;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>A shape made of strings (Kanada 2016, section 3.3) around the turtle, from a command.</summary>

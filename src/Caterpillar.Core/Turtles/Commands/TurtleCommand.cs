@@ -1,5 +1,3 @@
-using Caterpillar.Expressions;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>One command as a value: an action, its numbers, and its text or body. Immutable.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>One command of the language: its names and values.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Expressions;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>Chooses the rules while a word grows.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Expressions;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>Outside variables for the formulas of an L-system, and which of them the formulas use.</summary>

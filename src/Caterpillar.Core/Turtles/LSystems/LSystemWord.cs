@@ -1,5 +1,3 @@
-using System.Text;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>A grown word of an L-system: letters, some with values.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Expressions;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>A position in the tokens of a script or of an included file.</summary>

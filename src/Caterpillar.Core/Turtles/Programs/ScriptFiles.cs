@@ -1,6 +1,3 @@
-using Caterpillar.Expressions;
-using Caterpillar.Files;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>

@@ -1,4 +1,3 @@
-using Caterpillar.Expressions;
 using static Caterpillar.Turtles.ScriptCursor;
 
 namespace Caterpillar.Turtles;

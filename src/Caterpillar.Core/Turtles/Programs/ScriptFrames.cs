@@ -1,5 +1,3 @@
-using Caterpillar.Expressions;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>The frames of the running procedures. Their variables come one after the other in the values of the context, after the globals.</summary>

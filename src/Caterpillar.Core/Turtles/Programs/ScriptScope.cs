@@ -1,6 +1,3 @@
-using Caterpillar.Expressions;
-using Caterpillar.Files;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>Names of a script while it is compiled: globals, the locals of the current procedure, arrays, and the state of the turtle.</summary>

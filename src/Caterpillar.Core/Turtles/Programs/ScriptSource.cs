@@ -1,7 +1,3 @@
-using System.Text;
-using Caterpillar.Expressions;
-using Caterpillar.Files;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>A script or an included file as tokens, with the files that it reads.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Expressions;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>The L-system words that a program draws, letter by letter. A letter may draw another word.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Expressions;
-using Caterpillar.Shaping;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>Applies a shaping block to the steps drawn in it, in the coordinates of the turtle at the start of the block.</summary>

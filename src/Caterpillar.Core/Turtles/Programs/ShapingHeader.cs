@@ -1,5 +1,3 @@
-using Caterpillar.Expressions;
-using Caterpillar.Shaping;
 using static Caterpillar.Turtles.ScriptCursor;
 
 namespace Caterpillar.Turtles;

@@ -1,6 +1,3 @@
-using Caterpillar.Expressions;
-using Caterpillar.Shaping;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>The action of a block on the paths drawn in it. Each is named after a component.</summary>

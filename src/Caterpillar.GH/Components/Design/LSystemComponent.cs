@@ -1,5 +1,3 @@
-using Caterpillar.Turtles;
-
 namespace Caterpillar.GH.Components.Design;
 
 /// <summary>Grows an L-system into a turtle program.</summary>

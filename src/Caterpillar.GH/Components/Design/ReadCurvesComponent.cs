@@ -1,5 +1,3 @@
-using Caterpillar.Drawings;
-
 namespace Caterpillar.GH.Components.Design;
 
 /// <summary>Reads curves to print from a file.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Traces;
-
 namespace Caterpillar.GH.Components.Design;
 
 /// <summary>Traces that rise.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Traces;
-
 namespace Caterpillar.GH.Components.Design;
 
 /// <summary>Base of the traces: the ports of the shape, then plane, bead, segments and setup.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Turtles;
-
 namespace Caterpillar.GH.Components.Design;
 
 /// <summary>Base of the components that make one command.</summary>

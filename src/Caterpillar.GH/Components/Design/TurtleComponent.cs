@@ -1,5 +1,3 @@
-using Caterpillar.Turtles;
-
 namespace Caterpillar.GH.Components.Design;
 
 /// <summary>Runs turtle programs.</summary>

@@ -1,5 +1,4 @@
 using System.Drawing;
-using Caterpillar.Turtles;
 using Rhino.Display;
 
 namespace Caterpillar.GH.Components.Design;

@@ -1,5 +1,3 @@
-using Caterpillar.Turtles;
-
 namespace Caterpillar.GH.Components.Design;
 
 /// <summary>Makes a turtle program from a script, from commands, or from both.</summary>

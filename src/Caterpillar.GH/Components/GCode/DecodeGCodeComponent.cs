@@ -1,6 +1,3 @@
-using Caterpillar.Flavors;
-using Caterpillar.GCode;
-
 namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Decodes G-code into a toolpath.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Shaping;
-
 namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Deforms a toolpath by formulas.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.GCode;
-
 namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Some lines of a G-code file as text.</summary>

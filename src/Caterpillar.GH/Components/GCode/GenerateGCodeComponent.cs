@@ -1,5 +1,3 @@
-using Caterpillar.GCode;
-
 namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Checks a toolpath and writes it as G-code.</summary>

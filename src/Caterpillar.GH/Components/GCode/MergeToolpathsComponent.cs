@@ -1,5 +1,3 @@
-using Caterpillar.Planning;
-
 namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Puts toolpaths one after the other.</summary>

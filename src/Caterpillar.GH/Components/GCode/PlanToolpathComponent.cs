@@ -1,5 +1,3 @@
-using Caterpillar.Planning;
-
 namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Turns a design into machine moves.</summary>

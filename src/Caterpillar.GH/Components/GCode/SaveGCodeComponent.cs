@@ -1,5 +1,3 @@
-using Caterpillar.GCode;
-
 namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>Writes G-code, or a toolpath as G-code, to a file when a button is pressed.</summary>

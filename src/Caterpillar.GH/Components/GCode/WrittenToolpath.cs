@@ -1,6 +1,3 @@
-using Caterpillar.Checks;
-using Caterpillar.GCode;
-
 namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>A toolpath as checked G-code.</summary>

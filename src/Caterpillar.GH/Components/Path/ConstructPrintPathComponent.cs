@@ -1,5 +1,3 @@
-using Caterpillar.Drawings;
-
 namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Where the curves of print paths lie.</summary>

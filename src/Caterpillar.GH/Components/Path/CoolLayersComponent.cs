@@ -1,5 +1,3 @@
-using Caterpillar.Shaping;
-
 namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Slows small layers down.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Shaping;
-
 namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Gives print paths beads that fill the gap below them.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Files;
-using Caterpillar.Shaping;
-
 namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Where a pattern comes from.</summary>

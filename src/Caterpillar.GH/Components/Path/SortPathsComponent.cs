@@ -1,5 +1,3 @@
-using Caterpillar.Planning;
-
 namespace Caterpillar.GH.Components.Path;
 
 /// <summary>Sorts print paths for short travel.</summary>

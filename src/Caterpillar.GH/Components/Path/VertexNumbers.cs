@@ -1,5 +1,3 @@
-using Caterpillar.Drawings;
-
 namespace Caterpillar.GH.Components.Path;
 
 /// <summary>How numbers change between the vertices of a path.</summary>

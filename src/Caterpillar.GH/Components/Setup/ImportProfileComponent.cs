@@ -1,5 +1,3 @@
-using Caterpillar.Jobs;
-
 namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>Makes a printer, a material and settings from those of another slicer, or a printer from the start and end code of a print or of files.</summary>

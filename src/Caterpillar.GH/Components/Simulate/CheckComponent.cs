@@ -1,5 +1,3 @@
-using Caterpillar.Checks;
-
 namespace Caterpillar.GH.Components.Simulate;
 
 /// <summary>Checks a toolpath against a printer.</summary>

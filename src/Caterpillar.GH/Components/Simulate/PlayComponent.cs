@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using Caterpillar.Simulation;
 
 namespace Caterpillar.GH.Components.Simulate;
 

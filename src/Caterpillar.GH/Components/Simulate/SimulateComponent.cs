@@ -1,5 +1,4 @@
 using System.Drawing;
-using Caterpillar.Simulation;
 
 namespace Caterpillar.GH.Components.Simulate;
 

@@ -1,5 +1,3 @@
-using Caterpillar.Simulation;
-
 namespace Caterpillar.GH.Components.Simulate;
 
 /// <summary>Time and material of a print.</summary>

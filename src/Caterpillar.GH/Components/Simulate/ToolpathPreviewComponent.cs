@@ -1,5 +1,3 @@
-using Caterpillar.Simulation;
-
 namespace Caterpillar.GH.Components.Simulate;
 
 /// <summary>Shows a toolpath in colors.</summary>

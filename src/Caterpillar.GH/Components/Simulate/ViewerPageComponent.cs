@@ -1,6 +1,4 @@
 using System.Diagnostics;
-using Caterpillar.Display;
-using Caterpillar.Simulation;
 
 namespace Caterpillar.GH.Components.Simulate;
 

@@ -1,6 +1,3 @@
-using Caterpillar.Jobs;
-using Caterpillar.Slicing;
-
 namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>Puts solids next to each other on a bed.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Curved;
-using Caterpillar.Slicing;
-
 namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>Cuts solids along the level sets of a field and fills the layers.</summary>

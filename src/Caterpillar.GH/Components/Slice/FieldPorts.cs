@@ -1,7 +1,3 @@
-using Caterpillar.Curved;
-using Caterpillar.Files;
-using Caterpillar.Slicing;
-
 namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>Makes the recipe of a field from the ports of Layer Field.</summary>

@@ -1,6 +1,3 @@
-using Caterpillar.Jobs;
-using Caterpillar.Slicing;
-
 namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>Cuts solids into planar layers and fills them.</summary>

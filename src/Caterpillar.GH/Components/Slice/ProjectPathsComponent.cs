@@ -1,6 +1,3 @@
-using Caterpillar.Curved;
-using Caterpillar.Slicing;
-
 namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>Puts paths that were made for a level bed onto an object.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Jobs;
-
 namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>Reads models from a file.</summary>

@@ -1,4 +1,3 @@
-using Caterpillar.Slicing;
 using Grasshopper.Kernel.Data;
 
 namespace Caterpillar.GH.Components.Slice;

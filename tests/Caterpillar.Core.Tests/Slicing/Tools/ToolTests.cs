@@ -52,7 +52,7 @@ public class ToolTests
     public void From_a_height_on_another_tool_prints_the_part(int raft)
     {
         var settings = Settings with { ToolChanges = new(new ToolChange(0.8, 1), new ToolChange(1.6, 0)), SolidInfillTool = 2, RaftLayers = raft };
-        var layers = Slice(settings, Block).Where(l => l.Layer.Object != "raft").ToArray();
+        var layers = Slice(settings, Block).Where(l => l.Steps[0].Path.Role != Role.Raft).ToArray();
         var bottom = layers[0].Layer.Z - 0.2;
         foreach (var layer in layers)
         {

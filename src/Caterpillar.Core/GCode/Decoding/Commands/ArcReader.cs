@@ -1,5 +1,3 @@
-using Caterpillar.Flavors;
-
 namespace Caterpillar.GCode;
 
 /// <summary>The geometry of G2 and G3 as each firmware reads it.</summary>

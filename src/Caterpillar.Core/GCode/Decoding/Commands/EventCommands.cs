@@ -1,5 +1,3 @@
-using Caterpillar.Flavors;
-
 namespace Caterpillar.GCode;
 
 /// <summary>M commands that are events of the toolpath: temperatures, fans, pauses, accelerations, dwells.</summary>

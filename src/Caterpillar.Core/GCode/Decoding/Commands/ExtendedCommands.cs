@@ -1,5 +1,3 @@
-using Caterpillar.Flavors;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Extended commands, as <c>SET_GCODE_OFFSET Z=0.2 MOVE=1</c>: a name, and words with an equals sign.</summary>

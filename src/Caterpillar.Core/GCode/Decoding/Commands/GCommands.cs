@@ -1,5 +1,3 @@
-using Caterpillar.Flavors;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Executes the G commands and axis words of a line that the firmware accepts.</summary>

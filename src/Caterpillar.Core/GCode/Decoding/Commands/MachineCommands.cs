@@ -1,5 +1,3 @@
-using Caterpillar.Flavors;
-
 namespace Caterpillar.GCode;
 
 /// <summary>M commands: modes, speed and flow factors, tools, extruder switch. <see cref="EventCommands"/> reads events.</summary>

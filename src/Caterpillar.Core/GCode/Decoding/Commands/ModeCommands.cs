@@ -1,5 +1,3 @@
-using Caterpillar.Flavors;
-
 namespace Caterpillar.GCode;
 
 /// <summary>G and M commands that only change a mode.</summary>

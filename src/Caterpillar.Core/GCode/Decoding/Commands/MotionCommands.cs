@@ -1,5 +1,3 @@
-using Caterpillar.Flavors;
-
 namespace Caterpillar.GCode;
 
 /// <summary>G0 to G3 with their words, and the rotary axes A, B and C in degrees, if they do not extrude.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Flavors;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Commands that rename positions or go to stored ones: G92, G28, G30, G54 to G59.3, G10 L2 and L20, M206, M290.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Names of roles in the comments of slicers, from <c>RoleNames.tsv</c>.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Flavors;
-
 namespace Caterpillar.GCode;
 
 /// <summary>The commands of a file: those without effect on the toolpath, those that matter for a print, and those that are not understood.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Flavors;
-
 namespace Caterpillar.GCode;
 
 /// <summary>The extruders of the machine, with their extruded and retracted amounts.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Flavors;
-
 namespace Caterpillar.GCode;
 
 /// <summary>The machine that executes a file: the rules of its firmware, its state and its moves so far.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Flavors;
-
 namespace Caterpillar.GCode;
 
 /// <summary>A command that is not harmless everywhere in a print, and where the file uses it.</summary>

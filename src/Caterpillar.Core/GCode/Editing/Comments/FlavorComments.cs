@@ -1,5 +1,4 @@
 using System.Text.RegularExpressions;
-using Caterpillar.Flavors;
 
 namespace Caterpillar.GCode;
 

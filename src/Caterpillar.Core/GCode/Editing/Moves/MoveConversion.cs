@@ -1,5 +1,3 @@
-using Caterpillar.Flavors;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Changes of moves in a conversion: the unit and the mode of E, arcs, letters. An edit changes none of them.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Flavors;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Shared state of the splicer: the file, a machine that reads the original file, and a machine that reads the written lines.</summary>

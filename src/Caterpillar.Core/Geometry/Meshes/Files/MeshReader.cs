@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>

@@ -1,5 +1,3 @@
-using Caterpillar.Files;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Reads the values of a PLY file one after the other, whatever its format.</summary>

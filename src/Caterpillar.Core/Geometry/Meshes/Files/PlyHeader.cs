@@ -1,6 +1,4 @@
 using System.Globalization;
-using System.Text;
-using Caterpillar.Files;
 
 namespace Caterpillar.Geometry;
 

@@ -1,5 +1,4 @@
 using System.Xml;
-using Caterpillar.Files;
 
 namespace Caterpillar.Geometry;
 

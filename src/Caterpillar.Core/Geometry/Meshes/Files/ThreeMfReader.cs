@@ -1,6 +1,5 @@
 using System.IO.Compression;
 using System.Xml;
-using Caterpillar.Files;
 
 namespace Caterpillar.Geometry;
 
