@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace Caterpillar.Cli;
 
 /// <summary>The limit of address space of this process (<c>ulimit -v</c>). Uses nothing of the library, which could not be loaded.</summary>

@@ -1,3 +1,4 @@
+using System;
 using System.IO;
 using System.Linq;
 using NUnit.Framework;
@@ -171,7 +172,9 @@ public class MessageTests : CliFixture
         var run = Run(Words(percent, "a.gcode"));
         Assert.That(run.Code, Is.Zero, run.Messages);
         Run(Words(value, "b.gcode"));
-        Assert.That(File.ReadAllText("a.gcode"), Is.EqualTo(File.ReadAllText("b.gcode")));
+        // The setup in the comments keeps percents of widths, so that they follow another nozzle.
+        string[] Code(string file) => File.ReadAllLines(file).Where(l => !l.StartsWith("; ", StringComparison.Ordinal)).ToArray();
+        Assert.That(Code("a.gcode"), Is.EqualTo(Code("b.gcode")));
     }
 
     [Test]

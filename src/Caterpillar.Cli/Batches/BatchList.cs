@@ -1,5 +1,3 @@
-using System.CommandLine.Parsing;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Makes the list of runs of a command line, and checks it before any work begins.</summary>

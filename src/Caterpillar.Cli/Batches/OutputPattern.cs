@@ -1,5 +1,3 @@
-using System.Text.RegularExpressions;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Names of outputs: text with <c>{name}</c>, <c>{input}</c>, <c>{folder}</c>, <c>{row}</c> and the columns of the table.</summary>

@@ -5,17 +5,7 @@ internal static class BashCompletions
 {
     public static void Write(TextWriter text, CompletionTable table)
     {
-        text.WriteLine("""
-            # bash completions for caterpillar: source this file, or put it into ~/.local/share/bash-completion/completions/caterpillar
-            _caterpillar() {
-              local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} verb='' word
-              for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
-                case $word in -*) ;; *) verb=$word; break ;; esac
-              done
-              COMPREPLY=()
-              [ "$cur" = = ] && cur=''
-              case $verb in
-            """);
+        text.Write(EmbeddedText.Read("usage/completions.bash", typeof(Verb)));
         foreach (var verb in table.Verbs)
         {
             text.WriteLine($"  {verb.Name})");

@@ -1,5 +1,3 @@
-using System.CommandLine.Completions;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Verbs, options and values for the completions of shells.</summary>

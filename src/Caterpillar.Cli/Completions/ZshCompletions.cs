@@ -5,15 +5,7 @@ internal static class ZshCompletions
 {
     public static void Write(TextWriter text, CompletionTable table)
     {
-        text.WriteLine("#compdef caterpillar");
-        text.WriteLine("# zsh completions for caterpillar: put this file into a folder of $fpath, with the name _caterpillar");
-        text.WriteLine("_caterpillar() {");
-        text.WriteLine("  local context state line");
-        text.WriteLine("  typeset -A opt_args");
-        text.WriteLine("  _arguments -C '1: :->verb' '*:: :->rest' && return");
-        text.WriteLine("  case $state in");
-        text.WriteLine("  verb)");
-        text.WriteLine("    local -a verbs=(");
+        text.Write(EmbeddedText.Read("usage/completions.zsh", typeof(Verb)));
         foreach (var verb in table.Verbs) text.WriteLine($"      {Quoted(verb.Name + ":" + verb.Description)}");
         text.WriteLine("    )");
         text.WriteLine("    _describe verb verbs ;;");

@@ -1,5 +1,3 @@
-using System.CommandLine.Parsing;
-
 namespace Caterpillar.Cli;
 
 /// <summary>The options that run a verb many times.</summary>

@@ -1,5 +1,3 @@
-using System.CommandLine.Completions;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Options shared by several verbs.</summary>

@@ -1,5 +1,3 @@
-using System.CommandLine.Completions;
-
 namespace Caterpillar.Cli;
 
 /// <summary>The options that select printer, material and settings; for every verb that needs them.</summary>

@@ -1,5 +1,3 @@
-using System.Text.RegularExpressions;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Turns every exception into a message and an exit code.</summary>

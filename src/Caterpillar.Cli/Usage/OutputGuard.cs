@@ -1,5 +1,3 @@
-using System.CommandLine.Parsing;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Checks before any work begins that outputs can be written, that none is an input, and that extensions fit the contents.</summary>

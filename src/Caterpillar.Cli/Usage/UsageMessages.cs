@@ -1,6 +1,3 @@
-using System.CommandLine.Parsing;
-using System.Text.RegularExpressions;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Messages for a wrong command line, with suggestions.</summary>

@@ -27,12 +27,6 @@ internal sealed class CheckVerb : Verb
         AllowBatches();
     }
 
-    public override IReadOnlyList<(string Line, string Does)> Examples =>
-    [
-        ("check part.gcode --printer ender3", "Check a file against a printer"),
-        ("check part.gcode --json", "Print findings as JSON, with object, layer and line"),
-    ];
-
     public override int Run(ParseResult arguments, Session session)
     {
         var setup = _setup.Resolve(arguments, session);

@@ -12,13 +12,6 @@ internal sealed class CompletionsVerb : Verb
         Arguments.Add(_shell);
     }
 
-    public override IReadOnlyList<(string Line, string Does)> Examples =>
-    [
-        ("completions bash > caterpillar.bash", "For bash: source this file in ~/.bashrc"),
-        ("completions zsh > _caterpillar", "For zsh: put this file into a folder of $fpath"),
-        ("completions fish > caterpillar.fish", "For fish: put this file into ~/.config/fish/completions"),
-    ];
-
     public override int Run(ParseResult arguments, Session session)
     {
         var table = CompletionTable.Of((Command?)Parents.OfType<Command>().FirstOrDefault() ?? this);

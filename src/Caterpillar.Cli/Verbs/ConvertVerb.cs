@@ -37,15 +37,6 @@ internal sealed class ConvertVerb : Verb
         AllowBatches();
     }
 
-    public override IReadOnlyList<(string Line, string Does)> Examples =>
-    [
-        ("convert part.gcode -o slow.gcode --speed 70% --role \"outer wall\"", "Slow down the outer walls"),
-        ("convert part.gcode -o nut.gcode --pause-at-layer 3", "Pause before a layer"),
-        ("convert part.gcode -o upper.gcode --keep-above 12", "Continue a print at a height"),
-        ("convert part.gcode -o klipper.gcode --flavor klipper --e-mode relative", "Convert to another flavor"),
-        ("convert part.gcode -o twisted.gcode --deform \"r, theta + 2*z, z\" --axis center", "Twist the print about its center"),
-    ];
-
     public override int Run(ParseResult arguments, Session session)
     {
         var file = arguments.GetValue(_file)!;

@@ -43,12 +43,6 @@ internal sealed class CurvesVerb : Verb
         AllowBatches();
     }
 
-    public override IReadOnlyList<(string Line, string Does)> Examples =>
-    [
-        ("curves curves.csv -o curves.gcode", "Print curves from a table, in the given order"),
-        ("curves drawing.svg --printer pen_plotter --move center -o drawing.gcode", "Draw with a pen, in the center of the bed"),
-    ];
-
     public override int Run(ParseResult arguments, Session session)
     {
         var file = arguments.GetValue(_file)!;

@@ -33,13 +33,6 @@ internal sealed class DecodeVerb : Verb
         });
     }
 
-    public override IReadOnlyList<(string Line, string Does)> Examples =>
-    [
-        ("decode part.gcode", "Summarize a file"),
-        ("decode part.gcode --stats", "Print times, material and layers"),
-        ("decode part.gcode --csv > moves.csv", "Write a table with one row per move"),
-    ];
-
     public override int Run(ParseResult arguments, Session session)
     {
         var options = CommonOptions.Decoding(arguments.GetValue(_flavor), Diameter(arguments, session), arguments.GetValue(_threads), session) with

@@ -31,13 +31,6 @@ internal sealed class ImageVerb : Verb
         AllowBatches();
     }
 
-    public override IReadOnlyList<(string Line, string Does)> Examples =>
-    [
-        ("image part.gcode -o part.png", "Draw all layers"),
-        ("image part.gcode --layer 3 --view top --color speed -o layer.png", "Draw one layer from above, colored by speed"),
-        ("image part.gcode --layer 3 --view top --region 100,100,120,115 -o corner.png", "Draw a corner of it, enlarged"),
-    ];
-
     public override int Run(ParseResult arguments, Session session)
     {
         var file = arguments.GetValue(_file)!;

@@ -1,5 +1,3 @@
-using System.CommandLine.Completions;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Lists profiles, shows one as JSON with all its keys, or creates one from a header and a footer.</summary>
@@ -32,14 +30,6 @@ internal sealed class PrintersVerb : Verb
         Arguments.Add(_name);
         Add([_keys, _import, _like, _output]);
     }
-
-    public override IReadOnlyList<(string Line, string Does)> Examples =>
-    [
-        ("printers", "List all profiles"),
-        ("printers ender3 -o mine.json", "Copy a profile to edit it"),
-        ("printers --keys", "List all keys with their ranges and descriptions"),
-        ("printers --import old.ini -o mine", "Create printers, materials and settings from those of another slicer"),
-    ];
 
     public override int Run(ParseResult arguments, Session session)
     {

@@ -31,11 +31,6 @@ internal sealed class SectionsVerb : Verb
         Add([_heights, _every, _gap, _json, _output]);
     }
 
-    public override IReadOnlyList<(string Line, string Does)> Examples =>
-    [
-        ("sections part.stl --heights 0.1,0.5 --json", "Measure two sections, as JSON"),
-    ];
-
     public override int Run(ParseResult arguments, Session session)
     {
         var heights = Heights(arguments);

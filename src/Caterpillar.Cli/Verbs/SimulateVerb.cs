@@ -21,12 +21,6 @@ internal sealed class SimulateVerb : Verb
         Add([_at, _json, _flavor, .. _setup.All, _threads]);
     }
 
-    public override IReadOnlyList<(string Line, string Does)> Examples =>
-    [
-        ("simulate part.gcode --at 42%", "Report the state after 42 % of the time"),
-        ("simulate part.gcode --at line:100 --at layer:3 --json", "Report the states at a line and at a layer, as JSON"),
-    ];
-
     public override int Run(ParseResult arguments, Session session)
     {
         var moments = (arguments.GetValue(_at) is { Length: > 0 } given ? given : ["0%"]).Select(Moment.Parse).ToArray();

@@ -26,15 +26,6 @@ internal sealed class SliceVerb : Verb
         AllowBatches();
     }
 
-    public override IReadOnlyList<(string Line, string Does)> Examples =>
-    [
-        ("slice part.stl --printer ender3 -o part.gcode", "Slice a part for a printer"),
-        ("slice part.stl --set layer_height_mm=0.15 --set infill_density_percent=35 --set support=tree", "Change settings"),
-        ("slice a.stl b.stl --arrange --copies 2 -o plate.gcode", "Arrange two copies of each model on the bed"),
-        ("slice part.stl --surface roof.stl -o curved.gcode", "Let layers follow a surface"),
-        ("slice --each 'models/*.stl' -o 'out/{name}.gcode' --summary summary.csv", "Slice each model of a folder"),
-    ];
-
     public override int Run(ParseResult arguments, Session session)
     {
         var files = arguments.GetValue(_models)!;

@@ -32,14 +32,6 @@ internal sealed class TurtleVerb : Verb
         AllowBatches();
     }
 
-    public override IReadOnlyList<(string Line, string Does)> Examples =>
-    [
-        ("turtle star.turtle -o star.gcode", "Run a turtle program"),
-        ("turtle star.turtle --var layers=4 --plan printer -o star4.gcode", "Set a parameter, and add retraction and Z-hop"),
-        ("turtle star.turtle --table values.csv -o 'out/{row}.gcode' --summary study.csv", "Run once for each row of a table"),
-        ("turtle --commands", "List the commands of the language"),
-    ];
-
     public override int Run(ParseResult arguments, Session session)
     {
         if (arguments.GetValue(_commands))

@@ -8,7 +8,8 @@ namespace Caterpillar.Cli;
 internal abstract class Verb(string name, string description, string[]? writes = null, string? ending = null) : Command(name, description)
 {
     /// <summary>Command lines for the help, each with its description.</summary>
-    public abstract IReadOnlyList<(string Line, string Does)> Examples { get; }
+    public IReadOnlyList<(string Line, string Does)> Examples
+        => [.. EmbeddedText.Rows("usage/Examples.tsv", typeof(Verb)).Where(r => r[0].Split(' ')[0] == Name).Select(r => (r[0], r[1]))];
 
     /// <summary>Kinds of files that it writes.</summary>
     public string[] Writes { get; } = writes ?? [];

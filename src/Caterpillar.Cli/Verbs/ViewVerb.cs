@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using System.Net;
 
 namespace Caterpillar.Cli;
 
@@ -38,12 +37,6 @@ internal sealed class ViewVerb : Verb
         });
         AllowBatches();
     }
-
-    public override IReadOnlyList<(string Line, string Does)> Examples =>
-    [
-        ("view part.gcode -o part.html", "Write a page to view or send"),
-        ("view part.gcode --printer ender3", "Show the bed of a printer and the findings of its checks"),
-    ];
 
     public override int Run(ParseResult arguments, Session session)
     {

@@ -1,5 +1,3 @@
-using System.Net;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Serves one page on this machine only. Open pages poll its version once a second, and reload it after a change.</summary>

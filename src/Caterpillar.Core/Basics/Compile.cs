@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Caterpillar.Basics;
 
 /// <summary>Options for the compilation of methods.</summary>

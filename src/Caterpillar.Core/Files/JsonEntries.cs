@@ -1,5 +1,3 @@
-using Newtonsoft.Json;
-
 namespace Caterpillar.Files;
 
 /// <summary>Entries of JSON objects, each in one call.</summary>

@@ -1,5 +1,3 @@
-using System.IO.Compression;
-
 namespace Caterpillar.Jobs;
 
 /// <summary>The settings of a slicer in a 3MF project.</summary>

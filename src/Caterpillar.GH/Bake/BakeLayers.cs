@@ -1,5 +1,4 @@
 using System.Drawing;
-using Rhino.DocObjects;
 
 namespace Caterpillar.GH.Bake;
 

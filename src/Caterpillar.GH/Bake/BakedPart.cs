@@ -1,4 +1,3 @@
-using Rhino.DocObjects;
 using Layer = Caterpillar.Toolpaths.Layer;
 
 namespace Caterpillar.GH.Bake;

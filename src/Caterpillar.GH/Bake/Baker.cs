@@ -1,5 +1,4 @@
 using System.Drawing;
-using Rhino.DocObjects;
 using Rhino.UI;
 
 namespace Caterpillar.GH.Bake;

@@ -1,5 +1,4 @@
 using System.Collections;
-using Grasshopper.Kernel.Data;
 
 namespace Caterpillar.GH.Base;
 

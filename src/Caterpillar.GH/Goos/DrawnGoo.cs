@@ -1,6 +1,3 @@
-using Caterpillar.GH.Bake;
-using Rhino.DocObjects;
-
 namespace Caterpillar.GH.Goos;
 
 /// <summary>

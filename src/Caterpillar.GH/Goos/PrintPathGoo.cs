@@ -1,5 +1,3 @@
-using Caterpillar.GH.Bake;
-
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A print path on a wire. Native components move, rotate and scale it like a curve, and can use it as one.</summary>

@@ -8,10 +8,7 @@ public sealed class ProfileChoice<T> : GH_Integer
     {
     }
 
-    public ProfileChoice(T profile)
-    {
-        Profile = profile;
-    }
+    public ProfileChoice(T profile) => Profile = profile;
 
     /// <summary>The profile. Null if it was not found.</summary>
     public T? Profile { get; private set; }

@@ -1,5 +1,3 @@
-using Grasshopper.Kernel.Data;
-
 namespace Caterpillar.GH.Goos;
 
 /// <summary>Goo that is read from text, such as the name of a profile.</summary>

@@ -1,5 +1,3 @@
-using Caterpillar.GH.Bake;
-
 namespace Caterpillar.GH.Goos;
 
 /// <summary>

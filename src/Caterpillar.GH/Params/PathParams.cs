@@ -1,5 +1,4 @@
 using Rhino.Commands;
-using Rhino.DocObjects;
 using Rhino.Input;
 
 namespace Caterpillar.GH.Params;

@@ -1,5 +1,3 @@
-using Rhino.Display;
-
 namespace Caterpillar.GH.Preview;
 
 /// <summary>

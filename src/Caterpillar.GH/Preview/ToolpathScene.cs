@@ -1,5 +1,4 @@
 using System.Drawing;
-using Rhino.Display;
 
 namespace Caterpillar.GH.Preview;
 

@@ -1,7 +1,7 @@
 namespace Caterpillar.Checks;
 
 /// <summary>Extrusions in the air and their heights, and the contact area with the bed; passes on what must fit under the nozzle.</summary>
-internal sealed class ExtrusionCheck
+internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Findings findings)
 {
     // Lengths in mm.
     public const double MostFree = 5;
@@ -22,32 +22,20 @@ internal sealed class ExtrusionCheck
     // Width in nozzles from which on it matters that material goes to the sides, and steps in which it is looked for.
     private const double Wide = 1.5;
     private const double Wider = 1.15;
-    private readonly Printer _printer;
-    private readonly bool _isAsked;
-    private readonly PrintedSoFar _printed;
-    private readonly Findings _findings;
-    private readonly FitCheck _fit;
-    private readonly BlobCheck _blobs;
-    private readonly BeadShape _shape;
-    private readonly double _usualHeight;
+    private readonly Printer _printer = setup.Printer;
+    private readonly bool _isAsked = findings.LooksFor(Codes);
+    private readonly PrintedSoFar _printed = printed;
+    private readonly Findings _findings = findings;
+    private readonly FitCheck _fit = new FitCheck(setup, printed, findings);
+    private readonly BlobCheck _blobs = new BlobCheck(setup, printed, findings);
+    private readonly BeadShape _shape = setup.Settings.BeadShape;
+    private readonly double _usualHeight = setup.Settings.LargerLayerHeight;
     private Vec3 _start, _end;
     private bool _isOpen, _anchored, _startsHeld, _hasLanded;
     private double _air, _sinceExact;
     private int _airMove;
     private double _length, _volume, _sinceGap, _gap;
     private double _standing, _highest;
-
-    public ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Findings findings)
-    {
-        _printer = setup.Printer;
-        _printed = printed;
-        _findings = findings;
-        _fit = new FitCheck(setup, printed, findings);
-        _blobs = new BlobCheck(setup, printed, findings);
-        _isAsked = findings.LooksFor(Codes);
-        _shape = setup.Settings.BeadShape;
-        _usualHeight = setup.Settings.LargerLayerHeight;
-    }
 
     /// <summary>Codes of its findings.</summary>
     public static IReadOnlyList<string> Codes { get; } =

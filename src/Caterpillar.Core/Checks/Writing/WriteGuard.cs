@@ -1,18 +1,11 @@
 namespace Caterpillar.Checks;
 
 /// <summary>Findings of the checks before G-code is written, and the reason that overrides them.</summary>
-internal sealed class WriteGuard
+internal sealed class WriteGuard(IReadOnlyList<Diagnostic> findings, string? reason)
 {
-    private readonly Diagnostic[] _errors;
-    private readonly IReadOnlyList<Diagnostic> _findings;
-    private readonly string? _reason;
-
-    public WriteGuard(IReadOnlyList<Diagnostic> findings, string? reason)
-    {
-        _findings = findings;
-        _reason = reason;
-        _errors = findings.Where(d => d.Severity == Severity.Error).ToArray();
-    }
+    private readonly Diagnostic[] _errors = findings.Where(d => d.Severity == Severity.Error).ToArray();
+    private readonly IReadOnlyList<Diagnostic> _findings = findings;
+    private readonly string? _reason = reason;
 
     /// <summary>Number of findings that would have stopped the file and are overridden.</summary>
     public int Overridden => _errors.Sum(e => e.Count);

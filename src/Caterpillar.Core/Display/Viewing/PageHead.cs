@@ -1,6 +1,3 @@
-using System.Globalization;
-using Newtonsoft.Json;
-
 namespace Caterpillar.Display;
 
 /// <summary>The data of a viewer page besides its columns, as JSON: layers, events, tools, printer, findings and colors.</summary>

@@ -1,6 +1,3 @@
-using System.IO.Compression;
-using System.Net;
-
 namespace Caterpillar.Display;
 
 /// <summary>

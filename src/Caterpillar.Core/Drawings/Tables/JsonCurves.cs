@@ -1,5 +1,3 @@
-using System.Globalization;
-using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 
 namespace Caterpillar.Drawings;

@@ -1,5 +1,3 @@
-using System.IO.Compression;
-
 namespace Caterpillar.Files;
 
 /// <summary>PNG (ISO 15948) as brightness: color types 0, 2, 3, 4 and 6, depths 1 to 16, Adam7 interlacing.</summary>

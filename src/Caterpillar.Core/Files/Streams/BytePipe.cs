@@ -1,5 +1,3 @@
-using System.Collections.Concurrent;
-
 namespace Caterpillar.Files;
 
 /// <summary>A pipe for bytes from one thread to another, in reused pieces. The writer waits while many pieces are unread.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Concurrent;
-
 namespace Caterpillar.Flavors;
 
 /// <summary>The commands of a flavor: what each does with these words. A lookup allocates nothing.</summary>

@@ -1,5 +1,3 @@
-using System.Text.RegularExpressions;
-
 namespace Caterpillar.GCode;
 
 /// <summary>

@@ -1,5 +1,3 @@
-using System.Text.RegularExpressions;
-
 namespace Caterpillar.Machines;
 
 /// <summary>Follows the commands of a header or footer and collects facts about the printer.</summary>

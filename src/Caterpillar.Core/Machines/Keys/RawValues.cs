@@ -1,5 +1,3 @@
-using System.Text.RegularExpressions;
-
 namespace Caterpillar.Machines;
 
 /// <summary>Values as in JSON: text, double, bool, and lists of these.</summary>

@@ -1,5 +1,3 @@
-using Newtonsoft.Json;
-
 namespace Caterpillar.Machines;
 
 /// <summary>A key of a JSON object with its value and its position.</summary>

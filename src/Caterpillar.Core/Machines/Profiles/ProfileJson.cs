@@ -1,5 +1,3 @@
-using Newtonsoft.Json;
-
 namespace Caterpillar.Machines;
 
 /// <summary>Writes raw values as JSON text: numbers by <see cref="NumberFormatter"/>, one entry per line in objects, lists of numbers on one line.</summary>

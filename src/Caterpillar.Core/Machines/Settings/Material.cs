@@ -1,6 +1,4 @@
-using IntegerKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Material, int>;
 using OptionalKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Material, double?>;
-using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Material, double>;
 
 namespace Caterpillar.Machines;
 
@@ -85,29 +83,32 @@ internal static class MaterialKeys
     public static readonly KeyTable<Material> All = new();
 
     public static readonly ProfileKey<Material, string> Title = All.Text("title", m => m.Title, (m, v) => m with { Title = v });
-    public static readonly NumberKey FilamentDiameter
+    public static readonly MaterialNumberKey FilamentDiameter
         = All.Number("filament_diameter_mm", 0.01, 1000, m => m.FilamentDiameter, (m, v) => m with { FilamentDiameter = v });
-    public static readonly NumberKey NozzleTemperature
+    public static readonly MaterialNumberKey NozzleTemperature
         = All.Number("nozzle_temperature_c", 0, 2000, m => m.NozzleTemperature, (m, v) => m with { NozzleTemperature = v });
-    public static readonly NumberKey FirstLayerNozzleTemperature
+    public static readonly MaterialNumberKey FirstLayerNozzleTemperature
         = All.Number("first_layer_nozzle_temperature_c", 0, 2000, m => m.FirstLayerNozzleTemperature, (m, v) => m with { FirstLayerNozzleTemperature = v });
-    public static readonly NumberKey StandbyTemperature
+    public static readonly MaterialNumberKey StandbyTemperature
         = All.Number("standby_temperature_c", 0, 2000, m => m.StandbyTemperature, (m, v) => m with { StandbyTemperature = v });
-    public static readonly NumberKey BedTemperature = All.Number("bed_temperature_c", 0, 500, m => m.BedTemperature, (m, v) => m with { BedTemperature = v });
-    public static readonly NumberKey FirstLayerBedTemperature
+    public static readonly MaterialNumberKey BedTemperature
+        = All.Number("bed_temperature_c", 0, 500, m => m.BedTemperature, (m, v) => m with { BedTemperature = v });
+    public static readonly MaterialNumberKey FirstLayerBedTemperature
         = All.Number("first_layer_bed_temperature_c", 0, 500, m => m.FirstLayerBedTemperature, (m, v) => m with { FirstLayerBedTemperature = v });
-    public static readonly NumberKey ChamberTemperature
+    public static readonly MaterialNumberKey ChamberTemperature
         = All.Number("chamber_temperature_c", 0, 500, m => m.ChamberTemperature, (m, v) => m with { ChamberTemperature = v });
-    public static readonly NumberKey FlowRatio = All.Number("flow_ratio", 0.01, 100, m => m.FlowRatio, (m, v) => m with { FlowRatio = v });
-    public static readonly NumberKey MinFanSpeedPercent
+    public static readonly MaterialNumberKey FlowRatio = All.Number("flow_ratio", 0.01, 100, m => m.FlowRatio, (m, v) => m with { FlowRatio = v });
+    public static readonly MaterialNumberKey MinFanSpeedPercent
         = All.Number("min_fan_speed_percent", 0, 100, m => m.MinFanSpeedPercent, (m, v) => m with { MinFanSpeedPercent = v });
-    public static readonly NumberKey MaxFanSpeedPercent
+    public static readonly MaterialNumberKey MaxFanSpeedPercent
         = All.Number("max_fan_speed_percent", 0, 100, m => m.MaxFanSpeedPercent, (m, v) => m with { MaxFanSpeedPercent = v });
-    public static readonly NumberKey FanLayerTime = All.Number("fan_layer_time_s", 0, 10_000, m => m.FanLayerTime, (m, v) => m with { FanLayerTime = v });
-    public static readonly IntegerKey FanOffLayers = All.Integer("fan_off_layers", 0, 1_000_000, m => m.FanOffLayers, (m, v) => m with { FanOffLayers = v });
-    public static readonly NumberKey Density = All.Number("density_g_cm3", 0.01, 30, m => m.Density, (m, v) => m with { Density = v });
-    public static readonly NumberKey CostPerKg = All.Number("cost_per_kg", 0, 1_000_000, m => m.CostPerKg, (m, v) => m with { CostPerKg = v });
-    public static readonly NumberKey MaxFlow = All.Number("material_max_flow_mm3_s", 0, 1_000_000, m => m.MaxFlow, (m, v) => m with { MaxFlow = v });
+    public static readonly MaterialNumberKey FanLayerTime
+        = All.Number("fan_layer_time_s", 0, 10_000, m => m.FanLayerTime, (m, v) => m with { FanLayerTime = v });
+    public static readonly MaterialIntegerKey FanOffLayers
+        = All.Integer("fan_off_layers", 0, 1_000_000, m => m.FanOffLayers, (m, v) => m with { FanOffLayers = v });
+    public static readonly MaterialNumberKey Density = All.Number("density_g_cm3", 0.01, 30, m => m.Density, (m, v) => m with { Density = v });
+    public static readonly MaterialNumberKey CostPerKg = All.Number("cost_per_kg", 0, 1_000_000, m => m.CostPerKg, (m, v) => m with { CostPerKg = v });
+    public static readonly MaterialNumberKey MaxFlow = All.Number("material_max_flow_mm3_s", 0, 1_000_000, m => m.MaxFlow, (m, v) => m with { MaxFlow = v });
     public static readonly OptionalKey PressureAdvance
         = All.Optional("pressure_advance_s", 0, 10, m => m.PressureAdvance, (m, v) => m with { PressureAdvance = v });
     public static readonly OptionalKey RetractionLength

@@ -1,7 +1,3 @@
-using FlagKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, bool>;
-using IntegerKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, int>;
-using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, double>;
-
 namespace Caterpillar.Machines;
 
 // What fills the inside of a part.

@@ -1,6 +1,3 @@
-using FlagKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, bool>;
-using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, double>;
-
 namespace Caterpillar.Machines;
 
 // How a model is divided into layers.

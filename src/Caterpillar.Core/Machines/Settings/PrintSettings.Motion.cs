@@ -1,5 +1,3 @@
-using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, double>;
-
 namespace Caterpillar.Machines;
 
 // Accelerations and jerk, which the file commands if one of them is given.

@@ -1,6 +1,3 @@
-using IntegerKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, int>;
-using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, double>;
-
 namespace Caterpillar.Machines;
 
 // Where loops begin, and in which order the walls of a contour are printed.

@@ -1,6 +1,3 @@
-using IntegerKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, int>;
-using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, double>;
-
 namespace Caterpillar.Machines;
 
 // What holds up the parts of a print that hang in the air.

@@ -1,7 +1,3 @@
-using FlagKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, bool>;
-using IntegerKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, int>;
-using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, double>;
-
 namespace Caterpillar.Machines;
 
 // The closed layers at the top and the bottom of a part, and bridges.

@@ -1,5 +1,3 @@
-using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, double>;
-
 namespace Caterpillar.Machines;
 
 // How the head gets from path to path, and what it does while a layer cools.

@@ -1,5 +1,3 @@
-using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, double>;
-
 namespace Caterpillar.Machines;
 
 // Widths of extrusions by role.

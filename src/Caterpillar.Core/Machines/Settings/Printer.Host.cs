@@ -1,5 +1,3 @@
-using FlagKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, bool>;
-
 namespace Caterpillar.Machines;
 
 // What a file tells the program that prints it.
@@ -24,10 +22,11 @@ internal static class HostKeys
 {
     public static readonly KeyTable<Printer> All = new();
 
-    public static readonly FlagKey ProgressCommands = All.Boolean("progress_commands", p => p.ProgressCommands, (p, v) => p with { ProgressCommands = v });
-    public static readonly FlagKey ObjectLabels = All.Boolean("object_labels", p => p.ObjectLabels, (p, v) => p with { ObjectLabels = v });
+    public static readonly PrinterFlagKey ProgressCommands
+        = All.Boolean("progress_commands", p => p.ProgressCommands, (p, v) => p with { ProgressCommands = v });
+    public static readonly PrinterFlagKey ObjectLabels = All.Boolean("object_labels", p => p.ObjectLabels, (p, v) => p with { ObjectLabels = v });
     public static readonly ProfileKey<Printer, ValueList<Vec3>> Thumbnails = All.Of(
         "thumbnails_px", new RowsFormat<Vec3>(["width", "height"], 16, 16, 1000, n => new Vec3(n[0], n[1], 0), v => [v.X, v.Y]), p => p.Thumbnails,
         (p, v) => p with { Thumbnails = v });
-    public static readonly FlagKey SetupComments = All.Boolean("setup_comments", p => p.SetupComments, (p, v) => p with { SetupComments = v });
+    public static readonly PrinterFlagKey SetupComments = All.Boolean("setup_comments", p => p.SetupComments, (p, v) => p with { SetupComments = v });
 }

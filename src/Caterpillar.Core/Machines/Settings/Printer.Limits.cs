@@ -1,5 +1,3 @@
-using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, double>;
-
 namespace Caterpillar.Machines;
 
 // How much and how hot it extrudes.
@@ -29,15 +27,15 @@ internal static class LimitKeys
 {
     public static readonly KeyTable<Printer> All = new();
 
-    public static readonly NumberKey MaxFlow = All.Number("max_flow_mm3_s", 0, 1_000_000, p => p.MaxFlow, (p, v) => p with { MaxFlow = v });
-    public static readonly NumberKey MinExtrusionTemperature
+    public static readonly PrinterNumberKey MaxFlow = All.Number("max_flow_mm3_s", 0, 1_000_000, p => p.MaxFlow, (p, v) => p with { MaxFlow = v });
+    public static readonly PrinterNumberKey MinExtrusionTemperature
         = All.Number("min_extrusion_temperature_c", 0, 2000, p => p.MinExtrusionTemperature, (p, v) => p with { MinExtrusionTemperature = v });
-    public static readonly NumberKey MaxNozzleTemperature
+    public static readonly PrinterNumberKey MaxNozzleTemperature
         = All.Number("max_nozzle_temperature_c", 0, 2000, p => p.MaxNozzleTemperature, (p, v) => p with { MaxNozzleTemperature = v });
-    public static readonly NumberKey MaxBedTemperature
+    public static readonly PrinterNumberKey MaxBedTemperature
         = All.Number("max_bed_temperature_c", 0, 500, p => p.MaxBedTemperature, (p, v) => p with { MaxBedTemperature = v });
-    public static readonly NumberKey MaxChamberTemperature
+    public static readonly PrinterNumberKey MaxChamberTemperature
         = All.Number("max_chamber_temperature_c", 0, 500, p => p.MaxChamberTemperature, (p, v) => p with { MaxChamberTemperature = v });
-    public static readonly NumberKey MaxStationaryVolume
+    public static readonly PrinterNumberKey MaxStationaryVolume
         = All.Number("max_stationary_volume_mm3", 0, 1e9, p => p.MaxStationaryVolume, (p, v) => p with { MaxStationaryVolume = v });
 }

@@ -1,6 +1,3 @@
-using IntegerKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, int>;
-using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, double>;
-
 namespace Caterpillar.Machines;
 
 // Speeds, accelerations, and what takes time.
@@ -67,28 +64,29 @@ internal static class MotionKeys
         = All.Axes("max_speed_mm_s", 0.01, 100_000, p => p.MaxSpeed, (p, v) => p with { MaxSpeed = v });
     public static readonly ProfileKey<Printer, AxisValues> MaxAcceleration
         = All.Axes("max_acceleration_mm_s2", 0.01, 1_000_000, p => p.MaxAcceleration, (p, v) => p with { MaxAcceleration = v });
-    public static readonly NumberKey PrintAcceleration
+    public static readonly PrinterNumberKey PrintAcceleration
         = All.Number("print_acceleration_mm_s2", 0.01, 1_000_000, p => p.PrintAcceleration, (p, v) => p with { PrintAcceleration = v });
-    public static readonly NumberKey TravelAcceleration
+    public static readonly PrinterNumberKey TravelAcceleration
         = All.Number("travel_acceleration_mm_s2", 0.01, 1_000_000, p => p.TravelAcceleration, (p, v) => p with { TravelAcceleration = v });
-    public static readonly NumberKey RetractionAcceleration
+    public static readonly PrinterNumberKey RetractionAcceleration
         = All.Number("retraction_acceleration_mm_s2", 0.01, 1_000_000, p => p.RetractionAcceleration, (p, v) => p with { RetractionAcceleration = v });
     public static readonly ProfileKey<Printer, Cornering> Cornering = All.Choice("cornering", p => p.Cornering, (p, v) => p with { Cornering = v });
     public static readonly ProfileKey<Printer, AxisValues> Jerk = All.Axes("jerk_mm_s", 0, 10_000, p => p.Jerk, (p, v) => p with { Jerk = v });
-    public static readonly NumberKey JunctionDeviation
+    public static readonly PrinterNumberKey JunctionDeviation
         = All.Number("junction_deviation_mm", 0.0001, 10, p => p.JunctionDeviation, (p, v) => p with { JunctionDeviation = v });
-    public static readonly NumberKey SquareCornerVelocity
+    public static readonly PrinterNumberKey SquareCornerVelocity
         = All.Number("square_corner_velocity_mm_s", 0, 10_000, p => p.SquareCornerVelocity, (p, v) => p with { SquareCornerVelocity = v });
-    public static readonly NumberKey MinimumCruiseRatio
+    public static readonly PrinterNumberKey MinimumCruiseRatio
         = All.Number("minimum_cruise_ratio", 0, 0.99, p => p.MinimumCruiseRatio, (p, v) => p with { MinimumCruiseRatio = v });
-    public static readonly NumberKey InstantaneousCornerVelocity = All.Number(
+    public static readonly PrinterNumberKey InstantaneousCornerVelocity = All.Number(
         "instantaneous_corner_velocity_mm_s", 0.001, 10_000, p => p.InstantaneousCornerVelocity, (p, v) => p with { InstantaneousCornerVelocity = v });
-    public static readonly IntegerKey LookaheadMoves
+    public static readonly PrinterIntegerKey LookaheadMoves
         = All.Integer("lookahead_moves", 0, 1_000_000, p => p.LookaheadMoves, (p, v) => p with { LookaheadMoves = v });
-    public static readonly NumberKey ArcSegment = All.Number("arc_segment_mm", 0.01, 1000, p => p.ArcSegment, (p, v) => p with { ArcSegment = v });
-    public static readonly NumberKey NozzleHeating = All.Number("nozzle_heating_c_s", 0, 1000, p => p.NozzleHeating, (p, v) => p with { NozzleHeating = v });
-    public static readonly NumberKey BedHeating = All.Number("bed_heating_c_s", 0, 1000, p => p.BedHeating, (p, v) => p with { BedHeating = v });
-    public static readonly NumberKey ToolChangeTime
+    public static readonly PrinterNumberKey ArcSegment = All.Number("arc_segment_mm", 0.01, 1000, p => p.ArcSegment, (p, v) => p with { ArcSegment = v });
+    public static readonly PrinterNumberKey NozzleHeating
+        = All.Number("nozzle_heating_c_s", 0, 1000, p => p.NozzleHeating, (p, v) => p with { NozzleHeating = v });
+    public static readonly PrinterNumberKey BedHeating = All.Number("bed_heating_c_s", 0, 1000, p => p.BedHeating, (p, v) => p with { BedHeating = v });
+    public static readonly PrinterNumberKey ToolChangeTime
         = All.Number("tool_change_time_s", 0, 10_000, p => p.ToolChangeTime, (p, v) => p with { ToolChangeTime = v });
-    public static readonly NumberKey HomingTime = All.Number("homing_time_s", 0, 10_000, p => p.HomingTime, (p, v) => p with { HomingTime = v });
+    public static readonly PrinterNumberKey HomingTime = All.Number("homing_time_s", 0, 10_000, p => p.HomingTime, (p, v) => p with { HomingTime = v });
 }

@@ -1,5 +1,3 @@
-using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, double>;
-
 namespace Caterpillar.Machines;
 
 // What a pause does that is put into a print.
@@ -27,13 +25,13 @@ internal static class PauseKeys
 {
     public static readonly KeyTable<Printer> All = new();
 
-    public static readonly NumberKey PauseLift = All.Number("pause_lift_mm", 0, 10_000, p => p.PauseLift, (p, v) => p with { PauseLift = v });
+    public static readonly PrinterNumberKey PauseLift = All.Number("pause_lift_mm", 0, 10_000, p => p.PauseLift, (p, v) => p with { PauseLift = v });
     public static readonly ProfileKey<Printer, ValueList<Vec3>> PausePark = All.Of(
         "pause_park_mm", new RowsFormat<Vec3>(["x", "y"], 1, -100_000, 100_000, n => new Vec3(n[0], n[1], 0), v => [v.X, v.Y]), p => p.PausePark,
         (p, v) => p with { PausePark = v });
-    public static readonly NumberKey PauseRetraction
+    public static readonly PrinterNumberKey PauseRetraction
         = All.Number("pause_retraction_mm", 0, 1000, p => p.PauseRetraction, (p, v) => p with { PauseRetraction = v });
-    public static readonly NumberKey PausePrime = All.Number("pause_prime_mm", 0, 1000, p => p.PausePrime, (p, v) => p with { PausePrime = v });
+    public static readonly PrinterNumberKey PausePrime = All.Number("pause_prime_mm", 0, 1000, p => p.PausePrime, (p, v) => p with { PausePrime = v });
     public static readonly ProfileKey<Printer, ValueList<string>> PauseGCode
         = All.Of("pause_gcode", new LinesFormat(PrintTemplate.Error), p => p.PauseGCode, (p, v) => p with { PauseGCode = v });
 }

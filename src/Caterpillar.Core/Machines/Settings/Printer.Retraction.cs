@@ -1,6 +1,3 @@
-using FlagKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, bool>;
-using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, double>;
-
 namespace Caterpillar.Machines;
 
 // Retraction and lifts.
@@ -33,16 +30,16 @@ internal static class RetractionKeys
 {
     public static readonly KeyTable<Printer> All = new();
 
-    public static readonly NumberKey RetractionLength
+    public static readonly PrinterNumberKey RetractionLength
         = All.Number("retraction_length_mm", 0, 1000, p => p.RetractionLength, (p, v) => p with { RetractionLength = v });
-    public static readonly NumberKey RetractionSpeed
+    public static readonly PrinterNumberKey RetractionSpeed
         = All.Number("retraction_speed_mm_s", 0.01, 10_000, p => p.RetractionSpeed, (p, v) => p with { RetractionSpeed = v });
-    public static readonly NumberKey DeretractionSpeed
+    public static readonly PrinterNumberKey DeretractionSpeed
         = All.Number("deretraction_speed_mm_s", 0, 10_000, p => p.DeretractionSpeed, (p, v) => p with { DeretractionSpeed = v });
-    public static readonly NumberKey DeretractionExtra
+    public static readonly PrinterNumberKey DeretractionExtra
         = All.Number("deretraction_extra_mm", 0, 1000, p => p.DeretractionExtra, (p, v) => p with { DeretractionExtra = v });
-    public static readonly FlagKey FirmwareRetraction
+    public static readonly PrinterFlagKey FirmwareRetraction
         = All.Boolean("firmware_retraction", p => p.FirmwareRetraction, (p, v) => p with { FirmwareRetraction = v });
-    public static readonly NumberKey ZHop = All.Number("z_hop_mm", 0, 1000, p => p.ZHop, (p, v) => p with { ZHop = v });
-    public static readonly NumberKey ZHopSpeed = All.Number("z_hop_speed_mm_s", 0.01, 10_000, p => p.ZHopSpeed, (p, v) => p with { ZHopSpeed = v });
+    public static readonly PrinterNumberKey ZHop = All.Number("z_hop_mm", 0, 1000, p => p.ZHop, (p, v) => p with { ZHop = v });
+    public static readonly PrinterNumberKey ZHopSpeed = All.Number("z_hop_speed_mm_s", 0.01, 10_000, p => p.ZHopSpeed, (p, v) => p with { ZHopSpeed = v });
 }

@@ -1,7 +1,3 @@
-using FlagKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, bool>;
-using IntegerKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, int>;
-using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.Printer, double>;
-
 namespace Caterpillar.Machines;
 
 /// <summary>
@@ -95,7 +91,7 @@ internal static class PrinterKeys
         = All.Vector("build_volume_mm", 1, 100_000, p => p.BuildVolume, (p, v) => p with { BuildVolume = v });
     public static readonly ProfileKey<Printer, BedOrigin> Origin = All.Choice("origin", p => p.Origin, (p, v) => p with { Origin = v });
     public static readonly ProfileKey<Printer, BedShape> BedShape = All.Choice("bed_shape", p => p.BedShape, (p, v) => p with { BedShape = v });
-    public static readonly NumberKey NozzleDiameter
+    public static readonly PrinterNumberKey NozzleDiameter
         = All.Number("nozzle_diameter_mm", 0.01, 200, p => p.NozzleDiameter, (p, v) => p with { NozzleDiameter = v });
     public static readonly ProfileKey<Printer, string> DefaultMaterial
         = All.Text("default_material", p => p.DefaultMaterial, (p, v) => p with { DefaultMaterial = v });
@@ -105,8 +101,8 @@ internal static class PrinterKeys
         = All.Choice("e_mode", p => p.ExtrusionMode, (p, v) => p with { ExtrusionMode = v });
     public static readonly ProfileKey<Printer, ExtrusionUnit> ExtrusionUnit
         = All.Choice("e_unit", p => p.ExtrusionUnit, (p, v) => p with { ExtrusionUnit = v });
-    public static readonly FlagKey RelativeXyz = All.Boolean("relative_xyz", p => p.RelativeXyz, (p, v) => p with { RelativeXyz = v });
-    public static readonly IntegerKey DecimalsXyz = All.Integer("decimals_xyz", 0, 8, p => p.DecimalsXyz, (p, v) => p with { DecimalsXyz = v });
-    public static readonly IntegerKey DecimalsE = All.Integer("decimals_e", 0, 8, p => p.DecimalsE, (p, v) => p with { DecimalsE = v });
-    public static readonly IntegerKey DecimalsF = All.Integer("decimals_f", 0, 8, p => p.DecimalsF, (p, v) => p with { DecimalsF = v });
+    public static readonly PrinterFlagKey RelativeXyz = All.Boolean("relative_xyz", p => p.RelativeXyz, (p, v) => p with { RelativeXyz = v });
+    public static readonly PrinterIntegerKey DecimalsXyz = All.Integer("decimals_xyz", 0, 8, p => p.DecimalsXyz, (p, v) => p with { DecimalsXyz = v });
+    public static readonly PrinterIntegerKey DecimalsE = All.Integer("decimals_e", 0, 8, p => p.DecimalsE, (p, v) => p with { DecimalsE = v });
+    public static readonly PrinterIntegerKey DecimalsF = All.Integer("decimals_f", 0, 8, p => p.DecimalsF, (p, v) => p with { DecimalsF = v });
 }

@@ -1,5 +1,3 @@
-using NumberKey = Caterpillar.Machines.ProfileKey<Caterpillar.Machines.PrintSettings, double>;
-
 namespace Caterpillar.Machines;
 
 /// <summary>Printer, material and settings: the input for planning, writing and checking. Immutable.</summary>

@@ -1,5 +1,3 @@
-using System.Text.RegularExpressions;
-
 namespace Caterpillar.Machines;
 
 /// <summary>Applies <c>key=value</c> to a setup.</summary>

@@ -17,10 +17,7 @@ internal sealed class Footprint(Vec3[] corners, double height)
     public IReadOnlyList<Vec3> Corners => _corners;
 
     /// <summary>Andrew's monotone chain over the vertices.</summary>
-    public static Footprint Of(TriMesh mesh)
-    {
-        return new Footprint(Hull(Outer(mesh.RawVertices)), mesh.Bounds.IsEmpty ? 0 : mesh.Bounds.Size.Z);
-    }
+    public static Footprint Of(TriMesh mesh) => new Footprint(Hull(Outer(mesh.RawVertices)), mesh.Bounds.IsEmpty ? 0 : mesh.Bounds.Size.Z);
 
     // The points that are not clearly inside the octagon of the outermost ones: of a model of many vertices only few have to be sorted (Akl and Toussaint, "A
     // fast convex hull algorithm", 1978).

@@ -110,9 +110,7 @@ internal sealed class SeamPlacer(Body body)
     }
 
     private static LoopPlace Anywhere(Vec3[] loop, int seed, int layer, int number)
-    {
-        return LoopPlace.AtLength(loop, LengthOf(loop) * new SeededRandom(unchecked((seed * 31 + layer) * 1009 + number)).NextDouble());
-    }
+        => LoopPlace.AtLength(loop, LengthOf(loop) * new SeededRandom(unchecked((seed * 31 + layer) * 1009 + number)).NextDouble());
 
     // The corner that hides a seam best; the one nearest to the seam below, or to the back, among those as good. A smooth loop has its seam at the back.
     private LoopPlace BestCorner(Vec3[] loop, Vec3? below, double arm)

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>A square of cells of a <see cref="Deposit"/>, with the extrusions that overlap it.</summary>

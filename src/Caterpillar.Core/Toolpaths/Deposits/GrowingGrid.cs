@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Objects by column and row, in an array that grows as needed.</summary>

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>
@@ -25,30 +23,30 @@ public sealed class ToolpathBlock
 }
 
 /// <summary>The columns of a block. Index i is the i-th move of the block. The creator of the block fills them. They never change afterwards.</summary>
-internal sealed class ToolpathColumns
+internal sealed class ToolpathColumns(int capacity)
 {
     public int Count;
 
     // End point, mm.
-    public double[] X;
-    public double[] Y;
-    public double[] Z;
+    public double[] X = Buffers.Unfilled<double>(capacity);
+    public double[] Y = Buffers.Unfilled<double>(capacity);
+    public double[] Z = Buffers.Unfilled<double>(capacity);
 
     // Commanded change of E and the part of it that is deposited, both in the unit of the tool.
-    public double[] E;
-    public double[] Deposited;
+    public double[] E = Buffers.Unfilled<double>(capacity);
+    public double[] Deposited = Buffers.Unfilled<double>(capacity);
 
     // mm/s
-    public double[] Speed;
-    public MoveKind[] Kind;
-    public Role[] Role;
-    public short[] Tool;
+    public double[] Speed = Buffers.Unfilled<double>(capacity);
+    public MoveKind[] Kind = Buffers.Unfilled<MoveKind>(capacity);
+    public Role[] Role = Buffers.Unfilled<Role>(capacity);
+    public short[] Tool = Buffers.Unfilled<short>(capacity);
 
     // Index into Toolpath.Layers, or -1.
-    public int[] Layer;
+    public int[] Layer = Buffers.Unfilled<int>(capacity);
 
     // Line of the G-code file (from 1) or number of the step (from 0); -1 if there is none.
-    public int[] Source;
+    public int[] Source = Buffers.Unfilled<int>(capacity);
 
     // Line of the script, from 1; 0 if unknown. Null if no move of the block has one.
     public int[]? Line;
@@ -61,21 +59,6 @@ internal sealed class ToolpathColumns
     // Moves of the block that are arcs, ascending, and their geometry.
     public int[] ArcMoves = [];
     public Arc[] Arcs = [];
-
-    public ToolpathColumns(int capacity)
-    {
-        X = Buffers.Unfilled<double>(capacity);
-        Y = Buffers.Unfilled<double>(capacity);
-        Z = Buffers.Unfilled<double>(capacity);
-        E = Buffers.Unfilled<double>(capacity);
-        Deposited = Buffers.Unfilled<double>(capacity);
-        Speed = Buffers.Unfilled<double>(capacity);
-        Kind = Buffers.Unfilled<MoveKind>(capacity);
-        Role = Buffers.Unfilled<Role>(capacity);
-        Tool = Buffers.Unfilled<short>(capacity);
-        Layer = Buffers.Unfilled<int>(capacity);
-        Source = Buffers.Unfilled<int>(capacity);
-    }
 
     public int Capacity => X.Length;
 

@@ -1,6 +1,3 @@
-using System.IO.Compression;
-using Newtonsoft.Json;
-
 namespace Caterpillar.Toolpaths;
 
 /// <summary>Compressed bytes that other files hold. Records are JSON, so that they may get more properties; numbers in masses are binary.</summary>

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Caterpillar.Turtles;
 
 /// <summary>Runs a compiled script with its own stack, so that deep recursion ends at a limit and does not overflow the stack of the thread.</summary>

@@ -1,5 +1,3 @@
-using Grasshopper.Kernel.Data;
-
 namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>The moves of a toolpath with a branch for each layer. Arcs are given as straight moves.</summary>

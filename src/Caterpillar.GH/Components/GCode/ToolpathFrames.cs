@@ -1,5 +1,3 @@
-using Grasshopper.Kernel.Data;
-
 namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>The end of each move as a plane, with its speed and flow, as trees with a branch per layer.</summary>

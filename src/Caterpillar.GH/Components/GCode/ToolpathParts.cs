@@ -1,5 +1,3 @@
-using Grasshopper.Kernel.Data;
-
 namespace Caterpillar.GH.Components.GCode;
 
 /// <summary>

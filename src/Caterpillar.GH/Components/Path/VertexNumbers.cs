@@ -10,22 +10,16 @@ public enum Interpolation
 /// <summary>
 /// Widths, heights, speeds and flows of a path: one for all of it, one for each vertex, or one for each segment, as Deconstruct Print Path gives them.
 /// </summary>
-internal sealed class VertexNumbers
+internal sealed class VertexNumbers(Run run)
 {
     private static readonly string[] Names = ["Widths", "Heights", "Speeds", "Flows"];
-    private readonly double[][] _lists;
-
-    public VertexNumbers(Run run)
-    {
-        _lists = Array.ConvertAll(Names, n => run.List<GH_Number>(run[n]).Select(g => g.Value).ToArray());
-        IsStepped = run.Choice<Interpolation>(run["Interpolation"]) == Interpolation.Steps;
-    }
+    private readonly double[][] _lists = Array.ConvertAll(Names, n => run.List<GH_Number>(run[n]).Select(g => g.Value).ToArray());
 
     /// <summary>True if the area of the bead follows from width, height and flow.</summary>
     public bool SetsArea => _lists[0].Length > 0 || _lists[1].Length > 0 || _lists[3].Length > 0;
 
     /// <summary>True if each number holds from its vertex to the next.</summary>
-    public bool IsStepped { get; private set; }
+    public bool IsStepped { get; private set; } = run.Choice<Interpolation>(run["Interpolation"]) == Interpolation.Steps;
 
     /// <summary>The parts of a key.</summary>
     public object?[] Key => [IsStepped, .. _lists.Select(l => (object?)Array.ConvertAll(l, v => (object?)v))];

@@ -1,5 +1,4 @@
 using System.Drawing;
-using Caterpillar.GH.Bake;
 
 namespace Caterpillar.GH.Components.Simulate;
 

@@ -1,5 +1,3 @@
-using Grasshopper.Kernel.Data;
-
 namespace Caterpillar.GH.Components.Slice;
 
 /// <summary>Base of the slicers: geometry in, layers as trees out.</summary>

@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Caterpillar.GCode;
 
 /// <content>Fast path for extrusions that follow each other at one height, as most lines of a print do, without checking the state again.</content>

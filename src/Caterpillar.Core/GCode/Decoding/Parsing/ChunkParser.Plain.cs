@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Caterpillar.GCode;
 
 /// <content>Motions in the usual notation, by far the most lines. Separate from all others, so that the loop stays in registers.</content>

@@ -1,5 +1,3 @@
-using System.Text.RegularExpressions;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Changes comments that name the G-code flavor in a conversion, so that the result is read in its new flavor.</summary>

@@ -1,5 +1,3 @@
-using System.Text.RegularExpressions;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Outlines of objects in EXCLUDE_OBJECT_DEFINE after an edit that moves or changes the objects.</summary>

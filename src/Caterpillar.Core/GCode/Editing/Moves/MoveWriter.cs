@@ -1,5 +1,3 @@
-using System.Runtime.CompilerServices;
-
 namespace Caterpillar.GCode;
 
 /// <summary>Writes moves: with the unchanged line of the file, after a line with the missing mode, with other words, or with new lines.</summary>

@@ -1,5 +1,3 @@
-using Newtonsoft.Json;
-
 namespace Caterpillar.Geometry;
 
 /// <summary>Measures of one plane section: the solid by non-zero winding, so that bodies that intersect count once.</summary>
