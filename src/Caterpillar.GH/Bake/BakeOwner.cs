@@ -1,3 +1,5 @@
+using Rhino.DocObjects;
+
 namespace Caterpillar.GH.Bake;
 
 /// <summary>The component that baked objects, stated in their user text. A copy of a component or of a definition owns nothing.</summary>

@@ -1,3 +1,4 @@
+using Rhino.DocObjects;
 using Layer = Caterpillar.Toolpaths.Layer;
 
 namespace Caterpillar.GH.Bake;

@@ -1,3 +1,4 @@
+using Rhino.DocObjects;
 using System.Drawing;
 using Rhino.UI;
 

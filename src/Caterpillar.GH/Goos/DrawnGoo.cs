@@ -1,3 +1,5 @@
+using Rhino.DocObjects;
+
 namespace Caterpillar.GH.Goos;
 
 /// <summary>

@@ -1,3 +1,4 @@
+using Rhino.DocObjects;
 using Rhino.Commands;
 using Rhino.Input;
 

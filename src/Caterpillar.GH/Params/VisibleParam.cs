@@ -1,3 +1,5 @@
+using Rhino.DocObjects;
+
 namespace Caterpillar.GH.Params;
 
 /// <summary>Data with a preview: all of it in one call of the display, and one box, both kept until the data or the units change.</summary>

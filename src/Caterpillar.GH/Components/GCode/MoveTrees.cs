@@ -66,7 +66,7 @@ internal sealed class MoveTrees(
     }
 
     // A level layer reaches down to the one below it.
-    private Toolpaths.Layer LayerOf(GH_Path path, Given[] moves)
+    private Layer LayerOf(GH_Path path, Given[] moves)
     {
         var heights = moves.Where(m => m.E > 0 && m.Kind is MoveKind.Print or null).Select(m => m.End.Z).DefaultIfEmpty(_below).ToArray();
         var top = heights.Max();
