@@ -16,7 +16,7 @@ internal static class SampleFolder
     public static void Fill(Func<double, double, double, double, string> boxAt, Action<string[]> run)
     {
         string Box(double x, double y, double z) => boxAt(x, y, z, 0);
-        foreach (var name in new[] { "a", "b", "box", "lid", "pawn" }) File.WriteAllText(name + ".stl", Box(8, 6, 2));
+        foreach (var name in new[] { "a", "b", "box", "cube", "lid", "pawn" }) File.WriteAllText(name + ".stl", Box(8, 6, 2));
         File.WriteAllText("part.stl", Box(8, 6, 13));
         File.WriteAllText("roof.stl", Box(6, 5, 20));
         foreach (var name in new[] { "hat", "branching" }) File.WriteAllText(name + ".stl", Box(8, 6, 4));

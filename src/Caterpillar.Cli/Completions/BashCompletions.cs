@@ -5,7 +5,7 @@ internal static class BashCompletions
 {
     public static void Write(TextWriter text, CompletionTable table)
     {
-        text.Write(EmbeddedText.Read("usage/completions.bash", typeof(Verb)));
+        text.Write(EmbeddedText.Read("usage/completions.bash", typeof(CompletionTable)));
         foreach (var verb in table.Verbs)
         {
             text.WriteLine($"  {verb.Name})");

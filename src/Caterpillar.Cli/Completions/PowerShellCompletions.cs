@@ -18,7 +18,7 @@ internal static class PowerShellCompletions
             }
             text.WriteLine("    } }");
         }
-        text.Write(EmbeddedText.Read("usage/completions.ps1", typeof(Verb)));
+        text.Write(EmbeddedText.Read("usage/completions.ps1", typeof(CompletionTable)));
     }
 
     private static string List(System.Collections.Generic.IReadOnlyList<string> words) => string.Join(", ", words.Select(Quoted));

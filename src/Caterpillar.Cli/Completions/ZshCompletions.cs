@@ -5,7 +5,7 @@ internal static class ZshCompletions
 {
     public static void Write(TextWriter text, CompletionTable table)
     {
-        text.Write(EmbeddedText.Read("usage/completions.zsh", typeof(Verb)));
+        text.Write(EmbeddedText.Read("usage/completions.zsh", typeof(CompletionTable)));
         foreach (var verb in table.Verbs) text.WriteLine($"      {Quoted(verb.Name + ":" + verb.Description)}");
         text.WriteLine("    )");
         text.WriteLine("    _describe verb verbs ;;");

@@ -14,7 +14,7 @@ internal sealed class DeflateWriter
     private static readonly int[] Distances = [1, 2, 3, 4, 5, 7, 9, 13, 17, 25, 33, 49, 65, 97, 129, 193, 257, 385, 513, 769, 1025, 1537, 2049, 3073, 4097,
         6145, 8193, 12289, 16385, 24577];
 
-    private readonly MemoryStream _out = new();
+    private readonly List<byte> _out = [];
     private uint _bits;
     private int _count;
 
@@ -70,6 +70,6 @@ internal sealed class DeflateWriter
     {
         _bits |= value << _count;
         _count += length;
-        for (; _count >= 8; _count -= 8, _bits >>= 8) _out.WriteByte((byte)_bits);
+        for (; _count >= 8; _count -= 8, _bits >>= 8) _out.Add((byte)_bits);
     }
 }

@@ -53,7 +53,7 @@ public sealed class DecodedGCode
     {
         // The header separates them with commas, the setup as lines.
         var stated = Settings.TryGetValue(MappingsKey, out var text)
-            ? Array.ConvertAll(text.Replace("\\n", ",").Split(','), t => AxisMapping.Parse(t.Trim())) : [];
+            ? Array.ConvertAll(Words.Replaced(text, "\\n", ",").Split(','), t => AxisMapping.Parse(t.Trim())) : [];
         return stated.Length > 0 && Array.IndexOf(stated, null) < 0 ? stated! : printer?.AxisMappings ?? ValueList<AxisMapping>.Empty;
     }
 

@@ -60,7 +60,7 @@ public static class FileSetup
                 return Failed("setup.damaged", $"The setup in the comments of the file is damaged: expected \"; key = value\" or \"{End}\".", place);
             var (key, value) = (line.Substring(2, equals - 2), Utf8(line.Substring(equals + 2)).Trim());
             if (Array.IndexOf(Names, key) >= 0 || key.StartsWith(Names[1] + "[", StringComparison.Ordinal)) names[key] = value;
-            else values.Add((key + "=" + value.Replace(Break, "\n"), place with { Key = key }));
+            else values.Add((key + "=" + Words.Replaced(value, Break, "\n"), place with { Key = key }));
         }
         string Name(int which) => names.TryGetValue(Names[which], out var name) && name.Length > 0 ? name : "unnamed";
         var others = Enumerable.Range(1, names.Count).Select(i => SetupValues.OfTool(Names[1], i)).TakeWhile(names.ContainsKey).Select(i => names[i]);
@@ -77,7 +77,7 @@ public static class FileSetup
         $"; {Names[1]} = {setup.Material.Name}",
         .. setup.ToolMaterials.Select((m, i) => $"; {SetupValues.OfTool(Names[1], i + 1)} = {m.Name}"),
         $"; {Names[2]} = {setup.Settings.Name}",
-        .. SetupValues.Of(setup, asGiven: true).Select(v => "; " + v.Key + " = " + v.Value.Replace("\n", Break)),
+        .. SetupValues.Of(setup, asGiven: true).Select(v => "; " + v.Key + " = " + Words.Replaced(v.Value, "\n", Break)),
         End,
     ];
 

@@ -43,8 +43,8 @@ public static class HeaderImport
         var startLines = start.Start(facts);
         var endLines = new HeaderTemplate(foot, footerFile, problems).End(facts);
         var (volume, origin) = Bed(facts, foot.Facts, like ?? new Printer(), headerFile, problems);
-        var nozzle = facts.NozzleTemperature ?? (header.Contains("{hotend_temp") ? DefaultNozzle : 0);
-        var bed = facts.BedTemperature ?? (header.Contains("{bed_temp") ? DefaultBed : 0);
+        var nozzle = facts.NozzleTemperature ?? (header.IndexOf("{hotend_temp", StringComparison.Ordinal) >= 0 ? DefaultNozzle : 0);
+        var bed = facts.BedTemperature ?? (header.IndexOf("{bed_temp", StringComparison.Ordinal) >= 0 ? DefaultBed : 0);
         var printer = (like ?? new Printer()) with
         {
             Name = name,

@@ -71,7 +71,7 @@ internal sealed class IniPresets(string file, List<Diagnostic> problems)
 
     private static KeyValuePair<string, string> Pair(string line)
     {
-        var equals = line.IndexOf('=');
+        var equals = line.IndexOf('=', 0);
         return equals < 1 ? default : new KeyValuePair<string, string>(line.Substring(0, equals).Trim(), line.Substring(equals + 1).Trim());
     }
 }

@@ -28,7 +28,7 @@ internal sealed class SlicerTemplate(IReadOnlyDictionary<string, string> values,
     {
         if (!values.TryGetValue(theirs, out var text) || text.Trim().Length == 0) return [];
         if (text[0] == '"') text = text.Substring(1, text.Length - (text[text.Length - 1] == '"' && text.Length > 1 ? 2 : 1));
-        if (text.IndexOf('\n') < 0) text = Regex.Replace(text, @"\\(.)", m => m.Groups[1].Value switch { "n" => "\n", "r" => "", "t" => "\t", var c => c });
+        if (text.IndexOf('\n', 0) < 0) text = Regex.Replace(text, @"\\(.)", m => m.Groups[1].Value switch { "n" => "\n", "r" => "", "t" => "\t", var c => c });
         var lines = text.TrimEnd().Split('\n');
         return [.. lines.Select((line, i) => Line(line.TrimEnd(), ours, new SourceLocation(file, Key: $"{theirs} line {NumberFormatter.Format(i + 1)}")))];
     }
@@ -39,7 +39,7 @@ internal sealed class SlicerTemplate(IReadOnlyDictionary<string, string> values,
         var parts = new List<(string Text, bool IsDirective)>();
         var lost = "";
         var at = 0;
-        var comment = line.IndexOf(';');
+        var comment = line.IndexOf(';', 0);
         foreach (Match match in Braces.Matches(line))
         {
             Plain(line.Substring(at, match.Index - at), at);
@@ -74,7 +74,7 @@ internal sealed class SlicerTemplate(IReadOnlyDictionary<string, string> values,
 
         void Plain(string text, int from)
         {
-            if (text.Length > 0) parts.Add((text.Replace("{", "{{").Replace("}", "}}"), false));
+            if (text.Length > 0) parts.Add((Words.Replaced(Words.Replaced(text, "{", "{{"), "}", "}}"), false));
             var brace = text.IndexOfAny(['{', '}']);
             if (text.Length > 0 && text[0] == '[') brace = 0;
             if (lost.Length == 0 && brace >= 0 && (comment < 0 || from + brace < comment)) lost = text.Trim();
@@ -108,7 +108,7 @@ internal sealed class SlicerTemplate(IReadOnlyDictionary<string, string> values,
         text = Named.Replace(text, m => Name(m.Groups[1].Value, m.Groups[2].Value, ours));
         return PrintTemplate.Error(["{if " + text + "}", "{endif}"]) is null ? text : null;
 
-        string Whole(string name) => values.TryGetValue(name, out var whole) ? whole.Trim('"').Replace("\\n", "\n") : "";
+        string Whole(string name) => values.TryGetValue(name, out var whole) ? Words.Replaced(whole.Trim('"'), "\\n", "\n") : "";
         string Text(string name) => SlicerName.FirstOf(values, name) ?? "";
         string Flag(bool yes) => yes ? "1" : "0";
     }

@@ -97,10 +97,10 @@ internal sealed record SlicerName(ProfileKey Key, string Slicer, string Name, st
     {
         foreach (var rule in Rules)
         {
-            var at = rule.IndexOf(sign);
+            var at = rule.IndexOf(sign, 0);
             if (at < 1) continue;
             var pattern = rule.Substring(0, at);
-            var found = pattern[0] == '*' ? word.Contains(pattern.Trim('*')) : pattern == word;
+            var found = pattern[0] == '*' ? word.IndexOf(pattern.Trim('*'), StringComparison.Ordinal) >= 0 : pattern == word;
             if (found) return rule.Substring(at + 1);
         }
         return null;

@@ -36,6 +36,6 @@ internal static class SetupFindings
     public static IReadOnlyList<string> PressureAdvance(FlavorRules flavor, double seconds, int tool)
     {
         var lines = Equivalents.Of("M900 K" + NumberFormatter.Format(seconds, 5), FlavorTable.Marlin2.Name, flavor.Name) ?? [];
-        return [.. lines.Select(l => l.Replace(" D0 ", " D" + NumberFormatter.Format(tool) + " "))];
+        return [.. lines.Select(l => Words.Replaced(l, " D0 ", " D" + NumberFormatter.Format(tool) + " "))];
     }
 }

@@ -44,7 +44,7 @@ internal static class SetupValues
     private static PrintSetup One(PrintSetup setup, string key, string text, SourceLocation place, List<Diagnostic> diagnostics)
     {
         var named = Regex.Match(key, @"^(.+)\[([0-9]{1,2})\]$");
-        int? tool = named.Success ? int.Parse(named.Groups[2].Value) : null;
+        int? tool = named.Success ? int.Parse(named.Groups[2].Value, CultureInfo.InvariantCulture) : null;
         if (tool <= setup.ToolMaterials.Count && ProfileKinds.Material.Find(named.Groups[1].Value) is not null) key = named.Groups[1].Value;
         // All three have a title, which does not affect the print.
         if (key == "title")
