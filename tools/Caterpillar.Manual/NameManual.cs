@@ -52,7 +52,7 @@ internal static class NameManual
     private static string Conversion(string text) => text switch
     {
         "90-" => " (90 − value)",
-        var factor when factor.StartsWith("*", StringComparison.Ordinal) && !factor.IndexOf('=', 0) >= 0 => " (× " + factor.Substring(1).Replace('-', '−') + ")",
+        var factor when factor.StartsWith("*", StringComparison.Ordinal) && factor.IndexOf('=', 0) < 0 => " (× " + factor.Substring(1).Replace('-', '−') + ")",
         var divisor when divisor.StartsWith("/", StringComparison.Ordinal) => " (÷ " + divisor.Substring(1) + ")",
         _ => "",
     };
