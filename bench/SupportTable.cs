@@ -16,7 +16,7 @@ namespace Caterpillar.Bench;
 
 /// <summary>
 /// What supports cost, touch and hold, as made by Caterpillar and by the slicers that are installed: the settings of <see cref="PrintTimes"/>, supports
-/// from 50° on, 15 % dense, two dense layers at the top, 0.6 mm beside and 0.2 mm below the part.
+/// from 50° on, 15 % dense, two dense layers at the top, with a gap to the part of 0.6 mm sideways and 0.2 mm in height.
 /// </summary>
 internal static class SupportTable
 {

@@ -1,12 +1,13 @@
 // Makes docs/images/canvas_to_print.png: an animated PNG of the first print, from the canvas to the finished part.
 //   node --experimental-websocket tools/animation.mjs CATERPILLAR CHROMIUM [FILE.png]
 // CATERPILLAR is the published program. The pictures of the canvas are docs/images/first_print, those of the print are the viewer's.
-import { execFileSync, spawn } from "node:child_process";
+import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { deflateSync, inflateSync } from "node:zlib";
+import { open, wait } from "./browser.mjs";
 
 const width = 720, height = 480, stepTime = 1.6, printTime = 0.12, lastTime = 2.5, printFrames = 30;
 const root = join(dirname(fileURLToPath(import.meta.url)), ".."), folder = mkdtempSync(join(tmpdir(), "animation-"));
@@ -85,46 +86,22 @@ function write(frames) {
   writeFileSync(file, Buffer.concat(out));
 }
 
-// One page in the browser, of which pictures are taken.
-async function opened() {
-  const browser = spawn(chromium, ["--headless", "--no-sandbox", "--no-first-run", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-    "--remote-debugging-port=0", `--user-data-dir=${join(folder, "profile")}`, "about:blank"], { stdio: ["ignore", "ignore", "pipe"] });
-  const address = await new Promise((found) => browser.stderr.on("data", (text) => {
-    const match = /ws:\/\/\S+/.exec(text);
-    if (match) found(match[0]);
-  }));
-  const targets = await (await fetch(`http://${address.split("/")[2]}/json/list`)).json();
-  const socket = new WebSocket(targets.find((t) => t.type === "page").webSocketDebuggerUrl), answers = new Map();
-  await new Promise((open) => { socket.onopen = open; });
-  let calls = 0;
-  socket.onmessage = ({ data }) => answers.get(JSON.parse(data).id)?.(JSON.parse(data).result);
-  const send = (method, params = {}) => new Promise((answer) => {
-    answers.set(++calls, answer);
-    socket.send(JSON.stringify({ id: calls, method, params }));
-  });
-  const wait = (time) => new Promise((done) => setTimeout(done, time));
-  const value = async (expression) => (await send("Runtime.evaluate", { expression })).result?.value;
-  await send("Page.enable");
-  await send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: false });
-  return {
-    async picture(url, isReady, prepare = "") {
-      await send("Page.navigate", { url: "about:blank" });
-      await send("Page.navigate", { url });
-      while (!await value(isReady)) await wait(50);
-      if (prepare) await value(prepare);
-      await wait(500);
-      return read(Buffer.from((await send("Page.captureScreenshot")).data, "base64"));
-    },
-    close: () => browser.kill(),
-  };
+const page = await open(chromium), frames = [];
+await page.send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: false });
+
+// The pixels of a page in the browser, once an expression is true there.
+async function picture(url, isReady) {
+  await page.show(url);
+  await page.until(isReady);
+  await wait(500);
+  return read(await page.picture());
 }
 
-const page = await opened(), frames = [];
 for (let step = 1; step <= 5; step++) {
   const svg = readFileSync(join(root, "docs", "images", "first_print", `${step}.svg`), "utf8"), html = join(folder, `${step}.html`);
   writeFileSync(html, `<body style="margin:0;background:#d4d0c8;display:flex;height:100vh;align-items:center;justify-content:center">
     <img src="data:image/svg+xml;base64,${Buffer.from(svg).toString("base64")}" style="max-width:100%;max-height:100%">`);
-  frames.push([await page.picture(pathToFileURL(html), "document.images[0]?.complete"), stepTime]);
+  frames.push([await picture(pathToFileURL(html), "document.images[0]?.complete"), stepTime]);
 }
 const code = join(folder, "vase.gcode"), html = join(folder, "vase.html");
 execFileSync(program, ["slice", join(root, "examples", "models", "vase.stl"), "--scale", "0.5", "-o", code, "-q"]);
@@ -134,10 +111,10 @@ const outside = "#panel, #bar, #message, #refining { left: 100% !important; top:
 writeFileSync(html, readFileSync(html, "utf8").replace("</style>", outside + "</style>"));
 for (let k = 1; k <= printFrames; k++) {
   const hash = `#light&at=${k / printFrames}&view=-60,24`;
-  frames.push([await page.picture(pathToFileURL(html) + hash, "document.documentElement.dataset.state === 'ready'"), k < printFrames ? printTime : lastTime]);
+  frames.push([await picture(pathToFileURL(html) + hash, "document.documentElement.dataset.state === 'ready'"), k < printFrames ? printTime : lastTime]);
 }
-page.close();
+await page.close();
 write(frames);
-rmSync(folder, { recursive: true, force: true, maxRetries: 5, retryDelay: 200 });
+rmSync(folder, { recursive: true, force: true });
 console.log(`${file}: ${frames.length} images, ${(readFileSync(file).length / 1e6).toFixed(2)} MB`);
 process.exit(0);

@@ -1,53 +1,34 @@
 // What a user meets on a page of the viewer, in a real browser: a phone and a desktop, light and dark, by keyboard alone, and for screen readers.
 //   node --experimental-websocket viewer.mjs CHROMIUM PAGE.html
 // Prints a line for each fault; no line is good. With PICTURES=FOLDER, it keeps a picture of each view.
-import { spawn } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
+import { open, wait } from "../../tools/browser.mjs";
 
-const [program, page] = process.argv.slice(2), folder = mkdtempSync(join(tmpdir(), "viewer-"));
-const browser = spawn(program, ["--headless", "--no-sandbox", "--no-first-run", "--disable-background-networking", "--use-angle=swiftshader",
-  "--enable-unsafe-swiftshader", "--remote-debugging-port=0", `--user-data-dir=${folder}`, "about:blank"], { stdio: ["ignore", "ignore", "pipe"] });
-const address = await new Promise((found) => browser.stderr.on("data", (text) => {
-  const match = /ws:\/\/\S+/.exec(text);
-  if (match) found(match[0]);
-}));
-const targets = await (await fetch(`http://${address.split("/")[2]}/json/list`)).json();
-const socket = new WebSocket(targets.find((t) => t.type === "page").webSocketDebuggerUrl);
-await new Promise((opened) => { socket.onopen = opened; });
-const answers = new Map();
-let calls = 0, name = "";
+const [program, file] = process.argv.slice(2);
+let name = "";
 const fault = (text) => console.log(`${name}: ${text}`);
-socket.onmessage = ({ data }) => {
-  const { id, result, method, params } = JSON.parse(data);
-  if (id) answers.get(id)?.(result);
-  else if (method === "Runtime.exceptionThrown") fault("exception " + params.exceptionDetails.text);
-};
-const send = (method, params = {}) => new Promise((answer) => {
-  answers.set(++calls, answer);
-  socket.send(JSON.stringify({ id: calls, method, params }));
+const page = await open(program, [], (method, { exceptionDetails }) => {
+  if (method === "Runtime.exceptionThrown") fault("exception " + exceptionDetails.text);
 });
-const value = async (expression) => (await send("Runtime.evaluate", { expression, awaitPromise: true, returnByValue: true })).result?.value;
-const wait = (time) => new Promise((done) => setTimeout(done, time));
+const { send, value } = page;
 const press = async (key, shift = false) => {
   await send("Input.dispatchKeyEvent", { type: "keyDown", key, modifiers: shift ? 8 : 0, text: key.length === 1 ? key : undefined });
   await send("Input.dispatchKeyEvent", { type: "keyUp", key });
 };
 const picture = async () => {
   await wait(400);
-  return (await send("Page.captureScreenshot")).data;
+  return page.picture();
 };
 const focused = () => value("(() => { const a = document.activeElement; return a.getAttribute('aria-label') ?? a.textContent.trim() ?? a.id; })()");
 
 async function look(width, height, theme) {
   name = `${width} × ${height}, ${theme}`;
   await send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: width < 700 });
-  await send("Page.navigate", { url: "about:blank" });
-  await send("Page.navigate", { url: `${pathToFileURL(page)}#${theme}&at=0.5` });
-  while (await value("document.documentElement.dataset.state") !== "ready") await wait(100);
-  if (process.env.PICTURES) writeFileSync(join(process.env.PICTURES, `viewer_${width}_${theme}.png`), Buffer.from(await picture(), "base64"));
+  await page.show(`${pathToFileURL(file)}#${theme}&at=0.5`);
+  await page.until("document.documentElement.dataset.state === 'ready'");
+  if (process.env.PICTURES) writeFileSync(join(process.env.PICTURES, `viewer_${width}_${theme}.png`), await picture());
   const sliders = await value("[...document.querySelectorAll('#bar .range')].map((r) => r.getBoundingClientRect()).map((b) => [b.width, b.height, b.right])");
   for (const [w, h, right] of sliders) if (w < 280 || h < 24 || right > width) fault(`a slider of ${w} × ${h} that ends at ${right}`);
   const small = await value("[...document.querySelectorAll('button, select, label')].filter((b) => b.offsetParent && !b.closest('dialog'))"
@@ -72,7 +53,7 @@ async function keyboard() {
   for (const [key, shift, what] of [["l", false, "rotate"], ["L", true, "pan"], ["+", false, "zoom"], ["ArrowDown", false, "layers"], ["ArrowLeft", true, "moves"]]) {
     const before = await picture();
     await press(key, shift);
-    if (before === await picture()) fault(`${key} changes nothing (${what})`);
+    if (before.equals(await picture())) fault(`${key} changes nothing (${what})`);
   }
 }
 
@@ -87,9 +68,7 @@ async function names() {
   if (!texts.some((t) => /layer \d+, height [\d.]+ mm/.test(t)) || !texts.some((t) => / of .*layer/.test(t))) fault("values of sliders are not spoken: " + texts.join("; "));
 }
 
-for (const domain of ["Page", "Runtime", "Accessibility"]) await send(domain + ".enable");
+for (const domain of ["Runtime", "Accessibility"]) await send(domain + ".enable");
 for (const theme of ["light", "dark"]) for (const [width, height] of [[390, 844], [1440, 900]]) await look(width, height, theme);
-browser.kill();
-await new Promise((ended) => browser.on("exit", ended));
-rmSync(folder, { recursive: true, force: true });
+await page.close();
 process.exit(0);

@@ -83,7 +83,7 @@ internal static class ToolpathDefinitions
 
     public static Sketch Simulate(string name)
     {
-        var s = new Sketch(name, "A print in motion: where the nozzle is at any time, and what is printed by then.",
+        var s = new Sketch(name, "A print in motion: where the nozzle is at any time, and what it has printed.",
             "drag Position. Or connect Play to Position and switch Run on.");
         var plan = Ring(s);
         s.Stage("Look");

@@ -30,13 +30,13 @@ public sealed partial record PrintSettings
     /// <summary>Acceleration of travel moves; 0 = as the firmware has it.</summary> <value>mm/s².</value>
     public double TravelMoveAcceleration { get; init => field = RoleMotionKeys.TravelMoveAcceleration.Check(value); }
 
-    /// <summary>Jerk of outer walls (Klipper: square corner velocity); 0 = that of the printer.</summary> <value>mm/s.</value>
+    /// <summary>Jerk of outer walls (Klipper: square corner velocity); 0 = jerk of the printer.</summary> <value>mm/s.</value>
     public double OuterWallJerk { get; init => field = RoleMotionKeys.OuterWallJerk.Check(value); }
 
-    /// <summary>Jerk of inner walls and gap fill; 0 = that of the printer.</summary> <value>mm/s.</value>
+    /// <summary>Jerk of inner walls and gap fill; 0 = jerk of the printer.</summary> <value>mm/s.</value>
     public double InnerWallJerk { get; init => field = RoleMotionKeys.InnerWallJerk.Check(value); }
 
-    /// <summary>Jerk of infill; 0 = that of the printer.</summary> <value>mm/s.</value>
+    /// <summary>Jerk of infill; 0 = jerk of the printer.</summary> <value>mm/s.</value>
     public double InfillJerk { get; init => field = RoleMotionKeys.InfillJerk.Check(value); }
 
     /// <summary>Jerk of top surfaces and ironing; 0 = outer wall jerk.</summary> <value>mm/s.</value>
