@@ -13,6 +13,7 @@ internal static class Program
     {
         if (arguments.Length == 2 && arguments[0] == "--images")
         {
+            Legends.Write(arguments[1]);
             TraceImages.Write(arguments[1]);
             SlicingImages.Write(arguments[1]);
             SeamImages.Write(arguments[1]);

@@ -19,8 +19,8 @@ internal static class NameManual
 
             <!-- Made from the table of names: CATERPILLAR_RENEW=1 ./test.sh rewrites it. -->
 
-            Settings of PrusaSlicer, OrcaSlicer and Cura, and the keys of Caterpillar for them. Keys end in their unit. If you use a name of
-            another slicer with `--set` or in a profile, the error contains the key and the converted value. For `--set fill_density=15%` it is
+            You know a setting from PrusaSlicer, OrcaSlicer or Cura, and look for its key. Keys end in their unit. You can also just try your name,
+            with `--set`, in a profile or at a port: the error tells you the key and the converted value. For `--set fill_density=15%` it is
             "fill_density (PrusaSlicer) is infill_density_percent here: infill_density_percent=15."
 
             A name after ≈ has the same purpose, but another unit or other values. [Profiles](profiles.md) describes all keys and their ranges.

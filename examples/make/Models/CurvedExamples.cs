@@ -33,7 +33,7 @@ internal static class CurvedExamples
     [
         ("roof", Roof, ColorBy.Role, new View(-60, 22)),
         ("between", Between, ColorBy.Layer, new View(-60, 22)),
-        ("terrain", TerrainPattern, ColorBy.Height, new View(-70, 40)),
+        ("terrain", TerrainPattern, ColorBy.Role, new View(-70, 40)),
         ("branching", Branches, ColorBy.Layer, new View(-60, 14)),
         ("ribs", Ribs, ColorBy.Role, new View(-60, 40)),
         ("overhang", Overhang, ColorBy.Layer, new View(-60, -12)),

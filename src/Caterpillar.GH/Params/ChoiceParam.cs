@@ -111,7 +111,7 @@ public sealed class ChoiceParam : Param_Integer
 
     private static string Joined(string name) => string.Concat(name.Where(char.IsLetterOrDigit));
 
-    private static string Spaced(string name)
+    internal static string Spaced(string name)
     {
         var text = "";
         foreach (var c in name) text += text.Length > 0 && char.IsUpper(c) && !char.IsUpper(text[text.Length - 1]) ? " " + c : c.ToString();

@@ -1,12 +1,9 @@
 using System;
 using System.Collections.Concurrent;
 using System.Collections.Generic;
-using System.Globalization;
 using System.IO;
 using System.Linq;
-using System.Security.Cryptography;
 using System.Text;
-using System.Text.RegularExpressions;
 using Caterpillar.GH.Components.GCode;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Plugin;
@@ -57,8 +54,9 @@ public sealed class ExampleTests
     {
         var (document, code) = Done(name);
         var golden = Path.Combine(Root, "tests", "Caterpillar.GH.Tests", "Examples", "Golden", name + ".gcode");
-        if (Renews) File.WriteAllText(golden, Short(code), new UTF8Encoding(false));
-        Assert.That(Short(code), Is.EqualTo(File.ReadAllText(golden).Replace("\r\n", "\n")));
+        if (Renews) File.WriteAllText(golden, GoldenCode.Short(code), new UTF8Encoding(false));
+        Assert.That(GoldenCode.Short(code), Is.EqualTo(GoldenCode.Read(Root, name)));
+        Assert.That(GoldenCode.Compared(code, GoldenCode.Read(Root, name)), Is.EqualTo("same"));
         var copy = new GH_Document { FilePath = FileOf(name) };
         var archive = new GH_Archive();
         var saved = Sketch.Save(document);
@@ -122,27 +120,6 @@ public sealed class ExampleTests
         {
             Directory.Delete(folder, true);
         }
-    }
-
-    // Of long files the lines at both ends, and what tells the rest from others.
-    private static string Short(string code)
-    {
-        const int Longest = 100_000, Lines = 100;
-        code = WithoutSetup(code);
-        if (code.Length <= Longest) return code;
-        var lines = code.Split('\n');
-        using var hash = SHA256.Create();
-        var digest = string.Concat(hash.ComputeHash(Encoding.UTF8.GetBytes(code)).Select(b => b.ToString("x2", CultureInfo.InvariantCulture)));
-        return $"; {lines.Length} lines, SHA-256 {digest}\n{string.Join("\n", lines.Take(Lines))}\n...\n{string.Join("\n", lines.Skip(lines.Length - Lines))}";
-    }
-
-    // The setup in a file has every key, and its first line the version: files would change with each of them.
-    private static string WithoutSetup(string code)
-    {
-        const string Begin = "; caterpillar_config = begin", End = "; caterpillar_config = end\n";
-        var begin = code.IndexOf(Begin, StringComparison.Ordinal);
-        if (begin >= 0) code = code.Remove(begin, code.IndexOf(End, begin, StringComparison.Ordinal) + End.Length - begin);
-        return Regex.Replace(code, @"by Caterpillar [\d.]+ on", "by Caterpillar on");
     }
 
     private static string FileOf(string name) => Path.Combine(Root, "examples", "gh", name + ".ghx");

@@ -156,7 +156,7 @@ internal static class SliceDefinitions
             ("Pitch", s.Slider("Spacing", 3, 0.5, 10)));
         s.Stage("Shape");
         return s.Print(s.With<ProjectPathsComponent>(setup, ("Print Paths", spiral), ("Offset", s.Slider("Offset", -0.05, -0.5, 1, 2)),
-            ("Partial", s.Toggle("Leave out what misses", true))));
+            ("Partial", s.Toggle("Partial", true))));
     }
 
     public static Sketch DrawOnDome(string name)

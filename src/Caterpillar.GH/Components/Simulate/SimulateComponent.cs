@@ -111,7 +111,7 @@ public sealed class SimulateComponent() : CaterpillarComponent(
         string N(double value, int decimals) => NumberFormatter.Format(value, decimals);
         if (state.Move >= timeline.Toolpath.Count) return $"Finished after {N(state.Time, 1)} s.";
         var what = state.Waits ? "Waiting" : state.Kind.ToString();
-        var role = state.Role == Toolpaths.Role.Unspecified ? "" : $" {state.Role}";
+        var role = state.Role == Toolpaths.Role.Unspecified ? "" : $", {ChoiceParam.Spaced(state.Role.ToString()).ToLowerInvariant()},";
         var flow = state.Flow is { } f ? $", {N(f, 2)} mm³/s" : "";
         return $"{what}{role} at {N(state.Speed, 1)} mm/s{flow}, move {N(state.Move, 0)} of {N(timeline.Toolpath.Count, 0)}, {N(state.TimeLeft, 1)} s left, "
             + $"nozzle {N(state.NozzleTemperature, 0)} °C";
