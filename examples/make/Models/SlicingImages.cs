@@ -36,7 +36,18 @@ internal static class SlicingImages
         Draw(folder, "vase", Revolved((8, 0), (12, 6), (13, 10), (10, 18), (12, 24)), vase, 0, 999, Slanted);
         Draw(folder, "rough", Revolved((8, 0), (8, 10)), plain with { FuzzySkinThickness = 0.25, LayerHeight = 0.3 }, 0, 25, Slanted);
         Draw(folder, "thick_infill", Revolved((10, 0), (10, 6)), plain with { CombineInfillLayers = 3 }, 0, 17, Slanted);
-        Draw(folder, "thin_walls", Wedges(), plain with { WallCount = 2, InfillDensityPercent = 100, TopLayers = 0, BottomLayers = 0 }, 4, 4, Top);
+        var solid = plain with { WallCount = 2, InfillDensityPercent = 100, TopLayers = 0, BottomLayers = 0 };
+        Draw(folder, "thin_walls", Wedges(), solid, 4, 4, Top);
+        Draw(folder, "thin_walls_before", Wedges(), solid with { VariableWallWidth = false }, 4, 4, Top);
+        var boss = Plate(boss: true);
+        Draw(folder, "one_wall", boss, plain with { WallCount = 3, OnlyOneWallTop = true }, 19, 19, Top);
+        Draw(folder, "one_wall_before", boss, plain with { WallCount = 3 }, 19, 19, Top);
+        Draw(folder, "polyholes", Plate(boss: false), plain with { HoleToPolyhole = true }, 10, 10, Top);
+        Draw(folder, "polyholes_before", Plate(boss: false), plain, 10, 10, Top);
+        Draw(folder, "ears", Plate(boss: false), plain with { BrimType = BrimType.Ears, BrimWidth = 5 }, 0, 0, Top);
+        var shelf = TriMesh.Merge([Block(0, 0, 5, 24, 10), Block(5, 0, 7, 24, 26)]);
+        Draw(folder, "extra_walls", shelf, plain with { ExtraWallsOnOverhangs = true }, 25, 25, Top);
+        Draw(folder, "extra_walls_before", shelf, plain, 25, 25, Top);
         var mushroom = Revolved((4, 0), (4, 12), (14, 14), (14, 17));
         Draw(folder, "support_grid", mushroom, plain with { Support = SupportKind.Grid }, 0, 66, new View(-60, 12));
         Draw(folder, "support_tree", mushroom, plain with { Support = SupportKind.Tree }, 0, 66, new View(-60, 12));
@@ -55,6 +66,19 @@ internal static class SlicingImages
 
     /// <summary>A slab on two walls.</summary>
     private static TriMesh Table() => TriMesh.Merge([Block(0, 0, 5, 5, 24), Block(0, 25, 5, 30, 24), Block(5, 0, 7, 30, 24)]);
+
+    /// <summary>A plate with holes of 3.4, 5 and 8 mm, and if asked for a boss in its middle.</summary>
+    private static TriMesh Plate(bool boss)
+    {
+        var solid = new BlockSolid([0, 12, 18, 30], [0, 12, 18, 30], [0, 4, 6]);
+        solid.Fill(0, 3, 0, 3, 0, 1);
+        if (boss) solid.Fill(1, 2, 1, 2, 1, 2);
+        solid.DrillAlongZ(0, 0, 0, 1, 1.7);
+        solid.DrillAlongZ(2, 0, 0, 1, 1.7);
+        solid.DrillAlongZ(0, 2, 0, 1, 2.5);
+        solid.DrillAlongZ(2, 2, 0, 1, 4);
+        return solid.ToMesh();
+    }
 
     /// <summary>Four spokes that taper from 3 to 0.3 mm.</summary>
     private static TriMesh Wedges()
