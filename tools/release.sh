@@ -32,7 +32,7 @@ for runtime in "$@"; do
     *) mv "$out/$name/build/Caterpillar.Cli" "$out/$name/caterpillar" ;;
   esac
   rm -r "$out/$name/build"
-  cp README.md LICENSE THIRD-PARTY-NOTICES.md CHANGELOG.md "$out/$name/"
+  cp src/Caterpillar.Cli/README.md LICENSE THIRD-PARTY-NOTICES.md CHANGELOG.md "$out/$name/"
   cp "$(dotnet_notices)" "$out/$name/DOTNET-NOTICES.txt"
   find "$out/$name" -exec touch -d 2000-01-01T00:00:00Z {} +
   case $runtime in
@@ -44,9 +44,9 @@ done
 # What is inside, for whoever has to know: CycloneDX.
 tools=$(mktemp -d)
 trap 'rm -rf "$tools"' EXIT
-dotnet tool install CycloneDX --tool-path "$tools" >/dev/null
+dotnet tool install CycloneDX --version 6.3.1 --tool-path "$tools" >/dev/null
 for project in Core Cli GH; do
-  "$tools/dotnet-CycloneDX" "src/Caterpillar.$project/Caterpillar.$project.csproj" -o "$out" -fn "caterpillar-$version-$(echo $project | tr A-Z a-z).cdx.json" -F Json -rs -dgl >/dev/null
+  "$tools/dotnet-CycloneDX" "src/Caterpillar.$project/Caterpillar.$project.csproj" -o "$out" -fn "caterpillar-$version-$(echo $project | tr A-Z a-z).cdx.json" -F Json -rs -ns >/dev/null
 done
 cd "$out" && sha256sum -- *.nupkg *.snupkg *.tar.gz *.zip *.cdx.json 2>/dev/null >SHA256SUMS || true
 cat SHA256SUMS

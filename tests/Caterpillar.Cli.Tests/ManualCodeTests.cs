@@ -20,7 +20,6 @@ public class ManualCodeTests : CliFixture
     [
         ("README.md", "dotnet run ", "needs the SDK; the program that it runs is tested"),
         ("README.md", "./test.sh", "runs these tests"),
-        ("rhino-only.md", "dotnet build src/Caterpillar.GH", "needs McNeel's packages"),
         ("first-print.md", "dotnet publish ", "needs the SDK; the program that it makes is tested"),
         ("concepts.md", "model, turtle", "a drawing"),
         ("compute.md", "curl ", "needs a server with Rhino.Compute"),
