@@ -80,34 +80,19 @@ public static class Planner
         return new PlanRules
         {
             Policy = policy,
+            Settings = settings,
             Tools = [.. Enumerable.Range(0, printer.ToolCount).Select(tool => ToolRulesOf(setup.OfTool(tool), policy))],
             SharedNozzle = printer.SharedNozzle,
-            PrintSpeed = settings.SpeedOf,
-            TravelSpeed = settings.TravelSpeed,
             ZHopSpeed = printer.ZHopSpeed,
             Lift = settings.ZHopType switch { ZHopType.AbovePrint => LiftRule.Highest, ZHopType.AbovePath => LiftRule.Corridor, _ => LiftRule.None },
             Clearance = setup.ZHop,
-            MinLiftTravel = settings.ZHopMinTravel,
             Head = heads.Length > 0 ? new HeadCorridor(heads) : new HeadCorridor(printer.NozzleDiameter),
             Outline = new HeadShape(printer.HeadOutline.Select(p => (p.Radius, p.Height))),
             // The gantry is as wide as the machine.
             HeadBoxes = new([.. printer.HeadBoxes, .. printer.Gantry.Select(b => new Bounds(b.Min with { X = -Everywhere }, b.Max with { X = Everywhere }))]),
-            Cell = Math.Max(0.25, settings.LineWidth / 4),
-            Detour = settings.Detour,
-            Comb = settings.Comb,
-            MaxCombDetour = settings.AvoidCrossingMaxDetour,
-            CombInset = settings.LineWidth,
-            MinLayerTime = settings.MinLayerTime,
-            LayerTimeWait = policy == PlanPolicy.AsDrawn ? LayerTimeWait.None : settings.LayerTimeWait,
             Reach = printer.BuildBounds,
-            MinRetractTravel = settings.RetractionMinTravel,
             WipeDistance = setup.WipeDistance,
             CanWipe = !printer.FirmwareRetraction,
-            StartDistance = settings.StartDistance,
-            CoastingDistance = settings.CoastingDistance,
-            SeamGap = settings.SeamGap,
-            DeretractDuringDescent = settings.DeretractDuringDescent && !printer.FirmwareRetraction,
-            Shape = settings.BeadShape,
             BedTemperature = material.BedTemperature > 0 ? material.BedTemperature : null,
             FirstLayerBedTemperature = material.FirstLayerBedTemperature > 0 && material.BedTemperature > 0 ? material.FirstLayerBedTemperature : null,
             Acceleration = printer.PrintAcceleration,
@@ -115,8 +100,6 @@ public static class Planner
             SeparateAccelerations = printer.Flavor.SeparateAccelerations,
             FirmwareRetraction = motion is not null && printer.FirmwareRetraction && (material.RetractionLength ?? material.RetractionSpeed) is not null
                 ? new RetractionEvent(material.RetractionLength, material.RetractionSpeed, null, null) : null,
-            FirstLayerHeight = settings.FirstLayerHeight,
-            LayerHeight = settings.LayerHeight,
         };
     }
 

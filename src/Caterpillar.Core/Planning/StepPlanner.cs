@@ -54,7 +54,7 @@ internal sealed class StepPlanner
     {
         var below = _clock;
         _steps = steps;
-        if (_rules.LayerTimeWait != LayerTimeWait.None || _rules.Tools.Any(t => t.Material is { FanLayerTime: > 0 })) _clock = new LayerClock(steps, _rules);
+        if (_rules.Waits || _rules.Tools.Any(t => t.Material is { FanLayerTime: > 0 })) _clock = new LayerClock(steps, _rules);
         NotePlaces();
         for (var i = 0; i < _steps.Length; i++)
         {
@@ -132,18 +132,18 @@ internal sealed class StepPlanner
     private void WaitFor(LayerClock clock, int last)
     {
         const double Aside = 10;
-        var missing = _rules.MinLayerTime - clock.TimeOf(last);
-        if (_rules.LayerTimeWait == LayerTimeWait.None || !(missing > 0) || !_emitter.IsPlaced) return;
+        var missing = _rules.Settings.MinLayerTime - clock.TimeOf(last);
+        if (!_rules.Waits || !(missing > 0) || !_emitter.IsPlaced) return;
         _travel.RetractFor(double.PositiveInfinity);
         var at = _emitter.Position;
         var up = at.WithZ(Math.Max(at.Z, _emitter.Highest) + _rules.Clearance);
         if (up.Z <= _rules.Reach.Max.Z) _emitter.Travel(up, _rules.ZHopSpeed);
-        if (_rules.LayerTimeWait == LayerTimeWait.NextTo)
+        if (_rules.Settings.LayerTimeWait == LayerTimeWait.NextTo)
         {
             var box = clock.BoxOf(last);
             double left = box.Min.X - Aside, right = box.Max.X + Aside;
             var x = left >= _rules.Reach.Min.X ? left : right <= _rules.Reach.Max.X ? right : at.X;
-            _emitter.Travel(_emitter.Position with { X = x }, _rules.TravelSpeed);
+            _emitter.Travel(_emitter.Position with { X = x }, _rules.Settings.TravelSpeed);
         }
         _counts.Waits++;
         _emitter.Dwell(new DwellEvent(Math.Ceiling(missing * 1000) / 1000));
@@ -164,7 +164,7 @@ internal sealed class StepPlanner
         for (var i = first; i < travel.Points.Count; i++)
         {
             var point = travel.Points[i];
-            _emitter.Travel(point, travel.Speed > 0 ? travel.Speed : _rules.TravelSpeed);
+            _emitter.Travel(point, travel.Speed > 0 ? travel.Speed : _rules.Settings.TravelSpeed);
             _returnPath?.Visit(point);
         }
     }
@@ -183,11 +183,11 @@ internal sealed class StepPlanner
                 Severity.Warning, "plan.blocked_return", $"The head cannot return from {from} to {goal}: at {blocked} it hits what is printed next to it. "
                 + "Draw steep branches last.", (travel.Source ?? new SourceLocation()) with { Step = _emitter.Source });
         }
-        else if (back is not null && ReturnPath.Length(from, back) / _rules.TravelSpeed < _travel.TimeOver(goal)
+        else if (back is not null && ReturnPath.Length(from, back) / _rules.Settings.TravelSpeed < _travel.TimeOver(goal)
             && _returnPath.Along(from, back) == HeadContact.None)
         {
             _counts.ReturnsAlong++;
-            foreach (var point in back) _emitter.Travel(point, _rules.TravelSpeed);
+            foreach (var point in back) _emitter.Travel(point, _rules.Settings.TravelSpeed);
             return;
         }
         else

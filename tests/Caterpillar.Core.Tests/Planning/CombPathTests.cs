@@ -116,7 +116,8 @@ public class CombPathTests
         };
         var first = Line(1, 0.2);
         var second = top > 0.2 ? Line(15, top) : new PathStep(Line(15, 0.2).Path) { Region = first.Region };
-        var plan = PlanRun.Run([first, second], PlanningTests.Rules with { Comb = true }, new PlanOptions { Start = Vec3.Zero }, null, default).Value!;
+        var rules = PlanningTests.Rules with { Settings = PlanningTests.Rules.Settings with { Comb = true } };
+        var plan = PlanRun.Run([first, second], rules, new PlanOptions { Start = Vec3.Zero }, null, default).Value!;
         Assert.That((plan.Report.Retractions, plan.Report.Combed), Is.EqualTo((retractions, 1 - retractions)));
     }
 
@@ -127,7 +128,7 @@ public class CombPathTests
         {
             Region = Region.Rectangle(0, 0, 20, 6 + z),
         };
-        var rules = PlanningTests.Rules with { Comb = true, TravelSpeed = 150, ZHopSpeed = 10 };
+        var rules = PlanningTests.Rules with { ZHopSpeed = 10, Settings = PlanningTests.Rules.Settings with { Comb = true, TravelSpeed = 150 } };
         Toolpath Plan(double x) => PlanRun.Run([Line(1, 0.2), Line(x, 0.4)], rules, new PlanOptions { Start = Vec3.Zero }, null, default).Value!.Toolpath;
         // From x = 3 to 4 and 0.2 mm up: √1.04 mm in 0.02 s; over 12 mm the speed of travels is slow enough.
         Assert.That(Rising(Plan(4)).Speed, Is.EqualTo(Math.Sqrt(1.04) / 0.02).Within(1e-9));

@@ -10,7 +10,10 @@ namespace Caterpillar.Tests.Planning;
 
 public class CorridorTests
 {
-    private static readonly PlanRules Rules = PlanningTests.Rules with { Lift = LiftRule.Corridor, Head = new HeadCorridor(0.4), MinRetractTravel = 1000 };
+    private static readonly PlanRules Rules = PlanningTests.Rules with
+    {
+        Lift = LiftRule.Corridor, Head = new HeadCorridor(0.4), Settings = PlanningTests.Rules.Settings with { RetractionMinTravel = 1000 },
+    };
 
     [Test]
     public void What_is_not_under_a_travel_does_not_lift_it()
@@ -47,7 +50,7 @@ public class CorridorTests
     {
         // A wall 4 mm long and 10 mm high blocks the travel: over it takes 2 s up and down, around it almost nothing.
         Step[] steps = [Line(15, -2, 15, 2, 10), Line(0, 0, 10, 0, 0.2), Line(20, 0, 30, 0, 0.2)];
-        var plan = PlanningTests.Plan(steps, Rules with { Detour = true });
+        var plan = PlanningTests.Plan(steps, Rules with { Settings = Rules.Settings with { Detour = true } });
         Assert.That(plan.Report.Detours, Is.EqualTo(1));
         var moves = plan.Toolpath.Moves().SkipWhile(m => m.End != new Vec3(10, 0, 0.2)).Skip(1).TakeWhile(m => m.Kind == MoveKind.Travel).ToList();
         Assert.That(moves.Select(m => m.End.Z), Is.All.EqualTo(0.2));
@@ -56,7 +59,7 @@ public class CorridorTests
         AssertClear(plan.Toolpath, 0.45);
         // A long low wall is passed over.
         Step[] low = [Line(15, -80, 15, 80, 0.4), Line(0, 0, 10, 0, 0.2), Line(20, 0, 30, 0, 0.2)];
-        var over = PlanningTests.Plan(low, Rules with { Detour = true });
+        var over = PlanningTests.Plan(low, Rules with { Settings = Rules.Settings with { Detour = true } });
         Assert.That((over.Report.Detours, over.Report.LocalZHops), Is.EqualTo((0, 1)));
     }
 
@@ -66,7 +69,7 @@ public class CorridorTests
         // A U of 30 x 20 mm: its arms are 10 mm wide.
         var u = Region.From(new Polyline([new Vec3(0, 0), new Vec3(30, 0), new Vec3(30, 20), new Vec3(20, 20), new Vec3(20, 10), new Vec3(10, 10),
             new Vec3(10, 20), new Vec3(0, 20)], closed: true));
-        var rules = Rules with { Lift = LiftRule.Highest, MinRetractTravel = 2, Comb = true };
+        var rules = Rules with { Lift = LiftRule.Highest, Settings = Rules.Settings with { RetractionMinTravel = 2, Comb = true } };
         PathStep In(Region? region, PrintPath path) => new(path) { Region = region };
         Step[] steps =
         [
@@ -77,7 +80,7 @@ public class CorridorTests
         Assert.That(PlanningTests.Text(plan.Toolpath).Take(4),
             Is.EqualTo(new[] { "Print 5,5,0.2 1 50", "Travel 25,5,0.2 0 150", "Print 25,15,0.2 2.5 50", "Retract 25,15,0.2 -1 40" }));
         Assert.That((plan.Report.Combed, plan.Report.ZHops, plan.Report.Retractions), Is.EqualTo((1, 3, 3)));
-        Assert.That(PlanningTests.Plan(steps, rules with { Comb = false }).Report.Combed, Is.Zero);
+        Assert.That(PlanningTests.Plan(steps, rules with { Settings = rules.Settings with { Comb = false } }).Report.Combed, Is.Zero);
     }
 
     [Test]
@@ -94,7 +97,8 @@ public class CorridorTests
                 var b = a + new Vec3(random.NextDouble() * 20 - 10, random.NextDouble() * 20 - 10, random.Next(3) == 0 ? random.NextDouble() * 4 : 0);
                 steps.Add(new PrintPath([a, b], new Bead(0.04 + random.NextDouble() * 0.2, 0.3)));
             }
-            var plan = PlanningTests.Plan(steps, Rules with { Detour = round % 2 == 0, Head = new HeadCorridor(0.1 + random.NextDouble()) },
+            var settings = Rules.Settings with { Detour = round % 2 == 0 };
+            var plan = PlanningTests.Plan(steps, Rules with { Head = new HeadCorridor(0.1 + random.NextDouble()), Settings = settings },
                 new PlanOptions { Start = new Vec3(0, 0, 50) });
             AssertClear(plan.Toolpath, 0.05);
             lifts += plan.Report.LocalZHops;

@@ -18,7 +18,11 @@ public class PlanPropertyTests
         foreach (var (steps, rules, random) in Designs(60))
         {
             var plan = PlanningTests.Plan(steps,
-                rules with { StartDistance = 0, CoastingDistance = 0, Tools = Array.ConvertAll(rules.Tools, t => t with { ExtraE = 0 }) });
+                rules with
+                {
+                    Settings = rules.Settings with { StartDistance = 0, CoastingDistance = 0 },
+                    Tools = Array.ConvertAll(rules.Tools, t => t with { ExtraE = 0 }),
+                });
             for (var tool = 0; tool < rules.Tools.Length; tool++)
             {
                 var expected = steps.OfType<PathStep>().Where(p => p.Path.Tool == tool).Sum(p => p.Path.Volume) / rules.Tools[tool].VolumePerE!.Value;
@@ -70,7 +74,7 @@ public class PlanPropertyTests
     {
         foreach (var (steps, rules, _) in Designs(40))
         {
-            var toolpath = PlanningTests.Plan(steps, rules with { CoastingDistance = 0 }).Toolpath;
+            var toolpath = PlanningTests.Plan(steps, rules with { Settings = rules.Settings with { CoastingDistance = 0 } }).Toolpath;
             var printed = toolpath.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => Key(m.Start, m.End)).OrderBy(k => k).ToArray();
             var drawn = steps.OfType<PathStep>().SelectMany(p => Enumerable.Range(0, p.Path.SegmentCount).Select(i => Key(p.Path.Points[i], p.Path.EndOf(i))))
                 .OrderBy(k => k).ToArray();
@@ -104,7 +108,7 @@ public class PlanPropertyTests
         {
             var top = double.NegativeInfinity;
             foreach (var move in PlanningTests.Plan(steps.Where(s => s is PathStep).ToList(),
-                rules with { Lift = LiftRule.Highest, MinLiftTravel = 0, CoastingDistance = 0 }).Toolpath.Moves())
+                rules with { Lift = LiftRule.Highest, Settings = rules.Settings with { ZHopMinTravel = 0, CoastingDistance = 0 } }).Toolpath.Moves())
             {
                 if (move.Kind == MoveKind.Print) top = Math.Max(top, Math.Max(move.Start.Z, move.End.Z));
                 if (move.Kind == MoveKind.Travel && (move.End - move.Start).LengthXY > 1e-9)
@@ -159,9 +163,10 @@ public class PlanPropertyTests
                 Tools = [new ToolRules(2.405, 0.8, 40, 30, random.Next(2) * 0.1), new ToolRules(1, 2, 20, 10, 0)],
                 Lift = (LiftRule)random.Next(2),
                 WipeDistance = random.Next(2) * 2,
-                StartDistance = random.Next(2),
-                CoastingDistance = random.Next(2),
-                DeretractDuringDescent = random.Next(2) == 0,
+                Settings = PlanningTests.Rules.Settings with
+                {
+                    StartDistance = random.Next(2), CoastingDistance = random.Next(2), DeretractDuringDescent = random.Next(2) == 0,
+                },
             };
             yield return (steps, rules, random);
         }

@@ -18,14 +18,14 @@ public class PlanningTests
     {
         Policy = PlanPolicy.Printer,
         Tools = [new ToolRules(2, 1, 40, 30, 0)],
-        PrintSpeed = (role, first) => first ? 20 : role == Role.Infill ? 80 : 50,
-        TravelSpeed = 150,
+        Settings = new PrintSettings
+        {
+            PrintSpeed = 50, OuterWallSpeed = 0, InfillSpeed = 80, FirstLayerSpeed = 0, TravelSpeed = 150, ZHopMinTravel = 2, RetractionMinTravel = 2,
+            Comb = false, AvoidCrossingMaxDetour = 0, SeamGap = 0,
+        },
         ZHopSpeed = 10,
         Lift = LiftRule.Highest,
         Clearance = 0.5,
-        MinLiftTravel = 2,
-        MinRetractTravel = 2,
-        FirstLayerHeight = -1,
     };
 
     private static readonly PlanOptions From0 = new() { Start = Vec3.Zero };
@@ -52,7 +52,7 @@ public class PlanningTests
     public void As_drawn_adds_nothing()
     {
         Assert.That(Moves([Line(0, 0, 10, 0, 0), Line(10, 10, 0, 10, 0.2)],
-            Rules with { Policy = PlanPolicy.AsDrawn, WipeDistance = 2, StartDistance = 1, CoastingDistance = 1 }),
+            Rules with { Policy = PlanPolicy.AsDrawn, WipeDistance = 2, Settings = Rules.Settings with { StartDistance = 1, CoastingDistance = 1 } }),
             Is.EqualTo(new[] { "Print 10,0,0 2.5 50", "Travel 10,10,0.2 0 150", "Print 0,10,0.2 2.5 50" }));
     }
 
@@ -152,7 +152,7 @@ public class PlanningTests
             new PrintPath([new Vec3(20, 0), new Vec3(30, 0)], new Bead(0.5)) { Layer = second, Role = Role.Infill },
             new PrintPath([new Vec3(30, 0), new Vec3(40, 0)], new Bead(0.5)) { Layer = second, Role = Role.OuterWall },
         ];
-        var toolpath = Plan(steps, Rules).Toolpath;
+        var toolpath = Plan(steps, Rules with { Settings = Rules.Settings with { FirstLayerSpeed = 20 } }).Toolpath;
         Assert.That(toolpath.Moves().Select(m => m.Speed), Is.EqualTo(new[] { 5, 20, 80, 50 }));
         Assert.That(toolpath.Moves().Select(m => m.Layer), Is.EqualTo(new[] { 0, 0, 1, 1 }));
         Assert.That(toolpath.Moves().Select(m => m.Source), Is.EqualTo(new[] { 0, 1, 2, 3 }));
@@ -222,7 +222,7 @@ public class PlanningTests
     [Test]
     public void Restoring_during_the_descent_is_a_moving_restore_that_the_filament_can_follow()
     {
-        var moves = Moves([Line(0, 0, 10, 0, 0), Line(20, 0, 30, 0, 0)], Rules with { DeretractDuringDescent = true, Clearance = 0.1 });
+        var moves = Moves([Line(0, 0, 10, 0, 0), Line(20, 0, 30, 0, 0)], Rules with { Clearance = 0.1, Settings = Rules.Settings with { DeretractDuringDescent = true } });
         Assert.That(moves.Skip(4).Take(2), Is.EqualTo(new[] { "MovingDeretract 20,0,0 1 3", "Print 30,0,0 2.5 50" }));
     }
 
@@ -237,14 +237,14 @@ public class PlanningTests
     [Test]
     public void Pressure_lag_primes_before_the_path_and_stops_early()
     {
-        var rules = Rules with { StartDistance = 2, CoastingDistance = 3 };
+        var rules = Rules with { Settings = Rules.Settings with { StartDistance = 2, CoastingDistance = 3 } };
         Assert.That(Moves([Line(0, 0, 40, 0, 0)], rules), Is.EqualTo(new[] { "Prime 0,0,0 0.5 30", "Print 37,0,0 9.25 50", "Travel 40,0,0 0 50" }));
         // A tenth of 30 mm is 3 mm, of 20 mm 2 mm.
         Assert.That(Moves([Line(0, 0, 30, 0, 0)], rules), Is.EqualTo(new[] { "Prime 0,0,0 0.5 30", "Print 27,0,0 6.75 50", "Travel 30,0,0 0 50" }));
         Assert.That(Moves([Line(0, 0, 20, 0, 0)], rules), Is.EqualTo(new[] { "Prime 0,0,0 0.5 30", "Print 18,0,0 4.5 50", "Travel 20,0,0 0 50" }));
         Assert.That(Moves([Line(0, 0, 4, 0, 0)], rules), Is.EqualTo(new[] { "Prime 0,0,0 0.1 30", "Print 3.6,0,0 0.9 50", "Travel 4,0,0 0 50" }));
         var arc = new PrintPath([new Vec3(10, 0), new Vec3(-10, 0)], [new Bead(0.5)], false, [new Arc(Vec3.Zero, 180)]);
-        var most = Plan([arc], rules with { StartDistance = 0, CoastingDistance = 100 }, new PlanOptions { Start = new Vec3(10, 0) }).Toolpath;
+        var most = Plan([arc], rules with { Settings = rules.Settings with { StartDistance = 0, CoastingDistance = 100 } }, new PlanOptions { Start = new Vec3(10, 0) }).Toolpath;
         Assert.That(most.Count, Is.EqualTo(2));
         Assert.That(most[0].End.DistanceTo(new Vec3(-9.510565163, 3.090169944)), Is.LessThan(1e-8), "162 of 180 degrees");
         Assert.That(most[0].Arc!.Value.Sweep, Is.EqualTo(162).Within(1e-9));
@@ -256,7 +256,7 @@ public class PlanningTests
     {
         // The clay profile coasts 3 mm; the wall of the hole is 4 mm long.
         var hole = new PrintPath([new Vec3(0, 0), new Vec3(1, 0), new Vec3(1, 1), new Vec3(0, 1)], new Bead(0.5), true).With(Role.OuterWall);
-        var moves = Moves([hole], Rules with { CoastingDistance = 3 });
+        var moves = Moves([hole], Rules with { Settings = Rules.Settings with { CoastingDistance = 3 } });
         Assert.That(moves,
             Is.EqualTo(new[] { "Print 1,0,0 0.25 50", "Print 1,1,0 0.25 50", "Print 0,1,0 0.25 50", "Print 0,0.4,0 0.15 50", "Travel 0,0,0 0 50" }));
     }
@@ -264,7 +264,7 @@ public class PlanningTests
     [Test]
     public void A_closed_wall_stops_before_its_start_by_the_gap_of_seams()
     {
-        var rules = Rules with { SeamGap = 0.5 };
+        var rules = Rules with { Settings = Rules.Settings with { SeamGap = 0.5 } };
         PrintPath Square(double side, Role role, bool closed = true) => new PrintPath(
             closed ? [new Vec3(0, 0), new Vec3(side, 0), new Vec3(side, side), new Vec3(0, side)]
                 : [new Vec3(0, 0), new Vec3(side, 0), new Vec3(side, side), new Vec3(0, side), new Vec3(0, 0)], new Bead(0.5), closed).With(role);
@@ -275,7 +275,7 @@ public class PlanningTests
             Assert.That(Moves([Square(1, role)], rules).Skip(3), Is.EqualTo(new[] { "Print 0,0.4,0 0.15 50", "Travel 0,0,0 0 50" }));
             Assert.That(Moves([Square(10, role, closed: false)], rules), Has.Length.EqualTo(4), "an open one");
             Assert.That(Moves([Square(10, role)]), Has.Length.EqualTo(4), "no gap");
-            Assert.That(Moves([Square(10, role)], rules with { CoastingDistance = 3 }).Skip(3),
+            Assert.That(Moves([Square(10, role)], rules with { Settings = rules.Settings with { CoastingDistance = 3 } }).Skip(3),
                 Is.EqualTo(new[] { "Print 0,3,0 1.75 50", "Travel 0,0,0 0 50" }));
             Assert.That(Moves([Square(10, role)], rules with { Policy = PlanPolicy.AsDrawn }).Last(), Does.StartWith("Print 0,0,0"), "as drawn");
         }

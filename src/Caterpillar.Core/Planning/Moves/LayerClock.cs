@@ -32,7 +32,7 @@ internal sealed class LayerClock
             if (height is null) continue;
             if (_boxes[run].Equals(default(Bounds))) _boxes[run] = Bounds.Empty;
             _boxes[run] = _boxes[run].Include(path.Bounds);
-            if (at is { } from) _times[run] += from.DistanceTo(path.Start) / rules.TravelSpeed;
+            if (at is { } from) _times[run] += from.DistanceTo(path.Start) / rules.Settings.TravelSpeed;
             _times[run] += SlowDown.TimeOf(path, SpeedOf);
             at = path.End;
         }

@@ -116,7 +116,7 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
         var material = emitter.ToolRules.Material;
         if (LeastFan(emitter.ToolRules) is not { } least || !(layerTime < material!.FanLayerTime)) return LeastFan(emitter.ToolRules);
         var most = Math.Max(least, material.MaxFanSpeedPercent / 100);
-        var share = layerTime <= rules.MinLayerTime ? 1 : (material.FanLayerTime - layerTime) / (material.FanLayerTime - rules.MinLayerTime);
+        var share = layerTime <= rules.Settings.MinLayerTime ? 1 : (material.FanLayerTime - layerTime) / (material.FanLayerTime - rules.Settings.MinLayerTime);
         return Math.Round((least + (most - least) * share) * 100) / 100;
     }
 

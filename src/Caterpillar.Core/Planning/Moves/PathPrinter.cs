@@ -15,7 +15,7 @@ internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanRepo
     public void Print(PrintPath path, double length, bool flows, bool goesOn, int[]? lines)
     {
         var stopAt = double.PositiveInfinity;
-        double startDistance = flows ? 0 : rules.StartDistance, stopDistance = goesOn ? 0 : rules.CoastingDistance;
+        double startDistance = flows ? 0 : rules.Settings.StartDistance, stopDistance = goesOn ? 0 : rules.Settings.CoastingDistance;
         if (!rules.AddsNothing && (startDistance > 0 || stopDistance > 0) && path.BeadOf(0).Area > 0)
         {
             counts.LaggedPaths++;
@@ -23,8 +23,8 @@ internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanRepo
             var start = Math.Min(startDistance, length * MaxShare);
             if (start > 0) emitter.Prime(emitter.ToolRules.EOf(start * path.BeadOf(0).Area), emitter.ToolRules.DeretractionSpeed);
         }
-        if (!rules.AddsNothing && rules.SeamGap > 0 && path.IsClosed && path.Role is Role.OuterWall or Role.InnerWall)
-            stopAt = Math.Min(stopAt, length - Math.Min(rules.SeamGap, length * MaxShare));
+        if (!rules.AddsNothing && rules.Settings.SeamGap > 0 && path.IsClosed && path.Role is Role.OuterWall or Role.InnerWall)
+            stopAt = Math.Min(stopAt, length - Math.Min(rules.Settings.SeamGap, length * MaxShare));
         var points = path.RawPoints;
         var done = 0.0;
         for (var i = 0; i < path.SegmentCount; i++)
@@ -43,7 +43,7 @@ internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanRepo
             var isFirst = rules.LayerOf(path, Math.Max(from.Z, to.Z)) == 0;
             var speed = rules.SpeedOf(path, bead, isFirst);
             var most = emitter.ToolRules.MaxFlow;
-            if (speed * bead.Area >= most) slowed.Add(path.Role, bead.Speed > 0 ? bead.Speed : rules.PrintSpeed(path.Role, isFirst), speed, most);
+            if (speed * bead.Area >= most) slowed.Add(path.Role, bead.Speed > 0 ? bead.Speed : rules.Settings.SpeedOf(path.Role, isFirst), speed, most);
             var printed = Math.Min(segment, Math.Max(stopAt - done, 0));
             done += segment;
             if (printed >= segment)
@@ -57,7 +57,7 @@ internal sealed class PathPrinter(PlanRules rules, MoveEmitter emitter, PlanRepo
                 if (printed > 0) emitter.Print(stop, printed * bead.Area, speed, path.Role, Part(arc, t));
                 emitter.Coast(to, speed, Part(arc, 1 - t));
             }
-            deposit?.Add(from, to, bead, arc, rules.Shape);
+            deposit?.Add(from, to, bead, arc, rules.Settings.BeadShape);
             emitter.Reached(Math.Max(from.Z, to.Z));
         }
     }

@@ -37,17 +37,14 @@ internal sealed record ToolRules(double? VolumePerE, double RetractE, double Ret
     public double FilamentLength(double e) => e * LengthPerE;
 }
 
-/// <summary>All numbers of the settings that planning needs, resolved. Lengths in mm, speeds in mm/s.</summary>
+/// <summary>The settings, and what planning needs of printer and material, resolved. Lengths in mm, speeds in mm/s.</summary>
 internal sealed record PlanRules
 {
     public required PlanPolicy Policy { get; init; }
 
+    public required PrintSettings Settings { get; init; }
+
     public required ToolRules[] Tools { get; init; }
-
-    /// <summary>Speed of paths without one of their own, by role; and the same on the first layer.</summary>
-    public required Func<Role, bool, double> PrintSpeed { get; init; }
-
-    public required double TravelSpeed { get; init; }
 
     /// <summary>Speed of moves straight up and down.</summary>
     public required double ZHopSpeed { get; init; }
@@ -56,9 +53,6 @@ internal sealed record PlanRules
 
     /// <summary>Height of a travel above what it passes.</summary>
     public double Clearance { get; init; }
-
-    /// <summary>Travels up to this length are made without a lift.</summary>
-    public double MinLiftTravel { get; init; }
 
     /// <summary>The space that the head needs along a travel, for the above_path.</summary>
     public HeadCorridor Head { get; init; } = new(0.5);
@@ -70,51 +64,21 @@ internal sealed record PlanRules
     public ValueList<Bounds> HeadBoxes { get; init; } = ValueList<Bounds>.Empty;
 
     /// <summary>Side of the cells of what is printed so far.</summary>
-    public double Cell { get; init; } = 0.25;
+    public double Cell => Math.Max(0.25, Settings.LineWidth / 4);
 
-    public bool Detour { get; init; }
-
-    /// <summary>Travels that stay inside the part, within a layer, are without a retraction.</summary>
-    public bool Comb { get; init; }
-
-    /// <summary>So much longer than straight such a travel may be, around the corners of the part.</summary>
-    public double MaxCombDetour { get; init; }
-
-    /// <summary>Distance that such travels keep from the outline around corners.</summary>
-    public double CombInset { get; init; } = 0.45;
+    /// <summary>True if the machine waits after layers shorter than the minimum layer time.</summary>
+    public bool Waits => !AddsNothing && Settings.LayerTimeWait != LayerTimeWait.None;
 
     /// <summary>True if all tools heat and feed the same nozzle.</summary>
     public bool SharedNozzle { get; init; }
 
-    /// <summary>Minimum layer time, s, and how the machine waits after shorter layers.</summary>
-    public double MinLayerTime { get; init; }
-
-    /// <inheritdoc cref="MinLayerTime"/>
-    public LayerTimeWait LayerTimeWait { get; init; }
-
     /// <summary>The space that the nozzle can reach.</summary>
     public Bounds Reach { get; init; } = Bounds.Empty;
-
-    /// <summary>Travels up to this length are made without a retraction.</summary>
-    public double MinRetractTravel { get; init; }
 
     public double WipeDistance { get; init; }
 
     /// <summary>False for firmware retraction, which cannot be spread over a move.</summary>
     public bool CanWipe { get; init; } = true;
-
-    /// <summary>The extruder extrudes this length of bead before a path starts, at most a tenth of the path.</summary>
-    public double StartDistance { get; init; }
-
-    /// <summary>The extruder stops this far before the end of a path, at most a tenth of its length.</summary>
-    public double CoastingDistance { get; init; }
-
-    /// <summary>The extruder stops this far before the end of a closed wall.</summary>
-    public double SeamGap { get; init; }
-
-    public bool DeretractDuringDescent { get; init; }
-
-    public BeadShape Shape { get; init; }
 
     /// <summary>The value without overrides; null if the settings do not state it.</summary>
     public double? BedTemperature { get; init; }
@@ -137,16 +101,10 @@ internal sealed record PlanRules
     /// <summary>Speed of a segment of a path, mm/s, as far as the flow allows.</summary>
     public double SpeedOf(PrintPath path, in Bead bead, bool firstLayer)
     {
-        var speed = bead.Speed > 0 ? bead.Speed : PrintSpeed(path.Role, firstLayer);
+        var speed = bead.Speed > 0 ? bead.Speed : Settings.SpeedOf(path.Role, firstLayer);
         var most = Tools[path.Tool].MaxFlow;
         return speed * bead.Area > most ? most / bead.Area : speed;
     }
-
-    /// <summary>Height of the first layer and of the others, for paths without a layer.</summary>
-    public double FirstLayerHeight { get; init; }
-
-    /// <inheritdoc cref="FirstLayerHeight"/>
-    public double LayerHeight { get; init; } = 0.2;
 
     /// <summary>Number of the layer of a path, or, if it has none and the policy is the printer's, of a height above the bed; −1 otherwise.</summary>
     public int LayerOf(PrintPath path, double z)
@@ -154,7 +112,8 @@ internal sealed record PlanRules
         const double Rounding = 1e-6;
         if (path.Layer is { } layer) return layer.Index;
         if (AddsNothing) return -1;
-        return z <= FirstLayerHeight + Rounding ? 0 : (int)Math.Min(1e6, Math.Ceiling((z - FirstLayerHeight - Rounding) / LayerHeight));
+        var above = z - Settings.FirstLayerHeight - Rounding;
+        return above <= 0 ? 0 : (int)Math.Min(1e6, Math.Ceiling(above / Settings.LayerHeight));
     }
 
     public bool AddsNothing => Policy == PlanPolicy.AsDrawn;

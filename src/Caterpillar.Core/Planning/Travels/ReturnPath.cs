@@ -97,7 +97,7 @@ internal sealed class ReturnPath(PlanRules rules)
         {
             Vec3 from = path.Points[i], to = path.EndOf(i);
             var bead = path.BeadOf(i);
-            _printed.Add(from, to, bead with { Height = HeightOf(path, bead, from, to) }, path.ArcOf(i), rules.Shape);
+            _printed.Add(from, to, bead with { Height = HeightOf(path, bead, from, to) }, path.ArcOf(i), rules.Settings.BeadShape);
         }
     }
 
@@ -105,7 +105,7 @@ internal sealed class ReturnPath(PlanRules rules)
     private double HeightOf(PrintPath path, in Bead bead, Vec3 from, Vec3 to)
     {
         if (path.Layer is { Thickness: > 0 } layer) return layer.Thickness;
-        var usual = Math.Max(rules.LayerHeight, rules.FirstLayerHeight);
+        var usual = Math.Max(rules.Settings.LayerHeight, rules.Settings.FirstLayerHeight);
         var height = Math.Max(usual, 2 * Math.Sqrt(bead.Area / Math.PI));
         var samples = (int)Math.Min(Math.Ceiling(from.DistanceTo(to) / Sample), MostSamples);
         for (var k = 0; k < samples; k++)

@@ -11,8 +11,9 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     // mm; the nozzle leaves a purge tower clean.
     private const double TowerWipe = 5;
     private readonly bool[] _hasPrinted = new bool[rules.Tools.Length];
-    private readonly DetourFinder? _detours = deposit is not null && rules.Detour ? new DetourFinder(deposit, rules.Head) : null;
-    private readonly CombPath _around = new(rules.CombInset);
+    private readonly DetourFinder? _detours = deposit is not null && rules.Settings.Detour ? new DetourFinder(deposit, rules.Head) : null;
+    private readonly CombPath _around = new(rules.Settings.LineWidth);
+    private readonly PrintSettings _settings = rules.Settings;
     private PrintPath? _last;
 
     /// <summary>The first travel goes up, above an object on the bed, before it goes anywhere else.</summary>
@@ -43,7 +44,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
         {
             counts.AlreadyRetracted++;
         }
-        else if (length < rules.MinRetractTravel)
+        else if (length < _settings.RetractionMinTravel)
         {
             counts.SkippedRetractions++;
         }
@@ -72,11 +73,11 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
                 var top = Math.Max(start.Z, emitter.Highest) + Clearance;
                 // Where the start code leaves the head is not known: a line of its own moves Z alone.
                 emitter.Event(new RawEvent($"G0 Z{NumberFormatter.Format(top, 3)} F{NumberFormatter.Format(rules.ZHopSpeed * 60, 0)}"));
-                emitter.Travel(start.WithZ(top), rules.TravelSpeed);
+                emitter.Travel(start.WithZ(top), _settings.TravelSpeed);
                 Down(start);
                 return;
             }
-            if (rules.Lift != LiftRule.None) emitter.Travel(start.WithZ(start.Z + Clearance), rules.TravelSpeed);
+            if (rules.Lift != LiftRule.None) emitter.Travel(start.WithZ(start.Z + Clearance), _settings.TravelSpeed);
             Down(start);
             return;
         }
@@ -90,10 +91,10 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     private bool TryComb(Vec3 start, Region? inside)
     {
         var from = emitter.Position;
-        if (!rules.Comb || inside is null || _inside is null) return false;
+        if (!_settings.Comb || inside is null || _inside is null) return false;
         // Also up to the next layer, where that covers all of it.
         var rise = start.Z - from.Z;
-        if (inside == _inside ? Math.Abs(rise) > Touching : !(rise > Touching && rise < 2 * rules.LayerHeight)) return false;
+        if (inside == _inside ? Math.Abs(rise) > Touching : !(rise > Touching && rise < 2 * _settings.LayerHeight)) return false;
         if (inside.ContainsLine(from, start))
         {
             if (!IsFree(from, start)) return false;
@@ -101,7 +102,8 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
             Rise(start);
             return true;
         }
-        if (rules.MaxCombDetour <= 0 || _around.Find(from, start, inside, from.DistanceTo(start) + rules.MaxCombDetour) is not { } path) return false;
+        var longest = from.DistanceTo(start) + _settings.AvoidCrossingMaxDetour;
+        if (_settings.AvoidCrossingMaxDetour <= 0 || _around.Find(from, start, inside, longest) is not { } path) return false;
         for (var i = 0; i < path.Count; i++)
         {
             if (!IsFree(i == 0 ? from : path[i - 1], path[i])) return false;
@@ -116,7 +118,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     private void Rise(Vec3 to)
     {
         var rise = Math.Abs(to.Z - emitter.Position.Z);
-        emitter.Travel(to, rise > 0 ? Math.Min(rules.TravelSpeed, rules.ZHopSpeed * emitter.Position.DistanceTo(to) / rise) : rules.TravelSpeed);
+        emitter.Travel(to, rise > 0 ? Math.Min(_settings.TravelSpeed, rules.ZHopSpeed * emitter.Position.DistanceTo(to) / rise) : _settings.TravelSpeed);
     }
 
     private bool IsFree(Vec3 from, Vec3 to)
@@ -133,7 +135,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     private void Straight(Vec3 to)
     {
         counts.Travels++;
-        emitter.Travel(to, rules.TravelSpeed);
+        emitter.Travel(to, _settings.TravelSpeed);
     }
 
     /// <summary>Up, over and down, or around.</summary>
@@ -150,7 +152,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
         if (rules.Lift == LiftRule.None && !safely)
         {
             counts.SkippedZHops++;
-            emitter.Travel(to, rules.TravelSpeed);
+            emitter.Travel(to, _settings.TravelSpeed);
             return;
         }
         var level = Math.Max(from.Z, to.Z);
@@ -164,7 +166,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
         else if (rules.Lift == LiftRule.Highest) counts.ZHops++;
         else counts.LocalZHops++;
         if (z > from.Z) emitter.Travel(from.WithZ(z), rules.ZHopSpeed);
-        emitter.Travel(to.WithZ(z), rules.TravelSpeed);
+        emitter.Travel(to.WithZ(z), _settings.TravelSpeed);
         Down(to);
     }
 
@@ -173,13 +175,13 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     {
         var from = emitter.Position;
         var z = HeightOver(from, to, Math.Max(from.Z, to.Z), true);
-        return (z - from.Z + z - to.Z) / rules.ZHopSpeed + (to - from).LengthXY / rules.TravelSpeed;
+        return (z - from.Z + z - to.Z) / rules.ZHopSpeed + (to - from).LengthXY / _settings.TravelSpeed;
     }
 
     private double HeightOver(Vec3 from, Vec3 to, double level, bool safely)
     {
         if (rules.Lift == LiftRule.Highest)
-            return safely || from.DistanceTo(to) > rules.MinLiftTravel ? Math.Max(level, emitter.Highest) + Clearance : level;
+            return safely || from.DistanceTo(to) > _settings.ZHopMinTravel ? Math.Max(level, emitter.Highest) + Clearance : level;
         if (deposit is null) return level;
         var needed = rules.Head.RequiredHeight(deposit, from, to, level);
         return needed > level + Flush ? needed + Clearance : level;
@@ -189,18 +191,18 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     private bool TryDetour(Vec3 from, Vec3 to, double rise)
     {
         if (_detours is null) return false;
-        var longest = from.DistanceTo(to) + 2 * rise / rules.ZHopSpeed * rules.TravelSpeed;
+        var longest = from.DistanceTo(to) + 2 * rise / rules.ZHopSpeed * _settings.TravelSpeed;
         if (_detours.Find(from, to, longest) is not { } detour) return false;
         counts.Detours++;
         emitter.Travel(from, rules.ZHopSpeed);
-        foreach (var point in detour) emitter.Travel(point, rules.TravelSpeed);
+        foreach (var point in detour) emitter.Travel(point, _settings.TravelSpeed);
         return true;
     }
 
     private void Down(Vec3 to)
     {
         var length = emitter.IsPlaced ? emitter.Position.DistanceTo(to) : 0;
-        if (rules.AddsNothing || !rules.DeretractDuringDescent || emitter.Retracted <= 0 || !(to.Z < emitter.Position.Z))
+        if (rules.AddsNothing || !_settings.DeretractDuringDescent || !rules.CanWipe || emitter.Retracted <= 0 || !(to.Z < emitter.Position.Z))
         {
             emitter.Travel(to, rules.ZHopSpeed);
             return;
@@ -227,7 +229,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
         var length = 0.0;
         for (var i = 1; i < points.Count; i++) length += points[i - 1].DistanceTo(points[i]);
         if (!(length > 0)) return false;
-        var speed = Math.Min(rules.TravelSpeed, length * tool.RetractSpeed / tool.FilamentLength(e));
+        var speed = Math.Min(_settings.TravelSpeed, length * tool.RetractSpeed / tool.FilamentLength(e));
         var left = e;
         for (var i = 1; i < points.Count; i++)
         {
