@@ -1,9 +1,7 @@
-using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Net;
-using System.Reflection;
 using System.Text.RegularExpressions;
 using Caterpillar.Machines;
 
@@ -35,13 +33,12 @@ internal sealed class SettingDocs
 
     public SettingDoc this[ProfileKey key] => _docs[key];
 
-    // A key has the name of its property.
     private static IEnumerable<(string Record, string Property, ProfileKey Key)> Keys()
-        => from table in typeof(ProfileKey).Assembly.GetTypes()
-           where table.Name.EndsWith("Keys", StringComparison.Ordinal)
-           from field in table.GetFields(BindingFlags.Static | BindingFlags.Public)
-           where typeof(ProfileKey).IsAssignableFrom(field.FieldType)
-           select (field.FieldType.GenericTypeArguments[0].Name, field.Name, (ProfileKey)field.GetValue(null)!);
+        => Of(ProfileKinds.Printer).Concat(Of(ProfileKinds.Material)).Concat(Of(ProfileKinds.Settings));
+
+    private static IEnumerable<(string Record, string Property, ProfileKey Key)> Of<T>(ProfileKind<T> kind)
+        where T : class
+        => kind.Keys.Select(k => (typeof(T).Name, k.Property, (ProfileKey)k));
 
     private static SettingDoc Doc(string lines)
     {

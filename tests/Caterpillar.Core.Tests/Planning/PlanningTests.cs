@@ -222,7 +222,8 @@ public class PlanningTests
     [Test]
     public void Restoring_during_the_descent_is_a_moving_restore_that_the_filament_can_follow()
     {
-        var moves = Moves([Line(0, 0, 10, 0, 0), Line(20, 0, 30, 0, 0)], Rules with { Clearance = 0.1, Settings = Rules.Settings with { DeretractDuringDescent = true } });
+        var rules = Rules with { Clearance = 0.1, Settings = Rules.Settings with { DeretractDuringDescent = true } };
+        var moves = Moves([Line(0, 0, 10, 0, 0), Line(20, 0, 30, 0, 0)], rules);
         Assert.That(moves.Skip(4).Take(2), Is.EqualTo(new[] { "MovingDeretract 20,0,0 1 3", "Print 30,0,0 2.5 50" }));
     }
 
@@ -244,7 +245,8 @@ public class PlanningTests
         Assert.That(Moves([Line(0, 0, 20, 0, 0)], rules), Is.EqualTo(new[] { "Prime 0,0,0 0.5 30", "Print 18,0,0 4.5 50", "Travel 20,0,0 0 50" }));
         Assert.That(Moves([Line(0, 0, 4, 0, 0)], rules), Is.EqualTo(new[] { "Prime 0,0,0 0.1 30", "Print 3.6,0,0 0.9 50", "Travel 4,0,0 0 50" }));
         var arc = new PrintPath([new Vec3(10, 0), new Vec3(-10, 0)], [new Bead(0.5)], false, [new Arc(Vec3.Zero, 180)]);
-        var most = Plan([arc], rules with { Settings = rules.Settings with { StartDistance = 0, CoastingDistance = 100 } }, new PlanOptions { Start = new Vec3(10, 0) }).Toolpath;
+        rules = rules with { Settings = rules.Settings with { StartDistance = 0, CoastingDistance = 100 } };
+        var most = Plan([arc], rules, new PlanOptions { Start = new Vec3(10, 0) }).Toolpath;
         Assert.That(most.Count, Is.EqualTo(2));
         Assert.That(most[0].End.DistanceTo(new Vec3(-9.510565163, 3.090169944)), Is.LessThan(1e-8), "162 of 180 degrees");
         Assert.That(most[0].Arc!.Value.Sweep, Is.EqualTo(162).Within(1e-9));

@@ -29,7 +29,8 @@ public class ReturnTests
     {
         var branch = new PrintPath([new Vec3(0, 0), new Vec3(0, 6), new Vec3(8, 6), new Vec3(8, 0)], new Bead(0.5));
         Step[] steps = [Path(4, -2, 30, 4, 2, 30), new TravelStep([new Vec3(0, 0, 30), new Vec3(0, 0, 0)]), branch, Return(0, 0, 0), Path(0, 0, 0, -5, 0, 0)];
-        var plan = PlanningTests.Plan(steps, Rules with { Settings = Rules.Settings with { RetractionMinTravel = 1000 } }, new PlanOptions { Start = new Vec3(4, -2, 30) });
+        var rules = Rules with { Settings = Rules.Settings with { RetractionMinTravel = 1000 } };
+        var plan = PlanningTests.Plan(steps, rules, new PlanOptions { Start = new Vec3(4, -2, 30) });
         Assert.That((plan.Report.ReturnsOver, plan.Report.ReturnsAlong, plan.Report.BlockedReturns), Is.EqualTo((0, 1, 0)));
         Assert.That(PlanningTests.Text(plan.Toolpath).Skip(6),
             Is.EqualTo(new[] { "Travel 8,6,0 0 150", "Travel 0,6,0 0 150", "Travel 0,0,0 0 150", "Print -5,0,0 1.25 50" }));

@@ -34,7 +34,7 @@ internal sealed class HeaderTemplate(HeaderText header, string file, DiagnosticL
 
     private void Add(HeaderLine line) => _lines.Add(Convert(line.Text));
 
-    private string Convert(string text) => _template.Line(text, TemplateKeys.StartGCode, new SourceLocation(file));
+    private string Convert(string text) => _template.Line(text, ProfileKinds.Printer.Find("start_gcode")!, new SourceLocation(file));
 
     // The temperature comes from the material, and the line is omitted for a material without one.
     private void Heat(HeaderLine line, double? own, string condition, string value)

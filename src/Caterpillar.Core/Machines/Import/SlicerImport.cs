@@ -95,7 +95,7 @@ internal sealed class SlicerImport(IReadOnlyList<SlicerPreset> presets, string n
             {
                 value = string.Join("\n", names.SelectMany(n => template.Lines(n.Name, n.Key)));
                 // Half a tool change is worse than the command alone.
-                if (names.Key == TemplateKeys.ToolChangeGCode && template.HasLost) value = "";
+                if (names.Key.Name == "tool_change_gcode" && template.HasLost) value = "";
             }
             if (value is null) continue;
             used.UnionWith(names.SelectMany(n => n.Names));

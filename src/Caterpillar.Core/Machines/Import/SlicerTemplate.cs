@@ -121,8 +121,8 @@ internal sealed class SlicerTemplate(IReadOnlyDictionary<string, string> values,
         var isFirst = tool is "" or "0" || tool.IndexOf("tool", StringComparison.Ordinal) >= 0 || tool.IndexOf("extruder", StringComparison.Ordinal) >= 0;
         if (Placeholders.Value.TryGetValue(name + index, out var found) || (isFirst && Placeholders.Value.TryGetValue(name, out found)))
         {
-            if (ours != TemplateKeys.LayerChangeGCode) found = found switch { "layer_z_mm" => "print_max_z_mm", "layer" => "layer_count", _ => found };
-            return ours != TemplateKeys.ToolChangeGCode && found is "tool" or "previous_tool" ? "0" : found;
+            if (ours.Name != "layer_change_gcode") found = found switch { "layer_z_mm" => "print_max_z_mm", "layer" => "layer_count", _ => found };
+            return ours.Name != "tool_change_gcode" && found is "tool" or "previous_tool" ? "0" : found;
         }
         if (!isFirst) return name + index;
         var known = SlicerName.All.FirstOrDefault(n => n.Name == name && n.Conversion.Length == 0 && n.Key.Kind is KeyKind.Number or KeyKind.Integer);

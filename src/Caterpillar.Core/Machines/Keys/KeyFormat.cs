@@ -19,6 +19,15 @@ internal abstract class KeyFormat(KeyKind kind, string expected)
     /// <summary>Reads text after <c>key=</c>; null if it has another type.</summary>
     public abstract object? Parse(string text);
 
+    /// <summary>Reads a raw value; false if it has another type.</summary>
+    public abstract bool Reads(object raw, out object? value);
+
+    /// <summary>The raw value.</summary>
+    public abstract object Written(object? value);
+
+    /// <summary>What is wrong with a value, or null.</summary>
+    public abstract string? ProblemOf(object? value);
+
     /// <summary>The sentence " Did you mean …?" for an unknown word, or nothing.</summary>
     public virtual string Hint(string word) => "";
 
@@ -39,8 +48,19 @@ internal abstract class KeyFormat<TValue>(KeyKind kind, string expected) : KeyFo
 
     public abstract object Write(TValue value);
 
-    /// <summary>What is wrong with a value, or null.</summary>
+    /// <inheritdoc cref="KeyFormat.ProblemOf"/>
     public abstract string? Problem(TValue value);
+
+    public sealed override bool Reads(object raw, out object? value)
+    {
+        var reads = TryRead(raw, out var typed);
+        value = typed;
+        return reads;
+    }
+
+    public sealed override object Written(object? value) => Write((TValue)value!);
+
+    public sealed override string? ProblemOf(object? value) => Problem((TValue)value!);
 }
 
 /// <summary>A list of texts, each of which is one item.</summary>

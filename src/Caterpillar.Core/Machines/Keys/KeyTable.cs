@@ -1,54 +1,46 @@
+using System.Reflection;
+
 namespace Caterpillar.Machines;
 
-/// <summary>Keys of one kind of profile, in the order of declaration.</summary>
-internal sealed class KeyTable<T> : List<ProfileKey<T>>
-    where T : class
+/// <summary>Keys of one kind of profile, from a table with a row for each: property, key, and the range of its numbers or the words of its choice.</summary>
+internal static class KeyTable
 {
-    /// <summary>A key with its own format.</summary>
-    public ProfileKey<T, TValue> Of<TValue>(string name, KeyFormat<TValue> format, Func<T, TValue> get, Func<T, TValue, T> set)
+    /// <summary>The keys of a table.</summary>
+    /// <param name="table">Name of the file.</param>
+    /// <param name="properties">The properties of the profile. Their types decide on the formats.</param>
+    /// <param name="own">Formats of properties that a row cannot describe.</param>
+    /// <param name="copy">Copies a profile.</param>
+    public static IReadOnlyList<ProfileKey<T>> Read<T>(
+        string table, PropertyInfo[] properties, IReadOnlyDictionary<string, KeyFormat> own, Func<T, T> copy)
+        where T : class
+        => [.. EmbeddedText.Rows("names/" + table).Select(row =>
+        {
+            var property = Array.Find(properties, p => p.Name == row[0]) ?? throw new InvalidOperationException($"{table}: no property {row[0]}.");
+            return new ProfileKey<T>(row[1], own.TryGetValue(row[0], out var format) ? format : Format(property.PropertyType, row), property, copy);
+        })];
+
+    private static KeyFormat Format(Type type, string[] row)
     {
-        var key = new ProfileKey<T, TValue>(name, format, get, set);
-        Add(key);
-        return key;
+        if (type == typeof(bool)) return new BooleanFormat();
+        if (type == typeof(string)) return new TextFormat();
+        if (type.IsEnum) return Choice(type, [.. row.Skip(2)]);
+        // A size in mm or in % of the nozzle diameter, or 0 for that of another key.
+        if (row[2] == "nozzle") return new NozzleSizeFormat();
+        var (min, max) = (Number(row[2]), Number(row[3]));
+        // Some numbers are 0 (off, or the value of another key) or at least a number.
+        if (type == typeof(double)) return new NumberFormat(min, max, row.Length > 4 ? Number(row[4]) : 0);
+        if (type == typeof(double?)) return new OptionalNumberFormat(min, max);
+        if (type == typeof(int)) return new IntegerFormat((int)min, (int)max);
+        if (type == typeof(Vec3)) return new NumbersFormat<Vec3>(["x", "y", "z"], min, max, n => new Vec3(n[0], n[1], n[2]), v => [v.X, v.Y, v.Z]);
+        return new NumbersFormat<AxisValues>(["x", "y", "z", "e"], min, max, n => new AxisValues(n[0], n[1], n[2], n[3]), v => [v.X, v.Y, v.Z, v.E]);
     }
 
-    public ProfileKey<T, double> Number(string name, double min, double max, Func<T, double> get, Func<T, double, T> set)
-        => Of(name, new NumberFormat(min, max), get, set);
-
-    /// <summary>A number that is 0 (off, or the value of another key) or at least <paramref name="least"/>.</summary>
-    public ProfileKey<T, double> NumberOrZero(string name, double least, double max, Func<T, double> get, Func<T, double, T> set)
-        => Of(name, new NumberFormat(0, max, least), get, set);
-
-    /// <summary>A size in mm or in % of the nozzle diameter, or 0 for that of another key.</summary>
-    public ProfileKey<T, double> NozzleSize(string name, Func<T, double> get, Func<T, double, T> set) => Of(name, new NozzleSizeFormat(), get, set);
-
-    /// <summary>A number, or null for the value of another profile.</summary>
-    public ProfileKey<T, double?> Optional(string name, double min, double max, Func<T, double?> get, Func<T, double?, T> set)
-        => Of(name, new OptionalNumberFormat(min, max), get, set);
-
-    public ProfileKey<T, int> Integer(string name, int min, int max, Func<T, int> get, Func<T, int, T> set)
-        => Of(name, new IntegerFormat(min, max), get, set);
-
-    public ProfileKey<T, bool> Boolean(string name, Func<T, bool> get, Func<T, bool, T> set) => Of(name, new BooleanFormat(), get, set);
-
-    public ProfileKey<T, string> Text(string name, Func<T, string> get, Func<T, string, T> set) => Of(name, new TextFormat(), get, set);
-
-    /// <summary>A value of an enum, from all or some of its members, by name: <c>inside_out</c>.</summary>
-    public ProfileKey<T, TValue> Choice<TValue>(string name, Func<T, TValue> get, Func<T, TValue, T> set, params TValue[] some)
-        where TValue : struct, Enum
+    // A value of an enum, from all or some of its members, by name: inside_out.
+    private static ChoiceFormat Choice(Type type, string[] some)
     {
-        var all = Enum.GetNames(typeof(TValue)).Select(n => (Words.Snake(n), (TValue)Enum.Parse(typeof(TValue), n)));
-        var words = some.Length == 0 ? all.ToArray() : some.Select(s => (Words.Snake(s.ToString()), s)).ToArray();
-        return Of(name, new ChoiceFormat<TValue>(words), get, set);
+        var all = Enum.GetNames(type).Select(n => (Word: Words.Snake(n), Value: Enum.Parse(type, n))).ToArray();
+        return new ChoiceFormat(some.Length == 0 ? all : Array.ConvertAll(some, word => all.First(c => c.Word == word)));
     }
 
-    public ProfileKey<T, Vec3> Vector(string name, double min, double max, Func<T, Vec3> get, Func<T, Vec3, T> set)
-        => Of(name, new NumbersFormat<Vec3>(["x", "y", "z"], min, max, n => new Vec3(n[0], n[1], n[2]), v => [v.X, v.Y, v.Z]), get, set);
-
-    public ProfileKey<T, AxisValues> Axes(string name, double min, double max, Func<T, AxisValues> get, Func<T, AxisValues, T> set)
-    {
-        var format = new NumbersFormat<AxisValues>(
-            ["x", "y", "z", "e"], min, max, n => new AxisValues(n[0], n[1], n[2], n[3]), v => [v.X, v.Y, v.Z, v.E]);
-        return Of(name, format, get, set);
-    }
+    private static double Number(string text) => NumberReader.TryParse(text, out var value) ? value : throw new FormatException(text);
 }

@@ -1,3 +1,5 @@
+using System.Reflection;
+
 namespace Caterpillar.Machines;
 
 /// <summary>Types of values of keys.</summary>
@@ -63,25 +65,13 @@ public abstract class ProfileKey
     public override string ToString() => Name;
 }
 
-/// <summary>A key of one kind of profile.</summary>
-internal abstract class ProfileKey<TProfile>(string name) : ProfileKey(name)
-{
-    /// <summary>The value as in JSON: text, double, bool or a list of these.</summary>
-    public abstract object Get(TProfile profile);
-
-    /// <summary>Whether two profiles have the same value.</summary>
-    public abstract bool IsSame(TProfile one, TProfile other);
-
-    /// <summary>The profile with another value, or null and the problem.</summary>
-    public abstract TProfile? Set(TProfile profile, object raw, out string? problem);
-}
-
-/// <summary>A key with its typed value.</summary>
-internal sealed class ProfileKey<TProfile, TValue>(
-    string name, KeyFormat<TValue> format, Func<TProfile, TValue> get, Func<TProfile, TValue, TProfile> set)
-    : ProfileKey<TProfile>(name)
+/// <summary>A key of one kind of profile, and the property of its value.</summary>
+internal sealed class ProfileKey<TProfile>(string name, KeyFormat format, PropertyInfo property, Func<TProfile, TProfile> copy) : ProfileKey(name)
     where TProfile : class
 {
+    /// <summary>Name of the property.</summary>
+    public string Property => property.Name;
+
     public override KeyKind Kind => format.Kind;
 
     public override string Range => format.Range;
@@ -90,22 +80,28 @@ internal sealed class ProfileKey<TProfile, TValue>(
 
     /// <summary>The value itself if it is in the range of the key.</summary>
     /// <exception cref="ArgumentOutOfRangeException">It is not.</exception>
-    public TValue Check(TValue value)
+    public TValue Check<TValue>(TValue value)
     {
         if (value is null && !typeof(TValue).IsValueType) throw new ArgumentNullException(nameof(value), Name);
-        return format.Problem(value) is { } problem ? throw new ArgumentOutOfRangeException(nameof(value), value, Name + ": " + problem) : value;
+        return format.ProblemOf(value) is { } problem ? throw new ArgumentOutOfRangeException(nameof(value), value, Name + ": " + problem) : value;
     }
 
-    public override object Get(TProfile profile) => format.Write(get(profile));
+    /// <summary>The value as in JSON: text, double, bool or a list of these.</summary>
+    public object Get(TProfile profile) => format.Written(property.GetValue(profile));
 
-    public override bool IsSame(TProfile one, TProfile other) => EqualityComparer<TValue>.Default.Equals(get(one), get(other));
+    /// <summary>Whether two profiles have the same value.</summary>
+    public bool IsSame(TProfile one, TProfile other) => Equals(property.GetValue(one), property.GetValue(other));
 
     internal override string? Problem(object raw)
-        => format.TryRead(raw, out var value) ? format.Problem(value!) : "needs " + format.Expected + ", not " + KeyFormat.Describe(raw);
+        => format.Reads(raw, out var value) ? format.ProblemOf(value) : "needs " + format.Expected + ", not " + KeyFormat.Describe(raw);
 
-    public override TProfile? Set(TProfile profile, object raw, out string? problem)
+    /// <summary>The profile with another value, or null and the problem.</summary>
+    public TProfile? Set(TProfile profile, object raw, out string? problem)
     {
         problem = Problem(raw);
-        return problem is null && format.TryRead(raw, out var value) ? set(profile, value!) : null;
+        if (problem is not null || !format.Reads(raw, out var value)) return null;
+        var changed = copy(profile);
+        property.SetValue(changed, value);
+        return changed;
     }
 }

@@ -62,8 +62,8 @@ internal sealed class FormulaFormat(params string[] variables) : TextFormat("a f
 }
 
 /// <summary>One of several words.</summary>
-internal sealed class ChoiceFormat<TValue>(params (string Word, TValue Value)[] choices)
-    : KeyFormat<TValue>(KeyKind.Choice, Words.Either([.. choices.Select(c => c.Word)]))
+internal sealed class ChoiceFormat(params (string Word, object Value)[] choices)
+    : KeyFormat<object>(KeyKind.Choice, Words.Either([.. choices.Select(c => c.Word)]))
 {
     public override string Range => Expected;
 
@@ -75,7 +75,7 @@ internal sealed class ChoiceFormat<TValue>(params (string Word, TValue Value)[] 
 
     public override object? Parse(string text) => text.Trim();
 
-    public override bool TryRead(object raw, out TValue? value)
+    public override bool TryRead(object raw, out object? value)
     {
         foreach (var choice in choices)
         {
@@ -83,21 +83,20 @@ internal sealed class ChoiceFormat<TValue>(params (string Word, TValue Value)[] 
             value = choice.Value;
             return true;
         }
-        value = default;
+        value = null;
         return false;
     }
 
-    public override object Write(TValue value)
+    public override object Write(object value)
     {
         foreach (var choice in choices)
         {
-            if (EqualityComparer<TValue>.Default.Equals(choice.Value, value)) return choice.Word;
+            if (Equals(choice.Value, value)) return choice.Word;
         }
         throw new ArgumentOutOfRangeException(nameof(value), value, "Unknown choice.");
     }
 
-    public override string? Problem(TValue value)
-        => choices.Any(c => EqualityComparer<TValue>.Default.Equals(c.Value, value)) ? null : "must be " + Range;
+    public override string? Problem(object value) => choices.Any(c => Equals(c.Value, value)) ? null : "must be " + Range;
 }
 
 /// <summary>Lines of a template.</summary>

@@ -6,17 +6,19 @@ namespace Caterpillar.Machines;
 /// </summary>
 public sealed partial record Printer
 {
+    private static ProfileKind<Printer> Keys => ProfileKinds.Printer;
+
     /// <summary>Name of the profile.</summary>
     public string Name { get; init; } = "generic";
 
     /// <summary>Display name.</summary>
-    public string Title { get; init => field = PrinterKeys.Title.Check(value); } = "Generic printer";
+    public string Title { get; init => field = Keys.Check(value); } = "Generic printer";
 
     /// <summary>Firmware flavor of the G-code.</summary>
     public FlavorRules Flavor { get; init => field = value ?? throw new ArgumentNullException(nameof(value)); } = FlavorTable.Marlin2;
 
     /// <summary>Size of the space that the nozzle can reach.</summary> <value>mm.</value>
-    public Vec3 BuildVolume { get; init => field = PrinterKeys.BuildVolume.Check(value); } = new(220, 220, 250);
+    public Vec3 BuildVolume { get; init => field = Keys.Check(value); } = new(220, 220, 250);
 
     /// <summary>Position of X 0, Y 0 on the bed.</summary>
     public BedOrigin Origin { get; init; } = BedOrigin.Corner;
@@ -25,13 +27,13 @@ public sealed partial record Printer
     public BedShape BedShape { get; init; } = BedShape.Rectangle;
 
     /// <summary>Diameter of the nozzle, or width of the pen.</summary> <value>mm.</value>
-    public double NozzleDiameter { get; init => field = PrinterKeys.NozzleDiameter.Check(value); } = 0.4;
+    public double NozzleDiameter { get; init => field = Keys.Check(value); } = 0.4;
 
     /// <summary>Material to use if none is given.</summary>
-    public string DefaultMaterial { get; init => field = PrinterKeys.DefaultMaterial.Check(value); } = "pla";
+    public string DefaultMaterial { get; init => field = Keys.Check(value); } = "pla";
 
     /// <summary>Print settings to use if none are given.</summary>
-    public string DefaultSettings { get; init => field = PrinterKeys.DefaultSettings.Check(value); } = "standard";
+    public string DefaultSettings { get; init => field = Keys.Check(value); } = "standard";
 
     /// <summary>Relative (M83) or absolute (M82) E.</summary>
     public ExtrusionMode ExtrusionMode { get; init; } = ExtrusionMode.Relative;
@@ -43,13 +45,13 @@ public sealed partial record Printer
     public bool RelativeXyz { get; init; }
 
     /// <summary>Decimals of X, Y and Z.</summary>
-    public int DecimalsXyz { get; init => field = PrinterKeys.DecimalsXyz.Check(value); } = 3;
+    public int DecimalsXyz { get; init => field = Keys.Check(value); } = 3;
 
     /// <summary>Decimals of E.</summary>
-    public int DecimalsE { get; init => field = PrinterKeys.DecimalsE.Check(value); } = 5;
+    public int DecimalsE { get; init => field = Keys.Check(value); } = 5;
 
     /// <summary>Decimals of F, which is in mm/min.</summary>
-    public int DecimalsF { get; init => field = PrinterKeys.DecimalsF.Check(value); }
+    public int DecimalsF { get; init => field = Keys.Check(value); }
 
     /// <summary>Number of tools.</summary>
     public int ToolCount => ToolOffsets.Count;
@@ -77,32 +79,4 @@ public sealed partial record Printer
     }
 
     public override string ToString() => Title;
-}
-
-/// <summary>Keys of printers: build volume and G-code format.</summary>
-internal static class PrinterKeys
-{
-    public static readonly KeyTable<Printer> All = new();
-
-    public static readonly ProfileKey<Printer, string> Title = All.Text("title", p => p.Title, (p, v) => p with { Title = v });
-    public static readonly ProfileKey<Printer, FlavorRules> Flavor
-        = All.Of("gcode_flavor", new ChoiceFormat<FlavorRules>([.. FlavorTable.All.Select(d => (d.Name, d))]), p => p.Flavor, (p, v) => p with { Flavor = v });
-    public static readonly ProfileKey<Printer, Vec3> BuildVolume
-        = All.Vector("build_volume_mm", 1, 100_000, p => p.BuildVolume, (p, v) => p with { BuildVolume = v });
-    public static readonly ProfileKey<Printer, BedOrigin> Origin = All.Choice("origin", p => p.Origin, (p, v) => p with { Origin = v });
-    public static readonly ProfileKey<Printer, BedShape> BedShape = All.Choice("bed_shape", p => p.BedShape, (p, v) => p with { BedShape = v });
-    public static readonly PrinterNumberKey NozzleDiameter
-        = All.Number("nozzle_diameter_mm", 0.01, 200, p => p.NozzleDiameter, (p, v) => p with { NozzleDiameter = v });
-    public static readonly ProfileKey<Printer, string> DefaultMaterial
-        = All.Text("default_material", p => p.DefaultMaterial, (p, v) => p with { DefaultMaterial = v });
-    public static readonly ProfileKey<Printer, string> DefaultSettings
-        = All.Text("default_settings", p => p.DefaultSettings, (p, v) => p with { DefaultSettings = v });
-    public static readonly ProfileKey<Printer, ExtrusionMode> ExtrusionMode
-        = All.Choice("e_mode", p => p.ExtrusionMode, (p, v) => p with { ExtrusionMode = v });
-    public static readonly ProfileKey<Printer, ExtrusionUnit> ExtrusionUnit
-        = All.Choice("e_unit", p => p.ExtrusionUnit, (p, v) => p with { ExtrusionUnit = v });
-    public static readonly PrinterFlagKey RelativeXyz = All.Boolean("relative_xyz", p => p.RelativeXyz, (p, v) => p with { RelativeXyz = v });
-    public static readonly PrinterIntegerKey DecimalsXyz = All.Integer("decimals_xyz", 0, 8, p => p.DecimalsXyz, (p, v) => p with { DecimalsXyz = v });
-    public static readonly PrinterIntegerKey DecimalsE = All.Integer("decimals_e", 0, 8, p => p.DecimalsE, (p, v) => p with { DecimalsE = v });
-    public static readonly PrinterIntegerKey DecimalsF = All.Integer("decimals_f", 0, 8, p => p.DecimalsF, (p, v) => p with { DecimalsF = v });
 }

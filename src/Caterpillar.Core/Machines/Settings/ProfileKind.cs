@@ -5,6 +5,7 @@ internal sealed class ProfileKind<T>(string noun, string folder, IReadOnlyList<P
     where T : class
 {
     private readonly Dictionary<string, ProfileKey<T>> _byName = keys.ToDictionary(k => k.Name, StringComparer.Ordinal);
+    private readonly Dictionary<string, ProfileKey<T>> _byProperty = keys.ToDictionary(k => k.Property, StringComparer.Ordinal);
 
     /// <summary><c>printer</c>, <c>material</c> or <c>settings</c>.</summary>
     public string Noun => noun;
@@ -19,6 +20,13 @@ internal sealed class ProfileKind<T>(string noun, string folder, IReadOnlyList<P
     public T Named(T profile, string name) => named(profile, name);
 
     public ProfileKey<T>? Find(string key) => _byName.TryGetValue(key, out var found) ? found : null;
+
+    /// <summary>Keys by name, all of them known.</summary>
+    public ProfileKey<T>[] KeysOf(params string[] names) => Array.ConvertAll(names, name => _byName[name]);
+
+    /// <summary>A value of a property itself if it is in the range of its key.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">It is not.</exception>
+    public TValue Check<TValue>(TValue value, [CallerMemberName] string property = "") => _byProperty[property].Check(value);
 
     /// <summary>The profile with one more value, or the unchanged profile and an error.</summary>
     public T Apply(T profile, string key, object? raw, SourceLocation place, List<Diagnostic> diagnostics)
@@ -47,16 +55,15 @@ internal sealed class ProfileKind<T>(string noun, string folder, IReadOnlyList<P
 internal static class ProfileKinds
 {
     public static readonly ProfileKind<Printer> Printer = new("printer", "",
-        [.. PrinterKeys.All, .. RetractionKeys.All, .. MotionKeys.All, .. HeadKeys.All, .. LimitKeys.All,
-            .. HostKeys.All, .. TemplateKeys.All, .. PauseKeys.All],
+        KeyTable.Read<Printer>("Printer.tsv", typeof(Printer).GetProperties(), OwnFormats.Printer, p => p with { }),
         () => new Printer(), (p, name) => p with { Name = name });
 
     public static readonly ProfileKind<Material> Material = new("material", "materials/",
-        MaterialKeys.All, () => new Material(), (m, name) => m with { Name = name });
+        KeyTable.Read<Material>("Material.tsv", typeof(Material).GetProperties(), new Dictionary<string, KeyFormat>(), m => m with { }),
+        () => new Material(), (m, name) => m with { Name = name });
 
     public static readonly ProfileKind<PrintSettings> Settings = new("settings", "settings/",
-        [.. SettingsKeys.All, .. WidthKeys.All, .. WallWidthKeys.All, .. LayerKeys.All, .. TopBottomKeys.All, .. InfillKeys.All, .. BedKeys.All,
-            .. SurfaceKeys.All, .. SeamKeys.All, .. TravelKeys.All, .. RoleMotionKeys.All, .. CurvedKeys.All, .. SupportKeys.All, .. ToolKeys.All],
+        KeyTable.Read<PrintSettings>("PrintSettings.tsv", typeof(PrintSettings).GetProperties(), OwnFormats.Settings, s => s with { }),
         () => new PrintSettings(), (s, name) => s with { Name = name });
 
     /// <summary>The kind of profile that has a key, for messages.</summary>

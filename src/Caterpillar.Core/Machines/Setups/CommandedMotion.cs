@@ -13,8 +13,8 @@ internal sealed class CommandedMotion
     {
         var (printer, flavor) = (setup.Printer, setup.Printer.Flavor);
         (_settings, _usual) = (setup.Settings, printer.PrintAcceleration);
-        Accelerations = [.. RoleMotionKeys.All.Where(k => k.Unit == "mm/s²" && k.Get(_settings) is > 0.0)];
-        Jerks = [.. RoleMotionKeys.All.Where(k => k.Unit == "mm/s" && k.Get(_settings) is > 0.0)];
+        Accelerations = Given("_acceleration_mm_s2");
+        Jerks = Given("_jerk_mm_s");
         var knows = flavor.Limits == LimitCommands.Repetier
             || FlavorCommands.Of(flavor).Find("M204 S1") is { IsKnown: true, Class: CommandClass.Limits };
         if (knows && Accelerations.Count > 0) MostAcceleration = Math.Min(printer.MaxAcceleration.X, printer.MaxAcceleration.Y);
@@ -54,4 +54,7 @@ internal sealed class CommandedMotion
     public double? Jerk(Role role, bool firstLayer) => MostJerk is { } most ? Math.Min(_settings.JerkOf(role, firstLayer, most), most) : null;
 
     private double? Whole(double acceleration) => MostAcceleration is { } most ? Math.Max(1, Math.Floor(Math.Min(acceleration, most))) : null;
+
+    private ProfileKey<PrintSettings>[] Given(string ending)
+        => [.. ProfileKinds.Settings.Keys.Where(k => k.Name.EndsWith(ending, StringComparison.Ordinal) && k.Get(_settings) is > 0.0)];
 }

@@ -97,7 +97,7 @@ public sealed record PrintSetup
         var diagnostics = new DiagnosticList();
         if (FromNozzle() is { Length: > 0 } sizes)
             diagnostics.Add(Severity.Note, "setup.from_nozzle", $"The nozzle of {Text(Printer.NozzleDiameter)} mm sets {sizes}.");
-        ProfileKey<PrintSettings>[] widths = [SettingsKeys.LineWidth, TopBottomKeys.SolidInfillLineWidth, .. WidthKeys.All];
+        var widths = ProfileKinds.Settings.Keys.Where(k => k.Name.EndsWith("line_width_mm", StringComparison.Ordinal));
         if (Settings.BeadShape == BeadShape.Stadium && widths.FirstOrDefault(IsNarrow) is { } narrow)
             diagnostics.Add(Severity.Error, "setup.narrow_bead",
                 $"{narrow} is less than the layer height. bead_shape=stadium does not allow that. Use rectangle or circle.",
@@ -121,14 +121,14 @@ public sealed record PrintSetup
     }
 
     private bool IsNarrow(ProfileKey<PrintSettings> width) => width.Get(Settings) is > 0.0 and double size
-        && size < (width == WidthKeys.FirstLayerLineWidth ? Settings.FirstLayerHeight : Settings.LargerLayerHeight);
+        && size < (width.Name == "first_layer_line_width_mm" ? Settings.FirstLayerHeight : Settings.LargerLayerHeight);
 
     // Sizes that nobody gave, unless the nozzle is the usual one.
     private string FromNozzle()
     {
         if (Printer.NozzleDiameter == PrintSettings.UsualNozzle) return "";
         var given = Settings.AsGiven;
-        NumberKey[] sizes = [SettingsKeys.LineWidth, SettingsKeys.LayerHeight, SettingsKeys.FirstLayerHeight];
+        var sizes = ProfileKinds.Settings.KeysOf("line_width_mm", "layer_height_mm", "first_layer_height_mm");
         return string.Join(", ", sizes.Where(k => k.Get(given) is 0.0).Select(k => k.Name + "=" + Text((double)k.Get(Settings))));
     }
 

@@ -18,10 +18,10 @@ internal static class PrintValues
         var material = setup.Material;
         numbers["start_nozzle_temperature_c"] = material.FirstLayerNozzleTemperature > 0 ? material.FirstLayerNozzleTemperature : material.NozzleTemperature;
         numbers["start_bed_temperature_c"] = material.FirstLayerBedTemperature > 0 ? material.FirstLayerBedTemperature : material.BedTemperature;
-        numbers[MaterialKeys.RetractionLength.Name] = setup.RetractionLength;
-        numbers[MaterialKeys.RetractionSpeed.Name] = setup.RetractionSpeed;
-        numbers[MaterialKeys.ZHop.Name] = setup.ZHop;
-        numbers[MaterialKeys.WipeDistance.Name] = setup.WipeDistance;
+        numbers["material_retraction_length_mm"] = setup.RetractionLength;
+        numbers["material_retraction_speed_mm_s"] = setup.RetractionSpeed;
+        numbers["material_z_hop_mm"] = setup.ZHop;
+        numbers["material_wipe_distance_mm"] = setup.WipeDistance;
         var bed = setup.Printer.BuildBounds;
         numbers["bed_min_x_mm"] = bed.Min.X;
         numbers["bed_min_y_mm"] = bed.Min.Y;

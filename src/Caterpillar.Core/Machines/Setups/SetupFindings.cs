@@ -12,12 +12,12 @@ internal static class SetupFindings
         if (motion.MostJerk is null && printer.Cornering != Cornering.JunctionDeviation) Lost($"{flavor.Title} has no command for jerk", motion.Jerks);
         else if (motion.MostJerk is null) Lost("The printer has cornering=junction_deviation", motion.Jerks);
         if (material.PressureAdvance is not null && PressureAdvance(flavor, 0, 0).Count == 0)
-            Lost($"{flavor.Title} has no command for pressure advance", [MaterialKeys.PressureAdvance]);
-        if (material.ChamberTemperature > 0 && !printer.StartGCode.Any(l => l.Split('{', '}').Contains(MaterialKeys.ChamberTemperature.Name)))
-            Lost($"start_gcode of {printer.Title} does not heat a chamber", [MaterialKeys.ChamberTemperature]);
+            Lost($"{flavor.Title} has no command for pressure advance", KeysOf("pressure_advance_s"));
+        if (material.ChamberTemperature > 0 && !printer.StartGCode.Any(l => l.Split('{', '}').Contains("chamber_temperature_c")))
+            Lost($"start_gcode of {printer.Title} does not heat a chamber", KeysOf("chamber_temperature_c"));
         if (printer.FirmwareRetraction && flavor.RetractionSettings == RetractionCommands.None)
         {
-            ProfileKey[] own = [.. new[] { MaterialKeys.RetractionLength, MaterialKeys.RetractionSpeed }.Where(k => k.Get(material) is double)];
+            ProfileKey[] own = [.. KeysOf("material_retraction_length_mm", "material_retraction_speed_mm_s").Where(k => k.Get(material) is double)];
             Lost($"{flavor.Title} has no command for the length of its firmware retraction", own);
         }
         if (lost.Count > 0) diagnostics.Add(Severity.Warning, "setup.no_command", string.Join(" ", lost));
@@ -25,6 +25,8 @@ internal static class SetupFindings
             .Where(k => k.Key.Get(setup.Settings) is double value && value > k.Most)
             .Select(k => $"{k.Key} to {NumberFormatter.Format(k.Most ?? 0, 2)} {k.Key.Unit}").ToArray();
         if (above.Length > 0) diagnostics.Add(Severity.Note, "setup.above_printer", $"{printer.Title} limits {string.Join(", ", above)}.");
+
+        IReadOnlyList<ProfileKey<Material>> KeysOf(params string[] names) => ProfileKinds.Material.KeysOf(names);
 
         void Lost(string why, IReadOnlyList<ProfileKey> keys)
         {

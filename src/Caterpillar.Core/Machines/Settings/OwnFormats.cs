@@ -1,0 +1,68 @@
+namespace Caterpillar.Machines;
+
+/// <summary>Formats of keys that a row of a table cannot describe, by their properties.</summary>
+internal static class OwnFormats
+{
+    private const double Far = 100_000;
+
+    private static readonly string[] Box = ["min x", "min y", "min z", "max x", "max y", "max z"];
+
+    private static readonly LinesFormat Template = new(PrintTemplate.Error);
+
+    public static readonly IReadOnlyDictionary<string, KeyFormat> Printer = new Dictionary<string, KeyFormat>(StringComparer.Ordinal)
+    {
+        ["Flavor"] = new ChoiceFormat([.. FlavorTable.All.Select(d => (d.Name, (object)d))]),
+        ["ToolOffsets"] = new RowsFormat<Vec3>(["x", "y", "z"], 64, -10_000, 10_000, n => new Vec3(n[0], n[1], n[2]), v => [v.X, v.Y, v.Z]) { Fewest = 1 },
+        ["HeadOutline"] = new RowsFormat<HeadPoint>(
+            ["radius", "height"], 64, 0, 10_000, n => new HeadPoint(n[0], n[1]), h => [h.Radius, h.Height], Ascends) { Fewest = 1 },
+        ["HeadBoxes"] = new RowsFormat<Bounds>(Box, 64, -10_000, 10_000, MakeBox, TakeBox),
+        ["Gantry"] = new RowsFormat<Bounds>(
+            ["min y", "min z", "max y", "max z"], 64, -10_000, 10_000, n => MakeBox([0, n[0], n[1], 0, n[2], n[3]]),
+            b => [b.Min.Y, b.Min.Z, b.Max.Y, b.Max.Z]),
+        ["Clips"] = new RowsFormat<Bounds>(Box, 64, -Far, Far, MakeBox, TakeBox),
+        ["ExcludedAreas"] = new RowsFormat<Bounds>(
+            ["min x", "min y", "max x", "max y"], 64, -Far, Far, n => Bounds.Of([new Vec3(n[0], n[1]), new Vec3(n[2], n[3])]),
+            b => [b.Min.X, b.Min.Y, b.Max.X, b.Max.Y]),
+        ["AxisMappings"] = new MappingFormat(),
+        ["CheckSeverities"] = new SeverityFormat(),
+        ["Thumbnails"] = new RowsFormat<Vec3>(["width", "height"], 16, 16, 1000, n => new Vec3(n[0], n[1], 0), v => [v.X, v.Y]),
+        ["StartGCode"] = Template,
+        ["EndGCode"] = Template,
+        ["LayerChangeGCode"] = Template,
+        ["ToolChangeGCode"] = Template,
+        ["PauseGCode"] = Template,
+        ["Macros"] = new LinesFormat(MacroEffect.Error),
+        ["PausePark"] = new RowsFormat<Vec3>(["x", "y"], 1, -Far, Far, n => new Vec3(n[0], n[1], 0), v => [v.X, v.Y]),
+    };
+
+    public static readonly IReadOnlyDictionary<string, KeyFormat> Settings = new Dictionary<string, KeyFormat>(StringComparer.Ordinal)
+    {
+        ["LayerRanges"] = new RowsFormat<LayerRange>(
+            ["from", "to", "layer height"], 1000, 0, Far, LayerRange.Of, r => [r.From, r.To, r.Thickness], LayerRange.Problem),
+        ["LayerFormula"] = new FormulaFormat("z"),
+        ["OverhangClasses"] = new RowsFormat<OverhangClass>(
+            ["percent", "speed", "fan", "flow"], 20, 0, 10_000, OverhangClass.Of, c => [c.Percent, c.Speed, c.MinFanSpeedPercent, c.Flow],
+            OverhangClass.Problem),
+        ["InfillFormula"] = new FormulaFormat("x", "y", "z", "layer", "spacing", "width"),
+        ["InfillCurves"] = new RowsFormat<InfillPoint>(["curve", "x", "y"], 1_000_000, -Far, Far, InfillPoint.Of, p => [p.Curve, p.X, p.Y]),
+        ["BrimEars"] = new RowsFormat<BrimEar>(["x", "y", "diameter"], 10_000, -Far, Far, BrimEar.Of, e => [e.X, e.Y, e.Diameter], BrimEar.Problem),
+        ["SeamPoint"] = new NumbersFormat<Vec3>(["x", "y"], -Far, Far, n => new Vec3(n[0], n[1]), v => [v.X, v.Y]),
+        ["SeamEnforcers"] = new RowsFormat<SeamMark>(
+            ["x", "y", "z", "radius"], 10_000, -Far, Far, SeamMark.Of, m => [m.Place.X, m.Place.Y, m.Place.Z, m.Radius], SeamMark.Problem),
+        ["ToolChanges"] = new RowsFormat<ToolChange>(["from", "tool"], 1000, 0, 10_000, ToolChange.Of, c => [c.From, c.Tool], ToolChange.Problem),
+    };
+
+    private static string? Ascends(ValueList<HeadPoint> outline)
+    {
+        for (var i = 1; i < outline.Count; i++)
+        {
+            if (outline[i].Radius <= outline[i - 1].Radius || outline[i].Height < outline[i - 1].Height) return "must have ascending radii and heights";
+        }
+        return outline[0].Height == 0 ? null : "must begin at the tip, height 0";
+    }
+
+    private static Bounds? MakeBox(double[] n)
+        => n[0] <= n[3] && n[1] <= n[4] && n[2] <= n[5] ? new Bounds(new Vec3(n[0], n[1], n[2]), new Vec3(n[3], n[4], n[5])) : null;
+
+    private static double[] TakeBox(Bounds b) => [b.Min.X, b.Min.Y, b.Min.Z, b.Max.X, b.Max.Y, b.Max.Z];
+}
