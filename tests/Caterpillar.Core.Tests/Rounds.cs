@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
 
 namespace Caterpillar.Tests;
 
@@ -12,4 +14,12 @@ internal static class Rounds
     public static int Of(int quick, int full) => Full ? full : quick;
 
     public static int Of(int quick, int full, int onMono) => OnMono ? onMono : Of(quick, full);
+
+    /// <summary>Of what is tried in each of many cases, by default some for each case, in turn, so that all cases together try all.</summary>
+    public static IEnumerable<T> InTurn<T>(IEnumerable<T> all, int nth, int quick)
+    {
+        if (Full) return all;
+        var each = all.ToArray();
+        return Enumerable.Range(nth * quick, quick).Select(i => each[i % each.Length]);
+    }
 }

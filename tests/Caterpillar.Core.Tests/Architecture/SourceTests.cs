@@ -48,9 +48,9 @@ public class SourceTests
                 @"(?<!\b(this|either|any|other|same|some|a|no|by) )\bways?\b",
             @"\b(Homers|DrivenWord|LayerBook|Tally|Retooler|GapGauge|WholeFile|WholeFormat|FlagFormat|WithoutSpecks|PlanCounts)\b",
         ];
-        var words = new Regex(string.Join("|", banned), RegexOptions.CultureInvariant);
+        var words = new Regex(string.Join("|", banned), RegexOptions.CultureInvariant | RegexOptions.Compiled);
         var found = Sources().Concat(Texts())
-            .Where(file => !file.EndsWith("SourceTests.cs", StringComparison.Ordinal))
+            .Where(file => !file.EndsWith("SourceTests.cs", StringComparison.Ordinal) && words.IsMatch(File.ReadAllText(file)))
             .SelectMany(file => File.ReadLines(file).Select((line, i) => (Text: line, Place: $"{file}:{i + 1}")))
             .Where(l => words.IsMatch(l.Text))
             .Select(l => $"{l.Place}: \"{words.Match(l.Text).Value}\" in: {l.Text.Trim()}");

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Caterpillar.GCode;
@@ -21,9 +22,11 @@ public class CrossingTests
 
     private static readonly GeometryFactory Factory = new();
 
-    [Test]
-    public void No_extrusion_crosses_a_hole_and_no_travel_a_wall_without_retraction(
-        [Values("plate_holes.stl", "tube_thin.stl", "torus.obj", "nested_boxes.obj")] string name, [Values(true, false)] bool infill)
+    private static IEnumerable<TestCaseData> Cases() => new[] { "plate_holes.stl", "tube_thin.stl", "torus.obj", "nested_boxes.obj" }
+        .SelectMany((name, i) => Rounds.InTurn([true, false], i, 1).Select(infill => new TestCaseData(name, infill)));
+
+    [TestCaseSource(nameof(Cases))]
+    public void No_extrusion_crosses_a_hole_and_no_travel_a_wall_without_retraction(string name, bool infill)
     {
         var mesh = MeshReader.ReadMerged(TestData.Shared("meshes/" + name)).Value!.Moved(new Vec3(110, 110));
         var setup = new PrintSetup

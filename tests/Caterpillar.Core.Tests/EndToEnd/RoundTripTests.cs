@@ -24,13 +24,11 @@ public class RoundTripTests
     {
         var library = new ProfileLibrary();
         var profiles = library.PrinterNames.Where(name => library.Printer(name).Value!.ExtrusionUnit != ExtrusionUnit.None).ToArray();
-        foreach (var mode in new[] { ExtrusionMode.Relative, ExtrusionMode.Absolute })
-        {
-            foreach (var mesh in Closed) yield return new TestCaseData(mesh, "generic", mode);
-            // Every profile sees a model with islands and holes; Mono is slow, so the large ones stay with the generic printer.
-            foreach (var profile in profiles.Where(p => p != "generic")) yield return new TestCaseData("plate_holes.stl", profile, mode);
-            foreach (var profile in profiles.Where(p => p != "generic")) yield return new TestCaseData("torus.obj", profile, mode);
-        }
+        // Every profile sees a model with islands and holes; Mono is slow, so the large ones stay with the generic printer.
+        var prints = Closed.Select(mesh => (Mesh: mesh, Profile: "generic"))
+            .Concat(profiles.Where(p => p != "generic").SelectMany(p => new[] { ("plate_holes.stl", p), ("torus.obj", p) }));
+        ExtrusionMode[] modes = [ExtrusionMode.Relative, ExtrusionMode.Absolute];
+        return prints.SelectMany((print, i) => Rounds.InTurn(modes, i, 1).Select(mode => new TestCaseData(print.Mesh, print.Profile, mode)));
     }
 
     [TestCaseSource(nameof(Cases))]

@@ -29,6 +29,9 @@ internal static class GCodeFiles
     public static IEnumerable<string> Affordable()
         => !Rounds.OnMono ? All() : All().Where(f => !f.EndsWith(".gz", StringComparison.Ordinal));
 
+    /// <summary>The number of a file among all.</summary>
+    public static int NumberOf(string file) => Array.IndexOf(All().ToArray(), file);
+
     public static byte[] Bytes(string file) => TestData.ReadBytes(TestData.Shared("gcode/" + file));
 
     public static GCodeDocument Document(string file) => GCodeDocument.FromBytes(Bytes(file), file);

@@ -17,25 +17,25 @@ public class PlainMovesTests
     public void Files_are_converted_alike(string file)
     {
         var decoded = GCodeDecoder.Decode(GCodeFiles.Document(file)).Value!;
-        foreach (var options in Conversions()) Compare(decoded, options);
+        foreach (var options in Rounds.InTurn(Conversions(), GCodeFiles.NumberOf(file), 2)) Compare(decoded, options);
     }
 
     [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Chosen))]
     public void Files_are_edited_alike(string file)
     {
         var decoded = GCodeDecoder.Decode(GCodeFiles.Document(file)).Value!;
-        foreach (var edited in Edits(decoded.Toolpath)) Compare(decoded, edited);
+        foreach (var edit in Rounds.InTurn(Edits, GCodeFiles.NumberOf(file), 2)) Compare(decoded, edit(decoded.Toolpath));
     }
 
     [Test]
     public void Random_programs_are_written_alike()
     {
-        for (var seed = 0; seed < 300; seed++)
+        for (var seed = 0; seed < Rounds.Of(quick: 300, full: 300, onMono: 100); seed++)
         {
             var random = new Random(seed);
             var decoded = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(Program(random)), new DecodeOptions { Flavor = Flavor(random) }).Value!;
             Compare(decoded, Conversions().ElementAt(random.Next(8)));
-            Compare(decoded, Edits(decoded.Toolpath).ElementAt(random.Next(6)));
+            Compare(decoded, Edits[random.Next(6)](decoded.Toolpath));
         }
     }
 
@@ -55,7 +55,7 @@ public class PlainMovesTests
     {
         var random = new Random(8);
         var text = new StringBuilder();
-        while (text.Length < 2_000_000) text.Append(Program(random));
+        while (text.Length < Rounds.Of(quick: 900_000, full: 2_000_000)) text.Append(Program(random));
         var decoded = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text.ToString())).Value!;
         var edits = new[] { decoded.Toolpath.Transform(Affine.Move(new Vec3(10, 5, 0))), decoded.Toolpath.ScaleSpeed(new MoveFilter { Tool = 1 }, 0.5) };
         foreach (var threads in new[] { 2, 5 })
@@ -74,15 +74,15 @@ public class PlainMovesTests
         new() { DecimalsXyz = 3, DecimalsE = 4 }, new() { DecimalsXyz = 2, DecimalsE = 3, DecimalsF = 0 }, new() { DecimalsF = 1, RelativeE = true },
     ];
 
-    private static IEnumerable<Toolpath> Edits(Toolpath toolpath)
-    {
-        yield return toolpath.Transform(Affine.Move(new Vec3(10, 5, 0)));
-        yield return toolpath.Transform(Affine.Scale(1.01));
-        yield return toolpath.ScaleSpeed(MoveFilter.Prints, 0.9);
-        yield return toolpath.ScaleFlow(MoveFilter.Prints, 1.07);
-        yield return toolpath.Remove(new MoveFilter { FirstLayer = 1, LastLayer = 2 });
-        yield return toolpath.Insert(toolpath.Count / 2, new PauseEvent()).ScaleFlow(new MoveFilter { Tool = 0 }, 0.5);
-    }
+    private static readonly Func<Toolpath, Toolpath>[] Edits =
+    [
+        t => t.Transform(Affine.Move(new Vec3(10, 5, 0))),
+        t => t.Transform(Affine.Scale(1.01)),
+        t => t.ScaleSpeed(MoveFilter.Prints, 0.9),
+        t => t.ScaleFlow(MoveFilter.Prints, 1.07),
+        t => t.Remove(new MoveFilter { FirstLayer = 1, LastLayer = 2 }),
+        t => t.Insert(t.Count / 2, new PauseEvent()).ScaleFlow(new MoveFilter { Tool = 0 }, 0.5),
+    ];
 
     private static void Compare(DecodedGCode decoded, ConvertOptions options)
         => Same(GCodeConverter.ToDocument(decoded, options with { GeneralPath = true }).Value, GCodeConverter.ToDocument(decoded, options).Value,

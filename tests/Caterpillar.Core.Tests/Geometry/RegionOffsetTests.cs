@@ -85,7 +85,7 @@ public class RegionOffsetTests
     public void Offsets_are_what_sweeping_every_edge_and_corner_gives(JoinStyle join)
     {
         var random = new Random(12);
-        for (var k = 0; k < (Fast ? 60 : 12) / (join == JoinStyle.Round ? 2 : 1); k++)
+        for (var k = 0; k < Rounds.Of(24, 60, 12) / (join == JoinStyle.Round ? 2 : 1); k++)
         {
             var region = (k % 6) switch
             {

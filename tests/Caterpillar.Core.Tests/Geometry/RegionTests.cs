@@ -165,7 +165,7 @@ public class RegionTests
     {
         var random = new Random(points);
         // In grid units of 10 nm the crossings are rounded hard; in mm they are not. The reference works in mm.
-        for (var k = 0; k < (Fast ? times : times / 20); k++)
+        for (var k = 0; k < Rounds.Of(times / 3, times, times / 20); k++)
         {
             var contour = RegionReference.Random(random, points, size);
             var region = Region.From(contour, FillRule.EvenOdd);
@@ -218,7 +218,7 @@ public class RegionTests
     public void Booleans_agree_with_NetTopologySuite()
     {
         var random = new Random(11);
-        for (var k = 0; k < (Fast ? 300 : 30); k++)
+        for (var k = 0; k < Rounds.Of(100, 300, 30); k++)
         {
             var a = Region.From(new[] { RegionReference.Star(random, 60, 0, 0, 2, 10), RegionReference.Star(random, 20, 5, 3, 2, 10) }, FillRule.EvenOdd);
             var b = Region.From(RegionReference.Random(random, 9, 12), FillRule.EvenOdd);

@@ -130,7 +130,7 @@ public class ProfileReaderTests
         var random = new Random(11);
         var text = ProfileWriter.Write(new Printer { StartGCode =
             new ValueList<string>("G28", "{if bed_temperature_c > 0}M190 S{bed_temperature_c}{endif}") });
-        for (var i = 0; i < 3000; i++)
+        for (var i = 0; i < Rounds.Of(quick: 700, full: 3000, onMono: 300); i++)
         {
             var chars = text.ToCharArray();
             for (var k = random.Next(1, 6); k > 0; k--) chars[random.Next(chars.Length)] = "{}[]\",:0-9e.tfn\\ /*\n\0ü"[random.Next(22)];

@@ -55,6 +55,17 @@ public class ProfileSchemaTests
     }
 
     [Test]
+    public void Each_property_of_a_profile_but_its_name_has_one_key()
+    {
+        Assert.That(ProfileKinds.Printer.Keys.Select(k => k.Property), Is.EquivalentTo(Properties<Printer>()));
+        Assert.That(ProfileKinds.Material.Keys.Select(k => k.Property), Is.EquivalentTo(Properties<Material>()));
+        Assert.That(ProfileKinds.Settings.Keys.Select(k => k.Property), Is.EquivalentTo(Properties<PrintSettings>()));
+
+        static IEnumerable<string> Properties<T>()
+            => typeof(T).GetProperties().Where(p => p.SetMethod is { IsPublic: true }).Select(p => p.Name).Where(name => name != "Name");
+    }
+
+    [Test]
     public void Keys_are_snake_case_and_unique_over_the_three_kinds()
     {
         var keys = ProfileKeys.Printer.Concat(ProfileKeys.Material).Concat(ProfileKeys.Settings).Select(k => k.Name).ToArray();

@@ -23,9 +23,11 @@ public class SupportGapTests
 
     private static bool IsSupport(PathStep step) => step.Path.Role is Role.Support or Role.SupportInterface;
 
-    [Test]
-    public void Beads_of_supports_keep_away_from_those_of_the_part(
-        [ValueSource(nameof(Meshes))] string mesh, [Values(SupportKind.Grid, SupportKind.Tree)] SupportKind kind)
+    private static IEnumerable<TestCaseData> Cases() => Meshes
+        .SelectMany((mesh, i) => Rounds.InTurn([SupportKind.Grid, SupportKind.Tree], i, 1).Select(kind => new TestCaseData(mesh, kind)));
+
+    [TestCaseSource(nameof(Cases))]
+    public void Beads_of_supports_keep_away_from_those_of_the_part(string mesh, SupportKind kind)
     {
         var settings = new PrintSettings
         {
