@@ -26,7 +26,7 @@ public class RoundTripTests
         var profiles = library.PrinterNames.Where(name => library.Printer(name).Value!.ExtrusionUnit != ExtrusionUnit.None).ToArray();
         // Every profile sees a model with islands and holes; Mono is slow, so the large ones stay with the generic printer.
         var prints = Closed.Select(mesh => (Mesh: mesh, Profile: "generic"))
-            .Concat(profiles.Where(p => p != "generic").SelectMany(p => new[] { ("plate_holes.stl", p), ("torus.obj", p) }));
+            .Concat(profiles.Where(p => p != "generic").SelectMany(p => new[] { (Mesh: "plate_holes.stl", Profile: p), (Mesh: "torus.obj", Profile: p) }));
         ExtrusionMode[] modes = [ExtrusionMode.Relative, ExtrusionMode.Absolute];
         return prints.SelectMany((print, i) => Rounds.InTurn(modes, i, 1).Select(mode => new TestCaseData(print.Mesh, print.Profile, mode)));
     }
