@@ -7,13 +7,11 @@ internal static class IslandFinder
     {
         var paths = region.Paths;
         var areas = new long[paths.Length];
-        var boxes = new GridBox[paths.Length];
         var members = new List<GridPoint[]>?[paths.Length];
         var outers = 0;
         for (var i = 0; i < paths.Length; i++)
         {
             areas[i] = Grid.DoubleArea(paths[i], 0, paths[i].Length);
-            boxes[i] = GridBox.Of(paths[i]);
             if (areas[i] <= 0) continue;
             members[i] = new List<GridPoint[]> { paths[i] };
             outers++;
@@ -23,7 +21,7 @@ internal static class IslandFinder
         for (var i = 0; i < paths.Length; i++)
         {
             if (areas[i] > 0) continue;
-            var owner = Owner(i, paths, areas, boxes);
+            var owner = Owner(i, region, areas);
             if (owner >= 0) members[owner]!.Add(paths[i]);
         }
         var islands = new Region[outers];
@@ -35,10 +33,11 @@ internal static class IslandFinder
         return islands;
     }
 
-    private static int Owner(int hole, GridPoint[][] paths, long[] areas, GridBox[] boxes)
+    private static int Owner(int hole, Region region, long[] areas)
     {
+        var (paths, boxes) = (region.Paths, region.Boxes);
         var owner = -1;
-        for (var k = 0; k < paths.Length; k++)
+        foreach (var k in region.Reaching([boxes[hole]]))
         {
             if (areas[k] < -areas[hole] || (owner >= 0 && areas[k] >= areas[owner])) continue;
             if (boxes[k].MinX > boxes[hole].MinX || boxes[k].MaxX < boxes[hole].MaxX || boxes[k].MinY > boxes[hole].MinY

@@ -7,11 +7,13 @@ namespace Caterpillar.Geometry;
 /// </summary>
 public sealed class Region
 {
+    private const int GroupSize = 32;
     private readonly GridPoint[][] _paths;
     private Polyline[]? _contours;
     private Region[]? _islands;
     private RegionIndex? _index;
     private GridBox[]? _boxes;
+    private GridBox[]? _groups;
 
     private Region(GridPoint[][] paths) => _paths = paths;
 
@@ -181,13 +183,32 @@ public sealed class Region
     internal GridBox[] Boxes => _boxes ?? Interlocked.CompareExchange(ref _boxes, Array.ConvertAll(_paths, GridBox.Of), null) ?? _boxes!;
 
     /// <summary>The box of the whole region, on the grid.</summary>
-    internal GridBox Box
+    internal GridBox Box => GridBox.Around(Groups, 0, Groups.Length);
+
+    /// <summary>The numbers of the contours whose boxes reach into one of some boxes, ascending.</summary>
+    internal IEnumerable<int> Reaching(GridBox[] places)
+    {
+        for (var group = 0; group < Groups.Length; group++)
+        {
+            var around = Groups[group];
+            if (!GridBox.Overlap(places, around)) continue;
+            var here = places.Length == 1 ? places : Array.FindAll(places, p => GridBox.Overlap(p, around));
+            for (var i = group * GroupSize; i < Math.Min((group + 1) * GroupSize, Boxes.Length); i++)
+            {
+                if (GridBox.Overlap(here, Boxes[i])) yield return i;
+            }
+        }
+    }
+
+    // The boxes around so many contours that follow each other, and so mostly lie together.
+    private GridBox[] Groups
     {
         get
         {
-            var box = GridBox.Nothing;
-            foreach (var part in Boxes) box.Include(part);
-            return box;
+            if (_groups is { } known) return known;
+            var groups = new GridBox[(Boxes.Length + GroupSize - 1) / GroupSize];
+            for (var i = 0; i < groups.Length; i++) groups[i] = GridBox.Around(Boxes, i * GroupSize, Math.Min((i + 1) * GroupSize, Boxes.Length));
+            return _groups = groups;
         }
     }
 

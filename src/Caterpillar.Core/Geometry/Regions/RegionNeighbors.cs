@@ -6,24 +6,17 @@ internal static class RegionNeighbors
     /// <summary>
     /// The contours whose boxes reach into a box. Inside the box the result covers what the region covers; outside of it holes may be filled.
     /// </summary>
-    public static Region Near(this Region region, in GridBox box)
-    {
-        var place = box;
-        // A hole never stays without its outline, whose box is larger.
-        return Only(region, part => GridBox.Overlap(part, place));
-    }
+    public static Region Near(this Region region, in GridBox box) => Only(region, [box]);
 
     /// <summary>The same for several boxes, each with what is around it up to a distance, mm.</summary>
     public static Region Near(this Region region, IReadOnlyList<GridBox> boxes, double distance)
-    {
-        var places = boxes.Select(box => box.Grown(distance)).ToArray();
-        return Only(region, part => Array.Exists(places, p => GridBox.Overlap(part, p)));
-    }
+        => Only(region, [.. boxes.Select(box => box.Grown(distance))]);
 
-    private static Region Only(Region region, Predicate<GridBox> isNear)
+    // A hole never stays without its outline, whose box is larger.
+    private static Region Only(Region region, GridBox[] places)
     {
-        var near = Array.ConvertAll(region.Boxes, b => isNear(b));
-        return Array.TrueForAll(near, n => n) ? region : Region.Own([.. region.Paths.Where((_, i) => near[i])]);
+        GridPoint[][] near = [.. region.Reaching(places).Select(i => region.Paths[i])];
+        return near.Length == region.Paths.Length ? region : Region.Own(near);
     }
 
     /// <summary>
@@ -33,10 +26,8 @@ internal static class RegionNeighbors
     public static Region Cropped(this Region region, in GridBox box)
     {
         var paths = new List<GridPoint[]>();
-        var boxes = region.Boxes;
-        for (var i = 0; i < boxes.Length; i++)
+        foreach (var i in region.Reaching([box]))
         {
-            if (!GridBox.Overlap(boxes[i], box)) continue;
             var path = Cropped(region.Paths[i], box);
             if (path.Length > 2) paths.Add(path);
         }
@@ -65,7 +56,12 @@ internal static class RegionNeighbors
     public static bool SameAs(this Region region, Region other)
     {
         if (ReferenceEquals(region, other)) return true;
-        return region.Paths.Length == other.Paths.Length && region.Paths.Zip(other.Paths, (a, b) => a.SequenceEqual(b)).All(same => same);
+        if (region.Paths.Length != other.Paths.Length) return false;
+        for (var i = 0; i < region.Paths.Length; i++)
+        {
+            if (!region.Paths[i].SequenceEqual(other.Paths[i])) return false;
+        }
+        return true;
     }
 
     /// <summary>
@@ -80,11 +76,7 @@ internal static class RegionNeighbors
         if (RegionMeeting.Meet(region.Index, other.Index)) return false;
         if (!other.Paths.All(path => region.Index.Contains(path[0].X, path[0].Y))) return false;
         // A hole of this region within the other one.
-        for (var i = 0; i < region.Paths.Length; i++)
-        {
-            if (GridBox.Overlap(region.Boxes[i], inner) && other.Index.Contains(region.Paths[i][0].X, region.Paths[i][0].Y)) return false;
-        }
-        return true;
+        return !region.Reaching([inner]).Any(i => other.Index.Contains(region.Paths[i][0].X, region.Paths[i][0].Y));
     }
 
     /// <summary>True if a small region neither touches this one nor is inside it or around a piece of it.</summary>

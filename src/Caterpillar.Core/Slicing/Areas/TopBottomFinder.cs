@@ -67,12 +67,10 @@ internal sealed class TopBottomFinder(LayerWork layer, SliceRules rules, RegionE
 
     private Region Covered(Region area, int direction, int count)
     {
-        var last = Region.Empty;
         for (var k = 1; k <= count && !area.IsEmpty; k++)
         {
+            if (k > 1 && layer.AreAlike(direction * k, direction * (k - 1))) continue;
             var other = layer.RegionAt(direction * k);
-            if (k > 1 && other.SameAs(last)) continue;
-            last = other;
             if (!other.Surrounds(area)) area = area.Intersect(other.Near(area.Box), engine);
         }
         return area;

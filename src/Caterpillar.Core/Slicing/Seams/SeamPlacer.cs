@@ -151,6 +151,8 @@ internal sealed class SeamPlacer(Body body)
     private int[] Matches(Vec3[][] loops)
     {
         var pairs = new List<(double Square, int Seam, int Loop)>();
+        var order = Enumerable.Range(0, _below.Count).OrderBy(k => _below[k].Point.X).ToArray();
+        var along = Array.ConvertAll(order, k => _below[k].Point.X);
         var nearest = new (double Square, int Loop)[_below.Count];
         for (var k = 0; k < nearest.Length; k++) nearest[k] = (Reach * Reach, -1);
         for (var i = 0; i < loops.Length; i++)
@@ -158,8 +160,11 @@ internal sealed class SeamPlacer(Body body)
             var box = Bounds.Of(loops[i]);
             var reach = Math.Max(Reach, ReachShare * 2 * (box.Size.X + box.Size.Y));
             var isHole = IsHole(loops[i]);
-            for (var k = 0; k < _below.Count; k++)
+            // A little more than what is in reach, which the test below decides.
+            var first = Array.BinarySearch(along, box.Min.X - 1.001 * reach);
+            for (var at = first < 0 ? ~first : first; at < order.Length && along[at] <= box.Max.X + 1.001 * reach; at++)
             {
+                var k = order[at];
                 if (_below[k].IsHole != isHole || WallChains.SquareTo(box, _below[k].Point) > reach * reach) continue;
                 var square = SquareTo(loops[i], _below[k].Point);
                 if (square <= reach * reach) pairs.Add((square, k, i));

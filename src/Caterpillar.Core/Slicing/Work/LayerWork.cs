@@ -3,6 +3,8 @@ namespace Caterpillar.Slicing;
 /// <summary>A layer of a body as it passes through the stages. Each stage writes its own part; a layer's neighbors are only read.</summary>
 internal sealed class LayerWork(Body body, int index, PlannedLayer plan, SliceRules rules)
 {
+    private StrongBox<bool>? _isLikeBelow;
+
     public Body Body { get; } = body;
 
     /// <summary>Number in the body, from the bed.</summary>
@@ -53,12 +55,21 @@ internal sealed class LayerWork(Body body, int index, PlannedLayer plan, SliceRu
         return at >= 0 && at < Body.Layers.Length ? Body.Layers[at].Region : Region.Empty;
     }
 
+    /// <summary>Whether two neighboring layers, so many layers higher, cover the same. Found once, when they have their regions.</summary>
+    public bool AreAlike(int offset, int next)
+    {
+        var upper = Index + Math.Max(offset, next);
+        return upper > 0 && upper < Body.Layers.Length ? Body.Layers[upper].IsLikeBelow : RegionAt(offset).SameAs(RegionAt(next));
+    }
+
+    private bool IsLikeBelow => (_isLikeBelow ??= new StrongBox<bool>(Region.SameAs(RegionAt(-1)))).Value;
+
     /// <summary>What the layer below covers near an island of this one, or null where nothing of the island hangs over it.</summary>
     public Region? BelowHanging(Region island)
     {
         if (Index == 0) return null;
         var below = RegionAt(-1);
-        if (below.IsEmpty || below.SameAs(Region)) return null;
+        if (below.IsEmpty || IsLikeBelow) return null;
         // Where the lower layer reaches beyond the island all around, all its walls lie on it.
         return below.Surrounds(island) ? null : below.Near(island.Box);
     }

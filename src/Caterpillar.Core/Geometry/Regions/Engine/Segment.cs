@@ -55,6 +55,24 @@ internal struct GridBox
 
     public static bool Overlap(in GridBox a, in GridBox b) => a.MinX <= b.MaxX && b.MinX <= a.MaxX && a.MinY <= b.MaxY && b.MinY <= a.MaxY;
 
+    /// <summary>Whether one of some boxes overlaps another one.</summary>
+    public static bool Overlap(GridBox[] boxes, in GridBox other)
+    {
+        foreach (var box in boxes)
+        {
+            if (Overlap(box, other)) return true;
+        }
+        return false;
+    }
+
+    /// <summary>The box around some of many boxes.</summary>
+    public static GridBox Around(GridBox[] boxes, int first, int end)
+    {
+        var box = Nothing;
+        for (var i = first; i < end; i++) box.Include(boxes[i]);
+        return box;
+    }
+
     public static GridBox Of(in Segment s)
         => new() { MinX = Math.Min(s.Ax, s.Bx), MinY = Math.Min(s.Ay, s.By), MaxX = Math.Max(s.Ax, s.Bx), MaxY = Math.Max(s.Ay, s.By) };
 
