@@ -19,6 +19,7 @@ namespace Caterpillar.Bench;
 /// <c>dotnet run -c Release --project bench -- curved PROGRAM MODELS</c>: curved against planar slicing with the published PROGRAM.
 /// <c>dotnet run -c Release --project bench -- guard</c>: what reading back costs beside writing.
 /// <c>dotnet run -c Release --project bench -- mesh TRIANGLES FILE.stl</c>: a bumpy sphere of about so many triangles.
+/// <c>dotnet run -c Release --project bench -- pins COUNT FILE.stl</c>: so many pins as one mesh (bench/growth.sh).
 /// <c>dotnet run -c Release --project bench -- stl MODEL FILE.stl</c>: a model as binary STL, which all slicers read.
 /// </summary>
 internal static class Program
@@ -40,6 +41,7 @@ internal static class Program
         else if (arguments is ["stages", _, ..]) Stages.Run(arguments[1..]);
         else if (arguments is ["guard"]) GuardTimes.Run();
         else if (arguments is ["mesh", var triangles, var file]) Samples.WriteSphere(int.Parse(triangles, CultureInfo.InvariantCulture), file);
+        else if (arguments is ["pins", var pins, var pinsFile]) Samples.WritePins(int.Parse(pins, CultureInfo.InvariantCulture), pinsFile);
         else BenchmarkSwitcher.FromAssembly(typeof(Program).Assembly).Run(arguments);
     }
 }

@@ -62,6 +62,14 @@ internal static class Samples
         File.WriteAllBytes(file, StlWriter.ToBytes(BumpySphere(2 * rings, rings)));
     }
 
+    /// <summary>Round pins of 3 mm, 2 mm high, 5 mm apart, as one mesh.</summary>
+    public static void WritePins(int count, string file)
+    {
+        var columns = (int)Math.Ceiling(Math.Sqrt(count));
+        var pins = Enumerable.Range(0, count).Select(i => Prism.On(Region.From([Round(i % columns * 5, i / columns * 5, 1.5, 12)]), 2));
+        File.WriteAllBytes(file, StlWriter.ToBytes(TriMesh.Merge([.. pins])));
+    }
+
     /// <summary>Plain parts, as people print them.</summary>
     public static void WriteParts(string folder)
     {

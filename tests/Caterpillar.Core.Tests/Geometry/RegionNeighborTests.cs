@@ -17,6 +17,8 @@ public class RegionNeighborTests
 
     private static readonly Region Frame = Square.Subtract(Region.Rectangle(3, 3, 7, 7));
 
+    private static Region FrameAt(double x, double y) => Region.Rectangle(x, y, x + 10, y + 10).Subtract(Region.Rectangle(x + 3, y + 3, x + 7, y + 7));
+
     private static Region Star(Random random, double size)
         => Region.From(RegionReference.Star(random, 3 + random.Next(30), 40 * random.NextDouble(), 40 * random.NextDouble(), size / 3, size));
 
@@ -142,5 +144,17 @@ public class RegionNeighborTests
         Assert.That(Region.Difference([a, b], [c, d], engine).Xor(a.Union(b).Subtract(c.Union(d))).Area, Is.EqualTo(0).Within(1e-3));
         Assert.That(a.Intersect([c, d], engine).Xor(a.Intersect(c.Union(d))).Area, Is.EqualTo(0).Within(1e-3));
         Assert.That(Region.Difference([], [c], engine).IsEmpty && Region.Difference([a], [], engine).Area == a.Area && a.Intersect([], engine).IsEmpty);
+    });
+
+    [Test]
+    public void Of_many_contours_the_near_ones_stay_in_their_order_and_holes_belong_to_the_outline_around_them() => ForAll(random =>
+    {
+        var many = Region.Beside(Enumerable.Range(0, 100).Select(i => FrameAt(20 * (i % 12), 20 * (i / 12))));
+        var boxes = Enumerable.Range(0, 1 + random.Next(3)).Select(_ => (X: 250 * random.NextDouble(), Y: 190 * random.NextDouble()))
+            .Select(p => Region.Rectangle(p.X, p.Y, p.X + 50 * random.NextDouble() + 1, p.Y + 9).Box).ToArray();
+        bool IsNear(GridPoint[] path) => boxes.Any(b => GridBox.Overlap(GridBox.Of(path), b));
+        Assert.That(many.Near(boxes, 0).Paths, Is.EqualTo(many.Paths.Where(IsNear)));
+        Assert.That(many.Islands, Has.Count.EqualTo(100));
+        Assert.That(many.Islands, Has.All.Matches<Region>(i => i.Paths.Length == 2 && i.Area == Frame.Area));
     });
 }
