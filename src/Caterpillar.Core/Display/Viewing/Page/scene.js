@@ -31,8 +31,18 @@ void main() {
   uint row = rowAt(first + gl_VertexID / (2 * sides));
   vec2 at = around[corner % sides];
   bool end = corner >= sides;
-  int i = int(row);
-  vec4 a = point(i), b = point(i + 1);
+  int i = int(row), j = i + 1;
+  vec4 a = point(i), b = point(j);
+  if (skip > 1) {
+    // Of rows without a gap that run on nearly straight, one bead shows all up to the next one drawn.
+    int far = int(rowAt(first + gl_VertexID / (2 * sides) + 1));
+    vec3 on = point(far).xyz - a.xyz;
+    if (far - i == skip && uint(far) <= last && dot(normalize(b.xyz - a.xyz), normalize(on)) > 0.9
+      && length(on) > 0.5 * float(skip) * length(b.xyz - a.xyz)) {
+      j = far;
+      b.xyz = a.xyz + on;
+    }
+  }
   if (row == last) b.xyz = mix(a.xyz, b.xyz, part);
   float size = abs(b.w), width = floor(size / 4096.0) * unit, height = mod(size, 4096.0) * unit;
   vec3 d = b.xyz - a.xyz;
@@ -41,7 +51,7 @@ void main() {
   if (blob) d = vec3(0, 0, 1);
   d = length(d) > 1e-6 ? normalize(d) : vec3(1, 0, 0);
   vec3 side = sideOf(d), up = cross(side, d);
-  vec4 other = point(end ? i + 2 : i - 1);
+  vec4 other = point(end ? j + 1 : i - 1);
   // The width of a row is with its end; a row without width is no extrusion.
   float otherWidth = end ? other.w : a.w;
   vec3 o = end ? other.xyz - b.xyz : a.xyz - other.xyz;
