@@ -18,7 +18,7 @@ internal static class Legends
         (Role.OuterWall, "outer wall"), (Role.InnerWall, "inner wall"), (Role.OverhangWall, "overhang wall"), (Role.Infill, "infill"),
         (Role.SolidInfill, "solid infill"), (Role.TopSurface, "top surface"), (Role.BottomSurface, "bottom surface"), (Role.Bridge, "bridge"),
         (Role.GapFill, "gap fill"), (Role.Ironing, "ironing"), (Role.Skirt, "skirt, brim"), (Role.Support, "support, raft"),
-        (Role.SupportInterface, "support interface"), (Role.PrimeTower, "purge tower"), (Role.Unspecified, "turtles, traces, curves"),
+        (Role.SupportInterface, "support interface"), (Role.PrimeTower, "prime tower"), (Role.Unspecified, "turtles, traces, curves"),
     ];
 
     /// <summary>Writes <c>legend_roles.svg</c> and <c>legend_scale.svg</c>.</summary>

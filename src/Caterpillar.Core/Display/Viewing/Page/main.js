@@ -121,15 +121,15 @@ function timeText(row) {
   return `${when}, ${layerText(row)}`;
 }
 
-// Pauses and changes of tools, as rows with a text.
+// Pauses and changes of tools, as rows with a text. Changes in every layer would hide the slider.
 function marks() {
-  const places = head.events.filter((e) => e[1] === "pause").map((e) => [e[0], `Pause, ${timeText(Math.min(e[0], moves.rows - 1))}`]);
+  const pauses = head.events.filter((e) => e[1] === "pause").map((e) => [e[0], `Pause, ${timeText(Math.min(e[0], moves.rows - 1))}`]), changes = [];
   for (let i = 1, tool = moves.tool[0]; i < moves.rows; i++) {
     if (moves.tool[i] === tool) continue;
     tool = moves.tool[i];
-    places.push([i, `Tool T${tool}, ${timeText(i)}`]);
+    changes.push([i, `Tool T${tool}, ${timeText(i)}`]);
   }
-  return places.slice(0, 1000);
+  return [...pauses, ...(changes.length > 40 ? [] : changes)].slice(0, 1000);
 }
 
 function setCut() {
