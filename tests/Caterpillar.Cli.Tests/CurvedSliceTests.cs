@@ -112,13 +112,20 @@ public class CurvedSliceTests : CliFixture
     public void The_tool_tilts_along_the_layers_where_asked()
     {
         File.WriteAllText("part.stl", Box(20, 10, 3));
-        Assert.That(Run("slice", "part.stl", "--surface", "0.2 * x", "--tilt", "bc").Code, Is.Zero);
-        Assert.That(File.ReadAllText("part.gcode"), Does.Contain(" B11.31 C180"));
-        Assert.That(Run("slice", "part.stl", "--surface", "0.2 * x", "--tilt", "ac=5").Code, Is.Zero);
-        Assert.That(File.ReadAllText("part.gcode"), Does.Contain(" A5 C270").Or.Contain(" A5 C-90"));
-        Assert.That(Run("slice", "part.stl", "--surface", "0.2 * x", "--tilt", "xyz").Code, Is.EqualTo(2));
-        Assert.That(Run("slice", "part.stl", "--tilt", "bc").Code, Is.EqualTo(2));
+        Assert.That(Run("slice", "part.stl", "--surface", "0.2 * x", "--tilt", "normal", "--set", Head).Code, Is.Zero);
+        Assert.That(File.ReadAllText("part.gcode"), Does.Contain(" B-11.31"), "C need not turn");
+        var table = Run("slice", "part.stl", "--surface", "0.2 * x", "--tilt", "normal", "--max-tilt", "5", "--set", "rotary_axes=A work x,C work z");
+        Assert.That(table.Code, Is.Zero);
+        Assert.That(File.ReadAllText("part.gcode"), Does.Contain(" A5 C-90"));
+        Assert.That(Run("slice", "part.stl", "--tilt", "from=110,110,-60", "--set", Head).Code, Is.Zero);
+        Assert.That(Run("slice", "part.stl", "--tilt", "0; -0.1; 1", "--set", Head).Code, Is.Zero);
+        foreach (var wrong in new[] { "bc", "toward=1,2", "normal", "1; 2", "x; y; +" })
+            Assert.That(Run("slice", "part.stl", "--tilt", wrong, "--set", Head).Code, Is.Not.Zero, wrong);
+        Assert.That(Run("slice", "part.stl", "--surface", "0.2 * x", "--tilt", "normal").Messages, Does.Contain("no axis that tilts"));
+        Assert.That(Run("slice", "part.stl", "--max-tilt", "5").Code, Is.EqualTo(2));
     }
+
+    private const string Head = "rotary_axes=C head z,B head y at 0 0 60";
 
     [Test]
     public void The_table_of_moves_shows_where_a_tilted_tool_points()
@@ -131,10 +138,10 @@ public class CurvedSliceTests : CliFixture
             return Run("decode", "part.gcode", "--csv").Text.Split('\n').Where(l => l.Length > 0).Select(l => l.Split(',')).ToArray();
         }
         Assert.That(Rows()[0], Does.Not.Contain("tool_z"));
-        var rows = Rows("--tilt", "bc");
+        var rows = Rows("--tilt", "normal", "--set", Head);
         Assert.That(rows[0].Skip(rows[0].Length - 6), Is.EqualTo(new[] { "a_deg", "b_deg", "c_deg", "tool_x", "tool_y", "tool_z" }));
         Assert.That(rows.Select(r => r.Length).Distinct().Count(), Is.EqualTo(1));
-        var printed = rows.First(r => r[2] == "print" && r[^5] == "11.31");
+        var printed = rows.First(r => r[2] == "print" && r[^5] == "-11.31");
         Assert.That(printed.Skip(printed.Length - 3).Select(double.Parse), Is.EqualTo(new[] { -0.196116, 0, 0.980581 }).Within(1e-5));
     }
 

@@ -25,13 +25,10 @@ internal sealed class CurvedOptionValues
         "Bend the model, slice it flat, and bend the toolpath back. cone=DEG: layers descend outward, or rise if negative. overhangs: layers descend from the "
             + "model's footprint on the bed. X;Y;Z: formulas for the bent point.", "cone=DEG|overhangs[=DEG]|X;Y;Z");
 
-    private readonly Described<string?> _tilt = new("--tilt",
-        "Tilt the tool along the layer normals, by at most DEG. bc, ac: rotary axes of the machine, which needs tool center point control.", "bc|ac[=DEG]");
-
     private readonly BoundaryOptions _boundaries = new();
     private readonly InfillAlong _along = new();
 
-    public Option[] All => [_surface, _field, _blend, _deform, _tilt, .. _onto.All, .. _boundaries.All, .. _along.All];
+    public Option[] All => [_surface, _field, _blend, _deform, .. _onto.All, .. _boundaries.All, .. _along.All];
 
     public bool IsGiven(ParseResult arguments) => HasField(arguments) || _onto.IsGiven(arguments);
 
@@ -55,7 +52,6 @@ internal sealed class CurvedOptionValues
         var ends = IsBetweenEnds(kind, surfaces);
         if (_boundaries.IsGiven(arguments) && !ends) throw Usage("--from and --to need --field harmonic or geodesic.");
         if (ends && surfaces.Length > 0) throw Usage($"--field {kind} cannot be combined with --surface. Use --from and --to.");
-        if (Tilt(arguments) is not null && !HasField(arguments)) throw Usage("--tilt needs --surface, --field or --deform.");
         if (!ends && kind is "vertical" or "normal" && surfaces.Length == 0 && field is not null) throw Usage($"--field {kind} needs --surface.");
         if (!ends && kind is not ("vertical" or "normal" or "between") && surfaces.Length > 0)
             throw Usage("--field with a formula cannot be combined with --surface.");
@@ -121,16 +117,6 @@ internal sealed class CurvedOptionValues
         => surface is null ? null : _along.Lines(arguments, surface, models, shift, setup, session);
 
     public double Squeeze(ParseResult arguments) => _onto.Squeeze(arguments);
-
-    /// <summary>Tilt of the tool; null = upright.</summary>
-    public ToolTilt? Tilt(ParseResult arguments)
-    {
-        if (arguments.GetValue(_tilt) is not { } text) return null;
-        var (word, number) = text.Split('=', 2) is [var w, var n] ? (w.Trim(), n) : (text.Trim(), "90");
-        if (word is not ("bc" or "ac") || Numbers.List(number, "--tilt") is not [var most and > 0 and <= 90])
-            throw Usage("--tilt needs bc or ac, optionally with an angle of 0 to 90 degrees, such as bc=45.");
-        return new ToolTilt(word == "bc" ? TiltAxes.BC : TiltAxes.AC, most);
-    }
 
     // Between surfaces, or between ends of the model itself.
     private static bool IsBetweenEnds(string kind, string[] surfaces) => kind is "harmonic" or "geodesic" || (kind == "between" && surfaces.Length == 0);

@@ -6,6 +6,7 @@ internal sealed record TimedFile(Timeline Timeline, string Limits)
     public static TimedFile Of(SetupOptions options, ParseResult arguments, DecodedGCode decoded, string name, Session session)
     {
         var (setup, limits) = LimitsOf(options.Resolve(arguments, session), options.IsGiven(arguments), decoded);
+        setup = setup with { Printer = decoded.AxesOn(setup.Printer) };
         var toolpath = decoded.Unrolled(setup.Printer);
         return new TimedFile(session.WithProgress("Planning " + name, progress => Timeline.Of(toolpath, setup, progress, session.Cancel)), limits);
     }

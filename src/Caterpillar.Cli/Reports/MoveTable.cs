@@ -25,7 +25,7 @@ internal sealed class MoveTable
         {
             var prefix = several ? Quoted(file) + "," : "";
             var count = 0;
-            var axes = ToolTilt.AxesOf(toolpath);
+            var axes = Kinematics.Guess(toolpath);
             foreach (var move in toolpath.Moves())
             {
                 if ((++count & 0xFFFF) == 0) cancel.ThrowIfCancellationRequested();
@@ -75,13 +75,13 @@ internal sealed class MoveTable
     }
 
     // The words, and where the tool points; upright where a file has none yet.
-    private void Turns((double A, double B, double C)? turns, TiltAxes? axes)
+    private void Turns((double A, double B, double C)? turns, Kinematics? axes)
     {
         var (a, b, c) = turns ?? default;
         Number(a);
         Number(b);
         Number(c);
-        if (axes is { } tilt) Point(ToolTilt.Direction(tilt, (a, b, c)));
+        if (axes is not null) Point(axes.Direction(new Vec3(a, b, c)));
         else Text(",,,");
     }
 

@@ -27,7 +27,7 @@ internal static class CurvedSlicing
         var meshes = models.Select(m => m.Mesh).ToArray();
         var field = curved.Field(arguments, meshes, shift, setup, session, out var surface);
         var lines = curved.InfillLines(arguments, surface, meshes, shift, setup, session);
-        options = options with { Tilt = curved.Tilt(arguments), InfillLines = lines is null ? null : _ => lines };
+        options = options with { InfillLines = lines is null ? null : _ => lines };
         return session.Run("Slicing", progress => PrintJob.Slice(models, field, setup, options, progress, session.Cancel));
     }
 

@@ -28,6 +28,7 @@ internal sealed class CurvesVerb : Verb
     private readonly Described<bool> _json = new("--json", "Print a report of plan and output as JSON.");
 
     private readonly OntoOptions _onto = new();
+    private readonly TiltOptions _tilt = new();
 
     private readonly Described<string?> _maxSize = new("--max-size", "Maximum file size. Larger files are not written.", "MB");
 
@@ -39,7 +40,8 @@ internal sealed class CurvesVerb : Verb
     {
         _sort.AcceptOnlyFromAmong("none", "orient", "nearest", "layer", "z", "tour");
         Arguments.Add(_file);
-        Add([.. _write.All, .. _extrusion.All, .. _division.All, _sort, _move, _layers, _map, _plan, _json, _maxSize, .. _onto.All, .. _setup.All]);
+        Add([.. _write.All, .. _extrusion.All, .. _division.All, _sort, _move, _layers, _map, _plan, _json, _maxSize]);
+        Add([.. _onto.All, .. _tilt.All, .. _setup.All]);
         AllowBatches();
     }
 
@@ -51,6 +53,7 @@ internal sealed class CurvesVerb : Verb
         if (json && target == "-") throw new CliException(ExitCode.Usage, "--json cannot be combined with G-code on standard output. Give -o FILE.");
         var limit = Numbers.MaybeAtLeast(arguments.GetValue(_maxSize), "--max-size", 0) * 1e6 ?? double.PositiveInfinity;
         _onto.Check(arguments);
+        _tilt.Check(arguments, false);
         var setup = _setup.Resolve(arguments, session);
         var sort = SortOf(arguments.GetValue(_sort)!);
         if (arguments.GetValue(_map) is { Length: > 0 } maps)
@@ -70,6 +73,7 @@ internal sealed class CurvesVerb : Verb
         var options = new PrintJobOptions
         {
             Policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn, Sort = sort, Memory = session.Memory,
+            Tilt = _tilt.Read(arguments, Vec3.Zero, setup, session),
         };
         using var job = _onto.Draw(arguments, steps, setup, options, session);
         var written = _write.Write(arguments, session, job, target, limit);

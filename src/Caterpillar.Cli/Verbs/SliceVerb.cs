@@ -13,6 +13,7 @@ internal sealed class SliceVerb : Verb
     private readonly ModelSettingOptions _own = new();
     private readonly InfillCurveOptions _infill = new();
     private readonly CurvedOptionValues _curved = new();
+    private readonly TiltOptions _tilt = new();
     private readonly Described<bool> _json = new("--json", "Print a report of plan and output as JSON.");
     private readonly SetupOptions _setup = new();
     private readonly WriteOptions _write = new();
@@ -22,7 +23,7 @@ internal sealed class SliceVerb : Verb
         : base("slice", "Slice meshes into G-code.", ["G-code"], ".gcode")
     {
         Arguments.Add(_models);
-        Add([.. _write.All, .. _setup.All, .. _placing.All, .. _own.All, .. _infill.All, .. _curved.All, _threads, _json]);
+        Add([.. _write.All, .. _setup.All, .. _placing.All, .. _own.All, .. _infill.All, .. _curved.All, .. _tilt.All, _threads, _json]);
         AllowBatches();
     }
 
@@ -34,6 +35,7 @@ internal sealed class SliceVerb : Verb
         if (json && output == "-") throw new CliException(ExitCode.Usage, "--json cannot be combined with G-code on standard output. Give -o FILE.");
         _placing.Check(arguments);
         _curved.Check(arguments);
+        _tilt.Check(arguments, _curved.HasField(arguments));
         using var job = Planned(files, arguments, session);
         var written = _write.Write(arguments, session, job, output);
         if (json) session.WriteText("-", text => text.Write(WorkReport.ToJson(files, output, [new("layers", job.Layers)], job.Plan, written)));
@@ -45,6 +47,7 @@ internal sealed class SliceVerb : Verb
         var setup = _setup.Resolve(arguments, session);
         var (read, models) = Models(files, arguments, ref setup, session);
         var options = new PrintJobOptions { Threads = arguments.GetValue(_threads), Memory = session.Memory };
+        options = options with { Tilt = _tilt.Read(arguments, models[0].Mesh.Mesh.Bounds.Min - read[0].Mesh.Bounds.Min, setup, session) };
         if (_curved.IsGiven(arguments)) return CurvedSlicing.Run(_curved, arguments, read, models, setup, options, session);
         if (!_write.Overrides(arguments) && ModelCheck.IsTooLarge([.. models.Where(m => m.Settings.ModelType == ModelType.Part).Select(m => m.Mesh)], setup))
         {

@@ -97,7 +97,7 @@ public sealed class PrintJob : IDisposable
         var curved = new CurvedOptions
         {
             Threads = options.Threads, Memory = options.Memory, InfillLines = options.InfillLines,
-            Onto = options.Onto is { } below ? PlanSurface.OnBed(below) : null, Partial = options.Partial, MaxTilt = options.Tilt?.MaxTilt ?? 0,
+            Onto = options.Onto is { } below ? PlanSurface.OnBed(below) : null, Partial = options.Partial, MaxTilt = Math.Min(options.Tilt?.MaxTilt ?? 0, 90),
         };
         var sliced = CurvedSlicer.SliceEach(models, field, setup, curved, progress.Part(0, 0.7), cancel);
         if (sliced.Value is not { } layers) return new Result<PrintJob>(null, sliced.Diagnostics);
@@ -227,7 +227,13 @@ public sealed class PrintJob : IDisposable
     {
         if (planned.Value is not { } plan) return new Result<PrintJob>(null, planned.Diagnostics);
         var toolpath = plan.Toolpath;
-        if (options.Tilt is { } tilt && field is not null) toolpath = tilt.Apply(toolpath, field.Normal, null, cancel);
+        if (setup.Printer.Kinematics is { } kinematics && options.Tilt is { } aim && (aim.Direction ?? (field is null ? null : field.Normal)) is { } direction)
+        {
+            var guard = new LeanGuard(setup, kinematics, toolpath);
+            var directions = new ToolDirections(kinematics, direction) { MaxTilt = aim.MaxTilt, Refuses = guard.Refuses, Printed = guard.Add };
+            toolpath = directions.Apply(toolpath, null, cancel);
+        }
+        else toolpath = setup.Printer.Turned(toolpath, cancel);
         return new Result<PrintJob>(
             new PrintJob(plan, toolpath, setup, layers, ReferenceEquals(toolpath, plan.Toolpath) ? overlap : null), planned.Diagnostics);
     }

@@ -24,8 +24,8 @@ public sealed record PrintJobOptions
     /// <summary>Skip parts that are beyond a surface or too steep. Otherwise they are an error.</summary>
     public bool Partial { get; init; }
 
-    /// <summary>Tilt of the tool along the normals of curved layers; null = upright.</summary>
-    public ToolTilt? Tilt { get; init; }
+    /// <summary>Where the tool of a printer with rotary axes points; null = up.</summary>
+    public ToolAim? Tilt { get; init; }
 
     /// <summary>
     /// Infill lines of a layer from the height of its top, instead of the infill pattern (<see cref="SliceOptions.InfillLines"/>); null = pattern.

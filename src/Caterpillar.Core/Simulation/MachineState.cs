@@ -21,6 +21,9 @@ public readonly record struct MachineState
     /// <summary>Position of the nozzle tip, mm.</summary>
     public Vec3 Position { get; init; }
 
+    /// <summary>The head as it stands over the part: its own axes at the nozzle tip, Z along the tool.</summary>
+    public Frame Head { get; init; }
+
     /// <summary>Direction of motion, of length 1; zero if the head does not move.</summary>
     public Vec3 Direction { get; init; }
 
@@ -69,14 +72,19 @@ public readonly record struct MachineState
     /// <summary>Speed of the part cooling fan, 0 to 1.</summary>
     public double Fan { get; init; }
 
-    /// <summary>Frame at the nozzle tip: Z up, X along the motion seen from above. The world axes if the head does not move or moves vertically.</summary>
+    /// <summary>
+    /// Frame at the nozzle tip: Z along the tool, X along the motion across it. The world axes if an upright head does not move or moves vertically.
+    /// </summary>
     public Frame Frame
     {
         get
         {
-            var plan = new Vec3(Direction.X, Direction.Y);
-            var x = plan.Length > 1e-9 ? plan : Vec3.UnitX;
-            return Frame.FromAxes(Position, x, Vec3.Cross(Vec3.UnitZ, x));
+            var tool = Head.Z;
+            var x = Across(Direction, tool);
+            if (!(x.Length > 1e-9)) x = Across(Math.Abs(tool.X) < 0.9 ? Vec3.UnitX : Vec3.UnitY, tool);
+            return Frame.FromAxes(Position, x, Vec3.Cross(tool, x));
         }
     }
+
+    private static Vec3 Across(Vec3 v, Vec3 tool) => v - tool * Vec3.Dot(v, tool);
 }

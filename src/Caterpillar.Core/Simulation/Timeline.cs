@@ -10,6 +10,7 @@ public sealed class Timeline
     private readonly HeatModel _heat;
     private readonly PathIndex _path;
     private readonly bool _volumesKnown;
+    private readonly Kinematics? _kinematics;
 
     private Timeline(Toolpath toolpath, PrintSetup setup, PlannedMotion plan, PathIndex path)
     {
@@ -18,6 +19,7 @@ public sealed class Timeline
         _motion = plan.Motion;
         _heat = plan.Heat;
         Waits = plan.Waits;
+        _kinematics = setup.Printer.Kinematics ?? Kinematics.Guess(toolpath);
         _path = path;
         _volumesKnown = Enumerable.Range(0, toolpath.Tools.Count).All(tool => toolpath.VolumePerE(tool) is not null);
     }
@@ -42,6 +44,7 @@ public sealed class Timeline
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
+        toolpath = setup.Printer.Turned(toolpath, cancel);
         var plan = MotionPlanner.Plan(toolpath, setup, progress, cancel);
         return new Timeline(toolpath, setup, plan, new PathIndex(toolpath));
     }
@@ -195,6 +198,7 @@ public sealed class Timeline
             Done = done,
             Waits = waits,
             Position = position,
+            Head = HeadAt(position, number, done),
             Direction = over || waits ? Vec3.Zero : DirectionAt(move, done),
             Speed = speed,
             Flow = flow,
@@ -216,6 +220,14 @@ public sealed class Timeline
 
     private Move Last()
         => Toolpath.Count > 0 ? Toolpath[Toolpath.Count - 1] : default(Move) with { End = Toolpath.Start ?? Vec3.Zero, Layer = -1, Source = -1 };
+
+    private Frame HeadAt(Vec3 tip, int number, double done)
+    {
+        if (_kinematics is null) return Frame.At(tip);
+        var words = Vec3.Lerp(Toolpath.WordsAt(number - 1), Toolpath.WordsAt(Math.Min(number, Toolpath.Count - 1)), done);
+        var pose = _kinematics.Pose(tip, words);
+        return Frame.FromAxes(tip, pose.XAxis, pose.YAxis);
+    }
 
     // E per second: along the path, or of the extruder alone.
     private static double FlowOf(in Move move, double length, double speed)

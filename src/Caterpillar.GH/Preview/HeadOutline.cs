@@ -9,7 +9,7 @@ internal sealed class HeadOutline
     private readonly Rg.Line[] _lines;
     private readonly Rg.Line[] _moved;
     private readonly Rg.Point3d[] _profile;
-    private readonly Rg.Mesh _mesh;
+    private readonly TriMesh _mesh;
 
     public HeadOutline(Printer printer, DocumentUnits units)
     {
@@ -39,7 +39,7 @@ internal sealed class HeadOutline
         _lines = lines.ToArray();
         _moved = new Rg.Line[_lines.Length + 3];
         _profile = profile.ToArray();
-        _mesh = RhinoMesh.FromTriangles(HeadMesh.Of(printer), units);
+        _mesh = HeadMesh.Of(printer);
 
         Rg.Point3d At(HeadPoint ring, int corner)
         {
@@ -48,31 +48,27 @@ internal sealed class HeadOutline
         }
     }
 
-    /// <summary>The head with the nozzle at the origin of a frame, and a triangle with its sharp corner forward. The array is used again.</summary>
-    public Rg.Line[] At(Frame pose)
+    /// <summary>The head in its own frame, and in that of the motion a triangle with its sharp corner forward. The array is used again.</summary>
+    public Rg.Line[] At(Frame head, Frame pose)
     {
-        var tip = RhinoGeometry.ToPoint(pose.Origin, _units);
         var triangle = Turtle.TriangleOf(pose, TurtleSize);
         for (var i = 0; i < 3; i++)
             _moved[_lines.Length + i] = new Rg.Line(RhinoGeometry.ToPoint(triangle[i], _units), RhinoGeometry.ToPoint(triangle[(i + 1) % 3], _units));
-        var by = new Rg.Vector3d(tip.X, tip.Y, tip.Z);
-        for (var i = 0; i < _lines.Length; i++) _moved[i] = new Rg.Line(_lines[i].From + by, _lines[i].To + by);
+        for (var i = 0; i < _lines.Length; i++) _moved[i] = new Rg.Line(In(head, _lines[i].From), In(head, _lines[i].To));
         return _moved;
     }
 
-    /// <summary>The profile of the head in the plane of X and Z, with the nozzle at a point. Null for a head without extent.</summary>
-    public Rg.Curve? ProfileAt(Rg.Point3d tip)
-    {
-        var by = new Rg.Vector3d(tip.X, tip.Y, tip.Z);
-        return PolylineMaker.Of(System.Array.ConvertAll(_profile, p => p + by));
-    }
+    /// <summary>The profile of the head in the plane of X and Z, of its own frame. Null for a head without extent.</summary>
+    public Rg.Curve? ProfileAt(Frame head) => PolylineMaker.Of(System.Array.ConvertAll(_profile, p => In(head, p)));
 
-    /// <summary>Nozzle, head and boxes with the nozzle at a point. Null for a head without extent.</summary>
-    public Rg.Mesh? MeshAt(Rg.Point3d tip)
+    /// <summary>Nozzle, head and boxes in the frame of the head. Null for a head without extent.</summary>
+    public Rg.Mesh? MeshAt(Frame head)
+        => _mesh.TriangleCount == 0 ? null : RhinoMesh.FromTriangles(_mesh.Transformed(Affine.FromFrame(head)), _units);
+
+    // Points are in the units of the document.
+    private Rg.Point3d In(Frame head, Rg.Point3d p)
     {
-        if (_mesh.Faces.Count == 0) return null;
-        var mesh = _mesh.DuplicateMesh();
-        mesh.Translate(new Rg.Vector3d(tip.X, tip.Y, tip.Z));
-        return mesh;
+        var s = _units.ToMillimeters;
+        return RhinoGeometry.ToPoint(head.ToWorld(new Vec3(p.X * s, p.Y * s, p.Z * s)), _units);
     }
 }

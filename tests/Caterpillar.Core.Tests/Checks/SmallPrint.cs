@@ -31,6 +31,7 @@ internal sealed class SmallPrint
     private readonly ToolpathBuilder _builder;
     private int _step;
     private int _layer = -1;
+    private Vec3? _turns;
 
     public SmallPrint(double x = 10, double y = 10, double z = 0.2) => _builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(x, y, z));
 
@@ -50,6 +51,13 @@ internal sealed class SmallPrint
 
     public SmallPrint Print(double x, double y, double z, double area = Area, Role role = Role.Unspecified, double speed = 50, int tool = 0)
         => Add(new Vec3(x, y, z), new Vec3(x, y, z).DistanceTo(At) * area, MoveKind.Print, role, speed, tool);
+
+    /// <summary>The moves that follow end with these rotary words, degrees.</summary>
+    public SmallPrint Turns(double a, double b, double c)
+    {
+        _turns = new Vec3(a, b, c);
+        return this;
+    }
 
     /// <summary>The moves that follow are in a layer.</summary>
     public SmallPrint InLayer(Layer layer)
@@ -121,6 +129,7 @@ internal sealed class SmallPrint
     private SmallPrint Add(Vec3 end, double volume, MoveKind kind, Role role = Role.Unspecified, double speed = 50, int tool = 0)
     {
         _builder.Add(end, volume / FilamentArea, volume / FilamentArea, speed, kind, role, _layer, tool, _step++);
+        if (_turns is { } turns) _builder.SetRotary(turns.X, turns.Y, turns.Z);
         return this;
     }
 }

@@ -19,7 +19,8 @@ public class ShippedProfileTests
     {
         Assert.That(Library.PrinterNames, Is.SupersetOf(new[]
         {
-            "ender3", "generic", "klipper_256", "lutum", "pen_plotter", "potter_super", "prusa_mk3s", "rrf_delta", "wasp_2040_clay",
+            "ender3", "five_axis_head", "five_axis_table", "generic", "klipper_256", "lutum", "pen_plotter", "potter_super", "prusa_mk3s", "rrf_delta",
+            "wasp_2040_clay",
         }));
         Assert.That(Library.MaterialNames, Is.SupersetOf(new[] { "abs", "clay", "clay_285", "pen", "petg", "pla", "tpu" }));
         Assert.That(Library.SettingsNames, Is.SupersetOf(new[] { "clay", "fine", "pen", "standard" }));

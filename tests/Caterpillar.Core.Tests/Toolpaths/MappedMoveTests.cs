@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using System.Threading;
 using Caterpillar.Flavors;
+using Caterpillar.Basics;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
@@ -158,7 +159,7 @@ public class MappedMoveTests
         Assert.That(AxisMapping.Drum(PathAxis.X, OutputAxis.A, 2).Scale, Is.EqualTo(180 / Math.PI).Within(1e-12));
         var canceled = new CancellationToken(true);
         Assert.That(() => new AxisMapping(PathAxis.X, OutputAxis.A, 1).Apply(toolpath, cancel: canceled), Throws.InstanceOf<OperationCanceledException>());
-        Assert.That(() => new ToolTilt(TiltAxes.BC).Apply(toolpath, _ => Vec3.UnitZ, cancel: canceled), Throws.InstanceOf<OperationCanceledException>());
+        Assert.That(() => new ToolDirections(Head(), _ => Vec3.UnitZ).Apply(toolpath, cancel: canceled), Throws.InstanceOf<OperationCanceledException>());
     }
 
     [Test]
@@ -169,7 +170,7 @@ public class MappedMoveTests
         var toolpath = builder.Build([]);
         Shares mapping = new(), tilt = new();
         new AxisMapping(PathAxis.X, OutputAxis.A, 1).Apply(toolpath, mapping);
-        new ToolTilt(TiltAxes.AC).Apply(toolpath, _ => Vec3.UnitZ, tilt);
+        new ToolDirections(Head(), _ => Vec3.UnitZ).Apply(toolpath, tilt);
         var expected = Enumerable.Range(0, 17).Select(k => 4096 * k / 65_545.0).ToArray();
         Assert.That(mapping.Values, Is.EqualTo(expected).Within(1e-12));
         Assert.That(tilt.Values, Is.EqualTo(expected).Within(1e-12));
@@ -187,12 +188,13 @@ public class MappedMoveTests
     [TestCase(89, 89)]
     public void A_tool_that_is_as_good_as_upright_does_not_turn(double degrees, double tilt)
     {
-        var normal = new Vec3(Math.Sin(degrees * Math.PI / 180), 0, Math.Cos(degrees * Math.PI / 180));
-        Assert.That(new ToolTilt(TiltAxes.BC).Angles(normal, 100).Tilt, Is.EqualTo(tilt).Within(1e-9));
-        Assert.That(new ToolTilt(TiltAxes.BC).Angles(normal, 100).Turn, Is.EqualTo(tilt == 0 ? 100 : 0).Within(1e-9));
-        Assert.That(() => new ToolTilt(TiltAxes.BC, 90.1).Angles(normal), Throws.InvalidOperationException);
-        Assert.That(() => new ToolTilt(TiltAxes.BC, 90).Angles(normal), Throws.Nothing);
+        var tool = new Vec3(Angle.Sin(degrees), 0, Angle.Cos(degrees));
+        var words = Head().Nearest(Vec3.Zero, tool, new Vec3(0, 0, 100));
+        Assert.That(words.Y, Is.EqualTo(tilt).Within(1e-9));
+        Assert.That(words.Z, Is.EqualTo(tilt == 0 ? 100 : 0).Within(1e-9));
     }
+
+    private static Kinematics Head() => new([RotaryAxis.Parse("C head z")!, RotaryAxis.Parse("B head y")!]);
 
     private static string Typed(string type, params string[] lines) => ";TYPE:" + type + "\n" + string.Join("\n", lines);
 

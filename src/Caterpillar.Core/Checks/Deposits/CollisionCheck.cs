@@ -12,12 +12,17 @@ internal sealed class CollisionCheck
     /// <summary>Height in mm that travel moves may touch: slicers travel across new extrusions.</summary>
     public const double Flush = 0.05;
     private const double Everywhere = 1e6;
+
+    // As far as a beam reaches over a part that turns.
+    private const double Wide = 2000;
     private const double ClipLine = 0.5;
     private readonly PrintedSoFar _printed;
     private readonly Findings _findings;
     private readonly List<(Bounds Box, string Code)> _boxes = [];
     private readonly Deposit _clips;
     private readonly double _lowest;
+    private readonly LeaningHead? _leaning;
+    private bool _leans;
     private int? _hit;
     private (Vec3 From, Vec3 To)? _digs;
 
@@ -33,7 +38,13 @@ internal sealed class CollisionCheck
         }
         foreach (var (box, _) in _boxes) _lowest = Math.Min(_lowest, box.Min.Z);
         _clips = Stand(printer.Clips);
+        if (printer.Kinematics is not { } kinematics) return;
+        _leaning = new LeaningHead(kinematics, [.. PrintedSoFar.Outline(printer)], BoxesOf(printer));
     }
+
+    /// <summary>Boxes of the head, then beams as far as they reach over a part that turns.</summary>
+    public static Bounds[] BoxesOf(Printer printer) =>
+        [.. printer.HeadBoxes, .. printer.Gantry.Select(b => new Bounds(new Vec3(-Wide, b.Min.Y, b.Min.Z), new Vec3(Wide, b.Max.Y, b.Max.Z)))];
 
     /// <summary>Checks a straight move with the height of its extrusion in mm; 0 = no extrusion.</summary>
     public void Check(in CheckedMove move, double height)
@@ -41,11 +52,65 @@ internal sealed class CollisionCheck
         // An extrusion may be printed into another by half its height.
         var tolerance = Math.Max(Flush, height / 2);
         // One finding for a move, also for the chords of an arc.
-        if (move.Index == _hit || IsAbove(move, tolerance)) return;
+        if (move.Index == _hit) return;
+        if (_leaning is not null && (_leans |= move.StartTurns != Vec3.Zero || move.EndTurns != Vec3.Zero))
+        {
+            Lean(move, tolerance);
+            return;
+        }
+        if (IsAbove(move, tolerance)) return;
         _digs = null;
         if (Hits(move, tolerance) || HitsLast(move, tolerance)) _hit = move.Index;
         // Where it goes through something farther on, that is to be told.
         else if (_digs is { } digs) Digs(move, digs.From, digs.To, tolerance);
+    }
+
+    // All that is there at the start of a move, then in pieces, before each of which more is not fresh any more.
+    private void Lean(in CheckedMove move, double tolerance)
+    {
+        var whole = new HeadMove(move.Start, move.StartTurns, move.End, move.EndTurns);
+        var (from, digs) = (0.0, false);
+        for (var piece = 1; ; piece++)
+        {
+            var to = piece > PrintedSoFar.FreshPieces || !(piece * _printed.FreshPiece < move.Length) ? 1 : piece * _printed.FreshPiece / move.Length;
+            if (Hits(move, whole.Part(from, to), tolerance, ref digs))
+            {
+                _hit = move.Index;
+                return;
+            }
+            if (to == 1) break;
+            _printed.Advance(piece * _printed.FreshPiece);
+            from = to;
+        }
+        if (digs) Digs(move, move.Start, move.End, tolerance);
+    }
+
+    private bool Hits(in CheckedMove move, in HeadMove part, double tolerance, ref bool digs)
+    {
+        var contact = _leaning!.Meets(_printed.Strands!, part, tolerance, out var strand);
+        digs |= contact == HeadContact.Digs;
+        if (contact == HeadContact.Hits) Report(move.Kind == MoveKind.Print ? CheckCodes.NozzleHits : CheckCodes.TravelHits, "nozzle", move, part, strand!.Tag);
+        var hit = contact == HeadContact.Hits;
+        for (var i = 0; i < _boxes.Count; i++)
+        {
+            var code = _boxes[i].Code;
+            if (!_leaning.MeetsBox(_printed.Strands!, part, tolerance, i, code == CheckCodes.GantryHits, out strand)) continue;
+            Report(code, code == CheckCodes.HeadHits ? "print head" : "gantry", move, part, strand!.Tag);
+            hit = true;
+        }
+        return hit;
+    }
+
+    private void Report(string code, string body, in CheckedMove move, in HeadMove part, int tag)
+    {
+        var (a, b) = (part.From, part.To);
+        if (tag <= PrintedSoFar.ClipTag) code = CheckCodes.ClipHit;
+        _findings.AddNaming(code, move.Index, () => () =>
+        {
+            var what = tag >= 0 ? "an earlier extrusion" + By(tag) : tag == PrintedSoFar.ObjectTag ? "the object below the print"
+                : tag == PrintedSoFar.BedTag ? "the bed" : "bed clip " + NumberFormatter.Format(PrintedSoFar.ClipTag - tag + 1);
+            return $"The {body} of the leaning tool hits {what} between {a} and {b}. Lean it less, or keep more distance.";
+        });
     }
 
     // Above all that is there, also by this time: most moves of a flat print.

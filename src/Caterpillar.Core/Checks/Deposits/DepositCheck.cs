@@ -53,8 +53,9 @@ internal sealed class DepositCheck : IMoveCheck
         {
             if ((k & 0xFF) == 1) _cancel.ThrowIfCancellationRequested();
             piece.End = arc.PointAt(move.Start, move.End, (double)k / chords);
+            piece.EndTurns = Vec3.Lerp(move.StartTurns, move.EndTurns, (double)k / chords);
             Piece(piece);
-            piece.Start = piece.End;
+            (piece.Start, piece.StartTurns) = (piece.End, piece.EndTurns);
         }
     }
 
@@ -90,6 +91,7 @@ internal sealed class DepositCheck : IMoveCheck
         if (!(move.Length > 0))
         {
             if (move.Kind == MoveKind.Prime) _extrusions.Blob(move);
+            if (move.StartTurns != move.EndTurns) _collisions?.Check(move, 0);
             return;
         }
         (double Nominal, double Filled) height = default;

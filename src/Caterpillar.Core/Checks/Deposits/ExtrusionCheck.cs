@@ -29,6 +29,7 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
     private readonly FitCheck _fit = new FitCheck(setup, printed, findings);
     private readonly BlobCheck _blobs = new BlobCheck(setup, printed, findings);
     private readonly BeadShape _shape = setup.Settings.BeadShape;
+    private readonly Kinematics? _kinematics = setup.Printer.Kinematics;
     private readonly double _usualHeight = setup.Settings.LargerLayerHeight;
     private Vec3 _start, _end;
     private bool _isOpen, _anchored, _startsHeld, _hasLanded;
@@ -56,6 +57,8 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
         var area = AreaOf(move);
         // Layers much thicker or thinner than their extrusions say nothing about them: files without comments about layers, drawings.
         var known = area >= 0.5 * move.Thickness * move.Thickness && area <= FitCheck.Widest * _printer.NozzleDiameter * move.Thickness;
+        if (_kinematics is not null && _kinematics.Direction(move.EndTurns) is var tool && tool != Vec3.UnitZ)
+            return Leaning(move, tool, known ? move.Thickness : 0);
         // Where nothing is looked for, others still need the heights.
         if (known && !_isAsked) return (move.Thickness, move.Thickness);
         var nominal = known ? move.Thickness : _usualHeight;
@@ -102,6 +105,27 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
         var filled = Math.Max(height, known ? Math.Min(tight, Round(area)) : own);
         _fit.Look(move, area, height, filled, known, nearest);
         return (height, known ? height : filled);
+    }
+
+    // Of a tool that leans: what lies below it along the tool holds it.
+    private (double Nominal, double Filled) Leaning(in CheckedMove move, Vec3 tool, double thickness)
+    {
+        var nominal = thickness > 0 ? thickness : _usualHeight;
+        var reach = 2 * Math.Max(nominal, _printer.NozzleDiameter / 2) + Touch;
+        // What is about as high is next to it.
+        var beside = 0.3 * nominal;
+        var count = (int)Math.Min(Math.Ceiling(move.Length / SampleStep), MostSamples);
+        var height = nominal;
+        for (var k = 0; k < count; k++)
+        {
+            var p = Vec3.Lerp(move.Start, move.End, (k + 0.5) / count);
+            var gap = beside + _printed.Strands!.Below(p - tool * beside, tool, reach - beside);
+            if (gap <= reach || move.Role == Role.Purge) Land(move);
+            else Fly(move.Index, move.Length / count);
+            if (!(thickness > 0)) height = Math.Min(height, gap);
+        }
+        _highest = Math.Max(_highest, Math.Max(move.Start.Z, move.End.Z));
+        return (height, height);
     }
 
     /// <summary>Material in place.</summary>

@@ -8,10 +8,14 @@ internal sealed class PrintedSoFar
     /// <summary>Widest extrusion, in nozzles.</summary>
     public const double Widest = 12;
 
+    /// <summary>Tags of strands that are no extrusions: the object, the bed, and from the last one downward the clips.</summary>
+    public const int ObjectTag = -1, BedTag = -2, ClipTag = -3;
+
     // Only what is about as high as the tip is asked for exactly.
     private const double KeepDepth = 6;
     private readonly BeadShape _shape;
     private readonly double _widest;
+    private readonly Kinematics? _kinematics;
 
     // What is fresh, from the oldest piece up to the newest.
     private Fresh[] _fresh = new Fresh[64];
@@ -24,14 +28,19 @@ internal sealed class PrintedSoFar
     {
         Object = on;
         var printer = setup.Printer;
+        _kinematics = printer.Kinematics;
         Head = new HeadShape(Outline(printer));
         _shape = setup.Settings.BeadShape;
         _widest = Widest * printer.NozzleDiameter;
         Deposit = new Deposit(CellOf(printer), KeepDepth);
+        if (_kinematics is not null) Strands = Around(setup);
         Lag = Head.FlatRadius + printer.NozzleDiameter + 2 * Deposit.Cell;
     }
 
     public Deposit Deposit { get; }
+
+    /// <summary>The same in space, for a head that leans; null for printers without rotary axes.</summary>
+    public StrandGrid? Strands { get; }
 
     /// <summary>The object below the print; null = none.</summary>
     public ObjectTop? Object { get; }
@@ -99,6 +108,7 @@ internal sealed class PrintedSoFar
             while (_oldest < _newest && _fresh[_oldest].GoesOn && _fresh[_oldest].Distance <= fresh) to = _fresh[_oldest++].To;
             if (extrusion.GoesOn) Deposit.GoOn(extrusion.From, to, extrusion.Half, extrusion.Move);
             else Deposit.Add(extrusion.From, to, extrusion.Half, extrusion.Move);
+            Strands?.Add(extrusion.From, to, extrusion.Half, extrusion.Tool, extrusion.Move);
         }
         return _oldest - first;
     }
@@ -145,6 +155,7 @@ internal sealed class PrintedSoFar
         // A bead of almost no height would be as wide as the bed.
         var half = Math.Min(bead.Width(_shape), _widest) / 2;
         Highest = Math.Max(Highest, Math.Max(move.Start.Z, move.End.Z));
+        var tool = _kinematics is null ? Vec3.UnitZ : _kinematics.Direction(Vec3.Lerp(move.StartTurns, move.EndTurns, 0.5));
         // Its end in pieces, each of which stops to be fresh by itself.
         var at = move.Start;
         for (var piece = FreshPieces; piece > 0; piece--)
@@ -152,10 +163,41 @@ internal sealed class PrintedSoFar
             var rest = piece * FreshPiece;
             if (rest >= move.Length) continue;
             var next = Vec3.Lerp(move.Start, move.End, 1 - rest / move.Length);
-            Keep(new Fresh(at, next, half, move.Index, _distance - rest, at != move.Start));
+            Keep(new Fresh(at, next, half, tool, move.Index, _distance - rest, at != move.Start));
             at = next;
         }
-        Keep(new Fresh(at, move.End, half, move.Index, _distance, at != move.Start));
+        Keep(new Fresh(at, move.End, half, tool, move.Index, _distance, at != move.Start));
+    }
+
+    // What stands still around the print.
+    public static StrandGrid Around(PrintSetup setup)
+    {
+        var strands = new StrandGrid();
+        if (setup.PrintedOn is { } mesh) Add(mesh, ObjectTag);
+        var bed = setup.Printer.BuildBounds;
+        Vec3 a = bed.Min, b = bed.Max.WithZ(bed.Min.Z), c = new(b.X, a.Y, a.Z), d = new(a.X, b.Y, a.Z);
+        strands.Add(a, c, b, BedTag);
+        strands.Add(a, b, d, BedTag);
+        for (var i = 0; i < setup.Printer.Clips.Count; i++)
+        {
+            var corners = ConvexBody.Corners(setup.Printer.Clips[i], Affine.Identity).Select(corner => corner.Center).ToArray();
+            int[] sides = [0, 1, 3, 2, 4, 5, 7, 6, 0, 1, 5, 4, 2, 3, 7, 6, 0, 2, 6, 4, 1, 3, 7, 5];
+            for (var k = 0; k < sides.Length; k += 4)
+            {
+                strands.Add(corners[sides[k]], corners[sides[k + 1]], corners[sides[k + 2]], ClipTag - i);
+                strands.Add(corners[sides[k]], corners[sides[k + 2]], corners[sides[k + 3]], ClipTag - i);
+            }
+        }
+        return strands;
+
+        void Add(TriMesh of, int tag)
+        {
+            for (var i = 0; i < of.TriangleCount; i++)
+            {
+                var (p, q, r) = of.Triangle(i);
+                strands.Add(of.RawVertices[p], of.RawVertices[q], of.RawVertices[r], tag);
+            }
+        }
     }
 
     private void Keep(in Fresh piece)
@@ -170,11 +212,11 @@ internal sealed class PrintedSoFar
         _fresh[_newest++] = piece;
     }
 
-    private static IEnumerable<(double Radius, double Height)> Outline(Printer printer)
+    public static IEnumerable<(double Radius, double Height)> Outline(Printer printer)
     {
         foreach (var point in printer.HeadOutline) yield return (point.Radius, point.Height);
     }
 
     // A piece of an extrusion, and the length of motion at its end.
-    private readonly record struct Fresh(Vec3 From, Vec3 To, double Half, int Move, double Distance, bool GoesOn);
+    private readonly record struct Fresh(Vec3 From, Vec3 To, double Half, Vec3 Tool, int Move, double Distance, bool GoesOn);
 }

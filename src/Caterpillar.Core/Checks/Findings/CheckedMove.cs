@@ -7,6 +7,9 @@ internal struct CheckedMove
     public Vec3 Start;
     public Vec3 End;
 
+    /// <summary>Rotary words at its start and at its end, degrees.</summary>
+    public Vec3 StartTurns, EndTurns;
+
     /// <summary>False before the first move if the start position is unknown, and after homing.</summary>
     public bool StartKnown;
 

@@ -6,6 +6,7 @@ internal sealed class AxisShares(Printer printer)
     // What rounding in a file may change: coordinates in mm, E in its unit.
     private readonly double _roundedXyz = Math.Pow(10, -printer.DecimalsXyz);
     private readonly double _roundedE = Math.Pow(10, -printer.DecimalsE);
+    private readonly Kinematics? _kinematics = printer.Kinematics;
     private readonly bool _isHead = printer.Cornering == Cornering.SquareCornerVelocity;
 
     /// <summary>mm/s; an arc is taken by its chord in Z and by the slower of X and Y.</summary>
@@ -14,6 +15,7 @@ internal sealed class AxisShares(Printer printer)
     /// <param name="limits">The limits in force.</param>
     public double MaxSpeed(in CheckedMove move, double filament, MachineLimits limits)
     {
+        if (_kinematics is not null && (move.StartTurns != move.EndTurns || (move.EndTurns != Vec3.Zero && move.Length > 0))) return MaxSpeed(move, limits);
         if (!(move.Length > 0)) return filament == 0 ? double.MaxValue : limits[MotionLimit.SpeedE];
         var path = move.End - move.Start;
         var most = path == Vec3.Zero ? Math.Min(limits[MotionLimit.SpeedX], limits[MotionLimit.SpeedY])
@@ -24,6 +26,19 @@ internal sealed class AxisShares(Printer printer)
                 Axis(path.Y, move.Length, limits[MotionLimit.SpeedY], _roundedXyz)));
         // Klipper limits the extruder only where it works alone or pulls back.
         return filament > 0 && _isHead ? most : Math.Min(most, Axis(filament, move.Length, limits[MotionLimit.SpeedE], _roundedE));
+    }
+
+    // Of a move of a machine with rotary axes: mm/s of the tip, or degrees/s where it stands.
+    private double MaxSpeed(in CheckedMove move, MachineLimits limits)
+    {
+        var degrees = move.StartTurns.DistanceTo(move.EndTurns);
+        var along = RotaryColumns.Share(move.Length, degrees);
+        var slides = _kinematics!.Machine(move.End, move.EndTurns) - _kinematics.Machine(move.Start, move.StartTurns);
+        var most = Math.Min(Axis(slides.Z, along, limits[MotionLimit.SpeedZ], _roundedXyz),
+            Math.Min(Axis(slides.X, along, limits[MotionLimit.SpeedX], _roundedXyz), Axis(slides.Y, along, limits[MotionLimit.SpeedY], _roundedXyz)));
+        foreach (var axis in _kinematics.Axes)
+            most = Math.Min(most, Axis(axis.Of(move.EndTurns) - axis.Of(move.StartTurns), along, axis.MaxSpeed, _roundedXyz));
+        return most;
     }
 
     // If an axis moves by a few of the last decimals, its share is not known better. Nor is the length of a move of several axes.

@@ -7,8 +7,9 @@ internal sealed class PositionCheck(Printer printer, Findings findings) : IMoveC
     private const double Tolerance = 0.001;
     private const double ArcTolerance = 0.05;
     private readonly bool _isMapped = printer.AxisMappings.Count > 0;
+    private readonly Kinematics? _kinematics = printer.Kinematics;
 
-    public IReadOnlyList<string> Codes => [CheckCodes.Outside, CheckCodes.Below, CheckCodes.ExcludedArea];
+    public IReadOnlyList<string> Codes => [CheckCodes.Outside, CheckCodes.Below, CheckCodes.ExcludedArea, CheckCodes.AxisRange];
 
     public void Event(MoveEvent what)
     {
@@ -21,6 +22,7 @@ internal sealed class PositionCheck(Printer printer, Findings findings) : IMoveC
         if (reachable && move.Arc is { } arc)
             reachable = printer.BedShape == BedShape.Round ? ReachesAlong(arc, start, end) : printer.BuildBounds.Contains(arc.Bounds(start, end), Tolerance);
         if (!reachable) Report(move.Index, end);
+        if (_kinematics is not null) Axes(move);
         if (move.Kind != MoveKind.Print) return;
         foreach (var area in printer.ExcludedAreas)
         {
@@ -32,6 +34,25 @@ internal sealed class PositionCheck(Printer printer, Findings findings) : IMoveC
 
     public void End(Toolpath toolpath)
     {
+    }
+
+    // A chord stays in between for the rotary axes, and nearly so for the slides.
+    private void Axes(in CheckedMove move)
+    {
+        var (index, end, turns) = (move.Index, move.End, move.EndTurns);
+        foreach (var axis in _kinematics!.Axes)
+        {
+            var word = axis.Of(turns);
+            if (word >= axis.Min - Tolerance && word <= axis.Max + Tolerance) continue;
+            findings.Add(CheckCodes.AxisRange, index, () => $"A move turns {axis.Word} to {NumberFormatter.Format(word, 2)} degrees, but "
+                + $"{printer.Title} turns it only from {NumberFormatter.Format(axis.Min, 2)} to {NumberFormatter.Format(axis.Max, 2)}. "
+                + "Limit the tilt, or turn the part on the bed.");
+        }
+        if (printer.SlideRange.Count == 0) return;
+        var slides = _kinematics.Machine(end, turns);
+        if (!printer.SlideRange[0].Contains(slides, ArcTolerance))
+            findings.Add(CheckCodes.AxisRange, index, () => $"For a move to {end} the slides of {printer.Title} go to {slides}, beyond "
+                + $"{printer.SlideRange[0]}. Move the print, or limit the tilt.");
     }
 
     private void Report(int move, Vec3 end)

@@ -84,7 +84,7 @@ internal sealed class ReadBack : IDisposable
         var modes = NewFindings();
         RawModes.Run(_plan, _format, modes, index => _places?.OfEvent(index));
         _comparison?.End(file.Toolpath, _read);
-        var read = AxisMapping.Unroll(file.Toolpath, _setup.Printer.AxisMappings, _cancel);
+        var read = _setup.Printer.ToPart(AxisMapping.Unroll(file.Toolpath, _setup.Printer.AxisMappings, _cancel), _cancel);
         if (read.Tools.Count <= _plan.Tools.Count) read = read.With(tools: _plan.Tools);
         _places = new WrittenPlaces(_plan, move => move < 0 || move >= read.Count ? null : read[move].Source, Lines, _setup.Printer);
         var scope = CheckScope.OfWritten(file, _setup) with { FirstLine = Lines.Before(0, -1) + 1, IsOwnLine = IsOwnLine };
@@ -158,8 +158,8 @@ internal sealed class ReadBack : IDisposable
     private void Take(DecodedBlock block)
     {
         _comparison?.Take(block.Columns, block.Start);
-        // Mapped axes are unrolled when the whole file is known.
-        if (_setup.Printer.AxisMappings.Count == 0) _checks.Take(block);
+        // Mapped and rotary axes are unrolled when the whole file is known.
+        if (_setup.Printer.AxisMappings.Count == 0 && _setup.Printer.RotaryAxes.Count == 0) _checks.Take(block);
         _read++;
     }
 

@@ -83,6 +83,8 @@ internal sealed class CheckRun(IMoveCheck[] checks, IReadOnlyList<ToolpathTool> 
         move.Index = block.First + i;
         move.Start = move.End;
         move.End = new Vec3(c.X[i], c.Y[i], c.Z[i]);
+        move.StartTurns = move.EndTurns;
+        move.EndTurns = c.TurnsAt(i, move.StartTurns);
         move.Kind = c.Kind[i];
         move.Role = c.Role[i];
         move.Layer = block.Layers[i];

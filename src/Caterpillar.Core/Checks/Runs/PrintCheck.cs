@@ -15,7 +15,7 @@ public static class PrintCheck
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
-        return Run(toolpath, setup, new CheckScope(setup.Material.NozzleTemperature), progress, cancel);
+        return Run(setup.Printer.Turned(toolpath, cancel), setup, new CheckScope(setup.Material.NozzleTemperature), progress, cancel);
     }
 
     /// <summary>
@@ -50,6 +50,7 @@ public static class PrintCheck
     {
         if (StandingPart(file) is { } part) setup = setup with { PrintedOn = part };
         if (file.MappingsOn(setup.Printer) is { Count: > 0 } mappings) setup = setup with { Printer = setup.Printer with { AxisMappings = new(mappings) } };
+        setup = setup with { Printer = file.AxesOn(setup.Printer) };
         var toolpath = WithVolumes(file.Unrolled(setup.Printer), setup);
         return Run(toolpath, setup, CheckScope.OfFile(file, setup) with { Before = before?.Used }, progress, cancel);
     }

@@ -23,9 +23,9 @@ internal sealed class PrintDraft : IDisposable
         _writing = OwnThread.Run(Write);
     }
 
-    /// <summary>Begins; null if all checks are off, axes are mapped, or a template of the printer needs the whole print first.</summary>
+    /// <summary>Begins; null if all checks are off, axes are mapped or turn, or a template of the printer needs the whole print first.</summary>
     public static PrintDraft? Begin(Toolpath soFar, PrintSetup setup, CancellationToken cancel)
-        => ReadBack.IsAsked(setup) && setup.Printer.AxisMappings.Count == 0
+        => ReadBack.IsAsked(setup) && setup.Printer.AxisMappings.Count == 0 && setup.Printer.RotaryAxes.Count == 0
             && SetupFormat.OfUnknown(setup) is { } format ? new PrintDraft(soFar, setup, format, cancel) : null;
 
     /// <summary>The toolpath as far as it is planned. Waits while much of it is not checked yet: else the checks would go on alone in the end.</summary>

@@ -62,6 +62,7 @@ public static class SafeWriter
         if (format.Value is null) return new Result<WrittenGCode>(null, new WriteGuard([], reason).Refusal(format.Diagnostics));
         var (timed, seconds) = ProgressCommands.Add(toolpath, setup, begun.Timing, cancel);
         foreach (var mapping in setup.Printer.AxisMappings) timed = mapping.Apply(timed, null, cancel);
+        timed = setup.Printer.ToMachine(timed, cancel);
         var plain = format.Value with { Facts = FileFacts.Of(timed, setup, format.Value, seconds, cancel) };
         // With a reason what was found stands at the top of the file: it is written again, where something was.
         var isOverridden = WriteGuard.IsReason(reason);

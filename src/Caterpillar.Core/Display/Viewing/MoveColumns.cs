@@ -13,10 +13,14 @@ internal sealed class MoveColumns(ViewerContent content)
     private readonly PackedColumn _x = new("x"), _y = new("y"), _z = new("z"), _area = new("area"), _time = new("time"), _line = new("line");
     private readonly PackedColumn _what = new("what", true), _layer = new("layer", true), _tool = new("tool", true), _speed = new("speed", true);
     private readonly PackedColumn _move = new("move");
+
+    // Axes Z and X of a head that turns over the part.
+    private readonly PackedColumn[] _head = [.. new[] { "zx", "zy", "zz", "xx", "xy", "xz" }.Select(name => new PackedColumn(name))];
+    private readonly Kinematics? _kinematics = content.Toolpath!.HasTurns ? content.Printer?.Kinematics ?? Kinematics.Guess(content.Toolpath!) : null;
     private readonly int[] _firstRow = new int[content.Toolpath!.Count + 1];
 
     /// <summary>The columns in the order of the page.</summary>
-    public IEnumerable<PackedColumn> All => [_x, _y, _z, _what, _layer, _tool, _line, _move, _speed, _area, _time];
+    public IEnumerable<PackedColumn> All => [_x, _y, _z, _what, _layer, _tool, _line, _move, _speed, _area, _time, .. _kinematics is null ? [] : _head];
 
     /// <summary>Number of rows.</summary>
     public int Rows => _x.Count;
@@ -72,5 +76,9 @@ internal sealed class MoveColumns(ViewerContent content)
         _speed.Add(move.Speed, 1e-2);
         _area.Add(area, 1e-4);
         _time.Add(time, 1e-3);
+        if (_kinematics is null) return;
+        var pose = _kinematics.Pose(end, _toolpath.WordsAt(move.Index));
+        double[] axes = [pose.ZAxis.X, pose.ZAxis.Y, pose.ZAxis.Z, pose.XAxis.X, pose.XAxis.Y, pose.XAxis.Z];
+        for (var i = 0; i < axes.Length; i++) _head[i].Add(axes[i], 1e-4);
     }
 }

@@ -6,6 +6,12 @@ public sealed class DecodedGCode
     /// <summary>The name of mapped axes in the comments of a file.</summary>
     internal const string MappingsKey = "axis_mappings";
 
+    /// <summary>The names of rotary axes and of what X, Y and Z say in the comments of a file.</summary>
+    internal const string AxesKey = "rotary_axes";
+
+    /// <inheritdoc cref="AxesKey"/>
+    internal const string PositionsKey = "rotary_positions";
+
     internal DecodedGCode(Toolpath toolpath, DecodeReport report, FlavorRules flavor)
     {
         Toolpath = toolpath;
@@ -44,10 +50,25 @@ public sealed class DecodedGCode
     public Diagnostic? NotGCode { get; internal init; }
 
     /// <summary>
-    /// The toolpath of the unrolled surface, for checks, times and pictures: mapped axes are those that the file states, else those of a printer. Edits need
-    /// the toolpath as it was read.
+    /// The toolpath on the part, for checks, times and pictures: of the unrolled surface, and of the tip where the file moves slides and rotary axes. Axes
+    /// are those that the file states, else those of a printer. Edits need the toolpath as it was read.
     /// </summary>
-    public Toolpath Unrolled(Printer? printer = null) => AxisMapping.Unroll(Toolpath, MappingsOn(printer));
+    public Toolpath Unrolled(Printer? printer = null) => AxesOn(printer).ToPart(AxisMapping.Unroll(Toolpath, MappingsOn(printer)));
+
+    /// <summary>The printer with the rotary axes that the file states, if it does.</summary>
+    internal Printer AxesOn(Printer? printer)
+    {
+        printer ??= new Printer();
+        if (!Settings.TryGetValue(AxesKey, out var text)) return printer;
+        RotaryAxis?[] axes = Array.ConvertAll(Words.Replaced(text, "\\n", ",").Split(','), t => RotaryAxis.Parse(t.Trim()));
+        if (Array.IndexOf(axes, null) >= 0 || Kinematics.Problem(axes!) is not null) return printer;
+        Settings.TryGetValue(PositionsKey, out var positions);
+        return printer with
+        {
+            RotaryAxes = new(axes!),
+            RotaryPositions = positions switch { "machine" => RotaryPositions.Machine, "polar" => RotaryPositions.Polar, _ => RotaryPositions.Tip },
+        };
+    }
 
     internal IReadOnlyList<AxisMapping> MappingsOn(Printer? printer)
     {

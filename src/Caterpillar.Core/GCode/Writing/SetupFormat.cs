@@ -72,6 +72,11 @@ internal static class SetupFormat
         string[] header = [FileComments.Producer, "Flavor " + setup.Printer.Flavor.Name,
             $"Printer {setup.Printer.Name}, material {string.Join(" + ", materials.Select(m => m.Name))}, settings {setup.Settings.Name}"];
         if (setup.Printer.AxisMappings.Count > 0) header = [.. header, DecodedGCode.MappingsKey + " = " + string.Join(", ", setup.Printer.AxisMappings)];
+        if (setup.Printer.RotaryAxes.Count > 0)
+        {
+            var positions = Words.Snake(setup.Printer.RotaryPositions.ToString());
+            header = [.. header, $"{DecodedGCode.AxesKey} = {string.Join(", ", setup.Printer.RotaryAxes)}", $"{DecodedGCode.PositionsKey} = {positions}"];
+        }
         return setup.Printer.ExtrusionUnit switch
         {
             ExtrusionUnit.Mm => [.. header, "filament_diameter = " + string.Join(",", materials.Select(m => NumberFormatter.Format(m.FilamentDiameter, 4)))],

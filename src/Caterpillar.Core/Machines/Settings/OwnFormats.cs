@@ -24,6 +24,8 @@ internal static class OwnFormats
             ["min x", "min y", "max x", "max y"], 64, -Far, Far, n => Bounds.Of([new Vec3(n[0], n[1]), new Vec3(n[2], n[3])]),
             b => [b.Min.X, b.Min.Y, b.Max.X, b.Max.Y]),
         ["AxisMappings"] = new MappingFormat(),
+        ["RotaryAxes"] = new RotaryAxisFormat(),
+        ["SlideRange"] = new RowsFormat<Bounds>(Box, 1, -Far, Far, MakeBox, TakeBox),
         ["CheckSeverities"] = new SeverityFormat(),
         ["Thumbnails"] = new RowsFormat<Vec3>(["width", "height"], 16, 16, 1000, n => new Vec3(n[0], n[1], 0), v => [v.X, v.Y]),
         ["StartGCode"] = Template,

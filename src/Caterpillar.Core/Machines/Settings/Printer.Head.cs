@@ -30,6 +30,22 @@ public sealed partial record Printer
     /// <remarks>Planning, checks and times use the unrolled surface.</remarks>
     public ValueList<AxisMapping> AxisMappings { get; init => field = Keys.Check(value); } = ValueList<AxisMapping>.Empty;
 
+    /// <summary>
+    /// Axes that turn the head or the work, outer ones first: word, what it turns, direction at rest (-y counts the other way), then what is known of the rest:
+    /// a point of the axis, limits in degrees, speed in degrees/s, acceleration in degrees/s²: B head y at 0 0 42 from -110 to 110 speed 60 acceleration 500.
+    /// </summary>
+    /// <remarks>Points of the head are relative to the nozzle tip. No limits = endless.</remarks>
+    public ValueList<RotaryAxis> RotaryAxes { get; init => field = Keys.Check(value); } = ValueList<RotaryAxis>.Empty;
+
+    /// <summary>What X, Y and Z say with rotary axes.</summary>
+    public RotaryPositions RotaryPositions { get; init; }
+
+    /// <summary>Range of the slides of a printer with rotary axes; empty = any.</summary> <value>mm.</value>
+    public ValueList<Bounds> SlideRange { get; init => field = Keys.Check(value); } = ValueList<Bounds>.Empty;
+
+    /// <summary>What the words of the rotary axes mean; null without such axes.</summary>
+    public Kinematics? Kinematics => RotaryAxes.Count == 0 ? null : new Kinematics(RotaryAxes, RotaryPositions == RotaryPositions.Polar);
+
     /// <summary>Severities of checks that differ from the default. Errors refuse the file.</summary>
     /// <remarks>Defaults are in <see cref="CheckCodes.All"/>.</remarks>
     public ValueList<CheckSeverity> CheckSeverities { get; init => field = Keys.Check(value); } = ValueList<CheckSeverity>.Empty;

@@ -26,6 +26,7 @@ public static class CheckCodes
     public const string Flow = "limit.flow";
     public const string Speed = "limit.speed";
     public const string TravelSpeed = "limit.travel_speed";
+    public const string AxisRange = "limit.axis";
     public const string Acceleration = "limit.acceleration";
     public const string Raised = "limit.raised";
     public const string Tool = "limit.tool";

@@ -29,6 +29,19 @@ public enum ExtrusionMode : byte
     Absolute,
 }
 
+/// <summary>What X, Y and Z say on a printer with rotary axes.</summary>
+public enum RotaryPositions : byte
+{
+    /// <summary>The place of the nozzle tip on the part, for controllers with tool center point control.</summary>
+    Tip,
+
+    /// <summary>The positions of the slides.</summary>
+    Machine,
+
+    /// <summary>The positions of the slides, of which Y does not exist: an axis of the work about z brings every place under the nozzle.</summary>
+    Polar,
+}
+
 /// <summary>Unit of E.</summary>
 public enum ExtrusionUnit : byte
 {

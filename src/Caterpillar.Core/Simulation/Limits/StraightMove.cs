@@ -31,4 +31,8 @@ internal struct StraightMove
     public double PerNorm;
 
     public bool InPlace;
+
+    // What rotary axes allow, mm/s and mm/s²; 0 without them.
+    public double MostSpeed;
+    public double MostAcceleration;
 }

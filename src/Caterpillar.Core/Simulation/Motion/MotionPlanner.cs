@@ -11,6 +11,8 @@ internal sealed class MotionPlanner
     private readonly Printer _printer;
     private readonly MachineLimits _limits;
     private readonly CornerRules _rules;
+    private readonly Kinematics? _kinematics;
+    private Vec3 _turns;
     private readonly LookAhead _lookAhead;
     private readonly FirmwareRetraction _retraction;
     private readonly HeatModel _heat;
@@ -34,6 +36,7 @@ internal sealed class MotionPlanner
     {
         _toolpath = toolpath;
         _printer = setup.Printer;
+        _kinematics = _printer.Kinematics;
         _limits = new MachineLimits(_printer);
         _rules = _printer.Cornering switch
         {
@@ -103,8 +106,11 @@ internal sealed class MotionPlanner
             if (!homes)
             {
                 if (columns.TryGetArc(i, out var arc)) Arc(arc, at, end, e, speed, cancel);
+                else if (_kinematics is not null && columns.TurnsAt(i, _turns) is var turns && (turns != _turns || turns != Vec3.Zero))
+                    Turn(at, end, turns, e, speed);
                 else Line(at, end, e, speed);
             }
+            _turns = columns.TurnsAt(i, _turns);
             at = end;
         }
     }
@@ -196,10 +202,40 @@ internal sealed class MotionPlanner
             move.E = Math.Sign(e);
             move.InPlace = true;
         }
+        Run(move, length);
+    }
+
+    // With rotary axes: what each axis does along a mm of the way of the tip, or along a degree where the tip stands.
+    private void Turn(Vec3 start, Vec3 end, Vec3 turns, double e, double speed)
+    {
+        double length = start.DistanceTo(end), degrees = _turns.DistanceTo(turns);
+        var along = length > NoMove ? length : degrees;
+        if (along == 0)
+        {
+            Line(start, end, e, speed);
+            return;
+        }
+        var slides = (_kinematics!.Machine(end, turns) - _kinematics.Machine(start, _turns)) / along;
+        var move = new StraightMove { Speed = speed > 0 ? speed : MachineLimits.FirstSpeed, X = slides.X, Y = slides.Y, Z = slides.Z, E = e / along };
+        move.MostSpeed = move.MostAcceleration = double.PositiveInfinity;
+        foreach (var axis in _kinematics.Axes)
+        {
+            var part = Math.Abs(axis.Of(turns) - axis.Of(_turns)) / along;
+            if (!(part > 0)) continue;
+            move.MostSpeed = Math.Min(move.MostSpeed, axis.MaxSpeed / part);
+            move.MostAcceleration = Math.Min(move.MostAcceleration, axis.MaxAcceleration / part);
+        }
+        Run(move, along);
+    }
+
+    private void Run(StraightMove move, double length)
+    {
         // A move without displacement takes no time.
         if (length == 0) return;
         move.Length = length;
+        if (move.MostSpeed > 0) move.Speed = Math.Min(move.Speed, move.MostSpeed);
         _rules.Limit(ref move);
+        if (move.MostAcceleration > 0) move.Acceleration = Math.Min(move.Acceleration, move.MostAcceleration);
         if (_count == _run.Length) Array.Resize(ref _run, 2 * _count);
         ref var s = ref _run[_count];
         s = new MotionSegment { Length = length, Acceleration = move.Acceleration, Speed2 = move.Speed * move.Speed };

@@ -61,34 +61,7 @@ public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, dou
     /// and by the turn of the platform. Moves that only turn the platform print or travel like others.
     /// </summary>
     internal static Toolpath Unroll(Toolpath toolpath, IReadOnlyList<AxisMapping> mappings, CancellationToken cancel = default)
-    {
-        if (mappings.Count == 0) return toolpath;
-        var blocks = new List<ToolpathBlock>(toolpath.Blocks.Count);
-        Vec3 last = toolpath.Start ?? Vec3.Zero, lastTurn = Vec3.Zero;
-        for (var block = 0; block < toolpath.Blocks.Count; block++)
-        {
-            cancel.ThrowIfCancellationRequested();
-            var read = toolpath.Blocks[block].Columns;
-            var columns = read.Copy(read.Count);
-            for (var i = 0; i < read.Count; i++)
-            {
-                Vec3 at = new(read.X[i], read.Y[i], read.Z[i]), turn = read.A is null ? lastTurn : new Vec3(read.A[i], read.B![i], read.C![i]);
-                Vec3 start = Unrolled(last, lastTurn, mappings), end = Unrolled(at, turn, mappings);
-                (columns.X[i], columns.Y[i], columns.Z[i]) = (end.X, end.Y, end.Z);
-                double length = start.DistanceTo(end), moved = last.DistanceTo(at);
-                if (length > 0 && !read.TryGetArc(i, out _))
-                {
-                    columns.Speed[i] *= length / (moved > 0 ? moved : lastTurn.DistanceTo(turn));
-                    if (moved == 0) columns.Kind[i] = Moving(read.Kind[i], read.Deposited[i]);
-                }
-                (last, lastTurn) = (at, turn);
-            }
-            (columns.A, columns.B, columns.C) = (null, null, null);
-            blocks.Add(new ToolpathBlock(columns));
-        }
-        Vec3? first = toolpath.Start is { } known ? Unrolled(known, Vec3.Zero, mappings) : null;
-        return toolpath.With(blocks).With(first, toolpath.Layers);
-    }
+        => mappings.Count == 0 ? toolpath : RotaryColumns.Mapped(toolpath, (p, turns) => Unrolled(p, turns, mappings), keepsTurns: false, cancel);
 
     /// <summary>Where the head of the machine is for a point of the surface. A coordinate that a rotary word replaces is held.</summary>
     internal static Vec3 Head(Vec3 p, IReadOnlyList<AxisMapping> mappings)
@@ -135,20 +108,10 @@ public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, dou
         return p;
     }
 
-    // The kind of a move in place that turned out to be one along the surface.
-    private static MoveKind Moving(MoveKind kind, double deposited) => kind switch
-    {
-        MoveKind.Prime => MoveKind.Print,
-        MoveKind.Deretract => deposited > 0 ? MoveKind.Print : MoveKind.MovingDeretract,
-        MoveKind.Retract => MoveKind.Wipe,
-        _ => kind,
-    };
-
     private double Speed(in Move piece, double degrees)
     {
         if (!(piece.Length > 0)) return piece.Speed;
-        var distance = Mapped(piece.Start).DistanceTo(Mapped(piece.End));
-        return piece.Speed * (distance > 0 ? distance : Math.Abs(degrees)) / piece.Length;
+        return piece.Speed * RotaryColumns.Share(Mapped(piece.Start).DistanceTo(Mapped(piece.End)), Math.Abs(degrees)) / piece.Length;
     }
 
     private double Coordinate(Vec3 p) => From switch { PathAxis.X => p.X, PathAxis.Y => p.Y, _ => p.Z };

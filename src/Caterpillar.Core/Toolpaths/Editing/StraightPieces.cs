@@ -5,6 +5,9 @@ internal static class StraightPieces
 {
     private const double ChordTolerance = 0.01;
 
+    /// <summary>Number of pieces of a move.</summary>
+    public static int Count(in Move move) => move.Arc is { } arc ? arc.ChordCount(move.Start, ChordTolerance) : 1;
+
     /// <summary>A toolpath with the same layers and events.</summary>
     /// <param name="toolpath">The toolpath.</param>
     /// <param name="start">The new start, mm.</param>
@@ -25,7 +28,7 @@ internal static class StraightPieces
                 progress?.Report((double)move.Index / toolpath.Count);
             }
             Events(move.Index);
-            var parts = move.Arc is { } arc ? arc.ChordCount(move.Start, ChordTolerance) : 1;
+            var parts = Count(move);
             var last = move.Start;
             for (var k = 1; k <= parts; k++)
             {

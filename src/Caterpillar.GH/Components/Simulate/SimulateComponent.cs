@@ -59,14 +59,13 @@ public sealed class SimulateComponent() : CaterpillarComponent(
         var state = StateAt(timeline, position, by);
         lines.ShowUntil(state.Move, state.Done);
         var outline = run.Cached([setup.Printer, units.ToMillimeters], () => new HeadOutline(setup.Printer, units));
-        var tip = RhinoGeometry.ToPoint(state.Position, units);
-        var head = outline.At(state.Frame.WithOrigin(state.Position));
+        var head = outline.At(state.Head, state.Frame.WithOrigin(state.Position));
         var box = lines.Box;
         foreach (var line in head) box.Union(line.BoundingBox);
         run.Show(new Shown(lines, head, box));
 
         run.SetAll(RhinoGeometry.ToPlane(state.Frame, units), goo.Until(state.Move, state.Position, state.Done), Current(timeline, state, units), state.Time,
-            state.Source, outline.ProfileAt(tip), Words(timeline, state), outline.MeshAt(tip));
+            state.Source, outline.ProfileAt(state.Head), Words(timeline, state), outline.MeshAt(state.Head));
         run.Summarize($"{NumberFormatter.Format(100 * (timeline.Duration > 0 ? state.Time / timeline.Duration : 1), 1)} %");
     }
 

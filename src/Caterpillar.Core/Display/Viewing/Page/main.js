@@ -152,6 +152,11 @@ function setMoment(row, part = 1) {
   const from = r > 0 ? [moves.x[r - 1], moves.y[r - 1], moves.z[r - 1]] : head.start;
   const to = [moves.x[r], moves.y[r], moves.z[r]];
   state.nozzle = [0, 1, 2].map((i) => from[i] + (to[i] - from[i]) * part - scene.middle[i]);
+  if (moves.axes && head.printer) {
+    const axes = moves.axes.map((values, k) => (1 - part) * (r > 0 ? values[r - 1] : +(k === 2 || k === 3)) + part * values[r]);
+    scene.mesh("head", turned(headMesh(head.printer), axes), 6);
+    scene.mesh("headBoxes", turned(headBoxLines(head.printer), axes), 3);
+  }
   scene.until(r);
   movesRange.set(r);
   showWithin();

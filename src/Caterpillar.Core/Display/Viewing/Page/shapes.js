@@ -38,6 +38,16 @@ function headMesh(printer) {
   return new Float32Array(out);
 }
 
+// Points, or points with normals, of a head whose axes Z and X lie along the given ones.
+function turned(numbers, axes) {
+  const unit = (v) => times(v, 1 / (Math.hypot(...v) || 1));
+  const z = unit(axes.slice(0, 3)), y = unit(cross(z, axes.slice(3))), x = cross(y, z), out = new Float32Array(numbers.length);
+  for (let i = 0; i < numbers.length; i += 3) {
+    for (let k = 0; k < 3; k++) out[i + k] = x[k] * numbers[i] + y[k] * numbers[i + 1] + z[k] * numbers[i + 2];
+  }
+  return out;
+}
+
 // The edges of the boxes of the head; x y z by point.
 function headBoxLines(printer) {
   const out = [];

@@ -66,6 +66,8 @@ function readMoves(bytes, head) {
     speed: column("speed", Float32Array, 1e-2), area: column("area", Float32Array, 1e-4), time: column("time", Float64Array, 1e-3),
     width: new Float32Array(rows), height: new Float32Array(rows),
   };
+  // Axes Z and X of a head that turns over the part.
+  if (head.columns.includes("zx")) moves.axes = ["zx", "zy", "zz", "xx", "xy", "xz"].map((name) => column(name, Float32Array, 1e-4));
   for (let i = 0; i < rows; i++) {
     moves.kind[i] = what[i] >> 5;
     moves.role[i] = what[i] & 31;

@@ -1,0 +1,49 @@
+namespace Caterpillar.Checks;
+
+/// <summary>Tells planning which printing moves the collision check would refuse, for a tool that leans.</summary>
+internal sealed class LeanGuard
+{
+    private readonly PrintSetup _setup;
+    private readonly Kinematics _kinematics;
+    private readonly Toolpath _toolpath;
+    private readonly LeaningHead _head;
+    private readonly StrandGrid _strands;
+    private readonly int _boxes;
+
+    /// <param name="setup">The printer and what is printed on.</param>
+    /// <param name="kinematics">Its axes.</param>
+    /// <param name="toolpath">The plan, whose layers say how high extrusions are.</param>
+    public LeanGuard(PrintSetup setup, Kinematics kinematics, Toolpath toolpath)
+    {
+        (_setup, _kinematics, _toolpath) = (setup, kinematics, toolpath);
+        _strands = PrintedSoFar.Around(setup);
+        var boxes = CollisionCheck.BoxesOf(setup.Printer);
+        _boxes = boxes.Length;
+        _head = new LeaningHead(kinematics, [.. PrintedSoFar.Outline(setup.Printer)], boxes);
+    }
+
+    /// <summary>True if the head would hit what was printed before, the object, the bed or clips.</summary>
+    public bool Refuses(Move move, HeadMove head)
+    {
+        var tolerance = Math.Max(CollisionCheck.Flush, HeightOf(move) / 2);
+        if (_head.Meets(_strands, head, tolerance, out _) == HeadContact.Hits) return true;
+        for (var i = 0; i < _boxes; i++)
+        {
+            if (_head.MeetsBox(_strands, head, tolerance, i, i >= _setup.Printer.HeadBoxes.Count, out _)) return true;
+        }
+        return false;
+    }
+
+    /// <summary>What a move prints can be hit from now on.</summary>
+    public void Add(Move move, HeadMove head)
+    {
+        if (!(move.Length > 0) || !(_toolpath.VolumePerE(move.Tool) * move.Deposited > 0)) return;
+        var area = _toolpath.VolumePerE(move.Tool)!.Value * move.Deposited / move.Length;
+        var width = new Bead(area, HeightOf(move)).Width(_setup.Settings.BeadShape);
+        var half = Math.Min(width, PrintedSoFar.Widest * _setup.Printer.NozzleDiameter) / 2;
+        _strands.Add(head.From, head.To, half, _kinematics.Direction(Vec3.Lerp(head.FromTurns, head.ToTurns, 0.5)), move.Index);
+    }
+
+    private double HeightOf(in Move move)
+        => move.Layer >= 0 && _toolpath.Layers[move.Layer].Thickness > 0 ? _toolpath.Layers[move.Layer].Thickness : _setup.Settings.LargerLayerHeight;
+}

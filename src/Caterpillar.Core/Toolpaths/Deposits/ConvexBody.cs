@@ -1,0 +1,161 @@
+namespace Caterpillar.Toolpaths;
+
+/// <summary>A flat disc; a point if its radius is 0.</summary>
+internal readonly record struct Disc(Vec3 Center, Vec3 Normal, double Radius)
+{
+    /// <summary>The farthest point along a direction.</summary>
+    public Vec3 Farthest(Vec3 direction)
+    {
+        if (Radius == 0) return Center;
+        var across = direction - Normal * Vec3.Dot(direction, Normal);
+        var length = across.Length;
+        return length > 0 ? Center + across * (Radius / length) : Center;
+    }
+}
+
+/// <summary>The convex hull of discs and points.</summary>
+internal sealed class ConvexBody(params Disc[] discs)
+{
+    /// <summary>The axis-parallel box around it.</summary>
+    public Bounds Bounds
+    {
+        get
+        {
+            var low = new Vec3(Farthest(-Vec3.UnitX).X, Farthest(-Vec3.UnitY).Y, Farthest(-Vec3.UnitZ).Z);
+            return new Bounds(low, new Vec3(Farthest(Vec3.UnitX).X, Farthest(Vec3.UnitY).Y, Farthest(Vec3.UnitZ).Z));
+        }
+    }
+
+    /// <summary>A box.</summary>
+    public static ConvexBody Of(Bounds box) => new(Corners(box, Affine.Identity).ToArray());
+
+    /// <summary>The corners of a box in a frame.</summary>
+    public static IEnumerable<Disc> Corners(Bounds box, Affine frame)
+    {
+        for (var i = 0; i < 8; i++)
+        {
+            var corner = new Vec3((i & 1) == 0 ? box.Min.X : box.Max.X, (i & 2) == 0 ? box.Min.Y : box.Max.Y, (i & 4) == 0 ? box.Min.Z : box.Max.Z);
+            yield return new Disc(frame.Apply(corner), Vec3.UnitZ, 0);
+        }
+    }
+
+    /// <summary>The farthest point along a direction.</summary>
+    public Vec3 Farthest(Vec3 direction)
+    {
+        var best = discs[0].Farthest(direction);
+        var most = Vec3.Dot(best, direction);
+        for (var i = 1; i < discs.Length; i++)
+        {
+            var point = discs[i].Farthest(direction);
+            var along = Vec3.Dot(point, direction);
+            if (along > most) (best, most) = (point, along);
+        }
+        return best;
+    }
+
+    /// <summary>
+    /// True if another body comes within a distance, mm (Gilbert, Johnson and Keerthi 1988). Where rounding leaves it open the answer is true.
+    /// </summary>
+    /// <param name="other">The other body.</param>
+    /// <param name="distance">The distance, mm.</param>
+    /// <param name="apart">A direction in which this one probably lies beyond the other, of length 1.</param>
+    public bool Meets(ConvexBody other, double distance, Vec3 apart)
+    {
+        const int Most = 64;
+        // The simplex of the difference of both bodies that is nearest to the origin.
+        Vec3[]? simplex = null;
+        var count = 0;
+        var near = apart;
+        var known = double.PositiveInfinity;
+        for (var round = 0; round < Most; round++)
+        {
+            var corner = Farthest(-near) - other.Farthest(near);
+            var length = near.Length;
+            var along = Vec3.Dot(near, corner);
+            if (along > distance * length) return false;
+            if (count > 0 && known - along <= 1e-12 * known + 1e-15) return length <= distance;
+            simplex ??= new Vec3[4];
+            simplex[count++] = corner;
+            near = NearestOnSimplex.Of(simplex, ref count);
+            var square = near.LengthSquared;
+            if (square <= distance * distance || count == 4) return true;
+            // It no longer comes nearer: rounding.
+            if (square >= known) return Math.Sqrt(square) <= distance + 1e-9;
+            known = square;
+        }
+        return true;
+    }
+}
+
+/// <summary>The point of a simplex that is nearest to the origin (Ericson, Real-Time Collision Detection, 5.1), and the corners that it needs.</summary>
+internal static class NearestOnSimplex
+{
+    /// <summary>The point; what is not needed of the simplex is dropped. With four corners left the origin is inside.</summary>
+    public static Vec3 Of(Vec3[] s, ref int count) => count switch
+    {
+        1 => s[0],
+        2 => Segment(s, ref count),
+        3 => Triangle(s, ref count),
+        _ => Tetrahedron(s, ref count),
+    };
+
+    private static Vec3 Segment(Vec3[] s, ref int count)
+    {
+        var d = s[1] - s[0];
+        var t = -Vec3.Dot(s[0], d);
+        var square = d.LengthSquared;
+        if (t <= 0) count = 1;
+        else if (t >= square) (s[0], count) = (s[1], 1);
+        else return s[0] + d * (t / square);
+        return s[0];
+    }
+
+    private static Vec3 Triangle(Vec3[] s, ref int count)
+    {
+        Vec3 a = s[0], b = s[1], c = s[2], ab = b - a, ac = c - a;
+        double d1 = -Vec3.Dot(ab, a), d2 = -Vec3.Dot(ac, a), d3 = -Vec3.Dot(ab, b), d4 = -Vec3.Dot(ac, b), d5 = -Vec3.Dot(ab, c), d6 = -Vec3.Dot(ac, c);
+        if (d1 <= 0 && d2 <= 0) return One(s, a, ref count);
+        if (d3 >= 0 && d4 <= d3) return One(s, b, ref count);
+        if (d6 >= 0 && d5 <= d6) return One(s, c, ref count);
+        double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+        if (vc <= 0 && d1 >= 0 && d3 <= 0) return Two(s, a, b, d1 / (d1 - d3), ref count);
+        if (vb <= 0 && d2 >= 0 && d6 <= 0) return Two(s, a, c, d2 / (d2 - d6), ref count);
+        if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return Two(s, b, c, (d4 - d3) / (d4 - d3 + (d5 - d6)), ref count);
+        var sum = va + vb + vc;
+        return sum > 0 ? a + ab * (vb / sum) + ac * (vc / sum) : Two(s, a, b, d1 / (d1 - d3), ref count);
+    }
+
+    private static Vec3 Tetrahedron(Vec3[] s, ref int count)
+    {
+        Vec3[] face = new Vec3[3], best = new Vec3[3];
+        var (nearest, square, corners) = (Vec3.Zero, double.PositiveInfinity, 4);
+        for (var i = 0; i < 4; i++)
+        {
+            Vec3 a = s[i], b = s[(i + 1) & 3], c = s[(i + 2) & 3], d = s[(i + 3) & 3];
+            var normal = Vec3.Cross(b - a, c - a);
+            // A face with the origin on the other side than the fourth corner, or a flat one.
+            if (-Vec3.Dot(a, normal) * Vec3.Dot(d - a, normal) > 0) continue;
+            (face[0], face[1], face[2]) = (a, b, c);
+            var of = 3;
+            var p = Triangle(face, ref of);
+            if (!(p.LengthSquared < square)) continue;
+            (nearest, square, corners) = (p, p.LengthSquared, of);
+            Array.Copy(face, best, 3);
+        }
+        if (corners < 4) Array.Copy(best, s, corners);
+        count = corners;
+        return nearest;
+    }
+
+    private static Vec3 One(Vec3[] s, Vec3 a, ref int count)
+    {
+        (s[0], count) = (a, 1);
+        return a;
+    }
+
+    private static Vec3 Two(Vec3[] s, Vec3 a, Vec3 b, double t, ref int count)
+    {
+        (s[0], s[1], count) = (a, b, 2);
+        return a + (b - a) * t;
+    }
+}

@@ -1,0 +1,161 @@
+namespace Caterpillar.Toolpaths;
+
+/// <summary>A straight move of the tip over the part, while the rotary axes turn evenly. Positions in mm, words in degrees.</summary>
+internal readonly record struct HeadMove(Vec3 From, Vec3 FromTurns, Vec3 To, Vec3 ToTurns)
+{
+    /// <summary>A part of it, between two shares of 0 to 1.</summary>
+    public HeadMove Part(double from, double to)
+        => new(Vec3.Lerp(From, To, from), Vec3.Lerp(FromTurns, ToTurns, from), Vec3.Lerp(From, To, to), Vec3.Lerp(FromTurns, ToTurns, to));
+}
+
+/// <summary>
+/// Nozzle, head and what carries them on a machine with rotary axes, as they stand over the part: the nozzle is round about the tool, and as wide above its
+/// outline as at its end. A move is the hulls of the poses at the ends of its parts; how far a turning body leaves them is added. It misses nothing.
+/// </summary>
+/// <param name="kinematics">The rotary axes.</param>
+/// <param name="outline">Radius and height of the nozzle, from the tip outward, mm.</param>
+/// <param name="boxes">Boxes relative to the tip, mm.</param>
+internal sealed class LeaningHead(Kinematics kinematics, IReadOnlyList<(double Radius, double Height)> outline, IReadOnlyList<Bounds> boxes)
+{
+    /// <summary>The head goes on above its outline for so many mm.</summary>
+    public const double Above = 100;
+
+    // How far a turning body may leave the hull of two poses, mm.
+    private const double Bulge = 0.02;
+    private const int MostParts = 512;
+    private readonly double _flat = new HeadShape(outline).FlatRadius;
+
+    // The part of the nozzle that may dig into gentle slopes, and the rest.
+    private readonly (double Radius, double Height)[] _tip = Below(outline, 3 * new HeadShape(outline).FlatRadius);
+    private readonly (double Radius, double Height)[] _rest = [.. From(outline, 3 * new HeadShape(outline).FlatRadius)];
+
+    /// <summary>What the nozzle does to strands; the strand that it hits or digs into.</summary>
+    /// <param name="strands">What is there.</param>
+    /// <param name="move">The move.</param>
+    /// <param name="tolerance">Maximum depth of contact, mm.</param>
+    /// <param name="hit">The strand.</param>
+    public HeadContact Meets(StrandGrid strands, in HeadMove move, double tolerance, out Strand? hit)
+    {
+        hit = null;
+        var contact = HeadContact.None;
+        var reach = outline[outline.Count - 1].Radius + outline[outline.Count - 1].Height + Above;
+        foreach (var (a, b, bulge) in Parts(move, reach, tolerance, kinematics.Pose))
+        {
+            var apart = (a.ZAxis + b.ZAxis).Unit();
+            var whole = Hull(a, b, [.. outline, (outline[outline.Count - 1].Radius, outline[outline.Count - 1].Height + Above)]);
+            ConvexBody[]? tip = null, rest = null, raised = null;
+            ConvexBody? cone = null;
+            foreach (var strand in strands.Near(whole, bulge, apart))
+            {
+                if (!whole.Meets(strand.Body, bulge, apart)) continue;
+                if (AnyMeets(rest ??= Frustums(a, b, _rest), strand.Body, bulge, apart))
+                {
+                    hit = strand;
+                    return HeadContact.Hits;
+                }
+                if (!AnyMeets(tip ??= Frustums(a, b, _tip), strand.Body, bulge, apart)) continue;
+                var top = _tip[_tip.Length - 1].Height;
+                cone ??= Hull(a, b, [(0, 0), (top, top)]);
+                raised ??= Frustums(a, b, Below([.. _tip.Select(p => (p.Radius, p.Height + _flat))], double.PositiveInfinity, top));
+                hit = strand;
+                if (cone.Meets(strand.Line, bulge, apart) || AnyMeets(raised, strand.Body, bulge, apart)) return HeadContact.Hits;
+                contact = HeadContact.Digs;
+            }
+        }
+        return contact;
+    }
+
+    /// <summary>True if a box meets strands.</summary>
+    /// <param name="strands">What is there.</param>
+    /// <param name="move">The move.</param>
+    /// <param name="tolerance">Maximum depth of contact, mm.</param>
+    /// <param name="box">Number of the box.</param>
+    /// <param name="isCarried">It does not turn with the axes of the head.</param>
+    /// <param name="hit">The strand.</param>
+    public bool MeetsBox(StrandGrid strands, in HeadMove move, double tolerance, int box, bool isCarried, out Strand? hit)
+    {
+        hit = null;
+        var body = boxes[box];
+        foreach (var (a, b, bulge) in Parts(move, Math.Max(body.Min.Length, body.Max.Length), tolerance, isCarried ? kinematics.Carriage : kinematics.Pose))
+        {
+            var hull = new ConvexBody([.. ConvexBody.Corners(body, a), .. ConvexBody.Corners(body, b)]);
+            var apart = (a.ZAxis + b.ZAxis).Unit();
+            foreach (var strand in strands.Near(hull, bulge, apart))
+            {
+                if (!hull.Meets(strand.Body, bulge, apart)) continue;
+                hit = strand;
+                return true;
+            }
+        }
+        return false;
+    }
+
+    // Poses at the ends of the parts of a move, raised by the tolerance, and how far a body leaves their hull.
+    private IEnumerable<(Affine From, Affine To, double Bulge)> Parts(HeadMove move, double reach, double tolerance, Func<Vec3, Vec3, Affine> pose)
+    {
+        var turn = Angle.ToRadians(kinematics.Turn(move.FromTurns, move.ToTurns));
+        var count = (int)Math.Min(MostParts, Math.Max(1, Math.Ceiling(turn * Math.Sqrt(reach / (8 * Bulge)))));
+        var bulge = reach * (turn / count) * (turn / count) / 8 + 1e-9;
+        var last = At(0);
+        for (var k = 1; k <= count; k++)
+        {
+            var next = At((double)k / count);
+            yield return (last, next, bulge);
+            last = next;
+        }
+
+        Affine At(double s)
+        {
+            var at = pose(Vec3.Lerp(move.From, move.To, s), Vec3.Lerp(move.FromTurns, move.ToTurns, s));
+            return at with { Shift = at.Shift + at.ZAxis * tolerance };
+        }
+    }
+
+    private static bool AnyMeets(ConvexBody[] bodies, ConvexBody other, double distance, Vec3 apart)
+    {
+        foreach (var body in bodies)
+        {
+            if (body.Meets(other, distance, apart)) return true;
+        }
+        return false;
+    }
+
+    private static ConvexBody[] Frustums(Affine a, Affine b, (double Radius, double Height)[] points)
+        => [.. Enumerable.Range(0, Math.Max(0, points.Length - 1)).Select(i => Hull(a, b, [points[i], points[i + 1]]))];
+
+    private static ConvexBody Hull(Affine a, Affine b, (double Radius, double Height)[] points)
+        => new([.. points.SelectMany(p => new[] { a, b }, (p, at) => new Disc(at.Shift + at.ZAxis * p.Height, at.ZAxis, p.Radius))]);
+
+    // An outline up to a radius and a height.
+    private static (double Radius, double Height)[] Below(
+        IReadOnlyList<(double Radius, double Height)> points, double radius, double height = double.PositiveInfinity)
+    {
+        var kept = new List<(double, double)>();
+        for (var i = 0; i < points.Count; i++)
+        {
+            var (r, h) = points[i];
+            if (r <= radius && h <= height)
+            {
+                kept.Add((r, h));
+                continue;
+            }
+            if (i == 0) break;
+            var (r0, h0) = points[i - 1];
+            var share = Math.Min(r > radius ? (radius - r0) / (r - r0) : 1, h > height ? (height - h0) / (h - h0) : 1);
+            kept.Add((r0 + (r - r0) * share, h0 + (h - h0) * share));
+            break;
+        }
+        return [.. kept];
+    }
+
+    private static IEnumerable<(double Radius, double Height)> From(IReadOnlyList<(double Radius, double Height)> points, double radius)
+    {
+        var tip = Below(points, radius);
+        yield return tip[tip.Length - 1];
+        foreach (var point in points)
+        {
+            if (point.Radius > radius) yield return point;
+        }
+        yield return (points[points.Count - 1].Radius, points[points.Count - 1].Height + Above);
+    }
+}

@@ -1,0 +1,234 @@
+namespace Caterpillar.Toolpaths;
+
+/// <summary>
+/// Leans the tool of a toolpath: every move ends with the rotary words of a machine. X, Y and Z stay the position of the nozzle tip on the part. Within a bead
+/// the words change as little as they can; between beads the tool turns on the way, after it has left the one and before it comes to the other. At the end it
+/// stands upright again.
+/// </summary>
+/// <param name="kinematics">The axes of the machine.</param>
+/// <param name="tool">The direction from the tip to the head at a point in mm, of any length.</param>
+public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
+{
+    // Way from the print on which the tool becomes upright at the end, mm, and its speed there, mm/s and degrees/s.
+    private const double LeavesBy = 5;
+    private const double Leaving = 20;
+    private const int MostParts = 1024;
+
+    // Shares of the lean that are tried.
+    private static readonly double[] Whole = [1], Shares = [1, 0.75, 0.5, 0.25, 0];
+
+    // Words before beads to which no way leads.
+    private readonly Dictionary<int, Vec3> _turnsFirst = [];
+
+    /// <summary>Maximum lean of the tool from vertical, degrees; steeper directions are limited to it.</summary>
+    public double MaxTilt { get; init; } = 180;
+
+    /// <summary>Maximum change of the direction along a bead, degrees/mm: sharper turns begin before the place that asks for them and end after it.</summary>
+    public double MaxChange { get; init; } = 10;
+
+    /// <summary>
+    /// True for a move that must not be made so, mm and degrees: the beads that have it lean less, down to upright. Beads that were found good are told to it.
+    /// </summary>
+    internal Func<Move, HeadMove, bool>? Refuses { get; init; }
+
+    /// <inheritdoc cref="Refuses"/>
+    internal Action<Move, HeadMove>? Printed { get; init; }
+
+    /// <summary>The toolpath with rotary words. Arcs become chords.</summary>
+    public Toolpath Apply(Toolpath toolpath, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        var straight = kinematics.IsPolar ? Divided(toolpath, progress, cancel)
+            : StraightPieces.Rebuilt(toolpath, toolpath.Start, (builder, piece) => builder.Add(piece), progress, cancel);
+        var words = new Vec3[straight.Count];
+        var last = Vec3.Zero;
+        for (var first = 0; first < words.Length;)
+        {
+            cancel.ThrowIfCancellationRequested();
+            // A way to a bead, and the bead.
+            var bead = first;
+            while (bead < words.Length && straight[bead].Kind != MoveKind.Print) bead++;
+            var end = bead;
+            while (end < words.Length && straight[end].Kind == MoveKind.Print) end++;
+            if (kinematics.IsPolar || bead == words.Length)
+            {
+                for (var i = first; i < end; i++) words[i] = last = straight[i].Length > 0 ? At(straight[i].End, last) : last;
+            }
+            else
+            {
+                var start = Allowed(straight, words, bead, end, last);
+                Travel(straight, words, first, bead, last, start);
+                last = words[end - 1];
+            }
+            first = end;
+        }
+        var next = 0;
+        var turned = StraightPieces.Rebuilt(straight, straight.Start, (builder, piece) =>
+        {
+            // Without a way to a bead the tool turns before it.
+            if (_turnsFirst.TryGetValue(next, out var before)) Turn(builder, builder.Position, before, piece);
+            builder.Add(piece);
+            builder.SetRotary(words[next].X, words[next].Y, words[next].Z);
+            if (++next == words.Length) StandUp(builder, words[next - 1], piece);
+        }, null, cancel);
+        _turnsFirst.Clear();
+        return turned;
+    }
+
+    private Vec3 Lean(Vec3 p) => Capped(tool(p).Unit(), MaxTilt);
+
+    private static Vec3 Capped(Vec3 direction, double most)
+    {
+        if (Angle.Atan2(direction.LengthXY, direction.Z) <= most) return direction;
+        var (sin, cos) = Angle.SinCos(most);
+        var aside = new Vec3(direction.X, direction.Y).Unit();
+        return (aside * sin).WithZ(cos);
+    }
+
+    private Vec3 At(Vec3 p, Vec3 last) => kinematics.Nearest(p, Lean(p), last);
+
+    // The words of a bead that nothing refuses, with as much of the lean as possible; those with all of it where there are none.
+    private Vec3 Allowed(Toolpath path, Vec3[] words, int bead, int end, Vec3 last)
+    {
+        var aims = Aims(path, bead, end);
+        var most = aims.Max(a => Angle.Atan2(a.LengthXY, a.Z));
+        var start = last;
+        var isRefused = true;
+        foreach (var share in Refuses is null ? Whole : Shares)
+        {
+            start = Follow(path, [.. aims.Select(a => Capped(a, most * share))], words, bead, end, last);
+            isRefused = Refuses is not null && Moves().Any(m => Refuses(m.Move, m.Head));
+            if (!isRefused) break;
+        }
+        if (isRefused) start = Follow(path, aims, words, bead, end, last);
+        foreach (var (move, head) in Moves()) Printed?.Invoke(move, head);
+        return start;
+
+        IEnumerable<(Move Move, HeadMove Head)> Moves()
+        {
+            for (var i = bead; i < end; i++) yield return (path[i], new HeadMove(path[i].Start, i > bead ? words[i - 1] : start, path[i].End, words[i]));
+        }
+    }
+
+    // The directions at the start of a bead and at the ends of its moves, that change by no more than they may.
+    private Vec3[] Aims(Toolpath path, int bead, int end)
+    {
+        var aims = new Vec3[end - bead + 1];
+        aims[0] = Lean(path[bead].Start);
+        for (var i = bead; i < end; i++) aims[i - bead + 1] = Lean(path[i].End);
+        var (onward, back) = ((Vec3[])aims.Clone(), (Vec3[])aims.Clone());
+        for (var i = 1; i < aims.Length; i++) onward[i] = Toward(onward[i - 1], aims[i], path[bead + i - 1].Length * MaxChange);
+        for (var i = aims.Length - 2; i >= 0; i--) back[i] = Toward(back[i + 1], aims[i], path[bead + i].Length * MaxChange);
+        for (var i = 0; i < aims.Length; i++) aims[i] = (onward[i] + back[i]).Unit() is { LengthSquared: > 0 } middle ? middle : onward[i];
+        return aims;
+    }
+
+    // From one direction to another, by an angle at most.
+    private static Vec3 Toward(Vec3 from, Vec3 to, double most)
+    {
+        var cross = Vec3.Cross(from, to);
+        var angle = Angle.Atan2(cross.Length, Vec3.Dot(from, to));
+        if (angle <= most) return to;
+        var (sin, cos) = Angle.SinCos(most);
+        var across = cross.Length > 1e-9 ? Vec3.Cross(cross.Unit(), from) : Vec3.Cross(from, Math.Abs(from.X) < 0.9 ? Vec3.UnitX : Vec3.UnitY).Unit();
+        return from * cos + across * sin;
+    }
+
+    // Fills in the words of a bead and returns those at its start: of all that keep within the limits, those that are nearest to the words before.
+    private Vec3 Follow(Toolpath path, Vec3[] aims, Vec3[] words, int bead, int end, Vec3 last)
+    {
+        var begin = path[bead].Start;
+        var starts = new List<Vec3>();
+        foreach (var solution in kinematics.Solutions(begin, Kinematics.Snapped(aims[0]), last))
+        {
+            var near = kinematics.NearestTurns(solution, last, out _);
+            starts.Add(near);
+            foreach (var axis in kinematics.Axes)
+            {
+                // Another turn may leave more of a limited axis.
+                if (double.IsInfinity(axis.Min) && double.IsInfinity(axis.Max)) continue;
+                starts.Add(axis.With(near, axis.Of(near) + 360));
+                starts.Add(axis.With(near, axis.Of(near) - 360));
+            }
+        }
+        var best = starts.Where(s => kinematics.IsWithin(s)).OrderBy(s => kinematics.Change(last, s).Largest).ThenBy(s => kinematics.Change(last, s).Sum)
+            .Cast<Vec3?>().FirstOrDefault(s => Keeps(s!.Value)) ?? kinematics.Nearest(begin, aims[0], last);
+        Keeps(best);
+        return best;
+
+        bool Keeps(Vec3 at)
+        {
+            for (var i = bead; i < end; i++)
+            {
+                var before = at;
+                words[i] = at = kinematics.Nearest(path[i].End, aims[i - bead + 1], at);
+                // A tool that swings round farther than it leans has changed sides.
+                if (!kinematics.IsWithin(at) || kinematics.Turn(before, at) > 180) return false;
+            }
+            return true;
+        }
+    }
+
+    private void Travel(Toolpath path, Vec3[] words, int first, int bead, Vec3 from, Vec3 to)
+    {
+        int leaves = first, arrives = bead - 1;
+        while (leaves < bead && !(path[leaves].Length > 0)) leaves++;
+        while (arrives >= first && !(path[arrives].Length > 0)) arrives--;
+        if (from != to && leaves > arrives) _turnsFirst[bead] = to;
+        for (var i = first; i < bead; i++) words[i] = i < leaves || (i == leaves && arrives > leaves) ? from : arrives < leaves ? from : to;
+    }
+
+    private static void Turn(ToolpathBuilder builder, Vec3 at, Vec3 words, in Move like)
+    {
+        builder.Add(like with { End = at, E = 0, Deposited = 0, Kind = MoveKind.Travel, Speed = Leaving });
+        builder.SetRotary(words.X, words.Y, words.Z);
+    }
+
+    // Away from the print, then upright.
+    private void StandUp(ToolpathBuilder builder, Vec3 words, in Move last)
+    {
+        if (kinematics.Direction(words) == Vec3.UnitZ && !kinematics.Axes.Any(a => a.TurnsWork && a.Of(words) % 360 != 0)) return;
+        var direction = kinematics.Direction(words);
+        Turn(builder, builder.Position + direction * LeavesBy, words, last);
+        var upright = words;
+        foreach (var axis in kinematics.Axes)
+            upright = axis.With(upright, axis.About == PathAxis.Z ? 360 * Math.Floor(axis.Of(words) / 360 + 0.5) : 0);
+        if (!kinematics.IsPolar) Turn(builder, builder.Position, upright, last);
+    }
+
+    // On a polar machine the platform follows the tip: moves are divided so that even turns keep the tip on its way.
+    private Toolpath Divided(Toolpath toolpath, IProgress<double>? progress, CancellationToken cancel)
+    {
+        var last = Vec3.Zero;
+        return StraightPieces.Rebuilt(toolpath, toolpath.Start, Add, progress, cancel);
+
+        void Add(ToolpathBuilder builder, Move piece)
+        {
+            var count = 1;
+            if (piece.Length > 0)
+            {
+                last = At(piece.Start, last);
+                while (count < MostParts && !Holds(piece, count)) count *= 2;
+            }
+            for (var k = 1; k <= count; k++)
+            {
+                var end = Vec3.Lerp(piece.Start, piece.End, (double)k / count);
+                builder.Add(piece with { End = end, E = piece.E / count, Deposited = piece.Deposited / count });
+            }
+            last = At(piece.End, last);
+        }
+
+        bool Holds(in Move piece, int count)
+        {
+            var (at, turns) = (piece.Start, last);
+            for (var k = 1; k <= count; k++)
+            {
+                var next = Vec3.Lerp(piece.Start, piece.End, (double)k / count);
+                var words = At(next, turns);
+                if (MachinePositions.Divisions(kinematics, at, turns, next, words) > 1) return false;
+                (at, turns) = (next, words);
+            }
+            return true;
+        }
+    }
+}
