@@ -28,7 +28,7 @@ public class RotaryFileTests
         var written = SafeWriter.ToDocument(job.Toolpath, setup, reason: "a drawing in the air");
         var document = written.Value!;
         string[] wrong = ["collision", "file.pos", "limit.axis"];
-        Assert.That(written.Diagnostics.Where(d => wrong.Any(w => d.Code.StartsWith(w, StringComparison.Ordinal))), Is.Empty);
+        Assert.That(written.Diagnostics.Where(d => d.Severity != Severity.Note && wrong.Any(w => d.Code.StartsWith(w, StringComparison.Ordinal))), Is.Empty);
         var file = GCodeDecoder.Decode(document).OrThrow();
         var kinematics = setup.Printer.Kinematics!;
         // The machine moves all its words evenly; a controller that knows the tip keeps it on the line itself.

@@ -74,7 +74,9 @@ public class KinematicsTests
             var (a, b) = (Vector(move["p0"]!), Vector(move["p1"]!));
             Vec3 Tip(double s) => kinematics.Tip(Vec3.Lerp(from, to, s), Vec3.Lerp(turns, toTurns, s));
             var deviation = Enumerable.Range(0, 201).Max(k => Tip(k / 200.0).DistanceToSegment(a, b));
-            Assert.That(deviation, Is.EqualTo((double)move["deviation_mm"]!).Within(2e-6), id);
+            var wanted = (double)move["deviation_mm"]!;
+            Assert.That(Tip((double)move["at"]!).DistanceToSegment(a, b), Is.EqualTo(wanted).Within(2e-6), id);
+            Assert.That(deviation, Is.InRange(0.999 * wanted - 2e-6, wanted + 2e-6), id);
             if (kinematics.IsPolar) continue;
             var count = MachinePositions.Divisions(kinematics, a, turns, b, toTurns);
             Assert.That(count, Is.InRange((int)move["divisions"]!, (int)move["divisions"]! + 2), $"{id} {move["lag_mm"]}");

@@ -9,7 +9,8 @@ internal readonly record struct Disc(Vec3 Center, Vec3 Normal, double Radius)
         if (Radius == 0) return Center;
         var across = direction - Normal * Vec3.Dot(direction, Normal);
         var length = across.Length;
-        return length > 0 ? Center + across * (Radius / length) : Center;
+        // Straight across the disc what is left is rounding, which may point out of it.
+        return length > 1e-9 * direction.Length ? Center + across * (Radius / length) : Center;
     }
 }
 
@@ -90,6 +91,9 @@ internal sealed class ConvexBody(params Disc[] discs)
 /// <summary>The point of a simplex that is nearest to the origin (Ericson, Real-Time Collision Detection, 5.1), and the corners that it needs.</summary>
 internal static class NearestOnSimplex
 {
+    // Height of a corner over a face, as a share of their distance: less is rounding.
+    private const double Flat = 1e-9;
+
     /// <summary>The point; what is not needed of the simplex is dropped. With four corners left the origin is inside.</summary>
     public static Vec3 Of(Vec3[] s, ref int count) => count switch
     {
@@ -122,7 +126,18 @@ internal static class NearestOnSimplex
         if (vb <= 0 && d2 >= 0 && d6 <= 0) return Two(s, a, c, d2 / (d2 - d6), ref count);
         if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return Two(s, b, c, (d4 - d3) / (d4 - d3 + (d5 - d6)), ref count);
         var sum = va + vb + vc;
-        return sum > 0 ? a + ab * (vb / sum) + ac * (vc / sum) : Two(s, a, b, d1 / (d1 - d3), ref count);
+        if (sum > Flat * Flat * ab.LengthSquared * ac.LengthSquared) return a + ab * (vb / sum) + ac * (vc / sum);
+        // A triangle that is a line: the nearest of its sides.
+        var nearest = new Vec3(double.PositiveInfinity, 0);
+        foreach (var (from, to) in new[] { (a, b), (a, c), (b, c) })
+        {
+            Vec3[] side = [from, to];
+            var of = 2;
+            var p = Segment(side, ref of);
+            if (!(p.LengthSquared < nearest.LengthSquared)) continue;
+            (nearest, s[0], s[1], count) = (p, side[0], side[1], of);
+        }
+        return nearest;
     }
 
     private static Vec3 Tetrahedron(Vec3[] s, ref int count)
@@ -133,8 +148,10 @@ internal static class NearestOnSimplex
         {
             Vec3 a = s[i], b = s[(i + 1) & 3], c = s[(i + 2) & 3], d = s[(i + 3) & 3];
             var normal = Vec3.Cross(b - a, c - a);
-            // A face with the origin on the other side than the fourth corner, or a flat one.
-            if (-Vec3.Dot(a, normal) * Vec3.Dot(d - a, normal) > 0) continue;
+            // Only a face with the origin on the other side than the fourth corner counts; where all four are nearly flat, any.
+            var height = Vec3.Dot(d - a, normal);
+            var isFlat = Math.Abs(height) <= Flat * normal.Length * (d - a).Length;
+            if (!isFlat && -Vec3.Dot(a, normal) * height > 0) continue;
             (face[0], face[1], face[2]) = (a, b, c);
             var of = 3;
             var p = Triangle(face, ref of);
