@@ -58,7 +58,7 @@ public class LeaningHeadTests
             if (inBox > 1e-9) boxHits++;
             if (!nearBox) boxFree++;
         }
-        Assert.That(new[] { hits, free, boxHits, boxFree }, Is.All.GreaterThan(25), "The rounds show both.");
+        Assert.That(new[] { hits, free, boxHits, boxFree }, Is.All.AtLeast(20), "The rounds show both.");
     }
 
     private static readonly PrintSetup Leaning = SmallPrint.Setup(p => p with
@@ -99,7 +99,7 @@ public class LeaningHeadTests
     [Test]
     public void A_turn_in_place_sweeps_the_head()
     {
-        // Upright and leaning away from the wall there is room, but not on the way.
+        // Upright and leaning away from the wall there is room, but not in between.
         var print = new SmallPrint().Wall(80, 120, 100, 10).Go(100, 112, 100).Turns(0, 40, 90).Go(100, 112, 100).Go(100, 112, 5)
             .Expect(CheckCodes.TravelHits).Turns(0, 40, 450).Go(100, 112, 5);
         var found = SmallPrint.Find(print.Build(), Leaning, CheckCodes.TravelHits);

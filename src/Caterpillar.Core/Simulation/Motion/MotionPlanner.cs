@@ -205,7 +205,7 @@ internal sealed class MotionPlanner
         Run(move, length);
     }
 
-    // With rotary axes: what each axis does along a mm of the way of the tip, or along a degree where the tip stands.
+    // With rotary axes: what each axis does along a mm of the path of the tip, or along a degree where the tip stands.
     private void Turn(Vec3 start, Vec3 end, Vec3 turns, double e, double speed)
     {
         double length = start.DistanceTo(end), degrees = _turns.DistanceTo(turns);

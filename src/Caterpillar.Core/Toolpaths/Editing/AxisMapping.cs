@@ -1,13 +1,5 @@
 namespace Caterpillar.Toolpaths;
 
-/// <summary>A coordinate of a path.</summary>
-public enum PathAxis : byte
-{
-    X,
-    Y,
-    Z,
-}
-
 /// <summary>The G-code word that a coordinate is mapped to: a rotary axis, or a linear axis with another use.</summary>
 public enum OutputAxis : byte
 {

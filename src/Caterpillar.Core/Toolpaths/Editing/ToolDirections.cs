@@ -2,14 +2,14 @@ namespace Caterpillar.Toolpaths;
 
 /// <summary>
 /// Leans the tool of a toolpath: every move ends with the rotary words of a machine. X, Y and Z stay the position of the nozzle tip on the part. Within a bead
-/// the words change as little as they can; between beads the tool turns on the way, after it has left the one and before it comes to the other. At the end it
+/// the words change as little as they can; between beads the tool turns during the travel, after it has left the one and before it comes to the other. At the end it
 /// stands upright again.
 /// </summary>
 /// <param name="kinematics">The axes of the machine.</param>
 /// <param name="tool">The direction from the tip to the head at a point in mm, of any length.</param>
 public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
 {
-    // Way from the print on which the tool becomes upright at the end, mm, and its speed there, mm/s and degrees/s.
+    // Distance from the print over which the tool becomes upright at the end, mm, and its speed there, mm/s and degrees/s.
     private const double LeavesBy = 5;
     private const double Leaving = 20;
     private const int MostParts = 1024;
@@ -17,7 +17,7 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
     // Shares of the lean that are tried.
     private static readonly double[] Whole = [1], Shares = [1, 0.75, 0.5, 0.25, 0];
 
-    // Words before beads to which no way leads.
+    // Words before beads to which no travel leads.
     private readonly Dictionary<int, Vec3> _turnsFirst = [];
 
     /// <summary>Maximum lean of the tool from vertical, degrees; steeper directions are limited to it.</summary>
@@ -45,7 +45,7 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
         for (var first = 0; first < words.Length;)
         {
             cancel.ThrowIfCancellationRequested();
-            // A way to a bead, and the bead.
+            // The travel to a bead, and the bead.
             var bead = first;
             while (bead < words.Length && straight[bead].Kind != MoveKind.Print) bead++;
             var end = bead;
@@ -65,7 +65,7 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
         var next = 0;
         var turned = StraightPieces.Rebuilt(straight, straight.Start, (builder, piece) =>
         {
-            // Without a way to a bead the tool turns before it.
+            // Without a travel to a bead the tool turns before it.
             if (_turnsFirst.TryGetValue(next, out var before)) Turn(builder, builder.Position, before, piece);
             builder.Add(piece);
             builder.SetRotary(words[next].X, words[next].Y, words[next].Z);
@@ -196,7 +196,7 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
         if (!kinematics.IsPolar) Turn(builder, builder.Position, upright, last);
     }
 
-    // On a polar machine the platform follows the tip: moves are divided so that even turns keep the tip on its way.
+    // On a polar machine the platform follows the tip: moves are divided so that even turns keep the tip on its path.
     private Toolpath Divided(Toolpath toolpath, IProgress<double>? progress, CancellationToken cancel)
     {
         var last = Vec3.Zero;

@@ -193,7 +193,7 @@ public sealed class Kinematics(IReadOnlyList<RotaryAxis> axes, bool isPolar = fa
         var arm = tip - center;
         var radius = arm.LengthXY;
         var isFree = !(radius > Pole);
-        // Where the part meets the plane of X and Z: in front of the axis, or behind it.
+        // Where the part meets the plane of X and Z: on one side of the axis, or on the other.
         var lead = isFree ? 0 : Basics.Angle.Atan2(-center.Y, Math.Sqrt(Math.Max(0, radius * radius - center.Y * center.Y)));
         var azimuth = Basics.Angle.Atan2(arm.Y, arm.X);
         return [Facing(isFree ? _turn.Angle(last) : azimuth - lead), Facing(isFree ? _turn.Angle(last) + 180 : azimuth - 180 + lead)];

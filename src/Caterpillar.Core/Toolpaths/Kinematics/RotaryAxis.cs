@@ -1,5 +1,13 @@
 namespace Caterpillar.Toolpaths;
 
+/// <summary>A coordinate of a path.</summary>
+public enum PathAxis : byte
+{
+    X,
+    Y,
+    Z,
+}
+
 /// <summary>The word of a rotary axis in G-code.</summary>
 public enum RotaryWord : byte
 {
@@ -34,8 +42,8 @@ public sealed record RotaryAxis(RotaryWord Word, bool TurnsWork, PathAxis About,
     public double MaxAcceleration { get; init; } = double.PositiveInfinity;
 
     /// <summary>
-    /// Reads <c>B head y at 0 0 42 from -110 to 110 speed 60 acceleration 1000</c>: what follows the direction may be left out, and <c>-y</c> counts the other
-    /// way. Null if the text is invalid.
+    /// Reads <c>B head y at 0 0 42 from -110 to 110 speed 60 acceleration 1000</c>: what follows the direction may be left out, and <c>-y</c> counts in
+    /// the other direction. Null if the text is invalid.
     /// </summary>
     public static RotaryAxis? Parse(string text)
     {
