@@ -80,7 +80,7 @@ public class KinematicsTests
             if (kinematics.IsPolar) continue;
             var count = MachinePositions.Divisions(kinematics, a, turns, b, toTurns);
             // Theirs counts the distance from the path alone, and leaves nothing for rounding.
-            Assert.That(count, Is.InRange((int)move["divisions"]!, 2 + 1.3 * (int)move["divisions"]!), $"{id} {move["lag_mm"]}");
+            Assert.That(count, Is.InRange((int)move["divisions"]!, 2 + (int)(1.3 * (int)move["divisions"]!)), $"{id} {move["lag_mm"]}");
             for (var k = 0; k < count; k++)
             {
                 (Vec3 Slides, Vec3 Turns) At(double s)

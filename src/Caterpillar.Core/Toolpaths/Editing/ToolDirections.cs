@@ -2,8 +2,8 @@ namespace Caterpillar.Toolpaths;
 
 /// <summary>
 /// Leans the tool of a toolpath: every move ends with the rotary words of a machine. X, Y and Z stay the position of the nozzle tip on the part. Within a bead
-/// the words change as little as they can; between beads the tool turns during the travel, after it has left the one and before it comes to the other. At the end it
-/// stands upright again.
+/// the words change as little as they can; between beads the tool turns during the travel, after it has left the one and before it comes to the other. At the
+/// end it stands upright again.
 /// </summary>
 /// <param name="kinematics">The axes of the machine.</param>
 /// <param name="tool">The direction from the tip to the head at a point in mm, of any length.</param>
