@@ -11,7 +11,7 @@ internal static class RotaryMoves
     /// <summary>The toolpath as the file has it, of one on the part.</summary>
     public static Toolpath ToMachine(this Printer printer, Toolpath toolpath, CancellationToken cancel = default)
         => printer.Turned(toolpath, cancel) is { HasTurns: true } turned && MovesSlides(printer) is { } kinematics
-            ? MachinePositions.ToMachine(turned, kinematics, null, cancel) : toolpath;
+            ? MachinePositions.ToMachine(turned, kinematics, new Vec3(printer.MaxSpeed.X, printer.MaxSpeed.Y, printer.MaxSpeed.Z), cancel) : toolpath;
 
     /// <summary>The toolpath on the part, of one as a file has it.</summary>
     public static Toolpath ToPart(this Printer printer, Toolpath toolpath, CancellationToken cancel = default)

@@ -19,8 +19,12 @@ internal static class MachinePositions
     // mm; less is rounding of the words.
     private const double Still = 1e-9;
 
-    /// <summary>The toolpath of the slides, of one in the frame of the part. Arcs become chords; every move keeps its time.</summary>
-    public static Toolpath ToMachine(Toolpath toolpath, Kinematics kinematics, IProgress<double>? progress, CancellationToken cancel)
+    /// <summary>The toolpath of the slides, of one in the frame of the part. Arcs become chords; every move keeps its time if all axes can.</summary>
+    /// <param name="toolpath">The toolpath on the part.</param>
+    /// <param name="kinematics">The rotary axes.</param>
+    /// <param name="most">Maximum speeds of the slides, mm/s.</param>
+    /// <param name="cancel">Cancels.</param>
+    public static Toolpath ToMachine(Toolpath toolpath, Kinematics kinematics, Vec3 most, CancellationToken cancel)
     {
         var turns = Vec3.Zero;
         var whole = -1;
@@ -28,7 +32,7 @@ internal static class MachinePositions
         // The pieces of an arc share its turn.
         double done = 0, parts = 1;
         Vec3? start = toolpath.Start is { } known ? kinematics.Machine(known, Vec3.Zero) : null;
-        return StraightPieces.Rebuilt(toolpath, start, Add, progress, cancel);
+        return StraightPieces.Rebuilt(toolpath, start, Add, null, cancel);
 
         void Add(ToolpathBuilder builder, Move piece)
         {
@@ -52,11 +56,20 @@ internal static class MachinePositions
                 if (moved < Still) (next, moved) = (at, 0);
                 var along = RotaryColumns.Share(piece.Length / count, degrees);
                 var speed = along > 0 ? piece.Speed * RotaryColumns.Share(moved, degrees) / along : piece.Speed;
+                if (Least(next - at, end - turns) / count is > 0 and var time) speed = Math.Min(speed, RotaryColumns.Share(moved, degrees) / time);
                 builder.Add(piece with { End = next, E = piece.E / count, Deposited = piece.Deposited / count, Speed = speed });
                 builder.SetRotary(words.X, words.Y, words.Z);
                 at = next;
             }
             turns = end;
+
+            // The time that the slowest axis needs, s.
+            double Least(Vec3 slides, Vec3 words)
+            {
+                var time = count * Math.Max(Math.Abs(slides.X) / most.X, Math.Max(Math.Abs(slides.Y) / most.Y, Math.Abs(slides.Z) / most.Z));
+                foreach (var axis in kinematics.Axes) time = Math.Max(time, Math.Abs(axis.Of(words)) / axis.MaxSpeed);
+                return time;
+            }
         }
     }
 
