@@ -22,17 +22,18 @@ internal static class SupportTable
 {
     private const double Angle = 50;
 
-    // mm; a bead holds what is no higher above it and no farther aside, and touches what is nearer.
+    // mm; a bead holds what is no higher above it and no farther aside, and touches a layer if only the gap lies between them.
     private const double HeldAbove = 1;
     private const double HeldAside = 1;
-    private const double TouchedAbove = 0.5;
+    private const double TouchedAbove = 0.3;
     private const double TouchedAside = 0.225;
     private const double Thickness = 0.2;
 
     // mm² for each sample, and mm from the surface where another body may cover it.
     private const double SampleArea = 0.05;
     private const double Outside = 0.15;
-    private static readonly string[] Files = ["spot.obj", "homer.stl", "ogre_bodies.ply", "igea.ply", "cheburashka.ply", "beetle_open.obj", "torus.obj"];
+    // Of whole meshes: where layers are lost, there is nothing to hold.
+    private static readonly string[] Files = ["spot.obj", "homer.stl", "ogre_bodies.ply", "igea.ply", "cheburashka.ply", "torus.obj"];
 
     private static readonly PrintSettings Settings = PrintTimes.Settings with
     {
@@ -160,13 +161,16 @@ internal static class SupportTable
             if (sample.Hangs) hanging += sample.Area;
             if (!beads.TryGetValue(((int)sample.Place.X, (int)sample.Place.Y), out var near)) continue;
             // From the top of beads below, to the bottom of beads above.
-            bool Reaches(Move bead, double above, double aside)
+            bool Reaches(Move bead, double z, double above, double aside)
             {
-                var gap = sample.IsBelow ? sample.Place.Z - bead.End.Z : bead.End.Z - Thickness - sample.Place.Z;
+                var gap = sample.IsBelow ? z - bead.End.Z : bead.End.Z - Thickness - z;
                 return gap > -Thickness && gap <= above && Distance(sample.Place, bead) <= aside;
             }
-            if (sample.Hangs && near.Exists(b => Reaches(b, HeldAbove, HeldAside))) held += sample.Area;
-            if (near.Exists(b => Reaches(b, TouchedAbove, TouchedAside))) touched += sample.Area;
+            if (sample.Hangs && near.Exists(b => Reaches(b, sample.Place.Z, HeldAbove, HeldAside))) held += sample.Area;
+            // The layer that prints this place begins and ends here.
+            var layers = sample.Place.Z / Thickness;
+            var edge = (sample.IsBelow ? Math.Floor(layers + 1e-6) : Math.Ceiling(layers - 1e-6)) * Thickness;
+            if (near.Exists(b => Reaches(b, edge, TouchedAbove, TouchedAside))) touched += sample.Area;
         }
         return string.Create(CultureInfo.InvariantCulture,
             $"{statistics.Duration:0} s | {statistics.Filament / 1000:0.00} m | {statistics.Retractions} | {touched:0} mm² | {100 * held / hanging:0.0} %");

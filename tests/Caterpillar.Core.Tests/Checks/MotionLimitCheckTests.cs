@@ -106,6 +106,16 @@ public class MotionLimitCheckTests
         Assert.That(SmallPrint.Find(raised, setup, CheckCodes.Flow).Single().Message, Does.StartWith("A move needs a flow of 8 mm³/s"));
     }
 
+    [TestCase(215, 0)]
+    [TestCase(190, 1)]
+    public void Flow_counts_at_the_temperature_of_the_file(double temperature, int found)
+    {
+        // 8 mm³/s, where the material flows by 5 at 190 °C and by 9 at 210 °C.
+        var setup = Marlin with { Material = Marlin.Material with { NozzleTemperature = 210, FlowLimits = new(new FlowLimit(190, 5), new(210, 9)) } };
+        var print = new SmallPrint().Event(new NozzleTemperatureEvent(temperature)).Print(30, 10, 0.2, speed: 100).Build();
+        Assert.That(SmallPrint.Find(print, setup, CheckCodes.Flow).Count(), Is.EqualTo(found));
+    }
+
     [TestCase(MotionLimit.SpeedX, 200, "The maximum speed of X", "JKS")]
     [TestCase(MotionLimit.SpeedY, 150, "The maximum speed of Y", "JKS")]
     [TestCase(MotionLimit.SpeedZ, 10, "The maximum speed of Z", "JKS")]

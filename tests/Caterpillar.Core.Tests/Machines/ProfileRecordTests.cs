@@ -58,4 +58,19 @@ public class ProfileRecordTests
         Assert.That((setup with { Material = new Material() }).MaxFlow, Is.EqualTo(12));
         Assert.That((setup with { Material = new Material(), Printer = new Printer { MaxFlow = 0 } }).MaxFlow, Is.EqualTo(double.PositiveInfinity));
     }
+
+    [TestCase(190, 190, 8)]
+    [TestCase(210, 0, 11)]
+    [TestCase(215, 210, 11)]
+    [TestCase(210, 230, 11)]
+    [TestCase(300, 300, 12)]
+    public void The_most_flow_follows_the_temperatures(double temperature, double first, double flow)
+    {
+        var material = new Material
+        {
+            NozzleTemperature = temperature, FirstLayerNozzleTemperature = first, MaxFlow = 3, FlowLimits = new(new FlowLimit(200, 8), new(220, 14)),
+        };
+        Assert.That(new PrintSetup { Printer = new Printer { MaxFlow = 12 }, Material = material }.MaxFlow, Is.EqualTo(flow).Within(1e-12));
+        Assert.That(() => new Material { FlowLimits = new(new FlowLimit(220, 8), new(200, 14)) }, Throws.InstanceOf<ArgumentOutOfRangeException>());
+    }
 }

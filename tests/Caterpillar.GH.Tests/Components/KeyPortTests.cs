@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Caterpillar.Geometry;
 using Caterpillar.GH.Components.Path;
 using Caterpillar.GH.Components.Setup;
 using Caterpillar.GH.Components.Slice;
@@ -71,6 +72,29 @@ public sealed class KeyPortTests
         Assert.That(new Canvas<MaterialComponent>().Feed("Profile", "petg").Feed("Nozzle Temperature", 233).Solve().One<Material>("Material"),
             Is.EqualTo(new ProfileLibrary().Material("petg").OrThrow() with { NozzleTemperature = 233 }));
         Assert.That(new Canvas<PrintSettingsComponent>().Solve().Component.Params.Input.Select(p => p.Name), Has.None.EqualTo("key"));
+    }
+
+    [Test]
+    public void Widths_take_percentages_of_the_nozzle_as_text_and_numbers_in_mm()
+    {
+        var canvas = new Canvas<PrintSettingsComponent>().Key("line_width_mm", "110%").Key("outer_wall_line_width_mm", "120 %").Key("infill_line_width_mm", 0.55)
+            .Key("top_surface_line_width_mm", "0.41").Key("support_line_width_mm", 1);
+        Assert.That(canvas.Solve().Errors, Is.Empty);
+        var settings = new PrintSetup { Printer = new Printer { NozzleDiameter = 0.6 }, Settings = canvas.One<PrintSettings>("Settings") }.Settings;
+        Assert.That(new[] { settings.LineWidth, settings.OuterWallLineWidth, settings.InfillLineWidth, settings.TopSurfaceLineWidth, settings.SupportLineWidth },
+            Is.EqualTo(new[] { 0.66, 0.72, 0.55, 0.41, 1 }).Within(1e-12));
+        Assert.That(new Canvas<PrintSettingsComponent>().Key("line_width_mm", "wide").Solve().Errors, Has.One.Contains("a percentage of the nozzle diameter"));
+    }
+
+    [Test]
+    public void Tools_at_heights_the_place_of_the_tower_and_flow_by_temperature_are_lists()
+    {
+        var settings = new Canvas<PrintSettingsComponent>().Key("tool_changes_mm", "2, 1", "5, 0").Key("purge_tower_place_mm", "20, 150").Solve();
+        Assert.That(settings.Errors, Is.Empty);
+        Assert.That(settings.One<PrintSettings>("Settings").ToolChanges, Is.EqualTo(new[] { new ToolChange(2, 1), new ToolChange(5, 0) }));
+        Assert.That(settings.One<PrintSettings>("Settings").PurgeTowerPlace.Single(), Is.EqualTo(new Vec3(20, 150)));
+        var material = new Canvas<MaterialComponent>().Key("material_flow_limits", "200, 8", "220, 14").Solve();
+        Assert.That(material.One<Material>("Material").FlowLimits, Is.EqualTo(new[] { new FlowLimit(200, 8), new FlowLimit(220, 14) }));
     }
 
     [Test]

@@ -16,6 +16,7 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
     private readonly double[] _filamentPerE = MotionPlanner.FilamentPerE(tools, setup);
     private readonly double[] _maxFlows = [.. Enumerable.Range(0, setup.Printer.ToolCount).Select(tool => setup.OfTool(tool).MaxFlow)];
     private bool _raised;
+    private int _tool;
 
     // What rounding in a file may change: coordinates in mm, E, speeds in mm/s.
     private readonly double _roundedXyz = Math.Pow(10, -setup.Printer.DecimalsXyz);
@@ -37,6 +38,12 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
                 break;
             case LimitEvent { Limit: <= MotionLimit.AccelerationE } set:
                 CheckAcceleration(what, set.Value, MostAcceleration(set.Limit));
+                break;
+            case ToolEvent set:
+                _tool = set.Tool;
+                break;
+            case NozzleTemperatureEvent { Celsius: > 0 } set when (set.Tool ?? _tool) is >= 0 and var tool && tool < _maxFlows.Length:
+                _maxFlows[tool] = setup.OfTool(tool).MaxFlowAt(set.Celsius);
                 break;
             case LimitEvent set:
                 if (!Counts(set.Limit) || !(set.Value > _own[set.Limit])) break;

@@ -56,6 +56,9 @@ public abstract class ProfileKey
     /// <summary>The words of a choice.</summary>
     public IReadOnlyList<string> Choices => Format.Choices;
 
+    /// <summary>Whether a share of the nozzle diameter such as <c>110%</c> is a value, too.</summary>
+    public bool TakesPercent => Format is NozzleSizeFormat;
+
     internal abstract KeyFormat Format { get; }
 
     /// <summary>What is wrong with a raw value, after the name of the key; null if nothing.</summary>

@@ -36,6 +36,9 @@ public sealed partial record PrintSettings
     /// <summary>Width of the purge tower in X. Its depth depends on the volume.</summary> <value>mm.</value>
     public double PurgeTowerWidth { get; init => field = Keys.Check(value); } = 35;
 
+    /// <summary>Front left corner of the purge tower without its brim: a list of one [x, y]; empty = near the middle of the bed.</summary> <value>mm.</value>
+    public ValueList<Vec3> PurgeTowerPlace { get; init => field = Keys.Check(value); } = ValueList<Vec3>.Empty;
+
     /// <summary>Width of the brim of the purge tower; 0 = off.</summary> <value>mm.</value>
     public double PurgeTowerBrimWidth { get; init => field = Keys.Check(value); } = 3;
 

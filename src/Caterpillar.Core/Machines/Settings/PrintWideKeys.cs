@@ -15,7 +15,8 @@ internal static class PrintWideKeys
             "sort_paths", "print_sequence", "merge_overlapping_models", "min_layer_time_s", "min_print_speed_mm_s", "layer_time_wait"),
         .. ProfileKinds.Settings.Keys.Where(k => Array.Exists(Starts, s => k.Name.StartsWith(s, StringComparison.Ordinal))),
         .. ProfileKinds.Settings.Keys.Where(k => Array.Exists(Ends, e => k.Name.EndsWith(e, StringComparison.Ordinal))),
-        .. ProfileKinds.Settings.KeysOf("purge_tower", "purge_into_infill", "purge_volume_mm3", "purge_tower_width_mm", "purge_tower_brim_width_mm"),
+        .. ProfileKinds.Settings.KeysOf("purge_tower", "purge_into_infill", "purge_volume_mm3", "purge_tower_width_mm", "purge_tower_place_mm",
+            "purge_tower_brim_width_mm"),
     ];
 
     /// <summary>Names of these keys that a model sets: values that differ from the print and from the defaults.</summary>

@@ -53,8 +53,16 @@ public sealed record PrintSetup
     /// <summary>Converts extrusions to E.</summary>
     public ExtrusionModel Extrusion => new(Printer.ExtrusionUnit, Material.FilamentDiameter, Material.FlowRatio);
 
-    /// <summary>Maximum volumetric flow of printer and material, mm³/s; infinite if both are unknown.</summary>
-    public double MaxFlow => new[] { Printer.MaxFlow, Material.MaxFlow }.Where(flow => flow > 0).DefaultIfEmpty(double.PositiveInfinity).Min();
+    /// <summary>Maximum volumetric flow of printer and material, mm³/s, also in the first layer; infinite if both are unknown.</summary>
+    public double MaxFlow => Math.Min(MaxFlowAt(Material.NozzleTemperature),
+        MaxFlowAt(Material.FirstLayerNozzleTemperature > 0 ? Material.FirstLayerNozzleTemperature : Material.NozzleTemperature));
+
+    /// <summary>The same at a temperature of the nozzle, °C.</summary>
+    internal double MaxFlowAt(double temperature)
+    {
+        var material = Material.FlowLimits.Count > 0 ? FlowLimit.At(Material.FlowLimits, temperature) : Material.MaxFlow;
+        return new[] { Printer.MaxFlow, material }.Where(flow => flow > 0).DefaultIfEmpty(double.PositiveInfinity).Min();
+    }
 
     /// <summary>The setup with the material of a tool.</summary>
     public PrintSetup OfTool(int tool) => tool > 0 && tool <= ToolMaterials.Count ? this with { Material = ToolMaterials[tool - 1] } : this;

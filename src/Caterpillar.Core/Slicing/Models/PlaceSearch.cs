@@ -34,6 +34,9 @@ internal sealed class PlaceSearch(Printer printer, ArrangeOptions options, Cance
         return placed;
     }
 
+    /// <summary>With its middle at a place, if that is free.</summary>
+    public Footprint? At(Footprint footprint, Vec3 middle) => First(footprint, [middle], 0, []).Found;
+
     private Footprint?[] OnGrid(Footprint[] footprints, int[] order, Vec3[] places)
     {
         var placed = new Footprint?[footprints.Length];

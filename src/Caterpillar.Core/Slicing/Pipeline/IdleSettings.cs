@@ -52,7 +52,7 @@ internal static class IdleSettings
         Unless("raft_layers is above 0", s => s.RaftLayers == 0, "raft_expansion_mm", "raft_layer_height_mm", "raft_gap_mm", "raft_density_percent"),
         new(Severity.Warning, "with print_sequence=by_object", "The head would hit a tower beside the models",
             s => s.PrintSequence == PrintSequence.ByObject, "purge_tower"),
-        Unless("purge_tower=true", s => !s.PurgeTower, "purge_tower_width_mm", "purge_tower_brim_width_mm"),
+        Unless("purge_tower=true", s => !s.PurgeTower, "purge_tower_width_mm", "purge_tower_place_mm", "purge_tower_brim_width_mm"),
         Unless("purge_tower=true or purge_into_infill=true", s => s is { PurgeTower: false, PurgeIntoInfill: false }, "purge_volume_mm3"),
         Unless("support=grid or support=tree", s => s.Support == SupportKind.None,
             "support_placement", "support_angle_deg", "max_bridge_length_mm", "support_xy_gap_mm", "support_top_gap_mm", "support_bottom_gap_mm",

@@ -77,7 +77,8 @@ internal sealed class SupportFiller(SupportLevel level, PrintSettings settings, 
         {
             var area = Inset(place, _width / 2);
             if (area.IsEmpty || Inset(area, _width / 4).IsEmpty) continue;
-            AddLines(piece, area, Role.SupportInterface, 2, spacing, 90, linked: true);
+            // Links at the edge of the roof of a tree would touch what it holds; those of a grid lie beside it.
+            AddLines(piece, area, Role.SupportInterface, 2, spacing, 90, linked: settings.Support == SupportKind.Grid);
             filled = filled.Union(place, _engine);
         }
         return filled;

@@ -4,10 +4,12 @@ namespace Caterpillar.GH.Components.Setup;
 internal static class KeyPort
 {
     /// <summary>A port of the type of a key. Text without a key.</summary>
-    public static IGH_Param Make(ProfileKey? key)
+    public static IGH_Param Make(ProfileKey? key, bool isUsual = false)
     {
         IGH_Param param = key?.Kind switch
         {
+            // A number, or a text such as 110%. The usual ports were numbers before.
+            KeyKind.Number when key.TakesPercent && !isUsual => new Param_GenericObject(),
             KeyKind.Number => new Param_Number(),
             KeyKind.Integer => new Param_Integer(),
             KeyKind.Boolean => new Param_Boolean(),
@@ -36,6 +38,7 @@ internal static class KeyPort
     {
         switch (key.Kind)
         {
+            case KeyKind.Number when port is Param_GenericObject && run.Maybe<IGH_Goo>(input) is GH_String size: return size.Value;
             case KeyKind.Number: return run.MaybeValue<double>(input) is null ? null : NumberFormatter.Shortest(run.Finite(input));
             case KeyKind.Integer: return run.MaybeValue<int>(input) is { } number ? NumberFormatter.Format(number) : null;
             case KeyKind.Boolean: return run.MaybeValue<bool>(input) is { } flag ? (flag ? "true" : "false") : null;

@@ -63,7 +63,7 @@ public abstract class KeyPortsComponent<T> : ProfileComponent, IGH_VariableParam
         foreach (var usual in Usual)
         {
             var key = Kind.Keys.First(k => k.Name == usual.Key);
-            ports.Add(KeyPort.Make(key), usual.Name, usual.Nick, KeyPort.Sentence(key));
+            ports.Add(KeyPort.Make(key, isUsual: true), usual.Name, usual.Nick, KeyPort.Sentence(key));
         }
     }
 

@@ -135,6 +135,25 @@ public class PurgeTests
     }
 
     [Test]
+    public void The_tower_stands_where_the_settings_place_it_if_there_is_room()
+    {
+        var layers = Slice(Settings with { PurgeTowerPlace = new(new Vec3(20, 150)) }, Part(100, 0.5, 0), Part(120, 0.5, 1));
+        foreach (var tower in layers.Where(IsTower))
+            Assert.That((tower.Region.Bounds.Min - new Vec3(20, 150)).LengthXY, Is.LessThan(1e-6));
+        foreach (var place in new[] { new Vec3(110, 100), new Vec3(-5, 50) })
+        {
+            var result = PlanarSlicer.SliceEach([Part(100, 0.5, 0), Part(120, 0.5, 1)], Settings with { PurgeTowerPlace = new(place) }, OnBed);
+            Assert.That(result.Value, Is.Null);
+            Assert.That(result.Diagnostics.Single().Message, Does.Contain("at purge_tower_place_mm. Move it, or the models."));
+        }
+        // Models are arranged beside it, wherever it is.
+        var setup = new PrintSetup { Printer = ToolTests.TwoNozzles, Settings = Settings with { PurgeTowerPlace = new(new Vec3(100, 100)) } };
+        var model = ModelArranger.Arrange([new NamedMesh("part", Solids.Block(0, 0, 0, 45, 45, 0.5))], PrimedArea.Excluded(setup)).Value!.Single();
+        var box = model.Mesh.Bounds;
+        Assert.That(box.Max.X < 97 || box.Min.X > 138 || box.Max.Y < 97 || box.Min.Y > 128, $"{box.Min} {box.Max}");
+    }
+
+    [Test]
     public void Without_room_for_the_tower_nothing_is_printed()
     {
         SliceModel Wide(double y, int tool) => new(new NamedMesh("part", Solids.Block(5, y, 0, 215, y + 100, 0.5)), Settings with { PartTool = tool });
