@@ -52,9 +52,13 @@ internal static class OwnFormats
         ["SeamEnforcers"] = new RowsFormat<SeamMark>(
             ["x", "y", "z", "radius"], 10_000, -Far, Far, SeamMark.Of, m => [m.Place.X, m.Place.Y, m.Place.Z, m.Radius], SeamMark.Problem),
         ["PurgeTowerPlace"] = new RowsFormat<Vec3>(["x", "y"], 1, -Far, Far, n => new Vec3(n[0], n[1]), v => [v.X, v.Y]),
+        ["ToolChanges"] = new RowsFormat<ToolChange>(["from", "tool"], 1000, 0, 10_000, ToolChange.Of, c => [c.From, c.Tool], ToolChange.Problem),
+    };
+
+    public static readonly IReadOnlyDictionary<string, KeyFormat> Material = new Dictionary<string, KeyFormat>(StringComparer.Ordinal)
+    {
         ["FlowLimits"] = new RowsFormat<FlowLimit>(
             ["temperature", "flow"], 100, 0.001, 1_000_000, n => new FlowLimit(n[0], n[1]), f => [f.Temperature, f.Flow], FlowLimit.Problem),
-        ["ToolChanges"] = new RowsFormat<ToolChange>(["from", "tool"], 1000, 0, 10_000, ToolChange.Of, c => [c.From, c.Tool], ToolChange.Problem),
     };
 
     private static string? Ascends(ValueList<HeadPoint> outline)

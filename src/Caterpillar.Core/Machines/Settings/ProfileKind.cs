@@ -59,7 +59,7 @@ internal static class ProfileKinds
         () => new Printer(), (p, name) => p with { Name = name });
 
     public static readonly ProfileKind<Material> Material = new("material", "materials/",
-        KeyTable.Read<Material>("Material.tsv", typeof(Material).GetProperties(), new Dictionary<string, KeyFormat>(), m => m with { }),
+        KeyTable.Read<Material>("Material.tsv", typeof(Material).GetProperties(), OwnFormats.Material, m => m with { }),
         () => new Material(), (m, name) => m with { Name = name });
 
     public static readonly ProfileKind<PrintSettings> Settings = new("settings", "settings/",
