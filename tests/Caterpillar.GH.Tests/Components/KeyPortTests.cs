@@ -77,12 +77,12 @@ public sealed class KeyPortTests
     [Test]
     public void Widths_take_percentages_of_the_nozzle_as_text_and_numbers_in_mm()
     {
-        var canvas = new Canvas<PrintSettingsComponent>().Key("line_width_mm", "110%").Key("outer_wall_line_width_mm", "120 %").Key("infill_line_width_mm", 0.55)
-            .Key("top_surface_line_width_mm", "0.41").Key("support_line_width_mm", 1);
+        var canvas = new Canvas<PrintSettingsComponent>().Key("line_width_mm", "110%").Key("outer_wall_line_width_mm", "120 %")
+            .Key("infill_line_width_mm", 0.55).Key("top_surface_line_width_mm", "0.41").Key("support_line_width_mm", 1);
         Assert.That(canvas.Solve().Errors, Is.Empty);
         var settings = new PrintSetup { Printer = new Printer { NozzleDiameter = 0.6 }, Settings = canvas.One<PrintSettings>("Settings") }.Settings;
-        Assert.That(new[] { settings.LineWidth, settings.OuterWallLineWidth, settings.InfillLineWidth, settings.TopSurfaceLineWidth, settings.SupportLineWidth },
-            Is.EqualTo(new[] { 0.66, 0.72, 0.55, 0.41, 1 }).Within(1e-12));
+        double[] widths = [settings.LineWidth, settings.OuterWallLineWidth, settings.InfillLineWidth, settings.TopSurfaceLineWidth, settings.SupportLineWidth];
+        Assert.That(widths, Is.EqualTo(new[] { 0.66, 0.72, 0.55, 0.41, 1 }).Within(1e-12));
         Assert.That(new Canvas<PrintSettingsComponent>().Key("line_width_mm", "wide").Solve().Errors, Has.One.Contains("a percentage of the nozzle diameter"));
     }
 

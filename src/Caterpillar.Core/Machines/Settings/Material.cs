@@ -59,7 +59,7 @@ public sealed record Material
     /// <summary>Maximum volumetric flow of the material; 0 = unknown.</summary> <value>mm³/s.</value>
     public double MaxFlow { get; init => field = Keys.Check(value); }
 
-    /// <summary>Maximum volumetric flow at nozzle temperatures, with straight lines between them: a list of [°C, mm³/s]. Replaces material_max_flow_mm3_s.</summary>
+    /// <summary>Maximum volumetric flow at nozzle temperatures: a list of [°C, mm³/s], straight lines between. Replaces material_max_flow_mm3_s.</summary>
     public ValueList<FlowLimit> FlowLimits { get; init => field = Keys.Check(value); } = ValueList<FlowLimit>.Empty;
 
     /// <summary>Pressure advance (linear advance K); empty = as the firmware has it.</summary> <value>s.</value>
