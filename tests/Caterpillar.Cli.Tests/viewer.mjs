@@ -1,4 +1,5 @@
-// What a user meets on a page of the viewer, in a real browser: a phone and a desktop, light and dark, by keyboard alone, and for screen readers.
+// What a user meets on a page of the viewer, in a real browser: what is drawn and said for each choice, a phone and a desktop, light and dark, by keyboard
+// alone, and for screen readers. The page shows four beads in two layers, 0.2 and 0.4 mm high, with an outer wall.
 //   node --experimental-websocket viewer.mjs CHROMIUM PAGE.html
 // Prints a line for each fault; no line is good. With PICTURES=FOLDER, it keeps a picture of each view.
 import { writeFileSync } from "node:fs";
@@ -9,8 +10,9 @@ import { open, wait } from "../../tools/browser.mjs";
 const [program, file] = process.argv.slice(2);
 let name = "";
 const fault = (text) => console.log(`${name}: ${text}`);
-const page = await open(program, [], (method, { exceptionDetails }) => {
+const page = await open(program, ["--window-size=800,600"], (method, { exceptionDetails, type }) => {
   if (method === "Runtime.exceptionThrown") fault("exception " + exceptionDetails.text);
+  if (method === "Runtime.consoleAPICalled" && type === "error") fault("the page reports an error");
 });
 const { send, value } = page;
 const press = async (key, shift = false) => {
@@ -23,11 +25,42 @@ const picture = async () => {
 };
 const focused = () => value("(() => { const a = document.activeElement; return a.getAttribute('aria-label') ?? a.textContent.trim() ?? a.id; })()");
 
+async function show(hash) {
+  await page.show(`${pathToFileURL(file)}#${hash}`);
+  await page.until("document.documentElement.dataset.state === 'ready'");
+}
+
+// Beads and layers are those of the file, and each choice of colors explains itself.
+async function colors() {
+  name = "colors";
+  await show("light");
+  if (await value("document.documentElement.dataset.beads") !== "4") fault("other than four beads");
+  const text = await value("document.body.textContent");
+  for (const part of ["Outer wall", "0 – 1 · Z 0.2 – 0.4 mm"]) if (!text.includes(part)) fault("the page does not say " + part);
+  const choices = await value("[...document.querySelectorAll('option')].map((o) => o.value).filter((v) => /^[a-z]+$/.test(v))");
+  if (choices.length < 5) fault("choices of colors are missing");
+  for (const choice of choices) {
+    await show("light&color=" + choice);
+    if (!await value("document.querySelector('#legend span') && document.querySelector('#legend [class]') && true")) fault("no legend for " + choice);
+  }
+}
+
+// Layers, moments, colors, views and themes each change what is drawn.
+async function moments() {
+  const drawn = new Map();
+  for (const hash of ["light", "light&layers=0-0", "light&at=0.5", "light&color=speed", "light&view=-90,90", "dark", "light&hide=bed"]) {
+    name = hash;
+    await show(hash);
+    const image = (await picture()).toString("base64");
+    if (drawn.has(image)) fault("draws the same as " + drawn.get(image));
+    drawn.set(image, hash);
+  }
+}
+
 async function look(width, height, theme) {
   name = `${width} × ${height}, ${theme}`;
   await send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: width < 700 });
-  await page.show(`${pathToFileURL(file)}#${theme}&at=0.5`);
-  await page.until("document.documentElement.dataset.state === 'ready'");
+  await show(`${theme}&at=0.5`);
   if (process.env.PICTURES) writeFileSync(join(process.env.PICTURES, `viewer_${width}_${theme}.png`), await picture());
   const sliders = await value("[...document.querySelectorAll('#bar .range')].map((r) => r.getBoundingClientRect()).map((b) => [b.width, b.height, b.right])");
   for (const [w, h, right] of sliders) if (w < 280 || h < 24 || right > width) fault(`a slider of ${w} × ${h} that ends at ${right}`);
@@ -69,6 +102,8 @@ async function names() {
 }
 
 for (const domain of ["Runtime", "Accessibility"]) await send(domain + ".enable");
+await colors();
+await moments();
 for (const theme of ["light", "dark"]) for (const [width, height] of [[390, 844], [1440, 900]]) await look(width, height, theme);
 await page.close();
 process.exit(0);
