@@ -77,7 +77,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
                 Down(start);
                 return;
             }
-            if (rules.Lift != LiftRule.None) emitter.Travel(start.WithZ(start.Z + Clearance), _settings.TravelSpeed);
+            emitter.Travel(rules.Lift == LiftRule.None ? start : start.WithZ(start.Z + Clearance), _settings.TravelSpeed);
             Down(start);
             return;
         }

@@ -80,7 +80,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
         if (narrow.Count == 0) return area;
         var group = new StepGroup(layer.Number, number, rank);
         var walls = rules.Walls with { InnerWidth = rules.SolidWidth };
-        foreach (var wall in new WallBuilder(walls, tools.Engine).Fill(Region.Own(narrow.ToArray())).Paths)
+        foreach (var wall in new WallBuilder(walls, tools.Engine).Fill(Region.Own(narrow.ToArray()), first: 1).Paths)
         {
             var path = wall.ToPath(layer.Plan.Top, walls).With(Role.SolidInfill, layer.Layer);
             steps.Add(new PathStep(rules.Own(path), group) { Region = island.Region });

@@ -8,6 +8,10 @@ internal sealed class RowGaps
 {
     // Shares of a spacing: shortest edge that counts as one along the rows, thinnest extrusion, largest change of width within a segment.
     private const double Shortest = 3;
+
+    /// <summary>The same where nothing is seen: beside shorter edges go links alone. In spacings.</summary>
+    public const double ShortestHidden = 8;
+
     private const double Thinnest = 0.3;
     private const double Change = 0.2;
 
@@ -25,7 +29,7 @@ internal sealed class RowGaps
     {
         (_first, _spacing) = (first, spacing);
         _edges.Clear();
-        foreach (var path in island.Paths) Collect(path, frame, rows, request.Spacing * Shortest);
+        foreach (var path in island.Paths) Collect(path, frame, rows, request.Spacing * (request.Hidden ? ShortestHidden : Shortest));
         foreach (var edge in _edges)
         {
             // A bottom edge below a top edge is the other side of that one.

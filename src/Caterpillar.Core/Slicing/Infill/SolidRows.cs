@@ -47,7 +47,7 @@ internal sealed class SolidRows
             _lines.Add(new InfillLine([hatch.From.WithZ(request.Z), hatch.To.WithZ(request.Z)], false, flow));
             _spans.Add((hatch.Row, from, to));
         }
-        var limit = request.Linked ? longestLink * request.Spacing : -1;
+        var limit = request.Linked ? (request.Hidden ? RowGaps.ShortestHidden : longestLink) * request.Spacing : -1;
         var width = request.Solid && !request.Hidden ? request.Spacing : 0;
         if (request.Pattern == InfillPattern.Monotonic) result.AddRange(_links.Sweep(island, _lines, _spans, limit, width));
         else if (request.Linked) result.AddRange(_links.Join(island, _lines, limit, width));
@@ -68,7 +68,8 @@ internal sealed class SolidRows
         if (!request.Solid) return (0, request.Spacing, int.MaxValue);
         var inside = Inside + request.Overlap;
         var height = frame.MaxV - frame.MinV - 2 * inside;
-        var rows = (int)Math.Ceiling(height / request.Spacing - Slack);
+        var rows = (int)(height / request.Spacing);
+        if (height > (rows + Slack * Math.Max(rows, 1)) * request.Spacing) rows++;
         return rows < 1
             ? ((frame.MinV + frame.MaxV) / 2, Math.Max(height, request.Spacing), 0)
             : (frame.MinV + inside, height / rows, rows);

@@ -11,9 +11,10 @@ internal sealed class WallOutput(WallRules rules)
     private const double LargestStep = 0.05;
     private const double ShortestStep = 0.1;
 
-    // mm; a printer is slow in shorter moves. They go where the wall stays within a tolerance.
+    // mm; a printer is slow in shorter moves. They go where the wall stays within a tolerance, which is larger where it is not seen.
     private const double ShortestMove = 0.1;
-    private const double ShortTolerance = 0.01;
+    private const double ShortTolerance = 0.0125;
+    private const double InnerShortTolerance = 0.04;
 
     public List<WallPath> Paths { get; } = [];
 
@@ -28,7 +29,7 @@ internal sealed class WallOutput(WallRules rules)
         foreach (var contour in line.Simplified(ToleranceOf(index), engine).Contours)
         {
             var points = contour.Raw;
-            if (LongMoves(points, closed: true) is { } kept) points = Array.ConvertAll(kept, i => points[i]);
+            if (LongMoves(points, closed: true, index) is { } kept) points = Array.ConvertAll(kept, i => points[i]);
             if (points.Length < 3) continue;
             var widths = new double[points.Length];
             for (var i = 0; i < widths.Length; i++) widths[i] = width;
@@ -55,7 +56,8 @@ internal sealed class WallOutput(WallRules rules)
 
     private double ToleranceOf(int index) => index == 0 ? rules.Tolerance : Math.Max(rules.Tolerance, rules.InnerTolerance);
 
-    private static int[]? LongMoves(Vec3[] points, bool closed) => ShortSegments.Keep(points, closed, ShortestMove, ShortTolerance, double.PositiveInfinity);
+    private static int[]? LongMoves(Vec3[] points, bool closed, int index)
+        => ShortSegments.Keep(points, closed, ShortestMove, index == 0 ? ShortTolerance : InnerShortTolerance, double.PositiveInfinity);
 
     private void Add(IReadOnlyList<Vec3> points, IReadOnlyList<double> widths, bool closed, int index, bool isExtrusion)
     {
@@ -63,7 +65,7 @@ internal sealed class WallOutput(WallRules rules)
         var tolerance = ToleranceOf(visible ? 0 : 1);
         var widthTolerance = visible ? OuterWidthShare * rules.OuterWidth : InnerWidthShare * rules.InnerWidth;
         var (kept, keptWidths) = PathThinning.Thin(points, widths, closed, tolerance, widthTolerance);
-        if (LongMoves(kept, closed) is { } few) (kept, keptWidths) = (Array.ConvertAll(few, i => kept[i]), Array.ConvertAll(few, i => keptWidths[i]));
+        if (LongMoves(kept, closed, index) is { } few) (kept, keptWidths) = (Array.ConvertAll(few, i => kept[i]), Array.ConvertAll(few, i => keptWidths[i]));
         if (kept.Length < 2 || (closed && kept.Length < 3)) return;
         var thinned = kept.Length < points.Count;
         if (index == 0) (kept, keptWidths) = WidthSteps.Split(kept, keptWidths, closed, LargestStep, ShortestStep);
