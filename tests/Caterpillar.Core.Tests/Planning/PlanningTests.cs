@@ -88,6 +88,8 @@ public class PlanningTests
         var plan = Plan([Line(5, 5, 10, 5, 0.2)], Rules, new PlanOptions());
         Assert.That(Text(plan.Toolpath), Is.EqualTo(new[] { "Travel 5,5,0.7 0 150", "Travel 5,5,0.2 0 10", "Print 10,5,0.2 1.25 50" }));
         Assert.That(plan.Toolpath.Start, Is.Null);
+        plan = Plan([Line(5, 5, 10, 5, 0.2)], Rules with { Lift = LiftRule.None }, new PlanOptions());
+        Assert.That(Text(plan.Toolpath), Is.EqualTo(new[] { "Travel 5,5,0.2 0 150", "Print 10,5,0.2 1.25 50" }));
     }
 
     [Test]

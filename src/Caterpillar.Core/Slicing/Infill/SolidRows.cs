@@ -9,7 +9,7 @@ internal sealed class SolidRows
     // Rows along an edge lie this far inside it, mm: more than the grid of regions, less than anything that is printed.
     private const double Inside = 5e-5;
 
-    // Share of a spacing by which rows may lie farther apart before there is one more.
+    // Share of a spacing by which rows may lie farther apart before there is one more: all of them together, or each where nothing is seen.
     private const double Slack = 0.1;
 
     // The thinnest line, in spacings.
@@ -69,7 +69,7 @@ internal sealed class SolidRows
         var inside = Inside + request.Overlap;
         var height = frame.MaxV - frame.MinV - 2 * inside;
         var rows = (int)(height / request.Spacing);
-        if (height > (rows + Slack * Math.Max(rows, 1)) * request.Spacing) rows++;
+        if (height > (rows + Slack * (request.Hidden ? Math.Max(rows, 1) : 1)) * request.Spacing) rows++;
         return rows < 1
             ? ((frame.MinV + frame.MaxV) / 2, Math.Max(height, request.Spacing), 0)
             : (frame.MinV + inside, height / rows, rows);

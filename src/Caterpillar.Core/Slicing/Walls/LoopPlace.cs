@@ -7,7 +7,7 @@ namespace Caterpillar.Slicing;
 internal readonly record struct LoopPlace(int Segment, double T, Vec3 Point)
 {
     // A seam this close to a vertex lies at it, mm: no tiny segments.
-    private const double Snap = 0.1;
+    private const double Snap = 0.02;
 
     /// <summary>The place nearest to a point, seen from above; the first among equals.</summary>
     public static LoopPlace Nearest(Vec3[] loop, Vec3 to)

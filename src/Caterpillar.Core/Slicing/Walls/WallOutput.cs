@@ -13,7 +13,7 @@ internal sealed class WallOutput(WallRules rules)
 
     // mm; a printer is slow in shorter moves. They go where the wall stays within a tolerance, which is larger where it is not seen.
     private const double ShortestMove = 0.1;
-    private const double ShortTolerance = 0.0125;
+    private const double ShortTolerance = 0.01;
     private const double InnerShortTolerance = 0.04;
 
     public List<WallPath> Paths { get; } = [];

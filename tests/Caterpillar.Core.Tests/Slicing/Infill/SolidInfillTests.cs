@@ -35,6 +35,29 @@ public class SolidInfillTests
         Assert.That(lines.Select(l => l.Flow![0]), Is.EqualTo(new[] { 0.96875, 0.9375, 0.9375, 0.9375, 0.96875 }).Within(1e-3));
     }
 
+    // 3.25, 3.5, 10.75 and 11.25 pitches: where nothing is seen, each row lies at most a tenth farther from the next.
+    [TestCase(1.3, 4)]
+    [TestCase(1.4, 5)]
+    [TestCase(4.3, 11)]
+    [TestCase(4.5, 12)]
+    public void There_are_no_more_rows_than_needed(double height, int rows)
+    {
+        var area = Region.Rectangle(0, 0, 10, height);
+        var lines = Fill(Solid(area) with { Linked = false, Hidden = true });
+        Assert.That(lines, Has.Count.EqualTo(rows));
+        Assert.That(lines.Sum(l => l.Length) * Pitch, Is.EqualTo(10 * (height + Pitch)).Within(1e-2));
+    }
+
+    [Test]
+    public void Where_nothing_is_seen_links_close_what_a_slanting_edge_leaves_open()
+    {
+        // The upper edge rises by 15°, so the ends of rows lie 1.5 mm apart on it.
+        var area = Region.From(new Polyline([Vec3.Zero, new Vec3(20, 0), new Vec3(20, 9.359), new Vec3(0, 4)], closed: true));
+        var seen = Fill(Solid(area));
+        Assert.That(seen.Count(l => l.Length < 1), Is.GreaterThan(5));
+        Assert.That(Fill(Solid(area) with { Hidden = true }), Has.Count.EqualTo(1));
+    }
+
     [Test]
     public void Ends_of_rows_overlap_with_walls_and_rows_along_them_do_not()
     {
