@@ -25,6 +25,16 @@ public class CurvedSliceTests : CliFixture
         Assert.That(Run("slice", "part.stl", "--field", "z", "--blend", "3").Code, Is.EqualTo(2));
         Assert.That(Run("slice", "part.stl", "--surface", "0.1 * x", "--copies", "2").Code, Is.EqualTo(2));
         Assert.That(Run("slice", "part.stl", "--field", "z +").Code, Is.EqualTo(2));
+        Assert.That(Run("slice", "part.stl", "--field", "smooth", "--surface", "x").Messages, Does.Contain("--field smooth cannot be combined with --surface."));
+    }
+
+    [Test]
+    public void Smooth_layers_need_no_surface_and_level_parts_none_of_them()
+    {
+        File.WriteAllText("part.stl", Box(20, 10, 3));
+        var run = Run("slice", "part.stl", "--field", "smooth");
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        Assert.That(run.Messages, Does.Contain("curved.smooth_level"));
     }
 
     [Test]

@@ -37,6 +37,8 @@ internal static class CurvedExamples
         ("branching", Branches, ColorBy.Layer, new View(-60, 14)),
         ("ribs", Ribs, ColorBy.Role, new View(-60, 40)),
         ("overhang", Overhang, ColorBy.Layer, new View(-60, -12)),
+        ("steps", () => Mound(smooth: false), ColorBy.Role, new View(-60, 35)),
+        ("smooth", () => Mound(smooth: true), ColorBy.Role, new View(-60, 35)),
         ("vase", VaseOnSaddle, ColorBy.Layer, new View(-50, 16)),
     ];
 
@@ -105,6 +107,14 @@ internal static class CurvedExamples
         // Thick layers would overhang by more than half a line width.
         var setup = Plain with { Settings = Plain.Settings with { LayerHeight = 0.25, FirstLayerHeight = 0.25 } };
         return Sliced(hat, LayerField.Vertical(PlanSurface.AgainstOverhangs([new NamedMesh("hat", hat)], setup).OrThrow()), setup);
+    }
+
+    /// <summary>A mound with gentle slopes, in level layers or in such that bend until its top has no steps.</summary>
+    public static CurvedExample Mound(bool smooth)
+    {
+        var plan = new Bounds(Middle - new Vec3(24, 16), Middle + new Vec3(24, 16));
+        var part = CurvedPlate.Make(plan, (_, _) => 0, (x, y) => 7 + 2.5 * Angle.Cos(3.5 * (x - 110)) * Angle.Cos(5 * (y - 110)));
+        return Sliced(part, smooth ? LayerField.Smooth([new NamedMesh("part", part)], Plain).OrThrow() : LayerField.Vertical(PlanSurface.Level(0)), Plain);
     }
 
     /// <summary>A vase of one spiral extrusion on a saddle.</summary>

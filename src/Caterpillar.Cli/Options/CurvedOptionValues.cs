@@ -11,8 +11,9 @@ internal sealed class CurvedOptionValues
 
     private readonly Described<string?> _field = new("--field",
         "Shape of the layers. vertical: copies of the surface, moved up. normal: offset copies. between: evenly from the bed to the surface, or between "
-            + "several. harmonic, geodesic: evenly from the lower to the upper ends of the model, even if it branches (geodesic: by distances). FORMULA: level "
-            + "sets in x, y, z, r and theta, such as z - 2 * sin(9 * x).", "vertical|normal|between|harmonic|geodesic|FORMULA");
+            + "several. harmonic, geodesic: evenly from the lower to the upper ends of the model, even if it branches (geodesic: by distances). smooth: level "
+            + "layers that bend so that gently sloped tops have no steps. FORMULA: level sets in x, y, z, r and theta, such as z - 2 * sin(9 * x).",
+        "vertical|normal|between|harmonic|geodesic|smooth|FORMULA");
 
     private readonly Described<string?> _blend = new("--blend",
         "Layers are flat up to FROM, follow the surface from TO on, and blend in between, in mm. Default for FROM: the first layer.", "[FROM,]TO");
@@ -54,7 +55,7 @@ internal sealed class CurvedOptionValues
         if (ends && surfaces.Length > 0) throw Usage($"--field {kind} cannot be combined with --surface. Use --from and --to.");
         if (!ends && kind is "vertical" or "normal" && surfaces.Length == 0 && field is not null) throw Usage($"--field {kind} needs --surface.");
         if (!ends && kind is not ("vertical" or "normal" or "between") && surfaces.Length > 0)
-            throw Usage("--field with a formula cannot be combined with --surface.");
+            throw Usage($"--field {(kind == "smooth" ? kind : "with a formula")} cannot be combined with --surface.");
         if (kind is "vertical" or "normal" && surfaces.Length > 1) throw Usage("Several surfaces need --field between.");
         if (_along.IsGiven(arguments) && surfaces.Length == 0) throw Usage("--infill-along needs --surface.");
         if (arguments.GetValue(_blend) is { } blend)
@@ -99,6 +100,8 @@ internal sealed class CurvedOptionValues
                 if (plans.Count == 1) plans.Insert(0, PlanSurface.Level(models.Min(m => m.Mesh.Bounds.Min.Z)));
                 surface = plans[^1];
                 return LayerField.Between(plans.ToArray());
+            case "smooth":
+                return session.ValueOrFail(LayerField.Smooth(models, setup, session.Cancel));
             case var formula:
                 return session.ValueOrFail(LayerField.Formula(formula, shift, new SourceLocation(Key: "--field")), ExitCode.Usage);
         }

@@ -87,6 +87,7 @@ public class CurvedDiagnosticTests
         var refused = CurvedSolids.Try(LayerField.Vertical(PlanSurface.Of(folded)), CurvedSolids.Massive, null, Part);
         Assert.That(refused.Value, Is.Null);
         Assert.That(refused.Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "curved.plan_folded" }));
+        Assert.That(refused.Diagnostics[0].Message, Does.EndWith(PlanSurface.Otherwise));
         var over = TriMesh.Create([new(-20, -20, 0), new(20, -20, 2), new(20, 20, 2), new(-20, 20, 0)], [0, 2, 1, 0, 3, 2]);
         foreach (var field in new[] { LayerField.Vertical(PlanSurface.Of(over)), LayerField.Offset(over) })
         {
@@ -114,6 +115,21 @@ public class CurvedDiagnosticTests
         Assert.That(blend.Diagnostics.Single().Code, Is.EqualTo("curved.blend_too_short"));
         var cross = CurvedSolids.Try(LayerField.Between(PlanSurface.Level(5), PlanSurface.Of((x, _) => 6 + 0.4 * x)), CurvedSolids.Massive, null, Part);
         Assert.That(cross.Diagnostics.Single().Code, Is.EqualTo("curved.surfaces_cross"));
+        foreach (var refused in new[] { blend, cross }) Assert.That(refused.Diagnostics[0].Message, Does.EndWith(PlanSurface.Otherwise));
+    }
+
+    [Test]
+    public void A_plan_with_vertical_faces_in_its_middle_is_refused_at_once()
+    {
+        // A plate with a pocket, 1 mm deep.
+        var pocketed = CurvedSolids.Stepped(-10, 10, 4, 1.5);
+        foreach (var field in new[] { LayerField.Vertical(PlanSurface.Of(pocketed)), LayerField.Between(PlanSurface.Level(0), PlanSurface.Of(pocketed)),
+            LayerField.Vertical(PlanSurface.Of(pocketed), new LayerBlend(0, 20)) })
+        {
+            var step = CurvedSolids.Try(field, CurvedSolids.Massive, null, pocketed).Diagnostics.Single();
+            Assert.That((step.Severity, step.Code), Is.EqualTo((Severity.Error, "curved.plan_steps")));
+            Assert.That(step.Message, Does.StartWith("The plan has a step of 1.5 mm at (").And.EndWith(PlanSurface.Otherwise));
+        }
     }
 
     [Test]

@@ -121,6 +121,14 @@ public sealed class CurvedSlicerTests
     }
 
     [Test]
+    public void Smooth_layers_need_nothing_but_the_solid()
+    {
+        var curved = Slice(Field(FieldKind.Smooth), Shapes.Box());
+        Assert.That(curved.Errors, Is.Empty);
+        Assert.That(curved.Component.Message, Is.EqualTo("4 layers"));
+    }
+
+    [Test]
     public void Layers_are_copies_of_a_surface_at_the_port_itself()
     {
         var canvas = Slice(Slope(), Shapes.Box(height: 3));

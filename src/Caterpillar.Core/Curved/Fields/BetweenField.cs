@@ -68,6 +68,8 @@ internal sealed class BetweenField(PlanSurface[] surfaces) : LayerField
 
     internal override LayerField FitTo(PartColumns part, PrintSettings settings, DiagnosticList problems)
     {
+        foreach (var surface in surfaces) PlanSteps.Check(surface, part, problems);
+        if (problems.HasErrors) return this;
         var values = new double[surfaces.Length];
         for (var i = 1; i < values.Length; i++)
         {
@@ -78,7 +80,8 @@ internal sealed class BetweenField(PlanSurface[] surfaces) : LayerField
                 if (!(high > low))
                 {
                     problems.Add(Severity.Error, "curved.surfaces_cross",
-                        $"The bounding surfaces meet or cross at {new Vec3(column.X, column.Y, low)} and leave no room for layers.");
+                        $"The bounding surfaces meet or cross at {new Vec3(column.X, column.Y, low)} and leave no room for layers."
+                        + PlanSurface.Otherwise);
                     return this;
                 }
                 most = Math.Max(most, high - low);

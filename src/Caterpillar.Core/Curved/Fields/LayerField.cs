@@ -59,6 +59,9 @@ public abstract class LayerField
     /// <summary>Whether the field moves points in plan, too.</summary>
     internal virtual bool BendsPlan => false;
 
+    /// <summary>Direction of solid infill that suits the layers, degrees. Null = that of the settings.</summary>
+    internal virtual double? SolidAngle => null;
+
     /// <summary>A mesh bent until layers are flat, if the field was made from this mesh. Otherwise null, and it is bent point by point.</summary>
     internal virtual TriMesh? FlatMesh(TriMesh mesh) => null;
 
@@ -130,6 +133,18 @@ public abstract class LayerField
         if (surfaces.Length < 2) throw new ArgumentException("Layers need at least two surfaces.", nameof(surfaces));
         return new BetweenField((PlanSurface[])surfaces.Clone());
     }
+
+    /// <summary>
+    /// Level layers that bend so that gently sloped tops lie in a layer instead of in steps, for a tool that stays upright (as in CurviSlicer, Etienne and
+    /// others 2019). The first layer is level; layers are no steeper than the head or <c>curved_max_slope_deg</c> allows, and no thinner or thicker than
+    /// <c>curved_min_gap_mm</c> and <c>curved_max_gap_mm</c>. Where not all tops can be had, the largest are.
+    /// </summary>
+    /// <param name="models">The parts, on the bed.</param>
+    /// <param name="setup">Print settings and printer.</param>
+    /// <param name="cancel">Cancels the call.</param>
+    /// <returns>The field, and notes on tops that keep their steps.</returns>
+    public static Result<LayerField> Smooth(IReadOnlyList<NamedMesh> models, PrintSetup setup, CancellationToken cancel = default)
+        => SmoothField.For(models ?? throw new ArgumentNullException(nameof(models)), setup ?? throw new ArgumentNullException(nameof(setup)), cancel);
 
     /// <summary>
     /// Layers that change as evenly as possible between the boundaries of a mesh, even at branches: a harmonic field, from Laplace's equation on the surface

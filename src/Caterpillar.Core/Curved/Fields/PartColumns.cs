@@ -5,7 +5,8 @@ namespace Caterpillar.Curved;
 /// </summary>
 internal sealed class PartColumns(IReadOnlyList<Column> columns, Bounds bounds)
 {
-    private const int Cells = 96;
+    /// <summary>Columns of the grid along each axis.</summary>
+    public const int Cells = 96;
 
     public IReadOnlyList<Column> Columns { get; } = columns;
 

@@ -66,6 +66,8 @@ internal sealed class VerticalField(PlanSurface plan, LayerBlend? blend, double 
 
     internal override LayerField FitTo(PartColumns part, PrintSettings settings, DiagnosticList problems)
     {
+        PlanSteps.Check(plan, part, problems);
+        if (problems.HasErrors) return this;
         if (blend is not { } zone) return Anchored(this, part, settings);
         var (low, high) = (double.PositiveInfinity, double.NegativeInfinity);
         var lowest = Vec3.Zero;
@@ -84,7 +86,8 @@ internal sealed class VerticalField(PlanSurface plan, LayerBlend? blend, double 
         {
             problems.Add(Severity.Error, "curved.blend_too_short",
                 $"The blend from level layers to the plan between {Text(from)} and {Text(to)} mm is too short: layers would cross. The plan is "
-                + $"{Text(top - low)} mm lower at {lowest} than at its highest point. Make the blend longer than that.");
+                + $"{Text(top - low)} mm lower at {lowest} than at its highest point. Make the blend longer than that."
+                + PlanSurface.Otherwise);
             return this;
         }
         return new VerticalField(plan, new LayerBlend(from, to), top);

@@ -44,6 +44,7 @@ public static class CurvedSlicer
         if (!problems.HasErrors) CheckDefined(field, part, problems);
         if (problems.HasErrors) return new Result<CurvedResult>(null, problems.ToList());
 
+        var angle = field.SolidAngle;
         field = StretchedField.Of(field, part);
         var flat = new List<SliceModel>();
         for (var i = 0; i < models.Count; i++)
@@ -57,13 +58,13 @@ public static class CurvedSlicer
                     + "curved_tolerance_mm.", new SourceLocation(models[i].Mesh.Name));
                 return new Result<CurvedResult>(null, problems.ToList());
             }
-            flat.Add(new SliceModel(new NamedMesh(models[i].Mesh.Name, mesh), OnField(models[i].Settings, field)));
+            flat.Add(new SliceModel(new NamedMesh(models[i].Mesh.Name, mesh), OnField(models[i].Settings, field, angle)));
         }
-        var common = OnField(setup.Settings, field);
+        var common = OnField(setup.Settings, field, angle);
         if (setup.Settings.RaftLayers > 0 || setup.Settings.PurgeTower || (!field.StartsLevel && setup.Settings.HasSkirtOrBrim))
             problems.Add(Severity.Note, "curved.no_skirt",
                 "Curved layers have no raft and no purge tower. If they do not start level, they have no skirt or brim either.");
-        var limits = new GapLimits(field, part, setup.Settings, MaxGap(setup));
+        var limits = new GapLimits(field, part, setup.Settings, LayerRules.GreatestGap(setup));
         var sliced = PlanarSlicer.SliceEach(flat, common, new SliceOptions
         {
             Threads = options.Threads, Memory = options.Memory, Divide = limits.Divide,
@@ -71,7 +72,7 @@ public static class CurvedSlicer
         }, progress.Part(0.3, 0.75), cancel);
         problems.AddRange(sliced.Diagnostics);
         if (sliced.Value is not { } result) return new Result<CurvedResult>(null, problems.ToList());
-        var least = MinGap(setup);
+        var least = LayerRules.LeastGap(setup);
         // Thinner places are printed several layers at once.
         if (setup.Settings.CurvedMaxGapRatio > 0)
             least = Math.Max(least, limits.Thickest(result.Layers.Select(l => l.Layer)) / setup.Settings.CurvedMaxGapRatio);
@@ -81,7 +82,7 @@ public static class CurvedSlicer
         {
             // Without a partial print it was looked for in the whole part.
             FindsEdge = options.Partial,
-            MaxFill = options.Onto is null ? 0 : MaxGap(setup),
+            MaxFill = options.Onto is null ? 0 : LayerRules.GreatestGap(setup),
         };
         var layers = Lifted(result.Layers, field, rules, options.Threads, problems, progress.Part(0.75, 1), cancel);
         if (layers.Length == 0 && !problems.HasErrors)
@@ -159,17 +160,11 @@ public static class CurvedSlicer
         return HeadSlope.Limit(setup.Printer, size.LengthXY, rise);
     }
 
-    // Thinner extrusions are not laid down reliably.
-    private static double MinGap(PrintSetup setup) => setup.Settings.CurvedMinGap > 0 ? setup.Settings.CurvedMinGap
-        : Math.Min(setup.Printer.NozzleDiameter * 0.15, setup.Settings.LayerHeight / 2);
-
-    private static double MaxGap(PrintSetup setup) => setup.Settings.CurvedMaxGap > 0 ? setup.Settings.CurvedMaxGap
-        : Math.Max(setup.Printer.NozzleDiameter * 0.75, setup.Settings.LargerLayerHeight);
-
     // Bent arcs are none.
-    private static PrintSettings OnField(PrintSettings settings, LayerField field)
+    private static PrintSettings OnField(PrintSettings settings, LayerField field, double? angle)
     {
         settings = settings with { RaftLayers = 0, ArcFittingTolerance = 0 };
+        if (angle is { } degrees && settings.SolidInfillAngle == new PrintSettings().SolidInfillAngle) settings = settings with { SolidInfillAngle = degrees };
         return field.StartsLevel ? settings : settings.WithoutSkirtAndBrim;
     }
 

@@ -51,7 +51,8 @@ internal sealed class MeshPlan(TriMesh mesh) : PlanSurface
         {
             var (a, b, c) = mesh.Triangle(down < up ? firstDown : firstUp);
             var place = (mesh.Vertices[a] + mesh.Vertices[b] + mesh.Vertices[c]) / 3;
-            problems.Add(Severity.Error, "curved.plan_folded", $"The plan folds over itself, first at {place}. A nozzle from above cannot follow it.");
+            problems.Add(Severity.Error, "curved.plan_folded",
+                $"The plan folds over itself, first at {place}. A nozzle from above cannot follow it.{Otherwise}");
         }
         else if (up == 0)
         {

@@ -3,6 +3,9 @@ namespace Caterpillar.Curved;
 /// <summary>A surface that layers follow: one height for each (x, y), mm. Immutable and thread-safe.</summary>
 public abstract class PlanSurface
 {
+    /// <summary>What else there is for a part whose top is no surface that layers can follow.</summary>
+    internal const string Otherwise = " If it is the top of the part, smooth layers (--field smooth) find by themselves what can be followed.";
+
     private protected PlanSurface()
     {
     }

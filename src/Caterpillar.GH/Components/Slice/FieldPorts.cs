@@ -23,6 +23,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
                 return Accept(level) is { } formula ? new FieldRecipe("Formula " + texts[0], [origin], formula) : null;
             case FieldKind.Cone: return Cone(origin);
             case FieldKind.Overhangs: return Overhangs();
+            case FieldKind.Smooth: return new FieldRecipe("Smooth", [], (models, setup) => LayerField.Smooth(models, setup));
             case FieldKind.Deformed:
                 if (texts.Length != 3) throw new InputProblem("Deformed needs three expressions: the bent x, y and z.");
                 var bent = LayerField.Deformed(texts[0], texts[1], texts[2], origin ?? Vec3.Zero, Expressions);

@@ -12,6 +12,7 @@ public enum FieldKind
     Deformed,
     Harmonic,
     Geodesic,
+    Smooth,
 }
 
 /// <summary>Where the surfaces of layers come from.</summary>
@@ -33,7 +34,7 @@ public sealed class LayerFieldComponent() : ChosenPortsComponent(
         ports.Choice("Kind", "K", "Kind of layers. Vertical: copies of a surface, moved up. Normal: offsets of a surface. Between: division of the space below "
             + "a surface, or between several. Formula: level sets of a formula. Cone: cones about a vertical axis. Overhangs: layers that descend from the "
             + "footprint of the solids. Deformed: flat layers of the bent solids. Harmonic: even change from the lower to the upper boundaries of the solids, "
-            + "also across branches. Geodesic: the same by distance.", FieldKind.Vertical);
+            + "also across branches. Geodesic: the same by distance. Smooth: level layers, bent so that gently sloped tops have no steps.", FieldKind.Vertical);
         ports.For("Kind", [FieldKind.Vertical, FieldKind.Between], () => ports.Choices("Sources", "So",
             "Where the surfaces come from: geometry, formulas of their height, or a height map. Several are possible.", SurfaceSource.Geometry));
         FieldKind[] surfaces = [FieldKind.Vertical, FieldKind.Normal, FieldKind.Between, FieldKind.Harmonic, FieldKind.Geodesic];

@@ -1,0 +1,49 @@
+namespace Caterpillar.Curved;
+
+/// <summary>A grid of nodes in plan, on which heights change by no more than a slope allows: distances are those of steps between near nodes.</summary>
+/// <param name="Corner">The first node, mm.</param>
+/// <param name="Cell">Distance of nodes, mm.</param>
+/// <param name="Columns">Nodes along X.</param>
+/// <param name="Rows">Nodes along Y.</param>
+internal sealed record SlopeGrid(Vec3 Corner, double Cell, int Columns, int Rows)
+{
+    /// <summary>Distances along steps between nodes are longer than straight ones by up to this factor (Borgefors 1986, masks of 5 × 5).</summary>
+    public const double Detour = 1.028;
+
+    // Steps to the nodes that come before one in the order of rows.
+    private static readonly (int X, int Y, double Length)[] Steps
+        = [(-1, 0, 1), (-1, -1, Math.Sqrt(2)), (0, -1, 1), (1, -1, Math.Sqrt(2)),
+            (-2, -1, Math.Sqrt(5)), (2, -1, Math.Sqrt(5)), (-1, -2, Math.Sqrt(5)), (1, -2, Math.Sqrt(5))];
+
+    public int Count => Columns * Rows;
+
+    /// <summary>The grid over a part, with a margin.</summary>
+    /// <param name="bounds">The part, mm.</param>
+    /// <param name="nodes">Maximum number of nodes.</param>
+    public static SlopeGrid Over(Bounds bounds, double nodes)
+    {
+        const double Finest = 0.4;
+        var cell = Math.Max(Finest, Math.Sqrt(bounds.Size.X * bounds.Size.Y / nodes));
+        return new SlopeGrid(bounds.Min - new Vec3(2.5 * cell, 2.5 * cell), cell, (int)(bounds.Size.X / cell) + 6, (int)(bounds.Size.Y / cell) + 6);
+    }
+
+    public Vec3 At(int node) => new(Corner.X + node % Columns * Cell, Corner.Y + node / Columns * Cell);
+
+    /// <summary>The highest surface below given heights that nowhere rises faster than a slope, mm per mm.</summary>
+    public void Lower(double[] heights, double slope)
+    {
+        for (var node = 0; node < heights.Length; node++) Lower(heights, node, 1, slope * Cell);
+        for (var node = heights.Length - 1; node >= 0; node--) Lower(heights, node, -1, slope * Cell);
+    }
+
+    private void Lower(double[] heights, int node, int sign, double rise)
+    {
+        int x = node % Columns, y = node / Columns;
+        foreach (var step in Steps)
+        {
+            int i = x + sign * step.X, j = y + sign * step.Y;
+            if (i < 0 || j < 0 || i >= Columns || j >= Rows) continue;
+            heights[node] = Math.Min(heights[node], heights[j * Columns + i] + rise * step.Length);
+        }
+    }
+}
