@@ -25,7 +25,8 @@ public class CurvedSliceTests : CliFixture
         Assert.That(Run("slice", "part.stl", "--field", "z", "--blend", "3").Code, Is.EqualTo(2));
         Assert.That(Run("slice", "part.stl", "--surface", "0.1 * x", "--copies", "2").Code, Is.EqualTo(2));
         Assert.That(Run("slice", "part.stl", "--field", "z +").Code, Is.EqualTo(2));
-        Assert.That(Run("slice", "part.stl", "--field", "smooth", "--surface", "x").Messages, Does.Contain("--field smooth cannot be combined with --surface."));
+        var both = Run("slice", "part.stl", "--field", "smooth", "--surface", "x");
+        Assert.That((both.Code, both.Messages.Contains("--field smooth cannot be combined with --surface.")), Is.EqualTo((2, true)));
     }
 
     [Test]

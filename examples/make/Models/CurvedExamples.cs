@@ -112,8 +112,8 @@ internal static class CurvedExamples
     /// <summary>A mound with gentle slopes, in level layers or in such that bend until its top has no steps.</summary>
     public static CurvedExample Mound(bool smooth)
     {
-        var plan = new Bounds(Middle - new Vec3(24, 16), Middle + new Vec3(24, 16));
-        var part = CurvedPlate.Make(plan, (_, _) => 0, (x, y) => 7 + 2.5 * Angle.Cos(3.5 * (x - 110)) * Angle.Cos(5 * (y - 110)));
+        var plan = new Bounds(Middle - new Vec3(16, 12), Middle + new Vec3(16, 12));
+        var part = CurvedPlate.Make(plan, (_, _) => 0, (x, y) => 7 + 2.5 * Angle.Cos(5 * (x - 110)) * Angle.Cos(7 * (y - 110)));
         return Sliced(part, smooth ? LayerField.Smooth([new NamedMesh("part", part)], Plain).OrThrow() : LayerField.Vertical(PlanSurface.Level(0)), Plain);
     }
 

@@ -121,12 +121,12 @@ public class CurvedDiagnosticTests
     [Test]
     public void A_plan_with_vertical_faces_in_its_middle_is_refused_at_once()
     {
-        // A plate with a pocket, 1 mm deep.
-        var pocketed = CurvedSolids.Stepped(-10, 10, 4, 1.5);
-        foreach (var field in new[] { LayerField.Vertical(PlanSurface.Of(pocketed)), LayerField.Between(PlanSurface.Level(0), PlanSurface.Of(pocketed)),
-            LayerField.Vertical(PlanSurface.Of(pocketed), new LayerBlend(0, 20)) })
+        // A disk with a boss.
+        var boss = CurvedSolids.Lathe(24, (10, 0), (10, 4), (5, 4), (5, 5.5));
+        foreach (var field in new[] { LayerField.Vertical(PlanSurface.Of(boss)), LayerField.Between(PlanSurface.Level(0), PlanSurface.Of(boss)),
+            LayerField.Vertical(PlanSurface.Of(boss), new LayerBlend(0, 20)) })
         {
-            var step = CurvedSolids.Try(field, CurvedSolids.Massive, null, pocketed).Diagnostics.Single();
+            var step = CurvedSolids.Try(field, CurvedSolids.Massive, null, boss).Diagnostics.Single();
             Assert.That((step.Severity, step.Code), Is.EqualTo((Severity.Error, "curved.plan_steps")));
             Assert.That(step.Message, Does.StartWith("The plan has a step of 1.5 mm at (").And.EndWith(PlanSurface.Otherwise));
         }

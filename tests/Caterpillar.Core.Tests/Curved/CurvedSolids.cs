@@ -61,13 +61,6 @@ internal static class CurvedSolids
         return TriMesh.Create(points, triangles);
     }
 
-    /// <summary>A square block with a vertical step across its middle.</summary>
-    public static TriMesh Stepped(double from, double to, double height, double step)
-    {
-        var half = (from + to) / 2;
-        return TriMesh.Merge([Solids.Block(from, from, 0, half, to, height), Solids.Block(half, from, 0, to, to, height - step)]);
-    }
-
     /// <summary>A solid between a circle on the bed and as many points above it.</summary>
     public static TriMesh Loft(Vec3[] low, Vec3[] high)
     {

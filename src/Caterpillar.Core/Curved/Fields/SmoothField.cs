@@ -11,6 +11,9 @@ internal sealed class SmoothField : LayerField
 
     // Degrees: steeper tops hardly show steps.
     private const double SteepestTop = 45;
+
+    // Degrees: more than what steps between nodes add to a slope, and what beads and the tip of the nozzle need where a slope begins.
+    private const double Margin = 1.5;
     private readonly SlopeGrid _grid;
     private readonly LayerRules _rules;
     private readonly int _layers;
@@ -63,8 +66,8 @@ internal sealed class SmoothField : LayerField
         var level = Vertical(PlanSurface.Level(0));
         if (bounds.IsEmpty) return new Result<LayerField>(level, []);
         var limit = settings.CurvedMaxSlope > 0 ? settings.CurvedMaxSlope : HeadSlope.Limit(setup.Printer, bounds.Size.LengthXY, bounds.Size.Z);
-        var (sin, cos) = Angle.SinCos(Math.Min(SteepestTop, Math.Max(0, limit - 0.1)));
-        var slope = sin / cos / SlopeGrid.Detour;
+        var (sin, cos) = Angle.SinCos(Math.Min(SteepestTop, Math.Max(0, limit - Margin)));
+        var slope = sin / cos;
         // Thickness is measured across the layer.
         var most = Math.Max(LayerRules.GreatestGap(setup), settings.LayerHeight);
         var least = Math.Max(LayerRules.LeastGap(setup), settings.CurvedMaxGapRatio > 0 ? most / settings.CurvedMaxGapRatio : 0);
