@@ -138,7 +138,7 @@ internal sealed class SmoothPlan
         var (best, least) = (0, double.PositiveInfinity);
         for (var i = 0; i < _gains.Length; i++)
         {
-            if (_gains[i] < 0.95 * most) continue;
+            if (_gains[i] < 0.99 * most) continue;
             var bend = Bend(i / _stride, i % _stride, done);
             // Lines change their direction from layer to layer.
             if (_layers.Count > 0 && (i % _stride - _layers[0].Number) % 2 != 0) bend += 1e6;
