@@ -43,10 +43,10 @@ public class GCodeBenchmarks
             new EditOptions(), Stream.Null);
 
     [Benchmark]
-    public object ConvertToRelativeE() => GCodeConverter.Convert(_decoding!, new ConvertOptions { RelativeE = true }, Stream.Null);
+    public object ConvertToRelativeE() => GCodeConverter.Convert(_decoding!, new ConvertOptions { RelativeE = true }, null, Stream.Null);
 
     [Benchmark]
-    public void WriteAnew() => GCodeWriter.Write(_decoding!.Toolpath, new GCodeFormat(), Stream.Null);
+    public void WriteAnew() => new GCodeWriter(_decoding!.Toolpath).WriteAll(Stream.Null);
 
     private static byte[] Made(int lines)
     {

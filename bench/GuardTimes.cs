@@ -86,7 +86,7 @@ internal sealed class GuardTimes
     private static string Row(string what, (double Wall, double Processor) time)
         => string.Create(CultureInfo.InvariantCulture, $"| {what} | {time.Wall:0.0000} s | {time.Processor:0.0000} s |");
 
-    private void Write() => GCodeWriter.Write(_plan, _format, Stream.Null);
+    private void Write() => new GCodeWriter(_plan, _format).WriteAll(Stream.Null);
 
     private void Read()
     {

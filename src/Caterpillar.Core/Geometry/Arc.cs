@@ -88,15 +88,18 @@ public readonly record struct Arc(Vec3 Center, double Sweep, ArcPlane Plane = Ar
     /// <summary>The arc from end to start.</summary>
     public Arc Reversed() => this with { Sweep = -Sweep };
 
-    private double Across(Vec3 p) => Plane switch { ArcPlane.XY => p.Z, ArcPlane.ZX => p.Y, _ => p.X };
+    /// <summary>The coordinate normal to the plane.</summary>
+    internal double Across(Vec3 p) => Plane switch { ArcPlane.XY => p.Z, ArcPlane.ZX => p.Y, _ => p.X };
 
-    private (double U, double V, double W) Local(Vec3 p)
+    /// <summary>Coordinates in the plane from the center, and normal to it, so that positive angles turn counterclockwise.</summary>
+    internal (double U, double V, double W) Local(Vec3 p)
     {
         var d = p - Center;
         return Plane switch { ArcPlane.XY => (d.X, d.Y, p.Z), ArcPlane.ZX => (d.Z, d.X, p.Y), _ => (d.Y, d.Z, p.X) };
     }
 
-    private Vec3 World(double u, double v, double w) => Plane switch
+    /// <summary>The inverse of <see cref="Local"/>.</summary>
+    internal Vec3 World(double u, double v, double w) => Plane switch
     {
         ArcPlane.XY => new Vec3(Center.X + u, Center.Y + v, w),
         ArcPlane.ZX => new Vec3(Center.X + v, w, Center.Z + u),

@@ -6,7 +6,6 @@ namespace Caterpillar.Simulation;
 /// </summary>
 public sealed class Timeline
 {
-    private readonly MotionColumns _motion;
     private readonly HeatModel _heat;
     private readonly PathIndex _path;
     private readonly bool _volumesKnown;
@@ -16,7 +15,7 @@ public sealed class Timeline
     {
         Toolpath = toolpath;
         Setup = setup;
-        _motion = plan.Motion;
+        Motion = plan.Motion;
         _heat = plan.Heat;
         Waits = plan.Waits;
         _kinematics = setup.Printer.Kinematics ?? Kinematics.Guess(toolpath);
@@ -31,7 +30,7 @@ public sealed class Timeline
     public PrintSetup Setup { get; }
 
     /// <summary>Total time, s.</summary>
-    public double Duration => _motion.TotalTime;
+    public double Duration => Motion.TotalTime;
 
     /// <summary>Seconds of waiting, by cause.</summary>
     public WaitTimes Waits { get; }
@@ -52,16 +51,13 @@ public sealed class Timeline
     /// <summary>
     /// The planned trapezoids in order: one for a straight move, several for an arc, none for a move without displacement; waits are among them.
     /// </summary>
-    internal IEnumerable<Trapezoid> Trapezoids()
-    {
-        for (var i = 0; i < _motion.Count; i++) yield return _motion[i];
-    }
+    internal MotionColumns Motion { get; }
 
     /// <summary>Seconds until the end of the previous move, before the waits of this one. For the number of moves: until the end.</summary>
     public double StartOf(int move)
     {
         if (move < 0 || move > Toolpath.Count) throw new ArgumentOutOfRangeException(nameof(move));
-        return _motion.StartTime(_motion.First[move]);
+        return Motion.StartTime(Motion.First[move]);
     }
 
     /// <summary>Seconds until the end of a move.</summary>
@@ -71,17 +67,17 @@ public sealed class Timeline
     public double WaitBefore(int move)
     {
         var from = StartOf(move);
-        var first = _motion.First[move];
-        var end = move < Toolpath.Count ? _motion.First[move + 1] : _motion.Count;
-        while (first < end && _motion.Acceleration[first] == 0) first++;
-        return _motion.StartTime(first) - from;
+        var first = Motion.First[move];
+        var end = move < Toolpath.Count ? Motion.First[move + 1] : Motion.Count;
+        while (first < end && Motion.Acceleration[first] == 0) first++;
+        return Motion.StartTime(first) - from;
     }
 
     /// <summary>Maximum speed of a move, mm/s; of the filament for moves in place; 0 if nothing moves.</summary>
     public double PeakOf(int move)
     {
         var peak = 0.0;
-        for (int i = _motion.First[move], end = _motion.First[move + 1]; i < end; i++) peak = Math.Max(peak, _motion.Peak[i]);
+        for (int i = Motion.First[move], end = Motion.First[move + 1]; i < end; i++) peak = Math.Max(peak, Motion.Peak[i]);
         return peak;
     }
 
@@ -97,7 +93,7 @@ public sealed class Timeline
     public MachineState AtFraction(double fraction) => At(fraction * Duration);
 
     /// <summary>The state at the start of a move, before its waits. For the number of moves: at the end.</summary>
-    public MachineState AtMove(int move) => State(move, _motion.First[move], StartOf(move));
+    public MachineState AtMove(int move) => State(move, Motion.First[move], StartOf(move));
 
     /// <summary>The state at the first move of a line (or step), or of the next one with moves; null after the last.</summary>
     public MachineState? AtSource(int source) => MoveAtSource(source) is >= 0 and var move && move < Toolpath.Count ? AtMove(move) : null;
@@ -130,11 +126,11 @@ public sealed class Timeline
     }
 
     // The first trapezoid that ends after a time; their number where none does.
-    private int FirstAfter(double time) => Search.First(0, _motion.Count, (_motion.EndTime, time), static (s, i) => s.EndTime[i] > s.time);
+    private int FirstAfter(double time) => Search.First(0, Motion.Count, (Motion.EndTime, time), static (s, i) => s.EndTime[i] > s.time);
 
     // The last move that begins with this trapezoid or before.
     private int MoveOf(int trapezoid)
-        => Search.First(1, Toolpath.Count + 1, (_motion.First, trapezoid), static (s, i) => s.First[i] > s.trapezoid) - 1;
+        => Search.First(1, Toolpath.Count + 1, (Motion.First, trapezoid), static (s, i) => s.First[i] > s.trapezoid) - 1;
 
     private int MoveAtSource(int source)
     {
@@ -158,14 +154,14 @@ public sealed class Timeline
     // The moment at which a part of a move is done.
     private MachineState WithDone(int move, double done)
     {
-        int first = _motion.First[move], end = _motion.First[move + 1];
-        while (first < end && _motion.Acceleration[first] == 0) first++;
+        int first = Motion.First[move], end = Motion.First[move + 1];
+        while (first < end && Motion.Acceleration[first] == 0) first++;
         if (first == end) return AtMove(move);
         // The pieces of an arc are equally long.
         var at = done * (end - first);
         var piece = (int)at;
-        var trapezoid = _motion[first + piece];
-        var time = _motion.StartTime(first + piece) + trapezoid.TimeAt((at - piece) * trapezoid.Length);
+        var trapezoid = Motion[first + piece];
+        var time = Motion.StartTime(first + piece) + trapezoid.TimeAt((at - piece) * trapezoid.Length);
         return State(move, first + piece, time);
     }
 
@@ -174,14 +170,14 @@ public sealed class Timeline
         var over = number >= Toolpath.Count;
         var move = over ? Last() : Toolpath[number];
         double done = 0, speed = 0;
-        var end = over ? _motion.Count : _motion.First[number + 1];
-        var waits = trapezoid < end && _motion.Acceleration[trapezoid] == 0;
+        var end = over ? Motion.Count : Motion.First[number + 1];
+        var waits = trapezoid < end && Motion.Acceleration[trapezoid] == 0;
         if (!waits && trapezoid < end)
         {
-            var first = _motion.First[number];
-            while (_motion.Acceleration[first] == 0) first++;
-            var now = _motion[trapezoid];
-            var since = time - _motion.StartTime(trapezoid);
+            var first = Motion.First[number];
+            while (Motion.Acceleration[first] == 0) first++;
+            var now = Motion[trapezoid];
+            var since = time - Motion.StartTime(trapezoid);
             done = Math.Min((trapezoid - first + now.DistanceAt(since) / now.Length) / (end - first), 1);
             speed = now.SpeedAt(since);
         }

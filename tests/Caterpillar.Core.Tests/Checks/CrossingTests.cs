@@ -39,7 +39,7 @@ public class CrossingTests
         var sliced = PlanarSlicer.Slice([new NamedMesh(name, mesh)], setup.Settings).Value!;
         var plan = Planner.Plan(sliced.Layers.SelectMany(l => l.Steps).ToArray(), setup).Value!;
         using var memory = new MemoryStream();
-        GCodeWriter.Write(plan, SetupFormat.Of(setup, plan).Value!, memory);
+        new GCodeWriter(plan, SetupFormat.Of(setup, plan).Value).WriteAll(memory);
         var decoded = GCodeDecoder.Decode(GCodeDocument.FromBytes(memory.ToArray(), name)).Value!.Toolpath;
         var heights = sliced.Layers.Select(l => l.Layer.Z).ToArray();
         var sections = MeshSections.At(mesh, heights.Select(z => z - 0.2).ToArray()).Value!;

@@ -37,8 +37,8 @@ public class PlantedCommandTests
     // Those whose prints are written with E.
     private static readonly FlavorRules[] Printing =
     [
-        FlavorTable.Marlin2, FlavorTable.Marlin1, FlavorTable.Prusa, FlavorTable.Bambu, FlavorTable.Klipper, FlavorTable.RepRapFirmware, FlavorTable.Repetier,
-        FlavorTable.Smoothie,
+        FlavorTable.Marlin2, FlavorTable.Marlin1, FlavorTable.Prusa, FlavorTable.Bambu, FlavorTable.Klipper,
+        FlavorTable.Find("reprapfirmware")!, FlavorTable.Find("repetier")!, FlavorTable.Find("smoothie")!,
     ];
 
     /// <summary>Every command of every flavor, within a print, is named where it may do harm.</summary>
@@ -241,7 +241,7 @@ public class PlantedCommandTests
     [TestCase("M568 P0 S215", 0)]
     [TestCase("M104", 0)]
     public void RepRapFirmware_heats_tools_by_M568(string line, int cold)
-        => Assert.That(Check(FlavorTable.RepRapFirmware, line, "within").Count(d => d.Code == CheckCodes.ColdExtrusion), Is.EqualTo(cold));
+        => Assert.That(Check(FlavorTable.Find("reprapfirmware")!, line, "within").Count(d => d.Code == CheckCodes.ColdExtrusion), Is.EqualTo(cold));
 
     [Test]
     public void Writers_say_what_the_decoder_notices()
@@ -318,8 +318,8 @@ public class PlantedCommandTests
         var setup = SetupOf(flavor);
         var lines = string.Join("\n", File(line, place));
         // Flavors without an extruder draw, and one switches it.
-        if (flavor == FlavorTable.Grbl || flavor == FlavorTable.Cnc) lines = lines.Replace(" E0.66", "").Replace(" E0", "");
-        if (flavor == FlavorTable.Bfb) lines = lines.Replace(" E0.66 F1800", " F1800\nM103").Replace(";LAYER", "M101\n;LAYER");
+        if (flavor == FlavorTable.Grbl || flavor == FlavorTable.Find("cnc")!) lines = lines.Replace(" E0.66", "").Replace(" E0", "");
+        if (flavor == FlavorTable.Find("bfb")!) lines = lines.Replace(" E0.66 F1800", " F1800\nM103").Replace(";LAYER", "M101\n;LAYER");
         var text = Encoding.ASCII.GetBytes(lines);
         var decoded = GCodeDecoder.Decode(text, new DecodeOptions { Flavor = flavor, FilamentDiameter = 1.75 });
         return [.. decoded.Diagnostics, .. PrintCheck.Run(decoded.Value!, setup)];

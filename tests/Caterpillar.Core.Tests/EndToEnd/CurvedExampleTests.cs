@@ -16,7 +16,7 @@ public class CurvedExampleTests
     public void Curved_examples_give_the_golden_bytes_pass_the_checks_and_can_be_simulated(string name)
     {
         var report = CurvedReport.Of(CurvedExamples.All.Single(e => e.Name == name).Make());
-        Golden.Check("curved/" + name + ".gcode", Golden.Under("tr-TR", () => GCodeWriter.ToBytes(report.Toolpath)));
+        Golden.Check("curved/" + name + ".gcode", Golden.Under("tr-TR", () => NewFile.Of(report.Toolpath)));
         Assert.That(report.Unexpected(name), Is.Empty);
         var printed = report.Toolpath.Moves().Where(m => m.Kind == MoveKind.Print).ToArray();
         Assert.That(printed.Select(m => m.End.Z).Distinct().Count(), Is.GreaterThan(300), "The layers are curved.");

@@ -56,7 +56,7 @@ public class ProgressTests
         var decoding = GCodeDecoder.Decode(SafeWriter.ToDocument(Planned.Value, Setup).OrThrow()).OrThrow();
         var edited = decoding.Toolpath.ScaleSpeed(new MoveFilter { FirstLayer = 3 }, 0.5);
         var (editor, guarded, replaced) = (new Reported(), new Reported(), new Reported());
-        GCodeEditor.ToDocument(decoding, edited, editor).OrThrow();
+        GCodeEditor.ToDocument(decoding, edited, null, editor).OrThrow();
         AssertAscending(editor, 1);
         SafeWriter.ToDocument(decoding, edited, Setup, progress: guarded).OrThrow();
         AssertAscending(guarded, 3);

@@ -38,7 +38,7 @@ public class BinaryGCodeTests
             Assert.That(decoding.Report.Thumbnails,
                 Is.EqualTo(new[] { new Thumbnail(16, 17, "PNG"), new Thumbnail(300, 200, "JPG"), new Thumbnail(1, 1, "QOI") }));
             Assert.That(decoding.Report.ToJson(), Does.Contain("\"thumbnails\": [{\"width\": 16, \"height\": 17, \"format\": \"PNG\"}, "));
-            Assert.That(decoding.Report.LayerMarks, Is.EqualTo(encoding == 1 ? 0 : 2));
+            Assert.That(decoding.Report.Counters.LayerMarks, Is.EqualTo(encoding == 1 ? 0 : 2));
         }
     }
 

@@ -36,9 +36,9 @@ public class ConvertTests
     public void Dwells_pauses_tools_and_bare_G92_are_translated()
     {
         const string Text = "M83\nG28\nG1 X10 Y0 Z1 F600\nG4 P1500\nM0\nT1\nG92\nG1 X5 E1\n";
-        Assert.That(ConvertText(Text, new ConvertOptions { Flavor = FlavorTable.RepRapFirmware }, "klipper"), Does.Contain("G92 X0 Y0 Z0 E0\n"));
-        Assert.That(ConvertText(Text, new ConvertOptions { Flavor = FlavorTable.Cnc }, "marlin2"), Does.Contain("G4 P1.5\n").And.Contain("M6 T1\n"));
-        Assert.That(ConvertText(Text, new ConvertOptions { Flavor = FlavorTable.RepRapFirmware }, "slicer"), Does.Contain("M226\n"),
+        Assert.That(ConvertText(Text, new ConvertOptions { Flavor = FlavorTable.Find("reprapfirmware")! }, "klipper"), Does.Contain("G92 X0 Y0 Z0 E0\n"));
+        Assert.That(ConvertText(Text, new ConvertOptions { Flavor = FlavorTable.Find("cnc")! }, "marlin2"), Does.Contain("G4 P1.5\n").And.Contain("M6 T1\n"));
+        Assert.That(ConvertText(Text, new ConvertOptions { Flavor = FlavorTable.Find("reprapfirmware")! }, "slicer"), Does.Contain("M226\n"),
             "M0 would end the print");
         Assert.That(ConvertText(Text, new ConvertOptions { Flavor = FlavorTable.Klipper }, "slicer"), Does.Contain("PAUSE\n"));
     }
@@ -59,9 +59,9 @@ public class ConvertTests
     public void Firmware_retraction_becomes_a_length()
     {
         const string Text = "M83\nG1 X1 Y1 Z.2 F1800\nG1 X5 E1\nG10\nG1 X9\nG11\nG1 X12 E1\n";
-        var text = ConvertText(Text, new ConvertOptions { Flavor = FlavorTable.Sailfish, RetractionLength = 1.5, RetractionSpeed = 40 }, "slicer");
+        var text = ConvertText(Text, new ConvertOptions { Flavor = FlavorTable.Find("sailfish")!, RetractionLength = 1.5, RetractionSpeed = 40 }, "slicer");
         Assert.That(text, Does.Contain("G1 E-1.5 F2400\n").And.Contain("G1 E1.5 F2400\n"));
-        Assert.That(Decode(GCodeDocument.FromText(text), FlavorTable.Sailfish).Report.EUsed, Is.EqualTo(2).Within(1e-6));
+        Assert.That(Decode(GCodeDocument.FromText(text), FlavorTable.Find("sailfish")!).Report.EUsed, Is.EqualTo(2).Within(1e-6));
     }
 
     private static GCodeDocument Convert(DecodedGCode decoding, ConvertOptions options)

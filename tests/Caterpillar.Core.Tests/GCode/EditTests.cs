@@ -55,7 +55,7 @@ public class EditTests
         Assert.That(edited, Does.Not.Contain("LAYER:1").And.Not.Contain("E3"));
         var decoding = Decode(Doc(edited));
         Assert.That(decoding.Report.PrintSegments, Is.EqualTo(4));
-        Assert.That(decoding.Report.EPrint, Is.EqualTo(4).Within(1e-9));
+        Assert.That(decoding.Report.Counters.EPrint, Is.EqualTo(4).Within(1e-9));
         Assert.That(decoding.Report.PrintLength, Is.EqualTo(40).Within(1e-9));
     }
 
@@ -72,7 +72,7 @@ public class EditTests
         var edited = Edit(Small, t => t.Deform(new MoveFilter { FirstLayer = 2, LastLayer = 2 }, p => new Vec3(2 * p.X + 1, p.Y, p.Z)));
         var decoding = Decode(Doc(edited));
         Assert.That(decoding.Report.PrintBounds.Max.X, Is.EqualTo(21).Within(1e-9));
-        Assert.That(decoding.Report.EPrint, Is.EqualTo(7).Within(1e-9), "the extrusion of 10 mm has become one of 20");
+        Assert.That(decoding.Report.Counters.EPrint, Is.EqualTo(7).Within(1e-9), "the extrusion of 10 mm has become one of 20");
     }
 
     [Test]
@@ -105,7 +105,7 @@ public class EditTests
         Assert.That(edited, Does.EndWith("G1 Y10 E6\nM84 ; off\n"));
         var back = Decode(Doc(edited));
         Assert.That(back.Report.PrintLength, Is.EqualTo(decoding.Report.PrintLength).Within(1e-9));
-        Assert.That(back.Report.EPrint, Is.EqualTo(decoding.Report.EPrint).Within(1e-9));
+        Assert.That(back.Report.Counters.EPrint, Is.EqualTo(decoding.Report.Counters.EPrint).Within(1e-9));
     }
 
     [Test]

@@ -61,7 +61,7 @@ public class LayerNumberTests
     {
         var toolpath = Decode(TwoObjects);
         var setup = new PrintSetup(new Printer { LayerChangeGCode = new("; layer {layer} of {layer_count}") }, new Material(), new PrintSettings());
-        var text = Encoding.ASCII.GetString(GCodeWriter.ToBytes(toolpath, SetupFormat.Of(setup, toolpath).Value));
+        var text = Encoding.ASCII.GetString(NewFile.Of(toolpath, SetupFormat.Of(setup, toolpath).Value));
         Assert.That(text, Does.Contain("; layer 1 of 2"));
         Assert.That(text, Does.Not.Contain("; layer 2 of"));
     }

@@ -34,13 +34,14 @@ public class MoveEdgeTests
     {
         var report = Decode("M83\nG28\nG0 X1 Y1 Z1 F600\nG1 X4 Y5 E1\nG0 X4 Y10 E1\nG1 X9 E-0.5\nG1 E-1\nG1 E1.5\nG1 E0.25\nG1 X9\nG1 X19\nG0 X9\nG2 X9 Y10 "
             + "I5 E2\n").Report;
-        Assert.That((report.PrintSegments, report.TravelSegments, report.TravelsWithRetraction), Is.EqualTo((3, 4, 1)));
-        Assert.That((report.PrintArcs, report.TravelArcs, report.PrintsByG0, report.TravelsByG1), Is.EqualTo((1, 0, 1, 2)));
-        Assert.That((report.RapidMoves, report.FeedMoves, report.Retractions, report.Deretractions, report.NoOps), Is.EqualTo((3, 8, 1, 2, 1)));
+        Assert.That((report.PrintSegments, report.TravelSegments, report.Counters.TravelsWithRetraction), Is.EqualTo((3, 4, 1)));
+        Assert.That((report.PrintArcs, report.TravelArcs, report.Counters.PrintsG0, report.Counters.TravelsG1), Is.EqualTo((1, 0, 1, 2)));
+        var counters = report.Counters;
+        Assert.That((counters.Rapids, counters.Feeds, report.Retractions, counters.Deretractions, counters.NoOps), Is.EqualTo((3, 8, 1, 2, 1)));
         Assert.That(report.PrintLength, Is.EqualTo(5 + 5 + 10 * Math.PI).Within(1e-9));
         Assert.That(report.TravelLength, Is.EqualTo(Math.Sqrt(3) + 5 + 10 + 10).Within(1e-9));
-        Assert.That((report.EPositive, report.ENegative, report.EPrint, report.ENet), Is.EqualTo((5.75, -1.5, 4.0, 4.25)));
-        Assert.That((report.Heights, report.FlatHeights, report.HeightChanges), Is.EqualTo((1, 1, 1)));
+        Assert.That((report.Counters.EPositive, report.Counters.ENegative, report.Counters.EPrint, report.ENet), Is.EqualTo((5.75, -1.5, 4.0, 4.25)));
+        Assert.That((report.Counters.Heights, report.Counters.FlatHeights, report.Counters.ZChanges), Is.EqualTo((1, 1, 1)));
         Assert.That(report.PrintBounds, Is.EqualTo(new Bounds(new Vec3(1, 1, 1), new Vec3(19, 15, 1))));
     }
 
@@ -49,7 +50,7 @@ public class MoveEdgeTests
     public void Heights_are_told_apart_by_micrometers(double z, int heights)
     {
         var text = FormattableString.Invariant($"M83\nG1 X1 Z0.2 F600\nG1 X2 E1\nG1 Z{z}\nG1 X3 E1\n");
-        Assert.That((Decode(text).Report.Heights, Decode(text).Report.FlatHeights), Is.EqualTo((heights, heights)));
+        Assert.That((Decode(text).Report.Counters.Heights, Decode(text).Report.Counters.FlatHeights), Is.EqualTo((heights, heights)));
     }
 
     [TestCase("cnc")]
@@ -66,7 +67,7 @@ public class MoveEdgeTests
         var decoding = Decode("M83\nT1\nG1 X1 E2 F600\nT0\nG1 X2 E1\nG1 E-4\nT3\nG1 X3 E5\nT2\nG1 X4\n");
         Assert.That(decoding.Report.EUsedByTool.Select(t => (t.Key, t.Value)), Is.EqualTo(new[] { (0, 1.0), (1, 2.0), (3, 5.0) }));
         Assert.That(decoding.Report.ToJson(), Does.Contain("\"e_used_by_tool\": {\"0\": 1"));
-        Assert.That(decoding.Report.ToolChanges, Is.EqualTo(4));
+        Assert.That(decoding.Report.Counters.ToolChanges, Is.EqualTo(4));
     }
 
     [TestCase("G1 E1\nG1 E0.5", "Prime 1, Prime 0.5")]
@@ -223,7 +224,7 @@ public class MoveEdgeTests
         var builder = new ToolpathBuilder(MoveSource.Steps, null);
         builder.Add(new Vec3(5, 0, 1), 0, 0, 50, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
         builder.Add(end, 1, 1, 10, MoveKind.Print, Role.Unspecified, -1, 0, 0, arc);
-        var bytes = GCodeWriter.ToBytes(builder.Build([new ToolpathTool(1)]),
+        var bytes = NewFile.Of(builder.Build([new ToolpathTool(1)]),
             new GCodeFormat { Comments = false, Arcs = arcs, Flavor = FlavorTable.Find(flavor)! });
         return Encoding.ASCII.GetString(bytes).Split(['\n'], StringSplitOptions.RemoveEmptyEntries);
     }

@@ -70,7 +70,7 @@ public class PlainMovesTests
     private static IEnumerable<ConvertOptions> Conversions() =>
     [
         new() { RelativeE = true }, new() { RelativeE = false }, new() { Flavor = FlavorTable.Klipper, FilamentDiameter = 1.75 },
-        new() { Flavor = FlavorTable.RepRapFirmware, RelativeE = true, FilamentDiameter = 1.75 }, new() { ExpandArcs = true, RelativeE = false },
+        new() { Flavor = FlavorTable.Find("reprapfirmware")!, RelativeE = true, FilamentDiameter = 1.75 }, new() { ExpandArcs = true, RelativeE = false },
         new() { DecimalsXyz = 3, DecimalsE = 4 }, new() { DecimalsXyz = 2, DecimalsE = 3, DecimalsF = 0 }, new() { DecimalsF = 1, RelativeE = true },
     ];
 
@@ -108,7 +108,7 @@ public class PlainMovesTests
     private static string Text(GCodeDocument document) => Encoding.ASCII.GetString(document.ToBytes());
 
     private static FlavorRules Flavor(Random random)
-        => new[] { FlavorTable.Marlin2, FlavorTable.Klipper, FlavorTable.Slicer, FlavorTable.RepRapFirmware, FlavorTable.Prusa }[random.Next(5)];
+        => new[] { FlavorTable.Marlin2, FlavorTable.Klipper, FlavorTable.Slicer, FlavorTable.Find("reprapfirmware")!, FlavorTable.Prusa }[random.Next(5)];
 
     private static string Program(Random random)
     {

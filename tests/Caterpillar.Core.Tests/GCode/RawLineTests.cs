@@ -62,7 +62,7 @@ public class RawLineTests
     [Test]
     public void After_start_code_in_inches_and_with_another_tool_the_print_is_in_mm_with_its_own()
     {
-        var text = Encoding.ASCII.GetString(GCodeWriter.ToBytes(Path(null), new GCodeFormat { Start = ["G20", "T1"] }));
+        var text = Encoding.ASCII.GetString(NewFile.Of(Path(null), new GCodeFormat { Start = ["G20", "T1"] }));
         Assert.That(text, Does.Contain("T1\nG21\nG90\nM83\nT0\n"));
     }
 
@@ -70,18 +70,18 @@ public class RawLineTests
     public void Lines_of_layers_follow_the_same_rules()
     {
         var format = new GCodeFormat { LayerLines = _ => ["G91", "G1 Z1", "G90", "M117 layer"], Comments = false };
-        var text = Encoding.ASCII.GetString(GCodeWriter.ToBytes(Path(null), format));
+        var text = Encoding.ASCII.GetString(NewFile.Of(Path(null), format));
         Assert.That(text, Does.EndWith("M117 layer\nG90\nM83\nG0 X20 Y0 Z0.2 F6000\nG1 X30 E1 F1200\nG1 X40 E1\n"));
     }
 
     private static string[] After(string raw, GCodeFormat format)
     {
-        var text = Encoding.ASCII.GetString(GCodeWriter.ToBytes(Path(raw), format with { Comments = false }));
+        var text = Encoding.ASCII.GetString(NewFile.Of(Path(raw), format with { Comments = false }));
         return text.Substring(text.IndexOf(raw, System.StringComparison.Ordinal) + raw.Length).Trim().Split('\n');
     }
 
     private static Toolpath Decode(Toolpath toolpath, GCodeFormat format)
-        => GCodeDecoder.Decode(GCodeWriter.ToBytes(toolpath, format), new DecodeOptions { Flavor = format.Flavor }).Value!.Toolpath;
+        => GCodeDecoder.Decode(NewFile.Of(toolpath, format), new DecodeOptions { Flavor = format.Flavor }).Value!.Toolpath;
 
     private static Toolpath Path(string? raw)
     {

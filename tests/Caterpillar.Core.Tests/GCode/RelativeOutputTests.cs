@@ -21,7 +21,7 @@ public class RelativeOutputTests
         builder.Add(new Vec3(10.6666, 20, 0.2), 1, 1, 20, MoveKind.Print, Role.OuterWall, -1, 0, 0);
         builder.Add(new Vec3(11, 19, 0.2), 1, 1, 20, MoveKind.Print, Role.OuterWall, -1, 0, 0);
         var format = new GCodeFormat { RelativeXyz = true, Comments = false, End = ["G1 X0"] };
-        Assert.That(Encoding.ASCII.GetString(GCodeWriter.ToBytes(builder.Build([new ToolpathTool(2.4)]), format)), Is.EqualTo(
+        Assert.That(Encoding.ASCII.GetString(NewFile.Of(builder.Build([new ToolpathTool(2.4)]), format)), Is.EqualTo(
             "G90\nM83\nG0 X10 Y20 Z0.2 F6000\nG91\nM83\nG1 X0.333 E1 F1200\nG1 X0.334 E1\nG1 X0.333 Y-1 E1\nG90\nM83\nG1 X0\n"));
     }
 
@@ -29,7 +29,7 @@ public class RelativeOutputTests
     public void What_is_read_back_is_what_absolute_output_gives([Values(2, 3)] int decimals, [Values] bool arcs)
     {
         var random = new Random(5);
-        foreach (var flavor in new[] { FlavorTable.Marlin2, FlavorTable.Klipper, FlavorTable.RepRapFirmware, FlavorTable.Smoothie, FlavorTable.Cnc })
+        foreach (var flavor in new[] { "marlin2", "klipper", "reprapfirmware", "smoothie", "cnc" }.Select(name => FlavorTable.Find(name)!))
         {
             var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
             var at = new Vec3(50, 50, 0.2);
@@ -58,5 +58,5 @@ public class RelativeOutputTests
     }
 
     private static Toolpath Read(Toolpath toolpath, GCodeFormat format)
-        => GCodeDecoder.Decode(GCodeWriter.ToBytes(toolpath, format), new DecodeOptions { Flavor = format.Flavor }).Value!.Toolpath;
+        => GCodeDecoder.Decode(NewFile.Of(toolpath, format), new DecodeOptions { Flavor = format.Flavor }).Value!.Toolpath;
 }

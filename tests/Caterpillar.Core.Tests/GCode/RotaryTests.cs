@@ -52,7 +52,7 @@ public class RotaryTests
             builder.SetRotary(a, 0, c);
         }
         var toolpath = builder.Build([new ToolpathTool(null)]);
-        var back = Decode(GCodeWriter.ToBytes(toolpath), "marlin2").Toolpath;
+        var back = Decode(NewFile.Of(toolpath), "marlin2").Toolpath;
         Assert.That(back.Count, Is.EqualTo(toolpath.Count));
         Assert.That(Turns(back).SequenceEqual(Turns(toolpath)), Is.True);
     }
@@ -66,7 +66,7 @@ public class RotaryTests
         builder.SetRotary(0, 0, 0);
         builder.Add(new Vec3(-10, 0, 0), 1, 1, 30, MoveKind.Print, Role.Unspecified, -1, 0, 0, new Arc(Vec3.Zero, 180));
         builder.SetRotary(90, 0, 0);
-        var back = Decode(GCodeWriter.ToBytes(builder.Build([new ToolpathTool(null)]), new GCodeFormat { Arcs = arcs }), "marlin2").Toolpath;
+        var back = Decode(NewFile.Of(builder.Build([new ToolpathTool(null)]), new GCodeFormat { Arcs = arcs }), "marlin2").Toolpath;
         var turns = Turns(back).Select(t => t.A).ToArray();
         Assert.That(turns[turns.Length - 1], Is.EqualTo(90));
         if (!arcs) Assert.That(turns[turns.Length / 2], Is.EqualTo(45).Within(3), "chords share the turn");
@@ -83,7 +83,7 @@ public class RotaryTests
         var kept = cut.Moves().Where(m => m.Source >= 0).Select(m => Turns(cut)[m.Index].A);
         Assert.That(kept, Is.EqualTo(new[] { 0.0, 30, 40, 40, 50 }));
         Assert.That(Turns(back), Is.EqualTo(Turns(cut)), Encoding.ASCII.GetString(written.ToBytes()));
-        var converted = GCodeConverter.ToDocument(decoding, new ConvertOptions { Flavor = FlavorTable.Cnc, RelativeE = false }).Value!;
+        var converted = GCodeConverter.ToDocument(decoding, new ConvertOptions { Flavor = FlavorTable.Find("cnc")!, RelativeE = false }).Value!;
         Assert.That(Turns(Decode(converted.ToBytes(), "cnc").Toolpath), Is.EqualTo(Turns(decoding.Toolpath)), "E stays E where A turns");
     }
 

@@ -43,7 +43,7 @@ internal static class RoundTrips
     {
         var format = new GCodeFormat { Flavor = decoding.Flavor, RelativeE = relative, HasE = decoding.Axis != ExtrusionAxis.None };
         if (format.LacksAmounts(toolpath)) return decoding.Axis == ExtrusionAxis.Switched ? null : "lacks amounts";
-        var back = Decode(GCodeDocument.FromBytes(GCodeWriter.ToBytes(toolpath, format)), decoding.Flavor);
+        var back = Decode(GCodeDocument.FromBytes(NewFile.Of(toolpath, format)), decoding.Flavor);
         return SameMoves.Difference(toolpath, back.Toolpath,
             new MoveTolerance { Speed = 0.5 / 60 + 1e-6, Chords = 0.01, SameLayers = false, Fan = decoding.Flavor.Fan,
             LayersOfExtrusions = !ReferenceEquals(toolpath, decoding.Toolpath) });

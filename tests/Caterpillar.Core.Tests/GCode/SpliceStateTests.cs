@@ -104,7 +104,7 @@ public class SpliceStateTests
     {
         const string Text = "M108 S10\nM103\nG1 X1 Y1 Z1 F600\nM101\nG1 X5\nG1 X9\nM103\nG1 X20\nM101\nG1 X30\nM103\n";
         var toolpath = Decode(Text, "bfb").Toolpath;
-        Assert.That(Said(GCodeWriter.ToBytes(toolpath, new GCodeFormat { Flavor = FlavorTable.Bfb, Comments = false })), Is.EqualTo(
+        Assert.That(Said(NewFile.Of(toolpath, new GCodeFormat { Flavor = FlavorTable.Find("bfb")!, Comments = false })), Is.EqualTo(
             "G90\nG0 X1 Y1 Z1 F600\nM101\nG1 X5\nG1 X9\nM103\nG0 X20\nM101\nG1 X30\nM103\n"));
         Assert.That(SetupFormat.Of(new PrintSetup(), toolpath).Diagnostics.Select(d => d.Code), Does.Contain("gcode.no_e_values"));
         Assert.That(GCodeConverter.ToDocument(Decode(Text, "bfb"), new ConvertOptions { Flavor = FlavorTable.Marlin2 }).Diagnostics.Single().Code,
@@ -124,7 +124,7 @@ public class SpliceStateTests
     [Test]
     public void Flow_and_speed_factors_go_into_the_numbers_where_the_target_has_none()
     {
-        var text = Convert("M83\nG1 X1 Y1 Z1 F600\nM221 S50\nM220 S200\nG1 X5 E1\n", "marlin2", new ConvertOptions { Flavor = FlavorTable.Cnc });
+        var text = Convert("M83\nG1 X1 Y1 Z1 F600\nM221 S50\nM220 S200\nG1 X5 E1\n", "marlin2", new ConvertOptions { Flavor = FlavorTable.Find("cnc")! });
         Assert.That(text, Does.Not.Contain("M22").And.Contain("G1 X5 A0.5 F1200\n"));
     }
 
@@ -133,7 +133,8 @@ public class SpliceStateTests
     {
         Assert.That(Convert("M106 S0.5\nM106 S255\n", "reprapfirmware", new ConvertOptions { Flavor = FlavorTable.Marlin2 }),
             Is.EqualTo("M106 S128\nM106 S255\n"));
-        Assert.That(Convert("M106 S1 ; low\n", "marlin2", new ConvertOptions { Flavor = FlavorTable.RepRapFirmware }), Is.EqualTo("M106 S0.004 ; low\n"));
+        Assert.That(Convert("M106 S1 ; low\n", "marlin2", new ConvertOptions { Flavor = FlavorTable.Find("reprapfirmware") }),
+            Is.EqualTo("M106 S0.004 ; low\n"));
     }
 
     [Test]
@@ -144,7 +145,7 @@ public class SpliceStateTests
         Assert.That(text, Does.Contain("M200 D1.75\nG1 X5 E2.40528\n").And.Contain("; use_volumetric_e = 1\n"));
         Assert.That(Convert(text, "marlin2", new ConvertOptions { Volumetric = false }),
             Does.Contain("G1 X5 E1\n").And.Contain("; use_volumetric_e = 0\n").And.Not.Contain("M200"));
-        var unknown = GCodeConverter.ToDocument(Decode("M83\nG1 X1 Y1 E1\n"), new ConvertOptions { Flavor = FlavorTable.Ultigcode });
+        var unknown = GCodeConverter.ToDocument(Decode("M83\nG1 X1 Y1 E1\n"), new ConvertOptions { Flavor = FlavorTable.Find("ultigcode")! });
         Assert.That(unknown.Diagnostics.Single(d => d.Severity == Severity.Error).Code, Is.EqualTo("gcode.diameter_unknown"));
     }
 
@@ -187,7 +188,7 @@ public class SpliceStateTests
     }
 
     private static string Written(string text, Func<Toolpath, Toolpath> edit)
-        => Said(GCodeWriter.ToBytes(edit(Decode(text).Toolpath), new GCodeFormat { Comments = false }));
+        => Said(NewFile.Of(edit(Decode(text).Toolpath), new GCodeFormat { Comments = false }));
 
     // Without the line that names the flavor of a conversion.
     private static string Said(byte[] bytes)

@@ -36,7 +36,7 @@ public class WriterTests
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         for (var i = 1; i <= 3000; i++) builder.Add(new Vec3(i, 0, 0), 0.0000123, 0.0000123, 30, MoveKind.Print, Role.Unspecified, -1, 0, 0);
-        var decoded = Decode(GCodeWriter.ToBytes(builder.Build(Filament)));
+        var decoded = Decode(NewFile.Of(builder.Build(Filament)));
         Assert.That(decoded.Report.ENet, Is.EqualTo(0.0369).Within(1e-9));
     }
 
@@ -53,7 +53,7 @@ public class WriterTests
         builder.Add(new Vec3(1, 9, 0.3), 1, 1, 30, MoveKind.Print, Role.OuterWall, other, 0, 0);
         builder.Add(new Vec3(1, 9, 0.5), 0, 0, 30, MoveKind.Travel, Role.Unspecified, upper, 0, 0);
         builder.Add(new Vec3(1, 1, 0.5), 1, 1, 30, MoveKind.Print, Role.TopSurface, upper, 0, 0);
-        var toolpath = Decode(GCodeWriter.ToBytes(builder.Build(Filament))).Toolpath;
+        var toolpath = Decode(NewFile.Of(builder.Build(Filament))).Toolpath;
         var prints = toolpath.Moves().Where(m => m.Kind == MoveKind.Print).ToArray();
         Assert.That(prints.Select(m => m.Role), Is.EqualTo(new[] { Role.OuterWall, Role.Infill, Role.OuterWall, Role.TopSurface }));
         Assert.That(prints.Select(m => toolpath.Layers[m.Layer]), Is.EqualTo(new[]
@@ -92,11 +92,11 @@ public class WriterTests
         builder.Add(new Vec3(10, 0, flavor == "klipper" ? 1 : 0), 1, 1, 30, MoveKind.Print, Role.Unspecified, -1, 0, 0, new Arc(Vec3.Zero, 720));
         var format = new GCodeFormat { Flavor = FlavorTable.Find(flavor)! };
         Assert.That(Text(builder.Build(Filament), format), Does.Contain(expected));
-        var back = GCodeDecoder.Decode(GCodeWriter.ToBytes(builder.Build(Filament), format), new DecodeOptions { Flavor = format.Flavor }).Value!;
-        Assert.That(back.Report.PrintLengthXY, Is.EqualTo(40 * Math.PI).Within(1e-6));
+        var back = GCodeDecoder.Decode(NewFile.Of(builder.Build(Filament), format), new DecodeOptions { Flavor = format.Flavor }).Value!;
+        Assert.That(back.Report.Counters.PrintLengthXY, Is.EqualTo(40 * Math.PI).Within(1e-6));
     }
 
-    private static string Text(Toolpath toolpath, GCodeFormat format) => Encoding.ASCII.GetString(GCodeWriter.ToBytes(toolpath, format));
+    private static string Text(Toolpath toolpath, GCodeFormat format) => Encoding.ASCII.GetString(NewFile.Of(toolpath, format));
 
     private static DecodedGCode Decode(byte[] bytes) => GCodeDecoder.Decode(bytes, new DecodeOptions { Flavor = FlavorTable.Marlin2 }).Value!;
 }

@@ -27,7 +27,7 @@ public class MaterialTests
     private static Toolpath Plan(PrintSetup setup) => Planner.Plan(Lines(), setup, new PlanOptions { Start = new Vec3(0, 0, 5) }).Value!;
 
     private static string[] Written(PrintSetup setup)
-        => Encoding.ASCII.GetString(GCodeWriter.ToBytes(Plan(setup), SetupFormat.Of(setup, Plan(setup)).Value!)).Split('\n');
+        => Encoding.ASCII.GetString(NewFile.Of(Plan(setup), SetupFormat.Of(setup, Plan(setup)).Value!)).Split('\n');
 
     private static PrintSetup With(Material material, string flavor = "marlin2")
         => new(new Printer { Flavor = FlavorTable.All.Single(f => f.Name == flavor) }, material, new PrintSettings());
@@ -56,10 +56,10 @@ public class MaterialTests
     [Test]
     public void Each_tool_gets_its_pressure_advance()
     {
-        var printer = new Printer { Flavor = FlavorTable.RepRapFirmware, ToolOffsets = new(Vec3.Zero, new Vec3(20, 0)) };
+        var printer = new Printer { Flavor = FlavorTable.Find("reprapfirmware")!, ToolOffsets = new(Vec3.Zero, new Vec3(20, 0)) };
         Step[] steps = [.. Lines(), new EventStep(new ToolEvent(1)), .. Lines(), new EventStep(new ToolEvent(0))];
         var toolpath = Planner.Plan(steps, new PrintSetup(printer, new Material { PressureAdvance = 0.05 }, new PrintSettings())).Value!;
-        var text = Encoding.ASCII.GetString(GCodeWriter.ToBytes(toolpath, new GCodeFormat { Flavor = printer.Flavor })).Split('\n');
+        var text = Encoding.ASCII.GetString(NewFile.Of(toolpath, new GCodeFormat { Flavor = printer.Flavor })).Split('\n');
         Assert.That(text.Where(l => l.StartsWith("M572", StringComparison.Ordinal) || l.StartsWith("T", StringComparison.Ordinal)),
             Is.EqualTo(new[] { "M572 D0 S0.05", "T1", "M572 D1 S0.05", "T0", "M572 D0 S0.05" }));
     }

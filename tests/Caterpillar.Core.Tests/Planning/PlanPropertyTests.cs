@@ -125,7 +125,7 @@ public class PlanPropertyTests
         {
             var oneTool = steps.Where(s => s is not PathStep { Path.Tool: 1 }).ToList();
             var planned = PlanningTests.Plan(oneTool, rules with { Tools = [rules.Tools[0]] }).Toolpath;
-            var decoded = GCodeDecoder.Decode(GCodeWriter.ToBytes(planned)).Value!.Toolpath;
+            var decoded = GCodeDecoder.Decode(NewFile.Of(planned)).Value!.Toolpath;
             // The first travel starts at an unknown position.
             var before = planned.Moves().SkipWhile(m => m.Kind == MoveKind.Travel).ToArray();
             var after = decoded.Moves().SkipWhile(m => m.Kind == MoveKind.Travel).ToArray();

@@ -204,7 +204,7 @@ internal sealed class ExampleTests
             var plan = Planner.Plan(Run(name).ToSteps(), new PrintSetup(), new PlanOptions { Policy = PlanPolicy.AsDrawn });
             Assert.That(PrintCheck.Run(plan.Value!, new PrintSetup()).Where(d => d.Code.StartsWith("bed.", StringComparison.Ordinal)), Is.Empty,
                 "it fits on a printer");
-            return GCodeWriter.ToBytes(plan.Value!);
+            return NewFile.Of(plan.Value!);
         }
         Golden.Check($"turtle/{name}.gcode", Golden.Under("de-DE", Write));
     }

@@ -146,7 +146,7 @@ public static class SafeWriter
             decoding = GCodeDecoder.Decode(replaced.Value, options, null, cancel).Value!;
             edited = decoding.Toolpath;
         }
-        var written = GCodeEditor.ToDocument(decoding, edited, progress.Part(0, 0.4), cancel);
+        var written = GCodeEditor.ToDocument(decoding, edited, null, progress.Part(0, 0.4), cancel);
         if (written.Value is null) return (written, null);
         var findings = EditCheck.Run(decoding, edited, written.Value, setup, progress.Part(0.4, 0.8), cancel, before);
         var guard = new WriteGuard(findings, reason);
@@ -154,7 +154,7 @@ public static class SafeWriter
         if (guard.Overridden > 0)
         {
             foreach (var comment in guard.Comments()) edited = edited.Insert(0, new CommentEvent(comment));
-            written = GCodeEditor.ToDocument(decoding, edited, progress.Part(0.8, 1), cancel);
+            written = GCodeEditor.ToDocument(decoding, edited, null, progress.Part(0.8, 1), cancel);
         }
         progress?.Report(1);
         return (new Result<GCodeDocument>(written.Value, guard.Notes(written.Diagnostics)), guard);
@@ -172,7 +172,7 @@ public static class SafeWriter
         if (guard.Overridden > 0)
         {
             var edited = guard.Comments().Aggregate(file.Toolpath, (toolpath, comment) => toolpath.Insert(0, new CommentEvent(comment)));
-            commented = GCodeEditor.ToDocument(file, edited, null, cancel);
+            commented = GCodeEditor.ToDocument(file, edited, cancel: cancel);
         }
         return (new Result<GCodeDocument>(commented.Value, guard.Notes(commented.Diagnostics)), guard);
     }

@@ -24,33 +24,15 @@ public static class FlavorTable
     /// <summary>Klipper.</summary>
     public static FlavorRules Klipper { get; } = Read("klipper");
 
-    /// <summary>RepRapFirmware.</summary>
-    public static FlavorRules RepRapFirmware { get; } = Read("reprapfirmware");
-
-    /// <summary>Repetier.</summary>
-    public static FlavorRules Repetier { get; } = Read("repetier");
-
-    /// <summary>Smoothieware.</summary>
-    public static FlavorRules Smoothie { get; } = Read("smoothie");
-
-    /// <summary>Sailfish and MakerWare.</summary>
-    public static FlavorRules Sailfish { get; } = Read("sailfish");
-
-    /// <summary>Mach3 and LinuxCNC: the extruder is the A axis.</summary>
-    public static FlavorRules Cnc { get; } = Read("cnc");
-
-    /// <summary>UltiGCode.</summary>
-    public static FlavorRules Ultigcode { get; } = Read("ultigcode");
-
-    /// <summary>Bits from Bytes, with extruders that are switched on and off.</summary>
-    public static FlavorRules Bfb { get; } = Read("bfb");
-
     /// <summary>Grbl, for pens and lasers.</summary>
     public static FlavorRules Grbl { get; } = Read("grbl");
 
     /// <summary>All flavors. The first is neutral. The second is the default if a file does not indicate one.</summary>
     public static IReadOnlyList<FlavorRules> All { get; } =
-        [Slicer, Marlin2, Marlin1, Prusa, Bambu, Klipper, RepRapFirmware, Repetier, Smoothie, Sailfish, Cnc, Ultigcode, Bfb, Grbl];
+    [
+        Slicer, Marlin2, Marlin1, Prusa, Bambu, Klipper, Read("reprapfirmware"), Read("repetier"), Read("smoothie"), Read("sailfish"), Read("cnc"),
+        Read("ultigcode"), Read("bfb"), Grbl,
+    ];
 
     /// <summary>The flavor with this name or common alias, ignoring case, spaces and punctuation; null if unknown.</summary>
     public static FlavorRules? Find(string name)

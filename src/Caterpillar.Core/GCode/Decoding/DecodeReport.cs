@@ -6,9 +6,29 @@ namespace Caterpillar.GCode;
 /// </summary>
 public sealed record DecodeReport
 {
-    private readonly DecodeCounters _counters;
+    private const int Decimals = 5;
 
-    internal DecodeReport(DecodeCounters counters) => _counters = counters;
+    internal DecodeReport(GCodeInterpreter interpreter)
+    {
+        var machine = interpreter.Machine;
+        Counters = machine.Counters;
+        EUsedByTool = machine.Extruders.UsedByTool();
+        foreach (var tool in EUsedByTool) EUsed += tool.Value;
+        if (machine.State.Extrusion.HasMarlin2E && Math.Abs(Counters.EMarlin2 - Counters.ENet) > 1e-3) EByMarlin2Rule = Counters.EMarlin2;
+        var (prints, all) = (new GrowingBox(), new GrowingBox());
+        prints.Include(Counters.PrintStarts);
+        prints.Include(Counters.PrintEnds);
+        all.Include(Counters.PrintEnds);
+        all.Include(Counters.TravelEnds);
+        (PrintBounds, AllBounds) = (prints.ToBounds(), all.ToBounds());
+        EndPosition = machine.State.Head.Written;
+        Features = machine.Features.ToList();
+        Thumbnails = interpreter.Comments.Thumbnails;
+        Setup = FileSetup.In(interpreter.Comments.Settings);
+    }
+
+    /// <summary>The sums of decoding.</summary>
+    internal DecodeCounters Counters { get; }
 
     /// <summary>Name of the file, or empty.</summary>
     public string File { get; init; } = "";
@@ -23,76 +43,34 @@ public sealed record DecodeReport
     public string ExtrusionAxis { get; init; } = "none";
 
     /// <summary>Number of straight printing moves.</summary>
-    public int PrintSegments => _counters.Prints;
+    public int PrintSegments => Counters.Prints;
 
     /// <summary>Number of straight moves that do not print.</summary>
-    public int TravelSegments => _counters.Travels;
-
-    /// <summary>Number of travel moves with retraction (wipes).</summary>
-    public int TravelsWithRetraction => _counters.TravelsWithRetraction;
+    public int TravelSegments => Counters.Travels;
 
     /// <summary>Number of printing arcs (G2, G3).</summary>
-    public int PrintArcs => _counters.PrintArcs;
+    public int PrintArcs => Counters.PrintArcs;
 
     /// <summary>Number of arcs (G2, G3) that do not print.</summary>
-    public int TravelArcs => _counters.TravelArcs;
-
-    /// <summary>Number of printing moves with G0.</summary>
-    public int PrintsByG0 => _counters.PrintsG0;
-
-    /// <summary>Number of travel moves without G0.</summary>
-    public int TravelsByG1 => _counters.TravelsG1;
-
-    /// <summary>Number of G0 commands.</summary>
-    public int RapidMoves => _counters.Rapids;
-
-    /// <summary>Number of G1, G2 and G3 commands.</summary>
-    public int FeedMoves => _counters.Feeds;
+    public int TravelArcs => Counters.TravelArcs;
 
     /// <summary>Number of retractions in place by E.</summary>
-    public int Retractions => _counters.Retractions;
-
-    /// <summary>Number of deretractions in place by E.</summary>
-    public int Deretractions => _counters.Deretractions;
+    public int Retractions => Counters.Retractions;
 
     /// <summary>Number of firmware retractions (G10).</summary>
-    public int FirmwareRetractions => _counters.FirmwareRetractions;
-
-    /// <summary>Number of firmware deretractions (G11).</summary>
-    public int FirmwareDeretractions => _counters.FirmwareDeretractions;
-
-    /// <summary>Number of motion commands that change nothing.</summary>
-    public int NoOps => _counters.NoOps;
-
-    /// <summary>Number of tool changes.</summary>
-    public int ToolChanges => _counters.ToolChanges;
-
-    /// <summary>Number of comments that start a layer.</summary>
-    public int LayerMarks => _counters.LayerMarks;
+    public int FirmwareRetractions => Counters.FirmwareRetractions;
 
     /// <summary>Length of printing moves, mm.</summary>
-    public double PrintLength => _counters.PrintLength;
-
-    /// <summary>Length of printing moves seen from above, mm.</summary>
-    public double PrintLengthXY => _counters.PrintLengthXY;
+    public double PrintLength => Counters.PrintLength;
 
     /// <summary>Length of moves that do not print, mm.</summary>
-    public double TravelLength => _counters.TravelLength;
+    public double TravelLength => Counters.TravelLength;
 
     /// <summary>False if the file has no E values. The sums of E are then 0 and have no meaning.</summary>
     public bool HasAmounts { get; init; }
 
-    /// <summary>Sum of all increases of E, in its unit.</summary>
-    public double EPositive => _counters.EPositive;
-
-    /// <summary>Sum of all decreases of E, in its unit, 0 or negative.</summary>
-    public double ENegative => _counters.ENegative;
-
-    /// <summary>E of printing moves, in its unit.</summary>
-    public double EPrint => _counters.EPrint;
-
     /// <summary>Sum of all changes of E, in its unit.</summary>
-    public double ENet => _counters.ENet;
+    public double ENet => Counters.ENet;
 
     /// <summary>Filament used: the maximum of the running sum of E of each tool, summed over the tools.</summary>
     public double EUsed { get; init; }
@@ -102,15 +80,6 @@ public sealed record DecodeReport
 
     /// <summary>Sum of E by the rule of Marlin 2 (the last of G90, G91, M82, M83 decides). Null if it does not differ.</summary>
     public double? EByMarlin2Rule { get; init; }
-
-    /// <summary>Number of different heights (to 1 µm) at the ends of extrusions.</summary>
-    public int Heights => _counters.Heights;
-
-    /// <summary>Number of different heights of level extrusions.</summary>
-    public int FlatHeights => _counters.FlatHeights;
-
-    /// <summary>Number of height changes while printing.</summary>
-    public int HeightChanges => _counters.ZChanges;
 
     /// <summary>Bounding box of the ends of printing moves, mm, as written in the file.</summary>
     public Bounds PrintBounds { get; init; }
@@ -135,74 +104,67 @@ public sealed record DecodeReport
 
     /// <summary>The report as a JSON object. Sums of E are null if the file has no E values.</summary>
     public string ToJson(string indent = "")
+        => "{" + string.Join(",", Entries().Select(e => "\n" + indent + "  \"" + e.Key + "\": " + e.Value)) + "\n" + indent + "}";
+
+    // An object with one entry per line, written without a library so that numbers keep our format.
+    private IEnumerable<(string Key, string Value)> Entries()
     {
-        var json = new JsonLines(indent);
-        json.Text("file", File);
-        if (Sha256.Length > 0) json.Text("sha256_unpacked", Sha256);
-        json.Number("bytes_unpacked", Bytes);
-        json.Text("extrusion_axis", ExtrusionAxis);
-        json.Numbers(Moves());
-        if (HasAmounts && EUsedByTool.Count > 1) json.Raw("e_used_by_tool", ByTool());
-        if (HasAmounts && EByMarlin2Rule is { } other) json.Raw("e_total_marlin2_rule", JsonLines.Number(other));
-        json.Numbers(LayerHeights());
-        json.Raw("print_box", JsonLines.Box(PrintBounds));
-        json.Raw("all_moves_box", JsonLines.Box(AllBounds));
-        json.Raw("end_position", JsonLines.Point(EndPosition));
-        json.Raw("features", FeatureObject());
-        if (Thumbnails.Count > 0) json.Raw("thumbnails", ThumbnailList());
-        if (Setup.Count > 0) json.Raw("setup", Object(Setup.Select(p => (p.Key, JsonLines.Quoted(p.Value)))));
-        return json.ToString();
-    }
-
-    private KeyValuePair<string, double?>[] Moves() =>
-    [
-        new("print_segments", PrintSegments),
-        new("travel_segments", TravelSegments),
-        new("travel_with_retraction", TravelsWithRetraction),
-        new("print_arcs", PrintArcs),
-        new("travel_arcs", TravelArcs),
-        new("print_g0", PrintsByG0),
-        new("travel_g1", TravelsByG1),
-        new("rapid_moves_g0", RapidMoves),
-        new("feed_moves_g123", FeedMoves),
-        new("retractions", Retractions),
-        new("deretractions", Deretractions),
-        new("firmware_retractions", FirmwareRetractions),
-        new("firmware_deretractions", FirmwareDeretractions),
-        new("no_ops", NoOps),
-        new("tool_changes", ToolChanges),
-        new("layer_marks", LayerMarks),
-        new("print_length", PrintLength),
-        new("print_length_xy", PrintLengthXY),
-        new("travel_length", TravelLength),
-        new("e_positive", Amount(EPositive)),
-        new("e_negative", Amount(ENegative)),
-        new("e_print", Amount(EPrint)),
-        new("e_net", Amount(ENet)),
-        new("e_used", Amount(EUsed)),
-    ];
-
-    private KeyValuePair<string, double?>[] LayerHeights() =>
-    [
-        new("layers_z", Heights),
-        new("layers_flat", FlatHeights),
-        new("z_changes_of_print", HeightChanges),
-    ];
-
-    private double? Amount(double value) => HasAmounts ? value : null;
-
-    private string ByTool() => Object(EUsedByTool.Select(p => (NumberFormatter.Format(p.Key), JsonLines.Number(p.Value))));
-
-    private string ThumbnailList() => "[" + string.Join(", ", Thumbnails.Select(image => Object([
-        ("width", NumberFormatter.Format(image.Width)),
-        ("height", NumberFormatter.Format(image.Height)),
-        ("format", JsonLines.Quoted(image.Format))]))) + "]";
-
-    private string FeatureObject()
-    {
+        yield return ("file", Quoted(File));
+        if (Sha256.Length > 0) yield return ("sha256_unpacked", Quoted(Sha256));
+        yield return ("bytes_unpacked", NumberFormatter.Format(Bytes));
+        yield return ("extrusion_axis", Quoted(ExtrusionAxis));
+        yield return ("print_segments", Number(Counters.Prints));
+        yield return ("travel_segments", Number(Counters.Travels));
+        yield return ("travel_with_retraction", Number(Counters.TravelsWithRetraction));
+        yield return ("print_arcs", Number(Counters.PrintArcs));
+        yield return ("travel_arcs", Number(Counters.TravelArcs));
+        yield return ("print_g0", Number(Counters.PrintsG0));
+        yield return ("travel_g1", Number(Counters.TravelsG1));
+        yield return ("rapid_moves_g0", Number(Counters.Rapids));
+        yield return ("feed_moves_g123", Number(Counters.Feeds));
+        yield return ("retractions", Number(Counters.Retractions));
+        yield return ("deretractions", Number(Counters.Deretractions));
+        yield return ("firmware_retractions", Number(Counters.FirmwareRetractions));
+        yield return ("firmware_deretractions", Number(Counters.FirmwareDeretractions));
+        yield return ("no_ops", Number(Counters.NoOps));
+        yield return ("tool_changes", Number(Counters.ToolChanges));
+        yield return ("layer_marks", Number(Counters.LayerMarks));
+        yield return ("print_length", Number(Counters.PrintLength));
+        yield return ("print_length_xy", Number(Counters.PrintLengthXY));
+        yield return ("travel_length", Number(Counters.TravelLength));
+        yield return ("e_positive", Amount(Counters.EPositive));
+        yield return ("e_negative", Amount(Counters.ENegative));
+        yield return ("e_print", Amount(Counters.EPrint));
+        yield return ("e_net", Amount(Counters.ENet));
+        yield return ("e_used", Amount(EUsed));
+        var byTool = EUsedByTool.Select(p => (NumberFormatter.Format(p.Key), Number(p.Value)));
+        if (HasAmounts && EUsedByTool.Count > 1) yield return ("e_used_by_tool", Object(byTool));
+        if (HasAmounts && EByMarlin2Rule is { } other) yield return ("e_total_marlin2_rule", Number(other));
+        yield return ("layers_z", Number(Counters.Heights));
+        yield return ("layers_flat", Number(Counters.FlatHeights));
+        yield return ("z_changes_of_print", Number(Counters.ZChanges));
+        yield return ("print_box", Box(PrintBounds));
+        yield return ("all_moves_box", Box(AllBounds));
+        yield return ("end_position", Point(EndPosition));
         var features = Features.Select(p => (p.Key, NumberFormatter.Format(p.Value)));
-        return Object(ByteOrderMark ? features.Append(("bom", "true")) : features);
+        yield return ("features", Object(ByteOrderMark ? features.Append(("bom", "true")) : features));
+        if (Thumbnails.Count > 0)
+        {
+            var images = Thumbnails.Select(i => Object([("width", Number(i.Width)), ("height", Number(i.Height)), ("format", Quoted(i.Format))]));
+            yield return ("thumbnails", "[" + string.Join(", ", images) + "]");
+        }
+        if (Setup.Count > 0) yield return ("setup", Object(Setup.Select(p => (p.Key, Quoted(p.Value)))));
     }
+
+    private string Amount(double value) => HasAmounts ? Number(value) : "null";
+
+    private static string Quoted(string value) => Newtonsoft.Json.JsonConvert.ToString(value);
+
+    private static string Number(double value) => NumberFormatter.Format(value, Decimals);
+
+    private static string Point(Vec3 p) => "[" + Number(p.X) + ", " + Number(p.Y) + ", " + Number(p.Z) + "]";
+
+    private static string Box(Bounds box) => box.IsEmpty ? "null" : "[" + Point(box.Min) + ", " + Point(box.Max) + "]";
 
     // On one line.
     private static string Object(IEnumerable<(string Key, string Value)> entries)

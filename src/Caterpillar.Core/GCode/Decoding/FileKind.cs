@@ -29,21 +29,14 @@ internal static class FileKind
     private static string? Mark(GCodeChunk head)
     {
         var (start, end) = Beginning(head);
-        bool Begins(params byte[] mark)
-        {
-            if (end - start < mark.Length) return false;
-            for (var i = 0; i < mark.Length; i++)
-            {
-                if (head.Text[start + i] != mark[i]) return false;
-            }
-            return true;
-        }
-        if (Begins((byte)'P', (byte)'K', 3, 4)) return "looks like a ZIP archive or a 3MF model";
-        if (Begins(0x1F, 0x8B)) return "looks like data compressed with gzip twice";
-        if (Begins(0x89, (byte)'P', (byte)'N', (byte)'G')) return "looks like an image (PNG)";
-        if (Begins(0xFF, 0xD8, 0xFF)) return "looks like an image (JPEG)";
-        if (Begins((byte)'G', (byte)'I', (byte)'F', (byte)'8')) return "looks like an image (GIF)";
-        return Begins((byte)'%', (byte)'P', (byte)'D', (byte)'F') ? "looks like a PDF document" : null;
+        var text = TextEncoding.Decode(head.Text, start, Math.Min(end, start + 4));
+        bool Begins(string mark) => text.StartsWith(mark, StringComparison.Ordinal);
+        if (Begins("PK\u0003\u0004")) return "looks like a ZIP archive or a 3MF model";
+        if (Begins("\u001F\u008B")) return "looks like data compressed with gzip twice";
+        if (Begins("\u0089PNG")) return "looks like an image (PNG)";
+        if (Begins("\u00FF\u00D8\u00FF")) return "looks like an image (JPEG)";
+        if (Begins("GIF8")) return "looks like an image (GIF)";
+        return Begins("%PDF") ? "looks like a PDF document" : null;
     }
 
     private static (int Start, int End) Beginning(GCodeChunk head)

@@ -145,8 +145,10 @@ public static class GCodeDecoder
         var none = FileKind.NotGCode(input.Searched.Count > 0 ? input.Searched[0] : null, bytes, lines, interpreter.Machine.Counters.Commands);
         IReadOnlyList<Diagnostic> diagnostics = problems.ToList();
         if (name.Length > 0) diagnostics = diagnostics.Select(d => d with { Source = (d.Source ?? new SourceLocation()) with { File = name } }).ToList();
+        var hasAmounts = axis.HasAmounts || axis == ExtrusionAxis.None;
+        var report = new DecodeReport(interpreter) { File = name, Bytes = bytes, ExtrusionAxis = axis.Name, HasAmounts = hasAmounts, ByteOrderMark = mark };
         return new Result<DecodedGCode>(
-            new DecodedGCode(toolpath, Reports.Of(interpreter, axis, name, bytes, mark), rules)
+            new DecodedGCode(toolpath, report, rules)
             {
                 Document = document,
                 Evidence = detected?.Evidence ?? [],

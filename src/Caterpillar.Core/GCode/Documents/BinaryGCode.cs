@@ -12,7 +12,6 @@ internal static class BinaryGCode
     /// <summary>True for the file names of binary G-code: .bgcode or .bgc.</summary>
     public static bool IsName(string file)
     {
-        if (file is null) throw new ArgumentNullException(nameof(file));
         return file.EndsWith(".bgcode", StringComparison.OrdinalIgnoreCase) || file.EndsWith(".bgc", StringComparison.OrdinalIgnoreCase);
     }
 
@@ -21,8 +20,6 @@ internal static class BinaryGCode
     /// <exception cref="OperationCanceledException">Canceled. A part is written.</exception>
     public static void Write(GCodeDocument document, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
-        if (document is null) throw new ArgumentNullException(nameof(document));
-        if (stream is null) throw new ArgumentNullException(nameof(stream));
         var tables = BinaryTables.Of(document, cancel);
         stream.Write([(byte)'G', (byte)'C', (byte)'D', (byte)'E', 1, 0, 0, 0, 1, 0], 0, 10);
         if (tables.File.Count > 0) Block(stream, BinaryBlockKind.File, 0, Text(tables.File), 0);
@@ -41,7 +38,6 @@ internal static class BinaryGCode
     /// <inheritdoc cref="Write" path="/exception"/>
     public static void WriteAs(string file, GCodeDocument document, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
-        if (document is null) throw new ArgumentNullException(nameof(document));
         if (IsName(file)) Write(document, stream, progress, cancel);
         else document.WriteTo(stream);
     }
@@ -50,7 +46,6 @@ internal static class BinaryGCode
     /// <inheritdoc cref="Write" path="/exception"/>
     public static void WriteAs(string file, Stream stream, Action<Stream> writeText, CancellationToken cancel = default)
     {
-        if (writeText is null) throw new ArgumentNullException(nameof(writeText));
         if (!IsName(file))
         {
             writeText(stream);

@@ -65,13 +65,7 @@ internal sealed class BinaryTables(int lines)
         return tables;
     }
 
-    private static string[] Keys(string table)
-    {
-        using var stream = typeof(BinaryTables).Assembly.GetManifestResourceStream("comments/BinaryKeys.tsv")!;
-        using var reader = new StreamReader(stream);
-        var rows = reader.ReadToEnd().Split(['\r', '\n'], StringSplitOptions.RemoveEmptyEntries).Select(l => l.Split('\t'));
-        return [.. rows.Where(r => r[0] == table).Select(r => r[1])];
-    }
+    private static string[] Keys(string table) => [.. EmbeddedText.Rows("comments/BinaryKeys.tsv").Where(r => r[0] == table).Select(r => r[1])];
 
     // Empty lines at both ends are what readers put between the tables.
     private void HoldBlankEnds()

@@ -9,6 +9,14 @@ internal sealed class DocumentStream : WriteStream
     private byte[] _buffer = new byte[FirstBuffer];
     private int _count;
 
+    /// <summary>The document that is written, unless there are errors.</summary>
+    public static Result<GCodeDocument> Collect(Func<Stream, IReadOnlyList<Diagnostic>> write, string? name)
+    {
+        using var memory = new DocumentStream();
+        var failed = new Result<GCodeDocument>(null, write(memory));
+        return failed.HasErrors ? failed : new Result<GCodeDocument>(memory.ToDocument(name ?? ""), failed.Diagnostics);
+    }
+
     /// <summary>Returns the document. Do not write afterwards.</summary>
     public GCodeDocument ToDocument(string name)
     {

@@ -3,23 +3,16 @@ namespace Caterpillar.GCode;
 /// <summary>
 /// Converts a decoded file to another G-code flavor or notation. Lines with the same meaning do not change. The others change in the style of the file.
 /// </summary>
-public static class GCodeConverter
+internal static class GCodeConverter
 {
-    /// <summary>Converts a file that was decoded with its document.</summary>
+    /// <summary>Converts a file that was decoded with its document, perhaps with start and end G-code for the target.</summary>
     /// <returns>The diagnostics. If they contain errors, nothing was written.</returns>
     /// <exception cref="ArgumentException">The file was decoded from a stream, without its document.</exception>
     /// <exception cref="IOException">The stream cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
-    public static IReadOnlyList<Diagnostic> Convert(DecodedGCode decoding, ConvertOptions options, Stream stream, IProgress<double>? progress = null,
-        CancellationToken cancel = default)
-        => Convert(decoding, options, new EditOptions(), stream, progress, cancel);
-
-    /// <summary>The same, with start and end G-code for the target.</summary>
-    internal static IReadOnlyList<Diagnostic> Convert(
-        DecodedGCode decoding, ConvertOptions options, EditOptions code, Stream stream, IProgress<double>? progress, CancellationToken cancel)
+    public static IReadOnlyList<Diagnostic> Convert(DecodedGCode decoding, ConvertOptions options, EditOptions? code, Stream stream,
+        IProgress<double>? progress = null, CancellationToken cancel = default)
     {
-        if (decoding is null) throw new ArgumentNullException(nameof(decoding));
-        if (options is null) throw new ArgumentNullException(nameof(options));
         if (decoding.Document is null) throw new ArgumentException(GCodeEditor.NoDocument, nameof(decoding));
         var problems = new DiagnosticList();
         var target = ConvertTarget.Of(decoding, options, problems);
@@ -27,23 +20,14 @@ public static class GCodeConverter
         if (options.DecimalsXyz is { } decimals && LayerRounding.Check(decoding.Toolpath, decimals, new SourceLocation(decoding.Document.Name)) is { } rounded)
             return [.. problems.ToList(), rounded];
         var splicer = new Splicer(decoding, decoding.Toolpath, SplicePlan.Of(decoding, decoding.Toolpath), stream, target,
-            new EditOptions { Start = code.Start, End = code.End, GeneralPath = options.GeneralPath, Threads = options.Threads });
+            new EditOptions { Start = code?.Start, End = code?.End, GeneralPath = options.GeneralPath, Threads = options.Threads });
         splicer.Run(progress, cancel);
         problems.AddRange(splicer.Diagnostics.ToList());
         return problems.ToList();
     }
 
-    /// <inheritdoc cref="Convert(DecodedGCode, ConvertOptions, Stream, IProgress{double}?, CancellationToken)" path="/summary"/>
-    public static Result<GCodeDocument> ToDocument(DecodedGCode decoding, ConvertOptions options, IProgress<double>? progress = null,
-        CancellationToken cancel = default)
-        => ToDocument(decoding, options, new EditOptions(), progress, cancel);
-
-    internal static Result<GCodeDocument> ToDocument(
-        DecodedGCode decoding, ConvertOptions options, EditOptions code, IProgress<double>? progress, CancellationToken cancel)
-    {
-        using var memory = new DocumentStream();
-        var problems = Convert(decoding, options, code, memory, progress, cancel);
-        var failed = new Result<GCodeDocument>(null, problems);
-        return failed.HasErrors ? failed : new Result<GCodeDocument>(memory.ToDocument(decoding.Document!.Name), problems);
-    }
+    /// <inheritdoc cref="Convert" path="/summary"/>
+    public static Result<GCodeDocument> ToDocument(DecodedGCode decoding, ConvertOptions options, EditOptions? code = null,
+        IProgress<double>? progress = null, CancellationToken cancel = default)
+        => DocumentStream.Collect(stream => Convert(decoding, options, code, stream, progress, cancel), decoding.Document?.Name);
 }

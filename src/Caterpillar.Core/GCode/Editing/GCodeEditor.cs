@@ -41,9 +41,6 @@ internal static class GCodeEditor
     public static IReadOnlyList<Diagnostic> Write(
         DecodedGCode decoding, Toolpath edited, EditOptions options, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
-        if (decoding is null) throw new ArgumentNullException(nameof(decoding));
-        if (edited is null) throw new ArgumentNullException(nameof(edited));
-        if (options is null) throw new ArgumentNullException(nameof(options));
         if (decoding.Document is null) throw new ArgumentException(NoDocument, nameof(decoding));
         var plan = SplicePlan.Of(decoding, edited);
         if (!plan.InOrder || edited.Source != MoveSource.Lines)
@@ -55,17 +52,7 @@ internal static class GCodeEditor
     }
 
     /// <inheritdoc cref="Write" path="/summary"/>
-    public static Result<GCodeDocument> ToDocument(DecodedGCode decoding, Toolpath edited, IProgress<double>? progress = null,
+    public static Result<GCodeDocument> ToDocument(DecodedGCode decoding, Toolpath edited, EditOptions? options = null, IProgress<double>? progress = null,
         CancellationToken cancel = default)
-        => ToDocument(decoding, edited, new EditOptions(), progress, cancel);
-
-    /// <inheritdoc cref="ToDocument(DecodedGCode, Toolpath, IProgress{double}?, CancellationToken)"/>
-    public static Result<GCodeDocument> ToDocument(DecodedGCode decoding, Toolpath edited, EditOptions options, IProgress<double>? progress = null,
-        CancellationToken cancel = default)
-    {
-        using var memory = new DocumentStream();
-        var problems = Write(decoding, edited, options, memory, progress, cancel);
-        var failed = new Result<GCodeDocument>(null, problems);
-        return failed.HasErrors ? failed : new Result<GCodeDocument>(memory.ToDocument(decoding.Document!.Name), problems);
-    }
+        => DocumentStream.Collect(stream => Write(decoding, edited, options ?? new EditOptions(), stream, progress, cancel), decoding.Document?.Name);
 }

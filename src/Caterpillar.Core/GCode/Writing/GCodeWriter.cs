@@ -54,10 +54,6 @@ internal sealed class GCodeWriter
     /// <exception cref="ArgumentOutOfRangeException">A coordinate is not finite or too large to print.</exception>
     /// <exception cref="IOException">The stream cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
-    public static void Write(Toolpath toolpath, GCodeFormat format, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
-        => new GCodeWriter(toolpath, format).WriteAll(stream, progress, cancel);
-
-    /// <inheritdoc cref="Write"/>
     public void WriteAll(Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default, Stream? facts = null)
     {
         WriteStart(stream, facts);
@@ -68,15 +64,6 @@ internal sealed class GCodeWriter
             progress?.Report((i + 1.0) / _toolpath.Blocks.Count);
         }
         WriteEnd(stream);
-    }
-
-    /// <summary>All of a toolpath as bytes.</summary>
-    /// <inheritdoc cref="Write" path="/exception"/>
-    public static byte[] ToBytes(Toolpath toolpath, GCodeFormat? format = null)
-    {
-        using var memory = new MemoryStream();
-        Write(toolpath, format ?? new GCodeFormat(), memory);
-        return memory.ToArray();
     }
 
     /// <summary>Writes header, start G-code and modal state.</summary>
@@ -99,7 +86,7 @@ internal sealed class GCodeWriter
 
     /// <summary>Writes the moves of a block and the events between them.</summary>
     /// <exception cref="InvalidOperationException">The block is not the next one.</exception>
-    /// <inheritdoc cref="Write" path="/exception"/>
+    /// <inheritdoc cref="WriteAll" path="/exception"/>
     public void WriteBlock(Stream stream, int block)
     {
         if (block != _nextBlock) throw new InvalidOperationException("Write the blocks of a toolpath in order.");

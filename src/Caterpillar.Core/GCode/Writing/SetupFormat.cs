@@ -6,8 +6,6 @@ internal static class SetupFormat
     /// <summary>The format for a toolpath, or errors if a template of the printer is wrong or the toolpath lacks E values.</summary>
     public static Result<GCodeFormat> Of(PrintSetup setup, Toolpath toolpath)
     {
-        if (setup is null) throw new ArgumentNullException(nameof(setup));
-        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         var printer = setup.Printer;
         var problems = new DiagnosticList();
         var format = Format(setup, toolpath, true, toolpath.Layers.FirstOrDefault(), problems);

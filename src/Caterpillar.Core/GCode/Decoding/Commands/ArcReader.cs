@@ -43,11 +43,10 @@ internal sealed class ArcReader(FlavorRules rules, InterpreterState state)
 
     private string? Centered(ParsedLine line, Vec3 start, Vec3 end, Vec3 center, out Arc arc)
     {
-        arc = default;
-        var plane = state.Modes.Plane;
+        arc = new Arc(center, 0, state.Modes.Plane);
         var clockwise = IsClockwise;
-        var (su, sv) = plane.Project(start - center);
-        var (eu, ev) = plane.Project(end - center);
+        var (su, sv, _) = arc.Local(start);
+        var (eu, ev, _) = arc.Local(end);
         var radius = Math.Sqrt(su * su + sv * sv);
         if (radius <= NoChange) return rules.Title + " rejects arcs whose center is their start.";
         if (rules.ArcTolerance is { } tolerance && tolerance.Refuses(radius, Math.Sqrt(eu * eu + ev * ev)))
@@ -68,17 +67,16 @@ internal sealed class ArcReader(FlavorRules rules, InterpreterState state)
             if (sweep < 0) sweep += 360;
             if (sweep >= 360) sweep -= 360;
         }
-        arc = new Arc(center, clockwise ? -sweep : sweep, plane);
+        arc = arc with { Sweep = clockwise ? -sweep : sweep };
         return null;
     }
 
     // The shorter arc for R > 0, the longer one for R < 0; where R is too short, a half circle about the middle of the chord.
     private bool ByRadius(Vec3 start, Vec3 end, double radius, out Arc arc)
     {
-        arc = default;
-        var plane = state.Modes.Plane;
+        arc = new Arc(start, 0, state.Modes.Plane);
         var clockwise = IsClockwise;
-        var (u, v) = plane.Project(end - start);
+        var (u, v, _) = arc.Local(end);
         var chord = Math.Sqrt(u * u + v * v);
         if (!(chord > NoChange) || radius == 0 || double.IsInfinity(chord) || double.IsInfinity(radius)) return false;
         var size = Math.Abs(radius);
@@ -91,13 +89,7 @@ internal sealed class ArcReader(FlavorRules rules, InterpreterState state)
         var cv = v / 2 + side * height * u / chord;
         var half = height > 0 ? Angle.ToDegrees(Math.Asin(Math.Min(chord / 2 / size, 1))) : 90;
         var sweep = radius < 0 ? 360 - 2 * half : 2 * half;
-        var center = plane switch
-        {
-            ArcPlane.XY => new Vec3(start.X + cu, start.Y + cv, start.Z),
-            ArcPlane.ZX => new Vec3(start.X + cv, start.Y, start.Z + cu),
-            _ => new Vec3(start.X, start.Y + cu, start.Z + cv),
-        };
-        arc = new Arc(center, clockwise ? -sweep : sweep, plane);
+        arc = arc with { Center = arc.World(cu, cv, arc.Across(start)), Sweep = clockwise ? -sweep : sweep };
         return true;
     }
 }

@@ -22,12 +22,7 @@ internal sealed class Extruders(FlavorRules rules, InterpreterState state, Decod
     public IReadOnlyList<KeyValuePair<int, double>> UsedByTool()
     {
         Store();
-        var used = new List<KeyValuePair<int, double>>();
-        foreach (var pair in _byTool)
-        {
-            if (pair.Value.WasUsed) used.Add(new KeyValuePair<int, double>(pair.Key, pair.Value.Highest));
-        }
-        return used;
+        return [.. _byTool.Where(t => t.Value.WasUsed).Select(t => new KeyValuePair<int, double>(t.Key, t.Value.Highest))];
     }
 
     /// <summary>E rises. Returns the deposited amount: the part beyond the retraction.</summary>

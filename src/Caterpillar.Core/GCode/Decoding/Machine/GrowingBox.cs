@@ -32,7 +32,7 @@ internal sealed class GrowingBox
     /// <summary>Includes the outermost points of the circle through <paramref name="start"/>, as far as the arc passes them.</summary>
     public void Include(Arc arc, Vec3 start, Vec3 end)
     {
-        var (u, v) = arc.Plane.Project(start - arc.Center);
+        var (u, v, _) = arc.Local(start);
         var radius = Math.Sqrt(u * u + v * v);
         if (radius == 0) return;
         var from = Angle.Atan2(v, u);
@@ -43,32 +43,10 @@ internal sealed class GrowingBox
         for (var k = 0; k < 4 && (first + k) * 90 <= high; k++)
         {
             var (sin, cos) = Angle.SinCos((first + k) * 90);
-            var (pu, pv) = (radius * cos, radius * sin);
-            switch (arc.Plane)
-            {
-                case ArcPlane.XY:
-                    Include(arc.Center.X + pu, arc.Center.Y + pv, end.Z);
-                    break;
-                case ArcPlane.ZX:
-                    Include(arc.Center.X + pv, end.Y, arc.Center.Z + pu);
-                    break;
-                default:
-                    Include(end.X, arc.Center.Y + pu, arc.Center.Z + pv);
-                    break;
-            }
+            var outermost = arc.World(radius * cos, radius * sin, arc.Across(end));
+            Include(outermost.X, outermost.Y, outermost.Z);
         }
     }
 
     public Bounds ToBounds() => IsEmpty ? Bounds.Empty : new Bounds(new Vec3(MinX, MinY, MinZ), new Vec3(MaxX, MaxY, MaxZ));
-}
-
-internal static class ArcPlanes
-{
-    /// <summary>The coordinates of a vector in the plane, so that positive angles turn counterclockwise.</summary>
-    public static (double U, double V) Project(this ArcPlane plane, Vec3 d) => plane switch
-    {
-        ArcPlane.XY => (d.X, d.Y),
-        ArcPlane.ZX => (d.Z, d.X),
-        _ => (d.Y, d.Z),
-    };
 }

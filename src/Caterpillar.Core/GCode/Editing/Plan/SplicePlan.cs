@@ -163,15 +163,9 @@ internal sealed class SplicePlan(Checkpoint[] checkpoints)
 
     private int Mark(int line)
     {
-        int low = 0, high = _checkpoints.Length - 1;
-        while (low < high)
-        {
-            var middle = (low + high + 1) / 2;
-            if (_checkpoints[middle].Line < line) low = middle;
-            else high = middle - 1;
-        }
-        if (low < _dirty.Length) _dirty[low] = true;
-        return low;
+        var chunk = Search.First(1, _checkpoints.Length, (_checkpoints, line), static (s, i) => s._checkpoints[i].Line >= s.line) - 1;
+        if (chunk < _dirty.Length) _dirty[chunk] = true;
+        return chunk;
     }
 
     private sealed class ReferenceComparer : IEqualityComparer<PrinterEvent>
