@@ -43,12 +43,13 @@ internal sealed record PrintFigures(
     // Diameter in mm and density in g/cm³; 0 = unknown.
     private static PrintFigures Of(Toolpath toolpath, double diameter, double density, PrintFigures? planned)
     {
-        var (length, e, volume, inPlace, box) = ExtrusionTotals.Of(toolpath);
+        var totals = ToolpathTotals.Of(toolpath);
+        var (length, volume, box) = (totals.PrintLength, totals.DepositedVolume, totals.PartBounds);
         var isVolume = volume is > 0;
         return new PrintFigures(
             planned?.Layers ?? toolpath.CountLayers(),
-            planned is not null ? planned.Size : box.IsEmpty ? null : SizeOf(box, toolpath, length > 0 ? (volume - inPlace) / length : null),
-            length, e, volume,
+            planned is not null ? planned.Size : box.IsEmpty ? null : SizeOf(box, toolpath, length > 0 ? (volume - totals.InPlaceVolume) / length : null),
+            length, totals.DepositedE, volume,
             isVolume && diameter is > 0 and <= ThickestFilament ? volume / (Math.PI / 4 * diameter * diameter) : null,
             isVolume && density > 0 ? volume / 1000 * density : null, null);
     }

@@ -18,7 +18,7 @@ internal static class WorkReport
         json.WriteStartObject();
         void Number(string key, double value) => json.Entry(key, () => json.WriteRawValue(NumberFormatter.Format(value, 6)));
         // Material as the file extrudes it, with start and end code.
-        var deposited = ExtrusionTotals.Of(written.GCode.File ?? plan.Toolpath).Volume ?? 0;
+        var deposited = ToolpathTotals.Of(written.GCode.File ?? plan.Toolpath).DepositedVolume ?? 0;
         var arcs = plan.Toolpath.Moves().Count(m => m.Kind == MoveKind.Print && m.Arc is not null);
         if (inputs.Count == 1) json.Entry("file", inputs[0]);
         else json.Entry("files", () => json.List(inputs, json.WriteValue));
@@ -26,7 +26,7 @@ internal static class WorkReport
         foreach (var count in counts) Number(count.Key, count.Value);
         Number("moves", plan.Toolpath.Count);
         Number("arcs", arcs);
-        Number("printed_mm", ExtrusionTotals.Of(plan.Toolpath).Length);
+        Number("printed_mm", ToolpathTotals.Of(plan.Toolpath).PrintLength);
         Number("deposited_mm3", deposited);
         foreach (var value in plan.Report.ToValues()) Number(value.Key, value.Value);
         Number("lines", written.GCode.Lines);

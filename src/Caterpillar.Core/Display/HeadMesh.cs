@@ -29,8 +29,7 @@ public static class HeadMesh
                 triangles.AddRange([here, next, points.Count - 1]);
             }
         }
-        foreach (var box in printer.HeadBoxes) AddBox(points, triangles, box);
-        return TriMesh.Create(points, triangles);
+        return TriMesh.Merge([TriMesh.Create(points, triangles), .. printer.HeadBoxes.Select(TriMesh.Box)]);
     }
 
     private static void AddRing(List<Vec3> points, HeadPoint ring)
@@ -40,15 +39,5 @@ public static class HeadMesh
             var (sin, cos) = Angle.SinCos(360.0 * k / Corners);
             points.Add(new Vec3(ring.Radius * cos, ring.Radius * sin, ring.Height));
         }
-    }
-
-    // Corner k: the highest X, Y and Z by its bits.
-    private static void AddBox(List<Vec3> points, List<int> triangles, Bounds box)
-    {
-        var first = points.Count;
-        for (var k = 0; k < 8; k++)
-            points.Add(new Vec3((k & 1) == 0 ? box.Min.X : box.Max.X, (k & 2) == 0 ? box.Min.Y : box.Max.Y, (k & 4) == 0 ? box.Min.Z : box.Max.Z));
-        foreach (var (a, b, c, d) in new[] { (0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (1, 3, 7, 5), (3, 2, 6, 7), (2, 0, 4, 6) })
-            triangles.AddRange([first + a, first + b, first + c, first + a, first + c, first + d]);
     }
 }

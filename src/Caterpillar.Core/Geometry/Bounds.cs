@@ -62,5 +62,11 @@ public readonly record struct Bounds
 
     public bool Contains(Bounds other, double tolerance = 0) => other.IsEmpty || (Contains(other.Min, tolerance) && Contains(other.Max, tolerance));
 
+    /// <summary>Its corners: corner k has the highest X, Y and Z by its bits.</summary>
+    internal IEnumerable<Vec3> Corners()
+    {
+        for (var k = 0; k < 8; k++) yield return new Vec3((k & 1) == 0 ? Min.X : Max.X, (k & 2) == 0 ? Min.Y : Max.Y, (k & 4) == 0 ? Min.Z : Max.Z);
+    }
+
     public override string ToString() => _any ? $"{Min} to {Max}" : "empty";
 }

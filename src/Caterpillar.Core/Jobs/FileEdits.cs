@@ -55,7 +55,7 @@ public sealed record FileEdits
         var found = new List<Diagnostic>();
         var (original, filter) = (toolpath, Filter.InLayersOf(toolpath));
         var extrusions = filter with { Kinds = [MoveKind.Print] };
-        if (Filter != new MoveFilter() && !toolpath.Moves().Any(extrusions.MatchesIn(toolpath)))
+        if (Filter != new MoveFilter() && !toolpath.Moves().Any(m => extrusions.Matches(toolpath, m)))
             found.Add(new Diagnostic(Severity.Warning, "edit.nothing_selected", "The selection has no extrusions in this file, so nothing is edited."));
         if (Speed is { } speed) toolpath = toolpath.ScaleSpeed(extrusions, speed);
         if (Flow is { } flow) toolpath = toolpath.ScaleFlow(extrusions, flow);
@@ -132,7 +132,7 @@ public sealed record FileEdits
     // Limits of scaling.
     private static IEnumerable<Diagnostic> ScaleNotes(Toolpath toolpath, MoveFilter extrusions, Vec3 scale)
     {
-        if (toolpath.Moves().Where(extrusions.MatchesIn(toolpath)).All(m => m.Deposited == 0))
+        if (toolpath.Moves().Where(m => extrusions.Matches(toolpath, m)).All(m => m.Deposited == 0))
             yield return new Diagnostic(Severity.Warning, "edit.no_e_values", "The extrusions have no E, so only their paths are scaled.");
         else if (scale.X != scale.Y || scale.Y != scale.Z)
             yield return new Diagnostic(Severity.Note, "edit.nonuniform_scale",

@@ -107,7 +107,8 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
     {
         if (Value is null) return null;
         var units = DocumentUnits.Current;
-        return With(Value.Deform(new MoveFilter().InLayersOf(Value), p => RhinoGeometry.ToVec(xmorph.MorphPoint(RhinoGeometry.ToPoint(p, units)), units)));
+        var morph = Deformation.Cartesian(p => RhinoGeometry.ToVec(xmorph.MorphPoint(RhinoGeometry.ToPoint(p, units)), units));
+        return Value.Deform(new MoveFilter().InLayersOf(Value), morph).Value is { } morphed ? With(morphed) : null;
     }
 
     public override string ToString() => Value is null

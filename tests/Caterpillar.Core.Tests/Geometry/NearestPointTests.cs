@@ -53,8 +53,8 @@ public class NearestPointTests
     {
         // A tetrahedron with edges of very different lengths: inside are the points below the slanted face.
         var mesh = TriMesh.Create([new Vec3(0, 0, 0), new Vec3(30, 0, 0), new Vec3(0, 0.5, 0), new Vec3(0, 0, 7)], [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3]);
-        var rays = new VerticalRays(mesh, _ => true);
-        var turned = new VerticalRays(TriMesh.Create(mesh.Vertices.ToArray(), mesh.Indices.Reverse().ToArray()), _ => true);
+        var rays = new MeshHeights(mesh);
+        var turned = new MeshHeights(TriMesh.Create(mesh.Vertices.ToArray(), mesh.Indices.Reverse().ToArray()));
         var random = new Random(8);
         var inside = 0;
         for (var n = 0; n < 2000; n++)
@@ -62,8 +62,8 @@ public class NearestPointTests
             var p = new Vec3(random.NextDouble() * 32 - 1, random.NextDouble() * 0.6 - 0.05, random.NextDouble() * 8 - 0.5);
             var within = p.X > 0 && p.Y > 0 && p.Z > 0 && p.X / 30 + p.Y / 0.5 + p.Z / 7 < 1;
             if (within) inside++;
-            Assert.That(rays.Winding(p), Is.EqualTo(within ? 1 : 0), p.ToString());
-            Assert.That(turned.Winding(p), Is.EqualTo(within ? -1 : 0), p.ToString());
+            Assert.That(rays.Winding(p, _ => true), Is.EqualTo(within ? 1 : 0), p.ToString());
+            Assert.That(turned.Winding(p, _ => true), Is.EqualTo(within ? -1 : 0), p.ToString());
         }
         Assert.That(inside, Is.GreaterThan(100));
     }

@@ -156,7 +156,6 @@ public class MappedMoveTests
             Assert.That(() => new AxisMapping(axis, word, 2).Apply(toolpath), Throws.Nothing);
             Assert.That(() => new AxisMapping(axis == PathAxis.X ? PathAxis.Y : PathAxis.X, word, 2).Apply(toolpath), Throws.InvalidOperationException);
         }
-        Assert.That(AxisMapping.Drum(PathAxis.X, OutputAxis.A, 2).Scale, Is.EqualTo(180 / Math.PI).Within(1e-12));
         var canceled = new CancellationToken(true);
         Assert.That(() => new AxisMapping(PathAxis.X, OutputAxis.A, 1).Apply(toolpath, cancel: canceled), Throws.InstanceOf<OperationCanceledException>());
         Assert.That(() => new ToolDirections(Head(), _ => Vec3.UnitZ).Apply(toolpath, cancel: canceled), Throws.InstanceOf<OperationCanceledException>());

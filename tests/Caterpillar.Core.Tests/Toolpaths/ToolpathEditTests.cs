@@ -17,7 +17,7 @@ public class ToolpathEditTests
         var sample = Sample();
         void Chosen(MoveFilter filter, params int[] moves)
         {
-            Assert.That(sample.Moves().Where(filter.MatchesIn(sample)).Select(m => m.Index), Is.EqualTo(moves));
+            Assert.That(sample.Moves().Where(m => filter.Matches(sample, m)).Select(m => m.Index), Is.EqualTo(moves));
             // The same in columns.
             var doubled = sample.ScaleSpeed(filter, 2);
             Assert.That(doubled.Moves().Where(m => m.Speed != sample[m.Index].Speed).Select(m => m.Index), Is.EqualTo(moves));

@@ -31,11 +31,10 @@ public class ToolpathSumTests
     [Test]
     public void Extrusions_are_summed_up_with_their_arcs_and_the_skirt_is_no_part()
     {
-        var totals = ExtrusionTotals.Of(Sample());
-        Assert.That(totals.Length, Is.EqualTo(16 + 5 * Math.PI).Within(1e-12));
-        Assert.That((totals.Deposited, totals.Volume, totals.InPlace), Is.EqualTo((10.5, 21.0, 1.0)), "with what is primed in place");
+        var totals = ToolpathTotals.Of(Sample());
+        Assert.That(totals.PrintLength, Is.EqualTo(16 + 5 * Math.PI).Within(1e-12));
+        Assert.That((totals.DepositedE, totals.DepositedVolume, totals.InPlaceVolume), Is.EqualTo((10.5, 21.0, 1.0)), "with what is primed in place");
         Assert.That(totals.PartBounds, Is.EqualTo(new Bounds(new Vec3(15, 0, 0), new Vec3(20, 14, 0))));
-        Assert.That(ExtrusionTotals.Of(Sample(null)).Volume, Is.Null);
     }
 
     [TestCase(Role.Skirt, true)]
@@ -47,7 +46,7 @@ public class ToolpathSumTests
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         builder.Add(new Vec3(1, 0), 1, 1, 1, MoveKind.Print, role, -1, 0, 0);
-        Assert.That(ExtrusionTotals.Of(builder.Build([])).PartBounds.IsEmpty, Is.EqualTo(beside));
+        Assert.That(ToolpathTotals.Of(builder.Build([])).PartBounds.IsEmpty, Is.EqualTo(beside));
     }
 
     [Test]

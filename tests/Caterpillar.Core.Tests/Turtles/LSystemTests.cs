@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
@@ -190,7 +191,7 @@ internal sealed class LSystemTests
         Assert.That(other.Position.DistanceTo(new Vec3(3, 0)), Is.LessThan(1e-12));
         Assert.That(Draw("F]", new Turtle(), 1, 90).Single().Code, Is.EqualTo("lsystem.bracket"));
         Assert.That(Draw("[F", new Turtle(), 1, 90).Single().Message, Does.Contain("without a closing"));
-        var own = LSystemInterpretation.Standard(1, 90).With('A', TurtleCommand.Of(TurtleAction.Forward, 7)).With('F');
+        var own = new LSystemInterpretation(new Dictionary<char, IReadOnlyList<TurtleCommand>> { ['A'] = [TurtleCommand.Of(TurtleAction.Forward, 7)] });
         var third = new Turtle();
         System("FAF").Grow(0).Value!.Draw(third, own);
         Assert.That(third.X, Is.EqualTo(7));

@@ -39,12 +39,8 @@ public static class NumberFormatter
     {
         var scaled = Scale(value, decimals);
         if (Math.Abs(scaled) > ExactLimit) return FormatLarge(value, decimals);
-        var buffer = new char[40];
-        var units = Round(scaled);
-        var end = buffer.Length;
-        var start = Digits(Math.Abs(units), decimals, buffer, ref end);
-        if (units < 0) buffer[--start] = '-';
-        return new string(buffer, start, end - start);
+        var buffer = new byte[24];
+        return Encoding.ASCII.GetString(buffer, 0, WriteUnits(buffer, 0, Round(scaled), decimals));
     }
 
     /// <summary>The shortest decimal text that reads back as the same number, or the number rounded to 15 decimals.</summary>
@@ -154,25 +150,6 @@ public static class NumberFormatter
     private static void ThrowTooLarge() => throw new ArgumentOutOfRangeException("value", "The number is too large for this many decimals.");
 
     private static void ThrowDecimals() => throw new ArgumentOutOfRangeException("decimals", "Decimals must be 0 to 15.");
-
-    private static int Digits(long magnitude, int decimals, char[] buffer, ref int end)
-    {
-        while (decimals > 0 && magnitude % 10 == 0)
-        {
-            magnitude /= 10;
-            decimals--;
-        }
-        var at = end;
-        for (var i = 0; i < decimals; i++, magnitude /= 10) buffer[--at] = (char)('0' + (int)(magnitude % 10));
-        if (decimals > 0) buffer[--at] = '.';
-        do
-        {
-            buffer[--at] = (char)('0' + (int)(magnitude % 10));
-            magnitude /= 10;
-        }
-        while (magnitude > 0);
-        return at;
-    }
 
     // Too large for 64-bit units: the whole part and the fraction are each exact.
     private static string FormatLarge(double value, int decimals)

@@ -178,16 +178,7 @@ internal sealed class PrintedSoFar
         Vec3 a = bed.Min, b = bed.Max.WithZ(bed.Min.Z), c = new(b.X, a.Y, a.Z), d = new(a.X, b.Y, a.Z);
         strands.Add(a, c, b, BedTag);
         strands.Add(a, b, d, BedTag);
-        for (var i = 0; i < setup.Printer.Clips.Count; i++)
-        {
-            var corners = ConvexBody.Corners(setup.Printer.Clips[i], Affine.Identity).Select(corner => corner.Center).ToArray();
-            int[] sides = [0, 1, 3, 2, 4, 5, 7, 6, 0, 1, 5, 4, 2, 3, 7, 6, 0, 2, 6, 4, 1, 3, 7, 5];
-            for (var k = 0; k < sides.Length; k += 4)
-            {
-                strands.Add(corners[sides[k]], corners[sides[k + 1]], corners[sides[k + 2]], ClipTag - i);
-                strands.Add(corners[sides[k]], corners[sides[k + 2]], corners[sides[k + 3]], ClipTag - i);
-            }
-        }
+        for (var i = 0; i < setup.Printer.Clips.Count; i++) Add(TriMesh.Box(setup.Printer.Clips[i]), ClipTag - i);
         return strands;
 
         void Add(TriMesh of, int tag)

@@ -1,8 +1,8 @@
 namespace Caterpillar.Geometry;
 
 /// <summary>
-/// Heights of a surface above points of the XY plane: the triangles in a grid of cells, so that a query looks at only a few of them. Vertical triangles
-/// have no height. Immutable.
+/// Heights of a surface above points of the XY plane, and how often it goes around points: the triangles in a grid of cells, so that a query looks at only a
+/// few of them. Vertical triangles have no height. Immutable.
 /// </summary>
 internal sealed class MeshHeights
 {
@@ -61,6 +61,37 @@ internal sealed class MeshHeights
             triangle = _items[i];
         }
         return best;
+    }
+
+    /// <summary>How often some triangles go around a point, by the crossings of the ray straight up; positive inside bodies that face outward.</summary>
+    public int Winding(Vec3 point, Func<int, bool> use)
+    {
+        var min = _mesh.Bounds.Min;
+        int column = (int)((point.X - min.X) / _cell), row = (int)((point.Y - min.Y) / _cell);
+        if (!_mesh.Bounds.Contains(point.WithZ(min.Z))) return 0;
+        var winding = 0;
+        for (var i = _firsts[row * _columns + column]; i < _firsts[row * _columns + column + 1]; i++)
+        {
+            if (!use(_items[i])) continue;
+            var (ia, ib, ic) = _mesh.Triangle(_items[i]);
+            Vec3 a = _mesh.RawVertices[ia], b = _mesh.RawVertices[ib], c = _mesh.RawVertices[ic];
+            var crossing = Crossing(a, b, point) + Crossing(b, c, point) + Crossing(c, a, point);
+            if (crossing == 0) continue;
+            var normal = Vec3.Cross(b - a, c - a);
+            // Height of the triangle over the point against the point's own.
+            if (Vec3.Dot(a - point, normal) / normal.Z > 0) winding += crossing > 0 ? 1 : -1;
+        }
+        return winding;
+    }
+
+    // Of the edge, seen from above, with the ray from the point along +X; half open, so that a vertex counts once.
+    private static int Crossing(Vec3 a, Vec3 b, Vec3 p)
+    {
+        if (a.Y <= p.Y == b.Y <= p.Y) return 0;
+        // The same arithmetic for both directions of an edge.
+        var (low, high) = a.Y < b.Y ? (a, b) : (b, a);
+        var side = (high.X - low.X) * (p.Y - low.Y) - (p.X - low.X) * (high.Y - low.Y);
+        return side > 0 ? a.Y < b.Y ? 1 : -1 : 0;
     }
 
     // NaN outside the triangle; points on an edge belong to both of its triangles.

@@ -177,6 +177,10 @@ public sealed class TriMesh
         return builder.ToMesh();
     }
 
+    /// <summary>A box.</summary>
+    internal static TriMesh Box(Bounds box)
+        => Create([.. box.Corners()], [0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 1, 3, 7, 1, 7, 5, 3, 2, 6, 3, 6, 7, 2, 0, 4, 2, 4, 6]);
+
     /// <summary>Takes ownership of the arrays without a copy or check; for <see cref="MeshBuilder"/>.</summary>
     internal static TriMesh Own(Vec3[] vertices, int[] triangles) => triangles.Length == 0 ? Empty : new TriMesh(vertices, triangles);
 

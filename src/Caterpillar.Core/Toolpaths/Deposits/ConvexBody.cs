@@ -27,18 +27,9 @@ internal sealed class ConvexBody(params Disc[] discs)
         }
     }
 
-    /// <summary>A box.</summary>
-    public static ConvexBody Of(Bounds box) => new(Corners(box, Affine.Identity).ToArray());
-
-    /// <summary>The corners of a box in a frame.</summary>
-    public static IEnumerable<Disc> Corners(Bounds box, Affine frame)
-    {
-        for (var i = 0; i < 8; i++)
-        {
-            var corner = new Vec3((i & 1) == 0 ? box.Min.X : box.Max.X, (i & 2) == 0 ? box.Min.Y : box.Max.Y, (i & 4) == 0 ? box.Min.Z : box.Max.Z);
-            yield return new Disc(frame.Apply(corner), Vec3.UnitZ, 0);
-        }
-    }
+    /// <summary>The hull of the corners of a box, in each of some frames.</summary>
+    public static ConvexBody Of(Bounds box, params Affine[] frames)
+        => new([.. frames.SelectMany(frame => box.Corners().Select(corner => new Disc(frame.Apply(corner), Vec3.UnitZ, 0)))]);
 
     /// <summary>The farthest point along a direction.</summary>
     public Vec3 Farthest(Vec3 direction)
@@ -117,16 +108,16 @@ internal static class NearestOnSimplex
     private static Vec3 Triangle(Vec3[] s, ref int count)
     {
         Vec3 a = s[0], b = s[1], c = s[2], ab = b - a, ac = c - a;
-        double d1 = -Vec3.Dot(ab, a), d2 = -Vec3.Dot(ac, a), d3 = -Vec3.Dot(ab, b), d4 = -Vec3.Dot(ac, b), d5 = -Vec3.Dot(ab, c), d6 = -Vec3.Dot(ac, c);
-        if (d1 <= 0 && d2 <= 0) return One(s, a, ref count);
-        if (d3 >= 0 && d4 <= d3) return One(s, b, ref count);
-        if (d6 >= 0 && d5 <= d6) return One(s, c, ref count);
-        double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-        if (vc <= 0 && d1 >= 0 && d3 <= 0) return Two(s, a, b, d1 / (d1 - d3), ref count);
-        if (vb <= 0 && d2 >= 0 && d6 <= 0) return Two(s, a, c, d2 / (d2 - d6), ref count);
-        if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) return Two(s, b, c, (d4 - d3) / (d4 - d3 + (d5 - d6)), ref count);
-        var sum = va + vb + vc;
-        if (sum > Flat * Flat * ab.LengthSquared * ac.LengthSquared) return a + ab * (vb / sum) + ac * (vc / sum);
+        var (point, u, v, w) = TriangleDistance.Nearest(Vec3.Zero, a, b, c);
+        if (u == 0 || v == 0 || w == 0)
+        {
+            count = 0;
+            if (u != 0) s[count++] = a;
+            if (v != 0) s[count++] = b;
+            if (w != 0) s[count++] = c;
+            return point;
+        }
+        if (Vec3.Cross(ab, ac).LengthSquared > Flat * Flat * ab.LengthSquared * ac.LengthSquared) return point;
         // A triangle that is a line: the nearest of its sides.
         var nearest = new Vec3(double.PositiveInfinity, 0);
         foreach (var (from, to) in new[] { (a, b), (a, c), (b, c) })
@@ -162,17 +153,5 @@ internal static class NearestOnSimplex
         if (corners < 4) Array.Copy(best, s, corners);
         count = corners;
         return nearest;
-    }
-
-    private static Vec3 One(Vec3[] s, Vec3 a, ref int count)
-    {
-        (s[0], count) = (a, 1);
-        return a;
-    }
-
-    private static Vec3 Two(Vec3[] s, Vec3 a, Vec3 b, double t, ref int count)
-    {
-        (s[0], s[1], count) = (a, b, 2);
-        return a + (b - a) * t;
     }
 }

@@ -23,11 +23,15 @@ internal sealed class LeaningHead(Kinematics kinematics, IReadOnlyList<(double R
     // How far a turning body may leave the hull of two poses, mm.
     private const double Bulge = 0.02;
     private const int MostParts = 512;
-    private readonly double _flat = new HeadShape(outline).FlatRadius;
+    private readonly HeadShape _shape = new(outline);
 
     // The part of the nozzle that may dig into gentle slopes, and the rest.
-    private readonly (double Radius, double Height)[] _tip = Below(outline, 3 * new HeadShape(outline).FlatRadius);
-    private readonly (double Radius, double Height)[] _rest = [.. From(outline, 3 * new HeadShape(outline).FlatRadius)];
+    private readonly (double Radius, double Height)[] _tip = Tip(outline);
+    private readonly (double Radius, double Height)[] _rest =
+    [
+        Tip(outline).Last(), .. outline.Where(p => p.Radius > Tip(outline).Last().Radius),
+        (outline[outline.Count - 1].Radius, outline[outline.Count - 1].Height + Above),
+    ];
 
     /// <summary>What the nozzle does to strands; the strand that it hits or digs into.</summary>
     /// <param name="strands">What is there.</param>
@@ -56,7 +60,7 @@ internal sealed class LeaningHead(Kinematics kinematics, IReadOnlyList<(double R
                 if (!AnyMeets(tip ??= Frustums(a, b, _tip), strand.Body, bulge, apart)) continue;
                 var top = _tip[_tip.Length - 1].Height;
                 cone ??= Hull(a, b, [(0, 0), (top, top)]);
-                raised ??= Frustums(a, b, Below([.. _tip.Select(p => (p.Radius, p.Height + _flat))], double.PositiveInfinity, top));
+                raised ??= Frustums(a, b, Raised(top));
                 hit = strand;
                 if (cone.Meets(strand.Line, bulge, apart) || AnyMeets(raised, strand.Body, bulge, apart)) return HeadContact.Hits;
                 contact = HeadContact.Digs;
@@ -78,7 +82,7 @@ internal sealed class LeaningHead(Kinematics kinematics, IReadOnlyList<(double R
         var body = boxes[box];
         foreach (var (a, b, bulge) in Parts(move, Math.Max(body.Min.Length, body.Max.Length), tolerance, isCarried ? kinematics.Carriage : kinematics.Pose))
         {
-            var hull = new ConvexBody([.. ConvexBody.Corners(body, a), .. ConvexBody.Corners(body, b)]);
+            var hull = ConvexBody.Of(body, a, b);
             var apart = (a.ZAxis + b.ZAxis).Unit();
             foreach (var strand in strands.Near(hull, bulge, apart))
             {
@@ -126,36 +130,17 @@ internal sealed class LeaningHead(Kinematics kinematics, IReadOnlyList<(double R
     private static ConvexBody Hull(Affine a, Affine b, (double Radius, double Height)[] points)
         => new([.. points.SelectMany(p => new[] { a, b }, (p, at) => new Disc(at.Shift + at.ZAxis * p.Height, at.ZAxis, p.Radius))]);
 
-    // An outline up to a radius and a height.
-    private static (double Radius, double Height)[] Below(
-        IReadOnlyList<(double Radius, double Height)> points, double radius, double height = double.PositiveInfinity)
+    private static (double Radius, double Height)[] Tip(IReadOnlyList<(double Radius, double Height)> outline)
     {
-        var kept = new List<(double, double)>();
-        for (var i = 0; i < points.Count; i++)
-        {
-            var (r, h) = points[i];
-            if (r <= radius && h <= height)
-            {
-                kept.Add((r, h));
-                continue;
-            }
-            if (i == 0) break;
-            var (r0, h0) = points[i - 1];
-            var share = Math.Min(r > radius ? (radius - r0) / (r - r0) : 1, h > height ? (height - h0) / (h - h0) : 1);
-            kept.Add((r0 + (r - r0) * share, h0 + (h - h0) * share));
-            break;
-        }
-        return [.. kept];
+        var shape = new HeadShape(outline);
+        var most = Math.Min(3 * shape.FlatRadius, outline[outline.Count - 1].Radius);
+        return [.. outline.Where(p => p.Radius < most), (most, shape.HeightAt(most))];
     }
 
-    private static IEnumerable<(double Radius, double Height)> From(IReadOnlyList<(double Radius, double Height)> points, double radius)
+    // The tip, higher by as much as its flat is wide, up to its own height.
+    private (double Radius, double Height)[] Raised(double top)
     {
-        var tip = Below(points, radius);
-        yield return tip[tip.Length - 1];
-        foreach (var point in points)
-        {
-            if (point.Radius > radius) yield return point;
-        }
-        yield return (points[points.Count - 1].Radius, points[points.Count - 1].Height + Above);
+        var flat = _shape.FlatRadius;
+        return top > flat ? [.. _tip.Select(p => (p.Radius, p.Height + flat)).Where(p => p.Item2 <= top), (_shape.Reach(top - flat), top)] : [];
     }
 }

@@ -67,7 +67,7 @@ internal sealed class StrandGrid
             }
         }
 
-        bool Meets(Bounds box) => Overlap(box, around) && body.Meets(ConvexBody.Of(box), distance, apart);
+        bool Meets(Bounds box) => Overlap(box, around) && body.Meets(ConvexBody.Of(box, Affine.Identity), distance, apart);
     }
 
     /// <summary>Distance from a point backward along a direction to what is there, mm; infinity for nothing.</summary>

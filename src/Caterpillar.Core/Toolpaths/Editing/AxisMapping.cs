@@ -22,11 +22,6 @@ public enum OutputAxis : byte
 /// <param name="Hold">Constant value of the source coordinate if another word replaces it, mm.</param>
 public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, double Hold = 0)
 {
-    /// <summary>The mapping for a drum with a diameter in mm. One circumference is one turn.</summary>
-    public static AxisMapping Drum(PathAxis from, OutputAxis to, double diameter, double hold = 0)
-        => diameter > 0 ? new AxisMapping(from, to, 360 / (Math.PI * diameter), hold)
-            : throw new ArgumentOutOfRangeException(nameof(diameter), "The diameter of a drum must be positive.");
-
     /// <summary>Reads <c>X=A*2.86</c> or <c>X=A*2.86@110</c>, where X is held at 110 mm. Null if the text is invalid.</summary>
     public static AxisMapping? Parse(string text)
     {

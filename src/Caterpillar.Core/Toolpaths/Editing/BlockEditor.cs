@@ -4,10 +4,7 @@ namespace Caterpillar.Toolpaths;
 internal sealed class BlockEditor(int size)
 {
     private readonly ToolpathBuilder _builder = new(MoveSource.Lines, null) { FirstSize = size };
-    private bool _turns;
-    private double _a;
-    private double _b;
-    private double _c;
+    private Vec3? _turns;
 
     /// <summary>An editor for a block of a toolpath, with room for so many moves at first.</summary>
     public static BlockEditor After(Toolpath toolpath, int block, int size = 1024)
@@ -20,18 +17,18 @@ internal sealed class BlockEditor(int size)
     public void Add(Vec3 end, double e, double deposited, double speed, MoveKind kind, Role role, int layer, int tool, int source, Arc? arc)
     {
         _builder.Add(end, e, deposited, speed, kind, role, layer, tool, source, arc);
-        if (_turns) _builder.SetRotary(_a, _b, _c);
+        Turn();
     }
 
     /// <summary>Adds moves as they are.</summary>
     public void Add(ToolpathColumns columns, int from, int to)
     {
         if (from >= to) return;
-        var turns = _turns && columns.A is null;
+        var turns = _turns is not null && columns.A is null;
         for (var i = from; turns && i < to; i++)
         {
             _builder.Add(columns, i, i + 1);
-            _builder.SetRotary(_a, _b, _c);
+            Turn();
         }
         if (!turns) _builder.Add(columns, from, to);
         if (columns.A is not null) Take(columns, to - 1);
@@ -45,14 +42,15 @@ internal sealed class BlockEditor(int size)
     {
         if (columns.A is null || _builder.Count == 0) return;
         Take(columns, i);
-        _builder.SetRotary(_a, _b, _c);
+        Turn();
     }
 
     public IReadOnlyList<ToolpathBlock> ToBlocks() => _builder.Build([]).Blocks;
 
-    private void Take(ToolpathColumns columns, int i)
+    private void Take(ToolpathColumns columns, int i) => _turns = columns.TurnsAt(i, Vec3.Zero);
+
+    private void Turn()
     {
-        _turns = true;
-        (_a, _b, _c) = (columns.A![i], columns.B![i], columns.C![i]);
+        if (_turns is var (a, b, c)) _builder.SetRotary(a, b, c);
     }
 }

@@ -13,7 +13,10 @@ public static class Mapping
     public static PrintPath Transformed(this PrintPath path, Affine map, double tolerance = 0.01)
     {
         if (path is null) throw new ArgumentNullException(nameof(path));
-        var mapped = Mapped(path, map, KeepsCircles(map), tolerance);
+        var straight = KeepsCircles(map) ? path : PathArcs.Expand(path, tolerance);
+        var segments = Enumerable.Range(0, straight.SegmentCount).ToArray();
+        var mapped = straight.WithGeometry(straight.Points.Select(map.Apply), segments.Select(straight.BeadOf), path.IsClosed,
+            segments.Select(i => straight.ArcOf(i) is { } arc ? Image(arc, map) : (Arc?)null));
         return path.Layer is { } layer ? mapped.With(layer: Image(layer, map)) : mapped;
     }
 
@@ -39,39 +42,6 @@ public static class Mapping
         var mapped = new ToolpathMapper(toolpath, MappedMoves.Of(toolpath, filter), new AffineRunMap(map, tolerance), tolerance)
             .Run(toolpath.Start ?? Vec3.Zero, cancel);
         return mapped.With(toolpath.Start, toolpath.Layers.Select(l => filter.MatchesLayer(l) ? Image(l, map) : l));
-    }
-
-    private static PrintPath Mapped(PrintPath path, Affine map, bool keepsArcs, double tolerance)
-    {
-        var points = new List<Vec3> { map.Apply(path.Start) };
-        var beads = new List<Bead>();
-        var arcs = new List<Arc?>();
-        for (var i = 0; i < path.SegmentCount; i++)
-        {
-            var start = path.Points[i];
-            var end = path.EndOf(i);
-            if (path.ArcOf(i) is not { } arc)
-            {
-                Add(map.Apply(end), null);
-            }
-            else if (keepsArcs)
-            {
-                Add(map.Apply(end), Image(arc, map));
-            }
-            else
-            {
-                var chords = arc.ChordCount(start, tolerance);
-                for (var k = 1; k <= chords; k++) Add(map.Apply(arc.PointAt(start, end, (double)k / chords)), null);
-            }
-            void Add(Vec3 point, Arc? image)
-            {
-                points.Add(point);
-                beads.Add(path.BeadOf(i));
-                arcs.Add(image);
-            }
-        }
-        if (path.IsClosed) points.RemoveAt(points.Count - 1);
-        return path.WithGeometry(points, beads, path.IsClosed, arcs);
     }
 
     // Circles in XY stay circles in XY and Z stays linear along them.

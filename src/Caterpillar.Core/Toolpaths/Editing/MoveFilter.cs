@@ -45,13 +45,6 @@ public sealed record MoveFilter
         return FirstLayer is null && toolpath.Layers.Count > 0 ? this with { FirstLayer = int.MinValue } : this;
     }
 
-    /// <summary>A function that is true for the selected moves of this toolpath.</summary>
-    public Func<Move, bool> MatchesIn(Toolpath toolpath)
-    {
-        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
-        return move => Matches(toolpath, move);
-    }
-
     /// <summary>Bounding box of the selected moves, mm. Empty if the filter selects none.</summary>
     public Bounds BoundsIn(Toolpath toolpath)
     {

@@ -67,20 +67,3 @@ internal sealed class AffineRunMap(Affine map, double tolerance) : RunMap
         return image;
     }
 }
-
-/// <summary>Maps point by point. Printed moves are divided until their image is smooth.</summary>
-internal sealed class PointRunMap(Func<Vec3, Vec3> map, double tolerance) : RunMap
-{
-    private readonly Func<Vec3[], Vec3[]> _map = points => Array.ConvertAll(points, p => map(p));
-
-    public override void Divide(Move move, MoveRun run) => DivideSmoothly(move, run, tolerance, _map);
-
-    public override void Map(MoveRun run)
-    {
-        for (var i = 0; i < run.Points.Count; i++)
-        {
-            run.Points[i] = map(run.Points[i]);
-            if (!run.Points[i].IsFinite) throw new InvalidOperationException("The map returned a point that is not finite.");
-        }
-    }
-}

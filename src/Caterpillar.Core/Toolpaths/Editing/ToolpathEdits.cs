@@ -41,24 +41,6 @@ public static class ToolpathEdits
     }
 
     /// <summary>
-    /// Maps the selected extrusions and the selected moves between them. Travel moves lead to the new starts of extrusions. Extrusions are divided until they
-    /// match their image within <paramref name="tolerance"/> mm. Arcs become chords. The material of printing moves follows their length. To move, rotate and
-    /// scale with arcs kept, see <see cref="Mapping"/>.
-    /// </summary>
-    /// <exception cref="ArgumentOutOfRangeException">The tolerance is not positive.</exception>
-    /// <exception cref="InvalidOperationException">The map returned a point that is not finite.</exception>
-    public static Toolpath Deform(
-        this Toolpath toolpath, MoveFilter filter, Func<Vec3, Vec3> map, double tolerance = 0.01, CancellationToken cancel = default)
-    {
-        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
-        if (filter is null) throw new ArgumentNullException(nameof(filter));
-        if (map is null) throw new ArgumentNullException(nameof(map));
-        Positive(tolerance, nameof(tolerance));
-        return new ToolpathMapper(toolpath, MappedMoves.Of(toolpath, filter), new PointRunMap(map, tolerance), tolerance)
-            .Run(toolpath.Start ?? Vec3.Zero, cancel);
-    }
-
-    /// <summary>
     /// Removes the selected moves. Adds a travel move if the head no longer reaches the start of an extrusion. After the cut, each tool is retracted as far as
     /// before, by E or by the firmware. Events, homing and the moves after the last extrusion of the last layer (end code) stay.
     /// </summary>

@@ -16,29 +16,19 @@ internal sealed record RoleTotals(Role Role, double Length, double? Area, double
         var volumes = new double[count];
         var widths = new double[count];
         var unknown = new bool[count];
-        for (var block = 0; block < toolpath.Blocks.Count; block++)
+        foreach (var move in toolpath.Moves())
         {
-            var c = toolpath.Blocks[block].Columns;
-            var start = toolpath.StartOf(block);
-            for (var i = 0; i < c.Count; i++)
+            if (move.Kind != MoveKind.Print) continue;
+            var (role, length) = ((int)move.Role, move.Length);
+            lengths[role] += length;
+            if (toolpath.BeadOf(move) is { } bead)
             {
-                var end = new Vec3(c.X[i], c.Y[i], c.Z[i]);
-                if (c.Kind[i] == MoveKind.Print)
-                {
-                    var role = (int)c.Role[i];
-                    var length = c.ArcMoves.Length > 0 && c.TryGetArc(i, out var arc) ? arc.Length(start, end) : start.DistanceTo(end);
-                    lengths[role] += length;
-                    if (length > 0 && toolpath.VolumePerE(c.Tool[i]) * c.Deposited[i] is >= 0 and < 1e12 and var volume)
-                    {
-                        volumes[role] += volume;
-                        widths[role] += length * new Bead(volume / length, toolpath.ThicknessOf(c.Layer[i])).Width(BeadShape.Stadium);
-                    }
-                    else if (length > 0)
-                    {
-                        unknown[role] = true;
-                    }
-                }
-                start = end;
+                volumes[role] += toolpath.VolumeOf(move)!.Value;
+                widths[role] += length * bead.Width(BeadShape.Stadium);
+            }
+            else if (length > 0)
+            {
+                unknown[role] = true;
             }
         }
         var totals = new List<RoleTotals>();

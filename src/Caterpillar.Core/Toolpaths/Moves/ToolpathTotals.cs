@@ -14,35 +14,58 @@ public sealed record ToolpathTotals(
     double PrintLength, double TravelLength, double DepositedE, double? DepositedVolume, int PrintMoves, int TravelMoves, int Retractions, Bounds PrintBounds,
         Bounds AllBounds)
 {
+    /// <summary>Part of the volume that is deposited while the head does not move, mm³, of tools whose volume per E is known.</summary>
+    internal double InPlaceVolume { get; private init; }
+
+    /// <summary>Bounding box of the part, without skirts, purge lines and prime towers, mm; of the blobs where nothing else is printed.</summary>
+    internal Bounds PartBounds { get; private init; }
+
     /// <summary>The sums of a toolpath.</summary>
     public static ToolpathTotals Of(Toolpath toolpath)
     {
-        double print = 0, travel = 0, deposited = 0;
+        double print = 0, travel = 0, deposited = 0, inPlace = 0;
         double? volume = 0;
         int prints = 0, travels = 0, retractions = 0;
-        Bounds printBounds = Bounds.Empty, blobs = Bounds.Empty;
-        var allBounds = Bounds.Empty;
-        foreach (var move in toolpath.Moves())
+        Bounds printBounds = Bounds.Empty, blobs = Bounds.Empty, allBounds = Bounds.Empty, part = Bounds.Empty, partBlobs = Bounds.Empty;
+        for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
-            var length = move.Length;
-            deposited += move.Deposited;
-            if (move.Deposited != 0) volume += toolpath.VolumeOf(move);
-            if (move.Kind is MoveKind.Retract or MoveKind.Wipe) retractions++;
-            if (move.Kind == MoveKind.Prime) blobs = blobs.Include(move.End);
-            if (length > 0) allBounds = allBounds.Include(move.End);
-            if (move.Kind == MoveKind.Print)
+            var c = toolpath.Blocks[block].Columns;
+            var end = toolpath.StartOf(block);
+            for (var i = 0; i < c.Count; i++)
             {
-                prints++;
-                print += length;
-                printBounds = printBounds.Include(move.Bounds);
-            }
-            else if (length > 0)
-            {
+                var start = end;
+                end = new Vec3(c.X[i], c.Y[i], c.Z[i]);
+                var turns = c.TryGetArc(i, out var arc);
+                var length = turns ? arc.Length(start, end) : start.DistanceTo(end);
+                deposited += c.Deposited[i];
+                if (c.Deposited[i] != 0) volume += toolpath.VolumePerE(c.Tool[i]) * c.Deposited[i];
+                if (c.Kind[i] is MoveKind.Retract or MoveKind.Wipe) retractions++;
+                if (c.Kind[i] == MoveKind.Prime) blobs = With(blobs, end);
+                if (c.Kind[i] == MoveKind.Prime && c.Role[i] != Role.Purge) partBlobs = With(partBlobs, end);
+                if (length > 0) allBounds = With(allBounds, end);
+                if (c.Kind[i] == MoveKind.Print)
+                {
+                    prints++;
+                    print += length;
+                    printBounds = With(With(printBounds, start), end);
+                    if (turns) printBounds = printBounds.Include(arc.Bounds(start, end));
+                    if (c.Role[i] is Role.Skirt or Role.Purge or Role.PrimeTower) continue;
+                    part = With(With(part, start), end);
+                    if (turns) part = part.Include(arc.Bounds(start, end));
+                    continue;
+                }
+                inPlace += c.Deposited[i] * toolpath.VolumePerE(c.Tool[i]).GetValueOrDefault();
+                if (!(length > 0)) continue;
                 travels++;
                 travel += length;
             }
         }
         return new ToolpathTotals(
-            print, travel, deposited, volume, prints, travels, retractions, printBounds.IsEmpty ? blobs : printBounds, allBounds);
+            print, travel, deposited, volume, prints, travels, retractions, printBounds.IsEmpty ? blobs : printBounds, allBounds)
+        {
+            InPlaceVolume = inPlace, PartBounds = part.IsEmpty ? partBlobs : part,
+        };
     }
+
+    private static Bounds With(Bounds box, Vec3 p) => box.Contains(p) ? box : box.Include(p);
 }

@@ -41,11 +41,6 @@ public sealed class LSystemInterpretation
         return new LSystemInterpretation(table);
     }
 
-    /// <summary>A copy of the table with other commands for one letter. Without commands, the letter does nothing.</summary>
-    public LSystemInterpretation With(char letter, params TurtleCommand[] commands)
-        => new(_table.Where(e => e.Key != letter).Select(e => new KeyValuePair<char, IReadOnlyList<TurtleCommand>>(e.Key, e.Value))
-            .Concat([new KeyValuePair<char, IReadOnlyList<TurtleCommand>>(letter, commands)]));
-
     internal void Apply(Turtle turtle, LSystemWord word, int index)
     {
         var letter = word[index];

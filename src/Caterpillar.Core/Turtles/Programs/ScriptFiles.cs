@@ -48,12 +48,8 @@ public sealed class ScriptFiles
             using var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read);
             if (file.Length > MaxBytes) throw Error($"'{name.Text}' is larger than {MemoryLimit.Text(MaxBytes)}.", name);
             var bytes = new byte[file.Length];
-            for (int at = 0, count; at < bytes.Length; at += count)
-            {
-                count = file.Read(bytes, at, bytes.Length - at);
-                if (count == 0) throw Error($"'{name.Text}' became shorter while it was being read.", name);
-            }
-            return bytes;
+            return ReadStream.Fill(file, bytes, 0, bytes.Length) == bytes.Length ? bytes
+                : throw Error($"'{name.Text}' became shorter while it was being read.", name);
         }
         catch (Exception e) when (e is IOException or UnauthorizedAccessException)
         {

@@ -155,10 +155,11 @@ internal sealed class ScriptFlow(ScriptCursor cursor, ScriptValues values, Scrip
     // from + turn * step, so that long loops do not drift.
     private static FormulaNode LoopValue(Instruction start)
     {
-        var slot = start.Slot;
-        return start.Local
-            ? new FormulaNode(c => c.Values[c.Base + slot + 2] + c.Values[c.Base + slot] * c.Values[c.Base + slot + 3])
-            : new FormulaNode(c => c.Values[slot + 2] + c.Values[slot] * c.Values[slot + 3]);
+        return new FormulaNode(c =>
+        {
+            var slot = start.Local ? c.Base + start.Slot : start.Slot;
+            return c.Values[slot + 2] + c.Values[slot] * c.Values[slot + 3];
+        });
     }
 
     // The jumps out of a loop, and the shaping blocks around it.

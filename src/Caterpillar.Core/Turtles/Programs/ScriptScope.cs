@@ -120,28 +120,22 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
         if (Coordinates.TryGetValue(name, out var given))
         {
             UsedCoordinates.Add(name);
-            return given.Local ? new FormulaNode(c => c.Values[c.Base + given.Slot]) : new FormulaNode(c => c.Values[given.Slot]);
+            return new FormulaNode(c => c.Values[given.Local ? c.Base + given.Slot : given.Slot]);
         }
-        if (_locals is not null && _locals.TryGetValue(name, out var local))
+        var isLocal = _locals is not null && _locals.ContainsKey(name);
+        if (isLocal || _globals.ContainsKey(name))
         {
+            var slot = (isLocal ? _locals! : _globals)[name];
             return new FormulaNode(c =>
             {
-                var value = c.Values[c.Base + local];
-                return double.IsNaN(value) ? throw NoValue(name, at) : value;
-            });
-        }
-        if (_globals.TryGetValue(name, out var global))
-        {
-            return new FormulaNode(c =>
-            {
-                var value = c.Values[global];
+                var value = c.Values[isLocal ? c.Base + slot : slot];
                 return double.IsNaN(value) ? throw NoValue(name, at) : value;
             });
         }
         if (name == Counter && Repeats.Count > 0)
         {
             var (slot, inFrame) = Repeats.Peek();
-            return inFrame ? new FormulaNode(c => c.Values[c.Base + slot] + 1) : new FormulaNode(c => c.Values[slot] + 1);
+            return new FormulaNode(c => c.Values[inFrame ? c.Base + slot : slot] + 1);
         }
         return State.TryGetValue(name, out var read) ? new FormulaNode(c => read(((ScriptMachine)c.Host!).Turtle)) : null;
     }

@@ -130,6 +130,6 @@ public sealed class LayerArcTests
 
         Assert.That(written.Diagnostics.Where(d => d.Severity >= Severity.Warning), Is.Empty);
         Assert.That(Encoding.ASCII.GetString(memory.ToArray()), Does.Match("(?m)^G[23] "));
-        Assert.That(ExtrusionTotals.Of(read).Length, Is.EqualTo(ExtrusionTotals.Of(plan).Length).Within(0.01).Percent);
+        Assert.That(ToolpathTotals.Of(read).PrintLength, Is.EqualTo(ToolpathTotals.Of(plan).PrintLength).Within(0.01).Percent);
     }
 }

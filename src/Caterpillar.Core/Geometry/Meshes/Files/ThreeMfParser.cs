@@ -6,7 +6,6 @@ namespace Caterpillar.Geometry;
 internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xml)
 {
     private readonly ThreeMfModel _model = new();
-    private byte[] _number = new byte[64];
     private bool _good = true;
 
     /// <summary>How XML of a package is read: without other documents, and not without end.</summary>
@@ -175,7 +174,7 @@ internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xm
     }
 
     // Row vectors: p' = p · M, the last of the four rows is the shift.
-    private bool TryMap(string? text, out Affine map)
+    private static bool TryMap(string? text, out Affine map)
     {
         map = Affine.Identity;
         if (text is null) return true;
@@ -184,7 +183,7 @@ internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xm
         var m = new double[12];
         for (var i = 0; i < 12; i++)
         {
-            if (!TryParse(words[i], out m[i])) return false;
+            if (!NumberReader.TryParse(words[i], out m[i])) return false;
         }
         map = new Affine(new Vec3(m[0], m[1], m[2]), new Vec3(m[3], m[4], m[5]), new Vec3(m[6], m[7], m[8]), new Vec3(m[9], m[10], m[11]));
         return Math.Abs(map.Determinant) is > 0 and < double.PositiveInfinity;
@@ -198,17 +197,8 @@ internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xm
 
     private bool TryNumber(string attribute, out double value)
     {
-        if (TryParse(xml.GetAttribute(attribute), out value)) return true;
+        if (NumberReader.TryParse(xml.GetAttribute(attribute), out value)) return true;
         return Fail("mesh.syntax", $"<{xml.LocalName}> needs a number \"{attribute}\".");
-    }
-
-    private bool TryParse(string? text, out double value)
-    {
-        value = 0;
-        if (text is null) return false;
-        if (text.Length > _number.Length) _number = new byte[2 * text.Length];
-        for (var i = 0; i < text.Length; i++) _number[i] = text[i] < 128 ? (byte)text[i] : (byte)'?';
-        return NumberReader.TryParse(_number, 0, text.Length, out value);
     }
 
     private SourceLocation Place() => xml is IXmlLineInfo info

@@ -17,12 +17,12 @@ internal static class BodyOrientation
         var pieces = new MeshPieces(mesh);
         var turn = new bool[pieces.Count];
         var turned = 0;
-        VerticalRays? rays = null;
+        MeshHeights? rays = null;
         var boxes = new Lazy<Bounds[]>(() => pieces.Boxes(mesh));
         for (var piece = 0; piece < pieces.Count; piece++)
         {
             if (!pieces.IsClosed[piece] || !(pieces.Volume[piece] < 0)) continue;
-            rays ??= new VerticalRays(mesh, t => pieces.IsClosed[pieces.Of[t]] && pieces.Volume[pieces.Of[t]] > 0);
+            rays ??= new MeshHeights(mesh);
             if (IsCavity(mesh, pieces, piece, rays, boxes)) continue;
             turn[piece] = true;
             turned++;
@@ -45,13 +45,13 @@ internal static class BodyOrientation
         return parts <= 1 && mesh.IsWatertight && mesh.Volume > 0;
     }
 
-    private static bool IsCavity(TriMesh mesh, MeshPieces pieces, int piece, VerticalRays rays, Lazy<Bounds[]> boxes)
+    private static bool IsCavity(TriMesh mesh, MeshPieces pieces, int piece, MeshHeights rays, Lazy<Bounds[]> boxes)
     {
         var points = Enumerable.Range(0, mesh.TriangleCount).Where(t => pieces.Of[t] == piece).Select(t => mesh.RawTriangles[3 * t]).ToList();
         var step = Math.Max(1, points.Count / Samples);
         for (var i = 0; i < points.Count; i += step)
         {
-            if (rays.Winding(mesh.RawVertices[points[i]]) <= 0) return false;
+            if (rays.Winding(mesh.RawVertices[points[i]], t => pieces.IsClosed[pieces.Of[t]] && pieces.Volume[pieces.Of[t]] > 0) <= 0) return false;
         }
         for (var other = 0; other < pieces.Count; other++)
         {
