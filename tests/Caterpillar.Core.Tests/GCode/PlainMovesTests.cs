@@ -85,7 +85,7 @@ public class PlainMovesTests
     ];
 
     private static void Compare(DecodedGCode decoded, ConvertOptions options)
-        => Same(GCodeConverter.ToDocument(decoded, options with { GeneralPath = true }).Value, GCodeConverter.ToDocument(decoded, options).Value,
+        => Same(GCodeConverter.ToDocument(decoded, options, new EditOptions { GeneralPath = true }).Value, GCodeConverter.ToDocument(decoded, options).Value,
             options.ToString());
 
     private static void Compare(DecodedGCode decoded, Toolpath edited)

@@ -26,7 +26,7 @@ public class MotionDetailTests
     [TestCase(1e-9, false)]
     [TestCase(0.9e-9, false)]
     public void A_motion_straight_up_has_the_axes_of_the_world(double y, bool turned)
-        => Assert.That(new MachineState { Direction = new Vec3(0, y, 1) }.Frame.X, Is.EqualTo(turned ? Vec3.UnitY : Vec3.UnitX));
+        => Assert.That(new MachineState { Head = Frame.World, Direction = new Vec3(0, y, 1) }.Frame.X, Is.EqualTo(turned ? Vec3.UnitY : Vec3.UnitX));
 
     [Test]
     public void Firmware_retracts_once_and_restores_at_a_speed_of_its_own()

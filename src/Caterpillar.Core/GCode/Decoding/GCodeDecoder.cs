@@ -34,7 +34,7 @@ public static class GCodeDecoder
     {
         if (path is null) throw new ArgumentNullException(nameof(path));
         using var stream = InputFile.Open(path);
-        var read = GCodeDocument.Read(stream, Path.GetFileName(path), options?.Memory ?? MemoryLimit.Default, cancel);
+        var read = GCodeDocument.Read(stream, Path.GetFileName(path), options?.Memory, cancel);
         return read.Value is { } document ? Decode(document, options, progress, cancel) : new Result<DecodedGCode>(null, read.Diagnostics);
     }
 

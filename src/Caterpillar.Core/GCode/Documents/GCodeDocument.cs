@@ -63,22 +63,19 @@ public sealed class GCodeDocument
     public static Result<GCodeDocument> ReadFile(string path, CancellationToken cancel = default)
     {
         using var stream = InputFile.Open(path);
-        return Read(stream, Path.GetFileName(path), cancel);
+        return Read(stream, Path.GetFileName(path), null, cancel);
     }
 
-    /// <summary>Reads a stream to its end: plain, packed with gzip, or binary G-code. The stream stays open.</summary>
+    /// <summary>
+    /// Reads a stream to its end: plain, packed with gzip, or binary G-code. The stream stays open. A longer text than the memory limit allows gives the error
+    /// <see cref="MemoryLimit.Code"/>.
+    /// </summary>
     /// <inheritdoc cref="ReadFile" path="/returns"/>
     /// <exception cref="IOException">The stream cannot be read.</exception>
-    public static Result<GCodeDocument> Read(Stream stream, string name = "", CancellationToken cancel = default)
-        => Read(stream, name, MemoryLimit.Default, cancel);
-
-    /// <summary>The same with a memory limit. A longer text gives the error <see cref="MemoryLimit.Code"/>.</summary>
-    /// <inheritdoc cref="Read(Stream, string, CancellationToken)"/>
-    public static Result<GCodeDocument> Read(Stream stream, string name, MemoryLimit memory, CancellationToken cancel = default)
+    public static Result<GCodeDocument> Read(Stream stream, string name = "", MemoryLimit? memory = null, CancellationToken cancel = default)
     {
         if (stream is null) throw new ArgumentNullException(nameof(stream));
-        if (memory is null) throw new ArgumentNullException(nameof(memory));
-        return Guarded(name, () => new Result<GCodeDocument>(Unpack(stream, name, memory, cancel), []));
+        return Guarded(name, () => new Result<GCodeDocument>(Unpack(stream, name, memory ?? MemoryLimit.Default, cancel), []));
     }
 
     /// <summary>A line by its number, from 1, without its line end. Each byte is one character (Latin-1).</summary>
@@ -89,7 +86,9 @@ public sealed class GCodeDocument
         var at = Array.BinarySearch(first, number - 1);
         if (at < 0) at = ~at - 1;
         while (first[at + 1] == first[at]) at++;
-        return LineOf(at, number - 1 - first[at], number);
+        var (starts, text, index) = (_chunks[at].LineStarts(), _chunks[at].Text, number - 1 - first[at]);
+        var start = starts[index] + (number == 1 ? TextEncoding.MarkLength(_chunks[0]) : 0);
+        return TextEncoding.Decode(text, start, LineEnds.Find(text, start, starts[index + 1]));
     }
 
     /// <summary>Up to <paramref name="count"/> lines from line <paramref name="first"/> (from 1) on.</summary>
@@ -183,14 +182,5 @@ public sealed class GCodeDocument
             memory.Check(length, "The text", name.Length > 0 ? new SourceLocation(name) : null);
         }
         return new GCodeDocument(chunks.ToArray(), name, source.Notes());
-    }
-
-    private string LineOf(int chunk, int index, int number)
-    {
-        var starts = _chunks[chunk].LineStarts();
-        var text = _chunks[chunk].Text;
-        var start = starts[index];
-        if (number == 1) start += TextEncoding.MarkLength(_chunks[0]);
-        return TextEncoding.Decode(text, start, LineEnds.Find(text, start, starts[index + 1]));
     }
 }

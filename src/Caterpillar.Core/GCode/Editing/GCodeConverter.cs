@@ -20,7 +20,7 @@ internal static class GCodeConverter
         if (options.DecimalsXyz is { } decimals && LayerRounding.Check(decoding.Toolpath, decimals, new SourceLocation(decoding.Document.Name)) is { } rounded)
             return [.. problems.ToList(), rounded];
         var splicer = new Splicer(decoding, decoding.Toolpath, SplicePlan.Of(decoding, decoding.Toolpath), stream, target,
-            new EditOptions { Start = code?.Start, End = code?.End, GeneralPath = options.GeneralPath, Threads = options.Threads });
+            (code ?? new EditOptions()) with { Cuts = [], Threads = options.Threads });
         splicer.Run(progress, cancel);
         problems.AddRange(splicer.Diagnostics.ToList());
         return problems.ToList();

@@ -56,13 +56,9 @@ internal sealed class EventCommands(Machine machine)
     /// <summary>Reads a pause command with this name. False if the firmware has none.</summary>
     public bool TakePause(string name)
     {
-        foreach (var pause in _rules.Pauses)
-        {
-            if (pause != name) continue;
-            _moves.AddEvent(new PauseEvent());
-            return true;
-        }
-        return false;
+        var isPause = _rules.Pauses.Contains(name);
+        if (isPause) _moves.AddEvent(new PauseEvent());
+        return isPause;
     }
 
     public void Dwell(ParsedLine line)

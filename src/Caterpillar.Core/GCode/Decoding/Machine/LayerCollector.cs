@@ -186,13 +186,8 @@ internal sealed class LayerCollector
     // Without marks the number of a layer is its rank from below.
     private static void Rank(Layer[] layers)
     {
-        var order = new int[layers.Length];
-        var heights = new double[layers.Length];
-        for (var i = 0; i < order.Length; i++)
-        {
-            order[i] = i;
-            heights[i] = layers[i].Z;
-        }
+        int[] order = [.. Enumerable.Range(0, layers.Length)];
+        var heights = Array.ConvertAll(layers, l => l.Z);
         Array.Sort(heights, order);
         for (var rank = 0; rank < order.Length; rank++)
         {

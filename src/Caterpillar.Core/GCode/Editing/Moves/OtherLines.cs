@@ -72,12 +72,8 @@ internal sealed class OtherLines(SpliceContext context, MoveConversion conversio
         var written = context.Written.LastEvents;
         // A motion that the file's firmware refuses goes, also where the target would refuse it.
         if (commands > 0 || (_line.Shape == LineShape.Code && (_line.HasCode(0) || _line.HasCode(1) || _line.HasCode(2) || _line.HasCode(3)))) return false;
-        if ((moves > 0 && context.Read.LastMoves.Count == 0 && !context.LineHomes) || read.Count != written.Count) return false;
-        for (var i = 0; i < read.Count; i++)
-        {
-            if (!read[i].Event.Equals(written[i].Event)) return false;
-        }
-        return true;
+        if (moves > 0 && context.Read.LastMoves.Count == 0 && !context.LineHomes) return false;
+        return read.Select(e => e.Event).SequenceEqual(written.Select(e => e.Event));
     }
 
     // The line in the words of the target; one that means nothing to the file's own firmware goes.

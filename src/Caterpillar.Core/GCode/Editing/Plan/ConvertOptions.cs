@@ -41,7 +41,4 @@ public sealed record ConvertOptions
 
     /// <summary>Number of threads. 0 = all cores. The result does not depend on it.</summary>
     public int Threads { get; init; }
-
-    /// <summary>Disables the fast path, for comparison.</summary>
-    internal bool GeneralPath { get; init; }
 }
