@@ -1,3 +1,6 @@
+using Newtonsoft.Json;
+using Newtonsoft.Json.Linq;
+
 namespace Caterpillar.Cli;
 
 /// <summary>Options for layers between boundaries of the model.</summary>
@@ -6,11 +9,11 @@ internal sealed class BoundaryOptions
     private static readonly string[] CurveEndings = [".csv", ".svg", ".json"];
 
     private readonly Described<string?> _from = new("--from",
-        "With --field harmonic or geodesic: start of the layers, as a mesh or curves on the model (CSV, JSON, SVG, OBJ lines). Default: found automatically.",
-        "FILE");
+        "With --field harmonic or geodesic: start of the layers, as a mesh or curves on the model (CSV, JSON, SVG, OBJ lines), or a JSON list of its vertices, "
+            + "from 0. edge:N = its open edge N, from the longest. Default: found automatically.", "FILE|edge:N");
 
     private readonly Described<string[]> _to = new("--to",
-        "With --field harmonic or geodesic: end of the layers, as a mesh or curves on the model. Repeatable.", "FILE");
+        "With --field harmonic or geodesic: end of the layers, in the same ways. Repeatable.", "FILE|edge:N");
 
     public Option[] All => [_from, _to];
 
@@ -28,6 +31,12 @@ internal sealed class BoundaryOptions
 
     private static BoundaryShape Shape(string file, Vec3 shift, Session session)
     {
+        if (file.StartsWith("edge:", StringComparison.Ordinal))
+        {
+            return BoundaryShape.OpenEdge(NumberReader.TryParse(file[5..], out var number) && number is >= 1 and < 1e6 && number % 1 == 0 ? (int)number
+                : throw new CliException(ExitCode.Usage, "edge:N needs a number from 1."));
+        }
+        if (file.EndsWith(".json", StringComparison.OrdinalIgnoreCase) && Vertices(session.ReadBytes(file)) is { } vertices) return BoundaryShape.Of(vertices);
         if (!CurveEndings.Any(e => file.EndsWith(e, StringComparison.OrdinalIgnoreCase)))
         {
             var read = Meshes.Read([file], session);
@@ -37,5 +46,19 @@ internal sealed class BoundaryOptions
             if (!file.EndsWith(".obj", StringComparison.OrdinalIgnoreCase)) session.ValueOrFail(read);
         }
         return BoundaryShape.Of(Curves.ReadPolylines(file, shift, session));
+    }
+
+    // A list of whole numbers; other JSON files are curves.
+    private static int[]? Vertices(byte[] json)
+    {
+        try
+        {
+            return JToken.Parse(Encoding.UTF8.GetString(json)) is JArray { Count: > 0 } list && list.All(n => n.Type == JTokenType.Integer)
+                ? list.Select(n => (int)n).ToArray() : null;
+        }
+        catch (Exception failure) when (failure is JsonException or OverflowException)
+        {
+            return null;
+        }
     }
 }

@@ -84,6 +84,8 @@ public static class Planner
             Tools = [.. Enumerable.Range(0, printer.ToolCount).Select(tool => ToolRulesOf(setup.OfTool(tool), policy))],
             SharedNozzle = printer.SharedNozzle,
             ZHopSpeed = printer.ZHopSpeed,
+            MaxSpeed = printer.MaxSpeed,
+            Rounded = Math.Pow(10, -printer.DecimalsXyz),
             Lift = settings.ZHopType switch { ZHopType.AbovePrint => LiftRule.Highest, ZHopType.AbovePath => LiftRule.Corridor, _ => LiftRule.None },
             Clearance = setup.ZHop,
             Head = heads.Length > 0 ? new HeadCorridor(heads) : new HeadCorridor(printer.NozzleDiameter),

@@ -13,6 +13,7 @@ internal sealed class StepPlanner
     private readonly Deposit? _deposit;
     private readonly ReturnPath? _returnPath;
     private readonly SlowedRoles _slowed = new();
+    private readonly SlopedFeed _feed;
     private readonly List<SourceLocation?> _places = [];
 
     // The steps of this batch, and their layers; the layers of the batch before.
@@ -42,7 +43,8 @@ internal sealed class StepPlanner
             _emitter.Reached(obstacle.Bounds.Max.Z);
         }
         _travel = new TravelPlanner(rules, _emitter, counts, _deposit) { RisesFirst = obstacle is not null };
-        _printer = new PathPrinter(rules, _emitter, counts, _deposit, _slowed);
+        _feed = new SlopedFeed(rules.AddsNothing ? null : rules.MaxSpeed, rules.Rounded);
+        _printer = new PathPrinter(rules, _emitter, counts, _deposit, _slowed, _feed);
         _overrides = new OverrideState(rules, _emitter);
         if (rules.Motion is not null) _emitter.BeforeTravel = _overrides.Travel;
         _emitter.StateTool();
@@ -83,6 +85,7 @@ internal sealed class StepPlanner
     {
         _overrides.End();
         _slowed.Report(_diagnostics);
+        _feed.Report(_diagnostics);
         if (_overrides.CouldNotRevert)
             _diagnostics.Add(Severity.Note, "plan.override_kept",
                 "A path overrides a setting whose default is unknown. The new value stays in effect after the path.");

@@ -94,6 +94,24 @@ public class BoundaryFieldTests
     }
 
     [Test]
+    public void Boundaries_are_vertices_or_open_edges_by_size()
+    {
+        var low = Solids.Circle(5, 32);
+        var tube = OpenTube(low, low.Select(p => (p * 0.8).WithZ(8)).ToArray());
+        var edges = MeshBoundaries.Near(tube, BoundaryShape.OpenEdge(1), [BoundaryShape.OpenEdge(2)]).OrThrow();
+        Assert.That(edges.Lower.All(v => edges.Mesh.Vertices[v].Z == 0) && edges.Upper.All(v => edges.Mesh.Vertices[v].Z == 8));
+        Assert.That(MeshBoundaries.Near(tube, null, [BoundaryShape.OpenEdge(3)]).Diagnostics.Single().Message, Does.Contain("boundary 1 touches no vertex"));
+        int[] At(double z) => Enumerable.Range(0, tube.VertexCount).Where(v => tube.Vertices[v].Z == z).ToArray();
+        var vertices = MeshBoundaries.Near(tube, BoundaryShape.Of(At(0)), [BoundaryShape.Of(At(8))]).OrThrow();
+        Assert.That(vertices.Lower, Is.EqualTo(edges.Lower.OrderBy(v => v)));
+        Assert.That(vertices.Upper, Is.EqualTo(edges.Upper.OrderBy(v => v)));
+        // A list of all open edges as the upper end, as others write it.
+        var shared = MeshBoundaries.Of(tube, At(0), [.. At(0), .. At(8)]);
+        Assert.That(shared.Value!.Upper, Is.EqualTo(vertices.Upper));
+        Assert.That(shared.Diagnostics.Single().Code, Is.EqualTo("curved.shared_boundary"));
+    }
+
+    [Test]
     public void Layers_of_a_branching_part_end_at_both_of_its_tilted_ends()
     {
         var part = Branching();
@@ -126,6 +144,7 @@ public class BoundaryFieldTests
         var mushroom = CurvedSolids.Lathe(32, (4, 0), (4, 10), (14, 6), (14, 12));
         var folded = CurvedSolids.Try(LayerField.Harmonic(Ends(mushroom)), CurvedSolids.Massive, null, mushroom);
         Assert.That(folded.Diagnostics.Single(d => d.Severity == Severity.Error).Code, Is.EqualTo("curved.overhanging_layers"));
+        Assert.That(folded.Diagnostics.Single(d => d.Severity == Severity.Error).Message, Does.Contain("tilts the tool could"));
     }
 
     private static TriMesh OpenTube(Vec3[] low, Vec3[] high)

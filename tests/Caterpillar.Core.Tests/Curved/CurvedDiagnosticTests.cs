@@ -33,6 +33,16 @@ public class CurvedDiagnosticTests
     }
 
     [Test]
+    public void Beside_a_surface_a_partial_print_with_layers_along_its_normals_ends()
+    {
+        var field = LayerField.Offset(Plane(-20, 3, 0.1));
+        Assert.That(CurvedSolids.Try(field, CurvedSolids.Massive, null, Part).Diagnostics.Single().Code, Is.EqualTo("curved.outside_plan"));
+        var partial = CurvedSolids.Try(field, CurvedSolids.Massive, new CurvedOptions { Partial = true }, Part);
+        Assert.That(partial.Diagnostics.Select(d => (d.Code, d.Severity)), Does.Contain(("curved.outside_plan", Severity.Warning)));
+        Assert.That(partial.Value!.Layers.SelectMany(CurvedSolids.Points).Max(p => p.X), Is.EqualTo(3).Within(0.1));
+    }
+
+    [Test]
     public void A_plan_with_a_hole_or_beside_the_part_is_an_error_that_tells_where()
     {
         // A square frame: the hole is 6 mm wide.
@@ -54,7 +64,7 @@ public class CurvedDiagnosticTests
         Assert.That(refused.Value, Is.Null);
         var problem = refused.Diagnostics.Single(d => d.Severity == Severity.Error);
         Assert.That(problem.Code, Is.EqualTo("curved.too_steep"));
-        Assert.That(problem.Message, Does.Contain("26.6 degrees"));
+        Assert.That(problem.Message, Does.Contain("26.6 degrees").And.Contain("within 63.4 degrees of its axis up to 4 mm above the tip"));
         Assert.That(CurvedSolids.Try(field, CurvedSolids.Massive with { CurvedMaxSlope = 27 }, null, Part).Value, Is.Not.Null);
     }
 

@@ -81,6 +81,26 @@ public class LayerCoolingTests
     }
 
     [Test]
+    public void Moves_that_rise_are_as_fast_as_the_Z_axis_holds_and_one_note_says_so()
+    {
+        var setup = Setup with { Printer = new Printer { MaxSpeed = new(300, 300, 12, 60), MaxFlow = 0 }, Material = Setup.Material with { MaxFlow = 0 } };
+        var layer = new Layer(1, 9, 0.2);
+        // Slopes of 3 in 5, nearly the same, 3 in 5 again, 1 in 10 and level.
+        Vec3[] points = [new(20, 50), new(24, 50, 3), new(28, 50, 5.99), new(32, 50, 8.99), new(42, 50, 9.99), new(62, 50, 9.99)];
+        var path = new PrintPath(points, new Bead(0.08, 0.2)).With(Role.InnerWall, layer);
+        Step[] Steps() => [new PathStep(path, new StepGroup(1))];
+        var result = Plan(Steps(), setup);
+        var speeds = result.Value!.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => m.Speed).ToArray();
+        Assert.That(speeds, Is.EqualTo(new[] { 20, 20, 20, 50, 50 }).Within(0.01));
+        Assert.That(speeds[1], Is.EqualTo(speeds[0]), "about the same slope, the same flow");
+        var note = result.Diagnostics.Single(d => d.Code == "plan.axis_slowed");
+        Assert.That((note.Severity, note.Count), Is.EqualTo((Severity.Note, 3)));
+        // 15 mm at 20 instead of 50 mm/s.
+        Assert.That(note.Message, Does.Contain("Z 12 mm/s").And.Contain("20 mm/s").And.Contain("takes 1 s"));
+        Assert.That(Plan(Steps(), setup, PlanPolicy.AsDrawn).Value!.Moves().Last().Speed, Is.EqualTo(50));
+    }
+
+    [Test]
     public void As_drawn_the_speed_stays()
     {
         var setup = Setup with { Printer = new Printer { MaxFlow = 2 } };

@@ -256,6 +256,20 @@ public class PlanningTests
     }
 
     [Test]
+    public void On_slopes_nothing_is_coasted_or_wiped()
+    {
+        // Beside a slope a nozzle may go as deep as an extrusion is pressed, but not without one.
+        var rules = Rules with { Settings = Rules.Settings with { CoastingDistance = 3 }, WipeDistance = 2 };
+        Assert.That(Moves([Line(0, 0, 40, 0, 0), Line(40, 30, 0, 30, 0)], rules).Count(m => m.StartsWith("Wipe")), Is.EqualTo(1));
+        var slope = new PrintPath([new Vec3(0, 0), new Vec3(30, 0), new Vec3(40, 0, 4)], new Bead(0.5), false);
+        var moves = Moves([slope, Line(40, 30, 0, 30, 0)], rules);
+        Assert.That(moves.Any(m => m.StartsWith("Print 40,0,4 ")), Is.True);
+        Assert.That(moves.Any(m => m.StartsWith("Wipe")), Is.False);
+        var loop = new PrintPath([new Vec3(0, 0), new Vec3(30, 0), new Vec3(30, 30, 4)], new Bead(0.5), true).With(Role.OuterWall);
+        Assert.That(Moves([loop], rules with { Settings = rules.Settings with { SeamGap = 0.5 } }).Last(), Does.StartWith("Print 0,0,0 "));
+    }
+
+    [Test]
     public void Coasting_leaves_nine_tenths_of_the_wall_of_a_small_hole()
     {
         // The clay profile coasts 3 mm; the wall of the hole is 4 mm long.

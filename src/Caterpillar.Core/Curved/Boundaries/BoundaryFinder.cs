@@ -12,6 +12,19 @@ internal static class BoundaryFinder
     /// <summary>Open edges of a mesh: those that reach lowest, and all others.</summary>
     public static (int[] Lower, int[] Upper) OpenEdges(TriMesh mesh)
     {
+        var loops = OpenLoops(mesh);
+        if (loops.Count < 2) return ([], []);
+        var low = loops.Min(Lowest);
+        var most = low + 0.05 * mesh.Bounds.Size.Z;
+        return (loops.Where(l => Lowest(l) <= most).SelectMany(l => l).Distinct().ToArray(),
+            loops.Where(l => Lowest(l) > most).SelectMany(l => l).Distinct().ToArray());
+
+        double Lowest(int[] loop) => loop.Min(v => mesh.RawVertices[v].Z);
+    }
+
+    /// <summary>The loops of open edges of a mesh, by their lowest vertex.</summary>
+    public static List<int[]> OpenLoops(TriMesh mesh)
+    {
         var next = new Dictionary<int, int>();
         var corners = mesh.RawTriangles;
         for (var h = 0; h < corners.Length; h++)
@@ -29,13 +42,7 @@ internal static class BoundaryFinder
             }
             if (loop.Count > 0) loops.Add(loop.ToArray());
         }
-        if (loops.Count < 2) return ([], []);
-        var low = loops.Min(Lowest);
-        var most = low + 0.05 * mesh.Bounds.Size.Z;
-        return (loops.Where(l => Lowest(l) <= most).SelectMany(l => l).Distinct().ToArray(),
-            loops.Where(l => Lowest(l) > most).SelectMany(l => l).Distinct().ToArray());
-
-        double Lowest(int[] loop) => loop.Min(v => mesh.RawVertices[v].Z);
+        return loops;
     }
 
     /// <summary>Of a closed mesh its lowest vertices, and smooth faces that look up and fall away at all of their sharp edges.</summary>
@@ -64,19 +71,19 @@ internal static class BoundaryFinder
     }
 
     /// <summary>Vertices no farther from a shape than a distance.</summary>
-    public static int[] Within(TriMesh mesh, BoundaryShape shape, double near)
-        => Enumerable.Range(0, mesh.VertexCount).Where(v => shape.DistanceTo(mesh.RawVertices[v]) <= near).ToArray();
+    public static int[] Within(TriMesh mesh, Func<Vec3, double> distanceTo, double near)
+        => Enumerable.Range(0, mesh.VertexCount).Where(v => distanceTo(mesh.RawVertices[v]) <= near).ToArray();
 
     /// <summary>
     /// Vertices along a shape: no farther than a distance, and of those over each other only the nearest. Where the shape runs through vertices, none beside
     /// it count, which would make the boundary a band.
     /// </summary>
-    public static int[] Along(TriMesh mesh, BoundaryShape shape, double near)
+    public static int[] Along(TriMesh mesh, Func<Vec3, double> distanceTo, double near)
     {
         var distance = new Dictionary<int, double>();
         for (var v = 0; v < mesh.VertexCount; v++)
         {
-            if (shape.DistanceTo(mesh.RawVertices[v]) is var d && d <= near) distance.Add(v, d);
+            if (distanceTo(mesh.RawVertices[v]) is var d && d <= near) distance.Add(v, d);
         }
         var nearer = new Dictionary<int, int>();
         var corners = mesh.RawTriangles;

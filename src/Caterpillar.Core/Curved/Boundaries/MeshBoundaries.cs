@@ -51,13 +51,14 @@ public sealed class MeshBoundaries
         if (mesh is null) throw new ArgumentNullException(nameof(mesh));
         if (to is null) throw new ArgumentNullException(nameof(to));
         if (!(near >= 0) || double.IsInfinity(near)) throw new ArgumentOutOfRangeException(nameof(near), "The distance must not be negative.");
-        var fine = Refined(mesh, cancel);
-        int[] Touched(BoundaryShape shape) => near > 0 ? BoundaryFinder.Within(fine, shape, near) : BoundaryFinder.Along(fine, shape, Edge(mesh) / 2);
-        var lower = from is null ? BoundaryFinder.Lowest(fine) : Touched(from);
+        var (fine, parents) = MeshRefiner.Refine(mesh, Edge(mesh), MostTriangles, cancel);
+        var part = new BoundaryMesh(mesh, fine, parents, Edge(mesh));
+        var lower = from is null ? BoundaryFinder.Lowest(fine) : from.On(part, near);
+        part = part with { Lower = [.. lower] };
         var upper = new List<int>();
         for (var i = 0; i < to.Count; i++)
         {
-            var touched = Touched(to[i]);
+            var touched = to[i].On(part, near);
             if (touched.Length == 0) return Missing($"Upper boundary {NumberFormatter.Format(i + 1)} touches no vertex of the part.");
             upper.AddRange(touched);
         }
@@ -73,9 +74,7 @@ public sealed class MeshBoundaries
         if (lower is null) throw new ArgumentNullException(nameof(lower));
         if (upper is null) throw new ArgumentNullException(nameof(upper));
         if (lower.Concat(upper).Any(v => v < 0 || v >= mesh.VertexCount)) throw new ArgumentOutOfRangeException(nameof(lower), "The vertex does not exist.");
-        var (fine, parents) = MeshRefiner.Refine(mesh, Edge(mesh), MostTriangles, CancellationToken.None);
-        return Checked(mesh, fine, BoundaryFinder.Between(fine, mesh.VertexCount, parents, lower),
-            BoundaryFinder.Between(fine, mesh.VertexCount, parents, upper), "Each boundary needs vertices.");
+        return Near(mesh, BoundaryShape.Of(lower), [BoundaryShape.Of(upper)]);
     }
 
     private static double Edge(TriMesh mesh) => Math.Min(2, Math.Max(0.5, mesh.Bounds.Size.Length / 80));
@@ -84,15 +83,20 @@ public sealed class MeshBoundaries
 
     private static Result<MeshBoundaries> Checked(TriMesh original, TriMesh fine, int[] lower, int[] upper, string message)
     {
+        var shared = new List<Diagnostic>();
         if (lower.Length == 0 || upper.Length == 0) return Missing(message);
-        var both = new HashSet<int>(lower);
-        foreach (var v in upper)
+        // Vertices of both are where layers start: lists of ends often hold all of them.
+        var ends = upper.Except(lower).ToArray();
+        if (ends.Length == 0) return Missing($"The upper and lower boundaries meet at {fine.RawVertices[upper[0]]} and leave no room for layers.");
+        if (ends.Length < upper.Length)
         {
-            if (both.Contains(v)) return Missing($"The upper and lower boundaries meet at {fine.RawVertices[v]} and leave no room for layers.");
+            shared.Add(new Diagnostic(Severity.Note, "curved.shared_boundary", "Vertices of both boundaries count as the lower one.", null,
+                upper.Length - ends.Length));
+            upper = ends;
         }
         var free = BoundaryFinder.Unreached(fine, lower) ?? BoundaryFinder.Unreached(fine, upper);
         if (free is { } piece) return Missing($"A piece of the part at {fine.RawVertices[piece]} is not connected to both boundaries.");
-        return new Result<MeshBoundaries>(new MeshBoundaries(original, fine, lower, upper), []);
+        return new Result<MeshBoundaries>(new MeshBoundaries(original, fine, lower, upper), shared);
     }
 
     private static Result<MeshBoundaries> Missing(string message) => new(null, [new Diagnostic(Severity.Error, "curved.no_boundary", message)]);

@@ -76,7 +76,7 @@ internal sealed class BoundaryField(MeshBoundaries boundaries, double[] values, 
             var most = share > 0.05;
             problems.Add(most ? Severity.Error : Severity.Warning, "curved.overhanging_layers",
                 $"Layers overhang or fold back on {NumberFormatter.Format(share * 100, 1)} % of the part's surface, most at {place}. A nozzle from "
-                + "above cannot print them" + (most ? "." : " well."));
+                + "above cannot print them" + (most ? "; a machine that tilts the tool could." : " well."));
             if (most) return this;
         }
         var first = settings.FirstLayerHeight;

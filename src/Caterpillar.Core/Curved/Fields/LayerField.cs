@@ -70,6 +70,9 @@ public abstract class LayerField
     {
     }
 
+    /// <summary>The same field for a print that leaves out what it does not cover.</summary>
+    internal virtual LayerField ForPartial() => this;
+
     /// <summary>The field for a part: constants chosen so that the part begins at the value 0 and the layers meet the surfaces of the field.</summary>
     internal virtual LayerField FitTo(PartColumns part, PrintSettings settings, DiagnosticList problems) => Anchored(this, part, settings);
 

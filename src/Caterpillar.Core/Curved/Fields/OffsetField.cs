@@ -4,7 +4,7 @@ namespace Caterpillar.Curved;
 /// Layers at equal distances from a surface: its normal offsets. Where those would run into each other, on the hollow side, the distance keeps them apart along
 /// a crease.
 /// </summary>
-internal sealed class OffsetField(TriMesh mesh) : LayerField
+internal sealed class OffsetField(TriMesh mesh, bool partial = false) : LayerField
 {
     private readonly MeshDistance _distance = new(mesh);
     private readonly MeshHeights _heights = new(mesh);
@@ -44,11 +44,15 @@ internal sealed class OffsetField(TriMesh mesh) : LayerField
 
     internal override void Check(DiagnosticList problems) => PlanSurface.Of(mesh).Check(problems);
 
+    public override bool Covers(double x, double y) => !partial || !double.IsInfinity(_heights.TopUnder(x, y));
+
+    internal override LayerField ForPartial() => new OffsetField(mesh, true);
+
     internal override LayerField FitTo(PartColumns part, PrintSettings settings, DiagnosticList problems)
     {
         foreach (var column in part.Columns)
         {
-            if (!Rises(column, problems)) return this;
+            if (!partial && !Rises(column, problems)) return this;
         }
         return Anchored(this, part, settings);
     }

@@ -7,11 +7,13 @@ internal static class LiftFindings
 
     public static void Add(LiftReport report, LiftRules rules, DiagnosticList problems)
     {
-        if (report.Steep.Length > 0)
+        // Shorter than an extrusion is wide nothing is missed, and the checks look at every move.
+        if (report.Steep.Length > rules.Settings.LineWidth)
         {
             problems.Add(rules.Partial ? Severity.Warning : Severity.Error, "curved.too_steep",
                 $"{Text(report.Steep.Length, 0)} mm of paths are steeper than the {Text(rules.MaxSlope, 1)} degrees that the print head allows, up to "
-                + $"{Text(report.Steep.Worst, 1)} degrees at {report.Steep.Place}." + (rules.Partial ? NotPrinted : ""));
+                + $"{Text(report.Steep.Worst, 1)} degrees at {report.Steep.Place}." + (rules.Partial ? NotPrinted
+                    : $" A head passes that is within {Text(90 - report.Steep.Worst, 1)} degrees of its axis up to {Text(rules.Rise, 1)} mm above the tip."));
         }
         if (report.Below.Length > 0)
         {

@@ -17,6 +17,9 @@ internal sealed record LiftRules(PrintSettings Settings, double MinGap, double M
     /// <summary>Maximum gap above the surface to print on that extrusions fill if no part is below them, mm.</summary>
     public double MaxFill { get; init; }
 
+    /// <summary>Height between the lowest and the highest point of a layer, at most, mm.</summary>
+    public double Rise { get; init; }
+
     /// <summary>True if paths may be beyond the surface that they follow, so that its edge must be found.</summary>
     public bool FindsEdge { get; init; }
 }

@@ -98,7 +98,8 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
         var gap = (a.Gap + 4 * m.Gap + b.Gap) / 6;
         var normal = field.Normal(m.Part);
         var slope = Angle.Atan2(normal.LengthXY, normal.Z);
-        if (!(gap > 0) || !a.Part.IsFinite || !b.Part.IsFinite)
+        // Nothing dips below the bed at an end, either.
+        if (!(gap > 0) || a.Gap < 0 || b.Gap < 0 || !a.Part.IsFinite || !b.Part.IsFinite)
         {
             Report.Below.Note(length, -gap, m.Part);
             End(step);

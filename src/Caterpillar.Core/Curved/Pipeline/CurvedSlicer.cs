@@ -36,6 +36,7 @@ public static class CurvedSlicer
         if (setup is null) throw new ArgumentNullException(nameof(setup));
         options ??= new CurvedOptions();
         var problems = new DiagnosticList();
+        if (options.Partial) field = field.ForPartial();
         field.Check(problems);
         var part = PartColumns.Of(models.Select(m => m.Mesh.Mesh));
         if (!problems.HasErrors) CheckCover(field, part, options, problems);
@@ -77,11 +78,14 @@ public static class CurvedSlicer
         if (setup.Settings.CurvedMaxGapRatio > 0)
             least = Math.Max(least, limits.Thickest(result.Layers.Select(l => l.Layer)) / setup.Settings.CurvedMaxGapRatio);
         // A tool that tilts sees the slope from its own axis; overhanging layers cannot be printed by any.
-        var ceiling = Math.Min(89.9, SlopeLimit(setup, part, result, field) + options.MaxTilt);
+        var rise = RiseOf(result, field);
+        var slope = setup.Settings.CurvedMaxSlope > 0 ? setup.Settings.CurvedMaxSlope : HeadSlope.Limit(setup.Printer, part.Bounds.Size.LengthXY, rise);
+        var ceiling = Math.Min(89.9, slope + options.MaxTilt);
         var rules = new LiftRules(setup.Settings, least, ceiling, options.Onto ?? PlanSurface.Level(0), options.Partial)
         {
             // Without a partial print it was looked for in the whole part.
             FindsEdge = options.Partial,
+            Rise = rise,
             MaxFill = options.Onto is null ? 0 : LayerRules.GreatestGap(setup),
         };
         var layers = Lifted(result.Layers, field, rules, options.Threads, problems, progress.Part(0.75, 1), cancel);
@@ -139,9 +143,8 @@ public static class CurvedSlicer
         => steps.ConvertAll(s => s.Region is null ? s : new PathStep(s.Path, s.Group) { KeepStart = s.KeepStart });
 
     // The head sees no more of a layer than its rise: found from the samples of the part.
-    private static double SlopeLimit(PrintSetup setup, PartColumns part, SliceResult flat, LayerField field)
+    private static double RiseOf(SliceResult flat, LayerField field)
     {
-        if (setup.Settings.CurvedMaxSlope > 0) return setup.Settings.CurvedMaxSlope;
         var rise = 0.0;
         foreach (var layer in flat.Layers)
         {
@@ -156,8 +159,7 @@ public static class CurvedSlicer
             }
             rise = Math.Max(rise, high - low);
         }
-        var size = part.Bounds.Size;
-        return HeadSlope.Limit(setup.Printer, size.LengthXY, rise);
+        return rise;
     }
 
     // Bent arcs are none.

@@ -49,6 +49,12 @@ internal sealed record PlanRules
     /// <summary>Speed of moves straight up and down.</summary>
     public required double ZHopSpeed { get; init; }
 
+    /// <summary>Maximum speed of each axis; null = unknown.</summary>
+    public AxisValues? MaxSpeed { get; init; }
+
+    /// <summary>The last decimal of coordinates in the file.</summary>
+    public double Rounded { get; init; } = 1e-3;
+
     public LiftRule Lift { get; init; }
 
     /// <summary>Height of a travel above what it passes.</summary>

@@ -8,6 +8,9 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     // Points closer than this are equal, mm: far below the resolution of any file or machine.
     internal const double Touching = 1e-6;
 
+    // Rise that is level for a nozzle without an extrusion, mm: below what the checks let it touch.
+    internal const double Flat = 0.03;
+
     // mm; the nozzle leaves a purge tower clean.
     private const double TowerWipe = 5;
     private readonly bool[] _hasPrinted = new bool[rules.Tools.Length];
@@ -21,6 +24,9 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
 
     private Region? _inside;
 
+    // The layer of the last path is not level, or not known to be.
+    private bool _isBent;
+
     private double Clearance => emitter.ToolRules.Material?.ZHop ?? rules.Clearance;
 
     /// <summary>A path has been printed to its end.</summary>
@@ -28,6 +34,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     {
         _last = path;
         _inside = inside;
+        _isBent = inside is null && path.Layer is not null;
         Primed();
     }
 
@@ -181,7 +188,11 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     private double HeightOver(Vec3 from, Vec3 to, double level, bool safely)
     {
         if (rules.Lift == LiftRule.Highest)
-            return safely || from.DistanceTo(to) > _settings.ZHopMinTravel ? Math.Max(level, emitter.Highest) + Clearance : level;
+        {
+            if (safely || from.DistanceTo(to) > _settings.ZHopMinTravel) return Math.Max(level, emitter.Highest) + Clearance;
+            // Short travels along a slope pass over what is higher next to them.
+            return _isBent && Math.Abs(to.Z - from.Z) > Flat ? level + Math.Min(Clearance, (to - from).LengthXY) : level;
+        }
         if (deposit is null) return level;
         var needed = rules.Head.RequiredHeight(deposit, from, to, level);
         return needed > level + Flush ? needed + Clearance : level;
@@ -228,7 +239,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
         var points = WipePath.Along(path, distance);
         var length = 0.0;
         for (var i = 1; i < points.Count; i++) length += points[i - 1].DistanceTo(points[i]);
-        if (!(length > 0)) return false;
+        if (!(length > 0) || points.Exists(p => Math.Abs(p.Z - points[0].Z) > Flat)) return false;
         var speed = Math.Min(_settings.TravelSpeed, length * tool.RetractSpeed / tool.FilamentLength(e));
         var left = e;
         for (var i = 1; i < points.Count; i++)
