@@ -31,6 +31,16 @@ public class ExtrusionRuleTests
         Assert.That(Count(print, CheckCodes.Unsupported), Is.EqualTo(hanging));
     }
 
+    // Printed 0.08 mm deep into what crosses it, the nozzle may rise from there, but not travel there.
+    [Test]
+    public void Where_an_extrusion_may_end_the_nozzle_may_rise()
+    {
+        SmallPrint Crossed() => new SmallPrint(50, 50, 4).Print(70, 50, 4).Go(70, 50, 20).Go(60, 40, 20).Go(60, 40, 3.92).Print(60, 50, 3.92);
+        Assert.That(Count(Crossed().Go(60, 50, 20), CheckCodes.TravelHits), Is.Zero);
+        Assert.That(Count(Crossed().Go(61, 50, 20), CheckCodes.TravelHits), Is.EqualTo(1));
+        Assert.That(Count(Crossed().Go(60, 40, 3.92).Go(60, 50, 3.92).Go(60, 50, 20), CheckCodes.TravelHits), Is.GreaterThan(1));
+    }
+
     // Layers that descend: the extrusion of the layer below is higher, 0.15 mm beside.
     [Test]
     public void Where_layers_slope_what_is_below_may_be_higher_beside_but_not_in_the_same_layer()
