@@ -3,7 +3,6 @@ namespace Caterpillar.Cli;
 /// <summary>The results of a batch as a CSV table, and the runs that an earlier table lists as done.</summary>
 internal sealed class BatchSummary
 {
-    private const string DoneWord = "done";
     private readonly string[] _header;
     private readonly Dictionary<string, string[]> _earlier = new(StringComparer.Ordinal);
 
@@ -30,7 +29,7 @@ internal sealed class BatchSummary
         var places = new[] { "fingerprint", "status", "output", "bytes" }.Select(n => table.Columns.ToList().IndexOf(n)).ToArray();
         var figures = FigureNames.Select(n => table.Columns.ToList().IndexOf(n)).ToArray();
         if (places.Concat(figures).Contains(-1)) throw new CliException(ExitCode.BadInput, $"{file} is not a summary of an earlier run. --resume needs one.");
-        foreach (var row in table.Rows.Where(r => r[places[1]] is DoneWord or "skipped" && r[places[0]].Length > 0))
+        foreach (var row in table.Rows.Where(r => r[places[1]] is "done" or "skipped" && r[places[0]].Length > 0))
         {
             var (output, bytes) = (row[places[2]], row[places[3]]);
             if (output.Length > 0 && (!File.Exists(output) || NumberFormatter.Format(new FileInfo(output).Length) != bytes)) continue;
@@ -64,17 +63,8 @@ internal sealed class BatchSummary
         =>
         [
             NumberFormatter.Format(outcome.Job.Number), string.Join(" ", outcome.Job.Inputs), .. outcome.Job.Cells, outcome.Job.Output ?? "",
-            Word(outcome.Status), outcome.Status is BatchStatus.NotStarted or BatchStatus.Interrupted ? "" : NumberFormatter.Format(outcome.Code),
+            Words.Spaced(outcome.Status.ToString()).ToLowerInvariant(), outcome.Status is BatchStatus.NotStarted or BatchStatus.Interrupted ? "" : NumberFormatter.Format(outcome.Code),
             outcome.ErrorCode, outcome.Error, .. outcome.Figures.Count > 0 ? outcome.Figures : FigureNames.Select(_ => ""),
             outcome.Status == BatchStatus.NotStarted ? "" : NumberFormatter.Format(outcome.Seconds, 3), outcome.Fingerprint,
         ];
-
-    private static string Word(BatchStatus status) => status switch
-    {
-        BatchStatus.Done => DoneWord,
-        BatchStatus.Skipped => "skipped",
-        BatchStatus.Failed => "failed",
-        BatchStatus.Interrupted => "interrupted",
-        _ => "not started",
-    };
 }

@@ -24,8 +24,6 @@ internal sealed class BatchOptions
 
     public Option[] All => [Each, Table, Summary, Resume, Jobs, Part];
 
-    public bool Holds(Option option) => All.Contains(option);
-
     /// <summary>True if there are many runs.</summary>
     public bool IsGiven(ParseResult parsed) => IsGiven(parsed, Each) || IsGiven(parsed, Table);
 
@@ -68,15 +66,14 @@ internal sealed class BatchOptions
     {
         foreach (var given in parsed.CommandResult.Children.OfType<OptionResult>())
         {
-            if (given.Implicit || Holds(given.Option) || given.Option.Name == "--output" || !verb.Options.Contains(given.Option)) continue;
-            if (given.Tokens.Count == 0) yield return given.Option.Name;
-            foreach (var token in given.Tokens)
-            {
-                yield return given.Option.Name;
-                yield return token.Value;
-            }
+            if (given.Implicit || All.Contains(given.Option) || given.Option.Name == "--output" || !verb.Options.Contains(given.Option)) continue;
+            foreach (var word in WordsOf(given)) yield return word;
         }
     }
+
+    /// <summary>A given option as words: its name before each of its values.</summary>
+    public static IEnumerable<string> WordsOf(OptionResult given)
+        => given.Tokens.Count == 0 ? [given.Option.Name] : given.Tokens.SelectMany(token => new[] { given.Option.Name, token.Value });
 
     private static bool IsGiven(ParseResult parsed, Option option) => parsed.GetResult(option) is { Implicit: false };
 }

@@ -40,13 +40,7 @@ internal sealed class CurveSettingOptions
             Height = Numbers.MaybeAmount(arguments.GetValue(_height), "--height", setup.Settings.LayerHeight) ?? plain.Height,
             Flow = Numbers.MaybeAmount(arguments.GetValue(_flow), "--flow", 1) ?? plain.Flow,
             Speed = Numbers.MaybeAmount(arguments.GetValue(_speed), "--speed", setup.Settings.PrintSpeed) ?? plain.Speed,
-            Shape = arguments.GetValue(_shape) switch
-            {
-                "rectangle" => BeadShape.Rectangle,
-                "stadium" => BeadShape.Stadium,
-                "circle" => BeadShape.Circle,
-                _ => plain.Shape,
-            },
+            Shape = arguments.GetValue(_shape) is { } shape ? Enum.Parse<BeadShape>(shape, true) : plain.Shape,
             Strokes = arguments.GetValue(_strokes),
             Steps = arguments.GetValue(_steps),
             Dots = Numbers.MaybeAtLeast(arguments.GetValue(_dots), "--dots", 0) ?? 0,

@@ -18,7 +18,8 @@ internal sealed class CurvedOptionValues
     private readonly Described<string?> _blend = new("--blend",
         "Layers are flat up to FROM, follow the surface from TO on, and blend in between, in mm. Default for FROM: the first layer.", "[FROM,]TO");
 
-    private readonly OntoOptions _onto = new(
+    /// <summary>The object that is printed on.</summary>
+    public OntoOptions Onto { get; } = new(
         "Object to print onto, such as a scanned mesh. The bottom of the model follows its surface. With --surface or --field, the model stays in place and "
             + "only the part above the object is printed.");
 
@@ -29,11 +30,9 @@ internal sealed class CurvedOptionValues
     private readonly BoundaryOptions _boundaries = new();
     private readonly InfillAlong _along = new();
 
-    public Option[] All => [_surface, _field, _blend, _deform, .. _onto.All, .. _boundaries.All, .. _along.All];
+    public Option[] All => [_surface, _field, _blend, _deform, .. Onto.All, .. _boundaries.All, .. _along.All];
 
-    public bool IsGiven(ParseResult arguments) => HasField(arguments) || _onto.IsGiven(arguments);
-
-    public bool IsPartial(ParseResult arguments) => _onto.IsPartial(arguments);
+    public bool IsGiven(ParseResult arguments) => HasField(arguments) || Onto.IsGiven(arguments);
 
     /// <summary>True if layers are curved, false if flat layers are put onto an object.</summary>
     public bool HasField(ParseResult arguments)
@@ -63,7 +62,7 @@ internal sealed class CurvedOptionValues
             if (kind != "vertical" || surfaces.Length == 0) throw Usage("--blend needs --surface and --field vertical.");
             _ = Blend(blend);
         }
-        _onto.Check(arguments, !HasField(arguments));
+        Onto.Check(arguments, !HasField(arguments));
     }
 
     /// <summary>The field of the layers, and the uppermost surface that it follows, if any.</summary>
@@ -107,19 +106,11 @@ internal sealed class CurvedOptionValues
         }
     }
 
-    /// <summary>The object that is printed on, or null.</summary>
-    /// <param name="arguments">The command line.</param>
-    /// <param name="shift">Offset of the models in x and y.</param>
-    /// <param name="session">Reads files.</param>
-    public TriMesh? Onto(ParseResult arguments, Vec3 shift, Session session) => _onto.Read(arguments, shift, session);
-
     /// <summary>Infill lines along directions of a surface, instead of the infill pattern; null = pattern.</summary>
     /// <inheritdoc cref="Field" path="/param"/>
     public IReadOnlyList<Polyline>? InfillLines(
         ParseResult arguments, PlanSurface? surface, IReadOnlyList<NamedMesh> models, Vec3 shift, PrintSetup setup, Session session)
         => surface is null ? null : _along.Lines(arguments, surface, models, shift, setup, session);
-
-    public double Squeeze(ParseResult arguments) => _onto.Squeeze(arguments);
 
     // Between surfaces, or between ends of the model itself.
     private static bool IsBetweenEnds(string kind, string[] surfaces) => kind is "harmonic" or "geodesic" || (kind == "between" && surfaces.Length == 0);

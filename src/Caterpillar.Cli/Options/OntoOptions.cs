@@ -17,38 +17,37 @@ internal sealed class OntoOptions(string does = OntoOptions.Drawn)
 
     public bool IsGiven(ParseResult arguments) => arguments.GetValue(_onto) is not null;
 
-    public bool IsPartial(ParseResult arguments) => arguments.GetValue(_partial);
-
-    public double Squeeze(ParseResult arguments) => arguments.GetValue(_squeeze);
-
     /// <summary>Finds wrong usage before files are read.</summary>
     /// <param name="arguments">The command line.</param>
     /// <param name="alone">Whether paths follow the object alone, and no other surface.</param>
     /// <exception cref="CliException">Options cannot be combined.</exception>
     public void Check(ParseResult arguments, bool alone = true)
     {
-        if (Squeeze(arguments) is not (>= 0 and < 10)) throw Usage("--squeeze needs a distance of 0 to 10 mm.");
-        if (alone && !IsGiven(arguments) && (Squeeze(arguments) > 0 || IsPartial(arguments))) throw Usage("--squeeze and --partial need --onto.");
-        if (!alone && Squeeze(arguments) > 0) throw Usage("--squeeze cannot be combined with --surface, --field or --deform.");
+        var squeeze = arguments.GetValue(_squeeze);
+        if (squeeze is not (>= 0 and < 10)) throw Usage("--squeeze needs a distance of 0 to 10 mm.");
+        if (alone && !IsGiven(arguments) && (squeeze > 0 || arguments.GetValue(_partial))) throw Usage("--squeeze and --partial need --onto.");
+        if (!alone && squeeze > 0) throw Usage("--squeeze cannot be combined with --surface, --field or --deform.");
     }
 
-    /// <summary>The object at its position, or null.</summary>
+    /// <summary>Options of a print with the object at its position, if one is given.</summary>
     /// <param name="arguments">The command line.</param>
     /// <param name="shift">Its offset, the same as for the models.</param>
+    /// <param name="options">The other options.</param>
     /// <param name="session">Reads its file, and prints where the object must be.</param>
-    public TriMesh? Read(ParseResult arguments, Vec3 shift, Session session)
+    public PrintJobOptions Of(ParseResult arguments, Vec3 shift, PrintJobOptions options, Session session)
     {
-        if (arguments.GetValue(_onto) is not { } file) return null;
+        options = options with { Squeeze = arguments.GetValue(_squeeze), Partial = arguments.GetValue(_partial) };
+        if (arguments.GetValue(_onto) is not { } file) return options;
         var mesh = Meshes.ReadAsOne(file, session).Moved(shift.WithZ(0));
         session.Print([Place(mesh, file)]);
-        return mesh;
+        return options with { Onto = mesh };
     }
 
     /// <summary>The print of a drawing, on the object if one is given.</summary>
     /// <exception cref="CliException">It cannot be planned.</exception>
     public PrintJob Draw(ParseResult arguments, IReadOnlyList<Step> steps, PrintSetup setup, PrintJobOptions options, Session session)
     {
-        options = options with { Onto = Read(arguments, Vec3.Zero, session), Squeeze = Squeeze(arguments), Partial = IsPartial(arguments) };
+        options = Of(arguments, Vec3.Zero, options, session);
         return session.Run("Planning", progress => PrintJob.Draw(steps, setup, options, progress, session.Cancel));
     }
 

@@ -38,17 +38,7 @@ internal sealed class SetupOptions
 
     /// <summary>The given options, for another verb.</summary>
     public IEnumerable<string> Given(ParseResult arguments)
-    {
-        foreach (var option in All)
-        {
-            if (arguments.GetResult(option) is not { Implicit: false } given) continue;
-            foreach (var token in given.Tokens)
-            {
-                yield return option.Name;
-                yield return token.Value;
-            }
-        }
-    }
+        => All.Select(o => arguments.GetResult(o)).OfType<OptionResult>().Where(given => !given.Implicit).SelectMany(BatchOptions.WordsOf);
 
     /// <summary>The setup; its problems are printed. Without <c>--printer</c>, the profiles that the input names (<paramref name="own"/>) are used.</summary>
     /// <exception cref="CliException">A profile or key is not found (wrong usage), or a profile is invalid (bad input).</exception>

@@ -61,7 +61,7 @@ internal sealed class WriteOptions
     }
 
     private static PrintFigures Figures(PrintFigures planned, WrittenGCode written, PrintJob job, Session session)
-        => written is { File: { } file, PrintTime: { } seconds } ? planned.OfFile(file, job.Setup, seconds)
+        => written is { File: { } file, PrintTime: { } seconds } ? PrintFigures.Of(file, job.Setup, planned) with { Seconds = seconds }
             : planned with { Seconds = Timeline.Of(job.Toolpath, job.Setup, null, session.Cancel).Duration };
 
     private static string Count(long number) => NumberFormatter.Format(number);

@@ -1,29 +1,26 @@
 namespace Caterpillar.Cli;
 
 /// <summary>Moves as comma-separated values, one row each.</summary>
-internal sealed class MoveTable
+internal sealed class MoveTable(Stream stream)
 {
     private const int Decimals = 6;
     private const double Printable = 9e15 / 1e6;
 
-    private readonly byte[] _buffer = new byte[1 << 16];
-    private readonly Stream _stream;
-    private int _at;
-
-    private MoveTable(Stream stream) => _stream = stream;
+    private readonly byte[] _number = new byte[64];
 
     /// <summary>Writes the moves of one or several toolpaths; with several, the first column names the file.</summary>
     public static void Write(Stream stream, IReadOnlyList<(string File, Toolpath Toolpath)> toolpaths, CancellationToken cancel)
     {
-        var table = new MoveTable(stream);
+        var buffer = new BufferedStream(stream, 1 << 16);
+        var table = new MoveTable(buffer);
         var several = toolpaths.Count > 1;
         var turns = toolpaths.Any(t => t.Toolpath.HasTurns);
         table.Text((several ? "file," : "")
             + "move,line,kind,x,y,z,e,deposited_e,speed_mm_s,role,layer,tool,length_mm,arc_center_x,arc_center_y,"
-            + "arc_center_z,arc_sweep_deg,area_mm2,width_mm" + (turns ? ",a_deg,b_deg,c_deg,tool_x,tool_y,tool_z\n" : "\n"));
+            + "arc_center_z,arc_sweep_deg,area_mm2,width_mm" + (turns ? ",a_deg,b_deg,c_deg,tool_x,tool_y,tool_z" : ""));
         foreach (var (file, toolpath) in toolpaths)
         {
-            var prefix = several ? Quoted(file) + "," : "";
+            var prefix = several ? "\n" + Quoted(file) + "," : "\n";
             var count = 0;
             var axes = Kinematics.Guess(toolpath);
             foreach (var move in toolpath.Moves())
@@ -32,25 +29,25 @@ internal sealed class MoveTable
                 table.Text(prefix);
                 table.Row(toolpath, move);
                 if (turns) table.Turns(toolpath.TurnsOf(move.Index), axes);
-                table._buffer[table._at - 1] = (byte)'\n';
             }
         }
-        table.Flush();
+        table.Text("\n");
+        buffer.Flush();
     }
 
-    private static readonly string[] Kinds = Enum.GetNames<MoveKind>().Select(Words.Snake).ToArray();
-    private static readonly string[] Roles = Enum.GetNames<Role>().Select(Words.Snake).ToArray();
+    private static readonly string[] Kinds = Enum.GetNames<MoveKind>().Select(name => "," + Words.Snake(name)).ToArray();
+    private static readonly string[] Roles = Enum.GetNames<Role>().Select(name => "," + Words.Snake(name)).ToArray();
 
     private void Row(Toolpath toolpath, in Move move)
     {
-        Integer(move.Index);
+        Text(NumberFormatter.Format(move.Index));
         Integer(move.Source);
-        Word(Kinds[(int)move.Kind]);
+        Text(Kinds[(int)move.Kind]);
         Point(move.End);
         Number(move.E);
         Number(move.Deposited);
         Number(move.Speed);
-        Word(Roles[(int)move.Role]);
+        Text(Roles[(int)move.Role]);
         Integer(toolpath.NumberOfLayer(move) ?? -1);
         Integer(move.Tool);
         Number(move.Length);
@@ -96,7 +93,7 @@ internal sealed class MoveTable
     {
         if (!(Math.Abs(value) < Printable))
         {
-            Word(double.IsFinite(value) ? NumberFormatter.Format(value, 0) : "");
+            Text("," + (double.IsFinite(value) ? NumberFormatter.Format(value, 0) : ""));
             return;
         }
         Units(NumberFormatter.ToUnits(value, Decimals), Decimals);
@@ -106,39 +103,11 @@ internal sealed class MoveTable
 
     private void Units(long units, int decimals)
     {
-        EnsureSpace(32);
-        _at = NumberFormatter.WriteUnits(_buffer, _at, units, decimals);
-        _buffer[_at++] = (byte)',';
+        _number[0] = (byte)',';
+        stream.Write(_number, 0, NumberFormatter.WriteUnits(_number, 1, units, decimals));
     }
 
-    private void Word(string word)
-    {
-        Text(word);
-        Text(",");
-    }
-
-    private void Text(string text)
-    {
-        if (text.Length * 3 > _buffer.Length)
-        {
-            Flush();
-            _stream.Write(Encoding.UTF8.GetBytes(text));
-            return;
-        }
-        EnsureSpace(text.Length * 3);
-        _at += Encoding.UTF8.GetBytes(text, 0, text.Length, _buffer, _at);
-    }
-
-    private void EnsureSpace(int bytes)
-    {
-        if (_at + bytes > _buffer.Length - 64) Flush();
-    }
-
-    private void Flush()
-    {
-        _stream.Write(_buffer, 0, _at);
-        _at = 0;
-    }
+    private void Text(string text) => stream.Write(Encoding.UTF8.GetBytes(text));
 
     private static string Quoted(string text)
         => text.AsSpan().IndexOfAny(",\"\n\r") >= 0 ? "\"" + text.Replace("\"", "\"\"", StringComparison.Ordinal) + "\"" : text;

@@ -21,18 +21,12 @@ internal sealed record PrintFigures(
     /// <summary>The figures in the order of <see cref="Names"/>; null = unknown.</summary>
     public IReadOnlyList<double?> Values => [Layers, Size?.X, Size?.Y, Size?.Z, Printed, Volume, Filament, Mass, Seconds];
 
-    /// <summary>Of a plan.</summary>
-    public static PrintFigures Of(Toolpath toolpath, PrintSetup setup) => Of(toolpath, setup, null);
-
-    /// <summary>Layers and size of the plan; time and material of the whole file, with start and end code.</summary>
-    public PrintFigures OfFile(Toolpath file, PrintSetup setup, double seconds)
-        => Of(file, setup, this) with { Seconds = seconds };
-
     /// <summary>Of a decoded file, whose moves may have been edited.</summary>
     public static PrintFigures Of(DecodedGCode decoding, Toolpath toolpath)
         => Of(toolpath, Setting(decoding, "filament_diameter"), Setting(decoding, "filament_density"), null);
 
-    private static PrintFigures Of(Toolpath toolpath, PrintSetup setup, PrintFigures? planned)
+    /// <summary>Of a plan, or of the whole file with start and end code, but with layers and size of the plan.</summary>
+    public static PrintFigures Of(Toolpath toolpath, PrintSetup setup, PrintFigures? planned = null)
     {
         var figures = Of(toolpath, setup.Material.FilamentDiameter, setup.Material.Density, planned);
         if (setup.ToolMaterials.Count == 0 || figures.Mass is null) return figures;

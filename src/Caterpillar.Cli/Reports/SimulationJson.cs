@@ -1,148 +1,106 @@
-using System.Buffers;
 using System.Text.Json;
+using System.Text.Json.Nodes;
 
 namespace Caterpillar.Cli;
 
 /// <summary>Statistics and states as JSON: snake_case keys with their units; null = unknown.</summary>
 internal static class SimulationJson
 {
-    /// <summary>A JSON array with one object for each item.</summary>
-    public static string Array<T>(System.Collections.Generic.IEnumerable<T> items, Action<Utf8JsonWriter, T> write)
+    private static readonly JsonWriterOptions Options
+        = new() { Indented = true, Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
+
+    /// <summary>A JSON array of objects.</summary>
+    public static string Array(IEnumerable<JsonObject> items)
     {
-        var buffer = new ArrayBufferWriter<byte>();
-        var options = new JsonWriterOptions { Indented = true, Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
-        using (var json = new Utf8JsonWriter(buffer, options))
+        using var buffer = new MemoryStream();
+        using (var json = new Utf8JsonWriter(buffer, Options)) List(items).WriteTo(json);
+        return Encoding.UTF8.GetString(buffer.ToArray()).Replace("\r\n", "\n") + "\n";
+    }
+
+    public static JsonObject Statistics(string file, PrintStatistics s, Toolpath toolpath, string limits) => new()
+    {
+        ["file"] = file,
+        ["limits"] = limits,
+        ["time_s"] = Number(s.Duration),
+        ["print_time_s"] = Number(s.PrintTime),
+        ["travel_time_s"] = Number(s.TravelTime),
+        ["extruder_time_s"] = Number(s.ExtruderTime),
+        ["heating_s"] = Number(s.Waits.Heating),
+        ["dwells_s"] = Number(s.Waits.Dwells),
+        ["tool_changes_s"] = Number(s.Waits.ToolChanges),
+        ["homing_s"] = Number(s.Waits.Homing),
+        ["moves"] = s.Moves,
+        ["retractions"] = s.Retractions,
+        ["print_length_mm"] = Number(s.PrintLength),
+        ["travel_length_mm"] = Number(s.TravelLength),
+        ["filament_mm"] = Number(s.Filament),
+        ["volume_mm3"] = Number(s.Volume),
+        ["mass_g"] = Number(s.Mass),
+        ["cost"] = Number(s.Cost),
+        ["peak_flow_mm3_s"] = Number(s.GreatestFlow),
+        ["peak_flow_move"] = Number(s.GreatestFlow is null ? null : s.GreatestFlowMove),
+        ["peak_speed_mm_s"] = Number(s.GreatestSpeed),
+        ["print_box_mm"] = s.PrintBounds.IsEmpty ? null : new JsonArray(Point(s.PrintBounds.Min), Point(s.PrintBounds.Max)),
+        ["roles"] = List(s.Roles.Select(r => new JsonObject
         {
-            json.WriteStartArray();
-            foreach (var item in items)
-            {
-                json.WriteStartObject();
-                write(json, item);
-                json.WriteEndObject();
-            }
-            json.WriteEndArray();
-        }
-        return Encoding.UTF8.GetString(buffer.WrittenSpan).Replace("\r\n", "\n") + "\n";
-    }
-
-    public static void Statistics(Utf8JsonWriter json, string file, PrintStatistics s, Toolpath toolpath, string limits)
-    {
-        json.WriteString("file", file);
-        json.WriteString("limits", limits);
-        Number(json, "time_s", s.Duration);
-        Number(json, "print_time_s", s.PrintTime);
-        Number(json, "travel_time_s", s.TravelTime);
-        Number(json, "extruder_time_s", s.ExtruderTime);
-        Number(json, "heating_s", s.Waits.Heating);
-        Number(json, "dwells_s", s.Waits.Dwells);
-        Number(json, "tool_changes_s", s.Waits.ToolChanges);
-        Number(json, "homing_s", s.Waits.Homing);
-        json.WriteNumber("moves", s.Moves);
-        json.WriteNumber("retractions", s.Retractions);
-        Number(json, "print_length_mm", s.PrintLength);
-        Number(json, "travel_length_mm", s.TravelLength);
-        Number(json, "filament_mm", s.Filament);
-        Number(json, "volume_mm3", s.Volume);
-        Number(json, "mass_g", s.Mass);
-        Number(json, "cost", s.Cost);
-        Number(json, "peak_flow_mm3_s", s.GreatestFlow);
-        Number(json, "peak_flow_move", s.GreatestFlow is null ? null : s.GreatestFlowMove);
-        Number(json, "peak_speed_mm_s", s.GreatestSpeed);
-        if (s.PrintBounds.IsEmpty) json.WriteNull("print_box_mm");
-        else Box(json, s.PrintBounds);
-        List(json, "roles", s.Roles, r =>
+            ["role"] = Word(r.Role), ["time_s"] = Number(r.Time), ["length_mm"] = Number(r.Length), ["volume_mm3"] = Number(r.Volume),
+        })),
+        ["tools"] = List(s.Tools.Select(t => new JsonObject
         {
-            json.WriteString("role", JsonNamingPolicy.SnakeCaseLower.ConvertName(r.Role.ToString()));
-            Number(json, "time_s", r.Time);
-            Number(json, "length_mm", r.Length);
-            Number(json, "volume_mm3", r.Volume);
-        });
-        List(json, "tools", s.Tools, t =>
-        {
-            json.WriteNumber("tool", t.Tool);
-            Number(json, "time_s", t.Time);
-            Number(json, "filament_mm", t.Filament);
-            Number(json, "volume_mm3", t.Volume);
-            Number(json, "mass_g", t.Mass);
-        });
-        List(json, "layers", s.Layers, l =>
-        {
-            var layer = toolpath.Layers[l.Layer];
-            json.WriteNumber("index", layer.Index);
-            if (layer.Object.Length > 0) json.WriteString("object", layer.Object);
-            Number(json, "z_mm", layer.Z);
-            Number(json, "start_s", l.Start);
-            Number(json, "time_s", l.Time);
-            Number(json, "print_length_mm", l.Length);
-            Number(json, "volume_mm3", l.Volume);
-        });
+            ["tool"] = t.Tool,
+            ["time_s"] = Number(t.Time),
+            ["filament_mm"] = Number(t.Filament),
+            ["volume_mm3"] = Number(t.Volume),
+            ["mass_g"] = Number(t.Mass),
+        })),
+        ["layers"] = List(s.Layers.Select(l => Layer(l, toolpath.Layers[l.Layer]))),
+    };
+
+    public static JsonObject State(MachineState s, Toolpath toolpath) => new()
+    {
+        ["time_s"] = Number(s.Time),
+        ["time_left_s"] = Number(s.TimeLeft),
+        ["move"] = s.Move,
+        ["done"] = Number(s.Done),
+        [toolpath.Source == MoveSource.Lines ? "line" : "step"] = s.Source,
+        ["waits"] = s.Waits,
+        ["kind"] = Word(s.Kind),
+        ["role"] = Word(s.Role),
+        ["position_mm"] = Point(s.Position),
+        ["direction"] = Point(s.Direction),
+        ["speed_mm_s"] = Number(s.Speed),
+        ["flow_mm3_s"] = Number(s.Flow),
+        ["layer"] = s.Layer < 0 ? null : toolpath.Layers[s.Layer].Index,
+        ["tool"] = s.Tool,
+        ["nozzle_c"] = Number(s.NozzleTemperature),
+        ["nozzle_target_c"] = Number(s.NozzleTarget),
+        ["bed_c"] = Number(s.BedTemperature),
+        ["bed_target_c"] = Number(s.BedTarget),
+        ["fan"] = Number(s.Fan),
+        ["length_mm"] = Number(s.Length),
+        ["e"] = Number(s.Filament),
+        ["volume_mm3"] = Number(s.Volume),
+    };
+
+    private static JsonObject Layer(LayerTime time, Layer layer)
+    {
+        var json = new JsonObject { ["index"] = layer.Index };
+        if (layer.Object.Length > 0) json["object"] = layer.Object;
+        json["z_mm"] = Number(layer.Z);
+        json["start_s"] = Number(time.Start);
+        json["time_s"] = Number(time.Time);
+        json["print_length_mm"] = Number(time.Length);
+        json["volume_mm3"] = Number(time.Volume);
+        return json;
     }
 
-    public static void State(Utf8JsonWriter json, MachineState s, Toolpath toolpath)
-    {
-        Number(json, "time_s", s.Time);
-        Number(json, "time_left_s", s.TimeLeft);
-        json.WriteNumber("move", s.Move);
-        Number(json, "done", s.Done);
-        json.WriteNumber(toolpath.Source == MoveSource.Lines ? "line" : "step", s.Source);
-        json.WriteBoolean("waits", s.Waits);
-        json.WriteString("kind", JsonNamingPolicy.SnakeCaseLower.ConvertName(s.Kind.ToString()));
-        json.WriteString("role", JsonNamingPolicy.SnakeCaseLower.ConvertName(s.Role.ToString()));
-        Point(json, "position_mm", s.Position);
-        Point(json, "direction", s.Direction);
-        Number(json, "speed_mm_s", s.Speed);
-        Number(json, "flow_mm3_s", s.Flow);
-        if (s.Layer < 0) json.WriteNull("layer");
-        else json.WriteNumber("layer", toolpath.Layers[s.Layer].Index);
-        json.WriteNumber("tool", s.Tool);
-        Number(json, "nozzle_c", s.NozzleTemperature);
-        Number(json, "nozzle_target_c", s.NozzleTarget);
-        Number(json, "bed_c", s.BedTemperature);
-        Number(json, "bed_target_c", s.BedTarget);
-        Number(json, "fan", s.Fan);
-        Number(json, "length_mm", s.Length);
-        Number(json, "e", s.Filament);
-        Number(json, "volume_mm3", s.Volume);
-    }
+    private static JsonArray List(IEnumerable<JsonObject> items) => new([.. items]);
 
-    private static void List<T>(Utf8JsonWriter json, string name, System.Collections.Generic.IReadOnlyList<T> items, Action<T> write)
-    {
-        json.WriteStartArray(name);
-        foreach (var item in items)
-        {
-            json.WriteStartObject();
-            write(item);
-            json.WriteEndObject();
-        }
-        json.WriteEndArray();
-    }
+    private static JsonArray Point(Vec3 p) => new(Math.Round(p.X, 6), Math.Round(p.Y, 6), Math.Round(p.Z, 6));
 
-    private static void Box(Utf8JsonWriter json, Bounds box)
-    {
-        json.WriteStartArray("print_box_mm");
-        Values(json, box.Min);
-        Values(json, box.Max);
-        json.WriteEndArray();
-    }
+    private static string Word<T>(T value)
+        where T : struct, Enum
+        => JsonNamingPolicy.SnakeCaseLower.ConvertName(value.ToString());
 
-    private static void Point(Utf8JsonWriter json, string name, Vec3 p)
-    {
-        json.WritePropertyName(name);
-        Values(json, p);
-    }
-
-    private static void Values(Utf8JsonWriter json, Vec3 p)
-    {
-        json.WriteStartArray();
-        json.WriteNumberValue(Math.Round(p.X, 6));
-        json.WriteNumberValue(Math.Round(p.Y, 6));
-        json.WriteNumberValue(Math.Round(p.Z, 6));
-        json.WriteEndArray();
-    }
-
-    private static void Number(Utf8JsonWriter json, string name, double? value)
-    {
-        if (value is { } known && double.IsFinite(known)) json.WriteNumber(name, Math.Round(known, 6));
-        else json.WriteNull(name);
-    }
+    private static double? Number(double? value) => value is { } known && double.IsFinite(known) ? Math.Round(known, 6) : null;
 }

@@ -5,7 +5,7 @@ internal static class OutputGuard
 {
     // Options whose values are input files. All arguments are.
     private static readonly string[] Inputs = ["--printer", "--material", "--settings", "--import", "--base"];
-    private static readonly string[] Outputs = ["--output"];
+    private const string Output = "--output";
 
     // Extensions that suggest other contents than a verb writes.
     private static readonly Dictionary<string, string> Kinds = new(StringComparer.OrdinalIgnoreCase)
@@ -22,14 +22,11 @@ internal static class OutputGuard
     {
         var inputs = Arguments(parsed).Concat(Inputs.SelectMany(name => Values(parsed, name))).Where(f => f != "-" && File.Exists(f)).ToArray();
         if (verb.ReplacesInput(parsed)) return;
-        foreach (var name in Outputs)
+        foreach (var output in Outputs(parsed))
         {
-            foreach (var output in Values(parsed, name).Where(f => f is not "-" and not ""))
-            {
-                CheckName(name, output, name == "--output" ? verb.Writes : ["JSON"]);
-                if (inputs.FirstOrDefault(input => IsSame(input, output)) is { } input)
-                    throw new CliException(ExitCode.Usage, $"{name} {output} would replace the input {input}. Give another name.");
-            }
+            CheckName(output, verb.Writes);
+            if (inputs.FirstOrDefault(input => IsSame(input, output)) is { } input)
+                throw new CliException(ExitCode.Usage, $"{Output} {output} would replace the input {input}. Give another name.");
         }
     }
 
@@ -37,7 +34,7 @@ internal static class OutputGuard
     /// <exception cref="CliException">An output is a folder, or its folder does not exist.</exception>
     public static void CheckFolders(ParseResult parsed)
     {
-        foreach (var output in Outputs.SelectMany(name => Values(parsed, name)).Where(f => f is not "-" and not ""))
+        foreach (var output in Outputs(parsed))
         {
             if (Directory.Exists(output) && !Values(parsed, "--import").Any()) throw new CliException(ExitCode.BadInput, $"{output} is a folder, not a file.");
             if (Path.GetDirectoryName(output) is { Length: > 0 } folder && !Directory.Exists(folder))
@@ -45,15 +42,17 @@ internal static class OutputGuard
         }
     }
 
-    private static void CheckName(string option, string output, string[] kinds)
+    private static void CheckName(string output, string[] kinds)
     {
         if (kinds.Length == 0 || !Kinds.TryGetValue(Path.GetExtension(output), out var named) || kinds.Contains(named)) return;
         throw new CliException(
-            ExitCode.Usage, $"{option} {output}: the extension {Path.GetExtension(output)} means {named}, but the output is {kinds[0]}. Give another name.");
+            ExitCode.Usage, $"{Output} {output}: the extension {Path.GetExtension(output)} means {named}, but the output is {kinds[0]}. Give another name.");
     }
 
     private static IEnumerable<string> Arguments(ParseResult parsed)
         => parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(a => a.Tokens).Select(t => t.Value);
+
+    private static IEnumerable<string> Outputs(ParseResult parsed) => Values(parsed, Output).Where(f => f is not "-" and not "");
 
     private static IEnumerable<string> Values(ParseResult parsed, string option)
         => parsed.CommandResult.Children.OfType<OptionResult>().Where(o => o.Option.Name == option).SelectMany(o => o.Tokens).Select(t => t.Value);

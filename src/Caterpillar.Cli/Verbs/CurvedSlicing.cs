@@ -16,7 +16,7 @@ internal static class CurvedSlicing
         PrintJobOptions options, Session session)
     {
         var shift = Shift(read, models);
-        options = options with { Onto = curved.Onto(arguments, shift, session), Squeeze = curved.Squeeze(arguments), Partial = curved.IsPartial(arguments) };
+        options = curved.Onto.Of(arguments, shift, options, session);
         if (!curved.HasField(arguments)) return session.Run("Slicing", progress => PrintJob.Slice(models, setup, options, progress, session.Cancel));
         // Together with an object the model is already where it belongs.
         if (options.Onto is not null)

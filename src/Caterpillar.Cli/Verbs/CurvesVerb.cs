@@ -55,7 +55,7 @@ internal sealed class CurvesVerb : Verb
         _onto.Check(arguments);
         _tilt.Check(arguments, false);
         var setup = _setup.Resolve(arguments, session);
-        var sort = SortOf(arguments.GetValue(_sort)!);
+        var sort = Enum.Parse<SortRule>(arguments.GetValue(_sort)!, true);
         if (arguments.GetValue(_map) is { Length: > 0 } maps)
             setup = setup with { Printer = setup.Printer with { AxisMappings = new([.. maps.Select(Mapping)]) } };
         // Sorting of curves is an option of this verb, not a setting as for sliced parts.
@@ -114,14 +114,4 @@ internal sealed class CurvesVerb : Verb
 
     private static AxisMapping Mapping(string text) => AxisMapping.Parse(text)
         ?? throw new CliException(ExitCode.Usage, $"--map {text}: expected AXIS=WORD*SCALE, such as X=A*2.86 (degrees per mm) or Y=Y*0.5.");
-
-    private static SortRule SortOf(string word) => word switch
-    {
-        "orient" => SortRule.Orient,
-        "nearest" => SortRule.Nearest,
-        "layer" => SortRule.Layer,
-        "z" => SortRule.Z,
-        "tour" => SortRule.Tour,
-        _ => SortRule.None,
-    };
 }

@@ -59,7 +59,7 @@ internal sealed class DecodeVerb : Verb
         session.WriteText("-", text =>
         {
             if (json && stats.Length > 0)
-                text.Write(SimulationJson.Array(stats, (writer, s) => SimulationJson.Statistics(writer, s.File, s.Sums, s.Toolpath, s.Limits)));
+                text.Write(SimulationJson.Array(stats.Select(s => SimulationJson.Statistics(s.File, s.Sums, s.Toolpath, s.Limits))));
             else if (json) text.Write("[\n " + string.Join(",\n ", decoded.Select(d => d.Report.ToJson(" "))) + "\n]\n");
             else if (!arguments.GetValue(_csv)) Summaries(text, decoded, stats);
         });

@@ -1,7 +1,7 @@
 namespace Caterpillar.Cli;
 
 /// <summary>A moment of a print in words: <c>42%</c>, <c>12m30s</c>, <c>line:1000</c>, <c>move:7</c>, <c>layer:3</c>, <c>z:1.2</c>.</summary>
-internal sealed class Moment(string text, Func<Timeline, MachineState?> find)
+internal sealed partial class Moment(string text, Func<Timeline, MachineState?> find)
 {
     private readonly string _text = text;
     private readonly Func<Timeline, MachineState?> _find = find;
@@ -41,23 +41,17 @@ internal sealed class Moment(string text, Func<Timeline, MachineState?> find)
     private static double? Seconds(string text)
     {
         if (NumberReader.TryParse(text, out var plain)) return plain >= 0 ? plain : null;
+        var parts = Time().Match(text).Groups;
         double sum = 0;
-        var units = "hms";
-        foreach (var part in Parts(text))
+        foreach (var (unit, seconds) in new[] { ("h", 3600), ("m", 60), ("s", 1) })
         {
-            var unit = part.Length > 1 ? units.IndexOf(char.ToLowerInvariant(part[^1]), StringComparison.Ordinal) : -1;
-            if (unit < 0 || !NumberReader.TryParse(part[..^1], out var value) || value < 0) return null;
-            sum += value * (units[unit] switch { 'h' => 3600, 'm' => 60, _ => 1 });
-            units = units[(unit + 1)..];
+            if (!parts[unit].Success) continue;
+            if (!NumberReader.TryParse(parts[unit].Value, out var value) || value < 0) return null;
+            sum += value * seconds;
         }
-        return text.Length > 0 ? sum : null;
+        return text.Length > 0 && parts[0].Success ? sum : null;
     }
 
-    private static string[] Parts(string text)
-    {
-        var ends = Enumerable.Range(0, text.Length).Where(i => char.IsLetter(text[i])).ToArray();
-        var starts = ends.Select((_, i) => i == 0 ? 0 : ends[i - 1] + 1);
-        var parts = starts.Zip(ends, (from, to) => text[from..(to + 1)]);
-        return ends.Length > 0 && ends[^1] == text.Length - 1 ? parts.ToArray() : [text];
-    }
+    [GeneratedRegex(@"^((?<h>\P{L}+)h)?((?<m>\P{L}+)m)?((?<s>\P{L}+)s)?\z", RegexOptions.IgnoreCase | RegexOptions.ExplicitCapture)]
+    private static partial Regex Time();
 }

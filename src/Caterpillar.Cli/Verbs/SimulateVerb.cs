@@ -34,7 +34,7 @@ internal sealed class SimulateVerb : Verb
         var states = moments.Select(m => m.Of(timeline)).ToArray();
         session.WriteText("-", text =>
         {
-            if (arguments.GetValue(_json)) text.Write(SimulationJson.Array(states, (json, s) => SimulationJson.State(json, s, timeline.Toolpath)));
+            if (arguments.GetValue(_json)) text.Write(SimulationJson.Array(states.Select(s => SimulationJson.State(s, timeline.Toolpath))));
             else Write(text, states, timeline, limits);
         });
         return ExitCode.Done;

@@ -1,13 +1,8 @@
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A G-code file on a wire, as one value. A Panel shows a summary, G-code Text shows its lines.</summary>
-public sealed class GCodeGoo(GCodeDocument? document) : ValueGoo<GCodeDocument>(document)
+public sealed class GCodeGoo : ValueGoo<GCodeDocument>
 {
-    public GCodeGoo()
-        : this(null)
-    {
-    }
-
     public override string TypeName => "G-code";
 
     public override string TypeDescription => "A G-code file, byte for byte.";

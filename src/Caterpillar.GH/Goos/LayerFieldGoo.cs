@@ -1,17 +1,12 @@
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A field of layers on a wire. Layers copy a mesh, surface or Brep. Text is the formula of a field.</summary>
-public sealed class LayerFieldGoo(FieldRecipe? recipe) : ValueGoo<FieldRecipe>(recipe), IReadsText
+public sealed class LayerFieldGoo : ValueGoo<FieldRecipe>, IReadsText
 {
     // Deviation of the facets of a curved surface, mm.
     private const double Tolerance = 0.05;
 
     private string? _formula;
-
-    public LayerFieldGoo()
-        : this(null)
-    {
-    }
 
     public override string TypeName => "Layer Field";
 

@@ -1,13 +1,8 @@
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A selection of moves on a wire.</summary>
-public sealed class MoveFilterGoo(MoveFilter? filter) : ValueGoo<MoveFilter>(filter)
+public sealed class MoveFilterGoo : ValueGoo<MoveFilter>
 {
-    public MoveFilterGoo()
-        : this(null)
-    {
-    }
-
     public override string TypeName => "Move Filter";
 
     public override string TypeDescription => "Selects moves of a toolpath by role, layer, object, tool or box.";

@@ -55,7 +55,7 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>
     {
         if (Value is null) return true;
         writer.SetByteArray("Step", StepBytes.Pack(ToStep()));
-        if (Setup is not null) new SetupGoo(Setup).Write(writer.CreateChunk("Setup"));
+        if (Setup is not null) new SetupGoo { Value = Setup }.Write(writer.CreateChunk("Setup"));
         return true;
     }
 

@@ -1,13 +1,8 @@
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A printer on a wire. At a port for printers, text is the name of a profile.</summary>
-public sealed class PrinterGoo(Printer? printer) : ProfileGoo<Printer>(printer)
+public sealed class PrinterGoo : ProfileGoo<Printer>
 {
-    public PrinterGoo()
-        : this(null)
-    {
-    }
-
     public override string TypeName => "Printer";
 
     public override string TypeDescription => "A printer: build volume in mm, limits and G-code.";
@@ -20,13 +15,8 @@ public sealed class PrinterGoo(Printer? printer) : ProfileGoo<Printer>(printer)
 }
 
 /// <summary>A material on a wire. At a port for materials, text is the name of a profile.</summary>
-public sealed class MaterialGoo(Material? material) : ProfileGoo<Material>(material)
+public sealed class MaterialGoo : ProfileGoo<Material>
 {
-    public MaterialGoo()
-        : this(null)
-    {
-    }
-
     public override string TypeName => "Material";
 
     public override string TypeDescription => "A material: temperatures in °C, filament diameter in mm, flow ratio.";
@@ -38,13 +28,8 @@ public sealed class MaterialGoo(Material? material) : ProfileGoo<Material>(mater
 }
 
 /// <summary>Print settings on a wire. At a port for settings, text is the name of a profile.</summary>
-public sealed class SettingsGoo(PrintSettings? settings) : ProfileGoo<PrintSettings>(settings)
+public sealed class SettingsGoo : ProfileGoo<PrintSettings>
 {
-    public SettingsGoo()
-        : this(null)
-    {
-    }
-
     public override string TypeName => "Print Settings";
 
     public override string TypeDescription => "Print settings: heights and widths in mm, speeds in mm/s.";
@@ -59,7 +44,7 @@ public sealed class SettingsGoo(PrintSettings? settings) : ProfileGoo<PrintSetti
 /// <summary>
 /// Base of printers, materials and settings: a name, and the JSON that a definition stores. Text may also be a G-code file of Caterpillar, which has them all.
 /// </summary>
-public abstract class ProfileGoo<T>(T? value) : ValueGoo<T>(value), IReadsText
+public abstract class ProfileGoo<T> : ValueGoo<T>, IReadsText
     where T : class
 {
     public string? Problem { get; private set; }

@@ -4,13 +4,8 @@ namespace Caterpillar.GH.Goos;
 /// Printer, material, settings and what is printed on, as one value. Text is the name of a printer profile, or a G-code file of Caterpillar, whose setup it
 /// is. A printer, a material or settings make a setup with the usual profiles for the rest.
 /// </summary>
-public sealed class SetupGoo(PrintSetup? setup) : ValueGoo<PrintSetup>(setup), IReadsText
+public sealed class SetupGoo : ValueGoo<PrintSetup>, IReadsText
 {
-    public SetupGoo()
-        : this(null)
-    {
-    }
-
     public override string TypeName => "Print Setup";
 
     public override string TypeDescription => "A printer, a material, print settings, and what is printed on.";
@@ -50,10 +45,10 @@ public sealed class SetupGoo(PrintSetup? setup) : ValueGoo<PrintSetup>(setup), I
     {
         if (Value is null) return true;
         writer.SetInt32("Version", StoredText.Version);
-        new PrinterGoo(Value.Printer).Write(writer.CreateChunk("Printer"));
-        new MaterialGoo(Value.Material).Write(writer.CreateChunk("Material"));
-        for (var i = 0; i < Value.ToolMaterials.Count; i++) new MaterialGoo(Value.ToolMaterials[i]).Write(writer.CreateChunk("ToolMaterial", i));
-        new SettingsGoo(Value.Settings).Write(writer.CreateChunk("Settings"));
+        new PrinterGoo { Value = Value.Printer }.Write(writer.CreateChunk("Printer"));
+        new MaterialGoo { Value = Value.Material }.Write(writer.CreateChunk("Material"));
+        for (var i = 0; i < Value.ToolMaterials.Count; i++) new MaterialGoo { Value = Value.ToolMaterials[i] }.Write(writer.CreateChunk("ToolMaterial", i));
+        new SettingsGoo { Value = Value.Settings }.Write(writer.CreateChunk("Settings"));
         if (Value.PrintedOn is { } mesh) writer.SetByteArray("PrintedOn", MeshBytes.Pack(mesh));
         return true;
     }

@@ -31,7 +31,7 @@ public sealed class StepGoo(Step? step, PrintSetup? setup = null) : ValueGoo<Ste
     {
         if (_path is not null) return _path.Write(writer);
         if (Value is not null) writer.SetByteArray("Step", StepBytes.Pack(Value));
-        if (Setup is not null) new SetupGoo(Setup).Write(writer.CreateChunk("Setup"));
+        if (Setup is not null) new SetupGoo { Value = Setup }.Write(writer.CreateChunk("Setup"));
         return true;
     }
 

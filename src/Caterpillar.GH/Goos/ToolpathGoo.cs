@@ -74,12 +74,12 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
         var file = DecodedGCode?.Document is null ? null : DecodedGCode;
         if (file is not null)
         {
-            new GCodeGoo(file.Document).Write(writer);
+            new GCodeGoo { Value = file.Document }.Write(writer);
             writer.SetString("Flavor", file.Flavor.Name);
             writer.SetInt32("Rule", (int)file.Rule);
         }
         if (!ReferenceEquals(file?.Toolpath, Value)) writer.SetByteArray("Moves", ToolpathBytes.Pack(Value));
-        if (Setup is not null) new SetupGoo(Setup).Write(writer.CreateChunk("Setup"));
+        if (Setup is not null) new SetupGoo { Value = Setup }.Write(writer.CreateChunk("Setup"));
         return true;
     }
 

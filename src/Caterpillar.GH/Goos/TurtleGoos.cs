@@ -3,14 +3,9 @@ using Newtonsoft.Json;
 namespace Caterpillar.GH.Goos;
 
 /// <summary>A turtle program on a wire. Text is its script.</summary>
-public sealed class TurtleProgramGoo(TurtleProgram? program) : ValueGoo<TurtleProgram>(program), IReadsText
+public sealed class TurtleProgramGoo : ValueGoo<TurtleProgram>, IReadsText
 {
     private string? _text;
-
-    public TurtleProgramGoo()
-        : this(null)
-    {
-    }
 
     public override string TypeName => "Turtle Program";
 
@@ -49,13 +44,8 @@ public sealed class TurtleProgramGoo(TurtleProgram? program) : ValueGoo<TurtlePr
 }
 
 /// <summary>A command of a turtle program on a wire.</summary>
-public sealed class TurtleCommandGoo(TurtleCommand? command) : ValueGoo<TurtleCommand>(command)
+public sealed class TurtleCommandGoo : ValueGoo<TurtleCommand>
 {
-    public TurtleCommandGoo()
-        : this(null)
-    {
-    }
-
     public override string TypeName => "Turtle Command";
 
     public override string TypeDescription => "A command of a turtle program, in mm, degrees and °C.";

@@ -4,7 +4,7 @@ namespace Caterpillar.GH.Goos;
 public abstract class ValueGoo<T> : GH_Goo<T>
     where T : class
 {
-    protected ValueGoo(T? value) => Value = value!;
+    protected ValueGoo(T? value = null) => Value = value!;
 
     public override bool IsValid => Value is not null;
 

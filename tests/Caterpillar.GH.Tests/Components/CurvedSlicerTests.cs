@@ -210,7 +210,7 @@ public sealed class CurvedSlicerTests
     public void An_object_on_the_bed_is_printed_on()
     {
         var floor = RhinoMesh.ToTriangles(Shapes.Box(90, 90, 40, 1), DocumentUnits.Current);
-        var setup = new SetupGoo(new PrintSetup { Settings = Quick, PrintedOn = floor });
+        var setup = new SetupGoo { Value = new PrintSetup { Settings = Quick, PrintedOn = floor } };
         var canvas = Slice("z", Shapes.Box(height: 4)).Feed("Setup", setup).Solve();
         Assert.That(canvas.Errors, Is.Empty);
         Assert.That(Walls(canvas).SelectMany(p => p.Points).Min(p => p.Z), Is.GreaterThan(1));

@@ -112,7 +112,7 @@ public sealed class ModelPlacingTests
     {
         var setup = new Canvas<PrintSetupComponent>();
         if (obstacle is not null) setup.Feed("Printed On", obstacle);
-        return new SetupGoo(setup.Solve().One<PrintSetup>("Setup"));
+        return new SetupGoo { Value = setup.Solve().One<PrintSetup>("Setup") };
     }
 
     [Test]

@@ -185,7 +185,7 @@ public sealed class OneSetupTests
             canvas.Document.FilePath = Path.Combine(folder, "definition.gh");
             Assert.That(canvas.Feed("Printer", "mine.json").Solve().One<PrintSetup>("Setup").Printer.Title, Is.EqualTo("Mine"));
             Assert.That(canvas.Feed("Printer", "none.json").Solve().Errors, Has.Some.Contains("none.json"));
-            var printer = new PrinterGoo(SetupOf("lutum").Printer);
+            var printer = new PrinterGoo { Value = SetupOf("lutum").Printer };
             Assert.That(canvas.Feed("Printer", printer).Solve().One<PrintSetup>("Setup"), Is.EqualTo(SetupOf("lutum")));
             Assert.That(canvas.Feed("Material", "clay_285").Feed("Settings", "fine").Solve().One<PrintSetup>("Setup").Material.Name, Is.EqualTo("clay_285"));
             Assert.That(canvas.Feed("Printer", 12).Solve().Errors, Is.Not.Empty);
@@ -202,9 +202,9 @@ public sealed class OneSetupTests
         var floor = Caterpillar.Geometry.TriMesh.Create([new(0, 0, 1.0 / 3), new(9, 0, 2), new(0, 9, 2)], [0, 1, 2]);
         var setup = SetupOf("ender3") with { PrintedOn = floor };
         var param = new SetupParam();
-        param.SetPersistentData(new SetupGoo(setup));
+        param.SetPersistentData(new SetupGoo { Value = setup });
         var choice = new PrinterChoiceParam();
-        choice.SetPersistentData(new PrinterGoo(setup.Printer with { Title = "Internalized" }));
+        choice.SetPersistentData(new PrinterGoo { Value = setup.Printer with { Title = "Internalized" } });
         var archive = new GH_LooseChunk("test");
         param.Write(archive.CreateChunk("setup"));
         choice.Write(archive.CreateChunk("choice"));
@@ -230,9 +230,9 @@ public sealed class OneSetupTests
             return goo.CastFrom(source) ? goo.Value : null;
         }
         Assert.That(Cast("lutum"), Is.EqualTo(SetupOf("lutum")));
-        Assert.That(Cast(new PrinterGoo(SetupOf("lutum").Printer)), Is.EqualTo(SetupOf("lutum")));
+        Assert.That(Cast(new PrinterGoo { Value = SetupOf("lutum").Printer }), Is.EqualTo(SetupOf("lutum")));
         var petg = new ProfileLibrary().Material("petg").OrThrow();
-        Assert.That(Cast(new MaterialGoo(petg)), Is.EqualTo(SetupOf("generic") with { Material = petg }));
+        Assert.That(Cast(new MaterialGoo { Value = petg }), Is.EqualTo(SetupOf("generic") with { Material = petg }));
         Assert.That(Cast(new PrintSettings { WallCount = 7 })!.Settings.WallCount, Is.EqualTo(7));
         Assert.That(Cast("lutumm"), Is.Null);
         Assert.That(Cast(3.5), Is.Null);

@@ -194,7 +194,8 @@ public sealed class TurtleComponentsTests
         Assert.That(canvas.All("Print Paths").OfType<PrintPath>().First().BeadOf(0).Area,
             Is.EqualTo(Bead.FromWidth(0.5, 0.2, 1, 100, setup.Settings.BeadShape).Area).Within(1e-12));
         Assert.That(canvas.All("Steps").OfType<TravelStep>().Single().Speed, Is.EqualTo(setup.Printer.MaxSpeed.Z));
-        var circle = new Canvas<TurtleComponent>().Feed("Program", Script).Feed("Setup", new SettingsGoo(new PrintSettings { BeadShape = BeadShape.Circle }))
+        var circle = new Canvas<TurtleComponent>().Feed("Program", Script)
+            .Feed("Setup", new SettingsGoo { Value = new PrintSettings { BeadShape = BeadShape.Circle } })
             .Solve();
         Assert.That(circle.All("Print Paths").OfType<PrintPath>().First().BeadOf(0).Area, Is.EqualTo(System.Math.PI / 16).Within(1e-12));
     }

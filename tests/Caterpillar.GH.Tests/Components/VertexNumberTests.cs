@@ -37,7 +37,7 @@ public sealed class VertexNumberTests
     [Test]
     public void The_height_of_the_first_layer_is_that_of_the_setup_else_that_of_the_bead()
     {
-        var setup = new SetupGoo(new PrintSetup() with { Settings = new PrintSettings { FirstLayerHeight = 1.5, LayerHeight = 1, LineWidth = 3 } });
+        var setup = new SetupGoo { Value = new PrintSetup() with { Settings = new PrintSettings { FirstLayerHeight = 1.5, LayerHeight = 1, LineWidth = 3 } } };
         Assert.That(Drawn(Flat).Feed("Setup", setup).Solve().One<PrintPath>("Print Path").Start.Z, Is.EqualTo(1.5));
         Assert.That(Drawn(Flat).Feed("Bead", Bead(2, 0.8)).Solve().One<PrintPath>("Print Path").Start.Z, Is.EqualTo(0.8));
         Assert.That(Drawn(Flat).Feed("Bead", Bead(2, 0.8)).Feed("Setup", setup).Solve().One<PrintPath>("Print Path").Start.Z, Is.EqualTo(1.5));

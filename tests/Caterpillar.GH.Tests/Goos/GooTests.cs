@@ -41,9 +41,9 @@ public sealed class GooTests
 
     private static readonly IGH_Goo[] Full =
     [
-        new PrintPathGoo(Path()), new ToolpathGoo(Toolpath()), new PrinterGoo(new Printer()), new MaterialGoo(new Material()),
-            new SettingsGoo(new PrintSettings()),
-        new GCodeGoo(GCodeDocument.FromText("G28\n")), new StepGoo(Path()),
+        new PrintPathGoo(Path()), new ToolpathGoo(Toolpath()), new PrinterGoo { Value = new Printer() }, new MaterialGoo { Value = new Material() },
+            new SettingsGoo { Value = new PrintSettings() },
+        new GCodeGoo { Value = GCodeDocument.FromText("G28\n") }, new StepGoo(Path()),
     ];
 
     [TestCaseSource(nameof(Empty))]

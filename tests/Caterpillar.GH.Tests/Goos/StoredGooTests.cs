@@ -82,9 +82,9 @@ public sealed class StoredGooTests
     [Test]
     public void Files_commands_and_formulas_come_back()
     {
-        Assert.That(Reopened(new GCodeGoo(GCodeDocument.FromText("G28\n", "a.gcode"))).Value.ToBytes(), Is.EqualTo(new byte[] { 71, 50, 56, 10 }));
+        Assert.That(Reopened(new GCodeGoo { Value = GCodeDocument.FromText("G28\n", "a.gcode") }).Value.ToBytes(), Is.EqualTo(new byte[] { 71, 50, 56, 10 }));
         var command = TurtleCommand.Repeat(3, [TurtleCommand.Of(TurtleAction.Forward, 10), TurtleCommand.Of(TurtleAction.Forward, 20)]);
-        Assert.That(Reopened(new TurtleCommandGoo(command)).Value.ToString(), Is.EqualTo(command.ToString()));
+        Assert.That(Reopened(new TurtleCommandGoo { Value = command }).Value.ToString(), Is.EqualTo(command.ToString()));
         var field = new LayerFieldGoo();
         field.CastFrom("z + x / 10");
         Assert.That(Reopened(field).Value, Is.EqualTo(field.Value));
@@ -106,7 +106,7 @@ public sealed class StoredGooTests
             Assert.That(() => MeshBytes.Unpack(damaged), Throws.Nothing, $"byte {i}");
         }
         var chunk = new GH_LooseChunk("test");
-        new SetupGoo(new PrintSetup()).Write(chunk);
+        new SetupGoo { Value = new PrintSetup() }.Write(chunk);
         chunk.SetByteArray("PrintedOn", packed.Take(20).ToArray());
         Assert.That(new SetupGoo().Read(chunk), Is.False, "A print without the object that it lies on would be another one.");
     }

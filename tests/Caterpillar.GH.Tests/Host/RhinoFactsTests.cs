@@ -63,7 +63,7 @@ public sealed class RhinoFactsTests
     [TestCase("🐛 with \u0007 bell, \"quotes\" and \\ strokes")]
     public void Names_of_profiles_come_back_from_a_file_with_every_character(string title)
     {
-        var goo = new PrinterGoo(new Printer { Title = title });
+        var goo = new PrinterGoo { Value = new Printer { Title = title } };
         var archive = new GH_Archive();
         archive.AppendObject(goo, "Printer");
         var text = archive.Serialize_Xml();

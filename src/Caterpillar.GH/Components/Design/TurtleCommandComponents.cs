@@ -6,7 +6,7 @@ public abstract class TurtleCommandComponent(string name, string nickname, strin
 {
     private protected sealed override void Outputs(OutputPorts ports) => ports.Add(new TurtleCommandParam(), "Command", "C", "Turtle command.");
 
-    private protected sealed override void Solve(Run run) => run.Set(0, new TurtleCommandGoo(Command(run)));
+    private protected sealed override void Solve(Run run) => run.Set(0, new TurtleCommandGoo { Value = Command(run) });
 
     private protected abstract TurtleCommand Command(Run run);
 
@@ -207,23 +207,15 @@ public sealed class TurtleEventComponent() : TurtleCommandComponent(
     {
         var value = run.Finite(1);
         var text = run.Get<string>(2);
-        return run.Choice<TurtleEventKind>(0) switch
+        var kind = run.Choice<TurtleEventKind>(0);
+        // Actions have the same names.
+        var action = kind == TurtleEventKind.RawLine ? TurtleAction.Raw : (TurtleAction)Enum.Parse(typeof(TurtleAction), kind.ToString());
+        return kind switch
         {
-            TurtleEventKind.Extrude => TurtleCommand.Of(TurtleAction.Extrude, value),
-            TurtleEventKind.Dwell => TurtleCommand.Of(TurtleAction.Dwell, value),
-            TurtleEventKind.Pause => TurtleCommand.Of(TurtleAction.Pause, text),
-            TurtleEventKind.NozzleTemperature => TurtleCommand.Of(TurtleAction.NozzleTemperature, value),
-            TurtleEventKind.BedTemperature => TurtleCommand.Of(TurtleAction.BedTemperature, value),
-            TurtleEventKind.Fan => TurtleCommand.Of(TurtleAction.Fan, value),
-            TurtleEventKind.Tool => TurtleCommand.Of(TurtleAction.Tool, value),
-            TurtleEventKind.Comment => TurtleCommand.Of(TurtleAction.Comment, text),
-            TurtleEventKind.RawLine => TurtleCommand.Of(TurtleAction.Raw, text),
-            TurtleEventKind.Layer => TurtleCommand.Of(TurtleAction.Layer, value),
-            TurtleEventKind.NextLayer => TurtleCommand.Of(TurtleAction.NextLayer, value),
-            TurtleEventKind.Color => TurtleCommand.Of(TurtleAction.Color, text),
-            TurtleEventKind.Name => TurtleCommand.Of(TurtleAction.Name, text),
-            TurtleEventKind.Push => TurtleCommand.Of(TurtleAction.Push),
-            _ => TurtleCommand.Of(TurtleAction.Pop),
+            TurtleEventKind.Pause or TurtleEventKind.Comment or TurtleEventKind.RawLine or TurtleEventKind.Color or TurtleEventKind.Name
+                => TurtleCommand.Of(action, text),
+            TurtleEventKind.Push or TurtleEventKind.Pop => TurtleCommand.Of(action),
+            _ => TurtleCommand.Of(action, value),
         };
     }
 }

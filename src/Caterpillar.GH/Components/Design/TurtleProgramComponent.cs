@@ -32,7 +32,7 @@ public sealed class TurtleProgramComponent() : CaterpillarComponent(
             programs.Add(TurtleProgram.FromScript(script, Variables(run.List<string>(2), script, run), run.Get<int>(3)));
         }
         if (commands.Count > 0) programs.Add(TurtleProgram.FromCommands(commands));
-        run.Set(0, new TurtleProgramGoo(programs.Count == 1 ? programs[0] : TurtleProgram.Sequence(programs)));
+        run.Set(0, new TurtleProgramGoo { Value = programs.Count == 1 ? programs[0] : TurtleProgram.Sequence(programs) });
     }
 
     private static Dictionary<string, double> Variables(IEnumerable<string> texts, TurtleScript script, Run run)

@@ -37,7 +37,7 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
         var result = run.Work("Decoding", [source, options], (progress, cancel) => GCodeDecoder.Decode(source, options, progress, cancel));
         var none = result.Value?.NotGCode;
         run.Report(none is null ? result.Diagnostics : [none]);
-        run.Set(1, new GCodeGoo(source));
+        run.Set(1, new GCodeGoo { Value = source });
         if (none is not null || result.Value is not { } decoding)
         {
             run.Set(0, null);

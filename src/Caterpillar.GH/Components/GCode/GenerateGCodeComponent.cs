@@ -41,7 +41,7 @@ public sealed class GenerateGCodeComponent() : CaterpillarComponent(
         var result = run.Work("Writing", [goo.Value, setup, reason, rewriteAll, start, end],
             (progress, cancel) => WrittenToolpath.Write(goo, setup, reason, rewriteAll, code, progress, cancel));
         var document = run.Accept(result);
-        run.Set(0, document is null ? null : new GCodeGoo(document));
+        run.Set(0, document is null ? null : new GCodeGoo { Value = document });
         run.Summarize(document is null ? "refused" : $"{NumberFormatter.Format(document.LineCount)} lines");
     }
 

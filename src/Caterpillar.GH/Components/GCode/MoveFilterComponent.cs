@@ -28,9 +28,9 @@ public sealed class MoveFilterComponent() : CaterpillarComponent(
         var bounds = box is { } given ? RhinoGeometry.ToBounds(given, run.Units) : (Geometry.Bounds?)null;
         // The same filter for the same values: edits with it are not made again.
         object?[] key = [string.Join(",", roles ?? []), first, last, string.Join("\n", objects), tool, bounds];
-        run.Set(0, new MoveFilterGoo(run.Cached(key, () => new MoveFilter
+        run.Set(0, new MoveFilterGoo { Value = run.Cached(key, () => new MoveFilter
         {
             Roles = roles, FirstLayer = first, LastLayer = last, Objects = objects.Count > 0 ? objects : null, Tool = tool, Box = bounds,
-        })));
+        }) });
     }
 }

@@ -24,9 +24,9 @@ public sealed class DeconstructSetupComponent() : CaterpillarComponent(
     {
         var setup = run.Get<PrintSetup>(0);
         var units = run.Units;
-        run.Set(0, new PrinterGoo(setup.Printer));
-        run.SetList(1, setup.ToolMaterials.Prepend(setup.Material).Select(m => new MaterialGoo(m)));
-        run.Set(2, new SettingsGoo(setup.Settings));
+        run.Set(0, new PrinterGoo { Value = setup.Printer });
+        run.SetList(1, setup.ToolMaterials.Prepend(setup.Material).Select(m => new MaterialGoo { Value = m }));
+        run.Set(2, new SettingsGoo { Value = setup.Settings });
         run.Set(3, setup.PrintedOn is { } mesh ? RhinoMesh.FromTriangles(mesh, units) : null);
         run.Set(4, RhinoGeometry.ToBed(setup.Printer, units));
         var values = setup.Values();

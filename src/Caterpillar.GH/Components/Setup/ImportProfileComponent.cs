@@ -41,7 +41,8 @@ public sealed class ImportProfileComponent() : CaterpillarComponent(
         // Its material and settings have outputs of their own; no folder has them.
         if (made.Materials.Any(m => m.Name == printer?.DefaultMaterial)) printer = printer! with { DefaultMaterial = usual.DefaultMaterial };
         if (made.Settings.Any(s => s.Name == printer?.DefaultSettings)) printer = printer! with { DefaultSettings = usual.DefaultSettings };
-        run.SetAll(printer is null ? null : new PrinterGoo(printer), made.Materials.Count > 0 ? new MaterialGoo(made.Materials[0]) : null,
-            made.Start is { } start ? RhinoGeometry.ToPoint(start, run.Units) : null, made.Settings.Count > 0 ? new SettingsGoo(made.Settings[0]) : null);
+        run.SetAll(printer is null ? null : new PrinterGoo { Value = printer }, made.Materials.Count > 0 ? new MaterialGoo { Value = made.Materials[0] } : null,
+            made.Start is { } start ? RhinoGeometry.ToPoint(start, run.Units) : null,
+            made.Settings.Count > 0 ? new SettingsGoo { Value = made.Settings[0] } : null);
     }
 }

@@ -29,5 +29,5 @@ public sealed class MaterialComponent() : KeyPortsComponent<Material>(
     }
 
     private protected override void Solve(Run run)
-        => run.Set(0, new MaterialGoo(With(run, new PrintSetup() with { Material = Profile(run) }).Material));
+        => run.Set(0, new MaterialGoo { Value = With(run, new PrintSetup() with { Material = Profile(run) }).Material });
 }

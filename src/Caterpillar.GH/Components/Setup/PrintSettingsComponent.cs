@@ -30,5 +30,5 @@ public sealed class PrintSettingsComponent() : KeyPortsComponent<PrintSettings>(
     }
 
     private protected override void Solve(Run run)
-        => run.Set(0, new SettingsGoo(With(run, new PrintSetup() with { Settings = Profile(run) }).Settings));
+        => run.Set(0, new SettingsGoo { Value = With(run, new PrintSetup() with { Settings = Profile(run) }).Settings });
 }

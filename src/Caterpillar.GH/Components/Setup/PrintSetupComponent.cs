@@ -33,7 +33,7 @@ public sealed class PrintSetupComponent() : ProfileComponent(
         object[] meshes = Array.ConvertAll(run.Models(3, Tolerance), m => (object)m.Triangles);
         // The same mesh for the same objects: what follows is not computed again.
         var mesh = meshes.Length == 0 ? null : run.Work("Joining", meshes, (_, _) => TriMesh.Merge(meshes.Cast<TriMesh>()));
-        run.Set(0, new SetupGoo(setup with { PrintedOn = mesh }));
+        run.Set(0, new SetupGoo { Value = setup with { PrintedOn = mesh } });
         run.Summarize(setup.Printer.Title);
     }
 }

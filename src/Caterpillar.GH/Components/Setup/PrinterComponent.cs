@@ -46,7 +46,7 @@ public sealed class PrinterComponent() : KeyPortsComponent<Printer>(
         var head = run.List<IGH_GeometricGoo>(2);
         if (head.Count > 0) printer = printer with { HeadBoxes = new ValueList<Bounds>(head.Select(h => BoundsOf(h, units))) };
         var made = With(run, new PrintSetup() with { Printer = printer }).Printer;
-        run.SetAll(new PrinterGoo(made), RhinoGeometry.ToBed(made, units));
+        run.SetAll(new PrinterGoo { Value = made }, RhinoGeometry.ToBed(made, units));
     }
 
     private static Printer WithBed(Printer printer, Bounds bed)

@@ -84,7 +84,7 @@ public sealed class LayerFieldComponent() : ChosenPortsComponent(
         var problems = new List<Diagnostic>();
         var field = new FieldPorts(run, problems).Read();
         run.Report(problems);
-        run.Set(0, field is null ? null : new LayerFieldGoo(field));
+        run.Set(0, field is null ? null : new LayerFieldGoo { Value = field });
         if (field is not null) run.Summarize(run.Choice<FieldKind>(0).ToString());
     }
 }

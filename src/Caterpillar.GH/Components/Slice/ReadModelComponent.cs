@@ -40,8 +40,8 @@ public sealed class ReadModelComponent() : CaterpillarComponent(
         var shown = run.Cached([read, units.ToMillimeters], () => Array.ConvertAll([.. parts, .. modifiers], m => RhinoMesh.FromTriangles(m.Mesh.Mesh, units)));
         run.SetList(0, shown.Take(parts.Length));
         run.SetList(1, parts.Select(m => m.Mesh.Name));
-        run.SetList(2, parts.Select(m => new SettingsGoo(m.Settings)));
+        run.SetList(2, parts.Select(m => new SettingsGoo { Value = m.Settings }));
         run.SetList(3, shown.Skip(parts.Length));
-        run.SetList(4, modifiers.Select(m => new SettingsGoo(m.Settings)));
+        run.SetList(4, modifiers.Select(m => new SettingsGoo { Value = m.Settings }));
     }
 }
