@@ -74,7 +74,7 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
         var file = DecodedGCode?.Document is null ? null : DecodedGCode;
         if (file is not null)
         {
-            new GCodeGoo { Value = file.Document }.Write(writer);
+            new GCodeGoo { Value = file.Document! }.Write(writer);
             writer.SetString("Flavor", file.Flavor.Name);
             writer.SetInt32("Rule", (int)file.Rule);
         }
