@@ -185,8 +185,7 @@ public sealed class PrintJob : IDisposable
         return written!;
 
         Result<WrittenGCode> Text(Stream text) => overlap is not null ? overlap.Write(text, isDraft, reason, progress, cancel)
-            : isDraft ? SafeWriter.WriteDraft(Toolpath, Setup, text, reason, progress, cancel)
-            : SafeWriter.Write(Toolpath, Setup, text, reason, progress, cancel);
+            : SafeWriter.Write(Toolpath, Setup, text, reason, progress, cancel, isDraft);
     }
 
     /// <summary>Stops checks that are still running.</summary>

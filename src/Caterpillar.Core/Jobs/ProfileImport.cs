@@ -85,11 +85,9 @@ public static class ProfileImport
         var start = IsPrint(decoded) ? StartCode(decoded!) : Encoding.UTF8.GetString(header);
         var end = IsPrint(ending) ? EndCode(ending!) : Encoding.UTF8.GetString(footer ?? []);
         var imported = HeaderImport.Read(start, end, name, like, headerName, footerName);
-        if (imported.Value is not { } made) return new Result<ImportedProfiles>(null, imported.Diagnostics);
+        if (imported.Value is not { } made || decoded is null || decoded.Evidence.Contains(FlavorDetector.NotStated)) return imported;
         // A file that names its flavor knows better than a similar printer.
-        var printer = decoded is null || decoded.Evidence.Contains(FlavorDetector.NotStated) ? made.Printer : made.Printer with { Flavor = decoded.Flavor };
-        if (made.Material.NozzleTemperature > 0) printer = printer with { DefaultMaterial = made.Material.Name };
-        return new Result<ImportedProfiles>(new ImportedProfiles([printer], [made.Material], [], made.Start), imported.Diagnostics);
+        return new Result<ImportedProfiles>(made with { Printers = [made.Printers[0] with { Flavor = decoded.Flavor }] }, imported.Diagnostics);
     }
 
     // A header may print, too: a purge line.

@@ -300,7 +300,7 @@ public class CheckDetailTests
         foreach (var run in new Action<IProgress<double>>[]
         {
             p => PrintCheck.Run(print.Build(), Setup, p), p => SafeWriter.Write(print.Build(), Setup, System.IO.Stream.Null, reason, p),
-            p => SafeWriter.WriteDraft(print.Build(), Setup, System.IO.Stream.Null, reason, p),
+            p => SafeWriter.Write(print.Build(), Setup, System.IO.Stream.Null, reason, p, isDraft: true),
         })
         {
             var steps = new Steps();

@@ -154,7 +154,7 @@ public class FileRuleTests
         var print = new SmallPrint().Go(500, 10, 0.2).Build();
         using var draft = new MemoryStream();
         using var file = new MemoryStream();
-        Assert.That(SafeWriter.WriteDraft(print, Setup, draft).Value, Is.Null);
+        Assert.That(SafeWriter.Write(print, Setup, draft, isDraft: true).Value, Is.Null);
         Assert.That(SafeWriter.Write(print, Setup, file).Value, Is.Null);
         Assert.That((draft.Length > 0, file.Length), Is.EqualTo((true, 0L)));
     }

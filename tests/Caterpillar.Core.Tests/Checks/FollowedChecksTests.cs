@@ -28,7 +28,7 @@ public sealed class FollowedChecksTests
 
         var shares = new Shares();
 
-        var written = SafeWriter.WriteDraft(toolpath, Setup, new MemoryStream(), null, shares);
+        var written = SafeWriter.Write(toolpath, Setup, new MemoryStream(), null, shares, isDraft: true);
 
         Assert.That(shares.All, Is.Ordered.And.All.InRange(0, 1));
         Assert.That(shares.All[0], Is.LessThan(0.5));
@@ -44,7 +44,7 @@ public sealed class FollowedChecksTests
     public void A_slender_print_is_named_while_it_is_written()
     {
         var tower = new SmallPrint().Wall(50, 55, 50, 30).Build();
-        var found = SafeWriter.WriteDraft(tower, Setup, new MemoryStream()).Diagnostics.Single(d => d.Code == CheckCodes.FirstLayer);
+        var found = SafeWriter.Write(tower, Setup, new MemoryStream(), isDraft: true).Diagnostics.Single(d => d.Code == CheckCodes.FirstLayer);
         Assert.That(found.Message, Is.EqualTo(SmallPrint.Find(tower, Setup, CheckCodes.FirstLayer).Single().Message));
     }
 
@@ -57,7 +57,8 @@ public sealed class FollowedChecksTests
         using var source = new CancellationTokenSource();
         var progress = new CancelAt(share, source);
 
-        var thrown = Assert.Catch<OperationCanceledException>(() => SafeWriter.WriteDraft(toolpath, Setup, new MemoryStream(), null, progress, source.Token))!;
+        var thrown = Assert.Catch<OperationCanceledException>(
+            () => SafeWriter.Write(toolpath, Setup, new MemoryStream(), null, progress, source.Token, isDraft: true))!;
 
         Assert.That(thrown.CancellationToken, Is.EqualTo(source.Token));
     }
@@ -70,8 +71,8 @@ public sealed class FollowedChecksTests
         stream.Write(Encoding.ASCII.GetBytes("before\n"), 0, 7);
         using var alone = new MemoryStream();
 
-        var written = SafeWriter.WriteDraft(hits, Setup, stream, "a test");
-        SafeWriter.WriteDraft(hits, Setup, alone, "a test");
+        var written = SafeWriter.Write(hits, Setup, stream, "a test", isDraft: true);
+        SafeWriter.Write(hits, Setup, alone, "a test", isDraft: true);
 
         Assert.That(written.Value!.Overridden, Is.GreaterThan(0));
         var text = Encoding.UTF8.GetString(stream.ToArray());

@@ -34,7 +34,7 @@ public sealed class OwnCheckTests
         for (var i = 0; i < ToolpathBlock.Capacity + 100; i++) print.Go(i % 2 == 0 ? 60 : 10, 10 + 0.001 * i, 0.2);
         var seen = new Seen();
         var setup = SmallPrint.Setup(p => p with { CheckSeverities = new(CheckCodes.All.Select(r => new CheckSeverity(r.Code, null))) });
-        Assert.That(SafeWriter.WriteDraft(print.Build(), setup with { OwnChecks = new(() => seen) }, new MemoryStream()).Value, Is.Not.Null);
+        Assert.That(SafeWriter.Write(print.Build(), setup with { OwnChecks = new(() => seen) }, new MemoryStream(), isDraft: true).Value, Is.Not.Null);
         Assert.That(seen.Count, Is.EqualTo(ToolpathBlock.Capacity + 100));
     }
 

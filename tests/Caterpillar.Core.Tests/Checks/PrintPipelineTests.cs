@@ -47,7 +47,7 @@ public sealed class PrintPipelineTests
         var layers = Print(false);
         var plan = Planner.PlanWithReport(layers.SelectMany(l => l).ToArray(), setup);
         using var expected = new MemoryStream();
-        var whole = SafeWriter.WriteDraft(plan.Value!.Toolpath, setup, expected, "a test");
+        var whole = SafeWriter.Write(plan.Value!.Toolpath, setup, expected, "a test", isDraft: true);
 
         using var pipeline = new PrintPipeline(setup);
         foreach (var layer in layers) pipeline.Add(layer);
@@ -67,7 +67,7 @@ public sealed class PrintPipelineTests
     {
         var layers = Print(true);
         var plan = Planner.Plan(layers.SelectMany(l => l).ToArray(), Plain).Value!;
-        var whole = SafeWriter.WriteDraft(plan, Plain, new MemoryStream(), "a test");
+        var whole = SafeWriter.Write(plan, Plain, new MemoryStream(), "a test", isDraft: true);
 
         using var pipeline = new PrintPipeline(Plain);
         foreach (var layer in layers) pipeline.Add(layer);

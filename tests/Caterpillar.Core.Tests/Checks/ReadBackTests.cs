@@ -155,7 +155,7 @@ public class ReadBackTests
     {
         var setup = SmallPrint.Setup(p => p with { MaxFlow = most }) with { Material = new Material { FilamentDiameter = 2.85 } };
         var plan = new SmallPrint(20, 20, 0.2).Print(60, 20, 0.2).Print(60, 60, 0.2).Build();
-        var written = SafeWriter.WriteDraft(plan, setup, new MemoryStream(), "a test");
+        var written = SafeWriter.Write(plan, setup, new MemoryStream(), "a test", isDraft: true);
         Assert.That(written.Diagnostics.Any(d => d.Code == CheckCodes.Flow), Is.EqualTo(found));
     }
 
@@ -167,7 +167,7 @@ public class ReadBackTests
         Assert.That(memory.Length, Is.Zero);
         Assert.That(SafeWriter.Write(new SmallPrint().Print(50, 10, 0.2).Build(), Setup, memory).Value!.Bytes, Is.EqualTo(memory.Length));
         using var draft = new MemoryStream();
-        Assert.That(SafeWriter.WriteDraft(new SmallPrint().Print(50, 10, 0.2).Build(), Setup, draft).Value, Is.Not.Null);
+        Assert.That(SafeWriter.Write(new SmallPrint().Print(50, 10, 0.2).Build(), Setup, draft, isDraft: true).Value, Is.Not.Null);
         Assert.That(draft.ToArray(), SameBytes.As(memory.ToArray()), "the same bytes in one pass and in two");
     }
 
@@ -175,7 +175,8 @@ public class ReadBackTests
     public void A_stream_that_breaks_breaks_the_writing()
     {
         using var full = new MemoryStream(new byte[64], true);
-        Assert.That(() => SafeWriter.WriteDraft(new SmallPrint().Print(50, 10, 0.2).Build(), Setup, full), Throws.InstanceOf<NotSupportedException>());
+        Assert.That(() => SafeWriter.Write(new SmallPrint().Print(50, 10, 0.2).Build(), Setup, full, isDraft: true),
+            Throws.InstanceOf<NotSupportedException>());
     }
 
     [Test]
@@ -202,7 +203,7 @@ public class ReadBackTests
         var turtle = TurtleScript.Compile(script, "art.turtle").OrThrow().Run(new TurtleOptions { Extrusion = setup.Extrusion }).OrThrow();
         var plan = Planner.Plan(turtle.ToSteps(), setup, new PlanOptions { Policy = PlanPolicy.AsDrawn }).OrThrow();
         using var memory = new MemoryStream();
-        var result = SafeWriter.WriteDraft(plan, setup, memory, reason);
+        var result = SafeWriter.Write(plan, setup, memory, reason, isDraft: true);
         return (result, Encoding.ASCII.GetString(memory.ToArray()));
     }
 

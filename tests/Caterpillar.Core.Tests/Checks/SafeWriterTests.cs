@@ -70,8 +70,8 @@ public class SafeWriterTests
         Action<IProgress<double>>[] all =
         [
             p => SafeWriter.Write(Line(50), setup, new MemoryStream(), null, p), p => SafeWriter.Write(Line(500), setup, new MemoryStream(), "a test", p),
-            p => SafeWriter.WriteDraft(Line(50), setup, new MemoryStream(), null, p),
-            p => SafeWriter.WriteDraft(Line(500), setup, new MemoryStream(), "a test", p),
+            p => SafeWriter.Write(Line(50), setup, new MemoryStream(), null, p, isDraft: true),
+            p => SafeWriter.Write(Line(500), setup, new MemoryStream(), "a test", p, isDraft: true),
             p => SafeWriter.ToDocument(decoding, decoding.Toolpath, setup, null, null, p),
             p => SafeWriter.ToDocument(decoding, decoding.Toolpath.Transform(Affine.Move(new(500, 0))), setup, "a test", null, p),
         ];
@@ -131,7 +131,7 @@ public class SafeWriterTests
     public void What_is_refused_is_in_drafts_only(string? reason, bool isDraft, bool canSeek, bool written)
     {
         using var stream = new PlainStream(canSeek);
-        var refused = isDraft ? SafeWriter.WriteDraft(Line(500), new PrintSetup(), stream, reason)
+        var refused = isDraft ? SafeWriter.Write(Line(500), new PrintSetup(), stream, reason, isDraft: true)
             : SafeWriter.Write(Line(500), new PrintSetup(), stream, reason);
         Assert.That((refused.Value is null, stream.Length > 0), Is.EqualTo((true, written)));
     }
@@ -140,7 +140,7 @@ public class SafeWriterTests
     public void An_override_to_a_stream_that_cannot_go_back_is_written_once([Values] bool isDraft, [Values] bool canSeek)
     {
         using var stream = new PlainStream(canSeek);
-        var written = isDraft ? SafeWriter.WriteDraft(Line(500), new PrintSetup(), stream, "a test")
+        var written = isDraft ? SafeWriter.Write(Line(500), new PrintSetup(), stream, "a test", isDraft: true)
             : SafeWriter.Write(Line(500), new PrintSetup(), stream, "a test");
         Assert.That(stream.ToArray(), SameBytes.As(SafeWriter.ToDocument(Line(500), new PrintSetup(), "a test").Value!.ToBytes()));
         Assert.That((written.Value!.Bytes, written.Value.Overridden), Is.EqualTo((stream.Length, 1)));

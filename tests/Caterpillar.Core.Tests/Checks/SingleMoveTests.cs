@@ -262,7 +262,7 @@ public class SingleMoveTests
         var print = new SmallPrint();
         for (var i = 0; i < ToolpathBlock.Capacity + 100; i++) print.Go(i % 2 == 0 ? 60 : 10, 10 + 0.001 * i, 0.2);
         using var stream = new MemoryStream();
-        var written = isDraft ? SafeWriter.WriteDraft(print.Build(), Setup, stream, "a test", progress)
+        var written = isDraft ? SafeWriter.Write(print.Build(), Setup, stream, "a test", progress, isDraft: true)
             : SafeWriter.Write(print.Build(), Setup, stream, "a test", progress);
         Assert.That(written.Value, Is.Not.Null);
         Assert.That(progress.All, Is.All.InRange(0, 1));

@@ -51,8 +51,8 @@ public sealed class SwitchedOffTests
     {
         var (plain, unread) = (new MemoryStream(), new MemoryStream());
         var print = new SmallPrint().Wall(60, 80, 50, 4).Build();
-        var checkedFile = SafeWriter.WriteDraft(print, Off([]), plain);
-        var written = SafeWriter.WriteDraft(print, Off(Codes()), unread);
+        var checkedFile = SafeWriter.Write(print, Off([]), plain, isDraft: true);
+        var written = SafeWriter.Write(print, Off(Codes()), unread, isDraft: true);
         Assert.That((written.Value!.Bytes, written.Value.Lines), Is.EqualTo((checkedFile.Value!.Bytes, checkedFile.Value.Lines)));
         Assert.That((written.Value.PrintTime, checkedFile.Value.PrintTime is > 0), Is.EqualTo(((double?)null, true)), "read back, it is timed");
         Assert.That(unread.ToArray(), SameBytes.As(plain.ToArray()));
@@ -76,7 +76,7 @@ public sealed class SwitchedOffTests
     }
 
     private static Diagnostic[] Written(Toolpath toolpath, IEnumerable<string> off)
-        => [.. SafeWriter.WriteDraft(toolpath, Off(off), new MemoryStream()).Diagnostics.Where(d => d.Code != SafeWriter.Refused)];
+        => [.. SafeWriter.Write(toolpath, Off(off), new MemoryStream(), isDraft: true).Diagnostics.Where(d => d.Code != SafeWriter.Refused)];
 
     private static Toolpath ManyFindings()
     {

@@ -44,7 +44,7 @@ public class ProgressTests
     {
         var (drafted, written) = (new Reported(), new Reported());
         using var memory = new MemoryStream();
-        SafeWriter.WriteDraft(Planned.Value, Setup, memory, reason, drafted).OrThrow();
+        SafeWriter.Write(Planned.Value, Setup, memory, reason, drafted, isDraft: true).OrThrow();
         AssertAscending(drafted, 3);
         SafeWriter.Write(Planned.Value, Setup, memory, reason, written).OrThrow();
         AssertAscending(written, 3);

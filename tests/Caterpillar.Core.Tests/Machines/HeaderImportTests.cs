@@ -69,11 +69,11 @@ public class HeaderImportTests
     public void Fixed_headers_state_temperatures_mode_and_bed()
     {
         var found = Import(Ender, Footer, out var problems);
-        Assert.That((found.Material.NozzleTemperature, found.Material.BedTemperature), Is.EqualTo((205.0, 60.0)));
-        Assert.That(found.Printer.ExtrusionMode, Is.EqualTo(ExtrusionMode.Relative));
+        Assert.That((found.Materials[0].NozzleTemperature, found.Materials[0].BedTemperature), Is.EqualTo((205.0, 60.0)));
+        Assert.That(found.Printers[0].ExtrusionMode, Is.EqualTo(ExtrusionMode.Relative));
         Assert.That(found.Start, Is.EqualTo(new Vec3(100, 100, 0.1)));
-        Assert.That(found.Printer.BuildVolume, Is.EqualTo(new Vec3(200, 200, 250)), "twice the start");
-        Assert.That(found.Printer.Origin, Is.EqualTo(BedOrigin.Corner));
+        Assert.That(found.Printers[0].BuildVolume, Is.EqualTo(new Vec3(200, 200, 250)), "twice the start");
+        Assert.That(found.Printers[0].Origin, Is.EqualTo(BedOrigin.Corner));
         Assert.That(problems.Where(p => p.Severity == Severity.Warning).Select(p => (p.Code, p.Source!.Line, p.Count)), Is.EqualTo(new[]
         {
             ("header.merge_conflict", (int?)8, 3), ("header.bad_word", 17, 1), ("header.no_command", 18, 1),
@@ -97,7 +97,7 @@ public class HeaderImportTests
     public void Temperatures_come_from_the_material()
     {
         var found = Import(Ender, Footer, out _);
-        var hot = found with { Material = found.Material with { NozzleTemperature = 230, FirstLayerNozzleTemperature = 235, BedTemperature = 0 } };
+        var hot = found with { Materials = [found.Materials[0] with { NozzleTemperature = 230, FirstLayerNozzleTemperature = 235, BedTemperature = 0 }] };
         var lines = Render(hot, p => p.StartGCode);
         Assert.That(lines, Does.Contain("M109 S235").And.None.StartsWith("M190"));
     }
@@ -106,9 +106,9 @@ public class HeaderImportTests
     public void Names_in_braces_are_filled_in()
     {
         var found = Import(Templated, Footer, out var problems);
-        Assert.That((found.Material.NozzleTemperature, found.Material.BedTemperature), Is.EqualTo((205.0, 60.0)), "what ExtruderTurtle has by default");
+        Assert.That((found.Materials[0].NozzleTemperature, found.Materials[0].BedTemperature), Is.EqualTo((205.0, 60.0)), "what ExtruderTurtle has by default");
         Assert.That(found.Start, Is.Null);
-        Assert.That(found.Printer.Flavor.Name, Is.EqualTo("prusa"));
+        Assert.That(found.Printers[0].Flavor.Name, Is.EqualTo("prusa"));
         Assert.That(problems.Where(p => p.Severity != Severity.Note), Is.Empty);
         var lines = Render(found, p => p.StartGCode);
         Assert.That(lines, Does.Contain("M104 S205 ; set extruder temp").And.Contain("M190 S60"));
@@ -125,16 +125,16 @@ public class HeaderImportTests
         Assert.That(Render(found, p => p.EndGCode, 200), Does.Contain("G1 Z45 F5000"));
         Assert.That(problems.Select(p => p.Code), Does.Contain("header.end_height"));
         var own = Import(Ender, "G90\nM82\nG1 Z200 E5\nM84", out _);
-        Assert.That(own.Printer.EndGCode, Is.EqualTo(new[] { "G90", "M82", "G1 Z200 E5", "M84" }));
+        Assert.That(own.Printers[0].EndGCode, Is.EqualTo(new[] { "G90", "M82", "G1 Z200 E5", "M84" }));
     }
 
     [Test]
     public void A_size_in_a_comment_is_the_bed()
     {
         var found = Import("; Lutum, 400 x 460 x 800 mm\nG28\nM83\nT0\nG1 X200 Y200 Z1.3\nG1 E10 F1000\nG91", "", out var problems);
-        Assert.That(found.Printer.BuildVolume, Is.EqualTo(new Vec3(400, 460, 800)));
-        Assert.That(found.Material.NozzleTemperature, Is.Zero);
-        Assert.That(found.Printer.MinExtrusionTemperature, Is.Zero, "clay is extruded cold");
+        Assert.That(found.Printers[0].BuildVolume, Is.EqualTo(new Vec3(400, 460, 800)));
+        Assert.That(found.Materials[0].NozzleTemperature, Is.Zero);
+        Assert.That(found.Printers[0].MinExtrusionTemperature, Is.Zero, "clay is extruded cold");
         Assert.That(problems.Select(p => p.Code), Does.Contain("header.no_heating"));
     }
 
@@ -142,17 +142,17 @@ public class HeaderImportTests
     public void Negative_positions_mean_an_origin_in_the_middle()
     {
         var found = Import("G28\nG90\nM82\nG1 X-90 Y0 Z0.3\nG1 X0 Y90 E10\nG1 X0 Y0", "", out _);
-        Assert.That(found.Printer.Origin, Is.EqualTo(BedOrigin.Center));
-        Assert.That(found.Printer.ExtrusionMode, Is.EqualTo(ExtrusionMode.Absolute));
-        Assert.That(found.Printer.BuildBounds.Contains(new Vec3(-90, 90, 0)), Is.True);
+        Assert.That(found.Printers[0].Origin, Is.EqualTo(BedOrigin.Center));
+        Assert.That(found.Printers[0].ExtrusionMode, Is.EqualTo(ExtrusionMode.Absolute));
+        Assert.That(found.Printers[0].BuildBounds.Contains(new Vec3(-90, 90, 0)), Is.True);
     }
 
     [Test]
     public void Cold_extrusion_tools_and_further_temperatures_are_seen()
     {
         var found = Import("M302 S0\nT1\nM104 S150\nM109 S205\nG1 X75 Y88 E20", "", out var problems);
-        Assert.That(found.Printer.ToolCount, Is.EqualTo(2));
-        Assert.That(found.Printer.MinExtrusionTemperature, Is.Zero);
+        Assert.That(found.Printers[0].ToolCount, Is.EqualTo(2));
+        Assert.That(found.Printers[0].MinExtrusionTemperature, Is.Zero);
         Assert.That(Render(found, p => p.StartGCode), Does.Contain("M104 S150").And.Contain("M109 S205"));
         Assert.That(problems.Select(p => p.Code), Does.Contain("header.other_temperature").And.Contain("header.e_mode"));
     }
@@ -194,23 +194,23 @@ public class HeaderImportTests
     public void A_bed_with_positions_left_of_its_origin_has_it_in_the_middle(string header, double least, double leastY)
     {
         var found = Import(header, "", out _);
-        Assert.That(found.Printer.Origin, Is.EqualTo(BedOrigin.Center));
-        Assert.That(found.Printer.BuildVolume.X, Is.EqualTo(least));
-        Assert.That(found.Printer.BuildVolume.Y, Is.GreaterThanOrEqualTo(leastY));
+        Assert.That(found.Printers[0].Origin, Is.EqualTo(BedOrigin.Center));
+        Assert.That(found.Printers[0].BuildVolume.X, Is.EqualTo(least));
+        Assert.That(found.Printers[0].BuildVolume.Y, Is.GreaterThanOrEqualTo(leastY));
     }
 
     [Test]
     public void A_purge_a_little_beside_the_bed_does_not_move_the_origin()
-        => Assert.That(Import("G28\nG1 X-20 Y-20 Z0.3", "", out _).Printer.Origin, Is.Not.EqualTo(BedOrigin.Center));
+        => Assert.That(Import("G28\nG1 X-20 Y-20 Z0.3", "", out _).Printers[0].Origin, Is.Not.EqualTo(BedOrigin.Center));
 
     [Test]
     public void The_profile_survives_its_file_and_prints()
     {
         var found = Import(Ender, Footer, out _);
-        var file = ProfileReader.ReadPrinter(ProfileWriter.Write(found.Printer), "ender.json", found.Printer.Name);
+        var file = ProfileReader.ReadPrinter(ProfileWriter.Write(found.Printers[0]), "ender.json", found.Printers[0].Name);
         Assert.That(file.Diagnostics, Is.Empty);
-        Assert.That(file.Value, Is.EqualTo(found.Printer));
-        var setup = new PrintSetup(found.Printer, found.Material, new PrintSettings());
+        Assert.That(file.Value, Is.EqualTo(found.Printers[0]));
+        var setup = new PrintSetup(found.Printers[0], found.Materials[0], new PrintSettings());
         var path = new PrintPath([new Vec3(90, 90, 0.2), new Vec3(110, 90, 0.2)], Bead.FromWidth(0.45, 0.2));
         var written = SafeWriter.ToDocument(Planner.Plan([path], setup).Value!, setup);
         Assert.That(written.Diagnostics.Where(d => d.Severity == Severity.Error), Is.Empty);
@@ -233,7 +233,7 @@ public class HeaderImportTests
         }
     }
 
-    private static ImportedPrinter Import(string header, string footer, out IReadOnlyList<Diagnostic> problems)
+    private static ImportedProfiles Import(string header, string footer, out IReadOnlyList<Diagnostic> problems)
     {
         var result = HeaderImport.Read(header, footer);
         problems = result.Diagnostics;
@@ -241,12 +241,12 @@ public class HeaderImportTests
         return result.Value!;
     }
 
-    private static IReadOnlyList<string> Render(ImportedPrinter found, Func<Printer, ValueList<string>> template, double height = 0)
+    private static IReadOnlyList<string> Render(ImportedProfiles found, Func<Printer, ValueList<string>> template, double height = 0)
     {
-        var setup = new PrintSetup(found.Printer, found.Material, new PrintSettings());
+        var setup = new PrintSetup(found.Printers[0], found.Materials[0], new PrintSettings());
         var path = new PrintPath([new Vec3(50, 50, height), new Vec3(60, 50, height)], new Bead(0.1));
         var toolpath = Planner.Plan([path], setup, new PlanOptions { Policy = PlanPolicy.AsDrawn }).Value!;
-        return PrintTemplate.Parse(template(found.Printer)).Value!.Render(PrintValues.Of(setup, toolpath)).Value!;
+        return PrintTemplate.Parse(template(found.Printers[0])).Value!.Render(PrintValues.Of(setup, toolpath)).Value!;
     }
 
     [TestCase("G28\nG1 X90 Y60 Z5", 180, 120)]
@@ -254,7 +254,7 @@ public class HeaderImportTests
     [TestCase("G28\nG1 X90 Y60\nG1 X200 Y10\nG1 X90 Y60", 200, 120)]
     public void A_header_that_ends_in_the_middle_of_the_bed_tells_its_size(string header, double width, double depth)
     {
-        var printer = HeaderImport.Read(header, "").Value!.Printer;
+        var printer = HeaderImport.Read(header, "").Value!.Printers[0];
         Assert.That((printer.BuildVolume.X, printer.BuildVolume.Y), Is.EqualTo((width, depth)));
         Assert.That(printer.Origin, Is.EqualTo(BedOrigin.Corner));
     }
@@ -262,7 +262,7 @@ public class HeaderImportTests
     [Test]
     public void A_header_that_goes_to_negative_places_has_its_origin_in_the_middle()
     {
-        var printer = HeaderImport.Read("G28\nG1 X-150 Y0\nG1 X0 Y-140 Z5\nG1 X40 Y20", "").Value!.Printer;
+        var printer = HeaderImport.Read("G28\nG1 X-150 Y0\nG1 X0 Y-140 Z5\nG1 X40 Y20", "").Value!.Printers[0];
         Assert.That(printer.Origin, Is.EqualTo(BedOrigin.Center));
         Assert.That((printer.BuildVolume.X, printer.BuildVolume.Y), Is.EqualTo((300.0, 280.0)));
     }
@@ -271,8 +271,8 @@ public class HeaderImportTests
     [TestCase("G28 W\nG80\nG1 X90 Y60 Z5", "prusa")]
     public void The_firmware_is_that_of_a_similar_printer_or_what_the_words_show(string header, string flavor)
     {
-        Assert.That(HeaderImport.Read(header, "").Value!.Printer.Flavor.Name, Is.EqualTo(flavor));
+        Assert.That(HeaderImport.Read(header, "").Value!.Printers[0].Flavor.Name, Is.EqualTo(flavor));
         var klipper = new ProfileLibrary().Printer("klipper_256").OrThrow();
-        Assert.That(HeaderImport.Read(header, "", "a", klipper).Value!.Printer.Flavor.Name, Is.EqualTo("klipper"));
+        Assert.That(HeaderImport.Read(header, "", "a", klipper).Value!.Printers[0].Flavor.Name, Is.EqualTo("klipper"));
     }
 }

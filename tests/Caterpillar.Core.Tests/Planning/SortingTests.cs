@@ -155,7 +155,7 @@ public class SortingTests
         {
             // On a coarse lattice, so that many distances tie.
             var points = Enumerable.Range(0, random.Next(1, 200)).Select(_ => new Vec3(random.Next(6), random.Next(6), random.Next(2))).ToArray();
-            var tree = new EntryTree(points, points.Length);
+            var tree = new EntryTree(points);
             var left = Enumerable.Range(0, points.Length).ToList();
             while (left.Count > 0)
             {
@@ -165,7 +165,6 @@ public class SortingTests
                 var remove = left[random.Next(left.Count)];
                 left.Remove(remove);
                 tree.Remove(remove);
-                Assert.That(tree.Count, Is.EqualTo(left.Count));
             }
             Assert.That(tree.Nearest(default), Is.EqualTo(-1));
         }

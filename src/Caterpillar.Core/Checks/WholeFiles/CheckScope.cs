@@ -45,14 +45,7 @@ internal sealed record CheckScope(double NozzleTemperature, bool IsWholeFile = f
             with { IsPlanned = true, Before = [] };
 
     /// <summary>True if a toolpath sets the temperature of a nozzle.</summary>
-    public static bool HeatsItself(Toolpath toolpath)
-    {
-        foreach (var entry in toolpath.Events)
-        {
-            if (entry.Event is NozzleTemperatureEvent) return true;
-        }
-        return false;
-    }
+    public static bool HeatsItself(Toolpath toolpath) => toolpath.Events.Any(e => e.Event is NozzleTemperatureEvent);
 
     // Ultimakers home, heat and prime before the file begins.
     private static bool BeginsReady(DecodedGCode file)

@@ -58,7 +58,7 @@ internal sealed class HeatCheck : IMoveCheck
     {
         if (!(move.E > 0)) return;
         _firstExtrusion ??= move.Index;
-        var celsius = _nozzles.At(move.Tool, out var set);
+        var (celsius, set) = _nozzles.At(move.Tool);
         if (celsius < _needed) ReportCold(move.Index, celsius, set);
     }
 
@@ -119,23 +119,13 @@ internal sealed class HeatCheck : IMoveCheck
 /// </summary>
 internal sealed class NozzleTemperatures(double initial, Printer printer)
 {
-    private readonly SortedDictionary<int, (double Celsius, MoveEvent Set)> _ofTool = [];
+    private readonly SortedDictionary<int, (double Celsius, MoveEvent? Set)> _ofTool = [];
     private (double Celsius, MoveEvent? Set) _shared = (initial, null);
     private bool _isNamed = printer.ToolCount > 1 && !printer.SharedNozzle;
     private int _tool;
 
     /// <summary>The last command of a nozzle that is still heated, or null.</summary>
-    public MoveEvent? LeftOn
-    {
-        get
-        {
-            foreach (var own in _ofTool.Values)
-            {
-                if (own.Celsius > 0) return own.Set;
-            }
-            return _shared is { Celsius: > 0, Set: { } set } && _ofTool.Count == 0 ? set : null;
-        }
-    }
+    public MoveEvent? LeftOn => _ofTool.Values.DefaultIfEmpty(_shared).FirstOrDefault(t => t.Celsius > 0).Set;
 
     public void Take(MoveEvent what)
     {
@@ -156,14 +146,5 @@ internal sealed class NozzleTemperatures(double initial, Printer printer)
     }
 
     /// <summary>The temperature of a tool, and the command that set it.</summary>
-    public double At(int tool, out MoveEvent? set)
-    {
-        if (_ofTool.TryGetValue(tool, out var own))
-        {
-            set = own.Set;
-            return own.Celsius;
-        }
-        set = _shared.Set;
-        return _shared.Celsius;
-    }
+    public (double Celsius, MoveEvent? Set) At(int tool) => _ofTool.TryGetValue(tool, out var own) ? own : _shared;
 }

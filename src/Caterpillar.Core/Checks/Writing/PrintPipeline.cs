@@ -64,7 +64,7 @@ internal sealed class PrintPipeline : IDisposable
         var begun = (draft, _timing);
         // Good for one file: the next is timed and checked from the beginning.
         (_draft, _timing) = (null, null);
-        return SafeWriter.Write(plan.Toolpath, _setup, stream, reason, isDraft, begun, progress, _cancel);
+        return SafeWriter.Write(plan.Toolpath, _setup, stream, reason, progress, _cancel, isDraft, begun);
     }
 
     /// <summary>Stops unfinished work and waits for its end.</summary>

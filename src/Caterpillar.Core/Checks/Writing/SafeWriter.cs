@@ -25,29 +25,19 @@ public static class SafeWriter
     {
         using var file = new AtomicFile(path);
         Result<WrittenGCode>? written = null;
-        BinaryGCode.WriteAs(path, file.Stream, text => written = WriteDraft(toolpath, setup, text, reason, progress, cancel), cancel);
+        BinaryGCode.WriteAs(path, file.Stream, text => written = Write(toolpath, setup, text, reason, progress, cancel, true), cancel);
         if (written!.Value is not null) file.Commit();
         return written;
     }
 
-    /// <summary>Checks a toolpath and writes it to a stream, as text; nothing is written if it is refused.</summary>
-    /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/param"/>
-    internal static Result<WrittenGCode> Write(
-        Toolpath toolpath, PrintSetup setup, Stream stream, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default)
-        => Write(toolpath, setup, stream, reason, false, default, progress, cancel);
-
     /// <summary>
-    /// Checks a toolpath while it is written to a stream, as text, in one pass: for temporary files. If it is refused, delete what was written.
+    /// Checks a toolpath and writes it to a stream, as text; nothing is written if it is refused. A draft, for temporary files, is checked while it is written,
+    /// in one pass: if it is refused, delete what was written.
     /// </summary>
     /// <inheritdoc cref="WriteFile(Toolpath, PrintSetup, string, string?, IProgress{double}?, CancellationToken)" path="/param"/>
-    internal static Result<WrittenGCode> WriteDraft(
-        Toolpath toolpath, PrintSetup setup, Stream stream, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default,
-        bool isChecked = false)
-        => Write(toolpath, setup, stream, reason, true, default, progress, cancel, isChecked);
-
     internal static Result<WrittenGCode> Write(
-        Toolpath toolpath, PrintSetup setup, Stream stream, string? reason, bool isDraft, (PrintDraft? Draft, MotionPlanner? Timing) begun,
-        IProgress<double>? progress, CancellationToken cancel, bool isChecked = false)
+        Toolpath toolpath, PrintSetup setup, Stream stream, string? reason = null, IProgress<double>? progress = null, CancellationToken cancel = default,
+        bool isDraft = false, (PrintDraft? Draft, MotionPlanner? Timing) begun = default, bool isChecked = false)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
@@ -112,7 +102,7 @@ public static class SafeWriter
         bool isChecked = false)
     {
         using var memory = new MemoryStream();
-        var written = WriteDraft(toolpath, setup, memory, reason, progress, cancel, isChecked);
+        var written = Write(toolpath, setup, memory, reason, progress, cancel, true, default, isChecked);
         return new Result<GCodeDocument>(written.Value is null ? null : GCodeDocument.FromBytes(memory.ToArray()), written.Diagnostics);
     }
 

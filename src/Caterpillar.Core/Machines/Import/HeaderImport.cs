@@ -21,7 +21,7 @@ public static class HeaderImport
     /// The printer, or an error if the header leaves the machine in inches. Invalid lines give warnings (<c>header.bad_word</c>, <c>header.no_command</c>,
     /// <c>header.merge_conflict</c>, <c>import.template</c>) with their location and stay as comments. Notes report guessed values.
     /// </returns>
-    public static Result<ImportedPrinter> Read(
+    public static Result<ImportedProfiles> Read(
         string header, string footer, string name = "imported", Printer? like = null, string headerFile = "header", string footerFile = "footer")
     {
         if (header is null) throw new ArgumentNullException(nameof(header));
@@ -37,7 +37,7 @@ public static class HeaderImport
             problems.Add(Severity.Error, "header.inches", "The header leaves the machine in inches (G20). Toolpaths are in mm: use G21.",
                 new SourceLocation(headerFile));
         }
-        if (problems.HasErrors) return new Result<ImportedPrinter>(null, problems.ToList());
+        if (problems.HasErrors) return new Result<ImportedProfiles>(null, problems.ToList());
 
         var start = new HeaderTemplate(head, headerFile, problems);
         var startLines = start.Start(facts);
@@ -70,7 +70,8 @@ public static class HeaderImport
                 new SourceLocation(headerFile));
         }
         var material = new Material { Name = name, Title = name, NozzleTemperature = Math.Min(nozzle, 2000), BedTemperature = Math.Min(bed, 500) };
-        return new Result<ImportedPrinter>(new ImportedPrinter(printer, material, facts.Position), problems.ToList());
+        if (nozzle > 0) printer = printer with { DefaultMaterial = name };
+        return new Result<ImportedProfiles>(new ImportedProfiles([printer], [material], [], facts.Position), problems.ToList());
     }
 
     // A size in a comment; else twice the position where the print starts, since that is the middle; else that of the similar printer. Never less than the

@@ -4,8 +4,6 @@ namespace Caterpillar.Machines;
 internal sealed class HeaderText(string file, DiagnosticList problems)
 {
     private readonly List<HeaderLine> _lines = [];
-    private readonly string _file = file;
-    private readonly DiagnosticList _problems = problems;
 
     public HeaderFacts Facts { get; } = new();
 
@@ -19,7 +17,7 @@ internal sealed class HeaderText(string file, DiagnosticList problems)
         return header;
     }
 
-    public SourceLocation Place(int line, int? column = null) => new(_file, line, column);
+    public SourceLocation Place(int line, int? column = null) => new(file, line, column);
 
     private void Read(string[] texts)
     {
@@ -33,7 +31,7 @@ internal sealed class HeaderText(string file, DiagnosticList problems)
             if (IsMarker(text, '<') || (IsMarker(text, '=') && side > 0) || IsMarker(text, '>'))
             {
                 side = text[0] switch { '<' => 1, '=' => 2, _ => 0 };
-                _problems.Add(Severity.Warning, "header.merge_conflict",
+                problems.Add(Severity.Warning, "header.merge_conflict",
                     "Merge conflict markers. The first version of each conflict is used.", Place(i + 1));
                 continue;
             }
@@ -41,7 +39,7 @@ internal sealed class HeaderText(string file, DiagnosticList problems)
             var line = HeaderLine.Read(text);
             if (line.Error is { } error)
             {
-                _problems.Add(Severity.Warning, error.Code, error.Message + " The line is kept as a comment.", Place(i + 1, error.Column));
+                problems.Add(Severity.Warning, error.Code, error.Message + " The line is kept as a comment.", Place(i + 1, error.Column));
                 line = HeaderLine.Read("; invalid: " + text.Trim());
             }
             Facts.Follow(line);

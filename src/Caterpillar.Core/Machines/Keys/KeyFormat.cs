@@ -64,28 +64,32 @@ internal abstract class KeyFormat<TValue>(KeyKind kind, string expected) : KeyFo
 }
 
 /// <summary>A list of texts, each of which is one item.</summary>
-internal abstract class TextsFormat<TItem>(string expected) : KeyFormat<ValueList<TItem>>(KeyKind.Lines, expected)
+/// <param name="expected">The expected value, for messages.</param>
+/// <param name="range">The range in words.</param>
+/// <param name="item">An item from its text; null if the text is wrong.</param>
+/// <param name="problem">What is wrong with a list, or null.</param>
+/// <param name="pattern">The pattern of a text in JSON schemas, or null.</param>
+internal class TextsFormat<TItem>(
+    string expected, string range, Func<string, TItem?> item, Func<ValueList<TItem>, string?> problem, string? pattern = null)
+    : KeyFormat<ValueList<TItem>>(KeyKind.Lines, expected)
 {
-    public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("type", "array"), new("items", SchemaOfItem)];
+    public override string Range => range;
 
-    /// <summary>The pattern of a text in JSON schemas, or null.</summary>
-    protected virtual string? Pattern => null;
+    public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("type", "array"), new("items", SchemaOfItem)];
 
     public override object? Parse(string text)
         => text.Trim().Length == 0 ? Array.Empty<object>() : text.Split(',', '\n').Select(t => (object)t.Trim()).ToArray();
 
     public override bool TryRead(object raw, out ValueList<TItem>? value)
     {
-        var items = raw is IReadOnlyList<object> list && list.All(i => i is string) ? list.Select(i => Item((string)i)).ToArray() : null;
+        var items = raw is IReadOnlyList<object> list && list.All(i => i is string) ? list.Select(i => item((string)i)).ToArray() : null;
         value = items is null || items.Any(i => i is null) ? null : new ValueList<TItem>(items!);
         return value is not null;
     }
 
     public override object Write(ValueList<TItem> value) => value.Select(v => (object)v!.ToString()!).ToArray();
 
-    /// <summary>An item from its text; null if the text is wrong.</summary>
-    protected abstract TItem? Item(string text);
+    public override string? Problem(ValueList<TItem> value) => problem(value);
 
-    private KeyValuePair<string, object>[] SchemaOfItem
-        => Pattern is { } pattern ? [new("type", "string"), new("pattern", pattern)] : [new("type", "string")];
+    private KeyValuePair<string, object>[] SchemaOfItem => pattern is null ? [new("type", "string")] : [new("type", "string"), new("pattern", pattern)];
 }

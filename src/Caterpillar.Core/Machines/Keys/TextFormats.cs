@@ -100,19 +100,16 @@ internal sealed class ChoiceFormat(params (string Word, object Value)[] choices)
 }
 
 /// <summary>Lines of a template.</summary>
-internal sealed class LinesFormat(Func<ValueList<string>, Diagnostic?> check) : TextsFormat<string>("a list of lines")
+internal sealed class LinesFormat(Func<ValueList<string>, Diagnostic?> check)
+    : TextsFormat<string>("a list of lines", "a list of lines of text", line => line, lines => ProblemOf(lines, check))
 {
     /// <summary>The code of the first error of the template, or null.</summary>
     public string? ErrorCode(object raw) => TryRead(raw, out var lines) ? check(lines!)?.Code : null;
 
-    public override string Range => "a list of lines of text";
-
     public override object? Parse(string text)
         => text.Length == 0 ? Array.Empty<object>() : text.Split(["\r\n", "\n", "\\n"], StringSplitOptions.None).Cast<object>().ToArray();
 
-    protected override string Item(string text) => text;
-
-    public override string? Problem(ValueList<string> value)
+    private static string? ProblemOf(ValueList<string> value, Func<ValueList<string>, Diagnostic?> check)
         => value.Any(l => l is null || l.IndexOfAny(['\n', '\r']) >= 0) ? "has an entry of more than one line"
             : check(value) is { } error ? $"has an error in {error.Source}: {error.Message.TrimEnd('.')}" : null;
 }

@@ -15,7 +15,8 @@ internal static class JsonFlat
         {
             if (!Next(reader) || reader.TokenType != JsonToken.StartObject)
             {
-                diagnostics.Add(Error("profile.not_an_object", "A profile must be a JSON object: { \"key\": value, … }.", file, reader));
+                diagnostics.Add(new Diagnostic(Severity.Error, "profile.not_an_object", "A profile must be a JSON object: { \"key\": value, … }.",
+                    new SourceLocation(file, Math.Max(reader.LineNumber, 1), reader.LinePosition)));
                 return null;
             }
             var entries = new List<JsonEntry>();
@@ -87,9 +88,6 @@ internal static class JsonFlat
         var at = end > start ? text.LastIndexOf(key, end - 1, end - start, StringComparison.Ordinal) : -1;
         return at > start ? at - start : position;
     }
-
-    private static Diagnostic Error(string code, string message, string file, JsonTextReader reader)
-        => new(Severity.Error, code, message, new SourceLocation(file, Math.Max(reader.LineNumber, 1), reader.LinePosition));
 
     // Newtonsoft appends the path and the position, which the source of the diagnostic already has.
     private static string Sentence(string message)

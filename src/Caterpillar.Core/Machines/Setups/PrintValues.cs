@@ -53,29 +53,16 @@ internal static class PrintValues
         var bounds = Bounds.Empty;
         double volume = 0, filament = 0, mass = 0, cost = 0;
         var tools = Enumerable.Range(0, Math.Max(toolpath.Tools.Count, 1)).Select(setup.OfTool).Select(s => (s.Material, s.Extrusion.FilamentPerE)).ToArray();
-        var wasPrinting = false;
-        for (var b = 0; b < toolpath.Blocks.Count; b++)
+        foreach (var move in toolpath.Moves())
         {
-            var c = toolpath.Blocks[b].Columns;
-            var start = toolpath.StartOf(b);
-            for (var i = 0; i < c.Count; i++)
-            {
-                var end = new Vec3(c.X[i], c.Y[i], c.Z[i]);
-                if (c.Deposited[i] != 0)
-                {
-                    var (material, length) = tools[Math.Min((int)c.Tool[i], tools.Length - 1)];
-                    var added = c.Deposited[i] * (toolpath.VolumePerE(c.Tool[i]) ?? 0);
-                    volume += added;
-                    filament += c.Deposited[i] * length;
-                    mass += added / 1000 * material.Density;
-                    cost += added / 1_000_000 * material.Density * material.CostPerKg;
-                }
-                var prints = c.Kind[i] == MoveKind.Print;
-                if (prints && !wasPrinting) bounds = bounds.Include(start);
-                if (prints) bounds = c.TryGetArc(i, out var arc) ? bounds.Include(arc.Bounds(start, end)) : bounds.Include(end);
-                wasPrinting = prints;
-                start = end;
-            }
+            if (move.Kind == MoveKind.Print) bounds = bounds.Include(move.Bounds);
+            if (move.Deposited == 0) continue;
+            var (material, length) = tools[Math.Min(move.Tool, tools.Length - 1)];
+            var added = toolpath.VolumeOf(move) ?? 0;
+            volume += added;
+            filament += move.Deposited * length;
+            mass += added / 1000 * material.Density;
+            cost += added / 1_000_000 * material.Density * material.CostPerKg;
         }
         numbers["layer_count"] = toolpath.CountLayers();
         numbers["print_min_x_mm"] = bounds.Min.X;

@@ -9,9 +9,6 @@ internal sealed class Template(IReadOnlyList<TemplatePart> parts, TemplateNames 
 {
     private const int Decimals = 5;
 
-    private readonly IReadOnlyList<TemplatePart> _parts = parts;
-    private readonly TemplateNames _names = names;
-
     /// <summary>Reads a template. Errors have its line and column, and file and key of <paramref name="source"/>.</summary>
     public static Result<Template> Parse(IReadOnlyList<string> lines, TemplateNames names, SourceLocation source)
     {
@@ -24,14 +21,14 @@ internal sealed class Template(IReadOnlyList<TemplatePart> parts, TemplateNames 
     public Result<IReadOnlyList<string>> Render(TemplateValues values)
     {
         var problems = new List<Diagnostic>();
-        var slots = _names.Numbers.Select(n => values.Number(n) ?? double.NaN).ToArray();
-        var missing = _names.Numbers.Where(n => values.Number(n) is null).ToArray();
+        var slots = names.Numbers.Select(n => values.Number(n) ?? double.NaN).ToArray();
+        var missing = names.Numbers.Where(n => values.Number(n) is null).ToArray();
         var lines = new List<string>();
         var line = new StringBuilder();
         var directives = false;
         // For each open if: whether this branch is taken, and whether one was taken.
         var open = new Stack<(bool Now, bool Done)>();
-        foreach (var part in _parts)
+        foreach (var part in parts)
         {
             var active = open.All(o => o.Now);
             directives |= part.IsDirective;

@@ -70,7 +70,13 @@ public sealed record CheckRule(string Code, Severity Severity, string Summary);
 /// <param name="Severity">Severity of the findings; null = off.</param>
 public readonly record struct CheckSeverity(string Code, Severity? Severity)
 {
+    private const char Wrong = '!';
+
     private static readonly string[] Words = ["note", "warning", "error"];
+
+    /// <summary>The pattern of the texts in JSON schemas.</summary>
+    internal static string Pattern
+        => "^(" + string.Join("|", CheckCodes.All.Select(c => string.Join("\\.", c.Code.Split('.')))) + ")=(off|note|warning|error)$";
 
     /// <summary>Reads <c>code=severity</c>; null and the problem if the text is invalid.</summary>
     internal static CheckSeverity? Parse(string text, out string? problem)
@@ -89,6 +95,17 @@ public readonly record struct CheckSeverity(string Code, Severity? Severity)
         if (at >= 0) return new CheckSeverity(code, (Severity)at);
         problem = $"needs off, note, warning or error for \"{code}\", not \"{word}\"";
         return null;
+    }
+
+    /// <summary>What is wrong is kept for the message of <see cref="Problem"/>.</summary>
+    internal static CheckSeverity OrWrong(string text) => Parse(text, out _) ?? new CheckSeverity(Wrong + text, null);
+
+    /// <summary>What is wrong with severities, or null.</summary>
+    internal static string? Problem(ValueList<CheckSeverity> severities)
+    {
+        if (severities.FirstOrDefault(s => CheckCodes.Find(s.Code) is null) is not { Code: { } code }) return null;
+        Parse(code.TrimStart(Wrong), out var problem);
+        return problem ?? $"has \"{code}\", which is not the code of a check";
     }
 
     public override string ToString() => Code + "=" + (Severity is { } severity ? Words[(int)severity] : "off");

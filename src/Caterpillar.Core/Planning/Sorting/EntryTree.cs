@@ -15,8 +15,9 @@ internal sealed class EntryTree
     private readonly double[] _box;
     private readonly int _leaves;
 
-    public EntryTree(Vec3[] points, int count)
+    public EntryTree(Vec3[] points)
     {
+        var count = points.Length;
         _points = points;
         _order = new int[count];
         for (var i = 0; i < count; i++) _order[i] = i;
@@ -28,9 +29,6 @@ internal sealed class EntryTree
         _box = new double[12 * _leaves];
         Build(1, 0, count);
     }
-
-    /// <summary>Number of remaining points.</summary>
-    public int Count => _alive[1];
 
     public void Remove(int point)
     {

@@ -10,15 +10,15 @@ internal static class NearestOrder
     {
         if (items.Length == 0) return [];
         if (items.Length == 1) return [start is { } from ? items[0].NearestEntry(0, from) : new PathPlacement(0)];
-        var entries = new EntryPoints(items);
+        var entries = new EntryPoints(items.Select((item, i) => (item, i)));
         var order = new PathPlacement[items.Length];
         var at = start ?? items[0].Path.Start;
         for (var n = 0; n < order.Length; n++)
         {
             if ((n & 1023) == 0) cancel.ThrowIfCancellationRequested();
-            var owner = n == 0 && start is null ? 0 : entries.OwnerOf(entries.Tree.Nearest(at));
+            var owner = n == 0 && start is null ? 0 : entries.NearestOwner(at);
             order[n] = n == 0 && start is null ? new PathPlacement(0) : items[owner].NearestEntry(owner, at);
-            entries.RemoveOwner(owner);
+            entries.Remove(owner);
             at = items[owner].Exit(order[n]);
         }
         var given = AsGiven(items.Length);

@@ -10,16 +10,7 @@ public static class PathSorter
     /// <exception cref="ArgumentException">A path is null.</exception>
     public static IReadOnlyList<PrintPath> Sort(
         IReadOnlyList<PrintPath> paths, SortOptions? options = null, IProgress<double>? progress = null, CancellationToken cancel = default)
-    {
-        var places = Order(paths, options, progress, cancel);
-        var sorted = new PrintPath[places.Count];
-        for (var i = 0; i < sorted.Length; i++)
-        {
-            var path = paths[places[i].Index];
-            sorted[i] = places[i].Reversed ? path.Reversed() : places[i].Vertex > 0 ? path.StartingAt(places[i].Vertex) : path;
-        }
-        return sorted;
-    }
+        => [.. Order(paths, options, progress, cancel).Select(place => place.Of(paths[place.Index]))];
 
     /// <summary>The same order as indices of the paths, with their direction and start.</summary>
     /// <exception cref="ArgumentException">A path is null.</exception>

@@ -55,40 +55,36 @@ internal readonly struct SortItem(PrintPath path, bool reverse, bool rotate, Pri
 
     // Loops that may start anywhere start side by side.
     private Vec3 TailExit(PathPlacement at) => !Tail!.IsClosed ? Tail.End : Rotate ? Path.RawPoints[at.Vertex] : Tail.Start;
-
-    public PrintPath Placed(PathPlacement at) => at.Reversed ? Path.Reversed() : at.Vertex > 0 ? Path.StartingAt(at.Vertex) : Path;
 }
 
-/// <summary>The points at which paths may start, with the path that each belongs to.</summary>
+/// <summary>The points at which paths may start, with the path or island that each belongs to.</summary>
 internal sealed class EntryPoints
 {
     // For loops of more vertices only a selection is searched first; the chosen loop then starts at its nearest vertex.
     private const int MaxPerLoop = 128;
-    private Vec3[] _points = new Vec3[16];
-    private int[] _owners = new int[16];
-    private readonly int[] _firsts;
+    private readonly List<Vec3> _points = [];
+    private readonly List<int> _owners = [];
+    private readonly List<int> _firsts = [];
+    private readonly EntryTree _tree;
 
-    public EntryPoints(SortItem[] items)
+    /// <param name="items">The paths, in the order of their owners, which are numbered from 0.</param>
+    public EntryPoints(IEnumerable<(SortItem Item, int Owner)> items)
     {
-        _firsts = new int[items.Length + 1];
-        for (var i = 0; i < items.Length; i++)
+        foreach (var (item, owner) in items)
         {
-            _firsts[i] = Count;
-            AddEntries(items[i], i);
+            if (owner == _firsts.Count) _firsts.Add(_points.Count);
+            AddEntries(item, owner);
         }
-        _firsts[items.Length] = Count;
-        Tree = new EntryTree(_points, Count);
+        _firsts.Add(_points.Count);
+        _tree = new EntryTree(_points.ToArray());
     }
 
-    public int Count { get; private set; }
+    /// <summary>The owner of the nearest point that remains.</summary>
+    public int NearestOwner(Vec3 at) => _owners[_tree.Nearest(at)];
 
-    public EntryTree Tree { get; }
-
-    public int OwnerOf(int point) => _owners[point];
-
-    public void RemoveOwner(int owner)
+    public void Remove(int owner)
     {
-        for (var i = _firsts[owner]; i < _firsts[owner + 1]; i++) Tree.Remove(i);
+        for (var i = _firsts[owner]; i < _firsts[owner + 1]; i++) _tree.Remove(i);
     }
 
     private void AddEntries(SortItem item, int owner)
@@ -106,12 +102,7 @@ internal sealed class EntryPoints
 
     private void Add(Vec3 point, int owner)
     {
-        if (Count == _points.Length)
-        {
-            Array.Resize(ref _points, Count * 2);
-            Array.Resize(ref _owners, Count * 2);
-        }
-        _points[Count] = point;
-        _owners[Count++] = owner;
+        _points.Add(point);
+        _owners.Add(owner);
     }
 }

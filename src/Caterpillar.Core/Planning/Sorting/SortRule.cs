@@ -34,4 +34,8 @@ public sealed record SortOptions(SortRule Rule = SortRule.Nearest, bool Reverse 
 /// <param name="Index">Its index in the input.</param>
 /// <param name="Reversed">True if an open path is printed from its end.</param>
 /// <param name="Vertex">Start vertex of a closed path.</param>
-public readonly record struct PathPlacement(int Index, bool Reversed = false, int Vertex = 0);
+public readonly record struct PathPlacement(int Index, bool Reversed = false, int Vertex = 0)
+{
+    /// <summary>The path, reversed or rotated.</summary>
+    public PrintPath Of(PrintPath path) => Reversed ? path.Reversed() : Vertex > 0 ? path.StartingAt(Vertex) : path;
+}

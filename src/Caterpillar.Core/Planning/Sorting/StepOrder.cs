@@ -17,10 +17,6 @@ internal readonly struct OrderedStep(Step step, PrintPath? path, int source)
 /// </summary>
 internal sealed class StepOrder(IReadOnlyList<Step> steps, SortOptions options, CancellationToken cancel)
 {
-    private readonly IReadOnlyList<Step> _steps = steps;
-    private readonly SortOptions _options = options;
-    private readonly CancellationToken _cancel = cancel;
-
     // The steps in order so far, and where the head is after them.
     private OrderedStep[] _ordered = new OrderedStep[steps.Count];
     private int _count;
@@ -34,20 +30,20 @@ internal sealed class StepOrder(IReadOnlyList<Step> steps, SortOptions options, 
 
     private OrderedStep[] Find(IProgress<double>? progress)
     {
-        for (int first = 0, end; first < _steps.Count; first = end)
+        for (int first = 0, end; first < steps.Count; first = end)
         {
             end = first + 1;
-            if (_options.Rule == SortRule.None || _steps[first] is not PathStep { Group: not null })
+            if (options.Rule == SortRule.None || steps[first] is not PathStep { Group: not null })
             {
-                if (_steps[first] is TravelStep travel) _at = travel.Points[travel.Points.Count - 1];
-                var path = (_steps[first] as PathStep)?.Path;
+                if (steps[first] is TravelStep travel) _at = travel.Points[travel.Points.Count - 1];
+                var path = (steps[first] as PathStep)?.Path;
                 if (path is not null) _at = path.End;
-                _ordered[_count++] = new OrderedStep(_steps[first], path, first);
+                _ordered[_count++] = new OrderedStep(steps[first], path, first);
                 continue;
             }
-            while (end < _steps.Count && _steps[end] is PathStep { Group: not null }) end++;
+            while (end < steps.Count && steps[end] is PathStep { Group: not null }) end++;
             SortRun(first, end);
-            progress?.Report((double)end / _steps.Count);
+            progress?.Report((double)end / steps.Count);
         }
         return _ordered;
     }
@@ -60,7 +56,7 @@ internal sealed class StepOrder(IReadOnlyList<Step> steps, SortOptions options, 
         for (var i = 0; i < run.Length; i++)
         {
             run[i] = first + i;
-            groups[i] = ((PathStep)_steps[first + i]).Group!.Value;
+            groups[i] = ((PathStep)steps[first + i]).Group!.Value;
             isSorted &= i == 0 || Compare(groups[i - 1], groups[i]) <= 0;
         }
         if (!isSorted) Array.Sort(run, (a, b) => Compare(groups[a - first], groups[b - first]) is var c and not 0 ? c : a.CompareTo(b));
@@ -84,31 +80,31 @@ internal sealed class StepOrder(IReadOnlyList<Step> steps, SortOptions options, 
     private void SortLayer(List<(int From, int To)> islands)
     {
         // An island starts with its group of the lowest rank: the nearest of those entries decides which island comes next.
-        var choose = islands.Count > 1 && _options.Rule != SortRule.Orient ? Entries(islands) : null;
+        var choose = islands.Count > 1 && options.Rule != SortRule.Orient ? Entries(islands) : null;
         var sorted = new (int From, int To)[islands.Count];
         var starts = new int[islands.Count];
         var (at, leads) = (_at, 0);
         for (var n = 0; n < islands.Count; n++)
         {
             // Islands below zero (a skirt) come first, in their order.
-            var isLead = ((PathStep)_steps[_run[islands[n].From]]).Group!.Value.Island < 0;
+            var isLead = ((PathStep)steps[_run[islands[n].From]]).Group!.Value.Island < 0;
             if (isLead) leads++;
-            var next = isLead || choose is null || _at is null ? n : choose.OwnerOf(choose.Nearest(_at.Value));
+            var next = isLead || choose is null || _at is null ? n : choose.NearestOwner(_at.Value);
             choose?.Remove(next);
             sorted[n] = islands[next];
             starts[n] = _count;
             SortIsland(sorted[n]);
         }
-        if (_options.Rule == SortRule.Tour && islands.Count - leads >= 3 && _options.Passes >= 1) Exchange(sorted, starts, leads, at);
+        if (options.Rule == SortRule.Tour && islands.Count - leads >= 3 && options.Passes >= 1) Exchange(sorted, starts, leads, at);
     }
 
     private void SortIsland((int From, int To) island)
     {
         for (int from = island.From, to; from < island.To; from = to)
         {
-            var rank = Rank(_steps[_run[from]]);
+            var rank = Rank(steps[_run[from]]);
             to = from + 1;
-            while (to < island.To && Rank(_steps[_run[to]]) == rank) to++;
+            while (to < island.To && Rank(steps[_run[to]]) == rank) to++;
             SortGroup(from, to);
         }
     }
@@ -124,7 +120,7 @@ internal sealed class StepOrder(IReadOnlyList<Step> steps, SortOptions options, 
             items[i] = new SortItem(_ordered[starts[leads + i]].Path!, false, false, _ordered[end - 1].Path!);
         }
         var start = leads == 0 ? at : _ordered[starts[leads] - 1].Path!.End;
-        var places = TourImprover.Improve(items, NearestOrder.AsGiven(items.Length), start, _options.Passes, _cancel);
+        var places = TourImprover.Improve(items, NearestOrder.AsGiven(items.Length), start, options.Passes, cancel);
         var same = true;
         for (var i = 0; i < places.Length; i++) same &= places[i].Index == i;
         if (same) return;
@@ -166,50 +162,48 @@ internal sealed class StepOrder(IReadOnlyList<Step> steps, SortOptions options, 
             var last = heads[i + 1] - 1;
             items[i] = Item(heads[i], last > heads[i] ? PathAt(last).Path : null);
         }
-        foreach (var place in PathSorter.Find(items, _options with { Start = _at }, _cancel))
+        foreach (var place in PathSorter.Find(items, options with { Start = _at }, cancel))
         {
             var head = heads[place.Index];
-            Add(head, items[place.Index].Placed(place));
+            Add(head, place.Of(items[place.Index].Path));
             for (var i = head + 1; i < heads[place.Index + 1]; i++)
             {
                 var item = Item(i);
-                Add(i, item.Placed(item.NearestEntry(0, _at!.Value)));
+                Add(i, item.NearestEntry(0, _at!.Value).Of(item.Path));
             }
         }
     }
 
     private void Add(int place, PrintPath path)
     {
-        _ordered[_count++] = new OrderedStep(_steps[_run[place]], path, _run[place]);
+        _ordered[_count++] = new OrderedStep(steps[_run[place]], path, _run[place]);
         _at = path.End;
     }
 
-    private IslandEntries Entries(List<(int From, int To)> islands)
+    private EntryPoints Entries(List<(int From, int To)> islands)
     {
-        var items = new List<SortItem>();
-        var owners = new List<int>();
+        var items = new List<(SortItem Item, int Owner)>();
         for (var island = 0; island < islands.Count; island++)
         {
             var (from, to) = islands[island];
-            var rank = Rank(_steps[_run[from]]);
-            for (var i = from; i < to && Rank(_steps[_run[i]]) == rank; i++)
+            var rank = Rank(steps[_run[from]]);
+            for (var i = from; i < to && Rank(steps[_run[i]]) == rank; i++)
             {
                 // One whose first path was taken out is the first itself.
                 if (i > from && PathAt(i).Joined) continue;
-                items.Add(Item(i));
-                owners.Add(island);
+                items.Add((Item(i), island));
             }
         }
-        return new IslandEntries(items.ToArray(), owners.ToArray(), islands.Count);
+        return new EntryPoints(items);
     }
 
     private SortItem Item(int place, PrintPath? tail = null)
     {
         var step = PathAt(place);
-        return new SortItem(step.Path, _options.Reverse && !step.KeepStart, _options.Rotate && !step.KeepStart, tail);
+        return new SortItem(step.Path, options.Reverse && !step.KeepStart, options.Rotate && !step.KeepStart, tail);
     }
 
-    private PathStep PathAt(int place) => (PathStep)_steps[_run[place]];
+    private PathStep PathAt(int place) => (PathStep)steps[_run[place]];
 
     private static int Rank(Step step) => ((PathStep)step).Group!.Value.Rank;
 
@@ -219,30 +213,5 @@ internal sealed class StepOrder(IReadOnlyList<Step> steps, SortOptions options, 
         if (layer != 0) return layer;
         var island = a.Island.CompareTo(b.Island);
         return island != 0 ? island : a.Rank.CompareTo(b.Rank);
-    }
-
-    private sealed class IslandEntries
-    {
-        private readonly EntryPoints _entries;
-        private readonly int[] _owners;
-        private readonly int[] _firsts;
-
-        public IslandEntries(SortItem[] items, int[] owners, int islands)
-        {
-            _entries = new EntryPoints(items);
-            _owners = owners;
-            _firsts = new int[islands + 1];
-            foreach (var owner in owners) _firsts[owner + 1]++;
-            for (var i = 0; i < islands; i++) _firsts[i + 1] += _firsts[i];
-        }
-
-        public int Nearest(Vec3 at) => _entries.Tree.Nearest(at);
-
-        public int OwnerOf(int point) => _owners[_entries.OwnerOf(point)];
-
-        public void Remove(int island)
-        {
-            for (var i = _firsts[island]; i < _firsts[island + 1]; i++) _entries.RemoveOwner(i);
-        }
     }
 }

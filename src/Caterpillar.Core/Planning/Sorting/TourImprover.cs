@@ -180,7 +180,7 @@ internal sealed class TourImprover
             ends[place.Index * 2] = _items[place.Index].Entry(place);
             ends[place.Index * 2 + 1] = _items[place.Index].Exit(place);
         }
-        var tree = new EntryTree(ends, ends.Length);
+        var tree = new EntryTree(ends);
         var near = new int[_order.Length * Neighbors];
         var taken = new int[Neighbors];
         for (var path = 0; path < _order.Length; path++)

@@ -37,9 +37,6 @@ public sealed class SortPathsComponent() : CaterpillarComponent(
         run.Summarize($"{NumberFormatter.Format(sorted.Travel, 1)} mm of {NumberFormatter.Format(sorted.Before, 1)}");
     }
 
-    private static PrintPath Placed(PrintPath path, PathPlacement place)
-        => place.Reversed ? path.Reversed() : place.Vertex > 0 ? path.StartingAt(place.Vertex) : path;
-
     private sealed record Sorted(PrintPathGoo[] Paths, GH_Integer[] Indices, double Before, double Travel)
     {
         // Paths sorted here are printed in this order: they leave the groups of the slicer, unless each keeps its place.
@@ -47,7 +44,7 @@ public sealed class SortPathsComponent() : CaterpillarComponent(
         {
             var paths = list.Paths;
             var order = PathSorter.Order(paths, options, progress, cancel);
-            var placed = order.Select(place => Placed(paths[place.Index], place)).ToArray();
+            var placed = order.Select(place => place.Of(paths[place.Index])).ToArray();
             return new Sorted(placed.Select((p, i) => Goo(p, list.Goos[order[i].Index], options.Rule)).ToArray(),
                 order.Select(place => new GH_Integer(place.Index)).ToArray(),
                 PathSorter.TravelBetween(paths), PathSorter.TravelBetween(placed));
