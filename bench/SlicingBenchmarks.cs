@@ -28,7 +28,9 @@ public class SlicingBenchmarks
         _heights = Enumerable.Range(0, 400).Select(i => 0.1 + 0.2 * i).ToArray();
         _sliced = Slice();
         _toolpath = Plan();
-        _text = Write();
+        using var memory = new System.IO.MemoryStream();
+        new GCodeWriter(_toolpath).WriteAll(memory);
+        _text = memory.ToArray();
     }
 
     [Benchmark]

@@ -67,6 +67,7 @@ public class CheckCodeTests : CliFixture
 
     private static string Printer(string code) => code switch
     {
+        CheckCodes.AxisRange => "\"rotary_axes\": [\"C work z\"], \"slide_range_mm\": [[0, 0, 0, 20, 200, 200]]",
         CheckCodes.ExcludedArea => "\"bed_exclude_areas_mm\": [[100, 50, 120, 70]]",
         CheckCodes.HeadHits => "\"head_boxes_mm\": [[-25, -45, 8, 50, 30, 60]]",
         CheckCodes.GantryHits => "\"gantry_mm\": [[20, 8, 60, 60]]",

@@ -63,7 +63,8 @@ internal sealed class BatchSummary
         =>
         [
             NumberFormatter.Format(outcome.Job.Number), string.Join(" ", outcome.Job.Inputs), .. outcome.Job.Cells, outcome.Job.Output ?? "",
-            Words.Spaced(outcome.Status.ToString()).ToLowerInvariant(), outcome.Status is BatchStatus.NotStarted or BatchStatus.Interrupted ? "" : NumberFormatter.Format(outcome.Code),
+            Words.Spaced(outcome.Status.ToString()).ToLowerInvariant(),
+            outcome.Status is BatchStatus.NotStarted or BatchStatus.Interrupted ? "" : NumberFormatter.Format(outcome.Code),
             outcome.ErrorCode, outcome.Error, .. outcome.Figures.Count > 0 ? outcome.Figures : FigureNames.Select(_ => ""),
             outcome.Status == BatchStatus.NotStarted ? "" : NumberFormatter.Format(outcome.Seconds, 3), outcome.Fingerprint,
         ];

@@ -95,6 +95,10 @@ public class CheckCodeTests
         CheckCodes.Outside => (new SmallPrint().Go(230, 10, 0.2), null),
         CheckCodes.FileExtrusion => (At(80, 60, 0.2).Print(100, 60, 0.2).Event(new RawEvent("M221 S50")).Print(120, 60, 0.2), null),
         CheckCodes.Below => (new SmallPrint().Go(20, 10, -1), null),
+        CheckCodes.AxisRange => (At(10, 10, 0.2).Go(30, 10, 0.2), p => p with
+        {
+            RotaryAxes = new(new RotaryAxis(RotaryWord.C, true, PathAxis.Z, Vec3.Zero)), SlideRange = new(new Bounds(new Vec3(0, 0, 0), new Vec3(20, 200, 200))),
+        }),
         CheckCodes.ExcludedArea => (At(80, 60, 0.2).Print(130, 60, 0.2),
             p => p with { ExcludedAreas = new(new Bounds(new Vec3(100, 50), new Vec3(120, 70))) }),
         CheckCodes.NozzleHits => (Wall().Go(70, 30, 200).Go(70, 30, 3).Print(70, 70, 3), null),

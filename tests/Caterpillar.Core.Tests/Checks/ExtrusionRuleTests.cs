@@ -41,20 +41,6 @@ public class ExtrusionRuleTests
         Assert.That(Count(Crossed().Go(60, 40, 3.92).Go(60, 50, 3.92).Go(60, 50, 20), CheckCodes.TravelHits), Is.GreaterThan(1));
     }
 
-    // Layers that descend: the extrusion of the layer below is higher, 0.15 mm beside.
-    [Test]
-    public void Where_layers_slope_what_is_below_may_be_higher_beside_but_not_in_the_same_layer()
-    {
-        SmallPrint Two(bool layers)
-        {
-            var print = new SmallPrint(50, 50, 4).InLayer(new Layer(0, 4, 0.2)).Print(70, 50, 4).Go(70, 50, 20).Go(50, 50.15, 20);
-            if (layers) print.InLayer(new Layer(1, 4.2, 0.2));
-            return print.Go(50, 50.15, 3.95).Print(70, 50.15, 3.95).Go(80, 80, 20);
-        }
-        Assert.That(Count(Two(layers: true), CheckCodes.Unsupported), Is.EqualTo(1));
-        Assert.That(Count(Two(layers: false), CheckCodes.Unsupported), Is.EqualTo(2));
-    }
-
     // 0.02 mm² by a nozzle of 0.4 mm are 0.05 mm high, whatever the layer: half of that decides.
     [TestCase(0.02, 2)]
     [TestCase(0.03, 1)]

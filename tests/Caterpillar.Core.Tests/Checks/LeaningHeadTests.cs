@@ -123,7 +123,7 @@ public class LeaningHeadTests
     private static double Depth(Vec3 q)
     {
         var best = double.NegativeInfinity;
-        (double Radius, double Height)[] points = [.. Outline, (Outline[^1].Radius, Outline[^1].Height + LeaningHead.Above)];
+        (double Radius, double Height)[] points = [.. Outline, (Outline[Outline.Length - 1].Radius, Outline[Outline.Length - 1].Height + LeaningHead.Above)];
         for (var i = 1; i < points.Length; i++)
         {
             var ((r0, h0), (r1, h1)) = (points[i - 1], points[i]);

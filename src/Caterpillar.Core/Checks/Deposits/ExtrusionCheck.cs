@@ -32,9 +32,6 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
     private readonly Kinematics? _kinematics = setup.Printer.Kinematics;
     private readonly double _usualHeight = setup.Settings.LargerLayerHeight;
     private Vec3 _start, _end;
-
-    // The layer of the last extrusion, and its first move.
-    private int _layer = -1, _layerStart = int.MaxValue;
     private bool _isOpen, _anchored, _startsHeld, _hasLanded;
     private double _air, _sinceExact;
     private int _airMove;
@@ -55,7 +52,6 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
     public (double Nominal, double Filled) Extrusion(in CheckedMove move)
     {
         if (move.Start != _end) Break();
-        if (move.Layer != _layer) (_layer, _layerStart) = (move.Layer, move.Index);
         if (!_isOpen) (_isOpen, _start) = (true, move.Start);
         _end = move.End;
         var area = AreaOf(move);
@@ -90,10 +86,7 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
             // Cells are wider than what is in them.
             if (p.Z - floor > reach && (!isHeld || _sinceExact > ExactStep || _air > 0))
             {
-                isHeld = _printed.Deposit.TopUnder(p, p.Z - 0.5 * least, beside, least: p.Z - reach) >= p.Z - reach
-                    // Where layers slope, what is below them may be higher beside the extrusion.
-                    || (_layer >= 0
-                        && _printed.Deposit.TopUnder(p, p.Z + beside, beside, _layerStart, p.Z - reach) >= p.Z - reach);
+                isHeld = _printed.Deposit.TopUnder(p, p.Z - 0.5 * least, beside, least: p.Z - reach) >= p.Z - reach;
                 if (isHeld) _sinceExact = 0;
             }
             if (isHeld || move.Role == Role.Purge) Land(move);
