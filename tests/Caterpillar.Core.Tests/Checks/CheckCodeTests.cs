@@ -97,7 +97,8 @@ public class CheckCodeTests
         CheckCodes.Below => (new SmallPrint().Go(20, 10, -1), null),
         CheckCodes.AxisRange => (At(10, 10, 0.2).Go(30, 10, 0.2), p => p with
         {
-            RotaryAxes = new(new RotaryAxis(RotaryWord.C, true, PathAxis.Z, Vec3.Zero)), SlideRange = new(new Bounds(new Vec3(0, 0, 0), new Vec3(20, 200, 200))),
+            RotaryAxes = new(new RotaryAxis(RotaryWord.C, true, PathAxis.Z, Vec3.Zero)),
+            SlideRange = new(new Bounds(Vec3.Zero, new Vec3(20, 200, 200))),
         }),
         CheckCodes.ExcludedArea => (At(80, 60, 0.2).Print(130, 60, 0.2),
             p => p with { ExcludedAreas = new(new Bounds(new Vec3(100, 50), new Vec3(120, 70))) }),

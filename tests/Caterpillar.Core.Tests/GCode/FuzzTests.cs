@@ -5,6 +5,7 @@ using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
+using Caterpillar.Shaping;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
 
@@ -125,7 +126,8 @@ public class FuzzTests
         var filter = new MoveFilter { FirstLayer = random.Next(2) == 0 ? null : random.Next(3), Kinds = random.Next(2) == 0 ? null : [MoveKind.Print] };
         var turned = decoding.Toolpath.Transform(filter, Affine.Rotate(Vec3.UnitZ, random.Next(360)).Then(Affine.Scale(random.Next(1, 3), 1, 1)));
         GCodeEditor.ToDocument(decoding, turned.InsertAtLayer(random.Next(3), new ToolEvent(random.Next(3))).Value ?? turned);
-        GCodeEditor.ToDocument(decoding, decoding.Toolpath.Deform(filter, p => p.WithZ(p.Z + Math.Min(Math.Abs(p.X), 1e5) / 1000), 0.5));
+        var bent = decoding.Toolpath.Deform(filter, Deformation.Cartesian(p => p.WithZ(p.Z + Math.Abs(p.X) / 1000)), 0.5);
+        if (bent.Value is { } moved) GCodeEditor.ToDocument(decoding, moved);
     }
 
     private static byte[] Mutate(Random random)

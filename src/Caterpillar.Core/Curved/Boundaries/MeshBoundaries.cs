@@ -74,6 +74,7 @@ public sealed class MeshBoundaries
         if (lower is null) throw new ArgumentNullException(nameof(lower));
         if (upper is null) throw new ArgumentNullException(nameof(upper));
         if (lower.Concat(upper).Any(v => v < 0 || v >= mesh.VertexCount)) throw new ArgumentOutOfRangeException(nameof(lower), "The vertex does not exist.");
+        if (lower.Count == 0 || upper.Count == 0) return Missing("Each boundary needs vertices.");
         return Near(mesh, BoundaryShape.Of(lower), [BoundaryShape.Of(upper)]);
     }
 
