@@ -23,6 +23,7 @@ public class ManualCodeTests : CliFixture
         ("first-print.md", "dotnet publish ", "needs the SDK; the program that it makes is tested"),
         ("concepts.md", "model, turtle", "a drawing"),
         ("compute.md", "curl ", "needs a server with Rhino.Compute"),
+        ("curved.md", "\"rotary_axes\"", "two keys of a profile; five_axis_head has them"),
         ("install.md", "./package.sh", "needs McNeel's packages"),
         ("library.md", "dotnet add ", "the form of a call"),
         ("library.md", "models, turtle", "a drawing"),
