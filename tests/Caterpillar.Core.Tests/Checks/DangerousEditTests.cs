@@ -14,9 +14,10 @@ namespace Caterpillar.Tests.Checks;
 public class DangerousEditTests
 {
     private static readonly int Wanted = Rounds.Of(quick: 100, full: 300);
+    private static readonly int Missed = Rounds.Of(quick: 0, full: 1);
 
     [Test]
-    public void Of_single_edits_that_are_dangerous_at_most_one_is_missed()
+    public void Of_single_edits_that_are_dangerous_at_most_one_in_300_is_missed()
     {
         var good = Good();
         var setup = new ProfileLibrary().Setup("generic").OrThrow();
@@ -36,7 +37,7 @@ public class DangerousEditTests
             else missed.Add(what + ": " + danger);
         }
         TestContext.Progress.WriteLine($"{found} of {edits} dangerous edits are found");
-        Assert.That(found, Is.AtLeast(Wanted - 1), string.Join("\n", missed));
+        Assert.That(found, Is.AtLeast(Wanted - Missed), string.Join("\n", missed));
     }
 
     private static IEnumerable<Diagnostic> Serious(IReadOnlyList<string> lines, PrintSetup setup)

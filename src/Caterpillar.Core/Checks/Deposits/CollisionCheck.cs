@@ -42,13 +42,12 @@ internal sealed class CollisionCheck
         }
         foreach (var (box, _) in _boxes) _lowest = Math.Min(_lowest, box.Min.Z);
         _clips = Stand(printer.Clips);
-        if (printer.Kinematics is not { } kinematics) return;
-        _leaning = new LeaningHead(kinematics, [.. PrintedSoFar.Outline(printer)], BoxesOf(printer));
+        if (printer.Kinematics is { } kinematics) _leaning = HeadOf(printer, kinematics);
     }
 
-    /// <summary>Boxes of the head, then beams as far as they reach over a part that turns.</summary>
-    public static Bounds[] BoxesOf(Printer printer) =>
-        [.. printer.HeadBoxes, .. printer.Gantry.Select(b => new Bounds(new Vec3(-Wide, b.Min.Y, b.Min.Z), new Vec3(Wide, b.Max.Y, b.Max.Z)))];
+    /// <summary>The head of a machine with rotary axes: the boxes of the head, then the beams as far as they reach over a part that turns.</summary>
+    public static LeaningHead HeadOf(Printer printer, Kinematics kinematics) => new(kinematics, PrintedSoFar.Outline(printer),
+        [.. printer.HeadBoxes, .. printer.Gantry.Select(b => new Bounds(new Vec3(-Wide, b.Min.Y, b.Min.Z), new Vec3(Wide, b.Max.Y, b.Max.Z)))]);
 
     /// <summary>Checks a straight move with the height of its extrusion in mm; 0 = no extrusion.</summary>
     public void Check(in CheckedMove move, double height)

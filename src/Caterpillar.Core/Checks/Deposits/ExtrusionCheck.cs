@@ -24,10 +24,8 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
     private const double Wider = 1.15;
     private readonly Printer _printer = setup.Printer;
     private readonly bool _isAsked = findings.LooksFor(Codes);
-    private readonly PrintedSoFar _printed = printed;
-    private readonly Findings _findings = findings;
-    private readonly FitCheck _fit = new FitCheck(setup, printed, findings);
-    private readonly BlobCheck _blobs = new BlobCheck(setup, printed, findings);
+    private readonly FitCheck _fit = new(setup, printed, findings);
+    private readonly BlobCheck _blobs = new(setup, printed, findings);
     private readonly BeadShape _shape = setup.Settings.BeadShape;
     private readonly Kinematics? _kinematics = setup.Printer.Kinematics;
     private readonly double _usualHeight = setup.Settings.LargerLayerHeight;
@@ -75,8 +73,8 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
         for (var k = 0; k < count; k++)
         {
             var p = Vec3.Lerp(move.Start, move.End, (k + 0.5) / count);
-            var floor = _printed.FloorUnder(p);
-            var (top, under) = _printed.Deposit.CellAt(p.X, p.Y);
+            var floor = printed.FloorUnder(p);
+            var (top, under) = printed.Deposit.CellAt(p.X, p.Y);
             gap = Gap(p.Z, top, under, floor, nominal);
             tight = Math.Min(tight, gap);
             nearest = Math.Min(nearest, p.Z - floor);
@@ -86,7 +84,7 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
             // Cells are wider than what is in them.
             if (p.Z - floor > reach && (!isHeld || _sinceExact > ExactStep || _air > 0))
             {
-                isHeld = _printed.Deposit.TopUnder(p, p.Z - 0.5 * least, beside, least: p.Z - reach) >= p.Z - reach;
+                isHeld = printed.Deposit.TopUnder(p, p.Z - 0.5 * least, beside, least: p.Z - reach) >= p.Z - reach;
                 if (isHeld) _sinceExact = 0;
             }
             if (isHeld || move.Role == Role.Purge) Land(move);
@@ -119,7 +117,7 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
         for (var k = 0; k < count; k++)
         {
             var p = Vec3.Lerp(move.Start, move.End, (k + 0.5) / count);
-            var gap = beside + _printed.Strands!.Below(p - tool * beside, tool, reach - beside);
+            var gap = beside + printed.Strands!.Below(p - tool * beside, tool, reach - beside);
             if (gap <= reach || move.Role == Role.Purge) Land(move);
             else Fly(move.Index, move.Length / count);
             if (!(thickness > 0)) height = Math.Min(height, gap);
@@ -150,7 +148,7 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
         Break();
         var slender = _highest / Math.Sqrt(_standing);
         if (_standing > 0 && slender > Slenderest)
-            _findings.Add(CheckCodes.FirstLayer, () => null,
+            findings.Add(CheckCodes.FirstLayer, () => null,
                 () => $"The print is {NumberFormatter.Format(_highest, 2)} mm high, but only {NumberFormatter.Format(_standing, 0)} mm² of it touch the bed. "
                     + "Add a brim.");
     }
@@ -187,7 +185,7 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
         _sinceGap = 0;
         var middle = Vec3.Lerp(move.Start, move.End, 0.5);
         // What is about as high is next to it.
-        _gap = _printed.GapBelow(middle, least / 2);
+        _gap = printed.GapBelow(middle, least / 2);
         if (area > Wide * _printer.NozzleDiameter * _gap) _gap = area / WidthOver(middle, move.End - move.Start, area, least);
         return Math.Min(_gap, Round(area));
     }
@@ -197,7 +195,7 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
     {
         var (width, most) = (area / Round(area), PrintedSoFar.Widest * _printer.NozzleDiameter);
         var across = along.LengthXY > 0 ? new Vec3(-along.Y, along.X) / along.LengthXY : Vec3.Zero;
-        while (width < most && _printed.GapAcross(middle, across * (width / 2), Round(area), middle.Z - least / 2, int.MaxValue) * width < area)
+        while (width < most && printed.GapAcross(middle, across * (width / 2), Round(area), middle.Z - least / 2, int.MaxValue) * width < area)
         {
             width *= Wider;
         }
@@ -224,11 +222,11 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
         var air = _air;
         if (!_hasLanded)
         {
-            _findings.Add(CheckCodes.InAir, _airMove, () => $"The print begins in the air: its first {NumberFormatter.Format(air, 1)} mm touch neither the "
+            findings.Add(CheckCodes.InAir, _airMove, () => $"The print begins in the air: its first {NumberFormatter.Format(air, 1)} mm touch neither the "
                 + "bed nor an object. Lower the print.");
             _hasLanded = true;
         }
-        _findings.Add(CheckCodes.Unsupported, _airMove, () => $"An extrusion is in the air for {NumberFormatter.Format(air, 1)} mm, "
+        findings.Add(CheckCodes.Unsupported, _airMove, () => $"An extrusion is in the air for {NumberFormatter.Format(air, 1)} mm, "
             + (bridge ? "between two supports. Add supports below it." : "with a free end. Add supports below it."), air);
     }
 }

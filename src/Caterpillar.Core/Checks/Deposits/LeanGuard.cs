@@ -17,9 +17,8 @@ internal sealed class LeanGuard
     {
         (_setup, _kinematics, _toolpath) = (setup, kinematics, toolpath);
         _strands = PrintedSoFar.Around(setup);
-        var boxes = CollisionCheck.BoxesOf(setup.Printer);
-        _boxes = boxes.Length;
-        _head = new LeaningHead(kinematics, [.. PrintedSoFar.Outline(setup.Printer)], boxes);
+        _head = CollisionCheck.HeadOf(setup.Printer, kinematics);
+        _boxes = setup.Printer.HeadBoxes.Count + setup.Printer.Gantry.Count;
     }
 
     /// <summary>True if the head would hit what was printed before, the object, the bed or clips.</summary>

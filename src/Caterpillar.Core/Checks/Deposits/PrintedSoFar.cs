@@ -169,7 +169,7 @@ internal sealed class PrintedSoFar
         Keep(new Fresh(at, move.End, half, tool, move.Index, _distance, at != move.Start));
     }
 
-    // What stands still around the print.
+    /// <summary>What stands still around the print: the object, the bed and its clips.</summary>
     public static StrandGrid Around(PrintSetup setup)
     {
         var strands = new StrandGrid();
@@ -203,10 +203,8 @@ internal sealed class PrintedSoFar
         _fresh[_newest++] = piece;
     }
 
-    public static IEnumerable<(double Radius, double Height)> Outline(Printer printer)
-    {
-        foreach (var point in printer.HeadOutline) yield return (point.Radius, point.Height);
-    }
+    /// <summary>Radius and height of the nozzle, from the tip outward, mm.</summary>
+    public static (double Radius, double Height)[] Outline(Printer printer) => [.. printer.HeadOutline.Select(p => (p.Radius, p.Height))];
 
     // A piece of an extrusion, and the length of motion at its end.
     private readonly record struct Fresh(Vec3 From, Vec3 To, double Half, Vec3 Tool, int Move, double Distance, bool GoesOn);

@@ -10,7 +10,6 @@ internal sealed class SmoothPlan
     // mm², and of the grid: smaller gains are not worth their time.
     private const double LeastArea = 1;
     private const double LeastShare = 0.001;
-    private const double LevelSlope = 0.005;
     private readonly SlopeGrid _grid;
     private readonly LayerRules _rules;
     private readonly TopSamples _samples;
@@ -69,10 +68,10 @@ internal sealed class SmoothPlan
             }
         }
         _layers.Sort((a, b) => a.Number.CompareTo(b.Number));
-        if (Steepest <= LevelSlope) Steepest = 0;
+        if (Steepest <= TopSamples.LevelSlope) Steepest = 0;
         for (var s = 0; s < done.Length; s++)
         {
-            if (!done[s] && _samples.All[s] is { Visible: true, Slope: > LevelSlope }) LeftOut.Add(s);
+            if (!done[s] && _samples.All[s] is { Visible: true, Slope: > TopSamples.LevelSlope }) LeftOut.Add(s);
         }
     }
 

@@ -15,8 +15,8 @@ internal readonly record struct TopSample(int Node, double Height, double ByX, d
 /// <summary>The tops of a part that slope gently, and its level bottoms, at the nodes of a grid, in connected pieces.</summary>
 internal sealed class TopSamples
 {
-    // Tangent of the slope of what counts as level.
-    private const double LevelSlope = 0.005;
+    /// <summary>Tangent of the slope up to which a face counts as level.</summary>
+    public const double LevelSlope = 0.005;
     private readonly SlopeGrid _grid;
     private readonly double _steepest;
     private readonly List<TopSample> _samples = [];

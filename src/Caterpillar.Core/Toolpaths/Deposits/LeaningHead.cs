@@ -25,13 +25,12 @@ internal sealed class LeaningHead(Kinematics kinematics, IReadOnlyList<(double R
     private const int MostParts = 512;
     private readonly HeadShape _shape = new(outline);
 
+    // The outline, and as wide as at its end above.
+    private readonly (double Radius, double Height)[] _whole = Whole(outline);
+
     // The part of the nozzle that may dig into gentle slopes, and the rest.
     private readonly (double Radius, double Height)[] _tip = Tip(outline);
-    private readonly (double Radius, double Height)[] _rest =
-    [
-        Tip(outline).Last(), .. outline.Where(p => p.Radius > Tip(outline).Last().Radius),
-        (outline[outline.Count - 1].Radius, outline[outline.Count - 1].Height + Above),
-    ];
+    private readonly (double Radius, double Height)[] _rest = Rest(outline);
 
     /// <summary>What the nozzle does to strands; the strand that it hits or digs into.</summary>
     /// <param name="strands">What is there.</param>
@@ -42,11 +41,11 @@ internal sealed class LeaningHead(Kinematics kinematics, IReadOnlyList<(double R
     {
         hit = null;
         var contact = HeadContact.None;
-        var reach = outline[outline.Count - 1].Radius + outline[outline.Count - 1].Height + Above;
+        var reach = _whole[_whole.Length - 1].Radius + _whole[_whole.Length - 1].Height;
         foreach (var (a, b, bulge) in Parts(move, reach, tolerance, kinematics.Pose))
         {
             var apart = (a.ZAxis + b.ZAxis).Unit();
-            var whole = Hull(a, b, [.. outline, (outline[outline.Count - 1].Radius, outline[outline.Count - 1].Height + Above)]);
+            var whole = Hull(a, b, _whole);
             ConvexBody[]? tip = null, rest = null, raised = null;
             ConvexBody? cone = null;
             foreach (var strand in strands.Near(whole, bulge, apart))
@@ -129,6 +128,15 @@ internal sealed class LeaningHead(Kinematics kinematics, IReadOnlyList<(double R
 
     private static ConvexBody Hull(Affine a, Affine b, (double Radius, double Height)[] points)
         => new([.. points.SelectMany(p => new[] { a, b }, (p, at) => new Disc(at.Shift + at.ZAxis * p.Height, at.ZAxis, p.Radius))]);
+
+    private static (double Radius, double Height)[] Whole(IReadOnlyList<(double Radius, double Height)> outline)
+        => [.. outline, (outline[outline.Count - 1].Radius, outline[outline.Count - 1].Height + Above)];
+
+    private static (double Radius, double Height)[] Rest(IReadOnlyList<(double Radius, double Height)> outline)
+    {
+        var begin = Tip(outline).Last();
+        return [begin, .. outline.Where(p => p.Radius > begin.Radius), Whole(outline).Last()];
+    }
 
     private static (double Radius, double Height)[] Tip(IReadOnlyList<(double Radius, double Height)> outline)
     {

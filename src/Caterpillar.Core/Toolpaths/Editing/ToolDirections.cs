@@ -17,9 +17,6 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
     // Shares of the lean that are tried.
     private static readonly double[] Whole = [1], Shares = [1, 0.75, 0.5, 0.25, 0];
 
-    // Words before beads to which no travel leads.
-    private readonly Dictionary<int, Vec3> _turnsFirst = [];
-
     /// <summary>Maximum lean of the tool from vertical, degrees; steeper directions are limited to it.</summary>
     public double MaxTilt { get; init; } = 180;
 
@@ -41,6 +38,8 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
         var straight = kinematics.IsPolar ? Divided(toolpath, progress, cancel)
             : StraightPieces.Rebuilt(toolpath, toolpath.Start, (builder, piece) => builder.Add(piece), progress, cancel);
         var words = new Vec3[straight.Count];
+        // Words before beads to which no travel leads.
+        var turnsFirst = new Dictionary<int, Vec3>();
         var last = Vec3.Zero;
         for (var first = 0; first < words.Length;)
         {
@@ -57,22 +56,20 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
             else
             {
                 var start = Allowed(straight, words, bead, end, last);
-                Travel(straight, words, first, bead, last, start);
+                if (!Travel(straight, words, first, bead, last, start)) turnsFirst[bead] = start;
                 last = words[end - 1];
             }
             first = end;
         }
         var next = 0;
-        var turned = StraightPieces.Rebuilt(straight, straight.Start, (builder, piece) =>
+        return StraightPieces.Rebuilt(straight, straight.Start, (builder, piece) =>
         {
             // Without a travel to a bead the tool turns before it.
-            if (_turnsFirst.TryGetValue(next, out var before)) Turn(builder, builder.Position, before, piece);
+            if (turnsFirst.TryGetValue(next, out var before)) Turn(builder, builder.Position, before, piece);
             builder.Add(piece);
             builder.SetRotary(words[next].X, words[next].Y, words[next].Z);
             if (++next == words.Length) StandUp(builder, words[next - 1], piece);
         }, null, cancel);
-        _turnsFirst.Clear();
-        return turned;
     }
 
     private Vec3 Lean(Vec3 p) => Capped(tool(p).Unit(), MaxTilt);
@@ -169,13 +166,14 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
         }
     }
 
-    private void Travel(Toolpath path, Vec3[] words, int first, int bead, Vec3 from, Vec3 to)
+    // Fills in the words of the travel to a bead. False if the tool cannot turn during it.
+    private static bool Travel(Toolpath path, Vec3[] words, int first, int bead, Vec3 from, Vec3 to)
     {
         int leaves = first, arrives = bead - 1;
         while (leaves < bead && !(path[leaves].Length > 0)) leaves++;
         while (arrives >= first && !(path[arrives].Length > 0)) arrives--;
-        if (from != to && leaves > arrives) _turnsFirst[bead] = to;
         for (var i = first; i < bead; i++) words[i] = i < leaves || (i == leaves && arrives > leaves) ? from : arrives < leaves ? from : to;
+        return from == to || leaves <= arrives;
     }
 
     private static void Turn(ToolpathBuilder builder, Vec3 at, Vec3 words, in Move like)

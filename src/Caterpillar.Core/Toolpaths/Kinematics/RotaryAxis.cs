@@ -78,8 +78,9 @@ public sealed record RotaryAxis(RotaryWord Word, bool TurnsWork, PathAxis About,
     /// <summary>The text that <see cref="Parse"/> reads.</summary>
     public override string ToString()
     {
-        static string Part(string name, double value) => double.IsInfinity(value) ? "" : $" {name} {NumberFormatter.Format(value, 6)}";
-        var at = Point == Vec3.Zero ? "" : Part("at", Point.X) + Part("", Point.Y).TrimStart().Insert(0, " ") + Part("", Point.Z).TrimStart().Insert(0, " ");
+        static string Text(double value) => NumberFormatter.Format(value, 6);
+        static string Part(string name, double value) => double.IsInfinity(value) ? "" : $" {name} {Text(value)}";
+        var at = Point == Vec3.Zero ? "" : $" at {Text(Point.X)} {Text(Point.Y)} {Text(Point.Z)}";
         return $"{Word} {(TurnsWork ? "work" : "head")} {(IsReversed ? "-" : "")}{"xyz"[(int)About]}{at}"
             + Part("from", Min) + Part("to", Max) + Part("speed", MaxSpeed) + Part("acceleration", MaxAcceleration);
     }
