@@ -23,10 +23,47 @@ public class CurvedSliceTests : CliFixture
         Assert.That(Run("slice", "part.stl", "--field", "vertical").Code, Is.EqualTo(2));
         Assert.That(Run("slice", "part.stl", "--surface", "x", "--deform", "cone=20").Code, Is.EqualTo(2));
         Assert.That(Run("slice", "part.stl", "--field", "z", "--blend", "3").Code, Is.EqualTo(2));
-        Assert.That(Run("slice", "part.stl", "--surface", "0.1 * x", "--copies", "2").Code, Is.EqualTo(2));
+        Assert.That(Run("slice", "part.stl", "--deform", "x; y; z", "--copies", "2").Code, Is.EqualTo(2));
+        Assert.That(Run("slice", "part.stl", "--surface", "0.1 * x", "--rotate", "90,0,0").Code, Is.EqualTo(2));
         Assert.That(Run("slice", "part.stl", "--field", "z +").Code, Is.EqualTo(2));
         var both = Run("slice", "part.stl", "--field", "smooth", "--surface", "x");
         Assert.That((both.Code, both.Messages.Contains("--field smooth cannot be combined with --surface.")), Is.EqualTo((2, true)));
+    }
+
+    [TestCase("--surface", "0.1 * x + 0.05 * y", "0.1 * y + 0.05 * (20 - x)")]
+    [TestCase("--surface", "roof.stl", "large.stl")]
+    [TestCase("--field", "z - 0.1 * x", "z - 0.1 * y")]
+    [TestCase("--onto", "roof.stl", "large.stl")]
+    public void Surfaces_are_scaled_and_rotated_with_the_model(string option, string before, string after)
+    {
+        File.WriteAllText("part.stl", Box(20, 10, 3));
+        // Twice as large, turned from X to Y.
+        File.WriteAllText("big.stl", Box(20, 40, 6));
+        File.WriteAllText("roof.stl", Tetrahedron((-20, -20, 0), (60, -20, 0), (-20, 40, 0), (10, 5, 1.5)));
+        File.WriteAllText("large.stl", Tetrahedron((60, -40, 0), (60, 120, 0), (-60, -40, 0), (10, 20, 3)));
+        string[] common = ["--set", "layer_height_mm=0.3", "--set", "resolution_mm=0"];
+        var placed = Run(["slice", "part.stl", option, before, "--scale", "2", "--rotate", "90", "-o", "placed.gcode", .. common]);
+        var ready = Run(["slice", "big.stl", option, after, "-o", "ready.gcode", .. common]);
+        Assert.That((placed.Code, ready.Code), Is.EqualTo((0, 0)), placed.Messages + ready.Messages);
+        Assert.That(Extrusion("placed.gcode"), Is.EqualTo(Extrusion("ready.gcode")).Within(1).Percent);
+        var ((byX, byY), (alongX, alongY)) = (Slope("placed.gcode"), Slope("ready.gcode"));
+        Assert.That((byX - alongX, byY - alongY), Is.EqualTo((0.0, 0.0)).Within(0.002));
+        Assert.That(System.Math.Abs(byY), Is.GreaterThan(option == "--onto" || before == "roof.stl" ? 0 : 0.02));
+    }
+
+    [Test]
+    public void Copies_take_their_surface_and_object_along()
+    {
+        File.WriteAllText("part.stl", Box(20, 10, 3));
+        File.WriteAllText("scan.stl", Box(22, 12, 8));
+        var one = Run("slice", "part.stl", "--surface", "0.1 * x", "-o", "one.gcode", "--set", "skirt_loops=0");
+        var two = Run("slice", "part.stl", "--surface", "0.1 * x", "--copies", "2", "-o", "two.gcode", "--set", "skirt_loops=0");
+        Assert.That((one.Code, two.Code), Is.EqualTo((0, 0)), one.Messages + two.Messages);
+        Assert.That(Extrusion("two.gcode"), Is.EqualTo(2 * Extrusion("one.gcode")).Within(0.2).Percent);
+        var apart = Run("slice", "part.stl", "--onto", "scan.stl", "--copies", "2", "--spacing", "8", "--partial");
+        Assert.That(apart.Code, Is.Zero, apart.Messages);
+        var near = Run("slice", "part.stl", "--onto", "scan.stl", "--copies", "2", "--spacing", "1", "--partial");
+        Assert.That((near.Code, near.Messages.Contains("Increase --spacing")), Is.EqualTo((2, true)), near.Messages);
     }
 
     [Test]
@@ -177,5 +214,39 @@ public class CurvedSliceTests : CliFixture
         Assert.That(run.Code, Is.Zero, run.Messages);
         Assert.That(File.ReadAllText("square.gcode"), Does.Contain("Z8"));
         Assert.That(Run("curves", "lines.csv", "--squeeze", "0.1").Code, Is.EqualTo(2));
+    }
+
+    // How much extrusions rise along X and along Y.
+    private static (double ByX, double ByY) Slope(string file)
+    {
+        double x = 0, y = 0, z = 0, byX = 0, byY = 0, all = 0;
+        foreach (var line in File.ReadAllLines(file).Where(l => l.StartsWith("G1 ") || l.StartsWith("G0 ")))
+        {
+            var words = line.Split(';')[0].Split(' ', System.StringSplitOptions.RemoveEmptyEntries);
+            double To(char letter, double from) => words.FirstOrDefault(w => w[0] == letter) is { } word
+                ? double.Parse(word[1..], System.Globalization.CultureInfo.InvariantCulture) : from;
+            var (nextX, nextY, nextZ) = (To('X', x), To('Y', y), To('Z', z));
+            var (alongX, alongY) = (nextX - x, nextY - y);
+            if (To('E', 0) > 0) (byX, byY, all) = (byX + alongX * (nextZ - z), byY + alongY * (nextZ - z), all + alongX * alongX + alongY * alongY);
+            (x, y, z) = (nextX, nextY, nextZ);
+        }
+        return (byX / all, byY / all);
+    }
+
+    // mm of filament.
+    private static double Extrusion(string file)
+        => File.ReadAllLines(file).Where(l => l.StartsWith("G1 ") && l.Contains(" X") && l.Contains(" E"))
+            .Sum(l => double.Parse(l.Split(' ').First(w => w.StartsWith('E'))[1..], System.Globalization.CultureInfo.InvariantCulture));
+
+    private static string Tetrahedron(params (double X, double Y, double Z)[] p)
+    {
+        var text = new System.Text.StringBuilder("solid roof\n");
+        foreach (var face in new[] { "021", "013", "123", "203" })
+        {
+            text.Append("facet normal 0 0 0\nouter loop\n");
+            foreach (var (x, y, z) in face.Select(c => p[c - '0'])) text.Append(System.FormattableString.Invariant($"vertex {x} {y} {z}\n"));
+            text.Append("endloop\nendfacet\n");
+        }
+        return text.Append("endsolid roof\n").ToString();
     }
 }

@@ -19,17 +19,17 @@ internal sealed class BoundaryOptions
 
     public bool IsGiven(ParseResult arguments) => arguments.GetValue(_from) is not null || arguments.GetValue(_to) is { Length: > 0 };
 
-    /// <summary>The boundaries of a model that was moved from its position in the file.</summary>
-    public MeshBoundaries Of(ParseResult arguments, TriMesh mesh, Vec3 shift, Session session)
+    /// <summary>The boundaries of a model that was placed from its position in the file.</summary>
+    public MeshBoundaries Of(ParseResult arguments, TriMesh mesh, Affine placed, Session session)
     {
         if (!IsGiven(arguments)) return session.ValueOrFail(MeshBoundaries.Find(mesh, session.Cancel));
-        var from = arguments.GetValue(_from) is { } file ? Shape(file, shift, session) : null;
-        var to = (arguments.GetValue(_to) ?? []).Select(f => Shape(f, shift, session)).ToArray();
+        var from = arguments.GetValue(_from) is { } file ? Shape(file, placed, session) : null;
+        var to = (arguments.GetValue(_to) ?? []).Select(f => Shape(f, placed, session)).ToArray();
         if (to.Length == 0) throw new CliException(ExitCode.Usage, "--from needs --to.");
         return session.ValueOrFail(MeshBoundaries.Near(mesh, from, to, 0, session.Cancel));
     }
 
-    private static BoundaryShape Shape(string file, Vec3 shift, Session session)
+    private static BoundaryShape Shape(string file, Affine placed, Session session)
     {
         if (file.StartsWith("edge:", StringComparison.Ordinal))
         {
@@ -41,11 +41,11 @@ internal sealed class BoundaryOptions
         {
             var read = Meshes.Read([file], session);
             var mesh = TriMesh.Merge((read.Value ?? []).Select(m => m.Mesh));
-            if (mesh.TriangleCount > 0) return BoundaryShape.Of(mesh.Moved(shift));
+            if (mesh.TriangleCount > 0) return BoundaryShape.Of(mesh.Transformed(placed));
             // An OBJ file may hold lines only.
             if (!file.EndsWith(".obj", StringComparison.OrdinalIgnoreCase)) session.ValueOrFail(read);
         }
-        return BoundaryShape.Of(Curves.ReadPolylines(file, shift, session));
+        return BoundaryShape.Of(Curves.ReadPolylines(file, placed, session));
     }
 
     // A list of whole numbers; other JSON files are curves.

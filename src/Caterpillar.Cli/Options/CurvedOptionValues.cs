@@ -38,6 +38,9 @@ internal sealed class CurvedOptionValues
     public bool HasField(ParseResult arguments)
         => arguments.GetValue(_surface) is { Length: > 0 } || arguments.GetValue(_field) is not null || arguments.GetValue(_deform) is not null;
 
+    /// <summary>False for options that do not follow copies of a model.</summary>
+    public bool CanBeCopied(ParseResult arguments) => !_along.IsGiven(arguments) && arguments.GetValue(_deform)?.Contains(';') != true;
+
     /// <summary>Finds wrong usage before files are read.</summary>
     /// <exception cref="CliException">Options do not go together.</exception>
     public void Check(ParseResult arguments)
@@ -68,33 +71,33 @@ internal sealed class CurvedOptionValues
     /// <summary>The field of the layers, and the uppermost surface that it follows, if any.</summary>
     /// <param name="arguments">The command line.</param>
     /// <param name="models">The models at their print positions.</param>
-    /// <param name="shift">Their offset from the positions in their files.</param>
     /// <param name="setup">The printer, whose head limits overhangs.</param>
     /// <param name="session">Reads files.</param>
     public LayerField Field(
-        ParseResult arguments, IReadOnlyList<NamedMesh> models, Vec3 shift, PrintSetup setup, Session session, out PlanSurface? surface)
+        ParseResult arguments, IReadOnlyList<NamedMesh> models, PrintSetup setup, Session session, out PlanSurface? surface)
     {
         surface = null;
-        if (arguments.GetValue(_deform) is { } deform) return Deformed(deform, models, shift, setup, session);
+        var placed = models[0].Placed;
+        if (arguments.GetValue(_deform) is { } deform) return Deformed(deform, models, setup, session);
         var surfaces = arguments.GetValue(_surface) ?? [];
         var kind = arguments.GetValue(_field) ?? "vertical";
         if (IsBetweenEnds(kind, surfaces))
         {
             var part = models.Count == 1 ? models[0].Mesh : TriMesh.Merge(models.Select(m => m.Mesh));
-            var ends = _boundaries.Of(arguments, part, shift, session);
+            var ends = _boundaries.Of(arguments, part, placed, session);
             return kind == "geodesic" ? LayerField.Geodesic(ends, session.Cancel) : LayerField.Harmonic(ends, session.Cancel);
         }
         switch (kind)
         {
             case "vertical":
-                surface = Surface(surfaces[0], models, shift, session);
+                surface = Surface(surfaces[0], models, session);
                 return LayerField.Vertical(surface, arguments.GetValue(_blend) is { } blend ? Blend(blend) : null);
             case "normal":
-                var mesh = Meshes.ReadAsOne(surfaces[0], session).Moved(shift);
+                var mesh = Meshes.ReadAsOne(surfaces[0], session).Transformed(placed);
                 surface = PlanSurface.Of(mesh);
                 return LayerField.Offset(mesh);
             case "between":
-                var plans = surfaces.Select(s => Surface(s, models, shift, session)).ToList();
+                var plans = surfaces.Select(s => Surface(s, models, session)).ToList();
                 // One surface: from the bottom of the models up to it.
                 if (plans.Count == 1) plans.Insert(0, PlanSurface.Level(models.Min(m => m.Mesh.Bounds.Min.Z)));
                 surface = plans[^1];
@@ -102,20 +105,20 @@ internal sealed class CurvedOptionValues
             case "smooth":
                 return session.ValueOrFail(LayerField.Smooth(models, setup, session.Cancel));
             case var formula:
-                return session.ValueOrFail(LayerField.Formula(formula, shift, new SourceLocation(Key: "--field")), ExitCode.Usage);
+                return session.ValueOrFail(LayerField.Formula(formula, placed, new SourceLocation(Key: "--field")), ExitCode.Usage);
         }
     }
 
     /// <summary>Infill lines along directions of a surface, instead of the infill pattern; null = pattern.</summary>
     /// <inheritdoc cref="Field" path="/param"/>
     public IReadOnlyList<Polyline>? InfillLines(
-        ParseResult arguments, PlanSurface? surface, IReadOnlyList<NamedMesh> models, Vec3 shift, PrintSetup setup, Session session)
-        => surface is null ? null : _along.Lines(arguments, surface, models, shift, setup, session);
+        ParseResult arguments, PlanSurface? surface, IReadOnlyList<NamedMesh> models, PrintSetup setup, Session session)
+        => surface is null ? null : _along.Lines(arguments, surface, models, setup, session);
 
     // Between surfaces, or between ends of the model itself.
     private static bool IsBetweenEnds(string kind, string[] surfaces) => kind is "harmonic" or "geodesic" || (kind == "between" && surfaces.Length == 0);
 
-    private static LayerField Deformed(string text, IReadOnlyList<NamedMesh> models, Vec3 shift, PrintSetup setup, Session session)
+    private static LayerField Deformed(string text, IReadOnlyList<NamedMesh> models, PrintSetup setup, Session session)
     {
         var (word, number) = text.Split('=', 2) is [var w, var n] ? (w.Trim(), n) : (text.Trim(), null);
         if (word == "cone" && number is not null)
@@ -129,15 +132,16 @@ internal sealed class CurvedOptionValues
             return LayerField.Vertical(session.ValueOrFail(PlanSurface.AgainstOverhangs(models, setup, degrees)));
         }
         if (text.Split(';') is [var x, var y, var z])
-            return session.ValueOrFail(LayerField.Deformed(x, y, z, shift, new SourceLocation(Key: "--deform")), ExitCode.Usage);
+            return session.ValueOrFail(LayerField.Deformed(x, y, z, models[0].Placed, new SourceLocation(Key: "--deform")), ExitCode.Usage);
         throw Usage("--deform needs cone=DEGREES, overhangs, overhangs=DEGREES, or three formulas \"X; Y; Z\".");
     }
 
     private static double Degrees(string text)
         => Numbers.List(text, "--deform") is [var degrees and >= -80 and <= 80] ? degrees : throw Usage("--deform needs an angle of −80 to 80 degrees.");
 
-    private static PlanSurface Surface(string text, IReadOnlyList<NamedMesh> models, Vec3 shift, Session session)
+    private static PlanSurface Surface(string text, IReadOnlyList<NamedMesh> models, Session session)
     {
+        var placed = models[0].Placed;
         if (text.LastIndexOf(':') is > 1 and var colon && IsImage(text[..colon]))
         {
             if (Numbers.List(text[(colon + 1)..], "--surface") is not [var low, var high]
@@ -146,14 +150,18 @@ internal sealed class CurvedOptionValues
                 throw Usage("--surface: a height map needs IMAGE:LOW,HIGH with two heights in mm.");
             }
             var image = session.ValueOrFail(ImageReader.Read(session.ReadBytes(text[..colon]), text[..colon]));
-            var bounds = Bounds.Of(models.SelectMany(m => new[] { m.Mesh.Bounds.Min, m.Mesh.Bounds.Max }));
-            return PlanSurface.HeightMap(image, new Bounds(bounds.Min.WithZ(low + shift.Z), bounds.Max.WithZ(high + shift.Z)));
+            // Over the models as they are in their files.
+            var bounds = ModelPlacement.BoxOf(models.Select(m => m.Transformed(placed.Inverse)).ToArray());
+            return Transformed(PlanSurface.HeightMap(image, new Bounds(bounds.Min.WithZ(low), bounds.Max.WithZ(high))), placed);
         }
         if (IsImage(text)) throw Usage("--surface: a height map needs the heights of black and white in mm: IMAGE:LOW,HIGH.");
         if (MeshEndings.Any(e => text.EndsWith(e, StringComparison.OrdinalIgnoreCase)) || File.Exists(text))
-            return PlanSurface.Of(Meshes.ReadAsOne(text, session).Moved(shift));
-        return session.ValueOrFail(PlanSurface.Formula(text, new SourceLocation(Key: "--surface")), ExitCode.Usage).Moved(shift);
+            return PlanSurface.Of(Meshes.ReadAsOne(text, session).Transformed(placed));
+        return Transformed(session.ValueOrFail(PlanSurface.Formula(text, new SourceLocation(Key: "--surface")), ExitCode.Usage), placed);
     }
+
+    private static PlanSurface Transformed(PlanSurface surface, Affine placed)
+        => placed.IsUpright ? surface.Transformed(placed) : throw Usage("--rotate: only a mesh as --surface can be rotated about X and Y.");
 
     private static bool IsImage(string file)
         => file.EndsWith(".png", StringComparison.OrdinalIgnoreCase) || file.EndsWith(".pgm", StringComparison.OrdinalIgnoreCase);

@@ -15,7 +15,7 @@ internal sealed class InfillAlong
 
     /// <summary>The lines over the models, or null without the option.</summary>
     public IReadOnlyList<Polyline>? Lines(
-        ParseResult arguments, PlanSurface surface, IReadOnlyList<NamedMesh> models, Vec3 shift, PrintSetup setup, Session session)
+        ParseResult arguments, PlanSurface surface, IReadOnlyList<NamedMesh> models, PrintSetup setup, Session session)
     {
         if (arguments.GetValue(_along) is not { } text) return null;
         var percent = setup.Settings.InfillDensityPercent;
@@ -27,6 +27,8 @@ internal sealed class InfillAlong
         }
         var spacing = setup.Settings.LineWidth * 100 / percent;
         var plan = Bounds.Of(models.SelectMany(m => new[] { m.Mesh.Bounds.Min, m.Mesh.Bounds.Max }));
+        var placed = models[0].Placed;
+        var back = placed.Inverse;
         switch (text.Trim())
         {
             case "curvature": return SurfaceLines.AlongCurvature(surface, plan, spacing, false, session.Cancel);
@@ -40,12 +42,17 @@ internal sealed class InfillAlong
             var source = new SourceLocation(Key: "--infill-along");
             var byX = session.ValueOrFail(PlanSurface.Formula(x, source), ExitCode.Usage);
             var byY = session.ValueOrFail(PlanSurface.Formula(y, source), ExitCode.Usage);
-            Vec3 Direction(Vec3 p) => new(byX.Height(p.X - shift.X, p.Y - shift.Y), byY.Height(p.X - shift.X, p.Y - shift.Y));
             return SurfaceLines.Along(surface, plan, Direction, spacing, session.Cancel);
+
+            Vec3 Direction(Vec3 p)
+            {
+                var d = back.Apply(p);
+                return placed.ApplyDirection(new Vec3(byX.Height(d.X, d.Y), byY.Height(d.X, d.Y))).WithZ(0);
+            }
         }
         if (!File.Exists(text))
             throw new CliException(ExitCode.Usage, $"--infill-along {text}: expected curvature, across, both, two formulas \"DX; DY\", or a file of curves.");
-        var curves = Curves.ReadPolylines(text, shift, session);
+        var curves = Curves.ReadPolylines(text, placed, session);
         return SurfaceLines.AlongCurves(surface, plan, curves.Where(c => c.Count > 1).ToArray(), spacing, session.Cancel);
     }
 }

@@ -24,11 +24,14 @@ internal sealed class InfillCurveOptions
         return paths.Select(p => new Polyline(p.Points.Select(v => v.WithZ(0)), p.IsClosed)).ToArray();
     }
 
-    /// <summary>Settings with curves that are moved with the models.</summary>
-    public static IReadOnlyList<PrintSettings> With(IReadOnlyList<PrintSettings> settings, IReadOnlyList<Polyline>? curves, Vec3 shift)
+    /// <summary>A model with curves that are transformed with it.</summary>
+    /// <exception cref="CliException">It is tilted.</exception>
+    public static SliceModel With(SliceModel model, IReadOnlyList<Polyline>? curves)
     {
-        if (curves is null) return settings;
-        var points = InfillPoint.Of(curves.Select(c => new Polyline(c.Points.Select(v => v + shift), c.IsClosed)));
-        return settings.Select(s => s.InfillPattern == InfillPattern.Curves ? s with { InfillCurves = points } : s).ToArray();
+        if (curves is null || model.Settings.InfillPattern != InfillPattern.Curves) return model;
+        var map = model.Mesh.Placed;
+        if (!map.IsUpright) throw new CliException(ExitCode.Usage, "--infill-curves lie in the plane of the bed and cannot be rotated about X and Y with the model.");
+        var points = InfillPoint.Of(curves.Select(c => new Polyline(c.Points.Select(v => map.Apply(v)), c.IsClosed)));
+        return new SliceModel(model.Mesh, model.Settings with { InfillCurves = points });
     }
 }

@@ -49,10 +49,6 @@ internal sealed class ModelOptions
     /// <exception cref="CliException">It is not a unit.</exception>
     public double UnitOf(ParseResult arguments) => Numbers.Unit(arguments.GetValue(_unit));
 
-    /// <summary>The given option that does more than move all models together, or null.</summary>
-    public string? Turns(ParseResult arguments)
-        => arguments.GetValue(_scale) is not null ? "--scale" : arguments.GetValue(_rotate) is not null ? "--rotate" : MovesApart(arguments);
-
     /// <summary>A hint if a large factor may have been meant as a length, or nothing.</summary>
     public string ScaleAdvice(ParseResult arguments)
         => arguments.GetValue(_scale)?.Trim() is { } text && NumberReader.TryParse(text, out var factor) && factor >= 5

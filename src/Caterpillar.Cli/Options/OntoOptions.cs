@@ -31,25 +31,35 @@ internal sealed class OntoOptions(string does = OntoOptions.Drawn)
 
     /// <summary>Options of a print with the object at its position, if one is given.</summary>
     /// <param name="arguments">The command line.</param>
-    /// <param name="shift">Its offset, the same as for the models.</param>
+    /// <param name="placed">Transforms of the models from the positions in their files. The object stays on the bed; there is one for each copy.</param>
     /// <param name="options">The other options.</param>
     /// <param name="session">Reads its file, and prints where the object must be.</param>
-    public PrintJobOptions Of(ParseResult arguments, Vec3 shift, PrintJobOptions options, Session session)
+    /// <exception cref="CliException">It cannot be read, is tilted, or overlaps that of another copy.</exception>
+    public PrintJobOptions Of(ParseResult arguments, IReadOnlyList<Affine> placed, PrintJobOptions options, Session session)
     {
         options = options with { Squeeze = arguments.GetValue(_squeeze), Partial = arguments.GetValue(_partial) };
         if (arguments.GetValue(_onto) is not { } file) return options;
-        var mesh = Meshes.ReadAsOne(file, session).Moved(shift.WithZ(0));
-        session.Print([Place(mesh, file)]);
-        return options with { Onto = mesh };
+        if (placed.Any(map => !map.IsUpright)) throw Usage("--onto: the object is on the bed and cannot be rotated about X and Y. Rotate the model beforehand.");
+        var mesh = Meshes.ReadAsOne(file, session);
+        var objects = placed.Select(map => mesh.Transformed(map with { Shift = map.Shift.WithZ(0) })).ToArray();
+        session.Print(objects.Select(o => Place(o, file)).ToArray());
+        for (var i = 1; i < objects.Length; i++)
+        {
+            if (Array.Exists(objects, o => o != objects[i] && Overlap(o.Bounds, objects[i].Bounds)))
+                throw Usage("--onto: the objects of the copies would overlap. Increase --spacing.");
+        }
+        return options with { Onto = objects.Length == 1 ? objects[0] : TriMesh.Merge(objects) };
     }
 
     /// <summary>The print of a drawing, on the object if one is given.</summary>
     /// <exception cref="CliException">It cannot be planned.</exception>
     public PrintJob Draw(ParseResult arguments, IReadOnlyList<Step> steps, PrintSetup setup, PrintJobOptions options, Session session)
     {
-        options = Of(arguments, Vec3.Zero, options, session);
+        options = Of(arguments, [Affine.Identity], options, session);
         return session.Run("Planning", progress => PrintJob.Draw(steps, setup, options, progress, session.Cancel));
     }
+
+    private static bool Overlap(Bounds a, Bounds b) => a.Min.X < b.Max.X && b.Min.X < a.Max.X && a.Min.Y < b.Max.Y && b.Min.Y < a.Max.Y;
 
     // Where the object has to be.
     private static Diagnostic Place(TriMesh mesh, string file)

@@ -26,28 +26,28 @@ internal sealed class TiltOptions
 
     /// <summary>Where the tool points; null = upright.</summary>
     /// <param name="arguments">The command line.</param>
-    /// <param name="shift">Offset of the models from the positions in their files.</param>
+    /// <param name="placed">Transform of the models from the positions in their files.</param>
     /// <param name="setup">The printer.</param>
     /// <param name="session">Reads files.</param>
-    public ToolAim? Read(ParseResult arguments, Vec3 shift, PrintSetup setup, Session session)
+    public ToolAim? Read(ParseResult arguments, Affine placed, PrintSetup setup, Session session)
     {
         if (arguments.GetValue(_tilt)?.Trim() is not { } text) return null;
         if (setup.Printer.Kinematics is not { Tilts: true })
             throw Usage($"--tilt: {setup.Printer.Title} has no axis that tilts its tool. Give rotary_axes of the printer.");
-        var aim = Aim(text, shift, session);
+        var aim = Aim(text, placed, session);
         return aim with { MaxTilt = arguments.GetValue(_most) ?? aim.MaxTilt };
     }
 
-    private static ToolAim Aim(string text, Vec3 shift, Session session)
+    private static ToolAim Aim(string text, Affine placed, Session session)
     {
         if (text == "normal") return new ToolAim();
         if (text.Split(';') is { Length: 3 } formulas)
-            return session.ValueOrFail(ToolAim.Formulas(formulas, shift, new SourceLocation(Key: "--tilt")), ExitCode.Usage);
+            return session.ValueOrFail(ToolAim.Formulas(formulas, placed, new SourceLocation(Key: "--tilt")), ExitCode.Usage);
         if (text.Split('=', 2) is not [("toward" or "from") and var word, var place])
             throw Usage("--tilt needs normal, three formulas \"DX; DY; DZ\", toward=X,Y,Z, from=X,Y,Z, or a file of curves in place of the point.");
         var numbers = place.Split(',').Select(t => NumberReader.TryParse(t, out var number) ? number : double.NaN).ToArray();
-        var curves = numbers is [var x, var y, var z] && double.IsFinite(x + y + z) ? [new Polyline([new Vec3(x, y, z) + shift])]
-            : Curves.ReadPolylines(place, shift, session);
+        var curves = numbers is [var x, var y, var z] && double.IsFinite(x + y + z) ? [new Polyline([placed.Apply(new Vec3(x, y, z))])]
+            : Curves.ReadPolylines(place, placed, session);
         return ToolAim.Toward(curves, word == "from");
     }
 

@@ -17,12 +17,12 @@ internal static class Curves
     /// <exception cref="CliException">It cannot be read.</exception>
     public static IReadOnlyList<UserCurve> Read(string file, Session session) => Read(file, new CurveReadOptions { Memory = session.Memory }, session);
 
-    /// <summary>The same as polylines within 0.05 mm, moved by a shift in mm.</summary>
+    /// <summary>The same as polylines within 0.05 mm, transformed like the models.</summary>
     /// <exception cref="CliException">It cannot be read.</exception>
-    public static IReadOnlyList<Polyline> ReadPolylines(string file, Vec3 shift, Session session)
+    public static IReadOnlyList<Polyline> ReadPolylines(string file, Affine placed, Session session)
     {
         var options = new SubdivisionOptions { ChordTolerance = Tolerance };
         return Read(file, session).Select(c => new Polyline(
-            CurveSubdivider.Subdivide(c.Curve, options, session.Cancel).Points.Select(p => p + shift), c.Curve.IsClosed)).ToArray();
+            CurveSubdivider.Subdivide(c.Curve, options, session.Cancel).Points.Select(p => placed.Apply(p)), c.Curve.IsClosed)).ToArray();
     }
 }

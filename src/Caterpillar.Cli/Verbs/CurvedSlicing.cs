@@ -11,38 +11,27 @@ internal static class CurvedSlicing
     /// <param name="setup">The printer, material and settings.</param>
     /// <param name="options">Other options of the print.</param>
     /// <param name="session">Reads files.</param>
+    /// <exception cref="CliException">A file cannot be read, or options cannot be combined.</exception>
     public static PrintJob Run(
         CurvedOptionValues curved, ParseResult arguments, IReadOnlyList<NamedMesh> read, IReadOnlyList<SliceModel> models, PrintSetup setup,
         PrintJobOptions options, Session session)
     {
-        var shift = Shift(read, models);
-        options = curved.Onto.Of(arguments, shift, options, session);
+        var placed = models.Select(m => m.Mesh.Placed).Distinct().ToArray();
+        if (placed.Length > 1 && read.Count > 1) throw Usage("several models cannot be arranged: the surface would not follow them.");
+        if (placed.Length > 1 && !curved.CanBeCopied(arguments)) throw Usage("formulas for --deform and --infill-along do not follow copies.");
+        options = curved.Onto.Of(arguments, placed, options, session);
         if (!curved.HasField(arguments)) return session.Run("Slicing", progress => PrintJob.Slice(models, setup, options, progress, session.Cancel));
         // Together with an object the model is already where it belongs.
         if (options.Onto is not null)
-        {
-            models = models.Select(m => new SliceModel(new NamedMesh(m.Mesh.Name, m.Mesh.Mesh.Moved(new Vec3(0, 0, -shift.Z))), m.Settings)).ToArray();
-            shift = shift.WithZ(0);
-        }
+            models = models.Select(m => new SliceModel(m.Mesh.Moved(new Vec3(0, 0, -m.Mesh.Placed.Shift.Z)), m.Settings)).ToArray();
         var meshes = models.Select(m => m.Mesh).ToArray();
-        var field = curved.Field(arguments, meshes, shift, setup, session, out var surface);
-        var lines = curved.InfillLines(arguments, surface, meshes, shift, setup, session);
+        var first = placed.Length == 1 ? meshes : [meshes[0]];
+        var field = curved.Field(arguments, first, setup, session, out var surface);
+        var lines = curved.InfillLines(arguments, surface, first, setup, session);
         options = options with { InfillLines = lines is null ? null : _ => lines };
+        if (placed.Length > 1) field = field.ForCopies(meshes);
         return session.Run("Slicing", progress => PrintJob.Slice(models, field, setup, options, progress, session.Cancel));
     }
 
-    // Surfaces move with the model, but are not scaled, turned or copied.
-    private static Vec3 Shift(IReadOnlyList<NamedMesh> read, IReadOnlyList<SliceModel> models)
-    {
-        const double Rounding = 1e-6;
-        var shift = models[0].Mesh.Mesh.Bounds.Min - read[0].Mesh.Bounds.Min;
-        var moved = models.Count == read.Count;
-        for (var i = 0; moved && i < read.Count; i++)
-        {
-            var (from, to) = (read[i].Mesh.Bounds, models[i].Mesh.Mesh.Bounds);
-            moved = to.Min.DistanceTo(from.Min + shift) < Rounding && to.Max.DistanceTo(from.Max + shift) < Rounding;
-        }
-        return moved ? shift : throw new CliException(ExitCode.Usage,
-            "With --surface, --field, --deform or --onto, models cannot be scaled, rotated, copied or arranged: the surface would not follow them.");
-    }
+    private static CliException Usage(string problem) => new(ExitCode.Usage, "With curved layers or --onto, " + problem);
 }

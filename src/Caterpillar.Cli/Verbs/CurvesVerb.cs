@@ -73,7 +73,7 @@ internal sealed class CurvesVerb : Verb
         var options = new PrintJobOptions
         {
             Policy = arguments.GetValue(_plan) == "printer" ? PlanPolicy.Printer : PlanPolicy.AsDrawn, Sort = sort, Memory = session.Memory,
-            Tilt = _tilt.Read(arguments, Vec3.Zero, setup, session),
+            Tilt = _tilt.Read(arguments, Affine.Identity, setup, session),
         };
         using var job = _onto.Draw(arguments, steps, setup, options, session);
         var written = _write.Write(arguments, session, job, target, limit);

@@ -47,7 +47,7 @@ internal sealed class SliceVerb : Verb
         var setup = _setup.Resolve(arguments, session);
         var (read, models) = Models(files, arguments, ref setup, session);
         var options = new PrintJobOptions { Threads = arguments.GetValue(_threads), Memory = session.Memory };
-        options = options with { Tilt = _tilt.Read(arguments, models[0].Mesh.Mesh.Bounds.Min - read[0].Mesh.Bounds.Min, setup, session) };
+        options = options with { Tilt = _tilt.Read(arguments, models[0].Mesh.Placed, setup, session) };
         if (_curved.IsGiven(arguments)) return CurvedSlicing.Run(_curved, arguments, read, models, setup, options, session);
         if (!_write.Overrides(arguments) && ModelCheck.IsTooLarge([.. models.Where(m => m.Settings.ModelType == ModelType.Part).Select(m => m.Mesh)], setup))
         {
@@ -63,14 +63,11 @@ internal sealed class SliceVerb : Verb
         setup = _infill.Resolve(arguments, setup);
         var own = _own.Resolve(arguments, setup, session);
         var curves = _infill.Read(arguments, setup, session);
-        if (curves is not null && _placing.Turns(arguments) is { } option)
-            throw new CliException(ExitCode.Usage, $"{option} cannot be combined with --infill-curves. Transform the model and the curves beforehand.");
         var sources = new List<string>();
         var read = session.Run("Reading", progress => Meshes.Read(files, session, progress, sources, _placing.UnitOf(arguments)));
         var settings = own.For(read, sources, session);
         var placed = _placing.Placed(read, settings.Select(s => s.ModelType == ModelType.Part).ToArray(), arguments, setup, session);
-        settings = InfillCurveOptions.With(settings, curves, placed[0].Mesh.Bounds.Min - read[0].Mesh.Bounds.Min);
         // Copies follow in the order of the originals.
-        return (read, [.. ProjectModels.Models(placed, settings)]);
+        return (read, [.. ProjectModels.Models(placed, settings).Select(m => InfillCurveOptions.With(m, curves))]);
     }
 }

@@ -48,6 +48,21 @@ public readonly record struct Affine(Vec3 XAxis, Vec3 YAxis, Vec3 ZAxis, Vec3 Sh
     /// <summary>The image of a direction, without the translation.</summary>
     public Vec3 ApplyDirection(Vec3 d) => XAxis * d.X + YAxis * d.Y + ZAxis * d.Z;
 
+    /// <summary>The transform back. Not finite if the determinant is 0.</summary>
+    public Affine Inverse
+    {
+        get
+        {
+            var volume = Determinant;
+            Vec3 a = Vec3.Cross(YAxis, ZAxis) / volume, b = Vec3.Cross(ZAxis, XAxis) / volume, c = Vec3.Cross(XAxis, YAxis) / volume;
+            var turn = new Affine(new Vec3(a.X, b.X, c.X), new Vec3(a.Y, b.Y, c.Y), new Vec3(a.Z, b.Z, c.Z), Vec3.Zero);
+            return turn with { Shift = -turn.Apply(Shift) };
+        }
+    }
+
+    /// <summary>True if vertical lines stay vertical and level planes level.</summary>
+    public bool IsUpright => XAxis.Z == 0 && YAxis.Z == 0 && ZAxis.X == 0 && ZAxis.Y == 0;
+
     /// <summary>This transform followed by another.</summary>
     public Affine Then(Affine next)
         => new(next.ApplyDirection(XAxis), next.ApplyDirection(YAxis), next.ApplyDirection(ZAxis), next.Apply(Shift));

@@ -70,6 +70,49 @@ public class LayerFieldTests
     }
 
     [Test]
+    public void A_formula_and_a_surface_are_transformed_with_the_part()
+    {
+        var map = Affine.Scale(2, 3, 1.5).Then(Affine.Rotate(Vec3.UnitZ, 90)).Then(Affine.Move(new Vec3(40, 50, 0)));
+        var plan = PlanSurface.Formula("5 + 2 * sin(9 * x) + 0.1 * y").OrThrow();
+        // x is along −Y at a distance of 50, y along X.
+        var expected = PlanSurface.Formula("1.5 * (5 + 2 * sin(9 * (y - 50) / 2) + 0.1 * (40 - x) / 3)").OrThrow();
+        var field = LayerField.Formula("z - 2 * sin(9 * x) - 0.1 * y", map).OrThrow();
+        var moved = LayerField.Formula("z - 1.5 * (2 * sin(9 * (y - 50) / 2) + 0.1 * (40 - x) / 3)").OrThrow();
+        var random = new Random(7);
+        for (var i = 0; i < 100; i++)
+        {
+            var p = new Vec3(random.NextDouble() * 60, random.NextDouble() * 60, random.NextDouble() * 20);
+            Assert.That(plan.Transformed(map).Height(p.X, p.Y), Is.EqualTo(expected.Height(p.X, p.Y)).Within(1e-9));
+            var (byX, byY) = plan.Transformed(map).Slope(p.X, p.Y);
+            var (alongX, alongY) = expected.Slope(p.X, p.Y);
+            Assert.That((byX - alongX, byY - alongY), Is.EqualTo((0.0, 0.0)).Within(1e-3));
+            Assert.That(field.Value(p), Is.EqualTo(moved.Value(p)).Within(1e-9));
+        }
+        Assert.That(() => plan.Transformed(Affine.Rotate(Vec3.UnitX, 10)), Throws.ArgumentException);
+    }
+
+    [Test]
+    public void Copies_have_the_layers_of_the_part_at_their_places()
+    {
+        // Boxes of round copies side by side overlap at the corners.
+        var part = new NamedMesh("part", CurvedSolids.Lathe(24, (8, 0), (8, 5)));
+        NamedMesh[] copies = [part, part.Moved(new Vec3(15, 9.5, 0)), part.Moved(new Vec3(-30, 0, 0))];
+        var field = LayerField.Formula("z - 0.3 * x + 0.1 * sin(20 * y)").OrThrow();
+        var setup = new PrintSetup { Settings = CurvedSolids.Massive };
+        var one = CurvedSlicer.Slice([part], field, setup).OrThrow().Layers;
+        var all = CurvedSlicer.Slice(copies, field.ForCopies(copies), setup).OrThrow().Layers;
+        Assert.That(all.Sum(CurvedSolids.Volume), Is.EqualTo(3 * one.Sum(CurvedSolids.Volume)).Within(0.5).Percent);
+        foreach (var point in all.SelectMany(CurvedSolids.Points))
+        {
+            var center = copies.Select(c => c.Placed.Shift).OrderBy(s => (point - s).LengthXY).First();
+            var value = field.Value(point - center) / 0.5;
+            Assert.That(value - Math.Round(value), Is.EqualTo(0).Within(0.02), $"between layers at {point}");
+        }
+        var bent = LayerField.Deformed("x + 0.1 * z", "y", "z").OrThrow();
+        Assert.That(() => bent.ForCopies(copies), Throws.ArgumentException);
+    }
+
+    [Test]
     public void A_height_map_has_its_heights_in_the_middles_of_dots()
     {
         var plan = PlanSurface.HeightMap(new GrayImage(2, 2, [0, 1, 0.5, 0.25]), new Bounds(new Vec3(10, 20, 5), new Vec3(30, 40, 9)));

@@ -172,4 +172,21 @@ public class ModelPlacementTests
             points.Select(p => new NetTopologySuite.Geometries.Coordinate(p.X, p.Y)).ToArray()).ConvexHull();
         return hull.Area;
     }
+
+    [Test]
+    public void A_placed_model_knows_the_transform_from_its_file()
+    {
+        var read = new NamedMesh("part", MeshMaker.Box(0, 0, 3, 10, 20, 8));
+        var models = new[] { read }.Scaled(new Vec3(2, 1, 3)).Rotated(new Vec3(30, 0, 70)).LaidFlat().Copies(2);
+        models = ModelArranger.Arrange(models, new Printer()).OrThrow();
+        Assert.That(models, Has.Count.EqualTo(2));
+        Assert.That(models[0].Placed, Is.Not.EqualTo(models[1].Placed));
+        foreach (var model in models)
+        {
+            for (var i = 0; i < read.Mesh.VertexCount; i++)
+                Assert.That(model.Placed.Apply(read.Mesh.Vertices[i]).DistanceTo(model.Mesh.Vertices[i]), Is.LessThan(1e-9));
+            var back = model.Transformed(model.Placed.Inverse);
+            Assert.That(back.Mesh.Bounds.Min.DistanceTo(read.Mesh.Bounds.Min) + back.Mesh.Bounds.Max.DistanceTo(read.Mesh.Bounds.Max), Is.LessThan(1e-9));
+        }
+    }
 }

@@ -113,17 +113,19 @@ public abstract class LayerField
     /// map must be smooth and must not fold the part.
     /// </summary>
     /// <returns>The field, or an error with the column.</returns>
-    public static Result<LayerField> Deformed(string x, string y, string z, Vec3 origin = default, SourceLocation? source = null)
+    public static Result<LayerField> Deformed(string x, string y, string z, Affine? placed = null, SourceLocation? source = null)
     {
         var compiled = new[] { FieldFormula.Compile(x, source), FieldFormula.Compile(y, source), FieldFormula.Compile(z, source) };
         var problems = compiled.SelectMany(one => one.Diagnostics).ToList();
         if (compiled[0].Value is not { } fx || compiled[1].Value is not { } fy || compiled[2].Value is not { } fz)
             return new Result<LayerField>(null, problems);
+        var map = placed ?? Affine.Identity;
+        var back = map.Inverse;
         return new Result<LayerField>(
             new DeformedField(p =>
             {
-                var d = p - origin;
-                return new Vec3(fx.At(d.X, d.Y, d.Z), fy.At(d.X, d.Y, d.Z), fz.At(d.X, d.Y, d.Z)) + origin;
+                var d = back.Apply(p);
+                return map.Apply(new Vec3(fx.At(d.X, d.Y, d.Z), fy.At(d.X, d.Y, d.Z), fz.At(d.X, d.Y, d.Z)));
             }),
             problems);
     }
@@ -174,14 +176,31 @@ public abstract class LayerField
 
     /// <summary>A field from a formula in x, y, z, r (mm) and theta (degrees), for example <c>z - 2 * sin(9 * x)</c>.</summary>
     /// <param name="text">The formula.</param>
-    /// <param name="origin">Origin of the coordinates, mm.</param>
+    /// <param name="placed">Transform from the coordinates of the formula, mm. Null = none.</param>
     /// <param name="source">Source of the formula, for messages.</param>
     /// <returns>The field, or an error with the column.</returns>
-    public static Result<LayerField> Formula(string text, Vec3 origin = default, SourceLocation? source = null)
+    public static Result<LayerField> Formula(string text, Affine? placed = null, SourceLocation? source = null)
     {
         var compiled = FieldFormula.Compile(text, source);
-        return new Result<LayerField>(
-            compiled.Value is { } formula ? new FormulaField(p => formula.At(p.X - origin.X, p.Y - origin.Y, p.Z - origin.Z), FieldFormula.Detail)
-                : null, compiled.Diagnostics);
+        if (compiled.Value is not { } formula) return new Result<LayerField>(null, compiled.Diagnostics);
+        var map = placed ?? Affine.Identity;
+        var (back, scale) = (map.Inverse, map.ZAxis.Length);
+        return new Result<LayerField>(new FormulaField(At, FieldFormula.Detail), compiled.Diagnostics);
+
+        double At(Vec3 p)
+        {
+            var d = back.Apply(p);
+            return scale * formula.At(d.X, d.Y, d.Z);
+        }
+    }
+
+    /// <summary>The field for copies of a part as well: over each place, that of the nearest copy.</summary>
+    /// <param name="copies">The part for which the field was made, and its copies, which were only moved.</param>
+    /// <exception cref="ArgumentException">There is no part, or the field bends the plan.</exception>
+    public LayerField ForCopies(IReadOnlyList<NamedMesh> copies)
+    {
+        if (copies is null) throw new ArgumentNullException(nameof(copies));
+        if (copies.Count == 0 || BendsPlan) throw new ArgumentException("Copies need a part and a field that does not bend the plan.", nameof(copies));
+        return copies.Count == 1 ? this : new CopiedField(this, copies);
     }
 }

@@ -36,7 +36,15 @@ public abstract class PlanSurface
     }
 
     /// <summary>The surface moved by a vector, mm.</summary>
-    public PlanSurface Moved(Vec3 shift) => shift == Vec3.Zero ? this : new MovedPlan(this, shift);
+    public PlanSurface Moved(Vec3 shift) => Transformed(Affine.Move(shift));
+
+    /// <summary>The surface after a transform that keeps vertical lines vertical.</summary>
+    /// <exception cref="ArgumentException">The transform tilts the surface or is singular.</exception>
+    public PlanSurface Transformed(Affine map)
+    {
+        if (!map.IsUpright || map.Determinant == 0) throw new ArgumentException("A surface of heights cannot be tilted.", nameof(map));
+        return map == Affine.Identity ? this : new TransformedPlan(this, map);
+    }
 
     /// <summary>A level plane at a height in mm.</summary>
     public static PlanSurface Level(double height) => new FunctionPlan((_, _) => height, double.PositiveInfinity, level: true);

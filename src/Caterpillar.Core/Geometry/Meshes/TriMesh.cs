@@ -105,6 +105,7 @@ public sealed class TriMesh
     /// <exception cref="ArgumentException">The transform is singular, not finite, or moves a vertex beyond <see cref="MaxCoordinate"/>.</exception>
     public TriMesh Transformed(Affine map)
     {
+        if (map with { Shift = Vec3.Zero } == Affine.Identity && StayApart(map.Shift)) return Shifted(map.Shift);
         var determinant = map.Determinant;
         if (!(Math.Abs(determinant) > 0)) throw new ArgumentException("The transform is singular or not finite.", nameof(map));
         var builder = new MeshBuilder(_vertices.Length, TriangleCount);
@@ -124,9 +125,10 @@ public sealed class TriMesh
     }
 
     /// <summary>The mesh moved by a vector in mm.</summary>
-    public TriMesh Moved(Vec3 shift)
+    public TriMesh Moved(Vec3 shift) => Transformed(Affine.Move(shift));
+
+    private TriMesh Shifted(Vec3 shift)
     {
-        if (!StayApart(shift)) return Transformed(Affine.Move(shift));
         var vertices = new Vec3[_vertices.Length];
         for (var i = 0; i < vertices.Length; i++) vertices[i] = _vertices[i] + shift;
         var isKnown = _topology.IsValueCreated;

@@ -7,12 +7,12 @@ internal static class LayFlat
     private const double SameDirection = 0.99996;
     private const double SamePlane = 1e-3;
 
-    public static TriMesh Turn(TriMesh mesh)
+    public static Affine Turn(TriMesh mesh)
     {
         var corners = ConvexHull.Of(mesh.Vertices);
-        if (corners.Count == 0) return mesh;
+        if (corners.Count == 0) return Affine.Identity;
         var normal = LargestFace(mesh.Vertices, corners, SamePlane * mesh.Bounds.Size.Length);
-        return mesh.Transformed(Downwards(normal));
+        return Downwards(normal);
     }
 
     private static Vec3 LargestFace(IReadOnlyList<Vec3> points, IReadOnlyList<(int A, int B, int C)> triangles, double thickness)

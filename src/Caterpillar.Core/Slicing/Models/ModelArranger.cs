@@ -42,7 +42,7 @@ public static class ModelArranger
     private static NamedMesh Stand(NamedMesh model, Footprint from, Footprint to)
     {
         var shift = to.Box.Min - from.Box.Min;
-        return model with { Mesh = model.Mesh.Moved(new Vec3(shift.X, shift.Y, -model.Mesh.Bounds.Min.Z)) };
+        return model.Moved(new Vec3(shift.X, shift.Y, -model.Mesh.Bounds.Min.Z));
     }
 
     private static double Area(Bounds box) => box.Size.X * box.Size.Y;

@@ -55,11 +55,10 @@ public static class ModelPlacement
     /// Rotates each model so that the largest flat face of its convex hull is on the bed, and places it at its current position. Of equal faces, the one
     /// that needs the smallest rotation wins.
     /// </summary>
-    public static IReadOnlyList<NamedMesh> LaidFlat(this IReadOnlyList<NamedMesh> models) => Each(models, mesh =>
+    public static IReadOnlyList<NamedMesh> LaidFlat(this IReadOnlyList<NamedMesh> models) => Each(models, model =>
     {
-        var foot = Foot(mesh.Bounds);
-        var turned = LayFlat.Turn(mesh);
-        return turned.Moved(foot.WithZ(0) - Foot(turned.Bounds));
+        var turned = model.Transformed(LayFlat.Turn(model.Mesh));
+        return turned.Moved(Foot(model.Mesh.Bounds).WithZ(0) - Foot(turned.Mesh.Bounds));
     });
 
     /// <summary>The models with <paramref name="count"/> of each. Copies are named <c>part (2)</c>, <c>part (3)</c>.</summary>
@@ -92,6 +91,6 @@ public static class ModelPlacement
 
     private static Vec3 Foot(Bounds box) => box.IsEmpty ? Vec3.Zero : box.Center.WithZ(box.Min.Z);
 
-    private static IReadOnlyList<NamedMesh> Each(IReadOnlyList<NamedMesh> models, Func<TriMesh, TriMesh> change)
-        => (models ?? throw new ArgumentNullException(nameof(models))).Select(m => m with { Mesh = change(m.Mesh) }).ToArray();
+    private static IReadOnlyList<NamedMesh> Each(IReadOnlyList<NamedMesh> models, Func<NamedMesh, NamedMesh> change)
+        => (models ?? throw new ArgumentNullException(nameof(models))).Select(change).ToArray();
 }

@@ -34,21 +34,24 @@ public sealed record ToolAim(Func<Vec3, Vec3>? Direction = null, double MaxTilt 
 
     /// <summary>A direction from three formulas in x, y and z (mm), such as the gradient of a field.</summary>
     /// <param name="formulas">For the three coordinates of the direction.</param>
-    /// <param name="origin">Where x, y and z are 0, mm.</param>
+    /// <param name="placed">Transform from the coordinates of the formulas, mm. Null = none.</param>
     /// <param name="source">Stated with errors.</param>
-    public static Result<ToolAim> Formulas(IReadOnlyList<string> formulas, Vec3 origin = default, SourceLocation? source = null)
+    public static Result<ToolAim> Formulas(IReadOnlyList<string> formulas, Affine? placed = null, SourceLocation? source = null)
     {
         if (formulas is null) throw new ArgumentNullException(nameof(formulas));
         if (formulas.Count != 3) throw new ArgumentException("A direction has three coordinates.", nameof(formulas));
         var compiled = formulas.Select(f => Formula.Compile(f, Variables, source)).ToArray();
         var problems = compiled.SelectMany(c => c.Diagnostics).ToArray();
         if (compiled[0].Value is not { } x || compiled[1].Value is not { } y || compiled[2].Value is not { } z) return new Result<ToolAim>(null, problems);
+        var map = placed ?? Affine.Identity;
+        var back = map.Inverse;
         return new Result<ToolAim>(new ToolAim(At), problems);
 
         Vec3 At(Vec3 p)
         {
-            double[] values = [p.X - origin.X, p.Y - origin.Y, p.Z - origin.Z];
-            return new Vec3(x.Evaluate(values), y.Evaluate(values), z.Evaluate(values));
+            var d = back.Apply(p);
+            double[] values = [d.X, d.Y, d.Z];
+            return map.ApplyDirection(new Vec3(x.Evaluate(values), y.Evaluate(values), z.Evaluate(values)));
         }
     }
 }

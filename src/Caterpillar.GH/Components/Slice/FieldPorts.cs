@@ -19,14 +19,14 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
             case FieldKind.Between: return Between(Plans());
             case FieldKind.Formula:
                 if (texts.Length != 1) throw new InputProblem("Formula needs exactly one expression.");
-                var level = LayerField.Formula(texts[0], origin ?? Vec3.Zero, Expressions);
+                var level = LayerField.Formula(texts[0], Affine.Move(origin ?? Vec3.Zero), Expressions);
                 return Accept(level) is { } formula ? new FieldRecipe("Formula " + texts[0], [origin], formula) : null;
             case FieldKind.Cone: return Cone(origin);
             case FieldKind.Overhangs: return Overhangs();
             case FieldKind.Smooth: return new FieldRecipe("Smooth", [], (models, setup) => LayerField.Smooth(models, setup));
             case FieldKind.Deformed:
                 if (texts.Length != 3) throw new InputProblem("Deformed needs three expressions: the bent x, y and z.");
-                var bent = LayerField.Deformed(texts[0], texts[1], texts[2], origin ?? Vec3.Zero, Expressions);
+                var bent = LayerField.Deformed(texts[0], texts[1], texts[2], Affine.Move(origin ?? Vec3.Zero), Expressions);
                 return Accept(bent) is { } deformed ? new FieldRecipe("Deformed " + string.Join("; ", texts), [origin], deformed) : null;
             case FieldKind.Harmonic or FieldKind.Geodesic: return BetweenEnds(kind);
             default: throw new InputProblem("Kind is not a kind of field.");

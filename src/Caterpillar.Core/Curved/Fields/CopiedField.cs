@@ -1,0 +1,89 @@
+namespace Caterpillar.Curved;
+
+/// <summary>The field of a part, moved to copies of it: over each place, that of the nearest copy.</summary>
+internal sealed class CopiedField : LayerField
+{
+    private readonly LayerField _inner;
+    private readonly IReadOnlyList<NamedMesh> _copies;
+    private readonly Footprint[] _outlines;
+    private readonly Vec3[] _shifts;
+
+    public CopiedField(LayerField inner, IReadOnlyList<NamedMesh> copies)
+    {
+        (_inner, _copies) = (inner, copies);
+        _outlines = copies.Select(c => Footprint.Of(c.Mesh)).ToArray();
+        _shifts = copies.Select(c => c.Placed.Shift - copies[0].Placed.Shift).ToArray();
+    }
+
+    public override double Detail => _inner.Detail;
+
+    public override bool StartsLevel => _inner.StartsLevel;
+
+    internal override IReadOnlyList<double> Creases => _inner.Creases;
+
+    internal override double? SolidAngle => _inner.SolidAngle;
+
+    internal override double Span(Vec3 step) => _inner.Span(step);
+
+    internal override double Spread(Vec3 point) => _inner.Spread(point - ShiftAt(point.X, point.Y));
+
+    internal override void Check(DiagnosticList problems) => _inner.Check(problems);
+
+    internal override LayerField ForPartial() => new CopiedField(_inner.ForPartial(), _copies);
+
+    internal override LayerField FitTo(PartColumns part, PrintSettings settings, DiagnosticList problems)
+        => new CopiedField(_inner.FitTo(PartColumns.Of([_copies[0].Mesh]), settings, problems), _copies);
+
+    internal override TriMesh? FlatMesh(TriMesh mesh)
+    {
+        for (var i = 0; i < _copies.Count; i++)
+        {
+            if (ReferenceEquals(_copies[i].Mesh, mesh)) return _inner.FlatMesh(_copies[0].Mesh)?.Moved(_shifts[i]);
+        }
+        return null;
+    }
+
+    public override double Value(Vec3 point) => _inner.Value(point - ShiftAt(point.X, point.Y));
+
+    public override double Height(double x, double y, double value)
+    {
+        var shift = ShiftAt(x, y);
+        return _inner.Height(x - shift.X, y - shift.Y, value);
+    }
+
+    public override bool Covers(double x, double y)
+    {
+        var shift = ShiftAt(x, y);
+        return _inner.Covers(x - shift.X, y - shift.Y);
+    }
+
+    public override Vec3 Normal(Vec3 point) => _inner.Normal(point - ShiftAt(point.X, point.Y));
+
+    internal override (double First, double Second) Heights(double x, double y, double first, double second)
+    {
+        var shift = ShiftAt(x, y);
+        return _inner.Heights(x - shift.X, y - shift.Y, first, second);
+    }
+
+    // Outlines are looked at only where boxes do not tell.
+    private Vec3 ShiftAt(double x, double y)
+    {
+        var (best, nearest, second) = (0, double.PositiveInfinity, double.PositiveInfinity);
+        for (var i = 0; i < _outlines.Length; i++)
+        {
+            var box = _outlines[i].Box;
+            var away = Math.Max(Math.Max(box.Min.X - x, x - box.Max.X), Math.Max(box.Min.Y - y, y - box.Max.Y));
+            if (away < nearest) (best, nearest, second) = (i, away, nearest);
+            else second = Math.Min(second, away);
+        }
+        if (second > 0) return _shifts[best];
+        var place = new Footprint([new Vec3(x, y)], 0);
+        var least = double.PositiveInfinity;
+        for (var i = 0; i < _outlines.Length; i++)
+        {
+            var away = _outlines[i].Separation(place);
+            if (away < least) (best, least) = (i, away);
+        }
+        return _shifts[best];
+    }
+}
