@@ -43,11 +43,8 @@ internal sealed class OntoOptions(string does = OntoOptions.Drawn)
         var mesh = Meshes.ReadAsOne(file, session);
         var objects = placed.Select(map => mesh.Transformed(map with { Shift = map.Shift.WithZ(0) })).ToArray();
         session.Print(objects.Select(o => Place(o, file)).ToArray());
-        for (var i = 1; i < objects.Length; i++)
-        {
-            if (Array.Exists(objects, o => o != objects[i] && Overlap(o.Bounds, objects[i].Bounds)))
-                throw Usage("--onto: the objects of the copies would overlap. Increase --spacing.");
-        }
+        if (objects.Any(a => objects.Any(b => a != b && Overlap(a.Bounds, b.Bounds))))
+            throw Usage("--onto: the objects of the copies would overlap. Increase --spacing.");
         return options with { Onto = objects.Length == 1 ? objects[0] : TriMesh.Merge(objects) };
     }
 

@@ -26,6 +26,21 @@ public class SmoothFieldTests
     private static Result<LayerField> Smooth(params TriMesh[] meshes)
         => LayerField.Smooth(meshes.Select((m, i) => new NamedMesh($"part {i}", m)).ToArray(), Setup);
 
+    // Of a strip of 2 columns and a plane of 8 columns 3 mm above or below it, the plane stays.
+    [TestCase(5, 2)]
+    [TestCase(2, 5)]
+    public void Of_tops_that_contradict_each_other_the_larger_ones_stay_in_a_layer(double plane, double strip)
+    {
+        var grid = new SlopeGrid(Vec3.Zero, 0.5, 10, 10);
+        var places = Enumerable.Range(0, 100).Select(n => (n, n % 10 < 2 ? strip : plane)).ToArray();
+        var layer = FixedLayer.Of(7, places, grid, 0.5);
+        Assert.That(layer.Places.All(p => p.Height == plane), Is.True);
+        // All of the strip is within 1 mm of the plane, which lets the layer change by half of that.
+        Assert.That(layer.Places, Has.Count.EqualTo(80));
+        Assert.That(layer.Upper[0], Is.EqualTo(plane + 0.5).Within(0.03));
+        Assert.That(layer.Lower[0], Is.EqualTo(plane - 0.5).Within(0.03));
+    }
+
     [Test]
     public void The_top_of_a_wedge_is_the_layer_of_its_mean_height_and_the_first_layer_is_level()
     {

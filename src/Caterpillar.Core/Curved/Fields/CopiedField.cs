@@ -65,24 +65,14 @@ internal sealed class CopiedField : LayerField
         return _inner.Heights(x - shift.X, y - shift.Y, first, second);
     }
 
-    // Outlines are looked at only where boxes do not tell.
     private Vec3 ShiftAt(double x, double y)
     {
-        var (best, nearest, second) = (0, double.PositiveInfinity, double.PositiveInfinity);
-        for (var i = 0; i < _outlines.Length; i++)
-        {
-            var box = _outlines[i].Box;
-            var away = Math.Max(Math.Max(box.Min.X - x, x - box.Max.X), Math.Max(box.Min.Y - y, y - box.Max.Y));
-            if (away < nearest) (best, nearest, second) = (i, away, nearest);
-            else second = Math.Min(second, away);
-        }
-        if (second > 0) return _shifts[best];
         var place = new Footprint([new Vec3(x, y)], 0);
-        var least = double.PositiveInfinity;
+        var (best, least) = (0, double.PositiveInfinity);
         for (var i = 0; i < _outlines.Length; i++)
         {
-            var away = _outlines[i].Separation(place);
-            if (away < least) (best, least) = (i, away);
+            // Outlines are looked at only where boxes do not tell.
+            if (!place.IsApart(_outlines[i], least) && _outlines[i].Separation(place) is var away && away < least) (best, least) = (i, away);
         }
         return _shifts[best];
     }

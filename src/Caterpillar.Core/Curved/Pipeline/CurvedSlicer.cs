@@ -166,7 +166,12 @@ public static class CurvedSlicer
     private static PrintSettings OnField(PrintSettings settings, LayerField field, double? angle)
     {
         settings = settings with { RaftLayers = 0, ArcFittingTolerance = 0 };
-        if (angle is { } degrees && settings.SolidInfillAngle == new PrintSettings().SolidInfillAngle) settings = settings with { SolidInfillAngle = degrees };
+        if (angle is { } degrees)
+        {
+            // Walls across a slope would be steps themselves.
+            settings = settings with { OnlyOneWallTop = true };
+            if (settings.SolidInfillAngle == new PrintSettings().SolidInfillAngle) settings = settings with { SolidInfillAngle = degrees };
+        }
         return field.StartsLevel ? settings : settings.WithoutSkirtAndBrim;
     }
 

@@ -16,18 +16,27 @@ internal sealed class FixedLayer
     /// <summary>The least height at each node, mm.</summary>
     public double[] Lower { get; }
 
-    /// <summary>The layer with all places that go together: where two contradict each other, the lower one stays.</summary>
+    /// <summary>
+    /// The layer with all places that go together. Where some are too far above others, the upper ones stay, or the lower ones if those are more.
+    /// </summary>
     public static FixedLayer Of(int number, IEnumerable<(int Node, double Height)> places, SlopeGrid grid, double slope)
     {
-        double[] upper = new double[grid.Count], lower = new double[grid.Count];
-        for (var i = 0; i < upper.Length; i++) (upper[i], lower[i]) = (double.PositiveInfinity, double.PositiveInfinity);
         var all = places.ToArray();
-        foreach (var (node, height) in all) upper[node] = Math.Min(upper[node], height);
-        grid.Lower(upper, slope);
-        var kept = Array.FindAll(all, p => p.Height <= upper[p.Node] + 1e-9);
-        foreach (var (node, height) in kept) lower[node] = Math.Min(lower[node], -height);
-        grid.Lower(lower, slope);
-        for (var i = 0; i < lower.Length; i++) lower[i] = -lower[i];
-        return new FixedLayer(number, kept, upper, lower);
+        double[] upper = Reach(all, 1, grid, slope), lower = Reach(all, -1, grid, slope);
+        var notAbove = Array.FindAll(all, p => p.Height <= upper[p.Node] + 1e-9);
+        var notBelow = Array.FindAll(all, p => -p.Height <= lower[p.Node] + 1e-9);
+        var kept = notBelow.Length > notAbove.Length ? notBelow : notAbove;
+        if (kept.Length < all.Length) (upper, lower) = (Reach(kept, 1, grid, slope), Reach(kept, -1, grid, slope));
+        return new FixedLayer(number, kept, upper, Array.ConvertAll(lower, h => -h));
+    }
+
+    // The greatest heights that given ones allow, or the least ones with a sign of -1, negative.
+    private static double[] Reach((int Node, double Height)[] places, int sign, SlopeGrid grid, double slope)
+    {
+        var heights = new double[grid.Count];
+        for (var i = 0; i < heights.Length; i++) heights[i] = double.PositiveInfinity;
+        foreach (var (node, height) in places) heights[node] = Math.Min(heights[node], sign * height);
+        grid.Lower(heights, slope);
+        return heights;
     }
 }

@@ -88,12 +88,11 @@ internal sealed class SmoothPlan
         foreach (var s in chosen)
         {
             var sample = _samples.All[s];
-            // What contradicts itself may be in another layer.
-            if (sample.Height > made.Upper[sample.Node] + 1e-9)
-            {
-                _spans[s] = layer > _spans[s].From ? (_spans[s].From, layer - 1) : (layer + 1, _spans[s].To);
-                continue;
-            }
+            var (from, to) = _spans[s];
+            // What is too far above or below the others may be in another layer.
+            if (sample.Height > made.Upper[sample.Node] + 1e-9) _spans[s] = (layer + 1, to);
+            else if (sample.Height < made.Lower[sample.Node] - 1e-9) _spans[s] = (from, layer - 1);
+            if (_spans[s] != (from, to)) continue;
             done[s] = true;
             if (sample.Visible) Steepest = Math.Max(Steepest, sample.Slope);
         }
