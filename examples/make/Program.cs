@@ -47,7 +47,7 @@ internal static class Program
         }
         var turtles = Path.Combine(folder, "..", "turtle");
         Directory.CreateDirectory(turtles);
-        File.WriteAllBytes(Path.Combine(turtles, WorldMap.FileName), WorldMap.ToPbm());
+        File.WriteAllBytes(Path.Combine(turtles, WorldMap.FileName), WorldMap.ToPng());
         Console.WriteLine($"turtle/{WorldMap.FileName}");
         return 0;
     }

@@ -13,7 +13,7 @@ public class FolderTests
     {
         string[] order =
         [
-            "Completions", "Reports", "Running", "Options", "Viewing", "Verbs", "Usage", "Batches", FolderOrder.Root,
+            "Reports", "Running", "Options", "Viewing", "Verbs", "Usage", "Batches", FolderOrder.Root,
         ];
         var uses = FolderUses.Of(typeof(Caterpillar.Cli.Session).Assembly.Location, Path.Combine(TestData.Repository, "src", "Caterpillar.Cli"));
         Assert.That(FolderOrder.Offenses(uses, "", order), Is.Empty);

@@ -1,4 +1,7 @@
 using System.IO;
+using System.Text;
+using System.Text.RegularExpressions;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Toolpaths;
 
@@ -12,5 +15,17 @@ internal static class NewFile
         using var memory = new MemoryStream();
         new GCodeWriter(toolpath, format).WriteAll(memory);
         return memory.ToArray();
+    }
+
+    /// <summary>The same as text, without lines that are only comments.</summary>
+    public static string Plain(Toolpath toolpath, GCodeFormat? format = null)
+        => Regex.Replace(Encoding.ASCII.GetString(Of(toolpath, format)), "^;.*\n", "", RegexOptions.Multiline);
+
+    /// <summary>The rules of a firmware that knows no arcs, and is else like another.</summary>
+    public static FlavorRules WithoutArcs(FlavorRules flavor)
+    {
+        var words = RuleWords.Of(flavor.Name);
+        words["Arcs"] = "no";
+        return new FlavorRules(words);
     }
 }

@@ -1,5 +1,4 @@
 using System;
-using System.Text;
 using Caterpillar.Files;
 using Caterpillar.Shaping;
 
@@ -76,23 +75,20 @@ internal static class WorldMap
     }
 
     /// <summary>File name of the map that turtle scripts read.</summary>
-    public const string FileName = "world_map.pbm";
+    public const string FileName = "world_map.png";
 
-    /// <summary>The map as a raw PBM of 300 × 150 dots. Bits of land are 0 (white).</summary>
-    public static byte[] ToPbm()
+    /// <summary>The map as a PNG of 300 × 150 pixels.</summary>
+    public static byte[] ToPng()
     {
-        const int Width = 300, Height = 150, Row = (Width + 7) / 8;
-        var map = Draw(Width, Height);
-        var header = Encoding.ASCII.GetBytes($"P4\n{Width} {Height}\n");
-        var bytes = new byte[header.Length + Row * Height];
-        header.CopyTo(bytes, 0);
-        for (var y = 0; y < Height; y++)
+        var map = Draw(300, 150);
+        var image = new RasterImage(map.Width, map.Height, new Rgb(0, 0, 0));
+        for (var y = 0; y < map.Height; y++)
         {
-            for (var x = 0; x < Width; x++)
+            for (var x = 0; x < map.Width; x++)
             {
-                if (map[x, y] < 0.5) bytes[header.Length + y * Row + x / 8] |= (byte)(0x80 >> (x % 8));
+                if (map[x, y] > 0.5) image[x, y] = new Rgb(255, 255, 255);
             }
         }
-        return bytes;
+        return PngWriter.ToBytes(image);
     }
 }

@@ -1,6 +1,3 @@
-using Newtonsoft.Json;
-using Newtonsoft.Json.Linq;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Options for layers between boundaries of the model.</summary>

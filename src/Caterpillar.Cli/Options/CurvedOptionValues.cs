@@ -6,7 +6,7 @@ internal sealed class CurvedOptionValues
     private static readonly string[] MeshEndings = [".stl", ".obj", ".ply", ".3mf", ".gz"];
 
     private readonly Described<string[]> _surface = new("--surface",
-        "Surface that layers follow. FILE: a mesh. FORMULA: its height in x and y, such as 10 + 2 * sin(9 * x). IMAGE: a height map (PNG, PGM) over the model, "
+        "Surface that layers follow. FILE: a mesh. FORMULA: its height in x and y, such as 10 + 2 * sin(9 * x). IMAGE: a height map (PNG) over the model, "
             + "with the heights of black and white. Repeatable with --field between, lowest first.", "FILE|FORMULA|IMAGE:LOW,HIGH");
 
     private readonly Described<string?> _field = new("--field",

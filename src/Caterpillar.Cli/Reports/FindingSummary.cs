@@ -1,5 +1,3 @@
-using Newtonsoft.Json;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Findings of the checks: in one line, and as JSON.</summary>
@@ -19,33 +17,21 @@ internal static class FindingSummary
         return $"{NumberFormatter.Format(kinds.Sum(d => d.Count))} findings of {NumberFormatter.Format(kinds.Length)} kinds: {names}{more}.";
     }
 
-    /// <summary>Writes an array with an object for each kind of finding.</summary>
-    public static void Write(JsonTextWriter json, IEnumerable<Diagnostic> findings)
-        => json.List(findings, finding => json.Object(() =>
-        {
-            json.Entry("severity", finding.Severity.ToString().ToLowerInvariant());
-            json.Entry("code", finding.Code);
-            json.Entry("count", finding.Count);
-            if (finding.Share > 0) json.Entry("share", Math.Round(finding.Share, 4));
-            Finding(json, finding);
-            if (finding.Worst is { } worst) json.Entry("worst", () => json.Object(() => Finding(json, worst)));
-        }));
+    /// <summary>An array with an object for each kind of finding.</summary>
+    public static JArray ToJson(IEnumerable<Diagnostic> findings) => new(findings.Select(finding => Json.Object(
+        [
+            ("severity", finding.Severity.ToString().ToLowerInvariant()), ("code", finding.Code), ("count", finding.Count),
+            ("share", finding.Share > 0 ? Math.Round(finding.Share, 4) : null),
+            .. Entries(finding), ("worst", finding.Worst is { } worst ? Json.Object([.. Entries(worst)]) : null),
+        ])));
 
-    private static void Finding(JsonTextWriter json, Diagnostic finding)
-    {
-        json.Entry("message", finding.Message);
-        if (finding.Source is { } place) Place(json, place);
-    }
+    private static IEnumerable<(string Name, JToken? Value)> Entries(Diagnostic finding)
+        => [("message", finding.Message), .. finding.Source is { } place ? Entries(place) : []];
 
-    private static void Place(JsonTextWriter json, SourceLocation place)
-    {
-        json.Entry("file", place.File);
-        json.Entry("key", place.Key);
-        json.Entry("line", place.Line);
-        json.Entry("column", place.Column);
-        json.Entry("layer", place.Layer);
-        json.Entry("step", place.Step);
-        json.Entry("move", place.Move);
-        if (place.Origin is { } origin) json.Entry("origin", () => json.Object(() => Place(json, origin)));
-    }
+    private static IEnumerable<(string Name, JToken? Value)> Entries(SourceLocation place)
+        =>
+        [
+            ("file", place.File), ("key", place.Key), ("line", place.Line), ("column", place.Column), ("layer", place.Layer), ("step", place.Step),
+            ("move", place.Move), ("origin", place.Origin is { } origin ? Json.Object([.. Entries(origin)]) : null),
+        ];
 }

@@ -1,23 +1,12 @@
-using System.Text.Json;
-using System.Text.Json.Nodes;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Statistics and states as JSON: snake_case keys with their units; null = unknown.</summary>
 internal static class SimulationJson
 {
-    private static readonly JsonWriterOptions Options
-        = new() { Indented = true, Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
-
     /// <summary>A JSON array of objects.</summary>
-    public static string Array(IEnumerable<JsonObject> items)
-    {
-        using var buffer = new MemoryStream();
-        using (var json = new Utf8JsonWriter(buffer, Options)) List(items).WriteTo(json);
-        return Encoding.UTF8.GetString(buffer.ToArray()).Replace("\r\n", "\n") + "\n";
-    }
+    public static string Array(IEnumerable<JObject> items) => Json.Text(List(items));
 
-    public static JsonObject Statistics(string file, PrintStatistics s, Toolpath toolpath, string limits) => new()
+    public static JObject Statistics(string file, PrintStatistics s, Toolpath toolpath, string limits) => new()
     {
         ["file"] = file,
         ["limits"] = limits,
@@ -40,12 +29,12 @@ internal static class SimulationJson
         ["peak_flow_mm3_s"] = Number(s.GreatestFlow),
         ["peak_flow_move"] = Number(s.GreatestFlow is null ? null : s.GreatestFlowMove),
         ["peak_speed_mm_s"] = Number(s.GreatestSpeed),
-        ["print_box_mm"] = s.PrintBounds.IsEmpty ? null : new JsonArray(Point(s.PrintBounds.Min), Point(s.PrintBounds.Max)),
-        ["roles"] = List(s.Roles.Select(r => new JsonObject
+        ["print_box_mm"] = s.PrintBounds.IsEmpty ? null : new JArray(Point(s.PrintBounds.Min), Point(s.PrintBounds.Max)),
+        ["roles"] = List(s.Roles.Select(r => new JObject
         {
             ["role"] = Word(r.Role), ["time_s"] = Number(r.Time), ["length_mm"] = Number(r.Length), ["volume_mm3"] = Number(r.Volume),
         })),
-        ["tools"] = List(s.Tools.Select(t => new JsonObject
+        ["tools"] = List(s.Tools.Select(t => new JObject
         {
             ["tool"] = t.Tool,
             ["time_s"] = Number(t.Time),
@@ -56,7 +45,7 @@ internal static class SimulationJson
         ["layers"] = List(s.Layers.Select(l => Layer(l, toolpath.Layers[l.Layer]))),
     };
 
-    public static JsonObject State(MachineState s, Toolpath toolpath) => new()
+    public static JObject State(MachineState s, Toolpath toolpath) => new()
     {
         ["time_s"] = Number(s.Time),
         ["time_left_s"] = Number(s.TimeLeft),
@@ -82,9 +71,9 @@ internal static class SimulationJson
         ["volume_mm3"] = Number(s.Volume),
     };
 
-    private static JsonObject Layer(LayerTime time, Layer layer)
+    private static JObject Layer(LayerTime time, Layer layer)
     {
-        var json = new JsonObject { ["index"] = layer.Index };
+        var json = new JObject { ["index"] = layer.Index };
         if (layer.Object.Length > 0) json["object"] = layer.Object;
         json["z_mm"] = Number(layer.Z);
         json["start_s"] = Number(time.Start);
@@ -94,13 +83,13 @@ internal static class SimulationJson
         return json;
     }
 
-    private static JsonArray List(IEnumerable<JsonObject> items) => new([.. items]);
+    private static JArray List(IEnumerable<JObject> items) => new(items);
 
-    private static JsonArray Point(Vec3 p) => new(Math.Round(p.X, 6), Math.Round(p.Y, 6), Math.Round(p.Z, 6));
+    private static JArray Point(Vec3 p) => new(Number(p.X), Number(p.Y), Number(p.Z));
 
     private static string Word<T>(T value)
         where T : struct, Enum
-        => JsonNamingPolicy.SnakeCaseLower.ConvertName(value.ToString());
+        => Words.Snake(value.ToString());
 
-    private static double? Number(double? value) => value is { } known && double.IsFinite(known) ? Math.Round(known, 6) : null;
+    private static JToken Number(double? value) => Json.Number(value);
 }

@@ -62,7 +62,7 @@ internal sealed class Session(Func<Stream> input, Func<Stream> output, TextWrite
     public byte[] ReadBytes(string file)
     {
         using var input = OpenRead(file);
-        if (input.CanSeek && input.Length > 0) return LargeFile.ReadAllBytes(file);
+        if (input.CanSeek && input.Length > 0) return File.ReadAllBytes(file);
         using var memory = new MemoryStream();
         input.CopyTo(memory);
         return memory.ToArray();

@@ -63,22 +63,7 @@ internal static class OutputGuard
     // The path without links in any of its folders.
     private static string Real(string path)
     {
-        var full = Path.GetFullPath(path);
-        for (var links = 0; links < 40 && Link(full) is { } target; links++) full = target;
-        var folder = Path.GetDirectoryName(full);
-        return folder is null ? full : Path.Combine(Real(folder), Path.GetFileName(full));
-    }
-
-    private static string? Link(string path)
-    {
-        try
-        {
-            FileSystemInfo place = Directory.Exists(path) ? new DirectoryInfo(path) : new FileInfo(path);
-            return place.LinkTarget is { } target ? Path.GetFullPath(target, Path.GetDirectoryName(path) ?? path) : null;
-        }
-        catch (IOException)
-        {
-            return null;
-        }
+        var full = FileLinks.Target(Path.GetFullPath(path));
+        return Path.GetDirectoryName(full) is { } folder ? Path.Combine(Real(folder), Path.GetFileName(full)) : full;
     }
 }

@@ -1,9 +1,11 @@
 # bash completions for caterpillar: source this file, or put it into ~/.local/share/bash-completion/completions/caterpillar
 _caterpillar() {
-  local cur=${COMP_WORDS[COMP_CWORD]} prev=${COMP_WORDS[COMP_CWORD-1]} verb='' word
-  for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
-    case $word in -*) ;; *) verb=$word; break ;; esac
-  done
-  COMPREPLY=()
-  [ "$cur" = = ] && cur=''
-  case $verb in
+  mapfile -t COMPREPLY < <(caterpillar completions bash --line "${COMP_LINE:0:COMP_POINT}" 2>/dev/null)
+  if ((${#COMPREPLY[@]})); then
+    [[ ${COMPREPLY[0]} != *= ]] || compopt -o nospace 2>/dev/null
+  else
+    compopt -o filenames 2>/dev/null
+    mapfile -t COMPREPLY < <(compgen -f -- "${COMP_WORDS[COMP_CWORD]}")
+  fi
+}
+complete -F _caterpillar caterpillar

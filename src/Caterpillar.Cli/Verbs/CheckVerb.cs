@@ -1,5 +1,3 @@
-using Newtonsoft.Json;
-
 namespace Caterpillar.Cli;
 
 /// <summary>Checks G-code files against a printer.</summary>
@@ -42,15 +40,8 @@ internal sealed class CheckVerb : Verb
         }
         session.WriteText("-", text =>
         {
-            if (arguments.GetValue(_json))
-            {
-                using var json = new JsonTextWriter(text) { Formatting = Formatting.Indented, CloseOutput = false };
-                FindingSummary.Write(json, all);
-                json.Flush();
-                text.WriteLine();
-                return;
-            }
-            foreach (var finding in all) text.WriteLine(finding.ToString());
+            if (arguments.GetValue(_json)) text.Write(Json.Text(FindingSummary.ToJson(all)));
+            else all.ForEach(finding => text.WriteLine(finding.ToString()));
         });
         session.Found(all);
         session.Say(harmless);

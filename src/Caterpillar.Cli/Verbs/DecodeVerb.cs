@@ -96,13 +96,14 @@ internal sealed class DecodeVerb : Verb
     {
         var name = Session.NameOf(file);
         using var plain = GzipReader.Open(session.OpenRead(file));
-        using var sum = hash ? IncrementalHash.CreateHash(HashAlgorithmName.SHA256) : null;
-        using var stream = sum is null ? plain : new HashingStream(plain, sum);
+        using var sum = hash ? SHA256.Create() : null;
+        using var stream = sum is null ? plain : new CryptoStream(plain, sum, CryptoStreamMode.Read);
         var result = session.Decode(stream, name, options);
         if (plain is GzipReader { HasTrailingBytes: true }) session.Print([GzipReader.TrailingBytes("gcode.compression", name)]);
         var decoding = session.GCodeOrFail(result);
         var report = decoding.Report with { File = file == "-" ? "-" : Path.GetFileName(file) };
-        if (sum is not null) report = report with { Sha256 = Convert.ToHexStringLower(sum.GetHashAndReset()) };
-        return (name, decoding, report);
+        if (sum is null) return (name, decoding, report);
+        stream.CopyTo(Stream.Null);
+        return (name, decoding, report with { Sha256 = Convert.ToHexStringLower(sum.Hash!) });
     }
 }

@@ -68,8 +68,8 @@ public static class CurvePaths
         var isRaised = IsRaised(curves, options);
         if (isRaised) diagnostics.Add(RaisedNote(options));
         else if (options.Layers > 0)
-            return new Result<IReadOnlyList<Step>>(null, [new Diagnostic(Severity.Error, "curves.not_flat",
-                "Only a drawing that is flat at Z 0 and extrudes can be stacked in layers. Remove its Z values, or draw each layer.")]);
+            return new Result<IReadOnlyList<Step>>("curves.not_flat",
+                "Only a drawing that is flat at Z 0 and extrudes can be stacked in layers. Remove its Z values, or draw each layer.");
         var steps = new List<Step>(curves.Count);
         var run = new List<PrintPath>();
         var places = new List<SourceLocation>();

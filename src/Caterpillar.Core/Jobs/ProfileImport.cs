@@ -9,7 +9,7 @@ public static class ProfileImport
     // So many known names in the comments of a print are the settings of a slicer.
     private const int Enough = 20;
 
-    /// <summary>Imports files. For codes of diagnostics, see <see cref="HeaderImport"/>.</summary>
+    /// <summary>Imports files.</summary>
     /// <param name="file">Bytes of a file with settings, of a print, or of start code.</param>
     /// <param name="footer">Bytes of a file with end code, or of a print. Null = the end of the print in <paramref name="file"/>, or no end code.</param>
     /// <param name="name">Name of profiles that have none.</param>
@@ -19,7 +19,8 @@ public static class ProfileImport
     /// <param name="printer">Name of the printer to take from a file with several; null = all.</param>
     /// <returns>
     /// The profiles, or an error if the file is of none of these kinds, or start code leaves the machine in inches. Settings without an equal here are the note
-    /// <c>import.no_equal</c>, lines of templates the warning <c>import.template</c>, macros whose effect is unknown the warning <c>import.macro</c>.
+    /// <c>import.no_equal</c>, lines of templates the warning <c>import.template</c>, macros whose effect is unknown the warning <c>import.macro</c>. Invalid
+    /// lines of start code are warnings (<c>header.bad_word</c>, <c>header.no_command</c>, <c>header.merge_conflict</c>) and stay as comments.
     /// </returns>
     /// <exception cref="IOException">A file that a JSON preset inherits cannot be read.</exception>
     public static Result<ImportedProfiles> Read(
@@ -79,13 +80,14 @@ public static class ProfileImport
 
     private static Result<ImportedProfiles> Code(byte[] header, byte[]? footer, string name, Printer? like, string headerName, string footerName)
     {
-        var decoded = GCodeDecoder.Decode(header).Value;
-        if (decoded?.NotGCode is { } none) return new Result<ImportedProfiles>(null, [none with { Source = new SourceLocation(headerName) }]);
+        var read = GCodeDecoder.Decode(header);
+        if (read.Value is not { } decoded) return new Result<ImportedProfiles>(null, read.Diagnostics);
+        if (decoded.NotGCode is { } none) return new Result<ImportedProfiles>(null, [none with { Source = new SourceLocation(headerName) }]);
         var ending = footer is null ? decoded : GCodeDecoder.Decode(footer).Value;
-        var start = IsPrint(decoded) ? StartCode(decoded!) : Encoding.UTF8.GetString(header);
+        var start = IsPrint(decoded) ? StartCode(decoded) : Encoding.UTF8.GetString(header);
         var end = IsPrint(ending) ? EndCode(ending!) : Encoding.UTF8.GetString(footer ?? []);
         var imported = HeaderImport.Read(start, end, name, like, headerName, footerName);
-        if (imported.Value is not { } made || decoded is null || decoded.Evidence.Contains(FlavorDetector.NotStated)) return imported;
+        if (imported.Value is not { } made || decoded.Evidence.Contains(FlavorDetector.NotStated)) return imported;
         // A file that names its flavor knows better than a similar printer.
         return new Result<ImportedProfiles>(made with { Printers = [made.Printers[0] with { Flavor = decoded.Flavor }] }, imported.Diagnostics);
     }

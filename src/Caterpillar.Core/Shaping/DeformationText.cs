@@ -37,13 +37,9 @@ public static class DeformationText
         var parts = Split(position);
         if (parts.Count == 3) return Compile(parts[0], parts[1], parts[2], area, speed, system, axis, source);
         var names = Names(system);
-        return new Result<Deformation>(null,
-        [
-            new Diagnostic(
-                Severity.Error, "shape.position_formulas",
-                $"\"{position.Trim()}\" has {NumberFormatter.Format(parts.Count)} formulas. A position needs three: {names[0]}, {names[1]} and {names[2]}.",
-                (source ?? new SourceLocation()) with { Key = "position" }),
-        ]);
+        return new Result<Deformation>("shape.position_formulas",
+            $"\"{position.Trim()}\" has {NumberFormatter.Format(parts.Count)} formulas. A position needs three: {names[0]}, {names[1]} and {names[2]}.",
+            (source ?? new SourceLocation()) with { Key = "position" });
     }
 
     /// <summary>Compiles a deformation from one formula per coordinate.</summary>
@@ -68,12 +64,12 @@ public static class DeformationText
         return new Result<Deformation>(deformation, []);
     }
 
-    /// <summary>Parts of a text at the commas outside of brackets. Each part is padded with leading spaces, so that columns refer to the whole text.</summary>
-    internal static IReadOnlyList<string> Split(string text)
+    /// <summary>The parts of a text from a place on, at its commas outside of brackets. Leading spaces keep the columns of the whole text.</summary>
+    internal static IReadOnlyList<string> Split(string text, int from = 0)
     {
         var parts = new List<string>();
-        int depth = 0, from = 0;
-        for (var i = 0; i <= text.Length; i++)
+        var depth = 0;
+        for (var i = from; i <= text.Length; i++)
         {
             var c = i < text.Length ? text[i] : ',';
             if (c is '(' or '[') depth++;

@@ -2,7 +2,7 @@ namespace Caterpillar.Traces;
 
 /// <summary>
 /// A part made of strings in printing order (Kanada 2016, section 3, <c>draw3dp.Trace</c>). Build it with moves, draws and shapes made of strings, then call
-/// <see cref="ToSteps"/>. Lengths are in mm, areas in mm², speeds in mm/s, angles in degrees.
+/// <see cref="ToPaths"/>. Lengths are in mm, areas in mm², speeds in mm/s, angles in degrees.
 /// </summary>
 public sealed class Trace
 {
@@ -155,9 +155,6 @@ public sealed class Trace
         }
         return paths;
     }
-
-    /// <summary>The part as steps, in printing order.</summary>
-    public IReadOnlyList<Step> ToSteps() => ToPaths().ToSteps();
 
     private static Vec3 OnCircle(Vec3 center, double radius, double degrees)
     {

@@ -63,32 +63,23 @@ public sealed partial class Turtle
     /// <summary>The poses at the start and after every move and turn. Empty unless <see cref="TurtleOptions.KeepPoses"/> is set.</summary>
     public IReadOnlyList<Frame> Poses => _poses is null ? [] : _poses.ToArray();
 
-    /// <summary>Turns about the up axis. Positive angles turn left.</summary>
-    public Turtle TurnYaw(double angle) => Turn(Pose.Yaw(Degrees(angle)));
-
-    /// <summary>Turns about the left axis. Positive angles raise the nose.</summary>
-    public Turtle TurnPitch(double angle) => Turn(Pose.Pitch(Degrees(angle)));
-
-    /// <summary>Turns about the forward axis. Positive angles raise the left side.</summary>
-    public Turtle TurnRoll(double angle) => Turn(Pose.Roll(Degrees(angle)));
-
-    /// <summary>Turns left.</summary>
-    public Turtle Left(double angle) => TurnYaw(angle);
+    /// <summary>Turns left, about the up axis.</summary>
+    public Turtle Left(double angle) => Turn(Pose.Yaw(Degrees(angle)));
 
     /// <summary>Turns right.</summary>
-    public Turtle Right(double angle) => TurnYaw(-angle);
+    public Turtle Right(double angle) => Left(-angle);
 
-    /// <summary>Raises the nose.</summary>
-    public Turtle PitchUp(double angle) => TurnPitch(angle);
+    /// <summary>Raises the nose: turns about the left axis.</summary>
+    public Turtle PitchUp(double angle) => Turn(Pose.Pitch(Degrees(angle)));
 
     /// <summary>Lowers the nose.</summary>
-    public Turtle PitchDown(double angle) => TurnPitch(-angle);
+    public Turtle PitchDown(double angle) => PitchUp(-angle);
+
+    /// <summary>Raises the left side: turns about the forward axis.</summary>
+    public Turtle RollRight(double angle) => Turn(Pose.Roll(Degrees(angle)));
 
     /// <summary>Lowers the left side.</summary>
-    public Turtle RollLeft(double angle) => TurnRoll(-angle);
-
-    /// <summary>Raises the left side.</summary>
-    public Turtle RollRight(double angle) => TurnRoll(angle);
+    public Turtle RollLeft(double angle) => RollRight(-angle);
 
     /// <summary>Turns around: exactly half a turn about the up axis.</summary>
     public Turtle TurnAround() => Turn(Pose.Yaw(180));
@@ -144,26 +135,13 @@ public sealed partial class Turtle
     /// Moves straight to a point and prints if the pen is down. Null keeps a coordinate. The heading stays the same, or turns along the move if
     /// <paramref name="faceTravel"/> is true.
     /// </summary>
-    public Turtle GoTo(double? x, double? y, double? z = null, bool faceTravel = false) => Go(Target(x, y, z), true, faceTravel);
-
-    /// <inheritdoc cref="GoTo(double?, double?, double?, bool)"/>
-    public Turtle GoTo(Vec3 point, bool faceTravel = false) => Go(point, true, faceTravel);
+    public Turtle GoTo(double? x, double? y, double? z = null, bool faceTravel = false) => Go(x, y, z, true, faceTravel);
 
     /// <summary>
     /// Moves straight to a point without printing. Null keeps a coordinate. The heading stays the same, or turns along the move if
     /// <paramref name="faceTravel"/> is true.
     /// </summary>
-    public Turtle Jump(double? x, double? y, double? z = null, bool faceTravel = false) => Go(Target(x, y, z), false, faceTravel);
-
-    /// <inheritdoc cref="Jump(double?, double?, double?, bool)"/>
-    public Turtle Jump(Vec3 point, bool faceTravel = false) => Go(point, false, faceTravel);
-
-    /// <summary>Moves to a point without printing. There the turtle is level and heads along an azimuth (Kanada's setTurtle).</summary>
-    public Turtle JumpTo(double x, double y, double z, double azimuth)
-    {
-        MoveTo(new Vec3(x, y, z), deposit: false);
-        return SetHeading(azimuth);
-    }
+    public Turtle Jump(double? x, double? y, double? z = null, bool faceTravel = false) => Go(x, y, z, false, faceTravel);
 
     /// <summary>Sets the starting point. This is not a move.</summary>
     /// <exception cref="InvalidOperationException">The turtle has already moved.</exception>
@@ -213,16 +191,6 @@ public sealed partial class Turtle
         return this;
     }
 
-    /// <summary>A copy of this turtle in the same state, but without its steps.</summary>
-    public Turtle Copy() => new(_options) { _state = _state, AngleUnit = AngleUnit };
-
-    /// <summary>Takes the state of another turtle without recording a move. The next move starts there.</summary>
-    public Turtle SetState(Turtle other)
-    {
-        _state = (other ?? throw new ArgumentNullException(nameof(other)))._state;
-        return this;
-    }
-
     /// <summary>
     /// All steps so far, in order. Printing moves are paths with a bead for each segment. Other moves are travels exactly as drawn. Events stay in place. Moves
     /// of length 0 are dropped.
@@ -236,10 +204,7 @@ public sealed partial class Turtle
         _recorder.Line = line;
     }
 
-    /// <summary>The turtle as a triangle that points forward: <paramref name="size"/> mm to the left and to the right, and 2.5 times as much forward.</summary>
-    public IReadOnlyList<Vec3> Triangle(double size = 2) => TriangleOf(Pose, size);
-
-    /// <inheritdoc cref="Triangle"/>
+    /// <summary>A turtle as a triangle that points forward: <paramref name="size"/> mm to the left and to the right, and 2.5 times as much forward.</summary>
     public static IReadOnlyList<Vec3> TriangleOf(Frame pose, double size = 2)
         => [pose.Origin + pose.Y * size, pose.Origin - pose.Y * size, pose.Origin + pose.X * (2.5 * size)];
 
@@ -251,8 +216,9 @@ public sealed partial class Turtle
         return this;
     }
 
-    private Turtle Go(Vec3 to, bool deposit, bool faceTravel)
+    private Turtle Go(double? x, double? y, double? z, bool deposit, bool faceTravel)
     {
+        var to = new Vec3(x ?? X, y ?? Y, z ?? Z);
         if (faceTravel && to != Position) Face(to);
         return MoveTo(to, deposit);
     }
@@ -266,8 +232,6 @@ public sealed partial class Turtle
         _poses?.Add(_state.Pose);
         return this;
     }
-
-    private Vec3 Target(double? x, double? y, double? z) => new(x ?? X, y ?? Y, z ?? Z);
 
     private double Degrees(double angle) => AngleUnit == AngleUnit.Radians ? Angle.ToDegrees(angle) : angle;
 

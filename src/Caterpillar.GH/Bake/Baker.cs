@@ -1,5 +1,4 @@
 using Rhino.DocObjects;
-using System.Drawing;
 using Rhino.UI;
 
 namespace Caterpillar.GH.Bake;

@@ -1,5 +1,4 @@
 using Rhino.DocObjects;
-using System.Drawing;
 
 namespace Caterpillar.GH.Base;
 

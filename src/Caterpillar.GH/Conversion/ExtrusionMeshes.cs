@@ -1,5 +1,3 @@
-using System.Drawing;
-
 namespace Caterpillar.GH.Conversion;
 
 /// <summary>Extrusions as Rhino meshes.</summary>

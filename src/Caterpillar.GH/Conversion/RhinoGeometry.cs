@@ -1,5 +1,3 @@
-using System.Drawing;
-
 namespace Caterpillar.GH.Conversion;
 
 /// <summary>Between the library's geometry in mm and Rhino's in document units.</summary>

@@ -1,4 +1,3 @@
-using System.Drawing;
 using Rhino.Commands;
 using Rhino.Input;
 

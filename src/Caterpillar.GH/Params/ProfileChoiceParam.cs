@@ -1,5 +1,3 @@
-using System.Drawing;
-
 namespace Caterpillar.GH.Params;
 
 /// <summary>

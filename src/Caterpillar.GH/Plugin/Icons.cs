@@ -1,5 +1,3 @@
-using System.Drawing;
-
 namespace Caterpillar.GH.Plugin;
 
 /// <summary>The icons embedded in the plug-in: 24 × 24 PNG, named after their class.</summary>

@@ -1,4 +1,3 @@
-using System.Drawing;
 using System.Reflection;
 using Grasshopper;
 

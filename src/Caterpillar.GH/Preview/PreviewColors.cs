@@ -1,5 +1,3 @@
-using System.Drawing;
-
 namespace Caterpillar.GH.Preview;
 
 /// <summary>Value shown by the colors.</summary>

@@ -1,5 +1,3 @@
-using System.Drawing;
-
 namespace Caterpillar.GH.Preview;
 
 /// <summary>The visible parts of a toolpath: beads instead of lines, travel moves with retractions, seams, and the bed and volume of a printer.</summary>

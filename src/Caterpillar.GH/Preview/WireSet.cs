@@ -1,5 +1,3 @@
-using System.Drawing;
-
 namespace Caterpillar.GH.Preview;
 
 /// <summary>Something that is drawn as lines.</summary>

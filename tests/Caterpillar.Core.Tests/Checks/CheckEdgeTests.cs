@@ -184,7 +184,7 @@ public class CheckEdgeTests
         all[lines.OfMove(1).Last - 1] = "; nothing";
         var read = SmallPrint.Decode(Encoding.ASCII.GetBytes(string.Join("\n", all)), Setup).Toolpath;
         var findings = new Findings(Setup.Printer, read);
-        PlanComparison.Run(plan, read, SetupFormat.Of(Setup, plan).Value!, lines, findings);
+        new PlanComparison(plan, SetupFormat.Of(Setup, plan).Value!, lines, findings).End(read, 0);
         Assert.That(findings.ToList().Select(d => (d.Code, d.Count)), Is.EqualTo(new[] { (CheckCodes.FilePosition, 1), (CheckCodes.FileExtrusion, 1) }));
     }
 }

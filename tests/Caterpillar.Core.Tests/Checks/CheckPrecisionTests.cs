@@ -96,7 +96,7 @@ public class CheckPrecisionTests
     {
         var read = SmallPrint.Decode(Encoding.ASCII.GetBytes(text), Setup).Toolpath;
         var findings = new Findings(Setup.Printer, read);
-        PlanComparison.Run(plan, read, SetupFormat.Of(Setup, plan).Value!, SmallPrint.Written(plan, Setup).Lines, findings);
+        new PlanComparison(plan, SetupFormat.Of(Setup, plan).Value!, SmallPrint.Written(plan, Setup).Lines, findings).End(read, 0);
         return findings.ToList();
     }
 }

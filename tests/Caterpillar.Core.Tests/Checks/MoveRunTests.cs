@@ -141,7 +141,7 @@ public class MoveRunTests
     private static (string Code, int? Move)[] Compared(Toolpath plan, WrittenLines lines, ToolpathColumns read)
     {
         var findings = new Findings(Setup.Printer, plan);
-        PlanComparison.Run(plan, plan.With([new ToolpathBlock(read)]), SetupFormat.Of(Setup, plan).Value!, lines, findings);
+        new PlanComparison(plan, SetupFormat.Of(Setup, plan).Value!, lines, findings).End(plan.With([new ToolpathBlock(read)]), 0);
         return findings.ToList().Select(d => (d.Code, d.Source?.Move)).ToArray();
     }
 

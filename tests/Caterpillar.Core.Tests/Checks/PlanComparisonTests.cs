@@ -179,7 +179,7 @@ public class PlanComparisonTests
         var read = SmallPrint.Decode(Encoding.ASCII.GetBytes(change(text)), Setup).Toolpath;
         var format = SetupFormat.Of(Setup, plan).Value!;
         var findings = new Findings(Setup.Printer, read);
-        PlanComparison.Run(plan, read, format, lines, findings);
+        new PlanComparison(plan, format, lines, findings).End(read, 0);
         var found = findings.ToList().ToArray();
         foreach (var size in plan.Count > 1000 ? new[] { 997 } : [1, 2, 3, 7])
         {

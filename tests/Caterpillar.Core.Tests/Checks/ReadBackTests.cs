@@ -107,7 +107,7 @@ public class ReadBackTests
         if (instead.StartsWith("G92", StringComparison.Ordinal)) all[line - 2] = "G92 X0";
         var read = SmallPrint.Decode(Encoding.ASCII.GetBytes(string.Join("\n", all)), Setup).Toolpath;
         var findings = new Findings(Setup.Printer, read);
-        PlanComparison.Run(toolpath, read, SetupFormat.Of(Setup, toolpath).Value!, lines, findings);
+        new PlanComparison(toolpath, SetupFormat.Of(Setup, toolpath).Value!, lines, findings).End(read, 0);
         var list = findings.ToList();
         Assert.That(list.Count > 0, Is.EqualTo(found), string.Join("\n", list));
         if (!found) return;
@@ -130,7 +130,7 @@ public class ReadBackTests
         var (_, lines, _) = SmallPrint.Written(toolpath, Setup);
         var read = SmallPrint.Written(Arc(written).Build(), Setup).File.Toolpath;
         var findings = new Findings(Setup.Printer, read);
-        PlanComparison.Run(toolpath, read, SetupFormat.Of(Setup, toolpath).Value!, lines, findings);
+        new PlanComparison(toolpath, SetupFormat.Of(Setup, toolpath).Value!, lines, findings).End(read, 0);
         Assert.That(findings.ToList().Any(d => d.Code == "file.position"), Is.EqualTo(found));
     }
 

@@ -26,7 +26,7 @@ public class ExampleCurveTests
 
     [Test]
     public void The_generator_reproduces_the_map_of_the_globe()
-        => Assert.That(WorldMap.ToPbm().SequenceEqual(File.ReadAllBytes(Path.Combine(TestData.Repository, "examples", "turtle", WorldMap.FileName))));
+        => Assert.That(WorldMap.ToPng().SequenceEqual(File.ReadAllBytes(Path.Combine(TestData.Repository, "examples", "turtle", WorldMap.FileName))));
 
     [TestCase("pimples.json", "generic", true)]
     [TestCase("thick_cup.csv", "generic", false)]

@@ -75,25 +75,6 @@ public class DocumentTests
         Assert.That(GCodeDocument.FromText("G1\n\u00ef\u00bb\u00bfG1\n").Line(2), Has.Length.EqualTo(5));
     }
 
-    [TestCase(false)]
-    [TestCase(true)]
-    public void UTF_16_becomes_one_byte_a_character(bool bigEndian)
-    {
-        const string Text = "; caf\u00e9 \u20ac\r\nG1 X5 E1\n";
-        var encoding = bigEndian ? Encoding.BigEndianUnicode : Encoding.Unicode;
-        var bytes = encoding.GetPreamble().Concat(encoding.GetBytes(Text)).ToArray();
-        var document = GCodeDocument.FromBytes(bytes);
-        Assert.That(Latin1.GetString(document.ToBytes()), Is.EqualTo("; caf\u00e9 ?\r\nG1 X5 E1\n"));
-        foreach (var result in new[] { GCodeDecoder.Decode(bytes), GCodeDecoder.Decode(document),
-            GCodeDecoder.DecodeStream(new MemoryStream(Gzip.Packed(bytes))) })
-        {
-            Assert.That(result.Value!.Toolpath[0].End.X, Is.EqualTo(5));
-            Assert.That(result.Diagnostics.Select(d => d.Code), Does.Contain("gcode.utf16"));
-        }
-        // Half a character at the end is no reason to fail.
-        Assert.That(GCodeDecoder.Decode(bytes.Take(bytes.Length - 1).ToArray()).Value, Is.Not.Null);
-    }
-
     [Test]
     public void Bytes_of_zero_are_bytes_like_others()
     {

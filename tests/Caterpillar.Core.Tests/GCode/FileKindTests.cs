@@ -23,6 +23,7 @@ public class FileKindTests
     [TestCase("PK\u0003\u0004\nG1\nx\u0000\u0001", "3MF")]
     [TestCase("\u0089PNG\r\n\u001a\n\u0000\u0000", "PNG")]
     [TestCase("%PDF-1.4\n", "PDF")]
+    [TestCase("\u00ff\u00fe;\u0000\nG1 X5 E1\n", "UTF-16")]
     [TestCase("abc\u0000\u0001\u0002def\n", "binary data")]
     public void What_is_no_G_code_says_what_it_looks_like(string text, string kind)
         => Assert.That(Decode(Encoding.GetEncoding(28591).GetBytes(text)).NotGCode?.Message, Does.StartWith("The file is not G-code. It ").And.Contain(kind));

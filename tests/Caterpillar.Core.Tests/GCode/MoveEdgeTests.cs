@@ -128,7 +128,7 @@ public class MoveEdgeTests
     [Test]
     public void Chords_share_the_material_of_their_arc()
     {
-        var lines = Written("marlin2", new Vec3(-5, 0, 1), new Arc(Vec3.Zero, 180), arcs: false).Where(l => l.Contains(" E")).ToArray();
+        var lines = Written("sailfish", new Vec3(-5, 0, 1), new Arc(Vec3.Zero, 180)).Where(l => l.Contains(" E")).ToArray();
         // 24.8 chords of at most 0.01 mm beside the arc.
         Assert.That(lines, Has.Length.EqualTo(25));
         Assert.That(lines.Select(l => l.Split(' ').Single(w => w[0] == 'E')), Is.All.EqualTo("E0.04"));
@@ -219,14 +219,13 @@ public class MoveEdgeTests
         Assert.That(report.PrintBounds.Max, Is.EqualTo(new Vec3(2 * radius, radius)));
     }
 
-    private static string[] Written(string flavor, Vec3 end, Arc arc, bool arcs = true)
+    private static string[] Written(string flavor, Vec3 end, Arc arc)
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, null);
         builder.Add(new Vec3(5, 0, 1), 0, 0, 50, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
         builder.Add(end, 1, 1, 10, MoveKind.Print, Role.Unspecified, -1, 0, 0, arc);
-        var bytes = NewFile.Of(builder.Build([new ToolpathTool(1)]),
-            new GCodeFormat { Comments = false, Arcs = arcs, Flavor = FlavorTable.Find(flavor)! });
-        return Encoding.ASCII.GetString(bytes).Split(['\n'], StringSplitOptions.RemoveEmptyEntries);
+        var text = NewFile.Plain(builder.Build([new ToolpathTool(1)]), new GCodeFormat { Flavor = FlavorTable.Find(flavor)! });
+        return text.Split(['\n'], StringSplitOptions.RemoveEmptyEntries);
     }
 
     private static DecodedGCode Decode(string text, string flavor = "marlin2")

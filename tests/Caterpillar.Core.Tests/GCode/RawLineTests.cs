@@ -69,14 +69,14 @@ public class RawLineTests
     [Test]
     public void Lines_of_layers_follow_the_same_rules()
     {
-        var format = new GCodeFormat { LayerLines = _ => ["G91", "G1 Z1", "G90", "M117 layer"], Comments = false };
-        var text = Encoding.ASCII.GetString(NewFile.Of(Path(null), format));
+        var format = new GCodeFormat { LayerLines = _ => ["G91", "G1 Z1", "G90", "M117 layer"] };
+        var text = NewFile.Plain(Path(null), format);
         Assert.That(text, Does.EndWith("M117 layer\nG90\nM83\nG0 X20 Y0 Z0.2 F6000\nG1 X30 E1 F1200\nG1 X40 E1\n"));
     }
 
     private static string[] After(string raw, GCodeFormat format)
     {
-        var text = Encoding.ASCII.GetString(NewFile.Of(Path(raw), format with { Comments = false }));
+        var text = NewFile.Plain(Path(raw), format);
         return text.Substring(text.IndexOf(raw, System.StringComparison.Ordinal) + raw.Length).Trim().Split('\n');
     }
 

@@ -66,7 +66,8 @@ public class RotaryTests
         builder.SetRotary(0, 0, 0);
         builder.Add(new Vec3(-10, 0, 0), 1, 1, 30, MoveKind.Print, Role.Unspecified, -1, 0, 0, new Arc(Vec3.Zero, 180));
         builder.SetRotary(90, 0, 0);
-        var back = Decode(NewFile.Of(builder.Build([new ToolpathTool(null)]), new GCodeFormat { Arcs = arcs }), "marlin2").Toolpath;
+        var format = new GCodeFormat { Flavor = arcs ? FlavorTable.Marlin2 : NewFile.WithoutArcs(FlavorTable.Marlin2) };
+        var back = Decode(NewFile.Of(builder.Build([new ToolpathTool(null)]), format), "marlin2").Toolpath;
         var turns = Turns(back).Select(t => t.A).ToArray();
         Assert.That(turns[turns.Length - 1], Is.EqualTo(90));
         if (!arcs) Assert.That(turns[turns.Length / 2], Is.EqualTo(45).Within(3), "chords share the turn");

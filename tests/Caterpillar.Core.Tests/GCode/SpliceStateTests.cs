@@ -104,7 +104,7 @@ public class SpliceStateTests
     {
         const string Text = "M108 S10\nM103\nG1 X1 Y1 Z1 F600\nM101\nG1 X5\nG1 X9\nM103\nG1 X20\nM101\nG1 X30\nM103\n";
         var toolpath = Decode(Text, "bfb").Toolpath;
-        Assert.That(Said(NewFile.Of(toolpath, new GCodeFormat { Flavor = FlavorTable.Find("bfb")!, Comments = false })), Is.EqualTo(
+        Assert.That(NewFile.Plain(toolpath, new GCodeFormat { Flavor = FlavorTable.Find("bfb")! }), Is.EqualTo(
             "G90\nG0 X1 Y1 Z1 F600\nM101\nG1 X5\nG1 X9\nM103\nG0 X20\nM101\nG1 X30\nM103\n"));
         Assert.That(SetupFormat.Of(new PrintSetup(), toolpath).Diagnostics.Select(d => d.Code), Does.Contain("gcode.no_e_values"));
         Assert.That(GCodeConverter.ToDocument(Decode(Text, "bfb"), new ConvertOptions { Flavor = FlavorTable.Marlin2 }).Diagnostics.Single().Code,
@@ -188,7 +188,7 @@ public class SpliceStateTests
     }
 
     private static string Written(string text, Func<Toolpath, Toolpath> edit)
-        => Said(NewFile.Of(edit(Decode(text).Toolpath), new GCodeFormat { Comments = false }));
+        => NewFile.Plain(edit(Decode(text).Toolpath));
 
     // Without the line that names the flavor of a conversion.
     private static string Said(byte[] bytes)

@@ -11,26 +11,6 @@ namespace Caterpillar.Tests.Shaping;
 public class ImageReaderTests
 {
     [Test]
-    public void Plain_and_raw_gray_maps_are_read()
-    {
-        var plain = Read("P2 # comment\n3 2\n# more\n10\n0 5 10\n10 5 0\n");
-        Assert.That(Enumerable.Range(0, 6).Select(i => plain[i % 3, i / 3]), Is.EqualTo(new[] { 0, 0.5, 1, 1, 0.5, 0 }));
-        var raw = ImageReader.Read([.. Encoding.ASCII.GetBytes("P5 2 1 255\n"), 0, 255], "a.pgm").Value!;
-        Assert.That((raw[0, 0], raw[1, 0]), Is.EqualTo((0.0, 1.0)));
-        var deep = ImageReader.Read([.. Encoding.ASCII.GetBytes("P5 1 1 65535\n"), 0x80, 0], "a.pgm").Value!;
-        Assert.That(deep[0, 0], Is.EqualTo(32768 / 65535.0));
-    }
-
-    [Test]
-    public void Bit_maps_are_black_where_the_bit_is_set()
-    {
-        var plain = Read("P1\n4 1\n0110");
-        Assert.That(Enumerable.Range(0, 4).Select(i => plain[i, 0]), Is.EqualTo(new double[] { 1, 0, 0, 1 }));
-        var raw = ImageReader.Read([.. Encoding.ASCII.GetBytes("P4 9 1\n"), 0b10000000, 0b10000000], "a.pbm").Value!;
-        Assert.That(Enumerable.Range(0, 9).Select(i => raw[i, 0]), Is.EqualTo(new double[] { 0, 1, 1, 1, 1, 1, 1, 1, 0 }));
-    }
-
-    [Test]
     public void A_png_that_was_written_is_read_back()
     {
         var written = new RasterImage(5, 4, new Rgb(255, 255, 255));
@@ -64,16 +44,8 @@ public class ImageReaderTests
             for (var i = 0; i < 3; i++) broken[8 + random.Next(broken.Length - 8)] = (byte)random.Next(256);
             Assert.That(() => ImageReader.Read(broken, "a.png"), Throws.Nothing);
         }
-        foreach (var text in new[] { "P2 3", "P2 0 5 10 ", "P2 2 2 10 1 2 3", "P5 100000 100000 255 ", "P2 1 1 0 0", "P1 1 1 7", "P1 40 2 1", "P2 1 1 5 6",
-            "GIF89a" })
-            Assert.That(ImageReader.Read(Encoding.ASCII.GetBytes(text + new string(' ', 40)), "a.pgm").Value, Is.Null, text);
-    }
-
-    [Test]
-    public void A_plain_bit_map_may_end_with_its_last_pixel()
-    {
-        Assert.That(ImageReader.Read(Encoding.ASCII.GetBytes("P1 2 1 01"), "a.pbm").Value![1, 0], Is.EqualTo(0));
-        Assert.That(ImageReader.Read(Encoding.ASCII.GetBytes("P1 2 1 0"), "a.pbm").Value, Is.Null);
+        foreach (var text in new[] { "GIF89a", "P2 1 1 1 0" })
+            Assert.That(ImageReader.Read(Encoding.ASCII.GetBytes(text + new string(' ', 40)), "a.png").Value, Is.Null, text);
     }
 
     [Test]
@@ -105,8 +77,6 @@ public class ImageReaderTests
                 0.915541313802, 0.762951094835, 0.610360875868, 0.001876859693, 0.006958113985, 0.012039368276 },
         },
     ];
-
-    private static GrayImage Read(string text) => ImageReader.Read(Encoding.ASCII.GetBytes(text), "a.pgm").Value!;
 
     [Test]
     public void Every_filter_works_in_the_first_row_and_below_it()

@@ -117,8 +117,7 @@ public class AxisMappingTests
     [Test]
     public void Rotary_words_are_written_where_they_change()
     {
-        var text = Encoding.ASCII.GetString(NewFile.Of(new AxisMapping(PathAxis.X, OutputAxis.B, 2).Apply(Toolpath()),
-            new GCodeFormat { Comments = false }));
+        var text = NewFile.Plain(new AxisMapping(PathAxis.X, OutputAxis.B, 2).Apply(Toolpath()));
         var lines = text.Split('\n').Where(l => l.StartsWith("G0", StringComparison.Ordinal) || l.StartsWith("G1", StringComparison.Ordinal)).ToArray();
         Assert.That(lines, Is.EqualTo(new[] { "G0 X0 Y0 Z1 F1800", "G1 B40 E1 F1200", "G1 Y4 B46 E.25 F480".Replace(" E.", " E0.") }));
     }

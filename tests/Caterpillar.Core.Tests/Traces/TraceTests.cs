@@ -30,7 +30,6 @@ public class TraceTests
     {
         var trace = new Trace(0.2).Draw(new Vec3(1, 0, 0)).Move(new Vec3(5, 0, 0)).Draw(new Vec3(6, 0, 0));
         Assert.That(trace.ToPaths().Select(p => (p.Start.X, p.End.X)), Is.EqualTo(new[] { (0.0, 1.0), (5.0, 6.0) }));
-        Assert.That(trace.ToSteps(), Has.Count.EqualTo(2));
     }
 
     [TestCase(3)]

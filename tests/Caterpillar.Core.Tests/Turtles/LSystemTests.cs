@@ -191,10 +191,6 @@ internal sealed class LSystemTests
         Assert.That(other.Position.DistanceTo(new Vec3(3, 0)), Is.LessThan(1e-12));
         Assert.That(Draw("F]", new Turtle(), 1, 90).Single().Code, Is.EqualTo("lsystem.bracket"));
         Assert.That(Draw("[F", new Turtle(), 1, 90).Single().Message, Does.Contain("without a closing"));
-        var own = new LSystemInterpretation(new Dictionary<char, IReadOnlyList<TurtleCommand>> { ['A'] = [TurtleCommand.Of(TurtleAction.Forward, 7)] });
-        var third = new Turtle();
-        System("FAF").Grow(0).Value!.Draw(third, own);
-        Assert.That(third.X, Is.EqualTo(7));
     }
 
     [Test]
@@ -208,5 +204,5 @@ internal sealed class LSystemTests
     }
 
     private static global::System.Collections.Generic.IReadOnlyList<Diagnostic> Draw(string word, Turtle turtle, double step, double angle)
-        => System(word).Grow(0).Value!.Draw(turtle, LSystemInterpretation.Standard(step, angle));
+        => System(word).Grow(0).Value!.Draw(turtle, step, angle);
 }

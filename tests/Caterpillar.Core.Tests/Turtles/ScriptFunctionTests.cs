@@ -133,9 +133,9 @@ internal sealed class ScriptFunctionTests
     [TestCase("include \"\"", "design/main.turtle", 1, 9, "turtle.file", "not found")]
     [TestCase("repeat 2 [ include \"lib/late.turtle\" ]", "design/main.turtle", 1, 12, "turtle.syntax", "inside a block")]
     [TestCase("include", "design/main.turtle", 1, 1, "turtle.values", "needs a file name")]
-    [TestCase("image map \"lib/late.turtle\"", "design/main.turtle", 1, 11, "image.unreadable", "not a PNG, PGM or PBM image")]
-    [TestCase("image map \"lib/map.pgm\"\nforward map(1)", "design/main.turtle", 2, 9, "formula.arguments", "takes 2 values, not 1")]
-    [TestCase("image map \"lib/map.pgm\"\nimage map \"lib/map.pgm\"", "design/main.turtle", 2, 7, "turtle.name", "declared twice")]
+    [TestCase("image map \"lib/late.turtle\"", "design/main.turtle", 1, 11, "image.unreadable", "not a PNG image")]
+    [TestCase("image map \"lib/map.png\"\nforward map(1)", "design/main.turtle", 2, 9, "formula.arguments", "takes 2 values, not 1")]
+    [TestCase("image map \"lib/map.png\"\nimage map \"lib/map.png\"", "design/main.turtle", 2, 7, "turtle.name", "declared twice")]
     [TestCase("image map", "design/main.turtle", 1, 1, "turtle.values", "image name \"file\"")]
     public void Errors_of_files_name_the_file_and_the_line(string text, string file, int line, int column, string code, string message)
     {
@@ -143,7 +143,7 @@ internal sealed class ScriptFunctionTests
         Write("design/lib/circle.turtle", "forward 1\ninclude \"circle.turtle\"");
         Write("design/lib/wrong.turtle", "\n\nforward nothing");
         Write("design/lib/late.turtle", "def late [\n forward 1 / 0 ]\n\ndef value [ let q = 1 + 5 / (1 - 1); return q ]");
-        Write("design/lib/map.pgm", "P2 2 2 255 0 255 51 102");
+        WriteMap();
         var script = Compile(text);
         var error = (script.Value is null ? script.Diagnostics : script.Value.Run().Diagnostics).Single(d => d.Severity == Severity.Error);
         Assert.That((error.Source!.File, error.Source.Line, error.Code), Is.EqualTo((file, (int?)line, code)), error.ToString());
@@ -174,9 +174,9 @@ internal sealed class ScriptFunctionTests
     public void An_image_is_a_function_of_two_numbers()
     {
         // Rows from the top: black and white, then a fifth and two fifths.
-        Write("design/lib/map.pgm", "P2 2 2 255 0 255 51 102");
+        WriteMap();
         double At(string u, string v, string smooth = "")
-            => Compile($"image map \"lib/map.pgm\" {smooth}\nforward map({u}, {v})").OrThrow().Run().OrThrow().X;
+            => Compile($"image map \"lib/map.png\" {smooth}\nforward map({u}, {v})").OrThrow().Run().OrThrow().X;
         Assert.That(At("0.1", "0.9"), Is.Zero);
         Assert.That(At("0.6", "0.9"), Is.EqualTo(1));
         Assert.That(At("0.1", "0"), Is.EqualTo(0.2).Within(1e-12));
@@ -192,6 +192,13 @@ internal sealed class ScriptFunctionTests
     }
 
     private Result<TurtleScript> Compile(string text) => TurtleScript.Compile(text, "design/main.turtle", new ScriptFiles(Path.Combine(_folder, "design")));
+
+    private void WriteMap()
+    {
+        var map = new RasterImage(2, 2, new Rgb(0, 0, 0));
+        (map[1, 0], map[0, 1], map[1, 1]) = (new Rgb(255, 255, 255), new Rgb(51, 51, 51), new Rgb(102, 102, 102));
+        File.WriteAllBytes(Path.Combine(_folder, "design", "lib", "map.png"), PngWriter.ToBytes(map));
+    }
 
     private void Write(string name, string text) => File.WriteAllText(Path.Combine(_folder, name), text);
 }

@@ -53,7 +53,7 @@ internal sealed class ScriptLimitTests
     [TestCase("modulate flow field = noise(x, y, z), resolution = 0.003 [ helix_trace 50 100 1 ]")]
     public void A_cancel_is_heard_within_a_fifth_of_a_second(string text)
     {
-        var limits = new TurtleLimits { MaxSteps = long.MaxValue, MaxMoves = long.MaxValue, Memory = MemoryLimit.None };
+        var limits = new TurtleLimits { MaxSteps = long.MaxValue, MaxMoves = long.MaxValue, Memory = new MemoryLimit(long.MaxValue) };
         using var source = new CancellationTokenSource();
         var script = TurtleScript.Compile(text).OrThrow();
         var watch = new Stopwatch();

@@ -42,10 +42,10 @@ internal sealed class TurtleManualTests
         // Every C# name of the mapping is a member.
         var members = typeof(Turtle).GetMembers().Concat(typeof(TurtleOptions).GetMembers()).Concat(typeof(TurtleHistory).GetMembers()).Select(m => m.Name)
             .ToArray();
-        foreach (var name in new[] { "StartAt", "ToSteps", "Forward", "Backward", "ForwardLift", "Lift", "LiftWorld", "TurnYaw", "TurnPitch", "TurnRoll",
+        foreach (var name in new[] { "StartAt", "ToSteps", "Forward", "Backward", "ForwardLift", "Lift", "LiftWorld", "Left", "PitchUp", "RollRight",
             "SetHeading", "ChangeHeading", "Face", "GoTo", "PenUp", "PenDown", "SetDensity", "SetBead", "Extrude", "SetRate", "Dwell", "Pause",
-            "NozzleTemperature", "BedTemperature", "Mix", "Tool", "Raw", "Comment", "Pose", "Yaw", "AngleUnit", "Copy", "SetState", "Push", "Pop", "Color",
-            "Layer", "NextLayer", "Triangle", "Of", "Circle", "CircleAround", "Polygon", "SetArea", "SetSpeed", "JumpTo" })
+            "NozzleTemperature", "BedTemperature", "Mix", "Tool", "Raw", "Comment", "Pose", "Yaw", "AngleUnit", "Push", "Pop", "Color",
+            "Layer", "NextLayer", "TriangleOf", "Of", "Circle", "CircleAround", "Polygon", "SetArea", "SetSpeed", "Jump" })
             Assert.That(members, Does.Contain(name));
     }
 }

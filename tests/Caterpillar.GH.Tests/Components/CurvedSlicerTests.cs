@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Caterpillar.Files;
 using Caterpillar.GH.Components.Slice;
 using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
@@ -141,9 +142,9 @@ public sealed class CurvedSlicerTests
     public void A_surface_a_formula_and_an_image_make_the_same_layers()
     {
         var box = Shapes.Box(height: 3);
-        var image = Path.Combine(Path.GetTempPath(), "caterpillar-slope.pgm");
+        var image = Path.Combine(Path.GetTempPath(), "caterpillar-slope.png");
         // Two dots: their middles are at a quarter and three quarters of the box, between them the heights rise evenly.
-        File.WriteAllText(image, "P2\n2 1\n255\n0 255\n");
+        File.WriteAllBytes(image, PngWriter.ToBytes(new RasterImage(2, 1, new Rgb(0, 0, 0)) { [1, 0] = new Rgb(255, 255, 255) }));
         var mesh = Walls(Slice(Field(FieldKind.Vertical, ("Surfaces", [Slope()])), box));
         var formula = Walls(Slice(Field(FieldKind.Vertical, ("Heights", ["0.1 * (x - 100)"])), box));
         var shifted = Walls(Slice(Field(FieldKind.Vertical, ("Heights", ["0.1 * x"]), ("Origin", [new Rg.Point3d(100, 0, 0)])), box));

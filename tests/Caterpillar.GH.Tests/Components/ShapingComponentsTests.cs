@@ -1,7 +1,7 @@
 using System;
 using System.IO;
 using System.Linq;
-using System.Text;
+using Caterpillar.Files;
 using Caterpillar.GH.Components.Path;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Tests.Host;
@@ -101,8 +101,9 @@ public sealed class ShapingComponentsTests
     [Test]
     public void Images_are_mapped_around_the_paths()
     {
-        var file = System.IO.Path.Combine(System.IO.Path.GetTempPath(), "caterpillar-modulate-" + Guid.NewGuid().ToString("N") + ".pgm");
-        File.WriteAllBytes(file, Encoding.ASCII.GetBytes("P2 2 1 255 0 255\n"));
+        var file = System.IO.Path.Combine(System.IO.Path.GetTempPath(), "caterpillar-modulate-" + Guid.NewGuid().ToString("N") + ".png");
+        var halves = new RasterImage(2, 1, new Rgb(0, 0, 0)) { [1, 0] = new Rgb(255, 255, 255) };
+        File.WriteAllBytes(file, PngWriter.ToBytes(halves));
         try
         {
             var canvas = new Canvas<ModulateComponent>().Feed("Print Paths", Helix).Feed("Source", "Image").Feed("Image", file).Feed("High", 0.7).Solve();

@@ -74,7 +74,7 @@ internal static class TraceDefinitions
         var sphere = s.Component<DeformComponent>(("Print Paths", helix), ("System", new Pick("Cylindrical")), ("R", s.Text("New radius",
             "sqrt(64 - (z - 6) ^ 2) + r - 10", width: 230)), ("Plane", Bed(s)));
         var image = s.Component<ModulateComponent>(("Print Paths", sphere), ("Source", new Pick("Image")), ("Mapping", new Pick("Globe")), ("Mode",
-            new Pick("Flow")), ("Image", s.Text("Image", "../turtle/world_map.pbm", width: 180)),
+            new Pick("Flow")), ("Image", s.Text("Image", "../turtle/world_map.png", width: 180)),
             ("Low", s.Slider("Flow at black", 1, 0.1, 2, 2)), ("High", s.Slider("Flow at white", 0.65, 0.1, 2, 2)), ("Plane", Bed(s)));
         return s.Print(image, "Flow");
     }

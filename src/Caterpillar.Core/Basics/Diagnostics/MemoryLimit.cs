@@ -19,9 +19,6 @@ public sealed record MemoryLimit
     /// <summary>Half of the memory of the machine, or of the container if it has a limit.</summary>
     public static MemoryLimit Default { get; } = new(Machine() / 2);
 
-    /// <summary>No limit.</summary>
-    public static MemoryLimit None { get; } = new(long.MaxValue);
-
     /// <summary>The limit in bytes.</summary>
     public long Bytes { get; }
 

@@ -17,6 +17,12 @@ public sealed class Result<T>
         Diagnostics = diagnostics ?? throw new ArgumentNullException(nameof(diagnostics));
     }
 
+    /// <summary>No value, because of an error.</summary>
+    internal Result(string code, string message, SourceLocation? place = null)
+        : this(null, [new Diagnostic(Severity.Error, code, message, place)])
+    {
+    }
+
     /// <summary>True if a diagnostic is an error.</summary>
     public bool HasErrors => Diagnostics.Any(d => d.Severity == Severity.Error);
 

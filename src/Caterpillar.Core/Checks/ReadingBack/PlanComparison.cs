@@ -59,10 +59,6 @@ internal sealed class PlanComparison
     /// <summary>The plan is longer now.</summary>
     public void GoOn(Toolpath longer) => _plan = longer;
 
-    /// <summary>Compares a whole file.</summary>
-    public static void Run(Toolpath plan, Toolpath read, GCodeFormat format, WrittenLines lines, Findings findings)
-        => new PlanComparison(plan, format, lines, findings).End(read, 0);
-
     /// <summary>The next moves that were read; <paramref name="start"/> is where the first of the file begins.</summary>
     public void Take(ToolpathColumns read, Vec3? start)
     {

@@ -1,6 +1,6 @@
 namespace Caterpillar.Files;
 
-/// <summary>Reads images as brightness: PNG (all color types and depths, interlaced too) and PGM or PBM (plain and raw).</summary>
+/// <summary>Reads images as brightness: PNG (all color types and depths, interlaced too).</summary>
 public static class ImageReader
 {
     /// <summary>The maximum number of pixels: 100 million.</summary>
@@ -15,8 +15,7 @@ public static class ImageReader
         if (bytes is null) throw new ArgumentNullException(nameof(bytes));
         try
         {
-            if (PngReader.IsPng(bytes)) return Done(PngReader.Read(bytes));
-            if (PgmReader.IsPgm(bytes)) return Done(PgmReader.Read(bytes));
+            return PngReader.IsPng(bytes) ? new Result<GrayImage>(PngReader.Read(bytes), []) : Failed("The file is not a PNG image.", name);
         }
         catch (InvalidDataException problem)
         {
@@ -27,7 +26,6 @@ public static class ImageReader
             // Mono reports damaged compressed data this way; nothing else here touches a disk.
             return Failed("The compressed data of the image is damaged.", name);
         }
-        return Failed("The file is not a PNG, PGM or PBM image.", name);
     }
 
     internal static int Pixels(long width, long height)
@@ -38,8 +36,6 @@ public static class ImageReader
         return (int)(width * height);
     }
 
-    private static Result<GrayImage> Done(GrayImage image) => new(image, []);
-
     private static Result<GrayImage> Failed(string message, string name)
-        => new(null, [new Diagnostic(Severity.Error, "image.unreadable", message, new SourceLocation(name))]);
+        => new("image.unreadable", message, new SourceLocation(name));
 }

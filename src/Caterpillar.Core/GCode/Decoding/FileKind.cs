@@ -36,6 +36,7 @@ internal static class FileKind
         if (Begins("\u0089PNG")) return "looks like an image (PNG)";
         if (Begins("\u00FF\u00D8\u00FF")) return "looks like an image (JPEG)";
         if (Begins("GIF8")) return "looks like an image (GIF)";
+        if (Begins("\u00FF\u00FE") || Begins("\u00FE\u00FF")) return "is UTF-16, which no firmware reads: save it as UTF-8";
         return Begins("%PDF") ? "looks like a PDF document" : null;
     }
 

@@ -1,9 +1,9 @@
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Writes Prusa's binary G-code (.bgcode, specification of libbgcode version 1) as PrusaSlicer does: producer, printer metadata, thumbnails, settings, and the
-/// G-code in blocks of 64 KB with MeatPack and heatshrink 12/4, all with checksums. Deflate is not used, because its bytes depend on the runtime. Reading it
-/// gives the same lines, except that comments with a block of their own move to the beginning or the end. Lines end with LF.
+/// Writes Prusa's binary G-code (.bgcode, specification of libbgcode version 1): producer, printer metadata, thumbnails, settings, and the G-code in blocks of
+/// 64 KB with heatshrink 12/4, all with checksums. Deflate is not used, because its bytes depend on the runtime. Reading it gives the same lines, except that
+/// comments with a block of their own move to the beginning or the end. Lines end with LF.
 /// </summary>
 internal static class BinaryGCode
 {
@@ -58,9 +58,7 @@ internal static class BinaryGCode
 
     private static void Code(GCodeDocument document, Stream stream, BinaryTables tables, IProgress<double>? progress, CancellationToken cancel)
     {
-        var packed = new MeatPackWriter();
         using var plain = new MemoryStream();
-        var signal = false;
         var line = 0;
         var any = false;
         var chunks = document.Chunks;
@@ -68,12 +66,8 @@ internal static class BinaryGCode
         {
             if (plain.Length == 0 && any) return;
             any = true;
-            var data = packed.Take();
-            // The byte that switches MeatPack cannot stand in it.
-            if (signal) Block(stream, BinaryBlockKind.GCode, 3, plain.ToArray(), 0);
-            else Block(stream, BinaryBlockKind.GCode, 3, data, 2);
+            Block(stream, BinaryBlockKind.GCode, 3, plain.ToArray(), 0);
             plain.SetLength(0);
-            signal = false;
         }
         for (var i = 0; i < chunks.Count; i++)
         {
@@ -89,8 +83,6 @@ internal static class BinaryGCode
                 if (plain.Length > 0 && plain.Length + end - start + 1 > BlockText) Flush();
                 plain.Write(text, start, end - start);
                 plain.WriteByte((byte)'\n');
-                signal |= Array.IndexOf(text, (byte)0xFF, start, end - start) >= 0;
-                packed.Line(text, start, end);
             }
         }
         Flush();
@@ -107,22 +99,15 @@ internal static class BinaryGCode
     private static void Block(Stream stream, BinaryBlockKind kind, int compression, byte[] data, params int[] parameters)
     {
         var packed = compression == 0 ? data : Heatshrink.Pack(data, 12, 4);
-        var head = new byte[(compression == 0 ? 8 : 12) + 2 * parameters.Length];
-        var at = Number(head, 0, (uint)kind, 2);
-        at = Number(head, at, (uint)compression, 2);
-        at = Number(head, at, (uint)data.Length, 4);
-        if (compression != 0) at = Number(head, at, (uint)packed.Length, 4);
-        foreach (var parameter in parameters) at = Number(head, at, (uint)parameter, 2);
-        stream.Write(head, 0, head.Length);
-        stream.Write(packed, 0, packed.Length);
-        var sum = new byte[4];
-        Number(sum, 0, Crc32.Of(packed, 0, packed.Length, Crc32.Of(head, 0, head.Length)), 4);
-        stream.Write(sum, 0, 4);
-    }
-
-    private static int Number(byte[] bytes, int at, uint value, int count)
-    {
-        for (var k = 0; k < count; k++) bytes[at + k] = (byte)(value >> 8 * k);
-        return at + count;
+        using var block = new MemoryStream();
+        using var writer = new BinaryWriter(block);
+        writer.Write((ushort)kind);
+        writer.Write((ushort)compression);
+        writer.Write(data.Length);
+        if (compression != 0) writer.Write(packed.Length);
+        foreach (var parameter in parameters) writer.Write((ushort)parameter);
+        writer.Write(packed);
+        writer.Write(Crc32.Of(block.GetBuffer(), 0, (int)block.Length));
+        block.WriteTo(stream);
     }
 }

@@ -29,7 +29,7 @@ public static class FileSetup
     /// <exception cref="IOException">The file cannot be read.</exception>
     public static Result<PrintSetup> ReadFile(string path)
     {
-        if (!File.Exists(path)) return Failed("profile.not_found", $"File {path} not found.", new SourceLocation(path));
+        if (!File.Exists(path)) return new("profile.not_found", $"File {path} not found.", new SourceLocation(path));
         var read = GCodeDocument.ReadFile(path);
         return read.Value is { } document ? Read(document) : new Result<PrintSetup>(null, read.Diagnostics);
     }
@@ -46,7 +46,7 @@ public static class FileSetup
         var last = Math.Max(number - MostLines, 0);
         while (number > last && document.Line(number).TrimEnd() != Begin) number--;
         if (number == last)
-            return Failed("setup.not_in_file", "The file has no setup of Caterpillar in its comments. A printer can be imported from any G-code file.",
+            return new("setup.not_in_file", "The file has no setup of Caterpillar in its comments. A printer can be imported from any G-code file.",
                 new SourceLocation(document.Name));
         var names = new Dictionary<string, string>(StringComparer.Ordinal);
         var values = new List<(string, SourceLocation)>();
@@ -57,7 +57,7 @@ public static class FileSetup
             var place = new SourceLocation(document.Name, number);
             var equals = line.IndexOf(" =", StringComparison.Ordinal);
             if (!line.StartsWith("; ", StringComparison.Ordinal) || equals < 0)
-                return Failed("setup.damaged", $"The setup in the comments of the file is damaged: expected \"; key = value\" or \"{End}\".", place);
+                return new("setup.damaged", $"The setup in the comments of the file is damaged: expected \"; key = value\" or \"{End}\".", place);
             var (key, value) = (line.Substring(2, equals - 2), Utf8(line.Substring(equals + 2)).Trim());
             if (Array.IndexOf(Names, key) >= 0 || key.StartsWith(Names[1] + "[", StringComparison.Ordinal)) names[key] = value;
             else values.Add((key + "=" + Words.Replaced(value, Break, "\n"), place with { Key = key }));
@@ -88,7 +88,4 @@ public static class FileSetup
                 .Select(k => new KeyValuePair<string, string>(k, settings[k]))];
 
     private static string Utf8(string latin1) => Encoding.UTF8.GetString(TextEncoding.Encode(latin1));
-
-    private static Result<PrintSetup> Failed(string code, string message, SourceLocation? place)
-        => new(null, [new Diagnostic(Severity.Error, code, message, place)]);
 }

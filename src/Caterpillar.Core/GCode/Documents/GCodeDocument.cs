@@ -40,8 +40,8 @@ public sealed class GCodeDocument
     internal IReadOnlyList<Diagnostic> Notes { get; }
 
     /// <summary>
-    /// A document from bytes. They are not copied: do not change them afterwards. Gzip and binary G-code are unpacked. Of binary G-code and UTF-16, only the
-    /// text is kept.
+    /// A document from bytes. They are not copied: do not change them afterwards. Gzip and binary G-code are unpacked. Of binary G-code, only the text is
+    /// kept.
     /// </summary>
     /// <exception cref="InvalidDataException">The bytes are a broken gzip or binary G-code file, or a line is longer than 512 MB.</exception>
     /// <exception cref="DiagnosticException">Unpacked they take more than half of the machine's memory.</exception>
@@ -166,7 +166,7 @@ public sealed class GCodeDocument
         catch (InvalidDataException broken)
         {
             var file = name.Length > 0 ? new SourceLocation(name) : null;
-            return new Result<T>(null, [new Diagnostic(Severity.Error, "gcode.compression", "The file cannot be read. " + broken.Message, file)]);
+            return new Result<T>("gcode.compression", "The file cannot be read. " + broken.Message, file);
         }
     }
 

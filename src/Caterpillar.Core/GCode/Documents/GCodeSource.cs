@@ -1,13 +1,12 @@
 namespace Caterpillar.GCode;
 
-/// <summary>A stream of G-code as plain text. Gzip is unpacked. Binary G-code and UTF-16 become plain text. The stream itself stays open.</summary>
+/// <summary>A stream of G-code as plain text. Gzip is unpacked. Binary G-code becomes plain text. The stream itself stays open.</summary>
 internal sealed class GCodeSource : IDisposable
 {
     private const int TailLength = 96 * 1024;
     private readonly Stream _stream;
     private readonly GzipReader? _gzip;
     private readonly BinaryGCodeStream? _binary;
-    private readonly bool _wide;
     private readonly long _length;
     private readonly long _start;
 
@@ -22,23 +21,14 @@ internal sealed class GCodeSource : IDisposable
         _gzip = text as GzipReader;
         var head = new byte[4];
         text = PeekedStream.Peek(text, head, out var count);
-        if (BinaryGCodeStream.IsBinary(head, count))
-        {
-            text = _binary = new BinaryGCodeStream(text);
-        }
-        else if (Utf16Stream.IsWide(head, count))
-        {
-            _wide = true;
-            text = new Utf16Stream(text);
-        }
+        if (BinaryGCodeStream.IsBinary(head, count)) text = _binary = new BinaryGCodeStream(text);
         Text = text;
     }
 
     public Stream Text { get; }
 
     /// <summary>True if these first bytes are not plain text.</summary>
-    public static bool IsPacked(byte[] head, int count)
-        => GzipReader.IsPacked(head, count) || BinaryGCodeStream.IsBinary(head, count) || Utf16Stream.IsWide(head, count);
+    public static bool IsPacked(byte[] head, int count) => GzipReader.IsPacked(head, count) || BinaryGCodeStream.IsBinary(head, count);
 
     /// <summary>The end of the text, which contains the settings of some slicers. Null if it cannot be read yet.</summary>
     public GCodeChunk? Tail()
@@ -62,7 +52,7 @@ internal sealed class GCodeSource : IDisposable
     /// <exception cref="InvalidDataException">The data is cut off or damaged.</exception>
     public GCodeChunk? PackedTail(CancellationToken cancel)
     {
-        if (_gzip is null || _binary is not null || _wide || !_stream.CanSeek) return null;
+        if (_gzip is null || _binary is not null || !_stream.CanSeek) return null;
         var position = _stream.Position;
         try
         {
@@ -96,17 +86,7 @@ internal sealed class GCodeSource : IDisposable
     }
 
     /// <summary>Diagnostics, at the end.</summary>
-    public IReadOnlyList<Diagnostic> Notes()
-    {
-        var notes = new List<Diagnostic>();
-        if (_gzip is { HasTrailingBytes: true }) notes.Add(GzipReader.TrailingBytes("gcode.compression", ""));
-        if (_wide)
-        {
-            notes.Add(new Diagnostic(Severity.Warning, "gcode.utf16",
-                "The file is UTF-16, which no firmware can read. It was read as the same text with one byte per character."));
-        }
-        return notes;
-    }
+    public IReadOnlyList<Diagnostic> Notes() => _gzip is { HasTrailingBytes: true } ? [GzipReader.TrailingBytes("gcode.compression", "")] : [];
 
     public void Dispose() => _gzip?.Dispose();
 }

@@ -30,15 +30,6 @@ internal sealed record GCodeFormat
     /// <summary>Write E. False for pens, brushes and bare hot tools.</summary>
     public bool HasE { get; init; } = true;
 
-    /// <summary>Write arcs as G2 and G3 if the flavor has them, otherwise as chords.</summary>
-    public bool Arcs { get; init; } = true;
-
-    /// <summary>Maximum deviation of chords from arcs, mm.</summary>
-    public double ChordTolerance { get; init; } = 0.01;
-
-    /// <summary>Write comments with layers, roles and objects for the decoder and for the viewers of slicers.</summary>
-    public bool Comments { get; init; } = true;
-
     /// <summary>Comments at the beginning of the file, without <c>;</c>.</summary>
     public IReadOnlyList<string> Header { get; init; } = [];
 

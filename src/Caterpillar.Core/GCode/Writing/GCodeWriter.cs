@@ -125,11 +125,8 @@ internal sealed class GCodeWriter
     private void Template(IReadOnlyList<string> lines)
     {
         if (lines.Count == 0) return;
-        if (_format.Comments)
-        {
-            _role = Role.Purge;
-            _out.Comment("TYPE:" + RoleNames.Of(_role));
-        }
+        _role = Role.Purge;
+        _out.Comment("TYPE:" + RoleNames.Of(_role));
         foreach (var line in lines) _out.Line(line);
     }
 
@@ -164,7 +161,7 @@ internal sealed class GCodeWriter
                 break;
             case MoveKind.Print:
             case MoveKind.Prime when _role == Role.Purge:
-                if (_format.Comments && c.Role[i] != _role)
+                if (c.Role[i] != _role)
                 {
                     _role = c.Role[i];
                     _out.Comment("TYPE:" + RoleNames.Of(_role));
@@ -250,12 +247,9 @@ internal sealed class GCodeWriter
         if (before is null || layer.Index != before.Index || layer.Z != before.Z)
         {
             _motion.Extruder.BeginLayer();
-            if (_format.Comments)
-            {
-                _out.Comment("LAYER_CHANGE");
-                _out.Comment("Z:" + NumberFormatter.Format(layer.Z, 4));
-                if (layer.Thickness > 0) _out.Comment("HEIGHT:" + NumberFormatter.Format(layer.Thickness, 4));
-            }
+            _out.Comment("LAYER_CHANGE");
+            _out.Comment("Z:" + NumberFormatter.Format(layer.Z, 4));
+            if (layer.Thickness > 0) _out.Comment("HEIGHT:" + NumberFormatter.Format(layer.Thickness, 4));
             if (_layers++ > 0 && _format.LayerLines?.Invoke(layer) is { Count: > 0 } lines) RawOutside(lines);
         }
         Object(layer.Object);
@@ -264,17 +258,16 @@ internal sealed class GCodeWriter
     private void Object(string name)
     {
         if (name == _object) return;
-        var comments = _format.Comments && _labels.LacksNames;
         if (_object.Length > 0)
         {
-            if (comments) _out.Comment(" stop printing object " + _object);
+            if (_labels.LacksNames) _out.Comment(" stop printing object " + _object);
             foreach (var line in _labels.End(_labels.NumberOf(_object))) _out.Line(line);
         }
         _object = name;
         if (name.Length > 0)
         {
             foreach (var line in _labels.Start(_labels.NumberOf(name))) _out.Line(line);
-            if (comments) _out.Comment(" printing object " + name);
+            if (_labels.LacksNames) _out.Comment(" printing object " + name);
         }
         // Absolute E would extrude after an object that was canceled what was left out of it.
         if (_format.LabelsObjects && _rules.ObjectMarks != ObjectMarking.None) _motion.Extruder.Reset();

@@ -6,6 +6,9 @@ namespace Caterpillar.GCode;
 /// </summary>
 internal sealed class MotionLines
 {
+    // Of arcs that the firmware does not know, mm.
+    private const double ChordTolerance = 0.01;
+
     private readonly GCodeFormat _format;
     private readonly FlavorRules _rules;
     private readonly LineBuffer _out;
@@ -53,7 +56,7 @@ internal sealed class MotionLines
     /// <summary>Writes an arc. Its chords, if any, are lines with <paramref name="code"/>.</summary>
     public void Arc(Vec3 start, Vec3 end, double e, double speed, Arc arc, int code)
     {
-        var allowed = _format.Arcs && _rules.Arcs && (arc.Plane == ArcPlane.XY || _rules.Planes)
+        var allowed = _rules.Arcs && (arc.Plane == ArcPlane.XY || _rules.Planes)
             && (_rules.ArcsInRelativeMode || !_format.RelativeXyz);
         if (allowed && KnowsPosition && Native(start, end, e, speed, arc)) return;
         Chords(start, end, e, speed, arc, code);
@@ -157,7 +160,7 @@ internal sealed class MotionLines
 
     private void Chords(Vec3 start, Vec3 end, double e, double speed, Arc arc, int code)
     {
-        var count = Math.Min(arc.ChordCount(start, end, _format.ChordTolerance), 100_000);
+        var count = Math.Min(arc.ChordCount(start, end, ChordTolerance), 100_000);
         var done = 0.0;
         var turned = Rotary.Begin();
         for (var k = 1; k <= count; k++)

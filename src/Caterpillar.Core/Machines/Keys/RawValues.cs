@@ -15,14 +15,9 @@ internal static class RawValues
     {
         text = text.Trim();
         if (IsBracketed(text)) text = text.Substring(1, text.Length - 2);
-        var parts = text.Split([',', ' ', 'x', '×'], StringSplitOptions.RemoveEmptyEntries);
-        var numbers = new object[parts.Length];
-        for (var i = 0; i < parts.Length; i++)
-        {
-            if (!NumberReader.TryParse(parts[i], out var number)) return null;
-            numbers[i] = number;
-        }
-        return numbers;
+        var numbers = text.Split([',', ' ', 'x', '×'], StringSplitOptions.RemoveEmptyEntries)
+            .Select(part => NumberReader.TryParse(part, out var number) ? (object)number : null).ToArray();
+        return numbers.Contains(null) ? null : numbers;
     }
 
     /// <summary>Rows of numbers: separated by semicolons, or in brackets as in a profile, <c>[[1, 2], [3, 4]]</c>.</summary>

@@ -73,9 +73,9 @@ public sealed class ProfileLibrary
         if (nameOrFile is null) throw new ArgumentNullException(nameof(nameOrFile));
         if (!IsFile(nameOrFile)) return Named(kind, nameOrFile, []);
         if (!File.Exists(nameOrFile))
-            return Failed<T>("profile.not_found", $"File {nameOrFile} not found.", new SourceLocation(nameOrFile));
+            return new("profile.not_found", $"File {nameOrFile} not found.", new SourceLocation(nameOrFile));
         if (new FileInfo(nameOrFile).Length > LargestFile)
-            return Failed<T>("profile.not_an_object", "The file has more than 16 MB. It is not a profile.", new SourceLocation(nameOrFile));
+            return new("profile.not_an_object", "The file has more than 16 MB. It is not a profile.", new SourceLocation(nameOrFile));
         return Read(kind, new Source(nameOrFile, Path.GetFileNameWithoutExtension(nameOrFile), () => File.ReadAllText(nameOrFile)), []);
     }
 
@@ -89,11 +89,11 @@ public sealed class ProfileLibrary
         }
         if (chain.Count > 0 && Sources(kind, name).Any())
         {
-            return Failed<T>("profile.circular_inheritance", $"The {kind.Noun} \"{name}\" inherits itself. Change its inherits.", new SourceLocation(chain[0]));
+            return new("profile.circular_inheritance", $"The {kind.Noun} \"{name}\" inherits itself. Change its inherits.", new SourceLocation(chain[0]));
         }
         var names = Names(kind);
         var near = SpellingSuggestion.Nearest(name, names);
-        return Failed<T>(
+        return new Result<T>(
             "profile.not_found", $"{char.ToUpperInvariant(kind.Noun[0])}{kind.Noun.Substring(1)} \"{name}\" not found. "
                 + (near is not null ? $"Did you mean {near}?" : "Available: " + string.Join(", ", names) + "."), null);
     }
@@ -140,10 +140,6 @@ public sealed class ProfileLibrary
         using var reader = new StreamReader(stream, Encoding.UTF8);
         return reader.ReadToEnd();
     }
-
-    private static Result<T> Failed<T>(string code, string message, SourceLocation? place)
-        where T : class
-        => new(null, [new Diagnostic(Severity.Error, code, message, place)]);
 
     private sealed record Source(string File, string Name, Func<string> Read);
 }

@@ -57,10 +57,6 @@ public sealed record ExtrusionModel
     /// </summary>
     public double E(double length, double area) => VolumePerE is { } volume ? Math.Abs(length) * area / volume : 0;
 
-    /// <summary>Area in mm² of the extrusion for an amount of E and a path length in mm; 0 without E.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The length is not positive.</exception>
-    public double Area(double e, double length) => VolumePerE is { } volume ? e * volume / Positive(length, nameof(length)) : 0;
-
     /// <summary>E for mm of filament, the unit of retractions.</summary>
     public double EOfFilament(double millimeters) => Unit switch
     {

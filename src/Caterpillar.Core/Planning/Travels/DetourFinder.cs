@@ -10,7 +10,7 @@ internal sealed class DetourFinder(Deposit deposit, HeadCorridor head)
     private const double Flush = 1e-6;
     private readonly double _step = Math.Min(2, Math.Max(0.5, head.TipRadius));
     private readonly Dictionary<(int X, int Y), Node> _nodes = [];
-    private readonly List<(double Cost, int Serial, int X, int Y)> _heap = [];
+    private readonly SortedSet<(double Cost, int Serial, int X, int Y)> _open = [];
     private int _serial;
 
     private sealed class Node
@@ -27,13 +27,15 @@ internal sealed class DetourFinder(Deposit deposit, HeadCorridor head)
     {
         if (!IsFree(start, start) || !IsFree(end, end)) return null;
         _nodes.Clear();
-        _heap.Clear();
+        _open.Clear();
         _serial = 0;
         _nodes[(0, 0)] = new Node();
-        Push(start.DistanceTo(end), 0, 0);
-        for (var visited = 0; _heap.Count > 0 && visited < MaxNodes;)
+        _open.Add((start.DistanceTo(end), 0, 0, 0));
+        for (var visited = 0; _open.Count > 0 && visited < MaxNodes;)
         {
-            var (_, _, x, y) = Pop();
+            var next = _open.Min;
+            _open.Remove(next);
+            var (_, _, x, y) = next;
             var node = _nodes[(x, y)];
             if (node.Done || double.IsInfinity(node.Length)) continue;
             visited++;
@@ -72,7 +74,7 @@ internal sealed class DetourFinder(Deposit deposit, HeadCorridor head)
         {
             _nodes[to] = new Node { Length = length, From = from };
         }
-        Push(cost, to.X, to.Y);
+        _open.Add((cost, ++_serial, to.X, to.Y));
     }
 
     private List<Vec3> Points(Vec3 start, Vec3 end, (int X, int Y) last)
@@ -95,32 +97,4 @@ internal sealed class DetourFinder(Deposit deposit, HeadCorridor head)
     private Vec3 Place(Vec3 start, int x, int y) => new(start.X + x * _step, start.Y + y * _step, start.Z);
 
     private bool IsFree(Vec3 a, Vec3 b) => head.RequiredHeight(deposit, a, b, a.Z) <= a.Z + Flush;
-
-    private void Push(double cost, int x, int y)
-    {
-        _heap.Add((cost, _serial++, x, y));
-        var i = _heap.Count - 1;
-        for (var up = (i - 1) / 2; i > 0 && Before(_heap[i], _heap[up]); i = up, up = (i - 1) / 2) (_heap[i], _heap[up]) = (_heap[up], _heap[i]);
-    }
-
-    private (double Cost, int Serial, int X, int Y) Pop()
-    {
-        var top = _heap[0];
-        _heap[0] = _heap[_heap.Count - 1];
-        _heap.RemoveAt(_heap.Count - 1);
-        for (var i = 0; ;)
-        {
-            var least = i;
-            for (var child = 2 * i + 1; child <= 2 * i + 2 && child < _heap.Count; child++)
-            {
-                if (Before(_heap[child], _heap[least])) least = child;
-            }
-            if (least == i) return top;
-            (_heap[i], _heap[least]) = (_heap[least], _heap[i]);
-            i = least;
-        }
-    }
-
-    private static bool Before((double Cost, int Serial, int X, int Y) a, (double Cost, int Serial, int X, int Y) b)
-        => a.Cost < b.Cost || (a.Cost == b.Cost && a.Serial < b.Serial);
 }

@@ -27,14 +27,14 @@ internal sealed class LayerPlan(TriMesh mesh, PrintSettings settings)
             {
                 var message = $"The layer height formula gives {NumberFormatter.Format(thickness, 4)} mm at z = {NumberFormatter.Format(bottom, 3)} mm. "
                     + $"The minimum is {NumberFormatter.Format(Thinnest, 3)} mm.";
-                return new(null, [new Diagnostic(Severity.Error, "slice.layer_formula", message, new SourceLocation(Key: "layer_height_formula"))]);
+                return new("slice.layer_formula", message, new SourceLocation(Key: "layer_height_formula"));
             }
             if (thickness != last) (origin, alike, last) = (bottom, 0, thickness);
             var top = origin + ++alike * thickness;
             var layer = new PlannedLayer(top, thickness, Cut(top, thickness));
             if (!(layer.Cut < _height)) return new(layers.ToArray(), []);
             if (layers.Count == MaxLayers)
-                return new(null, [new Diagnostic(Severity.Error, "slice.too_many_layers", "More than a million layers. Increase the layer height.")]);
+                return new("slice.too_many_layers", "More than a million layers. Increase the layer height.");
             layers.Add(layer);
             bottom = top;
         }

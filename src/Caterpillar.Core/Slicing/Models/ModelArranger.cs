@@ -33,7 +33,7 @@ public static class ModelArranger
             var names = string.Join(", ", missing.Take(5)) + (missing.Length > 5 ? $" and {NumberFormatter.Format(missing.Length - 5)} more" : "");
             var text = $"No room on the bed of {printer.Title} for {names}: {NumberFormatter.Format(order.Length - missing.Length)} of "
                 + $"{NumberFormatter.Format(order.Length)} models fit. Print fewer at once or reduce their spacing.";
-            return new Result<IReadOnlyList<NamedMesh>>(null, [new Diagnostic(Severity.Error, "models.no_space", text)]);
+            return new Result<IReadOnlyList<NamedMesh>>("models.no_space", text);
         }
         var result = models.Select((m, i) => placed[i] is { } place ? Stand(m, footprints[i], place) : m).ToArray();
         return new Result<IReadOnlyList<NamedMesh>>(result, []);

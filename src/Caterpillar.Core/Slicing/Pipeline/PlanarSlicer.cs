@@ -37,8 +37,8 @@ public static class PlanarSlicer
         if (models is null) throw new ArgumentNullException(nameof(models));
         if (common is null) throw new ArgumentNullException(nameof(common));
         if (models.Count > MaxModels)
-            return new(null, [new Diagnostic(Severity.Error, "slice.too_many_models",
-                $"The print has {NumberFormatter.Format(models.Count)} models. The maximum is {NumberFormatter.Format(MaxModels)}.")]);
+            return new("slice.too_many_models",
+                $"The print has {NumberFormatter.Format(models.Count)} models. The maximum is {NumberFormatter.Format(MaxModels)}.");
         try
         {
             return Sliced(models, common, options ?? new SliceOptions(), progress, cancel);

@@ -75,9 +75,9 @@ internal sealed class PrintCut
             }
         }
         if (isMixed)
-            return Failed("cut.sequential", "The file prints objects one after the other, so no height divides it. Remove objects until one is left.");
+            return new("cut.sequential", "The file prints objects one after the other, so no height divides it. Remove objects until one is left.");
         return upper >= 0 && lowerEnd > 0 ? new Result<PrintCut>(new PrintCut(toolpath, lowerEnd, upper, printEnd, height), [])
-            : Failed("cut.outside", printEnd == 0 ? "The file has no layers to cut between."
+            : new Result<PrintCut>("cut.outside", printEnd == 0 ? "The file has no layers to cut between."
                 : $"The layers reach from {NumberFormatter.Format(bottom, 3)} to {NumberFormatter.Format(top, 3)} mm. Cut in between.");
     }
 
@@ -154,6 +154,4 @@ internal sealed class PrintCut
     }
 
     private static bool IsPrinted(ToolpathColumns c, int i) => c.Kind[i] == MoveKind.Print && c.Layer[i] >= 0 && c.Role[i] != Role.Purge;
-
-    private static Result<PrintCut> Failed(string code, string message) => new(null, [new Diagnostic(Severity.Error, code, message)]);
 }

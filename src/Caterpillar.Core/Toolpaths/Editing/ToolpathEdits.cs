@@ -115,7 +115,7 @@ public static class ToolpathEdits
         {
             if (toolpath.NumberOfLayer(move) == layer) return new Result<Toolpath>(toolpath.Insert(move.Index, what), []);
         }
-        return new Result<Toolpath>(null, [new Diagnostic(Severity.Error, "toolpath.no_layer", $"Layer {NumberFormatter.Format(layer)} not found.")]);
+        return new Result<Toolpath>("toolpath.no_layer", $"Layer {NumberFormatter.Format(layer)} not found.");
     }
 
     private static bool IsOf(Toolpath toolpath, Move move, PrinterEvent what)

@@ -84,11 +84,11 @@ public sealed class TurtleCommand
             case TurtleAction.ForwardLift: t.ForwardLift(a, b); break;
             case TurtleAction.Lift: t.Lift(a); break;
             case TurtleAction.LiftWorld: t.LiftWorld(a); break;
-            case TurtleAction.Yaw: t.TurnYaw(a); break;
+            case TurtleAction.Yaw: t.Left(a); break;
             case TurtleAction.Right: t.Right(a); break;
-            case TurtleAction.Pitch: t.TurnPitch(a); break;
+            case TurtleAction.Pitch: t.PitchUp(a); break;
             case TurtleAction.PitchDown: t.PitchDown(a); break;
-            case TurtleAction.Roll: t.TurnRoll(a); break;
+            case TurtleAction.Roll: t.RollRight(a); break;
             case TurtleAction.RollLeft: t.RollLeft(a); break;
             case TurtleAction.TurnAround: t.TurnAround(); break;
             case TurtleAction.Heading: t.SetHeading(a, count > 1 ? b : 0, count > 2 ? c : 0); break;

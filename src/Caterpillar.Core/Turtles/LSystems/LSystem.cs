@@ -42,7 +42,7 @@ public sealed class LSystem
         catch (FormulaException e)
         {
             var place = new SourceLocation(Line: e.Line, Column: e.Column, Key: e.Line == 0 ? "axiom" : "rule " + NumberFormatter.Format(e.Line));
-            return new Result<LSystem>(null, [new Diagnostic(Severity.Error, e.Code, e.Message, place)]);
+            return new Result<LSystem>(e.Code, e.Message, place);
         }
     }
 
@@ -93,7 +93,7 @@ public sealed class LSystem
         }
         catch (FormulaException e)
         {
-            return new Result<LSystemWord>(null, [new Diagnostic(Severity.Error, e.Code, e.Message)]);
+            return new Result<LSystemWord>(e.Code, e.Message);
         }
         return new Result<LSystemWord>(word.Build(), growth.Notes);
     }
@@ -112,11 +112,8 @@ public sealed class LSystem
         }
     }
 
-    private static Result<LSystemWord> TooLarge(int generation, int maxSymbols)
-    {
-        var text = $"Generation {NumberFormatter.Format(generation)} exceeds {NumberFormatter.Format(maxSymbols)} letters or values. Use fewer generations.";
-        return new Result<LSystemWord>(null, [new Diagnostic(Severity.Error, "lsystem.too_large", text)]);
-    }
+    private static Result<LSystemWord> TooLarge(int generation, int maxSymbols) => new("lsystem.too_large",
+        $"Generation {NumberFormatter.Format(generation)} exceeds {NumberFormatter.Format(maxSymbols)} letters or values. Use fewer generations.");
 
     private sealed class WordBuilder(int limit)
     {

@@ -33,17 +33,11 @@ internal sealed class LSystemRule
     /// <exception cref="FormulaException">The text is not a rule.</exception>
     public static LSystemRule Parse(string text, int line, LSystemNames variables)
     {
-        var arrow = text.IndexOf("->", System.StringComparison.Ordinal);
-        var width = 2;
-        if (arrow < 0)
-        {
-            arrow = text.IndexOf("\u2192", System.StringComparison.Ordinal);
-            if (arrow < 0) arrow = text.IndexOf("=", System.StringComparison.Ordinal);
-            width = 1;
-        }
-        if (arrow < 0) throw new FormulaException("lsystem.rule", "A rule must have the form 'F -> successor'.", line, 1);
+        var (arrow, width) = new[] { "->", "\u2192", "=" }.Select(sign => (text.IndexOf(sign, StringComparison.Ordinal), sign.Length))
+            .FirstOrDefault(found => found.Item1 >= 0);
+        if (width == 0) throw new FormulaException("lsystem.rule", "A rule must have the form 'F -> successor'.", line, 1);
         var rule = new LSystemRule();
-        var i = rule.ReadWeight(text, Skip(text, 0), arrow, line);
+        var i = rule.ReadWeight(text, arrow, line);
         i = rule.ReadPredecessor(text, i, arrow, line);
         var names = rule.Left.SelectMany(p => p.Names).Concat(rule.Names).Concat(rule.Right.SelectMany(p => p.Names)).ToArray();
         rule.ValueCount = names.Length;
@@ -121,16 +115,8 @@ internal sealed class LSystemRule
             if (i + 1 < text.Length && text[i + 1] == '(')
             {
                 var close = Closing(text, i + 1, text.Length, line);
-                var depth = 0;
-                var start = i + 2;
-                for (var p = start; p <= close; p++)
-                {
-                    if (text[p] == '(') depth++;
-                    else if (text[p] == ')' && p < close) depth--;
-                    if (p < close && !(text[p] == ',' && depth == 0)) continue;
-                    values.Add(Compile(text, start, p, names, line, variables));
-                    start = p + 1;
-                }
+                var list = DeformationText.Split(text.Substring(0, close), i + 2);
+                values.AddRange(list.Select(value => Compile(value, 0, value.Length, names, line, variables)));
                 i = close;
             }
             modules.Add(new Module(symbol, values.ToArray()));
@@ -151,17 +137,15 @@ internal sealed class LSystemRule
         throw new FormulaException(problem.Code, problem.Message, line, problem.Source?.Column ?? 1);
     }
 
-    private int ReadWeight(string text, int i, int arrow, int line)
+    private int ReadWeight(string text, int arrow, int line)
     {
-        var end = i;
-        while (end < arrow && (char.IsDigit(text[end]) || text[end] == '.')) end++;
-        var next = Skip(text, end);
         // A digit directly before the arrow, a parenthesis or a condition is the letter itself.
-        if (end == i || next == end || next >= arrow || text[next] == ':') return i;
-        if (!NumberReader.TryParse(text.Substring(i, end - i), out var weight) || !(weight >= 0))
-            throw new FormulaException("lsystem.rule", "The weight before the letter must be a number of 0 or more.", line, i + 1);
+        var given = Regex.Match(text.Substring(0, arrow), @"^\s*([\d.]+)\s+(?=[^\s:])");
+        if (!given.Success) return Skip(text, 0);
+        if (!NumberReader.TryParse(given.Groups[1].Value, out var weight) || !(weight >= 0))
+            throw new FormulaException("lsystem.rule", "The weight before the letter must be a number of 0 or more.", line, given.Groups[1].Index + 1);
         Weight = weight;
-        return next;
+        return given.Length;
     }
 
     private static int Closing(string text, int open, int end, int line)

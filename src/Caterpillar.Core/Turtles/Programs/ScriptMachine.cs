@@ -11,6 +11,7 @@ internal sealed class ScriptMachine
 
     // Numbers of an array that count as one step.
     private const int NumbersPerStep = 64;
+    private const int MaxStates = 1_000_000;
 
     // A letter with a value, in two generations.
     private const int LetterBytes = 64;
@@ -220,10 +221,10 @@ internal sealed class ScriptMachine
 
     private void Weigh()
     {
-        if (Turtle.StackDepth > _limits.MaxStates)
+        if (Turtle.StackDepth > MaxStates)
         {
             throw Error(_current, "turtle.too_many_states",
-                $"The program was stopped at {Text(_limits.MaxStates)} pushed states. Is there a push without a pop?");
+                $"The program was stopped at {Text(MaxStates)} pushed states. Is there a push without a pop?");
         }
         if (_limits.Memory.Refuse(Bytes, "The moves and data of the program") is { } refusal) throw Error(_current, refusal.Code, refusal.Message);
     }
@@ -308,7 +309,7 @@ internal sealed class ScriptMachine
         if (Turtle.MoveCount >= _limits.MaxMoves) throw TooManyMoves(at);
         try
         {
-            _words.Standard().Apply(Turtle, word, index);
+            _words.Draw(Turtle, word, index);
         }
         catch (Exception e) when (e is ArgumentException or InvalidOperationException)
         {

@@ -4,9 +4,6 @@ namespace Caterpillar.Turtles;
 internal sealed class ScriptWords(ScriptCode code, FormulaContext context)
 {
     private readonly List<Letters> _words = [];
-    private LSystemInterpretation? _standard;
-    private double _step;
-    private double _angle;
 
     /// <summary>Words that are being drawn.</summary>
     public int Count => _words.Count;
@@ -26,14 +23,8 @@ internal sealed class ScriptWords(ScriptCode code, FormulaContext context)
         return false;
     }
 
-    /// <summary>The commands of letters without a procedure, for the current step and angle of the script.</summary>
-    public LSystemInterpretation Standard()
-    {
-        var (step, angle) = (Global(code.StepSlot, 1), Global(code.AngleSlot, 90));
-        if (_standard is null || step != _step || angle != _angle) _standard = LSystemInterpretation.Standard(step, angle);
-        (_step, _angle) = (step, angle);
-        return _standard;
-    }
+    /// <summary>Draws a letter without a procedure with the step and angle that the script has now.</summary>
+    public void Draw(Turtle turtle, LSystemWord word, int index) => word.Apply(turtle, index, Global(code.StepSlot, 1), Global(code.AngleSlot, 90));
 
     private double Global(int slot, double missing) => slot < 0 || double.IsNaN(context.Values[slot]) ? missing : context.Values[slot];
 

@@ -15,9 +15,6 @@ public sealed record TurtleLimits
     /// <summary>Maximum number of letters in an L-system word, and of numbers in an array.</summary>
     public int MaxSymbols { get; init; } = LSystem.DefaultMaxSymbols;
 
-    /// <summary>Maximum number of pushed states at one time.</summary>
-    public int MaxStates { get; init; } = 1_000_000;
-
     /// <summary>Maximum memory of the moves, states and arrays of the program.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 }

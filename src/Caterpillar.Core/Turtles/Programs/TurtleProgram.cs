@@ -31,12 +31,11 @@ public sealed class TurtleProgram
         return new TurtleProgram($"{NumberFormatter.Format(list.Length)} commands", (t, limits, cancel) => Run(list, t, limits, cancel));
     }
 
-    /// <summary>A program from an L-system word.</summary>
-    public static TurtleProgram FromWord(LSystemWord word, LSystemInterpretation interpretation)
+    /// <summary>A program from an L-system word, its step in mm and its angle in degrees: see <see cref="LSystemWord.Draw"/>.</summary>
+    public static TurtleProgram FromWord(LSystemWord word, double step, double angle)
     {
         if (word is null) throw new ArgumentNullException(nameof(word));
-        if (interpretation is null) throw new ArgumentNullException(nameof(interpretation));
-        return new TurtleProgram($"L-system of {NumberFormatter.Format(word.Count)} letters", (t, _, cancel) => word.Draw(t, interpretation, cancel));
+        return new TurtleProgram($"L-system of {NumberFormatter.Format(word.Count)} letters", (t, _, cancel) => word.Draw(t, step, angle, cancel));
     }
 
     /// <summary>A program that runs other programs in order with the same turtle.</summary>

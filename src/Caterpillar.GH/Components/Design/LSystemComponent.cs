@@ -39,8 +39,7 @@ public sealed class LSystemComponent() : CaterpillarComponent(
         var system = run.Require(LSystem.Parse(axiom, rules));
         var word = run.Require(run.Work("Growing", [axiom, string.Join("\n", rules), generations, seed],
             (progress, cancel) => system.Grow(generations, seed, LSystem.DefaultMaxSymbols, progress, cancel)));
-        run.Set(0, new TurtleProgramGoo { Value = run.Cached([word, step, angle],
-            () => TurtleProgram.FromWord(word, LSystemInterpretation.Standard(step, angle))) });
+        run.Set(0, new TurtleProgramGoo { Value = run.Cached([word, step, angle], () => TurtleProgram.FromWord(word, step, angle)) });
         var text = word.ToString();
         run.Set(1, text.Length > ShownLetters ? text.Substring(0, ShownLetters) + "…" : text);
     }

@@ -1,5 +1,3 @@
-using System.Drawing;
-
 namespace Caterpillar.GH.Components.Design;
 
 /// <summary>Shows a turtle along its path.</summary>

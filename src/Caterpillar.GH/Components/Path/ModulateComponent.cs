@@ -30,7 +30,7 @@ public sealed class ModulateComponent() : PathShapingComponent(
             + "Variables: x, y, z, r in mm, theta in degrees, s (length along the path in mm), u (the same from 0 to 1)."));
         ports.For("Source", [ModulationSource.Image], () =>
         {
-            ports.File("Image", "I", "Image (PNG, PGM, PBM). Black = 0, white = 1.", "Images (*.png;*.pgm;*.pbm)|*.png;*.pgm;*.pbm|All files|*.*");
+            ports.File("Image", "I", "Image (PNG). Black = 0, white = 1.", "Images (*.png)|*.png|All files|*.*");
             ports.Choice("Mapping", "W", "Projection of the image: around the paths, as on a globe, from above, or one row of pixels for each path. The "
                 + "image covers all paths.", ImageProjection.Cylinder);
             ports.For("Mapping", [ImageProjection.Cylinder], () => ports.Integer("Repeat", "N", "Number of times the image is repeated around.", 1));

@@ -1,5 +1,3 @@
-using System.Drawing;
-
 namespace Caterpillar.GH.Components.Simulate;
 
 /// <summary>What a position of the simulation means.</summary>

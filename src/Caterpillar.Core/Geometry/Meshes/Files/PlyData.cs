@@ -22,10 +22,10 @@ internal sealed class PlyData(MeshSource source, PlyFormat format, int at)
     }
 
     /// <summary>True if this many values of a list fit into the rest of the file.</summary>
-    public bool Fits(double values, PlyType type) => values * (IsText ? 2 : PlyProperty.Size(type)) <= source.Length - At + (IsText ? 1L : 0);
+    public bool Fits(double values, TypeCode type) => values * (IsText ? 2 : PlyProperty.Size(type)) <= source.Length - At + (IsText ? 1L : 0);
 
     /// <summary>The next value; a float is widened exactly. False at the end of the file, or at a word that is not a number.</summary>
-    public bool Read(PlyType type, out double value)
+    public bool Read(TypeCode type, out double value)
     {
         if (IsText)
         {
@@ -45,20 +45,20 @@ internal sealed class PlyData(MeshSource source, PlyFormat format, int at)
         }
         value = type switch
         {
-            PlyType.Int8 => (sbyte)bytes[at],
-            PlyType.UInt8 => bytes[at],
-            PlyType.Int16 => BitConverter.ToInt16(bytes, at),
-            PlyType.UInt16 => BitConverter.ToUInt16(bytes, at),
-            PlyType.Int32 => BitConverter.ToInt32(bytes, at),
-            PlyType.UInt32 => BitConverter.ToUInt32(bytes, at),
-            PlyType.Float32 => BitConverter.ToSingle(bytes, at),
+            TypeCode.SByte => (sbyte)bytes[at],
+            TypeCode.Byte => bytes[at],
+            TypeCode.Int16 => BitConverter.ToInt16(bytes, at),
+            TypeCode.UInt16 => BitConverter.ToUInt16(bytes, at),
+            TypeCode.Int32 => BitConverter.ToInt32(bytes, at),
+            TypeCode.UInt32 => BitConverter.ToUInt32(bytes, at),
+            TypeCode.Single => BitConverter.ToSingle(bytes, at),
             _ => BitConverter.ToDouble(bytes, at),
         };
         return true;
     }
 
     /// <summary>Skips values; in a binary file at once. False if the file ends before.</summary>
-    public bool Skip(PlyType type, long values)
+    public bool Skip(TypeCode type, long values)
     {
         if (!IsText)
         {

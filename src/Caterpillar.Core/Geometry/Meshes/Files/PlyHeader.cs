@@ -1,17 +1,5 @@
 namespace Caterpillar.Geometry;
 
-internal enum PlyType
-{
-    Int8,
-    UInt8,
-    Int16,
-    UInt16,
-    Int32,
-    UInt32,
-    Float32,
-    Float64,
-}
-
 internal enum PlyFormat
 {
     Ascii,
@@ -20,16 +8,16 @@ internal enum PlyFormat
 }
 
 /// <summary>A property of a PLY element; a list has the type of its length too.</summary>
-internal sealed record PlyProperty(string Name, PlyType Type, PlyType? LengthType)
+internal sealed record PlyProperty(string Name, TypeCode Type, TypeCode? LengthType)
 {
     /// <summary>Bytes of a value in a binary file; for a list of its length only.</summary>
     public int MinBytes => Size(LengthType ?? Type);
 
-    public static int Size(PlyType type) => type switch
+    public static int Size(TypeCode type) => type switch
     {
-        PlyType.Int8 or PlyType.UInt8 => 1,
-        PlyType.Int16 or PlyType.UInt16 => 2,
-        PlyType.Float64 => 8,
+        TypeCode.SByte or TypeCode.Byte => 1,
+        TypeCode.Int16 or TypeCode.UInt16 => 2,
+        TypeCode.Double => 8,
         _ => 4,
     };
 }
@@ -125,16 +113,16 @@ internal sealed class PlyHeader
         return true;
     }
 
-    private static PlyType? TypeOf(string word) => word switch
+    private static TypeCode? TypeOf(string word) => word switch
     {
-        "char" or "int8" => PlyType.Int8,
-        "uchar" or "uint8" => PlyType.UInt8,
-        "short" or "int16" => PlyType.Int16,
-        "ushort" or "uint16" => PlyType.UInt16,
-        "int" or "int32" => PlyType.Int32,
-        "uint" or "uint32" => PlyType.UInt32,
-        "float" or "float32" => PlyType.Float32,
-        "double" or "float64" => PlyType.Float64,
+        "char" or "int8" => TypeCode.SByte,
+        "uchar" or "uint8" => TypeCode.Byte,
+        "short" or "int16" => TypeCode.Int16,
+        "ushort" or "uint16" => TypeCode.UInt16,
+        "int" or "int32" => TypeCode.Int32,
+        "uint" or "uint32" => TypeCode.UInt32,
+        "float" or "float32" => TypeCode.Single,
+        "double" or "float64" => TypeCode.Double,
         _ => null,
     };
 

@@ -1,11 +1,11 @@
-namespace Caterpillar.Machines;
+namespace Caterpillar.Jobs;
 
 /// <summary>
 /// Makes a printer from the header and footer files of ExtruderTurtle: G-code before and after a print, with fixed numbers or with <c>{x}</c>, <c>{y}</c>,
 /// <c>{z}</c>, <c>{feedrate}</c>, <c>{hotend_temp}</c> and <c>{bed_temp}</c>. The lines become templates with the temperatures of the material. The lines also
 /// give the mode of E, the size of the bed and the position of the nozzle. Similar files of other programs work too.
 /// </summary>
-public static class HeaderImport
+internal static class HeaderImport
 {
     // What ExtruderTurtle fills in by default (setup).
     private const double DefaultNozzle = 205, DefaultBed = 60;
@@ -24,74 +24,70 @@ public static class HeaderImport
     public static Result<ImportedProfiles> Read(
         string header, string footer, string name = "imported", Printer? like = null, string headerFile = "header", string footerFile = "footer")
     {
-        if (header is null) throw new ArgumentNullException(nameof(header));
-        if (footer is null) throw new ArgumentNullException(nameof(footer));
-        if (string.IsNullOrWhiteSpace(name)) throw new ArgumentException("A profile needs a name.", nameof(name));
         var problems = new DiagnosticList();
-        var head = HeaderText.Read(header, headerFile, problems);
-        var foot = HeaderText.Read(footer, footerFile, problems);
-        var facts = head.Facts;
-        if (head.Lines.Count == 0) problems.Add(Severity.Warning, "header.empty", "The header has no lines.", new SourceLocation(headerFile));
-        if (facts.Inches)
+        var start = new HeaderCode(header, headerFile, problems);
+        var end = new HeaderCode(footer, footerFile, problems);
+        if (start.Lines.Count == 0) problems.Add(Severity.Warning, "header.empty", "The header has no lines.", new SourceLocation(headerFile));
+        if (start.Inches)
         {
             problems.Add(Severity.Error, "header.inches", "The header leaves the machine in inches (G20). Toolpaths are in mm: use G21.",
                 new SourceLocation(headerFile));
         }
         if (problems.HasErrors) return new Result<ImportedProfiles>(null, problems.ToList());
 
-        var start = new HeaderTemplate(head, headerFile, problems);
-        var startLines = start.Start(facts);
-        var endLines = new HeaderTemplate(foot, footerFile, problems).End(facts);
-        var (volume, origin) = Bed(facts, foot.Facts, like ?? new Printer(), headerFile, problems);
-        var nozzle = facts.NozzleTemperature ?? (header.IndexOf("{hotend_temp", StringComparison.Ordinal) >= 0 ? DefaultNozzle : 0);
-        var bed = facts.BedTemperature ?? (header.IndexOf("{bed_temp", StringComparison.Ordinal) >= 0 ? DefaultBed : 0);
+        var startLines = new HeaderTemplate(start, headerFile, problems).Start();
+        var endLines = new HeaderTemplate(end, footerFile, problems).End(start);
+        var (volume, origin) = Bed(start, end, like ?? new Printer(), headerFile, problems);
+        var nozzle = start.NozzleTemperature ?? (header.IndexOf("{hotend_temp", StringComparison.Ordinal) >= 0 ? DefaultNozzle : 0);
+        var bed = start.BedTemperature ?? (header.IndexOf("{bed_temp", StringComparison.Ordinal) >= 0 ? DefaultBed : 0);
         var printer = (like ?? new Printer()) with
         {
             Name = name,
             Title = name,
             BuildVolume = volume,
             Origin = origin,
-            ExtrusionMode = facts.RelativeE == false ? ExtrusionMode.Absolute : ExtrusionMode.Relative,
-            MinExtrusionTemperature = facts.MinExtrusionTemperature ?? (nozzle > 0 ? (like ?? new Printer()).MinExtrusionTemperature : 0),
+            ExtrusionMode = start.RelativeE == false ? ExtrusionMode.Absolute : ExtrusionMode.Relative,
+            MinExtrusionTemperature = start.MinExtrusionTemperature ?? (nozzle > 0 ? (like ?? new Printer()).MinExtrusionTemperature : 0),
             StartGCode = startLines,
             EndGCode = endLines,
         };
-        if (facts.IsPrusa && like is null) printer = printer with { Flavor = FlavorTable.Prusa };
-        if (facts.LastTool >= printer.ToolCount) printer = printer with { ToolOffsets = new ValueList<Vec3>(Enumerable.Repeat(Vec3.Zero, facts.LastTool + 1)) };
+        var isPrusa = start.Lines.Any(l => l.Is('G', 80) || (l.Is('G', 28) && l.Has('W')));
+        if (isPrusa && like is null) printer = printer with { Flavor = FlavorTable.Prusa };
+        if (start.ToolCount > printer.ToolCount) printer = printer with { ToolOffsets = new ValueList<Vec3>(Enumerable.Repeat(Vec3.Zero, start.ToolCount)) };
         if (nozzle <= 0)
         {
             if (like is null) printer = printer with { DefaultMaterial = "clay", DefaultSettings = "clay", MaxFlow = 0 };
             problems.Add(Severity.Note, "header.no_heating", "The header does not heat the nozzle. The printer extrudes cold material such as clay.",
                 new SourceLocation(headerFile));
         }
-        if (facts.RelativeE is null)
+        if (start.RelativeE is null)
         {
             problems.Add(Severity.Note, "header.e_mode", "The header has neither M82 nor M83. The printer uses relative E (M83).",
                 new SourceLocation(headerFile));
         }
         var material = new Material { Name = name, Title = name, NozzleTemperature = Math.Min(nozzle, 2000), BedTemperature = Math.Min(bed, 500) };
         if (nozzle > 0) printer = printer with { DefaultMaterial = name };
-        return new Result<ImportedProfiles>(new ImportedProfiles([printer], [material], [], facts.Position), problems.ToList());
+        return new Result<ImportedProfiles>(new ImportedProfiles([printer], [material], [], start.Position), problems.ToList());
     }
 
     // A size in a comment; else twice the position where the print starts, since that is the middle; else that of the similar printer. Never less than the
     // positions of the header.
-    private static (Vec3 Volume, BedOrigin Origin) Bed(HeaderFacts facts, HeaderFacts ending, Printer like, string file, DiagnosticList problems)
+    private static (Vec3 Volume, BedOrigin Origin) Bed(HeaderCode code, HeaderCode ending, Printer like, string file, DiagnosticList problems)
     {
         var place = new SourceLocation(file);
-        var seen = facts.Seen.IsEmpty ? Bounds.Of([Vec3.Zero]) : facts.Seen;
+        var seen = code.Seen.IsEmpty ? Bounds.Of([Vec3.Zero]) : code.Seen;
         if (ending.Relative == false && !ending.NeedsMode) seen = seen.Include(ending.Seen);
         var centered = seen.Min.X < -20 || seen.Min.Y < -20;
-        var origin = facts.SizeInComment is null && facts.Position is null && !centered ? like.Origin : centered ? BedOrigin.Center : BedOrigin.Corner;
+        var origin = code.SizeInComment is null && code.Position is null && !centered ? like.Origin : centered ? BedOrigin.Center : BedOrigin.Corner;
         double x = like.BuildVolume.X, y = like.BuildVolume.Y, z = like.BuildVolume.Z;
         var reason = "";
-        if (facts.SizeInComment is { } size)
+        if (code.SizeInComment is { } size)
         {
             (x, y) = (size.X, size.Y);
             if (size.Z > 0) z = size.Z;
             reason = "from a comment";
         }
-        else if (origin == BedOrigin.Corner && facts.Position is { X: >= 20, Y: >= 20 } start)
+        else if (origin == BedOrigin.Corner && code.Position is { X: >= 20, Y: >= 20 } start)
         {
             (x, y) = (2 * start.X, 2 * start.Y);
             reason = "twice the last position of the header";

@@ -5,12 +5,13 @@ using Caterpillar.Basics;
 using Caterpillar.Checks;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
+using Caterpillar.Jobs;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
 
-namespace Caterpillar.Tests.Machines;
+namespace Caterpillar.Tests.Jobs;
 
 /// <summary>Headers and footers in the style of ExtruderTurtle's, with their known flaws.</summary>
 public class HeaderImportTests

@@ -1,32 +1,32 @@
-namespace Caterpillar.Machines;
+namespace Caterpillar.Jobs;
 
 /// <summary>Turns the lines of a header or footer into lines of a template.</summary>
-internal sealed class HeaderTemplate(HeaderText header, string file, DiagnosticList problems)
+internal sealed class HeaderTemplate(HeaderCode code, string file, DiagnosticList problems)
 {
     private readonly List<string> _lines = [];
     private readonly SlicerTemplate _template = new(new Dictionary<string, string>(), file, problems.Add);
 
-    public ValueList<string> Start(HeaderFacts facts)
+    public ValueList<string> Start()
     {
-        foreach (var line in header.Lines)
+        foreach (var line in code.Lines)
         {
-            if (line.IsCommand("M104", "M109")) Heat(line, facts.NozzleTemperature, "nozzle_temperature_c", "start_nozzle_temperature_c");
-            else if (line.IsCommand("M140", "M190")) Heat(line, facts.BedTemperature, "bed_temperature_c", "start_bed_temperature_c");
+            if (line.Is('M', 104, 109)) Heat(line, code.NozzleTemperature, "nozzle_temperature_c", "start_nozzle_temperature_c");
+            else if (line.Is('M', 140, 190)) Heat(line, code.BedTemperature, "bed_temperature_c", "start_bed_temperature_c");
             else Add(line);
         }
         return new ValueList<string>(_lines);
     }
 
     /// <summary>The footer. Modes that it inherits from the header are set first, and lifts end below the top of the build volume.</summary>
-    public ValueList<string> End(HeaderFacts before)
+    public ValueList<string> End(HeaderCode before)
     {
         var relative = before.Relative == true;
-        if (header.Facts.NeedsMode) _lines.Add(relative ? "G91 ; as set by the header" : "G90 ; as set by the header");
-        if (header.Facts.NeedsModeE) _lines.Add(before.RelativeE == false ? "M82 ; as set by the header" : "M83 ; as set by the header");
-        foreach (var line in header.Lines)
+        if (code.NeedsMode) _lines.Add(relative ? "G91 ; as set by the header" : "G90 ; as set by the header");
+        if (code.NeedsModeE) _lines.Add(before.RelativeE == false ? "M82 ; as set by the header" : "M83 ; as set by the header");
+        foreach (var line in code.Lines)
         {
-            if (line.IsCommand("G90", "G91")) relative = line.Command == "G91";
-            if (relative && line.IsCommand("G0", "G1") && line['Z'] is >= 10) Lift(line);
+            if (line.Is('G', 90, 91)) relative = line.Is('G', 91);
+            if (relative && line.Is('G', 0, 1) && line['Z'] is >= 10 and var rise) Lift(line, NumberFormatter.Format(rise, 3));
             else Add(line);
         }
         return new ValueList<string>(_lines);
@@ -39,7 +39,7 @@ internal sealed class HeaderTemplate(HeaderText header, string file, DiagnosticL
     // The temperature comes from the material, and the line is omitted for a material without one.
     private void Heat(HeaderLine line, double? own, string condition, string value)
     {
-        var temperature = HeaderFacts.TemperatureOf(line);
+        var temperature = line.Temperature;
         if (temperature is null || temperature != own)
         {
             var converted = Convert(line.Text);
@@ -52,8 +52,8 @@ internal sealed class HeaderTemplate(HeaderText header, string file, DiagnosticL
             }
             return;
         }
-        var word = line.Words.First(w => w.Letter is 'S' or 'R' && w.Value == temperature);
-        AddIf(condition, Convert(line.Text.Substring(0, word.From)) + "{" + value + "}" + Convert(line.Text.Substring(word.To)));
+        var (before, after) = line.Around(line['S'] == temperature ? 'S' : 'R');
+        AddIf(condition, Convert(before) + "{" + value + "}" + Convert(after));
     }
 
     private void AddIf(string condition, string line)
@@ -63,12 +63,10 @@ internal sealed class HeaderTemplate(HeaderText header, string file, DiagnosticL
         _lines.Add("{endif}");
     }
 
-    private void Lift(HeaderLine line)
+    private void Lift(HeaderLine line, string rise)
     {
-        var word = line.Words.First(w => w.Letter == 'Z');
-        var rise = NumberFormatter.Format(word.Value, 3);
-        _lines.Add(Convert(line.Text.Substring(0, word.From)) + "{max(0, min(" + rise + ", bed_max_z_mm - print_max_z_mm - 5))}"
-            + Convert(line.Text.Substring(word.To)));
+        var (before, after) = line.Around('Z');
+        _lines.Add(Convert(before) + "{max(0, min(" + rise + ", bed_max_z_mm - print_max_z_mm - 5))}" + Convert(after));
         problems.Add(Severity.Note, "header.end_height",
             $"The footer raises the head by {rise} mm. In the template the lift ends at most 5 mm below the top of the build volume.",
             new SourceLocation(file));
