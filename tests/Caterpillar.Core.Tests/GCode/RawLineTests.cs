@@ -76,8 +76,9 @@ public class RawLineTests
 
     private static string[] After(string raw, GCodeFormat format)
     {
-        var text = NewFile.Plain(Path(raw), format);
-        return text.Substring(text.IndexOf(raw, System.StringComparison.Ordinal) + raw.Length).Trim().Split('\n');
+        var text = Encoding.ASCII.GetString(NewFile.Of(Path(raw), format));
+        var lines = text.Substring(text.IndexOf(raw, System.StringComparison.Ordinal) + raw.Length).Trim().Split('\n');
+        return lines.Where(l => l[0] != ';').ToArray();
     }
 
     private static Toolpath Decode(Toolpath toolpath, GCodeFormat format)
