@@ -1,5 +1,6 @@
-// Makes docs/images/canvas_to_print.png: an animated PNG of the first print, from the canvas to the finished part.
-//   node --experimental-websocket tools/animation.mjs CATERPILLAR CHROMIUM [FILE.png]
+// Makes the animated PNGs of the manual: docs/images/canvas_to_print.png, from the canvas to the finished part, and docs/images/remix.png, a sliced file that is
+// changed.
+//   node --experimental-websocket tools/animation.mjs canvas_to_print|remix CATERPILLAR CHROMIUM [FILE.png]
 // CATERPILLAR is the published program. The pictures of the canvas are docs/images/first_print, those of the print are the viewer's.
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -9,9 +10,10 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 import { deflateSync, inflateSync } from "node:zlib";
 import { open, wait } from "./browser.mjs";
 
-const width = 720, height = 480, stepTime = 1.6, printTime = 0.12, lastTime = 2.5, printFrames = 30;
+const stepTime = 1.6, printTime = 0.12, lastTime = 2.5, printFrames = 30, twistFrames = 14, twist = 1.2;
 const root = join(dirname(fileURLToPath(import.meta.url)), ".."), folder = mkdtempSync(join(tmpdir(), "animation-"));
-const [program, chromium, file = join(root, "docs", "images", "canvas_to_print.png")] = process.argv.slice(2);
+const [subject, program, chromium, file = join(root, "docs", "images", `${subject}.png`)] = process.argv.slice(2);
+const [width, height] = subject === "remix" ? [520, 350] : [720, 480];
 
 const crcTable = Int32Array.from({ length: 256 }, (_, n) => {
   for (let k = 0; k < 8; k++) n = n & 1 ? (n >>> 1) ^ 0xedb88320 : n >>> 1;
@@ -90,29 +92,59 @@ const page = await open(chromium), frames = [];
 await page.send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: false });
 
 // The pixels of a page in the browser, once an expression is true there.
-async function picture(url, isReady) {
+async function picture(url, isReady, zooms = 0) {
   await page.show(url);
   await page.until(isReady);
+  for (let i = 0; i < zooms; i++) await page.value("document.body.dispatchEvent(new KeyboardEvent('keydown', { key: '+', bubbles: true }))");
   await wait(500);
   return read(await page.picture());
 }
 
-for (let step = 1; step <= 5; step++) {
-  const svg = readFileSync(join(root, "docs", "images", "first_print", `${step}.svg`), "utf8"), html = join(folder, `${step}.html`);
-  writeFileSync(html, `<body style="margin:0;background:#d4d0c8;display:flex;height:100vh;align-items:center;justify-content:center">
-    <img src="data:image/svg+xml;base64,${Buffer.from(svg).toString("base64")}" style="max-width:100%;max-height:100%">`);
-  frames.push([await picture(pathToFileURL(html), "document.images[0]?.complete"), stepTime]);
+const run = (...words) => execFileSync(program, [...words, "-q"]);
+const temporary = (name) => join(folder, name);
+
+// The page of a file with only the view on it: the panels are moved out of the picture.
+function viewOf(code, caption = "") {
+  const html = temporary("view.html");
+  run("view", code, "--printer", "generic", "-o", html);
+  const outside = "#panel, #bar, #message, #refining { left: 100% !important; top: 100% !important; width: 1px !important; height: 1px !important; overflow: hidden; }"
+    + " #caption { position: fixed; z-index: 1; left: 16px; top: 12px; margin: 0; font: 15px ui-monospace, monospace; }";
+  writeFileSync(html, readFileSync(html, "utf8").replace("</style>", outside + "</style>").replace("<canvas", `<p id="caption">${caption}</p><canvas`));
+  return pathToFileURL(html);
 }
-const code = join(folder, "vase.gcode"), html = join(folder, "vase.html");
-execFileSync(program, ["slice", join(root, "examples", "models", "vase.stl"), "--scale", "0.5", "-o", code, "-q"]);
-execFileSync(program, ["view", code, "--printer", "generic", "-o", html, "-q"]);
-// Only the view: the panels are moved out of the picture.
-const outside = "#panel, #bar, #message, #refining { left: 100% !important; top: 100% !important; width: 1px !important; height: 1px !important; overflow: hidden; }";
-writeFileSync(html, readFileSync(html, "utf8").replace("</style>", outside + "</style>"));
-for (let k = 1; k <= printFrames; k++) {
-  const hash = `#light&at=${k / printFrames}&view=-60,24`;
-  frames.push([await picture(pathToFileURL(html) + hash, "document.documentElement.dataset.state === 'ready'"), k < printFrames ? printTime : lastTime]);
+
+const isReady = "document.documentElement.dataset.state === 'ready'";
+
+async function canvasToPrint() {
+  for (let step = 1; step <= 5; step++) {
+    const svg = readFileSync(join(root, "docs", "images", "first_print", `${step}.svg`), "utf8"), html = temporary(`${step}.html`);
+    writeFileSync(html, `<body style="margin:0;background:#d4d0c8;display:flex;height:100vh;align-items:center;justify-content:center">
+      <img src="data:image/svg+xml;base64,${Buffer.from(svg).toString("base64")}" style="max-width:100%;max-height:100%">`);
+    frames.push([await picture(pathToFileURL(html), "document.images[0]?.complete"), stepTime]);
+  }
+  const code = temporary("vase.gcode");
+  run("slice", join(root, "examples", "models", "vase.stl"), "--scale", "0.5", "-o", code);
+  const view = viewOf(code);
+  for (let k = 1; k <= printFrames; k++) {
+    frames.push([await picture(`${view}#light&at=${k / printFrames}&view=-60,24`, isReady), k < printFrames ? printTime : lastTime]);
+  }
 }
+
+// A bracket as it was sliced, then twisted more and more, then slower in its upper half.
+async function remix() {
+  const sliced = temporary("bracket.gcode"), twisted = temporary("twisted.gcode"), slow = temporary("slow.gcode"), view = "light&view=-50,22&hide=bed,nozzle";
+  run("slice", join(root, "examples", "models", "bracket.stl"), "-o", sliced);
+  frames.push([await picture(`${viewOf(sliced, "bracket.gcode, from a slicer")}#${view}`, isReady, 2), stepTime]);
+  for (let k = 1; k <= twistFrames; k++) {
+    const formula = `r, theta + ${(twist * k / twistFrames).toFixed(2)}*z, z`;
+    run("convert", sliced, "-o", twisted, "--deform", formula, "--axis", "center");
+    frames.push([await picture(`${viewOf(twisted, `--deform "${formula}"`)}#${view}`, isReady, 2), k < twistFrames ? printTime : stepTime]);
+  }
+  run("convert", twisted, "-o", slow, "--speed", "50%", "--first-layer", "125");
+  frames.push([await picture(`${viewOf(slow, "--speed 50% --first-layer 125")}#${view}&color=speed`, isReady, 2), lastTime]);
+}
+
+await (subject === "remix" ? remix() : canvasToPrint());
 await page.close();
 write(frames);
 rmSync(folder, { recursive: true, force: true });

@@ -24,9 +24,9 @@ dotnet_notices() { find "$(dirname "$(realpath "$(command -v dotnet)")")" -maxde
 for runtime in "$@"; do
   name=caterpillar-$version-$runtime
   rm -rf "${out:?}/$name" && mkdir "$out/$name"
-  kind=-p:PublishSingleFile=true
+  kind=-p:BundleRuntime=true
   native "$runtime" && kind=-p:Native=true
-  dotnet publish src/Caterpillar.Cli -c Release -r "$runtime" --self-contained "$kind" -p:DebugType=none -o "$out/$name/build" --nologo -v quiet
+  dotnet publish src/Caterpillar.Cli -c Release -r "$runtime" "$kind" -p:DebugType=none -o "$out/$name/build" --nologo -v quiet
   case $runtime in
     win-*) mv "$out/$name/build/Caterpillar.Cli.exe" "$out/$name/caterpillar.exe" ;;
     *) mv "$out/$name/build/Caterpillar.Cli" "$out/$name/caterpillar" ;;

@@ -68,6 +68,20 @@ public class ViewTests : CliFixture
     }
 
     [Test]
+    public void A_script_brings_the_page_and_its_element()
+    {
+        File.WriteAllText("a.gcode", Code);
+        Run("view", "a.gcode", "-o", "a.html");
+        Assert.That(Run("view", "a.gcode", "-o", "a.js").Code, Is.Zero);
+        var text = File.ReadAllText("a.js");
+        Assert.That(text, Has.All.LessThan('\x80'), "a page in another encoding reads it");
+        Assert.That(text, Does.Contain("customElements.define").And.Contain("title = \"a.gcode\""));
+        var page = Regex.Match(text, "page = (\"(?:[^\"\\\\]|\\\\.)*\");").Groups[1].Value;
+        Assert.That(Newtonsoft.Json.JsonConvert.DeserializeObject<string>(page), Is.EqualTo(File.ReadAllText("a.html")));
+        Assert.That(Run("view", "a.gcode", "-o", "a.js", "--open").Code, Is.EqualTo(2));
+    }
+
+    [Test]
     public void Findings_are_listed_for_a_named_printer()
     {
         File.WriteAllText("a.gcode", Code.Replace("X60", "X600"));
@@ -100,11 +114,13 @@ public class ViewTests : CliFixture
     {
         const string Node = "/usr/bin/node";
         if (!File.Exists(Node)) Assert.Ignore("Skipped: no Node is installed, which drives the browser.");
-        File.WriteAllText("a.gcode", Code);
+        File.WriteAllText("a.gcode", "; filament_colour = #123456\n" + Code.Replace(";LAYER:1\n", ";LAYER:1\n;COLOR_CHANGE,T0,#ABCDEF\nM600\n"));
         Run("view", "a.gcode", "--printer", "generic");
+        Run("view", "a.gcode", "-o", "a.js");
+        File.WriteAllText("host.html", "<!DOCTYPE html><title>Host</title><script src=\"a.js\"></script><caterpillar-viewer theme=\"light\"></caterpillar-viewer>");
         var script = Path.Combine(TestData.Repository, "tests", "Caterpillar.Cli.Tests", "viewer.mjs");
         var start = new ProcessStartInfo(Node) { RedirectStandardOutput = true };
-        foreach (var word in new[] { "--experimental-websocket", "--no-warnings", script, Browser(), Path.GetFullPath("a.html") }) start.ArgumentList.Add(word);
+        foreach (var word in new[] { "--experimental-websocket", "--no-warnings", script, Browser(), Path.GetFullPath("a.html"), Path.GetFullPath("host.html") }) start.ArgumentList.Add(word);
         using var process = Process.Start(start)!;
         var faults = process.StandardOutput.ReadToEnd();
         process.WaitForExit();

@@ -1,13 +1,14 @@
 // What a user meets on a page of the viewer, in a real browser: what is drawn and said for each choice, a phone and a desktop, light and dark, by keyboard
 // alone, and for screen readers. The page shows four beads in two layers, 0.2 and 0.4 mm high, with an outer wall.
-//   node --experimental-websocket viewer.mjs CHROMIUM PAGE.html
+// The other page has the same print as an element.
+//   node --experimental-websocket viewer.mjs CHROMIUM PAGE.html HOST.html
 // Prints a line for each fault; no line is good. With PICTURES=FOLDER, it keeps a picture of each view.
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { open, wait } from "../../tools/browser.mjs";
 
-const [program, file] = process.argv.slice(2);
+const [program, file, host] = process.argv.slice(2);
 let name = "";
 const fault = (text) => console.log(`${name}: ${text}`);
 const page = await open(program, ["--window-size=800,600"], (method, { exceptionDetails, type }) => {
@@ -43,6 +44,37 @@ async function colors() {
     await show("light&color=" + choice);
     if (!await value("document.querySelector('#legend span') && document.querySelector('#legend [class]') && true")) fault("no legend for " + choice);
   }
+}
+
+// The colors of filaments come from the comments of the file, and a change is marked.
+async function filaments() {
+  name = "filaments";
+  await show("light&color=filament");
+  await page.until("document.querySelector('option[value=filament]') !== null");
+  const legend = await value("document.getElementById('legend').textContent");
+  if (!legend.includes("T0 from Z 0.4 mm")) fault("the legend is " + legend);
+  const seen = await value("[...document.querySelectorAll('.swatch')].map((s) => s.style.background).join()");
+  if (seen !== "rgb(18, 52, 86),rgb(171, 205, 239)") fault("the colors are " + seen);
+  const marks = await value("[...document.querySelectorAll('#moves .mark')].map((m) => m.title).join('; ')");
+  if (!/^Color change, .*layer 1, height 0.4 mm$/.test(marks)) fault("the marks are " + marks);
+}
+
+// Attributes of the element choose what its frame shows, without loading it again, and it tells the moment.
+async function element() {
+  name = "element";
+  await page.show(pathToFileURL(host));
+  await page.until("document.querySelector('caterpillar-viewer')?.shadowRoot != null");
+  await value("(window.moments = [], document.querySelector('caterpillar-viewer').addEventListener('moment', (e) => moments.push(e.detail)))");
+  const set = (key, to) => value(`document.querySelector('caterpillar-viewer').setAttribute("${key}", "${to}")`);
+  await set("line", 9);
+  await page.until("moments.some((m) => m.line === 9 && m.layer === 0 && m.height === 0.2)");
+  const before = await picture();
+  await set("color", "speed");
+  await set("at", 1);
+  await page.until("moments.some((m) => m.layer === 1 && m.seconds > 0)");
+  if (before.equals(await picture())) fault("draws the same with other attributes");
+  const small = await value("document.querySelector('caterpillar-viewer').shadowRoot.querySelector('iframe').getBoundingClientRect().height");
+  if (small !== 600) fault(`is ${small} high`);
 }
 
 // Layers, moments, colors, views and themes each change what is drawn.
@@ -103,7 +135,9 @@ async function names() {
 
 for (const domain of ["Runtime", "Accessibility"]) await send(domain + ".enable");
 await colors();
+await filaments();
 await moments();
+await element();
 for (const theme of ["light", "dark"]) for (const [width, height] of [[390, 844], [1440, 900]]) await look(width, height, theme);
 await page.close();
 process.exit(0);

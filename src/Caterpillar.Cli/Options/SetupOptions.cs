@@ -4,7 +4,7 @@ namespace Caterpillar.Cli;
 internal sealed class SetupOptions
 {
     /// <summary>Description of the printer of a G-code file.</summary>
-    public const string FromFile = "Default: motion limits from the slicer's settings in the file, or generic.";
+    public const string FromFile = "Default: motion limits from the setup or the slicer's settings in the file, or generic.";
 
     /// <param name="otherwise">What happens without a printer.</param>
     public SetupOptions(string otherwise = "Default: generic.")

@@ -1,6 +1,6 @@
 namespace Caterpillar.Cli;
 
-/// <summary>The times of a file, with the motion limits of the given printer, else of the slicer's settings in the file, else of the generic printer.</summary>
+/// <summary>The times of a file, with the motion limits of the given printer, else of the setup or of the slicer's settings in the file, else of the generic printer.</summary>
 internal sealed record TimedFile(Timeline Timeline, string Limits)
 {
     public static TimedFile Of(SetupOptions options, ParseResult arguments, DecodedGCode decoded, string name, Session session)
@@ -14,6 +14,7 @@ internal sealed record TimedFile(Timeline Timeline, string Limits)
     private static (PrintSetup Setup, string Limits) LimitsOf(PrintSetup setup, bool isGiven, DecodedGCode decoded)
     {
         if (isGiven) return (setup, "printer " + setup.Printer.Name);
+        if (FileSetup.Of(decoded.Settings) is { } written) return (written, "the setup in the file");
         var own = setup.Printer with { Flavor = decoded.Flavor };
         return SlicerLimits.Of(decoded.Settings, own) is { } printer
             ? (setup with { Printer = printer }, "the slicer's settings in the file")

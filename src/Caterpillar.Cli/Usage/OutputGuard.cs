@@ -13,8 +13,8 @@ internal static class OutputGuard
         [".stl"] = "a mesh", [".obj"] = "a mesh", [".ply"] = "a mesh", [".3mf"] = "a mesh", [".step"] = "a model", [".stp"] = "a model", [".3dm"] = "a model",
         [".gh"] = "a Grasshopper definition", [".ghx"] = "a Grasshopper definition", [".svg"] = "a drawing", [".csv"] = "a table", [".json"] = "JSON",
         [".turtle"] = "a turtle program", [".png"] = "an image", [".jpg"] = "an image", [".jpeg"] = "an image", [".pgm"] = "an image",
-        [".pdf"] = "a document", [".html"] = "a page", [".gcode"] = "G-code", [".bgcode"] = "G-code", [".gco"] = "G-code", [".nc"] = "G-code",
-        [".gz"] = "a packed file", [".zip"] = "a packed file",
+        [".pdf"] = "a document", [".html"] = "a page", [".js"] = "a script", [".gcode"] = "G-code", [".bgcode"] = "G-code", [".gco"] = "G-code",
+        [".nc"] = "G-code", [".gz"] = "a packed file", [".zip"] = "a packed file",
     };
 
     /// <exception cref="CliException">An output is an input, or its extension is wrong (wrong usage).</exception>

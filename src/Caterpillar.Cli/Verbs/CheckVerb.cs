@@ -45,6 +45,7 @@ internal sealed class CheckVerb : Verb
         });
         session.Found(all);
         session.Say(harmless);
+        if (all.Count == 0) session.Say(() => $"Nothing found. Checked for {setup.Printer.Title}.");
         return all.Any(d => d.Severity == Severity.Error) ? ExitCode.Refused : ExitCode.Done;
     }
 

@@ -14,7 +14,8 @@ internal sealed class ViewVerb : Verb
     };
 
     private readonly Described<string?> _out = new("--output",
-        "Output HTML file, which needs no network; - = standard output. " + CommonOptions.DefaultOutput, "FILE.html", "-o");
+        "Output HTML file, which needs no network; FILE.js = a script with an element for pages of your own; - = standard output. "
+            + CommonOptions.DefaultOutput, "FILE.html", "-o");
 
     private readonly Described<bool> _open = new("--open", "Open the page in the browser.");
 
@@ -26,7 +27,7 @@ internal sealed class ViewVerb : Verb
     private readonly SetupOptions _setup = new("If given, findings of its checks are shown. " + SetupOptions.FromFile);
 
     public ViewVerb()
-        : base("view", "Show a print, model or design in 3D in the browser.", ["a page"], ".html")
+        : base("view", "Show a print, model or design in 3D in the browser.", ["a page", "a script"], ".html")
     {
         Arguments.Add(_file);
         Add([_out, _open, _serve, _noGCode, .. _setup.All]);
@@ -44,9 +45,10 @@ internal sealed class ViewVerb : Verb
         var source = new ViewSource(_setup, arguments, !arguments.GetValue(_noGCode), design => GCodeOf(design, arguments, session), session);
         if (arguments.GetResult(_serve) is not null) return Serve(file, source, arguments, session);
         var output = arguments.GetValue(_out) ?? Path.GetFileNameWithoutExtension(file == "-" ? "view" : file) + ".html";
-        if (output == "-" && arguments.GetValue(_open)) throw new CliException(ExitCode.Usage, "--open needs an output file. Give -o FILE.html.");
+        if (arguments.GetValue(_open) && (output == "-" || ViewerPage.IsScript(output)))
+            throw new CliException(ExitCode.Usage, "--open needs a page. Give -o FILE.html.");
         var content = source.Read(file);
-        var bytes = Page(content, session);
+        var bytes = Page(content, session, ViewerPage.IsScript(output));
         session.Write(output, stream => stream.Write(bytes));
         session.Say(() => $"{Session.NameOfOutput(output)}: {PrintSummary.Size(bytes.Length)}; {Session.NameOf(file)}: {source.Summary}");
         if (arguments.GetValue(_open)) Open(Path.GetFullPath(output));
@@ -67,12 +69,13 @@ internal sealed class ViewVerb : Verb
         return code == ExitCode.Done ? memory.ToArray() : throw new CliException(code);
     }
 
-    private static byte[] Page(ViewerContent content, Session session)
+    private static byte[] Page(ViewerContent content, Session session, bool asScript = false)
     {
         using var memory = new MemoryStream();
         session.WithProgress("Writing", progress =>
         {
-            ViewerPage.Write(content, memory, progress, session.Cancel);
+            if (asScript) ViewerPage.WriteScript(content, memory, progress, session.Cancel);
+            else ViewerPage.Write(content, memory, progress, session.Cancel);
             return 0;
         });
         return memory.ToArray();

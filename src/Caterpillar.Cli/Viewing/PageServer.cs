@@ -3,15 +3,6 @@ namespace Caterpillar.Cli;
 /// <summary>Serves one page on this machine only. Open pages poll its version once a second, and reload it after a change.</summary>
 internal sealed class PageServer : IDisposable
 {
-    private const string Reload = """
-        <script>(() => {
-          const version = "{0}";
-          setInterval(async () => {
-            try { if (await (await fetch("version")).text() !== version) location.reload(); } catch { /* the server has stopped */ }
-          }, 1000);
-        })();</script>
-        """;
-
     private readonly HttpListener _listener = new();
     private volatile byte[] _page = [];
     private volatile string _version = "0";
@@ -31,7 +22,8 @@ internal sealed class PageServer : IDisposable
     public void Show(byte[] page)
     {
         var version = Guid.NewGuid().ToString("N");
-        _page = [.. page, .. Encoding.UTF8.GetBytes(Reload.Replace("{0}", version, StringComparison.Ordinal))];
+        var reload = EmbeddedText.Read("usage/reload.html", typeof(PageServer)).Replace("{0}", version, StringComparison.Ordinal);
+        _page = [.. page, .. Encoding.UTF8.GetBytes(reload)];
         _version = version;
     }
 

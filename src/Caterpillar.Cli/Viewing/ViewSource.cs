@@ -48,7 +48,7 @@ internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool
         return new ViewerContent(Title(file))
         {
             Toolpath = timeline.Toolpath,
-            GCode = withLines && !bytes.AsSpan().StartsWith("GCDE"u8) ? Unpacked(bytes) : null,
+            GCode = withLines && !bytes.AsSpan().StartsWith("GCDE"u8) ? bytes : null,
             EndOf = timeline.EndOf,
             Limits = limits,
             Printer = timeline.Setup.Printer,
@@ -56,14 +56,5 @@ internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool
             Density = resolved.Material.Density,
             Findings = [.. findings],
         };
-    }
-
-    private static byte[] Unpacked(byte[] bytes)
-    {
-        if (!GzipReader.IsPacked(bytes, bytes.Length)) return bytes;
-        using var text = GzipReader.Open(new MemoryStream(bytes, false));
-        using var memory = new MemoryStream();
-        text.CopyTo(memory);
-        return memory.ToArray();
     }
 }

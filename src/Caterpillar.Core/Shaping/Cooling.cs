@@ -47,9 +47,7 @@ public sealed record Cooling
     private double SpeedOf(PrintPath path, int segment) => path.BeadOf(segment).Speed is > 0 and var speed ? speed : ReferenceSpeed;
 
     private PrintPath ByLength(PrintPath path)
-        => path.WithBeads(i => path.BeadOf(i).WithSpeed(Slowed(SpeedOf(path, i), path.LengthOf(i) + 1)));
-
-    private double Slowed(double speed, double wanted) => Math.Min(speed, Math.Max(wanted, MinPrintSpeed));
+        => path.WithBeads(i => path.BeadOf(i).WithSpeed(Math.Min(SpeedOf(path, i), Math.Max(path.LengthOf(i) + 1, MinPrintSpeed))));
 
     // Speeds at the minimum cannot drop further, so the others have to drop more: repeated until no other hits the minimum.
     private void Stretch(PrintPath[] paths, int[] layer, DiagnosticList problems)

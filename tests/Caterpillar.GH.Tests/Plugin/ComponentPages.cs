@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text;
+using System.Text.RegularExpressions;
 using Caterpillar.Basics;
 using Caterpillar.CanvasPictures;
 using Caterpillar.GH.Base;
@@ -67,6 +68,11 @@ internal sealed class ComponentPages
 
     private static string Link(GH_Component component) => $"[{component.Name}]({FileOf(component)})";
 
+    // Names of other components within a sentence.
+    private string WithLinks(string text, GH_Component component)
+        => Regex.Replace(text, $"(?<=[a-z,] )({string.Join("|", _components.Select(c => c.Name).OrderByDescending(n => n.Length))})\\b",
+            name => name.Value == component.Name ? name.Value : Link(_components.First(c => c.Name == name.Value)));
+
     private static Item Capsule(GH_Component component)
     {
         Port Of(IGH_Param param) => new(Guid.Empty, param.NickName, param.DataMapping == GH_DataMapping.None ? 0 : 1, []);
@@ -95,14 +101,15 @@ internal sealed class ComponentPages
     private string Page(GH_Component component)
     {
         var text = new StringBuilder();
-        text.Append("# ").Append(Icon(component)).Append(' ').Append(component.Name).Append("\n\n").Append(component.Description).Append("\n\n")
+        text.Append("# ").Append(Icon(component)).Append(' ').Append(component.Name).Append("\n\n")
+            .Append(WithLinks(component.Description, component)).Append("\n\n")
             .Append($"![{component.Name} on the canvas](../{PictureOf(component)})\n\nPanel {component.SubCategory}, nickname {component.NickName}.");
         var manual = ManualOf(component).ToArray();
         if (manual.Length > 0) text.Append(" In the manual: ").Append(string.Join(", ", manual)).Append('.');
         text.Append('\n');
         var declared = ((CaterpillarComponent)component).Declared;
-        Ports(text, "Inputs", declared.Select(d => d.Param).ToArray(), declared);
-        Ports(text, "Outputs", component.Params.Output, []);
+        Ports(text, "Inputs", component, declared.Select(d => d.Param).ToArray(), declared);
+        Ports(text, "Outputs", component, component.Params.Output, []);
         Example(text, component);
         return text.ToString();
     }
@@ -141,7 +148,7 @@ internal sealed class ComponentPages
 
     private static string DefaultOf(DeclaredPort port) => port.Default switch
     {
-        null => port.IsRequired ? "required" : "",
+        null => port.IsRequired ? "required" : "optional",
         int number when port.Param is ChoiceParam choice => choice.Choices.First(c => c.Value == number).Key,
         bool flag => flag ? "True" : "False",
         double number => NumberFormatter.Format(number, 6),
@@ -149,7 +156,7 @@ internal sealed class ComponentPages
         var other => other.ToString()!,
     };
 
-    private static void Ports(StringBuilder text, string title, IReadOnlyList<IGH_Param> ports, IReadOnlyList<DeclaredPort> declared)
+    private void Ports(StringBuilder text, string title, GH_Component component, IReadOnlyList<IGH_Param> ports, IReadOnlyList<DeclaredPort> declared)
     {
         var isInput = declared.Count > 0;
         text.Append("\n## ").Append(title).Append("\n\n| name | nickname | type | access |").Append(isInput ? " default |" : "")
@@ -158,8 +165,12 @@ internal sealed class ComponentPages
         {
             text.Append("| ").Append(port.Name).Append(" | ").Append(port.NickName).Append(" | ")
                 .Append(port is ChoiceParam ? "Choice" : port is Param_Geometry ? "Geometry" : port.TypeName).Append(" | ").Append(port.Access).Append(" | ");
-            if (isInput) text.Append(DefaultOf(declared.First(d => ReferenceEquals(d.Param, port)))).Append(" | ");
-            text.Append(When(declared, port)).Append(port.Description.Replace("|", "\\|"));
+            // A default that depends on others is part of the description.
+            var stated = isInput ? Regex.Match(port.Description, @" ?Default: (.+?)\.(?= |$)") : Match.Empty;
+            var input = declared.FirstOrDefault(d => ReferenceEquals(d.Param, port));
+            if (isInput) text.Append(stated.Success && input!.Default is null ? stated.Groups[1].Value : DefaultOf(input!)).Append(" | ");
+            var description = stated.Success && input!.Default is null ? port.Description.Remove(stated.Index, stated.Length) : port.Description;
+            text.Append(When(declared, port)).Append(WithLinks(description.Replace("|", "\\|"), component));
             if (port is ChoiceParam choice) text.Append(" One of ").Append(string.Join(", ", choice.Choices.Select(c => $"{c.Key} ({c.Value})"))).Append('.');
             text.Append(" |\n");
         }

@@ -125,7 +125,7 @@ public sealed class MetadataTests
     {
         var info = new PluginInfo();
         Assert.That(info.Name, Is.EqualTo("Caterpillar"));
-        Assert.That(info.Version, Is.EqualTo("0.1.0"));
+        Assert.That(info.Version, Is.EqualTo("0.9.0"));
         Assert.That(info.License, Is.EqualTo(GH_LibraryLicense.opensource));
         Assert.That(new PluginPriority().PriorityLoad(), Is.EqualTo(GH_LoadingInstruction.Proceed));
         Assert.That(Instances.ComponentServer.Categories["Caterpillar symbol"], Is.EqualTo('C'));

@@ -39,8 +39,8 @@ public sealed class PackageTests
     [Test]
     public void A_package_for_Rhino_8_has_a_folder_for_each_runtime_with_all_that_is_needed()
     {
-        var package = YakPackage.ForRhino8(Build("net48"), Build("net8.0"), _icon, Texts, "0.1.0");
-        Assert.That(package.FileName, Is.EqualTo("caterpillar-0.1.0-rh8_20-any.yak"));
+        var package = YakPackage.ForRhino8(Build("net48"), Build("net8.0"), _icon, Texts, "0.9.0");
+        Assert.That(package.FileName, Is.EqualTo("caterpillar-0.9.0-rh8_20-any.yak"));
         using var zip = new ZipArchive(new MemoryStream(Bytes(package)), ZipArchiveMode.Read);
         var names = zip.Entries.Select(e => e.FullName).ToArray();
         Assert.That(names, Is.EqualTo(new[] { "LICENSE", "THIRD-PARTY-NOTICES.md", "icon.png", "manifest.yml",
@@ -78,10 +78,10 @@ public sealed class PackageTests
     [Test]
     public void The_manifest_states_what_the_package_manager_asks_for()
     {
-        using var zip = new ZipArchive(new MemoryStream(Bytes(YakPackage.ForRhino7(Build("net48"), _icon, Texts, "0.1.0"))), ZipArchiveMode.Read);
+        using var zip = new ZipArchive(new MemoryStream(Bytes(YakPackage.ForRhino7(Build("net48"), _icon, Texts, "0.9.0"))), ZipArchiveMode.Read);
         using var reader = new StreamReader(zip.GetEntry("manifest.yml")!.Open());
         var lines = reader.ReadToEnd().Split('\n');
-        Assert.That(lines, Has.Member("name: caterpillar").And.Member("version: 0.1.0").And.Member("icon: icon.png"));
+        Assert.That(lines, Has.Member("name: caterpillar").And.Member("version: 0.9.0").And.Member("icon: icon.png"));
         Assert.That(lines, Has.Member("authors:").And.Member("- guid:" + new PluginInfo().Id));
         Assert.That(lines.Single(l => l.StartsWith("description: ", StringComparison.Ordinal)), Is.EqualTo("description: " + new PluginInfo().Description));
         Assert.That(lines, Has.None.Contains("\r").And.None.Contains("\t"));
@@ -103,11 +103,11 @@ public sealed class PackageTests
     [Test]
     public void The_same_build_gives_the_same_bytes_and_a_wrong_folder_is_refused()
     {
-        Assert.That(Bytes(YakPackage.ForRhino7(Build("net48"), _icon, Texts, "0.1.0")),
-            Is.EqualTo(Bytes(YakPackage.ForRhino7(Build("net48"), _icon, Texts, "0.1.0"))));
-        Assert.That(() => YakPackage.ForRhino7(Path.GetTempPath() + "nothing", _icon, Texts, "0.1.0"), Throws.InvalidOperationException);
+        Assert.That(Bytes(YakPackage.ForRhino7(Build("net48"), _icon, Texts, "0.9.0")),
+            Is.EqualTo(Bytes(YakPackage.ForRhino7(Build("net48"), _icon, Texts, "0.9.0"))));
+        Assert.That(() => YakPackage.ForRhino7(Path.GetTempPath() + "nothing", _icon, Texts, "0.9.0"), Throws.InvalidOperationException);
         var hosts = TestContext.CurrentContext.TestDirectory;
-        Assert.That(() => YakPackage.ForRhino7(hosts, _icon, Texts, "0.1.0"), Throws.InvalidOperationException.With.Message.Contains("must not be packed"));
+        Assert.That(() => YakPackage.ForRhino7(hosts, _icon, Texts, "0.9.0"), Throws.InvalidOperationException.With.Message.Contains("must not be packed"));
     }
 
     private static bool IsFramework(string name)

@@ -21,7 +21,6 @@ internal sealed class PrintPipeline : IDisposable
     /// <param name="cancel">Cancels.</param>
     public PrintPipeline(PrintSetup setup, PlanOptions? options = null, CancellationToken cancel = default)
     {
-        if (setup is null) throw new ArgumentNullException(nameof(setup));
         _setup = setup;
         _cancel = cancel;
         _stop = CancellationTokenSource.CreateLinkedTokenSource(cancel);
@@ -34,7 +33,6 @@ internal sealed class PrintPipeline : IDisposable
     /// <exception cref="OperationCanceledException">Canceled.</exception>
     public void Add(IReadOnlyList<Step> steps)
     {
-        if (steps is null) throw new ArgumentNullException(nameof(steps));
         _cancel.ThrowIfCancellationRequested();
         while (!_planning.IsCompleted && !_batches.TryAdd(steps, 20, _cancel))
         {
@@ -58,7 +56,6 @@ internal sealed class PrintPipeline : IDisposable
     /// <exception cref="OperationCanceledException">Canceled.</exception>
     public Result<WrittenGCode> Write(Stream stream, bool isDraft, string? reason = null, IProgress<double>? progress = null)
     {
-        if (stream is null) throw new ArgumentNullException(nameof(stream));
         var plan = Finish().Value ?? throw new InvalidOperationException("Planning failed, so nothing can be written.");
         using var draft = _draft;
         var begun = (draft, _timing);

@@ -56,7 +56,6 @@ public static class SurfaceLines
     /// </summary>
     internal static Vec3 PrincipalDirection(PlanSurface surface, Vec3 place, bool across = false)
     {
-        if (surface is null) throw new ArgumentNullException(nameof(surface));
         var h = double.IsInfinity(surface.Detail) ? 1 : Math.Max(0.5, 2 * surface.Detail);
         double At(int i, int k) => surface.Height(place.X + i * h, place.Y + k * h);
         double east = At(1, 0), west = At(-1, 0), north = At(0, 1), south = At(0, -1), middle = At(0, 0);

@@ -15,24 +15,47 @@ public static class ViewerPage
         if (content is null) throw new ArgumentNullException(nameof(content));
         if (stream is null) throw new ArgumentNullException(nameof(stream));
         var moves = content.Toolpath is null ? null : MoveColumns.Of(content, progress, cancel);
-        using var text = new StreamWriter(stream, new UTF8Encoding(false), 1 << 16, leaveOpen: true) { NewLine = "\n" };
-        foreach (var piece in Resource("viewer.html").Split(new[] { "{{" }, StringSplitOptions.None))
-        {
-            var end = piece.IndexOf("}}", StringComparison.Ordinal);
-            if (end >= 0) Part(piece.Substring(0, end), text, content, moves, cancel);
-            text.Write(end >= 0 ? piece.Substring(end + 2) : piece);
-        }
+        Fill("viewer.html", stream, (name, text) => Part(name, text, content, moves, cancel));
     }
 
-    /// <summary>Writes the page to a file, completely or not at all.</summary>
+    /// <summary>
+    /// Writes the page as a script, which gives any other page the element <c>caterpillar-viewer</c> to show it in. The script needs no other file.
+    /// </summary>
+    /// <exception cref="OperationCanceledException">Canceled.</exception>
+    internal static void WriteScript(ViewerContent content, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
+    {
+        using var page = new MemoryStream();
+        Write(content, page, progress, cancel);
+        var html = Encoding.UTF8.GetString(page.GetBuffer(), 0, (int)page.Length);
+        // Only ASCII, whatever encoding the other page has.
+        Fill("element.js", stream, (name, text)
+            => text.Write(JsonConvert.ToString(name == "title" ? content.Title : html, '"', StringEscapeHandling.EscapeNonAscii)));
+    }
+
+    /// <summary>Writes the page to a file, completely or not at all; a script where the file ends in .js.</summary>
     /// <exception cref="IOException">The file cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Canceled. No part of the file is left.</exception>
     public static void WriteFile(ViewerContent content, string path, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
         if (path is null) throw new ArgumentNullException(nameof(path));
         using var file = new AtomicFile(path);
-        Write(content, file.Stream, progress, cancel);
+        if (IsScript(path)) WriteScript(content, file.Stream, progress, cancel);
+        else Write(content, file.Stream, progress, cancel);
         file.Commit();
+    }
+
+    internal static bool IsScript(string path) => path.EndsWith(".js", StringComparison.OrdinalIgnoreCase);
+
+    // A template, whose places are filled.
+    private static void Fill(string template, Stream stream, Action<string, TextWriter> part)
+    {
+        using var text = new StreamWriter(stream, new UTF8Encoding(false), 1 << 16, leaveOpen: true) { NewLine = "\n" };
+        foreach (var piece in Resource(template).Split(new[] { "{{" }, StringSplitOptions.None))
+        {
+            var end = piece.IndexOf("}}", StringComparison.Ordinal);
+            if (end >= 0) part(piece.Substring(0, end), text);
+            text.Write(end >= 0 ? piece.Substring(end + 2) : piece);
+        }
     }
 
     private static void Part(string name, TextWriter text, ViewerContent content, MoveColumns? moves, CancellationToken cancel)
@@ -52,8 +75,9 @@ public static class ViewerPage
 
     private static void GCode(TextWriter text, byte[] code, CancellationToken cancel)
     {
-        if (GzipReader.IsPacked(code, code.Length)) Base64(text, code, code.Length, cancel);
-        else Packed(text, [code], cancel, lengths: false);
+        using var lines = new MemoryStream();
+        using (var unpacked = GzipReader.Open(new MemoryStream(code, false))) unpacked.CopyTo(lines);
+        Packed(text, [lines.ToArray()], cancel, lengths: false);
     }
 
     // Each part with its length in four bytes, all of it as gzip in base 64.

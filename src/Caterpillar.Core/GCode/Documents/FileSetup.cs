@@ -87,5 +87,14 @@ public static class FileSetup
             : [.. Names.Concat(ProfileKeys.All.Select(k => k.Name)).Where(k => k != "title" && settings.ContainsKey(k))
                 .Select(k => new KeyValuePair<string, string>(k, settings[k]))];
 
+    /// <summary>The setup among the comments of a file, with the values of its first tool; null if the file has none.</summary>
+    internal static PrintSetup? Of(IReadOnlyDictionary<string, string> settings)
+    {
+        var (names, values) = (In(settings).TakeWhile(p => Names.Contains(p.Key)).ToArray(), In(settings).SkipWhile(p => Names.Contains(p.Key)));
+        var printer = new Printer { Title = names.FirstOrDefault().Value ?? "unnamed" };
+        return names.Length == 0 ? null
+            : SetupValues.Apply(new PrintSetup(printer, new Material(), new PrintSettings()), values.Select(p => p.Key + "=" + p.Value)).Value;
+    }
+
     private static string Utf8(string latin1) => Encoding.UTF8.GetString(TextEncoding.Encode(latin1));
 }

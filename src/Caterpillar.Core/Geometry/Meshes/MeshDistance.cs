@@ -18,7 +18,6 @@ internal sealed class MeshDistance
     /// <exception cref="ArgumentException">The mesh has no triangles.</exception>
     public MeshDistance(TriMesh mesh)
     {
-        if (mesh is null) throw new ArgumentNullException(nameof(mesh));
         if (mesh.TriangleCount == 0) throw new ArgumentException("A mesh without triangles has no nearest point.", nameof(mesh));
         _vertices = mesh.RawVertices;
         _triangles = mesh.RawTriangles;

@@ -11,7 +11,6 @@ internal static class ContourMeasure
     /// <exception cref="ArgumentException">A coordinate is not a number, or infinite.</exception>
     public static (double Area, double Perimeter, int Outer, int Holes) NonZero(IReadOnlyList<Polyline> contours)
     {
-        if (contours is null) throw new ArgumentNullException(nameof(contours));
         var bounds = Bounds.Empty;
         foreach (var contour in contours)
         {

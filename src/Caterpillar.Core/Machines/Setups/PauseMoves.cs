@@ -6,7 +6,6 @@ internal static class PauseMoves
     /// <summary>A pause according to the printer's keys <c>pause_lift_mm</c> and so on.</summary>
     public static Pause Of(PrintSetup setup)
     {
-        if (setup is null) throw new ArgumentNullException(nameof(setup));
         var printer = setup.Printer;
         return new Pause
         {

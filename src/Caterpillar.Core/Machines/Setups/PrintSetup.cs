@@ -104,7 +104,7 @@ public sealed record PrintSetup
     {
         var diagnostics = new DiagnosticList();
         if (FromNozzle() is { Length: > 0 } sizes)
-            diagnostics.Add(Severity.Note, "setup.from_nozzle", $"The nozzle of {Text(Printer.NozzleDiameter)} mm sets {sizes}.");
+            diagnostics.Add(Severity.Note, "setup.from_nozzle", $"The nozzle of {NumberFormatter.Format(Printer.NozzleDiameter, 4)} mm sets {sizes}.");
         var widths = ProfileKinds.Settings.Keys.Where(k => k.Name.EndsWith("line_width_mm", StringComparison.Ordinal));
         if (Settings.BeadShape == BeadShape.Stadium && widths.FirstOrDefault(IsNarrow) is { } narrow)
             diagnostics.Add(Severity.Error, "setup.narrow_bead",
@@ -137,8 +137,6 @@ public sealed record PrintSetup
         if (Printer.NozzleDiameter == PrintSettings.UsualNozzle) return "";
         var given = Settings.AsGiven;
         var sizes = ProfileKinds.Settings.KeysOf("line_width_mm", "layer_height_mm", "first_layer_height_mm");
-        return string.Join(", ", sizes.Where(k => k.Get(given) is 0.0).Select(k => k.Name + "=" + Text((double)k.Get(Settings))));
+        return string.Join(", ", sizes.Where(k => k.Get(given) is 0.0).Select(k => k.Name + "=" + NumberFormatter.Format((double)k.Get(Settings), 4)));
     }
-
-    private static string Text(double size) => NumberFormatter.Format(size, 4);
 }

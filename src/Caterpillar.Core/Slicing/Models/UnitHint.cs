@@ -19,7 +19,6 @@ internal static class UnitHint
     }
 
     // Two decimals, or more for what is smaller.
-    private static string Times(Vec3 size, double unit) => string.Join(" × ", new[] { size.X, size.Y, size.Z }.Select(s => Length(s * unit)));
-
-    private static string Length(double mm) => NumberFormatter.Format(mm, mm < 0.1 ? 5 : 2);
+    private static string Times(Vec3 size, double unit) => string.Join(" × ", new[] { size.X, size.Y, size.Z }.Select(s => s * unit)
+        .Select(mm => NumberFormatter.Format(mm, mm < 0.1 ? 5 : 2)));
 }

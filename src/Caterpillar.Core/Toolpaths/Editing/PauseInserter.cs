@@ -7,8 +7,6 @@ internal static class PauseInserter
     /// <returns>The toolpath, or the error <c>toolpath.no_layer</c>.</returns>
     public static Result<Toolpath> PauseAtLayer(this Toolpath toolpath, int layer, Pause pause)
     {
-        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
-        if (pause is null) throw new ArgumentNullException(nameof(pause));
         PrinterEvent what = pause.Command.Length > 0 ? new RawEvent(pause.Command) : new PauseEvent();
         if (!(pause.Lift > 0)) return toolpath.InsertAtLayer(layer, what);
         foreach (var move in toolpath.Moves())

@@ -10,7 +10,6 @@ internal static class ToolpathArcs
     /// </summary>
     public static Toolpath FitArcs(this Toolpath toolpath, double tolerance = 0.02, double evenness = 0.02)
     {
-        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         var eventful = new HashSet<int>(toolpath.Events.Select(e => e.Move));
         var blocks = new List<ToolpathBlock>();
         var events = new List<MoveEvent>();

@@ -10,7 +10,6 @@ internal sealed record RoleTotals(Role Role, double Length, double? Area, double
     /// <summary>The sums of the roles of a toolpath, in the order of roles.</summary>
     public static IReadOnlyList<RoleTotals> Of(Toolpath toolpath)
     {
-        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         var count = Enum.GetValues(typeof(Role)).Length;
         var lengths = new double[count];
         var volumes = new double[count];

@@ -64,10 +64,10 @@ public sealed class TurtleCommand
     /// <summary>The command as a line of a script.</summary>
     public override string ToString()
     {
-        if (Action == TurtleAction.Repeat) return $"repeat {Number(_values[0])} [ {string.Join("; ", Body)} ]";
+        if (Action == TurtleAction.Repeat) return $"repeat {NumberFormatter.Format(_values[0], 12)} [ {string.Join("; ", Body)} ]";
         var words = new List<string> { TurtleCommands.Of(Action).Name };
         if (Text.Length > 0) words.Add("\"" + Text + "\"");
-        words.AddRange(_values.Select(v => double.IsNaN(v) ? "keep" : Number(v)));
+        words.AddRange(_values.Select(v => double.IsNaN(v) ? "keep" : NumberFormatter.Format(v, 12)));
         return string.Join(" ", words);
     }
 
@@ -174,9 +174,7 @@ public sealed class TurtleCommand
 
     internal static int Integer(double value)
         => Math.Abs(value) <= 1e9 && value == Math.Floor(value) ? (int)value
-            : throw new ArgumentOutOfRangeException(nameof(value), $"Found {Number(value)}, expected an integer.");
-
-    private static string Number(double value) => NumberFormatter.Format(value, 12);
+            : throw new ArgumentOutOfRangeException(nameof(value), $"Found {NumberFormatter.Format(value, 12)}, expected an integer.");
 
     private static double At(double[] values, int index) => index < values.Length ? values[index] : double.NaN;
 }

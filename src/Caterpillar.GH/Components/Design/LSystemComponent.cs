@@ -23,7 +23,7 @@ public sealed class LSystemComponent() : CaterpillarComponent(
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new TurtleProgramParam(), "Program", "P", "Turtle program.");
+        ports.Add(new TurtleProgramParam(), "Program", "P", "Turtle program that draws the word, for Turtle.");
         ports.Text("Text", "T", "Grown word. Long words are cut off.");
         ports.Diagnostics();
     }

@@ -14,7 +14,7 @@ public abstract class TraceComponent(string name, string nickname, string descri
         ports.Setup("Used for the default bead. Default: generic.");
     }
 
-    private protected sealed override void Outputs(OutputPorts ports) => ports.Add(new PrintPathParam(), "Print Path", "P", "Print path.");
+    private protected sealed override void Outputs(OutputPorts ports) => ports.Add(new PrintPathParam(), "Print Path", "P", "Print path of the trace.");
 
     private protected abstract void ShapePorts(InputPorts ports);
 

@@ -4,7 +4,7 @@ namespace Caterpillar.GH.Components.Design;
 public abstract class TurtleCommandComponent(string name, string nickname, string description)
     : ChosenPortsComponent(name, nickname, description, Panel.Design, GH_Exposure.secondary)
 {
-    private protected sealed override void Outputs(OutputPorts ports) => ports.Add(new TurtleCommandParam(), "Command", "C", "Turtle command.");
+    private protected sealed override void Outputs(OutputPorts ports) => ports.Add(new TurtleCommandParam(), "Command", "C", "Command, for Turtle Program.");
 
     private protected sealed override void Solve(Run run) => run.Set(0, new TurtleCommandGoo { Value = Command(run) });
 

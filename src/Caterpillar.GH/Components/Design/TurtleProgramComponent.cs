@@ -16,7 +16,7 @@ public sealed class TurtleProgramComponent() : CaterpillarComponent(
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new TurtleProgramParam(), "Program", "P", "Turtle program.");
+        ports.Add(new TurtleProgramParam(), "Program", "P", "Turtle program, for Turtle.");
         ports.Diagnostics();
     }
 

@@ -21,7 +21,7 @@ public sealed class ConstructToolpathComponent() : CaterpillarComponent(
             => ports.Add(param, name, nick, description, GH_ParamAccess.tree, optional);
     }
 
-    private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath.");
+    private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath of the points, in their order.");
 
     private protected override void Solve(Run run)
     {

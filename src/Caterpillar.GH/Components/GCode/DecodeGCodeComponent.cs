@@ -20,7 +20,7 @@ public sealed class DecodeGCodeComponent() : CaterpillarComponent(
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath.");
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "Moves of the file with their roles, layers and lines.");
         ports.Add(new GCodeParam(), "G-code", "G", "G-code of the file, byte for byte.");
         ports.Text("Settings", "S", "Slicer settings in the comments of the file, as key=value.", GH_ParamAccess.list);
         ports.Text("Flavor", "Fl", "G-code flavor used for decoding.");

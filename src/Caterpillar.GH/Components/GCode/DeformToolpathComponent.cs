@@ -17,7 +17,7 @@ public sealed class DeformToolpathComponent() : ChosenPortsComponent(
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "Deformed toolpath.");
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath with the selected extrusions deformed.");
         ports.Diagnostics();
     }
 

@@ -16,7 +16,7 @@ public sealed class EditToolpathComponent() : CaterpillarComponent(
             "Transformation of the selected extrusions. Start and end G-code keep their position.", optional: true);
     }
 
-    private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "Changed toolpath.");
+    private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath with the selected moves changed.");
 
     private protected override void Solve(Run run)
     {

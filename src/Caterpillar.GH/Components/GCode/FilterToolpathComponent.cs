@@ -14,7 +14,7 @@ public sealed class FilterToolpathComponent() : CaterpillarComponent(
         ports.Boolean("Remove", "Re", "Remove the selected moves instead of keeping only them.", false);
     }
 
-    private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "Remaining toolpath.");
+    private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath of the moves that remain.");
 
     private protected override void Solve(Run run)
     {

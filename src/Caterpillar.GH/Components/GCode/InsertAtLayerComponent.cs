@@ -29,7 +29,7 @@ public sealed class InsertAtLayerComponent() : CaterpillarComponent(
         ports.Text("Text", "Tx", "Message of a pause, comment, or line of G-code.", "");
     }
 
-    private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "Changed toolpath.");
+    private protected override void Outputs(OutputPorts ports) => ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath with what is inserted.");
 
     private protected override void Solve(Run run)
     {

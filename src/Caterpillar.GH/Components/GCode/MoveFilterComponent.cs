@@ -17,7 +17,7 @@ public sealed class MoveFilterComponent() : CaterpillarComponent(
         ports.Geometry("Box", "B", "Geometry whose bounding box contains the end points of the moves to select. Default: no limit.", optional: true);
     }
 
-    private protected override void Outputs(OutputPorts ports) => ports.Add(new MoveFilterParam(), "Filter", "F", "Selected moves.");
+    private protected override void Outputs(OutputPorts ports) => ports.Add(new MoveFilterParam(), "Filter", "F", "Selection, for Edit Toolpath and others.");
 
     private protected override void Solve(Run run)
     {

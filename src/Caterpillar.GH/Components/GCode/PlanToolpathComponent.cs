@@ -16,7 +16,7 @@ public sealed class PlanToolpathComponent() : CaterpillarComponent(
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new ToolpathParam(), "Toolpath", "T", "Toolpath.");
+        ports.Add(new ToolpathParam(), "Toolpath", "T", "All moves in order: extrusions, travel moves and retractions.");
         ports.Diagnostics();
     }
 

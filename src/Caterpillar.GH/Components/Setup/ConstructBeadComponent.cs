@@ -20,7 +20,7 @@ public sealed class ConstructBeadComponent() : CaterpillarComponent(
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new BeadParam(), "Bead", "B", "Bead.");
+        ports.Add(new BeadParam(), "Bead", "B", "Size and speed of an extrusion, for Construct Print Path, Turtle and traces.");
         ports.Number("Area", "A", "Area of the cross-section, in mm².");
         ports.Number("E Factor", "E", "Filament length per mm of path, in mm.");
     }

@@ -11,9 +11,9 @@ public sealed class DeconstructSetupComponent() : CaterpillarComponent(
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new PrinterParam(), "Printer", "P", "Printer.");
+        ports.Add(new PrinterParam(), "Printer", "P", "Printer of the setup.");
         ports.Add(new MaterialParam(), "Material", "M", "Material of each tool.", GH_ParamAccess.list);
-        ports.Add(new SettingsParam(), "Settings", "S", "Print settings.");
+        ports.Add(new SettingsParam(), "Settings", "S", "Print settings of the setup.");
         ports.Add(new Param_Mesh { Hidden = true }, "Printed On", "O", "Objects on the bed to print on, as one mesh. Null if none.");
         ports.Curve("Bed", "B", "Outline of the bed.");
         ports.Text("Keys", "K", "Keys of settings, printer and material. They include the unit.", GH_ParamAccess.list);

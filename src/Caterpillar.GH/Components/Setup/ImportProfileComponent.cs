@@ -19,7 +19,7 @@ public sealed class ImportProfileComponent() : CaterpillarComponent(
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new PrinterParam(), "Printer", "P", "Printer.");
+        ports.Add(new PrinterParam(), "Printer", "P", "Printer that the file is for.");
         ports.Add(new MaterialParam(), "Material", "M", "Material with the temperatures of the start code, in °C.");
         ports.Point("Start", "S", "Nozzle position after the start code. Null if it is not known.");
         ports.Add(new SettingsParam(), "Settings", "Se", "Print settings, if the file has them.");

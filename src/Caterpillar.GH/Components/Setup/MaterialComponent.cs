@@ -24,7 +24,7 @@ public sealed class MaterialComponent() : KeyPortsComponent<Material>(
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new MaterialParam(), "Material", "M", "Material.");
+        ports.Add(new MaterialParam(), "Material", "M", "Material, for Print Setup.");
         ports.Diagnostics();
     }
 

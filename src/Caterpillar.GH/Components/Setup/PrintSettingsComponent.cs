@@ -25,7 +25,7 @@ public sealed class PrintSettingsComponent() : KeyPortsComponent<PrintSettings>(
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new SettingsParam(), "Settings", "S", "Print settings.");
+        ports.Add(new SettingsParam(), "Settings", "S", "Print settings, for Print Setup.");
         ports.Diagnostics();
     }
 

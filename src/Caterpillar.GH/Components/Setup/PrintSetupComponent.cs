@@ -22,7 +22,7 @@ public sealed class PrintSetupComponent() : ProfileComponent(
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new SetupParam(), "Setup", "Se", "Print setup.");
+        ports.Add(new SetupParam(), "Setup", "Se", "Print setup, for slicers, Turtle, Plan Toolpath, Check and Generate G-code.");
         ports.Diagnostics();
     }
 

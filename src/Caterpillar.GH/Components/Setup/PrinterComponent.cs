@@ -32,7 +32,7 @@ public sealed class PrinterComponent() : KeyPortsComponent<Printer>(
 
     private protected override void Outputs(OutputPorts ports)
     {
-        ports.Add(new PrinterParam(), "Printer", "P", "Printer.");
+        ports.Add(new PrinterParam(), "Printer", "P", "Printer, for Print Setup.");
         ports.Curve("Bed", "B", "Outline of the bed.");
         ports.Diagnostics();
     }

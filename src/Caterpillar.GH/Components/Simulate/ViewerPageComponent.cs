@@ -19,7 +19,7 @@ public sealed class ViewerPageComponent() : CaterpillarComponent(
     private protected override void Inputs(InputPorts ports)
     {
         ports.Toolpath();
-        ports.Target("File", "F", "Page to write. Relative paths start at the folder of the definition.", "Page|*.html");
+        ports.Target("File", "F", "Page (.html) or script (.js) to write. Relative paths start at the folder of the definition.", "Page|*.html|Script|*.js");
         ports.Boolean("Save", "S", "Saves the page when this changes from false to true. Connect a button.", false);
         ports.Boolean("Overwrite", "O", "Overwrite an existing file.", false);
         ports.Boolean("Open", "Op", "Opens the saved page in the browser when this changes from false to true. Connect a button.", false);

@@ -22,6 +22,10 @@ function eventValues(moves, head, name) {
   return values;
 }
 
+const toolColors = ["#e07b39", "#3b7dd8", "#4ca64c", "#b04fb0", "#c9a227", "#2aa6a6", "#c0392b", "#7f8c8d"];
+
+const toolsOf = (moves) => [...new Set(moves.tool)].sort((a, b) => a - b);
+
 // What colors can show. A category has names and colors of its own, all others run over a scale.
 function colorings(moves, head) {
   const map = (f) => {
@@ -29,8 +33,7 @@ function colorings(moves, head) {
     for (let i = 0; i < moves.rows; i++) values[i] = f(i);
     return values;
   };
-  const toolColors = ["#e07b39", "#3b7dd8", "#4ca64c", "#b04fb0", "#c9a227", "#2aa6a6", "#c0392b", "#7f8c8d"];
-  const tools = [...new Set(moves.tool)].sort((a, b) => a - b);
+  const tools = toolsOf(moves);
   const list = [
     { id: "role", name: "Role", of: (i) => moves.role[i], category: head.roles },
     { id: "speed", name: "Speed", unit: "mm/s", of: (i) => moves.speed[i] },
@@ -52,6 +55,43 @@ function colorings(moves, head) {
     coloring.values = () => (values ??= coloring.lazy ? coloring.lazy() : map(coloring.of));
   }
   return list.filter((c) => !lacks(c));
+}
+
+// Colors of filaments by tool, and where others are loaded, from the comments of slicers and from M600.
+function filamentsIn(lines) {
+  const colors = { filament: [], extruder: [] }, changes = [];
+  const semicolon = 59, letterM = 77;
+  let announced = {};
+  for (let line = 1; line <= lines.count; line++) {
+    const first = lines.byte(line);
+    if (first !== semicolon && first !== letterM) continue;
+    const text = lines.text(line), named = /^;\s*(filament|extruder)_colou?r\s*=(.*)/i.exec(text);
+    const change = /^;\s*COLOR_CHANGE\b(?:,T(\d+))?(?:,(#[0-9a-f]{6}))?/i.exec(text);
+    if (named) colors[named[1].toLowerCase()] = named[2].split(";").map((color) => /#[0-9a-f]{6}/i.exec(color)?.[0]);
+    else if (change) announced = { tool: change[1] && Number(change[1]), color: change[2] };
+    else if (/^M600\b/.test(text)) {
+      changes.push({ ...announced, line });
+      announced = {};
+    }
+  }
+  return { colors: colors.filament.map((color, i) => colors.extruder[i] ?? color), changes };
+}
+
+// The colors that are really seen, if the file names any: of each tool, and after each change.
+function filamentColoring(moves, head, { colors, changes }) {
+  if (!changes.length && !colors.some(Boolean)) return null;
+  const tools = toolsOf(moves), values = new Float32Array(moves.rows), loaded = new Map(tools.map((tool, i) => [tool, i]));
+  const category = tools.map((tool, i) => [`T${tool}`, colors[tool] ?? toolColors[i % toolColors.length]]), found = [];
+  for (let i = 0; i < moves.rows; i++) {
+    while (found.length < changes.length && moves.line[i] > changes[found.length].line) {
+      const { tool = moves.tool[i], color = toolColors[category.length % toolColors.length] } = changes[found.length];
+      loaded.set(tool, category.length);
+      category.push([`T${tool} from Z ${number(moves.z[i], 3)} mm`, color]);
+      found.push({ row: i, color });
+    }
+    values[i] = loaded.get(moves.tool[i]);
+  }
+  return { id: "filament", name: "Filament", category, values: () => values, changes: found };
 }
 
 function layerTimes(moves, head) {

@@ -121,15 +121,30 @@ function timeText(row) {
   return `${when}, ${layerText(row)}`;
 }
 
-// Pauses and changes of tools, as rows with a text. Changes in every layer would hide the slider.
-function marks() {
-  const pauses = head.events.filter((e) => e[1] === "pause").map((e) => [e[0], `Pause, ${timeText(Math.min(e[0], moves.rows - 1))}`]), changes = [];
+// Pauses and changes of tools and colors, as rows with a text and a color. Tools that change in every layer would hide the slider.
+function marks(changes = []) {
+  const colored = changes.map((c) => [c.row, `Color change, ${timeText(c.row)}`, c.color]), rows = new Set(changes.map((c) => c.row)), tools = [];
+  const pauses = head.events.filter((e) => e[1] === "pause").map((e) => Math.min(e[0], moves.rows - 1)).filter((row) => !rows.has(row))
+    .map((row) => [row, `Pause, ${timeText(row)}`]);
   for (let i = 1, tool = moves.tool[0]; i < moves.rows; i++) {
     if (moves.tool[i] === tool) continue;
     tool = moves.tool[i];
-    changes.push([i, `Tool T${tool}, ${timeText(i)}`]);
+    tools.push([i, `Tool T${tool}, ${timeText(i)}`, "var(--tool)"]);
   }
-  return [...pauses, ...(changes.length > 40 ? [] : changes)].slice(0, 1000);
+  return [...colored, ...pauses, ...(tools.length > 40 ? [] : tools)].slice(0, 1000);
+}
+
+// The comments of a file name the colors of its filaments. They are read when the print is shown.
+async function readFilaments() {
+  if (byId("codeSection").hidden) return;
+  await lines.load();
+  const coloring = filamentColoring(moves, head, filamentsIn(lines));
+  if (coloring) {
+    list.push(coloring);
+    byId("color").append(element("option", { value: coloring.id }, coloring.name));
+    movesRange.mark(marks(coloring.changes));
+    if (address.get("color") === coloring.id) recolor(coloring.id);
+  }
 }
 
 function setCut() {
@@ -163,7 +178,15 @@ function setMoment(row, part = 1) {
   showLines(r);
   const seconds = r > 0 ? moves.time[r - 1] + (moves.time[r] - moves.time[r - 1]) * part : moves.time[r] * part;
   byId("movesText").textContent = head.timed ? `${duration(seconds)} of ${duration(moves.time[moves.rows - 1])}` : `move ${moves.move[r]} of ${head.moves}`;
+  tell(r, seconds);
   redraw();
+}
+
+// A page that shows this one in a frame learns of the moment.
+function tell(row, seconds) {
+  if (window.parent === window) return;
+  const [index, height] = head.layers[moves.layer[row]] ?? [null, null];
+  window.parent.postMessage({ moment: { line: head.source === "line" ? moves.line[row] : null, move: moves.move[row], layer: index, height, seconds } }, "*");
 }
 
 // The lines of the file follow the moment, ten times a second at most.
@@ -380,41 +403,40 @@ function describe(row) {
   return `${role}, ${place}, ${number(moves.speed[row])} mm/s, ${number(moves.width[row], 3)} mm wide`;
 }
 
-// #color=speed&layers=0-10&at=0.5&view=-60,28&show=travel,seams&dark
+// #color=speed&layers=0-10&at=0.5&view=-60,28&show=travel,seams&dark. Only what differs from the address before is done.
+let address = new URLSearchParams();
 function fromAddress() {
-  const values = new URLSearchParams(location.hash.slice(1));
-  if (values.has("light")) theme(false);
-  if (values.has("dark")) theme(true);
-  for (const id of (values.get("show") ?? "").split(",")) {
-    if (!(id in switches)) continue;
-    byId(id).checked = true;
-    flip(id);
-  }
-  for (const id of (values.get("hide") ?? "").split(",")) {
-    if (!(id in switches)) continue;
-    byId(id).checked = false;
-    flip(id);
+  const before = address, values = address = new URLSearchParams(location.hash.slice(1));
+  const isNew = (key) => values.has(key) && values.get(key) !== before.get(key);
+  if (isNew("light")) theme(false);
+  if (isNew("dark")) theme(true);
+  for (const [key, on] of [["show", true], ["hide", false]]) {
+    const [now, then] = [values, before].map((from) => (from.get(key) ?? "").split(",").filter((id) => id in switches));
+    for (const id of new Set([...now, ...then])) {
+      byId(id).checked = now.includes(id) === on;
+      flip(id);
+    }
   }
   if (moves) {
-    if (values.has("color")) recolor(values.get("color"));
-    if (values.has("layers")) {
+    if (isNew("color")) recolor(values.get("color"));
+    if (isNew("layers")) {
       const [first, last] = values.get("layers").split("-").map(Number);
       const top = Math.max(heights.length - 1, 0);
       setLayers(Math.min(Math.max(first || 0, 0), top), Math.min(Math.max(last ?? first ?? top, first || 0), top));
     }
-    if (values.has("at")) {
+    if (isNew("at")) {
       const part = Math.min(Math.max(Number(values.get("at")) || 0, 0), 1);
       setMoment(...momentAt(part * (head.timed ? moves.time[moves.rows - 1] : moves.rows - 1)));
     }
-    if (values.has("line")) goTo({ line: Number(values.get("line")) });
-    if (values.has("cut")) {
+    if (isNew("line")) goTo({ line: Number(values.get("line")) });
+    if (isNew("cut")) {
       const [axis, place] = values.get("cut").split(",");
       byId("cutAxis").value = { x: "0", y: "1" }[axis.toLowerCase()] ?? "";
       cutRange.set(Math.min(Math.max(Math.round((Number(place) || 0.5) * 1000), 0), 1000));
       setCut();
     }
   }
-  if (values.has("view")) {
+  if (isNew("view")) {
     const [azimuth, elevation] = values.get("view").split(",").map(Number);
     camera.look(azimuth || 0, elevation || 0);
   }
@@ -493,12 +515,14 @@ async function start() {
   }, [[], []]));
   camera.look(-60, 28);
   fromAddress();
+  window.addEventListener("hashchange", fromAddress);
   frames = new Frames(scene, camera, state);
   redraw();
   byId("message").hidden = true;
   document.documentElement.dataset.state = "ready";
   console.info("ready");
   document.documentElement.dataset.beads = String(scene.lists.beads?.count ?? 0);
+  await readFilaments();
 }
 
 function cover() {

@@ -12,7 +12,7 @@ function number(value, decimals = 2) {
 }
 
 function duration(seconds) {
-  const whole = Math.round(seconds);
+  const whole = seconds < 3600 ? Math.round(seconds) : Math.round(seconds / 60) * 60;
   const [h, m, s] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60, whole % 60];
   return h > 0 ? `${h} h ${m} min` : m > 0 ? `${m} min ${s} s` : `${number(seconds, seconds < 10 ? 1 : 0)} s`;
 }
@@ -147,6 +147,10 @@ class FileLines {
     for (let i = 0; i < this.bytes.length; i++) if (this.bytes[i] === 10 || (this.bytes[i] === 13 && this.bytes[i + 1] !== 10)) starts.push(i + 1);
     this.starts = starts;
   }
+
+  get count() { return this.starts.length; }
+
+  byte(line) { return this.bytes[this.starts[line - 1]]; }
 
   text(line) {
     const end = this.starts[line] ?? this.bytes.length;

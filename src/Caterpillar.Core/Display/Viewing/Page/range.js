@@ -55,12 +55,13 @@ class Range {
     this.greatest = Math.max(greatest, least);
   }
 
-  // Places that stand out, each a value with a text.
+  // Places that stand out, each a value with a text and maybe a color.
   mark(places) {
     for (const old of this.element.querySelectorAll(".mark")) old.remove();
     const size = Math.max(this.greatest - this.least, 1);
-    for (const [value, title] of places) {
+    for (const [value, title, color] of places) {
       const mark = Object.assign(document.createElement("div"), { className: "mark", title });
+      if (color) mark.style.background = color;
       mark.style.left = 100 * (value - this.least) / size + "%";
       this.element.insertBefore(mark, this.handles[0]);
     }

@@ -106,7 +106,7 @@ internal sealed class LineRewriter(LineStyle style, FlavorRules rules, Extrusion
     private void Axis(byte[] text, char letter, double target, double current, double unit, bool relative)
     {
         var word = _line.Find(letter);
-        var tolerance = Half(Decimals(style.DecimalsXyz, unit)) * unit;
+        var tolerance = 0.5 * NumberFormatter.FromUnits(1, Decimals(style.DecimalsXyz, unit)) * unit;
         if (word >= 0)
         {
             var says = relative ? current + _line.Values[word] * unit : _line.Values[word] * unit;
@@ -209,8 +209,6 @@ internal sealed class LineRewriter(LineStyle style, FlavorRules rules, Extrusion
 
     // An inch is coarser, and a cubic inch more so.
     private static int Decimals(int decimals, double unit) => unit > 1000 ? decimals + 5 : unit > 1 ? decimals + 2 : decimals;
-
-    private static double Half(int decimals) => 0.5 * NumberFormatter.FromUnits(1, decimals);
 
     private void Replace(int word, double value, int decimals) => _edits.Add(new Edit(_line.NumberAt[word], _line.NumberEnd[word], 0, value, decimals));
 

@@ -22,7 +22,6 @@ internal sealed record SectionReport(string Model, IReadOnlyList<SectionMeasure>
         string model, TriMesh mesh, IReadOnlyList<double> heights, SectionOptions? options = null,
         IProgress<double>? progress = null, CancellationToken cancel = default)
     {
-        if (model is null) throw new ArgumentNullException(nameof(model));
         options ??= new SectionOptions();
         var cut = MeshSections.At(mesh, heights, options, progress.Part(0, 0.7), cancel);
         var sections = cut.Value!;
