@@ -134,14 +134,14 @@ async function canvasToPrint() {
 async function remix() {
   const sliced = temporary("bracket.gcode"), twisted = temporary("twisted.gcode"), slow = temporary("slow.gcode"), view = "light&view=-50,22&hide=bed,nozzle";
   run("slice", join(root, "examples", "models", "bracket.stl"), "-o", sliced);
-  frames.push([await picture(`${viewOf(sliced, "bracket.gcode, from a slicer")}#${view}`, isReady, 2), stepTime]);
+  frames.push([await picture(`${viewOf(sliced, "bracket.gcode, from a slicer")}#${view}`, isReady, 1), stepTime]);
   for (let k = 1; k <= twistFrames; k++) {
     const formula = `r, theta + ${(twist * k / twistFrames).toFixed(2)}*z, z`;
     run("convert", sliced, "-o", twisted, "--deform", formula, "--axis", "center");
-    frames.push([await picture(`${viewOf(twisted, `--deform "${formula}"`)}#${view}`, isReady, 2), k < twistFrames ? printTime : stepTime]);
+    frames.push([await picture(`${viewOf(twisted, `--deform "${formula}"`)}#${view}`, isReady, 1), k < twistFrames ? printTime : stepTime]);
   }
   run("convert", twisted, "-o", slow, "--speed", "50%", "--first-layer", "125");
-  frames.push([await picture(`${viewOf(slow, "--speed 50% --first-layer 125")}#${view}&color=speed`, isReady, 2), lastTime]);
+  frames.push([await picture(`${viewOf(slow, "--speed 50% --first-layer 125")}#${view}&color=speed`, isReady, 1), lastTime]);
 }
 
 await (subject === "remix" ? remix() : canvasToPrint());

@@ -34,6 +34,8 @@ for runtime in "$@"; do
   rm -r "$out/$name/build"
   cp src/Caterpillar.Cli/README.md LICENSE THIRD-PARTY-NOTICES.md CHANGELOG.md "$out/$name/"
   cp "$(dotnet_notices)" "$out/$name/DOTNET-NOTICES.txt"
+  mkdir "$out/$name/examples"
+  cp -r examples/models examples/turtle examples/curves "$out/$name/examples/"
   find "$out/$name" -exec touch -d 2000-01-01T00:00:00Z {} +
   case $runtime in
     win-*) (cd "$out" && find "$name" -type f | LC_ALL=C sort | zip -qX "$name.zip" -@) ;;

@@ -7,12 +7,29 @@ public class ConvertTests : CliFixture
 {
     private const string File1 = "; head\nG21\nG90\nM82\nG92 E0\n;LAYER:0\nG1 X0 Y0 Z0.2 F1800\nG1 X10 E1\n;LAYER:1\nG1 Z0.4\nG1 X0 E2 ; back\n";
 
+    [TestCase("--speed", "70")]
+    [TestCase("--flow", "95")]
+    public void A_factor_that_is_meant_as_a_percentage_is_refused(string option, string value)
+    {
+        File.WriteAllText("a.gcode", File1);
+        var run = Run("convert", "a.gcode", "-o", "b.gcode", option, value);
+        Assert.That(run.Code, Is.EqualTo(2));
+        Assert.That(run.Messages, Does.Contain($"{option} needs a factor up to 10, or a percentage such as 70%."));
+    }
+
     [Test]
     public void Without_options_the_file_stays_as_it_is()
     {
         File.WriteAllText("a.gcode", File1);
         Assert.That(Run("convert", "a.gcode", "-o", "b.gcode").Code, Is.Zero);
         Assert.That(File.ReadAllText("b.gcode"), Is.EqualTo(File1));
+    }
+
+    [Test]
+    public void A_scale_may_be_a_percentage()
+    {
+        File.WriteAllText("a.gcode", File1);
+        Assert.That(Run("convert", "a.gcode", "-o", "-", "--scale", "200%").Text, Is.EqualTo(Run("convert", "a.gcode", "-o", "-", "--scale", "2").Text));
     }
 
     [Test]

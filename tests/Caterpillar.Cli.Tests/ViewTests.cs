@@ -114,13 +114,15 @@ public class ViewTests : CliFixture
     {
         const string Node = "/usr/bin/node";
         if (!File.Exists(Node)) Assert.Ignore("Skipped: no Node is installed, which drives the browser.");
-        File.WriteAllText("a.gcode", "; filament_colour = #123456\n" + Code.Replace(";LAYER:1\n", ";LAYER:1\n;COLOR_CHANGE,T0,#ABCDEF\nM600\n"));
+        const string Change = "G0 X10 Y10\nG0 X60 Y60\n;COLOR_CHANGE,T0,#ABCDEF\nM600\n";
+        File.WriteAllText("a.gcode", "; filament_colour = #123456\n" + Code.Replace(";LAYER:1\n", ";LAYER:1\n" + Change));
         Run("view", "a.gcode", "--printer", "generic");
         Run("view", "a.gcode", "-o", "a.js");
-        File.WriteAllText("host.html", "<!DOCTYPE html><title>Host</title><script src=\"a.js\"></script><caterpillar-viewer theme=\"light\"></caterpillar-viewer>");
+        File.WriteAllText("host.html", "<!DOCTYPE html><script src=\"a.js\"></script><caterpillar-viewer theme=\"light\"></caterpillar-viewer>");
         var script = Path.Combine(TestData.Repository, "tests", "Caterpillar.Cli.Tests", "viewer.mjs");
         var start = new ProcessStartInfo(Node) { RedirectStandardOutput = true };
-        foreach (var word in new[] { "--experimental-websocket", "--no-warnings", script, Browser(), Path.GetFullPath("a.html"), Path.GetFullPath("host.html") }) start.ArgumentList.Add(word);
+        string[] words = ["--experimental-websocket", "--no-warnings", script, Browser(), Path.GetFullPath("a.html"), Path.GetFullPath("host.html")];
+        foreach (var word in words) start.ArgumentList.Add(word);
         using var process = Process.Start(start)!;
         var faults = process.StandardOutput.ReadToEnd();
         process.WaitForExit();

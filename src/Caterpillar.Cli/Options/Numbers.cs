@@ -17,17 +17,13 @@ internal static class Numbers
         return new Vec3(numbers[0], numbers[1], numbers.Length > 2 ? numbers[2] : 0);
     }
 
-    /// <summary>A factor for all axes, or one for each.</summary>
-    public static Vec3 Scale(string text)
+    /// <summary>A factor or percentage for all axes, or one for each.</summary>
+    public static Vec3 Scale(string text) => text.Split(',').Select(part => Factor(part, "--scale", 1e-6)).ToArray() switch
     {
-        var scale = List(text, "--scale") switch
-        {
-            [var all] => new Vec3(all, all, all),
-            [var x, var y, var z] => new Vec3(x, y, z),
-            _ => throw new CliException(ExitCode.Usage, "--scale needs a factor, or three of them: X,Y,Z."),
-        };
-        return new Vec3(Factor(scale.X, "--scale", 1e-6), Factor(scale.Y, "--scale", 1e-6), Factor(scale.Z, "--scale", 1e-6));
-    }
+        [var all] => new Vec3(all, all, all),
+        [var x, var y, var z] => new Vec3(x, y, z),
+        _ => throw new CliException(ExitCode.Usage, "--scale needs a factor, or three of them: X,Y,Z."),
+    };
 
     /// <summary>The length of a unit in mm, from a number or a name; 1 if there is none.</summary>
     public static double Unit(string? text)
@@ -51,6 +47,11 @@ internal static class Numbers
         var plain = text.Trim();
         return plain.EndsWith('%') ? Factor(Number(plain[..^1], option) / 100, option, least) : Factor(Number(plain, option), option, least);
     }
+
+    /// <summary>The same for speed and flow, where 70 is meant as 70 %.</summary>
+    public static double Ratio(string text, string option, double least)
+        => Factor(text, option, least) is <= 10 and var ratio ? ratio
+            : throw new CliException(ExitCode.Usage, option + " needs a factor up to 10, or a percentage such as 70%.");
 
     public static double Factor(double value, string option, double least)
         => value >= least && value < 1e6 ? value

@@ -7,7 +7,7 @@ internal sealed class ToolpathEditOptions
     private readonly Described<string?> _speed = new("--speed", "Speed factor of the selected extrusions.", "FACTOR|%");
     private readonly Described<string?> _flow = new("--flow", "Flow factor of the selected extrusions.", "FACTOR|%");
     private readonly Described<string?> _scale = new("--scale",
-        "Scale the selection about the center of its base, with E.", "FACTOR|X,Y,Z");
+        "Scale the selection about the center of its base, with E.", "FACTOR|%|X,Y,Z");
     private readonly Described<double?> _turn = new("--rotate", "Rotate the selection about its center, counterclockwise from above.", "DEGREES");
     private readonly Described<string?> _move = new("--move", "Move the selection.", "X,Y,Z");
     private readonly Described<string?> _deform = new("--deform", "Deform the selection: formulas for the new x, y, z from the old, in mm.", "FORMULAS");
@@ -37,8 +37,8 @@ internal sealed class ToolpathEditOptions
         var edits = new FileEdits
         {
             Filter = _filter.Of(toolpath, arguments),
-            Speed = arguments.GetValue(_speed) is { } speed ? Numbers.Factor(speed, "--speed", 1e-6) : null,
-            Flow = arguments.GetValue(_flow) is { } flow ? Numbers.Factor(flow, "--flow", 0) : null,
+            Speed = arguments.GetValue(_speed) is { } speed ? Numbers.Ratio(speed, "--speed", 1e-6) : null,
+            Flow = arguments.GetValue(_flow) is { } flow ? Numbers.Ratio(flow, "--flow", 0) : null,
             Scale = arguments.GetValue(_scale) is { } scales ? Numbers.Scale(scales) : null,
             Move = arguments.GetValue(_move) is { } vector ? Numbers.Vector(vector, "--move") : null,
             Rotate = arguments.GetValue(_turn) is not { } turn || double.IsFinite(turn) ? arguments.GetValue(_turn)

@@ -432,7 +432,8 @@ function fromAddress() {
     if (isNew("cut")) {
       const [axis, place] = values.get("cut").split(",");
       byId("cutAxis").value = { x: "0", y: "1" }[axis.toLowerCase()] ?? "";
-      cutRange.set(Math.min(Math.max(Math.round((Number(place) || 0.5) * 1000), 0), 1000));
+      const part = parseFloat(place);
+      cutRange.set(Number.isNaN(part) ? 500 : Math.min(Math.max(Math.round(part * 1000), 0), 1000));
       setCut();
     }
   }

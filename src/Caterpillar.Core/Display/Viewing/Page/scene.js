@@ -92,8 +92,10 @@ void main() {
 
 const lineVertex = `#version 300 es
 ${fromTextures}
+out vec3 at;
 void main() {
-  gl_Position = matrix * vec4(point(int(rowAt(gl_VertexID / 2)) + gl_VertexID % 2).xyz, 1);
+  at = point(int(rowAt(gl_VertexID / 2)) + gl_VertexID % 2).xyz;
+  gl_Position = matrix * vec4(at, 1);
   // Travels run along the tops of extrusions; a little nearer they are seen.
   gl_Position.z -= 2e-4 * gl_Position.w;
 }`;
@@ -101,8 +103,10 @@ void main() {
 const markVertex = `#version 300 es
 ${fromTextures}
 uniform float size;
+out vec3 at;
 void main() {
-  gl_Position = matrix * vec4(point(int(rowAt(gl_VertexID))).xyz, 1);
+  at = point(int(rowAt(gl_VertexID))).xyz;
+  gl_Position = matrix * vec4(at, 1);
   gl_PointSize = size;
 }`;
 
@@ -110,13 +114,18 @@ const plainVertex = `#version 300 es
 layout(location = 0) in vec3 place;
 uniform mat4 matrix;
 uniform vec3 shift;
-void main() { gl_Position = matrix * vec4(place + shift, 1); }`;
+out vec3 at;
+void main() { at = place + shift; gl_Position = matrix * vec4(at, 1); }`;
 
 const plainFragment = `#version 300 es
 precision highp float;
-uniform vec4 tint;
+in vec3 at;
+uniform vec4 tint, cut;
 out vec4 result;
-void main() { result = tint; }`;
+void main() {
+  if (dot(at, cut.xyz) > cut.w) discard;
+  result = tint;
+}`;
 
 const solidVertex = `#version 300 es
 layout(location = 0) in vec3 place;
@@ -321,10 +330,11 @@ class Scene {
     gl.disable(gl.CULL_FACE);
   }
 
-  drawRows(program, name, camera, tint, mode, points, size) {
+  drawRows(program, name, camera, tint, cut, mode, points, size) {
     if (!this.lists[name]?.count) return;
     const gl = this.gl, uniforms = this.use(program, camera);
     gl.uniform4fv(uniforms.tint, tint);
+    gl.uniform4fv(uniforms.cut, cut);
     if (uniforms.size) gl.uniform1f(uniforms.size, size);
     gl.drawArrays(mode, 0, points * this.rowsOf(name, uniforms));
   }
@@ -334,6 +344,7 @@ class Scene {
     if (!mesh?.count) return;
     const gl = this.gl, uniforms = this.use(this.plain, camera);
     gl.uniform4fv(uniforms.tint, tint);
+    gl.uniform4fv(uniforms.cut, uncut);
     gl.uniform3fv(uniforms.shift, shift);
     gl.bindBuffer(gl.ARRAY_BUFFER, mesh.buffer);
     gl.enableVertexAttribArray(0);
@@ -399,12 +410,12 @@ class Scene {
     const gl = this.gl, ink = state.dark ? 1 : 0;
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
-    if (state.above) this.drawRows(this.lines, "above", camera, [ink, ink, ink, 0.25], gl.LINES, 2);
+    if (state.above) this.drawRows(this.lines, "above", camera, [ink, ink, ink, 0.25], state.cut, gl.LINES, 2);
     gl.disable(gl.BLEND);
-    if (state.travel) this.drawRows(this.lines, "travels", camera, [0.35, 0.5, 0.85, 1], gl.LINES, 2);
+    if (state.travel) this.drawRows(this.lines, "travels", camera, [0.35, 0.5, 0.85, 1], state.cut, gl.LINES, 2);
     gl.disable(gl.DEPTH_TEST);
-    if (state.retractions) this.drawRows(this.marks, "retractions", camera, [0.85, 0.2, 0.55, 1], gl.POINTS, 1, 5);
-    if (state.seams) this.drawRows(this.marks, "seams", camera, [ink, ink, ink, 1], gl.POINTS, 1, 5);
+    if (state.retractions) this.drawRows(this.marks, "retractions", camera, [0.85, 0.2, 0.55, 1], state.cut, gl.POINTS, 1, 5);
+    if (state.seams) this.drawRows(this.marks, "seams", camera, [ink, ink, ink, 1], state.cut, gl.POINTS, 1, 5);
     gl.enable(gl.DEPTH_TEST);
     if (state.model) this.drawSolid("model", camera, [0.62, 0.74, 0.6, 1], [0, 0, 0], state.cut);
     if (state.head && state.nozzle) {
