@@ -20,6 +20,9 @@ public class ManualCodeTests : CliFixture
     [
         ("README.md", "dotnet run ", "needs the SDK; the program that it runs is tested"),
         ("README.md", "./test.sh", "runs these tests"),
+        ("first-print.md", "tar xzf ", "needs an archive of a release"),
+        ("first-print.md", "$env:PATH", "needs PowerShell"),
+        ("first-print.md", "dotnet tool ", "needs the package of a release"),
         ("first-print.md", "dotnet publish ", "needs the SDK; the program that it makes is tested"),
         ("concepts.md", "model, turtle", "a drawing"),
         ("compute.md", "curl ", "needs a server with Rhino.Compute"),
@@ -36,7 +39,8 @@ public class ManualCodeTests : CliFixture
         ("tutorial-image.md", "sqrt(64", "the formula of examples/gh/globe_from_image.ghx"),
         ("turtle.md", "# a hexagonal", "TurtleManualTests runs it"),
         ("turtle.md", "start 110 110", "TurtleManualTests runs it"),
-        ("viewer.md", "<iframe ", "an element of a page"),
+        ("viewer.md", "<script ", "ViewTests shows it in a browser"),
+        ("viewer.md", "<p id", "ViewTests shows it in a browser"),
     ];
 
     // What new console projects import, and what the pages that show a few lines take as given.

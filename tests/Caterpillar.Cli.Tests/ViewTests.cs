@@ -118,7 +118,8 @@ public class ViewTests : CliFixture
         File.WriteAllText("a.gcode", "; filament_colour = #123456\n" + Code.Replace(";LAYER:1\n", ";LAYER:1\n" + Change));
         Run("view", "a.gcode", "--printer", "generic");
         Run("view", "a.gcode", "-o", "a.js");
-        File.WriteAllText("host.html", "<!DOCTYPE html><script src=\"a.js\"></script><caterpillar-viewer theme=\"light\"></caterpillar-viewer>");
+        var blocks = CodeBlock.OfManual().Where(b => b.Page == "viewer.md" && b.Language == "html").Select(b => b.Text);
+        File.WriteAllText("host.html", "<!DOCTYPE html>" + string.Concat(blocks).Replace("bracket.js", "a.js"));
         var script = Path.Combine(TestData.Repository, "tests", "Caterpillar.Cli.Tests", "viewer.mjs");
         var start = new ProcessStartInfo(Node) { RedirectStandardOutput = true };
         string[] words = ["--experimental-websocket", "--no-warnings", script, Browser(), Path.GetFullPath("a.html"), Path.GetFullPath("host.html")];

@@ -1,6 +1,6 @@
 // What a user meets on a page of the viewer, in a real browser: what is drawn and said for each choice, a phone and a desktop, light and dark, by keyboard
 // alone, and for screen readers. The page shows four beads in two layers, 0.2 and 0.4 mm high, with an outer wall.
-// The other page has the same print as an element.
+// The other page has the same print as an element, by the words of the manual.
 //   node --experimental-websocket viewer.mjs CHROMIUM PAGE.html HOST.html
 // Prints a line for each fault; no line is good. With PICTURES=FOLDER, it keeps a picture of each view.
 import { writeFileSync } from "node:fs";
@@ -67,15 +67,16 @@ async function element() {
   await value("(window.moments = [], document.querySelector('caterpillar-viewer').addEventListener('moment', (e) => moments.push(e.detail)))");
   const set = (key, to) => value(`document.querySelector('caterpillar-viewer').setAttribute("${key}", "${to}")`);
   await set("line", 9);
+  await page.until("document.getElementById('now').textContent === 'Line 9, layer 0'");
   await page.until("moments.some((m) => m.line === 9 && m.layer === 0 && m.height === 0.2)");
   const before = await picture();
-  await set("color", "speed");
+  await set("color", "layer");
   await set("at", 1);
   await page.until("moments.some((m) => m.layer === 1 && m.seconds > 0)");
   // The frame draws in a process of its own.
   for (let i = 0; before.equals(await picture()); i++) if (i === 25) return fault("draws the same with other attributes");
   const small = await value("document.querySelector('caterpillar-viewer').shadowRoot.querySelector('iframe').getBoundingClientRect().height");
-  if (small !== 600) fault(`is ${small} high`);
+  if (small !== 500) fault(`is ${small} high`);
 }
 
 // A cut hides travels, too.
