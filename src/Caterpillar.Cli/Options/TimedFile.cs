@@ -1,6 +1,6 @@
 namespace Caterpillar.Cli;
 
-/// <summary>The times of a file, with the motion limits of the given printer, else of the setup or of the slicer's settings in the file, else of the generic printer.</summary>
+/// <summary>The times of a file, with the limits of the given printer, else of the setup or the slicer in the file, else of the generic printer.</summary>
 internal sealed record TimedFile(Timeline Timeline, string Limits)
 {
     public static TimedFile Of(SetupOptions options, ParseResult arguments, DecodedGCode decoded, string name, Session session)
