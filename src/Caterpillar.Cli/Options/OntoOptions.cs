@@ -39,7 +39,7 @@ internal sealed class OntoOptions(string does = OntoOptions.Drawn)
     {
         options = options with { Squeeze = arguments.GetValue(_squeeze), Partial = arguments.GetValue(_partial) };
         if (arguments.GetValue(_onto) is not { } file) return options;
-        if (placed.Any(map => !map.IsUpright)) throw Usage("--onto: the object is on the bed and cannot be rotated about X and Y. Rotate the model beforehand.");
+        if (placed.Any(map => !map.IsUpright)) throw Usage("--onto: the object on the bed cannot be rotated about X and Y with the model.");
         var mesh = Meshes.ReadAsOne(file, session);
         var objects = placed.Select(map => mesh.Transformed(map with { Shift = map.Shift.WithZ(0) })).ToArray();
         session.Print(objects.Select(o => Place(o, file)).ToArray());
