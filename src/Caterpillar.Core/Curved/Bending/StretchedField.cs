@@ -5,7 +5,7 @@ namespace Caterpillar.Curved;
 /// the two main directions of the slopes, at each position by the root mean square of what the slopes there ask for: exact for tilted planes, waves and roofs
 /// that slope in one direction, and near to it for others. Amounts are reduced by as much as the plan grows.
 /// </summary>
-internal sealed class StretchedField(LayerField inner, SlopeSamples samples) : LayerField
+internal sealed class StretchedField(LayerField inner, SlopeSamples samples) : WrappedField(inner)
 {
     // Nodes along each axis, and levels of the field, between which the stretch is linear.
     private const int Nodes = 33;
@@ -20,10 +20,6 @@ internal sealed class StretchedField(LayerField inner, SlopeSamples samples) : L
     private readonly double _step = samples.Step;
     private readonly (AxisStretch U, AxisStretch V)[] _axes = [.. Enumerable.Range(0, Levels).Select(samples.Axes)];
 
-    public override double Detail => inner.Detail;
-
-    public override bool StartsLevel => inner.StartsLevel;
-
     /// <summary>The field itself if its layers are almost level or it already bends the plan.</summary>
     public static LayerField Of(LayerField field, PartColumns part)
     {
@@ -32,20 +28,12 @@ internal sealed class StretchedField(LayerField inner, SlopeSamples samples) : L
         return samples is not null && samples.Most - 1 > Least ? new StretchedField(field, samples) : field;
     }
 
-    public override double Value(Vec3 point) => inner.Value(point);
-
-    public override double Height(double x, double y, double value) => inner.Height(x, y, value);
-
-    public override bool Covers(double x, double y) => inner.Covers(x, y);
-
-    public override Vec3 Normal(Vec3 point) => inner.Normal(point);
-
-    public override Vec3 ToFlat(Vec3 point) => Stretched(point.WithZ(inner.Value(point)));
+    public override Vec3 ToFlat(Vec3 point) => Stretched(point.WithZ(Inner.Value(point)));
 
     public override Vec3 ToPart(Vec3 flat)
     {
         var place = ToPlan(flat);
-        return place.WithZ(inner.Height(place.X, place.Y, flat.Z));
+        return place.WithZ(Inner.Height(place.X, place.Y, flat.Z));
     }
 
     /// <summary>The place in plan of a point among flat layers; its height stays the value of the field.</summary>
@@ -61,26 +49,18 @@ internal sealed class StretchedField(LayerField inner, SlopeSamples samples) : L
         => Region.From(region.Contours.Select(c => new Polyline(c.Points.Select(p => ToPlan(p.WithZ(value)).WithZ(0)), closed: true)).ToArray(),
             FillRule.NonZero);
 
-    internal override IReadOnlyList<double> Creases => inner.Creases;
-
     internal override bool BendsPlan => true;
 
     internal override TriMesh? FlatMesh(TriMesh mesh)
     {
-        var flat = inner.FlatMesh(mesh);
+        var flat = Inner.FlatMesh(mesh);
         return flat is null ? null : TriMesh.Own(Array.ConvertAll(flat.RawVertices, Stretched), flat.RawTriangles);
     }
-
-    internal override double Spread(Vec3 point) => inner.Spread(point);
-
-    internal override double Span(Vec3 step) => inner.Span(step);
-
-    internal override (double First, double Second) Heights(double x, double y, double first, double second) => inner.Heights(x, y, first, second);
 
     internal override LiftedPoint Lift(Vec3 flat, double thickness)
     {
         var place = ToPlan(flat);
-        var lifted = inner.Lift(place, thickness);
+        var lifted = Inner.Lift(place, thickness);
         var (u, v) = Turned(place);
         var (i, t) = LevelAt(flat.Z);
         var grown = Lerp(_axes[i].U.Stretch(u), _axes[i + 1].U.Stretch(u), t) * Lerp(_axes[i].V.Stretch(v), _axes[i + 1].V.Stretch(v), t);

@@ -1,68 +1,55 @@
 namespace Caterpillar.Curved;
 
 /// <summary>The field of a part, moved to copies of it: over each place, that of the nearest copy.</summary>
-internal sealed class CopiedField : LayerField
+internal sealed class CopiedField : WrappedField
 {
-    private readonly LayerField _inner;
     private readonly IReadOnlyList<NamedMesh> _copies;
     private readonly Footprint[] _outlines;
     private readonly Vec3[] _shifts;
 
-    public CopiedField(LayerField inner, IReadOnlyList<NamedMesh> copies)
+    public CopiedField(LayerField inner, IReadOnlyList<NamedMesh> copies) : base(inner)
     {
-        (_inner, _copies) = (inner, copies);
+        _copies = copies;
         _outlines = copies.Select(c => Footprint.Of(c.Mesh)).ToArray();
         _shifts = copies.Select(c => c.Placed.Shift - copies[0].Placed.Shift).ToArray();
     }
 
-    public override double Detail => _inner.Detail;
+    internal override double Spread(Vec3 point) => Inner.Spread(point - ShiftAt(point.X, point.Y));
 
-    public override bool StartsLevel => _inner.StartsLevel;
-
-    internal override IReadOnlyList<double> Creases => _inner.Creases;
-
-    internal override double? SolidAngle => _inner.SolidAngle;
-
-    internal override double Span(Vec3 step) => _inner.Span(step);
-
-    internal override double Spread(Vec3 point) => _inner.Spread(point - ShiftAt(point.X, point.Y));
-
-    internal override void Check(DiagnosticList problems) => _inner.Check(problems);
-
-    internal override LayerField ForPartial() => new CopiedField(_inner.ForPartial(), _copies);
+    internal override LayerField ForPartial() => new CopiedField(Inner.ForPartial(), _copies);
 
     internal override LayerField FitTo(PartColumns part, PrintSettings settings, DiagnosticList problems)
-        => new CopiedField(_inner.FitTo(PartColumns.Of([_copies[0].Mesh]), settings, problems), _copies);
+        => new CopiedField(Inner.FitTo(PartColumns.Of([_copies[0].Mesh]), settings, problems), _copies);
 
     internal override TriMesh? FlatMesh(TriMesh mesh)
     {
         for (var i = 0; i < _copies.Count; i++)
         {
-            if (ReferenceEquals(_copies[i].Mesh, mesh)) return _inner.FlatMesh(_copies[0].Mesh)?.Moved(_shifts[i]);
+            if (ReferenceEquals(_copies[i].Mesh, mesh)) return Inner.FlatMesh(_copies[0].Mesh)?.Moved(_shifts[i]);
         }
         return null;
     }
 
-    public override double Value(Vec3 point) => _inner.Value(point - ShiftAt(point.X, point.Y));
+    public override double Value(Vec3 point) => Inner.Value(point - ShiftAt(point.X, point.Y));
 
     public override double Height(double x, double y, double value)
     {
         var shift = ShiftAt(x, y);
-        return _inner.Height(x - shift.X, y - shift.Y, value);
+        return Inner.Height(x - shift.X, y - shift.Y, value);
     }
 
     public override bool Covers(double x, double y)
     {
         var shift = ShiftAt(x, y);
-        return _inner.Covers(x - shift.X, y - shift.Y);
+        return Inner.Covers(x - shift.X, y - shift.Y);
     }
 
-    public override Vec3 Normal(Vec3 point) => _inner.Normal(point - ShiftAt(point.X, point.Y));
+    public override Vec3 Normal(Vec3 point) => Inner.Normal(point - ShiftAt(point.X, point.Y));
 
     internal override (double First, double Second) Heights(double x, double y, double first, double second)
     {
         var shift = ShiftAt(x, y);
-        return _inner.Heights(x - shift.X, y - shift.Y, first, second);
+        return Inner.Heights(x - shift.X, y - shift.Y, first, second);
     }
 
     private Vec3 ShiftAt(double x, double y)
