@@ -42,13 +42,8 @@ internal sealed class InfillAlong
             var source = new SourceLocation(Key: "--infill-along");
             var byX = session.ValueOrFail(PlanSurface.Formula(x, source), ExitCode.Usage);
             var byY = session.ValueOrFail(PlanSurface.Formula(y, source), ExitCode.Usage);
-            return SurfaceLines.Along(surface, plan, Direction, spacing, session.Cancel);
-
-            Vec3 Direction(Vec3 p)
-            {
-                var d = back.Apply(p);
-                return placed.ApplyDirection(new Vec3(byX.Height(d.X, d.Y), byY.Height(d.X, d.Y))).WithZ(0);
-            }
+            Vec3 Direction(Vec3 d) => new(byX.Height(d.X, d.Y), byY.Height(d.X, d.Y));
+            return SurfaceLines.Along(surface, plan, p => placed.ApplyDirection(Direction(back.Apply(p))), spacing, session.Cancel);
         }
         if (!File.Exists(text))
             throw new CliException(ExitCode.Usage, $"--infill-along {text}: expected curvature, across, both, two formulas \"DX; DY\", or a file of curves.");

@@ -23,11 +23,8 @@ internal sealed class CopiedField : WrappedField
 
     internal override TriMesh? FlatMesh(TriMesh mesh)
     {
-        for (var i = 0; i < _copies.Count; i++)
-        {
-            if (ReferenceEquals(_copies[i].Mesh, mesh)) return Inner.FlatMesh(_copies[0].Mesh)?.Moved(_shifts[i]);
-        }
-        return null;
+        var copy = _copies.ToList().FindIndex(c => ReferenceEquals(c.Mesh, mesh));
+        return copy < 0 ? null : Inner.FlatMesh(_copies[0].Mesh)?.Moved(_shifts[copy]);
     }
 
     public override double Value(Vec3 point) => Inner.Value(point - ShiftAt(point.X, point.Y));
