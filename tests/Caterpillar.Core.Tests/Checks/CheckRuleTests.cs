@@ -36,6 +36,15 @@ public class CheckRuleTests
         Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.Gap).Length, Is.EqualTo(found));
     }
 
+    [TestCase(Role.Infill, 1)]
+    [TestCase(Role.Support, 0)]
+    [TestCase(Role.SupportInterface, 0)]
+    public void Between_pieces_of_supports_there_is_no_gap(Role role, int found)
+    {
+        var print = new SmallPrint(50, 50, 0.2).Print(60, 50, 0.2, SmallPrint.Area, role).Go(60.5, 50, 0.2).Print(70, 50, 0.2, SmallPrint.Area, role);
+        Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.Gap).Length, Is.EqualTo(found));
+    }
+
     [Test]
     public void After_homing_a_extrusion_begins_anew_for_what_hangs()
     {

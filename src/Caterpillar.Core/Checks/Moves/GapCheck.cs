@@ -29,7 +29,9 @@ internal sealed class GapCheck(Findings findings) : IMoveCheck
         var along = move.End - move.Start;
         if (move.Kind == MoveKind.Print && move.Arc is null && move.Deposited > 0)
         {
-            if (_gap && move.Role == _role && Continues(_before, move.Start - _gapStart) && Continues(move.Start - _gapStart, along)) Report(move);
+            // Supports come in pieces.
+            var isOne = move.Role == _role && move.Role is not (Role.Support or Role.SupportInterface);
+            if (_gap && isOne && Continues(_before, move.Start - _gapStart) && Continues(move.Start - _gapStart, along)) Report(move);
             _before = along;
             _role = move.Role;
             _printed = true;

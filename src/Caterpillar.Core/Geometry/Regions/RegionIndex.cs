@@ -29,27 +29,43 @@ internal sealed class RegionIndex
         return onBoundary || winding > 0;
     }
 
-    /// <summary>Whether a segment comes within a distance of a point. In grid units.</summary>
-    public bool Reaches(double x, double y, double distance) => Tree.Levels > 0 && Reaches(x, y, distance, Tree.Levels - 1, 0);
-
-    private bool Reaches(double x, double y, double distance, int level, int node)
+    /// <summary>The segment nearest to a point and the place in it from 0 to 1; −1 if none is nearer than a distance. In grid units.</summary>
+    public (int Segment, double Share) Nearest(double x, double y, double distance)
     {
-        ref readonly var box = ref Tree.Boxes[Tree.LevelStart[level] + node];
-        if (x < box.MinX - distance || x > box.MaxX + distance || y < box.MinY - distance || y > box.MaxY + distance) return false;
+        var best = (Segment: -1, Share: 0.0, Square: distance * distance);
+        if (Tree.Levels > 0) Nearest(x, y, Tree.Levels - 1, 0, ref best);
+        return (best.Segment, best.Share);
+    }
+
+    private void Nearest(double x, double y, int level, int node, ref (int Segment, double Share, double Square) best)
+    {
+        if (SquareTo(x, y, level, node) >= best.Square) return;
         if (level > 0)
         {
-            return Reaches(x, y, distance, level - 1, 2 * node)
-                || (2 * node + 1 < Tree.LevelCount[level - 1] && Reaches(x, y, distance, level - 1, 2 * node + 1));
+            int near = 2 * node, far = near + 1;
+            if (far >= Tree.LevelCount[level - 1]) far = -1;
+            else if (SquareTo(x, y, level - 1, far) < SquareTo(x, y, level - 1, near)) (near, far) = (far, near);
+            Nearest(x, y, level - 1, near, ref best);
+            if (far >= 0) Nearest(x, y, level - 1, far, ref best);
+            return;
         }
         for (var i = Tree.LeafStart[node]; i < Tree.LeafStart[node + 1]; i++)
         {
             ref readonly var s = ref Segments[i];
             double dx = (double)s.Bx - s.Ax, dy = (double)s.By - s.Ay, px = x - s.Ax, py = y - s.Ay;
-            var along = Math.Max(0, Math.Min(1, (px * dx + py * dy) / (dx * dx + dy * dy)));
-            var (ex, ey) = (px - along * dx, py - along * dy);
-            if (ex * ex + ey * ey <= distance * distance) return true;
+            var share = Math.Min(Math.Max((px * dx + py * dy) / (dx * dx + dy * dy), 0), 1);
+            double ex = px - share * dx, ey = py - share * dy;
+            if (ex * ex + ey * ey < best.Square) best = (i, share, ex * ex + ey * ey);
         }
-        return false;
+    }
+
+    // Of the distance from a box.
+    private double SquareTo(double x, double y, int level, int node)
+    {
+        ref readonly var box = ref Tree.Boxes[Tree.LevelStart[level] + node];
+        var dx = Math.Max(Math.Max(box.MinX - x, x - box.MaxX), 0);
+        var dy = Math.Max(Math.Max(box.MinY - y, y - box.MaxY), 0);
+        return dx * dx + dy * dy;
     }
 
     private int Winding(double x, double y, int level, int node, ref bool onBoundary)

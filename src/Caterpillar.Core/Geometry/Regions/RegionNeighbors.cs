@@ -89,10 +89,12 @@ internal static class RegionNeighbors
         return !small.Paths.Any(path => region.Index.Contains(path[0].X, path[0].Y)) && !near.Paths.Any(path => small.Index.Contains(path[0].X, path[0].Y));
     }
 
-    /// <summary>Whether the region has no point within a distance, mm, of a place, in mm.</summary>
-    public static bool IsFartherThan(this Region region, double distance, Vec3 place)
+    /// <summary>The point of the boundary nearest to a place, in mm and at its height; null if none is nearer than a distance, mm.</summary>
+    public static Vec3? NearestEdge(this Region region, Vec3 place, double within = double.PositiveInfinity)
     {
-        double x = place.X * Grid.PerMm, y = place.Y * Grid.PerMm;
-        return !region.Index.Contains(x, y) && !region.Index.Reaches(x, y, distance * Grid.PerMm);
+        var (segment, share) = region.Index.Nearest(place.X * Grid.PerMm, place.Y * Grid.PerMm, within * Grid.PerMm);
+        if (segment < 0) return null;
+        ref readonly var s = ref region.Index.Segments[segment];
+        return (new Vec3(s.Ax + share * ((double)s.Bx - s.Ax), s.Ay + share * ((double)s.By - s.Ay)) / Grid.PerMm).WithZ(place.Z);
     }
 }

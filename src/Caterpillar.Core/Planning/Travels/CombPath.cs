@@ -46,22 +46,7 @@ internal sealed class CombPath(double inset)
     private Vec3? Entry(Vec3 at, Region region)
     {
         if (_inner.Contains(at.X, at.Y)) return at;
-        Vec3? best = null;
-        var least = 4 * inset * inset;
-        foreach (var contour in _inner.Contours)
-        {
-            for (var i = 0; i < contour.Count; i++)
-            {
-                Vec3 p = contour[i], q = contour[i + 1 == contour.Count ? 0 : i + 1];
-                double dx = q.X - p.X, dy = q.Y - p.Y, px = at.X - p.X, py = at.Y - p.Y, square = dx * dx + dy * dy;
-                var t = square > 0 ? Math.Min(1, Math.Max(0, (px * dx + py * dy) / square)) : 0;
-                double ex = px - t * dx, ey = py - t * dy;
-                if (ex * ex + ey * ey >= least) continue;
-                least = ex * ex + ey * ey;
-                best = new Vec3(p.X + t * dx, p.Y + t * dy, at.Z);
-            }
-        }
-        return best is { } near && region.ContainsLine(at, near) ? near : null;
+        return _inner.NearestEdge(at, 2 * inset) is { } near && region.ContainsLine(at, near) ? near : null;
     }
 
     // Adds the points between a and b: from each place where the line leaves the region along its contour to where the line last crosses that.

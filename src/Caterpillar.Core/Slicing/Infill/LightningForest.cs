@@ -13,13 +13,11 @@ internal sealed class LightningForest(double reach)
     private List<Vec3> _oldPlaces = [];
     private List<int> _oldParents = [];
     private Region _area = Region.Empty;
-    private BoundaryIndex _boundary = new(Region.Empty);
 
     /// <summary>Goes on to the area of the layer below; nodes move by at most <paramref name="lean"/> mm.</summary>
     public void Descend(Region area, double lean)
     {
         _area = area;
-        _boundary = new BoundaryIndex(area);
         (_oldPlaces, _places) = (_places, _oldPlaces);
         (_oldParents, _parents) = (_parents, _oldParents);
         _places.Clear();
@@ -54,7 +52,7 @@ internal sealed class LightningForest(double reach)
                 continue;
             }
             // A root, or what has lost its root to a wall.
-            var ground = _boundary.Nearest(place);
+            var ground = _area.NearestEdge(place) ?? place;
             now[i] = ground.DistanceTo(_oldPlaces[i]) <= Math.Max(lean, 1e-6) ? Add(ground, -1) : Branch(ground, place, -1);
         }
     }
@@ -119,7 +117,7 @@ internal sealed class LightningForest(double reach)
         }
         var mean = sum / children;
         // Roots slide towards the foot of what they carry, the rest towards the straight line.
-        var goal = parent < 0 ? _boundary.Nearest(mean) : (_oldPlaces[parent] + mean) / 2;
+        var goal = parent < 0 ? _area.NearestEdge(mean) ?? mean : (_oldPlaces[parent] + mean) / 2;
         var move = goal - place;
         var distance = move.LengthXY;
         place = distance <= lean ? goal : place + move * (lean / distance);
@@ -134,7 +132,7 @@ internal sealed class LightningForest(double reach)
             for (var k = Math.Ceiling(row.From.X / _step); k * _step <= row.To.X; k++)
             {
                 var place = new Vec3(k * _step, row.From.Y);
-                var ground = _boundary.Nearest(place);
+                var ground = _area.NearestEdge(place) ?? place;
                 var distance = ground.DistanceTo(place);
                 if (distance > reach && _area.Contains(place.X, place.Y)) places.Add((place, distance, ground));
             }

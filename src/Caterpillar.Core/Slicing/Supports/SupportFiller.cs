@@ -13,8 +13,8 @@ internal sealed class SupportFiller(SupportLevel level, PrintSettings settings, 
     // mm; nobody sees how closely supports follow their outline.
     private const double Coarse = 0.03;
 
-    // mm; half of the distance between supports over which nothing is retracted.
-    private const double Threads = 5;
+    // mm; so far from supports nothing is retracted.
+    private const double Threads = 15;
 
     private readonly RegionEngine _engine = tools.Engine;
     private readonly SliceRules _rules = level.Work.Rules;
@@ -35,10 +35,14 @@ internal sealed class SupportFiller(SupportLevel level, PrintSettings settings, 
     /// <summary>The steps that print the supports.</summary>
     public List<PathStep> Fill()
     {
-        _reach = level.Pieces.Offset(Threads, JoinStyle.Square, 2, Threads / 10, _engine).Offset(-Threads, JoinStyle.Square, 2, Threads / 10, _engine)
-            .Union(level.Pieces, _engine).Subtract(level.Forbidden, _engine);
-        var islands = level.Pieces.Islands;
-        for (var i = 0; i < islands.Count; i++) Add(islands[i], FirstIsland + i);
+        _reach = level.Pieces.Offset(Threads, JoinStyle.Square, 2, Threads / 10, _engine).Subtract(level.Forbidden, _engine);
+        var (islands, reaches) = (level.Pieces.Islands, _reach.Islands.ToList());
+        for (var i = 0; i < islands.Count; i++)
+        {
+            // All branches that are reached without a retraction are printed in one go.
+            var number = settings.Support == SupportKind.Grid ? i : reaches.FindIndex(r => islands[i].Contours[0].Raw.Any(p => r.Contains(p.X, p.Y)));
+            Add(islands[i], FirstIsland + number);
+        }
         return _steps;
     }
 

@@ -36,28 +36,13 @@ internal sealed class TreeSpace
     public bool IsTrapped(int level, Vec3 place) => _trapped[level].Contains(place.X, place.Y);
 
     /// <summary>The nearest place from which a way leads to the bed.</summary>
-    public Vec3 NearestExit(int level, Vec3 place) => Edge(_trapped[level], place);
+    public Vec3 NearestExit(int level, Vec3 place) => _trapped[level].NearestEdge(place) ?? place;
 
     /// <summary>mm that a branch may be moved, or be thicker than that; at most 5.</summary>
     public double Room(int level, Vec3 place)
     {
         const double Most = 5;
         if (IsBlocked(level, place)) return 0;
-        return _blocked[level].IsFartherThan(Most, place) ? Most : Edge(_blocked[level], place).DistanceTo(place);
-    }
-
-    private static Vec3 Edge(Region region, Vec3 from)
-    {
-        var best = from;
-        var least = double.PositiveInfinity;
-        foreach (var contour in region.Contours)
-        {
-            var place = LoopPlace.Nearest(contour.Raw, from).Point;
-            var distance = place.DistanceTo(from);
-            if (distance >= least) continue;
-            least = distance;
-            best = place;
-        }
-        return best;
+        return _blocked[level].NearestEdge(place, Most)?.DistanceTo(place) ?? Most;
     }
 }

@@ -143,6 +143,15 @@ public class TreeTests
         Assert.That(steps.Where(s => s.Path.Start.X > 12).All(s => !region.ContainsLine(left[0], s.Path.Start)));
     }
 
+    [TestCase(5, 1)]
+    [TestCase(60, 2)]
+    public void Branches_that_are_near_each_other_are_printed_in_one_go(double apart, int islands)
+    {
+        var far = Shelf(10).Select(b => b.Moved(new Vec3(15 + apart, 0)));
+        var steps = Solids.Slice(Settings, [.. Shelf(10), .. far]).First(l => l.Layer.Z > 5).Steps.Where(s => Roles.Contains(s.Path.Role));
+        Assert.That(steps.Select(s => s.Group!.Value.Island).Distinct().Count(), Is.EqualTo(islands));
+    }
+
     // A cylinder that leans out: 70° from the bed are 20° from the vertical.
     [TestCase(20, false)]
     [TestCase(45, false)]
