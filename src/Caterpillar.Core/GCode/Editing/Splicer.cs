@@ -22,7 +22,7 @@ internal sealed class Splicer
     private readonly PlainMoves _plain;
     private readonly OtherLines _others;
     private readonly int _threads;
-    private readonly QueuedStream? _queue;
+    private readonly SplicedOutput _output;
     private ChunkParser? _parser;
     private bool _synced = true;
 
@@ -31,8 +31,9 @@ internal sealed class Splicer
     {
         options ??= new EditOptions();
         _threads = decoding.Document!.Chunks.Count < FewChunks ? 1 : options.Threads > 0 ? options.Threads : Environment.ProcessorCount;
-        _queue = _threads > 1 ? new QueuedStream(stream) : null;
-        _context = new SpliceContext(decoding, target, _queue ?? stream);
+        var style = LineStyle.Of(decoding.Document).With(target?.Options.DecimalsXyz, target?.Options.DecimalsE, target?.Options.DecimalsF);
+        _output = new SplicedOutput(stream, style, _threads > 1);
+        _context = new SpliceContext(decoding, target, style, new SplicedText(_output, style));
         _plan = plan;
         _tasks = new SpliceTasks(_context, plan, new MoveCursor(edited));
         _comments = new CommentBuffer(_context);
@@ -54,9 +55,9 @@ internal sealed class Splicer
 
     public void Run(IProgress<double>? progress, CancellationToken cancel)
     {
-        using var queue = _queue;
+        using var output = _output;
         WriteChunks(progress, cancel);
-        queue?.Finish();
+        output.Finish();
     }
 
     private void WriteChunks(IProgress<double>? progress, CancellationToken cancel)
@@ -103,6 +104,7 @@ internal sealed class Splicer
         var chunk = _context.Decoding.Document!.Chunks[i];
         var checkpoints = _context.Decoding.Checkpoints;
         var edits = _context.Target is null;
+        _context.Text.Begin(chunk.Text, chunk.Start);
         if (_synced && edits && !_plan.IsDirty(i) && _context.Text.IsPlain)
         {
             _comments.Keep();

@@ -26,7 +26,9 @@ public sealed record ToolpathTotals(
         double print = 0, travel = 0, deposited = 0, inPlace = 0;
         double? volume = 0;
         int prints = 0, travels = 0, retractions = 0;
-        Bounds printBounds = Bounds.Empty, blobs = Bounds.Empty, allBounds = Bounds.Empty, part = Bounds.Empty, partBlobs = Bounds.Empty;
+        Bounds part = Bounds.Empty, others = Bounds.Empty, blobs = Bounds.Empty, allBounds = Bounds.Empty, partBlobs = Bounds.Empty;
+        // Whether the last move has printed, and the part: its end is in their box.
+        bool follows = false, wasPart = false;
         for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
             var c = toolpath.Blocks[block].Columns;
@@ -47,19 +49,22 @@ public sealed record ToolpathTotals(
                 {
                     prints++;
                     print += length;
-                    printBounds = With(With(printBounds, start), end);
-                    if (turns) printBounds = printBounds.Include(arc.Bounds(start, end));
-                    if (c.Role[i] is Role.Skirt or Role.Purge or Role.PrimeTower) continue;
-                    part = With(With(part, start), end);
-                    if (turns) part = part.Include(arc.Bounds(start, end));
+                    var isPart = c.Role[i] is not (Role.Skirt or Role.Purge or Role.PrimeTower);
+                    ref var box = ref isPart ? ref part : ref others;
+                    if (!follows || isPart != wasPart) box = With(box, start);
+                    box = With(box, end);
+                    if (turns) box = box.Include(arc.Bounds(start, end));
+                    (follows, wasPart) = (true, isPart);
                     continue;
                 }
+                follows = false;
                 inPlace += c.Deposited[i] * toolpath.VolumePerE(c.Tool[i]).GetValueOrDefault();
                 if (!(length > 0)) continue;
                 travels++;
                 travel += length;
             }
         }
+        var printBounds = part.Include(others);
         return new ToolpathTotals(
             print, travel, deposited, volume, prints, travels, retractions, printBounds.IsEmpty ? blobs : printBounds, allBounds)
         {

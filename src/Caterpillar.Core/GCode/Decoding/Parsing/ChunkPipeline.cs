@@ -33,7 +33,7 @@ internal static class ChunkPipeline
             });
             ahead.Enqueue(parsed);
             if (threads > 1) Task.Run(() => parsed.Value, cancel);
-            if (ahead.Count >= threads) Deliver();
+            if (ahead.Count >= (threads > 1 ? 2 * threads : 1)) Deliver();
         }
         while (ahead.Count > 0) Deliver();
 

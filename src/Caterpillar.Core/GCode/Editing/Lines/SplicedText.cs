@@ -1,11 +1,11 @@
 namespace Caterpillar.GCode;
 
-/// <summary>Collects the bytes of a spliced file. Numbered lines after an inserted or dropped line get new numbers and checksums.</summary>
-internal sealed class SplicedText(Stream stream, LineStyle style)
+/// <summary>Collects the text of a spliced file. Numbered lines after an inserted or dropped line get new numbers and checksums.</summary>
+internal sealed class SplicedText(SplicedOutput output, LineStyle style)
 {
-    private readonly byte[] _buffer = new byte[1 << 18];
+    private const int MostOwnBytes = 256 * 1024;
     private readonly ParsedLine _line = new();
-    private int _count;
+    private SplicedChunk _chunk = output.NewChunk();
     private int _shift;
     private double _lastNumber;
     private bool _open;
@@ -13,39 +13,26 @@ internal sealed class SplicedText(Stream stream, LineStyle style)
     /// <summary>True while untouched lines can be copied as they are.</summary>
     public bool IsPlain => _shift == 0;
 
+    /// <summary>Bytes of this text are next, from an index on.</summary>
+    public void Begin(byte[] text, int start)
+    {
+        Flush();
+        _chunk.Begin(text, start);
+    }
+
     public void Copy(byte[] text, int start, int end)
     {
         if (end <= start) return;
         _open = text[end - 1] != '\n' && text[end - 1] != '\r';
-        if (end - start > _buffer.Length - _count)
-        {
-            Flush();
-            if (end - start > _buffer.Length)
-            {
-                stream.Write(text, start, end - start);
-                return;
-            }
-        }
-        Buffer.BlockCopy(text, start, _buffer, _count, end - start);
-        _count += end - start;
+        _chunk.Add(text, start, end);
+        if (_chunk.OwnBytes < MostOwnBytes) return;
+        var full = _chunk;
+        Flush();
+        _chunk.BeginAfter(full);
     }
 
-    /// <summary>The buffer, with space for so many bytes from <see cref="Count"/> on. Null if it is too small.</summary>
-    public byte[]? Space(int bytes)
-    {
-        if (bytes > _buffer.Length - _count) Flush();
-        return bytes > _buffer.Length ? null : _buffer;
-    }
-
-    /// <summary>Bytes that wait in the buffer.</summary>
-    public int Count => _count;
-
-    /// <summary>A line with its end was written into the buffer, up to here.</summary>
-    public void Wrote(int end)
-    {
-        _count = end;
-        _open = false;
-    }
+    /// <summary>Writes a number in units of its last decimal, in place of the bytes of the text up to an index.</summary>
+    public void Replace(int end, long units, int decimals) => _chunk.Replace(end, units, decimals);
 
     /// <summary>A line of the file as it is.</summary>
     public void Add(FileLine line)
@@ -93,8 +80,8 @@ internal sealed class SplicedText(Stream stream, LineStyle style)
 
     public void Flush()
     {
-        stream.Write(_buffer, 0, _count);
-        _count = 0;
+        output.Write(_chunk);
+        _chunk = output.NewChunk();
     }
 
     private void Add(byte[] text, int start, int end, FileLine line)

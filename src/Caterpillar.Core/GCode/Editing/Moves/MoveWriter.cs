@@ -248,11 +248,10 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
     /// <summary>Tolerance of E in a line.</summary>
     public double ToleranceE => _toleranceE;
 
-    /// <summary>Adds the rounding error of a move to the next rewritten line.</summary>
+    /// <summary>Sets the rounding error of E that the next rewritten line makes up for.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    public void Carry(double e, double writtenE)
+    public void Carry(double carried)
     {
-        var carried = Carried + e - writtenE;
         var tool = _written.State.Tool;
         if (tool >= _carried.Length) Array.Resize(ref _carried, tool + 1);
         _carried[tool] = Math.Abs(carried) > 1 ? 0 : carried;
@@ -262,6 +261,6 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
     {
         if (context.Extruder == 0) return;
         var c = _written.LastMoves;
-        Carry(move.E, c.Count == 1 ? c.E[0] : 0);
+        Carry(Carried + move.E - (c.Count == 1 ? c.E[0] : 0));
     }
 }

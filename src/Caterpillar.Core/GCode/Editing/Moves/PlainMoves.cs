@@ -99,7 +99,7 @@ internal sealed class PlainMoves
         }
         if (stays) _context.Text.Copy(text, line.Start, next);
         else Compose(places, text, line.Start, next);
-        _moves.Carry(wanted.E, written.E);
+        _moves.Carry(carried + wanted.E - written.E);
         Step(_context.Read, line, read);
         Step(_context.Written, line, written);
         return true;
@@ -251,29 +251,17 @@ internal sealed class PlainMoves
     private void Compose(in WordPlaces places, byte[] text, int start, int next)
     {
         var to = _context.Text;
-        var space = to.Space(next - start + Slots * 24);
-        var buffer = space ?? new byte[next - start + Slots * 24];
-        int at = start, count = space is null ? 0 : to.Count;
+        var at = start;
         for (var w = 0; w < places.Count; w++)
         {
             var slot = places.SlotAt(w);
             ref var number = ref _numbers[slot];
             if (number.Decimals < 0) continue;
-            for (var end = start + places.StartOf(slot); at < end; at++) buffer[count++] = text[at];
-            count = _style.WriteUnits(buffer, count, number.Units, number.Decimals);
+            to.Copy(text, at, start + places.StartOf(slot));
             at = start + places.EndOf(slot);
+            to.Replace(at, number.Units, number.Decimals);
         }
-        if (next - at < 4)
-        {
-            while (at < next) buffer[count++] = text[at++];
-        }
-        else
-        {
-            Buffer.BlockCopy(text, at, buffer, count, next - at);
-            count += next - at;
-        }
-        if (space is null) to.Copy(buffer, 0, count);
-        else to.Wrote(count);
+        to.Copy(text, at, next);
     }
 
     private static void Step(GCodeInterpreter machine, in LineRecord line, in Motion motion)

@@ -5,16 +5,16 @@ internal sealed class SpliceContext
 {
     public const double NoChange = InterpreterState.NoChange;
 
-    public SpliceContext(DecodedGCode decoding, ConvertTarget? target, Stream stream)
+    public SpliceContext(DecodedGCode decoding, ConvertTarget? target, LineStyle style, SplicedText text)
     {
         Decoding = decoding;
         Target = target;
-        Style = LineStyle.Of(decoding.Document!).With(target?.Options.DecimalsXyz, target?.Options.DecimalsE, target?.Options.DecimalsF);
+        Style = style;
         Rules = target?.Flavor ?? decoding.Flavor;
         Axis = target?.Axis ?? decoding.Axis;
         Read = new GCodeInterpreter(decoding.Flavor, decoding.Rule, decoding.Axis);
         Written = new GCodeInterpreter(Rules, decoding.Rule, Axis);
-        Text = new SplicedText(stream, Style);
+        Text = text;
     }
 
     public DecodedGCode Decoding { get; }
