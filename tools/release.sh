@@ -12,7 +12,9 @@ shift
 version=$(sed -n 's:.*<Version>\(.*\)</Version>.*:\1:p' Directory.Build.props)
 
 dotnet pack src/Caterpillar.Core -c Release -o "$out" --nologo -v quiet
-dotnet pack src/Caterpillar.Cli -c Release -o "$out" --nologo -v quiet
+# The tool is compiled ahead of time for each of these systems; on all others it is compiled when it runs.
+tool=$(printf '%s;' "$@")any
+dotnet pack src/Caterpillar.Cli -c Release -o "$out" --nologo -v quiet "-p:ToolPackageRuntimeIdentifiers=\"$tool\""
 
 # For the machine's own kind of system the program is compiled to native code, where it can be linked; the others bring the runtime with them.
 host=$(dotnet --info | sed -n 's/^ *RID: *//p' | head -n 1)

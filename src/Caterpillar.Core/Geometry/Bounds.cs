@@ -42,7 +42,7 @@ public readonly record struct Bounds
     }
 
     /// <summary>The box extended to include a point.</summary>
-    public Bounds Include(Vec3 p) => _any
+    public Bounds Include(Vec3 p) => Contains(p) ? this : _any
         ? new Bounds(
             new Vec3(Math.Min(Min.X, p.X), Math.Min(Min.Y, p.Y), Math.Min(Min.Z, p.Z)),
             new Vec3(Math.Max(Max.X, p.X), Math.Max(Max.Y, p.Y), Math.Max(Max.Z, p.Z)))

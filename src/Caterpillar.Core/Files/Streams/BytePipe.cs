@@ -30,16 +30,6 @@ internal sealed class BytePipe : IDisposable
         }
     }
 
-    /// <summary>Writes all bytes of the pipe to a stream.</summary>
-    public void CopyTo(Stream target)
-    {
-        while (_full.TryTake(out var piece, -1))
-        {
-            target.Write(piece.Bytes, 0, piece.Count);
-            _free.Add(piece.Bytes);
-        }
-    }
-
     /// <summary>Ends writing.</summary>
     public void Complete() => _full.CompleteAdding();
 

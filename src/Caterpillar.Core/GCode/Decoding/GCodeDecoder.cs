@@ -123,11 +123,12 @@ public static class GCodeDecoder
         long bytes = 0;
         ChunkPipeline.Run(
             input.Chunks,
-            () => new ChunkParser(axis.Letter),
-            true,
+            axis.Letter,
             document is { Chunks.Count: < 3 } ? 1 : options.Degree,
-            (parser, done) =>
+            _ => true,
+            (parsed, done) =>
             {
+                var parser = parsed.Value;
                 if (lines == 0) mark = TextEncoding.MarkLength(parser.Chunk!) > 0;
                 checkpoints?.Add(new Checkpoint(lines, interpreter.Save(), interpreter.LastEvents.Count));
                 interpreter.Run(parser, lines);

@@ -23,7 +23,6 @@ internal sealed class Splicer
     private readonly OtherLines _others;
     private readonly int _threads;
     private readonly SplicedOutput _output;
-    private ChunkParser? _parser;
     private bool _synced = true;
 
     /// <summary>Prepares to write a decoded file with the moves of an edited toolpath, or for a target.</summary>
@@ -56,50 +55,24 @@ internal sealed class Splicer
     public void Run(IProgress<double>? progress, CancellationToken cancel)
     {
         using var output = _output;
-        WriteChunks(progress, cancel);
+        var chunks = _context.Decoding.Document!.Chunks;
+        var next = 0;
+        ChunkPipeline.Run(
+            chunks,
+            _context.Decoding.Axis.Letter,
+            _threads,
+            i => _context.Target is not null || _plan.IsDirty(i),
+            (parsed, _) =>
+            {
+                WriteChunk(next++, parsed);
+                progress?.Report((double)next / chunks.Count);
+            },
+            cancel);
+        WriteEnd();
         output.Finish();
     }
 
-    private void WriteChunks(IProgress<double>? progress, CancellationToken cancel)
-    {
-        var chunks = _context.Decoding.Document!.Chunks;
-        var next = 0;
-        void Write(ChunkParser? parsed)
-        {
-            cancel.ThrowIfCancellationRequested();
-            WriteChunk(next++, parsed);
-            progress?.Report((double)next / chunks.Count);
-        }
-        ChunkPipeline.Run(
-            Touched(),
-            NewParser,
-            chunks.Count > 0 && IsTouched(0),
-            _threads,
-            (parser, _) =>
-            {
-                while (!ReferenceEquals(chunks[next], parser.Chunk)) Write(null);
-                Write(parser);
-            },
-            cancel);
-        while (next < chunks.Count) Write(null);
-        WriteEnd();
-    }
-
-    // Which chunks are sure to be read line by line: they are parsed ahead.
-    private bool IsTouched(int chunk) => _context.Target is not null || _plan.IsDirty(chunk);
-
-    private IEnumerable<GCodeChunk> Touched()
-    {
-        var chunks = _context.Decoding.Document!.Chunks;
-        for (var i = 0; i < chunks.Count; i++)
-        {
-            if (IsTouched(i)) yield return chunks[i];
-        }
-    }
-
-    private ChunkParser NewParser() => new(_context.Decoding.Axis.Letter, true);
-
-    private void WriteChunk(int i, ChunkParser? parsed)
+    private void WriteChunk(int i, Lazy<ChunkParser> parsed)
     {
         var chunk = _context.Decoding.Document!.Chunks[i];
         var checkpoints = _context.Decoding.Checkpoints;
@@ -112,21 +85,15 @@ internal sealed class Splicer
             return;
         }
         var before = checkpoints[i];
-        _tasks.SkipTo(before.Line + 1);
+        if (edits) _tasks.SkipTo(before.Line + 1);
         _tasks.StartAt(before.Events);
         if (_synced)
         {
             _context.Read.Restore(before.State);
             if (edits || i == 0) _context.Written.Restore(before.State);
         }
-        var mark = i == 0 ? TextEncoding.MarkLength(chunk) : 0;
-        if (parsed is null)
-        {
-            parsed = _parser ??= NewParser();
-            parsed.Parse(chunk, chunk.Start + mark);
-        }
-        if (i == 0) Begin(chunk, mark);
-        WriteLines(parsed, before.Line);
+        if (i == 0) Begin(chunk, TextEncoding.MarkLength(chunk));
+        WriteLines(parsed.Value, before.Line);
         _synced = edits && i + 1 < checkpoints.Length && IsInStep(checkpoints[i + 1].Line);
     }
 

@@ -42,17 +42,17 @@ public sealed record ToolpathTotals(
                 deposited += c.Deposited[i];
                 if (c.Deposited[i] != 0) volume += toolpath.VolumePerE(c.Tool[i]) * c.Deposited[i];
                 if (c.Kind[i] is MoveKind.Retract or MoveKind.Wipe) retractions++;
-                if (c.Kind[i] == MoveKind.Prime) blobs = With(blobs, end);
-                if (c.Kind[i] == MoveKind.Prime && c.Role[i] != Role.Purge) partBlobs = With(partBlobs, end);
-                if (length > 0) allBounds = With(allBounds, end);
+                if (c.Kind[i] == MoveKind.Prime) blobs = blobs.Include(end);
+                if (c.Kind[i] == MoveKind.Prime && c.Role[i] != Role.Purge) partBlobs = partBlobs.Include(end);
+                if (length > 0) allBounds = allBounds.Include(end);
                 if (c.Kind[i] == MoveKind.Print)
                 {
                     prints++;
                     print += length;
                     var isPart = c.Role[i] is not (Role.Skirt or Role.Purge or Role.PrimeTower);
                     ref var box = ref isPart ? ref part : ref others;
-                    if (!follows || isPart != wasPart) box = With(box, start);
-                    box = With(box, end);
+                    if (!follows || isPart != wasPart) box = box.Include(start);
+                    box = box.Include(end);
                     if (turns) box = box.Include(arc.Bounds(start, end));
                     (follows, wasPart) = (true, isPart);
                     continue;
@@ -71,6 +71,4 @@ public sealed record ToolpathTotals(
             InPlaceVolume = inPlace, PartBounds = part.IsEmpty ? partBlobs : part,
         };
     }
-
-    private static Bounds With(Bounds box, Vec3 p) => box.Contains(p) ? box : box.Include(p);
 }

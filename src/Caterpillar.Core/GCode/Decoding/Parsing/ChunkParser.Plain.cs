@@ -4,34 +4,25 @@ namespace Caterpillar.GCode;
 internal sealed partial class ChunkParser
 {
     private const int LongestNumber = 15;
+    private const int LongestLine = 255;
+    private const int Unknown = 6;
 
     private static readonly double[] PowersOfTen =
         [1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
 
-    // Takes down where words are. Structures, so that those who do not ask for it pay nothing.
-    private interface IPlaces
-    {
-        void Begin();
-
-        void Add(int slot, int start, int end, int decimals);
-
-        void End(int line);
-    }
-
     // Reads lines until one is something else, or the records are full; returns where that is. Not inlined, as then others'
     // variables would take the registers.
     [MethodImpl(Compile.Optimized | MethodImplOptions.NoInlining)]
-    private int Plain<TPlaces>(byte[] text, int at, int safe, int end, TPlaces places)
-        where TPlaces : struct, IPlaces
+    private int Plain(byte[] text, int at, int safe, int end)
     {
-        var records = Records;
+        var (records, places) = (Records, Places);
         var powers = PowersOfTen;
         var letter = extruder == 0 ? -1 : extruder;
         var (count, crlf, comments) = (Count, CrLf, Comments);
         while (at < safe && count < records.Length && text[at] == 'G' && (text[at + 1] | 1) == '1' && text[at + 2] == ' ')
         {
             ref var record = ref records[count];
-            places.Begin();
+            var words = default(WordPlaces);
             var comment = -1;
             var mask = 0;
             var p = at + 3;
@@ -74,7 +65,9 @@ internal sealed partial class ChunkParser
                 if ((uint)(length - 1) >= LongestNumber) break;
                 var value = (long)units / powers[decimals];
                 if (negative) value = -value;
-                places.Add(slot, begin - at - (negative ? 1 : 0), p - at, decimals);
+                // Of repeated words, and in very long lines, places are unknown.
+                if ((mask & (1 << slot)) != 0 || p - at > LongestLine) words.Count = Unknown;
+                if (words.Count < Unknown) words.Add(slot, begin - at - (negative ? 1 : 0), p - at, decimals);
                 mask |= 1 << slot;
                 if (slot == 0) record.X = value;
                 else if (slot == 1) record.Y = value;
@@ -99,7 +92,7 @@ internal sealed partial class ChunkParser
             }
             else break;
             if (comment >= 0) comments++;
-            places.End(count);
+            places[count] = words.Count < Unknown ? words : default;
             record.Start = at;
             record.Line = count++;
             record.Op = (byte)(text[at + 1] & 1);
@@ -109,38 +102,5 @@ internal sealed partial class ChunkParser
         }
         (Count, CrLf, Comments) = (count, crlf, comments);
         return at;
-    }
-
-    private readonly struct NoPlaces : IPlaces
-    {
-        public void Begin()
-        {
-        }
-
-        public void Add(int slot, int start, int end, int decimals)
-        {
-        }
-
-        public void End(int line)
-        {
-        }
-    }
-
-    private struct KeptPlaces(WordPlaces[] all) : IPlaces
-    {
-        private const int Unknown = 6;
-        private WordPlaces _line;
-        private int _seen;
-
-        public void Begin() => (_line, _seen) = (default, 0);
-
-        public void Add(int slot, int start, int end, int decimals)
-        {
-            if ((_seen & (1 << slot)) != 0 || end > 255) _line.Count = Unknown;
-            if (_line.Count < Unknown) _line.Add(slot, start, end, decimals);
-            _seen |= 1 << slot;
-        }
-
-        public readonly void End(int line) => all[line] = _line.Count < Unknown ? _line : default;
     }
 }

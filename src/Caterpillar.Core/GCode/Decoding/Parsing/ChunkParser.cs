@@ -5,8 +5,7 @@ namespace Caterpillar.GCode;
 /// text</c>). <see cref="ParsedLine"/> reads everything else. Chunks can be parsed in parallel.
 /// </summary>
 /// <param name="extruder">The letter of E, or 0.</param>
-/// <param name="places">True to record the places of numbers, for edits.</param>
-internal sealed partial class ChunkParser(byte extruder, bool places = false)
+internal sealed partial class ChunkParser(byte extruder)
 {
     public const byte Comment = 2;
     public const byte Other = 3;
@@ -18,8 +17,8 @@ internal sealed partial class ChunkParser(byte extruder, bool places = false)
 
     public LineRecord[] Records { get; private set; } = new LineRecord[64];
 
-    /// <summary>Places of the words of each record. Empty if not requested.</summary>
-    public WordPlaces[] Places { get; private set; } = new WordPlaces[places ? 64 : 0];
+    /// <summary>Places of the words of each record, for edits.</summary>
+    public WordPlaces[] Places { get; private set; } = new WordPlaces[64];
 
     public int Count { get; private set; }
 
@@ -45,7 +44,7 @@ internal sealed partial class ChunkParser(byte extruder, bool places = false)
         var at = start;
         while (true)
         {
-            at = places ? Plain(text, at, safe, end, new KeptPlaces(Places)) : Plain(text, at, safe, end, default(NoPlaces));
+            at = Plain(text, at, safe, end);
             if (at == safe) break;
             if (Count == Records.Length) Grow();
             else at = OtherLine(text, at, end);
@@ -57,7 +56,7 @@ internal sealed partial class ChunkParser(byte extruder, bool places = false)
     private int OtherLine(byte[] text, int at, int end)
     {
         var stop = LineEnds.Find(text, at, end);
-        if (places) Places[Count] = default;
+        Places[Count] = default;
         Records[Count] = new LineRecord { Start = at, Aux = stop, Line = Count, Op = text[at] == ';' ? Comment : Other };
         Count++;
         if (stop + 1 < end && text[stop] == '\r' && text[stop + 1] == '\n') CrLf++;
@@ -68,7 +67,7 @@ internal sealed partial class ChunkParser(byte extruder, bool places = false)
     {
         var (records, words) = (Records, Places);
         Array.Resize(ref records, Count * 2);
-        if (places) Array.Resize(ref words, Count * 2);
+        Array.Resize(ref words, Count * 2);
         (Records, Places) = (records, words);
     }
 

@@ -29,7 +29,6 @@ internal sealed class PlainMoves
     private readonly InterpreterState _written;
     private readonly bool _edits;
     private readonly bool _possible;
-    private readonly double _toleranceE;
     private readonly double _tolerance;
 
     // By slot: the most decimals that a number may keep. Null without limits.
@@ -45,7 +44,6 @@ internal sealed class PlainMoves
         _edits = context.Target is null;
         _style = context.Style;
         _tolerance = 0.5 * NumberFormatter.FromUnits(1, _style.DecimalsXyz);
-        _toleranceE = moves.ToleranceE;
         if (context.Target is { LimitsDecimals: true })
         {
             var xyz = _style.LimitXyz ?? int.MaxValue;
@@ -84,7 +82,7 @@ internal sealed class PlainMoves
         ref var head = ref _written.Head;
         var endsRight = Math.Abs(written.X + head.ShiftX - wanted.X) <= NoChange && Math.Abs(written.Y + head.ShiftY - wanted.Y) <= NoChange
             && Math.Abs(written.Z + head.ShiftZ - wanted.Z) <= NoChange;
-        var stays = moves && endsRight && !IsTooFine(places) && Math.Abs(written.E - wanted.E - (_edits ? 0 : carried)) <= _toleranceE
+        var stays = moves && endsRight && !IsTooFine(places) && Math.Abs(written.E - wanted.E - (_edits ? 0 : carried)) <= _moves.ToleranceE
             && (!(wanted.Speed > 0) || Math.Abs(written.Speed - wanted.Speed) <= 1e-9 * wanted.Speed);
         if (!stays)
         {
