@@ -19,7 +19,7 @@ internal static class GCodeConverter
         if (target is null) return problems.ToList();
         if (options.DecimalsXyz is { } decimals && LayerRounding.Check(decoding.Toolpath, decimals, new SourceLocation(decoding.Document.Name)) is { } rounded)
             return [.. problems.ToList(), rounded];
-        var splicer = new Splicer(decoding, decoding.Toolpath, SplicePlan.Of(decoding, decoding.Toolpath), stream, target,
+        using var splicer = new Splicer(decoding, decoding.Toolpath, SplicePlan.Of(decoding, decoding.Toolpath), stream, target,
             (code ?? new EditOptions()) with { Cuts = [], Threads = options.Threads });
         splicer.Run(progress, cancel);
         problems.AddRange(splicer.Diagnostics.ToList());

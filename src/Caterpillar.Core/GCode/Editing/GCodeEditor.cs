@@ -46,7 +46,7 @@ internal static class GCodeEditor
         if (!plan.InOrder || edited.Source != MoveSource.Lines)
             return [new Diagnostic(Severity.Error, "gcode.reordered",
                 "The moves are not in the order of the file's lines. Write the toolpath as new G-code instead.")];
-        var splicer = new Splicer(decoding, edited, plan, stream, options: options);
+        using var splicer = new Splicer(decoding, edited, plan, stream, options: options);
         splicer.Run(progress, cancel);
         return splicer.Diagnostics.ToList();
     }

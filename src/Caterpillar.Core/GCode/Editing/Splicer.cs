@@ -4,7 +4,7 @@ namespace Caterpillar.GCode;
 /// Writes a decoded file with changes. One machine reads the original file, another one the written lines. A line is kept if it makes the right move from the
 /// state after the written lines. Otherwise its words change, or a line with the missing mode comes before it. Unchanged chunks are copied whole.
 /// </summary>
-internal sealed class Splicer
+internal sealed class Splicer : IDisposable
 {
     // Below this no other thread is worth its start.
     private const int FewChunks = 3;
@@ -54,7 +54,6 @@ internal sealed class Splicer
 
     public void Run(IProgress<double>? progress, CancellationToken cancel)
     {
-        using var output = _output;
         var chunks = _context.Decoding.Document!.Chunks;
         var next = 0;
         ChunkPipeline.Run(
@@ -69,8 +68,10 @@ internal sealed class Splicer
             },
             cancel);
         WriteEnd();
-        output.Finish();
+        _output.Finish();
     }
+
+    public void Dispose() => _output.Dispose();
 
     private void WriteChunk(int i, Lazy<ChunkParser> parsed)
     {

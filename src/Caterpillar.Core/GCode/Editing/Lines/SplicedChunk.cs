@@ -5,20 +5,19 @@ internal sealed class SplicedChunk
 {
     private const int LongestNumber = 24;
     private readonly List<Change> _changes = [];
-    private readonly MemoryStream _own = new();
+    private byte[] _own = new byte[4096];
     private byte[] _text = [];
     private int _start;
     private int _end;
 
     /// <summary>Number of bytes that are not from the text.</summary>
-    public int OwnBytes => (int)_own.Length;
+    public int OwnBytes { get; private set; }
 
     /// <summary>Begins a part of this text, from an index on.</summary>
     public void Begin(byte[] text, int start)
     {
-        (_text, _start, _end) = (text, start, start);
+        (_text, _start, _end, OwnBytes) = (text, start, start, 0);
         _changes.Clear();
-        _own.SetLength(0);
     }
 
     /// <summary>Begins the part that follows in the same text.</summary>
@@ -29,7 +28,9 @@ internal sealed class SplicedChunk
     {
         if (!ReferenceEquals(text, _text) || start < _end)
         {
-            _own.Write(text, start, end - start);
+            var most = OwnBytes + end - start;
+            if (most > _own.Length) Array.Resize(ref _own, Math.Max(most, 2 * _own.Length));
+            OwnBytes = Copy(text, start, end, _own, OwnBytes);
             _changes.Add(new Change(_end, _end, end - start, -1));
             return;
         }
@@ -55,7 +56,6 @@ internal sealed class SplicedChunk
         }
         var most = _end - _start + OwnBytes + _changes.Count * LongestNumber;
         if (buffer.Length < most) buffer = new byte[most];
-        var bytes = _own.GetBuffer();
         int at = _start, own = 0, count = 0;
         foreach (var change in _changes)
         {
@@ -66,7 +66,7 @@ internal sealed class SplicedChunk
                 count = style.WriteUnits(buffer, count, change.Units, change.Decimals);
                 continue;
             }
-            count = Copy(bytes, own, own + (int)change.Units, buffer, count);
+            count = Copy(_own, own, own + (int)change.Units, buffer, count);
             own += (int)change.Units;
         }
         stream.Write(buffer, 0, Copy(_text, at, _end, buffer, count));
