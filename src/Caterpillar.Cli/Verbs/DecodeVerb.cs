@@ -38,6 +38,7 @@ internal sealed class DecodeVerb : Verb
         var options = CommonOptions.Decoding(arguments.GetValue(_flavor), Diameter(arguments, session), arguments.GetValue(_threads), session) with
         {
             Rule = arguments.GetValue(_rule) == "rising" ? ExtrusionRule.Rising : ExtrusionRule.Balance,
+            KeepsMoves = !arguments.GetValue(_json) || arguments.GetValue(_stats),
         };
         var json = arguments.GetValue(_json);
         var decoded = new List<(string File, DecodedGCode DecodedGCode, DecodeReport Report)>();

@@ -24,10 +24,13 @@ public sealed record DecodeOptions
     /// </summary>
     internal Action<DecodedBlock>? Take { get; init; }
 
-    internal int BlockSize => Take is null ? ToolpathBlock.Capacity : ToolpathBlock.FollowedSize;
+    /// <summary>False for the report alone. The toolpath is empty then, and memory does not grow with the file.</summary>
+    internal bool KeepsMoves { get; init; } = true;
+
+    internal int BlockSize => Take is null && KeepsMoves ? ToolpathBlock.Capacity : ToolpathBlock.FollowedSize;
 
     /// <summary>Number of bytes per chunk.</summary>
-    internal int ChunkSize => Take is null ? 1024 * 1024 : 64 * 1024;
+    internal int ChunkSize => Take is null && KeepsMoves ? 1024 * 1024 : 64 * 1024;
 
     internal int Degree => Threads > 0 ? Threads : Math.Max(Environment.ProcessorCount, 1);
 }

@@ -113,7 +113,7 @@ public static class GCodeDecoder
         var rules = options.Flavor ?? detected!.Value.Flavor;
         var axis = input.Axis.In(rules);
         var interpreter = new GCodeInterpreter(rules, options.Rule, axis);
-        interpreter.Machine.Moves.Begin(options.BlockSize, options.Take);
+        interpreter.Machine.Moves.Begin(options);
         var problems = interpreter.Machine.Diagnostics.List;
         if (axis != input.Axis && (input.Axis == ExtrusionAxis.E || input.Axis == ExtrusionAxis.Switched))
             problems.Add(Severity.Warning, "gcode.no_extruder", rules.Title + " has no extruder on " + input.Axis.Name + ". Extrusion is left out.");
@@ -132,7 +132,7 @@ public static class GCodeDecoder
                 if (lines == 0) mark = TextEncoding.MarkLength(parser.Chunk!) > 0;
                 checkpoints?.Add(new Checkpoint(lines, interpreter.Save(), interpreter.LastEvents.Count));
                 interpreter.Run(parser, lines);
-                Afford(interpreter.Machine.Moves.Count, document?.Length ?? 0, options.Memory, name);
+                Afford(options.KeepsMoves ? interpreter.Machine.Moves.Count : 0, document?.Length ?? 0, options.Memory, name);
                 lines = GCodeDocument.AddLines(lines, parser.Lines);
                 bytes = done;
                 if (progress is not null && input.Share(done) is >= 0 and var part) progress.Report(part);

@@ -2,7 +2,8 @@ namespace Caterpillar.GCode;
 
 /// <summary>Collects moves into the columns of blocks, without a call for each value.</summary>
 /// <param name="blockSize">Number of moves in a block.</param>
-internal sealed class BlockCollector(int blockSize = ToolpathBlock.Capacity)
+/// <param name="keeps">False to forget each full block.</param>
+internal sealed class BlockCollector(int blockSize = ToolpathBlock.Capacity, bool keeps = true)
 {
     private readonly List<ToolpathBlock> _blocks = [];
     private readonly List<int> _arcMoves = [];
@@ -28,6 +29,7 @@ internal sealed class BlockCollector(int blockSize = ToolpathBlock.Capacity)
         }
         var full = Columns;
         Seal();
+        if (!keeps) _blocks.Clear();
         Columns = new ToolpathColumns(blockSize);
         return full;
     }
@@ -81,8 +83,8 @@ internal sealed class BlockCollector(int blockSize = ToolpathBlock.Capacity)
             if (Columns.Count < Columns.Capacity / 2) Columns = Columns.Copy(Columns.Count);
             Seal();
         }
-        if (_turns.Count > 0) FillTurns();
-        return _blocks;
+        if (_turns.Count > 0 && keeps) FillTurns();
+        return keeps ? _blocks : [];
     }
 
     // Columns from the block of the first turn on.

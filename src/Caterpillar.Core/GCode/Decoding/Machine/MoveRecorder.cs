@@ -64,11 +64,11 @@ internal sealed partial class MoveRecorder
         _events.Clear();
     }
 
-    /// <summary>Sets the size of blocks, and a function that takes each full block.</summary>
-    public void Begin(int blockSize, Action<DecodedBlock>? take)
+    /// <summary>Sets the size of blocks, who takes each full block, and whether moves are kept.</summary>
+    public void Begin(DecodeOptions options)
     {
-        _take = take;
-        _moves = new BlockCollector(blockSize);
+        _take = options.Take;
+        _moves = new BlockCollector(options.BlockSize, options.KeepsMoves);
     }
 
     /// <summary>The finished toolpath.</summary>

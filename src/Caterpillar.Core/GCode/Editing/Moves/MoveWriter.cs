@@ -11,7 +11,6 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
     private readonly LineRewriter _rewriter = new(context.Style, context.Rules, context.Axis, context.Decoding.Axis, rewriteAll);
     private readonly ParsedLine _inserted = new();
     private readonly double _tolerance = 0.5001 * NumberFormatter.FromUnits(1, context.Style.DecimalsXyz);
-    private readonly double _toleranceE = context.Target is null ? NoChange : 0.5001 * NumberFormatter.FromUnits(1, context.Style.DecimalsE);
 
     // The state before the current line; one for all lines.
     private readonly InterpreterState _before = new();
@@ -75,7 +74,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
         {
             var move = tasks[first + i].Move;
             keeps = tasks[first + i].Event is null && Math.Abs(c.X[i] - move.X) <= NoChange && Math.Abs(c.Y[i] - move.Y) <= NoChange
-                && Math.Abs(c.Z[i] - move.Z) <= NoChange && Math.Abs(c.E[i] - move.E) <= _toleranceE && c.Kind[i] == move.Kind;
+                && Math.Abs(c.Z[i] - move.Z) <= NoChange && Math.Abs(c.E[i] - move.E) <= ToleranceE && c.Kind[i] == move.Kind;
         }
         if (keeps) _text.Add(line);
         else _written.Restore(before);
@@ -205,7 +204,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
         var c = _written.LastMoves;
         var carried = context.Target is null ? 0 : Carried;
         var turns = _written.State.Rotary.Machine;
-        return EndsRight(move) && (move.Turns == turns || move.Turns.IsNear(turns)) && Math.Abs(c.E[0] - move.E - carried) <= _toleranceE
+        return EndsRight(move) && (move.Turns == turns || move.Turns.IsNear(turns)) && Math.Abs(c.E[0] - move.E - carried) <= ToleranceE
             && (!(move.Speed > 0) || Math.Abs(c.Speed[0] - move.Speed) <= 1e-9 * move.Speed)
             && (!_written.PrintsWithoutE || c.Kind[0] == MoveKind.Print == (move.Kind == MoveKind.Print));
     }
@@ -246,7 +245,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
     public double Carried => _written.State.Tool < _carried.Length ? _carried[_written.State.Tool] : 0;
 
     /// <summary>Tolerance of E in a line.</summary>
-    public double ToleranceE => _toleranceE;
+    public double ToleranceE { get; } = context.Target is null ? NoChange : 0.5001 * NumberFormatter.FromUnits(1, context.Style.DecimalsE);
 
     /// <summary>Sets the rounding error of E that the next rewritten line makes up for.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -9,12 +9,11 @@ internal sealed class SpliceContext
     {
         Decoding = decoding;
         Target = target;
-        Style = style;
+        (Style, Text) = (style, text);
         Rules = target?.Flavor ?? decoding.Flavor;
         Axis = target?.Axis ?? decoding.Axis;
         Read = new GCodeInterpreter(decoding.Flavor, decoding.Rule, decoding.Axis);
         Written = new GCodeInterpreter(Rules, decoding.Rule, Axis);
-        Text = text;
     }
 
     public DecodedGCode Decoding { get; }
