@@ -113,7 +113,7 @@ public static class GCodeDecoder
         var rules = options.Flavor ?? detected!.Value.Flavor;
         var axis = input.Axis.In(rules);
         var interpreter = new GCodeInterpreter(rules, options.Rule, axis);
-        interpreter.Machine.Moves.Begin(options);
+        interpreter.Machine.Moves.Begin(options.BlockSize, options.Take, options.KeepsMoves);
         var problems = interpreter.Machine.Diagnostics.List;
         if (axis != input.Axis && (input.Axis == ExtrusionAxis.E || input.Axis == ExtrusionAxis.Switched))
             problems.Add(Severity.Warning, "gcode.no_extruder", rules.Title + " has no extruder on " + input.Axis.Name + ". Extrusion is left out.");

@@ -65,10 +65,10 @@ internal sealed partial class MoveRecorder
     }
 
     /// <summary>Sets the size of blocks, who takes each full block, and whether moves are kept.</summary>
-    public void Begin(DecodeOptions options)
+    public void Begin(int blockSize, Action<DecodedBlock>? take, bool keeps)
     {
-        _take = options.Take;
-        _moves = new BlockCollector(options.BlockSize, options.KeepsMoves);
+        _take = take;
+        _moves = new BlockCollector(blockSize, keeps);
     }
 
     /// <summary>The finished toolpath.</summary>
