@@ -31,81 +31,111 @@ internal static class Lexer
 {
     private static readonly string[] Pairs = ["==", "!=", "<>", "<=", ">=", "&&", "||", "+=", "-=", "*=", "/=", "->"];
 
-    // One-letter texts without an allocation each. Typographic signs, as in text from the web, are those of the keyboard.
-    private static readonly Dictionary<char, string> Singles = "+-*/%^()[],;=<>!?:&|".ToDictionary(c => c, c => c.ToString())
-        .Concat(new Dictionary<char, string> { ['\u2212'] = "-", ['\u00D7'] = "*", ['\u00B7'] = "*" }).ToDictionary(c => c.Key, c => c.Value);
+    // One-letter texts without an allocation each.
+    private static readonly Dictionary<char, string> Singles = "+-*/%^()[],;=<>!?:&|".ToDictionary(c => c, c => c.ToString());
 
     /// <exception cref="FormulaException">An invalid character, an unclosed string, a number out of range.</exception>
     public static List<Token> Read(string text)
     {
         var tokens = new List<Token>();
-        var (line, lineStart, space) = (1, 0, true);
-        for (var i = 0; i < text.Length;)
+        var line = 1;
+        var lineStart = 0;
+        var space = true;
+        var i = 0;
+        while (i < text.Length)
         {
-            var (c, column) = (text[i], i - lineStart + 1);
-            var next = i + 1 < text.Length ? text[i + 1] : '\0';
-            var before = space;
-            space = true;
+            var c = text[i];
             if (c is '\n' or '\r')
             {
-                tokens.Add(new Token(TokenKind.NewLine, "\n", 0, line++, column, before, true));
-                lineStart = i += c == '\r' && next == '\n' ? 2 : 1;
+                tokens.Add(new Token(TokenKind.NewLine, "\n", 0, line, i - lineStart + 1, space, true));
+                if (c == '\r' && i + 1 < text.Length && text[i + 1] == '\n') i++;
+                i++;
+                line++;
+                lineStart = i;
+                space = true;
+                continue;
             }
-            else if (c == '#' || (c == '/' && next == '/')) i = End(text, i, d => d is not ('\n' or '\r'));
-            else if (char.IsWhiteSpace(c) || c == '\uFEFF') i++;
+            if (char.IsWhiteSpace(c) || c == '\uFEFF')
+            {
+                i++;
+                space = true;
+                continue;
+            }
+            if (c == '#' || (c == '/' && i + 1 < text.Length && text[i + 1] == '/'))
+            {
+                while (i < text.Length && text[i] is not ('\n' or '\r')) i++;
+                space = true;
+                continue;
+            }
+            var column = i - lineStart + 1;
+            var start = i;
+            var kind = TokenKind.Symbol;
+            var value = 0.0;
+            string word;
+            if (IsDigit(c) || (c == '.' && i + 1 < text.Length && IsDigit(text[i + 1])))
+            {
+                kind = TokenKind.Number;
+                i = NumberEnd(text, i);
+                word = text.Substring(start, i - start);
+                if (!NumberReader.TryParse(word, out value)) throw new FormulaException("formula.number", $"'{word}' is not a number.", line, column);
+                if (i < text.Length && (char.IsLetter(text[i]) || text[i] == '_'))
+                    throw new FormulaException("formula.number", $"A letter directly follows the number {word}. Use * to multiply.", line, column);
+            }
+            else if (char.IsLetter(c) || c == '_')
+            {
+                kind = TokenKind.Name;
+                while (i < text.Length && (char.IsLetterOrDigit(text[i]) || text[i] == '_')) i++;
+                word = text.Substring(start, i - start);
+            }
+            else if (c == '"')
+            {
+                kind = TokenKind.Text;
+                i++;
+                while (i < text.Length && text[i] is not ('"' or '\n' or '\r')) i++;
+                if (i >= text.Length || text[i] != '"') throw new FormulaException("formula.text", "The text has no closing quotation mark.", line, column);
+                word = text.Substring(start + 1, i - start - 1);
+                i++;
+            }
             else
             {
-                var (kind, word, value) = Word(text, ref i, line, column);
-                tokens.Add(new Token(kind, word, value, line, column, before, i >= text.Length || char.IsWhiteSpace(text[i])));
-                space = false;
+                word = Symbol(text, ref i, line, column);
             }
+            var after = i >= text.Length || char.IsWhiteSpace(text[i]);
+            tokens.Add(new Token(kind, word, value, line, column, space, after));
+            space = false;
         }
         tokens.Add(new Token(TokenKind.End, "", 0, line, text.Length - lineStart + 1, space, true));
         return tokens;
     }
 
-    private static (TokenKind Kind, string Text, double Value) Word(string text, ref int i, int line, int column)
+    private static string Symbol(string text, ref int i, int line, int column)
     {
-        var (c, start) = (text[i], i);
-        if (char.IsLetter(c) || c == '_')
+        var c = text[i];
+        if (i + 1 < text.Length)
         {
-            i = End(text, i, d => char.IsLetterOrDigit(d) || d == '_');
-            return (TokenKind.Name, text.Substring(start, i - start), 0);
+            foreach (var pair in Pairs)
+            {
+                if (pair[0] != c || pair[1] != text[i + 1]) continue;
+                i += 2;
+                return pair;
+            }
         }
-        if (IsDigit(c) || (c == '.' && i + 1 < text.Length && IsDigit(text[i + 1])))
-        {
-            i = NumberEnd(text, i);
-            var word = text.Substring(start, i - start);
-            if (!NumberReader.TryParse(word, out var value)) throw new FormulaException("formula.number", $"'{word}' is not a number.", line, column);
-            if (i < text.Length && (char.IsLetter(text[i]) || text[i] == '_'))
-                throw new FormulaException("formula.number", $"A letter directly follows the number {word}. Use * to multiply.", line, column);
-            return (TokenKind.Number, word, value);
-        }
-        if (c == '"')
-        {
-            i = End(text, i + 1, d => d is not ('"' or '\n' or '\r')) + 1;
-            if (i > text.Length || text[i - 1] != '"') throw new FormulaException("formula.text", "The text has no closing quotation mark.", line, column);
-            return (TokenKind.Text, text.Substring(start + 1, i - start - 2), 0);
-        }
-        var pair = Array.Find(Pairs, p => string.CompareOrdinal(text, start, p, 0, 2) == 0);
-        i += pair is null ? 1 : 2;
-        if (pair is null && !Singles.TryGetValue(c, out pair)) throw new FormulaException("formula.character", $"Unexpected character '{c}'.", line, column);
-        return (TokenKind.Symbol, pair!, 0);
+        i++;
+        // The typographic minus sign, as in text from the web.
+        if (c == '\u2212') return "-";
+        if (c is '\u00D7' or '\u00B7') return "*";
+        return Singles.TryGetValue(c, out var single) ? single : throw new FormulaException("formula.character", $"Unexpected character '{c}'.", line, column);
     }
 
     private static int NumberEnd(string text, int i)
     {
-        i = End(text, i, d => IsDigit(d) || d == '.');
+        while (i < text.Length && (IsDigit(text[i]) || text[i] == '.')) i++;
         if (i >= text.Length || text[i] is not ('e' or 'E')) return i;
-        var digits = i + (i + 1 < text.Length && text[i + 1] is '-' or '+' ? 2 : 1);
-        return digits < text.Length && IsDigit(text[digits]) ? End(text, digits, IsDigit) : i;
-    }
-
-    // The first place from one on whose character is of another kind.
-    private static int End(string text, int i, Func<char, bool> isKind)
-    {
-        while (i < text.Length && isKind(text[i])) i++;
-        return i;
+        var p = i + 1;
+        if (p < text.Length && text[p] is '-' or '+') p++;
+        if (p >= text.Length || !IsDigit(text[p])) return i;
+        while (p < text.Length && IsDigit(text[p])) p++;
+        return p;
     }
 
     private static bool IsDigit(char c) => c is >= '0' and <= '9';

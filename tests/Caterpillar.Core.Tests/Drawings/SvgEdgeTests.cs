@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Caterpillar.Tests.Curves;
 
-/// <summary>Numbers, places and shapes of SVG at their limits.</summary>
+/// <summary>Numbers, places and shapes of SVG at their limits, and letters on their grid.</summary>
 public class SvgEdgeTests
 {
     [TestCase("<path d=\"M0 0 L1e9 0\"/>", null)]
@@ -27,6 +27,7 @@ public class SvgEdgeTests
     [TestCase("<rect width=\"-5\" height=\"5\"/>", "2:2: error curves.svg")]
     [TestCase("<ellipse rx=\"-5\" ry=\"5\"/>", "2:2: error curves.svg")]
     [TestCase("<rect width=\"0.5\" height=\"0.5\"/>", null)]
+    [TestCase("<path d=\"M0 0h1\"/><text font-size=\"0\">H</text>", null)]
     // Entities and line ends count as they stand in the file.
     [TestCase("<path d=\"M0 0 &#76;5 x\"/>", "2:22: error curves.svg_path")]
     [TestCase("<path d='M0 0\r\nL5 x'/>", "3:4: error curves.svg_path")]
@@ -134,6 +135,48 @@ public class SvgEdgeTests
         public void Report(double value) => shares.Add(value);
     }
 
+    [TestCase("A B", "  A \n\t B  ")]
+    [TestCase("AB", "AB ")]
+    public void Spaces_in_text_are_one_space(string plain, string spaced)
+        => Assert.That(Box($"<text x=\"10\" y=\"50\">{spaced}</text>"), Is.EqualTo(Box($"<text x=\"10\" y=\"50\">{plain}</text>")));
+
+    [TestCase("1e6", 1e6)]
+    [TestCase("1000001", 16)]
+    [TestCase("wide", 16)]
+    public void Sizes_of_fonts_are_lengths_within_reason(string text, double size)
+        => Assert.That(Box($"<text font-size=\"{text}\">H</text>").Size.Y, Is.EqualTo(0.7 * size).Within(1e-6 * size));
+
+    [TestCase('e', '\u00EA', 3.0)]
+    [TestCase('E', '\u00CA', 3.5)]
+    [TestCase('i', '\u00EE', 0.5)]
+    public void An_accent_stands_over_the_middle_of_its_letter(char letter, char accented, double middle)
+    {
+        // On the grid capitals are 12 high, small letters 8.
+        var (plain, whole) = (StrokeFont.Strokes(letter.ToString(), 12), StrokeFont.Strokes(accented.ToString(), 12));
+        var dots = letter == 'i' ? 1 : 0;
+        Assert.That(whole.Take(plain.Count - dots), Is.EqualTo(plain.Take(plain.Count - dots)), "an accent takes the place of the dot");
+        var mark = Bounds.Of(whole.Skip(plain.Count - dots).SelectMany(s => s));
+        Assert.That(mark.Center.X, Is.EqualTo(middle).Within(1e-12));
+        Assert.That(mark.Min.Y, Is.GreaterThanOrEqualTo(char.IsUpper(letter) ? 12 : 8));
+        Assert.That(StrokeFont.Advance(accented.ToString(), 12), Is.EqualTo(StrokeFont.Advance(letter.ToString(), 12)));
+    }
+
+    [Test]
+    public void Letters_stand_on_their_grid()
+    {
+        Assert.That(StrokeFont.Strokes("L", 12).Single(), Is.EqualTo(new[] { new Vec3(0, 12), new Vec3(0, 0), new Vec3(6, 0) }));
+        Assert.That(StrokeFont.Strokes("LL", 24)[1], Is.EqualTo(new[] { new Vec3(18, 24), new Vec3(18, 0), new Vec3(30, 0) }));
+        Assert.That(StrokeFont.Advance("LL", 24), Is.EqualTo(36));
+        // A cedilla hangs from the line; what is unknown is a box.
+        Assert.That(StrokeFont.Strokes("\u00E7", 12).Skip(1).SelectMany(s => s).Max(p => p.Y), Is.LessThanOrEqualTo(0));
+        Assert.That(StrokeFont.Strokes("\u4E00", 12).Single(),
+            Is.EqualTo(new[] { new Vec3(0, 0), new Vec3(6, 0), new Vec3(6, 12), new Vec3(0, 12), new Vec3(0, 0) }));
+        Assert.That(("\u4E00"[0], StrokeFont.Has('\u4E00'), StrokeFont.Has('\u00E7'), StrokeFont.Has('~'), StrokeFont.Has('\u007F')),
+            Is.EqualTo(('\u4E00', false, true, true, false)));
+        foreach (var wrong in new[] { 0, -1, double.NaN, double.PositiveInfinity })
+            Assert.That(() => StrokeFont.Strokes("a", wrong), Throws.InstanceOf<ArgumentOutOfRangeException>());
+    }
+
     [TestCase("xMidYMid", 25, 50, 0, 50)]
     [TestCase("xMinYMin", 0, 50, 0, 50)]
     [TestCase("xMaxYMax", 50, 50, 0, 50)]
@@ -195,4 +238,5 @@ public class SvgEdgeTests
         => CurveReaderTests.Read("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"100mm\" viewBox=\"0 0 100 100\">\n" + content + "\n</svg>",
             "a.svg");
 
+    private static Bounds Box(string content) => Read(content).Value!.Aggregate(Bounds.Empty, (box, curve) => box.Include(curve.Curve.Bounds));
 }

@@ -6,7 +6,7 @@ namespace Caterpillar.Drawings;
 /// Paths and basic shapes of SVG, in the order of the file, as curves in mm. Group transforms, units and viewBox are applied. The lower left corner of the page
 /// is at the origin. Settings are attributes of shapes or groups: <c>data-width</c>, <c>data-height</c>, <c>data-area</c>, <c>data-speed</c>,
 /// <c>data-flow</c>, <c>data-z</c>, <c>data-tool</c> and <c>data-layer</c> (mm, mm², mm/s). Width, height, speed and flow can be percentages. References
-/// (<c>use</c>, <c>symbol</c>) are followed. Hidden elements and definitions are ignored.
+/// (<c>use</c>, <c>symbol</c>) are followed. Text is drawn in a single-line font (<see cref="StrokeFont"/>). Hidden elements and definitions are ignored.
 /// </summary>
 internal sealed class SvgReader(CurveSource source, SvgXml xml)
 {
@@ -17,6 +17,10 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
             "filter", "font"];
 
     private static readonly HashSet<string> Shapes = ["path", "line", "polyline", "polygon", "rect", "circle", "ellipse"];
+
+    // Capitals of common fonts, in sizes of the font.
+    private const double CapHeight = 0.7;
+    private const double UsualSize = 16;
 
     private const int MaxUses = 100_000;
     private const int MaxUseDepth = 32;
@@ -104,6 +108,7 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
         var name = Xml.LocalName;
         var isSymbol = name == "symbol" && _viewport is not null;
         if (name == "use") return Use(outer);
+        if (name == "text") return Text(outer);
         if (Definitions.Contains(name) && !isSymbol)
         {
             xml.SkipContent();
@@ -111,7 +116,7 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
         }
         if (name is not ("svg" or "symbol" or "g" or "a" or "switch") && !Shapes.Contains(name))
         {
-            if (name is "image" or "text")
+            if (name is "image")
             {
                 source.Diagnostics.Add(Severity.Warning, "curves.svg_" + name, $"\"{name}\" elements are ignored. Convert them to paths.", xml.Here());
             }
@@ -287,6 +292,66 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
         xml.Reader = kept;
         _useDepth--;
         return good;
+    }
+
+    // False after an error.
+    private bool Text(Scope outer)
+    {
+        if (Enter(outer, false, false) is not { } scope) return false;
+        var place = xml.Here();
+        var cap = FontSize() * CapHeight;
+        var anchor = xml.Attribute("text-anchor") ?? xml.Style("text-anchor") ?? "start";
+        var (x, y) = (0.0, 0.0);
+        Place(scope, ref x, ref y);
+        if (Xml.IsEmptyElement) return true;
+        var depth = Xml.Depth;
+        while (Xml.Read() && !(Xml.NodeType == XmlNodeType.EndElement && Xml.Depth == depth))
+        {
+            if (Xml.NodeType == XmlNodeType.Element) Place(scope, ref x, ref y);
+            if (Xml.NodeType is not (XmlNodeType.Text or XmlNodeType.CDATA) || !(cap > 0)) continue;
+            var line = OneLine(Xml.Value);
+            if (line.Any(c => !StrokeFont.Has(c)))
+                source.Diagnostics.Add(Severity.Warning, "curves.svg_letters", "Characters missing from the single-line font are drawn as boxes.", place);
+            var width = StrokeFont.Advance(line, cap);
+            var start = anchor == "middle" ? x - width / 2 : anchor == "end" ? x - width : x;
+            foreach (var stroke in StrokeFont.Strokes(line, cap))
+                Add(new PolylineCurve(Array.ConvertAll(stroke, p => new Vec3(start + p.X, y - p.Y)), false), scope, place);
+            x += width;
+        }
+        return true;
+    }
+
+    // Where an element of text begins; what it does not say goes on from before.
+    private void Place(Scope scope, ref double x, ref double y)
+    {
+        double? First(string name, double whole) => xml.Attribute(name) is { } list
+            ? SvgValues.Length(list.Trim().Split(' ', ',')[0], whole) : null;
+        x = (First("x", scope.Width) ?? x) + (First("dx", scope.Width) ?? 0);
+        y = (First("y", scope.Height) ?? y) + (First("dy", scope.Height) ?? 0);
+    }
+
+    private double FontSize()
+    {
+        var text = xml.Attribute("font-size") ?? xml.Style("font-size");
+        return SvgValues.Length(text, UsualSize) is { } size && size <= 1e6 ? size : UsualSize;
+    }
+
+    // Runs of spaces and line ends are one space, as in browsers; letters of two are written as two.
+    private static string OneLine(string text)
+    {
+        var line = new StringBuilder(text.Length);
+        foreach (var c in text)
+        {
+            if (c is ' ' or '\t' or '\n' or '\r')
+            {
+                if (line.Length > 0 && line[line.Length - 1] != ' ') line.Append(' ');
+            }
+            else
+            {
+                line.Append(c switch { '\u00E6' => "ae", '\u00C6' => "AE", '\u0153' => "oe", '\u0152' => "OE", _ => c.ToString(CultureInfo.InvariantCulture) });
+            }
+        }
+        return line.ToString().TrimEnd(' ');
     }
 
     private sealed record Scope(Affine Map, SvgSettings Settings, double Width, double Height);

@@ -48,16 +48,19 @@ internal static class SvgValues
     /// <summary>A list of transforms as one map. The last in the list acts first.</summary>
     public static Affine? Transform(string text)
     {
-        var list = Regex.Match(text, @"^(?:([^(]*)\(([^)]*)\))*[\s,]*$");
-        if (!list.Success) return null;
         var map = Affine.Identity;
-        for (var i = 0; i < list.Groups[1].Captures.Count; i++)
+        var at = 0;
+        while (true)
         {
-            var name = list.Groups[1].Captures[i].Value.Trim(' ', ',', '\t', '\r', '\n');
-            if (Numbers(list.Groups[2].Captures[i].Value) is not { } n || One(name, n) is not { } next) return null;
+            while (at < text.Length && (text[at] <= ' ' || text[at] == ',')) at++;
+            if (at == text.Length) return map;
+            var open = text.IndexOf('(', at);
+            var close = open < 0 ? -1 : text.IndexOf(')', open);
+            if (close < 0 || Numbers(text.Substring(open + 1, close - open - 1)) is not { } n) return null;
+            if (One(text.Substring(at, open - at).Trim(), n) is not { } next) return null;
             map = next.Then(map);
+            at = close + 1;
         }
-        return map;
     }
 
     /// <summary>The map of a viewBox onto a viewport in pixels, by preserveAspectRatio.</summary>

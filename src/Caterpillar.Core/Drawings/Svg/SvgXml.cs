@@ -61,6 +61,17 @@ internal sealed class SvgXml
         return plain.IndexOf("display:none", StringComparison.Ordinal) >= 0 || plain.IndexOf("visibility:hidden", StringComparison.Ordinal) >= 0;
     }
 
+    /// <summary>A property in the attribute "style", or null.</summary>
+    public string? Style(string name)
+    {
+        foreach (var part in (Attribute("style") ?? "").Split(';'))
+        {
+            var colon = part.IndexOf(':', 0);
+            if (colon > 0 && part.Substring(0, colon).Trim() == name) return part.Substring(colon + 1).Trim();
+        }
+        return null;
+    }
+
     /// <summary>Elements by id. If ids are equal, the first counts.</summary>
     public Dictionary<string, XElement> Named()
     {
