@@ -117,7 +117,7 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
         for (var k = 0; k < count; k++)
         {
             var p = Vec3.Lerp(move.Start, move.End, (k + 0.5) / count);
-            var gap = beside + printed.Strands!.Below(p - tool * beside, tool, reach - beside);
+            var gap = beside + printed.Strands!.Below(p - tool * beside, tool, reach - beside, exactly: !(thickness > 0));
             if (gap <= reach || move.Role == Role.Purge) Land(move);
             else Fly(move.Index, move.Length / count);
             if (!(thickness > 0)) height = Math.Min(height, gap);

@@ -31,6 +31,9 @@ internal sealed class ConvexBody(params Disc[] discs)
     public static ConvexBody Of(Bounds box, params Affine[] frames)
         => new([.. frames.SelectMany(frame => box.Corners().Select(corner => new Disc(frame.Apply(corner), Vec3.UnitZ, 0)))]);
 
+    /// <summary>The hull of the centers.</summary>
+    public ConvexBody MiddleLine() => new([.. discs.Select(d => d with { Radius = 0 })]);
+
     /// <summary>The farthest point along a direction.</summary>
     public Vec3 Farthest(Vec3 direction)
     {

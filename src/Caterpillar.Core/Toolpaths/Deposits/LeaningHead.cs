@@ -25,6 +25,9 @@ internal sealed class LeaningHead(Kinematics kinematics, IReadOnlyList<(double R
     private const int MostParts = 512;
     private readonly HeadShape _shape = new(outline);
 
+    // No point of the head is farther from the tip than the radius of its flat and this, times its height.
+    private readonly double _slant = outline.Where(p => p.Height > 0).Select(p => p.Radius / p.Height + 1).Append(1).Max();
+
     // The outline, and as wide as at its end above.
     private readonly (double Radius, double Height)[] _whole = Whole(outline);
 
@@ -42,13 +45,13 @@ internal sealed class LeaningHead(Kinematics kinematics, IReadOnlyList<(double R
         hit = null;
         var contact = HeadContact.None;
         var reach = _whole[_whole.Length - 1].Radius + _whole[_whole.Length - 1].Height;
-        foreach (var (a, b, bulge) in Parts(move, reach, tolerance, kinematics.Pose))
+        foreach (var (a, b, turn, bulge) in Parts(move, reach, tolerance, kinematics.Pose))
         {
             var apart = (a.ZAxis + b.ZAxis).Unit();
             var whole = Hull(a, b, _whole);
             ConvexBody[]? tip = null, rest = null, raised = null;
             ConvexBody? cone = null;
-            foreach (var strand in strands.Near(whole, bulge, apart))
+            foreach (var strand in strands.Near(whole, bulge, apart, box => Comes(box, a, a.Shift.DistanceTo(b.Shift) + bulge, turn)))
             {
                 if (!whole.Meets(strand.Body, bulge, apart)) continue;
                 if (AnyMeets(rest ??= Frustums(a, b, _rest), strand.Body, bulge, apart))
@@ -61,7 +64,7 @@ internal sealed class LeaningHead(Kinematics kinematics, IReadOnlyList<(double R
                 cone ??= Hull(a, b, [(0, 0), (top, top)]);
                 raised ??= Frustums(a, b, Raised(top));
                 hit = strand;
-                if (cone.Meets(strand.Line, bulge, apart) || AnyMeets(raised, strand.Body, bulge, apart)) return HeadContact.Hits;
+                if (cone.Meets(strand.Body.MiddleLine(), bulge, apart) || AnyMeets(raised, strand.Body, bulge, apart)) return HeadContact.Hits;
                 contact = HeadContact.Digs;
             }
         }
@@ -79,7 +82,7 @@ internal sealed class LeaningHead(Kinematics kinematics, IReadOnlyList<(double R
     {
         hit = null;
         var body = boxes[box];
-        foreach (var (a, b, bulge) in Parts(move, Math.Max(body.Min.Length, body.Max.Length), tolerance, isCarried ? kinematics.Carriage : kinematics.Pose))
+        foreach (var (a, b, _, bulge) in Parts(move, Math.Max(body.Min.Length, body.Max.Length), tolerance, isCarried ? kinematics.Carriage : kinematics.Pose))
         {
             var hull = ConvexBody.Of(body, a, b);
             var apart = (a.ZAxis + b.ZAxis).Unit();
@@ -93,8 +96,23 @@ internal sealed class LeaningHead(Kinematics kinematics, IReadOnlyList<(double R
         return false;
     }
 
-    // Poses at the ends of the parts of a move, raised by the tolerance, and how far a body leaves their hull.
-    private IEnumerable<(Affine From, Affine To, double Bulge)> Parts(HeadMove move, double reach, double tolerance, Func<Vec3, Vec3, Affine> pose)
+    // False if the nozzle surely does not come to a box from a pose to the next, by a shift in mm and a turn in radians: it stays about the outline in the
+    // first pose, farther away by as much as it moves.
+    private bool Comes(in Bounds box, in Affine pose, double shift, double turn)
+    {
+        var v = box.Center - pose.Shift;
+        var height = Vec3.Dot(v, pose.ZAxis);
+        var radius = box.Size.Length / 2;
+        if (!(turn * _slant < 0.5)) return true;
+        // A turn moves what is higher or wider by more.
+        var moved = radius + (shift + turn * (_shape.FlatRadius + _slant * Math.Max(0, height + radius))) / (1 - turn * _slant);
+        if (!(height + moved > 0)) return false;
+        var most = _shape.Reach(height + moved) + moved;
+        return v.LengthSquared - height * height <= most * most;
+    }
+
+    // Poses at the ends of the parts of a move, raised by the tolerance, the turn between them in radians, and how far a body leaves their hull.
+    private IEnumerable<(Affine From, Affine To, double Turn, double Bulge)> Parts(HeadMove move, double reach, double tolerance, Func<Vec3, Vec3, Affine> pose)
     {
         var turn = Angle.ToRadians(kinematics.Turn(move.FromTurns, move.ToTurns));
         var count = (int)Math.Min(MostParts, Math.Max(1, Math.Ceiling(turn * Math.Sqrt(reach / (8 * Bulge)))));
@@ -103,7 +121,7 @@ internal sealed class LeaningHead(Kinematics kinematics, IReadOnlyList<(double R
         for (var k = 1; k <= count; k++)
         {
             var next = At((double)k / count);
-            yield return (last, next, bulge);
+            yield return (last, next, turn / count, bulge);
             last = next;
         }
 

@@ -2,9 +2,12 @@ namespace Caterpillar.Toolpaths;
 
 /// <summary>A flat piece of something that a head may hit: of an extrusion, as wide as it is across the tool that printed it, or of a surface.</summary>
 /// <param name="Body">The piece.</param>
-/// <param name="Line">Its middle line, if it is one of an extrusion; the same body otherwise.</param>
 /// <param name="Tag">A number of the caller.</param>
-internal sealed record Strand(ConvexBody Body, ConvexBody Line, int Tag);
+internal sealed record Strand(ConvexBody Body, int Tag)
+{
+    /// <summary>The axis-parallel box around it.</summary>
+    public Bounds Bounds { get; } = Body.Bounds;
+}
 
 /// <summary>Extrusions and surfaces in space, in boxes of boxes, for heads that come from any side. Not thread-safe.</summary>
 internal sealed class StrandGrid
@@ -13,9 +16,13 @@ internal sealed class StrandGrid
     private const double Small = 4;
     private const double Large = 32;
 
+    // Of a length of a few mm this leaves less than a micrometer.
+    private const int Halves = 14;
+
     // mm; far less than what is printed.
     private const double Touch = 1e-6;
     private readonly Dictionary<(int, int, int), Box> _boxes = [];
+    private readonly List<Strand> _near = [];
 
     // How far a piece stands out of the box of its middle, mm.
     private double _reach;
@@ -27,8 +34,7 @@ internal sealed class StrandGrid
         for (var k = 0; k < count; k++)
         {
             Vec3 a = Vec3.Lerp(from, to, (double)k / count), b = Vec3.Lerp(from, to, (k + 1.0) / count);
-            ConvexBody body = new(new Disc(a, normal, half), new Disc(b, normal, half)), line = new(new Disc(a, normal, 0), new Disc(b, normal, 0));
-            Put(new Strand(body, line, tag), (a + b) / 2);
+            Put(new Strand(new ConvexBody(new Disc(a, normal, half), new Disc(b, normal, half)), tag), (a + b) / 2);
         }
     }
 
@@ -46,50 +52,68 @@ internal sealed class StrandGrid
             Add(middle, b, c, tag);
             return;
         }
-        var body = new ConvexBody(new Disc(a, Vec3.UnitZ, 0), new Disc(b, Vec3.UnitZ, 0), new Disc(c, Vec3.UnitZ, 0));
-        Put(new Strand(body, body, tag), (a + b + c) / 3);
+        Put(new Strand(new ConvexBody(new Disc(a, Vec3.UnitZ, 0), new Disc(b, Vec3.UnitZ, 0), new Disc(c, Vec3.UnitZ, 0)), tag), (a + b + c) / 3);
     }
 
-    /// <summary>The strands in boxes that come near a body.</summary>
+    /// <summary>The strands that may come near a body. The list is used again by the next call.</summary>
     /// <param name="body">The body.</param>
     /// <param name="distance">The distance, mm.</param>
     /// <param name="apart">A direction in which the body probably lies beyond them.</param>
-    public IEnumerable<Strand> Near(ConvexBody body, double distance, Vec3 apart)
+    /// <param name="comes">False for boxes to which the body surely does not come; null = nothing is known of it.</param>
+    public IReadOnlyList<Strand> Near(ConvexBody body, double distance, Vec3 apart, Func<Bounds, bool>? comes = null)
     {
+        _near.Clear();
         var around = body.Bounds.Grow(distance);
+        // What is there mostly lies below the lowest point of a head: most of it is told apart by this alone.
+        var low = Vec3.Dot(body.Farthest(-apart), apart) - distance;
         foreach (var box in Around(_boxes, around, Large))
         {
-            if (!Meets(box.Bounds)) continue;
+            if (!IsNear(box.Bounds) || !body.Meets(box.Hull, distance, apart)) continue;
             foreach (var part in Around(box.Parts, around, Small))
             {
-                if (!Meets(part.Bounds)) continue;
-                foreach (var strand in part.Strands) yield return strand;
+                if (!IsNear(part.Bounds)) continue;
+                foreach (var row in part.Rows)
+                {
+                    if (!IsNear(row.Bounds)) continue;
+                    foreach (var strand in row.Strands)
+                    {
+                        if (IsNear(strand.Bounds)) _near.Add(strand);
+                    }
+                }
             }
         }
+        return _near;
 
-        bool Meets(Bounds box) => Overlap(box, around) && body.Meets(ConvexBody.Of(box, Affine.Identity), distance, apart);
+        bool IsNear(in Bounds bounds) => Overlap(bounds, around) && Highest(bounds, apart) >= low && comes?.Invoke(bounds) != false;
     }
 
     /// <summary>Distance from a point backward along a direction to what is there, mm; infinity for nothing.</summary>
-    public double Below(Vec3 p, Vec3 direction, double most)
+    /// <param name="p">The point.</param>
+    /// <param name="direction">The direction, of length 1.</param>
+    /// <param name="most">What is farther does not count, mm.</param>
+    /// <param name="exactly">If not, <paramref name="most"/> stands for all that is not farther.</param>
+    public double Below(Vec3 p, Vec3 direction, double most, bool exactly)
     {
         var nearest = double.PositiveInfinity;
-        var ray = new ConvexBody(new Disc(p, direction, 0), new Disc(p - direction * most, direction, 0));
+        var ray = Ray(most);
         foreach (var strand in Near(ray, 0, Vec3.UnitX))
         {
             if (!ray.Meets(strand.Body, Touch, Vec3.UnitX)) continue;
+            if (!exactly) return most;
             // Where it is: by halves.
-            double low = 0, high = most;
-            for (var k = 0; k < 24; k++)
+            double low = 0, high = Math.Min(most, nearest);
+            for (var k = 0; k < Halves; k++)
             {
                 var middle = (low + high) / 2;
-                var part = new ConvexBody(new Disc(p, direction, 0), new Disc(p - direction * middle, direction, 0));
-                if (part.Meets(strand.Body, Touch, Vec3.UnitX)) high = middle;
+                if (Ray(middle).Meets(strand.Body, Touch, Vec3.UnitX)) high = middle;
                 else low = middle;
             }
-            nearest = Math.Min(nearest, high);
+            nearest = high;
+            ray = Ray(nearest);
         }
         return nearest;
+
+        ConvexBody Ray(double length) => new(new Disc(p, direction, 0), new Disc(p - direction * length, direction, 0));
     }
 
     // The boxes around a place; what is in them may stand out.
@@ -121,15 +145,19 @@ internal sealed class StrandGrid
 
     private static (int, int, int) Place(Vec3 p, double side) => (Index(p.X, side), Index(p.Y, side), Index(p.Z, side));
 
+    // The end of a box along a direction.
+    private static double Highest(in Bounds box, Vec3 direction)
+        => Math.Max(box.Min.X * direction.X, box.Max.X * direction.X) + Math.Max(box.Min.Y * direction.Y, box.Max.Y * direction.Y)
+            + Math.Max(box.Min.Z * direction.Z, box.Max.Z * direction.Z);
+
     private void Put(Strand strand, Vec3 middle)
     {
-        var bounds = strand.Body.Bounds;
-        _reach = Math.Max(_reach, Math.Max((bounds.Max - middle).Length, (bounds.Min - middle).Length));
+        _reach = Math.Max(_reach, Math.Max((strand.Bounds.Max - middle).Length, (strand.Bounds.Min - middle).Length));
         var box = Find(_boxes, Place(middle, Large));
-        box.Bounds = box.Bounds.Include(bounds);
+        box.Include(strand.Bounds);
         var part = Find(box.Parts, Place(middle, Small));
-        part.Bounds = part.Bounds.Include(bounds);
-        part.Strands.Add(strand);
+        part.Include(strand.Bounds);
+        part.Add(strand);
     }
 
     private static Box Find(Dictionary<(int, int, int), Box> boxes, (int, int, int) place)
@@ -140,8 +168,43 @@ internal sealed class StrandGrid
 
     private sealed class Box
     {
-        public Bounds Bounds;
+        private ConvexBody? _hull;
+
+        public Bounds Bounds { get; private set; }
+
+        public ConvexBody Hull => _hull ??= ConvexBody.Of(Bounds, Affine.Identity);
+
         public Dictionary<(int, int, int), Box> Parts { get; } = [];
+
+        public List<Row> Rows { get; } = [];
+
+        public void Add(Strand strand)
+        {
+            if (Rows.Count == 0 || Rows[Rows.Count - 1].Strands.Count == Row.Most) Rows.Add(new Row());
+            Rows[Rows.Count - 1].Add(strand);
+        }
+
+        public void Include(in Bounds bounds)
+        {
+            var all = Bounds.Include(bounds);
+            if (all == Bounds) return;
+            (Bounds, _hull) = (all, null);
+        }
+    }
+
+    // Strands of one box that were added one after the other: mostly of one layer.
+    private sealed class Row
+    {
+        public const int Most = 12;
+
+        public Bounds Bounds { get; private set; }
+
         public List<Strand> Strands { get; } = [];
+
+        public void Add(Strand strand)
+        {
+            Bounds = Bounds.Include(strand.Bounds);
+            Strands.Add(strand);
+        }
     }
 }
