@@ -50,7 +50,7 @@ public sealed class LayerFieldComponent() : ChosenPortsComponent(
         ports.For("Sources", [SurfaceSource.HeightMap], () =>
         {
             ports.File("Image", "I",
-                "Height map over the solids (PNG, PGM). Black = Low, white = High.", "Images (*.png;*.pgm)|*.png;*.pgm|All files|*.*", optional: true);
+                "Height map over the solids (PNG). Black = Low, white = High.", "Images (*.png)|*.png|All files|*.*", optional: true);
             ports.Number("Low", "L", "Height of black, in mm.", 0);
             ports.Number("High", "H", "Height of white, in mm.", 2);
         });
