@@ -97,13 +97,8 @@ internal sealed class TopBottomFinder(LayerWork layer, SliceRules rules, RegionE
     {
         var limit = rules.InfillSpacing > 0 ? rules.Settings.SolidInfillThresholdArea : 0;
         if (limit == 0) return sparse;
-        var islands = sparse.Islands;
-        var kept = new List<GridPoint[]>();
-        foreach (var island in islands)
-        {
-            if (island.Area >= limit) kept.AddRange(island.Paths);
-        }
-        return kept.Count == sparse.Paths.Length ? sparse : Region.Own(kept.ToArray());
+        var kept = sparse.Islands.Where(i => i.Area >= limit).SelectMany(i => i.Paths).ToArray();
+        return kept.Length == sparse.Paths.Length ? sparse : Region.Own(kept);
     }
 
     private bool Over(bool air) => air && rules.Settings.Bridges && !layer.RegionAt(-1).IsEmpty;

@@ -46,10 +46,5 @@ internal static class LostLayers
 
     private static double Area(Section section) => ContourMeasure.NonZero(section.Loops).Area;
 
-    private static double Missing(Section section)
-    {
-        var sum = section.Gaps.Length;
-        foreach (var line in section.OpenLines) sum += line.Length;
-        return sum;
-    }
+    private static double Missing(Section section) => section.OpenLines.Aggregate(section.Gaps.Length, (sum, line) => sum + line.Length);
 }

@@ -9,8 +9,7 @@ internal static class OverlappingModels
 
     public static IReadOnlyList<SliceModel> Merge(IReadOnlyList<SliceModel> models, int threads, DiagnosticList problems, CancellationToken cancel)
     {
-        var group = new int[models.Count];
-        for (var i = 0; i < group.Length; i++) group[i] = i;
+        var group = Enumerable.Range(0, models.Count).ToArray();
         for (var i = 0; i < group.Length; i++)
         {
             for (var j = 0; j < i; j++)
@@ -53,8 +52,7 @@ internal static class OverlappingModels
         double bottom = Math.Max(0, Math.Max(p.Min.Z, q.Min.Z)), top = Math.Min(p.Max.Z, q.Max.Z);
         if (!(bottom < top)) return false;
         var count = (int)Math.Max(1, Math.Min(MaxHeights, Math.Ceiling((top - bottom) / a.Settings.LayerHeight)));
-        var heights = new double[count];
-        for (var i = 0; i < count; i++) heights[i] = bottom + (i + 0.5) * (top - bottom) / count;
+        var heights = Enumerable.Range(0, count).Select(i => bottom + (i + 0.5) * (top - bottom) / count).ToArray();
         var options = new SectionOptions { Threads = threads, GapMm = a.Settings.SliceGapClosing };
         var first = MeshSections.At(a.Mesh.Mesh, heights, options, null, cancel).Value!;
         var second = MeshSections.At(b.Mesh.Mesh, heights, options, null, cancel).Value!;

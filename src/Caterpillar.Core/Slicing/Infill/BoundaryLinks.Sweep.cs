@@ -20,8 +20,7 @@ internal sealed partial class BoundaryLinks
         if (lines.Count == 0) return result;
         var boundary = new BoundaryIndex(area);
         var count = Locate(boundary, lines);
-        var place = new int[2 * lines.Count];
-        for (var i = 0; i < place.Length; i++) place[i] = -1;
+        var place = Enumerable.Repeat(-1, 2 * lines.Count).ToArray();
         for (var i = 0; i < count; i++) place[_ends[i].Id] = i;
         var (next, waiting) = Neighbors(spans);
         var free = new List<int>();

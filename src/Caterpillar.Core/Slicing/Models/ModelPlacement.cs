@@ -67,18 +67,13 @@ public static class ModelPlacement
     {
         if (models is null) throw new ArgumentNullException(nameof(models));
         if (count < 1) throw new ArgumentOutOfRangeException(nameof(count), "The count must be at least 1.");
-        var all = new List<NamedMesh>(models.Count * count);
-        for (var i = 1; i <= count; i++) all.AddRange(models.Select(m => i == 1 ? m : m with { Name = $"{m.Name} ({NumberFormatter.Format(i)})" }));
-        return all;
+        var names = Enumerable.Range(1, count).Select(i => i == 1 ? "" : $" ({NumberFormatter.Format(i)})");
+        return names.SelectMany(name => models.Select(m => m with { Name = m.Name + name })).ToList();
     }
 
     /// <summary>Bounding box of all models, mm.</summary>
     public static Bounds BoxOf(IReadOnlyList<NamedMesh> models)
-    {
-        var box = Bounds.Empty;
-        foreach (var model in models ?? throw new ArgumentNullException(nameof(models))) box = box.Include(model.Mesh.Bounds);
-        return box;
-    }
+        => (models ?? throw new ArgumentNullException(nameof(models))).Aggregate(Bounds.Empty, (box, model) => box.Include(model.Mesh.Bounds));
 
     private static IReadOnlyList<NamedMesh> About(IReadOnlyList<NamedMesh> models, Affine map)
     {

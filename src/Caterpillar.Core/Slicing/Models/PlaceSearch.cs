@@ -95,11 +95,8 @@ internal sealed class PlaceSearch(Printer printer, ArrangeOptions options, Cance
 
     private bool IsFree(Footprint moved, Footprint?[] placed)
     {
-        foreach (var other in placed)
-        {
-            if (other is not null && !moved.IsApart(other, Spacing(moved, other))) return false;
-        }
-        return Array.TrueForAll(Others, other => moved.IsApart(other, Spacing(moved, other)));
+        bool IsApart(Footprint? other) => other is null || moved.IsApart(other, Spacing(moved, other));
+        return Array.TrueForAll(placed, IsApart) && Array.TrueForAll(Others, IsApart);
     }
 
     // The lower one is printed first.

@@ -39,12 +39,6 @@ internal sealed record LayerZones(SliceRules Rules, Region Region, IReadOnlyList
     public IReadOnlyList<InsideWork> Divide(Region inside, RegionEngine engine)
     {
         if (Zones.Count == 1) return [new InsideWork(Zones[0].Rules, inside)];
-        var parts = new List<InsideWork>();
-        foreach (var (rules, area) in Zones)
-        {
-            var part = inside.Intersect(area, engine);
-            if (!part.IsEmpty) parts.Add(new InsideWork(rules, part));
-        }
-        return parts;
+        return Zones.Select(z => new InsideWork(z.Rules, inside.Intersect(z.Area, engine))).Where(w => !w.Region.IsEmpty).ToList();
     }
 }

@@ -59,10 +59,7 @@ internal sealed class OverhangSplitter(SliceRules rules, Region below, RegionEng
     }
 
     private Bead Changed(Bead bead, OverhangClass kind, PrintPath path)
-    {
-        var speed = kind.Speed > 0 ? Math.Min(kind.Speed, _settings.SpeedOf(path.Role)) : bead.Speed;
-        return new Bead(bead.Area * kind.Flow, bead.Height, speed);
-    }
+        => new(bead.Area * kind.Flow, bead.Height, kind.Speed > 0 ? Math.Min(kind.Speed, _settings.SpeedOf(path.Role)) : bead.Speed);
 
     // The fan can't follow short pieces: it is set for the whole path where enough of it hangs over.
     private double? Fan(double[] lengths, double all)

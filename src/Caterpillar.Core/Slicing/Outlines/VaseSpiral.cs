@@ -22,12 +22,8 @@ internal sealed class VaseSpiral(bool isAlone)
     /// <summary>Path of the wall in a layer: half a width inside its largest outline. Null if it has none.</summary>
     public static Polyline? Loop(LayerWork layer, RegionEngine engine)
     {
-        var outlines = new List<GridPoint[]>();
-        foreach (var path in layer.Region.Paths)
-        {
-            if (Grid.DoubleArea(path, 0, path.Length) > 0) outlines.Add(path);
-        }
-        var line = Region.Own(outlines.ToArray()).Offset(-layer.Rules.Walls.OuterWidth / 2, JoinStyle.Miter, 2, 0.005, engine);
+        var outlines = Array.FindAll(layer.Region.Paths, path => Grid.DoubleArea(path, 0, path.Length) > 0);
+        var line = Region.Own(outlines).Offset(-layer.Rules.Walls.OuterWidth / 2, JoinStyle.Miter, 2, 0.005, engine);
         Polyline? largest = null;
         foreach (var contour in line.Contours)
         {

@@ -81,10 +81,5 @@ internal static class WallSteps
         }
     }
 
-    private static Vec3[] Lifted(Vec3[] contour, double z)
-    {
-        var points = new Vec3[contour.Length];
-        for (var i = 0; i < points.Length; i++) points[i] = contour[i].WithZ(z);
-        return points;
-    }
+    private static Vec3[] Lifted(Vec3[] contour, double z) => Array.ConvertAll(contour, p => p.WithZ(z));
 }

@@ -24,12 +24,7 @@ internal static class FillStage
         => layer.Rules.Settings.InfillPattern == InfillPattern.Lightning
             || layer.Modifiers.Exists(m => m.Rules.Settings.InfillPattern == InfillPattern.Lightning);
 
-    private static int Reach(LayerWork layer)
-    {
-        var reach = TopBottomFinder.Reach(layer, layer.Rules);
-        foreach (var (rules, _) in layer.Modifiers) reach = Math.Max(reach, TopBottomFinder.Reach(layer, rules));
-        return reach;
-    }
+    private static int Reach(LayerWork layer) => layer.Modifiers.Select(m => m.Rules).Prepend(layer.Rules).Max(rules => TopBottomFinder.Reach(layer, rules));
 
     public static SlicedLayer Run(LayerWork layer, LayerTools tools)
     {

@@ -12,10 +12,5 @@ public class SliceResult
     public IReadOnlyList<SlicedLayer> Layers { get; }
 
     /// <summary>The paths of all layers, as steps for planning.</summary>
-    public IReadOnlyList<Step> ToSteps()
-    {
-        var steps = new List<Step>();
-        foreach (var layer in Layers) steps.AddRange(layer.Steps);
-        return steps;
-    }
+    public IReadOnlyList<Step> ToSteps() => Layers.SelectMany(l => l.Steps).ToList<Step>();
 }

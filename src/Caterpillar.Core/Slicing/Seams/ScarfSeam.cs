@@ -58,11 +58,7 @@ internal static class ScarfSeam
     private static double Share(double at, double scarf) => First + (1 - First) * Math.Min(1, at / scarf);
 
     // The end of the step of the ramp that a length lies in.
-    private static double NextStep(double at, double scarf, int steps)
-    {
-        var next = (Math.Floor(at / scarf * steps + Rounding) + 1) * scarf / steps;
-        return Math.Min(next, scarf);
-    }
+    private static double NextStep(double at, double scarf, int steps) => Math.Min((Math.Floor(at / scarf * steps + Rounding) + 1) * scarf / steps, scarf);
 
     private static Bead Scaled(Bead bead, double share) => new(bead.Area * share, bead.Height * share, bead.Speed);
 }

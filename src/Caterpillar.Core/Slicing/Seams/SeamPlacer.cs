@@ -27,8 +27,7 @@ internal sealed class SeamPlacer(Body body)
         var chains = work.Chains;
         work.Chains = [];
         var places = new LoopPlace?[chains.Count];
-        var loops = new Vec3[chains.Count][];
-        for (var i = 0; i < loops.Length; i++) loops[i] = layer.Steps[chains[i].Outer].Path.RawPoints;
+        var loops = chains.Select(c => layer.Steps[c.Outer].Path.RawPoints).ToArray();
         Choose(loops, chains, places, work);
         var steps = new List<PathStep>(layer.Steps);
         for (var i = 0; i < places.Length; i++)
@@ -203,8 +202,7 @@ internal sealed class SeamPlacer(Body body)
         {
             if (nearest[k].Loop is >= 0 and var loop) longest[loop] = Math.Max(longest[loop], _below[k].Length);
         }
-        var matches = new int[loops];
-        for (var i = 0; i < loops; i++) matches[i] = -1;
+        var matches = Enumerable.Repeat(-1, loops).ToArray();
         for (var k = 0; k < nearest.Length; k++)
         {
             var (square, loop) = nearest[k];

@@ -67,13 +67,5 @@ internal static class ToolTurns
     }
 
     private static List<SlicedLayer> Share(SlicedLayer[] level, int tool)
-    {
-        var share = new List<SlicedLayer>();
-        foreach (var layer in level)
-        {
-            var steps = layer.Steps.Where(s => s.Path.Tool == tool).ToArray();
-            if (steps.Length > 0) share.Add(steps.Length == layer.Steps.Count ? layer : layer with { Steps = steps });
-        }
-        return share;
-    }
+        => level.Select(l => l with { Steps = l.Steps.Where(s => s.Path.Tool == tool).ToArray() }).Where(l => l.Steps.Count > 0).ToList();
 }

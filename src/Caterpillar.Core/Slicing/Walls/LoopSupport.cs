@@ -1,26 +1,16 @@
 namespace Caterpillar.Slicing;
 
 /// <summary>Parts of a loop over air. A seam there would be a free end that sags.</summary>
-internal sealed class LoopSupport
+internal sealed class LoopSupport(List<(double From, double To)> air, double whole, double over)
 {
     // mm that a seam keeps from the air, where there is so much.
     private const double Margin = 1;
-    private readonly List<(double From, double To)> _air;
-    private readonly double _length;
-
-    private LoopSupport(List<(double From, double To)> air, double length, double over)
-    {
-        _air = air;
-        _length = length;
-        Share = 1 - over / length;
-        IsNowhere = over > length - 1e-6;
-    }
 
     /// <summary>Supported fraction of the loop, 0 to 1.</summary>
-    public double Share { get; }
+    public double Share => 1 - over / whole;
 
     /// <summary>True if the whole loop is over air.</summary>
-    public bool IsNowhere { get; }
+    public bool IsNowhere => over > whole - 1e-6;
 
     /// <summary>The parts of a loop, or null where all of it is supported.</summary>
     /// <param name="loop">The loop.</param>
@@ -56,29 +46,29 @@ internal sealed class LoopSupport
         var at = wanted.T * (loop[wanted.Segment + 1 == loop.Length ? 0 : wanted.Segment + 1] - loop[wanted.Segment]).LengthXY;
         for (var i = 0; i < wanted.Segment; i++) at += (loop[i + 1] - loop[i]).LengthXY;
         double best = at, bestMargin = -1, bestMoved = 0;
-        for (var i = 0; i < _air.Count; i++)
+        for (var i = 0; i < air.Count; i++)
         {
             // From the end of one part in the air to the beginning of the next.
-            var from = _air[i].To;
-            var length = (i + 1 < _air.Count ? _air[i + 1].From : _air[0].From + _length) - from;
+            var from = air[i].To;
+            var length = (i + 1 < air.Count ? air[i + 1].From : air[0].From + whole) - from;
             var margin = Math.Min(Margin, length / 2);
-            var place = at < from ? at + _length : at;
+            var place = at < from ? at + whole : at;
             if (place > from + length - margin)
             {
                 // The nearer end, around the loop.
                 var past = place - (from + length - margin);
-                var before = from + _length + margin - place;
+                var before = from + whole + margin - place;
                 place = past <= before ? from + length - margin : from + margin;
             }
             else if (place < from + margin)
             {
                 place = from + margin;
             }
-            var moved = Math.Abs(place - at) % _length;
-            moved = Math.Min(moved, _length - moved);
+            var moved = Math.Abs(place - at) % whole;
+            moved = Math.Min(moved, whole - moved);
             if (margin < bestMargin || (margin == bestMargin && moved >= bestMoved)) continue;
             (best, bestMargin, bestMoved) = (place, margin, moved);
         }
-        return bestMoved < 1e-6 ? wanted : LoopPlace.AtLength(loop, best % _length);
+        return bestMoved < 1e-6 ? wanted : LoopPlace.AtLength(loop, best % whole);
     }
 }

@@ -18,10 +18,7 @@ internal static class ThinParts
     /// <param name="engine">Clips.</param>
     /// <param name="thick">The other part and some more, or the region itself if nothing is thin.</param>
     public static Region Of(Region region, double half, double smallest, RegionEngine engine, out Region thick)
-    {
-        var core = region.Offset(-half, JoinStyle.Miter, MiterLimit, ArcTolerance, engine);
-        return Of(region, core, half, smallest, engine, out thick);
-    }
+        => Of(region, region.Offset(-half, JoinStyle.Miter, MiterLimit, ArcTolerance, engine), half, smallest, engine, out thick);
 
     /// <summary>The same where the shrunk region is known, or the pieces of it that matter; the engine has made nothing since.</summary>
     public static Region Of(Region region, Region core, double half, double smallest, RegionEngine engine, out Region thick)

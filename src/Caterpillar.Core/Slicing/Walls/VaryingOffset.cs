@@ -76,9 +76,7 @@ internal sealed class VaryingOffset(RegionEngine engine)
         // At tips both sides may run past each other and out again.
         if (engine.Arrangement.Touches || engine.Arrangement.Cut)
             rings = Region.Own(rings).Intersect(_region.Offset(-0.9 * _least, JoinStyle.Miter, 2, 0.005, engine), engine).Paths;
-        var result = new List<(GridPoint[], double[])>(rings.Length);
-        foreach (var ring in rings) result.Add((ring, DistancesOf(ring)));
-        return result;
+        return rings.Select(ring => (ring, DistancesOf(ring))).ToList();
     }
 
     /// <summary>Area beyond twice the distance.</summary>

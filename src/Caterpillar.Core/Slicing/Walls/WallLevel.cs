@@ -69,14 +69,10 @@ internal sealed class WallLevel
         if (certain.IsEmpty) return area;
         core = WithoutShort(Mitered(area, -_single / 2));
         var narrow = ThinParts.Of(area, core, _single / 2, SmallestThin, _engine, out grown);
-        var some = new List<GridPoint[]>();
-        foreach (var piece in narrow.Islands)
+        var some = narrow.Islands.Where(piece => !piece.Intersect(certain.Near(piece.Box), _engine).IsEmpty).SelectMany(piece => piece.Paths).ToArray();
+        if (some.Length < narrow.Paths.Length)
         {
-            if (!piece.Intersect(certain.Near(piece.Box), _engine).IsEmpty) some.AddRange(piece.Paths);
-        }
-        if (some.Count < narrow.Paths.Length)
-        {
-            narrow = Region.Own(some.ToArray());
+            narrow = Region.Own(some);
             grown = Mitered(area.Subtract(narrow, _engine), ThinParts.Film);
         }
         // Growing back makes corners that were cut off whole again.
@@ -121,13 +117,5 @@ internal sealed class WallLevel
 
     // A short thick place, such as a junction of strips, is not worth a loop.
     private Region WithoutShort(Region core)
-    {
-        if (core.IsEmpty) return core;
-        var kept = new List<GridPoint[]>();
-        foreach (var piece in core.Islands)
-        {
-            if (piece.Perimeter >= 3 * _spacing) kept.AddRange(piece.Paths);
-        }
-        return Region.Own(kept.ToArray());
-    }
+        => core.IsEmpty ? core : Region.Own(core.Islands.Where(piece => piece.Perimeter >= 3 * _spacing).SelectMany(piece => piece.Paths).ToArray());
 }

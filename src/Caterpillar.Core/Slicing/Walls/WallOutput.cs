@@ -31,9 +31,7 @@ internal sealed class WallOutput(WallRules rules)
             var points = contour.Raw;
             if (LongMoves(points, closed: true, index) is { } kept) points = Array.ConvertAll(kept, i => points[i]);
             if (points.Length < 3) continue;
-            var widths = new double[points.Length];
-            for (var i = 0; i < widths.Length; i++) widths[i] = width;
-            Paths.Add(new WallPath(points, widths, Closed: true, index, IsExtrusion: false));
+            Paths.Add(new WallPath(points, Enumerable.Repeat(width, points.Length).ToArray(), Closed: true, index, IsExtrusion: false));
         }
     }
 

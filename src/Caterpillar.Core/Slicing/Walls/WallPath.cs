@@ -50,19 +50,12 @@ internal sealed record WallPath(Vec3[] Points, double[] Widths, bool Closed, int
     }
 
     /// <summary>The path that prints it at a height, mm.</summary>
-    public PrintPath ToPath(double z, WallRules rules)
-    {
-        var points = new Vec3[Points.Length];
-        for (var i = 0; i < points.Length; i++) points[i] = Points[i].WithZ(z);
-        return PrintPath.Own(points, Beads(rules), Closed);
-    }
+    public PrintPath ToPath(double z, WallRules rules) => PrintPath.Own(Array.ConvertAll(Points, p => p.WithZ(z)), Beads(rules), Closed);
 
     /// <summary>Beads of the segments: one for all if the width is constant, otherwise one each.</summary>
     public Bead[] Beads(WallRules rules)
     {
-        var even = true;
-        foreach (var width in Widths) even &= Math.Abs(width - Widths[0]) < 1e-9;
-        if (even) return [new Bead(rules.Area(Widths[0]), rules.Thickness)];
+        if (Array.TrueForAll(Widths, width => Math.Abs(width - Widths[0]) < 1e-9)) return [new Bead(rules.Area(Widths[0]), rules.Thickness)];
         var beads = new Bead[SegmentCount];
         for (var i = 0; i < beads.Length; i++) beads[i] = new Bead(SegmentArea(i, rules), rules.Thickness);
         return beads;

@@ -3,13 +3,9 @@ namespace Caterpillar.Slicing;
 /// <summary>What one worker needs for any layer; it keeps its arrays from layer to layer.</summary>
 internal sealed class LayerTools
 {
-    public LayerTools()
-    {
-        Engine = new RegionEngine();
-        Infill = new InfillFiller(Engine);
-    }
+    public LayerTools() => Infill = new InfillFiller(Engine);
 
-    public RegionEngine Engine { get; }
+    public RegionEngine Engine { get; } = new();
 
     public InfillFiller Infill { get; }
 }
