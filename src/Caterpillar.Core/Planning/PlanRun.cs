@@ -34,8 +34,7 @@ internal sealed class PlanRun
     /// <summary>Plans all steps at once.</summary>
     public static Result<Plan> Run(IReadOnlyList<Step> steps, PlanRules rules, PlanOptions options, IProgress<double>? progress, CancellationToken cancel)
     {
-        var returns = false;
-        foreach (var step in steps) returns |= step is TravelStep { Intent: TravelIntent.Return };
+        var returns = steps.Any(s => s is TravelStep { Intent: TravelIntent.Return });
         var run = new PlanRun(rules, options, returns, null, cancel);
         run.Add(steps, progress);
         progress?.Report(1);

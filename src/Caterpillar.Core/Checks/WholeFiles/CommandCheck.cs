@@ -139,40 +139,21 @@ internal sealed class CommandCheck
     }
 
     private string Named(Found found)
-    {
-        var line = _findings.PlaceOfEvent(EventOf(found.Place))?.Line ?? found.Place.Line;
-        return UsedCommand.Named(found.Used.Name, line, found.Count);
-    }
+        => UsedCommand.Named(found.Used.Name, _findings.PlaceOfEvent(EventOf(found.Place))?.Line ?? found.Place.Line, found.Count);
 
     private static MoveEvent EventOf(CommandPlace place) => new(place.Move, new CommentEvent("")) { Source = place.Line };
 
     private int FirstExtrusion()
-    {
-        for (var block = 0; block < _toolpath.Blocks.Count; block++)
-        {
-            var c = _toolpath.Blocks[block].Columns;
-            for (var i = 0; i < c.Count; i++)
-            {
-                if (Extrudes(c, i) && c.Source[i] >= _scope.FirstLine) return _toolpath.FirstOf(block) + i;
-            }
-        }
-        return int.MaxValue;
-    }
+        => _toolpath.Moves().Where(m => Extrudes(m) && m.Source >= _scope.FirstLine).Select(m => m.Index).DefaultIfEmpty(int.MaxValue).First();
 
     private int LastExtrusion()
     {
-        for (var block = _toolpath.Blocks.Count - 1; block >= 0; block--)
-        {
-            var c = _toolpath.Blocks[block].Columns;
-            for (var i = c.Count - 1; i >= 0; i--)
-            {
-                if (Extrudes(c, i)) return _toolpath.FirstOf(block) + i;
-            }
-        }
-        return -1;
+        var last = _toolpath.Count - 1;
+        while (last >= 0 && !Extrudes(_toolpath[last])) last--;
+        return last;
     }
 
-    private static bool Extrudes(ToolpathColumns c, int i) => c.Kind[i] is MoveKind.Print or MoveKind.Prime;
+    private static bool Extrudes(Move move) => move.Kind is MoveKind.Print or MoveKind.Prime;
 
     private readonly record struct Found(string Code, UsedCommand Used, CommandPlace Place, Part Part, int Count);
 }

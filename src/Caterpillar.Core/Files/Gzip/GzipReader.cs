@@ -18,7 +18,6 @@ internal sealed class GzipReader(Stream packed, bool leaveOpen = false) : ReadSt
     internal const string CutOff = "It is cut off.";
     internal const string TooLarge = "It decompresses to more than 250 times its size.";
     private readonly GzipInput _input = new GzipInput(packed ?? throw new ArgumentNullException(nameof(packed)));
-    private readonly bool _leaveOpen = leaveOpen;
     private DeflateStream? _member;
     private uint _sum;
     private uint _length;
@@ -80,7 +79,7 @@ internal sealed class GzipReader(Stream packed, bool leaveOpen = false) : ReadSt
         if (disposing)
         {
             _member?.Dispose();
-            if (!_leaveOpen) _input.Source.Dispose();
+            if (!leaveOpen) _input.Source.Dispose();
         }
         base.Dispose(disposing);
     }

@@ -4,10 +4,7 @@ namespace Caterpillar.GCode;
 internal static class FilamentFactors
 {
     public static double?[] Of(IReadOnlyDictionary<string, string> settings, double? diameter)
-    {
-        if (settings.TryGetValue("use_volumetric_e", out var volumetric) && volumetric.Split(',')[0].Trim() == "1") return [1.0];
-        return Areas(settings, diameter);
-    }
+        => settings.TryGetValue("use_volumetric_e", out var volumetric) && volumetric.Split(',')[0].Trim() == "1" ? [1.0] : Areas(settings, diameter);
 
     /// <summary>Filament cross-section of each tool, mm². If the settings state no diameter, the given one applies.</summary>
     public static double?[] Areas(IReadOnlyDictionary<string, string> settings, double? diameter)

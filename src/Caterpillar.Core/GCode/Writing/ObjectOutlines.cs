@@ -49,16 +49,6 @@ internal static class ObjectOutlines
             }
         }
 
-        public IReadOnlyList<Vec3> Outline()
-        {
-            if (double.IsInfinity(_farthest[0])) return [];
-            var corners = new List<Vec3>();
-            foreach (var point in _points)
-            {
-                var corner = point.WithZ(0);
-                if (!corners.Contains(corner)) corners.Add(corner);
-            }
-            return corners;
-        }
+        public IReadOnlyList<Vec3> Outline() => double.IsInfinity(_farthest[0]) ? [] : _points.Select(p => p.WithZ(0)).Distinct().ToList();
     }
 }

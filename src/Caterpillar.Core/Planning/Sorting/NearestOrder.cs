@@ -37,12 +37,7 @@ internal static class NearestOrder
         return order;
     }
 
-    public static PathPlacement[] AsGiven(int count)
-    {
-        var order = new PathPlacement[count];
-        for (var i = 0; i < count; i++) order[i] = new PathPlacement(i);
-        return order;
-    }
+    public static PathPlacement[] AsGiven(int count) => Enumerable.Range(0, count).Select(i => new PathPlacement(i)).ToArray();
 
     /// <summary>Length in mm of the travel between the paths.</summary>
     public static double TravelLength(SortItem[] items, PathPlacement[] order, Vec3? start)

@@ -36,9 +36,7 @@ public static class PathSorter
     public static double TravelBetween(IReadOnlyList<PrintPath> paths)
     {
         if (paths is null) throw new ArgumentNullException(nameof(paths));
-        var sum = 0.0;
-        for (var i = 1; i < paths.Count; i++) sum += paths[i - 1].End.DistanceTo(paths[i].Start);
-        return sum;
+        return paths.Zip(paths.Skip(1), (path, next) => path.End.DistanceTo(next.Start)).Sum();
     }
 
     internal static PathPlacement[] Find(SortItem[] items, SortOptions options, CancellationToken cancel)

@@ -77,10 +77,7 @@ internal sealed class ReturnPath(PlanRules rules)
 
     /// <summary>Where the head hits the print on every route: at its position or at the goal. Null if a route is free.</summary>
     public Vec3? Blocked(Vec3 from, Vec3 goal)
-    {
-        if (Contact(from, [from]) == HeadContact.Hits) return from;
-        return Along(goal, [goal]) == HeadContact.Hits ? goal : null;
-    }
+        => Contact(from, [from]) == HeadContact.Hits ? from : Along(goal, [goal]) == HeadContact.Hits ? goal : null;
 
     /// <summary>The worst that the head does to the print along a path: nozzle, head and boxes as the checks know them.</summary>
     public HeadContact Along(Vec3 from, List<Vec3> path)

@@ -268,11 +268,7 @@ internal sealed class MotionPlanner
 
     /// <summary>mm of filament for a unit of E of each tool, of one at least.</summary>
     public static double[] FilamentPerE(IReadOnlyList<ToolpathTool> tools, PrintSetup setup)
-    {
-        var factors = new double[Math.Max(tools.Count, 1)];
-        for (var tool = 0; tool < factors.Length; tool++) factors[tool] = FilamentPerE(tool, tool < tools.Count ? tools[tool].VolumePerE : null, setup);
-        return factors;
-    }
+        => tools.DefaultIfEmpty(new ToolpathTool(null)).Select((tool, number) => FilamentPerE(number, tool.VolumePerE, setup)).ToArray();
 
     /// <summary>mm of filament for a unit of E of a tool: a tool whose E is a volume has a factor of 1 mm³.</summary>
     public static double FilamentPerE(int tool, double? volumePerE, PrintSetup setup)

@@ -165,11 +165,8 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
         }
     }
 
-    private bool IsHoming(int code)
-    {
-        if (code == 280 && _rules.HomingCommands.Count == 1) return true;
-        return code is 280 or 300 or 1610 or 1620 && FlavorRules.Names(_rules.HomingCommands, 'G', code / 10.0);
-    }
+    private bool IsHoming(int code) => (code == 280 && _rules.HomingCommands.Count == 1)
+        || (code is 280 or 300 or 1610 or 1620 && FlavorRules.Names(_rules.HomingCommands, 'G', code / 10.0));
 
     private void FirmwareRetraction(bool retract)
     {

@@ -1,7 +1,7 @@
 namespace Caterpillar.GCode;
 
 /// <summary>Converts targets to moves: finds the kind of each move, counts it, and collects moves and events.</summary>
-internal sealed partial class MoveRecorder
+internal sealed partial class MoveRecorder(Machine machine, ExtrusionRule rule)
 {
     // Beyond these a number is no length in mm: such a move is left out and reported.
     public const double LargestLength = 1e10;
@@ -9,31 +9,20 @@ internal sealed partial class MoveRecorder
     private const double NoChange = InterpreterState.NoChange;
     private const double LargestSquare = LargestLength * LargestLength;
 
-    private readonly InterpreterState _state;
-    private readonly Extruders _extruders;
-    private readonly LineDiagnostics _diagnostics;
-    private readonly DecodeCounters _counters;
+    private readonly InterpreterState _state = machine.State;
+    private readonly Extruders _extruders = machine.Extruders;
+    private readonly LineDiagnostics _diagnostics = machine.Diagnostics;
+    private readonly DecodeCounters _counters = machine.Counters;
     private BlockCollector _moves = new();
     private Action<DecodedBlock>? _take;
     private readonly List<MoveEvent> _events = [];
-    private readonly bool _balance;
-    private readonly bool _switched;
+    private readonly bool _balance = rule == ExtrusionRule.Balance;
+    private readonly bool _switched = machine.Axis == ExtrusionAxis.Switched;
     private double _lastPrintZ = double.NaN;
     private double _lastFlatZ = double.NaN;
     private bool _afterPrint;
     private Vec3? _start;
     private int _taken;
-
-    public MoveRecorder(Machine machine, ExtrusionRule rule)
-    {
-        _state = machine.State;
-        _extruders = machine.Extruders;
-        _diagnostics = machine.Diagnostics;
-        _counters = machine.Counters;
-        _balance = rule == ExtrusionRule.Balance;
-        _switched = machine.Axis == ExtrusionAxis.Switched;
-        PrintsWithoutE = _switched || (machine.Axis == ExtrusionAxis.None && machine.Rules.PrintsWithoutE);
-    }
 
     public LayerCollector Layers { get; } = new();
 
@@ -41,7 +30,7 @@ internal sealed partial class MoveRecorder
     public Role Role { get; set; }
 
     /// <summary>True if G1 to G3 print without E.</summary>
-    public bool PrintsWithoutE { get; }
+    public bool PrintsWithoutE { get; } = machine.Axis == ExtrusionAxis.Switched || (machine.Axis == ExtrusionAxis.None && machine.Rules.PrintsWithoutE);
 
     public int Count => _moves.Count;
 
