@@ -68,11 +68,8 @@ internal sealed class ToolpathEditOptions
     public EditOptions Code(ParseResult arguments)
         => new() { Start = Lines(arguments.GetValue(_start), "--start-gcode"), End = Lines(arguments.GetValue(_end), "--end-gcode") };
 
-    private static string[]? Lines(string? file, string option)
-    {
-        if (file is null) return null;
-        return file.Trim().Length > 0 ? File.ReadAllLines(file) : throw new CliException(ExitCode.Usage, $"{option} needs a file name.");
-    }
+    private static string[]? Lines(string? file, string option) => file is null ? null
+        : file.Trim().Length > 0 ? File.ReadAllLines(file) : throw new CliException(ExitCode.Usage, $"{option} needs a file name.");
 
     private static (int Layer, PrinterEvent What) Tool(string text)
     {

@@ -84,9 +84,7 @@ internal sealed class SectionsVerb : Verb
         {
             throw new CliException(ExitCode.Usage, $"--every {NumberFormatter.Format(every, 9)} gives more than {NumberFormatter.Format(MaxHeights)} planes.");
         }
-        var heights = new double[(int)Math.Max(0, count)];
-        for (var i = 0; i < heights.Length; i++) heights[i] = (i + 0.5) * every;
-        return heights;
+        return Enumerable.Range(0, (int)Math.Max(0, count)).Select(i => (i + 0.5) * every).ToArray();
     }
 
     private static List<string[]> Table(List<SectionReport> reports)

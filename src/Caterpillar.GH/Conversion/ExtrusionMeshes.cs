@@ -8,19 +8,12 @@ internal static class ExtrusionMeshes
     {
         if (extrusions.Quads.Count == 0) return null;
         var mesh = new Rg.Mesh();
-        var points = new Rg.Point3d[extrusions.Vertices.Count];
-        for (var i = 0; i < points.Length; i++) points[i] = RhinoGeometry.ToPoint(extrusions.Vertices[i], units);
-        mesh.Vertices.AddVertices(points);
+        mesh.Vertices.AddVertices(extrusions.Vertices.Select(v => RhinoGeometry.ToPoint(v, units)));
         var faces = new Rg.MeshFace[extrusions.Quads.Count / 4];
         for (var i = 0; i < faces.Length; i++)
             faces[i] = new Rg.MeshFace(extrusions.Quads[4 * i], extrusions.Quads[4 * i + 1], extrusions.Quads[4 * i + 2], extrusions.Quads[4 * i + 3]);
         mesh.Faces.AddFaces(faces);
-        if (colorOfMove is not null)
-        {
-            var colors = new Color[points.Length];
-            for (var i = 0; i < colors.Length; i++) colors[i] = colorOfMove(extrusions.Moves[i]);
-            mesh.VertexColors.SetColors(colors);
-        }
+        if (colorOfMove is not null) mesh.VertexColors.SetColors(extrusions.Moves.Take(extrusions.Vertices.Count).Select(colorOfMove).ToArray());
         mesh.Normals.ComputeNormals();
         return mesh;
     }

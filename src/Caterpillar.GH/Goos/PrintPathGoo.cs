@@ -74,10 +74,8 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>
         var units = DocumentUnits.Current;
         // The image of an arc is no arc.
         var straight = PathArcs.Expand(Value);
-        var points = new List<Vec3>(straight.Points.Count);
-        foreach (var point in straight.Points) points.Add(RhinoGeometry.ToVec(xmorph.MorphPoint(RhinoGeometry.ToPoint(point, units)), units));
-        var beads = new List<Bead>(straight.SegmentCount);
-        for (var i = 0; i < straight.SegmentCount; i++) beads.Add(straight.BeadOf(i));
+        var points = straight.Points.Select(p => RhinoGeometry.ToVec(xmorph.MorphPoint(RhinoGeometry.ToPoint(p, units)), units)).ToList();
+        var beads = Enumerable.Range(0, straight.SegmentCount).Select(straight.BeadOf).ToList();
         return With(straight.WithGeometry(points, beads, straight.IsClosed));
     }
 

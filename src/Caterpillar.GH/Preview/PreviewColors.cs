@@ -13,29 +13,21 @@ public enum PreviewColor
 }
 
 /// <summary>A color band for each printing move that is shown: roles, or sixteen steps of a number from its minimum to its maximum.</summary>
-internal sealed class PreviewColors
+internal sealed class PreviewColors(byte[] bands, IReadOnlyList<Color> colors, IReadOnlyList<string> texts)
 {
     /// <summary>The band of other moves.</summary>
     public const byte Hidden = byte.MaxValue;
 
     private const int Steps = 16;
     private const double NotPrinted = double.NegativeInfinity;
-    private readonly byte[] _bands;
-
-    private PreviewColors(byte[] bands, IReadOnlyList<Color> colors, IReadOnlyList<string> texts)
-    {
-        _bands = bands;
-        Colors = colors;
-        Texts = texts;
-    }
 
     /// <summary>The color of each band.</summary>
-    public IReadOnlyList<Color> Colors { get; }
+    public IReadOnlyList<Color> Colors => colors;
 
     /// <summary>Meaning of each band.</summary>
-    public IReadOnlyList<string> Texts { get; }
+    public IReadOnlyList<string> Texts => texts;
 
-    public int BandOf(int move) => _bands[move];
+    public int BandOf(int move) => bands[move];
 
     /// <summary>The value of each move for <see cref="Of"/>. The timeline is needed for times only.</summary>
     public static double[] ValuesOf(Toolpath toolpath, SceneParts parts, PreviewColor by, Timeline? timeline, CancellationToken cancel)

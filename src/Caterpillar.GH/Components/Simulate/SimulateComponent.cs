@@ -87,11 +87,7 @@ public sealed class SimulateComponent() : CaterpillarComponent(
     {
         var number = (int)Math.Floor(Math.Max(Math.Min(position, int.MaxValue), -1));
         if (by == PositionBy.Line) return number >= 0 ? timeline.AtSource(number) : null;
-        for (var i = 0; i < timeline.Toolpath.Layers.Count; i++)
-        {
-            if (timeline.Toolpath.Layers[i].Index == number && timeline.AtLayer(i) is { } state) return state;
-        }
-        return null;
+        return timeline.Toolpath.Layers.Select((layer, i) => layer.Index == number ? timeline.AtLayer(i) : null).FirstOrDefault(state => state is not null);
     }
 
     private static Rg.Curve? Current(Timeline timeline, MachineState state, DocumentUnits units)
