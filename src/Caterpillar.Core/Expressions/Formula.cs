@@ -39,8 +39,7 @@ internal sealed class Formula(string text, string[] variables, FormulaNode node,
         }
         catch (FormulaException e)
         {
-            var place = (source ?? new SourceLocation()) with { Line = e.Line, Column = e.Column };
-            return new Result<Formula>(e.Code, e.Message, place);
+            return new Result<Formula>(e.Code, e.Message, (source ?? new SourceLocation()) with { Line = e.Line, Column = e.Column });
         }
     }
 

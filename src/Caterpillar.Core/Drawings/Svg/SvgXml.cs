@@ -30,11 +30,8 @@ internal sealed class SvgXml
     private IXmlLineInfo Line => (IXmlLineInfo)Reader;
 
     /// <summary>A reader of the text of a drawing.</summary>
-    public static XmlReader Open(string text)
-    {
-        var settings = new XmlReaderSettings { DtdProcessing = DtdProcessing.Ignore, XmlResolver = null, CheckCharacters = false };
-        return XmlReader.Create(new StringReader(text), settings);
-    }
+    public static XmlReader Open(string text) => XmlReader.Create(
+        new StringReader(text), new XmlReaderSettings { DtdProcessing = DtdProcessing.Ignore, XmlResolver = null, CheckCharacters = false });
 
     public string? Attribute(string name) => Reader.GetAttribute(name);
 

@@ -143,10 +143,7 @@ internal sealed class CsvCurves(CurveSource source)
             if (column is CurveColumn.Key or CurveColumn.Ignored) continue;
             if (!TryNumber(i, out var value, out var percent)) return Fail("curves.number", $"\"{Short(Cell(i))}\" is not a number.", _starts[i]);
             if (double.IsNaN(value - value)) return Fail("curves.not_finite", "Values must be finite.", _starts[i]);
-            if (percent && !Resolve(column, ref value))
-            {
-                return Fail("curves.percent", CurveColumns.NoPercentage, _starts[i]);
-            }
+            if (percent && !Resolve(column, ref value)) return Fail("curves.percent", CurveColumns.NoPercentage, _starts[i]);
             if (column > CurveColumn.Z && value < 0 && column != CurveColumn.Layer) return Fail("curves.bead", CurveColumns.Negative, _starts[i]);
             if (column - CurveColumn.Area is >= 0 and < CurveColumns.Settings and var setting) _values[setting]!.Add(value);
             else if (column != CurveColumn.Dot) _row[(int)column] = value;
@@ -221,14 +218,7 @@ internal sealed class CsvCurves(CurveSource source)
         return true;
     }
 
-    private byte DelimiterOf(int start, int end)
-    {
-        foreach (var candidate in ";\t,")
-        {
-            if (Array.IndexOf(_bytes, (byte)candidate, start, end - start) >= 0) return (byte)candidate;
-        }
-        return (byte)' ';
-    }
+    private byte DelimiterOf(int start, int end) => (byte)";\t, ".First(c => c == ' ' || Array.IndexOf(_bytes, (byte)c, start, end - start) >= 0);
 
     private int Cells(int start, int end)
     {

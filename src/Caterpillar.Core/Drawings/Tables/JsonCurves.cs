@@ -287,10 +287,8 @@ internal sealed class JsonCurves(CurveSource source)
 
     // Through text, so that the value is the same on every runtime.
     private static double? Number(JToken token)
-    {
-        if (token is not JValue { Value: IFormattable number } || token.Type is not (JTokenType.Integer or JTokenType.Float)) return null;
-        return NumberReader.TryParse(number.ToString(null, CultureInfo.InvariantCulture), out var value) ? value : null;
-    }
+        => token is JValue { Value: IFormattable number, Type: JTokenType.Integer or JTokenType.Float }
+            && NumberReader.TryParse(number.ToString(null, CultureInfo.InvariantCulture), out var value) ? value : null;
 
     private void Unknown(JObject holder)
     {

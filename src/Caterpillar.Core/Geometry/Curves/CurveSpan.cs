@@ -24,10 +24,7 @@ internal readonly record struct CurveSpan(Vec3 Start, Vec3 End, BezierSpan? Bezi
 
     /// <summary>First and second derivative with respect to u.</summary>
     public (Vec3 First, Vec3 Second) Derivatives(double u)
-    {
-        if (Bezier is not null) return Bezier.Derivatives(u);
-        return Arc is not null ? Arc.Derivatives(u) : (End - Start, Vec3.Zero);
-    }
+        => Bezier is not null ? Bezier.Derivatives(u) : Arc is not null ? Arc.Derivatives(u) : (End - Start, Vec3.Zero);
 
     /// <summary>The angle between two unit vectors, 0 to 180 degrees.</summary>
     public static double TurnDegrees(Vec3 a, Vec3 b) => Angle.Atan2(Vec3.Cross(a, b).Length, Vec3.Dot(a, b));

@@ -206,10 +206,7 @@ internal sealed class CurvedRun(List<CurveSpan> spans, SubdivisionOptions option
     }
 
     private bool Fails(Station from, Station to)
-    {
-        if (_longest > 0 && to.S - from.S > _longest * (1 + 1e-9)) return true;
-        return Adapts && (Deviates(from, to) || Turns(from, to));
-    }
+        => (_longest > 0 && to.S - from.S > _longest * (1 + 1e-9)) || (Adapts && (Deviates(from, to) || Turns(from, to)));
 
     // Samples in every leaf, within which the speed changes little, then a search around the farthest one.
     private bool Deviates(Station from, Station to)

@@ -95,8 +95,7 @@ public sealed class NurbsCurve : Curve
         if (points is null) throw new ArgumentNullException(nameof(points));
         if (points.Count < 3 || degree < 1) throw new ArgumentException("A periodic curve needs three control points.", nameof(points));
         var count = points.Count + degree;
-        var knots = new double[count + degree + 1];
-        for (var i = 0; i < knots.Length; i++) knots[i] = i - degree;
+        var knots = Enumerable.Range(-degree, count + degree + 1).Select(i => (double)i);
         return new NurbsCurve(degree, Enumerable.Range(0, count).Select(i => points[i % points.Count]), knots,
             weights is null ? null : Enumerable.Range(0, count).Select(i => weights[i % weights.Count]));
     }

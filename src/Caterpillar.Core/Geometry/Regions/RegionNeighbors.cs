@@ -54,15 +54,8 @@ internal static class RegionNeighbors
 
     /// <summary>True if both have the same contours, vertex by vertex.</summary>
     public static bool SameAs(this Region region, Region other)
-    {
-        if (ReferenceEquals(region, other)) return true;
-        if (region.Paths.Length != other.Paths.Length) return false;
-        for (var i = 0; i < region.Paths.Length; i++)
-        {
-            if (!region.Paths[i].SequenceEqual(other.Paths[i])) return false;
-        }
-        return true;
-    }
+        => ReferenceEquals(region, other)
+            || (region.Paths.Length == other.Paths.Length && region.Paths.Zip(other.Paths, (a, b) => a.SequenceEqual(b)).All(same => same));
 
     /// <summary>
     /// True if the other region lies inside a region and their boundaries do not meet. Where they do it is false, even if nothing of the other sticks out.

@@ -71,10 +71,6 @@ internal sealed class RowsFormat<TItem>(
     public override string? Problem(ValueList<TItem> value)
     {
         if (value.Count < Fewest || value.Count > most) return "must have " + Range;
-        foreach (var item in value)
-        {
-            if (!Array.TrueForAll(take(item), n => n >= min && n <= max)) return "must have numbers of " + RawValues.Range(min, max);
-        }
-        return check?.Invoke(value);
+        return value.SelectMany(take).All(n => n >= min && n <= max) ? check?.Invoke(value) : "must have numbers of " + RawValues.Range(min, max);
     }
 }

@@ -68,10 +68,7 @@ internal static class OwnFormats
 
     private static string? Ascends(ValueList<HeadPoint> outline)
     {
-        for (var i = 1; i < outline.Count; i++)
-        {
-            if (outline[i].Radius <= outline[i - 1].Radius || outline[i].Height < outline[i - 1].Height) return "must have ascending radii and heights";
-        }
+        if (outline.Zip(outline.Skip(1), (a, b) => b.Radius <= a.Radius || b.Height < a.Height).Contains(true)) return "must have ascending radii and heights";
         return outline[0].Height == 0 ? null : "must begin at the tip, height 0";
     }
 

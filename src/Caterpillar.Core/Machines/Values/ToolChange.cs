@@ -6,11 +6,5 @@ public readonly record struct ToolChange(double From, int Tool)
     internal static ToolChange? Of(double[] n) => n[1] == Math.Floor(n[1]) ? new ToolChange(n[0], (int)n[1]) : null;
 
     internal static string? Problem(ValueList<ToolChange> changes)
-    {
-        for (var i = 1; i < changes.Count; i++)
-        {
-            if (changes[i].From <= changes[i - 1].From) return "must have ascending heights";
-        }
-        return null;
-    }
+        => changes.Zip(changes.Skip(1), (a, b) => b.From <= a.From).Contains(true) ? "must have ascending heights" : null;
 }

@@ -14,11 +14,7 @@ internal sealed class Shaper(ShapingRules rules, FormulaContext context, Frame f
         var isLocal = rules.Kind is ShapingKind.Deform or ShapingKind.Modulate;
         var toLocal = isLocal ? Inverse() : Affine.Identity;
         var toWorld = isLocal ? Affine.FromFrame(frame) : Affine.Identity;
-        var paths = new List<PrintPath>();
-        foreach (var step in steps)
-        {
-            if (step is PathStep path) paths.Add(isLocal ? path.Path.Transformed(toLocal) : path.Path);
-        }
+        var paths = steps.OfType<PathStep>().Select(s => isLocal ? s.Path.Transformed(toLocal) : s.Path).ToList();
         var deformation = rules.Kind == ShapingKind.Deform ? Deformation() : null;
         var shaped = rules.Kind switch
         {

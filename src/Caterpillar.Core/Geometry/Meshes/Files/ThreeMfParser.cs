@@ -190,16 +190,11 @@ internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xm
     }
 
     private bool TryInt(string attribute, out int value)
-    {
-        if (NumberReader.TryParseInt(xml.GetAttribute(attribute), out value) && value >= 0) return true;
-        return Fail("mesh.syntax", $"<{xml.LocalName}> needs an integer \"{attribute}\".");
-    }
+        => (NumberReader.TryParseInt(xml.GetAttribute(attribute), out value) && value >= 0)
+            || Fail("mesh.syntax", $"<{xml.LocalName}> needs an integer \"{attribute}\".");
 
     private bool TryNumber(string attribute, out double value)
-    {
-        if (NumberReader.TryParse(xml.GetAttribute(attribute), out value)) return true;
-        return Fail("mesh.syntax", $"<{xml.LocalName}> needs a number \"{attribute}\".");
-    }
+        => NumberReader.TryParse(xml.GetAttribute(attribute), out value) || Fail("mesh.syntax", $"<{xml.LocalName}> needs a number \"{attribute}\".");
 
     private SourceLocation Place() => xml is IXmlLineInfo info
         ? new SourceLocation(source.Name, info.LineNumber, info.LinePosition, part)
