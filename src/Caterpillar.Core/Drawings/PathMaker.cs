@@ -97,8 +97,7 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
         var divided = CurveSubdivider.Subdivide(curve, options.Subdivision with { KeepArcs = false }, cancel);
         points.AddRange(divided.Points);
         if (divided.IsClosed) points.Add(points[0]);
-        var lengths = new double[points.Count];
-        for (var i = 1; i < lengths.Length; i++) lengths[i] = lengths[i - 1] + points[i - 1].DistanceTo(points[i]);
+        var lengths = Polyline.LengthsAlong(points.ToArray());
         var total = lengths[lengths.Length - 1];
         foreach (var length in lengths) positions.Add(total > 0 ? length / total * (along.Count - 1) : 0);
         return options.Steps ? WithSteps(points, positions, divided.IsClosed) : (points, positions, divided.IsClosed);

@@ -65,6 +65,14 @@ public sealed class Polyline
         }
     }
 
+    /// <summary>Length in mm along points up to each of them, and back to the first one if they are closed.</summary>
+    internal static double[] LengthsAlong(Vec3[] points, bool closed = false)
+    {
+        var lengths = new double[points.Length + (closed ? 1 : 0)];
+        for (var i = 1; i < lengths.Length; i++) lengths[i] = lengths[i - 1] + points[i - 1].DistanceTo(points[i % points.Length]);
+        return lengths;
+    }
+
     /// <summary>Takes ownership of the array without a copy; for code that has just made it.</summary>
     internal static Polyline Own(Vec3[] points, bool closed) => new(points, closed);
 

@@ -3,7 +3,7 @@ namespace Caterpillar.Shaping;
 /// <summary>The vertices and segments of a path as sample points of a field.</summary>
 internal sealed class PathSamples(Vec3[] points, PrintPath path, int number, bool closed)
 {
-    private readonly double[] _distances = Distances(points, closed);
+    private readonly double[] _distances = Polyline.LengthsAlong(points, closed);
 
     public PathSample Vertex(int i) => new(points[i], _distances[i], _distances[_distances.Length - 1], number, path.Role);
 
@@ -24,11 +24,4 @@ internal sealed class PathSamples(Vec3[] points, PrintPath path, int number, boo
     }
 
     private Vec3 Direction(int from, int to) => (points[to] - points[from]).WithZ(0).Unit();
-
-    private static double[] Distances(Vec3[] points, bool closed)
-    {
-        var distances = new double[points.Length + (closed ? 1 : 0)];
-        for (var i = 1; i < distances.Length; i++) distances[i] = distances[i - 1] + points[i - 1].DistanceTo(points[i % points.Length]);
-        return distances;
-    }
 }

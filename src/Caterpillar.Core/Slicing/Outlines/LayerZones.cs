@@ -37,8 +37,6 @@ internal sealed record LayerZones(SliceRules Rules, Region Region, IReadOnlyList
 
     /// <summary>What the walls of an island leave, divided among the zones.</summary>
     public IReadOnlyList<InsideWork> Divide(Region inside, RegionEngine engine)
-    {
-        if (Zones.Count == 1) return [new InsideWork(Zones[0].Rules, inside)];
-        return Zones.Select(z => new InsideWork(z.Rules, inside.Intersect(z.Area, engine))).Where(w => !w.Region.IsEmpty).ToList();
-    }
+        => Zones.Count == 1 ? [new InsideWork(Zones[0].Rules, inside)]
+            : Zones.Select(z => new InsideWork(z.Rules, inside.Intersect(z.Area, engine))).Where(w => !w.Region.IsEmpty).ToList();
 }

@@ -88,22 +88,15 @@ internal sealed class VaseSpiral(bool isAlone)
     private static Vec3[] Begun(Vec3[] loop, Vec3 near, out double[] lengths)
     {
         const double Longest = 2;
-        var (segment, start) = NearestOf(loop, LengthsOf(loop), near, 0, loop.Length);
+        var (segment, start) = NearestOf(loop, Polyline.LengthsAlong(loop), near, 0, loop.Length);
         var points = new List<Vec3> { start };
         for (var k = 1; k <= loop.Length; k++) AddTo(points, loop[(segment + k) % loop.Length], Longest);
         AddTo(points, start, Longest);
         var turn = points.ToArray();
-        lengths = LengthsOf(turn);
+        lengths = Polyline.LengthsAlong(turn);
         return turn;
     }
 
-    // The length up to each point.
-    private static double[] LengthsOf(Vec3[] line)
-    {
-        var lengths = new double[line.Length];
-        for (var i = 1; i < lengths.Length; i++) lengths[i] = lengths[i - 1] + line[i].DistanceTo(line[i - 1]);
-        return lengths;
-    }
 
     private static void AddTo(List<Vec3> points, Vec3 to, double longest)
     {
