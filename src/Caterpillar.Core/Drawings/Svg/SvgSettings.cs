@@ -44,14 +44,9 @@ internal sealed record SvgSettings(double?[] Values, double Z, int Tool, int? La
     }
 
     /// <summary>A curve with these settings.</summary>
-    public UserCurve Of(Curve curve, SourceLocation place) => new(curve)
+    public UserCurve Of(Curve curve, SourceLocation place) => CurveColumns.With(new UserCurve(curve), Values) with
     {
         Name = Name,
-        Area = Values[0],
-        Width = Values[1],
-        Height = Values[2],
-        Speed = Values[3],
-        Flow = Values[4],
         Tool = Tool,
         Layer = Layer is { } layer ? new Layer(layer, curve.Bounds.Max.Z) : null,
         Source = place,

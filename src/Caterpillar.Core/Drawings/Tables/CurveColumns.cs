@@ -73,26 +73,32 @@ internal static class CurveColumns
     public static UserCurve WithValues(UserCurve curve, double[]?[] columns)
     {
         var along = new double[]?[Settings];
+        var whole = new double?[Settings + 1];
         var any = false;
         for (var i = 0; i < Settings; i++)
         {
             if (columns[i] is not { Length: > 0 } column) continue;
             if (System.Array.TrueForAll(column, v => v.Equals(column[0])))
             {
-                curve = i switch
-                {
-                    0 => curve with { Area = column[0] },
-                    1 => curve with { Width = column[0] },
-                    2 => curve with { Height = column[0] },
-                    _ => curve with { Speed = column[0] },
-                };
+                whole[i] = column[0];
                 continue;
             }
             along[i] = column;
             any = true;
         }
+        curve = With(curve, whole);
         return any ? curve with { Along = new PointValues(along[0], along[1], along[2], along[3]) } : curve;
     }
+
+    /// <summary>The curve with the settings that are given: area, width, height, speed and flow.</summary>
+    public static UserCurve With(UserCurve curve, double?[] given) => curve with
+    {
+        Area = given[0] ?? curve.Area,
+        Width = given[1] ?? curve.Width,
+        Height = given[2] ?? curve.Height,
+        Speed = given[3] ?? curve.Speed,
+        Flow = given[4] ?? curve.Flow,
+    };
 
     /// <summary>The columns with only their first values.</summary>
     public static double[]?[] Shortened(double[]?[] columns, int count) => System.Array.ConvertAll(columns, c => c?.Take(count).ToArray());

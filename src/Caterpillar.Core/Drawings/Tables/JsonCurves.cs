@@ -127,14 +127,7 @@ internal sealed class JsonCurves(CurveSource source)
         {
             if (holder[Settings[i]] is { } token) found[i] = Setting(token, Settings[i]);
         }
-        user = user with
-        {
-            Area = found[0] ?? user.Area,
-            Width = found[1] ?? user.Width,
-            Height = found[2] ?? user.Height,
-            Speed = found[3] ?? user.Speed,
-            Flow = found[4] ?? user.Flow,
-        };
+        user = CurveColumns.With(user, found);
         if (holder["name"] is { Type: JTokenType.String } name) user = user with { Name = (string)name! };
         if (holder["tool"] is { } tool)
         {
