@@ -47,18 +47,8 @@ internal abstract class ItemInputs(CaterpillarComponent component, IGH_DataAcces
     }
 
     /// <summary>Place of an input by its name. A port that is not shown for what is chosen has a negative one, and its default.</summary>
-    public int this[string name]
-    {
-        get
-        {
-            var place = Component.Params.IndexOfInputParam(name);
-            for (var i = 0; place < 0 && i < Component.Declared.Count; i++)
-            {
-                if (Component.Declared[i].Param.Name == name) return -1 - i;
-            }
-            return place;
-        }
-    }
+    public int this[string name] => Component.Params.IndexOfInputParam(name) is >= 0 and var place ? place
+        : -1 - Component.Declared.Select(d => d.Param.Name).ToList().IndexOf(name);
 
     /// <summary>A required item.</summary>
     /// <exception cref="InputProblem">It is null or missing.</exception>

@@ -31,7 +31,7 @@ internal sealed class GCodeInterpreter
 
     public CommentInterpreter Comments { get; }
 
-    /// <summary>The state of the machine. It changes with the next line. <see cref="Save()"/> copies it.</summary>
+    /// <summary>The state of the machine. It changes with the next line. <see cref="Save"/> copies it.</summary>
     public InterpreterState State => _machine.State;
 
     /// <summary>Moves of the last line that was read by <see cref="ReadLine(ParsedLine, byte[], int, out int)"/>.</summary>
@@ -118,10 +118,8 @@ internal sealed class GCodeInterpreter
         return LastMoves.Count;
     }
 
-    public InterpreterState Save() => _machine.Save(new InterpreterState());
-
     /// <inheritdoc cref="Machine.Save"/>
-    public InterpreterState Save(InterpreterState copy) => _machine.Save(copy);
+    public InterpreterState Save(InterpreterState? copy = null) => _machine.Save(copy ?? new InterpreterState());
 
     public void Restore(InterpreterState saved) => _machine.Restore(saved);
 

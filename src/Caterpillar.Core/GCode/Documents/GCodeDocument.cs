@@ -25,14 +25,7 @@ public sealed class GCodeDocument
     public long Length { get; }
 
     /// <summary>Number of lines, at most 2147483647. Text after the last line end counts as a line if it is not empty.</summary>
-    public int LineCount
-    {
-        get
-        {
-            var first = FirstLines();
-            return first[first.Length - 1];
-        }
-    }
+    public int LineCount => FirstLines().Last();
 
     internal IReadOnlyList<GCodeChunk> Chunks => _chunks;
 

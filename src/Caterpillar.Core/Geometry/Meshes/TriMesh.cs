@@ -73,15 +73,7 @@ public sealed class TriMesh
     public Vec3 Normal(int index) => Cross(3 * index).Unit();
 
     /// <summary>Surface area, mm².</summary>
-    public double Area
-    {
-        get
-        {
-            var sum = 0.0;
-            for (var t = 0; t < _triangles.Length; t += 3) sum += Cross(t).Length;
-            return sum / 2;
-        }
-    }
+    public double Area => Enumerable.Range(0, TriangleCount).Sum(t => Cross(3 * t).Length) / 2;
 
     /// <summary>
     /// Signed volume in mm³ (divergence theorem), positive for a closed mesh whose triangles face outward. Overlaps count twice. Not meaningful for an open

@@ -43,11 +43,8 @@ internal sealed class CombPath(double inset)
     }
 
     // The point itself inside the inset region, else the nearest one of that, if it is near.
-    private Vec3? Entry(Vec3 at, Region region)
-    {
-        if (_inner.Contains(at.X, at.Y)) return at;
-        return _inner.NearestEdge(at, 2 * inset) is { } near && region.ContainsLine(at, near) ? near : null;
-    }
+    private Vec3? Entry(Vec3 at, Region region) => _inner.Contains(at.X, at.Y) ? at
+        : _inner.NearestEdge(at, 2 * inset) is { } near && region.ContainsLine(at, near) ? near : null;
 
     // Adds the points between a and b: from each place where the line leaves the region along its contour to where the line last crosses that.
     private void Walk(Vec3 a, Vec3 b, List<Vec3> path)
