@@ -163,8 +163,7 @@ internal sealed class CurvedOptionValues
     private static PlanSurface Transformed(PlanSurface surface, Affine placed)
         => placed.IsUpright ? surface.Transformed(placed) : throw Usage("--rotate: only a mesh as --surface can be rotated about X and Y.");
 
-    private static bool IsImage(string file)
-        => file.EndsWith(".png", StringComparison.OrdinalIgnoreCase);
+    private static bool IsImage(string file) => file.EndsWith(".png", StringComparison.OrdinalIgnoreCase);
 
     private static LayerBlend Blend(string text) => Numbers.List(text, "--blend") switch
     {
