@@ -45,7 +45,7 @@ internal sealed class LeaningHead(Kinematics kinematics, IReadOnlyList<(double R
         hit = null;
         var contact = HeadContact.None;
         var reach = _whole[_whole.Length - 1].Radius + _whole[_whole.Length - 1].Height;
-        foreach (var (a, b, turn, bulge) in Parts(move, reach, tolerance, kinematics.Pose))
+        foreach (var (a, b, turn, bulge) in Parts(move, reach, tolerance, kinematics.Pose, kinematics.ToolTurn(move.FromTurns, move.ToTurns)))
         {
             var apart = (a.ZAxis + b.ZAxis).Unit();
             var whole = Hull(a, b, _whole);
@@ -82,7 +82,9 @@ internal sealed class LeaningHead(Kinematics kinematics, IReadOnlyList<(double R
     {
         hit = null;
         var body = boxes[box];
-        foreach (var (a, b, _, bulge) in Parts(move, Math.Max(body.Min.Length, body.Max.Length), tolerance, isCarried ? kinematics.Carriage : kinematics.Pose))
+        var turn = Angle.ToRadians(kinematics.Turn(move.FromTurns, move.ToTurns));
+        var reach = Math.Max(body.Min.Length, body.Max.Length);
+        foreach (var (a, b, _, bulge) in Parts(move, reach, tolerance, isCarried ? kinematics.Carriage : kinematics.Pose, (turn, turn * turn)))
         {
             var hull = ConvexBody.Of(body, a, b);
             var apart = (a.ZAxis + b.ZAxis).Unit();
@@ -112,16 +114,16 @@ internal sealed class LeaningHead(Kinematics kinematics, IReadOnlyList<(double R
     }
 
     // Poses at the ends of the parts of a move, raised by the tolerance, the turn between them in radians, and how far a body leaves their hull.
-    private IEnumerable<(Affine From, Affine To, double Turn, double Bulge)> Parts(HeadMove move, double reach, double tolerance, Func<Vec3, Vec3, Affine> pose)
+    private IEnumerable<(Affine From, Affine To, double Turn, double Bulge)> Parts(
+        HeadMove move, double reach, double tolerance, Func<Vec3, Vec3, Affine> pose, (double Angle, double Bend) turn)
     {
-        var turn = Angle.ToRadians(kinematics.Turn(move.FromTurns, move.ToTurns));
-        var count = (int)Math.Min(MostParts, Math.Max(1, Math.Ceiling(turn * Math.Sqrt(reach / (8 * Bulge)))));
-        var bulge = reach * (turn / count) * (turn / count) / 8 + 1e-9;
+        var count = (int)Math.Min(MostParts, Math.Max(1, Math.Ceiling(Math.Sqrt(turn.Bend * reach / (8 * Bulge)))));
+        var bulge = reach * turn.Bend / (8.0 * count * count) + 1e-9;
         var last = At(0);
         for (var k = 1; k <= count; k++)
         {
             var next = At((double)k / count);
-            yield return (last, next, turn / count, bulge);
+            yield return (last, next, turn.Angle / count, bulge);
             last = next;
         }
 

@@ -12,15 +12,17 @@ internal sealed record Strand(ConvexBody Body, int Tag)
 /// <summary>Extrusions and surfaces in space, in boxes of boxes, for heads that come from any side. Not thread-safe.</summary>
 internal sealed class StrandGrid
 {
-    // Sides of the boxes, mm; longer pieces are divided.
+    // Longer pieces are divided, mm.
     private const double Small = 4;
-    private const double Large = 32;
 
     // Of a length of a few mm this leaves less than a micrometer.
     private const int Halves = 14;
 
     // mm; far less than what is printed.
     private const double Touch = 1e-6;
+
+    // Sides of the boxes, of the boxes in them, and of those in these, mm.
+    private static readonly double[] Sides = [16 * Small, 4 * Small, Small];
     private readonly Dictionary<(int, int, int), Box> _boxes = [];
     private readonly List<Strand> _near = [];
 
@@ -66,13 +68,16 @@ internal sealed class StrandGrid
         var around = body.Bounds.Grow(distance);
         // What is there mostly lies below the lowest point of a head: most of it is told apart by this alone.
         var low = Vec3.Dot(body.Farthest(-apart), apart) - distance;
-        foreach (var box in Around(_boxes, around, Large))
+        Visit(_boxes, 0);
+        return _near;
+
+        void Visit(Dictionary<(int, int, int), Box> boxes, int level)
         {
-            if (!IsNear(box.Bounds) || !body.Meets(box.Hull, distance, apart)) continue;
-            foreach (var part in Around(box.Parts, around, Small))
+            foreach (var box in Around(boxes, around, Sides[level]))
             {
-                if (!IsNear(part.Bounds)) continue;
-                foreach (var row in part.Rows)
+                if (!IsNear(box.Bounds)) continue;
+                if (level + 1 < Sides.Length) Visit(box.Parts, level + 1);
+                foreach (var row in box.Rows)
                 {
                     if (!IsNear(row.Bounds)) continue;
                     foreach (var strand in row.Strands)
@@ -82,7 +87,6 @@ internal sealed class StrandGrid
                 }
             }
         }
-        return _near;
 
         bool IsNear(in Bounds bounds) => Overlap(bounds, around) && Highest(bounds, apart) >= low && comes?.Invoke(bounds) != false;
     }
@@ -153,11 +157,14 @@ internal sealed class StrandGrid
     private void Put(Strand strand, Vec3 middle)
     {
         _reach = Math.Max(_reach, Math.Max((strand.Bounds.Max - middle).Length, (strand.Bounds.Min - middle).Length));
-        var box = Find(_boxes, Place(middle, Large));
-        box.Include(strand.Bounds);
-        var part = Find(box.Parts, Place(middle, Small));
-        part.Include(strand.Bounds);
-        part.Add(strand);
+        var boxes = _boxes;
+        foreach (var side in Sides)
+        {
+            var box = Find(boxes, Place(middle, side));
+            box.Bounds = box.Bounds.Include(strand.Bounds);
+            boxes = box.Parts;
+            if (side == Small) box.Add(strand);
+        }
     }
 
     private static Box Find(Dictionary<(int, int, int), Box> boxes, (int, int, int) place)
@@ -168,11 +175,7 @@ internal sealed class StrandGrid
 
     private sealed class Box
     {
-        private ConvexBody? _hull;
-
-        public Bounds Bounds { get; private set; }
-
-        public ConvexBody Hull => _hull ??= ConvexBody.Of(Bounds, Affine.Identity);
+        public Bounds Bounds { get; set; }
 
         public Dictionary<(int, int, int), Box> Parts { get; } = [];
 
@@ -182,13 +185,6 @@ internal sealed class StrandGrid
         {
             if (Rows.Count == 0 || Rows[Rows.Count - 1].Strands.Count == Row.Most) Rows.Add(new Row());
             Rows[Rows.Count - 1].Add(strand);
-        }
-
-        public void Include(in Bounds bounds)
-        {
-            var all = Bounds.Include(bounds);
-            if (all == Bounds) return;
-            (Bounds, _hull) = (all, null);
         }
     }
 

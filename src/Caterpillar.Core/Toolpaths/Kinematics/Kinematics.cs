@@ -160,6 +160,21 @@ public sealed class Kinematics(IReadOnlyList<RotaryAxis> axes, bool isPolar = fa
     /// <summary>Degrees by which a body of the head turns over the part between two positions, at most.</summary>
     internal double Turn(Vec3 from, Vec3 to) => Axes.Sum(a => Math.Abs(a.Of(to) - a.Of(from)));
 
+    /// <summary>
+    /// What a round tool turns over the part between two positions, where its turn about itself does not count, at most: the angle in radians, and its bend,
+    /// the second derivative of a point over the move for each mm of its distance from the tip.
+    /// </summary>
+    internal (double Angle, double Bend) ToolTurn(Vec3 from, Vec3 to)
+    {
+        if (_tilt is null) return default;
+        double Change(RotaryAxis axis) => Basics.Angle.ToRadians(Math.Abs(axis.Of(to) - axis.Of(from)));
+        var (tilt, turn) = (Change(_tilt), _turn is null ? 0 : Change(_turn));
+        var most = Math.Max(Math.Abs(_tilt.Angle(from)), Math.Abs(_tilt.Angle(to)));
+        var aside = most < 90 ? Basics.Angle.Sin(most) : 1;
+        var angle = 2 * Basics.Angle.Sin(Math.Min(most, 180) / 2) * turn + tilt;
+        return (angle, 2 * turn * tilt + aside * turn * turn + angle * angle);
+    }
+
     private Vec3 HeadTurned(Vec3 v, Vec3 words)
     {
         for (var i = _head.Length - 1; i >= 0; i--) v = _head[i].Turned(v, _head[i].Angle(words));
