@@ -186,6 +186,37 @@ public class KinematicsTests
         return (machine, new Kinematics(axes, (bool)machine["polar"]!));
     }
 
+    [TestCase("C head z;B head y", 2)]
+    [TestCase("C head z;A head x", 1)]
+    [TestCase("A work x;C work z", 1)]
+    [TestCase("B head y;C work z", 2)]
+    public void A_tool_bends_by_no_more_than_is_said(string text, int tilt)
+    {
+        var kinematics = new Kinematics([.. text.Split(';').Select(a => RotaryAxis.Parse(a)!)]);
+        Vec3 Turned(double lean, double turn) => tilt == 1 ? new Vec3(lean, 0, turn) : new Vec3(0, lean, turn);
+        Assert.That(kinematics.ToolTurn(Turned(0, 20), Turned(0, 200)), Is.EqualTo((0.0, 0.0)), "upright it only turns about itself");
+        Assert.That(kinematics.ToolTurn(Turned(10, 0), Turned(100, 0)).Angle, Is.EqualTo(Math.PI / 2).Within(1e-12));
+        Assert.That(kinematics.ToolTurn(Turned(90, 0), Turned(90, 180)).Angle, Is.EqualTo(Math.Sqrt(2) * Math.PI).Within(1e-12));
+        var random = new Random(3);
+        double Next(double most) => most * (2 * random.NextDouble() - 1);
+        for (var round = 0; round < 300; round++)
+        {
+            var from = Turned(Next(round % 3 == 0 ? 3 : 120), Next(180));
+            var to = from + Turned(Next(30), Next(round % 2 == 0 ? 20 : 180));
+            var (angle, bend) = kinematics.ToolTurn(from, to);
+            var (first, last, swept, before) = (kinematics.Direction(from), kinematics.Direction(to), 0.0, kinematics.Direction(from));
+            for (var k = 1; k <= 64; k++)
+            {
+                var now = kinematics.Direction(Vec3.Lerp(from, to, k / 64.0));
+                swept += now.DistanceTo(before);
+                before = now;
+                var apart = now.DistanceTo(Vec3.Lerp(first, last, k / 64.0));
+                if (apart > bend / 8 + 1e-12) Assert.Fail($"round {round}: {apart} from the chord, {bend / 8} is said");
+            }
+            if (swept > angle + 1e-12) Assert.Fail($"round {round}: it swings by {swept}, {angle} is said");
+        }
+    }
+
     private static Vec3 Vector(JToken t) => new((double)t[0]!, (double)t[1]!, (double)t[2]!);
 
     private static (Vec3 Slides, Vec3 Turns) Words(JToken machine, JToken words)
