@@ -32,6 +32,7 @@ public class RoundTripTests
     }
 
     [TestCaseSource(nameof(Cases))]
+    [Category("Arithmetic")]
     public void What_is_written_is_what_was_planned(string mesh, string profile, ExtrusionMode mode)
     {
         var setup = Setup(profile, mode);
@@ -85,6 +86,7 @@ public class RoundTripTests
     [TestCase("beetle_open.obj")]
     [TestCase("ogre_bodies.ply")]
     [TestCase("bowl_open.ply")]
+    [Category("Arithmetic")]
     public void Open_meshes_give_diagnostics_and_what_can_be_printed_comes_back(string mesh)
     {
         var setup = Setup("generic", ExtrusionMode.Relative);

@@ -10,6 +10,7 @@ namespace Caterpillar.Tests.GCode;
 public class ReportAloneTests
 {
     [Test]
+    [Category("Arithmetic")]
     public void It_counts_the_same_in_a_file_of_many_blocks()
     {
         var text = new StringBuilder("M83\nM104 S200\n");

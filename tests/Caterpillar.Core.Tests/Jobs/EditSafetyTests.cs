@@ -26,6 +26,7 @@ public class EditSafetyTests
             .Where(f => Rounds.Full || !f.EndsWith(".gz", StringComparison.Ordinal));
 
     [TestCaseSource(nameof(Files))]
+    [Category("Arithmetic")]
     public void A_printer_prints_cut_and_edited_files_safely(string name)
     {
         var job = Open(name);
@@ -44,6 +45,7 @@ public class EditSafetyTests
     }
 
     [TestCaseSource(nameof(Files))]
+    [Category("Arithmetic")]
     public void The_halves_of_a_cut_print_are_the_whole(string name)
     {
         var job = Open(name);

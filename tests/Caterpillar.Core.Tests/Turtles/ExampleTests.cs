@@ -54,6 +54,7 @@ internal sealed class ExampleTests
     }
 
     [TestCaseSource(nameof(Names))]
+    [Category("Arithmetic")]
     public void Programs_fit_the_printer_that_they_name_or_the_default_one(string name)
     {
         var script = TurtleScript.Compile(File.ReadAllText(Path.Combine(Folder, name + ".turtle")), name, new ScriptFiles(Folder)).OrThrow();
