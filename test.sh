@@ -62,9 +62,9 @@ lanes=("Caterpillar.Core.Tests on net10.0|$headless/Caterpillar.Core.Tests/relea
 lanes+=("Caterpillar.GH.Tests on net10.0|$headless/Caterpillar.GH.Tests/release_net10.0/Caterpillar.GH.Tests.dll|")
 lanes+=("Caterpillar.Cli.Tests on net10.0|$headless/Caterpillar.Cli.Tests/release/Caterpillar.Cli.Tests.dll|")
 [ "$mono" = yes ] && lanes+=("Caterpillar.GH.Tests on net48|$headless/Caterpillar.GH.Tests/release_net48/Caterpillar.GH.Tests.dll|$host")
-[ "$full" = yes ] && [ "$mono" = yes ] && real_frameworks="net10.0 net48" || real_frameworks=net10.0
+real_frameworks=${real:+net10.0}
+[ "$full" = yes ] && [ "$mono" = yes ] && real_frameworks="$real_frameworks${real:+ net48}"
 for framework in $real_frameworks; do
-  [ -n "$real" ] || continue
   lanes+=("Caterpillar.GH.Tests on $framework with the real RhinoCommon and GH_IO|artifacts/real/bin/Caterpillar.GH.Tests/release_$framework/Caterpillar.GH.Tests.dll|$host")
 done
 

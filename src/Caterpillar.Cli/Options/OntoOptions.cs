@@ -43,7 +43,7 @@ internal sealed class OntoOptions(string does = OntoOptions.Drawn)
         var mesh = Meshes.ReadAsOne(file, session);
         var objects = placed.Select(map => mesh.Transformed(map with { Shift = map.Shift.WithZ(0) })).ToArray();
         session.Print(objects.Select(o => Place(o, file)).ToArray());
-        if (objects.Any(a => objects.Any(b => a != b && Overlap(a.Bounds, b.Bounds))))
+        if (objects.Any(a => objects.Any(b => a != b && a.Bounds.Overlaps(b.Bounds))))
             throw Usage("--onto: the objects of the copies would overlap. Increase --spacing.");
         return options with { Onto = objects.Length == 1 ? objects[0] : TriMesh.Merge(objects) };
     }
@@ -55,8 +55,6 @@ internal sealed class OntoOptions(string does = OntoOptions.Drawn)
         options = Of(arguments, [Affine.Identity], options, session);
         return session.Run("Planning", progress => PrintJob.Draw(steps, setup, options, progress, session.Cancel));
     }
-
-    private static bool Overlap(Bounds a, Bounds b) => a.Min.X < b.Max.X && b.Min.X < a.Max.X && a.Min.Y < b.Max.Y && b.Min.Y < a.Max.Y;
 
     // Where the object has to be.
     private static Diagnostic Place(TriMesh mesh, string file)

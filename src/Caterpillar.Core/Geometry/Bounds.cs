@@ -54,6 +54,10 @@ public readonly record struct Bounds
     /// <summary>The box grown by <paramref name="margin"/> mm on every side. An empty box stays empty.</summary>
     public Bounds Grow(double margin) => _any ? new Bounds(Min - new Vec3(margin, margin, margin), Max + new Vec3(margin, margin, margin)) : this;
 
+    /// <summary>True if the boxes have a volume in common; touching is not enough.</summary>
+    internal bool Overlaps(Bounds other) => _any && other._any
+        && Min.X < other.Max.X && other.Min.X < Max.X && Min.Y < other.Max.Y && other.Min.Y < Max.Y && Min.Z < other.Max.Z && other.Min.Z < Max.Z;
+
     /// <summary>True if the point is inside or on the box, within <paramref name="tolerance"/> mm.</summary>
     public bool Contains(Vec3 p, double tolerance = 0) => _any
         && p.X >= Min.X - tolerance && p.X <= Max.X + tolerance

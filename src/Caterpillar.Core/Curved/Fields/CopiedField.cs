@@ -1,6 +1,6 @@
 namespace Caterpillar.Curved;
 
-/// <summary>The field of a part, moved to copies of it: over each place, that of the nearest copy.</summary>
+/// <summary>The field of a part for its copies as well: each place has the field of the nearest copy.</summary>
 internal sealed class CopiedField : WrappedField
 {
     private readonly IReadOnlyList<NamedMesh> _copies;

@@ -90,7 +90,8 @@ public static class FileSetup
     /// <summary>The setup among the comments of a file, with the values of its first tool; null if the file has none.</summary>
     internal static PrintSetup? Of(IReadOnlyDictionary<string, string> settings)
     {
-        var (names, values) = (In(settings).TakeWhile(p => Names.Contains(p.Key)).ToArray(), In(settings).SkipWhile(p => Names.Contains(p.Key)));
+        var all = In(settings);
+        var (names, values) = (all.TakeWhile(p => Names.Contains(p.Key)).ToArray(), all.SkipWhile(p => Names.Contains(p.Key)));
         var printer = new Printer { Title = names.FirstOrDefault().Value ?? "unnamed" };
         return names.Length == 0 ? null
             : SetupValues.Apply(new PrintSetup(printer, new Material(), new PrintSettings()), values.Select(p => p.Key + "=" + p.Value)).Value;

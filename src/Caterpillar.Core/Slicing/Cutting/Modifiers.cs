@@ -16,7 +16,7 @@ internal sealed class Modifiers(IReadOnlyList<SliceModel> models)
         for (var m = 0; m < models.Count; m++)
         {
             var mesh = models[m].Mesh.Mesh;
-            if (body.Layers.Length == 0 || !Overlap(mesh.Bounds, body.Model.Mesh.Bounds)) continue;
+            if (body.Layers.Length == 0 || !mesh.Bounds.Overlaps(body.Model.Mesh.Bounds)) continue;
             var sections = MeshSections.At(mesh, heights, new SectionOptions { Threads = threads }, null, cancel).Value!;
             var rules = new Dictionary<SliceRules, SliceRules>();
             for (var i = 0; i < heights.Length; i++)
@@ -46,8 +46,4 @@ internal sealed class Modifiers(IReadOnlyList<SliceModel> models)
                 problems.Add(Severity.Warning, "slice.modifier_outside", $"The modifier {models[m].Mesh.Name} is outside all parts and has no effect.");
         }
     }
-
-    private static bool Overlap(Bounds a, Bounds b)
-        => !a.IsEmpty && !b.IsEmpty && a.Min.X < b.Max.X && b.Min.X < a.Max.X && a.Min.Y < b.Max.Y && b.Min.Y < a.Max.Y && a.Min.Z < b.Max.Z
-            && b.Min.Z < a.Max.Z;
 }

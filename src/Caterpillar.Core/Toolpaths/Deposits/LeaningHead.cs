@@ -51,7 +51,8 @@ internal sealed class LeaningHead(Kinematics kinematics, IReadOnlyList<(double R
             var whole = Hull(a, b, _whole);
             ConvexBody[]? tip = null, rest = null, raised = null;
             ConvexBody? cone = null;
-            foreach (var strand in strands.Near(whole, bulge, apart, box => Comes(box, a, a.Shift.DistanceTo(b.Shift) + bulge, turn)))
+            var shift = a.Shift.DistanceTo(b.Shift) + bulge;
+            foreach (var strand in strands.Near(whole, bulge, apart, box => Comes(box, a, shift, turn)))
             {
                 if (!whole.Meets(strand.Body, bulge, apart)) continue;
                 if (AnyMeets(rest ??= Frustums(a, b, _rest), strand.Body, bulge, apart))

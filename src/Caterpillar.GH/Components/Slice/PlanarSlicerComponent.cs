@@ -10,12 +10,12 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
     {
         GeometryPort(ports);
         ports.Setup();
-        ports.Add(new SettingsParam(), "Part Settings", "PS", "Print settings of each solid, instead of those of the setup. The last ones apply to all that "
-            + "follow. The setup still controls travel moves, skirt, brim and raft.", GH_ParamAccess.list, optional: true);
+        ports.Add(new SettingsParam(), "Part Settings", "PS", "Print settings of each solid, instead of those of the setup. The last one applies to the "
+            + "remaining solids. The setup still controls travel moves, skirt, brim and raft.", GH_ParamAccess.list, optional: true);
         ports.Geometry("Modifiers", "M", "Solids that are not printed. Depending on their model_type, they change the settings inside them, or enforce or "
             + "block supports.", GH_ParamAccess.list, optional: true);
         ports.Add(new SettingsParam(), "Modifier Settings", "MS",
-            "Print settings of each modifier. The last ones apply to all that follow.", GH_ParamAccess.list, optional: true);
+            "Print settings of each modifier. The last one applies to the remaining modifiers.", GH_ParamAccess.list, optional: true);
         ports.Add(new Param_Curve { Optional = true }, "Infill Curves", "C",
             "Curves for the infill of every layer, seen from above, instead of the infill pattern.", GH_ParamAccess.list, optional: true);
         ports.MeshTolerance();
