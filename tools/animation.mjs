@@ -13,7 +13,7 @@ import { open, wait } from "./browser.mjs";
 const stepTime = 1.6, printTime = 0.12, lastTime = 2.5, printFrames = 30, twistFrames = 14, twist = 1.2;
 const root = join(dirname(fileURLToPath(import.meta.url)), ".."), folder = mkdtempSync(join(tmpdir(), "animation-"));
 const [subject, program, chromium, file = join(root, "docs", "images", `${subject}.png`)] = process.argv.slice(2);
-const [width, height] = subject === "remix" ? [520, 350] : [720, 480];
+const [width, height] = subject === "remix" ? [520, 390] : [720, 480];
 
 const crcTable = Int32Array.from({ length: 256 }, (_, n) => {
   for (let k = 0; k < 8; k++) n = n & 1 ? (n >>> 1) ^ 0xedb88320 : n >>> 1;
@@ -92,10 +92,9 @@ const page = await open(chromium), frames = [];
 await page.send("Emulation.setDeviceMetricsOverride", { width, height, deviceScaleFactor: 1, mobile: false });
 
 // The pixels of a page in the browser, once an expression is true there.
-async function picture(url, isReady, zooms = 0) {
+async function picture(url, isReady) {
   await page.show(url);
   await page.until(isReady);
-  for (let i = 0; i < zooms; i++) await page.value("document.body.dispatchEvent(new KeyboardEvent('keydown', { key: '+', bubbles: true }))");
   await wait(500);
   return read(await page.picture());
 }
@@ -108,6 +107,7 @@ function viewOf(code, caption = "") {
   const html = temporary("view.html");
   run("view", code, "--printer", "generic", "-o", html);
   const outside = "#panel, #bar, #message, #refining { left: 100% !important; top: 100% !important; width: 1px !important; height: 1px !important; overflow: hidden; }"
+    + (caption ? " #view { top: 40px; height: calc(100% - 40px); }" : "")
     + " #caption { position: fixed; z-index: 1; left: 16px; top: 12px; margin: 0; font: 15px ui-monospace, monospace; }";
   writeFileSync(html, readFileSync(html, "utf8").replace("</style>", outside + "</style>").replace("<canvas", `<p id="caption">${caption}</p><canvas`));
   return pathToFileURL(html);
@@ -134,14 +134,14 @@ async function canvasToPrint() {
 async function remix() {
   const sliced = temporary("bracket.gcode"), twisted = temporary("twisted.gcode"), slow = temporary("slow.gcode"), view = "light&view=-50,22&hide=bed,nozzle";
   run("slice", join(root, "examples", "models", "bracket.stl"), "-o", sliced);
-  frames.push([await picture(`${viewOf(sliced, "bracket.gcode, from a slicer")}#${view}`, isReady, 1), stepTime]);
+  frames.push([await picture(`${viewOf(sliced, "bracket.gcode, from a slicer")}#${view}`, isReady), stepTime]);
   for (let k = 1; k <= twistFrames; k++) {
     const formula = `r, theta + ${(twist * k / twistFrames).toFixed(2)}*z, z`;
     run("convert", sliced, "-o", twisted, "--deform", formula, "--axis", "center");
-    frames.push([await picture(`${viewOf(twisted, `--deform "${formula}"`)}#${view}`, isReady, 1), k < twistFrames ? printTime : stepTime]);
+    frames.push([await picture(`${viewOf(twisted, `--deform "${formula}"`)}#${view}`, isReady), k < twistFrames ? printTime : stepTime]);
   }
   run("convert", twisted, "-o", slow, "--speed", "50%", "--first-layer", "125");
-  frames.push([await picture(`${viewOf(slow, "--speed 50% --first-layer 125")}#${view}&color=speed`, isReady, 1), lastTime]);
+  frames.push([await picture(`${viewOf(slow, "--speed 50% --first-layer 125")}#${view}&color=speed`, isReady), lastTime]);
 }
 
 await (subject === "remix" ? remix() : canvasToPrint());

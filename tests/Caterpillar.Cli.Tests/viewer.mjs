@@ -3,7 +3,7 @@
 // The other page has the same print as an element, by the words of the manual.
 //   node --experimental-websocket viewer.mjs CHROMIUM PAGE.html HOST.html
 // Prints a line for each fault; no line is good. With PICTURES=FOLDER, it keeps a picture of each view.
-import { writeFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { open, wait } from "../../tools/browser.mjs";
@@ -57,6 +57,34 @@ async function filaments() {
   if (seen !== "rgb(18, 52, 86),rgb(171, 205, 239)") fault("the colors are " + seen);
   const marks = await value("[...document.querySelectorAll('#moves .mark')].map((m) => m.title).join('; ')");
   if (!/^Color change, .*layer 1, height 0.4 mm$/.test(marks)) fault("the marks are " + marks);
+}
+
+// A tall box and a flat one, from all sides: the eight corners are seen between the panels, reach their edges and lie in the middle.
+function fits() {
+  const source = readFileSync(new URL("../../src/Caterpillar.Core/Display/Viewing/Page/camera.js", import.meta.url), "utf8");
+  const Camera = new Function(source + "; return Camera;")();
+  for (const [width, height, covered] of [[520, 350, [0, 0]], [1440, 900, [330, 90]], [390, 844, [0, 160]]]) {
+    const canvas = { width, height, clientWidth: width, clientHeight: height, addEventListener() {} }, camera = new Camera(canvas, () => {});
+    camera.covered = covered;
+    for (const size of [[60, 40, 80], [120, 90, 0.4]]) for (const view of [[-50, 22], [-90, 90], [0, 0], [-60, -30]]) {
+      name = `fit of ${size} from ${view} in ${width} × ${height}`;
+      camera.box = [size.map((s) => -s / 2), size.map((s) => s / 2)];
+      camera.look(...view);
+      const m = camera.matrix(), places = [];
+      for (let i = 0; i < 8; i++) {
+        const p = [0, 1, 2].map((k) => camera.box[i >> k & 1][k]), at = (row) => m[row] * p[0] + m[4 + row] * p[1] + m[8 + row] * p[2] + m[12 + row];
+        places.push([(1 + at(0) / at(3)) / 2 * width, (1 - at(1) / at(3)) / 2 * height]);
+      }
+      let fullest = 0;
+      [width, height].forEach((whole, axis) => {
+        const free = whole - covered[axis], least = Math.min(...places.map((p) => p[axis])), most = Math.max(...places.map((p) => p[axis]));
+        if (least < 0 || most > free) fault(`${least} to ${most} of ${free} on axis ${axis}`);
+        if (Math.abs(least + most - free) > 0.01 * free) fault(`not in the middle: ${least} to ${most} of ${free} on axis ${axis}`);
+        fullest = Math.max(fullest, (most - least) / free);
+      });
+      if (Math.abs(fullest - 0.94) > 0.001) fault(`fills ${fullest} of the picture`);
+    }
+  }
 }
 
 // Attributes of the element choose what its frame shows, without loading it again, and it tells the moment.
@@ -155,6 +183,7 @@ async function names() {
 }
 
 for (const domain of ["Runtime", "Accessibility"]) await send(domain + ".enable");
+fits();
 await colors();
 await filaments();
 await cuts();

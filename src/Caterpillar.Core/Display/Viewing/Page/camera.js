@@ -40,14 +40,29 @@ class Camera {
     this.fit(this.box);
   }
 
+  // As near as all eight corners of the box stay in what the panels leave free, and in its middle. Perspective enlarges the near ones.
   fit(box) {
     this.box = box;
-    this.target = times(add(box[0], box[1]), 0.5);
-    const size = [0, 1, 2].map((i) => box[1][i] - box[0][i]);
-    const radius = Math.max(Math.hypot(...size) / 2, 1);
+    const middle = times(add(box[0], box[1]), 0.5), back = this.back, right = this.right, up = cross(back, right);
+    const corners = Array.from({ length: 8 }, (_, i) => [0, 1, 2].map((k) => box[i >> k & 1][k] - middle[k]));
     const { clientWidth: width, clientHeight: height } = this.canvas;
-    const free = Math.min(width - this.covered[0], height - this.covered[1]) / Math.max(height, 1);
-    this.distance = radius / Math.sin(0.35) / Math.max(free, 0.2);
+    const axes = [[right, width - this.covered[0]], [up, height - this.covered[1]]];
+    // What the picture shows of an axis on one side of its middle, for each mm of distance from the eye.
+    const nearest = axes.map(([axis, free]) => {
+      const seen = 0.94 * Math.tan(0.35) * Math.max(free / Math.max(height, 1), 0.2);
+      const [above, below] = [1, -1].map((side) => Math.max(...corners.map((c) => side * dot(c, axis) / seen + dot(c, back))));
+      return (above + below) / 2;
+    });
+    this.distance = Math.max(1 / Math.sin(0.35), ...nearest);
+    this.target = middle;
+    for (const [axis] of axes) {
+      let shift = 0;
+      for (let i = 0; i < 20; i++) {
+        const seen = corners.map((c) => (dot(c, axis) - shift) / (this.distance - dot(c, back)));
+        shift += (Math.min(...seen) + Math.max(...seen)) / 2 * this.distance;
+      }
+      this.target = add(this.target, times(axis, shift));
+    }
     this.changed();
   }
 
