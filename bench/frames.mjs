@@ -7,13 +7,20 @@ import { join } from "node:path";
 import { open } from "../tools/browser.mjs";
 
 const folder = mkdtempSync(join(tmpdir(), "frames-")), file = join(folder, "page.html");
-writeFileSync(file, readFileSync(process.argv[2], "utf8").replace("frames = new Frames(", "frames = globalThis.measured = new Frames("));
+writeFileSync(file, readFileSync(process.argv[2], "utf8").replace("frames = new Frames(", `const drawWhole = scene.drawWhole;
+  globalThis.ends = [];
+  scene.drawWhole = function* (...values) {
+    yield* drawWhole.apply(this, values);
+    ends.push(performance.now());
+  };
+  frames = globalThis.measured = new Frames(`));
 const page = await open("chromium", ["--window-size=1280,860"]), { send, value, until } = page;
 const start = Date.now();
 await send("Page.navigate", { url: `file://${file}` });
 await until("document.documentElement.dataset.state === 'ready'");
 console.log(`ready after ${Date.now() - start} ms, ${await value("measured.scene.lists.beads.count")} extrusions`);
-await until("!measured.isFirst && !measured.isQueued && !measured.whole");
+await until("ends.length > 0 && !measured.isFirst && !measured.isQueued && !measured.whole");
+console.log(`images of all extrusions, the last smooth: ${(await value("ends")).map((t) => t.toFixed(0)).join(", ")} ms after the page was opened`);
 const pixel = "const g = f.scene.gl; g.readPixels(0, 0, 1, 1, g.RGBA, g.UNSIGNED_BYTE, new Uint8Array(4));";
 for (const skip of new Set([1, 10, 100, await value("measured.skip")])) {
   const time = await value(`(() => { const f = measured, t = performance.now(); f.scene.drawQuickly(f.camera, f.state, ${skip}); ${pixel} return performance.now() - t; })()`);

@@ -21,7 +21,7 @@ uniform vec2 around[8];
 uniform int sides, first;
 uniform float unit, part, thin;
 uniform uint last;
-uniform bool picking;
+uniform bool picking, joined;
 out vec3 normal;
 flat out vec4 color;
 out vec3 place;
@@ -51,12 +51,12 @@ void main() {
   if (blob) d = vec3(0, 0, 1);
   d = length(d) > 1e-6 ? normalize(d) : vec3(1, 0, 0);
   vec3 side = sideOf(d), up = cross(side, d);
-  vec4 other = point(end ? j + 1 : i - 1);
+  vec4 other = joined ? point(end ? j + 1 : i - 1) : vec4(0);
   // The width of a row is with its end; a row without width is no extrusion.
   float otherWidth = end ? other.w : a.w;
   vec3 o = end ? other.xyz - b.xyz : a.xyz - other.xyz;
   vec3 across = side;
-  if (!blob && otherWidth != 0.0 && row != last && length(o) > 1e-6 && (end || i > 0)) {
+  if (joined && !blob && otherWidth != 0.0 && row != last && length(o) > 1e-6 && (end || i > 0)) {
     vec3 otherSide = sideOf(normalize(o));
     float c = dot(side, otherSide);
     if (c > -0.3) across = (side + otherSide) / (1.0 + c);
@@ -163,7 +163,7 @@ class Scene {
     this.marks = this.program(markVertex, plainFragment);
     this.plain = this.program(plainVertex, plainFragment);
     this.solid = this.program(solidVertex, solidFragment);
-    this.shapes = [8, 6, 4].map((sides) => this.shape(sides));
+    this.shapes = [8, 6, 4, 3].map((sides) => this.shape(sides));
     this.lists = {};
     this.meshes = {};
     gl.enable(gl.DEPTH_TEST);
@@ -315,8 +315,9 @@ class Scene {
     gl.uniform1f(uniforms.thin, pixel * (picking ? 3 : 0.8));
     gl.uniform1ui(uniforms.last, state.part < 1 ? state.row : 0xffffffff);
     gl.uniform1i(uniforms.picking, picking ? 1 : 0);
+    gl.uniform1i(uniforms.joined, quick ? 0 : 1);
     gl.uniform4fv(uniforms.cut, state.cut);
-    const across = this.usualWidth / pixel, shape = this.shapes[quick || across < 5 || count >= 300000 ? 2 : across < 10 || count >= 60000 ? 1 : 0];
+    const across = this.usualWidth / pixel, shape = this.shapes[quick ? 3 : across < 5 || count >= 300000 ? 2 : across < 10 || count >= 60000 ? 1 : 0];
     // Corners run clockwise as seen from outside.
     gl.enable(gl.CULL_FACE);
     gl.cullFace(gl.FRONT);
@@ -367,7 +368,7 @@ class Scene {
     gl.drawArrays(gl.TRIANGLES, 0, mesh.count);
   }
 
-  // Quickly: every n-th extrusion, with four sides and edges as they fall.
+  // Quickly: every n-th extrusion, with three sides, without joints, and with edges as they fall.
   drawQuickly(camera, state, skip) {
     this.resize();
     this.drawBackground(camera, state);
@@ -375,16 +376,19 @@ class Scene {
     this.drawForeground(camera, state);
   }
 
-  // All extrusions, with smooth edges, in steps between which others may draw.
-  *drawWhole(camera, state, extrusions = Infinity) {
+  // All extrusions, with edges smooth or as they fall, in steps between which others may draw.
+  *drawWhole(camera, state, extrusions = Infinity, smooth = true) {
     const gl = this.gl;
     this.resize();
-    const { width, height } = this.canvas, { frame } = this.smoothTarget();
+    const { width, height } = this.canvas, { frame } = smooth ? this.smoothTarget() : this.roughTarget();
     gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
     this.drawBackground(camera, state);
-    for (let from = 0; from < (this.lists.beads?.count ?? 0); from += extrusions) {
+    // From above the last come first, so that what they hide takes less time.
+    const pieces = Math.max(Math.ceil((this.lists.beads?.count ?? 0) / extrusions), 1);
+    for (let done = 0; done < pieces; done++) {
+      const from = pieces === 1 ? 0 : (camera.back[2] > 0 ? pieces - 1 - done : done) * extrusions;
       gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
-      this.drawBeads(camera, state, { from, to: from + extrusions });
+      this.drawBeads(camera, state, { quick: !smooth, from, to: from + extrusions });
       gl.bindFramebuffer(gl.FRAMEBUFFER, null);
       yield;
     }
@@ -447,6 +451,8 @@ class Scene {
   }
 
   pickTarget() { return this.pickFrame = this.target(this.pickFrame, 0); }
+
+  roughTarget() { return this.roughFrame = this.target(this.roughFrame, 0); }
 
   smoothTarget() { return this.smoothFrame = this.target(this.smoothFrame, Math.min(4, this.gl.getParameter(this.gl.MAX_SAMPLES))); }
 

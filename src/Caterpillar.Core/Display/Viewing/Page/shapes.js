@@ -1,8 +1,9 @@
 // A prism around a segment: its corners as (across, up) on a circle of diameter 1, and triangles of the corners of the start and, after them, of the end,
 // closed at both ends.
 function prism(sides) {
-  const around = [], triangles = [];
-  for (let i = 0; i < sides; i++) {
+  // The quickest has a flat bottom: it closes the whole height.
+  const around = sides === 3 ? [-0.5, -0.5, 0.5, -0.5, 0, 0.5] : [], triangles = [];
+  for (let i = 0; i < sides && sides > 3; i++) {
     const angle = 2 * Math.PI * (i + (sides > 4 ? 0.5 : 0)) / sides;
     const grow = sides > 4 ? 1 / Math.cos(Math.PI / sides) : 1;
     around.push(Math.cos(angle) * grow / 2, Math.sin(angle) * grow / 2);
