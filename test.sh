@@ -59,8 +59,8 @@ fi
 headless=artifacts/headless/bin
 lanes=("Caterpillar.Core.Tests on net10.0|$headless/Caterpillar.Core.Tests/release_net10.0/Caterpillar.Core.Tests.dll|")
 [ "$mono" = yes ] && lanes+=("Caterpillar.Core.Tests on net48|$headless/Caterpillar.Core.Tests/release_net48/Caterpillar.Core.Tests.dll|$runtime")
-lanes+=("Caterpillar.GH.Tests on net10.0|$headless/Caterpillar.GH.Tests/release_net10.0/Caterpillar.GH.Tests.dll|")
 lanes+=("Caterpillar.Cli.Tests on net10.0|$headless/Caterpillar.Cli.Tests/release/Caterpillar.Cli.Tests.dll|")
+lanes+=("Caterpillar.GH.Tests on net10.0|$headless/Caterpillar.GH.Tests/release_net10.0/Caterpillar.GH.Tests.dll|")
 [ "$mono" = yes ] && lanes+=("Caterpillar.GH.Tests on net48|$headless/Caterpillar.GH.Tests/release_net48/Caterpillar.GH.Tests.dll|$host")
 real_frameworks=${real:+net10.0}
 [ "$full" = yes ] && [ "$mono" = yes ] && real_frameworks="$real_frameworks${real:+ net48}"
@@ -94,8 +94,9 @@ run() {
   echo "$? $((SECONDS - started))" >"$log/$1.done"
 }
 
-# As many lanes at once as there are cores; one where golden files are renewed. What they say comes in the order of the lanes.
-slots=$(nproc 2>/dev/null || sysctl -n hw.ncpu 2>/dev/null || echo 2)
+# One lane more at once than there are cores, because some tests wait for a browser or for a process; one alone where golden files are renewed. What they say
+# comes in the order of the lanes.
+slots=$(($(nproc 2>/dev/null || sysctl -n hw.ncpu 2>/dev/null || echo 2) + 1))
 [ "${CATERPILLAR_RENEW:-}" = 1 ] && slots=1
 failed_lanes=0
 next=0

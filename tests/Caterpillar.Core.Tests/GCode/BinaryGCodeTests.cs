@@ -138,6 +138,7 @@ public class BinaryGCodeTests
     }
 
     [Test]
+    [Category("Arithmetic")]
     public void Without_checksums_any_bytes_decode_or_are_an_error([Range(0, 3)] int compression, [Range(0, 2)] int encoding)
     {
         var file = Whole(compression, encoding, false).ToArray();

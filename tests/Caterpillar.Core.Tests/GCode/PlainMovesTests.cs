@@ -51,6 +51,7 @@ public class PlainMovesTests
     }
 
     [Test]
+    [Category("Arithmetic")]
     public void The_number_of_threads_changes_no_byte()
     {
         var random = new Random(8);

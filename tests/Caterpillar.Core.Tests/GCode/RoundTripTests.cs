@@ -31,6 +31,7 @@ public class RoundTripTests
     }
 
     [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Affordable))]
+    [Category("Arithmetic")]
     public void Another_notation_makes_the_same_moves(string file)
     {
         var decoding = RoundTrips.Decode(GCodeFiles.Document(file), null);
@@ -45,6 +46,7 @@ public class RoundTripTests
 
     // Small files in every flavor, large ones in a few.
     [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Affordable))]
+    [Category("Arithmetic")]
     public void Another_flavor_makes_the_same_moves(string file)
     {
         foreach (var flavor in new[] { null, FlavorTable.Slicer })

@@ -51,6 +51,7 @@ public sealed class ProgramTests : IDisposable
     }
 
     [Test]
+    [Category("Arithmetic")]
     public void Several_models()
     {
         SliceSeveral.Run([Bracket, Path.Combine(TestData.Repository, "examples", "models", "vase.stl")], Output);
@@ -160,6 +161,7 @@ public sealed class ProgramTests : IDisposable
     }
 
     [Test]
+    [Category("Arithmetic")]
     public void Convert()
     {
         ConvertFile.Run(Sliced, Output);
