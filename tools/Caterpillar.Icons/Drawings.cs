@@ -127,6 +127,8 @@ internal static class Drawings
             .Line(4, 11, 14, 11, 1.4, Ink.Gray).Polygon(Ink.Orange, 20, 8, 20, 14, 14.5, 11),
         ["DeformToolpath"] = c => c.Line(4, 19, 20, 19, 1.8, Ink.Gray).Polyline(2, Ink.Green, 4, 15, 9, 13.4, 15, 13.4, 20, 15)
             .Polyline(2, Ink.Green, 4, 11, 9, 7.8, 15, 7.8, 20, 11).Disc(20, 11, 1.7, Ink.Orange),
+        ["TiltTool"] = c => c.Polygon(Ink.Orange, 10.1, 14, 10, 9.3, 13, 4.1, 19, 7.5, 16, 12.7, 11.9, 15)
+            .Polyline(2.2, Ink.Green, 3.5, 12.5, 10.5, 16.8, 20, 20).Line(6, 3.5, 6, 10, 1.4, Ink.Gray),
         ["SaveGCode"] = c => { Page(c); c.Line(12, 7, 12, 15, 2.4, Ink.Green).Polygon(Ink.Green, 8, 13, 16, 13, 12, 18); },
         ["PrintPathParam"] = c => c.Hexagon().Polyline(2.4, Ink.Green, 7, 16, 10.5, 8, 14, 15, 17, 8),
         ["ToolpathParam"] = c => c.Hexagon().Polyline(1.8, Ink.Green, 7, 16, 17, 16, 17, 13, 7, 13, 7, 10, 17, 10).Disc(17, 9.5, 1.6, Ink.Orange),

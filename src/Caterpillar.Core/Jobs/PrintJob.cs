@@ -226,13 +226,9 @@ public sealed class PrintJob : IDisposable
     {
         if (planned.Value is not { } plan) return new Result<PrintJob>(null, planned.Diagnostics);
         var toolpath = plan.Toolpath;
-        if (setup.Printer.Kinematics is { } kinematics && options.Tilt is { } aim && (aim.Direction ?? (field is null ? null : field.Normal)) is { } direction)
-        {
-            var guard = new LeanGuard(setup, kinematics, toolpath);
-            var directions = new ToolDirections(kinematics, direction) { MaxTilt = aim.MaxTilt, Refuses = guard.Refuses, Printed = guard.Add };
-            toolpath = directions.Apply(toolpath, null, cancel);
-        }
-        else toolpath = setup.Printer.Turned(toolpath, cancel);
+        toolpath = options.Tilt is { } aim && setup.Printer.Kinematics is not null && (aim.Direction ?? (field is null ? null : field.Normal)) is { } direction
+            ? TiltedTool.Apply(toolpath, setup, aim with { Direction = direction }, null, cancel)
+            : setup.Printer.Turned(toolpath, cancel);
         return new Result<PrintJob>(
             new PrintJob(plan, toolpath, setup, layers, ReferenceEquals(toolpath, plan.Toolpath) ? overlap : null), planned.Diagnostics);
     }

@@ -24,7 +24,11 @@ public sealed class FieldRecipe : IEquatable<FieldRecipe>
     internal FieldRecipe(string text, object?[] parts, LayerField field)
         : this(text, parts, (_, _) => new Result<LayerField>(field, []))
     {
+        Made = field;
     }
+
+    /// <summary>The field, if it depends on no models.</summary>
+    internal LayerField? Made { get; }
 
     /// <summary>The field for models in their print position, mm.</summary>
     /// <param name="models">The models.</param>

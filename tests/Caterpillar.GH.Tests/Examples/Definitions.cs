@@ -39,6 +39,7 @@ internal static class Definitions
         ["edit_toolpath"] = ToolpathDefinitions.EditToolpath,
         ["vase"] = SliceDefinitions.Vase,
         ["slanted_layers"] = SliceDefinitions.SlantedLayers,
+        ["tilted_tool"] = SliceDefinitions.TiltedTool,
         ["flat_drawing"] = MoveDefinitions.FlatDrawing,
         ["widths_and_events"] = MoveDefinitions.WidthsAndEvents,
         ["frames_for_robots"] = MoveDefinitions.FramesForRobots,

@@ -24,7 +24,7 @@ public sealed class ExampleTests
 
     // Their slicing takes seconds and is the library's, whose tests run on both runtimes.
     private static readonly HashSet<string> Slow = ["between_boundaries", "curved_roof", "planar_slice", "print_on_terrain", "vase", "wave_layers",
-        "modifiers", "infill_curves", "draw_on_dome", "slanted_layers"];
+        "modifiers", "infill_curves", "draw_on_dome", "slanted_layers", "tilted_tool"];
 
     public static IEnumerable<string> Names => Definitions.All.Keys;
 

@@ -140,6 +140,29 @@ internal static class SliceDefinitions
         return s.Print(s.With<CurvedSlicerComponent>(setup, ("Geometry", block), ("Field", field)), "Layer");
     }
 
+    public static Sketch TiltedTool(string name)
+    {
+        var s = new Sketch(name, "Layers that follow a sheet, and a tool that leans along their normals. The printer has two rotary axes in its head.",
+            "the maximum tilt, and Aim: toward or away from a point or a curve.");
+        s.Stage("Setup");
+        var speed = s.Slider("Print speed", 25, 5, 200, 0);
+        var settings = s.Component<PrintSettingsComponent>(("Layer Height", s.Slider("Layer height", 0.4, 0.05, 1, 2)), Infill(s, 30),
+            ("Print Speed", speed), ("outer_wall_speed_mm_s", speed), ("infill_bridge_speed_mm_s", speed));
+        var setup = s.Component<PrintSetupComponent>(("Printer", s.Text("Printer", "five_axis_head", width: 130)), ("Settings", settings));
+        s.Stage("Model");
+        var model = s.Mesh("Block", Solids.Box(100, 100, 0, 14, 14, 5));
+        var sheet = s.Mesh("Sheet", Solids.Sheet(107, 107, 40, 12, (u, v) => 7 - 5 * u * u - 5 * v * v));
+        s.Stage("Field");
+        var field = s.Component<LayerFieldComponent>(("Surfaces", sheet), ("Blend From", s.Slider("Level up to", 0.6, 0, 20)),
+            ("Blend To", s.Slider("Curved from", 4, 1, 40)));
+        s.Stage("Slice");
+        var most = s.Slider("Max tilt", 30, 1, 90, 0);
+        var slices = s.With<CurvedSlicerComponent>(setup, ("Geometry", model), ("Field", field), ("Max Tilt", most));
+        s.Stage("Plan");
+        var plan = s.Component<PlanToolpathComponent>(("Steps", slices));
+        return s.Finish(s.Component<TiltToolComponent>(("Toolpath", plan), ("Field", (slices, "Field")), ("Max Tilt", most)), "Layer");
+    }
+
     public static Sketch PrintOnTerrain(string name)
     {
         var s = new Sketch(name, "A drawing on a piece of terrain on the bed. The paths follow its surface, travel moves stay above it.",

@@ -63,6 +63,7 @@ internal static class Recipes
         ["E Values"] = () => [1.0],
         ["Speeds"] = () => [20.0],
         ["ViewerPageComponent.File"] = () => [System.IO.Path.Combine(System.IO.Path.GetTempPath(), "caterpillar-never-written.html")],
+        ["TiltToolComponent.Toolpath"] = () => [new ToolpathGoo(Planned.Value.Value, new ProfileLibrary().Setup("five_axis_head").OrThrow())],
         ["DeconstructSetupComponent.Setup"] = () => ["generic"],
         ["Curve"] = () => [new Rg.LineCurve(new Rg.Point3d(0, 0, 0), new Rg.Point3d(10, 0, 0))],
         ["ImportProfileComponent.File"] = () => [Header.Value],

@@ -19,6 +19,9 @@ internal static class MachinePositions
     // mm; less is rounding of the words.
     private const double Still = 1e-9;
 
+    // What both ends of a move may be off where they are written, mm or degrees.
+    private const double Rounding = 0.001;
+
     /// <summary>The toolpath of the slides, of one in the frame of the part. Arcs become chords; every move keeps its time if all axes can.</summary>
     /// <param name="toolpath">The toolpath on the part.</param>
     /// <param name="kinematics">The rotary axes.</param>
@@ -54,9 +57,9 @@ internal static class MachinePositions
                 double moved = next.DistanceTo(at), degrees = turns.DistanceTo(end) / count;
                 // What does not move stays exactly where it is.
                 if (moved < Still) (next, moved) = (at, 0);
-                var along = RotaryColumns.Share(piece.Length / count, degrees);
-                var speed = along > 0 ? piece.Speed * RotaryColumns.Share(moved, degrees) / along : piece.Speed;
-                if (Least(next - at, end - turns) / count is > 0 and var time) speed = Math.Min(speed, RotaryColumns.Share(moved, degrees) / time);
+                var (along, path) = (RotaryColumns.Share(piece.Length / count, degrees), RotaryColumns.Share(moved, degrees));
+                var speed = along > 0 ? piece.Speed * path / along : piece.Speed;
+                if (Least(next - at, (end - turns) / count) is > 0 and var time) speed = Math.Min(speed, Math.Max(path - Rounding, path / 2) / time);
                 builder.Add(piece with { End = next, E = piece.E / count, Deposited = piece.Deposited / count, Speed = speed });
                 builder.SetRotary(words.X, words.Y, words.Z);
                 at = next;
@@ -66,10 +69,12 @@ internal static class MachinePositions
             // The time that the slowest axis needs, s.
             double Least(Vec3 slides, Vec3 words)
             {
-                var time = count * Math.Max(Math.Abs(slides.X) / most.X, Math.Max(Math.Abs(slides.Y) / most.Y, Math.Abs(slides.Z) / most.Z));
-                foreach (var axis in kinematics.Axes) time = Math.Max(time, Math.Abs(axis.Of(words)) / axis.MaxSpeed);
+                var time = Math.Max(Needs(slides.X, most.X), Math.Max(Needs(slides.Y, most.Y), Needs(slides.Z, most.Z)));
+                foreach (var axis in kinematics.Axes) time = Math.Max(time, Needs(axis.Of(words), axis.MaxSpeed));
                 return time;
             }
+
+            static double Needs(double distance, double speed) => distance == 0 ? 0 : (Math.Abs(distance) + Rounding) / speed;
         }
     }
 

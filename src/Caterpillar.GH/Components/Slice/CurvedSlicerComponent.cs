@@ -15,6 +15,13 @@ public sealed class CurvedSlicerComponent() : SlicerComponent(
             "Layers to follow: a field from Layer Field, a surface to copy upward, or a formula in x, y, z, r (mm) and theta (degrees).");
         ports.Boolean("Partial", "Pa", "Print only parts that are inside the surfaces of the field and not too steep, instead of refusing the solids.", false);
         ports.MeshTolerance();
+        ports.Angle("Max Tilt", "MT", "Layers may be steeper by this angle than an upright print head allows, in degrees. Then use Tilt Tool.", 0);
+    }
+
+    private protected override void Outputs(OutputPorts ports)
+    {
+        base.Outputs(ports);
+        ports.Add(new LayerFieldParam(), "Field", "F", "Field that the layers follow, for Tilt Tool.");
     }
 
     private protected override void Solve(Run run)
@@ -23,16 +30,18 @@ public sealed class CurvedSlicerComponent() : SlicerComponent(
         var recipe = run.Get<FieldRecipe>(2);
         var partial = run.Get<bool>(3);
         var models = Solids(run, 0, run.Positive(4));
+        var tilt = run.Within(5, 0, 90, "an angle from 0 to 90 degrees");
         var (solids, units) = (Named(models), run.Units);
-        var result = run.Work("Slicing", [recipe, setup, partial, models], (progress, cancel) =>
+        var result = run.Work("Slicing", [recipe, setup, partial, tilt, models], (progress, cancel) =>
         {
             var field = recipe.For(solids, setup, n => n >= 0 && n < models[0].Mesh.Vertices.Count
                 ? RhinoGeometry.ToVec(models[0].Mesh.Vertices.Point3dAt(n), units) : null);
-            if (field.Value is null || field.HasErrors) return new Result<SliceResult>(null, field.Diagnostics);
-            var options = new CurvedOptions { Onto = setup.PrintedOn is { } floor ? PlanSurface.OnBed(floor) : null, Partial = partial };
+            if (field.Value is null || field.HasErrors) return new Result<CurvedResult>(null, field.Diagnostics);
+            var options = new CurvedOptions { Onto = setup.PrintedOn is { } floor ? PlanSurface.OnBed(floor) : null, Partial = partial, MaxTilt = tilt };
             var sliced = CurvedSlicer.Slice(solids, field.Value, setup, options, progress, cancel);
-            return new Result<SliceResult>(sliced.Value, field.Diagnostics.Concat(sliced.Diagnostics).ToArray());
+            return new Result<CurvedResult>(sliced.Value, field.Diagnostics.Concat(sliced.Diagnostics).ToArray());
         });
-        SetResult(run, models, solids, result, setup);
+        SetResult(run, models, solids, new Result<SliceResult>(result.Value, result.Diagnostics), setup);
+        if (result.Value is { } layers) run.Set(6, new LayerFieldGoo { Value = new FieldRecipe(recipe.ToString(), [layers.Field], layers.Field) });
     }
 }

@@ -7,7 +7,7 @@ public abstract class SlicerComponent(string name, string nickname, string descr
     private protected static void GeometryPort(InputPorts ports) => ports.Geometry("Geometry", "G",
         "Solids to slice, in their print position: meshes, boxes, Breps, SubDs, extrusions or surfaces.", GH_ParamAccess.list);
 
-    private protected sealed override void Outputs(OutputPorts ports)
+    private protected override void Outputs(OutputPorts ports)
     {
         ports.Add(new PrintPathParam(), "Print Paths", "P", "All print paths, one branch per layer.", GH_ParamAccess.tree);
         ports.Add(new PrintPathParam { Hidden = true }, "Walls", "W", "Walls, one branch per layer.", GH_ParamAccess.tree);
