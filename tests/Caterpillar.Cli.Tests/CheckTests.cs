@@ -31,6 +31,20 @@ public class CheckTests : CliFixture
     }
 
     [Test]
+    public void Without_a_printer_a_file_is_checked_for_the_setup_that_it_states()
+    {
+        File.WriteAllText("part.stl", Box(20, 10, 2));
+        Assert.That(Run("slice", "part.stl", "-p", "klipper_256", "--center", "230,230").Code, Is.Zero);
+        var own = Run("check", "part.gcode");
+        Assert.That((own.Code, own.Text), Is.EqualTo((0, "")), own.Text);
+        Assert.That(own.Messages, Does.Contain("Nothing found. Checked for klipper_256, the printer of the setup in the file."));
+        var smaller = Run("check", "part.gcode", "--set", "build_volume_mm=[200, 200, 200]");
+        Assert.That(smaller.Text, Does.Contain("error bed.outside").And.Contain("(200, 200, 200)"));
+        Assert.That(smaller.Messages, Does.Contain("Checked for klipper_256").And.Not.Contain("Nothing found"));
+        Assert.That(Run("check", "part.gcode", "--printer", "generic").Text, Does.Contain("bed.outside").And.Contain("(220, 220, 250)"));
+    }
+
+    [Test]
     public void A_file_that_heats_too_late_extrudes_cold()
     {
         File.WriteAllText("a.gcode", "G28\nM83\nG1 X10 Y10 Z0.2 F600\nG1 X20 E1\nM109 S200\nG1 X30 E1\n");

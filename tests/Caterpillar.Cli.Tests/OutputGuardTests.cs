@@ -46,6 +46,19 @@ public class OutputGuardTests : CliFixture
         Assert.That((run.Code, run.Messages.Trim()), Is.EqualTo((1, message)));
     }
 
+    [TestCase("slice", "c.svg", "c.svg is a drawing. To print it, use \"caterpillar curves\".")]
+    [TestCase("curves", "a.STL", "a.STL is a mesh. To print it, use \"caterpillar slice\".")]
+    [TestCase("turtle", "a.3mf", "a.3mf is a mesh. To print it, use \"caterpillar slice\".")]
+    [TestCase("slice", "s.turtle", "s.turtle is a turtle program. To print it, use \"caterpillar turtle\".")]
+    [TestCase("curves", "l.gcode", "l.gcode is G-code. To print it, use \"caterpillar convert\".")]
+    public void A_design_of_another_kind_is_wrong_usage_that_names_the_verb(string verb, string input, string message)
+    {
+        File.WriteAllText(input, "");
+        var run = Run(verb, input, "-o", "out.gcode");
+        Assert.That((run.Code, run.Messages.Trim()), Is.EqualTo((2, message)));
+        Assert.That(Files(), Is.EqualTo(new[] { input }));
+    }
+
     [TestCase("slice", "a.stl", "-o", "a.png")]
     [TestCase("slice", "a.stl", "-o", "b.stl")]
     [TestCase("image", "l.gcode", "-o", "m.gcode")]

@@ -28,20 +28,10 @@ internal sealed class GeneralOptions
     public static MemoryLimit Limit(string text)
     {
         var plain = text.Trim();
-        double bytes = 0;
-        if (plain.EndsWith('%'))
-        {
-            if (NumberReader.TryParse(plain[..^1].Trim(), out var percent)
-                && percent is > 0 and <= 100)
-            {
-                bytes = 2.0 * MemoryLimit.Default.Bytes * percent / 100;
-            }
-        }
-        else if (Units.FirstOrDefault(u => plain.EndsWith(u.Name, System.StringComparison.OrdinalIgnoreCase)) is { Name: not null } unit
-            && NumberReader.TryParse(plain[..^2].Trim(), out var count))
-        {
-            bytes = count * unit.Bytes;
-        }
+        (string Name, double Bytes)[] units = [("%", 2.0 * MemoryLimit.Default.Bytes / 100), .. Units];
+        var unit = units.FirstOrDefault(u => plain.EndsWith(u.Name, StringComparison.OrdinalIgnoreCase));
+        var isSize = NumberReader.TryParse(plain[..^(unit.Name ?? "").Length].Trim(), out var count) && (unit.Name != "%" || count <= 100);
+        var bytes = isSize ? count * unit.Bytes : 0;
         return bytes is >= LeastMemory and < 1L << 60
             ? new MemoryLimit((long)bytes)
             : throw new CliException(ExitCode.Usage, $"--memory-limit needs a size of at least 64 MB, such as 500MB, 4GB or 75%, not \"{text}\".");

@@ -49,25 +49,31 @@ internal sealed class SetupOptions
         var printer = own.Count > 0 ? own[0] : arguments.GetValue(Printer) ?? "generic";
         var materials = arguments.GetValue(Material) is { Length: > 0 } given ? given : own.Skip(1).Take(1).ToArray();
         var settings = arguments.GetValue(Settings) ?? (own.Count > 2 ? own[2] : null);
-        if (settings is not null && ProfileImport.HasSetup(settings)) return OfFile(settings, arguments, values, session);
+        if (settings is not null && ProfileImport.HasSetup(settings)) return OfFile(settings, arguments, session);
         var plain = session.Profiles.Setup(printer, materials.FirstOrDefault(), settings);
         if (plain.Diagnostics.Any(d => d.Code == "profile.not_found")) session.ValueOrFail(plain, ExitCode.Usage);
         if ((values.Length == 0 && materials.Length < 2) || plain.Value is null) return session.ValueOrFail(plain);
         return session.ValueOrFail(session.Profiles.Setup(printer, materials.FirstOrDefault(), settings, values, [.. materials.Skip(1)]), ExitCode.Usage);
     }
 
-    // The setup of a written file, with the printer and material of the options if they are given.
-    private PrintSetup OfFile(string file, ParseResult arguments, string[] values, Session session)
+    private PrintSetup OfFile(string file, ParseResult arguments, Session session)
     {
         var read = ProfileImport.ReadSetup(file);
         var setup = session.ValueOrFail(read, read.Diagnostics.Any(d => d.Code == "profile.not_found") ? ExitCode.Usage : ExitCode.BadInput);
+        return Changed(setup, arguments, session);
+    }
+
+    /// <summary>The setup in a file, with the printer, the material and the keys of the options where they are given.</summary>
+    /// <exception cref="CliException">A profile or key is not found (wrong usage), or the setup is invalid (bad input).</exception>
+    public PrintSetup Changed(PrintSetup setup, ParseResult arguments, Session session)
+    {
         if (IsGiven(arguments)) setup = setup with { Printer = session.ValueOrFail(session.Profiles.Printer(arguments.GetValue(Printer)!), ExitCode.Usage) };
         if (arguments.GetValue(Material) is { Length: > 0 } names)
         {
             var materials = Array.ConvertAll(names, name => session.ValueOrFail(session.Profiles.Material(name), ExitCode.Usage));
             setup = setup with { Material = materials[0], ToolMaterials = new(materials.Skip(1)) };
         }
-        setup = session.ValueOrFail(setup.With(values), ExitCode.Usage);
+        setup = session.ValueOrFail(setup.With(arguments.GetValue(Set) ?? []), ExitCode.Usage);
         var found = setup.Check();
         return session.ValueOrFail(new Result<PrintSetup>(found.Any(d => d.Severity == Severity.Error) ? null : setup, found));
     }

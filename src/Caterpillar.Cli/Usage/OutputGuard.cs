@@ -1,25 +1,20 @@
 namespace Caterpillar.Cli;
 
-/// <summary>Checks before any work begins that outputs can be written, that none is an input, and that extensions fit the contents.</summary>
+/// <summary>Checks before any work begins that outputs can be written, that none is an input, and that extensions fit the verb.</summary>
 internal static class OutputGuard
 {
     // Options whose values are input files. All arguments are.
     private static readonly string[] Inputs = ["--printer", "--material", "--settings", "--import", "--base"];
     private const string Output = "--output";
 
-    // Extensions that suggest other contents than a verb writes.
-    private static readonly Dictionary<string, string> Kinds = new(StringComparer.OrdinalIgnoreCase)
-    {
-        [".stl"] = "a mesh", [".obj"] = "a mesh", [".ply"] = "a mesh", [".3mf"] = "a mesh", [".step"] = "a model", [".stp"] = "a model", [".3dm"] = "a model",
-        [".gh"] = "a Grasshopper definition", [".ghx"] = "a Grasshopper definition", [".svg"] = "a drawing", [".csv"] = "a table", [".json"] = "JSON",
-        [".turtle"] = "a turtle program", [".png"] = "an image", [".jpg"] = "an image", [".jpeg"] = "an image", [".pgm"] = "an image",
-        [".pdf"] = "a document", [".html"] = "a page", [".js"] = "a script", [".gcode"] = "G-code", [".bgcode"] = "G-code", [".gco"] = "G-code",
-        [".nc"] = "G-code", [".gz"] = "a packed file", [".zip"] = "a packed file",
-    };
+    // Extensions, what they suggest, and the verb that reads it.
+    private static readonly Dictionary<string, (string Kind, string Reader)> Kinds = EmbeddedText.Rows("usage/FileKinds.tsv", typeof(Verb))
+        .ToDictionary(r => r[0], r => (r[1], r[2]), StringComparer.OrdinalIgnoreCase);
 
-    /// <exception cref="CliException">An output is an input, or its extension is wrong (wrong usage).</exception>
+    /// <exception cref="CliException">An output is an input, or an extension is wrong (wrong usage).</exception>
     public static void Check(Verb verb, ParseResult parsed)
     {
+        foreach (var file in Arguments(parsed)) CheckInput(file, verb.Name);
         var inputs = Arguments(parsed).Concat(Inputs.SelectMany(name => Values(parsed, name))).Where(f => f != "-" && File.Exists(f)).ToArray();
         if (verb.ReplacesInput(parsed)) return;
         foreach (var output in Outputs(parsed))
@@ -42,11 +37,19 @@ internal static class OutputGuard
         }
     }
 
+    // Designs; other verbs recognize G-code by its contents.
+    private static void CheckInput(string file, string verb)
+    {
+        if (verb is not ("slice" or "curves" or "turtle") || !Kinds.TryGetValue(Path.GetExtension(file), out var named)) return;
+        if (named.Reader is "" || named.Reader == verb) return;
+        throw new CliException(ExitCode.Usage, $"{file} is {named.Kind}. To print it, use \"caterpillar {named.Reader}\".");
+    }
+
     private static void CheckName(string output, string[] kinds)
     {
-        if (kinds.Length == 0 || !Kinds.TryGetValue(Path.GetExtension(output), out var named) || kinds.Contains(named)) return;
+        if (kinds.Length == 0 || !Kinds.TryGetValue(Path.GetExtension(output), out var named) || kinds.Contains(named.Kind)) return;
         throw new CliException(
-            ExitCode.Usage, $"{Output} {output}: the extension {Path.GetExtension(output)} means {named}, but the output is {kinds[0]}. Give another name.");
+            ExitCode.Usage, $"{Output} {output}: the extension {Path.GetExtension(output)} means {named.Kind}, but the output is {kinds[0]}. Give another name.");
     }
 
     private static IEnumerable<string> Arguments(ParseResult parsed)

@@ -13,7 +13,7 @@ internal sealed class CheckVerb : Verb
     private readonly Described<string?> _onto = new("--onto",
         "Object that is printed on, at its position in the file. It supports extrusions, and collisions with it are reported.", "FILE");
 
-    private readonly SetupOptions _setup = new();
+    private readonly SetupOptions _setup = new("Default: the setup in the file, or generic.");
     private readonly Option<int> _threads = CommonOptions.Threads();
     private readonly Described<bool> _json = new("--json", "Print the findings as a JSON array.");
 
@@ -29,14 +29,19 @@ internal sealed class CheckVerb : Verb
     {
         var setup = _setup.Resolve(arguments, session);
         if (arguments.GetValue(_onto) is { } onto) setup = setup with { PrintedOn = Meshes.ReadAsOne(onto, session) };
+        var isChosen = _setup.IsGiven(arguments) || arguments.GetValue(_setup.Settings) is not null;
         var options = CommonOptions.Decoding(arguments.GetValue(_flavor), setup.Material.FilamentDiameter, arguments.GetValue(_threads), session);
         var all = new List<Diagnostic>();
+        var used = new List<string>();
         var harmless = new List<Diagnostic>();
         foreach (var file in arguments.GetValue(_files)!)
         {
             var name = Session.NameOf(file);
             var decoded = Decoded(file, name, options, session, harmless);
-            all.AddRange(session.WithProgress("Checking " + name, progress => PrintCheck.Run(decoded, setup, progress, session.Cancel)));
+            var written = isChosen ? null : FileSetup.Of(decoded.Settings);
+            var own = written is null ? setup : _setup.Changed(written, arguments, session) with { PrintedOn = setup.PrintedOn };
+            used.Add(written is null ? own.Printer.Title : $"{own.Printer.Title}, the printer of the setup in the file");
+            all.AddRange(session.WithProgress("Checking " + name, progress => PrintCheck.Run(decoded, own, progress, session.Cancel)));
         }
         session.WriteText("-", text =>
         {
@@ -45,7 +50,7 @@ internal sealed class CheckVerb : Verb
         });
         session.Found(all);
         session.Say(harmless);
-        if (all.Count == 0) session.Say(() => $"Nothing found. Checked for {setup.Printer.Title}.");
+        session.Say(() => $"{(all.Count == 0 ? "Nothing found. " : "")}Checked for {string.Join("; ", used.Distinct())}.");
         return all.Any(d => d.Severity == Severity.Error) ? ExitCode.Refused : ExitCode.Done;
     }
 

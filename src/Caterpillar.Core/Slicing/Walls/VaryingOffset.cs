@@ -193,14 +193,8 @@ internal sealed class VaryingOffset(RegionEngine engine)
     private static void Ease(List<Item> items)
     {
         var n = items.Count;
-        for (var k = 1; k < 2 * n; k++)
-        {
-            Ease(items, (k - 1) % n, k % n);
-        }
-        for (var k = 2 * n - 1; k > 0; k--)
-        {
-            Ease(items, k % n, (k - 1) % n);
-        }
+        for (var k = 1; k < 2 * n; k++) Ease(items, (k - 1) % n, k % n);
+        for (var k = 2 * n - 1; k > 0; k--) Ease(items, k % n, (k - 1) % n);
     }
 
     private static void Ease(List<Item> items, int from, int to)
