@@ -48,8 +48,8 @@ internal static class OutputGuard
     private static void CheckName(string output, string[] kinds)
     {
         if (kinds.Length == 0 || !Kinds.TryGetValue(Path.GetExtension(output), out var named) || kinds.Contains(named.Kind)) return;
-        throw new CliException(
-            ExitCode.Usage, $"{Output} {output}: the extension {Path.GetExtension(output)} means {named.Kind}, but the output is {kinds[0]}. Give another name.");
+        throw new CliException(ExitCode.Usage,
+            $"{Output} {output}: the extension {Path.GetExtension(output)} means {named.Kind}, but the output is {kinds[0]}. Give another name.");
     }
 
     private static IEnumerable<string> Arguments(ParseResult parsed)
