@@ -77,13 +77,10 @@ public static class Planner
             .Concat(printer.HeadBoxes.Select(b => (
                 Math.Sqrt(Math.Pow(Math.Max(Math.Abs(b.Min.X), Math.Abs(b.Max.X)), 2) + Math.Pow(Math.Max(Math.Abs(b.Min.Y), Math.Abs(b.Max.Y)), 2)), b.Min.Z)))
             .ToArray();
-        return new PlanRules
+        ToolRules[] tools = [.. Enumerable.Range(0, printer.ToolCount).Select(tool => ToolRulesOf(setup.OfTool(tool), policy))];
+        return new PlanRules(policy, settings, tools, printer.ZHopSpeed)
         {
-            Policy = policy,
-            Settings = settings,
-            Tools = [.. Enumerable.Range(0, printer.ToolCount).Select(tool => ToolRulesOf(setup.OfTool(tool), policy))],
             SharedNozzle = printer.SharedNozzle,
-            ZHopSpeed = printer.ZHopSpeed,
             MaxSpeed = printer.MaxSpeed,
             Rounded = Math.Pow(10, -printer.DecimalsXyz),
             Lift = settings.ZHopType switch { ZHopType.AbovePrint => LiftRule.Highest, ZHopType.AbovePath => LiftRule.Corridor, _ => LiftRule.None },

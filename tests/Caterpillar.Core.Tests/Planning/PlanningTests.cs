@@ -14,16 +14,12 @@ namespace Caterpillar.Tests.Planning;
 public class PlanningTests
 {
     // 0.5 mm² of bead is 0.25 mm of filament per mm.
-    internal static readonly PlanRules Rules = new()
+    internal static readonly PlanRules Rules = new(PlanPolicy.Printer, new PrintSettings
     {
-        Policy = PlanPolicy.Printer,
-        Tools = [new ToolRules(2, 1, 40, 30, 0)],
-        Settings = new PrintSettings
-        {
-            PrintSpeed = 50, OuterWallSpeed = 0, InfillSpeed = 80, FirstLayerSpeed = 0, TravelSpeed = 150, ZHopMinTravel = 2, RetractionMinTravel = 2,
-            Comb = false, AvoidCrossingMaxDetour = 0, SeamGap = 0,
-        },
-        ZHopSpeed = 10,
+        PrintSpeed = 50, OuterWallSpeed = 0, InfillSpeed = 80, FirstLayerSpeed = 0, TravelSpeed = 150, ZHopMinTravel = 2, RetractionMinTravel = 2,
+        Comb = false, AvoidCrossingMaxDetour = 0, SeamGap = 0,
+    }, [new ToolRules(2, 1, 40, 30, 0)], 10)
+    {
         Lift = LiftRule.Highest,
         Clearance = 0.5,
     };

@@ -38,17 +38,12 @@ internal sealed record ToolRules(double? VolumePerE, double RetractE, double Ret
 }
 
 /// <summary>The settings, and what planning needs of printer and material, resolved. Lengths in mm, speeds in mm/s.</summary>
-internal sealed record PlanRules
+/// <param name="Policy">What planning adds.</param>
+/// <param name="Settings">The settings.</param>
+/// <param name="Tools">The tools, by their number.</param>
+/// <param name="ZHopSpeed">Speed of moves straight up and down.</param>
+internal sealed record PlanRules(PlanPolicy Policy, PrintSettings Settings, ToolRules[] Tools, double ZHopSpeed)
 {
-    public required PlanPolicy Policy { get; init; }
-
-    public required PrintSettings Settings { get; init; }
-
-    public required ToolRules[] Tools { get; init; }
-
-    /// <summary>Speed of moves straight up and down.</summary>
-    public required double ZHopSpeed { get; init; }
-
     /// <summary>Maximum speed of each axis; null = unknown.</summary>
     public AxisValues? MaxSpeed { get; init; }
 
