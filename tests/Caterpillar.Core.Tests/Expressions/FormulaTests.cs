@@ -106,6 +106,16 @@ internal sealed class FormulaTests
     }
 
     [Test]
+    public void Random_integers_reach_both_limits_equally_often()
+    {
+        var random = new SeededRandom(7);
+        var counts = new int[3];
+        for (var i = 0; i < 3000; i++) counts[random.NextInteger(-1, 1) + 1]++;
+        // 1000 ± 26 are expected; five times that never occurs by chance.
+        Assert.That(counts, Has.All.InRange(870, 1130));
+    }
+
+    [Test]
     public void Random_numbers_come_from_the_seed_alone()
     {
         var formula = Formula.Compile("random()").Value!;

@@ -49,6 +49,13 @@ public class ImageReaderTests
     }
 
     [Test]
+    public void An_image_repeats_from_left_to_right()
+    {
+        var image = new GrayImage(4, 1, [0, 0.1, 0.2, 0.3]);
+        Assert.That(new[] { 0.3, 1.3, -0.2, -1.7 }.Select(u => image.Nearest(u, 0.5)), Is.EqualTo(new[] { 0.1, 0.1, 0.3, 0.1 }));
+    }
+
+    [Test]
     public void An_image_has_at_least_one_pixel()
     {
         Assert.That(() => new GrayImage(0, 1, []), Throws.ArgumentException);

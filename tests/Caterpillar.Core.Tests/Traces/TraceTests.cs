@@ -163,6 +163,10 @@ public class TraceTests
     }
 
     [Test]
+    public void A_turn_has_three_strings_or_more()
+        => Assert.That(new Trace(0.2).Cone(Vec3.Zero, 1, 1, height: 2, pitch: 1, stringsPerTurn: 3).Strings, Has.Count.EqualTo(6));
+
+    [Test]
     public void Sizes_that_make_no_shape_are_refused()
     {
         var trace = new Trace(0.2);
@@ -170,6 +174,8 @@ public class TraceTests
         Assert.That(() => trace.Spiral(Vec3.Zero, 0, 1), Throws.InstanceOf<ArgumentOutOfRangeException>());
         Assert.That(() => trace.Cone(Vec3.Zero, -1, 1, 5, 1), Throws.InstanceOf<ArgumentOutOfRangeException>());
         Assert.That(() => trace.Cone(Vec3.Zero, 1, -1, 5, 1), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(() => trace.Cone(Vec3.Zero, 1, 1, 0, 1), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        Assert.That(() => trace.Cone(Vec3.Zero, 1, 1, 1, 1, stringsPerTurn: 2), Throws.InstanceOf<ArgumentOutOfRangeException>());
         Assert.That(() => trace.Cylinder(Vec3.Zero, 5, 5, 0, 1), Throws.InstanceOf<ArgumentOutOfRangeException>());
         Assert.That(() => trace.Cylinder(Vec3.Zero, 5, 0, 1, 1), Throws.InstanceOf<ArgumentOutOfRangeException>());
         Assert.That(() => trace.Helix(Vec3.Zero, 5, 1e9, 0.001), Throws.InstanceOf<ArgumentOutOfRangeException>());

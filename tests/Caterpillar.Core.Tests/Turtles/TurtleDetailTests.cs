@@ -48,6 +48,26 @@ internal sealed class TurtleDetailTests
     public void Circles_have_as_many_chords_as_the_tolerance_needs_or_as_stated(string text, int segments) => Assert.That(Segments(text), Is.EqualTo(segments));
 
     [Test]
+    public void Commands_as_values_turn_as_the_methods_do()
+    {
+        void Same(Turtle expected, TurtleAction action, params double[] values)
+        {
+            var pose = TurtleProgram.FromCommands([TurtleCommand.Of(action, values)]).Run().OrThrow().Pose;
+            Assert.That((pose.X.DistanceTo(expected.Pose.X), pose.Y.DistanceTo(expected.Pose.Y)), Is.EqualTo((0.0, 0.0)), action.ToString());
+        }
+        Same(new Turtle().Left(30), TurtleAction.Yaw, 30);
+        Same(new Turtle().Right(30), TurtleAction.Right, 30);
+        Same(new Turtle().PitchUp(30), TurtleAction.Pitch, 30);
+        Same(new Turtle().PitchDown(30), TurtleAction.PitchDown, 30);
+        Same(new Turtle().RollRight(30), TurtleAction.Roll, 30);
+        Same(new Turtle().RollLeft(30), TurtleAction.RollLeft, 30);
+        Same(new Turtle().SetHeading(10), TurtleAction.Heading, 10);
+        Same(new Turtle().SetHeading(10, 20, 30), TurtleAction.Heading, 10, 20, 30);
+        Same(new Turtle().ChangeHeading(10), TurtleAction.ChangeHeading, 10);
+        Same(new Turtle().ChangeHeading(10, 20, 30), TurtleAction.ChangeHeading, 10, 20, 30);
+    }
+
+    [Test]
     public void Commands_as_values_have_the_same_defaults()
     {
         foreach (var action in new[] { TurtleAction.Circle, TurtleAction.CircleAround })
