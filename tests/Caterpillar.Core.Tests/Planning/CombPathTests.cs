@@ -63,6 +63,23 @@ public class CombPathTests
     }
 
     [Test]
+    public void Around_a_hole_a_path_leads_from_the_wall_on_one_side_to_the_wall_on_the_other()
+    {
+        for (var angle = 0; angle < 90; angle += 7)
+        {
+            var (sin, cos) = Caterpillar.Basics.Angle.SinCos(angle);
+            Vec3 Turned(double x, double y) => new(x * cos - y * sin, x * sin + y * cos);
+            Polyline Square(double half) => new([Turned(-half, -half), Turned(half, -half), Turned(half, half), Turned(-half, half)], true);
+            var region = Region.From([Square(10)]).Subtract(Region.From([Square(3)]));
+            for (var y = -2.8; y < 3; y += 0.4)
+            {
+                // 0.2 mm beside the hole; 0.5 mm are kept from its edges.
+                Assert.That(new CombPath(0.5).Find(Turned(-3.2, y), Turned(3.2, y), region, 16), Is.Not.Null, $"{angle}, {y}");
+            }
+        }
+    }
+
+    [Test]
     public void What_is_too_thin_to_walk_in_has_no_path()
         => Assert.That(new CombPath(0.5).Find(new Vec3(1, 0.4), new Vec3(9, 0.4), Region.Rectangle(0, 0, 10, 0.8), 100), Is.Null);
 
@@ -101,7 +118,7 @@ public class CombPathTests
                 }
             }
         }
-        Assert.That(found, Is.GreaterThan(all * 0.75), "narrow necks, where the inset region falls apart, have none");
+        Assert.That(found, Is.GreaterThan(all * 0.85), "narrow necks, where the inset region falls apart, have none");
     }
 
     [TestCase(0.4, 0)]

@@ -7,6 +7,9 @@ namespace Caterpillar.Planning;
 /// <param name="inset">Distance that the path keeps from the boundary where it can, mm.</param>
 internal sealed class CombPath(double inset)
 {
+    // mm; on the contour itself, rounding would decide whether a line leaves the region there.
+    private const double Within = 1e-3;
+
     private readonly RegionEngine _engine = new();
     private readonly List<(double T, int Contour, int Segment)> _cuts = [];
     private Region? _region;
@@ -43,8 +46,13 @@ internal sealed class CombPath(double inset)
     }
 
     // The point itself inside the inset region, else the nearest one of that, if it is near.
-    private Vec3? Entry(Vec3 at, Region region) => _inner.Contains(at.X, at.Y) ? at
-        : _inner.NearestEdge(at, 2 * inset) is { } near && region.ContainsLine(at, near) ? near : null;
+    private Vec3? Entry(Vec3 at, Region region)
+    {
+        if (_inner.Contains(at.X, at.Y)) return at;
+        if (_inner.NearestEdge(at, 2 * inset) is not { } near || !region.ContainsLine(at, near)) return null;
+        var within = near + Within * (near - at).WithZ(0).Unit();
+        return _inner.Contains(within.X, within.Y) ? within : near;
+    }
 
     // Adds the points between a and b: from each place where the line leaves the region along its contour to where the line last crosses that.
     private void Walk(Vec3 a, Vec3 b, List<Vec3> path)
@@ -61,7 +69,6 @@ internal sealed class CombPath(double inset)
         _cuts.Sort();
         for (var first = 0; first < _cuts.Count; first++)
         {
-            // A line that starts on the boundary crosses it there, or not: both are a walk of no length.
             var last = _cuts.FindLastIndex(cut => cut.Contour == _cuts[first].Contour);
             if (last == first) continue;
             var contour = contours[_cuts[first].Contour];

@@ -3,6 +3,9 @@ namespace Caterpillar.Slicing;
 /// <summary>Leaves of supports what is carried, from the bed up: what lies on the bed, on supports below, or (everywhere) closely above the part.</summary>
 internal sealed class CarriedSupports(SupportStack stack)
 {
+    /// <summary>Of the line width; half of the width below which a roof is too thin: those of trees on steep slopes lean on each other.</summary>
+    public const double ThinRoof = 0.3;
+
     private const double ArcTolerance = 0.03;
 
     // mm²; less is rounding.
@@ -11,8 +14,8 @@ internal sealed class CarriedSupports(SupportStack stack)
     private readonly SupportLevel[] _levels = stack.Levels;
     private readonly double _width = stack.LineWidth;
 
-    // mm; half of the width below which an extrusion is too thin: those of the roofs of trees on steep slopes lean on each other.
-    private readonly double _thin = stack.LineWidth * (stack.Settings.Support == SupportKind.Tree ? 0.3 : 0.5);
+    // mm; half of the width below which an extrusion is too thin.
+    private readonly double _thin = stack.LineWidth * (stack.Settings.Support == SupportKind.Tree ? ThinRoof : 0.5);
     private readonly RegionEngine _engine = new();
 
     /// <summary>Removes all supports that nothing carries.</summary>

@@ -17,6 +17,12 @@ internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, Parallel
     // Of the height that is left; where branches would meet lower, they stay apart.
     private const double Lowest = 0.8;
 
+    // Of the line width, beyond the gap: else what leans out on a slope touches the roof below it all along.
+    private const double Aside = 0.5;
+
+    // Half of the width, of the line width, from which more tips hold what the first ones leave out.
+    private const double LeftOut = 0.15;
+
     // mm; roofs that lie closer together than twice this are one.
     private const double Hairline = 0.1;
 
@@ -38,12 +44,18 @@ internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, Parallel
     private readonly int _roofLayers = stack.Settings.SupportInterfaceLayers > 0 ? stack.Settings.SupportInterfaceLayers + 1 : 0;
     private readonly RegionEngine _engine = new();
 
+    // What roofs keep out of on each level.
+    private Region[] _beside = [];
+
     /// <summary>Fills the supports of the levels, without regard to what carries them.</summary>
     /// <param name="carried">Removes what nothing carries: where that leaves something in the air, more tips hold it.</param>
     public void Grow(CarriedSupports carried)
     {
         var top = Array.FindLastIndex(_levels, l => !l.Contact.IsEmpty);
         var space = new TreeSpace([.. _levels.Take(top + 1).Select(l => (l.Obstacles, l.Thickness))], _clear, _slope, options);
+        _beside = new Region[top + 1];
+        RegionEngine.ForEach(0, top + 1, options, (i, engine) =>
+            _beside[i] = _levels[i].Forbidden.Offset(Aside * _width, JoinStyle.Round, 2, ArcTolerance, engine));
         var areas = Areas(top);
         var tips = Array.ConvertAll(areas, _ => new List<Vec3>());
         AddTips(areas, 1, tips);
@@ -54,7 +66,7 @@ internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, Parallel
         {
             if (areas[i].IsEmpty) return;
             var held = _levels[i].Pieces.Offset(_width / 2, JoinStyle.Miter, 2, ArcTolerance, engine);
-            areas[i] = ThinParts.Thick(areas[i].Subtract(held, engine), _width / 4, engine);
+            areas[i] = ThinParts.Thick(areas[i].Subtract(held, engine), LeftOut * _width, engine);
         });
         AddTips(areas, 0.5, tips);
         Grow(tips, space);
@@ -82,6 +94,7 @@ internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, Parallel
             // Strips of a slope on adjacent levels lie side by side, with hairlines between them.
             var roof = Region.Union(_levels[i].Roofs, engine).Offset(Hairline, JoinStyle.Miter, 2, ArcTolerance, engine)
                 .Offset(-Hairline, JoinStyle.Miter, 2, ArcTolerance, engine);
+            roof = ThinParts.Thick(roof.Subtract(_beside[i], engine), CarriedSupports.ThinRoof * _width, engine);
             Region[] pieces = [roof, .. nodes[i].Select(n => n.Region)];
             _levels[i].Pieces = gaps.Clear(i, pieces, engine);
         });
@@ -94,7 +107,7 @@ internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, Parallel
         => Math.Max(_least, Math.Min(_settings.TreeBranchDiameter / 2, _least + _taper * node.Depth))
             + (node.ReachesBed ? Math.Max(0, Foot - _levels[node.Level].Top) / 2 : 0);
 
-    // What is held from each level: where the part leaves room for supports.
+    // What is held from each level: where the part leaves room for roofs. Contacts that it leaves none move down.
     private Region[] Areas(int top)
     {
         var areas = new Region[top + 1];
@@ -106,9 +119,10 @@ internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, Parallel
             areas[i] = Region.Empty;
             if (level.Contact.IsEmpty && waiting.IsEmpty) continue;
             Region[] wanted = [waiting, level.Contact];
-            areas[i] = Region.Difference(wanted, [level.Forbidden], _engine).Offset(-_width / 20, JoinStyle.Miter, 2, ArcTolerance, _engine);
+            areas[i] = Region.Difference(wanted, [_beside[i]], _engine).Offset(-_width / 20, JoinStyle.Miter, 2, ArcTolerance, _engine);
             // With the seam around it that was left away above: it would be looked at again on every level.
             var done = areas[i].Offset(_width, JoinStyle.Miter, 2, ArcTolerance, _engine);
+            level.Contact = Region.Union(wanted, _engine).Intersect(done, _engine);
             waiting = Region.Difference(wanted, [level.Part, done], _engine).Simplified(ArcTolerance, _engine);
         }
         return areas;

@@ -130,6 +130,28 @@ public class TreeTests
         }
     }
 
+    // Slopes from the bed: each layer leans out by 0.2 / tan(slope) mm.
+    [TestCase(20)]
+    [TestCase(30)]
+    public void Roofs_below_a_slope_keep_half_a_line_more_from_it_and_lie_on_one_another(double slope)
+    {
+        var settings = Settings with { SupportAngle = 50, SupportXyGap = 0.6 };
+        TriMesh[] model = [Solids.Cone(0, 3, 5, 3), Solids.Cone(4.99, 3, 5 + 12 * Math.Tan(slope * Math.PI / 180), 15)];
+        var layers = Solids.Slice(settings, model);
+        var strips = 0;
+        for (var i = 1; i < layers.Count; i++)
+        {
+            var (support, below) = (layers[i].Support, layers[i - 1].Support);
+            if (layers[i].Layer.Z < 5.5 || support.IsEmpty) continue;
+            Assert.That(support.Intersect(layers[i].Region.Offset(0.6 + 0.2, JoinStyle.Round)).Area, Is.LessThan(0.15 * support.Area), $"{layers[i].Layer.Z}");
+            // Rings around the cone, between branches.
+            if (support.Contours.Count < 2) continue;
+            strips++;
+            Assert.That(support.Subtract(below).Area, Is.LessThan(0.6 * support.Area), $"{layers[i].Layer.Z}");
+        }
+        Assert.That(strips, Is.GreaterThan(10));
+    }
+
     [Test]
     public void Between_supports_nothing_is_retracted_where_no_part_is_in_the_way()
     {
