@@ -36,14 +36,5 @@ internal static class SpanIslands
         return best;
     }
 
-    private static double Area(Vec3[] curve)
-    {
-        var sum = 0.0;
-        for (var i = 0; i < curve.Length; i++)
-        {
-            var next = curve[(i + 1) % curve.Length];
-            sum += (curve[i].X - curve[0].X) * (next.Y - curve[0].Y) - (next.X - curve[0].X) * (curve[i].Y - curve[0].Y);
-        }
-        return sum;
-    }
+    private static double Area(Vec3[] curve) => 2 * Polyline.Own(curve, closed: true).SignedAreaXY;
 }

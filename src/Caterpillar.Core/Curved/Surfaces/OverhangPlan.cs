@@ -142,10 +142,7 @@ internal sealed class OverhangPlan : PlanSurface
         if (i < 0 || j < 0 || i >= _columns || j >= _rows) return;
         var (a, b) = edges[edge];
         var p = new Vec3(_corner.X + i * _cell, _corner.Y + j * _cell);
-        var d = b - a;
-        var square = d.X * d.X + d.Y * d.Y;
-        var t = square > 0 ? Math.Min(1, Math.Max(0, ((p.X - a.X) * d.X + (p.Y - a.Y) * d.Y) / square)) : 0;
-        var distance = (a + d * t - p).LengthXY;
+        var distance = Math.Sqrt(FlatSegment.SquareDistance(p, a, b));
         if (!(distance < _distances[j * _columns + i])) return;
         _distances[j * _columns + i] = distance;
         nearest[j * _columns + i] = edge;

@@ -40,7 +40,7 @@ internal static class ContourMeasure
             if (signed > 0) outer++;
             else holes++;
             area += signed;
-            perimeter += Length(contour.Raw);
+            perimeter += contour.Length;
         }
         foreach (var ring in rings)
         {
@@ -55,16 +55,4 @@ internal static class ContourMeasure
 
     private static GridPoint[] ToGrid(Vec3[] points, Vec3 center, double perMm)
         => Array.ConvertAll(points, p => new GridPoint(Grid.Round((p.X - center.X) * perMm), Grid.Round((p.Y - center.Y) * perMm)));
-
-    private static double Length(Vec3[] points)
-    {
-        var sum = 0.0;
-        var a = points[points.Length - 1];
-        foreach (var b in points)
-        {
-            sum += (b - a).LengthXY;
-            a = b;
-        }
-        return sum;
-    }
 }

@@ -5,6 +5,9 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
 {
     private const double ArcTolerance = 0.005;
 
+    // mm, more than what is needed.
+    private const double Chords = 0.2;
+
     // mm; a tenth of an extrusion. Arcs need points that lie nearer to them.
     private const double UsualChords = 0.04;
     private readonly PrintSettings _settings = rules.Settings;
@@ -80,13 +83,18 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
         if (narrow.Count == 0) return area;
         var group = new StepGroup(layer.Number, number, rank);
         var walls = rules.Walls with { InnerWidth = rules.SolidWidth };
-        foreach (var wall in new WallBuilder(walls, tools.Engine).Fill(Region.Own(narrow.ToArray()), first: 1).Paths)
+        // The corners that walls have rounded are sharp again: rounds from both sides meet everywhere. Chords lie inside their arc.
+        var round = walls.OuterSpacing / 2 + (walls.Count - 1) * rules.Walls.InnerSpacing + Chords;
+        var sharp = Pointed(Pointed(Region.Own(narrow.ToArray()), round), -round).Intersect(area, tools.Engine);
+        foreach (var wall in new WallBuilder(walls, tools.Engine).Fill(sharp, first: 1).Paths)
         {
             var path = wall.ToPath(layer.Plan.Top, walls).With(Role.SolidInfill, layer.Layer);
             steps.Add(new PathStep(rules.Own(path), group) { Region = island.Region });
         }
         return Region.Own(wide.ToArray());
     }
+
+    private Region Pointed(Region area, double distance) => area.Offset(distance, JoinStyle.Miter, ThinParts.MiterLimit, ArcTolerance, tools.Engine);
 
     // The nozzle goes over the top surface at its height. Its lines stay inside, so that the edge stays sharp.
     private void Iron(Region top, double angle)

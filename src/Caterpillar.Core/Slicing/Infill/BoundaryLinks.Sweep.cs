@@ -12,10 +12,11 @@ internal sealed partial class BoundaryLinks
     /// <param name="spans">Row of each piece, and from where to where it goes along the rows.</param>
     /// <param name="limit">Longest link along the boundary, mm.</param>
     /// <param name="width">Width of the extrusions, mm, as for <see cref="Join"/>.</param>
+    /// <param name="early">How much earlier pieces end that turn back sharply, mm, as for <see cref="Join"/>.</param>
     public List<InfillLine> Sweep(
-        Region area, IReadOnlyList<InfillLine> lines, IReadOnlyList<(int Row, double From, double To)> spans, double limit, double width = 0)
+        Region area, IReadOnlyList<InfillLine> lines, IReadOnlyList<(int Row, double From, double To)> spans, double limit, double width = 0, double early = 0)
     {
-        (_width, _anchor) = (width, 0);
+        (_width, _early, _anchor) = (width, early, 0);
         var result = new List<InfillLine>(lines.Count);
         if (lines.Count == 0) return result;
         var boundary = new BoundaryIndex(area);

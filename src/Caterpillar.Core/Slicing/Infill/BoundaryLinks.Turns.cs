@@ -22,6 +22,7 @@ internal sealed partial class BoundaryLinks
 
     private Place[] _places = [];
     private double _width;
+    private double _early;
 
     // Where each end lies, and how far it is from its neighbors on the contour.
     private void Distances(BoundaryIndex boundary, int count)
@@ -46,17 +47,22 @@ internal sealed partial class BoundaryLinks
     // Where the row is left, and the foot where the link begins instead of at the row's end; null where the end stays. Forward: the link follows the contour.
     private Bend? Turn(BoundaryIndex boundary, IReadOnlyList<InfillLine> lines, int id, bool forward)
     {
-        if (_width == 0) return null;
+        if (_width == 0 && _early == 0) return null;
         var points = lines[id >> 1].Points;
         var atStart = (id & 1) == 0;
         var end = atStart ? points[0] : points[points.Length - 1];
         var inner = (atStart ? points[1] : points[points.Length - 2]) - end;
         var length = inner.LengthXY;
-        if (length < 2 * Longest * _width) return null;
+        if (length < 2 * Math.Max(Longest * _width, 2 * _early)) return null;
         var place = _places[id];
         var ahead = boundary.At(place.Contour, place.At + (forward ? Near : -Near)) - end;
         var cosine = -(inner.X * ahead.X + inner.Y * ahead.Y) / (length * ahead.LengthXY);
-        if (!(cosine >= LeastCosine)) return null;
+        if (cosine <= -LeastCosine && _early > 0)
+        {
+            end += inner * (_early / length);
+            return new Bend(end, end, place.At);
+        }
+        if (!(cosine >= LeastCosine) || _width == 0) return null;
         // The link stays an extrusion away from the end before it.
         var leave = Math.Min(Longest * _width, ((forward ? place.Before : place.After) - _width) / cosine);
         if (leave * Math.Sqrt(1 - Math.Min(cosine * cosine, 1)) < InfillFiller.ShortestSegment) return null;

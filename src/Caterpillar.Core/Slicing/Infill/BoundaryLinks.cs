@@ -18,10 +18,11 @@ internal sealed partial class BoundaryLinks
     /// <param name="lines">The lines.</param>
     /// <param name="limit">Longest link along the boundary, mm.</param>
     /// <param name="width">Width of the extrusions, mm, where their turns leave nothing open along the boundary; 0 for plain corners.</param>
+    /// <param name="early">How much earlier lines end that turn back sharply, at which a printer nearly stops, mm.</param>
     /// <param name="anchor">How far ends that are not joined are led along the boundary, mm.</param>
-    public List<InfillLine> Join(Region area, IReadOnlyList<InfillLine> lines, double limit, double width = 0, double anchor = 0)
+    public List<InfillLine> Join(Region area, IReadOnlyList<InfillLine> lines, double limit, double width = 0, double early = 0, double anchor = 0)
     {
-        (_width, _anchor) = (width, anchor);
+        (_width, _early, _anchor) = (width, early, anchor);
         var result = new List<InfillLine>(lines.Count);
         if (lines.Count == 0) return result;
         var boundary = new BoundaryIndex(area);
@@ -60,7 +61,7 @@ internal sealed partial class BoundaryLinks
             if (boundary.Find(points[points.Length - 1], out contour, out at)) _ends[count++] = new End(contour, at, 2 * i + 1);
         }
         Array.Sort(_ends, 0, count);
-        if (_width > 0 || _anchor > 0) Distances(boundary, count);
+        if (_width > 0 || _early > 0 || _anchor > 0) Distances(boundary, count);
         return count;
     }
 
@@ -105,6 +106,7 @@ internal sealed partial class BoundaryLinks
         _points.Clear();
         _flow.Clear();
         var varies = false;
+        var length = 0.0;
         Vec3? entry = null;
         Anchor(boundary, end, toEnd: true);
         while (true)
@@ -112,6 +114,7 @@ internal sealed partial class BoundaryLinks
             var line = lines[end >> 1];
             done[end >> 1] = true;
             varies |= line.Flow is not null;
+            length += line.Length;
             var forward = (end & 1) == 0;
             var n = line.Points.Length;
             for (var i = 0; i < n; i++)
@@ -126,6 +129,7 @@ internal sealed partial class BoundaryLinks
                 Anchor(boundary, end ^ 1, toEnd: false);
                 break;
             }
+            length += link.Upto - link.From + (link.Upto < link.From ? boundary.Lengths[link.Contour] : 0);
             var (leave, join) = (Turn(boundary, lines, end ^ 1, link.Forward), Turn(boundary, lines, link.To, !link.Forward));
             if (leave is { } turn)
             {
@@ -147,7 +151,9 @@ internal sealed partial class BoundaryLinks
         var points = new Vec3[_points.Count];
         for (var i = 0; i < points.Length; i++) points[i] = _points[i].WithZ(z);
         _flow.RemoveAt(0);
-        return new InfillLine(points, false, varies ? _flow.ToArray() : null);
+        var chain = new InfillLine(points, false, varies ? _flow.ToArray() : null);
+        // Lines that end early hold as much material as if they did not.
+        return _early > 0 ? chain.Holding(length) : chain;
     }
 
     // Along the boundary beside a free end, on the side with more room, at most to the middle between it and the next end; toEnd: the chain begins there.

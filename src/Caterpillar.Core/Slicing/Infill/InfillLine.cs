@@ -28,6 +28,13 @@ internal sealed record InfillLine(Vec3[] Points, bool Closed, double[]? Flow = n
         }
     }
 
+    /// <summary>With another <see cref="Length"/>, mm: the flow ratios of all segments change by the same share. One without them stays.</summary>
+    public InfillLine Holding(double length)
+    {
+        var share = length / Length;
+        return Flow is null ? this : this with { Flow = Array.ConvertAll(Flow, flow => flow * share) };
+    }
+
     /// <summary>With few segments shorter than a length, mm (<see cref="ShortSegments"/>). Null where the line itself is next to nothing.</summary>
     public InfillLine? WithoutShort(double least, double tolerance, double area)
     {

@@ -29,16 +29,8 @@ internal static class LoopGap
     // Segments that do not cross are closest at one of their ends.
     private static bool IsWithin(Vec3 a, Vec3 b, Vec3 c, Vec3 d, double square)
         => (Side(a, b, c) * Side(a, b, d) < 0 && Side(c, d, a) * Side(c, d, b) < 0)
-            || SquareTo(a, b, c) <= square || SquareTo(a, b, d) <= square || SquareTo(c, d, a) <= square || SquareTo(c, d, b) <= square;
+            || FlatSegment.SquareDistance(c, a, b) <= square || FlatSegment.SquareDistance(d, a, b) <= square
+            || FlatSegment.SquareDistance(a, c, d) <= square || FlatSegment.SquareDistance(b, c, d) <= square;
 
     private static double Side(Vec3 a, Vec3 b, Vec3 p) => (b.X - a.X) * (p.Y - a.Y) - (b.Y - a.Y) * (p.X - a.X);
-
-    private static double SquareTo(Vec3 a, Vec3 b, Vec3 p)
-    {
-        double dx = b.X - a.X, dy = b.Y - a.Y, px = p.X - a.X, py = p.Y - a.Y;
-        var length = dx * dx + dy * dy;
-        var t = length > 0 ? Math.Min(1, Math.Max(0, (px * dx + py * dy) / length)) : 0;
-        double ex = px - t * dx, ey = py - t * dy;
-        return ex * ex + ey * ey;
-    }
 }

@@ -10,6 +10,9 @@ internal sealed class SeamPlacer(Body body)
     private const double Reach = 2;
     private const double ReachShare = 0.1;
 
+    // How near to a corner an inner wall begins at it, mm.
+    private const double Uncut = 0.15;
+
     // Where less than this share of a loop is held, and its seam would go farther than this to get there, mm, it stays in line with those below in the air.
     private const double HardlyHeld = 0.25;
     private const double Hop = 2;
@@ -36,9 +39,9 @@ internal sealed class SeamPlacer(Body body)
             var chain = chains[i];
             for (var k = chain.First; k < chain.First + chain.Count; k++)
             {
-                // Inner walls begin beside the seam: the travel over them is hardly longer than one to the seam alone.
+                // Inner walls begin beside the seam: the travel over them is hardly longer than one to the seam alone. No segment is cut into short ones.
                 var path = steps[k].Path;
-                var start = k == chain.Outer ? place : LoopPlace.Nearest(path.RawPoints, place.Point);
+                var start = k == chain.Outer ? place : LoopPlace.Nearest(path.RawPoints, place.Point).Snapped(path.RawPoints, Uncut);
                 if (k != chain.Outer && chain.SupportOf(k) is { } support) start = support.Near(path.RawPoints, start);
                 path = start.Start(path);
                 if (k == chain.Outer && work.Index > 0) path = ScarfSeam.Apply(path, work.Plan.Thickness, settings);
@@ -231,25 +234,11 @@ internal sealed class SeamPlacer(Body body)
         return best;
     }
 
-    private static double LengthOf(Vec3[] loop)
-    {
-        var length = 0.0;
-        for (var i = 0; i < loop.Length; i++) length += loop[i].DistanceTo(loop[i + 1 == loop.Length ? 0 : i + 1]);
-        return length;
-    }
+    private static double LengthOf(Vec3[] loop) => Polyline.Own(loop, closed: true).Length;
 
     private static double SquareTo(Vec3[] loop, Vec3 point) => Square(LoopPlace.Nearest(loop, point).Point - point);
 
     private static double Square(Vec3 v) => v.X * v.X + v.Y * v.Y;
 
-    private static bool IsHole(Vec3[] loop)
-    {
-        var sum = 0.0;
-        for (var i = 1; i + 1 < loop.Length; i++)
-        {
-            Vec3 a = loop[i] - loop[0], b = loop[i + 1] - loop[0];
-            sum += a.X * b.Y - a.Y * b.X;
-        }
-        return sum < 0;
-    }
+    private static bool IsHole(Vec3[] loop) => Polyline.Own(loop, closed: true).SignedAreaXY < 0;
 }

@@ -17,13 +17,10 @@ internal readonly record struct LoopPlace(int Segment, double T, Vec3 Point)
         for (var i = 0; i < loop.Length; i++)
         {
             Vec3 a = loop[i], b = loop[i + 1 == loop.Length ? 0 : i + 1];
-            double dx = b.X - a.X, dy = b.Y - a.Y, px = to.X - a.X, py = to.Y - a.Y;
-            var square = dx * dx + dy * dy;
-            var t = square > 0 ? Math.Min(1, Math.Max(0, (px * dx + py * dy) / square)) : 0;
-            double ex = px - t * dx, ey = py - t * dy;
-            var distance = ex * ex + ey * ey;
-            if (distance >= least) continue;
-            least = distance;
+            var square = FlatSegment.SquareDistance(to, a, b);
+            if (square >= least) continue;
+            least = square;
+            var t = FlatSegment.Parameter(to, a, b);
             best = new LoopPlace(i, t, Vec3.Lerp(a, b, t));
         }
         return best;
@@ -44,13 +41,19 @@ internal readonly record struct LoopPlace(int Segment, double T, Vec3 Point)
         return AtVertex(loop, 0);
     }
 
+    /// <summary>The nearer vertex of the segment if it is within a distance, mm; otherwise this place.</summary>
+    public LoopPlace Snapped(Vec3[] loop, double distance)
+    {
+        var next = Segment + 1 == loop.Length ? 0 : Segment + 1;
+        double before = Point.DistanceTo(loop[Segment]), after = Point.DistanceTo(loop[next]);
+        return Math.Min(before, after) > distance ? this : AtVertex(loop, before <= after ? Segment : next);
+    }
+
     /// <summary>The loop starting here, with a new vertex if none is near.</summary>
     public PrintPath Start(PrintPath loop)
     {
         var points = loop.RawPoints;
-        var next = Segment + 1 == points.Length ? 0 : Segment + 1;
-        if (Point.DistanceTo(points[Segment]) <= Snap) return loop.StartingAt(Segment);
-        if (Point.DistanceTo(points[next]) <= Snap) return loop.StartingAt(next);
+        if (Snapped(points, Snap) is { T: 0 } vertex) return loop.StartingAt(vertex.Segment);
         var moved = new Vec3[points.Length + 1];
         moved[0] = Point;
         for (var i = 1; i < moved.Length; i++) moved[i] = points[(Segment + i) % points.Length];

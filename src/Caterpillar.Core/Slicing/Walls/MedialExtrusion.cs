@@ -75,9 +75,7 @@ internal sealed class MedialExtrusion
         {
             var next = i + 1 == Count ? Closed ? 0 : i : i + 1;
             Vec3 a = Points[i], d = Points[next] - a;
-            var square = d.X * d.X + d.Y * d.Y;
-            var t = square > 0 ? ((p.X - a.X) * d.X + (p.Y - a.Y) * d.Y) / square : 0;
-            t = Math.Min(Math.Max(t, 0), 1);
+            var t = FlatSegment.Parameter(p, a, Points[next]);
             var clearance = (p - (a + d * t)).LengthXY - (Radii[i] + (Radii[next] - Radii[i]) * t);
             if (!(clearance < best)) continue;
             best = clearance;

@@ -58,14 +58,7 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
         var level = new WallLevel(rules, rules.InnerWidth, rules.InnerWidth, engine, _offset);
         for (var round = 0; round < rounds && !area.IsEmpty; round++)
         {
-            if (rules.VariableWidth)
-            {
-                area = level.Walls(area, first + round, output);
-                continue;
-            }
-            var line = area.Offset(-rules.InnerSpacing / 2, JoinStyle.Miter, 2, ArcTolerance, engine);
-            output.Loops(line, first + round, rules.InnerWidth, engine);
-            area = line.Offset(-rules.InnerSpacing / 2, JoinStyle.Miter, 2, ArcTolerance, engine);
+            area = rules.VariableWidth ? level.Walls(area, first + round, output) : level.Even(area, first + round, output);
         }
         return output.Result(area.IsEmpty || !rules.VariableWidth ? area : level.Extrusions(area, first + rounds, output));
     }
@@ -86,7 +79,7 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
         for (var wall = 0; wall < rules.Count && !area.IsEmpty; wall++)
         {
             var width = wall == 0 ? rules.OuterWidth : rules.InnerWidth;
-            area = new WallLevel(rules, width, rules.InnerWidth, engine, _offset).Walls(area, wall, output);
+            area = new WallLevel(rules, width, rules.InnerWidth, engine, _offset, JoinStyle.Round).Walls(area, wall, output);
         }
         // A gap between the innermost walls that is too narrow for infill.
         return area.IsEmpty ? area : new WallLevel(rules, rules.InnerWidth, rules.InnerWidth, engine, _offset).Extrusions(area, rules.Count, output);
@@ -112,10 +105,10 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
                 1 => (rules.OuterSpacing + rules.InnerSpacing) / 2,
                 _ => rules.InnerSpacing,
             };
-            line = line.Offset(-step, JoinStyle.Miter, 2, ArcTolerance, engine);
+            line = line.Offset(-step, wall == 0 ? JoinStyle.Miter : JoinStyle.Round, 2, WallRules.Rounding, engine);
             if (line.IsEmpty) return line;
             output.Loops(line, wall, wall == 0 ? rules.OuterWidth : rules.InnerWidth, engine);
         }
-        return line.Offset(-(rules.Count == 1 ? rules.OuterSpacing : rules.InnerSpacing) / 2, JoinStyle.Miter, 2, ArcTolerance, engine);
+        return line.Offset(-(rules.Count == 1 ? rules.OuterSpacing : rules.InnerSpacing) / 2, JoinStyle.Round, 2, WallRules.Rounding, engine);
     }
 }

@@ -6,6 +6,12 @@ namespace Caterpillar.Slicing;
 /// </summary>
 internal sealed record WallRules
 {
+    /// <summary>
+    /// How far chords of the round inner corners of walls that are not seen may be from the arc, mm: at corners a printer nearly stops, and much in short
+    /// chords as well. The corner of the outer wall is round on that side, too, so nothing opens.
+    /// </summary>
+    public const double Rounding = 0.03;
+
     /// <summary>Walls along each contour.</summary>
     public int Count { get; init; } = 2;
 

@@ -38,6 +38,24 @@ public class InfillTurnTests
     }
 
     [Test]
+    public void Rows_that_are_not_seen_end_early_where_they_turn_back_sharply()
+    {
+        var area = Region.Rectangle(0, 0, 20, 10);
+        var line = new BoundaryLinks().Join(area, [Row(2, 0, 12, 10), Row(4, 0, 14, 10), Row(6, 0, 16, 10)], 2.1, early: 0.5).Single();
+        var early = 0.5 * Diagonal;
+        Expect(line, new(12, 10), new(2 + early, early), new(4, 0), new(14, 10), new(16 - early, 10 - early), new(6, 0));
+        // They hold as much as they would: three rows and two links.
+        Assert.That(line.Length, Is.EqualTo(3 * 10 * Math.Sqrt(2) + 2 * 2).Within(1e-6));
+        Assert.That(line.Flow, Is.All.EqualTo(line.Flow![0]).And.All.InRange(1.03, 1.04));
+        // At right angles, and where hardly more than both ends would be left, nothing changes.
+        line = new BoundaryLinks().Join(area, [Row(4, 0, 4, 10), Row(5, 0, 5, 10)], 2.1, early: 0.5).Single();
+        Assert.That(Corners(line), Is.EquivalentTo(new[] { (4, 0), (4, 10), (5, 10), (5, 0) }));
+        area = Region.Rectangle(0, 0, 20, 1);
+        line = new BoundaryLinks().Join(area, [Row(2, 0, 3, 1), Row(4, 0, 5, 1)], 2.1, early: 0.5).Single();
+        Expect(line, new(3, 1), new(2, 0), new(4, 0), new(5, 1));
+    }
+
+    [Test]
     public void Short_rows_keep_their_corners()
     {
         // Twice 0.9 widths, less a little.

@@ -27,6 +27,12 @@ public class LoopTests
     public void The_nearest_place_lies_on_a_side_or_in_a_corner(double x, double y, double atX, double atY)
         => Assert.That(LoopPlace.Nearest(Square, new Vec3(x, y, 50)).Point, Is.EqualTo(new Vec3(atX, atY, 1)));
 
+    [TestCase(0.1, 0)]
+    [TestCase(9.9, 10)]
+    [TestCase(0.3, 0.3)]
+    public void A_place_close_to_a_corner_becomes_the_corner(double x, double atX)
+        => Assert.That(LoopPlace.Nearest(Square, new Vec3(x, -1, 1)).Snapped(Square, 0.2).Point, Is.EqualTo(new Vec3(atX, 0, 1)));
+
     [Test]
     public void A_loop_that_starts_elsewhere_is_the_same_loop()
         => Prop.ForAll(Gen.Choose(-200, 1200).Two().ToArbitrary(), t =>

@@ -42,6 +42,23 @@ public class WallTests
         Assert.That(result.TooThin, Is.Empty);
     }
 
+    [TestCase(true)]
+    [TestCase(false)]
+    public void Only_inner_walls_are_round_at_inner_corners_in_chords_that_are_not_short(bool variableWidth)
+    {
+        // An angle whose inner corner is at (8, 8): the outer wall has it at 7.775, the inner wall a width farther in.
+        var angle = Region.From(new Polyline([new(0, 0), new(20, 0), new(20, 8), new(8, 8), new(8, 20), new(0, 20)], closed: true));
+        var walls = new WallBuilder(Rules(BeadShape.Rectangle) with { VariableWidth = variableWidth }, new RegionEngine()).Build(angle).Paths;
+        var corner = new Vec3(7.775, 7.775);
+        Assert.That(walls.Single(w => w.Index == 0).Points, Has.Length.EqualTo(6).And.Some.Matches((Vec3 p) => p.DistanceTo(corner) < 1e-5));
+        var inner = walls.Single(w => w.Index == 1);
+        var round = inner.Points.Where(p => p.DistanceTo(corner) < 0.6).ToArray();
+        Assert.That(round, Has.Length.GreaterThan(2));
+        Assert.That(round.Select(p => p.DistanceTo(corner)), Is.All.EqualTo(0.45).Within(1e-5));
+        Assert.That(round.Zip(round.Skip(1), (a, b) => a.DistanceTo(b)), Is.All.GreaterThan(0.15));
+        Assert.That(inner.Points, Has.Length.EqualTo(5 + round.Length));
+    }
+
     [TestCase(BeadShape.Rectangle)]
     [TestCase(BeadShape.Stadium)]
     public void A_frame_of_any_thickness_is_full(BeadShape shape)

@@ -12,8 +12,7 @@ internal sealed class OffsetCurve
     private JoinStyle _join;
     private double _miterDot;
     private double _arcDot;
-    private double _stepSin;
-    private double _stepCos;
+    private double _step;
     private int _arcSteps;
 
     public OffsetCurve() => _extension = Extension;
@@ -36,10 +35,8 @@ internal sealed class OffsetCurve
         var overshoot = 1 + arcTolerance / size;
         _arcDot = 2 / (overshoot * overshoot) - 1;
         // At least a square of chords, at most 720.
-        var degrees = 2 * Angle.ToDegrees(Math.Acos(Math.Max(0.0, 1 - arcTolerance / size)));
-        degrees = Math.Min(Math.Max(degrees, 0.5), 90);
-        (_stepSin, _stepCos) = Angle.SinCos(degrees);
-        _arcSteps = (int)(180 / degrees) + 1;
+        _step = Math.Min(Math.Max(2 * Angle.ToDegrees(Math.Acos(Math.Max(0.0, 1 - arcTolerance / size))), 0.5), 90);
+        _arcSteps = (int)(180 / _step) + 1;
         Reach = size * (join == JoinStyle.Miter ? Math.Max(miterLimit, 1.4143) : 1.4143) + 2;
     }
 
@@ -109,11 +106,14 @@ internal sealed class OffsetCurve
 
     private void Arc(GridPoint v, double mx, double my, double nx, double ny)
     {
-        var sin = _d > 0 ? _stepSin : -_stepSin;
+        // Chords of one length, so that none is a stub.
+        var turn = Angle.ToDegrees(Math.Acos(Math.Max(mx * nx + my * ny, -1)));
+        var chords = Math.Ceiling(turn / _step - 1e-9);
+        var (sin, cos) = Angle.SinCos(_d > 0 ? turn / chords : -turn / chords);
         Put(v, mx * _d, my * _d);
-        for (var k = 1; k < _arcSteps && mx * nx + my * ny < _stepCos; k++)
+        for (var k = 1; k < chords; k++)
         {
-            (mx, my) = (mx * _stepCos - my * sin, my * _stepCos + mx * sin);
+            (mx, my) = (mx * cos - my * sin, my * cos + mx * sin);
             Put(v, mx * _d, my * _d);
         }
         Put(v, nx * _d, ny * _d);
