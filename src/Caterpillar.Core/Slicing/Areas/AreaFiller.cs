@@ -5,9 +5,6 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
 {
     private const double ArcTolerance = 0.005;
 
-    // mm, more than what is needed.
-    private const double Chords = 0.2;
-
     // mm; a tenth of an extrusion. Arcs need points that lie nearer to them.
     private const double UsualChords = 0.04;
     private readonly PrintSettings _settings = rules.Settings;
@@ -83,10 +80,11 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
         if (narrow.Count == 0) return area;
         var group = new StepGroup(layer.Number, number, rank);
         var walls = rules.Walls with { InnerWidth = rules.SolidWidth };
-        // The corners that walls have rounded are sharp again: rounds from both sides meet everywhere. Chords lie inside their arc.
-        var round = walls.OuterSpacing / 2 + (walls.Count - 1) * rules.Walls.InnerSpacing + Chords;
-        var sharp = Pointed(Pointed(Region.Own(narrow.ToArray()), round), -round).Intersect(area, tools.Engine);
-        foreach (var wall in new WallBuilder(walls, tools.Engine).Fill(sharp, first: 1).Paths)
+        // The corners that walls have rounded are sharp again, so that rounds from both sides meet everywhere. Chords lie inside their arc.
+        var round = 1.4 * (walls.OuterSpacing / 2 + (walls.Count - 1) * rules.Walls.InnerSpacing);
+        var pieces = Region.Own(narrow.ToArray());
+        if (walls.Corners == JoinStyle.Round) pieces = Pointed(Pointed(pieces, round), -round).Intersect(pieces, tools.Engine);
+        foreach (var wall in new WallBuilder(walls, tools.Engine).Fill(pieces, first: 1).Paths)
         {
             var path = wall.ToPath(layer.Plan.Top, walls).With(Role.SolidInfill, layer.Layer);
             steps.Add(new PathStep(rules.Own(path), group) { Region = island.Region });

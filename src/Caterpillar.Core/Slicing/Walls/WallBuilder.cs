@@ -55,7 +55,7 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
     public WallResult Fill(Region area, int first = 0, int rounds = int.MaxValue - 1)
     {
         var output = new WallOutput(rules);
-        var level = new WallLevel(rules, rules.InnerWidth, rules.InnerWidth, engine, _offset);
+        var level = new WallLevel(rules with { Corners = JoinStyle.Miter }, rules.InnerWidth, rules.InnerWidth, engine, _offset);
         for (var round = 0; round < rounds && !area.IsEmpty; round++)
         {
             area = rules.VariableWidth ? level.Walls(area, first + round, output) : level.Even(area, first + round, output);
@@ -79,7 +79,7 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
         for (var wall = 0; wall < rules.Count && !area.IsEmpty; wall++)
         {
             var width = wall == 0 ? rules.OuterWidth : rules.InnerWidth;
-            area = new WallLevel(rules, width, rules.InnerWidth, engine, _offset, JoinStyle.Round).Walls(area, wall, output);
+            area = new WallLevel(rules, width, rules.InnerWidth, engine, _offset).Walls(area, wall, output);
         }
         // A gap between the innermost walls that is too narrow for infill.
         return area.IsEmpty ? area : new WallLevel(rules, rules.InnerWidth, rules.InnerWidth, engine, _offset).Extrusions(area, rules.Count, output);
@@ -105,10 +105,11 @@ internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
                 1 => (rules.OuterSpacing + rules.InnerSpacing) / 2,
                 _ => rules.InnerSpacing,
             };
-            line = line.Offset(-step, wall == 0 ? JoinStyle.Miter : JoinStyle.Round, 2, WallRules.Rounding, engine);
+            line = line.Offset(-step, wall == 0 ? JoinStyle.Miter : rules.Corners, 2, WallRules.Rounding * step, engine);
             if (line.IsEmpty) return line;
             output.Loops(line, wall, wall == 0 ? rules.OuterWidth : rules.InnerWidth, engine);
         }
-        return line.Offset(-(rules.Count == 1 ? rules.OuterSpacing : rules.InnerSpacing) / 2, JoinStyle.Round, 2, WallRules.Rounding, engine);
+        var last = (rules.Count == 1 ? rules.OuterSpacing : rules.InnerSpacing) / 2;
+        return line.Offset(-last, rules.Corners, 2, WallRules.Rounding * last, engine);
     }
 }

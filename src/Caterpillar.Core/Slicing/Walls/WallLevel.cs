@@ -18,7 +18,6 @@ internal sealed class WallLevel
     private readonly WallRules _rules;
     private readonly RegionEngine _engine;
     private readonly VaryingOffset _offset;
-    private readonly JoinStyle _corners;
     private readonly double _spacing;
     private readonly double _least;
 
@@ -31,10 +30,8 @@ internal sealed class WallLevel
     /// <param name="next">Nominal width of the next round's.</param>
     /// <param name="engine">Clips.</param>
     /// <param name="offset">Offsets strips.</param>
-    /// <param name="corners">How inner corners look, but those of the outer wall.</param>
-    public WallLevel(WallRules rules, double width, double next, RegionEngine engine, VaryingOffset offset, JoinStyle corners = JoinStyle.Miter)
+    public WallLevel(WallRules rules, double width, double next, RegionEngine engine, VaryingOffset offset)
     {
-        _corners = corners;
         _rules = rules;
         _engine = engine;
         _offset = offset;
@@ -101,9 +98,9 @@ internal sealed class WallLevel
     /// <summary>Lays the loops of this round with their nominal width. Returns what is left.</summary>
     public Region Even(Region area, int index, WallOutput output)
     {
-        var line = area.Offset(-_spacing / 2, index == 0 ? JoinStyle.Miter : _corners, 2, WallRules.Rounding, _engine);
+        var line = area.Offset(-_spacing / 2, index == 0 ? JoinStyle.Miter : _rules.Corners, 2, WallRules.Rounding * _spacing / 2, _engine);
         output.Loops(line, index, _rules.Width(_spacing), _engine);
-        return line.Offset(-_spacing / 2, _corners, 2, WallRules.Rounding, _engine);
+        return line.Offset(-_spacing / 2, _rules.Corners, 2, WallRules.Rounding * _spacing / 2, _engine);
     }
 
     private Region Varying(Region area, Region strips, bool all, int index, WallOutput output)

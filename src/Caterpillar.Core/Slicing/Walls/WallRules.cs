@@ -6,11 +6,8 @@ namespace Caterpillar.Slicing;
 /// </summary>
 internal sealed record WallRules
 {
-    /// <summary>
-    /// How far chords of the round inner corners of walls that are not seen may be from the arc, mm: at corners a printer nearly stops, and much in short
-    /// chords as well. The corner of the outer wall is round on that side, too, so nothing opens.
-    /// </summary>
-    public const double Rounding = 0.03;
+    /// <summary>How far chords of round inner corners may be from the arc, as a share of its radius: in short ones a printer is slow.</summary>
+    public const double Rounding = 0.1;
 
     /// <summary>Walls along each contour.</summary>
     public int Count { get; init; } = 2;
@@ -26,6 +23,9 @@ internal sealed record WallRules
 
     /// <summary>True if widths follow the local thickness. Otherwise all walls have their nominal width, and narrower places stay open.</summary>
     public bool VariableWidth { get; init; } = true;
+
+    /// <summary>Inner corners of walls that are not seen, and of what they leave: a printer nearly stops at a point.</summary>
+    public JoinStyle Corners { get; init; }
 
     /// <summary>The narrowest bead that prints well.</summary>
     public double MinWidth { get; init; } = 0.2;
@@ -51,6 +51,8 @@ internal sealed record WallRules
             MinWidth = settings.MinWallWidth > 0 ? Math.Min(settings.MinWallWidth, least) : least * 0.45,
             MaxWidth = settings.MaxWallWidth > 0 ? Math.Max(settings.MaxWallWidth, most) : most * 1.8,
             InnerTolerance = settings.Resolution,
+            // What round corners leave open beside the walls is no matter where infill does.
+            Corners = settings.InfillDensityPercent < 100 ? JoinStyle.Round : JoinStyle.Miter,
         };
     }
 

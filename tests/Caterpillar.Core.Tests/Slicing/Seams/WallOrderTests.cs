@@ -21,8 +21,8 @@ public class WallOrderTests
     private static TriMesh[] Ring =>
         [Solids.Block(0, 0, 0, 30, 10, 1), Solids.Block(0, 20, 0, 30, 30, 1), Solids.Block(0, 0, 0, 10, 30, 1), Solids.Block(20, 0, 0, 30, 30, 1)];
 
-    // Lengths of the loops in planned order: 4 · (30 − 0.4, 1.2, 2) outside, 4 · (10 + 0.4) around the hole. The inner ones have round corners there: three
-    // chords of 30° at 0.4 mm, and what touches those 0.4 mm farther out.
+    // Lengths of the loops in planned order: 4 · (30 − 0.4, 1.2, 2) outside, 4 · (10 + 0.4) around the hole. The inner ones have round corners there: two
+    // chords of 45° at 0.4 mm, and what touches those 0.4 mm farther out.
     private static double[] PlannedLoops(PrintSettings settings, int layer)
     {
         var layers = Solids.Slice(settings, Ring);
@@ -32,8 +32,8 @@ public class WallOrderTests
     }
 
     private static readonly double[] Outside = [118.4, 115.2, 112];
-    private static readonly double[] Hole = [41.6, 41.6 + RoundCorners, 41.6 + RoundCorners + 6.4 * (Math.Tan(Math.PI / 24) + Math.Tan(Math.PI / 12))];
-    private static double RoundCorners => 12 * 0.8 * Math.Sin(Math.PI / 12);
+    private static readonly double[] Hole = [41.6, 41.6 + RoundCorners, 41.6 + RoundCorners + 3.2 * (2 * Math.Tan(Math.PI / 16) + Math.Tan(Math.PI / 8))];
+    private static double RoundCorners => 6.4 * Math.Sin(Math.PI / 8);
 
     [TestCase(WallOrder.InsideOut, 0, false)]
     [TestCase(WallOrder.InsideOut, 1, false)]

@@ -48,7 +48,8 @@ public class WallTests
     {
         // An angle whose inner corner is at (8, 8): the outer wall has it at 7.775, the inner wall a width farther in.
         var angle = Region.From(new Polyline([new(0, 0), new(20, 0), new(20, 8), new(8, 8), new(8, 20), new(0, 20)], closed: true));
-        var walls = new WallBuilder(Rules(BeadShape.Rectangle) with { VariableWidth = variableWidth }, new RegionEngine()).Build(angle).Paths;
+        var rules = Rules(BeadShape.Rectangle) with { VariableWidth = variableWidth, Corners = JoinStyle.Round };
+        var walls = new WallBuilder(rules, new RegionEngine()).Build(angle).Paths;
         var corner = new Vec3(7.775, 7.775);
         Assert.That(walls.Single(w => w.Index == 0).Points, Has.Length.EqualTo(6).And.Some.Matches((Vec3 p) => p.DistanceTo(corner) < 1e-5));
         var inner = walls.Single(w => w.Index == 1);

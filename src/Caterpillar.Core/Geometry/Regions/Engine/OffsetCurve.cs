@@ -6,6 +6,9 @@ namespace Caterpillar.Geometry;
 /// </summary>
 internal sealed class OffsetCurve
 {
+    // Degrees of a chord.
+    private const double Coarse = 50;
+
     private readonly OffsetCorners _corners = new();
     private readonly Func<double, double, double> _extension;
     private double _d;
@@ -106,10 +109,11 @@ internal sealed class OffsetCurve
 
     private void Arc(GridPoint v, double mx, double my, double nx, double ny)
     {
-        // Chords of one length, so that none is a stub.
         var turn = Angle.ToDegrees(Math.Acos(Math.Max(mx * nx + my * ny, -1)));
         var chords = Math.Ceiling(turn / _step - 1e-9);
-        var (sin, cos) = Angle.SinCos(_d > 0 ? turn / chords : -turn / chords);
+        // Coarse chords are of one length, so that none is a stub.
+        var angle = _step > Coarse ? turn / chords : _step;
+        var (sin, cos) = Angle.SinCos(_d > 0 ? angle : -angle);
         Put(v, mx * _d, my * _d);
         for (var k = 1; k < chords; k++)
         {
