@@ -43,7 +43,7 @@ public class WallOrderTests
     [TestCase(WallOrder.Alternating, 3, true)]
     public void The_walls_of_a_contour_follow_each_other(WallOrder order, int layer, bool outerFirst)
     {
-        var (a, b) = outerFirst ? (Outside, Hole) : (Outside.Reverse().ToArray(), Hole.Reverse().ToArray());
+        var (a, b) = outerFirst ? (Outside, Hole) : (Outside.AsEnumerable().Reverse().ToArray(), Hole.AsEnumerable().Reverse().ToArray());
         var loops = PlannedLoops(Bare with { WallOrder = order }, layer);
         Assert.That(loops, Is.EqualTo(a.Concat(b)).Within(0.01).Or.EqualTo(b.Concat(a)).Within(0.01));
         // Also where planning chooses the starts.
