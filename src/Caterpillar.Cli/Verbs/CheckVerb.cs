@@ -49,8 +49,8 @@ internal sealed class CheckVerb : Verb
             else all.ForEach(finding => text.WriteLine(finding.ToString()));
         });
         session.Found(all);
-        session.Say(harmless);
         session.Say(() => $"{(all.Count == 0 ? "Nothing found. " : "")}Checked for {string.Join("; ", used.Distinct())}.");
+        session.Say(harmless);
         return all.Any(d => d.Severity == Severity.Error) ? ExitCode.Refused : ExitCode.Done;
     }
 

@@ -59,7 +59,9 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
         var bead = overInfill ? rules.Bead(width).WithSpeed(_settings.InfillBridgeSpeed) : rules.Bead(width);
         var share = overInfill ? _settings.InfillBridgeFlowRatio : role == Role.Bridge ? _settings.BridgeFlowRatio : 1;
         var request = Request(area, pattern, rules.Pitch(width), width, angle, solid: true);
-        var lines = tools.Infill.Fill(request with { Hidden = role == Role.Bridge || (role == Role.SolidInfill && !rules.IsSolid) });
+        var isInside = role == Role.SolidInfill && !rules.IsSolid;
+        // Bridges hang from the walls below.
+        var lines = tools.Infill.Fill(request with { Hidden = isInside || role == Role.Bridge, Early = isInside ? request.Spacing / 2 : 0 });
         // Rows between walls know what each of them has to fill.
         var rows = pattern is InfillPattern.Lines or InfillPattern.Monotonic && _settings.WallCount > 0;
         var flow = rows ? share : Balance(lines, area.Area * rules.Thickness, bead) * share;

@@ -31,10 +31,11 @@ internal sealed record InfillRequest(Region Area, InfillPattern Pattern, double 
     /// <summary>Nothing may stay uncovered: rows fit between the sides of each island, and the flow follows their distance.</summary>
     public bool Solid { get; init; }
 
-    /// <summary>
-    /// Solid lines end straight, and early where they turn back sharply: what their turns leave open beside the walls is not seen, and takes time.
-    /// </summary>
+    /// <summary>Solid lines end straight: what their turns leave open beside the walls is not seen, and bends take time.</summary>
     public bool Hidden { get; init; }
+
+    /// <summary>By how much solid lines end early where they turn back sharply, which takes time, mm. 0 for lines that must reach the walls.</summary>
+    public double Early { get; init; }
 
     /// <summary>How far ends of solid lines reach into what surrounds the area, mm; lines along its edge do not.</summary>
     public double Overlap { get; init; }

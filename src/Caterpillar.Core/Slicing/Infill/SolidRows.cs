@@ -12,9 +12,6 @@ internal sealed class SolidRows
     // Share of a spacing by which rows may lie farther apart before there is one more: all of them together, or each where nothing is seen.
     private const double Slack = 0.1;
 
-    // By how much rows that are not seen end early where they turn back sharply, in spacings.
-    private const double Early = 0.5;
-
     // The thinnest line, in spacings.
     private const double Thinnest = 0.3;
 
@@ -52,9 +49,8 @@ internal sealed class SolidRows
         }
         var limit = request.Linked ? (request.Hidden ? RowGaps.ShortestHidden : longestLink) * request.Spacing : -1;
         var width = request.Solid && !request.Hidden ? request.Spacing : 0;
-        var early = request.Hidden ? Early * request.Spacing : 0;
-        if (request.Pattern == InfillPattern.Monotonic) result.AddRange(_links.Sweep(island, _lines, _spans, limit, width, early));
-        else if (request.Linked) result.AddRange(_links.Join(island, _lines, limit, width, early));
+        if (request.Pattern == InfillPattern.Monotonic) result.AddRange(_links.Sweep(island, _lines, _spans, limit, width, request.Early));
+        else if (request.Linked) result.AddRange(_links.Join(island, _lines, limit, width, request.Early));
         else result.AddRange(_lines);
         if (request.Solid && rows > 0) _gaps.Add(request, island, frame, first, spacing, rows, result);
     }
