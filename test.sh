@@ -40,7 +40,9 @@ export DOTNET_TieredPGO=0
 echo "Building Caterpillar.sln"
 analyzers=
 [ "$full" = yes ] && analyzers=-p:RunAnalyzers=true
-dotnet build Caterpillar.sln -c Release $analyzers --nologo -v quiet || exit 1
+# One compiler that stays for all projects takes a quarter less time; it ends with the last build.
+shared=-p:UseSharedCompilation=true
+dotnet build Caterpillar.sln -c Release $shared $analyzers --nologo -v quiet || exit 1
 [ -n "$real" ] || echo "Skipped: the plug-in's tests on the real RhinoCommon and GH_IO, which are not at ../shared/reference/real"
 
 arithmetic=
@@ -78,18 +80,19 @@ trap 'for job in "${lane_jobs[@]}"; do kill -- "-$job" 2>/dev/null; done; rm -rf
 build_real() {
   local code=0
   for framework in $real_frameworks; do
-    dotnet build tests/Caterpillar.GH.Tests -c Release -f "$framework" -p:RhinoSdk=real -p:RunAnalyzers=false --nologo -v quiet || code=1
+    dotnet build tests/Caterpillar.GH.Tests -c Release -f "$framework" -p:RhinoSdk=real $shared -p:RunAnalyzers=false --nologo -v quiet || code=1
   done >"$log/real.build" 2>&1 </dev/null
   echo "$code" >"$log/real.code"
+  dotnet build-server shutdown --vbcscompiler >/dev/null 2>&1 </dev/null
 }
 
-# A folder for temporary files each, where the names that tests choose do not meet.
+# A folder for temporary files each, where the names that tests choose do not meet. The first lane is the longest: the others leave a core to it.
 run() {
   local started=$SECONDS rest=${2#*|}
   local dll=${rest%%|*} filter=${rest#*|}
   mkdir "$log/$1.tmp"
   case "$dll" in artifacts/real/*) while [ ! -f "$log/real.code" ]; do sleep 0.2; done ;; esac
-  TMPDIR="$log/$1.tmp" MONO_GC_PARAMS=nursery-size=64m \
+  TMPDIR="$log/$1.tmp" MONO_GC_PARAMS=nursery-size=64m nice -n $(($1 > 0 ? 5 : 0)) \
     dotnet test "$dll" ${filter:+--filter "$filter"} --nologo -v quiet --logger "console;verbosity=minimal" >"$log/$1.log" 2>&1 </dev/null
   echo "$? $((SECONDS - started))" >"$log/$1.done"
 }
@@ -100,10 +103,8 @@ slots=$(($(nproc 2>/dev/null || sysctl -n hw.ncpu 2>/dev/null || echo 2) + 1))
 [ "${CATERPILLAR_RENEW:-}" = 1 ] && slots=1
 failed_lanes=0
 next=0
-if [ -n "$real" ]; then
-  build_real &
-  lane_jobs+=($!)
-fi
+build_real &
+lane_jobs+=($!)
 for ((shown = 0; shown < ${#lanes[@]}; )); do
   while [ "$next" -lt "${#lanes[@]}" ] && [ "$(jobs -pr | wc -l)" -lt "$slots" ]; do
     run "$next" "${lanes[next]}" &
@@ -121,7 +122,7 @@ for ((shown = 0; shown < ${#lanes[@]}; )); do
   fi
 done
 set +m
-if [ -n "$real" ] && [ "$(cat "$log/real.code")" != 0 ]; then
+if [ "$(cat "$log/real.code")" != 0 ]; then
   cat "$log/real.build"
   failed_lanes=$((failed_lanes + 1))
 fi

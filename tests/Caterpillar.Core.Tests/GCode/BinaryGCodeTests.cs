@@ -190,6 +190,7 @@ public class BinaryGCodeTests
     }
 
     [Test]
+    [Category("Arithmetic")]
     public void Bombs_are_refused()
     {
         // 1.5 MB of lines each, a thousand times smaller in the file, forty-five times: 67 MB in 75 KB.

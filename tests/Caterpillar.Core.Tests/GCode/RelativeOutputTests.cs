@@ -25,6 +25,7 @@ public class RelativeOutputTests
     }
 
     [Test]
+    [Category("Arithmetic")]
     public void What_is_read_back_is_what_absolute_output_gives([Values(2, 3)] int decimals, [Values] bool arcs)
     {
         var random = new Random(5);

@@ -107,6 +107,7 @@ public class TranslationTests
             .Where(f => Rounds.Full || f == "none" || Quick.Any(q => f.StartsWith(q, StringComparison.Ordinal)));
 
     [TestCaseSource(nameof(Files))]
+    [Category("Arithmetic")]
     public void Every_line_of_a_converted_file_is_known_to_its_flavor_and_prints_the_same(string name)
     {
         var decoded = GCodeDecoder.Decode(GCodeFiles.Document(name)).OrThrow();
