@@ -51,6 +51,22 @@ public class InfillBridgeTests
     }
 
     [Test]
+    public void Bridges_turn_at_the_walls_and_closed_layers_that_are_not_seen_before_them()
+    {
+        Assert.That(FromWalls(Bridges(Plain)), Is.All.LessThan(0.01));
+        var inside = FromWalls(Solids.Paths(Solids.Slice(Plain, Block)[18], Role.SolidInfill));
+        Assert.That(inside, Has.Some.InRange(0.1, 0.2).And.All.LessThan(0.21));
+    }
+
+    // Distances of the corners of paths from the rectangle around all of them.
+    private static double[] FromWalls(PrintPath[] paths)
+    {
+        var points = paths.SelectMany(p => p.Points).ToArray();
+        var box = Bounds.Of(points);
+        return Array.ConvertAll(points, p => Math.Min(Math.Min(p.X - box.Min.X, box.Max.X - p.X), Math.Min(p.Y - box.Min.Y, box.Max.Y - p.Y)));
+    }
+
+    [Test]
     public void Only_the_first_closed_layer_is_a_bridge()
     {
         var layers = Solids.Slice(Plain, Block);
