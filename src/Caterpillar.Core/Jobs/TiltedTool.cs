@@ -8,7 +8,7 @@ public static class TiltedTool
     /// clips lean less, down to upright.
     /// </summary>
     /// <param name="toolpath">A plan for an upright tool.</param>
-    /// <param name="setup">Its printer, and what is printed on.</param>
+    /// <param name="setup">The printer, and the object that it prints on.</param>
     /// <param name="aim">Where the tool points.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels.</param>

@@ -34,6 +34,13 @@ internal static class RhinoCurves
         return ToNurbs(curve.ToNurbsCurve() ?? throw new InputProblem("The curve has no NURBS form."), units);
     }
 
+    /// <summary>Chords that stay within a tolerance of a curve, mm.</summary>
+    public static Polyline Chords(Rg.Curve curve, double tolerance, DocumentUnits units)
+    {
+        var exact = ToCurve(curve, units);
+        return new Polyline(CurveSubdivider.Subdivide(exact, new SubdivisionOptions { ChordTolerance = tolerance }).Points, exact.IsClosed);
+    }
+
     private static PolylineCurve ToPolyline(Rg.Polyline polyline, DocumentUnits units)
     {
         var points = new List<Vec3>(polyline.Count);

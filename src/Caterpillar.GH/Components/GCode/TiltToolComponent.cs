@@ -68,15 +68,10 @@ public sealed class TiltToolComponent() : ChosenPortsComponent(
         }
     }
 
-    private static Polyline Place(IGH_GeometricGoo goo, DocumentUnits units)
+    private static Polyline Place(IGH_GeometricGoo goo, DocumentUnits units) => Wrapped.Bare(goo.ScriptVariable()) switch
     {
-        switch (Wrapped.Bare(goo.ScriptVariable()))
-        {
-            case Rg.Point3d point: return new Polyline([RhinoGeometry.ToVec(point, units)]);
-            case Rg.Curve curve:
-                var exact = RhinoCurves.ToCurve(curve, units);
-                return new Polyline(CurveSubdivider.Subdivide(exact, new SubdivisionOptions { ChordTolerance = 0.05 }).Points, exact.IsClosed);
-            default: throw new InputProblem("Geometry must be curves or points.");
-        }
-    }
+        Rg.Point3d point => new Polyline([RhinoGeometry.ToVec(point, units)]),
+        Rg.Curve curve => RhinoCurves.Chords(curve, 0.05, units),
+        _ => throw new InputProblem("Geometry must be curves or points."),
+    };
 }

@@ -116,9 +116,8 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
                 var mesh = run.ModelOf(g, tolerance);
                 return (BoundaryShape.Of(mesh.Triangles), (object)mesh);
             }
-            var exact = RhinoCurves.ToCurve(curve, run.Units);
-            var points = CurveSubdivider.Subdivide(exact, new SubdivisionOptions { ChordTolerance = tolerance }).Points;
-            return (BoundaryShape.Of([new Polyline(points, exact.IsClosed)]), string.Join(" ", points));
+            var chords = RhinoCurves.Chords(curve, tolerance, run.Units);
+            return (BoundaryShape.Of([chords]), string.Join(" ", chords.Points));
         }).ToArray();
     }
 

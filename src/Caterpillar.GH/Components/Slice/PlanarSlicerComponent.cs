@@ -10,8 +10,8 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
     {
         GeometryPort(ports);
         ports.Setup();
-        ports.Add(new SettingsParam(), "Part Settings", "PS", "Print settings of each solid, instead of those of the setup. The last one applies to the "
-            + "remaining solids. The setup still controls travel moves, skirt, brim and raft.", GH_ParamAccess.list, optional: true);
+        ports.Add(new SettingsParam(), "Part Settings", "PS", "Print settings for each solid. They replace those of the setup. The last ones also apply to "
+            + "all remaining solids. The setup still controls travel moves, skirt, brim and raft.", GH_ParamAccess.list, optional: true);
         ports.Geometry("Modifiers", "M", "Solids that are not printed. Depending on their model_type, they change the settings inside them, or enforce or "
             + "block supports.", GH_ParamAccess.list, optional: true);
         ports.Add(new SettingsParam(), "Modifier Settings", "MS",
