@@ -1,15 +1,20 @@
 namespace Caterpillar.Cli;
 
 /// <summary>The times of a file, with the limits of the given printer, else of the setup or the slicer in the file, else of the generic printer.</summary>
-internal sealed record TimedFile(Timeline Timeline, string Limits)
+internal sealed record TimedFile(Toolpath Toolpath, PrintSetup Setup, string Limits)
 {
-    public static TimedFile Of(SetupOptions options, ParseResult arguments, DecodedGCode decoded, string name, Session session)
+    public static TimedFile Of(SetupOptions options, ParseResult arguments, DecodedGCode decoded, Session session)
     {
         var (setup, limits) = LimitsOf(options.Resolve(arguments, session), options.IsGiven(arguments), decoded);
         setup = setup with { Printer = decoded.AxesOn(setup.Printer) };
-        var toolpath = decoded.Unrolled(setup.Printer);
-        return new TimedFile(session.WithProgress("Planning " + name, progress => Timeline.Of(toolpath, setup, progress, session.Cancel)), limits);
+        return new TimedFile(decoded.Unrolled(setup.Printer), setup, limits);
     }
+
+    public Timeline Timeline(string name, Session session)
+        => session.WithProgress("Planning " + name, progress => Simulation.Timeline.Of(Toolpath, Setup, progress, session.Cancel));
+
+    public PrintStatistics Statistics(string name, Session session)
+        => session.WithProgress("Planning " + name, progress => PrintStatistics.Of(Toolpath, Setup, progress, session.Cancel));
 
     private static (PrintSetup Setup, string Limits) LimitsOf(PrintSetup setup, bool isGiven, DecodedGCode decoded)
     {

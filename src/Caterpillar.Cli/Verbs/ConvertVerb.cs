@@ -47,8 +47,7 @@ internal sealed class ConvertVerb : Verb
             Flavor = CommonOptions.FlavorOf(arguments.GetValue(_from)), Memory = session.Memory,
             FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter"),
         };
-        var document = Read(file, session);
-        var decoding = session.GCodeOrFail(session.WithProgress("Reading", progress => GCodeDecoder.Decode(document, reading, progress, session.Cancel)));
+        var decoding = session.Decode(file, reading with { KeepsText = true });
         var job = new FileJob(decoding, reading) { Code = _edits.Code(arguments), Target = target };
         job = _edits.Half(Edited(job, arguments, session), arguments, session);
         // While the file is being written.
@@ -83,12 +82,6 @@ internal sealed class ConvertVerb : Verb
         if (file == "-") throw new CliException(ExitCode.Usage, "--in-place needs a file, not standard input.");
         return !file.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? file
             : throw new CliException(ExitCode.Usage, $"--in-place cannot write gzip files such as {file}. Use --output.");
-    }
-
-    private static GCodeDocument Read(string file, Session session)
-    {
-        using var stream = session.OpenRead(file);
-        return session.ValueOrFail(GCodeDocument.Read(stream, Session.NameOf(file), session.Memory, session.Cancel));
     }
 
     private FileJob Edited(FileJob job, ParseResult arguments, Session session)

@@ -87,8 +87,8 @@ internal sealed class DecodeVerb : Verb
 
     private Statistics Timed(DecodedGCode decoded, string file, ParseResult arguments, Session session)
     {
-        var (timeline, limits) = TimedFile.Of(_setup, arguments, decoded, file, session);
-        return new Statistics(file, PrintStatistics.Of(timeline, session.Cancel), timeline.Toolpath, limits);
+        var timed = TimedFile.Of(_setup, arguments, decoded, session);
+        return new Statistics(file, timed.Statistics(file, session), timed.Toolpath, timed.Limits);
     }
 
     private sealed record Statistics(string File, PrintStatistics Sums, Toolpath Toolpath, string Limits);

@@ -30,12 +30,13 @@ internal sealed class SimulateVerb : Verb
         var options = CommonOptions.Decoding(arguments.GetValue(_flavor), diameter, arguments.GetValue(_threads), session);
         using var stream = GzipReader.Open(session.OpenRead(file));
         var decoded = session.GCodeOrFail(session.Decode(stream, name, options));
-        var (timeline, limits) = TimedFile.Of(_setup, arguments, decoded, name, session);
+        var timed = TimedFile.Of(_setup, arguments, decoded, session);
+        var timeline = timed.Timeline(name, session);
         var states = moments.Select(m => m.Of(timeline)).ToArray();
         session.WriteText("-", text =>
         {
             if (arguments.GetValue(_json)) text.Write(SimulationJson.Array(states.Select(s => SimulationJson.State(s, timeline.Toolpath))));
-            else Write(text, states, timeline, limits);
+            else Write(text, states, timeline, timed.Limits);
         });
         return ExitCode.Done;
     }

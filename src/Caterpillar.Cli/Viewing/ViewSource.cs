@@ -40,7 +40,8 @@ internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool
         var options = new DecodeOptions { FilamentDiameter = resolved.Material.FilamentDiameter, Memory = session.Memory };
         using var stream = GzipReader.Open(new MemoryStream(bytes, false));
         var decoded = session.GCodeOrFail(session.Decode(stream, name, options));
-        var (timeline, limits) = TimedFile.Of(setup, arguments, decoded, name, session);
+        var timed = TimedFile.Of(setup, arguments, decoded, session);
+        var timeline = timed.Timeline(name, session);
         var findings = setup.IsGiven(arguments)
             ? session.WithProgress("Checking " + name, progress => PrintCheck.Run(decoded, resolved, progress, session.Cancel))
             : [];
@@ -50,7 +51,7 @@ internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool
             Toolpath = timeline.Toolpath,
             GCode = withLines && !bytes.AsSpan().StartsWith("GCDE"u8) ? bytes : null,
             EndOf = timeline.EndOf,
-            Limits = limits,
+            Limits = timed.Limits,
             Printer = timeline.Setup.Printer,
             Shape = resolved.Settings.BeadShape,
             Density = resolved.Material.Density,

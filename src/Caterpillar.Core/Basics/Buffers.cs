@@ -10,4 +10,14 @@ internal static class Buffers
 #else
         => new T[length];
 #endif
+
+    /// <summary>Sets a part of an array.</summary>
+    public static void Fill<T>(T[] array, int from, int to, T value)
+    {
+#if NET8_0_OR_GREATER
+        System.Array.Fill(array, value, from, to - from);
+#else
+        for (var i = from; i < to; i++) array[i] = value;
+#endif
+    }
 }

@@ -88,5 +88,19 @@ public sealed record PrintStatistics
 
     /// <summary>Totals of a timeline, with the material of its setup.</summary>
     public static PrintStatistics Of(Timeline timeline, System.Threading.CancellationToken cancel = default)
-        => new StatisticsSums(timeline ?? throw new ArgumentNullException(nameof(timeline))).Run(cancel);
+        => timeline is null ? throw new ArgumentNullException(nameof(timeline)) : Of(timeline.Toolpath, timeline.Setup, null, cancel);
+
+    /// <summary>Totals of a toolpath on the printer of a setup, with its material. Memory does not grow with the toolpath.</summary>
+    public static PrintStatistics Of(
+        Toolpath toolpath, PrintSetup setup, IProgress<double>? progress = null, System.Threading.CancellationToken cancel = default)
+    {
+        if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
+        if (setup is null) throw new ArgumentNullException(nameof(setup));
+        toolpath = setup.Printer.Turned(toolpath, cancel);
+        var sums = new StatisticsSums(toolpath, setup);
+        var planner = new MotionPlanner(toolpath, setup, finished: sums.Block);
+        planner.Take(toolpath, progress, cancel);
+        var plan = planner.End();
+        return sums.ToStatistics(plan.Motion.TotalTime, plan.Waits);
+    }
 }

@@ -1,28 +1,32 @@
 namespace Caterpillar.Simulation;
 
 /// <summary>Computes <see cref="PrintStatistics"/>.</summary>
-internal sealed class StatisticsSums(Timeline timeline)
+internal sealed class StatisticsSums
 {
-    private readonly Toolpath _toolpath = timeline.Toolpath;
+    private readonly Toolpath _toolpath;
+    private readonly PrintSetup _setup;
     private readonly Sum[] _roles = Array.ConvertAll((Role[])Enum.GetValues(typeof(Role)), _ => new Sum());
     private readonly SortedDictionary<int, Sum> _tools = [];
-    private readonly Sum?[] _layers = new Sum?[timeline.Toolpath.Layers.Count];
+    private readonly Sum?[] _layers;
 
     // Objects that are printed together share their layers: the first entry of each.
-    private readonly int[] _firstEntries = new int[timeline.Toolpath.Layers.Count];
+    private readonly int[] _firstEntries;
     private readonly Sum _print = new(), _travel = new(), _extruder = new();
     private int _retractions, _flowMove = -1;
     private double _flow, _speed;
     private Bounds _bounds = Bounds.Empty;
 
-    public PrintStatistics Run(CancellationToken cancel)
+    public StatisticsSums(Toolpath toolpath, PrintSetup setup)
     {
+        (_toolpath, _setup) = (toolpath, setup);
+        _layers = new Sum?[toolpath.Layers.Count];
+        _firstEntries = new int[toolpath.Layers.Count];
         for (var i = 1; i < _layers.Length; i++) _firstEntries[i] = _toolpath.Layers[i].Index == _toolpath.Layers[i - 1].Index ? _firstEntries[i - 1] : i;
-        for (var block = 0; block < _toolpath.Blocks.Count; block++)
-        {
-            cancel.ThrowIfCancellationRequested();
-            Block(block);
-        }
+    }
+
+    /// <summary>The statistics of all blocks.</summary>
+    public PrintStatistics ToStatistics(double duration, WaitTimes waits)
+    {
         double? mass = 0, cost = 0;
         var all = new Sum();
         var tools = new List<ToolUse>();
@@ -31,7 +35,7 @@ internal sealed class StatisticsSums(Timeline timeline)
             var sum = pair.Value;
             all.Volume += sum.Volume;
             all.VolumeUnknown |= sum.VolumeUnknown;
-            var (material, filament) = (timeline.Setup.OfTool(pair.Key).Material, FilamentOf(pair.Key, sum.E));
+            var (material, filament) = (_setup.OfTool(pair.Key).Material, FilamentOf(pair.Key, sum.E));
             all.E += filament;
             // mm³ and g/cm³
             var grams = sum.KnownVolume / 1000 * material.Density;
@@ -41,8 +45,8 @@ internal sealed class StatisticsSums(Timeline timeline)
         }
         return new PrintStatistics
         {
-            Duration = timeline.Duration,
-            Waits = timeline.Waits,
+            Duration = duration,
+            Waits = waits,
             PrintTime = _print.Time,
             TravelTime = _travel.Time,
             ExtruderTime = _extruder.Time,
@@ -66,7 +70,8 @@ internal sealed class StatisticsSums(Timeline timeline)
         };
     }
 
-    private void Block(int block)
+    /// <summary>The next block, whose motion is final.</summary>
+    public void Block(int block, MotionColumns motion)
     {
         var c = _toolpath.Blocks[block].Columns;
         var first = _toolpath.FirstOf(block);
@@ -80,9 +85,9 @@ internal sealed class StatisticsSums(Timeline timeline)
             var end = new Vec3(c.X[i], c.Y[i], c.Z[i]);
             var isArc = c.TryGetArc(i, out var arc);
             var length = isArc ? arc.Length(at, end) : at.DistanceTo(end);
-            var start = timeline.StartOf(number);
-            var over = timeline.StartOf(number + 1);
-            var moving = over - start - timeline.WaitBefore(number);
+            var start = motion.StartOf(number);
+            var over = motion.StartOf(number + 1);
+            var moving = over - start - motion.WaitBefore(number);
             if (tool is null || c.Tool[i] != toolNumber)
             {
                 toolNumber = c.Tool[i];
@@ -94,12 +99,12 @@ internal sealed class StatisticsSums(Timeline timeline)
             tool.Add(moving, length, c.Deposited[i], factor);
             var what = kind == MoveKind.Print ? _print : length > 1e-9 ? _travel : _extruder;
             what.Add(moving, length, c.Deposited[i], factor);
-            if (length > 1e-9) _speed = Math.Max(_speed, timeline.PeakOf(number));
+            if (length > 1e-9) _speed = Math.Max(_speed, motion.PeakOf(number));
             if (kind == MoveKind.Print)
             {
                 _roles[(int)c.Role[i]].Add(moving, length, c.Deposited[i], factor);
                 _bounds = isArc ? _bounds.Include(arc.Bounds(at, end)) : _bounds.Include(at).Include(end);
-                Flow(number, length, c.Deposited[i] * factor);
+                Flow(number, length, c.Deposited[i] * factor, motion.PeakOf(number));
             }
             if (c.Layer[i] >= 0)
             {
@@ -110,12 +115,12 @@ internal sealed class StatisticsSums(Timeline timeline)
         }
     }
 
-    private void Flow(int move, double length, double? volume)
+    private void Flow(int move, double length, double? volume, double speed)
     {
-        if (length > 0 && volume / length * timeline.PeakOf(move) is { } flow && flow > _flow) (_flow, _flowMove) = (flow, move);
+        if (length > 0 && volume / length * speed is { } flow && flow > _flow) (_flow, _flowMove) = (flow, move);
     }
 
-    private double FilamentOf(int tool, double e) => e * MotionPlanner.FilamentPerE(tool, _toolpath.VolumePerE(tool), timeline.Setup);
+    private double FilamentOf(int tool, double e) => e * MotionPlanner.FilamentPerE(tool, _toolpath.VolumePerE(tool), _setup);
 
     private sealed class Sum
     {

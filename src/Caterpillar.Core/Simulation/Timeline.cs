@@ -57,7 +57,7 @@ public sealed class Timeline
     public double StartOf(int move)
     {
         if (move < 0 || move > Toolpath.Count) throw new ArgumentOutOfRangeException(nameof(move));
-        return Motion.StartTime(Motion.First[move]);
+        return Motion.StartOf(move);
     }
 
     /// <summary>Seconds until the end of a move.</summary>
@@ -66,20 +66,12 @@ public sealed class Timeline
     /// <summary>Seconds of waiting before a move: dwells, heating, tool changes, homing.</summary>
     public double WaitBefore(int move)
     {
-        var from = StartOf(move);
-        var first = Motion.First[move];
-        var end = move < Toolpath.Count ? Motion.First[move + 1] : Motion.Count;
-        while (first < end && Motion.Acceleration[first] == 0) first++;
-        return Motion.StartTime(first) - from;
+        if (move < 0 || move > Toolpath.Count) throw new ArgumentOutOfRangeException(nameof(move));
+        return move < Toolpath.Count ? Motion.WaitBefore(move) : Duration - StartOf(move);
     }
 
     /// <summary>Maximum speed of a move, mm/s; of the filament for moves in place; 0 if nothing moves.</summary>
-    public double PeakOf(int move)
-    {
-        var peak = 0.0;
-        for (int i = Motion.First[move], end = Motion.First[move + 1]; i < end; i++) peak = Math.Max(peak, Motion.Peak[i]);
-        return peak;
-    }
+    public double PeakOf(int move) => Motion.PeakOf(move);
 
     /// <summary>The state at a time in seconds, clamped to the start and the end.</summary>
     public MachineState At(double time)

@@ -249,7 +249,7 @@ public class SingleMoveTests
         for (var i = 0; i < 9000; i++) builder.Add(new Vec3(i % 2, 0), 0, 0, 50, MoveKind.Travel, Role.Unspecified, -1, 0, i);
         var toolpath = builder.Build([new ToolpathTool(1)]);
         var heard = new List<int>();
-        new CheckRun([], toolpath.Tools, default).Block(CheckRun.BlocksOf(toolpath, 0).Single(), heard.Add);
+        new CheckRun([], toolpath.Tools, default).Block(CheckRun.BlocksOf(toolpath).Single(), heard.Add);
         Assert.That(heard, Is.EqualTo(new[] { 0, 4096, 8192 }));
     }
 
@@ -273,7 +273,7 @@ public class SingleMoveTests
     public void Whoever_brings_blocks_to_a_check_that_was_stopped_does_not_wait()
     {
         var toolpath = new SmallPrint().InLayer(new Layer(0, 0.2, 0.2)).Print(20, 10, 0.2).Build();
-        var block = CheckRun.BlocksOf(toolpath, 0).Single();
+        var block = CheckRun.BlocksOf(toolpath).Single();
         using var cancel = new CancellationTokenSource();
         using var checks = new MoveChecks(Setup, toolpath.Tools, () => new Findings(Setup.Printer, toolpath), cancel.Token, 1);
         checks.Take(block);
@@ -312,7 +312,7 @@ public class SingleMoveTests
     public void Blocks_may_be_checked_before_the_whole_is_known()
     {
         var toolpath = new SmallPrint(10, 10, 9).InLayer(new Layer(0, 9, 0.2)).Print(80, 10, 9).Build();
-        var block = CheckRun.BlocksOf(toolpath, 0).Single();
+        var block = CheckRun.BlocksOf(toolpath).Single();
         string[] Found(Toolpath read, params DecodedBlock[] blocks)
         {
             using var checks = new MoveChecks(Setup, toolpath.Tools, () => new Findings(Setup.Printer, toolpath), default, 8);

@@ -6,7 +6,6 @@ using System.Text;
 using Caterpillar.Basics;
 using Caterpillar.Display;
 using Caterpillar.Drawings;
-using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
@@ -67,22 +66,6 @@ public class MemoryLimitTests
         var bytes = Gzip.Packed(Encoding.ASCII.GetBytes(text));
         Assert.That(bytes, Has.Length.LessThan(20_000));
         Refused(CurveReader.Read(bytes, "c.csv.gz", new CurveReadOptions { Memory = Small }), CurveReader.Read(bytes, "c.csv.gz"));
-    }
-
-    [Test]
-    public void A_packed_file_of_many_moves()
-    {
-        var text = new StringBuilder("G90\nM83\n");
-        for (var i = 0; i < 100_000; i++) text.Append("G1 X").Append(i % 100).Append(" E1\n");
-        var bytes = Gzip.Packed(Encoding.ASCII.GetBytes(text.ToString()));
-        var large = new DecodeOptions();
-        foreach (var threads in new[] { 1, 2 })
-        {
-            var small = large with { Memory = Small, Threads = threads };
-            Refused(GCodeDecoder.DecodeStream(new MemoryStream(bytes), small), GCodeDecoder.DecodeStream(new MemoryStream(bytes), large));
-            Refused(GCodeDecoder.Decode(bytes, small), GCodeDecoder.Decode(bytes, large));
-        }
-        Refused(GCodeDocument.Read(new MemoryStream(bytes), "a.gcode", new MemoryLimit(500_000)), GCodeDocument.Read(new MemoryStream(bytes), "a.gcode"));
     }
 
     [Test]

@@ -128,8 +128,9 @@ public class TimelineStateTests
     {
         var columns = new MotionColumns(3);
         Assert.That(columns.First, Has.Length.EqualTo(4));
-        columns.Reserve(moves);
+        columns.Begin(moves, 7);
         Assert.That(columns.First.Length, Is.GreaterThanOrEqualTo(room));
+        Assert.That(columns.First[moves], Is.EqualTo(7));
     }
 
     [Test]

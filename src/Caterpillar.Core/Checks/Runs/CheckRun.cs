@@ -18,21 +18,21 @@ internal sealed class CheckRun(IMoveCheck[] checks, IReadOnlyList<ToolpathTool> 
     {
         if (checks.Length == 0) return;
         var run = new CheckRun(checks, toolpath.Tools, cancel);
-        foreach (var block in BlocksOf(toolpath, 0)) run.Block(block, at => progress?.Report(at / (double)toolpath.Count));
+        foreach (var block in BlocksOf(toolpath)) run.Block(block, at => progress?.Report(at / (double)toolpath.Count));
         run.End(toolpath);
     }
 
-    /// <summary>The blocks of a toolpath from one on, with their events.</summary>
-    public static IEnumerable<DecodedBlock> BlocksOf(Toolpath toolpath, int block)
+    /// <summary>The blocks of a toolpath, with their events.</summary>
+    public static IEnumerable<DecodedBlock> BlocksOf(Toolpath toolpath)
     {
-        var next = block < toolpath.Blocks.Count ? toolpath.FirstEventOf(toolpath.FirstOf(block)) : 0;
+        var next = 0;
         var thicknesses = toolpath.Layers.Select(l => l.Thickness).ToArray();
-        for (; block < toolpath.Blocks.Count; block++)
+        for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
             var columns = toolpath.Blocks[block].Columns;
             var (first, events) = (toolpath.FirstOf(block), new List<MoveEvent>());
             for (; next < toolpath.Events.Count && toolpath.Events[next].Move < first + columns.Count; next++) events.Add(toolpath.Events[next]);
-            yield return new DecodedBlock(columns, columns.Layer, first, events.ToArray(), toolpath.Start, thicknesses);
+            yield return new DecodedBlock(columns, first, events.ToArray(), toolpath.Start, thicknesses);
         }
     }
 
@@ -87,7 +87,7 @@ internal sealed class CheckRun(IMoveCheck[] checks, IReadOnlyList<ToolpathTool> 
         move.EndTurns = c.TurnsAt(i, move.StartTurns);
         move.Kind = c.Kind[i];
         move.Role = c.Role[i];
-        move.Layer = block.Layers[i];
+        move.Layer = c.Layer[i];
         move.Tool = c.Tool[i];
         move.E = c.E[i];
         move.Speed = c.Speed[i];

@@ -6,6 +6,8 @@ namespace Caterpillar.Checks;
 /// </summary>
 internal sealed class MoveChecks : IDisposable
 {
+    /// <summary>Blocks of a whole toolpath that wait: it may be longer than the memory.</summary>
+    public const int FewBlocks = 8;
     private readonly PrintSetup _setup;
     private readonly IReadOnlyList<ToolpathTool> _tools;
     private readonly Func<Findings> _findings;
@@ -66,18 +68,25 @@ internal sealed class MoveChecks : IDisposable
         // A file may have other tools than were planned.
         if (!whole.Tools.SequenceEqual(_tools))
         {
-            using var again = new MoveChecks(_setup, whole.Tools, _findings, _cancel);
+            using var again = new MoveChecks(_setup, whole.Tools, _findings, _cancel, FewBlocks);
             return again.Finish(whole, scope, progress);
         }
         (_whole, _progress) = (whole, progress);
-        foreach (var block in CheckRun.BlocksOf(whole, _printed)) Print(block);
-        _waiting.CompleteAdding();
-        foreach (var block in CheckRun.BlocksOf(whole, _shown)) Look(block);
-        _moves?.End(whole);
         var ofFile = _findings();
         IMoveCheck[] checks = [new HeatCheck(_setup, scope, ofFile), new FileCheck(whole, scope, ofFile)];
         if (!scope.IsPlanned) checks = [.. checks, new ModeCheck(_setup.Printer, ofFile)];
-        CheckRun.Run(whole, Asked(checks, ofFile), null, _cancel);
+        var file = new CheckRun(Asked(checks, ofFile), whole.Tools, _cancel);
+        var (number, shown, printed) = (0, _shown, _printed);
+        foreach (var block in CheckRun.BlocksOf(whole))
+        {
+            if (number >= printed) Print(block);
+            if (number >= shown) Look(block);
+            file.Block(block, _ => { });
+            number++;
+        }
+        _waiting.CompleteAdding();
+        _moves?.End(whole);
+        file.End(whole);
         new CommandCheck(whole, _setup.Printer, scope, ofFile).Run();
         if (_printing is not null)
         {

@@ -16,7 +16,7 @@ internal sealed class OwnChecks(PrintSetup setup, Findings findings)
             var end = new Vec3(c.X[i], c.Y[i], c.Z[i]);
             Arc? arc = c.TryGetArc(i, out var turn) ? turn : null;
             var move = new Move(block.First + i, _at ?? block.Start ?? Vec3.Zero, end, c.E[i], c.Deposited[i], c.Speed[i], c.Kind[i], c.Role[i],
-                block.Layers[i], c.Tool[i], c.Source[i], arc);
+                c.Layer[i], c.Tool[i], c.Source[i], arc);
             foreach (var check in _checks)
             {
                 if (check.Look(move) is { } found) findings.Add(found, move.Index);

@@ -87,7 +87,7 @@ public static class PrintCheck
     internal static IReadOnlyList<Diagnostic> Run(
         Toolpath toolpath, PrintSetup setup, CheckScope scope, IProgress<double>? progress, CancellationToken cancel)
     {
-        using var checks = new MoveChecks(setup, toolpath.Tools, () => new Findings(setup.Printer, toolpath), cancel);
+        using var checks = new MoveChecks(setup, toolpath.Tools, () => new Findings(setup.Printer, toolpath), cancel, MoveChecks.FewBlocks);
         return checks.Finish(toolpath, scope, progress);
     }
 

@@ -15,7 +15,7 @@ public sealed record DecodeOptions
     /// <summary>Number of threads. 0 = all cores. The result does not depend on it.</summary>
     public int Threads { get; init; }
 
-    /// <summary>Memory limit for moves and text. More gives the error <see cref="MemoryLimit.Code"/>.</summary>
+    /// <summary>Memory limit. Moves that do not fit into a part of it are kept in a temporary file.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
     /// <summary>
@@ -27,10 +27,15 @@ public sealed record DecodeOptions
     /// <summary>False for the report alone. The toolpath is empty then, and memory does not grow with the file.</summary>
     internal bool KeepsMoves { get; init; } = true;
 
+    internal PageFile<ToolpathColumns>? NewFile() => KeepsMoves ? ToolpathBlock.FileFor(Memory) : null;
+
+    /// <summary>Whether the text of a stream is kept, so that it can be edited.</summary>
+    internal bool KeepsText { get; init; }
+
     internal int BlockSize => Take is null && KeepsMoves ? ToolpathBlock.Capacity : ToolpathBlock.FollowedSize;
 
     /// <summary>Number of bytes per chunk.</summary>
-    internal int ChunkSize => Take is null && KeepsMoves ? 1024 * 1024 : 64 * 1024;
+    internal int ChunkSize => KeepsText ? GCodeChunk.Target : Take is null && KeepsMoves ? 1024 * 1024 : 64 * 1024;
 
     internal int Degree => Threads > 0 ? Threads : Math.Max(Environment.ProcessorCount, 1);
 }

@@ -18,7 +18,9 @@ public static class GCodeDecoder
         var length = (double)document.Length;
         var input = new DecodeInput(document.Chunks, ExtrusionAxis.Detect(document.Chunks), document.Name)
         {
-            Document = document,
+            Document = () => document,
+            HasText = true,
+            IsShort = document.Chunks.Count < 3,
             Searched = document.Chunks,
             Share = done => done / length,
             Notes = () => document.Notes,
@@ -34,8 +36,7 @@ public static class GCodeDecoder
     {
         if (path is null) throw new ArgumentNullException(nameof(path));
         using var stream = InputFile.Open(path);
-        var read = GCodeDocument.Read(stream, Path.GetFileName(path), options?.Memory, cancel);
-        return read.Value is { } document ? Decode(document, options, progress, cancel) : new Result<DecodedGCode>(null, read.Diagnostics);
+        return DecodeStream(stream, (options ?? new DecodeOptions()) with { KeepsText = true }, Path.GetFileName(path), progress, cancel);
     }
 
     /// <summary>Decodes bytes: plain, gzip, or binary G-code.</summary>
@@ -65,7 +66,9 @@ public static class GCodeDecoder
         CancellationToken cancel)
     {
         var tail = source.Tail();
-        using var chunks = ChunkReader.Read(source.Text, options.ChunkSize, cancel).GetEnumerator();
+        var text = options.KeepsText ? new List<GCodeChunk>() : null;
+        var read = ChunkReader.Read(source.Text, options.ChunkSize, cancel);
+        using var chunks = (text is null ? read : GCodeDocument.Kept(read, text, options.Memory)).GetEnumerator();
         var head = new List<GCodeChunk>();
         var seen = 0L;
         IEnumerable<GCodeChunk> Head()
@@ -92,6 +95,8 @@ public static class GCodeDecoder
         if ((tail ?? source.Tail()) is { } end) searched.Add(end);
         var input = new DecodeInput(All(), axis, name)
         {
+            Document = () => text is null ? null : new GCodeDocument(text.ToArray(), name, source.Notes()),
+            HasText = text is not null,
             Searched = searched,
             Share = source.Done,
             Notes = source.Notes,
@@ -100,31 +105,25 @@ public static class GCodeDecoder
         return Run(input, options, progress, cancel);
     }
 
-    private static void Afford(long moves, long text, MemoryLimit memory, string name)
-    {
-        var bytes = text + (double)moves * ToolpathBlock.BytesPerMove;
-        if (bytes > memory.Bytes) memory.Check(bytes, $"The first {NumberFormatter.Format(moves)} moves", name.Length > 0 ? new SourceLocation(name) : null);
-    }
-
     private static Result<DecodedGCode> Run(DecodeInput input, DecodeOptions options, IProgress<double>? progress, CancellationToken cancel)
     {
-        var (document, name) = (input.Document, input.Name);
+        var name = input.Name;
         var detected = options.Flavor is null ? Detect(input) : (Detection?)null;
         var rules = options.Flavor ?? detected!.Value.Flavor;
         var axis = input.Axis.In(rules);
         var interpreter = new GCodeInterpreter(rules, options.Rule, axis);
-        interpreter.Machine.Moves.Begin(options.BlockSize, options.Take, options.KeepsMoves);
+        interpreter.Machine.Moves.Begin(options.BlockSize, options.Take, options.KeepsMoves, options.NewFile());
         var problems = interpreter.Machine.Diagnostics.List;
         if (axis != input.Axis && (input.Axis == ExtrusionAxis.E || input.Axis == ExtrusionAxis.Switched))
             problems.Add(Severity.Warning, "gcode.no_extruder", rules.Title + " has no extruder on " + input.Axis.Name + ". Extrusion is left out.");
         var lines = 0;
         var mark = false;
-        var checkpoints = document is null ? null : new List<Checkpoint>(document.Chunks.Count);
+        var checkpoints = input.HasText ? new List<Checkpoint>() : null;
         long bytes = 0;
         ChunkPipeline.Run(
             input.Chunks,
             axis.Letter,
-            document is { Chunks.Count: < 3 } ? 1 : options.Degree,
+            input.IsShort ? 1 : options.Degree,
             _ => true,
             (parsed, done) =>
             {
@@ -132,7 +131,6 @@ public static class GCodeDecoder
                 if (lines == 0) mark = TextEncoding.MarkLength(parser.Chunk!) > 0;
                 checkpoints?.Add(new Checkpoint(lines, interpreter.Save(), interpreter.LastEvents.Count));
                 interpreter.Run(parser, lines);
-                Afford(options.KeepsMoves ? interpreter.Machine.Moves.Count : 0, document?.Length ?? 0, options.Memory, name);
                 lines = GCodeDocument.AddLines(lines, parser.Lines);
                 bytes = done;
                 if (progress is not null && input.Share(done) is >= 0 and var part) progress.Report(part);
@@ -151,7 +149,7 @@ public static class GCodeDecoder
         return new Result<DecodedGCode>(
             new DecodedGCode(toolpath, report, rules)
             {
-                Document = document,
+                Document = input.Document(),
                 Evidence = detected?.Evidence ?? [],
                 Settings = settings,
                 Ignored = interpreter.Machine.Log.Ignored.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal),
@@ -184,7 +182,12 @@ public static class GCodeDecoder
     // What is decoded: the chunks of a text, and what its source knows of it.
     private sealed record DecodeInput(IEnumerable<GCodeChunk> Chunks, ExtrusionAxis Axis, string Name)
     {
-        public GCodeDocument? Document { get; init; }
+        public Func<GCodeDocument?> Document { get; init; } = () => null;
+
+        public bool HasText { get; init; }
+
+        // Not worth another thread.
+        public bool IsShort { get; init; }
 
         // Where the flavor is looked for.
         public IReadOnlyList<GCodeChunk> Searched { get; init; } = [];

@@ -1,12 +1,11 @@
 namespace Caterpillar.GCode;
 
-/// <summary>Collects written text as the chunks of a document, without another copy.</summary>
+/// <summary>Collects written text as the chunks of a document. What does not fit into memory is kept in a file.</summary>
 internal sealed class DocumentStream : WriteStream
 {
-    private const int FirstBuffer = 64 * 1024;
-    private const int LargestBuffer = 4 * 1024 * 1024;
+    private readonly PageFile<byte[]> _file = GCodeDocument.FileFor(MemoryLimit.Default);
     private readonly List<GCodeChunk> _chunks = [];
-    private byte[] _buffer = new byte[FirstBuffer];
+    private byte[] _buffer = new byte[GCodeChunk.Target];
     private int _count;
 
     /// <summary>The document that is written, unless there are errors.</summary>
@@ -20,7 +19,7 @@ internal sealed class DocumentStream : WriteStream
     /// <summary>Returns the document. Do not write afterwards.</summary>
     public GCodeDocument ToDocument(string name)
     {
-        GCodeChunk.Cut(_buffer, _count, _chunks);
+        if (_count > 0) Add(_count);
         return new GCodeDocument(_chunks.ToArray(), name);
     }
 
@@ -40,11 +39,12 @@ internal sealed class DocumentStream : WriteStream
     // What follows the last line end goes into the next buffer; a longer line makes it longer.
     private void Seal()
     {
-        var cut = ChunkReader.LastLineEnd(_buffer, _count);
-        GCodeChunk.Cut(_buffer, cut, _chunks);
-        var rest = _count - cut;
-        var next = new byte[(int)Math.Min(Math.Max(Math.Min(_buffer.Length * 4L, LargestBuffer), rest * 2L), ChunkReader.LongestLine * 2L - 64)];
-        Buffer.BlockCopy(_buffer, cut, next, 0, rest);
-        (_buffer, _count) = (next, rest);
+        var (before, cut) = (_buffer, ChunkReader.LastLineEnd(_buffer, _count));
+        if (cut > 0) Add(cut);
+        _count -= cut;
+        _buffer = new byte[(int)Math.Min(Math.Max(GCodeChunk.Target, _count * 2L), ChunkReader.LongestLine * 2L - 64)];
+        Buffer.BlockCopy(before, cut, _buffer, 0, _count);
     }
+
+    private void Add(int count) => _chunks.Add(new GCodeChunk(_buffer, 0, count).In(_file));
 }

@@ -6,7 +6,7 @@ namespace Caterpillar.GCode;
 /// </summary>
 public sealed class GCodeDocument
 {
-    private const int BufferSize = 4 * 1024 * 1024;
+    private const long BytesInMemory = 96L << 20;
     private readonly GCodeChunk[] _chunks;
     private int[]? _firstLines;
 
@@ -60,8 +60,8 @@ public sealed class GCodeDocument
     }
 
     /// <summary>
-    /// Reads a stream to its end: plain, packed with gzip, or binary G-code. The stream stays open. A longer text than the memory limit allows gives the error
-    /// <see cref="MemoryLimit.Code"/>.
+    /// Reads a stream to its end: plain, packed with gzip, or binary G-code. The stream stays open. Text that does not fit into a part of the memory limit is
+    /// kept in a temporary file.
     /// </summary>
     /// <inheritdoc cref="ReadFile" path="/returns"/>
     /// <exception cref="IOException">The stream cannot be read.</exception>
@@ -139,6 +139,21 @@ public sealed class GCodeDocument
         return first;
     }
 
+    /// <summary>A file for text. The latest is in memory, up to a quarter of a limit.</summary>
+    internal static PageFile<byte[]> FileFor(MemoryLimit memory)
+        => new(Math.Min(BytesInMemory, memory.Bytes / 4), text => text.Length, WritePage, r => r.ReadBytes(r.ReadInt32()));
+
+    /// <summary>Collects the chunks of a stream while they are read. Those that do not fit into memory are kept in a file.</summary>
+    internal static IEnumerable<GCodeChunk> Kept(IEnumerable<GCodeChunk> chunks, List<GCodeChunk> kept, MemoryLimit memory)
+    {
+        var file = FileFor(memory);
+        foreach (var chunk in chunks)
+        {
+            kept.Add(chunk.In(file));
+            yield return kept[kept.Count - 1];
+        }
+    }
+
     /// <summary>A number of lines, which is an int.</summary>
     /// <exception cref="InvalidDataException">The number is too large.</exception>
     internal static int AddLines(int lines, int more)
@@ -167,13 +182,12 @@ public sealed class GCodeDocument
     {
         using var source = new GCodeSource(stream);
         var chunks = new List<GCodeChunk>();
-        var length = 0L;
-        foreach (var chunk in ChunkReader.Read(source.Text, BufferSize, cancel))
-        {
-            chunks.Add(chunk);
-            length += chunk.Length;
-            memory.Check(length, "The text", name.Length > 0 ? new SourceLocation(name) : null);
-        }
+        foreach (var _ in Kept(ChunkReader.Read(source.Text, GCodeChunk.Target, cancel), chunks, memory)) continue;
         return new GCodeDocument(chunks.ToArray(), name, source.Notes());
+    }
+    private static void WritePage(BinaryWriter writer, byte[] text)
+    {
+        writer.Write(text.Length);
+        writer.Write(text);
     }
 }

@@ -1,20 +1,29 @@
 namespace Caterpillar.GCode;
 
 /// <summary>A part of a document that ends after a line end (or with the file). The buffer is shared and never changed.</summary>
-internal sealed class GCodeChunk(byte[] text, int start, int end)
+internal sealed class GCodeChunk
 {
     /// <summary>Bytes of a chunk. Longer lines make it longer.</summary>
     public const int Target = 256 * 1024;
 
+    private readonly byte[]? _text;
+    private readonly Page<byte[]>? _page;
     private int[]? _lineStarts;
 
-    public byte[] Text { get; } = text;
+    public GCodeChunk(byte[] text, int start, int end) => (_text, Start, End) = (text, start, end);
 
-    public int Start { get; } = start;
+    private GCodeChunk(Page<byte[]> page, int start, int end) => (_page, Start, End) = (page, start, end);
 
-    public int End { get; } = end;
+    public byte[] Text => _text ?? _page!.Value;
+
+    public int Start { get; }
+
+    public int End { get; }
 
     public int Length => End - Start;
+
+    /// <summary>The same chunk, whose text a file keeps. It has the text for itself.</summary>
+    public GCodeChunk In(PageFile<byte[]> file) => new(file.Add(Text), Start, End);
 
     /// <summary>Cuts bytes into chunks after line ends.</summary>
     public static void Cut(byte[] bytes, int count, List<GCodeChunk> chunks)

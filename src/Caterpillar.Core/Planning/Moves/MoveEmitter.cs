@@ -27,7 +27,7 @@ internal sealed class MoveEmitter
         _builder = take is null ? new ToolpathBuilder(MoveSource.Steps, start) { Memory = options.Memory }
             : new ToolpathBuilder(MoveSource.Steps, start)
             {
-                Memory = options.Memory, BlockSize = ToolpathBlock.FollowedSize, Filled = () => GiveOn(take),
+                File = ToolpathBlock.FileFor(options.Memory), BlockSize = ToolpathBlock.FollowedSize, Filled = () => GiveOn(take),
             };
         _retracted = new double[rules.Tools.Length];
         IsPlaced = start is not null;

@@ -62,10 +62,11 @@ internal sealed class HeatModel(Printer printer)
     /// <summary>Sets a heater when the trapezoids before one are over.</summary>
     public void Set(HeaterCurve heater, int trapezoid, double celsius) => _open.Add((heater, trapezoid, celsius));
 
-    /// <summary>All that was set happens at the times that are known by now.</summary>
+    /// <summary>What was set happens at the times that are known by now.</summary>
     public void Settle(MotionColumns motion)
     {
-        foreach (var (heater, trapezoid, celsius) in _open) heater.Set(motion.StartTime(trapezoid), celsius);
-        _open.Clear();
+        var known = _open.TakeWhile(o => o.Trapezoid <= motion.Count).ToArray();
+        foreach (var (heater, trapezoid, celsius) in known) heater.Set(motion.StartTime(trapezoid), celsius);
+        _open.RemoveRange(0, known.Length);
     }
 }

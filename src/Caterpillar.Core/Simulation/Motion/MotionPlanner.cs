@@ -27,14 +27,19 @@ internal sealed class MotionPlanner
     private int _nextEvent;
     private int _tool;
     private WaitTimes _waits;
-    private int _afterLast;
+
+    // Of the blocks whose trapezoids are not all final: the number of trapezoids before the next block. And the first of them.
+    private readonly Action<int, MotionColumns>? _finished;
+    private readonly Queue<int> _ends = new();
+    private int _firstOpen;
 
     /// <param name="toolpath">The toolpath, or its beginning.</param>
     /// <param name="setup">The printer and the filament.</param>
     /// <param name="timesOnly">Only times are kept, no speeds.</param>
-    public MotionPlanner(Toolpath toolpath, PrintSetup setup, bool timesOnly = false)
+    /// <param name="finished">Called with each block whose motion is final. The motion is forgotten afterwards.</param>
+    public MotionPlanner(Toolpath toolpath, PrintSetup setup, bool timesOnly = false, Action<int, MotionColumns>? finished = null)
     {
-        _toolpath = toolpath;
+        (_toolpath, _finished) = (toolpath, finished);
         _printer = setup.Printer;
         _kinematics = _printer.Kinematics;
         _limits = new MachineLimits(_printer);
@@ -47,7 +52,7 @@ internal sealed class MotionPlanner
         _lookAhead = _printer.Cornering == Cornering.SquareCornerVelocity ? new CruiseLookAhead() : new QueueLookAhead(_printer.LookaheadMoves);
         _retraction = new FirmwareRetraction(_printer);
         _heat = new HeatModel(_printer);
-        _out = new MotionColumns(toolpath.Count, timesOnly);
+        _out = new MotionColumns(finished is null ? toolpath.Count : 0, timesOnly);
         _filamentPerE = FilamentPerE(toolpath.Tools, setup);
     }
 
@@ -62,10 +67,11 @@ internal sealed class MotionPlanner
     public void Take(Toolpath soFar, IProgress<double>? progress, CancellationToken cancel)
     {
         _toolpath = soFar;
-        _out.Reserve(soFar.Count);
         for (; _block < soFar.Blocks.Count; _block++)
         {
             Block(_block, cancel);
+            _ends.Enqueue(_out.Count + _count);
+            if (_finished is not null) Finish();
             progress?.Report((_block + 1.0) / soFar.Blocks.Count);
         }
     }
@@ -73,10 +79,11 @@ internal sealed class MotionPlanner
     /// <summary>The toolpath is over.</summary>
     public PlannedMotion End()
     {
-        _afterLast = _out.Count + _count;
+        var afterLast = _out.Count + _count;
         Events(_toolpath.Count);
         Stop();
-        _out.First[_toolpath.Count] = _afterLast;
+        _out.Begin(_toolpath.Count, afterLast);
+        if (_finished is not null) Finish();
         _heat.Settle(_out);
         return new PlannedMotion(_out, _heat, _waits);
     }
@@ -90,7 +97,7 @@ internal sealed class MotionPlanner
         for (var i = 0; i < columns.Count; i++)
         {
             // Whatever waits in the run comes before this move.
-            _out.First[first + i] = _out.Count + _count;
+            _out.Begin(first + i, _out.Count + _count);
             var homes = false;
             if (first + i >= NextEvent())
             {
@@ -112,6 +119,18 @@ internal sealed class MotionPlanner
             }
             _turns = columns.TurnsAt(i, _turns);
             at = end;
+        }
+    }
+
+    private void Finish()
+    {
+        for (; _ends.Count > 0 && _ends.Peek() <= _out.Count; _firstOpen++)
+        {
+            var next = _toolpath.FirstOf(_firstOpen) + _toolpath.Blocks[_firstOpen].Count;
+            _out.Begin(next, _ends.Dequeue());
+            _finished!(_firstOpen, _out);
+            _heat.Settle(_out);
+            _out.Forget(next);
         }
     }
 

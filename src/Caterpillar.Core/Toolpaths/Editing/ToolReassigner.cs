@@ -27,7 +27,7 @@ internal sealed class ToolReassigner(Toolpath toolpath, int from, int until, int
                 }
                 Balance(columns, ref copy, i, changes ? tool : columns.Tool[i]);
             }
-            blocks.Add(copy is null ? toolpath.Blocks[block] : new ToolpathBlock(copy));
+            blocks.Add(copy is null ? toolpath.Blocks[block] : new ToolpathBlock(copy, toolpath.Blocks[block].File));
         }
         var tools = toolpath.Tools.ToList();
         while (tools.Count <= tool) tools.Add(tools.Count > 0 ? tools[tools.Count - 1] : new ToolpathTool(null));

@@ -34,7 +34,7 @@ internal static class ToolpathArcs
                 {
                     if (editor is null)
                     {
-                        editor = new BlockEditor(columns.Count);
+                        editor = new BlockEditor(columns.Count, toolpath.Blocks[block].File);
                         editor.Add(columns, 0, i);
                     }
                     double e = 0, deposited = 0;

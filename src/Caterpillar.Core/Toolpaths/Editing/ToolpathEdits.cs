@@ -135,7 +135,7 @@ public static class ToolpathEdits
             if (Array.IndexOf(chosen, true, first, blocks[block].Count) < 0) continue;
             var columns = blocks[block].Columns.Share();
             change(columns, chosen, first);
-            blocks[block] = new ToolpathBlock(columns);
+            blocks[block] = new ToolpathBlock(columns, blocks[block].File);
         }
         return toolpath.With(blocks);
     }

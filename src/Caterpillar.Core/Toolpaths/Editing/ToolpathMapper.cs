@@ -58,7 +58,7 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
         var columns = toolpath.Blocks[block].Columns;
         if (map.MapBlock(columns, toolpath.StartOf(block), _position) is not { } image) return false;
         Events(first + count, first);
-        _blocks.Add(new ToolpathBlock(image));
+        _blocks.Add(new ToolpathBlock(image, toolpath.Blocks[block].File));
         _made += count;
         _position = new Vec3(image.X[count - 1], image.Y[count - 1], image.Z[count - 1]);
         _run = null;

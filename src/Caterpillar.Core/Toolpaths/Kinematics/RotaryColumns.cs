@@ -39,7 +39,7 @@ internal static class RotaryColumns
                 (last, lastTurn) = (at, turn);
             }
             if (!keepsTurns) (columns.A, columns.B, columns.C) = (null, null, null);
-            blocks.Add(new ToolpathBlock(columns));
+            blocks.Add(new ToolpathBlock(columns, toolpath.Blocks[block].File));
         }
         Vec3? first = toolpath.Start is { } known ? map(known, Vec3.Zero) : null;
         return toolpath.With(blocks).With(first, toolpath.Layers);

@@ -93,7 +93,7 @@ public sealed class Toolpath
     }
 
     /// <summary>True if moves have rotary words (A, B, C).</summary>
-    public bool HasTurns => Array.Exists(_blocks, b => b.Columns.A is not null || b.Columns.B is not null || b.Columns.C is not null);
+    public bool HasTurns => Array.Exists(_blocks, b => b.HasTurns);
 
     /// <summary>The same as a vector; zero where there are none, and before the first move.</summary>
     internal Vec3 WordsAt(int move) => move >= 0 && TurnsOf(move) is var (a, b, c) ? new Vec3(a, b, c) : Vec3.Zero;

@@ -14,12 +14,33 @@ public sealed class ToolpathBlock
     /// <summary>Memory of a move in bytes, with its share of arcs and lists.</summary>
     public const int BytesPerMove = 72;
 
-    internal ToolpathBlock(ToolpathColumns columns) => Columns = columns;
+    private const long BytesInMemory = 160L << 20;
+    private readonly ToolpathColumns? _columns;
+    private readonly Page<ToolpathColumns>? _page;
+
+    /// <param name="columns">The columns. The block owns them.</param>
+    /// <param name="file">Keeps them; null = in memory.</param>
+    internal ToolpathBlock(ToolpathColumns columns, PageFile<ToolpathColumns>? file = null)
+    {
+        (Count, File) = (columns.Count, file);
+        HasTurns = columns.A is not null || columns.B is not null || columns.C is not null;
+        if (file is null) _columns = columns;
+        else _page = file.Add(columns);
+    }
 
     /// <summary>Number of moves.</summary>
-    public int Count => Columns.Count;
+    public int Count { get; }
 
-    internal ToolpathColumns Columns { get; }
+    /// <summary>Keeps the columns; null = in memory. Edits keep the edited block there, too.</summary>
+    internal PageFile<ToolpathColumns>? File { get; }
+
+    internal bool HasTurns { get; }
+
+    internal ToolpathColumns Columns => _columns ?? _page!.Value;
+
+    /// <summary>A file for blocks. The latest are in memory, up to a quarter of a limit.</summary>
+    internal static PageFile<ToolpathColumns> FileFor(MemoryLimit limit)
+        => new(Math.Min(BytesInMemory, limit.Bytes / 4), columns => (long)columns.Capacity * BytesPerMove, ColumnBytes.Write, ColumnBytes.Read);
 }
 
 /// <summary>The columns of a block. Index i is the i-th move of the block. The creator of the block fills them. They never change afterwards.</summary>

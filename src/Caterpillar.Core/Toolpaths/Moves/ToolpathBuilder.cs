@@ -38,6 +38,9 @@ public sealed class ToolpathBuilder
         init => _columns = new ToolpathColumns(Math.Min(value, BlockSize));
     }
 
+    /// <summary>Keeps the blocks; null = in memory.</summary>
+    internal PageFile<ToolpathColumns>? File { get; init; }
+
     /// <summary>Called for each full block, before the next move is added.</summary>
     internal Action? Filled { get; init; }
 
@@ -139,8 +142,8 @@ public sealed class ToolpathBuilder
             _columns = _columns.Copy(Math.Min(_columns.Capacity * 4, BlockSize));
             return;
         }
-        Memory.Check((double)(Count + BlockSize) * ToolpathBlock.BytesPerMove, "A toolpath of more than " + NumberFormatter.Format(Count)
-            + " moves");
+        if (File is null)
+            Memory.Check((double)(Count + BlockSize) * ToolpathBlock.BytesPerMove, $"A toolpath of more than {NumberFormatter.Format(Count)} moves");
         Seal();
         _columns = new ToolpathColumns(BlockSize);
         Filled?.Invoke();
@@ -153,7 +156,7 @@ public sealed class ToolpathBuilder
         _columns.Arcs = _arcs.ToArray();
         _arcMoves.Clear();
         _arcs.Clear();
-        _blocks.Add(new ToolpathBlock(_columns));
+        _blocks.Add(new ToolpathBlock(_columns, File));
         _sealed += _columns.Count;
         _columns = new ToolpathColumns(16);
     }

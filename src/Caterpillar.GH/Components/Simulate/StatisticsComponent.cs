@@ -31,8 +31,7 @@ public sealed class StatisticsComponent() : CaterpillarComponent(
     {
         var goo = run.Get<ToolpathGoo>(0);
         var setup = SetupPort.Of(run, 1, goo);
-        var s = run.Work("Timing", [goo.Value, setup],
-            (progress, cancel) => PrintStatistics.Of(Timeline.Of(goo.Value, setup, progress, cancel), cancel));
+        var s = run.Work("Timing", [goo.Value, setup], (progress, cancel) => PrintStatistics.Of(goo.Value, setup, progress, cancel));
         run.SetAll(s.Duration, s.Filament, s.Volume, s.Mass, s.Cost, s.PrintLength, s.TravelLength, s.Retractions, s.GreatestFlow);
         run.SetList(9, s.Layers.Select(l => l.Time));
         run.SetList(10, Lines(s, setup).ToArray());

@@ -3,7 +3,8 @@ namespace Caterpillar.GCode;
 /// <summary>Collects moves into the columns of blocks, without a call for each value.</summary>
 /// <param name="blockSize">Number of moves in a block.</param>
 /// <param name="keeps">False to forget each full block.</param>
-internal sealed class BlockCollector(int blockSize = ToolpathBlock.Capacity, bool keeps = true)
+/// <param name="file">Keeps the blocks; null = in memory.</param>
+internal sealed class BlockCollector(int blockSize = ToolpathBlock.Capacity, bool keeps = true, PageFile<ToolpathColumns>? file = null)
 {
     private readonly List<ToolpathBlock> _blocks = [];
     private readonly List<int> _arcMoves = [];
@@ -51,15 +52,16 @@ internal sealed class BlockCollector(int blockSize = ToolpathBlock.Capacity, boo
     /// <summary>Removes the layer of all moves so far, for files whose layer comments begin late.</summary>
     public void ForgetLayers()
     {
-        foreach (var block in _blocks) Forget(block.Columns);
-        Forget(Columns);
+        for (var i = 0; i < _blocks.Count; i++) Replace(i, WithLayers(_blocks[i].Columns, _ => -1));
+        Columns = WithLayers(Columns, _ => -1);
     }
 
     /// <summary>Other numbers for the layers of all moves.</summary>
     public void RenumberLayers(int[] places)
     {
-        foreach (var block in _blocks) Renumber(block.Columns, places);
-        Renumber(Columns, places);
+        int Place(int layer) => layer >= 0 ? places[layer] : -1;
+        for (var i = 0; i < _blocks.Count; i++) Replace(i, WithLayers(_blocks[i].Columns, Place));
+        Columns = WithLayers(Columns, Place);
     }
 
     /// <summary>The arc of the last move, if any.</summary>
@@ -92,38 +94,35 @@ internal sealed class BlockCollector(int blockSize = ToolpathBlock.Capacity, boo
     {
         int next = 0, first = 0;
         var now = default(Turns);
-        foreach (var block in _blocks)
+        for (var block = 0; block < _blocks.Count; first += _blocks[block++].Count)
         {
-            var columns = block.Columns;
-            if (_turnMoves[0] < first + columns.Count)
+            if (_turnMoves[0] >= first + _blocks[block].Count) continue;
+            var columns = _blocks[block].Columns.Share();
+            columns.A = new double[columns.Capacity];
+            columns.B = new double[columns.Capacity];
+            columns.C = new double[columns.Capacity];
+            for (var i = 0; i < columns.Count; i++)
             {
-                columns.A = new double[columns.Capacity];
-                columns.B = new double[columns.Capacity];
-                columns.C = new double[columns.Capacity];
-                for (var i = 0; i < columns.Count; i++)
-                {
-                    while (next < _turnMoves.Count && _turnMoves[next] <= first + i) now = _turns[next++];
-                    columns.A[i] = now.A;
-                    columns.B[i] = now.B;
-                    columns.C[i] = now.C;
-                }
+                while (next < _turnMoves.Count && _turnMoves[next] <= first + i) now = _turns[next++];
+                columns.A[i] = now.A;
+                columns.B[i] = now.B;
+                columns.C[i] = now.C;
             }
-            first += columns.Count;
+            Replace(block, columns);
         }
     }
 
-    private static void Forget(ToolpathColumns columns)
+    // In a new column: whoever follows may still read the old one.
+    private static ToolpathColumns WithLayers(ToolpathColumns columns, Func<int, int> layerOf)
     {
-        for (var i = 0; i < columns.Count; i++) columns.Layer[i] = -1;
+        columns = columns.Share();
+        var (before, layers) = (columns.Layer, new int[columns.Layer.Length]);
+        for (var i = 0; i < columns.Count; i++) layers[i] = layerOf(before[i]);
+        columns.Layer = layers;
+        return columns;
     }
 
-    private static void Renumber(ToolpathColumns columns, int[] places)
-    {
-        // In a new column: whoever follows may still read the old one.
-        var layers = new int[columns.Layer.Length];
-        for (var i = 0; i < columns.Count; i++) layers[i] = columns.Layer[i] >= 0 ? places[columns.Layer[i]] : -1;
-        columns.Layer = layers;
-    }
+    private void Replace(int block, ToolpathColumns columns) => _blocks[block] = new ToolpathBlock(columns, file);
 
     private void Seal()
     {
@@ -131,7 +130,7 @@ internal sealed class BlockCollector(int blockSize = ToolpathBlock.Capacity, boo
         Columns.Arcs = _arcs.ToArray();
         _arcMoves.Clear();
         _arcs.Clear();
-        _blocks.Add(new ToolpathBlock(Columns));
+        _blocks.Add(new ToolpathBlock(Columns, file));
         _sealed += Columns.Count;
         Columns = new ToolpathColumns(0);
     }

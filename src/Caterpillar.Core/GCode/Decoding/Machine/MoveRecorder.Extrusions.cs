@@ -81,20 +81,11 @@ internal sealed partial class MoveRecorder
     private void FillRest(ToolpathColumns c, int from, int to)
     {
         var (z, speed, layer, tool, role) = (_state.Head.Z + _state.Head.ShiftZ, _state.Feed.Speed, Layers.Current, (short)_state.Tool, Role);
-        Fill(c.Z, from, to, z);
-        Fill(c.Speed, from, to, speed);
-        Fill(c.Layer, from, to, layer);
-        Fill(c.Tool, from, to, tool);
-        Fill(c.Kind, from, to, MoveKind.Print);
-        Fill(c.Role, from, to, role);
-    }
-
-    private static void Fill<T>(T[] column, int from, int to, T value)
-    {
-#if NET8_0_OR_GREATER
-        Array.Fill(column, value, from, to - from);
-#else
-        for (var i = from; i < to; i++) column[i] = value;
-#endif
+        Buffers.Fill(c.Z, from, to, z);
+        Buffers.Fill(c.Speed, from, to, speed);
+        Buffers.Fill(c.Layer, from, to, layer);
+        Buffers.Fill(c.Tool, from, to, tool);
+        Buffers.Fill(c.Kind, from, to, MoveKind.Print);
+        Buffers.Fill(c.Role, from, to, role);
     }
 }

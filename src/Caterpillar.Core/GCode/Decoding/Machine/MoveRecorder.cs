@@ -53,11 +53,11 @@ internal sealed partial class MoveRecorder(Machine machine, ExtrusionRule rule)
         _events.Clear();
     }
 
-    /// <summary>Sets the size of blocks, who takes each full block, and whether moves are kept.</summary>
-    public void Begin(int blockSize, Action<DecodedBlock>? take, bool keeps)
+    /// <summary>Sets the size of blocks, who takes each full block, and whether and where moves are kept.</summary>
+    public void Begin(int blockSize, Action<DecodedBlock>? take, bool keeps, PageFile<ToolpathColumns>? file)
     {
         _take = take;
-        _moves = new BlockCollector(blockSize, keeps);
+        _moves = new BlockCollector(blockSize, keeps, file);
     }
 
     /// <summary>The finished toolpath.</summary>
@@ -275,7 +275,7 @@ internal sealed partial class MoveRecorder(Machine machine, ExtrusionRule rule)
         var first = _taken;
         while (_taken < _events.Count && _events[_taken].Move < _moves.Count) _taken++;
         return new DecodedBlock(
-            full, full.Layer, _moves.Count - full.Count, _events.GetRange(first, _taken - first).ToArray(), _start, Layers.Thicknesses());
+            full, _moves.Count - full.Count, _events.GetRange(first, _taken - first).ToArray(), _start, Layers.Thicknesses());
     }
 
     // Where the first move begins; from there on the axes are known.

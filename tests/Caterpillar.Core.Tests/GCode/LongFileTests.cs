@@ -1,0 +1,148 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
+using Caterpillar.Flavors;
+using Caterpillar.GCode;
+using Caterpillar.Geometry;
+using Caterpillar.Jobs;
+using Caterpillar.Machines;
+using Caterpillar.Simulation;
+using Caterpillar.Toolpaths;
+using Newtonsoft.Json;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.GCode;
+
+/// <summary>Moves and text that do not fit into memory are kept in a file. Nothing else changes.</summary>
+public class LongFileTests
+{
+    // So little that nothing stays in memory.
+    private static readonly MemoryLimit Least = new(1);
+
+    private static readonly Dictionary<string, FileEdits> Edits = new()
+    {
+        ["speed"] = new FileEdits { Speed = 0.9 },
+        ["flow"] = new FileEdits { Flow = 1.1 },
+        ["move"] = new FileEdits { Move = new Vec3(1, 2) },
+        ["scale"] = new FileEdits { Scale = new Vec3(0.5, 0.5, 0.5) },
+        ["pause"] = new FileEdits { PauseAtLayers = [2] },
+        ["remove"] = new FileEdits { Remove = true, Filter = new MoveFilter { FirstLayer = 3, LastLayer = 4 } },
+        ["arcs"] = new FileEdits { FitArcs = 0.05 },
+    };
+
+    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Chosen))]
+    public void A_file_has_the_same_moves(string file)
+    {
+        var bytes = GCodeFiles.Bytes(file);
+        var (whole, parts) = (GCodeDecoder.Decode(bytes).Value!, InParts(bytes));
+        AssertSame(whole.Toolpath, parts.Toolpath);
+        Assert.That(parts.Report.ToJson(), Is.EqualTo(whole.Report.ToJson()));
+        Assert.That(parts.Document!.ToBytes().SequenceEqual(whole.Document!.ToBytes()), Is.True);
+    }
+
+    [Test]
+    public void Random_programs_have_the_same_moves()
+    {
+        FlavorRules[] flavors = [.. FlavorTable.All.Where(f => f.ExtruderLetters.Length > 0)];
+        for (var seed = 0; seed < 200; seed++)
+        {
+            var random = new Random(seed);
+            var bytes = Encoding.UTF8.GetBytes(RandomProgram.Text(random, flavors[random.Next(flavors.Length)]));
+            AssertSame(GCodeDecoder.Decode(bytes).Value!.Toolpath, InParts(bytes).Toolpath);
+        }
+    }
+
+    [TestCase("hand_arcs_helix_planes.gcode")]
+    [TestCase("cu_tube_spiralize.gcode")]
+    [TestCase("ps_overlap_two_tools.gcode")]
+    public void Edits_and_conversions_write_the_same_bytes(string file)
+    {
+        var bytes = GCodeFiles.Bytes(file);
+        var (whole, parts) = (GCodeDecoder.Decode(bytes).Value!, InParts(bytes));
+        foreach (var edit in Edits)
+        {
+            var expected = new FileJob(whole).Edit(edit.Value).Value;
+            Assert.That(Written(new FileJob(parts).Edit(edit.Value).Value), Is.EqualTo(Written(expected)), edit.Key);
+        }
+        ConvertOptions[] targets = [new() { RelativeE = true }, new() { DecimalsXyz = 2 }, new() { ExpandArcs = true }];
+        foreach (var target in targets)
+            Assert.That(Written(new FileJob(parts) { Target = target }), Is.EqualTo(Written(new FileJob(whole) { Target = target })), target.ToString());
+    }
+
+    [TestCase("cu_overlap_bfb_M101.gcode")]
+    [TestCase("s3r_nested_smoothie_volE_fwr.gcode")]
+    public void Checks_find_the_same(string file)
+    {
+        var bytes = GCodeFiles.Bytes(file);
+        var setup = new PrintSetup();
+        Assert.That(PrintCheck.Run(InParts(bytes), setup).Select(d => d.ToString()),
+            Is.EqualTo(PrintCheck.Run(GCodeDecoder.Decode(bytes).Value!, setup).Select(d => d.ToString())));
+    }
+
+    [TestCase("ps_plate_smoothie_volE_fwr.gcode")]
+    [TestCase("hand_arcs_ij_r.gcode")]
+    [TestCase("ps_overlap_two_tools.gcode")]
+    public void Statistics_of_blocks_of_any_size_are_those_of_the_timeline(string file)
+    {
+        var toolpath = GCodeDecoder.Decode(GCodeFiles.Bytes(file)).Value!.Toolpath;
+        foreach (var cornering in (Cornering[])Enum.GetValues(typeof(Cornering)))
+        {
+            var setup = new PrintSetup { Printer = new Printer { Cornering = cornering, NozzleHeating = 2, BedHeating = 0.5 } };
+            var expected = JsonConvert.SerializeObject(PrintStatistics.Of(Timeline.Of(toolpath, setup)));
+            foreach (var size in new[] { 1, 7, 1000, ToolpathBlock.Capacity })
+                Assert.That(JsonConvert.SerializeObject(PrintStatistics.Of(Cut(toolpath, size), setup)), Is.EqualTo(expected), $"{cornering} {size}");
+        }
+    }
+
+    private static DecodedGCode InParts(byte[] bytes)
+    {
+        using var stream = new MemoryStream(bytes);
+        var document = GCodeDocument.Read(stream, "", Least).Value!;
+        return GCodeDecoder.Decode(document, new DecodeOptions { Memory = Least }).Value!;
+    }
+
+    private static Toolpath Cut(Toolpath toolpath, int size)
+    {
+        var builder = new ToolpathBuilder(toolpath.Source, toolpath.Start) { FirstSize = size, BlockSize = size };
+        foreach (var block in toolpath.Blocks) builder.Add(block.Columns, 0, block.Count);
+        return toolpath.With(builder.Build(toolpath.Tools).Blocks);
+    }
+
+    private static byte[]? Written(FileJob? job)
+    {
+        if (job is null) return null;
+        using var stream = new MemoryStream();
+        return job.Write(stream, "a.gcode", null, "a test").Value is null ? null : stream.ToArray();
+    }
+
+    private static void AssertSame(Toolpath a, Toolpath b)
+    {
+        Assert.That(b.Blocks.Select(block => block.Count), Is.EqualTo(a.Blocks.Select(block => block.Count)));
+        Assert.That((b.HasTurns, b.Start), Is.EqualTo((a.HasTurns, a.Start)));
+        for (var i = 0; i < a.Blocks.Count; i++)
+        {
+            var (c, d) = (a.Blocks[i].Columns, b.Blocks[i].Columns);
+            foreach (var (one, other) in Numbers(c).Zip(Numbers(d), (one, other) => (one, other)))
+            {
+                Assert.That(other is null, Is.EqualTo(one is null));
+                if (one is not null) AssertSame(Bits(one), Bits(other!), c.Count);
+            }
+            AssertSame(c.Kind, d.Kind, c.Count);
+            AssertSame(c.Role, d.Role, c.Count);
+            AssertSame(c.Tool, d.Tool, c.Count);
+            AssertSame(c.Layer, d.Layer, c.Count);
+            AssertSame(c.Source, d.Source, c.Count);
+            Assert.That((d.Arcs, d.ArcMoves), Is.EqualTo((c.Arcs, c.ArcMoves)));
+        }
+    }
+
+    private static void AssertSame<T>(T[] a, T[] b, int count) => Assert.That(b.Take(count).SequenceEqual(a.Take(count)), Is.True);
+
+    private static long[] Bits(double[] column) => Array.ConvertAll(column, BitConverter.DoubleToInt64Bits);
+
+    private static double[]?[] Numbers(ToolpathColumns c) => [c.X, c.Y, c.Z, c.E, c.Deposited, c.Speed, c.A, c.B, c.C];
+}
