@@ -27,8 +27,8 @@ internal static class App
             general.Apply(parsed, session);
             if (isBatch) return Batch.Run(verb, parsed, session);
             verb.Batch?.RefuseAlone(parsed);
-            OutputGuard.Check(verb, parsed);
-            OutputGuard.CheckFolders(parsed);
+            FileGuard.Check(verb, parsed);
+            FileGuard.CheckFolders(parsed);
             return verb.Run(parsed, session);
         });
     }

@@ -66,7 +66,7 @@ internal sealed class Batch
         var parsed = verb.Parse(BatchCall.Words(verb, job, 1));
         var problems = parsed.Errors.Count > 0 || UsageMessages.UnknownOption(parsed) is not null ? UsageMessages.Of(parsed, verb).ToArray() : [];
         if (problems.Length > 0) throw new CliException(ExitCode.Usage, string.Join("\n", problems) + $"\nSee: caterpillar {verb.Name} --help");
-        OutputGuard.Check(verb, parsed);
+        FileGuard.Check(verb, parsed);
     }
 
     private void Work(MemoryLimit share, int threads)

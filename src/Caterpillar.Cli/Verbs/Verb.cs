@@ -3,7 +3,7 @@ namespace Caterpillar.Cli;
 /// <summary>A verb of the program. Its file declares its arguments and options and does its work; <see cref="Verbs"/> lists it.</summary>
 /// <param name="name">The word of the command line.</param>
 /// <param name="description">What it does, in a sentence.</param>
-/// <param name="writes">Kinds of files that it writes, in the words of <see cref="OutputGuard"/>.</param>
+/// <param name="writes">Kinds of files that it writes, in the words of <see cref="FileGuard"/>.</param>
 /// <param name="ending">The usual extension of its output, such as <c>.gcode</c>; null if it writes no file.</param>
 internal abstract class Verb(string name, string description, string[]? writes = null, string? ending = null) : Command(name, description)
 {

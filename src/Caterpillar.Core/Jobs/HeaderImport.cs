@@ -65,7 +65,7 @@ internal static class HeaderImport
             problems.Add(Severity.Note, "header.e_mode", "The header has neither M82 nor M83. The printer uses relative E (M83).",
                 new SourceLocation(headerFile));
         }
-        var material = new Material { Name = name, Title = name, NozzleTemperature = Math.Min(nozzle, 2000), BedTemperature = Math.Min(bed, 500) };
+        var material = new Material { Name = name, Title = name, NozzleTemperature = nozzle, BedTemperature = Math.Min(bed, 500) };
         if (nozzle > 0) printer = printer with { DefaultMaterial = name };
         return new Result<ImportedProfiles>(new ImportedProfiles([printer], [material], [], start.Position), problems.ToList());
     }

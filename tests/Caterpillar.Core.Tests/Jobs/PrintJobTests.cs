@@ -41,7 +41,7 @@ public class PrintJobTests
 
     [Test]
     public void A_job_that_is_not_written_can_be_thrown_away()
-        => PrintJob.Slice(Model("vase.stl"), Setup).OrThrow().Dispose();
+        => PrintJob.Slice(Model("bracket.stl"), Setup).OrThrow().Dispose();
 
     [Test]
     public void Writing_is_canceled_by_its_own_token()

@@ -1,7 +1,7 @@
 namespace Caterpillar.Cli;
 
-/// <summary>Checks before any work begins that outputs can be written, that none is an input, and that extensions fit the verb.</summary>
-internal static class OutputGuard
+/// <summary>Checks before any work begins that extensions of inputs and outputs fit the verb, that outputs can be written, and that none is an input.</summary>
+internal static class FileGuard
 {
     // Options whose values are input files. All arguments are.
     private static readonly string[] Inputs = ["--printer", "--material", "--settings", "--import", "--base"];
@@ -37,10 +37,10 @@ internal static class OutputGuard
         }
     }
 
-    // Designs; other verbs recognize G-code by its contents.
+    // Verbs without an extension of their own recognize files by their contents.
     private static void CheckInput(string file, string verb)
     {
-        if (verb is not ("slice" or "curves" or "turtle") || !Kinds.TryGetValue(Path.GetExtension(file), out var named)) return;
+        if (Kinds.Values.All(k => k.Reader != verb) || !Kinds.TryGetValue(Path.GetExtension(file), out var named)) return;
         if (named.Reader is "" || named.Reader == verb) return;
         throw new CliException(ExitCode.Usage, $"{file} is {named.Kind}. To print it, use \"caterpillar {named.Reader}\".");
     }

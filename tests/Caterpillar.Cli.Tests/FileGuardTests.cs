@@ -4,7 +4,7 @@ using NUnit.Framework;
 namespace Caterpillar.Cli.Tests;
 
 /// <summary>No verb may destroy what it reads, or write one kind of file under the name of another.</summary>
-public class OutputGuardTests : CliFixture
+public class FileGuardTests : CliFixture
 {
     private const string Program = "G90\nM83\nG1 X10 Y10 Z0.2 F3000\nG1 X20 E1 F1200\n";
 
