@@ -49,7 +49,7 @@ arithmetic=
 for room in Architecture Checks Curved Geometry Planning Simulation Slicing Toolpaths; do
   arithmetic="$arithmetic&FullyQualifiedName!~Caterpillar.Tests.$room."
 done
-runtime="(${arithmetic#&}&TestCategory!=Arithmetic)|FullyQualifiedName~Caterpillar.Tests.Geometry.Meshes.|TestCategory=Runtime"
+runtime="(${arithmetic#&}&TestCategory!=Arithmetic)|(FullyQualifiedName~Caterpillar.Tests.Geometry.Meshes.&TestCategory!=Arithmetic)|TestCategory=Runtime"
 host="TestCategory=Host"
 if [ "$full" = yes ]; then
   export CATERPILLAR_FULL=1

@@ -159,7 +159,7 @@ public class CurvedSliceTests : CliFixture
     [Test]
     public void The_tool_tilts_along_the_layers_where_asked()
     {
-        File.WriteAllText("part.stl", Box(20, 10, 3));
+        File.WriteAllText("part.stl", Box(8, 5, 1));
         Assert.That(Run("slice", "part.stl", "--surface", "0.2 * x", "--tilt", "normal", "--set", Head).Code, Is.Zero);
         Assert.That(File.ReadAllText("part.gcode"), Does.Contain(" B-11.31"), "C need not turn");
         var table = Run("slice", "part.stl", "--surface", "0.2 * x", "--tilt", "normal", "--max-tilt", "5", "--set", "rotary_axes=A work x,C work z");

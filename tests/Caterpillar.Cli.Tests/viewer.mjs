@@ -164,10 +164,12 @@ async function keyboard() {
   }
   for (const control of ["Fold or unfold the panel", "Last layer", "Position in the print", "Play"]) if (!seen.includes(control)) fault("Tab does not reach " + control);
   await value("document.getElementById('view').focus()");
+  let before = await picture();
   for (const [key, shift, what] of [["l", false, "rotate"], ["L", true, "pan"], ["+", false, "zoom"], ["ArrowDown", false, "layers"], ["ArrowLeft", true, "moves"]]) {
-    const before = await picture();
     await press(key, shift);
-    if (before.equals(await picture())) fault(`${key} changes nothing (${what})`);
+    const after = await picture();
+    if (before.equals(after)) fault(`${key} changes nothing (${what})`);
+    before = after;
   }
 }
 

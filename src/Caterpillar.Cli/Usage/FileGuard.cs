@@ -37,10 +37,10 @@ internal static class FileGuard
         }
     }
 
-    // Verbs without an extension of their own recognize files by their contents.
+    // Designs; verbs for G-code recognize it by its contents.
     private static void CheckInput(string file, string verb)
     {
-        if (Kinds.Values.All(k => k.Reader != verb) || !Kinds.TryGetValue(Path.GetExtension(file), out var named)) return;
+        if (!Kinds.Values.Any(k => k.Reader == verb && k.Kind != "G-code") || !Kinds.TryGetValue(Path.GetExtension(file), out var named)) return;
         if (named.Reader is "" || named.Reader == verb) return;
         throw new CliException(ExitCode.Usage, $"{file} is {named.Kind}. To print it, use \"caterpillar {named.Reader}\".");
     }

@@ -29,7 +29,7 @@ public sealed record TurtleOptions
         {
             Extrusion = setup.Extrusion,
             Shape = setup.Settings.BeadShape,
-            MaxLiftSpeed = setup.Printer.MaxSpeed.Z > 0 ? setup.Printer.MaxSpeed.Z : double.PositiveInfinity,
+            MaxLiftSpeed = setup.Printer.MaxSpeed.Z,
         };
     }
 }

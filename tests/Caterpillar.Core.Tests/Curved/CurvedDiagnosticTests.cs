@@ -35,9 +35,10 @@ public class CurvedDiagnosticTests
     [Test]
     public void Beside_a_surface_a_partial_print_with_layers_along_its_normals_ends()
     {
+        var part = Solids.Block(-6, -6, 0, 6, 6, 2);
         var field = LayerField.Offset(Plane(-20, 3, 0.1));
-        Assert.That(CurvedSolids.Try(field, CurvedSolids.Massive, null, Part).Diagnostics.Single().Code, Is.EqualTo("curved.outside_plan"));
-        var partial = CurvedSolids.Try(field, CurvedSolids.Massive, new CurvedOptions { Partial = true }, Part);
+        Assert.That(CurvedSolids.Try(field, CurvedSolids.Massive, null, part).Diagnostics.Single().Code, Is.EqualTo("curved.outside_plan"));
+        var partial = CurvedSolids.Try(field, CurvedSolids.Massive, new CurvedOptions { Partial = true }, part);
         Assert.That(partial.Diagnostics.Select(d => (d.Code, d.Severity)), Does.Contain(("curved.outside_plan", Severity.Warning)));
         Assert.That(partial.Value!.Layers.SelectMany(CurvedSolids.Points).Max(p => p.X), Is.EqualTo(3).Within(0.1));
     }

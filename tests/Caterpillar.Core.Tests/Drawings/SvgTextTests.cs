@@ -59,6 +59,7 @@ public class SvgTextTests
         Assert.That(Read("<g id=\"a\"><use href=\"#a\"/></g>").Diagnostics.Single().ToString(), Does.StartWith("a.svg:2:").And.Contain("refer to each other"));
     }
 
+    [Category("Arithmetic")]
     [Test]
     public void Uses_that_multiply_stop_at_their_limit()
     {

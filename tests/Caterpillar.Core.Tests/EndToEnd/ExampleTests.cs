@@ -24,6 +24,7 @@ public class ExampleTests
     public void Example_models_are_sliced_to_the_golden_bytes(string model, string culture)
         => Golden.Check("slice/" + model + ".gcode", Golden.Under(culture, () => Slice(model, culture == "tr-TR" ? 1 : 3)));
 
+    [Category("Arithmetic")]
     [TestCase("none")]
     [TestCase("tree")]
     public void The_first_print_of_the_manual_has_no_findings(string support)

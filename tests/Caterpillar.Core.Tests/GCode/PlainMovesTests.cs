@@ -13,6 +13,7 @@ namespace Caterpillar.Tests.GCode;
 /// <summary>The fast path of the splicer writes byte for byte what the general path does.</summary>
 public class PlainMovesTests
 {
+    [Category("Arithmetic")]
     [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Chosen))]
     public void Files_are_converted_alike(string file)
     {
@@ -20,6 +21,7 @@ public class PlainMovesTests
         foreach (var options in Rounds.InTurn(Conversions(), GCodeFiles.NumberOf(file), 2)) Compare(decoded, options);
     }
 
+    [Category("Arithmetic")]
     [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Chosen))]
     public void Files_are_edited_alike(string file)
     {

@@ -12,6 +12,7 @@ namespace Caterpillar.Tests.GCode;
 /// <summary>Round trips of the shared files, compared move by move (<see cref="SameMoves"/>).</summary>
 public class RoundTripTests
 {
+    [Category("Arithmetic")]
     [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Affordable))]
     public void Every_move_marked_as_changed_is_rewritten(string file)
     {

@@ -15,7 +15,8 @@ namespace Caterpillar.Tests.Jobs;
 [Category("Arithmetic")]
 public class FileEditDetailTests
 {
-    private const string Text = "G28\nM109 S200\nM83\n;LAYER:0\n;HEIGHT:0.2\nG1 X50 Y50 Z0.2 F3000\nG1 X70 E0.7\n;LAYER:1\nG1 Z0.4\nG1 X50 E0.7\n;LAYER:2\nG1 Z0.6\nG1 X70 E0.7\n";
+    private const string Text = "G28\nM109 S200\nM83\n;LAYER:0\n;HEIGHT:0.2\nG1 X50 Y50 Z0.2 F3000\nG1 X70 E0.7\n;LAYER:1\n"
+        + "G1 Z0.4\nG1 X50 E0.7\n;LAYER:2\nG1 Z0.6\nG1 X70 E0.7\n";
 
     private static Toolpath Decoded(string text = Text) => GCodeDecoder.Decode(GCodeDocument.FromText(text)).OrThrow().Toolpath;
 
@@ -66,7 +67,8 @@ public class FileEditDetailTests
     {
         var layer = new FileEdits { Filter = new MoveFilter { FirstLayer = 1, LastLayer = 1 }, Remove = true }.Apply(Decoded()).OrThrow();
         Assert.That(layer.Moves().Count(m => m.Layer == 1), Is.Zero);
-        var box = new FileEdits { Filter = new MoveFilter { Box = new Bounds(new Vec3(0, 0, 0.3), new Vec3(99, 99, 0.5)) }, Remove = true }.Apply(Decoded()).OrThrow();
+        var inBox = new MoveFilter { Box = new Bounds(new Vec3(0, 0, 0.3), new Vec3(99, 99, 0.5)) };
+        var box = new FileEdits { Filter = inBox, Remove = true }.Apply(Decoded()).OrThrow();
         Assert.That(box.Moves().Where(m => m.Layer == 1).Select(m => m.Kind), Is.Not.Empty.And.All.EqualTo(MoveKind.Travel));
     }
 

@@ -30,7 +30,8 @@ public class PrintCodeTests
 
     [Test]
     public void Code_that_a_slicer_marks_as_custom_keeps_its_moves()
-        => Assert.That(Lines(Of(Start + Layers + "G1 X9\n;TYPE:Custom\n" + End).EndGCode), Does.StartWith("G90 ; as set by the header|G0 X0 Y0|").And.Contain("|G1 Z20|"));
+        => Assert.That(Lines(Of(Start + Layers + "G1 X9\n;TYPE:Custom\n" + End).EndGCode),
+            Does.StartWith("G90 ; as set by the header|G0 X0 Y0|").And.Contain("|G1 Z20|"));
 
     [Test]
     public void The_end_may_come_from_another_file_or_another_print()
@@ -49,12 +50,14 @@ public class PrintCodeTests
 
     [Test]
     public void Three_heights_without_marks_are_a_print()
-        => Assert.That(Lines(Of("G28\nM83\nG1 X0 Y5 Z0.2\nG1 X100 E9\nG1 Z0.4\nG1 X0 E9\nG1 Z0.6\nG1 X100 E9\nM84").StartGCode), Does.StartWith("G28|M83").And.Not.Contain("E9"));
+        => Assert.That(Lines(Of("G28\nM83\nG1 X0 Y5 Z0.2\nG1 X100 E9\nG1 Z0.4\nG1 X0 E9\nG1 Z0.6\nG1 X100 E9\nM84").StartGCode),
+            Does.StartWith("G28|M83").And.Not.Contain("E9"));
 
     [Test]
     public void A_file_that_names_its_firmware_has_that_flavor()
     {
-        Assert.That(Of(";FLAVOR:RepRap\n; generated for RepRapFirmware\nM83\nM106 P0 S0.5\nG10 P0 S200\nM98 P\"a.g\"\nG28").Flavor.Name, Is.EqualTo("reprapfirmware"));
+        Assert.That(Of(";FLAVOR:RepRap\n; generated for RepRapFirmware\nM83\nM106 P0 S0.5\nG10 P0 S200\nM98 P\"a.g\"\nG28").Flavor.Name,
+            Is.EqualTo("reprapfirmware"));
         Assert.That(Of("G28\nM83").Flavor.Name, Is.EqualTo(new Printer().Flavor.Name));
     }
 

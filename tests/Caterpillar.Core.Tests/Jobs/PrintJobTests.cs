@@ -23,6 +23,7 @@ public class PrintJobTests
 
     private static string Model(string name) => Path.Combine(TestData.Repository, "examples", "models", name);
 
+    [Category("Arithmetic")]
     [Test]
     public void A_sliced_model_is_the_file_of_reading_slicing_planning_and_writing()
     {

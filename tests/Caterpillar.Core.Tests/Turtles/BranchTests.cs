@@ -25,6 +25,7 @@ public class BranchTests
     };
 
     // Branches that climb, sink, cross each other and lie flat.
+    [Category("Arithmetic")]
     [Test]
     public void Random_branches_return_through_nothing_or_say_so([Values] PlanPolicy policy)
     {

@@ -38,6 +38,7 @@ internal sealed class ExampleTests
         return run.Value!;
     }
 
+    [Category("Arithmetic")]
     [TestCaseSource(nameof(Names))]
     public void Programs_give_what_their_recipes_say(string name)
     {
@@ -166,6 +167,7 @@ internal sealed class ExampleTests
         ["parameter_test"] = Of(20 * 100, new Vec3(160, 125, 5.2), 4 * 25 * 80 * (0.02 + 0.035 + 0.05 + 0.065 + 0.08)),
     };
 
+    [Category("Arithmetic")]
     [TestCase("seven_star", "seven_star")]
     [TestCase("bumpy_star", "bumpy_star")]
     [TestCase("tall_bumpy_star", "tall_bumpy_star")]

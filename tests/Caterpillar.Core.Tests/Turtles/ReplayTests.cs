@@ -20,6 +20,7 @@ internal sealed class ReplayTests
 
     private static JObject Truth(string file) => JObject.Parse(File.ReadAllText(file));
 
+    [Category("Arithmetic")]
     [TestCaseSource(nameof(Programs))]
     public void Command_lists_replay_to_their_numbers(string name)
     {

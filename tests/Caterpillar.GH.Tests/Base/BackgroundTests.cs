@@ -30,6 +30,7 @@ public sealed class BackgroundTests
     {
         var slow = Slow(out var feed);
         slow.Gate.Reset();
+        slow.Background.UsualPatience = new SlowComponent().Background.UsualPatience;
         var time = Stopwatch.StartNew();
         feed("a");
         Assert.That(time.Elapsed.TotalSeconds, Is.GreaterThan(0.4), "The solution waits for half a second.");
@@ -146,6 +147,7 @@ public sealed class BackgroundTests
     {
         var slow = Slow(out var feed);
         slow.Gate.Reset();
+        slow.Background.UsualPatience = new SlowComponent().Background.UsualPatience;
         feed("a");
         Assert.That(slow.Background.Patience, Is.EqualTo(500));
         feed("b");

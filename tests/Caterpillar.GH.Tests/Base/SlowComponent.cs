@@ -13,6 +13,8 @@ namespace Caterpillar.GH.Tests.Base;
 /// <summary>A component whose work takes as long as a test wants.</summary>
 internal sealed class SlowComponent() : CaterpillarComponent("Slow", "Slow", "Takes its time.", "Test")
 {
+    // Milliseconds.
+    private const int Long = 20_000;
     private readonly Queue<Action> _posted = new();
 
     public override Guid ComponentGuid => new("5f0c3d0e-7c0e-4a3e-9a51-6f7f2c7c0f11");
@@ -28,10 +30,11 @@ internal sealed class SlowComponent() : CaterpillarComponent("Slow", "Slow", "Ta
     /// <summary>How often it was solved for an item.</summary>
     public int Solved;
 
-    /// <summary>Its work may outlive a solution, as on the canvas.</summary>
+    /// <summary>Its work may outlive a solution, as on the canvas. While the gate is open, solutions wait for it however busy the machine is.</summary>
     public SlowComponent OnCanvas()
     {
         Background.MayLeave = _ => true;
+        Background.UsualPatience = Long;
         Background.Post = action =>
         {
             lock (_posted) _posted.Enqueue(action);
@@ -49,7 +52,7 @@ internal sealed class SlowComponent() : CaterpillarComponent("Slow", "Slow", "Ta
     public void Open()
     {
         Gate.Set();
-        Background.UsualPatience = 500;
+        Background.UsualPatience = Long;
     }
 
     /// <summary>Lets time pass as in Rhino, until something is true or so many seconds are over.</summary>

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Concurrent;
 using System.IO;
 using System.Linq;
 using Caterpillar.GH.Components.Setup;
@@ -14,12 +15,16 @@ namespace Caterpillar.GH.Tests.Components;
 [Category("Host")]
 public sealed class SetupTests
 {
+    private readonly ConcurrentQueue<Action> _posted = new();
     private string _folder = "";
     private string _settings = "";
 
     [SetUp]
     public void SetUp()
     {
+        while (_posted.TryDequeue(out _))
+        {
+        }
         _folder = Path.Combine(Path.GetTempPath(), "caterpillar-" + Guid.NewGuid().ToString("N"));
         Directory.CreateDirectory(_folder);
         _settings = Folders.Settings;
@@ -87,18 +92,12 @@ public sealed class SetupTests
         var canvas = Watched();
         Assert.That(canvas.One<Printer>("Printer").Title, Is.EqualTo("Changed"));
         File.WriteAllText(Path.Combine(printers, "generic.json"), "{\"inherits\": \"generic\", \"title\": \"Again\"}");
-        var until = DateTime.UtcNow.AddSeconds(10);
-        while (canvas.Document.ScheduledCount == 0 && DateTime.UtcNow < until) System.Threading.Thread.Sleep(20);
-        if (canvas.Document.ScheduledCount == 0) Assert.Ignore("This file system does not report changes.");
-        System.Threading.Thread.Sleep(100);
-        canvas.Document.RunSchedule();
-        Assert.That(canvas.One<Printer>("Printer").Title, Is.EqualTo("Again"));
+        WaitFor(canvas, "Again");
         canvas.Component.DocumentContextChanged(canvas.Document, GH_DocumentContext.Unloaded);
         canvas.Component.DocumentContextChanged(canvas.Document, GH_DocumentContext.Loaded);
         Assert.That(canvas.Document.RunSchedule(), Is.True, "Back from another document it reads the profiles again.");
         File.WriteAllText(Path.Combine(printers, "generic.json"), "{\"inherits\": \"generic\", \"title\": \"Third\"}");
-        WaitFor(canvas);
-        Assert.That(canvas.One<Printer>("Printer").Title, Is.EqualTo("Third"), "And watches them.");
+        WaitFor(canvas, "Third");
         canvas.Document.RemoveObject(canvas.Component, false);
     }
 
@@ -110,26 +109,35 @@ public sealed class SetupTests
         var printers = Path.Combine(_folder, "Caterpillar", "printers");
         Directory.CreateDirectory(printers);
         File.WriteAllText(Path.Combine(printers, "generic.json"), "{\"inherits\": \"generic\", \"title\": \"Later\"}");
-        WaitFor(canvas);
-        Assert.That(canvas.One<Printer>("Printer").Title, Is.EqualTo("Later"));
+        WaitFor(canvas, "Later");
         canvas.Document.RemoveObject(canvas.Component, false);
     }
 
-    // What Rhino would run on its UI thread is run at once.
-    private static Canvas<PrinterComponent> Watched()
+    // What Rhino would run on its UI thread waits for that of the test.
+    private Canvas<PrinterComponent> Watched()
     {
         var canvas = new Canvas<PrinterComponent>();
-        canvas.Component.Background.Post = action => action();
+        canvas.Component.Background.Post = _posted.Enqueue;
         return canvas.Solve();
     }
 
-    private static void WaitFor(Canvas<PrinterComponent> canvas)
+    private void WaitFor(Canvas<PrinterComponent> canvas, string title)
     {
-        var until = DateTime.UtcNow.AddSeconds(10);
-        while (canvas.Document.ScheduledCount == 0 && DateTime.UtcNow < until) System.Threading.Thread.Sleep(20);
-        if (canvas.Document.ScheduledCount == 0) Assert.Ignore("This file system does not report changes.");
-        System.Threading.Thread.Sleep(100);
-        canvas.Document.RunSchedule();
+        var (isTold, until) = (false, DateTime.UtcNow.AddSeconds(10));
+        while (canvas.One<Printer>("Printer").Title != title && DateTime.UtcNow < until)
+        {
+            if (_posted.TryDequeue(out var action))
+            {
+                isTold = true;
+                action();
+            }
+            else if (!canvas.Document.RunSchedule())
+            {
+                System.Threading.Thread.Sleep(5);
+            }
+        }
+        if (!isTold) Assert.Ignore("This file system does not report changes.");
+        Assert.That(canvas.One<Printer>("Printer").Title, Is.EqualTo(title));
     }
 
     [Test]

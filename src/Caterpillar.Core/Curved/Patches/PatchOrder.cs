@@ -14,7 +14,7 @@ internal static class PatchOrder
     {
         var several = layers.Any(l => !l.Support.IsEmpty || l.Region.Contours.Count(c => c.SignedAreaXY > 0) > 1)
             || layers.Select(l => l.Layer.Object).Distinct().Count() > 1;
-        if (!several || printer.HeadOutline.Count == 0) return layers;
+        if (!several) return layers;
         var size = layers.Aggregate(Bounds.Empty, (b, l) => b.Include(l.Region.Bounds)).Size;
         var cell = Math.Max(1, size.LengthXY / 300);
         var found = new IReadOnlyList<LayerPatch>[layers.Length];

@@ -9,13 +9,13 @@ internal static class HeadSlope
     /// <param name="rise">Height between the lowest and the highest point of a layer, mm: parts of the head higher up touch nothing.</param>
     public static double Limit(Printer printer, double span, double rise)
     {
-        var tip = printer.HeadOutline.Count > 0 ? printer.HeadOutline[0].Radius : 0;
+        var tip = printer.HeadOutline[0].Radius;
         var limit = 90.0;
         for (var i = 1; i < printer.HeadOutline.Count; i++)
         {
             // The outline rises straight from the point before: its inner end is the lowest.
             var (inner, outer) = (printer.HeadOutline[i - 1], printer.HeadOutline[i]);
-            if (inner.Radius < span && outer.Radius > tip && inner.Height < rise) limit = Math.Min(limit, Reach(outer.Radius, outer.Height, inner));
+            if (inner.Radius < span && inner.Height < rise) limit = Math.Min(limit, Reach(outer.Radius, outer.Height, inner));
         }
         foreach (var box in printer.HeadBoxes)
         {
@@ -32,7 +32,7 @@ internal static class HeadSlope
             if (radius > span) share = Math.Min(share, (span - inner.Radius) / (radius - inner.Radius));
             if (height > rise) share = Math.Min(share, (rise - inner.Height) / (height - inner.Height));
             var (r, h) = (inner.Radius + (radius - inner.Radius) * share, inner.Height + (height - inner.Height) * share);
-            return r > tip ? Angle.Atan2(h, r - tip) : 90;
+            return Angle.Atan2(h, r - tip);
         }
     }
 

@@ -60,9 +60,7 @@ internal static class Equivalents
                 if (!string.Equals(says, brace, StringComparison.OrdinalIgnoreCase)) return null;
                 continue;
             }
-            if (says is null) continue;
-            var (name, factor) = Name(brace);
-            values[name] = Times(says, factor);
+            if (says is not null) values[brace] = says;
         }
         return values.Count > 0 || cell.Count == 1 || cell.Skip(1).All(w => w.Key != "{" && w.Value.IndexOf("{", StringComparison.Ordinal) < 0) ? values : null;
     }
@@ -80,24 +78,14 @@ internal static class Equivalents
                 filled.Add(part);
                 continue;
             }
-            var (name, factor) = Name(part.Substring(open));
-            if (!values.TryGetValue(name, out var value))
+            if (!values.TryGetValue(part.Substring(open), out var value))
             {
                 lacks = true;
                 continue;
             }
             has = true;
-            filled.Add(part.Substring(0, open) + Times(value, 1 / factor));
+            filled.Add(part.Substring(0, open) + value);
         }
         return lacks && !has ? "" : string.Join(" ", filled);
-    }
-
-    private static string Times(string value, double factor)
-        => factor != 1 && NumberReader.TryParse(value, out var number) ? NumberFormatter.Format(number * factor, 5) : value;
-
-    private static (string Name, double Factor) Name(string brace)
-    {
-        var parts = brace.Trim('{', '}').Split('*');
-        return (parts[0], parts.Length > 1 && NumberReader.TryParse(parts[1], out var factor) ? factor : 1);
     }
 }

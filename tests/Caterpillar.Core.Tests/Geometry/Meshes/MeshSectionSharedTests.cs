@@ -8,6 +8,7 @@ using NUnit.Framework;
 namespace Caterpillar.Tests.Geometry.Meshes;
 
 /// <summary>Plane sections against the exact ones of the shared test data.</summary>
+[Category("Arithmetic")]
 [TestFixture]
 public class MeshSectionSharedTests
 {

@@ -9,6 +9,7 @@ using NUnit.Framework;
 namespace Caterpillar.Tests.Geometry.Meshes;
 
 /// <summary>Measures of sections by non-zero winding against the exact ones of the shared test data, within 1e-6 relative.</summary>
+[Category("Arithmetic")]
 [TestFixture]
 public class SectionReportTests
 {

@@ -91,6 +91,7 @@ public class ThreeMfTests
         Assert.That(error.Source!.Line, Is.GreaterThan(0));
     }
 
+    [Category("Arithmetic")]
     [Test]
     public void Components_that_multiply_are_stopped()
     {
