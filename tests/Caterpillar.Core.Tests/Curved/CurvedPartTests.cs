@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Caterpillar.Basics;
 using Caterpillar.Curved;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
@@ -221,6 +222,19 @@ public class CurvedPartTests
         Assert.That(PlanSurface.OnBed(mesh.Moved(new Vec3(0, 0, -2))).Height(x, y), Is.EqualTo(plan.Covers(x, y) ? Math.Max(0, height - 2) : 0).Within(1e-6));
     }
 
+    [TestCase("curved.plan_empty", 0, 0, 0)]
+    [TestCase("curved.plan_vertical", 0, 0, 5)]
+    [TestCase("curved.plan_upside_down", 0, 5, 0)]
+    public void A_surface_without_heights_is_reported(string code, double x, double y, double z)
+    {
+        var empty = x + y + z == 0;
+        var mesh = TriMesh.Create(empty ? [] : [Vec3.Zero, new Vec3(x, y, z), new Vec3(9, 0)], empty ? [] : [0, 1, 2]);
+        var problems = new DiagnosticList();
+        PlanSurface.Of(mesh).Check(problems);
+        Assert.That(problems.ToList().Select(d => d.Code), Is.EqualTo(new[] { code }));
+        Assert.That(PlanSurface.Of(mesh).Moved(new Vec3(1, 0)).Height(99, 99), Is.Not.NaN);
+    }
+
     private static TriMesh TwoTowers()
     {
         var (a, b) = (MeshMaker.Box(0, 0, 0, 10, 10, 4), MeshMaker.Box(20, 0, 0, 30, 10, 8));
@@ -316,14 +330,22 @@ public class CurvedPartTests
     [TestCase(99, 15, -10.37)]
     public void Against_overhangs_layers_fall_with_the_distance_from_the_foot(double x, double y, double height)
     {
-        var foot = Region.Rectangle(10, 10, 20, 20);
-        var bounds = new Bounds(Vec3.Zero, new Vec3(30, 30, 10));
-        var plan = new OverhangPlan(foot, bounds, 45);
-        Assert.That(plan.Height(x, y), Is.EqualTo(height).Within(x > 50 ? 0.7 : 0.03));
-        Assert.That(plan.Detail, Is.EqualTo(1));
-        Assert.That(new OverhangPlan(foot, bounds, 30).Height(x, y), Is.EqualTo(plan.Height(x, y) / Math.Sqrt(3)).Within(1e-9));
-        Assert.That(new OverhangPlan(foot, new Bounds(Vec3.Zero, new Vec3(100, 400, 10)), 45).Detail, Is.EqualTo(4));
+        Assert.That(Descending.Value.Height(x, y), Is.EqualTo(height).Within(x > 50 ? 0.7 : 0.03));
+        Assert.That(Flatter.Value.Height(x, y), Is.EqualTo(Descending.Value.Height(x, y) / Math.Sqrt(3)).Within(1e-9));
     }
+
+    [Test]
+    public void Details_against_overhangs_are_four_cells()
+    {
+        Assert.That(Descending.Value.Detail, Is.EqualTo(1));
+        Assert.That(new OverhangPlan(Region.Rectangle(10, 10, 20, 20), new Bounds(Vec3.Zero, new Vec3(9, 400, 10)), 45).Detail, Is.EqualTo(4));
+    }
+
+    private static readonly Lazy<OverhangPlan> Descending = new(() => Against(45));
+    private static readonly Lazy<OverhangPlan> Flatter = new(() => Against(30));
+
+    private static OverhangPlan Against(double degrees)
+        => new(Region.Rectangle(10, 10, 20, 20), new Bounds(Vec3.Zero, new Vec3(30, 30, 10)), degrees);
 
     [TestCase(0.5, 0, 1, 0)]
     [TestCase(0, 0.5, 0, 1)]

@@ -68,7 +68,7 @@ public class CurvedSlicerTests
     public void Layers_at_equal_distances_from_a_tube_have_its_axis_and_the_volume_between_their_cylinders()
     {
         var tube = CurvedSolids.Arch(20, 23, 60, 120, 6, 160);
-        var field = LayerField.Offset(CurvedSolids.Sheet(20, 50, 130, 8, 500));
+        var field = LayerField.Offset(CurvedSolids.Sheet(20, 50, 130, 8, 250));
         var layers = CurvedSolids.Slice(field, CurvedSolids.Massive, tube);
         Assert.That(layers, Has.Count.EqualTo(6));
         for (var i = 0; i < layers.Count; i++)

@@ -35,6 +35,11 @@ public class EquivalentTests
     public void A_line_becomes_the_lines_of_its_row(string line, string from, string to, string? expected)
         => Assert.That(Equivalents.Of(line, from, to) is { } lines ? string.Join("|", lines) : null, Is.EqualTo(expected));
 
+    [TestCase("SET_HEATER_TEMPERATURE HEATER=chamber TARGET=50", "M141 S50")]
+    [TestCase("SET_HEATER_TEMPERATURE HEATER=heater_bed TARGET=60", "M140 S60")]
+    public void Heaters_of_Klipper_are_known_by_their_names(string line, string expected)
+        => Assert.That(Equivalents.Of(line, "klipper", "marlin2"), Is.EqualTo(new[] { expected }));
+
     [TestCase("marlin2", "klipper", "M900 M420 G29")]
     [TestCase("klipper", "marlin2", "SET_PRESSURE_ADVANCE BED_MESH_PROFILE BED_MESH_CLEAR BED_MESH_CALIBRATE")]
     [TestCase("marlin2", "prusa", "G29")]

@@ -189,6 +189,14 @@ public class RoleAndRangeTests
         Assert.That(problems.Select(p => (p.Code, p.Source!.Line)), Is.EqualTo(new[] { ("import.no_parent", (int?)9) }));
     }
 
+    [Test]
+    public void Presets_without_letters_get_names_of_their_own()
+    {
+        const string Bundle = "[printer:!!!]\nnozzle_diameter = 0.6\n[printer:???]\nnozzle_diameter = 0.8\n[printer:A B]\nnozzle_diameter = 0.3\n";
+        var made = Caterpillar.Jobs.ProfileImport.Read(System.Text.Encoding.UTF8.GetBytes(Bundle), null, "x", fileName: "a.ini").OrThrow();
+        Assert.That(made.Printers.Select(p => p.Name), Is.EqualTo(new[] { "imported", "imported_2", "a_b" }));
+    }
+
     [TestCase("a = 1", true)]
     [TestCase("; note\n[print:A]\nb = 2", true)]
     [TestCase("G1 X1\na = 1", false)]
