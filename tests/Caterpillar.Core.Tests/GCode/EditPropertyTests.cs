@@ -11,6 +11,7 @@ using NUnit.Framework;
 namespace Caterpillar.Tests.GCode;
 
 /// <summary>Random edits of random programs in random styles: what is decoded from the written file is the edited toolpath, move by move.</summary>
+[Category("Arithmetic")]
 public class EditPropertyTests
 {
     private static readonly FlavorRules[] Flavors = FlavorTable.All.Where(d => d.ExtruderLetters.Length > 0).ToArray();

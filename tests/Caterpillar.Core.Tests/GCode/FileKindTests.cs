@@ -52,6 +52,7 @@ public class FileKindTests
     [TestCase("{if x}\nG1 X5\n{endif}\nM104 S[temperature]\n")]
     public void A_command_makes_G_code(string text) => Assert.That(Decode(Encoding.ASCII.GetBytes(text)).NotGCode, Is.Null);
 
+    [Category("Arithmetic")]
     [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.All))]
     public void Files_of_slicers_are_G_code(string file)
     {

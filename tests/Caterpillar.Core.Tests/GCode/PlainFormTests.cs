@@ -13,6 +13,7 @@ namespace Caterpillar.Tests.GCode;
 /// Lines in the usual form, <c>G1 X1.5 Y2 E.03</c>, are read by a short cut, and extrusions that follow each other by another one. In lower case, <c>g1</c>,
 /// the same lines take neither: bit by bit the moves must be those.
 /// </summary>
+[Category("Arithmetic")]
 public class PlainFormTests
 {
     private static readonly string[] Digits = ["", "0", "5", "12", "123", "1234", "99999999", "123456789", "00000012", "123456789012345", "1234567890123456"];

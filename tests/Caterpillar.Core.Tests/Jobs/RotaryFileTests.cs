@@ -14,6 +14,7 @@ using NUnit.Framework;
 namespace Caterpillar.Tests.Jobs;
 
 /// <summary>Files for machines with rotary axes: a bowl, printed with the tool along its normals, is written, read, checked and simulated.</summary>
+[Category("Arithmetic")]
 public class RotaryFileTests
 {
     private const double Height = 0.2;

@@ -190,6 +190,7 @@ public sealed class ProgramTests : IDisposable
     }
 
     [Test]
+    [Category("Arithmetic")]
     public void ToolpathImage()
     {
         TurtleStar.Run(Output);
