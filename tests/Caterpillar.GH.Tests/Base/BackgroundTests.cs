@@ -120,7 +120,7 @@ public sealed class BackgroundTests
     {
         var slow = Slow(out var feed);
         feed("a", "b");
-        slow.Close();
+        slow.Gate.Reset();
         GH_Document.EscapeKey = () => slow.Begun > 2;
         feed("a", "c");
         GH_Document.EscapeKey = () => false;
@@ -135,7 +135,7 @@ public sealed class BackgroundTests
     public void Escape_in_the_first_half_second_aborts_the_solution()
     {
         var slow = Slow(out var feed);
-        slow.Close();
+        slow.Gate.Reset();
         GH_Document.EscapeKey = () => slow.Begun > 0;
         feed("a");
         Assert.That(slow.Until(() => slow.Canceled == 1), Is.True);
@@ -388,6 +388,7 @@ public sealed class BackgroundTests
         {
             Recipes.Connect(_document, slow.Params.Input[0], values);
             slow.ExpireSolution(true);
+            slow.Settle();
         };
         return slow;
     }

@@ -27,6 +27,9 @@ internal sealed class SlowComponent() : CaterpillarComponent("Slow", "Slow", "Ta
 
     public int Canceled;
 
+    // Pieces of work that wait at the gate.
+    private int _held;
+
     /// <summary>How often it was solved for an item.</summary>
     public int Solved;
 
@@ -53,6 +56,17 @@ internal sealed class SlowComponent() : CaterpillarComponent("Slow", "Slow", "Ta
     {
         Gate.Set();
         Background.UsualPatience = Long;
+    }
+
+    /// <summary>
+    /// After a solution that work outlives: waits until it stands at the closed gate, and shows its progress. On a busy machine it may begin late, and what is
+    /// canceled before it begins never does.
+    /// </summary>
+    public void Settle()
+    {
+        var end = DateTime.UtcNow.AddSeconds(10);
+        while (!Gate.IsSet && Background.IsWorking && Volatile.Read(ref _held) == 0 && DateTime.UtcNow < end) Thread.Sleep(1);
+        if (Volatile.Read(ref _held) > 0) Background.Pulse();
     }
 
     /// <summary>Lets time pass as in Rhino, until something is true or so many seconds are over.</summary>
@@ -88,6 +102,7 @@ internal sealed class SlowComponent() : CaterpillarComponent("Slow", "Slow", "Ta
         {
             Interlocked.Increment(ref Begun);
             progress.Report(0.42);
+            Interlocked.Increment(ref _held);
             try
             {
                 // Work for "quick" passes a closed gate.
@@ -97,6 +112,10 @@ internal sealed class SlowComponent() : CaterpillarComponent("Slow", "Slow", "Ta
             {
                 Interlocked.Increment(ref Canceled);
                 throw;
+            }
+            finally
+            {
+                Interlocked.Decrement(ref _held);
             }
             return value == "bad" ? throw new InvalidOperationException("This is bad.") : value;
         }));
