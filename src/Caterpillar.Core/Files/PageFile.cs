@@ -12,6 +12,9 @@ internal sealed class PageFile<T>(long memory, Func<T, long> size, Action<Binary
     where T : class
 {
     private const int BufferSize = 64 * 1024;
+
+    // Parts in memory, whatever their size.
+    private const int Least = 2;
     private readonly Queue<Page<T>> _inMemory = new();
     private long _bytes;
     private BinaryWriter? _writer;
@@ -44,7 +47,7 @@ internal sealed class PageFile<T>(long memory, Func<T, long> size, Action<Binary
         page.InMemory = value;
         _inMemory.Enqueue(page);
         _bytes += size(value);
-        while (_bytes > memory)
+        while (_bytes > memory && _inMemory.Count > Least)
         {
             var oldest = _inMemory.Dequeue();
             _bytes -= size(oldest.InMemory!);

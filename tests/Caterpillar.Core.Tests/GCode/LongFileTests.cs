@@ -20,7 +20,7 @@ namespace Caterpillar.Tests.GCode;
 /// <summary>Moves and text that do not fit into memory are kept in a file. Nothing else changes.</summary>
 public class LongFileTests
 {
-    // So little that nothing stays in memory.
+    // So little that almost nothing stays in memory.
     private static readonly MemoryLimit Least = new(1);
 
     private static readonly Dictionary<string, FileEdits> Edits = new()
@@ -31,7 +31,6 @@ public class LongFileTests
         ["scale"] = new FileEdits { Scale = new Vec3(0.5, 0.5, 0.5) },
         ["pause"] = new FileEdits { PauseAtLayers = [2] },
         ["remove"] = new FileEdits { Remove = true, Filter = new MoveFilter { FirstLayer = 3, LastLayer = 4 } },
-        ["arcs"] = new FileEdits { FitArcs = 0.05 },
     };
 
     [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Chosen))]
@@ -102,7 +101,8 @@ public class LongFileTests
     {
         using var stream = new MemoryStream(bytes);
         var document = GCodeDocument.Read(stream, "", Least).Value!;
-        return GCodeDecoder.Decode(document, new DecodeOptions { Memory = Least }).Value!;
+        // In small blocks, as for others who follow.
+        return GCodeDecoder.Decode(document, new DecodeOptions { Memory = Least, Take = _ => { } }).Value!;
     }
 
     private static Toolpath Cut(Toolpath toolpath, int size)
@@ -121,28 +121,26 @@ public class LongFileTests
 
     private static void AssertSame(Toolpath a, Toolpath b)
     {
-        Assert.That(b.Blocks.Select(block => block.Count), Is.EqualTo(a.Blocks.Select(block => block.Count)));
-        Assert.That((b.HasTurns, b.Start), Is.EqualTo((a.HasTurns, a.Start)));
-        for (var i = 0; i < a.Blocks.Count; i++)
-        {
-            var (c, d) = (a.Blocks[i].Columns, b.Blocks[i].Columns);
-            foreach (var (one, other) in Numbers(c).Zip(Numbers(d), (one, other) => (one, other)))
-            {
-                Assert.That(other is null, Is.EqualTo(one is null));
-                if (one is not null) AssertSame(Bits(one), Bits(other!), c.Count);
-            }
-            AssertSame(c.Kind, d.Kind, c.Count);
-            AssertSame(c.Role, d.Role, c.Count);
-            AssertSame(c.Tool, d.Tool, c.Count);
-            AssertSame(c.Layer, d.Layer, c.Count);
-            AssertSame(c.Source, d.Source, c.Count);
-            Assert.That((d.Arcs, d.ArcMoves), Is.EqualTo((c.Arcs, c.ArcMoves)));
-        }
+        Assert.That((b.Count, b.HasTurns, b.Start), Is.EqualTo((a.Count, a.HasTurns, a.Start)));
+        Func<ToolpathColumns, double[]?>[] numbers = [c => c.X, c => c.Y, c => c.Z, c => c.E, c => c.Deposited, c => c.Speed, c => c.A, c => c.B, c => c.C];
+        foreach (var column in numbers) AssertSame(a, b, (c, i) => column(c) is { } values ? BitConverter.DoubleToInt64Bits(values[i]) : 0);
+        AssertSame(a, b, (c, i) => c.Kind[i]);
+        AssertSame(a, b, (c, i) => c.Role[i]);
+        AssertSame(a, b, (c, i) => c.Tool[i]);
+        AssertSame(a, b, (c, i) => c.Layer[i]);
+        AssertSame(a, b, (c, i) => c.Source[i]);
+        AssertSame(a, b, (c, i) => c.TryGetArc(i, out var arc) ? arc : default);
     }
 
-    private static void AssertSame<T>(T[] a, T[] b, int count) => Assert.That(b.Take(count).SequenceEqual(a.Take(count)), Is.True);
+    private static void AssertSame<T>(Toolpath a, Toolpath b, Func<ToolpathColumns, int, T> value)
+        => Assert.That(All(b, value).SequenceEqual(All(a, value)), Is.True);
 
-    private static long[] Bits(double[] column) => Array.ConvertAll(column, BitConverter.DoubleToInt64Bits);
-
-    private static double[]?[] Numbers(ToolpathColumns c) => [c.X, c.Y, c.Z, c.E, c.Deposited, c.Speed, c.A, c.B, c.C];
+    private static IEnumerable<T> All<T>(Toolpath toolpath, Func<ToolpathColumns, int, T> value)
+    {
+        foreach (var block in toolpath.Blocks)
+        {
+            var columns = block.Columns;
+            for (var i = 0; i < columns.Count; i++) yield return value(columns, i);
+        }
+    }
 }

@@ -87,12 +87,19 @@ public static class GCodeDecoder
                 yield return head[i];
                 head[i] = null!;
             }
+            foreach (var chunk in Rest()) yield return chunk;
+        }
+        IEnumerable<GCodeChunk> Rest()
+        {
             while (chunks.MoveNext()) yield return chunks.Current;
         }
         var axis = ExtrusionAxis.Detect(Head());
+        // The end of binary G-code is known once reading has begun, and that of a pipe or packed text when all of it is read.
+        tail ??= source.Tail();
+        if (tail is null && options.Flavor is null && FlavorDetector.Detect(head, axis).IsDefault)
+            head.AddRange(text is null ? GCodeDocument.Kept(Rest(), [], options.Memory) : Rest());
         var searched = new List<GCodeChunk>(head);
-        // The end of binary G-code is known once reading has begun.
-        if ((tail ?? source.Tail()) is { } end) searched.Add(end);
+        if (tail is not null) searched.Add(tail);
         var input = new DecodeInput(All(), axis, name)
         {
             Document = () => text is null ? null : new GCodeDocument(text.ToArray(), name, source.Notes()),
@@ -100,7 +107,6 @@ public static class GCodeDecoder
             Searched = searched,
             Share = source.Done,
             Notes = source.Notes,
-            LateEnd = () => source.PackedTail(cancel),
         };
         return Run(input, options, progress, cancel);
     }
@@ -108,7 +114,7 @@ public static class GCodeDecoder
     private static Result<DecodedGCode> Run(DecodeInput input, DecodeOptions options, IProgress<double>? progress, CancellationToken cancel)
     {
         var name = input.Name;
-        var detected = options.Flavor is null ? Detect(input) : (Detection?)null;
+        var detected = options.Flavor is null ? FlavorDetector.Detect(input.Searched, input.Axis) : (Detection?)null;
         var rules = options.Flavor ?? detected!.Value.Flavor;
         var axis = input.Axis.In(rules);
         var interpreter = new GCodeInterpreter(rules, options.Rule, axis);
@@ -165,12 +171,6 @@ public static class GCodeDecoder
             diagnostics);
     }
 
-    private static Detection Detect(DecodeInput input)
-    {
-        var detected = FlavorDetector.Detect(input.Searched, input.Axis);
-        return detected.IsDefault && input.LateEnd?.Invoke() is { } end ? FlavorDetector.Detect([.. input.Searched, end], input.Axis) : detected;
-    }
-
     private static void ReportDefault(FlavorRules rules, IReadOnlyDictionary<string, string> settings, DiagnosticList problems)
     {
         problems.Add(Severity.Note, "gcode.flavor_default", FlavorDetector.NotStated + " It was read as " + rules.Title + ".");
@@ -196,8 +196,5 @@ public static class GCodeDecoder
         public Func<long, double> Share { get; init; } = _ => -1;
 
         public Func<IReadOnlyList<Diagnostic>> Notes { get; init; } = () => [];
-
-        // The end of packed text, which is unpacked once more for it.
-        public Func<GCodeChunk?>? LateEnd { get; init; }
     }
 }

@@ -8,7 +8,6 @@ internal sealed class GCodeSource : IDisposable
     private readonly GzipReader? _gzip;
     private readonly BinaryGCodeStream? _binary;
     private readonly long _length;
-    private readonly long _start;
 
     /// <exception cref="IOException">The stream cannot be read.</exception>
     /// <exception cref="InvalidDataException">It begins with broken gzip data.</exception>
@@ -16,7 +15,6 @@ internal sealed class GCodeSource : IDisposable
     {
         _stream = stream;
         _length = stream.CanSeek ? stream.Length : 0;
-        _start = stream.CanSeek ? stream.Position : 0;
         var text = GzipReader.Open(stream, true);
         _gzip = text as GzipReader;
         var head = new byte[4];
@@ -46,35 +44,6 @@ internal sealed class GCodeSource : IDisposable
         var count = ReadStream.Fill(_stream, bytes, 0, TailLength);
         _stream.Position = position;
         return new GCodeChunk(bytes, 0, count);
-    }
-
-    /// <summary>The end of gzip text, found by unpacking it once more. Null if that is not possible.</summary>
-    /// <exception cref="InvalidDataException">The data is cut off or damaged.</exception>
-    public GCodeChunk? PackedTail(CancellationToken cancel)
-    {
-        if (_gzip is null || _binary is not null || !_stream.CanSeek) return null;
-        var position = _stream.Position;
-        try
-        {
-            _stream.Position = _start;
-            using var again = new GzipReader(_stream, true);
-            byte[] bytes = new byte[TailLength], before = new byte[TailLength];
-            int count, whole = 0;
-            while ((count = ReadStream.Fill(again, bytes, 0, TailLength)) == TailLength)
-            {
-                cancel.ThrowIfCancellationRequested();
-                (bytes, before) = (before, bytes);
-                whole = TailLength;
-            }
-            var tail = new byte[whole + count];
-            Buffer.BlockCopy(before, 0, tail, 0, whole);
-            Buffer.BlockCopy(bytes, 0, tail, whole, count);
-            return new GCodeChunk(tail, 0, tail.Length);
-        }
-        finally
-        {
-            _stream.Position = position;
-        }
     }
 
     /// <summary>Progress after this many bytes of text, 0 to 1. Negative = unknown.</summary>
