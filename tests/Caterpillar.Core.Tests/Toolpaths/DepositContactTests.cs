@@ -162,14 +162,18 @@ public class DepositContactTests
         for (var i = 0; i <= 100; i++)
         {
             var p = Vec3.Lerp(from, to, i / 100.0);
-            for (var k = 0; k <= 30; k++)
-            {
-                var q = Vec3.Lerp(extrusion.A, extrusion.B, k / 30.0);
-                var reach = Head.AxisReach(q.Z - p.Z - tolerance, extrusion.Half, true);
-                if (reach >= 0 && (q - p).LengthXY <= reach + wider * (1 + 2 * Math.Abs(extrusion.B.Z - extrusion.A.Z + to.Z - from.Z) / 10)) return true;
-            }
+            // As discs around its axis, and as a strip that is level across itself.
+            if (SampledExtrusion.Top(extrusion.A, extrusion.B, 0, 30).Any(q => Within(p, q, extrusion.Half))
+                && SampledExtrusion.Top(extrusion.A, extrusion.B, extrusion.Half, 30).Any(q => Within(p, q, 0))) return true;
+
         }
         return false;
+
+        bool Within(Vec3 p, Vec3 q, double half)
+        {
+            var reach = Head.AxisReach(q.Z - p.Z - tolerance, half, true);
+            return reach >= 0 && (q - p).LengthXY <= reach + wider * (1 + 2 * Math.Abs(extrusion.B.Z - extrusion.A.Z + to.Z - from.Z) / 10);
+        }
     }
 
     private static Vec3 Point(Random random, double size, double high)

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Geometry;
 using Caterpillar.Toolpaths;
@@ -66,6 +67,24 @@ public class DepositSlopeTests
             found[contact == HeadContact.None ? 0 : 1]++;
         }
         Assert.That(found, Is.All.GreaterThan(200));
+    }
+
+    // Extrusions 3 mm wide up a slope of 50°, and a tip that follows 0.5 mm above them: the round end of one must not lie on the one below it.
+    [TestCase(true)]
+    [TestCase(false)]
+    public void An_extrusion_that_goes_on_downward_has_no_round_end_there(bool joined)
+    {
+        var deposit = new Deposit(0.75, 18);
+        for (var i = 0; i < 10; i++) deposit.Add(new Vec3(5 * i, 0, 6 * i), new Vec3(5 * i + 5, 0, 6 * i + 6), 1.5, i, joined && i > 0);
+        var tip = new HeadShape([(0.5, 0), (14, 30)]);
+        var contact = deposit.Meets(new Vec3(10, 0, 12.5), new Vec3(40, 0, 48.5), 0.25, tip, true, out _);
+        Assert.That(contact, Is.EqualTo(joined ? HeadContact.None : HeadContact.Hits));
+        Assert.That(deposit.TopUnder(new Vec3(14, 0), 100), Is.EqualTo(joined ? 16.8 : 18).Within(1e-9));
+        // Its lowest end is free, and is round; beside it lies the edge.
+        Assert.That(deposit.Meets(new Vec3(-1.9, 0, -1), new Vec3(-1.9, 0.1, -1), 0, tip, true, out var tag), Is.EqualTo(HeadContact.Hits));
+        Assert.That(tag, Is.Zero);
+        Assert.That(deposit.Meets(new Vec3(-2.6, 0, -1), new Vec3(-2.6, 0.1, -1), 0, tip, true, out _), Is.EqualTo(HeadContact.None));
+        Assert.That(deposit.Meets(new Vec3(20, 1.9, 23), new Vec3(20.1, 1.9, 23.1), 0, tip, true, out _), Is.EqualTo(HeadContact.Hits));
     }
 
     [Test]
@@ -144,14 +163,14 @@ public class DepositSlopeTests
         for (var round = 0; round < 100; round++)
         {
             Vec3 a = Point(random, 6, 4), b = Point(random, 6, 4);
-            Vec3 first = Vec3.Lerp(a, b, random.NextDouble()), second = Vec3.Lerp(first, b, random.NextDouble());
+            Vec3 first = Vec3.Lerp(a, b, 0.1 + 0.4 * random.NextDouble()), second = Vec3.Lerp(first, b, 0.1 + 0.8 * random.NextDouble());
             var (whole, pieces) = (new Deposit(), new Deposit());
             whole.Add(a, first, 0.3, 5);
             whole.GoOn(first, second, 0.3, 5);
             whole.GoOn(second, b, 0.3, 5);
-            pieces.Add(a, first, 0.3, 5);
-            pieces.Add(first, second, 0.3, 5);
-            pieces.Add(second, b, 0.3, 5);
+            pieces.Add(a, first, 0.3, 5, isJoined: a.Z > b.Z);
+            pieces.Add(first, second, 0.3, 5, isJoined: true);
+            pieces.Add(second, b, 0.3, 5, isJoined: a.Z < b.Z);
             Assert.That((whole.ExtrusionCount, pieces.ExtrusionCount), Is.EqualTo((1, 3)));
             Assert.That(whole.Highest, Is.EqualTo(pieces.Highest));
             for (var i = 0; i < 200; i++)
@@ -217,11 +236,20 @@ public class DepositSlopeTests
         for (var i = 0; i <= Steps; i++)
         {
             var tip = Vec3.Lerp(a, b, (double)i / Steps);
-            for (var k = 0; k <= Steps; k++)
+            // What is more than dug into is so both as discs around its axis and as a strip that is level across itself.
+            var depth = Nearest(SampledExtrusion.Top(p, q, 0, Steps), half);
+            if (lenient) depth = Math.Min(depth, Nearest(SampledExtrusion.Top(p, q, half, Steps), 0));
+            best = Math.Max(best, depth);
+
+            double Nearest(IEnumerable<Vec3> tops, double around)
             {
-                var top = Vec3.Lerp(p, q, (double)k / Steps);
-                var excess = top.Z - tip.Z - tolerance;
-                if (excess > least) best = Math.Max(best, Head.AxisReach(excess, half, lenient) - (top - tip).LengthXY);
+                var nearest = double.NegativeInfinity;
+                foreach (var top in tops)
+                {
+                    var excess = top.Z - tip.Z - tolerance;
+                    if (excess > least) nearest = Math.Max(nearest, Head.AxisReach(excess, around, lenient) - (top - tip).LengthXY);
+                }
+                return nearest;
             }
         }
         return best;

@@ -11,8 +11,8 @@ internal sealed class PrintedSoFar
     /// <summary>Tags of strands that are no extrusions: the object, the bed, and from the last one downward the clips.</summary>
     public const int ObjectTag = -1, BedTag = -2, ClipTag = -3;
 
-    // Only what is about as high as the tip is asked for exactly.
-    private const double KeepDepth = 6;
+    // Only what is about as high as the tip is asked for exactly; in cells.
+    private const double KeepDepth = 24;
     private readonly BeadShape _shape;
     private readonly double _widest;
     private readonly Kinematics? _kinematics;
@@ -32,7 +32,7 @@ internal sealed class PrintedSoFar
         Head = new HeadShape(Outline(printer));
         _shape = setup.Settings.BeadShape;
         _widest = Widest * printer.NozzleDiameter;
-        Deposit = new Deposit(CellOf(printer), KeepDepth);
+        Deposit = new Deposit(CellOf(printer), KeepDepth * CellOf(printer));
         if (_kinematics is not null) Strands = Around(setup);
         Lag = Head.FlatRadius + printer.NozzleDiameter + 2 * Deposit.Cell;
     }
@@ -102,12 +102,14 @@ internal sealed class PrintedSoFar
         var fresh = _distance + ahead - Lag + 1e-9;
         while (_oldest < _newest && _fresh[_oldest].Distance <= fresh)
         {
+            var begin = _oldest;
             ref var extrusion = ref _fresh[_oldest++];
             var to = extrusion.To;
             // Pieces of a line are one extrusion, also where they stop to be fresh one after the other.
             while (_oldest < _newest && _fresh[_oldest].GoesOn && _fresh[_oldest].Distance <= fresh) to = _fresh[_oldest++].To;
-            if (extrusion.GoesOn) Deposit.GoOn(extrusion.From, to, extrusion.Half, extrusion.Move);
-            else Deposit.Add(extrusion.From, to, extrusion.Half, extrusion.Move);
+            var joined = IsJoined(begin, _oldest - 1);
+            if (extrusion.GoesOn) Deposit.GoOn(extrusion.From, to, extrusion.Half, extrusion.Move, joined);
+            else Deposit.Add(extrusion.From, to, extrusion.Half, extrusion.Move, joined);
             Strands?.Add(extrusion.From, to, extrusion.Half, extrusion.Tool, extrusion.Move);
         }
         return _oldest - first;
@@ -136,6 +138,7 @@ internal sealed class PrintedSoFar
             var extrusion = new Extrusion
             {
                 Ax = piece.From.X, Ay = piece.From.Y, Az = piece.From.Z, Bx = piece.To.X, By = piece.To.Y, Bz = piece.To.Z, Half = piece.Half,
+                IsJoined = IsJoined(i, i),
             };
             if (!query.Meets(extrusion)) continue;
             move = piece.Move;
@@ -191,14 +194,24 @@ internal sealed class PrintedSoFar
         }
     }
 
+    // Whether pieces that follow each other end, at their lower end, on one that goes on downward.
+    private bool IsJoined(int first, int last)
+    {
+        var (from, to) = (_fresh[first].From, _fresh[last].To);
+        if (to.Z > from.Z) return first > 0 && _fresh[first - 1].To == from && _fresh[first - 1].From.Z < from.Z;
+        return last + 1 < _newest && _fresh[last + 1].From == to && _fresh[last + 1].To.Z < to.Z;
+    }
+
     private void Keep(in Fresh piece)
     {
         if (_newest == _fresh.Length)
         {
-            var count = _newest - _oldest;
+            // The last one before them tells whether they go on from it.
+            var first = Math.Max(0, _oldest - 1);
+            var count = _newest - first;
             var fresh = count > _fresh.Length / 2 ? new Fresh[_fresh.Length * 2] : _fresh;
-            Array.Copy(_fresh, _oldest, fresh, 0, count);
-            (_fresh, _oldest, _newest) = (fresh, 0, count);
+            Array.Copy(_fresh, first, fresh, 0, count);
+            (_fresh, _oldest, _newest) = (fresh, _oldest - first, count);
         }
         _fresh[_newest++] = piece;
     }

@@ -75,8 +75,8 @@ internal sealed class BoundaryField(MeshBoundaries boundaries, double[] values, 
             // Small places where branches meet do little harm.
             var most = share > 0.05;
             problems.Add(most ? Severity.Error : Severity.Warning, "curved.overhanging_layers",
-                $"Layers overhang or fold back on {NumberFormatter.Format(share * 100, 1)} % of the part's surface, most at {place}. A nozzle from "
-                + "above cannot print them" + (most ? "; a machine that tilts the tool could." : " well."));
+                $"Layers overhang or fold back on {NumberFormatter.Format(share * 100, 1)} % of the part's surface, most at {place}. "
+                + (most ? "Layers must rise everywhere, even if the tool tilts: rotate the model or choose other ends." : "They cannot be printed well."));
             if (most) return this;
         }
         var first = settings.FirstLayerHeight;

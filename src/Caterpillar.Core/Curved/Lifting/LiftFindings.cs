@@ -5,7 +5,7 @@ internal static class LiftFindings
 {
     private const string NotPrinted = " They are not printed.";
 
-    public static void Add(LiftReport report, LiftRules rules, DiagnosticList problems)
+    public static void Add(LiftReport report, LiftRules rules, IEnumerable<IEnumerable<PathStep>> layers, DiagnosticList problems)
     {
         // Shorter than an extrusion is wide nothing is missed, and the checks look at every move.
         if (report.Steep.Length > rules.Settings.LineWidth)
@@ -13,7 +13,8 @@ internal static class LiftFindings
             problems.Add(rules.Partial ? Severity.Warning : Severity.Error, "curved.too_steep",
                 $"{Text(report.Steep.Length, 0)} mm of paths are steeper than the {Text(rules.MaxSlope, 1)} degrees that the print head allows, up to "
                 + $"{Text(report.Steep.Worst, 1)} degrees at {report.Steep.Place}." + (rules.Partial ? NotPrinted
-                    : $" A head passes that is within {Text(90 - report.Steep.Worst, 1)} degrees of its axis up to {Text(rules.Rise, 1)} mm above the tip."));
+                    : $" A head passes that is within {Text(HeadSlope.HalfAngle(report.Steep.Worst, layers, rules.TipReach), 1)} degrees of its axis up to "
+                        + $"{Text(rules.Rise, 1)} mm above the tip."));
         }
         if (report.Below.Length > 0)
         {

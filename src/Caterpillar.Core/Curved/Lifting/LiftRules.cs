@@ -20,6 +20,9 @@ internal sealed record LiftRules(PrintSettings Settings, double MinGap, double M
     /// <summary>Height between the lowest and the highest point of a layer, at most, mm.</summary>
     public double Rise { get; init; }
 
+    /// <summary>Radius of the tip of the nozzle and half the width of an extrusion, mm.</summary>
+    public double TipReach { get; init; }
+
     /// <summary>True if paths may be beyond the surface that they follow, so that its edge must be found.</summary>
     public bool FindsEdge { get; init; }
 }

@@ -154,17 +154,14 @@ internal static class PatchOrder
             var cells = new HashSet<(int, int)>(own.SelectMany(p => p.Cells).Select(c => (c.Column, c.Row)));
             var contours = source.Region.Contours.Where(c => Touches(c.Points[0], cells, cell)).ToArray();
             var region = contours.Length == source.Region.Contours.Count ? source.Region : Region.From(contours);
-            var steps = own.SelectMany(p => p.Steps).Select(s => Moved(s, layer, result.Count, s.Region is null ? null : region)).ToArray();
+            var steps = own.SelectMany(p => p.Steps).Select(Moved).ToArray();
             result.Add(source with { Layer = layer, Region = region, Steps = steps });
+
+            PathStep Moved(PathStep s) => s.With(
+                s.Path.With(layer: layer), s.Region is null ? null : region, s.Group is { } group ? group with { Layer = result.Count } : null);
         }
         return result.ToArray();
     }
-
-    private static PathStep Moved(PathStep step, Layer layer, int number, Region? region)
-        => new(step.Path.With(layer: layer), step.Group is { } group ? group with { Layer = number } : null)
-        {
-            KeepStart = step.KeepStart, Joined = step.Joined, Region = region, Source = step.Source,
-        };
 
     // Outlines lie half an extrusion beside their walls.
     private static bool Touches(Vec3 p, HashSet<(int, int)> cells, double cell)

@@ -86,6 +86,7 @@ public static class CurvedSlicer
             // Without a partial print it was looked for in the whole part.
             FindsEdge = options.Partial,
             Rise = rise,
+            TipReach = setup.Printer.HeadOutline[0].Radius + setup.Settings.LineWidth / 2,
             MaxFill = options.Onto is null ? 0 : LayerRules.GreatestGap(setup),
         };
         var layers = Lifted(result.Layers, field, rules, options.Threads, problems, progress.Part(0.75, 1), cancel);
@@ -112,7 +113,7 @@ public static class CurvedSlicer
             foreach (var step in flat[i].Steps)
             {
                 cancel.ThrowIfCancellationRequested();
-                steps.AddRange(lifter.Lift(step));
+                steps.AddRange(lifter.Lift(step).SelectMany(UphillPaths.Of));
             }
             var region = field is StretchedField stretched ? stretched.ToPlan(flat[i].Region, flat[i].Layer.Z) : flat[i].Region;
             layers[i] = flat[i] with { Region = region, Steps = IsLevel(steps) ? Within(steps, region) : WithoutRegions(steps) };
@@ -121,7 +122,7 @@ public static class CurvedSlicer
         });
         var report = new LiftReport();
         foreach (var layer in reports) report.Add(layer);
-        LiftFindings.Add(report, rules, problems);
+        LiftFindings.Add(report, rules, layers.Select(l => l.Steps), problems);
         return Array.FindAll(layers, l => l.Steps.Count > 0);
     }
 

@@ -31,7 +31,10 @@ public static class SurfaceProjection
         var field = new VerticalField(onto.Moved(new Vec3(0, 0, -squeeze)), null);
         var (span, rise) = Extent(steps, onto);
         var steepest = settings.CurvedMaxSlope > 0 ? settings.CurvedMaxSlope : HeadSlope.Limit(setup.Printer, span, rise);
-        var rules = new LiftRules(settings, 0, steepest, null, partial) { FindsEdge = true };
+        var rules = new LiftRules(settings, 0, steepest, null, partial)
+        {
+            FindsEdge = true, TipReach = setup.Printer.HeadOutline[0].Radius + settings.LineWidth / 2,
+        };
         var lifter = new PathLifter(field, rules, null);
         var result = new List<Step>(steps.Count);
         for (var i = 0; i < steps.Count; i++)
@@ -46,7 +49,7 @@ public static class SurfaceProjection
                 case var other: result.Add(other); break;
             }
         }
-        LiftFindings.Add(lifter.Report, rules, problems);
+        LiftFindings.Add(lifter.Report, rules, [result.OfType<PathStep>()], problems);
         return new Result<IReadOnlyList<Step>>(problems.HasErrors ? null : result, problems.ToList());
     }
 

@@ -32,8 +32,33 @@ internal static class HeadSlope
             if (radius > span) share = Math.Min(share, (span - inner.Radius) / (radius - inner.Radius));
             if (height > rise) share = Math.Min(share, (rise - inner.Height) / (height - inner.Height));
             var (r, h) = (inner.Radius + (radius - inner.Radius) * share, inner.Height + (height - inner.Height) * share);
-            return Angle.Atan2(h, r - tip);
+            // Up to 45 degrees it does not matter if only the flat of the tip presses into what it prints on.
+            return Math.Min(Angle.Atan2(h, r - tip), Math.Max(45, Angle.Atan2(h, r)));
         }
+    }
+
+    /// <summary>Angle in degrees from its axis within which a head passes what is higher in each layer, beside its tip and half an extrusion.</summary>
+    /// <param name="slope">The steepest slope, degrees. Up to 45 degrees it alone decides.</param>
+    /// <param name="layers">The paths of each layer; some of their points are looked at.</param>
+    /// <param name="tip">Radius of the tip and half the width of an extrusion, mm. What is nearer than three times as far, only the tip touches.</param>
+    public static double HalfAngle(double slope, IEnumerable<IEnumerable<PathStep>> layers, double tip)
+    {
+        const int Most = 200;
+        var least = 90 - slope;
+        foreach (var layer in slope > 45 ? layers : [])
+        {
+            var points = layer.SelectMany(s => s.Path.RawPoints).ToArray();
+            var step = points.Length / Most + 1;
+            for (var i = 0; i < points.Length; i += step)
+            {
+                for (var k = 0; k < points.Length; k += step)
+                {
+                    var away = (points[k] - points[i]).LengthXY;
+                    if (away > 3 * tip) least = Math.Min(least, Angle.Atan2(away - tip, Math.Max(0, points[k].Z - points[i].Z)));
+                }
+            }
+        }
+        return least;
     }
 
     private static double Square(double low, double high)

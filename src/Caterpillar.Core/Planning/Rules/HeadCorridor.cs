@@ -19,8 +19,7 @@ internal sealed class HeadCorridor
 
     /// <summary>
     /// Minimum height of the tip, mm, at which the head passes from a to b without touching the print; negative infinity if nothing is near. Results
-    /// below
-    /// <paramref name="level"/>, the height that the travel has anyway, are not refined.
+    /// below <paramref name="level"/>, the height that the travel has anyway, are not refined.
     /// </summary>
     public double RequiredHeight(Deposit deposit, Vec3 a, Vec3 b, double level)
     {

@@ -70,7 +70,9 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     {
         if (rules.AddsNothing)
         {
-            if (!emitter.IsPlaced || emitter.Position.DistanceTo(start) > Touching) Straight(start);
+            if (emitter.IsPlaced && emitter.Position.DistanceTo(start) <= Touching) return;
+            counts.Travels++;
+            emitter.Travel(start, _settings.TravelSpeed);
             return;
         }
         if (!emitter.IsPlaced)
@@ -137,12 +139,6 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
         if (rules.AddsNothing || emitter.Retracted <= 0) return;
         emitter.Restore(null, emitter.ToolRules.DeretractionSpeed);
         Extra();
-    }
-
-    private void Straight(Vec3 to)
-    {
-        counts.Travels++;
-        emitter.Travel(to, _settings.TravelSpeed);
     }
 
     /// <summary>Up, over and down, or around.</summary>

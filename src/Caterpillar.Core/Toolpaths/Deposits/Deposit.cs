@@ -83,15 +83,18 @@ internal sealed class Deposit
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite, or the width is negative.</exception>
     public void Add(Vec3 from, Vec3 to, double halfWidth) => Add(from, to, halfWidth, -1);
 
-    /// <summary>The same with a tag, 0 or more.</summary>
-    public void Add(Vec3 from, Vec3 to, double halfWidth, int tag)
+    /// <summary>The same with a tag, 0 or more; joined if another extrusion goes on downward from its lower end.</summary>
+    public void Add(Vec3 from, Vec3 to, double halfWidth, int tag, bool isJoined = false)
     {
         if (!from.IsFinite || !to.IsFinite) throw new ArgumentOutOfRangeException(nameof(from), "The ends of an extrusion must be finite.");
         if (!(halfWidth >= 0) || double.IsInfinity(halfWidth))
         {
             throw new ArgumentOutOfRangeException(nameof(halfWidth), "The width of an extrusion must be finite and not negative.");
         }
-        var extrusion = new Extrusion { Ax = from.X, Ay = from.Y, Az = from.Z, Bx = to.X, By = to.Y, Bz = to.Z, Half = halfWidth, Tag = tag };
+        var extrusion = new Extrusion
+        {
+            Ax = from.X, Ay = from.Y, Az = from.Z, Bx = to.X, By = to.Y, Bz = to.Z, Half = halfWidth, Tag = tag, IsJoined = isJoined,
+        };
         Highest = Math.Max(Highest, extrusion.Top);
         var edge = DepositBins.Most * _bins.Side;
         _last = -1;
@@ -115,15 +118,16 @@ internal sealed class Deposit
     }
 
     /// <summary>Extends the last extrusion in its line, at the same width, to another end.</summary>
-    public void GoOn(Vec3 from, Vec3 to, double halfWidth, int tag)
+    public void GoOn(Vec3 from, Vec3 to, double halfWidth, int tag, bool isJoined = false)
     {
         if (_last < 0 || IsOutside(to, halfWidth, DepositBins.Most * _bins.Side))
         {
-            Add(from, to, halfWidth, tag);
+            Add(from, to, halfWidth, tag, isJoined);
             return;
         }
         ref var whole = ref _store[_last];
         (whole.Bx, whole.By, whole.Bz) = (to.X, to.Y, to.Z);
+        if (to.Z < from.Z) whole.IsJoined = isJoined;
         Highest = Math.Max(Highest, to.Z);
         Draw(_last, whole with { Ax = from.X, Ay = from.Y, Az = from.Z });
     }

@@ -10,7 +10,16 @@ internal struct Extrusion
     // A number of the caller, for what it is.
     public int Tag;
 
+    // Another one goes on downward from its lower end, beyond which nothing of this one lies.
+    public bool IsJoined;
+
+    // Rise for each mm seen from above that counts as level.
+    private const double LevelRise = 0.03;
+
     public readonly double Top => Math.Max(Az, Bz);
+
+    /// <summary>True if it goes up or down, so that its ends are not as high as what is before them.</summary>
+    public readonly bool IsSloped => (Bz - Az) * (Bz - Az) > LevelRise * LevelRise * ((Bx - Ax) * (Bx - Ax) + (By - Ay) * (By - Ay));
 
     /// <summary>A disc.</summary>
     public static Extrusion At(Vec3 center, double top, double half)
@@ -55,7 +64,9 @@ internal struct Extrusion
         // Most are clearly beside it, which is told without a division.
         var aside = (p.X - Ax) * dy - (p.Y - Ay) * dx;
         if (aside * aside > (reach * reach + 1e-6) * square) return double.NegativeInfinity;
-        var t = square > 0 ? Math.Min(1, Math.Max(0, ((p.X - Ax) * dx + (p.Y - Ay) * dy) / square)) : (Az >= Bz ? 0 : 1);
+        var t = square > 0 ? ((p.X - Ax) * dx + (p.Y - Ay) * dy) / square : (Az >= Bz ? 0 : 1);
+        if (IsJoined && (Bz > Az ? t < 0 : t > 1) && IsSloped) return double.NegativeInfinity;
+        t = Math.Min(1, Math.Max(0, t));
         double ex = p.X - Ax - dx * t, ey = p.Y - Ay - dy * t;
         return ex * ex + ey * ey <= reach * reach ? t >= 1 ? Bz : Az + (Bz - Az) * t : double.NegativeInfinity;
     }

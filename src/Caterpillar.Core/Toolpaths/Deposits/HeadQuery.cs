@@ -77,7 +77,7 @@ internal struct HeadQuery
     {
         if (IsPassed(extrusion)) return false;
         if (!HitsOnly && !Touches(extrusion, From, To, false)) return false;
-        if (Touches(extrusion, From, To, true)) return true;
+        if (Touches(extrusion, From, To, true) && (!extrusion.IsSloped || TouchesSloped(extrusion))) return true;
         if (HitsOnly) return false;
         Digs = HitsOnly = true;
         Aim(_excess);
@@ -100,6 +100,35 @@ internal struct HeadQuery
         var along = (x - From.X) * _ux + (y - From.Y) * _uy;
         var far = distance + half * _spread;
         return From.Z + _rise * Math.Min(_length, Math.Max(0, _rise > 0 ? along - far : along + far));
+    }
+
+    // An extrusion that goes up or down is level across itself. Where the path is over it, or beside it, the nearest of its points count; then its round ends.
+    private readonly bool TouchesSloped(in Extrusion extrusion)
+    {
+        Vec3 a = From, b = To, first = new(extrusion.Ax, extrusion.Ay, extrusion.Az), last = new(extrusion.Bx, extrusion.By, extrusion.Bz);
+        var half = extrusion.Half;
+        var along = (last - first).WithZ(0);
+        if (!(along.Length > Upright)) return true;
+        along = along.Unit();
+        var aside = new Vec3(along.Y, -along.X);
+        double from = Vec3.Dot(a - first, aside), to = Vec3.Dot(b - first, aside);
+        double left = Crossing(-half), right = Crossing(half), near = Math.Min(left, right), far = Math.Max(left, right);
+        var thin = extrusion with { Half = 0 };
+        if (Touches(thin, Over(0), Over(near), true) || Touches(thin, Over(near), Over(far), true) || Touches(thin, Over(far), Over(1), true)) return true;
+        var rises = last.Z > first.Z;
+        return ((rises || !extrusion.IsJoined) && TouchesEnd(last, along, half)) || ((!rises || !extrusion.IsJoined) && TouchesEnd(first, -along, half));
+
+        double Crossing(double at) => from == to ? 0 : Math.Min(1, Math.Max(0, (at - from) / (to - from)));
+
+        Vec3 Over(double t) => Vec3.Lerp(a, b, t) - aside * Math.Min(half, Math.Max(-half, from + (to - from) * t));
+    }
+
+    // The half of a disc that lies in a direction.
+    private readonly bool TouchesEnd(Vec3 end, Vec3 outward, double half)
+    {
+        double low = 0, high = 1, start = Vec3.Dot((From - end).WithZ(0), outward), step = Vec3.Dot((To - From).WithZ(0), outward);
+        return FlatSegment.Slab(start, step, 0, double.PositiveInfinity, ref low, ref high)
+            && Touches(Extrusion.At(end, end.Z, half), Vec3.Lerp(From, To, low), Vec3.Lerp(From, To, high), true);
     }
 
     private readonly bool Touches(in Extrusion extrusion, Vec3 a, Vec3 b, bool lenient)
