@@ -149,7 +149,7 @@ def run(program, arguments, output):
     if os.path.exists(output):
         os.remove(output)
     try:
-        done = subprocess.run(['/usr/bin/time', '-f', '@%U %S %M', program, 'slice', *arguments, '-o', output], capture_output=True, text=True, timeout=120)
+        done = subprocess.run(['/usr/bin/time', '-f', '@%U %S %M', program, 'slice', *arguments, '-o', output], capture_output=True, text=True, timeout=60)
     except subprocess.TimeoutExpired:
         return None
     text = done.stdout + done.stderr
@@ -166,7 +166,7 @@ def row(program, folder, name, model, options, common):
     planar = run(program, [model, *common], output)
     curved = run(program, [model, *common, *options], output)
     if curved is None:
-        print('| %s | stopped after 120 s | | | | | | |' % name, flush=True)
+        print('| %s | stopped after 60 s | | | | | | |' % name, flush=True)
         return
     written = os.path.exists(output)
     share = around = '–'
