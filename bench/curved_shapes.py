@@ -4,8 +4,7 @@
     bench/curved_shapes.py PROGRAM EXAMPLES [SAMPLES]
 
 PROGRAM is the published program, EXAMPLES the folder examples/models. SAMPLES may hold vase, Y_shape and costa_surface of compas_slicer as NAME.obj with
-NAME_LOW.json and NAME_HIGH.json, the vertices of their ends. Volume: extrusions at 100 % infill against the mesh. Gaps: the height of a printing move above
-what the moves before it left below its middle, seen on a grid, over the height that its volume fills; the first and the last hundredth. Needs GNU time.
+NAME_LOW.json and NAME_HIGH.json, the vertices of their ends. Volume: extrusions at 100 % infill against the mesh. Needs GNU time.
 """
 import math, os, re, subprocess, sys, tempfile
 
@@ -107,9 +106,10 @@ def det(a, b, c):
 
 
 def moves(path):
-    """Printing moves: start, end, mm³."""
-    at = [0.0, 0.0, 0.0]
+    """Printing moves after the start code: start, end, mm³."""
+    at, begun = [0.0, 0.0, 0.0], False
     for line in open(path):
+        begun |= line.startswith(';LAYER_CHANGE')
         if not line.startswith(('G0 ', 'G1 ')):
             continue
         start, e = tuple(at), 0
@@ -118,31 +118,8 @@ def moves(path):
                 e = float(value)
             else:
                 at['XYZ'.index(word)] = float(value)
-        if e > 0 and start[:2] != tuple(at[:2]):
+        if begun and e > 0 and start[:2] != tuple(at[:2]):
             yield start, tuple(at), e * FILAMENT
-
-
-def gaps(path, width):
-    """Shares of the gap below the middles of moves by what their volume fills; moves that lie on nothing within two heights are left out."""
-    cell, tops, found = width / 3, {}, []
-    for a, b, mm3 in moves(path):
-        length = math.dist(a, b)
-        if length < 1e-6:
-            continue
-        height = mm3 / length / width
-        middle = [(p + q) / 2 for p, q in zip(a, b)]
-        below = tops.get((int(middle[0] // cell), int(middle[1] // cell)), 0.0)
-        if 0.3 * height < middle[2] - below < 2 * height and length > 3 * cell:
-            found.append((middle[2] - below) / height)
-        flat = math.dist(a[:2], b[:2])
-        ux, uy = ((b[0] - a[0]) / flat, (b[1] - a[1]) / flat) if flat > 0 else (1, 0)
-        for k in range(int(flat / cell * 2) + 1):
-            t = k / max(1, int(flat / cell * 2))
-            for side in (-1, 0, 1):
-                x, y = a[0] + (b[0] - a[0]) * t - uy * side * cell, a[1] + (b[1] - a[1]) * t + ux * side * cell
-                tops[(int(x // cell), int(y // cell))] = a[2] + (b[2] - a[2]) * t
-    found.sort()
-    return (found[len(found) // 100], found[-1 - len(found) // 100]) if len(found) > 100 else None
 
 
 def run(program, arguments, output):
@@ -166,27 +143,25 @@ def row(program, folder, name, model, options, common):
     planar = run(program, [model, *common], output)
     curved = run(program, [model, *common, *options], output)
     if curved is None:
-        print('| %s | stopped after 60 s | | | | | | |' % name, flush=True)
+        print('| %s | stopped after 60 s | | | | | |' % name, flush=True)
         return
     written = os.path.exists(output)
-    share = around = '–'
+    share = '–'
     if written and 'infill_density_percent=100' in common:
         share = '%+.2f %%' % (100 * (sum(m[2] for m in moves(output)) / volume(model) - 1))
-        if found := gaps(output, 0.45):
-            around = '%.2f to %.2f' % found
     words = ', '.join(code + (' × %d' % n if n > 1 else '') for code, n in curved[2].items()) or '–'
-    times = '%.1f × ' % (curved[0] / planar[0]) if planar else '–'
-    cells = (name, 'yes' if written else 'no', share, around, words, curved[0], times, curved[1])
-    print('| %s | %s | %s | %s | %s | %.1f s | %s | %d MB |' % cells, flush=True)
+    times = '%.1f ×' % (curved[0] / planar[0]) if planar else '–'
+    cells = (name, 'yes' if written else 'no', share, words, curved[0], times, curved[1])
+    print('| %s | %s | %s | %s | %.1f s | %s | %d MB |' % cells, flush=True)
 
 
 def main(program, examples, samples=None):
     with tempfile.TemporaryDirectory() as folder:
         shapes(folder)
         own, model = lambda name: os.path.join(folder, name + '.obj'), lambda name: os.path.join(examples, name + '.stl')
-        full = ['--set', 'infill_density_percent=100', '--set', 'skirt_loops=0', '--set', 'start_gcode=[]']
-        print('| shape | written | volume | gaps, p1 to p99 | warnings and errors | processor | of planar | peak |')
-        print('|---|---|---|---|---|---|---|---|')
+        full = ['--set', 'infill_density_percent=100', '--set', 'skirt_loops=0']
+        print('| shape | written | volume | warnings and errors | processor | of planar | peak |')
+        print('|---|---|---|---|---|---|---|')
         for degrees in (5, 10, 20, 30):
             wedge = own('wedge%d' % degrees)
             row(program, folder, 'wedge of %d°, `--surface` its top' % degrees, wedge, ['--surface', wedge], full)
