@@ -78,7 +78,7 @@ public sealed partial record PrintSettings
     /// <summary>Speed of sparse infill; 0 = printing speed.</summary> <value>mm/s.</value>
     public double InfillSpeed { get; init => field = Keys.Check(value); }
 
-    /// <summary>Maximum speed of the first layer; 0 = no limit.</summary> <value>mm/s.</value>
+    /// <summary>Speed of the first layer, at most the printing speed; 0 = as in other layers.</summary> <value>mm/s.</value>
     public double FirstLayerSpeed { get; init => field = Keys.Check(value); } = 25;
 
     /// <summary>Travel speed.</summary> <value>mm/s.</value>
@@ -117,8 +117,11 @@ public sealed partial record PrintSettings
 
     /// <summary>Speed in mm/s of paths without their own.</summary>
     public double SpeedOf(Role role, bool firstLayer = false)
-        => new RoleValues(OuterWallSpeed, 0, InfillSpeed, SolidInfillSpeed, TopSurfaceSpeed, BridgeSpeed, SupportSpeed)
-            .Of(role, firstLayer ? FirstLayerSpeed : 0, role == Role.Ironing && IroningSpeed > 0 ? IroningSpeed : PrintSpeed);
+    {
+        var usual = role == Role.Ironing && IroningSpeed > 0 ? IroningSpeed : PrintSpeed;
+        if (firstLayer && FirstLayerSpeed > 0) return Math.Min(FirstLayerSpeed, usual);
+        return new RoleValues(OuterWallSpeed, 0, InfillSpeed, SolidInfillSpeed, TopSurfaceSpeed, BridgeSpeed, SupportSpeed).Of(role, 0, usual);
+    }
 
     public override string ToString() => Title;
 

@@ -14,6 +14,9 @@ internal sealed partial class BoundaryLinks
     // Rows that end nearly at a right angle turn without a gap.
     private const double LeastCosine = 0.17;
 
+    // In what they are shortened by: rows that end early. Shorter ones would change their flow too much to hold as much as before.
+    private const double LeastRow = 20;
+
     // Share of the length along the boundary that the straight line to the foot must have: no turn cuts a corner.
     private const double Straight = 0.98;
 
@@ -53,7 +56,7 @@ internal sealed partial class BoundaryLinks
         var end = atStart ? points[0] : points[points.Length - 1];
         var inner = (atStart ? points[1] : points[points.Length - 2]) - end;
         var length = inner.LengthXY;
-        if (length < 2 * Math.Max(Longest * _width, 2 * _early)) return null;
+        if (length < Math.Max(2 * Longest * _width, LeastRow * _early)) return null;
         var place = _places[id];
         var ahead = boundary.At(place.Contour, place.At + (forward ? Near : -Near)) - end;
         var cosine = -(inner.X * ahead.X + inner.Y * ahead.Y) / (length * ahead.LengthXY);

@@ -9,8 +9,10 @@ internal sealed class SolidRows
     // Rows along an edge lie this far inside it, mm: more than the grid of regions, less than anything that is printed.
     private const double Inside = 5e-5;
 
-    // Share of a spacing by which rows may lie farther apart before there is one more: all of them together, or each where nothing is seen.
+    // Share of a spacing by which rows may lie farther apart before there is one more: all of them together, or each where nothing is seen, up to the most
+    // that all of them may then lie farther apart.
     private const double Slack = 0.1;
+    private const double MostSlack = 0.7;
 
     // The thinnest line, in spacings.
     private const double Thinnest = 0.3;
@@ -69,7 +71,8 @@ internal sealed class SolidRows
         var inside = Inside + request.Overlap;
         var height = frame.MaxV - frame.MinV - 2 * inside;
         var rows = (int)(height / request.Spacing);
-        if (height > (rows + Slack * (request.Hidden ? Math.Max(rows, 1) : 1)) * request.Spacing) rows++;
+        var slack = request.Hidden ? Math.Min(Slack * Math.Max(rows, 1), MostSlack) : Slack;
+        if (height > (rows + slack) * request.Spacing) rows++;
         return rows < 1
             ? ((frame.MinV + frame.MaxV) / 2, Math.Max(height, request.Spacing), 0)
             : (frame.MinV + inside, height / rows, rows);
