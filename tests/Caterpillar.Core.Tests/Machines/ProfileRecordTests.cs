@@ -48,6 +48,8 @@ public class ProfileRecordTests
         Assert.That(settings.SpeedOf(Role.Infill), Is.EqualTo(50));
         Assert.That(settings.SpeedOf(Role.InnerWall, firstLayer: true), Is.EqualTo(20));
         Assert.That((settings with { FirstLayerSpeed = 0 }).SpeedOf(Role.OuterWall, firstLayer: true), Is.EqualTo(30));
+        Assert.That((settings with { FirstLayerSpeed = 40 }).SpeedOf(Role.OuterWall, firstLayer: true), Is.EqualTo(40));
+        Assert.That((settings with { FirstLayerSpeed = 60 }).SpeedOf(Role.OuterWall, firstLayer: true), Is.EqualTo(50));
     }
 
     [Test]
