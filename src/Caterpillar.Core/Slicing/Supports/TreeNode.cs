@@ -24,7 +24,7 @@ internal sealed class TreeNode(int level, Vec3 place)
     /// <summary>Number of tips that it carries.</summary>
     public int Tips { get; set; } = 1;
 
-    /// <summary>Whether a way leads from here to the bed. Other branches end on the part.</summary>
+    /// <summary>Whether a path leads from here to the bed. Other branches end on the part.</summary>
     public bool ReachesBed { get; set; }
 
     /// <summary>The branch that it grows toward.</summary>

@@ -32,10 +32,10 @@ internal sealed class TreeSpace
     /// <summary>Whether the middle of a branch is too near to the part.</summary>
     public bool IsBlocked(int level, Vec3 place) => _blocked[level].Contains(place.X, place.Y);
 
-    /// <summary>Whether no way leads from a place to the bed.</summary>
+    /// <summary>Whether no path leads from a place to the bed.</summary>
     public bool IsTrapped(int level, Vec3 place) => _trapped[level].Contains(place.X, place.Y);
 
-    /// <summary>The nearest place from which a way leads to the bed.</summary>
+    /// <summary>The nearest place from which a path leads to the bed.</summary>
     public Vec3 NearestExit(int level, Vec3 place) => _trapped[level].NearestEdge(place) ?? place;
 
     /// <summary>mm that a branch may be moved, or be thicker than that; at most 5.</summary>

@@ -1,7 +1,7 @@
 namespace Caterpillar.Slicing;
 
 /// <summary>
-/// Supports as trees. Tips stand below what hangs over; from the top down, branches grow toward each other until they join, and out of where no way leads
+/// Supports as trees. Tips stand below what hangs over; from the top down, branches grow toward each other until they join, and out of where no path leads
 /// to the bed. Then they are smoothed. They get thicker downwards. After the organic trees of PrusaSlicer and OrcaSlicer, with points instead of areas.
 /// </summary>
 internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, ParallelOptions options)

@@ -22,6 +22,13 @@ internal sealed class TreeTips(double spacing, double width)
             // So that the outermost extrusions of what tips carry have both ends of each span on one.
             var edge = island.Offset(-width / 2, JoinStyle.Miter, 2, ArcTolerance, _engine);
             if (edge.IsEmpty) edge = island;
+            // Rows of what tips carry begin and end on one.
+            var rows = edge.HatchLines(0, spacing);
+            foreach (var row in rows.Where(r => r.From.DistanceTo(r.To) >= spacing))
+            {
+                Add(row.From.WithZ(z), tips);
+                Add(row.To.WithZ(z), tips);
+            }
             foreach (var contour in edge.Contours)
             {
                 var length = contour.Length;
@@ -30,13 +37,9 @@ internal sealed class TreeTips(double spacing, double width)
                 var steps = Math.Ceiling(length / spacing);
                 for (var k = 0; k < steps; k++) Add(LoopPlace.AtLength(contour.Raw, length * k / steps).Point.WithZ(z), tips);
             }
-            var box = island.Bounds;
-            for (var y = Math.Ceiling(box.Min.Y / spacing) * spacing; y <= box.Max.Y; y += spacing)
+            foreach (var row in rows)
             {
-                for (var x = Math.Ceiling(box.Min.X / spacing) * spacing; x <= box.Max.X; x += spacing)
-                {
-                    if (edge.Contains(x, y)) Add(new Vec3(x, y, z), tips);
-                }
+                for (var x = Math.Ceiling(row.From.X / spacing) * spacing; x <= row.To.X; x += spacing) Add(new Vec3(x, row.From.Y, z), tips);
             }
             if (tips.Count == count && Middle(island) is { } middle) Add(middle.WithZ(z), tips);
         }

@@ -58,6 +58,19 @@ public class TreeTests
         }
     });
 
+    // Rows every 5 mm, ending on edges 0.2 mm inside.
+    [Test]
+    public void Rows_that_tips_carry_begin_and_end_on_one()
+    {
+        var area = Region.From(new Polyline([new(0, 1), new(30, 1), new(17.6, 26), new(12.4, 26)], closed: true));
+        var tips = new TreeTips(5, 0.4).Below(area, 10);
+        foreach (var row in area.Offset(-0.2).HatchLines(0, 5).Where(r => r.From.DistanceTo(r.To) >= 5))
+        {
+            foreach (var end in new[] { row.From, row.To }) Assert.That(tips.Min(t => (t - end).LengthXY), Is.LessThan(0.05), $"{end}");
+        }
+        Assert.That(tips.Count(t => Math.Abs(t.Y - 10) < 0.01), Is.GreaterThan(4), "and others between them");
+    }
+
     [Test]
     public void What_lies_close_above_tips_needs_no_others()
     {
@@ -68,7 +81,7 @@ public class TreeTests
     }
 
     [Test]
-    public void A_way_leads_to_the_bed_where_branches_can_lean_out_far_enough()
+    public void A_path_leads_to_the_bed_where_branches_can_lean_out_far_enough()
     {
         // A plate 10 mm wide up to 1 mm, layers of 0.2 mm, and nothing above: 45° bring a branch of 0.5 mm out from 2 mm within the plate 2.5 mm above it.
         var plate = Region.Rectangle(0, 0, 10, 10);
