@@ -42,7 +42,7 @@ public class SteepLayerTests
         foreach (var part in parts)
         {
             Assert.That((part.KeepStart, part.Path.IsClosed, part.Group), Is.EqualTo((true, false, loop.Group)));
-            Assert.That(part.Path.Points.Zip(part.Path.Points.Skip(1)).Min(p => p.Second.Z - p.First.Z), Is.GreaterThan(-0.1));
+            Assert.That(part.Path.Points.Zip(part.Path.Points.Skip(1), (a, b) => b.Z - a.Z).Min(), Is.GreaterThan(-0.1));
         }
         Assert.That(parts.Sum(p => p.Path.Length), Is.EqualTo(loop.Path.Length).Within(1e-9));
         Assert.That(parts.Sum(p => p.Path.Volume), Is.EqualTo(loop.Path.Volume).Within(1e-9), "each segment keeps its extrusion");
