@@ -15,11 +15,11 @@ public class CurvedPartTests
 {
     private static readonly PrintSettings Settings = new() { FirstLayerHeight = 0.2, LayerHeight = 0.2 };
 
-    // Nearly straight up from the nozzle for 2 mm, then 45 degrees outward.
-    [TestCase(100, 100, 52.674479)]
-    [TestCase(3.6, 100, 58.201087)]
-    [TestCase(100, 5, 58.201087)]
-    [TestCase(100, 2, 87.137595)]
+    // Nearly straight up from the nozzle for 2 mm, then 45 degrees outward: atan of 8 / 6.6, 5 / 3.6 and 2 / 0.6.
+    [TestCase(100, 100, 50.477369)]
+    [TestCase(3.6, 100, 54.246113)]
+    [TestCase(100, 5, 54.246113)]
+    [TestCase(100, 2, 73.300756)]
     [TestCase(0.5, 100, 90)]
     public void A_head_touches_slopes_with_the_end_of_its_outline_or_where_the_part_ends(double span, double rise, double degrees)
     {
