@@ -77,24 +77,12 @@ internal sealed class ChoiceFormat(params (string Word, object Value)[] choices)
 
     public override bool TryRead(object raw, out object? value)
     {
-        foreach (var choice in choices)
-        {
-            if (raw is not string word || word != choice.Word) continue;
-            value = choice.Value;
-            return true;
-        }
-        value = null;
-        return false;
+        var choice = Array.Find(choices, c => raw is string word && word == c.Word);
+        value = choice.Value;
+        return choice.Word is not null;
     }
 
-    public override object Write(object value)
-    {
-        foreach (var choice in choices)
-        {
-            if (Equals(choice.Value, value)) return choice.Word;
-        }
-        throw new ArgumentOutOfRangeException(nameof(value), value, "Unknown choice.");
-    }
+    public override object Write(object value) => choices.First(c => Equals(c.Value, value)).Word;
 
     public override string? Problem(object value) => choices.Any(c => Equals(c.Value, value)) ? null : "must be " + Range;
 }
