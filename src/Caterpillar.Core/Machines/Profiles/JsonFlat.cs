@@ -58,10 +58,8 @@ internal static class JsonFlat
     {
         switch (reader.TokenType)
         {
-            case JsonToken.String: return reader.Value;
-            case JsonToken.Boolean: return reader.Value;
-            case JsonToken.Integer:
-            case JsonToken.Float:
+            case JsonToken.String or JsonToken.Boolean: return reader.Value;
+            case JsonToken.Integer or JsonToken.Float:
                 return NumberReader.TryParse(Convert.ToString(reader.Value, System.Globalization.CultureInfo.InvariantCulture), out var number) ? number : null;
             case JsonToken.StartArray:
                 var items = new List<object>();

@@ -109,7 +109,7 @@ public sealed class ProfileLibrary
         foreach (var file in _folders.Select(f => Path.Combine(f, kind.Folder, name + ".json")).Where(File.Exists))
             yield return new Source(file, name, () => File.ReadAllText(file));
         var resource = Resources().FirstOrDefault(r => r.Path == kind.Folder + name + ".json").Resource;
-        if (resource is not null) yield return new Source("printers/" + kind.Folder + name + ".json", name, () => ReadResource(resource));
+        if (resource is not null) yield return new Source("printers/" + kind.Folder + name + ".json", name, () => EmbeddedText.Read(resource));
     }
 
     private IReadOnlyList<string> Names<T>(ProfileKind<T> kind)
@@ -133,13 +133,6 @@ public sealed class ProfileLibrary
         => typeof(ProfileLibrary).Assembly.GetManifestResourceNames()
             .Where(r => r.StartsWith("printers/", StringComparison.Ordinal))
             .Select(r => (r.Substring("printers/".Length).Replace('\\', '/'), (string?)r));
-
-    private static string ReadResource(string name)
-    {
-        using var stream = typeof(ProfileLibrary).Assembly.GetManifestResourceStream(name)!;
-        using var reader = new StreamReader(stream, Encoding.UTF8);
-        return reader.ReadToEnd();
-    }
 
     private sealed record Source(string File, string Name, Func<string> Read);
 }
