@@ -41,11 +41,6 @@ public static class CurvePaths
         return new Result<IReadOnlyList<PrintPath>>(made.Value?.Cast<PathStep>().Select(s => s.Path).ToArray(), made.Diagnostics);
     }
 
-    // People draw flat, but at Z 0 the nozzle would scrape the bed.
-    private static bool IsRaised(IReadOnlyList<UserCurve> curves, CurveOptions options)
-        => options.FlatHeight > 0 && !options.Strokes && curves.All(c => c is not null && c.Curve.Bounds is { Min.Z: 0, Max.Z: 0 })
-            && !curves.All(c => c.Area == 0);
-
     private static UserCurve Raised(UserCurve curve, int layer, CurveOptions options)
     {
         var z = options.FlatHeight + layer * options.Height;
@@ -55,18 +50,18 @@ public static class CurvePaths
         return raised with { Layer = new Layer(layer, z, thickness), Height = curve.Height ?? thickness };
     }
 
-    private static Diagnostic RaisedNote(CurveOptions options)
-        => new(Severity.Note, "curves.flat",
-            $"The drawing is flat at Z 0. It is printed at Z {NumberFormatter.Format(options.FlatHeight, 3)}, the height of the first layer"
-            + (options.Layers > 1 ? $", and stacked {NumberFormatter.Format(options.Layers)} layers high." : "."));
-
     private static Result<IReadOnlyList<Step>> Make(
         IReadOnlyList<UserCurve> curves, CurveOptions options, bool withDots, IProgress<double>? progress, CancellationToken cancel)
     {
         if (curves is null) throw new ArgumentNullException(nameof(curves));
         var diagnostics = new DiagnosticList();
-        var isRaised = IsRaised(curves, options);
-        if (isRaised) diagnostics.Add(RaisedNote(options));
+        // People draw flat, but at Z 0 the nozzle would scrape the bed.
+        var isRaised = options.FlatHeight > 0 && !options.Strokes && curves.All(c => c is not null && c.Curve.Bounds is { Min.Z: 0, Max.Z: 0 })
+            && !curves.All(c => c.Area == 0);
+        if (isRaised)
+            diagnostics.Add(Severity.Note, "curves.flat",
+                $"The drawing is flat at Z 0. It is printed at Z {NumberFormatter.Format(options.FlatHeight, 3)}, the height of the first layer"
+                + (options.Layers > 1 ? $", and stacked {NumberFormatter.Format(options.Layers)} layers high." : "."));
         else if (options.Layers > 0)
             return new Result<IReadOnlyList<Step>>("curves.not_flat",
                 "Only a drawing that is flat at Z 0 and extrudes can be stacked in layers. Remove its Z values, or draw each layer.");

@@ -35,28 +35,23 @@ internal static class StrokeFont
 
     private static (IReadOnlyList<Vec3[]> Strokes, double Advance) Drawn(string text, double capHeight)
     {
-        var scale = Scale(capHeight);
+        if (!(capHeight > 0) || double.IsInfinity(capHeight)) throw new ArgumentOutOfRangeException(nameof(capHeight), "The letter height must be above 0.");
+        var scale = capHeight / CapHeight;
         var strokes = new List<Vec3[]>();
         double x = 0;
         foreach (var character in text ?? throw new ArgumentNullException(nameof(text))) x += Draw(character, x, scale, strokes);
         return (strokes, x);
     }
 
-    private static double Scale(double capHeight) => capHeight > 0 && !double.IsInfinity(capHeight)
-        ? capHeight / CapHeight
-        : throw new ArgumentOutOfRangeException(nameof(capHeight), "The letter height must be above 0.");
-
     // The letter below an accent, and the accent.
     private static (char Letter, char Mark)? Accented(char character)
         => Shapes.TryGetValue(("accent", character), out var both) ? (both[0], both[1]) : null;
-
-    private static string GlyphOf(char character) => Shapes.TryGetValue(("glyph", character), out var glyph) ? glyph : Box;
 
     private static double Draw(char character, double x, double scale, List<Vec3[]> strokes)
     {
         var accented = Accented(character);
         var letter = accented?.Letter ?? character;
-        var glyph = GlyphOf(letter);
+        var glyph = Shapes.TryGetValue(("glyph", letter), out var known) ? known : Box;
         var width = (double)(glyph[0] - '0');
         var words = glyph.Substring(1).Split([' '], StringSplitOptions.RemoveEmptyEntries);
         for (var i = 0; i < words.Length; i++)

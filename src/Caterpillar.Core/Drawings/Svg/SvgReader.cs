@@ -164,10 +164,10 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
                 return xml.Fail<Affine?>("viewBox", "A viewBox needs four numbers, the last two positive.");
             }
         }
-        var ownWidth = Extent("width", box is null ? (isRoot ? 0 : width) : box[2], width, isRoot, out var badWidth);
-        var ownHeight = Extent("height", box is null ? (isRoot ? 0 : height) : box[3], height, isRoot, out var badHeight);
-        if (_viewport is { } used) (ownWidth, ownHeight, badWidth, badHeight) = (used.Width, used.Height, false, false);
-        if (badWidth || badHeight) return xml.Fail<Affine?>(badWidth ? "width" : "height", "Expected a length.");
+        var across = _viewport?.Width ?? Extent("width", box is null ? (isRoot ? 0 : width) : box[2], width, isRoot);
+        var up = _viewport?.Height ?? Extent("height", box is null ? (isRoot ? 0 : height) : box[3], height, isRoot);
+        if (across is not { } ownWidth) return xml.Fail<Affine?>("width", "Expected a length.");
+        if (up is not { } ownHeight) return xml.Fail<Affine?>("height", "Expected a length.");
         double x = 0, y = 0;
         if (!isRoot)
         {
@@ -183,14 +183,11 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
     }
 
     // For the root, a percentage of the unknown window means the size of its viewBox.
-    private double Extent(string name, double missing, double whole, bool isRoot, out bool bad)
+    private double? Extent(string name, double missing, double whole, bool isRoot)
     {
-        bad = false;
         var text = xml.Attribute(name);
         if (text is null || text.Trim() == "auto" || (isRoot && text.Trim().EndsWith("%", StringComparison.Ordinal))) return missing;
-        var value = SvgValues.Length(text, whole);
-        bad = value is not > 0;
-        return value ?? 0;
+        return SvgValues.Length(text, whole) is > 0 and var value ? value : null;
     }
 
     // Pixels with Y down to mm with Y up, the page above the X axis.
