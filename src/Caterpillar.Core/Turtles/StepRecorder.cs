@@ -103,6 +103,7 @@ internal sealed class StepRecorder
         return _steps.GetRange(first, _steps.Count - first);
     }
 
+    /// <summary>Replaces the steps from a number on.</summary>
     public void Replace(int first, IReadOnlyList<Step> steps)
     {
         _steps.RemoveRange(first, _steps.Count - first);

@@ -1,6 +1,6 @@
 namespace Caterpillar.Turtles;
 
-// Parts made of strings, and steps that are taken back to be shaped.
+// Parts made of strings, and what scripts see of a turtle.
 public sealed partial class Turtle
 {
     /// <summary>
@@ -27,12 +27,6 @@ public sealed partial class Turtle
     private const long StateBytes = 300;
     private const long PoseBytes = 192;
 
-    /// <summary>Where the following steps begin.</summary>
-    internal int BeginSteps() => _recorder.Begin();
-
-    /// <summary>The steps since then.</summary>
-    internal IReadOnlyList<Step> StepsFrom(int first) => _recorder.From(first);
-
-    /// <summary>Replaces the steps since then.</summary>
-    internal void ReplaceSteps(int first, IReadOnlyList<Step> steps) => _recorder.Replace(first, steps);
+    /// <summary>The steps so far, which a script may take back to shape them.</summary>
+    internal StepRecorder Recorder => _recorder;
 }

@@ -197,13 +197,6 @@ public sealed partial class Turtle
     /// </summary>
     public IReadOnlyList<Step> ToSteps() => _recorder.ToSteps();
 
-    /// <summary>The next steps come from this line of a script, from 1; 0 = no script.</summary>
-    internal void At(string? file, int line)
-    {
-        _recorder.File = file;
-        _recorder.Line = line;
-    }
-
     /// <summary>A turtle as a triangle that points forward: <paramref name="size"/> mm to the left and to the right, and 2.5 times as much forward.</summary>
     public static IReadOnlyList<Vec3> TriangleOf(Frame pose, double size = 2)
         => [pose.Origin + pose.Y * size, pose.Origin - pose.Y * size, pose.Origin + pose.X * (2.5 * size)];

@@ -153,14 +153,11 @@ internal sealed class ScriptFlow(ScriptCursor cursor, ScriptValues values, Scrip
     }
 
     // from + turn * step, so that long loops do not drift.
-    private static FormulaNode LoopValue(Instruction start)
+    private static FormulaNode LoopValue(Instruction start) => new(c =>
     {
-        return new FormulaNode(c =>
-        {
-            var slot = start.Local ? c.Base + start.Slot : start.Slot;
-            return c.Values[slot + 2] + c.Values[slot] * c.Values[slot + 3];
-        });
-    }
+        var slot = start.Local ? c.Base + start.Slot : start.Slot;
+        return c.Values[slot + 2] + c.Values[slot] * c.Values[slot + 3];
+    });
 
     // The jumps out of a loop, and the shaping blocks around it.
     private sealed class Leaving(int shapings)

@@ -237,7 +237,7 @@ internal sealed class ScriptMachine
         for (var i = 0; i < arguments.Length; i++) _numbers[i] = arguments[i] is { } argument ? Number(argument) : double.NaN;
         var moves = Turtle.MoveCount;
         if (moves >= _limits.MaxMoves) throw TooManyMoves(at);
-        Turtle.At(_file, at.At.Line);
+        (Turtle.Recorder.File, Turtle.Recorder.Line) = (_file, at.At.Line);
         try
         {
             if (TraceShape.Of(at.Action, arguments.Length, _numbers) is { } shape) Draw(at, shape);
@@ -321,7 +321,7 @@ internal sealed class ScriptMachine
 
     private int MaxLetters() => (int)Math.Max(1, Math.Min(_limits.MaxSymbols, (_limits.Memory.Bytes - Bytes) / LetterBytes));
 
-    private void BeginShaping(Instruction at) => _open.Push(new Open(at.Shaping!, Turtle.Pose, Turtle.BeginSteps(), _context.Base));
+    private void BeginShaping(Instruction at) => _open.Push(new Open(at.Shaping!, Turtle.Pose, Turtle.Recorder.Begin(), _context.Base));
 
     private void EndShaping()
     {
@@ -329,13 +329,13 @@ internal sealed class ScriptMachine
         var (current, at) = (_context.Base, block.Rules.At);
         // A program that stops within a procedure ends the blocks around its calls as well.
         _context.Base = block.Base;
-        var steps = Turtle.StepsFrom(block.First);
+        var steps = Turtle.Recorder.From(block.First);
         if (_limits.Memory.Refuse(Bytes + 2 * Turtle.Bytes, "The shaped paths") is { } refusal)
             throw new FormulaException(refusal.Code, refusal.Message, at);
         var shaped = new Shaper(block.Rules, _context, block.Frame, Turtle).Apply(steps, _cancel);
         if (shaped.Value is null) throw new FormulaException(shaped.Diagnostics[0].Code, shaped.Diagnostics[0].Message, at);
         foreach (var note in shaped.Diagnostics) Notes.Add(note with { Source = new SourceLocation(_current.File, at.Line, at.Column) });
-        Turtle.ReplaceSteps(block.First, shaped.Value);
+        Turtle.Recorder.Replace(block.First, shaped.Value);
         _context.Base = current;
         _pulse = Math.Min(_pulse, _steps);
     }

@@ -22,7 +22,6 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
     private readonly Dictionary<string, int> _arrays = new(StringComparer.Ordinal);
     private readonly Dictionary<string, (GrayImage Image, bool Smooth)> _images = new(StringComparer.Ordinal);
     private Dictionary<string, int>? _locals;
-    private int _localCount;
 
     public int GlobalCount { get; private set; }
 
@@ -31,7 +30,7 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
     public bool InProcedure => _locals is not null;
 
     /// <summary>Slots that the current procedure needs.</summary>
-    public int LocalCount => _localCount;
+    public int LocalCount { get; private set; }
 
     public IEnumerable<string> Names
         => (_locals?.Keys ?? Enumerable.Empty<string>()).Concat(_globals.Keys).Concat(_arrays.Keys).Concat(State.Keys).OrderBy(n => n, StringComparer.Ordinal);
@@ -52,8 +51,8 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
     public void Enter(IReadOnlyList<string> parameters)
     {
         _locals = new Dictionary<string, int>(StringComparer.Ordinal);
-        _localCount = 0;
-        foreach (var name in parameters) _locals[name] = _localCount++;
+        LocalCount = 0;
+        foreach (var name in parameters) _locals[name] = LocalCount++;
     }
 
     public void Leave() => _locals = null;
@@ -88,7 +87,7 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
     public (int Slot, bool Local) DeclareHere(string name)
     {
         if (_locals is null) return (DeclareGlobal(name), false);
-        if (!_locals.TryGetValue(name, out var slot)) _locals[name] = slot = _localCount++;
+        if (!_locals.TryGetValue(name, out var slot)) _locals[name] = slot = LocalCount++;
         return (slot, true);
     }
 
@@ -107,8 +106,8 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
             GlobalCount += count;
             return (GlobalCount - count, false);
         }
-        _localCount += count;
-        return (_localCount - count, true);
+        LocalCount += count;
+        return (LocalCount - count, true);
     }
 
     public int GlobalSlot(string name) => _globals.TryGetValue(name, out var slot) ? slot : -1;
@@ -128,8 +127,9 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
             var slot = (isLocal ? _locals! : _globals)[name];
             return new FormulaNode(c =>
             {
+                // Only finite numbers are ever assigned: NaN marks a variable without a value.
                 var value = c.Values[isLocal ? c.Base + slot : slot];
-                return double.IsNaN(value) ? throw NoValue(name, at) : value;
+                return double.IsNaN(value) ? throw new FormulaException("turtle.no_value", $"The variable '{name}' has no value yet.", at) : value;
             });
         }
         if (name == Counter && Repeats.Count > 0)
@@ -187,9 +187,6 @@ internal sealed class ScriptScope(IReadOnlyDictionary<string, Procedure> procedu
             },
             index.Depth + 1);
     }
-
-    // Only finite numbers are ever assigned: NaN marks a variable without a value.
-    private static FormulaException NoValue(string name, Token at) => new("turtle.no_value", $"The variable '{name}' has no value yet.", at);
 
     public static int Index(double index, int length, string name, Token at)
     {

@@ -8,26 +8,10 @@ internal sealed class ScriptValues(ScriptCursor cursor, ScriptNames names)
     private Token Next => cursor.Next;
 
     /// <summary>One of several values that spaces separate.</summary>
-    public Argument Value(string command, string usage)
-    {
-        var at = Next;
-        if (EndsStatement(at)) throw Error("turtle.values", $"'{command}' needs a value: {usage}.", at);
-        var parser = new FormulaParser(cursor.Tokens, cursor.At, names.Scope);
-        var node = parser.ParseArgument();
-        cursor.At = parser.At;
-        return new Argument(node, at);
-    }
+    public Argument Value(string command, string usage) => Read(parser => parser.ParseArgument(), $"'{command}' needs a value: {usage}.");
 
     /// <summary>A whole formula.</summary>
-    public Argument Formula(string after)
-    {
-        var at = Next;
-        if (EndsStatement(at)) throw Error("turtle.values", $"'{after}' needs a value.", at);
-        var parser = new FormulaParser(cursor.Tokens, cursor.At, names.Scope);
-        var node = parser.Parse();
-        cursor.At = parser.At;
-        return new Argument(node, at);
-    }
+    public Argument Formula(string after) => Read(parser => parser.Parse(), $"'{after}' needs a value.");
 
     /// <summary>Values up to the end of the statement or the next command, separated by spaces or commas.</summary>
     public Argument?[] Values(int required, int max, bool mayKeep, Token command, string usage)
@@ -97,6 +81,16 @@ internal sealed class ScriptValues(ScriptCursor cursor, ScriptNames names)
             }
             from = close + 1;
         }
+    }
+
+    private Argument Read(Func<FormulaParser, FormulaNode> parse, string missing)
+    {
+        var at = Next;
+        if (EndsStatement(at)) throw Error("turtle.values", missing, at);
+        var parser = new FormulaParser(cursor.Tokens, cursor.At, names.Scope);
+        var node = parse(parser);
+        cursor.At = parser.At;
+        return new Argument(node, at);
     }
 
     // name(1, 2) or name(), as in a formula; name (1 + 2) has one value in brackets.
