@@ -48,7 +48,7 @@ internal sealed class SliceVerb : Verb
         var (read, models) = Models(files, arguments, ref setup, session);
         var options = new PrintJobOptions { Threads = arguments.GetValue(_threads), Memory = session.Memory };
         options = options with { Tilt = _tilt.Read(arguments, models[0].Mesh.Placed, setup, session) };
-        if (_curved.IsGiven(arguments)) return CurvedSlicing.Run(_curved, arguments, read, models, setup, options, session);
+        if (_curved.IsGiven(arguments)) return Curved(arguments, read.Count, models, setup, options, session);
         if (!_write.Overrides(arguments) && ModelCheck.IsTooLarge([.. models.Where(m => m.Settings.ModelType == ModelType.Part).Select(m => m.Mesh)], setup))
         {
             session.Print([new Diagnostic(Severity.Error, "write.refused",
@@ -56,6 +56,28 @@ internal sealed class SliceVerb : Verb
             throw new CliException(ExitCode.Refused);
         }
         return session.Run("Slicing", progress => PrintJob.Slice(models, setup, options, progress, session.Cancel));
+    }
+
+    // Along surfaces, or onto an object.
+    private PrintJob Curved(ParseResult arguments, int originals, SliceModel[] models, PrintSetup setup, PrintJobOptions options, Session session)
+    {
+        var placed = models.Select(m => m.Mesh.Placed).Distinct().ToArray();
+        if (placed.Length > 1 && originals > 1) throw Problem("several models cannot be arranged: the surface would not follow them.");
+        if (placed.Length > 1 && !_curved.CanBeCopied(arguments)) throw Problem("formulas for --deform and --infill-along do not follow copies.");
+        options = _curved.Onto.Of(arguments, placed, options, session);
+        if (!_curved.HasField(arguments)) return session.Run("Slicing", progress => PrintJob.Slice(models, setup, options, progress, session.Cancel));
+        // Together with an object the model is already where it belongs.
+        if (options.Onto is not null)
+            models = [.. models.Select(m => new SliceModel(m.Mesh.Moved(new Vec3(0, 0, -m.Mesh.Placed.Shift.Z)), m.Settings))];
+        var meshes = models.Select(m => m.Mesh).ToArray();
+        var first = placed.Length == 1 ? meshes : [meshes[0]];
+        var field = _curved.Field(arguments, first, setup, session, out var surface);
+        var lines = _curved.InfillLines(arguments, surface, first, setup, session);
+        options = options with { InfillLines = lines is null ? null : _ => lines };
+        if (placed.Length > 1) field = field.ForCopies(meshes);
+        return session.Run("Slicing", progress => PrintJob.Slice(models, field, setup, options, progress, session.Cancel));
+
+        static CliException Problem(string text) => CliException.Usage("With curved layers or --onto, " + text);
     }
 
     private (IReadOnlyList<NamedMesh> Read, SliceModel[] Models) Models(string[] files, ParseResult arguments, ref PrintSetup setup, Session session)
