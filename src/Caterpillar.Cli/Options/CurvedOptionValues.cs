@@ -49,20 +49,20 @@ internal sealed class CurvedOptionValues
         if (arguments.GetValue(_deform) is not null
             && (surfaces.Length > 0 || field is not null))
         {
-            throw Usage("--deform cannot be combined with --surface or --field.");
+            throw CliException.Usage("--deform cannot be combined with --surface or --field.");
         }
         var kind = field ?? "vertical";
         var ends = IsBetweenEnds(kind, surfaces);
-        if (_boundaries.IsGiven(arguments) && !ends) throw Usage("--from and --to need --field harmonic or geodesic.");
-        if (ends && surfaces.Length > 0) throw Usage($"--field {kind} cannot be combined with --surface. Use --from and --to.");
-        if (!ends && kind is "vertical" or "normal" && surfaces.Length == 0 && field is not null) throw Usage($"--field {kind} needs --surface.");
+        if (_boundaries.IsGiven(arguments) && !ends) throw CliException.Usage("--from and --to need --field harmonic or geodesic.");
+        if (ends && surfaces.Length > 0) throw CliException.Usage($"--field {kind} cannot be combined with --surface. Use --from and --to.");
+        if (!ends && kind is "vertical" or "normal" && surfaces.Length == 0 && field is not null) throw CliException.Usage($"--field {kind} needs --surface.");
         if (!ends && kind is not ("vertical" or "normal" or "between") && surfaces.Length > 0)
-            throw Usage($"--field {(kind == "smooth" ? kind : "with a formula")} cannot be combined with --surface.");
-        if (kind is "vertical" or "normal" && surfaces.Length > 1) throw Usage("Several surfaces need --field between.");
-        if (_along.IsGiven(arguments) && surfaces.Length == 0) throw Usage("--infill-along needs --surface.");
+            throw CliException.Usage($"--field {(kind == "smooth" ? kind : "with a formula")} cannot be combined with --surface.");
+        if (kind is "vertical" or "normal" && surfaces.Length > 1) throw CliException.Usage("Several surfaces need --field between.");
+        if (_along.IsGiven(arguments) && surfaces.Length == 0) throw CliException.Usage("--infill-along needs --surface.");
         if (arguments.GetValue(_blend) is { } blend)
         {
-            if (kind != "vertical" || surfaces.Length == 0) throw Usage("--blend needs --surface and --field vertical.");
+            if (kind != "vertical" || surfaces.Length == 0) throw CliException.Usage("--blend needs --surface and --field vertical.");
             _ = Blend(blend);
         }
         Onto.Check(arguments, !HasField(arguments));
@@ -133,11 +133,12 @@ internal sealed class CurvedOptionValues
         }
         if (text.Split(';') is [var x, var y, var z])
             return session.ValueOrFail(LayerField.Deformed(x, y, z, models[0].Placed, new SourceLocation(Key: "--deform")), ExitCode.Usage);
-        throw Usage("--deform needs cone=DEGREES, overhangs, overhangs=DEGREES, or three formulas \"X; Y; Z\".");
+        throw CliException.Usage("--deform needs cone=DEGREES, overhangs, overhangs=DEGREES, or three formulas \"X; Y; Z\".");
     }
 
     private static double Degrees(string text)
-        => Numbers.List(text, "--deform") is [var degrees and >= -80 and <= 80] ? degrees : throw Usage("--deform needs an angle of −80 to 80 degrees.");
+        => Numbers.List(text, "--deform") is [var degrees and >= -80 and <= 80] ? degrees
+            : throw CliException.Usage("--deform needs an angle of −80 to 80 degrees.");
 
     private static PlanSurface Surface(string text, IReadOnlyList<NamedMesh> models, Session session)
     {
@@ -147,21 +148,21 @@ internal sealed class CurvedOptionValues
             if (Numbers.List(text[(colon + 1)..], "--surface") is not [var low, var high]
                 || !(high >= low))
             {
-                throw Usage("--surface: a height map needs IMAGE:LOW,HIGH with two heights in mm.");
+                throw CliException.Usage("--surface: a height map needs IMAGE:LOW,HIGH with two heights in mm.");
             }
             var image = session.ValueOrFail(ImageReader.Read(session.ReadBytes(text[..colon]), text[..colon]));
             // Over the models as they are in their files.
             var bounds = ModelPlacement.BoxOf(models.Select(m => m.Transformed(placed.Inverse)).ToArray());
             return Transformed(PlanSurface.HeightMap(image, new Bounds(bounds.Min.WithZ(low), bounds.Max.WithZ(high))), placed);
         }
-        if (IsImage(text)) throw Usage("--surface: a height map needs the heights of black and white in mm: IMAGE:LOW,HIGH.");
+        if (IsImage(text)) throw CliException.Usage("--surface: a height map needs the heights of black and white in mm: IMAGE:LOW,HIGH.");
         if (MeshEndings.Any(e => text.EndsWith(e, StringComparison.OrdinalIgnoreCase)) || File.Exists(text))
             return PlanSurface.Of(Meshes.ReadAsOne(text, session).Transformed(placed));
         return Transformed(session.ValueOrFail(PlanSurface.Formula(text, new SourceLocation(Key: "--surface")), ExitCode.Usage), placed);
     }
 
     private static PlanSurface Transformed(PlanSurface surface, Affine placed)
-        => placed.IsUpright ? surface.Transformed(placed) : throw Usage("--rotate: only a mesh as --surface can be rotated about X and Y.");
+        => placed.IsUpright ? surface.Transformed(placed) : throw CliException.Usage("--rotate: only a mesh as --surface can be rotated about X and Y.");
 
     private static bool IsImage(string file) => file.EndsWith(".png", StringComparison.OrdinalIgnoreCase);
 
@@ -169,8 +170,6 @@ internal sealed class CurvedOptionValues
     {
         [var to and > 0] => new LayerBlend(0, to),
         [var from and >= 0, var to] when to > from => new LayerBlend(from, to),
-        _ => throw Usage("--blend needs TO or FROM,TO: heights in mm, FROM below TO."),
+        _ => throw CliException.Usage("--blend needs TO or FROM,TO: heights in mm, FROM below TO."),
     };
-
-    private static CliException Usage(string message) => new(ExitCode.Usage, message);
 }

@@ -24,9 +24,9 @@ internal sealed class OntoOptions(string does = OntoOptions.Drawn)
     public void Check(ParseResult arguments, bool alone = true)
     {
         var squeeze = arguments.GetValue(_squeeze);
-        if (squeeze is not (>= 0 and < 10)) throw Usage("--squeeze needs a distance of 0 to 10 mm.");
-        if (alone && !IsGiven(arguments) && (squeeze > 0 || arguments.GetValue(_partial))) throw Usage("--squeeze and --partial need --onto.");
-        if (!alone && squeeze > 0) throw Usage("--squeeze cannot be combined with --surface, --field or --deform.");
+        if (squeeze is not (>= 0 and < 10)) throw CliException.Usage("--squeeze needs a distance of 0 to 10 mm.");
+        if (alone && !IsGiven(arguments) && (squeeze > 0 || arguments.GetValue(_partial))) throw CliException.Usage("--squeeze and --partial need --onto.");
+        if (!alone && squeeze > 0) throw CliException.Usage("--squeeze cannot be combined with --surface, --field or --deform.");
     }
 
     /// <summary>Options of a print with the object at its position, if one is given.</summary>
@@ -39,12 +39,12 @@ internal sealed class OntoOptions(string does = OntoOptions.Drawn)
     {
         options = options with { Squeeze = arguments.GetValue(_squeeze), Partial = arguments.GetValue(_partial) };
         if (arguments.GetValue(_onto) is not { } file) return options;
-        if (placed.Any(map => !map.IsUpright)) throw Usage("--onto: the object on the bed cannot be rotated about X and Y with the model.");
+        if (placed.Any(map => !map.IsUpright)) throw CliException.Usage("--onto: the object on the bed cannot be rotated about X and Y with the model.");
         var mesh = Meshes.ReadAsOne(file, session);
         var objects = placed.Select(map => mesh.Transformed(map with { Shift = map.Shift.WithZ(0) })).ToArray();
         session.Print(objects.Select(o => Place(o, file)).ToArray());
         if (objects.Any(a => objects.Any(b => a != b && a.Bounds.Overlaps(b.Bounds))))
-            throw Usage("--onto: the objects of the copies would overlap. Increase --spacing.");
+            throw CliException.Usage("--onto: the objects of the copies would overlap. Increase --spacing.");
         return options with { Onto = objects.Length == 1 ? objects[0] : TriMesh.Merge(objects) };
     }
 
@@ -66,6 +66,4 @@ internal sealed class OntoOptions(string does = OntoOptions.Drawn)
     }
 
     private static string Text(double value) => NumberFormatter.Format(value, 2);
-
-    private static CliException Usage(string message) => new(ExitCode.Usage, message);
 }

@@ -20,8 +20,8 @@ internal sealed class TiltOptions
     {
         var text = arguments.GetValue(_tilt);
         if (arguments.GetValue(_most) is { } most && (text is null || most is not (> 0 and <= 180)))
-            throw Usage("--max-tilt needs --tilt and 0 to 180 degrees.");
-        if (text?.Trim() == "normal" && !hasField) throw Usage("--tilt normal needs --surface, --field or --deform.");
+            throw CliException.Usage("--max-tilt needs --tilt and 0 to 180 degrees.");
+        if (text?.Trim() == "normal" && !hasField) throw CliException.Usage("--tilt normal needs --surface, --field or --deform.");
     }
 
     /// <summary>Where the tool points; null = upright.</summary>
@@ -33,7 +33,7 @@ internal sealed class TiltOptions
     {
         if (arguments.GetValue(_tilt)?.Trim() is not { } text) return null;
         if (setup.Printer.Kinematics is not { Tilts: true })
-            throw Usage($"--tilt: {setup.Printer.Title} has no axis that tilts its tool. Give rotary_axes of the printer.");
+            throw CliException.Usage($"--tilt: {setup.Printer.Title} has no axis that tilts its tool. Give rotary_axes of the printer.");
         var aim = Aim(text, placed, session);
         return aim with { MaxTilt = arguments.GetValue(_most) ?? aim.MaxTilt };
     }
@@ -44,12 +44,11 @@ internal sealed class TiltOptions
         if (text.Split(';') is { Length: 3 } formulas)
             return session.ValueOrFail(ToolAim.Formulas(formulas, placed, new SourceLocation(Key: "--tilt")), ExitCode.Usage);
         if (text.Split('=', 2) is not [("toward" or "from") and var word, var place])
-            throw Usage("--tilt needs normal, three formulas \"DX; DY; DZ\", toward=X,Y,Z, from=X,Y,Z, or a file of curves in place of the point.");
+            throw CliException.Usage("--tilt needs normal, three formulas \"DX; DY; DZ\", "
+                + "toward=X,Y,Z, from=X,Y,Z, or a file of curves in place of the point.");
         var numbers = place.Split(',').Select(t => NumberReader.TryParse(t, out var number) ? number : double.NaN).ToArray();
         var curves = numbers is [var x, var y, var z] && double.IsFinite(x + y + z) ? [new Polyline([placed.Apply(new Vec3(x, y, z))])]
             : Curves.ReadPolylines(place, placed, session);
         return ToolAim.Toward(curves, word == "from");
     }
-
-    private static CliException Usage(string message) => new(ExitCode.Usage, message);
 }

@@ -4,4 +4,7 @@ namespace Caterpillar.Cli;
 internal sealed class CliException(int code, string? message = null) : Exception(LongWords.Shorten(message ?? ""))
 {
     public int Code { get; } = code;
+
+    /// <summary>The end after a wrong command line.</summary>
+    public static CliException Usage(string message) => new(ExitCode.Usage, message);
 }
