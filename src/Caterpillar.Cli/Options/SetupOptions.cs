@@ -49,18 +49,16 @@ internal sealed class SetupOptions
         var printer = own.Count > 0 ? own[0] : arguments.GetValue(Printer) ?? "generic";
         var materials = arguments.GetValue(Material) is { Length: > 0 } given ? given : own.Skip(1).Take(1).ToArray();
         var settings = arguments.GetValue(Settings) ?? (own.Count > 2 ? own[2] : null);
-        if (settings is not null && ProfileImport.HasSetup(settings)) return OfFile(settings, arguments, session);
+        if (settings is not null && ProfileImport.HasSetup(settings))
+        {
+            var read = ProfileImport.ReadSetup(settings);
+            var code = read.Diagnostics.Any(d => d.Code == "profile.not_found") ? ExitCode.Usage : ExitCode.BadInput;
+            return Changed(session.ValueOrFail(read, code), arguments, session);
+        }
         var plain = session.Profiles.Setup(printer, materials.FirstOrDefault(), settings);
         if (plain.Diagnostics.Any(d => d.Code == "profile.not_found")) session.ValueOrFail(plain, ExitCode.Usage);
         if ((values.Length == 0 && materials.Length < 2) || plain.Value is null) return session.ValueOrFail(plain);
         return session.ValueOrFail(session.Profiles.Setup(printer, materials.FirstOrDefault(), settings, values, [.. materials.Skip(1)]), ExitCode.Usage);
-    }
-
-    private PrintSetup OfFile(string file, ParseResult arguments, Session session)
-    {
-        var read = ProfileImport.ReadSetup(file);
-        var setup = session.ValueOrFail(read, read.Diagnostics.Any(d => d.Code == "profile.not_found") ? ExitCode.Usage : ExitCode.BadInput);
-        return Changed(setup, arguments, session);
     }
 
     /// <summary>The setup in a file, with the printer, the material and the keys of the options where they are given.</summary>

@@ -49,5 +49,4 @@ internal static class DecodeSummary
     private static string Mm(double value) => Number(value) + " mm";
 
     private static string Number(double value) => NumberFormatter.Format(value, 3);
-
 }

@@ -14,8 +14,6 @@ internal sealed class Session(Func<Stream> input, Func<Stream> output, TextWrite
     /// <summary>Code of the note about words of a file without effect, such as M84.</summary>
     public const string Harmless = "gcode.ignored";
 
-    private readonly Func<Stream> _input = input;
-    private readonly Func<Stream> _output = output;
     private readonly TextWriter _messages = messages;
 
     /// <summary>Output for messages: standard error.</summary>
@@ -61,17 +59,17 @@ internal sealed class Session(Func<Stream> input, Func<Stream> output, TextWrite
     /// <summary>The bytes of a file, or of standard input for <c>-</c>.</summary>
     public byte[] ReadBytes(string file)
     {
-        using var input = OpenRead(file);
-        if (input.CanSeek && input.Length > 0) return File.ReadAllBytes(file);
+        using var stream = OpenRead(file);
+        if (stream.CanSeek && stream.Length > 0) return File.ReadAllBytes(file);
         using var memory = new MemoryStream();
-        input.CopyTo(memory);
+        stream.CopyTo(memory);
         return memory.ToArray();
     }
 
     /// <summary>A file as a stream, or standard input for <c>-</c>.</summary>
     public Stream OpenRead(string file)
     {
-        if (file == "-") return new StoppableStream(_input(), Cancel);
+        if (file == "-") return new StoppableStream(input(), Cancel);
         NoFolder(file);
         // A named pipe waits here for its writer.
         var opened = Task.Run(() => new FileStream(file, FileMode.Open, FileAccess.Read, FileShare.Read, 1, FileOptions.SequentialScan), Cancel);
@@ -95,9 +93,9 @@ internal sealed class Session(Func<Stream> input, Func<Stream> output, TextWrite
         if (file == "-")
         {
             // It may be written several times.
-            var output = _output();
-            write(output, false);
-            output.Flush();
+            var stream = output();
+            write(stream, false);
+            stream.Flush();
             return;
         }
         NoFolder(file);
@@ -134,12 +132,6 @@ internal sealed class Session(Func<Stream> input, Func<Stream> output, TextWrite
         var figures = print();
         Written = new WrittenFigures(figures, lines, bytes);
         if (!Quiet && !IsPart) Messages.WriteLine(line(figures));
-    }
-
-    /// <summary>Prints notes at the end of a verb.</summary>
-    public void Say(IEnumerable<Diagnostic> notes)
-    {
-        foreach (var note in notes) Say(note.ToString);
     }
 
     /// <summary>Keeps the first error of findings that are not printed as messages.</summary>

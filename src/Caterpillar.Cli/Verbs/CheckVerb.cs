@@ -50,7 +50,7 @@ internal sealed class CheckVerb : Verb
         });
         session.Found(all);
         session.Say(() => $"{(all.Count == 0 ? "Nothing found. " : "")}Checked for {string.Join("; ", used.Distinct())}.");
-        session.Say(harmless);
+        foreach (var note in harmless) session.Say(note.ToString);
         return all.Any(d => d.Severity == Severity.Error) ? ExitCode.Refused : ExitCode.Done;
     }
 

@@ -56,18 +56,23 @@ internal sealed class DecodeVerb : Verb
             }
         }
         if (bad) return ExitCode.BadInput;
+        if (arguments.GetValue(_csv))
+        {
+            session.Write("-", stream => MoveTable.Write(stream, decoded.Select(d => (d.File, d.DecodedGCode.Toolpath)).ToArray(), session.Cancel));
+            return ExitCode.Done;
+        }
         var stats = arguments.GetValue(_stats) ? decoded.Select(d => Timed(d.DecodedGCode, d.Report.File, arguments, session)).ToArray() : [];
         session.WriteText("-", text =>
         {
             if (json && stats.Length > 0)
                 text.Write(SimulationJson.Array(stats.Select(s => SimulationJson.Statistics(s.File, s.Sums, s.Toolpath, s.Limits))));
             else if (json) text.Write("[\n " + string.Join(",\n ", decoded.Select(d => d.Report.ToJson(" "))) + "\n]\n");
-            else if (!arguments.GetValue(_csv)) Summaries(text, decoded, stats);
+            for (var i = 0; !json && i < decoded.Count; i++)
+            {
+                DecodeSummary.Write(text, decoded[i].DecodedGCode, decoded[i].Report);
+                if (stats.Length > 0) StatisticsText.Write(text, stats[i].Sums, stats[i].Limits);
+            }
         });
-        if (arguments.GetValue(_csv))
-        {
-            session.Write("-", stream => MoveTable.Write(stream, decoded.Select(d => (d.File, d.DecodedGCode.Toolpath)).ToArray(), session.Cancel));
-        }
         return ExitCode.Done;
     }
 
@@ -75,15 +80,6 @@ internal sealed class DecodeVerb : Verb
     private double? Diameter(ParseResult arguments, Session session)
         => Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter")
             ?? (arguments.GetValue(_stats) ? _setup.Resolve(arguments, session).Material.FilamentDiameter : null);
-
-    private static void Summaries(TextWriter text, List<(string File, DecodedGCode DecodedGCode, DecodeReport Report)> decoded, Statistics[] stats)
-    {
-        for (var i = 0; i < decoded.Count; i++)
-        {
-            DecodeSummary.Write(text, decoded[i].DecodedGCode, decoded[i].Report);
-            if (stats.Length > 0) StatisticsText.Write(text, stats[i].Sums, stats[i].Limits);
-        }
-    }
 
     private Statistics Timed(DecodedGCode decoded, string file, ParseResult arguments, Session session)
     {

@@ -3,9 +3,6 @@ namespace Caterpillar.Cli;
 /// <summary>A moment of a print in words: <c>42%</c>, <c>12m30s</c>, <c>line:1000</c>, <c>move:7</c>, <c>layer:3</c>, <c>z:1.2</c>.</summary>
 internal sealed partial class Moment(string text, Func<Timeline, MachineState?> find)
 {
-    private readonly string _text = text;
-    private readonly Func<Timeline, MachineState?> _find = find;
-
     /// <exception cref="CliException">The text is not a moment (wrong usage).</exception>
     public static Moment Parse(string text)
     {
@@ -23,7 +20,7 @@ internal sealed partial class Moment(string text, Func<Timeline, MachineState?> 
 
     /// <exception cref="CliException">The print has no such moment (bad input).</exception>
     public MachineState Of(Timeline timeline)
-        => _find(timeline) ?? throw new CliException(ExitCode.BadInput, $"--at {_text} is not in the print, which has {Places(timeline)}.");
+        => find(timeline) ?? throw new CliException(ExitCode.BadInput, $"--at {text} is not in the print, which has {Places(timeline)}.");
 
     private static string Places(Timeline timeline)
     {

@@ -47,13 +47,6 @@ internal sealed class PrintersVerb : Verb
     // Invalid profiles are reported. The others are still listed.
     private static int List(string output, Session session)
     {
-        var good = true;
-        session.WriteText(output, text => good = WriteList(text, session));
-        return good ? ExitCode.Done : ExitCode.BadInput;
-    }
-
-    private static bool WriteList(TextWriter text, Session session)
-    {
         var profiles = session.Profiles;
         var good = true;
         var rows = new List<string[]> { new[] { "PRINTER", "BUILD VOLUME", "NOZZLE", "FLAVOR", "" } };
@@ -82,8 +75,8 @@ internal sealed class PrintersVerb : Verb
             var sizes = $"{Number(settings.LayerHeight)}, {Number(settings.LineWidth)} mm{nozzle}";
             rows.Add([name, sizes, Number(settings.PrintSpeed) + " mm/s", "", settings.Title]);
         }
-        TextTable.Write(text, rows);
-        return good;
+        session.WriteText(output, text => TextTable.Write(text, rows));
+        return good ? ExitCode.Done : ExitCode.BadInput;
 
         T? Read<T>(Result<T> result)
             where T : class
