@@ -16,12 +16,12 @@ internal sealed class Run(CaterpillarComponent component, IGH_DataAccess access,
     public PathList Paths(int input)
     {
         var goos = Some<PrintPathGoo>(input);
-        return cache.Renew<PathList>([input, Access.Iteration], last => last?.Has(goos) == true ? last : new PathList(goos));
+        return cache.Renew<PathList>([input, Access.Iteration], (last, _) => last?.Has(goos) == true ? last : new PathList(goos));
     }
 
     /// <summary>The steps of a list for a setup.</summary>
     public StepList Steps(IReadOnlyList<StepGoo> goos, PrintSetup setup)
-        => cache.Renew<StepList>([setup, Access.Iteration], last => last?.Has(goos) == true ? last : new StepList(goos, setup));
+        => cache.Renew<StepList>([setup, Access.Iteration], (last, _) => last?.Has(goos) == true ? last : new StepList(goos, setup));
 
     /// <summary>Models of a list, each kept from the last solve while its geometry has the same content.</summary>
     /// <inheritdoc cref="ModelOf" path="/exception"/>

@@ -32,11 +32,12 @@ internal sealed class SolveCache
     }
 
     /// <summary>Makes a value from the last one of its key, which may be kept.</summary>
-    public T Renew<T>(object?[] parts, Func<T?, T> renew)
+    public T Renew<T>(object?[] parts, Func<T?, SolveKey, T> renew)
         where T : class
     {
         var key = new SolveKey(typeof(T), parts);
-        var value = renew(Kept<T>(key));
+        var isKept = _current.TryGetValue(key, out var last) || _last.TryGetValue(key, out last) || _complete.TryGetValue(key, out last);
+        var value = renew(isKept ? (T)last! : null, key);
         _current[key] = value;
         return value;
     }
@@ -44,14 +45,5 @@ internal sealed class SolveCache
     /// <summary>The value of a key from this or an earlier solve, or a new one.</summary>
     public T Get<T>(object?[] parts, Func<SolveKey, T> make)
         where T : class
-    {
-        var key = new SolveKey(typeof(T), parts);
-        var value = Kept<T>(key) ?? make(key);
-        _current[key] = value;
-        return value;
-    }
-
-    private T? Kept<T>(SolveKey key)
-        where T : class
-        => _current.TryGetValue(key, out var known) || _last.TryGetValue(key, out known) || _complete.TryGetValue(key, out known) ? (T)known : null;
+        => Renew<T>(parts, (last, key) => last ?? make(key));
 }
