@@ -9,11 +9,6 @@ public sealed class FieldRecipe : IEquatable<FieldRecipe>
     private readonly object?[] _parts;
     private readonly Func<IReadOnlyList<NamedMesh>, PrintSetup, Func<int, Vec3?>, Result<LayerField>> _make;
 
-    internal FieldRecipe(string text, object?[] parts, Func<IReadOnlyList<NamedMesh>, PrintSetup, Result<LayerField>> make)
-        : this(text, parts, (models, setup, _) => make(models, setup))
-    {
-    }
-
     internal FieldRecipe(string text, object?[] parts, Func<IReadOnlyList<NamedMesh>, PrintSetup, Func<int, Vec3?>, Result<LayerField>> make)
     {
         _text = text;
@@ -22,7 +17,7 @@ public sealed class FieldRecipe : IEquatable<FieldRecipe>
     }
 
     internal FieldRecipe(string text, object?[] parts, LayerField field)
-        : this(text, parts, (_, _) => new Result<LayerField>(field, []))
+        : this(text, parts, (_, _, _) => new Result<LayerField>(field, []))
     {
         Made = field;
     }

@@ -65,7 +65,7 @@ public sealed class TiltToolTests
     {
         var slope = new FieldRecipe("Slope", [], LayerField.Formula("z - 0.2 * x").Value!);
         AssertDirection(Tilt(TiltAim.LayerNormals, ("Field", [slope])), new Vec3(-0.2, 0, 1));
-        var smooth = new FieldRecipe("Smooth", [], (models, setup) => LayerField.Smooth(models, setup));
+        var smooth = new FieldRecipe("Smooth", [], (models, setup, _) => LayerField.Smooth(models, setup));
         Assert.That(Tilt(TiltAim.LayerNormals, ("Field", [smooth])).Errors, Has.One.Contains("Connect the output Field of Curved Slicer"));
     }
 

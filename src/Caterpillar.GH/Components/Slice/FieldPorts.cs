@@ -23,7 +23,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
                 return Accept(level) is { } formula ? new FieldRecipe("Formula " + texts[0], [origin], formula) : null;
             case FieldKind.Cone: return Cone(origin);
             case FieldKind.Overhangs: return Overhangs();
-            case FieldKind.Smooth: return new FieldRecipe("Smooth", [], (models, setup) => LayerField.Smooth(models, setup));
+            case FieldKind.Smooth: return new FieldRecipe("Smooth", [], (models, setup, _) => LayerField.Smooth(models, setup));
             case FieldKind.Deformed:
                 if (texts.Length != 3) throw new InputProblem("Deformed needs three expressions: the bent x, y and z.");
                 var bent = LayerField.Deformed(texts[0], texts[1], texts[2], Affine.Move(origin ?? Vec3.Zero), Expressions);
@@ -40,7 +40,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
         if (to is null && from != 0) throw new InputProblem("Blend From needs Blend To.");
         if (to is { } end && !(from >= 0 && end > from)) throw new InputProblem("Blend To must be greater than Blend From, and Blend From must be 0 or more.");
         LayerBlend? blend = to is { } top ? new LayerBlend(from, top) : null;
-        return new FieldRecipe("Vertical", [plan.Key, from, to], (models, _) => new Result<LayerField>(LayerField.Vertical(plan.Make(models), blend), []));
+        return new FieldRecipe("Vertical", [plan.Key, from, to], (models, _, _) => new Result<LayerField>(LayerField.Vertical(plan.Make(models), blend), []));
     }
 
     private FieldRecipe Normal()
@@ -54,7 +54,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
     {
         if (plans is null) return null;
         if (plans.Count == 0) throw new InputProblem("Between needs at least one surface.") { IsMissing = true };
-        return new FieldRecipe("Between", [.. plans.Select(p => p.Key)], (models, _) =>
+        return new FieldRecipe("Between", [.. plans.Select(p => p.Key)], (models, _, _) =>
         {
             var surfaces = plans.Select(p => p.Make(models)).ToList();
             // One surface: from the bottom of the solids up to it.
@@ -72,7 +72,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
             return BetweenVertices(kind, ends, starts);
         }
         if (upper.Length == 0 && lower.Length > 0) throw new InputProblem("Lower Boundaries need Surfaces at which layers end.");
-        return new FieldRecipe(kind.ToString(), [.. upper.Select(e => e.Key), "from", .. lower.Select(e => e.Key)], (models, _) =>
+        return new FieldRecipe(kind.ToString(), [.. upper.Select(e => e.Key), "from", .. lower.Select(e => e.Key)], (models, _, _) =>
         {
             var part = models.Count == 1 ? models[0].Mesh : TriMesh.Merge(models.Select(m => m.Mesh));
             var ends = upper.Length == 0 ? MeshBoundaries.Find(part)
@@ -124,14 +124,14 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
     private FieldRecipe Cone(Vec3? axis)
     {
         var angle = Angle() ?? throw new InputProblem("Cone needs an angle.") { IsMissing = true };
-        return new FieldRecipe($"Cone {NumberFormatter.Format(angle, 3)}°", [axis, angle], (models, _) => new Result<LayerField>(
+        return new FieldRecipe($"Cone {NumberFormatter.Format(angle, 3)}°", [axis, angle], (models, _, _) => new Result<LayerField>(
             LayerField.Vertical(PlanSurface.Cone(axis ?? ModelPlacement.BoxOf(models).Center, angle)), []));
     }
 
     private FieldRecipe Overhangs()
     {
         var angle = Angle();
-        return new FieldRecipe("Overhangs", [angle], (models, setup) =>
+        return new FieldRecipe("Overhangs", [angle], (models, setup, _) =>
         {
             var plan = PlanSurface.AgainstOverhangs(models, setup, angle);
             return new Result<LayerField>(plan.Value is { } found ? LayerField.Vertical(found) : null, plan.Diagnostics);
