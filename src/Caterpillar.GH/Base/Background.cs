@@ -15,7 +15,6 @@ internal sealed class Background(CaterpillarComponent component)
     // While inputs change again and again, as with a slider, earlier work is canceled: each solve is short.
     private const int HurriedMilliseconds = 50;
     private const int PulseMilliseconds = 333;
-    private readonly CaterpillarComponent _component = component;
     private readonly Dictionary<SolveKey, Job> _jobs = [];
     private readonly HashSet<SolveKey> _asked = [];
     private readonly Stopwatch _waited = new();
@@ -77,7 +76,7 @@ internal sealed class Background(CaterpillarComponent component)
         _waited.Start();
         var done = LongWork.Wait(job, Patience == int.MaxValue ? Patience : Math.Max(0, Patience - (int)_waited.ElapsedMilliseconds));
         _waited.Stop();
-        if (!done) throw new StillWorking(_component.NickName);
+        if (!done) throw new StillWorking(component.NickName);
         _jobs.Remove(key);
         return (T)job.Result;
     }
@@ -114,21 +113,21 @@ internal sealed class Background(CaterpillarComponent component)
     {
         Interlocked.Exchange(ref _posted, 0);
         if (_timer is null) return;
-        var document = _component.OnPingDocument();
-        if (document is null || _component.Locked || (!_isAwaited && _component.Phase != GH_SolutionPhase.Blank))
+        var document = component.OnPingDocument();
+        if (document is null || component.Locked || (!_isAwaited && component.Phase != GH_SolutionPhase.Blank))
         {
             Cancel();
         }
         else if (!IsDone)
         {
-            if (_component.Message == Words) return;
-            _component.Message = Words;
-            _component.OnDisplayExpired(true);
+            if (component.Message == Words) return;
+            component.Message = Words;
+            component.OnDisplayExpired(true);
         }
         else if (document.Enabled && GH_Document.EnableSolutions && document.SolutionState != GH_ProcessStep.Process)
         {
             Stop();
-            document.ScheduleSolution(1, _ => _component.ExpireSolution(false));
+            document.ScheduleSolution(1, _ => component.ExpireSolution(false));
         }
     }
 

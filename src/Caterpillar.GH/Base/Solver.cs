@@ -8,7 +8,6 @@ namespace Caterpillar.GH.Base;
 internal sealed class Solver(CaterpillarComponent component, Action<Run> solve)
 {
     private readonly CaterpillarComponent _component = component;
-    private readonly Action<Run> _solve = solve;
     private readonly SolveCache _cache = new();
     private Upstream _upstream = new Upstream(component);
     private bool _canceled;
@@ -52,7 +51,7 @@ internal sealed class Solver(CaterpillarComponent component, Action<Run> solve)
         var run = new Run(_component, access, _upstream, _cache, Background);
         try
         {
-            _solve(run);
+            solve(run);
             run.Give();
         }
         catch (StillWorking working)

@@ -93,13 +93,9 @@ internal static class RhinoMesh
 
     private static Rg.Mesh Joined(Rg.Mesh?[]? parts)
     {
-        if (parts is null) throw new InputProblem("Rhino could not mesh the geometry.");
+        if (parts is null || parts.Contains(null)) throw new InputProblem("Rhino could not mesh the geometry.");
         var joined = new Rg.Mesh();
-        foreach (var part in parts)
-        {
-            if (part is null) throw new InputProblem("Rhino could not mesh the geometry.");
-            joined.Append(part);
-        }
+        foreach (var part in parts) joined.Append(part);
         return joined;
     }
 }

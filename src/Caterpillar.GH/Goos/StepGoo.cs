@@ -55,7 +55,9 @@ public sealed class StepGoo(Step? step, PrintSetup? setup = null) : ValueGoo<Ste
                 return true;
             case PrintPath path: Value = path; return true;
             case PrinterEvent what: Value = what; return true;
-            default: return base.CastFrom(source) || FromCurve(source);
+            default:
+                var drawn = new PrintPathGoo();
+                return base.CastFrom(source) || (drawn.CastFrom(source) && From(drawn));
         }
     }
 
@@ -73,12 +75,6 @@ public sealed class StepGoo(Step? step, PrintSetup? setup = null) : ValueGoo<Ste
         EventStep what => what.Event.ToString(),
         _ => "Step",
     };
-
-    private bool FromCurve(object source)
-    {
-        var path = new PrintPathGoo();
-        return path.CastFrom(source) && From(path);
-    }
 
     private bool From(PrintPathGoo path)
     {

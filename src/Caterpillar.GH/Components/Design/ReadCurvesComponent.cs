@@ -27,13 +27,9 @@ public sealed class ReadCurvesComponent() : CaterpillarComponent(
     {
         var file = run.FileAt(run.Get<string>(0));
         var setup = SetupPort.Of(run, 1);
-        var settings = setup.Settings;
         var (unit, step) = (run.Positive(2), run.Positive(3));
         var read = run.Work("Reading", [file.FullName, file.LastWriteTimeUtc, file.Length, unit, setup], (progress, cancel) =>
-            CurveReader.Read(file.FullName, new CurveReadOptions
-            {
-                UnitLength = unit, WidthReference = setup.Printer.NozzleDiameter, HeightReference = settings.LayerHeight, SpeedReference = settings.PrintSpeed,
-            }, progress, cancel));
+            CurveReader.Read(file.FullName, CurveReadOptions.For(setup) with { UnitLength = unit }, progress, cancel));
         var curves = run.Require(read);
         var options = CurveOptions.For(setup) with { Subdivision = SubdivisionOptions.ByDistance(step) };
         var steps = run.Require(run.Work("Dividing", [read, step, setup],
