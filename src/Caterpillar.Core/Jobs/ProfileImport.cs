@@ -84,7 +84,8 @@ public static class ProfileImport
         if (read.Value is not { } decoded) return new Result<ImportedProfiles>(null, read.Diagnostics);
         if (decoded.NotGCode is { } none) return new Result<ImportedProfiles>(null, [none with { Source = new SourceLocation(headerName) }]);
         var ending = footer is null ? decoded : GCodeDecoder.Decode(footer).Value;
-        var start = IsPrint(decoded) ? StartCode(decoded) : Encoding.UTF8.GetString(header);
+        // Of a print, what is before the first layer.
+        var start = IsPrint(decoded) ? Commands(decoded.Document!.Lines(1, decoded.PrintedLines.First - 1)) : Encoding.UTF8.GetString(header);
         var end = IsPrint(ending) ? EndCode(ending!) : Encoding.UTF8.GetString(footer ?? []);
         var imported = HeaderImport.Read(start, end, name, like, headerName, footerName);
         if (imported.Value is not { } made || decoded.Evidence.Contains(FlavorDetector.NotStated)) return imported;
@@ -96,10 +97,6 @@ public static class ProfileImport
     private static bool IsPrint(DecodedGCode? decoded)
         => decoded?.Document is not null && decoded.PrintedLines.Last > 0
             && (decoded.FirstLayerLine > 0 || decoded.Toolpath.CountLayers() > 2);
-
-    // What is before the first layer.
-    private static string StartCode(DecodedGCode print)
-        => Commands(print.Document!.Lines(1, print.PrintedLines.First - 1));
 
     // What is after the last extrusion and the moves that leave it.
     private static string EndCode(DecodedGCode print)
