@@ -26,6 +26,9 @@ internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, Parallel
     // mm; roofs that lie closer together than twice this are one.
     private const double Hairline = 0.1;
 
+    // Of the height above the bed: where the part lies so little below a tip, its branch ends there. A trunk to the bed would take longer.
+    private const double Close = 1 / 6.0;
+
     // mm; the foot is wider by half of the height below this.
     private const double Foot = 1.5;
 
@@ -138,8 +141,19 @@ internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, Parallel
     // Tips are nearer to the part than branches, which move away from it below.
     private bool ReachesBed(int level, Vec3 place, TreeSpace space)
     {
+        if (_settings.SupportPlacement == SupportPlacement.Everywhere && IsCloseAbovePart(level, place)) return false;
         var below = Math.Max(0, level - _roofLayers);
         return !space.IsTrapped(below, place) || space.NearestExit(below, place).DistanceTo(place) <= _clear + _width / 2;
+    }
+
+    private bool IsCloseAbovePart(int level, Vec3 place)
+    {
+        var lowest = (1 - Close) * _levels[level].Top;
+        for (var k = level - 1; k >= 0 && _levels[k].Top > lowest; k--)
+        {
+            if (_levels[k].Part.Contains(place.X, place.Y)) return true;
+        }
+        return false;
     }
 
     // Takes the branches down to a level: the strongest first, so that others join them.

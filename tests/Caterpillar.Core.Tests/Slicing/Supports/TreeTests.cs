@@ -131,7 +131,7 @@ public class TreeTests
     }
 
     [Test]
-    public void Branches_go_around_the_part_where_a_way_leads_to_the_bed()
+    public void Branches_go_around_the_part_where_a_path_leads_to_the_bed()
     {
         // A foot below half of the shelf: all of it can be held from the bed.
         TriMesh[] model = [.. Shelf(30), Solids.Block(2, 0, 0, 8, 12, 3)];
@@ -141,6 +141,17 @@ public class TreeTests
             Assert.That(layers.First(l => l.Layer.Z > 3).Support.Intersect(Region.Rectangle(0, 0, 8, 12)).Area, Is.Zero, $"{place}");
             Assert.That(layers.First(l => l.Layer.Z > 29.3).Support.Area, Is.GreaterThan(0.95 * 11 * 12), $"{place}");
         }
+    }
+
+    [Test]
+    public void Branches_end_on_the_part_where_it_lies_close_below()
+    {
+        // 4 mm below a shelf at 30 mm: less than a sixth of its height.
+        TriMesh[] model = [.. Shelf(30), Solids.Block(2, 0, 0, 8, 12, 26)];
+        double Standing(SupportPlacement place) => Solids.Slice(Settings with { SupportPlacement = place }, model)
+            .First(l => l.Layer.Z > 26.5).Support.Intersect(Region.Rectangle(3, 0, 6, 12)).Area;
+        Assert.That(Standing(SupportPlacement.Everywhere), Is.GreaterThan(2));
+        Assert.That(Standing(SupportPlacement.BuildPlate), Is.Zero);
     }
 
     // Slopes from the bed: each layer leans out by 0.2 / tan(slope) mm.
