@@ -107,7 +107,7 @@ public class LongFileTests
 
     private static Toolpath Cut(Toolpath toolpath, int size)
     {
-        var builder = new ToolpathBuilder(toolpath.Source, toolpath.Start) { FirstSize = size, BlockSize = size };
+        var builder = new ToolpathBuilder(toolpath.Source, toolpath.Start) { Moves = new BlockCollector(size, size) };
         foreach (var block in toolpath.Blocks) builder.Add(block.Columns, 0, block.Count);
         return toolpath.With(builder.Build(toolpath.Tools).Blocks);
     }

@@ -27,7 +27,7 @@ internal sealed class MoveEmitter
         _builder = take is null ? new ToolpathBuilder(MoveSource.Steps, start) { Memory = options.Memory }
             : new ToolpathBuilder(MoveSource.Steps, start)
             {
-                File = ToolpathBlock.FileFor(options.Memory), BlockSize = ToolpathBlock.FollowedSize, Filled = () => GiveOn(take),
+                Moves = new(ToolpathBlock.FollowedSize, ToolpathBuilder.FirstSize, ToolpathBlock.FileFor(options.Memory)), Filled = () => GiveOn(take),
             };
         _retracted = new double[rules.Tools.Length];
         IsPlaced = start is not null;

@@ -3,11 +3,11 @@ namespace Caterpillar.Toolpaths;
 /// <summary>Collects the moves of an edited block, for the file that keeps it. Rotary axes keep their position until a move turns them.</summary>
 internal sealed class BlockEditor(int size, PageFile<ToolpathColumns>? file)
 {
-    private readonly ToolpathBuilder _builder = new(MoveSource.Lines, null) { FirstSize = size, File = file };
+    private readonly ToolpathBuilder _builder = new(MoveSource.Lines, null) { Moves = new(ToolpathBlock.Capacity, size, file) };
     private Vec3? _turns;
 
     /// <summary>An editor for a block of a toolpath, with room for so many moves at first.</summary>
-    public static BlockEditor After(Toolpath toolpath, int block, int size = 1024)
+    public static BlockEditor After(Toolpath toolpath, int block, int size = ToolpathBuilder.FirstSize)
     {
         var editor = new BlockEditor(size, block < toolpath.Blocks.Count ? toolpath.Blocks[block].File : null);
         if (block > 0 && toolpath.Blocks[block - 1].Columns is { A: not null } before) editor.Take(before, before.Count - 1);

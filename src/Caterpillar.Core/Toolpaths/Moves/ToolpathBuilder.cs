@@ -3,14 +3,12 @@ namespace Caterpillar.Toolpaths;
 /// <summary>Builds a <see cref="Toolpath"/> from moves and events in order. Not thread-safe.</summary>
 public sealed class ToolpathBuilder
 {
-    private readonly List<ToolpathBlock> _blocks = [];
+    internal const int FirstSize = 1024;
+
     private readonly List<Layer> _layers = [];
     private readonly List<MoveEvent> _events = [];
-    private readonly List<int> _arcMoves = [];
-    private readonly List<Arc> _arcs = [];
     private readonly MoveSource _source;
-    private ToolpathColumns _columns = new(1024);
-    private int _sealed;
+    private readonly BlockCollector _moves = new(ToolpathBlock.Capacity, FirstSize);
 
     /// <summary>A builder that starts at a position in mm. Null if unknown.</summary>
     public ToolpathBuilder(MoveSource source, Vec3? start)
@@ -29,23 +27,17 @@ public sealed class ToolpathBuilder
     /// <summary>Memory limit for the moves.</summary>
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
-    /// <summary>Number of moves in a block.</summary>
-    internal int BlockSize { get; init; } = ToolpathBlock.Capacity;
-
-    /// <summary>Number of moves in the first block that there is room for at first.</summary>
-    internal int FirstSize
+    /// <summary>Blocks of another size, or kept in a file.</summary>
+    internal BlockCollector Moves
     {
-        init => _columns = new ToolpathColumns(Math.Min(value, BlockSize));
+        init => _moves = value;
     }
-
-    /// <summary>Keeps the blocks; null = in memory.</summary>
-    internal PageFile<ToolpathColumns>? File { get; init; }
 
     /// <summary>Called for each full block, before the next move is added.</summary>
     internal Action? Filled { get; init; }
 
     /// <summary>Number of moves so far.</summary>
-    public int Count => _sealed + _columns.Count;
+    public int Count => _moves.Count;
 
     /// <summary>Line of the script for the next moves, from 1. 0 = unknown.</summary>
     internal int Line { get; set; }
@@ -65,8 +57,8 @@ public sealed class ToolpathBuilder
     /// <exception cref="DiagnosticException">The moves take more than <see cref="Memory"/>.</exception>
     public void Add(Vec3 end, double e, double deposited, double speed, MoveKind kind, Role role, int layer, int tool, int source, Arc? arc = null)
     {
-        if (_columns.Count == _columns.Capacity) Grow();
-        var c = _columns;
+        if (_moves.IsFull) Grow();
+        var c = _moves.Columns;
         var i = c.Count++;
         c.X[i] = end.X;
         c.Y[i] = end.Y;
@@ -80,11 +72,7 @@ public sealed class ToolpathBuilder
         c.Layer[i] = layer;
         c.Source[i] = source;
         if (Line > 0) (c.Line ??= new int[c.Capacity])[i] = Line;
-        if (arc is { } geometry)
-        {
-            _arcMoves.Add(i);
-            _arcs.Add(geometry);
-        }
+        if (arc is { } geometry) _moves.AddArc(i, geometry);
         Position = end;
     }
 
@@ -96,15 +84,14 @@ public sealed class ToolpathBuilder
     {
         while (from < to)
         {
-            if (_columns.Count == _columns.Capacity) Grow();
-            var count = Math.Min(to - from, _columns.Capacity - _columns.Count);
+            if (_moves.IsFull) Grow();
+            var c = _moves.Columns;
+            var count = Math.Min(to - from, c.Capacity - c.Count);
             for (var i = from; i < from + count && columns.ArcMoves.Length > 0; i++)
             {
-                if (!columns.TryGetArc(i, out var arc)) continue;
-                _arcMoves.Add(_columns.Count + i - from);
-                _arcs.Add(arc);
+                if (columns.TryGetArc(i, out var arc)) _moves.AddArc(c.Count + i - from, arc);
             }
-            _columns.Append(columns, from, count);
+            c.Append(columns, from, count);
             from += count;
         }
         Position = new Vec3(columns.X[to - 1], columns.Y[to - 1], columns.Z[to - 1]);
@@ -113,7 +100,7 @@ public sealed class ToolpathBuilder
     /// <summary>Sets the rotary axes of the last move added, in degrees.</summary>
     public void SetRotary(double a, double b, double c)
     {
-        var columns = _columns;
+        var columns = _moves.Columns;
         columns.A ??= new double[columns.Capacity];
         columns.B ??= new double[columns.Capacity];
         columns.C ??= new double[columns.Capacity];
@@ -127,37 +114,16 @@ public sealed class ToolpathBuilder
 
     /// <summary>The same, with the places of the steps in the design.</summary>
     internal Toolpath Build(IEnumerable<ToolpathTool> tools, IReadOnlyList<SourceLocation?>? places)
-    {
-        Seal();
-        return new Toolpath(_blocks, _layers, _events, tools, Start, _source, places);
-    }
+        => new(_moves.ToBlocks(), _layers, _events, tools, Start, _source, places);
 
     /// <summary>The toolpath of all full blocks. Later toolpaths begin with the same moves, layers and events.</summary>
-    internal Toolpath SoFar(IEnumerable<ToolpathTool> tools) => new(_blocks, _layers, _events, tools, Start, _source);
+    internal Toolpath SoFar(IEnumerable<ToolpathTool> tools) => new(_moves.Blocks, _layers, _events, tools, Start, _source);
 
     private void Grow()
     {
-        if (_columns.Capacity < BlockSize)
-        {
-            _columns = _columns.Copy(Math.Min(_columns.Capacity * 4, BlockSize));
-            return;
-        }
-        if (File is null)
-            Memory.Check((double)(Count + BlockSize) * ToolpathBlock.BytesPerMove, $"A toolpath of more than {NumberFormatter.Format(Count)} moves");
-        Seal();
-        _columns = new ToolpathColumns(BlockSize);
+        if (_moves.Grow() is not { } full) return;
+        if (_moves.IsInMemory)
+            Memory.Check((double)(Count + full.Count) * ToolpathBlock.BytesPerMove, $"A toolpath of more than {NumberFormatter.Format(Count)} moves");
         Filled?.Invoke();
-    }
-
-    private void Seal()
-    {
-        if (_columns.Count == 0) return;
-        _columns.ArcMoves = _arcMoves.ToArray();
-        _columns.Arcs = _arcs.ToArray();
-        _arcMoves.Clear();
-        _arcs.Clear();
-        _blocks.Add(new ToolpathBlock(_columns, File));
-        _sealed += _columns.Count;
-        _columns = new ToolpathColumns(16);
     }
 }

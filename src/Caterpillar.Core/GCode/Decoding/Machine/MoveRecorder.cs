@@ -6,6 +6,7 @@ internal sealed partial class MoveRecorder(Machine machine, ExtrusionRule rule)
     // Beyond these a number is no length in mm: such a move is left out and reported.
     public const double LargestLength = 1e10;
     public const double LargestE = 1e9;
+    private const int FirstSize = 64;
     private const double NoChange = InterpreterState.NoChange;
     private const double LargestSquare = LargestLength * LargestLength;
 
@@ -13,7 +14,7 @@ internal sealed partial class MoveRecorder(Machine machine, ExtrusionRule rule)
     private readonly Extruders _extruders = machine.Extruders;
     private readonly LineDiagnostics _diagnostics = machine.Diagnostics;
     private readonly DecodeCounters _counters = machine.Counters;
-    private BlockCollector _moves = new();
+    private BlockCollector _moves = new(ToolpathBlock.Capacity, FirstSize);
     private Action<DecodedBlock>? _take;
     private readonly List<MoveEvent> _events = [];
     private readonly bool _balance = rule == ExtrusionRule.Balance;
@@ -57,13 +58,13 @@ internal sealed partial class MoveRecorder(Machine machine, ExtrusionRule rule)
     public void Begin(int blockSize, Action<DecodedBlock>? take, bool keeps, PageFile<ToolpathColumns>? file)
     {
         _take = take;
-        _moves = new BlockCollector(blockSize, keeps, file);
+        _moves = new BlockCollector(blockSize, FirstSize, file, keeps);
     }
 
     /// <summary>The finished toolpath.</summary>
     public Toolpath ToToolpath(ToolpathTool[] tools)
     {
-        if (Layers.MergeEmpty() is { } places) _moves.RenumberLayers(places);
+        if (Layers.MergeEmpty() is { } places) _moves.RenumberLayers(layer => layer >= 0 ? places[layer] : -1);
         return new(_moves.ToBlocks(), Layers.ToLayers(), _events, tools, _start, MoveSource.Lines);
     }
 
@@ -113,7 +114,7 @@ internal sealed partial class MoveRecorder(Machine machine, ExtrusionRule rule)
         var xy = Math.Sqrt(Math.Max(length * length - rise * rise, 0));
         var count = _counters.Prints;
         Move(end.X, end.Y, end.Z, e, code, length, xy, arc.Plane == ArcPlane.XY && rise == 0);
-        _moves.AddArc(arc with { Center = arc.Center + _state.Head.Shift });
+        _moves.AddArc(Columns.Count - 1, arc with { Center = arc.Center + _state.Head.Shift });
         var printed = _counters.Prints > count;
         if (printed) _counters.PrintArcs++;
         else _counters.TravelArcs++;
@@ -148,13 +149,13 @@ internal sealed partial class MoveRecorder(Machine machine, ExtrusionRule rule)
     }
 
     /// <summary>Turns the rotary axes with the last move.</summary>
-    public void Turn(Turns turns) => _moves.Turn(turns);
+    public void Turn(Turns turns) => _moves.Turn(new Vec3(turns.A, turns.B, turns.C));
 
     /// <summary>Ends the current extrusion.</summary>
     public void BreakExtrusion() => _afterPrint = false;
 
     /// <summary>Called at the first comment that begins a layer: the moves before it have no layer.</summary>
-    public void ForgetLayers() => _moves.ForgetLayers();
+    public void ForgetLayers() => _moves.RenumberLayers(_ => -1);
 
     public void BeginLayer(int? number, double z, double thickness)
     {

@@ -1,24 +1,30 @@
-namespace Caterpillar.GCode;
+namespace Caterpillar.Toolpaths;
 
 /// <summary>Collects moves into the columns of blocks, without a call for each value.</summary>
 /// <param name="blockSize">Number of moves in a block.</param>
-/// <param name="keeps">False to forget each full block.</param>
+/// <param name="firstSize">Number of moves that there is room for at first.</param>
 /// <param name="file">Keeps the blocks; null = in memory.</param>
-internal sealed class BlockCollector(int blockSize = ToolpathBlock.Capacity, bool keeps = true, PageFile<ToolpathColumns>? file = null)
+/// <param name="keeps">False to forget each full block.</param>
+internal sealed class BlockCollector(int blockSize, int firstSize, PageFile<ToolpathColumns>? file = null, bool keeps = true)
 {
     private readonly List<ToolpathBlock> _blocks = [];
     private readonly List<int> _arcMoves = [];
     private readonly List<Arc> _arcs = [];
     private readonly List<int> _turnMoves = [];
-    private readonly List<Turns> _turns = [];
+    private readonly List<Vec3> _turns = [];
     private int _sealed;
 
-    public ToolpathColumns Columns { get; private set; } = new(64);
+    public ToolpathColumns Columns { get; private set; } = new(Math.Min(firstSize, blockSize));
+
+    /// <summary>The full blocks.</summary>
+    public IReadOnlyList<ToolpathBlock> Blocks => _blocks;
+
+    public bool IsInMemory => file is null;
 
     /// <summary>Number of moves so far.</summary>
     public int Count => _sealed + Columns.Count;
 
-    public bool IsFull => Columns.Count == Columns.X.Length;
+    public bool IsFull => Columns.Count == Columns.Capacity;
 
     /// <summary>Makes space for more moves. Returns the full block, if any.</summary>
     public ToolpathColumns? Grow()
@@ -30,38 +36,29 @@ internal sealed class BlockCollector(int blockSize = ToolpathBlock.Capacity, boo
         }
         var full = Columns;
         Seal();
-        if (!keeps) _blocks.Clear();
         Columns = new ToolpathColumns(blockSize);
         return full;
     }
 
-    /// <summary>The last move is an arc.</summary>
-    public void AddArc(Arc arc)
+    /// <summary>A move of the current block, by its number in it, is an arc.</summary>
+    public void AddArc(int move, Arc arc)
     {
-        _arcMoves.Add(Columns.Count - 1);
+        _arcMoves.Add(move);
         _arcs.Add(arc);
     }
 
-    /// <summary>Sets the rotary axes of the last move. Other moves do not turn them.</summary>
-    public void Turn(Turns turns)
+    /// <summary>Sets the rotary axes of the last move, in degrees. Other moves do not turn them.</summary>
+    public void Turn(Vec3 turns)
     {
         _turnMoves.Add(Count - 1);
         _turns.Add(turns);
     }
 
-    /// <summary>Removes the layer of all moves so far, for files whose layer comments begin late.</summary>
-    public void ForgetLayers()
+    /// <summary>Other numbers for the layers of all moves so far.</summary>
+    public void RenumberLayers(Func<int, int> numberOf)
     {
-        for (var i = 0; i < _blocks.Count; i++) Replace(i, WithLayers(_blocks[i].Columns, _ => -1));
-        Columns = WithLayers(Columns, _ => -1);
-    }
-
-    /// <summary>Other numbers for the layers of all moves.</summary>
-    public void RenumberLayers(int[] places)
-    {
-        int Place(int layer) => layer >= 0 ? places[layer] : -1;
-        for (var i = 0; i < _blocks.Count; i++) Replace(i, WithLayers(_blocks[i].Columns, Place));
-        Columns = WithLayers(Columns, Place);
+        for (var i = 0; i < _blocks.Count; i++) Replace(i, WithLayers(_blocks[i].Columns, numberOf));
+        Columns = WithLayers(Columns, numberOf);
     }
 
     /// <summary>The arc of the last move, if any.</summary>
@@ -73,7 +70,6 @@ internal sealed class BlockCollector(int blockSize = ToolpathBlock.Capacity, boo
         Columns.Count = 0;
         _arcMoves.Clear();
         _arcs.Clear();
-        if (_turns.Count == 0) return;
         _turnMoves.Clear();
         _turns.Clear();
     }
@@ -85,15 +81,15 @@ internal sealed class BlockCollector(int blockSize = ToolpathBlock.Capacity, boo
             if (Columns.Count < Columns.Capacity / 2) Columns = Columns.Copy(Columns.Count);
             Seal();
         }
-        if (_turns.Count > 0 && keeps) FillTurns();
-        return keeps ? _blocks : [];
+        if (_turns.Count > 0) FillTurns();
+        return _blocks;
     }
 
     // Columns from the block of the first turn on.
     private void FillTurns()
     {
         int next = 0, first = 0;
-        var now = default(Turns);
+        var now = Vec3.Zero;
         for (var block = 0; block < _blocks.Count; first += _blocks[block++].Count)
         {
             if (_turnMoves[0] >= first + _blocks[block].Count) continue;
@@ -104,9 +100,9 @@ internal sealed class BlockCollector(int blockSize = ToolpathBlock.Capacity, boo
             for (var i = 0; i < columns.Count; i++)
             {
                 while (next < _turnMoves.Count && _turnMoves[next] <= first + i) now = _turns[next++];
-                columns.A[i] = now.A;
-                columns.B[i] = now.B;
-                columns.C[i] = now.C;
+                columns.A[i] = now.X;
+                columns.B[i] = now.Y;
+                columns.C[i] = now.Z;
             }
             Replace(block, columns);
         }
@@ -130,7 +126,7 @@ internal sealed class BlockCollector(int blockSize = ToolpathBlock.Capacity, boo
         Columns.Arcs = _arcs.ToArray();
         _arcMoves.Clear();
         _arcs.Clear();
-        _blocks.Add(new ToolpathBlock(Columns, file));
+        if (keeps) _blocks.Add(new ToolpathBlock(Columns, file));
         _sealed += Columns.Count;
         Columns = new ToolpathColumns(0);
     }
