@@ -15,17 +15,13 @@ public static class GCodeDecoder
         CancellationToken cancel = default)
     {
         if (document is null) throw new ArgumentNullException(nameof(document));
+        options ??= new DecodeOptions();
+        // Not worth another thread.
+        if (document.Chunks.Count < 3) options = options with { Threads = 1 };
         var length = (double)document.Length;
-        var input = new DecodeInput(document.Chunks, ExtrusionAxis.Detect(document.Chunks), document.Name)
-        {
-            Document = () => document,
-            HasText = true,
-            IsShort = document.Chunks.Count < 3,
-            Searched = document.Chunks,
-            Share = done => done / length,
-            Notes = () => document.Notes,
-        };
-        return GCodeDocument.Guarded(document.Name, () => Run(input, options ?? new DecodeOptions(), progress, cancel));
+        var input = new DecodeInput(document.Chunks, document.Chunks, ExtrusionAxis.Detect(document.Chunks), document.Name, () => document,
+            done => done / length, () => document.Notes);
+        return GCodeDocument.Guarded(document.Name, () => Run(input, options, progress, cancel));
     }
 
     /// <summary>Reads and decodes a file (plain, gzip, or binary G-code) and keeps its text, so that it can be edited or converted and written again.</summary>
@@ -100,15 +96,8 @@ public static class GCodeDecoder
             head.AddRange(text is null ? GCodeDocument.Kept(Rest(), [], options.Memory) : Rest());
         var searched = new List<GCodeChunk>(head);
         if (tail is not null) searched.Add(tail);
-        var input = new DecodeInput(All(), axis, name)
-        {
-            Document = () => text is null ? null : new GCodeDocument(text.ToArray(), name, source.Notes()),
-            HasText = text is not null,
-            Searched = searched,
-            Share = source.Done,
-            Notes = source.Notes,
-        };
-        return Run(input, options, progress, cancel);
+        Func<GCodeDocument>? document = text is null ? null : () => new GCodeDocument(text.ToArray(), name, source.Notes());
+        return Run(new DecodeInput(All(), searched, axis, name, document, source.Done, source.Notes), options, progress, cancel);
     }
 
     private static Result<DecodedGCode> Run(DecodeInput input, DecodeOptions options, IProgress<double>? progress, CancellationToken cancel)
@@ -124,12 +113,12 @@ public static class GCodeDecoder
             problems.Add(Severity.Warning, "gcode.no_extruder", rules.Title + " has no extruder on " + input.Axis.Name + ". Extrusion is left out.");
         var lines = 0;
         var mark = false;
-        var checkpoints = input.HasText ? new List<Checkpoint>() : null;
+        var checkpoints = input.Document is not null ? new List<Checkpoint>() : null;
         long bytes = 0;
         ChunkPipeline.Run(
             input.Chunks,
             axis.Letter,
-            input.IsShort ? 1 : options.Degree,
+            options.Degree,
             _ => true,
             (parsed, done) =>
             {
@@ -137,7 +126,7 @@ public static class GCodeDecoder
                 if (lines == 0) mark = TextEncoding.MarkLength(parser.Chunk!) > 0;
                 checkpoints?.Add(new Checkpoint(lines, interpreter.Save(), interpreter.LastEvents.Count));
                 interpreter.Run(parser, lines);
-                lines = GCodeDocument.AddLines(lines, parser.Lines);
+                lines = GCodeDocument.AddLines(lines, parser.Count);
                 bytes = done;
                 if (progress is not null && input.Share(done) is >= 0 and var part) progress.Report(part);
             },
@@ -155,7 +144,7 @@ public static class GCodeDecoder
         return new Result<DecodedGCode>(
             new DecodedGCode(toolpath, report, rules)
             {
-                Document = input.Document(),
+                Document = input.Document?.Invoke(),
                 Evidence = detected?.Evidence ?? [],
                 Settings = settings,
                 Ignored = interpreter.Machine.Log.Ignored.ToDictionary(p => p.Key, p => p.Value, StringComparer.Ordinal),
@@ -179,22 +168,9 @@ public static class GCodeDecoder
             + "\", but the file was read as " + rules.Title + ". Choose the flavor.");
     }
 
-    // What is decoded: the chunks of a text, and what its source knows of it.
-    private sealed record DecodeInput(IEnumerable<GCodeChunk> Chunks, ExtrusionAxis Axis, string Name)
-    {
-        public Func<GCodeDocument?> Document { get; init; } = () => null;
-
-        public bool HasText { get; init; }
-
-        // Not worth another thread.
-        public bool IsShort { get; init; }
-
-        // Where the flavor is looked for.
-        public IReadOnlyList<GCodeChunk> Searched { get; init; } = [];
-
-        // The part that is done after a number of bytes, or less than 0.
-        public Func<long, double> Share { get; init; } = _ => -1;
-
-        public Func<IReadOnlyList<Diagnostic>> Notes { get; init; } = () => [];
-    }
+    // What is decoded: the chunks of a text, those in which the flavor is looked for, the document if the text is kept, the part that is done after a number of
+    // bytes (less than 0 if unknown), and what its source knows of it in the end.
+    private sealed record DecodeInput(
+        IEnumerable<GCodeChunk> Chunks, IReadOnlyList<GCodeChunk> Searched, ExtrusionAxis Axis, string Name, Func<GCodeDocument>? Document,
+        Func<long, double> Share, Func<IReadOnlyList<Diagnostic>> Notes);
 }

@@ -11,9 +11,7 @@ internal static class BinaryGCode
 
     /// <summary>True for the file names of binary G-code: .bgcode or .bgc.</summary>
     public static bool IsName(string file)
-    {
-        return file.EndsWith(".bgcode", StringComparison.OrdinalIgnoreCase) || file.EndsWith(".bgc", StringComparison.OrdinalIgnoreCase);
-    }
+        => file.EndsWith(".bgcode", StringComparison.OrdinalIgnoreCase) || file.EndsWith(".bgc", StringComparison.OrdinalIgnoreCase);
 
     /// <summary>Writes a document.</summary>
     /// <exception cref="IOException">The stream cannot be written.</exception>

@@ -37,7 +37,6 @@ public sealed class GCodeDocument
     /// kept.
     /// </summary>
     /// <exception cref="InvalidDataException">The bytes are a broken gzip or binary G-code file, or a line is longer than 512 MB.</exception>
-    /// <exception cref="DiagnosticException">Unpacked they take more than half of the machine's memory.</exception>
     public static GCodeDocument FromBytes(byte[] bytes, string name = "")
     {
         if (bytes is null) throw new ArgumentNullException(nameof(bytes));
@@ -159,17 +158,13 @@ public sealed class GCodeDocument
     internal static int AddLines(int lines, int more)
         => lines <= int.MaxValue - more ? lines + more : throw new InvalidDataException("It has more than 2147483647 lines.");
 
-    /// <summary>The result of work on a text, or the error for packed bytes that cannot be unpacked, or for too much text.</summary>
+    /// <summary>The result of work on a text, or the error for packed bytes that cannot be unpacked, or for too many lines.</summary>
     internal static Result<T> Guarded<T>(string name, Func<Result<T>> work)
         where T : class
     {
         try
         {
             return work();
-        }
-        catch (DiagnosticException tooMuch)
-        {
-            return new Result<T>(null, tooMuch.Diagnostics);
         }
         catch (InvalidDataException broken)
         {
@@ -185,6 +180,7 @@ public sealed class GCodeDocument
         foreach (var _ in Kept(ChunkReader.Read(source.Text, GCodeChunk.Target, cancel), chunks, memory)) continue;
         return new GCodeDocument(chunks.ToArray(), name, source.Notes());
     }
+
     private static void WritePage(BinaryWriter writer, byte[] text)
     {
         writer.Write(text.Length);
