@@ -63,7 +63,7 @@ internal sealed class GCodeInterpreter
         for (var i = 0; i < count; i++)
         {
             ref var record = ref records[i];
-            diagnostics.Line = firstLine + record.Line + 1;
+            diagnostics.Line = firstLine + i + 1;
             if (record.Op > LastFastOp)
             {
                 others++;

@@ -69,14 +69,7 @@ internal sealed class ParsedLine
         return -1;
     }
 
-    public bool Has(char letter)
-    {
-        for (var i = 0; i < Count; i++)
-        {
-            if (Letters[i] == letter) return true;
-        }
-        return false;
-    }
+    public bool Has(char letter) => Array.IndexOf(Letters, (byte)letter, 0, Count) >= 0;
 
     /// <summary>True if one of its G words has this number.</summary>
     public bool HasCode(double code)

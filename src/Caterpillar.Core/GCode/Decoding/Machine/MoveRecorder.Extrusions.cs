@@ -62,7 +62,7 @@ internal sealed partial class MoveRecorder
             columnY[i] = y + shiftY;
             columnE[i] = e;
             deposits[i] = deposited;
-            source[i] = firstLine + record.Line + 1;
+            source[i] = firstLine + next + 1;
         }
         if (i == from) return next;
         (head.X, head.Y, _state.Extrusion.E, _state.Modes.Motion) = (x, y, position, 1);

@@ -94,7 +94,7 @@ internal sealed partial class ChunkParser
             if (comment >= 0) comments++;
             places[count] = words.Count < Unknown ? words : default;
             record.Start = at;
-            record.Line = count++;
+            count++;
             record.Op = (byte)(text[at + 1] & 1);
             record.Aux = comment;
             record.Mask = (byte)mask;

@@ -20,10 +20,8 @@ internal sealed partial class ChunkParser(byte extruder)
     /// <summary>Places of the words of each record, for edits.</summary>
     public WordPlaces[] Places { get; private set; } = new WordPlaces[64];
 
-    public int Count { get; private set; }
-
     /// <summary>Number of lines, of lines that end with CRLF, and of motions with a <c>;</c> comment.</summary>
-    public int Lines { get; private set; }
+    public int Count { get; private set; }
 
     public int CrLf { get; private set; }
 
@@ -49,15 +47,19 @@ internal sealed partial class ChunkParser(byte extruder)
             if (Count == Records.Length) Grow();
             else at = OtherLine(text, at, end);
         }
-        Rest(text, at, end);
-        Lines = Count;
+        // What follows the last LF: the last line of a file, or lines that end with CR.
+        while (at < end)
+        {
+            if (Count == Records.Length) Grow();
+            at = OtherLine(text, at, end);
+        }
     }
 
     private int OtherLine(byte[] text, int at, int end)
     {
         var stop = LineEnds.Find(text, at, end);
         Places[Count] = default;
-        Records[Count] = new LineRecord { Start = at, Aux = stop, Line = Count, Op = text[at] == ';' ? Comment : Other };
+        Records[Count] = new LineRecord { Start = at, Aux = stop, Op = text[at] == ';' ? Comment : Other };
         Count++;
         if (stop + 1 < end && text[stop] == '\r' && text[stop + 1] == '\n') CrLf++;
         return LineEnds.Skip(text, stop, end);
@@ -69,15 +71,5 @@ internal sealed partial class ChunkParser(byte extruder)
         Array.Resize(ref records, Count * 2);
         Array.Resize(ref words, Count * 2);
         (Records, Places) = (records, words);
-    }
-
-    // What follows the last LF: the last line of a file, or lines that end with CR.
-    private void Rest(byte[] text, int at, int end)
-    {
-        while (at < end)
-        {
-            if (Count == Records.Length) Grow();
-            at = OtherLine(text, at, end);
-        }
     }
 }

@@ -15,9 +15,6 @@ internal struct LineRecord
     /// <summary>Motions: index of the comment, or −1. Other lines: index of the line end.</summary>
     public int Aux;
 
-    /// <summary>Number of the line in its chunk, from 0.</summary>
-    public int Line;
-
     /// <summary>0 and 1 for G0 and G1 in the usual notation; <see cref="ChunkParser.Comment"/>; <see cref="ChunkParser.Other"/>.</summary>
     public byte Op;
 
