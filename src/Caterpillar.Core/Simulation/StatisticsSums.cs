@@ -35,7 +35,8 @@ internal sealed class StatisticsSums
             var sum = pair.Value;
             all.Volume += sum.Volume;
             all.VolumeUnknown |= sum.VolumeUnknown;
-            var (material, filament) = (_setup.OfTool(pair.Key).Material, FilamentOf(pair.Key, sum.E));
+            var material = _setup.OfTool(pair.Key).Material;
+            var filament = sum.E * MotionPlanner.FilamentPerE(pair.Key, _toolpath.VolumePerE(pair.Key), _setup);
             all.E += filament;
             // mm³ and g/cm³
             var grams = sum.KnownVolume / 1000 * material.Density;
@@ -104,7 +105,7 @@ internal sealed class StatisticsSums
             {
                 _roles[(int)c.Role[i]].Add(moving, length, c.Deposited[i], factor);
                 _bounds = isArc ? _bounds.Include(arc.Bounds(at, end)) : _bounds.Include(at).Include(end);
-                Flow(number, length, c.Deposited[i] * factor, motion.PeakOf(number));
+                if (length > 0 && c.Deposited[i] * factor / length * motion.PeakOf(number) is { } flow && flow > _flow) (_flow, _flowMove) = (flow, number);
             }
             if (c.Layer[i] >= 0)
             {
@@ -114,13 +115,6 @@ internal sealed class StatisticsSums
             at = end;
         }
     }
-
-    private void Flow(int move, double length, double? volume, double speed)
-    {
-        if (length > 0 && volume / length * speed is { } flow && flow > _flow) (_flow, _flowMove) = (flow, move);
-    }
-
-    private double FilamentOf(int tool, double e) => e * MotionPlanner.FilamentPerE(tool, _toolpath.VolumePerE(tool), _setup);
 
     private sealed class Sum
     {

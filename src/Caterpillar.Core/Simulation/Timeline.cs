@@ -146,8 +146,7 @@ public sealed class Timeline
     // The moment at which a part of a move is done.
     private MachineState WithDone(int move, double done)
     {
-        int first = Motion.First[move], end = Motion.First[move + 1];
-        while (first < end && Motion.Acceleration[first] == 0) first++;
+        int first = Motion.FirstMoving(move), end = Motion.First[move + 1];
         if (first == end) return AtMove(move);
         // The pieces of an arc are equally long.
         var at = done * (end - first);
@@ -163,11 +162,10 @@ public sealed class Timeline
         var move = over ? Last() : Toolpath[number];
         double done = 0, speed = 0;
         var end = over ? Motion.Count : Motion.First[number + 1];
-        var waits = trapezoid < end && Motion.Acceleration[trapezoid] == 0;
+        var waits = trapezoid < end && Motion.IsWait(trapezoid);
         if (!waits && trapezoid < end)
         {
-            var first = Motion.First[number];
-            while (Motion.Acceleration[first] == 0) first++;
+            var first = Motion.FirstMoving(number);
             var now = Motion[trapezoid];
             var since = time - Motion.StartTime(trapezoid);
             done = Math.Min((trapezoid - first + now.DistanceAt(since) / now.Length) / (end - first), 1);

@@ -117,7 +117,7 @@ public class TimelineStateTests
             columns.Add(new Trapezoid(0, 10, 0, 100, 0.5));
             Assert.That(columns.TotalTime, Is.EqualTo(0.5 * i));
         }
-        Assert.That((columns.Start.Length, columns.Peak.Length, columns.End.Length, columns.Acceleration.Length), Is.EqualTo((0, 0, 0, 0)));
+        Assert.That(columns.HasSpeeds, Is.False);
     }
 
     [TestCase(3, 4)]

@@ -10,14 +10,11 @@ internal sealed class MotionColumns
 
     // Seconds from the start to the end of each trapezoid.
     public double[] EndTime;
-    public double[] Start;
-    public double[] Peak;
-    public double[] End;
-    public double[] Acceleration;
     public int Count;
 
     // For waits and chords of arcs.
     private const int Spare = 64;
+    private Speeds[] _speeds;
     private double _time;
 
     // What is forgotten: moves, trapezoids and their time.
@@ -28,16 +25,14 @@ internal sealed class MotionColumns
     /// <param name="timesOnly">Only times are kept, no speeds.</param>
     public MotionColumns(int moves, bool timesOnly = false)
     {
-        var speeds = timesOnly ? 0 : moves + Spare;
         First = new int[moves + 1];
         EndTime = new double[moves + Spare];
-        Start = new double[speeds];
-        Peak = new double[speeds];
-        End = new double[speeds];
-        Acceleration = new double[speeds];
+        _speeds = new Speeds[timesOnly ? 0 : moves + Spare];
     }
 
     public double TotalTime => _time;
+
+    public bool HasSpeeds => _speeds.Length > 0;
 
     public void Add(in Trapezoid t)
     {
@@ -45,11 +40,7 @@ internal sealed class MotionColumns
         _time += t.Duration;
         var i = Count++ - _gone;
         EndTime[i] = _time;
-        if (Start.Length == 0) return;
-        Start[i] = t.Start;
-        Peak[i] = t.Peak;
-        End[i] = t.End;
-        Acceleration[i] = t.Acceleration;
+        if (HasSpeeds) _speeds[i] = new Speeds(t.Start, t.Peak, t.End, t.Acceleration);
     }
 
     /// <summary>The next move, or the end, with its first trapezoid.</summary>
@@ -65,10 +56,8 @@ internal sealed class MotionColumns
     {
         var first = FirstOf(move);
         _goneTime = StartTime(first);
-        foreach (var column in new[] { EndTime, Start, Peak, End, Acceleration })
-        {
-            if (column.Length > 0) Array.Copy(column, first - _gone, column, 0, Count - first);
-        }
+        Array.Copy(EndTime, first - _gone, EndTime, 0, Count - first);
+        Array.Copy(_speeds, first - _gone, _speeds, 0, Count - first);
         Array.Copy(First, move - _goneMoves, First, 0, First.Length - (move - _goneMoves));
         (_goneMoves, _gone) = (move, first);
     }
@@ -80,33 +69,37 @@ internal sealed class MotionColumns
     public double StartOf(int move) => StartTime(FirstOf(move));
 
     /// <summary>Seconds of waiting before a move.</summary>
-    public double WaitBefore(int move)
+    public double WaitBefore(int move) => StartTime(FirstMoving(move)) - StartOf(move);
+
+    /// <summary>The first trapezoid of a move after its waits; that of the next move if there is none.</summary>
+    public int FirstMoving(int move)
     {
         int first = FirstOf(move), end = FirstOf(move + 1);
-        while (first < end && Acceleration[first - _gone] == 0) first++;
-        return StartTime(first) - StartOf(move);
+        while (first < end && IsWait(first)) first++;
+        return first;
     }
+
+    /// <summary>True for the time in which the machine waits.</summary>
+    public bool IsWait(int trapezoid) => _speeds[trapezoid - _gone].Acceleration == 0;
 
     /// <summary>Maximum speed of a move, mm/s; 0 if nothing moves.</summary>
     public double PeakOf(int move)
     {
         var peak = 0.0;
-        for (int i = FirstOf(move), end = FirstOf(move + 1); i < end; i++) peak = Math.Max(peak, Peak[i - _gone]);
+        for (int i = FirstOf(move), end = FirstOf(move + 1); i < end; i++) peak = Math.Max(peak, _speeds[i - _gone].Peak);
         return peak;
     }
 
-    public Trapezoid this[int i] => new(Start[i], Peak[i], End[i], Acceleration[i], EndTime[i] - StartTime(i));
+    public Trapezoid this[int i] => new(_speeds[i].Start, _speeds[i].Peak, _speeds[i].End, _speeds[i].Acceleration, EndTime[i] - StartTime(i));
 
     private int FirstOf(int move) => First[move - _goneMoves];
 
     private void Grow()
     {
-        var size = checked(2 * EndTime.Length);
-        Array.Resize(ref EndTime, size);
-        if (Start.Length == 0) return;
-        Array.Resize(ref Start, size);
-        Array.Resize(ref Peak, size);
-        Array.Resize(ref End, size);
-        Array.Resize(ref Acceleration, size);
+        Array.Resize(ref EndTime, checked(2 * EndTime.Length));
+        Array.Resize(ref _speeds, 2 * _speeds.Length);
     }
+
+    // The speeds of a trapezoid.
+    private readonly record struct Speeds(double Start, double Peak, double End, double Acceleration);
 }
