@@ -129,23 +129,13 @@ internal sealed class GzipReader(Stream packed, bool leaveOpen = false) : ReadSt
         {
             for (var left = Byte() | Byte() << 8; left > 0; left--) Byte();
         }
-        if ((flags & Name) != 0)
+        foreach (var text in new[] { Name, Comment })
         {
-            while (Byte() != 0)
+            while ((flags & text) != 0 && Byte() != 0)
             {
             }
         }
-        if ((flags & Comment) != 0)
-        {
-            while (Byte() != 0)
-            {
-            }
-        }
-        if ((flags & HeaderSum) != 0)
-        {
-            Byte();
-            Byte();
-        }
+        for (var i = 0; i < 2 && (flags & HeaderSum) != 0; i++) Byte();
     }
 
     private int Byte()

@@ -43,14 +43,8 @@ public static class PngWriter
         memory.WriteByte(0x9C);
         var packed = DeflateWriter.Pack(data);
         memory.Write(packed, 0, packed.Length);
-        uint a = 1, b = 0;
-        foreach (var value in data)
-        {
-            a = (a + value) % 65521;
-            b = (b + a) % 65521;
-        }
         var sum = new byte[4];
-        BigEndian(sum, 0, (b << 16) | a);
+        BigEndian(sum, 0, Adler32.Of(data));
         memory.Write(sum, 0, 4);
         return memory.ToArray();
     }

@@ -123,25 +123,8 @@ internal sealed class BinaryBlock
             throw new InvalidDataException("The deflate data of a block is damaged.");
         }
         var end = packed.Length - 4;
-        if (Adler(data) != (uint)(packed[end] << 24 | packed[end + 1] << 16 | packed[end + 2] << 8 | packed[end + 3]))
+        if (Adler32.Of(data) != (uint)(packed[end] << 24 | packed[end + 1] << 16 | packed[end + 2] << 8 | packed[end + 3]))
             throw new InvalidDataException("The deflate data of a block is damaged or cut off.");
         return data;
-    }
-
-    private static uint Adler(byte[] data)
-    {
-        uint a = 1, b = 0;
-        for (var at = 0; at < data.Length;)
-        {
-            // So many fit without an overflow.
-            for (var stop = Math.Min(data.Length, at + 5552); at < stop; at++)
-            {
-                a += data[at];
-                b += a;
-            }
-            a %= 65521;
-            b %= 65521;
-        }
-        return b << 16 | a;
     }
 }
