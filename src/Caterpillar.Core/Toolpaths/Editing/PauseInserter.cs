@@ -9,11 +9,7 @@ internal static class PauseInserter
     {
         PrinterEvent what = pause.Command.Length > 0 ? new RawEvent(pause.Command) : new PauseEvent();
         if (!(pause.Lift > 0)) return toolpath.InsertAtLayer(layer, what);
-        foreach (var move in toolpath.Moves())
-        {
-            if (toolpath.NumberOfLayer(move) == layer) return new Result<Toolpath>(Insert(toolpath, move, pause, what), []);
-        }
-        return toolpath.InsertAtLayer(layer, what);
+        return toolpath.FirstOfLayer(layer) is { } first ? new Result<Toolpath>(Insert(toolpath, first, pause, what), []) : toolpath.InsertAtLayer(layer, what);
     }
 
     private static Toolpath Insert(Toolpath toolpath, Move before, Pause pause, PrinterEvent what)

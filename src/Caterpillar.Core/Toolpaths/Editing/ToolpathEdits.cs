@@ -10,7 +10,7 @@ public static class ToolpathEdits
     /// <exception cref="ArgumentOutOfRangeException">The factor is not positive and finite.</exception>
     public static Toolpath ScaleSpeed(this Toolpath toolpath, MoveFilter filter, double factor, CancellationToken cancel = default)
     {
-        Positive(factor, nameof(factor));
+        if (!(factor > 0) || double.IsInfinity(factor)) throw new ArgumentOutOfRangeException(nameof(factor), factor, "Must be positive and finite.");
         return Change(toolpath, filter, (columns, chosen, first) =>
         {
             var speed = columns.Speed = (double[])columns.Speed.Clone();
@@ -111,11 +111,8 @@ public static class ToolpathEdits
     public static Result<Toolpath> InsertAtLayer(this Toolpath toolpath, int layer, PrinterEvent what)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
-        foreach (var move in toolpath.Moves())
-        {
-            if (toolpath.NumberOfLayer(move) == layer) return new Result<Toolpath>(toolpath.Insert(move.Index, what), []);
-        }
-        return new Result<Toolpath>("toolpath.no_layer", $"Layer {NumberFormatter.Format(layer)} not found.");
+        return toolpath.FirstOfLayer(layer) is { } first ? new Result<Toolpath>(toolpath.Insert(first.Index, what), [])
+            : new Result<Toolpath>("toolpath.no_layer", $"Layer {NumberFormatter.Format(layer)} not found.");
     }
 
     private static bool IsOf(Toolpath toolpath, Move move, PrinterEvent what)
@@ -138,10 +135,5 @@ public static class ToolpathEdits
             blocks[block] = new ToolpathBlock(columns, blocks[block].File);
         }
         return toolpath.With(blocks);
-    }
-
-    private static void Positive(double value, string name)
-    {
-        if (!(value > 0) || double.IsInfinity(value)) throw new ArgumentOutOfRangeException(name, value, "Must be positive and finite.");
     }
 }

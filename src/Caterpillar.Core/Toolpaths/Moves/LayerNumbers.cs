@@ -41,4 +41,8 @@ public static class LayerNumbers
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         return move.Layer >= 0 ? toolpath.Layers[move.Layer].Index : null;
     }
+
+    /// <summary>The first move of a layer, by its number. Null if there is none.</summary>
+    internal static Move? FirstOfLayer(this Toolpath toolpath, int number)
+        => toolpath.Moves().Where(m => toolpath.NumberOfLayer(m) == number).Select(m => (Move?)m).FirstOrDefault();
 }
