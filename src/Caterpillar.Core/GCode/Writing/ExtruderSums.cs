@@ -34,7 +34,9 @@ internal sealed class ExtruderSums
         changed = false;
         if (Letter == 0) return 0;
         var sum = _sum;
-        if (Math.Abs(sum.Exact) > LargestExact) Rebase();
+        // Sums stay within what can be printed.
+        if (Math.Abs(sum.Exact) > LargestExact && _relative) sum.Forget(_decimals);
+        else if (Math.Abs(sum.Exact) > LargestExact) Reset();
         sum.Exact += e;
         var units = NumberFormatter.ToUnits(sum.Exact, _decimals);
         var step = units - sum.Written;
@@ -86,13 +88,6 @@ internal sealed class ExtruderSums
         if (!_sums.TryGetValue(tool, out var sum)) _sums.Add(tool, sum = new ExtruderSum());
         if (_rules.PositionOfE == PositionOfERule.ZeroAtChange) sum.Forget(_decimals);
         _sum = sum;
-    }
-
-    // Sums stay within what can be printed.
-    private void Rebase()
-    {
-        if (_relative) _sum.Forget(_decimals);
-        else Reset();
     }
 
     private sealed class ExtruderSum

@@ -145,7 +145,7 @@ internal sealed class GCodeWriter
         var home = _homed;
         _homed = null;
         // The home command has made this move already.
-        if (home is not null && kind == MoveKind.Travel && IsHomingMove(home, c, block, i)) return;
+        if (home is not null && kind == MoveKind.Travel && new Vec3(c.X[i], c.Y[i], c.Z[i]) == home.Home(StartOf(c, block, i))) return;
         switch (kind)
         {
             case MoveKind.Dwell:
@@ -184,12 +184,6 @@ internal sealed class GCodeWriter
         _on = on;
         _out.Command((byte)'M', on ? 101 : 103);
         _out.EndLine();
-    }
-
-    private bool IsHomingMove(HomeEvent home, ToolpathColumns c, int block, int i)
-    {
-        var start = StartOf(c, block, i);
-        return c.X[i] == (home.X ? 0 : start.X) && c.Y[i] == (home.Y ? 0 : start.Y) && c.Z[i] == (home.Z ? 0 : start.Z);
     }
 
     private void Events(int move)

@@ -25,7 +25,7 @@ internal sealed class ExtendedCommands(Machine machine, ModeCommands modes, Even
         while (end < line.CodeEnd && text[end] > ' ' && text[end] != '*') end++;
         var name = TextEncoding.Decode(text, start, Math.Min(end, start + LongestName)).ToUpperInvariant();
         var words = TextEncoding.Decode(text, end, Math.Min(line.CodeEnd, end + LongestText));
-        if (_rules.ExtendedCommands && TakeState(name, words.ToUpperInvariant())) return;
+        var capitals = words.ToUpperInvariant();
         switch (name)
         {
             case "EXCLUDE_OBJECT_START":
@@ -35,42 +35,31 @@ internal sealed class ExtendedCommands(Machine machine, ModeCommands modes, Even
                 comments.SetObject("");
                 return;
             case "SET_VELOCITY_LIMIT" when _rules.Limits == LimitCommands.Klipper:
-                var limits = words.ToUpperInvariant();
-                events.Limits.TakeVelocityLimit(key => Number(limits, key));
+                events.Limits.TakeVelocityLimit(key => Number(capitals, key));
                 return;
             case "SET_RETRACTION" when _rules.RetractionSettings == RetractionCommands.Klipper:
-                var settings = words.ToUpperInvariant();
-                events.Limits.TakeRetraction(key => Number(settings, key));
+                events.Limits.TakeRetraction(key => Number(capitals, key));
                 return;
             case "SET_HEATER_TEMPERATURE" when _rules.ExtendedCommands:
-                events.SetHeater(Argument(words, "HEATER="), Number(words.ToUpperInvariant(), "TARGET"));
+                events.SetHeater(Argument(words, "HEATER="), Number(capitals, "TARGET"));
                 return;
             case "TURN_OFF_HEATERS" when _rules.ExtendedCommands:
                 events.HeatersOff();
                 return;
             case "ACTIVATE_EXTRUDER":
-                Activate(Argument(words, "EXTRUDER="));
+                if (_rules.ExtendedCommands && ToolOf(Argument(words, "EXTRUDER=")) is { } tool) machine.ChangeTool(tool);
+                return;
+            case "SAVE_GCODE_STATE" when _rules.ExtendedCommands:
+                _state.Saved.SetNamed(modes.Current(Word(capitals, "NAME") ?? "DEFAULT"));
+                return;
+            case "RESTORE_GCODE_STATE" when _rules.ExtendedCommands:
+                RestoreState(capitals);
+                return;
+            case "SET_GCODE_OFFSET" when _rules.ExtendedCommands:
+                SetOffset(capitals);
                 return;
         }
         if (!events.TakePause(name)) machine.Log.Ignore();
-    }
-
-    private bool TakeState(string name, string words)
-    {
-        switch (name)
-        {
-            case "SAVE_GCODE_STATE":
-                _state.Saved.SetNamed(modes.Current(Word(words, "NAME") ?? "DEFAULT"));
-                return true;
-            case "RESTORE_GCODE_STATE":
-                RestoreState(words);
-                return true;
-            case "SET_GCODE_OFFSET":
-                SetOffset(words);
-                return true;
-            default:
-                return false;
-        }
     }
 
     private void RestoreState(string words)
@@ -113,11 +102,6 @@ internal sealed class ExtendedCommands(Machine machine, ModeCommands modes, Even
         _state.Extrusion.SetE(_state.Extrusion.E + e);
         machine.Moves.Line(target.X, target.Y, target.Z, e, 1);
         feed.Speed = speed;
-    }
-
-    private void Activate(string name)
-    {
-        if (_rules.ExtendedCommands && ToolOf(name) is { } tool) machine.ChangeTool(tool);
     }
 
     private static double Changed(string words, string axis, double before)

@@ -33,7 +33,10 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
                 machine.Diagnostics.Warn("gcode.flavor_commands", "A line has several motion commands. Only the last one is read, with the words of all.");
             }
             if (IsMotion(code)) explicitMotion = code / 10;
-            else action = Other(text, line, i, code, action);
+            if (IsMotion(code)) continue;
+            // A mode takes effect now, and an action after all modes.
+            machine.Log.See(text, line.LetterAt[i], line.CodeEnd);
+            if (!modes.Take(code)) action = code;
         }
         if (commands > 1) machine.Features.Add(Feature.MultiG);
         if (explicitMotion != NoMotion)
@@ -55,13 +58,6 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
             if (_rules.ModalMotion != ModalMotionRule.Never && line.TryGet('F', out var feed)) machine.SetFeed(feed);
             else if (line.Find('F') < 0) Unknown(text, line);
         }
-    }
-
-    // A mode takes effect now, and an action after all modes.
-    private int Other(byte[] text, ParsedLine line, int word, int code, int action)
-    {
-        machine.Log.See(text, line.LetterAt[word], line.CodeEnd);
-        return modes.Take(code) ? action : code;
     }
 
     private void Unknown(byte[] text, ParsedLine line)

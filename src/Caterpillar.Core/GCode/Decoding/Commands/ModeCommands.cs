@@ -31,8 +31,7 @@ internal sealed class ModeCommands(Machine machine, PositionCommands positions)
                 return true;
             case 900:
             case 910:
-                if (code == 900) _features.Add(Feature.G90);
-                else _features.Add(Feature.G91);
+                _features.Add(code == 900 ? Feature.G90 : Feature.G91);
                 modes.Relative = modes.LastRelative = code == 910;
                 machine.ModesChanged();
                 return true;
@@ -49,8 +48,7 @@ internal sealed class ModeCommands(Machine machine, PositionCommands positions)
     /// <summary>M82 and M83.</summary>
     public void SetRelativeE(bool relative)
     {
-        if (relative) _features.Add(Feature.M83);
-        else _features.Add(Feature.M82);
+        _features.Add(relative ? Feature.M83 : Feature.M82);
         if (_rules.RelativeE == RelativeERule.OnlyG90G91)
         {
             machine.Log.Ignore();

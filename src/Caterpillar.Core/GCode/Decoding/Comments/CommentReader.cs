@@ -142,7 +142,7 @@ internal static class CommentReader
     // "z=0.30 z_thickness=0.30"
     private static CommentMeaning Kiss(byte[] text, int at, int end)
     {
-        var meaning = new CommentMeaning { Kind = CommentKind.LayerChange, Z = double.NaN };
+        var meaning = new CommentMeaning { Kind = CommentKind.LayerChange, Number = 1, Z = double.NaN };
         for (; at < end; at++)
         {
             if (Is(text, at, end, " z=") && NumberReader.Scan(text, at + 3, end, false, out var z) > at + 3 && z is > -1e9 and < 1e9) meaning.Z = z;
@@ -152,7 +152,6 @@ internal static class CommentReader
                 meaning.Height = h;
             }
         }
-        meaning.Number = 1;
         return meaning;
     }
 

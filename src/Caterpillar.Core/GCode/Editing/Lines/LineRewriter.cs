@@ -259,10 +259,7 @@ internal sealed class LineRewriter(LineStyle style, FlavorRules rules, Extrusion
         }
         Copy(text, at, stop);
         if (_line.ChecksumAt < 0) return;
-        var sum = 0;
-        for (var i = 0; i < Count; i++) sum ^= _out[i];
-        _out[Count++] = (byte)'*';
-        Count = NumberFormatter.WriteUnits(_out, Count, sum, 0);
+        Count = SplicedText.Sum(_out, Count);
         var rest = stop + 1;
         while (rest < end && (uint)(text[rest] - '0') <= 9) rest++;
         Copy(text, rest, end);

@@ -90,7 +90,6 @@ internal sealed class LineStyle
     /// <summary>The style with other decimals as maximum.</summary>
     public LineStyle With(int? xyz, int? e, int? f)
     {
-        if (xyz is null && e is null && f is null) return this;
         var style = (LineStyle)MemberwiseClone();
         style.LimitXyz = xyz;
         style.LimitE = e;

@@ -55,7 +55,8 @@ internal sealed class SplicedText(SplicedOutput output, LineStyle style)
             var at = WriteNumber(made, _lastNumber + 1);
             made[at++] = (byte)' ';
             Buffer.BlockCopy(text, 0, made, at, count);
-            at = Checksum(made, at + count);
+            at += count;
+            if (style.Checksums) at = Sum(made, at);
             _lastNumber++;
             Copy(made, 0, at);
         }
@@ -94,13 +95,8 @@ internal sealed class SplicedText(SplicedOutput output, LineStyle style)
     private void AddNumbered(byte[] text, int start, int end)
     {
         _line.Scan(text, start, end);
-        if (_line.NumberWordAt < 0)
-        {
-            Copy(text, start, end);
-            return;
-        }
-        _lastNumber = _line.LineNumber + _shift;
-        if (_shift == 0)
+        if (_line.NumberWordAt >= 0) _lastNumber = _line.LineNumber + _shift;
+        if (_line.NumberWordAt < 0 || _shift == 0)
         {
             Copy(text, start, end);
             return;
@@ -128,9 +124,8 @@ internal sealed class SplicedText(SplicedOutput output, LineStyle style)
         return NumberFormatter.WriteUnits(made, at, number is > -1e15 and < 1e15 ? (long)number : 0, 0);
     }
 
-    private int Checksum(byte[] made, int count) => style.Checksums ? Sum(made, count) : count;
-
-    private static int Sum(byte[] made, int count)
+    /// <summary>Adds the checksum of these bytes after them, and returns the index after it.</summary>
+    public static int Sum(byte[] made, int count)
     {
         var sum = 0;
         for (var i = 0; i < count; i++) sum ^= made[i];
