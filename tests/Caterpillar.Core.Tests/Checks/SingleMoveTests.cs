@@ -283,21 +283,13 @@ public class SingleMoveTests
         Assert.That(() => checks.Finish(toolpath, new CheckScope(200), null), Throws.InstanceOf<OperationCanceledException>());
     }
 
-    private sealed class Seen : IMoveCheck
+    private sealed class Seen : MoveCheck
     {
         public List<(bool Homes, bool Known)> All { get; } = [];
 
-        public IReadOnlyList<string> Codes => [];
+        public override IReadOnlyList<string> Codes => [];
 
-        public void Event(MoveEvent what)
-        {
-        }
-
-        public void Move(in CheckedMove move) => All.Add((move.IsHoming, move.StartKnown));
-
-        public void End(Toolpath toolpath)
-        {
-        }
+        public override void Move(in CheckedMove move) => All.Add((move.IsHoming, move.StartKnown));
     }
 
     // 20 mm along X.

@@ -1,7 +1,7 @@
 namespace Caterpillar.Checks;
 
 /// <summary>Passes each move to the checks of extrusions and collisions as straight pieces, and records its extrusion.</summary>
-internal sealed class DepositCheck : IMoveCheck
+internal sealed class DepositCheck : MoveCheck
 {
     private const double ArcTolerance = 0.02;
     private readonly double _farthest;
@@ -29,15 +29,11 @@ internal sealed class DepositCheck : IMoveCheck
         if (!isOnlyBed && findings.LooksFor(CollisionCheck.Codes)) _collisions = new CollisionCheck(setup.Printer, _printed, findings);
     }
 
-    public IReadOnlyList<string> Codes => AllCodes;
+    public override IReadOnlyList<string> Codes => AllCodes;
 
     public static IReadOnlyList<string> AllCodes { get; } = [.. ExtrusionCheck.Codes, .. CollisionCheck.Codes];
 
-    public void Event(MoveEvent what)
-    {
-    }
-
-    public void Move(in CheckedMove move)
+    public override void Move(in CheckedMove move)
     {
         if (move.Arc is not { } arc || IsFar(move.Start) || IsFar(move.End))
         {
@@ -59,7 +55,7 @@ internal sealed class DepositCheck : IMoveCheck
         }
     }
 
-    public void End(Toolpath toolpath) => _extrusions.End();
+    public override void End(Toolpath toolpath) => _extrusions.End();
 
     // What is far outside the machine touches nothing; numbers of any size must not stop the checks.
     private bool IsFar(Vec3 p) => !(System.Math.Abs(p.X) < _farthest && System.Math.Abs(p.Y) < _farthest && System.Math.Abs(p.Z) < _farthest);

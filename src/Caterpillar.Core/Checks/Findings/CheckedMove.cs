@@ -38,16 +38,20 @@ internal struct CheckedMove
 }
 
 /// <summary>A check that sees all moves and events once, in order.</summary>
-internal interface IMoveCheck
+internal abstract class MoveCheck
 {
     /// <summary>The codes of its findings. It does not run if all of them are off.</summary>
-    IReadOnlyList<string> Codes { get; }
+    public abstract IReadOnlyList<string> Codes { get; }
 
     /// <summary>An event before the next move.</summary>
-    void Event(MoveEvent what);
+    public virtual void Event(MoveEvent what)
+    {
+    }
 
-    void Move(in CheckedMove move);
+    public abstract void Move(in CheckedMove move);
 
     /// <summary>After the last move.</summary>
-    void End(Toolpath toolpath);
+    public virtual void End(Toolpath toolpath)
+    {
+    }
 }

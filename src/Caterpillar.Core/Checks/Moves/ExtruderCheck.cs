@@ -1,7 +1,7 @@
 namespace Caterpillar.Checks;
 
 /// <summary>Too much material extruded or retracted, in place or along a path, and extrusions that lack what was retracted before.</summary>
-internal sealed class ExtruderCheck(PrintSetup setup, Findings findings) : IMoveCheck
+internal sealed class ExtruderCheck(PrintSetup setup, Findings findings) : MoveCheck
 {
     // Cross-section in squares of the nozzle, and mm³ in cubes of it: purge lines are thick, and short moves may carry a drop.
     private const double ThickestArea = 36;
@@ -35,9 +35,9 @@ internal sealed class ExtruderCheck(PrintSetup setup, Findings findings) : IMove
     private int _hungry;
     private double _starved;
 
-    public IReadOnlyList<string> Codes => [CheckCodes.Stationary, CheckCodes.Amount, CheckCodes.Starved];
+    public override IReadOnlyList<string> Codes => [CheckCodes.Stationary, CheckCodes.Amount, CheckCodes.Starved];
 
-    public void Event(MoveEvent what)
+    public override void Event(MoveEvent what)
     {
         if (what.Event is HomeEvent) _inPlace = 0;
         if (what.Event is not RetractionEvent set) return;
@@ -45,7 +45,7 @@ internal sealed class ExtruderCheck(PrintSetup setup, Findings findings) : IMove
         if (volume > setup.Printer.MaxStationaryVolume) ReportInPlace(what.Move, set.Length > 0 ? -volume : volume);
     }
 
-    public void Move(in CheckedMove move)
+    public override void Move(in CheckedMove move)
     {
         if (move.StartKnown ? move.Start != move.End || move.Arc is not null : move.Kind is not (MoveKind.Retract or MoveKind.Deretract or MoveKind.Prime))
         {
@@ -64,10 +64,6 @@ internal sealed class ExtruderCheck(PrintSetup setup, Findings findings) : IMove
         var volume = Math.Abs(move.Pushed) > Math.Abs(_inPlace) ? move.Pushed : _inPlace;
         if (!(Math.Abs(volume) > most) || (before > most && Math.Abs(move.Pushed) <= most)) return;
         ReportInPlace(move.Index, volume);
-    }
-
-    public void End(Toolpath toolpath)
-    {
     }
 
     private void Retract(in CheckedMove move)

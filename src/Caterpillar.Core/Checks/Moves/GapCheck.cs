@@ -1,7 +1,7 @@
 namespace Caterpillar.Checks;
 
 /// <summary>Gaps in continuous paths: a short travel between two extrusions that go on in the same direction.</summary>
-internal sealed class GapCheck(Findings findings) : IMoveCheck
+internal sealed class GapCheck(Findings findings) : MoveCheck
 {
     /// <summary>Longest gap, mm; longer ones are meant.</summary>
     public const double Longest = 1;
@@ -17,13 +17,9 @@ internal sealed class GapCheck(Findings findings) : IMoveCheck
     private bool _gap;
     private Role _role;
 
-    public IReadOnlyList<string> Codes => [CheckCodes.Gap];
+    public override IReadOnlyList<string> Codes => [CheckCodes.Gap];
 
-    public void Event(MoveEvent what)
-    {
-    }
-
-    public void Move(in CheckedMove move)
+    public override void Move(in CheckedMove move)
     {
         if (!(move.Length > 0)) return;
         var along = move.End - move.Start;
@@ -41,10 +37,6 @@ internal sealed class GapCheck(Findings findings) : IMoveCheck
         _gap = move.Kind == MoveKind.Travel && _printed && move.StartKnown && move.Length is > Shortest and < Longest;
         _gapStart = move.Start;
         _printed = false;
-    }
-
-    public void End(Toolpath toolpath)
-    {
     }
 
     private void Report(in CheckedMove move)

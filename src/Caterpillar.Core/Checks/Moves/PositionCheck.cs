@@ -1,7 +1,7 @@
 namespace Caterpillar.Checks;
 
 /// <summary>Moves outside the space that the nozzle can reach or below the bed, and extrusions on excluded areas.</summary>
-internal sealed class PositionCheck(Printer printer, Findings findings) : IMoveCheck
+internal sealed class PositionCheck(Printer printer, Findings findings) : MoveCheck
 {
     // mm; what is written has three decimals.
     private const double Tolerance = 0.001;
@@ -9,13 +9,9 @@ internal sealed class PositionCheck(Printer printer, Findings findings) : IMoveC
     private readonly bool _isMapped = printer.AxisMappings.Count > 0;
     private readonly Kinematics? _kinematics = printer.Kinematics;
 
-    public IReadOnlyList<string> Codes => [CheckCodes.Outside, CheckCodes.Below, CheckCodes.ExcludedArea, CheckCodes.AxisRange];
+    public override IReadOnlyList<string> Codes => [CheckCodes.Outside, CheckCodes.Below, CheckCodes.ExcludedArea, CheckCodes.AxisRange];
 
-    public void Event(MoveEvent what)
-    {
-    }
-
-    public void Move(in CheckedMove move)
+    public override void Move(in CheckedMove move)
     {
         var (start, end) = (move.Start, _isMapped ? AxisMapping.Head(move.End, printer.AxisMappings) : move.End);
         var reachable = printer.CanReach(end, Tolerance);
@@ -30,10 +26,6 @@ internal sealed class PositionCheck(Printer printer, Findings findings) : IMoveC
             Report(move.Index, end, area);
             return;
         }
-    }
-
-    public void End(Toolpath toolpath)
-    {
     }
 
     // A chord stays in between for the rotary axes, and nearly so for the slides.

@@ -4,7 +4,7 @@ namespace Caterpillar.Checks;
 /// Speeds and accelerations beyond the axes and the extruder, limits that the file raises above those of the printer, more material than hot end and material
 /// allow, missing tools.
 /// </summary>
-internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup setup, Findings findings) : IMoveCheck
+internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup setup, Findings findings) : MoveCheck
 {
     private const double Rounding = 1.001;
     private readonly Printer _printer = setup.Printer;
@@ -23,12 +23,12 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
     private readonly double _roundedE = Math.Pow(10, -setup.Printer.DecimalsE);
     private readonly double _roundedF = Math.Pow(10, -setup.Printer.DecimalsF) / 60;
 
-    public IReadOnlyList<string> Codes =>
+    public override IReadOnlyList<string> Codes =>
     [
         CheckCodes.Flow, CheckCodes.Speed, CheckCodes.TravelSpeed, CheckCodes.Acceleration, CheckCodes.Raised, CheckCodes.Tool,
     ];
 
-    public void Event(MoveEvent what)
+    public override void Event(MoveEvent what)
     {
         _limits.Apply(what.Event);
         switch (what.Event)
@@ -53,7 +53,7 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
         }
     }
 
-    public void Move(in CheckedMove move)
+    public override void Move(in CheckedMove move)
     {
         if (move.Tool >= _printer.ToolCount) ReportTool(move);
         if (!move.StartKnown) return;
@@ -69,10 +69,6 @@ internal sealed class RateCheck(IReadOnlyList<ToolpathTool> tools, PrintSetup se
         var least = (move.Deposited - _roundedE * move.Pushed / move.E) / (move.Length + 2 * _roundedXyz) * Math.Min(move.Speed - _roundedF / 2, most);
         var allowed = _maxFlows[Math.Min(Math.Max(move.Tool, 0), _maxFlows.Length - 1)];
         if (least > allowed * Rounding) ReportFlow(flow, allowed, move.Index);
-    }
-
-    public void End(Toolpath whole)
-    {
     }
 
     private double MostAcceleration(MotionLimit limit) => limit switch

@@ -4,7 +4,7 @@ namespace Caterpillar.Checks;
 /// <param name="checks">Who sees them.</param>
 /// <param name="tools">The tools of the moves.</param>
 /// <param name="cancel">Cancels.</param>
-internal sealed class CheckRun(IMoveCheck[] checks, IReadOnlyList<ToolpathTool> tools, CancellationToken cancel)
+internal sealed class CheckRun(MoveCheck[] checks, IReadOnlyList<ToolpathTool> tools, CancellationToken cancel)
 {
     private const int Pulse = 4096;
     private readonly double[] _volumes = tools.Select(t => t.VolumePerE ?? double.NaN).ToArray();
@@ -14,7 +14,7 @@ internal sealed class CheckRun(IMoveCheck[] checks, IReadOnlyList<ToolpathTool> 
     private bool _homes;
 
     /// <summary>Shows a whole toolpath.</summary>
-    public static void Run(Toolpath toolpath, IMoveCheck[] checks, IProgress<double>? progress, CancellationToken cancel)
+    public static void Run(Toolpath toolpath, MoveCheck[] checks, IProgress<double>? progress, CancellationToken cancel)
     {
         if (checks.Length == 0) return;
         var run = new CheckRun(checks, toolpath.Tools, cancel);

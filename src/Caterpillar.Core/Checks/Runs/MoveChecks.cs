@@ -43,7 +43,7 @@ internal sealed class MoveChecks : IDisposable
         (_ofMoves, _ofPrint, _ofUser) = (findings(), findings(), findings());
         _own = new OwnChecks(setup, _ofUser);
         _looksAtPrint = looksAtPrint && _ofPrint.LooksFor(DepositCheck.AllCodes);
-        IMoveCheck[] checks =
+        MoveCheck[] checks =
         [
             new PositionCheck(setup.Printer, _ofMoves), new RateCheck(tools, setup, _ofMoves), new ExtruderCheck(setup, _ofMoves),
             new GapCheck(_ofMoves),
@@ -73,7 +73,7 @@ internal sealed class MoveChecks : IDisposable
         }
         (_whole, _progress) = (whole, progress);
         var ofFile = _findings();
-        IMoveCheck[] checks = [new HeatCheck(_setup, scope, ofFile), new FileCheck(whole, scope, ofFile)];
+        MoveCheck[] checks = [new HeatCheck(_setup, scope, ofFile), new FileCheck(whole, scope, ofFile)];
         if (!scope.IsPlanned) checks = [.. checks, new ModeCheck(_setup.Printer, ofFile)];
         var file = new CheckRun(Asked(checks, ofFile), whole.Tools, _cancel);
         var (number, shown, printed) = (0, _shown, _printed);
@@ -111,7 +111,7 @@ internal sealed class MoveChecks : IDisposable
         _stop.Dispose();
     }
 
-    private static IMoveCheck[] Asked(IMoveCheck[] checks, Findings findings) => Array.FindAll(checks, c => findings.LooksFor(c.Codes));
+    private static MoveCheck[] Asked(MoveCheck[] checks, Findings findings) => Array.FindAll(checks, c => findings.LooksFor(c.Codes));
 
     private void Look(DecodedBlock block)
     {

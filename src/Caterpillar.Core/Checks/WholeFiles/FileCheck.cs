@@ -1,15 +1,15 @@
 namespace Caterpillar.Checks;
 
 /// <summary>Rules for a whole file: home before printing, and have a known position.</summary>
-internal sealed class FileCheck(Toolpath toolpath, CheckScope scope, Findings findings) : IMoveCheck
+internal sealed class FileCheck(Toolpath toolpath, CheckScope scope, Findings findings) : MoveCheck
 {
     private bool _homes;
     private bool _reported;
     private bool _hasX = toolpath.Start is not null, _hasY = toolpath.Start is not null, _hasZ = toolpath.Start is not null;
 
-    public IReadOnlyList<string> Codes => [CheckCodes.NoHoming, CheckCodes.UnknownPosition];
+    public override IReadOnlyList<string> Codes => [CheckCodes.NoHoming, CheckCodes.UnknownPosition];
 
-    public void Event(MoveEvent what)
+    public override void Event(MoveEvent what)
     {
         if (what.Event is not HomeEvent home) return;
         _homes = true;
@@ -18,16 +18,12 @@ internal sealed class FileCheck(Toolpath toolpath, CheckScope scope, Findings fi
         _hasZ |= home.Z;
     }
 
-    public void Move(in CheckedMove move)
+    public override void Move(in CheckedMove move)
     {
         _hasX |= move.End.X != move.Start.X;
         _hasY |= move.End.Y != move.Start.Y;
         _hasZ |= move.End.Z != move.Start.Z;
         if (move.Kind == MoveKind.Print && move.E > 0 && move.Length > 0) Printed(move);
-    }
-
-    public void End(Toolpath whole)
-    {
     }
 
     private void Printed(in CheckedMove move)

@@ -1,7 +1,7 @@
 namespace Caterpillar.Checks;
 
 /// <summary>Temperatures beyond hot end and bed, cold extrusion, heat that is missing or left on.</summary>
-internal sealed class HeatCheck : IMoveCheck
+internal sealed class HeatCheck : MoveCheck
 {
     private readonly Printer _printer;
     private readonly CheckScope _scope;
@@ -28,13 +28,13 @@ internal sealed class HeatCheck : IMoveCheck
         }
     }
 
-    public IReadOnlyList<string> Codes =>
+    public override IReadOnlyList<string> Codes =>
     [
         CheckCodes.NozzleTemperature, CheckCodes.BedTemperature, CheckCodes.ChamberTemperature, CheckCodes.ColdExtrusion, CheckCodes.NoHeating,
         CheckCodes.HeatLeftOn,
     ];
 
-    public void Event(MoveEvent what)
+    public override void Event(MoveEvent what)
     {
         switch (what.Event)
         {
@@ -54,7 +54,7 @@ internal sealed class HeatCheck : IMoveCheck
         _nozzles.Take(what);
     }
 
-    public void Move(in CheckedMove move)
+    public override void Move(in CheckedMove move)
     {
         if (!(move.E > 0)) return;
         _firstExtrusion ??= move.Index;
@@ -62,7 +62,7 @@ internal sealed class HeatCheck : IMoveCheck
         if (celsius < _needed) ReportCold(move.Index, celsius, set);
     }
 
-    public void End(Toolpath toolpath)
+    public override void End(Toolpath toolpath)
     {
         if (!_scope.IsWholeFile) return;
         if (_needed > 0 && _firstExtrusion is { } first && !_heats && !_scope.Heats)

@@ -1,7 +1,7 @@
 namespace Caterpillar.Checks;
 
 /// <summary>E that makes sense only in the other mode, absolute or relative, in a layer or in a part of it.</summary>
-internal sealed class ModeCheck(Printer printer, Findings findings) : IMoveCheck
+internal sealed class ModeCheck(Printer printer, Findings findings) : MoveCheck
 {
     // Moves with E before a layer is judged, and the most that are judged together.
     private const int Enough = 20;
@@ -18,13 +18,9 @@ internal sealed class ModeCheck(Printer printer, Findings findings) : IMoveCheck
     private int _layer, _moving, _wipes, _idle, _prints, _thick;
     private int _firstWipe, _firstIdle, _firstThick;
 
-    public IReadOnlyList<string> Codes => [CheckCodes.ExtrusionMode];
+    public override IReadOnlyList<string> Codes => [CheckCodes.ExtrusionMode];
 
-    public void Event(MoveEvent what)
-    {
-    }
-
-    public void Move(in CheckedMove move)
+    public override void Move(in CheckedMove move)
     {
         if (move.E == 0 || !(move.Length > 0)) return;
         if ((move.Layer != _layer && _moving >= Enough) || _moving == Most) Judge();
@@ -45,7 +41,7 @@ internal sealed class ModeCheck(Printer printer, Findings findings) : IMoveCheck
         }
     }
 
-    public void End(Toolpath whole) => Judge();
+    public override void End(Toolpath whole) => Judge();
 
     private void Judge()
     {
