@@ -135,7 +135,7 @@ public class ExactLimitTests
     private static int Found(string code, Vec3 start, double area, params (Vec3 End, Role Role)[] extrusions)
     {
         var findings = new Findings(Setup.Printer, _ => null, _ => null);
-        var printed = new PrintedSoFar(Setup, null);
+        var printed = new PrintedSoFar(Setup);
         if (code == CheckCodes.Duplicate) printed.Deposit.Add(new Vec3(-10, 0, 0.25), new Vec3(50, 0, 0.25), 0.25, 0);
         var check = new ExtrusionCheck(Setup, printed, findings);
         foreach (var (end, role) in extrusions)

@@ -45,7 +45,7 @@ public class PrintedSoFarTests
     [TestCase(100_000)]
     public void Tiny_extrusions_are_fresh_as_long_as_one(int often)
     {
-        var printed = new PrintedSoFar(SmallPrint.Setup(), null);
+        var printed = new PrintedSoFar(SmallPrint.Setup());
         for (var i = 0; i < 1000; i++)
         {
             printed.Add(Move(new Vec3(0.01 * i, 0, 1), new Vec3(0.01 * (i + 1), 0, 1), 0.1), 1);
@@ -73,7 +73,7 @@ public class PrintedSoFarTests
     [TestCase(2, 1)]
     public void What_has_just_stopped_to_be_fresh_can_be_asked_for(double from, double to)
     {
-        var printed = new PrintedSoFar(SmallPrint.Setup(), null);
+        var printed = new PrintedSoFar(SmallPrint.Setup());
         Vec3 start = new(0, 0, from), end = new(10, 0, to);
         printed.Add(Move(start, end, 0.1) with { Index = 7 }, 1);
         double Height(double rest) => to + (from - to) * rest / start.DistanceTo(end);
@@ -96,7 +96,7 @@ public class PrintedSoFarTests
     [Test]
     public void A_printing_move_without_material_leaves_nothing()
     {
-        var printed = new PrintedSoFar(SmallPrint.Setup(), null);
+        var printed = new PrintedSoFar(SmallPrint.Setup());
         printed.Add(Move(new Vec3(0, 0, 1), new Vec3(10, 0, 1), 0) with { Kind = MoveKind.Print }, 1);
         Assert.That((printed.Advance(2), printed.Highest), Is.EqualTo((0, double.NegativeInfinity)));
     }
@@ -120,13 +120,13 @@ public class PrintedSoFarTests
     {
         var plate = TriMesh.Create([new(0, 0, 5), new(10, 0, 5), new(10, 10, 5), new(0, 10, 5)], [0, 1, 2, 0, 2, 3]);
         var setup = SmallPrint.Setup() with { PrintedOn = plate };
-        Assert.That(new PrintedSoFar(setup, PrintedSoFar.ObjectOf(setup)).FloorUnder(new Vec3(x, 5, z)), Is.EqualTo(floor).Within(1e-9));
-        Assert.That(new PrintedSoFar(SmallPrint.Setup(), null).FloorUnder(new Vec3(x, 5, z)), Is.Zero);
+        Assert.That(new PrintedSoFar(setup).FloorUnder(new Vec3(x, 5, z)), Is.EqualTo(floor).Within(1e-9));
+        Assert.That(new PrintedSoFar(SmallPrint.Setup()).FloorUnder(new Vec3(x, 5, z)), Is.Zero);
     }
 
     private static PrintedSoFar Printed(double length, double area = 0.1)
     {
-        var printed = new PrintedSoFar(SmallPrint.Setup(), null);
+        var printed = new PrintedSoFar(SmallPrint.Setup());
         printed.Add(Move(new Vec3(0, 0, 1), new Vec3(length, 0, 1), area), 1);
         return printed;
     }

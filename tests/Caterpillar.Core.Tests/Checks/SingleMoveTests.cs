@@ -214,7 +214,7 @@ public class SingleMoveTests
     {
         const double Area = Math.PI / 16;
         var setup = Setup with { Settings = new PrintSettings { LayerHeight = 0.3, FirstLayerHeight = 0.3 } };
-        var printed = new PrintedSoFar(setup, null);
+        var printed = new PrintedSoFar(setup);
         printed.Add(Extrusion(0.25, 0.25, 0.3), 0.25);
         printed.Add(new CheckedMove { Length = 100, Kind = MoveKind.Travel }, 0);
         printed.Advance(0);
@@ -231,7 +231,7 @@ public class SingleMoveTests
     public void A_layer_says_how_high_its_extrusions_are_where_they_may_be(double area, bool known)
     {
         var setup = SmallPrint.Setup(p => p with { CheckSeverities = new(ExtrusionCheck.Codes.Select(c => new CheckSeverity(c, null))) });
-        var extrusions = new ExtrusionCheck(setup, new PrintedSoFar(setup, null), new Findings(setup.Printer, _ => null, _ => null));
+        var extrusions = new ExtrusionCheck(setup, new PrintedSoFar(setup), new Findings(setup.Printer, _ => null, _ => null));
         Assert.That(extrusions.Extrusion(Extrusion(8, 0.25, area)) == (0.25, 0.25), Is.EqualTo(known));
     }
 

@@ -24,7 +24,7 @@ internal sealed class DepositCheck : MoveCheck
         _homesUp = setup.Printer.BedShape == BedShape.Round;
         var volume = setup.Printer.BuildVolume;
         _farthest = System.Math.Max(10_000, 2 * (volume.X + volume.Y + volume.Z));
-        _printed = new PrintedSoFar(setup, PrintedSoFar.ObjectOf(setup));
+        _printed = new PrintedSoFar(setup);
         _extrusions = new ExtrusionCheck(setup, _printed, findings);
         if (!isOnlyBed && findings.LooksFor(CollisionCheck.Codes)) _collisions = new CollisionCheck(setup.Printer, _printed, findings);
     }

@@ -22,12 +22,11 @@ internal sealed class PrintedSoFar
     private int _oldest, _newest;
     private double _distance;
 
-    /// <param name="setup">The head and the shape of extrusions.</param>
-    /// <param name="on">The object below the print; null = only the bed.</param>
-    public PrintedSoFar(PrintSetup setup, ObjectTop? on)
+    /// <param name="setup">The head, the shape of extrusions and the object below the print.</param>
+    public PrintedSoFar(PrintSetup setup)
     {
-        Object = on;
         var printer = setup.Printer;
+        if (setup.PrintedOn is { } mesh) Object = new ObjectTop(mesh, CellOf(printer));
         _kinematics = printer.Kinematics;
         Head = new HeadShape(Outline(printer));
         _shape = setup.Settings.BeadShape;
@@ -61,9 +60,6 @@ internal sealed class PrintedSoFar
 
     /// <summary>Side of the cells for a printer, mm.</summary>
     public static double CellOf(Printer printer) => Math.Max(0.25, printer.NozzleDiameter / 4);
-
-    /// <summary>The object printed on by a setup; null for none.</summary>
-    public static ObjectTop? ObjectOf(PrintSetup setup) => setup.PrintedOn is { } mesh ? new ObjectTop(mesh, CellOf(setup.Printer)) : null;
 
     /// <summary>Height of the object or of the bed below a point of a path, mm. Extrusions may be pressed into it a little.</summary>
     public double FloorUnder(Vec3 p) => Object is null ? 0 : Math.Max(0, Math.Min(p.Z, Object.Under(p.X, p.Y, p.Z + CollisionCheck.Flush)));
