@@ -112,7 +112,7 @@ internal sealed class CollisionCheck
         if (tag <= PrintedSoFar.ClipTag) code = CheckCodes.ClipHit;
         _findings.AddNaming(code, move.Index, () => () =>
         {
-            var what = tag >= 0 ? "an earlier extrusion" + By(tag) : tag == PrintedSoFar.ObjectTag ? "the object below the print"
+            var what = tag >= 0 ? "an earlier extrusion" + _findings.InBrackets(tag) : tag == PrintedSoFar.ObjectTag ? "the object below the print"
                 : tag == PrintedSoFar.BedTag ? "the bed" : "bed clip " + NumberFormatter.Format(PrintedSoFar.ClipTag - tag + 1);
             return $"The {body} of the leaning tool hits {what} between {a} and {b}. Lean it less, or keep more distance.";
         });
@@ -216,9 +216,7 @@ internal sealed class CollisionCheck
     }
 
     private string What(Deposit deposit, int extrusion)
-        => ReferenceEquals(deposit, _printed.Deposit) ? "an earlier extrusion" + By(extrusion) : "the object below the print";
-
-    private string By(int extrusion) => extrusion >= 0 && _findings.PlaceOf(extrusion) is { } place ? $" ({place with { Origin = null, Step = null }})" : "";
+        => ReferenceEquals(deposit, _printed.Deposit) ? "an earlier extrusion" + _findings.InBrackets(extrusion) : "the object below the print";
 
     private Vec3 FirstMeeting(Deposit deposit, Vec3 a, Vec3 b, double tolerance)
     {

@@ -117,11 +117,7 @@ internal sealed class FitCheck
                     : $"Raise the path by {Number(height - gap)} mm.");
         }, height - gap);
 
-    private string By(int other)
-    {
-        var start = other < _firstPrint ? " of the start G-code" : "";
-        return start + (_findings.PlaceOf(other) is { } place ? $" ({place with { Origin = null, Step = null }})" : "");
-    }
+    private string By(int other) => (other < _firstPrint ? " of the start G-code" : "") + _findings.InBrackets(other);
 
     // In the place of earlier extrusions, along them or across them.
     private void Overlaps(in CheckedMove move, double area, double height, bool isKnown)
@@ -205,7 +201,7 @@ internal sealed class FitCheck
 
     private void ReportDoubled(int move, int other)
         => _findings.AddNaming(CheckCodes.Duplicate, move, () => () => "Extrusions are in the same place as earlier ones"
-            + (other >= 0 && _findings.PlaceOf(other) is { } place ? $" ({place with { Origin = null, Step = null }})" : "") + ". Remove the duplicates.");
+            + _findings.InBrackets(other) + ". Remove the duplicates.");
 
     // A length of what is odd, and the move where it begins.
     private struct OddLength

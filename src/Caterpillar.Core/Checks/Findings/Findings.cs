@@ -59,6 +59,9 @@ internal sealed class Findings
     /// <summary>The place of a move.</summary>
     public SourceLocation? PlaceOf(int move) => _place(move);
 
+    /// <summary>The place of another move in brackets, for a message; nothing if it is unknown.</summary>
+    public string InBrackets(int move) => move >= 0 && _place(move) is { } place ? $" ({place with { Origin = null, Step = null }})" : "";
+
     /// <summary>The place of an event.</summary>
     public SourceLocation? PlaceOfEvent(MoveEvent what) => _placeOfEvent(what);
 
