@@ -69,9 +69,7 @@ internal sealed class CheckRun(MoveCheck[] checks, IReadOnlyList<ToolpathTool> t
     /// <summary>After the last block: what happens after the last move.</summary>
     public void End(Toolpath toolpath)
     {
-        var next = toolpath.Events.Count;
-        while (next > 0 && toolpath.Events[next - 1].Move >= toolpath.Count) next--;
-        for (; next < toolpath.Events.Count; next++)
+        for (var next = toolpath.FirstEventOf(toolpath.Count); next < toolpath.Events.Count; next++)
         {
             foreach (var check in checks) check.Event(toolpath.Events[next]);
         }

@@ -5,15 +5,9 @@ internal static class PrintableNumbers
 {
     // mm, mm of filament, mm/s, °C and whatever else.
     private const double Largest = 1e7;
-    private const double LargestFinite = 1e100;
 
-    /// <summary>The error <see cref="SafeWriter.InvalidNumber"/> about the first such number; null = none.</summary>
-    public static Diagnostic? Check(Toolpath toolpath) => Check(toolpath, Largest);
-
-    /// <summary>True if all numbers are finite, with many orders of magnitude to spare.</summary>
-    public static bool AreFinite(Toolpath toolpath) => Check(toolpath, LargestFinite) is null;
-
-    private static Diagnostic? Check(Toolpath toolpath, double largest)
+    /// <summary>The error <see cref="SafeWriter.InvalidNumber"/> about the first number that is not below a limit; null = none.</summary>
+    public static Diagnostic? Check(Toolpath toolpath, double largest = Largest)
     {
         for (var block = 0; block < toolpath.Blocks.Count; block++)
         {

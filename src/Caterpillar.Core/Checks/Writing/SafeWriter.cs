@@ -44,8 +44,9 @@ public static class SafeWriter
         if (stream is null) throw new ArgumentNullException(nameof(stream));
         if (PrintableNumbers.Check(toolpath) is { } unprintable)
         {
-            // Places far away are outside every machine, which the checks say in other words.
-            var found = new WriteGuard(PrintableNumbers.AreFinite(toolpath) ? PrintCheck.Run(toolpath, setup, progress, cancel) : [], null);
+            // Places far away are outside every machine, which the checks say in other words; they can compute with numbers below this.
+            const double Finite = 1e100;
+            var found = new WriteGuard(PrintableNumbers.Check(toolpath, Finite) is null ? PrintCheck.Run(toolpath, setup, progress, cancel) : [], null);
             return new Result<WrittenGCode>(null, found.Refusal(found.Refuses ? [] : [unprintable]));
         }
         var format = SetupFormat.Of(setup, toolpath);

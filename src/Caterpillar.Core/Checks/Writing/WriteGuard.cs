@@ -4,14 +4,12 @@ namespace Caterpillar.Checks;
 internal sealed class WriteGuard(IReadOnlyList<Diagnostic> findings, string? reason)
 {
     private readonly Diagnostic[] _errors = findings.Where(d => d.Severity == Severity.Error).ToArray();
-    private readonly IReadOnlyList<Diagnostic> _findings = findings;
-    private readonly string? _reason = reason;
 
     /// <summary>Number of findings that would have stopped the file and are overridden.</summary>
     public int Overridden => _errors.Sum(e => e.Count);
 
     /// <summary>True if a finding stops the file.</summary>
-    public bool Refuses => _errors.Length > 0 && !IsReason(_reason);
+    public bool Refuses => _errors.Length > 0 && !IsReason(reason);
 
     /// <summary>True if a reason has words. A reason without letters ("1", "!!!") does not help later readers of the file.</summary>
     public static bool IsReason(string? reason) => reason is not null && reason.Any(char.IsLetter);
@@ -20,9 +18,9 @@ internal sealed class WriteGuard(IReadOnlyList<Diagnostic> findings, string? rea
     public IReadOnlyList<Diagnostic> Refusal(IReadOnlyList<Diagnostic> others)
     {
         var list = new DiagnosticList();
-        list.AddRange(_findings);
+        list.AddRange(findings);
         list.AddRange(others);
-        list.Add(Severity.Error, SafeWriter.Refused, _reason is null || IsReason(_reason) ? "Nothing was written." : "An override needs a reason in words.");
+        list.Add(Severity.Error, SafeWriter.Refused, reason is null || IsReason(reason) ? "Nothing was written." : "An override needs a reason in words.");
         return list.ToList();
     }
 
@@ -30,7 +28,7 @@ internal sealed class WriteGuard(IReadOnlyList<Diagnostic> findings, string? rea
     public IReadOnlyList<Diagnostic> Notes(IReadOnlyList<Diagnostic> others)
     {
         var list = new DiagnosticList();
-        list.AddRange(_findings.Select(d => Shifted(d.Severity == Severity.Error ? d with { Severity = Severity.Warning } : d)));
+        list.AddRange(findings.Select(d => Shifted(d.Severity == Severity.Error ? d with { Severity = Severity.Warning } : d)));
         list.AddRange(others);
         return list.ToList();
     }
@@ -39,8 +37,8 @@ internal sealed class WriteGuard(IReadOnlyList<Diagnostic> findings, string? rea
     public IReadOnlyList<string> Comments()
     {
         if (_errors.Length == 0) return [];
-        var reason = string.Join(" ", _reason!.Split([' ', '\t', '\r', '\n'], StringSplitOptions.RemoveEmptyEntries));
-        return ["Written despite these findings. Reason: " + reason, .. _errors.Select(e => Shifted(e).ToString())];
+        var words = string.Join(" ", reason!.Split([' ', '\t', '\r', '\n'], StringSplitOptions.RemoveEmptyEntries));
+        return ["Written despite these findings. Reason: " + words, .. _errors.Select(e => Shifted(e).ToString())];
     }
 
     // The comments, the reason and one for each error, stand before everything that the lines of the findings are counted in.
