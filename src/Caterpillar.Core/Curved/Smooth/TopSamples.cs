@@ -23,7 +23,7 @@ internal sealed class TopSamples
 
     // The first sample of each node.
     private readonly int[] _firsts;
-    private readonly int[] _pieces;
+    private readonly DisjointSets _pieces;
 
     /// <param name="meshes">The part.</param>
     /// <param name="grid">The nodes.</param>
@@ -37,8 +37,7 @@ internal sealed class TopSamples
             for (var m = 0; m < heights.Length; m++) Add(node, meshes[m], heights[m]);
             _firsts[node + 1] = _samples.Count;
         }
-        _pieces = new int[_samples.Count];
-        for (var i = 0; i < _pieces.Length; i++) _pieces[i] = i;
+        _pieces = new DisjointSets(_samples.Count);
         for (var node = 0; node < grid.Count; node++)
         {
             if (node % grid.Columns > 0) Join(node - 1, node);
@@ -49,11 +48,7 @@ internal sealed class TopSamples
     public IReadOnlyList<TopSample> All => _samples;
 
     /// <summary>Samples of the same piece have the same number, which is that of one of them.</summary>
-    public int PieceOf(int sample)
-    {
-        while (_pieces[sample] != sample) sample = _pieces[sample] = _pieces[_pieces[sample]];
-        return sample;
-    }
+    public int PieceOf(int sample) => _pieces.Of(sample);
 
     /// <summary>
     /// The nodes of samples and those around them, where the faces go on beyond their edges, so that they are exact up to there.
@@ -104,9 +99,7 @@ internal sealed class TopSamples
         {
             for (var b = _firsts[node]; b < _firsts[node + 1]; b++)
             {
-                if (Math.Abs(_samples[a].Height - _samples[b].Height) > 1.05 * _steepest * _grid.Cell) continue;
-                int p = PieceOf(a), q = PieceOf(b);
-                _pieces[Math.Max(p, q)] = Math.Min(p, q);
+                if (Math.Abs(_samples[a].Height - _samples[b].Height) <= 1.05 * _steepest * _grid.Cell) _pieces.Join(a, b);
             }
         }
     }

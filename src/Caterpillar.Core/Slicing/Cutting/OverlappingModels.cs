@@ -9,28 +9,27 @@ internal static class OverlappingModels
 
     public static IReadOnlyList<SliceModel> Merge(IReadOnlyList<SliceModel> models, int threads, DiagnosticList problems, CancellationToken cancel)
     {
-        var group = Enumerable.Range(0, models.Count).ToArray();
-        for (var i = 0; i < group.Length; i++)
+        var groups = new DisjointSets(models.Count);
+        for (var i = 0; i < models.Count; i++)
         {
             for (var j = 0; j < i; j++)
             {
                 cancel.ThrowIfCancellationRequested();
-                if (group[i] == group[j] || !Overlap(models[i], models[j], threads, cancel)) continue;
+                if (groups.Of(i) == groups.Of(j) || !Overlap(models[i], models[j], threads, cancel)) continue;
                 if (models[i].Settings != models[j].Settings)
                 {
                     problems.Add(Severity.Warning, "models.overlap",
                         $"{models[j].Mesh.Name} and {models[i].Mesh.Name} overlap and have different settings. The overlap is printed twice.");
                     continue;
                 }
-                int from = Math.Max(group[i], group[j]), to = Math.Min(group[i], group[j]);
-                for (var k = 0; k < group.Length; k++) group[k] = group[k] == from ? to : group[k];
+                groups.Join(i, j);
             }
         }
         var merged = new List<SliceModel>();
-        for (var i = 0; i < group.Length; i++)
+        for (var i = 0; i < models.Count; i++)
         {
-            if (group[i] != i) continue;
-            var members = Enumerable.Range(i, group.Length - i).Where(k => group[k] == i).Select(k => models[k]).ToArray();
+            if (groups.Of(i) != i) continue;
+            var members = Enumerable.Range(i, models.Count - i).Where(k => groups.Of(k) == i).Select(k => models[k]).ToArray();
             if (members.Length == 1)
             {
                 merged.Add(members[0]);

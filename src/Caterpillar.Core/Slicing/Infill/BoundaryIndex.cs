@@ -53,38 +53,22 @@ internal sealed class BoundaryIndex
     {
         var length = Lengths[contour];
         at -= Math.Floor(at / length) * length;
-        int low = _first[contour], high = _first[contour + 1];
         // The last segment that begins before.
-        while (high - low > 1)
-        {
-            var middle = (low + high) / 2;
-            if (_at[middle] > at) high = middle;
-            else low = middle;
-        }
-        ref readonly var s = ref _index.Segments[low];
-        return Vec3.Lerp(Grid.ToMm(s.A), new Vec3(s.Bx, s.By) / Grid.PerMm, Math.Min((at - _at[low]) / Length(s), 1));
+        var last = After(at, _first[contour] + 1, _first[contour + 1]) - 1;
+        ref readonly var s = ref _index.Segments[last];
+        return Vec3.Lerp(Grid.ToMm(s.A), new Vec3(s.Bx, s.By) / Grid.PerMm, Math.Min((at - _at[last]) / Length(s), 1));
     }
 
     /// <summary>Adds the corners of a contour between two arc lengths, in its direction; an end below the start lies after a full turn.</summary>
     public void Corners(int contour, double from, double to, List<Vec3> points)
     {
         int first = _first[contour], end = _first[contour + 1];
-        // The first corner after the start.
-        int low = first, high = end;
-        while (low < high)
-        {
-            var middle = (low + high) / 2;
-            if (_at[middle] > from) high = middle;
-            else low = middle + 1;
-        }
-        if (to >= from)
-        {
-            for (var i = low; i < end && _at[i] < to; i++) points.Add(Corner(i));
-            return;
-        }
-        for (var i = low; i < end; i++) points.Add(Corner(i));
-        for (var i = first; i < end && _at[i] < to; i++) points.Add(Corner(i));
+        for (var i = After(from, first, end); i < end && (_at[i] < to || to < from); i++) points.Add(Corner(i));
+        for (var i = first; i < end && _at[i] < to && to < from; i++) points.Add(Corner(i));
     }
+
+    // The first of some segments that begins after an arc length, or else the end.
+    private int After(double at, int first, int end) => Search.First(first, end, (_at, at), static (s, i) => s._at[i] > s.at);
 
     private static double Length(in Segment s)
     {

@@ -10,7 +10,6 @@ internal sealed partial class BoundaryLinks
     private readonly List<double> _flow = [];
     private End[] _ends = [];
     private Link[] _links = [];
-    private int[] _root = [];
     private double _anchor;
 
     /// <summary>The same lines, joined where the distance along the boundary is at most <paramref name="limit"/> mm.</summary>
@@ -27,7 +26,7 @@ internal sealed partial class BoundaryLinks
         if (lines.Count == 0) return result;
         var boundary = new BoundaryIndex(area);
         var count = Locate(boundary, lines);
-        Match(boundary, count, limit);
+        Match(boundary, count, limit, new DisjointSets(lines.Count));
         var done = new bool[lines.Count];
         for (var i = 0; i < lines.Count; i++)
         {
@@ -46,13 +45,11 @@ internal sealed partial class BoundaryLinks
         {
             _ends = new End[2 * lines.Count];
             _links = new Link[2 * lines.Count];
-            _root = new int[lines.Count];
             _places = new Place[2 * lines.Count];
         }
         var count = 0;
         for (var i = 0; i < lines.Count; i++)
         {
-            _root[i] = i;
             _links[2 * i] = _links[2 * i + 1] = new Link(-1, 0, 0, 0, true);
             _places[2 * i] = _places[2 * i + 1] = new Place(-1, 0, 0, 0);
             if (lines[i].Closed) continue;
@@ -65,7 +62,7 @@ internal sealed partial class BoundaryLinks
         return count;
     }
 
-    private void Match(BoundaryIndex boundary, int count, double limit)
+    private void Match(BoundaryIndex boundary, int count, double limit, DisjointSets chains)
     {
         for (var start = 0; start < count;)
         {
@@ -79,10 +76,7 @@ internal sealed partial class BoundaryLinks
                 ref readonly var b = ref _ends[next];
                 var distance = b.At - a.At + (next == start ? boundary.Lengths[contour] : 0);
                 if (distance > limit || _links[a.Id].To >= 0 || _links[b.Id].To >= 0) continue;
-                int p = Root(a.Id >> 1), q = Root(b.Id >> 1);
-                if (p == q) continue;
-                _root[Math.Max(p, q)] = Math.Min(p, q);
-                Tie(a, b);
+                if (chains.Join(a.Id >> 1, b.Id >> 1)) Tie(a, b);
             }
             start = stop;
         }
@@ -93,12 +87,6 @@ internal sealed partial class BoundaryLinks
     {
         _links[a.Id] = new Link(b.Id, a.Contour, a.At, b.At, true);
         _links[b.Id] = new Link(a.Id, a.Contour, a.At, b.At, false);
-    }
-
-    private int Root(int i)
-    {
-        while (_root[i] != i) i = _root[i] = _root[_root[i]];
-        return i;
     }
 
     private InfillLine Chain(BoundaryIndex boundary, IReadOnlyList<InfillLine> lines, int end, bool[] done)

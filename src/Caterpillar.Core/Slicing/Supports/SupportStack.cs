@@ -77,13 +77,6 @@ internal sealed class SupportStack(PrintSettings settings, SupportLevel[] levels
     public int LevelBelow(double z)
     {
         const double Rounding = 1e-6;
-        int low = -1, high = Levels.Length - 1;
-        while (low < high)
-        {
-            var middle = low + (high - low + 1) / 2;
-            if (Levels[middle].Top <= z + Rounding) low = middle;
-            else high = middle - 1;
-        }
-        return low;
+        return Search.First(0, Levels.Length, (Levels, Z: z + Rounding), static (s, i) => s.Levels[i].Top > s.Z) - 1;
     }
 }
