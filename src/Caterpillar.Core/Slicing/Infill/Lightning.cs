@@ -13,13 +13,9 @@ internal static class Lightning
     /// <param name="spacing">Maximum distance between lines under a top surface, mm.</param>
     /// <param name="heights">Height Z of each layer, mm, ascending: branches lean by at most 45°.</param>
     /// <param name="cancel">Cancels the call.</param>
-    /// <exception cref="ArgumentException">The lists differ in length, or the spacing is not a positive number.</exception>
     public static IReadOnlyList<Polyline>[] Grow(
         IReadOnlyList<Region> areas, IReadOnlyList<Region> tops, double spacing, IReadOnlyList<double> heights, CancellationToken cancel = default)
     {
-        if (tops.Count != areas.Count || heights.Count != areas.Count)
-            throw new ArgumentException("Each layer needs an area, a top and a height.", nameof(tops));
-        if (!(spacing > 0) || double.IsInfinity(spacing)) throw new ArgumentException("The spacing must be positive.", nameof(spacing));
         var layers = new IReadOnlyList<Polyline>[areas.Count];
         var forest = new LightningForest(spacing / 2);
         for (var i = areas.Count - 1; i >= 0; i--)
