@@ -77,16 +77,10 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
         }
         if (!emitter.IsPlaced)
         {
-            if (RisesFirst)
-            {
-                var top = Math.Max(start.Z, emitter.Highest) + Clearance;
-                // Where the start code leaves the head is not known: a line of its own moves Z alone.
-                emitter.Event(new RawEvent($"G0 Z{NumberFormatter.Format(top, 3)} F{NumberFormatter.Format(rules.ZHopSpeed * 60, 0)}"));
-                emitter.Travel(start.WithZ(top), _settings.TravelSpeed);
-                Down(start);
-                return;
-            }
-            emitter.Travel(rules.Lift == LiftRule.None ? start : start.WithZ(start.Z + Clearance), _settings.TravelSpeed);
+            var top = RisesFirst ? Math.Max(start.Z, emitter.Highest) + Clearance : rules.Lift == LiftRule.None ? start.Z : start.Z + Clearance;
+            // Where the start code leaves the head is not known: a line of its own moves Z alone.
+            if (RisesFirst) emitter.Event(new RawEvent($"G0 Z{NumberFormatter.Format(top, 3)} F{NumberFormatter.Format(rules.ZHopSpeed * 60, 0)}"));
+            emitter.Travel(start.WithZ(top), _settings.TravelSpeed);
             Down(start);
             return;
         }

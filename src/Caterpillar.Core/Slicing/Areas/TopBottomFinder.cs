@@ -32,7 +32,7 @@ internal sealed class TopBottomFinder(LayerWork layer, SliceRules rules, RegionE
             : Grown(inside.Subtract(sparse, engine), inside, rules.Settings.SolidInfillExpansion);
         sparse = ReferenceEquals(solid, inside) ? Region.Empty : solid.IsEmpty ? inside : WithoutSmall(inside.Subtract(solid, engine));
         if (ReferenceEquals(sparse, inside)) return Alone(inside);
-        bottom = Grown(bottom, inside, Over(air: layer.Index > 0) ? rules.Settings.BridgeAnchor : rules.Settings.SolidInfillExpansion);
+        bottom = Grown(bottom, inside, IsOverAir ? rules.Settings.BridgeAnchor : rules.Settings.SolidInfillExpansion);
         top = Grown(top, inside, rules.Settings.SolidInfillExpansion).Subtract(bottom, engine);
         var surfaces = bottom.IsEmpty ? top : top.IsEmpty ? bottom : bottom.Union(top, engine);
         if (!surfaces.IsEmpty && !sparse.IsEmpty) sparse = sparse.Subtract(surfaces, engine);
@@ -101,11 +101,11 @@ internal sealed class TopBottomFinder(LayerWork layer, SliceRules rules, RegionE
         return kept.Length == sparse.Paths.Length ? sparse : Region.Own(kept);
     }
 
-    private bool Over(bool air) => air && rules.Settings.Bridges && !layer.RegionAt(-1).IsEmpty;
+    private bool IsOverAir => rules.Settings.Bridges && !layer.RegionAt(-1).IsEmpty;
 
     private IslandAreas Bottom(IslandAreas areas, Region bottom)
     {
-        if (bottom.IsEmpty || !Over(air: layer.Index > 0)) return areas with { Bottom = bottom };
+        if (bottom.IsEmpty || !IsOverAir) return areas with { Bottom = bottom };
         var below = layer.RegionAt(-1);
         var bridges = new List<BridgeArea>();
         var others = new List<GridPoint[]>();

@@ -45,7 +45,8 @@ internal sealed class InfillFiller(RegionEngine engine)
             ? _rows.Fill(request, LongestLink)
             : Pattern(request))
         {
-            if (!request.Solid && IsShort(line, request.Width)) continue;
+            // Shorter than wide, an extrusion is a blob.
+            if (!request.Solid && line.IsShorterThan(request.Width)) continue;
             if (line.WithoutShort(ShortestSegment, ShortTolerance, ShortArea) is { } kept) result.Add(kept);
         }
         return result;
@@ -98,17 +99,5 @@ internal sealed class InfillFiller(RegionEngine engine)
             var points = Array.ConvertAll(piece.Raw, p => p.WithZ(request.Z));
             lines.Add(new InfillLine(points, piece.IsClosed));
         }
-    }
-
-    // Shorter than wide, an extrusion is a blob.
-    private static bool IsShort(InfillLine line, double width)
-    {
-        var length = 0.0;
-        for (var i = 1; i < line.Points.Length; i++)
-        {
-            length += line.Points[i].DistanceTo(line.Points[i - 1]);
-            if (length >= width) return false;
-        }
-        return true;
     }
 }

@@ -35,12 +35,18 @@ internal sealed record InfillLine(Vec3[] Points, bool Closed, double[]? Flow = n
         return Flow is null ? this : this with { Flow = Array.ConvertAll(Flow, flow => flow * share) };
     }
 
+    /// <summary>True if it is shorter than a length, mm, without what closes a loop.</summary>
+    public bool IsShorterThan(double limit)
+    {
+        var length = 0.0;
+        for (var i = 1; i < Points.Length && length < limit; i++) length += Points[i].DistanceTo(Points[i - 1]);
+        return length < limit;
+    }
+
     /// <summary>With few segments shorter than a length, mm (<see cref="ShortSegments"/>). Null where the line itself is next to nothing.</summary>
     public InfillLine? WithoutShort(double least, double tolerance, double area)
     {
-        var length = 0.0;
-        for (var i = 1; i < Points.Length && length < ShortestLine; i++) length += Points[i].DistanceTo(Points[i - 1]);
-        if (length < ShortestLine) return null;
+        if (IsShorterThan(ShortestLine)) return null;
         if (ShortSegments.Keep(Points, Closed, least, tolerance, area) is not { } kept) return this;
         return new InfillLine(Array.ConvertAll(kept, i => Points[i]), Closed, Flow is null ? null : FlowBetween(kept));
     }

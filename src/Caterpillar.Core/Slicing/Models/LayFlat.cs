@@ -11,8 +11,7 @@ internal static class LayFlat
     {
         var corners = ConvexHull.Of(mesh.Vertices);
         if (corners.Count == 0) return Affine.Identity;
-        var normal = LargestFace(mesh.Vertices, corners, SamePlane * mesh.Bounds.Size.Length);
-        return Downwards(normal);
+        return Downwards(LargestFace(mesh.Vertices, corners, SamePlane * mesh.Bounds.Size.Length));
     }
 
     private static Vec3 LargestFace(IReadOnlyList<Vec3> points, IReadOnlyList<(int A, int B, int C)> triangles, double thickness)

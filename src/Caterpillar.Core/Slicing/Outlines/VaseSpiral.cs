@@ -87,23 +87,22 @@ internal sealed class VaseSpiral(bool isAlone)
     // The loop from its place nearest to a point, round and back to it, with segments short enough for a smooth flow; and the length up to each point.
     private static Vec3[] Begun(Vec3[] loop, Vec3 near, out double[] lengths)
     {
-        const double Longest = 2;
         var (segment, start) = NearestOf(loop, Polyline.LengthsAlong(loop), near, 0, loop.Length);
         var points = new List<Vec3> { start };
-        for (var k = 1; k <= loop.Length; k++) AddTo(points, loop[(segment + k) % loop.Length], Longest);
-        AddTo(points, start, Longest);
+        for (var k = 1; k <= loop.Length; k++) AddTo(points, loop[(segment + k) % loop.Length]);
+        AddTo(points, start);
         var turn = points.ToArray();
         lengths = Polyline.LengthsAlong(turn);
         return turn;
     }
 
-
-    private static void AddTo(List<Vec3> points, Vec3 to, double longest)
+    private static void AddTo(List<Vec3> points, Vec3 to)
     {
+        const double Longest = 2;
         var from = points[points.Count - 1];
         var length = from.DistanceTo(to);
         if (length < 1e-6) return;
-        var pieces = Math.Max(1, (int)Math.Ceiling(length / longest));
+        var pieces = Math.Max(1, (int)Math.Ceiling(length / Longest));
         for (var i = 1; i <= pieces; i++) points.Add(Vec3.Lerp(from, to, (double)i / pieces));
     }
 

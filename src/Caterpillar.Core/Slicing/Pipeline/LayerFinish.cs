@@ -85,16 +85,12 @@ internal sealed class LayerFinish(
     {
         for (; _given < end; _given++)
         {
-            Keep(_all[_given]!);
+            var layer = _all[_given]!;
             _all[_given] = null;
+            if (layer.Steps.Count == 0) continue;
+            if (_level.Count > 0 && Math.Abs(layer.Layer.Z - _level[0].Layer.Z) >= SameHeight) EndLevel();
+            _level.Add(layer);
         }
-    }
-
-    private void Keep(SlicedLayer layer)
-    {
-        if (layer.Steps.Count == 0) return;
-        if (_level.Count > 0 && Math.Abs(layer.Layer.Z - _level[0].Layer.Z) >= SameHeight) EndLevel();
-        _level.Add(layer);
     }
 
     private void EndLevel()

@@ -236,9 +236,7 @@ internal sealed class SeamPlacer(Body body)
 
     private static double LengthOf(Vec3[] loop) => Polyline.Own(loop, closed: true).Length;
 
-    private static double SquareTo(Vec3[] loop, Vec3 point) => Square(LoopPlace.Nearest(loop, point).Point - point);
-
-    private static double Square(Vec3 v) => v.X * v.X + v.Y * v.Y;
+    private static double SquareTo(Vec3[] loop, Vec3 point) => (LoopPlace.Nearest(loop, point).Point - point).WithZ(0).LengthSquared;
 
     private static bool IsHole(Vec3[] loop) => Polyline.Own(loop, closed: true).SignedAreaXY < 0;
 }

@@ -73,8 +73,8 @@ internal sealed class ExtrusionTracer(double step, double limit, double thinnest
             known = true;
             if (state == State.Owned)
             {
-                var center = Center(sample);
                 var radius = Math.Min(sample.Disc.Radius, limit);
+                var center = sample.Point + sample.Normal * radius;
                 if (open is not null && gap && (center - open.Points[open.Count - 1]).LengthXY > 2 * (radius + open.Radii[open.Count - 1]))
                 {
                     open.End = ExtrusionEnd.Outline;
@@ -114,12 +114,9 @@ internal sealed class ExtrusionTracer(double step, double limit, double thinnest
     // It ran out in thinness, rather than at a step.
     private bool Ends(MedialExtrusion extrusion) => extrusion.Radii[extrusion.Count - 1] < thinnest;
 
-    private Vec3 Center(in BoundarySample sample) => sample.Point + sample.Normal * Math.Min(sample.Disc.Radius, limit);
-
     private State StateOf(SegmentGrid grid, in BoundarySample sample, double[] first)
     {
-        if (double.IsInfinity(sample.Disc.Radius)) return State.Unknown;
-        if (sample.Disc.Opposite > Corner) return State.Unknown;
+        if (double.IsInfinity(sample.Disc.Radius) || sample.Disc.Opposite > Corner) return State.Unknown;
         if (2 * sample.Disc.Radius < thinnest) return State.Thin;
         int own = grid.Contour[sample.Edge], other = grid.Contour[sample.Disc.Edge];
         if (own != other) return own < other ? State.Owned : State.Elsewhere;
