@@ -92,7 +92,7 @@ internal sealed class SmoothField : LayerField
     public override double Value(Vec3 point)
     {
         if (!(point.Z > 0)) return point.Z;
-        var place = PlaceOf(point.X, point.Y);
+        var place = _grid.Locate(point.X, point.Y);
         var k = (int)Math.Min(_layers - 1, Math.Max(0, (point.Z - _rules.First) / _rules.Usual + 1));
         double low = At(place, k), high = At(place, k + 1);
         while (point.Z > high && k < _layers - 1) (k, low, high) = (k + 1, high, At(place, k + 2));
@@ -101,7 +101,7 @@ internal sealed class SmoothField : LayerField
         return point.Z > high ? _rules.Height(k + 1) + point.Z - high : _rules.Height(k) + thickness * (point.Z - low) / (high - low);
     }
 
-    public override double Height(double x, double y, double value) => HeightAt(PlaceOf(x, y), value);
+    public override double Height(double x, double y, double value) => HeightAt(_grid.Locate(x, y), value);
 
     // No two places of a layer differ by more than the slope allows; only in the corners of cells it may seem so.
     public override Vec3 Normal(Vec3 point)
@@ -114,7 +114,7 @@ internal sealed class SmoothField : LayerField
 
     internal override (double First, double Second) Heights(double x, double y, double first, double second)
     {
-        var place = PlaceOf(x, y);
+        var place = _grid.Locate(x, y);
         return (HeightAt(place, first), HeightAt(place, second));
     }
 
@@ -130,14 +130,6 @@ internal sealed class SmoothField : LayerField
         var k = value < _rules.First ? 0 : (int)Math.Min(_layers - 1, (value - _rules.First) / _rules.Usual + 1);
         double from = _rules.Height(k), to = _rules.Height(k + 1), low = At(place, k), high = At(place, k + 1);
         return value > to ? high + value - to : low + (high - low) * (value - from) / (to - from);
-    }
-
-    private (int Node, double U, double V) PlaceOf(double x, double y)
-    {
-        var u = Math.Max(0, Math.Min(_grid.Columns - 1.001, (x - _grid.Corner.X) / _grid.Cell));
-        var v = Math.Max(0, Math.Min(_grid.Rows - 1.001, (y - _grid.Corner.Y) / _grid.Cell));
-        int i = (int)u, j = (int)v;
-        return (j * _grid.Columns + i, u - i, v - j);
     }
 
     private double At((int Node, double U, double V) place, int layer)

@@ -29,6 +29,15 @@ internal sealed record SlopeGrid(Vec3 Corner, double Cell, int Columns, int Rows
 
     public Vec3 At(int node) => new(Corner.X + node % Columns * Cell, Corner.Y + node / Columns * Cell);
 
+    /// <summary>The node before a place along both axes, and how far toward the next ones it is, 0 to 1. Places outside move onto the edge.</summary>
+    public (int Node, double U, double V) Locate(double x, double y)
+    {
+        var u = Math.Max(0, Math.Min(Columns - 1.001, (x - Corner.X) / Cell));
+        var v = Math.Max(0, Math.Min(Rows - 1.001, (y - Corner.Y) / Cell));
+        int i = (int)u, j = (int)v;
+        return (j * Columns + i, u - i, v - j);
+    }
+
     /// <summary>The highest surface below given heights that nowhere rises faster than a slope, mm per mm.</summary>
     public void Lower(double[] heights, double slope)
     {

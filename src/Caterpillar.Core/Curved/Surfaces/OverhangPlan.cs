@@ -8,10 +8,7 @@ internal sealed class OverhangPlan : PlanSurface
 {
     private const int Nodes = 400;
     private readonly double _slope;
-    private readonly double _cell;
-    private readonly Vec3 _corner;
-    private readonly int _columns;
-    private readonly int _rows;
+    private readonly SlopeGrid _grid;
     private readonly double[] _distances;
 
     /// <param name="foot">Footprint of the part on the bed.</param>
@@ -21,12 +18,10 @@ internal sealed class OverhangPlan : PlanSurface
     {
         var (sin, cos) = Angle.SinCos(degrees);
         _slope = sin / cos;
-        _cell = Math.Max(0.25, Math.Max(bounds.Size.X, bounds.Size.Y) / Nodes);
+        var cell = Math.Max(0.25, Math.Max(bounds.Size.X, bounds.Size.Y) / Nodes);
         // A margin, so that what lies on the edge of the part has all of its nodes.
-        _corner = bounds.Min - new Vec3(2 * _cell, 2 * _cell);
-        _columns = (int)(bounds.Size.X / _cell) + 6;
-        _rows = (int)(bounds.Size.Y / _cell) + 6;
-        _distances = new double[_columns * _rows];
+        _grid = new SlopeGrid(bounds.Min - new Vec3(2 * cell, 2 * cell), cell, (int)(bounds.Size.X / cell) + 6, (int)(bounds.Size.Y / cell) + 6);
+        _distances = new double[_grid.Count];
         var edges = new List<(Vec3 A, Vec3 B)>();
         foreach (var contour in foot.Contours)
         {
@@ -36,7 +31,7 @@ internal sealed class OverhangPlan : PlanSurface
         Sweep(foot, edges, nearest);
     }
 
-    public override double Detail => 4 * _cell;
+    public override double Detail => 4 * _grid.Cell;
 
     public static Result<PlanSurface> For(IReadOnlyList<NamedMesh> models, PrintSetup setup, double? degrees)
     {
@@ -84,12 +79,11 @@ internal sealed class OverhangPlan : PlanSurface
 
     public override double Height(double x, double y)
     {
-        var u = Math.Max(0, Math.Min(_columns - 1.001, (x - _corner.X) / _cell));
-        var v = Math.Max(0, Math.Min(_rows - 1.001, (y - _corner.Y) / _cell));
-        int i = (int)u, j = (int)v, at = j * _columns + i;
-        var low = _distances[at] + (_distances[at + 1] - _distances[at]) * (u - i);
-        var high = _distances[at + _columns] + (_distances[at + _columns + 1] - _distances[at + _columns]) * (u - i);
-        return -_slope * (low + (high - low) * (v - j));
+        var (near, u, v) = _grid.Locate(x, y);
+        var far = near + _grid.Columns;
+        var low = _distances[near] + (_distances[near + 1] - _distances[near]) * u;
+        var high = _distances[far] + (_distances[far + 1] - _distances[far]) * u;
+        return -_slope * (low + (high - low) * v);
     }
 
     // Each node takes the nearest edge of its neighbors, in four sweeps; distances to that edge are exact.
@@ -99,20 +93,20 @@ internal sealed class OverhangPlan : PlanSurface
         for (var e = 0; e < edges.Count; e++)
         {
             var (a, b) = edges[e];
-            var steps = (int)(a.DistanceTo(b) / _cell * 2) + 1;
+            var steps = (int)(a.DistanceTo(b) / _grid.Cell * 2) + 1;
             for (var k = 0; k <= steps; k++)
             {
                 var p = Vec3.Lerp(a, b, (double)k / steps);
-                int i = (int)((p.X - _corner.X) / _cell), j = (int)((p.Y - _corner.Y) / _cell);
+                int i = (int)((p.X - _grid.Corner.X) / _grid.Cell), j = (int)((p.Y - _grid.Corner.Y) / _grid.Cell);
                 for (var c = 0; c < 4; c++) Offer(i + (c & 1), j + (c >> 1), e, edges, nearest);
             }
         }
         for (var pass = 0; pass < 8; pass++)
         {
             int di = (pass & 1) == 0 ? 1 : -1, dj = (pass & 2) == 0 ? 1 : -1;
-            for (var j = dj > 0 ? 0 : _rows - 1; j >= 0 && j < _rows; j += dj)
+            for (var j = dj > 0 ? 0 : _grid.Rows - 1; j >= 0 && j < _grid.Rows; j += dj)
             {
-                for (var i = di > 0 ? 0 : _columns - 1; i >= 0 && i < _columns; i += di)
+                for (var i = di > 0 ? 0 : _grid.Columns - 1; i >= 0 && i < _grid.Columns; i += di)
                 {
                     Take(i, j, i - di, j, edges, nearest);
                     Take(i, j, i, j - dj, edges, nearest);
@@ -120,31 +114,27 @@ internal sealed class OverhangPlan : PlanSurface
                 }
             }
         }
-        for (var j = 0; j < _rows; j++)
+        for (var node = 0; node < _distances.Length; node++)
         {
-            for (var i = 0; i < _columns; i++)
-            {
-                var inside = foot.Contains(_corner.X + i * _cell, _corner.Y + j * _cell);
-                if (inside || double.IsInfinity(_distances[j * _columns + i])) _distances[j * _columns + i] = 0;
-            }
+            var place = _grid.At(node);
+            if (foot.Contains(place.X, place.Y) || double.IsInfinity(_distances[node])) _distances[node] = 0;
         }
     }
 
     private void Take(int i, int j, int fromI, int fromJ, List<(Vec3 A, Vec3 B)> edges, int[] nearest)
     {
-        if (fromI < 0 || fromJ < 0 || fromI >= _columns || fromJ >= _rows) return;
-        var edge = nearest[fromJ * _columns + fromI];
+        if (fromI < 0 || fromJ < 0 || fromI >= _grid.Columns || fromJ >= _grid.Rows) return;
+        var edge = nearest[fromJ * _grid.Columns + fromI];
         if (edge >= 0) Offer(i, j, edge, edges, nearest);
     }
 
     private void Offer(int i, int j, int edge, List<(Vec3 A, Vec3 B)> edges, int[] nearest)
     {
-        if (i < 0 || j < 0 || i >= _columns || j >= _rows) return;
+        if (i < 0 || j < 0 || i >= _grid.Columns || j >= _grid.Rows) return;
         var (a, b) = edges[edge];
-        var p = new Vec3(_corner.X + i * _cell, _corner.Y + j * _cell);
-        var distance = Math.Sqrt(FlatSegment.SquareDistance(p, a, b));
-        if (!(distance < _distances[j * _columns + i])) return;
-        _distances[j * _columns + i] = distance;
-        nearest[j * _columns + i] = edge;
+        var node = j * _grid.Columns + i;
+        var distance = Math.Sqrt(FlatSegment.SquareDistance(_grid.At(node), a, b));
+        if (!(distance < _distances[node])) return;
+        (_distances[node], nearest[node]) = (distance, edge);
     }
 }
