@@ -13,21 +13,21 @@ internal sealed class BentPieces(LayerField field, double tolerance, IReadOnlyLi
     private const int MostSamples = 4096;
     private readonly IReadOnlyList<double> _creases = field.Creases;
 
-    /// <summary>True if an edge must be divided, and the division point.</summary>
-    public (bool Divide, Vec3 Part, Vec3 Flat) Test(int a, int b)
+    /// <summary>Where an edge must be divided; null if it matches.</summary>
+    public (Vec3 Part, Vec3 Flat)? Test(int a, int b)
     {
         // Shorter ones would not be seen in print.
-        if (part[a].DistanceTo(part[b]) < tolerance) return default;
+        if (part[a].DistanceTo(part[b]) < tolerance) return null;
         foreach (var t in Shares)
         {
-            if (IsOff(a, b, t)) return Divided(a, b);
+            if (IsOff(a, b, t)) return Middle(a, b);
         }
         var samples = Samples(part[b] - part[a], 2);
         for (var i = 0; i < samples; i++)
         {
-            if (IsOff(a, b, (i + Shares[i % 3]) / samples)) return Divided(a, b);
+            if (IsOff(a, b, (i + Shares[i % 3]) / samples)) return Middle(a, b);
         }
-        return default;
+        return null;
     }
 
     /// <summary>Where an edge is divided: where it crosses a crease of the field, else in its middle.</summary>
@@ -90,12 +90,6 @@ internal sealed class BentPieces(LayerField field, double tolerance, IReadOnlyLi
         var off = field.ToFlat(place) - straight;
         if (!(off.LengthSquared > tolerance * tolerance)) return false;
         return off.LengthXY > tolerance || Math.Abs(off.Z) * Math.Min(1, field.Spread(place)) > tolerance;
-    }
-
-    private (bool Divide, Vec3 Part, Vec3 Flat) Divided(int a, int b)
-    {
-        var (at, image) = Middle(a, b);
-        return (true, at, image);
     }
 
     private Vec3 MiddleOf(int a, int b)

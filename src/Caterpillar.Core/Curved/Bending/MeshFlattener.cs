@@ -51,11 +51,11 @@ internal sealed class MeshFlattener
     {
         var first = _tested;
         _tested = _edges.Count;
-        var middles = new (bool Divide, Vec3 Part, Vec3 Flat)[_tested - first];
+        var middles = new (Vec3 Part, Vec3 Flat)?[_tested - first];
         Parallel.For(0, middles.Length, _options, i => middles[i] = _pieces.Test(_edges[first + i].A, _edges[first + i].B));
         for (var i = 0; i < middles.Length; i++)
         {
-            if (middles[i].Divide) SetMiddle(first + i, middles[i].Part, middles[i].Flat);
+            if (middles[i] is { } middle) SetMiddle(first + i, middle);
         }
         var bent = new bool[_faces.Count];
         Parallel.For(0, bent.Length, _options, i =>
@@ -129,15 +129,14 @@ internal sealed class MeshFlattener
     private void Divide(int edge)
     {
         if (_edges[edge].Middle >= 0) return;
-        var (part, flat) = _pieces.Middle(_edges[edge].A, _edges[edge].B);
-        SetMiddle(edge, part, flat);
+        SetMiddle(edge, _pieces.Middle(_edges[edge].A, _edges[edge].B));
     }
 
-    private void SetMiddle(int edge, Vec3 part, Vec3 flat)
+    private void SetMiddle(int edge, (Vec3 Part, Vec3 Flat) middle)
     {
         _edges[edge] = _edges[edge] with { Middle = _part.Count };
-        _part.Add(part);
-        _flat.Add(flat);
+        _part.Add(middle.Part);
+        _flat.Add(middle.Flat);
     }
 
     // The number of its middle is −1 where an edge stays whole.

@@ -32,7 +32,7 @@ public sealed class MeshBoundaries
     public static Result<MeshBoundaries> Find(TriMesh mesh, CancellationToken cancel = default)
     {
         if (mesh is null) throw new ArgumentNullException(nameof(mesh));
-        var fine = Refined(mesh, cancel);
+        var fine = MeshRefiner.Refine(mesh, Edge(mesh), MostTriangles, cancel).Mesh;
         var (lower, upper) = mesh.NakedEdgeCount > 0 ? BoundaryFinder.OpenEdges(fine) : BoundaryFinder.SmoothFaces(fine);
         return Checked(mesh, fine, lower, upper, mesh.NakedEdgeCount > 0
             ? "An open mesh needs naked edges at its bottom and at its top." : "A closed mesh needs a face with sharp edges at its top.");
@@ -79,8 +79,6 @@ public sealed class MeshBoundaries
     }
 
     private static double Edge(TriMesh mesh) => Math.Min(2, Math.Max(0.5, mesh.Bounds.Size.Length / 80));
-
-    private static TriMesh Refined(TriMesh mesh, CancellationToken cancel) => MeshRefiner.Refine(mesh, Edge(mesh), MostTriangles, cancel).Mesh;
 
     private static Result<MeshBoundaries> Checked(TriMesh original, TriMesh fine, int[] lower, int[] upper, string message)
     {

@@ -13,7 +13,6 @@ internal sealed class SpanGrid(Bounds bounds, double cell, double[] levels)
     private readonly double _y = bounds.Min.Y - Margin * cell;
     private readonly int _columns = (int)Math.Ceiling(bounds.Size.X / cell) + 2 * Margin + 1;
     private readonly int _rows = (int)Math.Ceiling(bounds.Size.Y / cell) + 2 * Margin + 1;
-    private readonly double[] _levels = levels;
 
     // For each level, row by row.
     private readonly double[][] _heights = new double[levels.Length][];
@@ -50,22 +49,22 @@ internal sealed class SpanGrid(Bounds bounds, double cell, double[] levels)
         var (node, u, v) = Locate(x, y);
         var i = Below(level);
         double low = At(i, node, u, v), high = At(i + 1, node, u, v);
-        return low + (high - low) * (level - _levels[i]) / (_levels[i + 1] - _levels[i]);
+        return low + (high - low) * (level - levels[i]) / (levels[i + 1] - levels[i]);
     }
 
     /// <summary>The level at a place in space.</summary>
     public double Level(Vec3 p)
     {
         var (node, u, v) = Locate(p.X, p.Y);
-        var low = Search.First(1, _levels.Length - 1, (Grid: this, node, u, v, p.Z), static (s, i) => s.Grid.At(i, s.node, s.u, s.v) > s.Z) - 1;
+        var low = Search.First(1, levels.Length - 1, (Grid: this, node, u, v, p.Z), static (s, i) => s.Grid.At(i, s.node, s.u, s.v) > s.Z) - 1;
         double from = At(low, node, u, v), to = At(low + 1, node, u, v);
-        return _levels[low] + (_levels[low + 1] - _levels[low]) * (p.Z - from) / (to - from);
+        return levels[low] + (levels[low + 1] - levels[low]) * (p.Z - from) / (to - from);
     }
 
     private int Below(double level)
     {
-        var i = Array.BinarySearch(_levels, level);
-        return Math.Min(Math.Max(i < 0 ? ~i - 1 : i, 0), _levels.Length - 2);
+        var i = Array.BinarySearch(levels, level);
+        return Math.Min(Math.Max(i < 0 ? ~i - 1 : i, 0), levels.Length - 2);
     }
 
     private (int Node, double U, double V) Locate(double x, double y)

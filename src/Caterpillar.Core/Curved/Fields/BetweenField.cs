@@ -26,14 +26,8 @@ internal sealed class BetweenField(PlanSurface[] surfaces) : LayerField
 
     public override double Value(Vec3 point)
     {
-        var low = surfaces[0].Height(point.X, point.Y);
-        for (var i = 1; ; i++)
-        {
-            var high = surfaces[i].Height(point.X, point.Y);
-            if (point.Z <= high || i + 1 == surfaces.Length)
-                return _values[i - 1] + (_values[i] - _values[i - 1]) * (point.Z - low) / (high - low);
-            low = high;
-        }
+        var (i, low, high) = Around(point);
+        return _values[i - 1] + (_values[i] - _values[i - 1]) * (point.Z - low) / (high - low);
     }
 
     public override double Height(double x, double y, double value)
@@ -46,20 +40,13 @@ internal sealed class BetweenField(PlanSurface[] surfaces) : LayerField
 
     internal override double Spread(Vec3 point)
     {
-        var low = surfaces[0].Height(point.X, point.Y);
-        for (var i = 1; ; i++)
-        {
-            var high = surfaces[i].Height(point.X, point.Y);
-            if (point.Z <= high || i + 1 == surfaces.Length) return (high - low) / (_values[i] - _values[i - 1]);
-            low = high;
-        }
+        var (i, low, high) = Around(point);
+        return (high - low) / (_values[i] - _values[i - 1]);
     }
 
     public override Vec3 Normal(Vec3 point)
     {
-        var i = 1;
-        while (i + 1 < surfaces.Length && point.Z > surfaces[i].Height(point.X, point.Y)) i++;
-        double low = surfaces[i - 1].Height(point.X, point.Y), high = surfaces[i].Height(point.X, point.Y);
+        var (i, low, high) = Around(point);
         var share = (point.Z - low) / (high - low);
         var (lowX, lowY) = surfaces[i - 1].Slope(point.X, point.Y);
         var (highX, highY) = surfaces[i].Slope(point.X, point.Y);
@@ -90,5 +77,17 @@ internal sealed class BetweenField(PlanSurface[] surfaces) : LayerField
             values[i] = values[i - 1] + first + Math.Max(i == 1 ? 0 : 1, Math.Ceiling((most - first) / settings.LayerHeight - 1e-6)) * settings.LayerHeight;
         }
         return Anchored(new BetweenField(surfaces, values), part, settings);
+    }
+
+    // The heights of the surfaces below and above a point, and the number of the upper one.
+    private (int Upper, double Low, double High) Around(Vec3 point)
+    {
+        var low = surfaces[0].Height(point.X, point.Y);
+        for (var i = 1; ; i++)
+        {
+            var high = surfaces[i].Height(point.X, point.Y);
+            if (point.Z <= high || i + 1 == surfaces.Length) return (i, low, high);
+            low = high;
+        }
     }
 }

@@ -19,7 +19,7 @@ internal static class HeadSlope
         }
         foreach (var box in printer.HeadBoxes)
         {
-            var near = Math.Sqrt(Square(box.Min.X, box.Max.X) + Square(box.Min.Y, box.Max.Y));
+            var near = new Vec3(Math.Max(0, Math.Max(box.Min.X, -box.Max.X)), Math.Max(0, Math.Max(box.Min.Y, -box.Max.Y))).LengthXY;
             var far = Math.Sqrt(Math.Max(box.Min.X * box.Min.X, box.Max.X * box.Max.X) + Math.Max(box.Min.Y * box.Min.Y, box.Max.Y * box.Max.Y));
             if (near < span && box.Min.Z < rise) limit = Math.Min(limit, Angle.Atan2(Math.Min(box.Min.Z, rise), Math.Min(far, span)));
         }
@@ -59,11 +59,5 @@ internal static class HeadSlope
             }
         }
         return least;
-    }
-
-    private static double Square(double low, double high)
-    {
-        var nearest = low > 0 ? low : high < 0 ? -high : 0;
-        return nearest * nearest;
     }
 }
