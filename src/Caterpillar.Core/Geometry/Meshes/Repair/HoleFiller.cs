@@ -27,7 +27,7 @@ internal static class HoleFiller
             if (area > MaxShare * pieces.Area[piece]) continue;
             added.AddRange(patch);
             repaired[piece] = true;
-            holes.Add(new FilledHole(BoxOf(mesh, ring), area));
+            holes.Add(new FilledHole(Bounds.Of(ring.Select(edge => mesh.RawVertices[mesh.RawTriangles[edge]])), area));
         }
         if (holes.Count == 0) return (mesh, holes, 0);
         var loose = LoosePieces.Find(mesh, pieces, repaired, holes);
@@ -80,6 +80,4 @@ internal static class HoleFiller
         Array.Reverse(ring);
         return ring.Length >= 3 ? ring : null;
     }
-
-    private static Bounds BoxOf(TriMesh mesh, int[] ring) => Bounds.Of(ring.Select(edge => mesh.RawVertices[mesh.RawTriangles[edge]]));
 }

@@ -41,13 +41,9 @@ internal static class OppositeFacets
             drop[score >= 0 ? second : first] = true;
             dropped++;
         }
-        return (dropped == 0 ? mesh : Without(mesh, drop), dropped);
-    }
-
-    private static TriMesh Without(TriMesh mesh, bool[] drop)
-    {
-        var triangles = mesh.RawTriangles.Where((_, h) => !drop[h / 3]).ToArray();
-        return TriMesh.Own(MeshCleaning.DropUnused(mesh.RawVertices, triangles), triangles);
+        if (dropped == 0) return (mesh, 0);
+        var left = triangles.Where((_, h) => !drop[h / 3]).ToArray();
+        return (TriMesh.Own(MeshCleaning.DropUnused(mesh.RawVertices, left), left), dropped);
     }
 
     // Each triangle with the first later one that has the same corners in the other direction.

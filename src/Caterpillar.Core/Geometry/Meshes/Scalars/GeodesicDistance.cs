@@ -113,7 +113,7 @@ internal sealed class GeodesicDistance
         var (left, right) = (p, q);
         for (var step = 0; step < Farthest; step++)
         {
-            var partner = Partner(half, left, right);
+            var partner = _mesh.Topology.Partner[half];
             if (partner < 0) return;
             var t = partner - partner % 3;
             var s = _corners[t + (partner + 2) % 3];
@@ -139,34 +139,17 @@ internal sealed class GeodesicDistance
                 return;
             }
             // On through the edge that the angle still holds.
-            if (acuteToP)
-            {
-                (right, qx, qy) = (s, sx, sy);
-                half = HalfEdge(t, left, s);
-            }
-            else
-            {
-                (left, px, py) = (s, sx, sy);
-                half = HalfEdge(t, right, s);
-            }
-            if (half < 0) return;
+            if (acuteToP) (right, qx, qy) = (s, sx, sy);
+            else (left, px, py) = (s, sx, sy);
+            half = HalfEdge(t, left, right);
         }
     }
 
-    private int Partner(int half, int p, int q)
-    {
-        var t = half - half % 3;
-        var at = HalfEdge(t, p, q);
-        return at < 0 ? -1 : _mesh.Topology.Partner[at];
-    }
-
+    // Between two corners of a triangle: it begins at the corner after the third one.
     private int HalfEdge(int triangle, int p, int q)
     {
-        for (var k = 0; k < 3; k++)
-        {
-            int a = _corners[triangle + k], b = _corners[triangle + (k + 1) % 3];
-            if ((a == p && b == q) || (a == q && b == p)) return triangle + k;
-        }
-        return -1;
+        var third = triangle;
+        while (_corners[third] == p || _corners[third] == q) third++;
+        return triangle + (third - triangle + 1) % 3;
     }
 }
