@@ -31,7 +31,7 @@ internal sealed class BlockCollector(int blockSize, int firstSize, PageFile<Tool
     {
         if (Columns.Capacity < blockSize)
         {
-            Columns = Columns.Copy(Math.Min(Columns.Capacity * 4, blockSize));
+            Columns = Columns.Copy(Math.Min(Math.Max(Columns.Capacity * 4, firstSize), blockSize));
             return null;
         }
         var full = Columns;
