@@ -67,11 +67,7 @@ internal sealed class DecodeVerb : Verb
             if (json && stats.Length > 0)
                 text.Write(SimulationJson.Array(stats.Select(s => SimulationJson.Statistics(s.File, s.Sums, s.Toolpath, s.Limits))));
             else if (json) text.Write("[\n " + string.Join(",\n ", decoded.Select(d => d.Report.ToJson(" "))) + "\n]\n");
-            for (var i = 0; !json && i < decoded.Count; i++)
-            {
-                DecodeSummary.Write(text, decoded[i].DecodedGCode, decoded[i].Report);
-                if (stats.Length > 0) StatisticsText.Write(text, stats[i].Sums, stats[i].Limits);
-            }
+            else Summaries(text, decoded, stats);
         });
         return ExitCode.Done;
     }
@@ -80,6 +76,15 @@ internal sealed class DecodeVerb : Verb
     private double? Diameter(ParseResult arguments, Session session)
         => Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter")
             ?? (arguments.GetValue(_stats) ? _setup.Resolve(arguments, session).Material.FilamentDiameter : null);
+
+    private static void Summaries(TextWriter text, List<(string File, DecodedGCode DecodedGCode, DecodeReport Report)> decoded, Statistics[] stats)
+    {
+        for (var i = 0; i < decoded.Count; i++)
+        {
+            DecodeSummary.Write(text, decoded[i].DecodedGCode, decoded[i].Report);
+            if (stats.Length > 0) StatisticsText.Write(text, stats[i].Sums, stats[i].Limits);
+        }
+    }
 
     private Statistics Timed(DecodedGCode decoded, string file, ParseResult arguments, Session session)
     {

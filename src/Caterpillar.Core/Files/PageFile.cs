@@ -1,8 +1,8 @@
 namespace Caterpillar.Files;
 
 /// <summary>
-/// Parts of something of any length. The latest are in memory, up to a number of bytes, the others in a temporary file, which is deleted with its last user.
-/// For any thread.
+/// Keeps data of any length in parts: the latest in memory, up to a number of bytes, the others in a temporary file, which is deleted as soon as nothing uses
+/// it any more. Thread-safe.
 /// </summary>
 /// <param name="memory">Bytes in memory.</param>
 /// <param name="size">The bytes of a part.</param>

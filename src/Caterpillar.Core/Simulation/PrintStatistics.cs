@@ -88,7 +88,16 @@ public sealed record PrintStatistics
 
     /// <summary>Totals of a timeline, with the material of its setup.</summary>
     public static PrintStatistics Of(Timeline timeline, System.Threading.CancellationToken cancel = default)
-        => timeline is null ? throw new ArgumentNullException(nameof(timeline)) : Of(timeline.Toolpath, timeline.Setup, null, cancel);
+    {
+        if (timeline is null) throw new ArgumentNullException(nameof(timeline));
+        var sums = new StatisticsSums(timeline.Toolpath, timeline.Setup);
+        for (var block = 0; block < timeline.Toolpath.Blocks.Count; block++)
+        {
+            cancel.ThrowIfCancellationRequested();
+            sums.Block(block, timeline.Motion);
+        }
+        return sums.ToStatistics(timeline.Duration, timeline.Waits);
+    }
 
     /// <summary>Totals of a toolpath on the printer of a setup, with its material. Memory does not grow with the toolpath.</summary>
     public static PrintStatistics Of(

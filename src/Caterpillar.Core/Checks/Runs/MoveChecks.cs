@@ -6,8 +6,9 @@ namespace Caterpillar.Checks;
 /// </summary>
 internal sealed class MoveChecks : IDisposable
 {
-    /// <summary>Blocks of a whole toolpath that wait: it may be longer than the memory.</summary>
+    /// <summary>How many blocks of a whole toolpath may wait for the check of the print: all of them might not fit into memory.</summary>
     public const int FewBlocks = 8;
+
     private readonly PrintSetup _setup;
     private readonly IReadOnlyList<ToolpathTool> _tools;
     private readonly Func<Findings> _findings;

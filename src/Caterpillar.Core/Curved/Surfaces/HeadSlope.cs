@@ -37,10 +37,10 @@ internal static class HeadSlope
         }
     }
 
-    /// <summary>Angle in degrees from its axis within which a head passes what is higher in each layer, beside its tip and half an extrusion.</summary>
+    /// <summary>The largest angle from its axis, in degrees, that a head may have to clear everything higher in each layer.</summary>
     /// <param name="slope">The steepest slope, degrees. Up to 45 degrees it alone decides.</param>
     /// <param name="layers">The paths of each layer; some of their points are looked at.</param>
-    /// <param name="tip">Radius of the tip and half the width of an extrusion, mm. What is nearer than three times as far, only the tip touches.</param>
+    /// <param name="tip">Radius of the tip and half the width of an extrusion, mm. Points within three times this distance touch only the tip.</param>
     public static double HalfAngle(double slope, IEnumerable<IEnumerable<PathStep>> layers, double tip)
     {
         const int Most = 200;

@@ -129,13 +129,18 @@ internal sealed class GzipReader(Stream packed, bool leaveOpen = false) : ReadSt
         {
             for (var left = Byte() | Byte() << 8; left > 0; left--) Byte();
         }
-        foreach (var text in new[] { Name, Comment })
+        if ((flags & Name) != 0) SkipText();
+        if ((flags & Comment) != 0) SkipText();
+        if ((flags & HeaderSum) == 0) return;
+        Byte();
+        Byte();
+    }
+
+    private void SkipText()
+    {
+        while (Byte() != 0)
         {
-            while ((flags & text) != 0 && Byte() != 0)
-            {
-            }
         }
-        for (var i = 0; i < 2 && (flags & HeaderSum) != 0; i++) Byte();
     }
 
     private int Byte()

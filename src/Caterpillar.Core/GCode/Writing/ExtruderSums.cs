@@ -35,8 +35,11 @@ internal sealed class ExtruderSums
         if (Letter == 0) return 0;
         var sum = _sum;
         // Sums stay within what can be printed.
-        if (Math.Abs(sum.Exact) > LargestExact && _relative) sum.Forget(_decimals);
-        else if (Math.Abs(sum.Exact) > LargestExact) Reset();
+        if (Math.Abs(sum.Exact) > LargestExact)
+        {
+            if (_relative) sum.Forget(_decimals);
+            else Reset();
+        }
         sum.Exact += e;
         var units = NumberFormatter.ToUnits(sum.Exact, _decimals);
         var step = units - sum.Written;

@@ -71,7 +71,7 @@ internal sealed class MotionColumns
     /// <summary>Seconds of waiting before a move.</summary>
     public double WaitBefore(int move) => StartTime(FirstMoving(move)) - StartOf(move);
 
-    /// <summary>The first trapezoid of a move after its waits; that of the next move if there is none.</summary>
+    /// <summary>The first trapezoid in which a move moves; the first one of the next move if there is none.</summary>
     public int FirstMoving(int move)
     {
         int first = FirstOf(move), end = FirstOf(move + 1);

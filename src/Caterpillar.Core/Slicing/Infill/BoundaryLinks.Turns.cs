@@ -14,7 +14,7 @@ internal sealed partial class BoundaryLinks
     // Rows that end nearly at a right angle turn without a gap.
     private const double LeastCosine = 0.17;
 
-    // In what they are shortened by: rows that end early. Shorter ones would change their flow too much to hold as much as before.
+    // The shortest row that ends early, in lengths that it loses. Shorter ones would need too much flow to hold as much as before.
     private const double LeastRow = 20;
 
     // Share of the length along the boundary that the straight line to the foot must have: no turn cuts a corner.

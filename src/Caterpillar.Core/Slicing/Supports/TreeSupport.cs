@@ -26,7 +26,7 @@ internal sealed class TreeSupport(SupportStack stack, SupportGaps gaps, Parallel
     // mm; roofs that lie closer together than twice this are one.
     private const double Hairline = 0.1;
 
-    // Of the height above the bed: where the part lies so little below a tip, its branch ends there. A trunk to the bed would take longer.
+    // Share of a tip's height above the bed. If the part is no farther below the tip, the branch ends on the part: a trunk to the bed would take longer.
     private const double Close = 1 / 6.0;
 
     // mm; the foot is wider by half of the height below this.

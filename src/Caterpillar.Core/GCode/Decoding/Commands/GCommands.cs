@@ -32,8 +32,11 @@ internal sealed class GCommands(Machine machine, EventCommands events, ModeComma
                 if (!IsMotion(code)) continue;
                 machine.Diagnostics.Warn("gcode.flavor_commands", "A line has several motion commands. Only the last one is read, with the words of all.");
             }
-            if (IsMotion(code)) explicitMotion = code / 10;
-            if (IsMotion(code)) continue;
+            if (IsMotion(code))
+            {
+                explicitMotion = code / 10;
+                continue;
+            }
             // A mode takes effect now, and an action after all modes.
             machine.Log.See(text, line.LetterAt[i], line.CodeEnd);
             if (!modes.Take(code)) action = code;
