@@ -59,31 +59,47 @@ async function filaments() {
   if (!/^Color change, .*layer 1, height 0.4 mm$/.test(marks)) fault("the marks are " + marks);
 }
 
-// A tall box and a flat one, from all sides: the eight corners are seen between the panels, reach their edges and lie in the middle.
+// The eight corners of the camera's box are seen between the panels, reach their edges and lie in the middle.
+function isWhole({ canvas, covered, box }, matrix) {
+  const places = [];
+  for (let i = 0; i < 8; i++) {
+    const p = [0, 1, 2].map((k) => box[i >> k & 1][k]), at = (row) => matrix[row] * p[0] + matrix[4 + row] * p[1] + matrix[8 + row] * p[2] + matrix[12 + row];
+    places.push([(1 + at(0) / at(3)) / 2 * canvas.width, (1 - at(1) / at(3)) / 2 * canvas.height]);
+  }
+  let fullest = 0;
+  [canvas.width, canvas.height].forEach((whole, axis) => {
+    const free = whole - covered[axis], least = Math.min(...places.map((p) => p[axis])), most = Math.max(...places.map((p) => p[axis]));
+    if (least < 0 || most > free) fault(`${least} to ${most} of ${free} on axis ${axis}`);
+    if (Math.abs(least + most - free) > 0.01 * free) fault(`not in the middle: ${least} to ${most} of ${free} on axis ${axis}`);
+    fullest = Math.max(fullest, (most - least) / free);
+  });
+  if (Math.abs(fullest - 0.94) > 0.001) fault(`fills ${fullest} of the picture`);
+}
+
+// A tall box and a flat one, from all sides. In a window of another size they fit again, unless somebody has zoomed.
 function fits() {
   const source = readFileSync(new URL("../../src/Caterpillar.Core/Display/Viewing/Page/camera.js", import.meta.url), "utf8");
   const Camera = new Function(source + "; return Camera;")();
   for (const [width, height, covered] of [[520, 350, [0, 0]], [1440, 900, [330, 90]], [390, 844, [0, 160]]]) {
-    const canvas = { width, height, clientWidth: width, clientHeight: height, addEventListener() {} }, camera = new Camera(canvas, () => {});
+    const canvas = { addEventListener() {} }, camera = new Camera(canvas, () => {});
+    const size = (w, h) => Object.assign(canvas, { width: w, height: h, clientWidth: w, clientHeight: h });
+    size(width, height);
     camera.covered = covered;
-    for (const size of [[60, 40, 80], [120, 90, 0.4]]) for (const view of [[-50, 22], [-90, 90], [0, 0], [-60, -30]]) {
-      name = `fit of ${size} from ${view} in ${width} × ${height}`;
-      camera.box = [size.map((s) => -s / 2), size.map((s) => s / 2)];
+    for (const sides of [[60, 40, 80], [120, 90, 0.4]]) for (const view of [[-50, 22], [-90, 90], [0, 0], [-60, -30]]) {
+      name = `fit of ${sides} from ${view} in ${width} × ${height}`;
+      camera.box = [sides.map((s) => -s / 2), sides.map((s) => s / 2)];
       camera.look(...view);
-      const m = camera.matrix(), places = [];
-      for (let i = 0; i < 8; i++) {
-        const p = [0, 1, 2].map((k) => camera.box[i >> k & 1][k]), at = (row) => m[row] * p[0] + m[4 + row] * p[1] + m[8 + row] * p[2] + m[12 + row];
-        places.push([(1 + at(0) / at(3)) / 2 * width, (1 - at(1) / at(3)) / 2 * height]);
-      }
-      let fullest = 0;
-      [width, height].forEach((whole, axis) => {
-        const free = whole - covered[axis], least = Math.min(...places.map((p) => p[axis])), most = Math.max(...places.map((p) => p[axis]));
-        if (least < 0 || most > free) fault(`${least} to ${most} of ${free} on axis ${axis}`);
-        if (Math.abs(least + most - free) > 0.01 * free) fault(`not in the middle: ${least} to ${most} of ${free} on axis ${axis}`);
-        fullest = Math.max(fullest, (most - least) / free);
-      });
-      if (Math.abs(fullest - 0.94) > 0.001) fault(`fills ${fullest} of the picture`);
+      isWhole(camera, camera.matrix());
     }
+    name = `a window of ${width} × ${height} that grows`;
+    size(width + 300, height + 100);
+    camera.refit();
+    isWhole(camera, camera.matrix());
+    camera.zoom(0.5, 10, 10);
+    const { distance } = camera;
+    size(width, height);
+    camera.refit();
+    if (camera.distance !== distance) fault("forgets that somebody has zoomed");
   }
 }
 

@@ -20,6 +20,8 @@ class Camera {
     this.azimuth = -Math.PI / 3;
     this.elevation = 0.5;
     this.box = [[-1, -1, -1], [1, 1, 1]];
+    // Whether the box is in view as a whole, because nobody has zoomed or panned since.
+    this.isFitted = false;
     // What the panels cover, CSS pixels from the right and from the bottom.
     this.covered = [0, 0];
     this.listen();
@@ -63,6 +65,20 @@ class Camera {
       }
       this.target = add(this.target, times(axis, shift));
     }
+    this.isFitted = true;
+    this.changed();
+  }
+
+  // For a window or panels of another size.
+  refit() {
+    if (this.isFitted) this.fit(this.box);
+    else this.changed();
+  }
+
+  approach(target, distance) {
+    this.target = target;
+    this.distance = Math.min(this.distance, distance);
+    this.isFitted = false;
     this.changed();
   }
 
@@ -96,6 +112,7 @@ class Camera {
     const size = this.distance * 2 * Math.tan(0.35) / this.canvas.clientHeight;
     const up = cross(this.back, this.right);
     this.target = add(this.target, add(times(this.right, -dx * size), times(up, dy * size)));
+    this.isFitted = false;
     this.changed();
   }
 
@@ -115,6 +132,7 @@ class Camera {
     const up = cross(this.back, this.right);
     const dx = x - (this.canvas.clientWidth - this.covered[0]) / 2, dy = y - (this.canvas.clientHeight - this.covered[1]) / 2;
     this.target = add(this.target, add(times(this.right, dx * size), times(up, -dy * size)));
+    this.isFitted = false;
     this.changed();
   }
 

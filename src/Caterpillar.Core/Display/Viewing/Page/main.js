@@ -293,9 +293,7 @@ function goTo(finding) {
   if (rank < firstLayer || rank > lastLayer) setLayers(Math.min(rank, firstLayer), Math.max(rank, lastLayer));
   setMoment(row, 1);
   pickRow(row);
-  camera.target = [moves.x[row], moves.y[row], moves.z[row]].map((v, i) => v - scene.middle[i]);
-  camera.distance = Math.min(camera.distance, 60);
-  redraw();
+  camera.approach([moves.x[row], moves.y[row], moves.z[row]].map((v, i) => v - scene.middle[i]), 60);
 }
 
 const switches = { travel: "T", retractions: "R", seams: "S", above: "A", bed: "B", nozzle: "N", model: "M" };
@@ -326,7 +324,7 @@ function fold(folded) {
   byId("panel").classList.toggle("folded", folded);
   byId("fold").setAttribute("aria-expanded", String(!folded));
   cover();
-  redraw();
+  camera.refit();
 }
 
 const steps = { j: [-40, 0], l: [40, 0], i: [0, -40], k: [0, 40] };
@@ -375,7 +373,7 @@ function listen() {
   });
   window.addEventListener("resize", () => {
     cover();
-    redraw();
+    camera.refit();
   });
   if (!moves) return;
   byId("play").addEventListener("click", play);

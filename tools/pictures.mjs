@@ -1,6 +1,6 @@
-// Makes the animated PNGs of the manual: docs/images/canvas_to_print.png, from the canvas to the finished part, and docs/images/remix.png, a sliced file that is
-// changed.
-//   node --experimental-websocket tools/animation.mjs canvas_to_print|remix CATERPILLAR CHROMIUM [FILE.png]
+// Makes pictures of the manual: docs/images/viewer.png, a page of the viewer, and two animations: docs/images/canvas_to_print.png, from the canvas to the
+// finished part, and docs/images/remix.png, a sliced file that is changed.
+//   node --experimental-websocket tools/pictures.mjs viewer|canvas_to_print|remix CATERPILLAR CHROMIUM [FILE.png]
 // CATERPILLAR is the published program. The pictures of the canvas are docs/images/first_print, those of the print are the viewer's.
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -13,7 +13,7 @@ import { open, wait } from "./browser.mjs";
 const stepTime = 1.6, printTime = 0.12, lastTime = 2.5, printFrames = 30, twistFrames = 14, twist = 1.2;
 const root = join(dirname(fileURLToPath(import.meta.url)), ".."), folder = mkdtempSync(join(tmpdir(), "animation-"));
 const [subject, program, chromium, file = join(root, "docs", "images", `${subject}.png`)] = process.argv.slice(2);
-const [width, height] = subject === "remix" ? [520, 390] : [720, 480];
+const [width, height] = { remix: [520, 390], viewer: [1280, 860], canvas_to_print: [720, 480] }[subject];
 
 const crcTable = Int32Array.from({ length: 256 }, (_, n) => {
   for (let k = 0; k < 8; k++) n = n & 1 ? (n >>> 1) ^ 0xedb88320 : n >>> 1;
@@ -75,11 +75,11 @@ function write(frames) {
     out.push(words([4, data.length]), body, words([4, crc(body) >>> 0]));
   };
   chunk("IHDR", words([4, width], [4, height], [1, 8], [1, 2], [1, 0], [1, 0], [1, 0]));
-  chunk("acTL", words([4, frames.length], [4, 0]));
+  if (frames.length > 1) chunk("acTL", words([4, frames.length], [4, 0]));
   let number = 0, before = null;
   for (const [image, seconds] of frames) {
     const box = before ? changed(image, before) : [0, 0, width, height], data = pack(image, box);
-    chunk("fcTL", words([4, number++], [4, box[2]], [4, box[3]], [4, box[0]], [4, box[1]], [2, Math.round(seconds * 100)], [2, 100], [1, 0], [1, 0]));
+    if (frames.length > 1) chunk("fcTL", words([4, number++], [4, box[2]], [4, box[3]], [4, box[0]], [4, box[1]], [2, Math.round(seconds * 100)], [2, 100], [1, 0], [1, 0]));
     if (before) chunk("fdAT", Buffer.concat([words([4, number++]), data]));
     else chunk("IDAT", data);
     before = image;
@@ -144,7 +144,15 @@ async function remix() {
   frames.push([await picture(`${viewOf(slow, "--speed 50% --first-layer 125")}#${view}&color=speed`, isReady), lastTime]);
 }
 
-await (subject === "remix" ? remix() : canvasToPrint());
+// The whole page, a third of its time printed.
+async function viewer() {
+  const code = temporary("bracket.gcode"), html = temporary("bracket.html");
+  run("slice", join(root, "examples", "models", "bracket.stl"), "-o", code);
+  run("view", code, "--printer", "generic", "-o", html);
+  frames.push([await picture(`${pathToFileURL(html)}#light&color=speed&at=0.35&show=travel`, isReady), lastTime]);
+}
+
+await { remix, viewer, canvas_to_print: canvasToPrint }[subject]();
 await page.close();
 write(frames);
 rmSync(folder, { recursive: true, force: true });
