@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Builds what a release consists of: NuGet packages (the library, the tool), an archive of the program for each system, a bill of materials, and checksums.
-# The same sources give the same bytes in archives: files are in one order and have one time.
+# The same sources give the same bytes: in archives and packages, files are in one order and have one time.
 #   tools/release.sh FOLDER [RUNTIME...]     for example linux-x64 win-x64 osx-arm64; by default all
 set -eu
 cd "$(dirname "$0")/.."
@@ -15,6 +15,20 @@ dotnet pack src/Caterpillar.Core -c Release -o "$out" --nologo -v quiet
 # The tool is compiled ahead of time for each of these systems; on all others it is compiled when it runs.
 tool=$(printf '%s;' "$@")any
 dotnet pack src/Caterpillar.Cli -c Release -o "$out" --nologo -v quiet "-p:ToolPackageRuntimeIdentifiers=\"$tool\""
+
+same_time() { find "$1" -exec touch -d 2000-01-01T00:00:00Z {} +; }
+
+# Adds names from standard input, of files in the folder: zipped FOLDER FILE.zip
+zipped() { (cd "$1" && LC_ALL=C sort | zip -qX "$2" -@); }
+
+for package in "$out"/*.nupkg "$out"/*.snupkg; do
+  parts=$(mktemp -d)
+  unzip -q "$package" -d "$parts"
+  rm "$package"
+  same_time "$parts"
+  (cd "$parts" && find . -type f) | zipped "$parts" "$package"
+  rm -r "$parts"
+done
 
 # For the machine's own kind of system the program is compiled to native code, where it can be linked; the others bring the runtime with them.
 host=$(dotnet --info | sed -n 's/^ *RID: *//p' | head -n 1)
@@ -38,9 +52,9 @@ for runtime in "$@"; do
   cp "$(dotnet_notices)" "$out/$name/DOTNET-NOTICES.txt"
   mkdir "$out/$name/examples"
   cp -r examples/models examples/turtle examples/curves "$out/$name/examples/"
-  find "$out/$name" -exec touch -d 2000-01-01T00:00:00Z {} +
+  same_time "$out/$name"
   case $runtime in
-    win-*) (cd "$out" && find "$name" -type f | LC_ALL=C sort | zip -qX "$name.zip" -@) ;;
+    win-*) (cd "$out" && find "$name" -type f) | zipped "$out" "$out/$name.zip" ;;
     *) tar -C "$out" --sort=name --owner=0 --group=0 --numeric-owner -c "$name" | gzip -n >"$out/$name.tar.gz" ;;
   esac
   rm -r "${out:?}/$name"
