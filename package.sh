@@ -3,6 +3,8 @@
 #   ./package.sh               against McNeel's packages from NuGet
 set -eu
 cd "$(dirname "$0")"
+# Paths of this folder stay out of what is compiled.
+export ContinuousIntegrationBuild=true
 version=$(sed -nE 's/.*<Version>(.*)<\/Version>.*/\1/p' Directory.Build.props)
 dotnet build src/Caterpillar.GH -c Release -p:RhinoSdk=nuget --nologo -v quiet
 gha=artifacts/nuget/gha

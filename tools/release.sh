@@ -9,6 +9,8 @@ mkdir -p "$1"
 out=$(cd "$1" && pwd)
 shift
 [ $# -gt 0 ] || set -- linux-x64 linux-arm64 osx-x64 osx-arm64 win-x64
+# Paths of this folder stay out of what is compiled.
+export ContinuousIntegrationBuild=true
 version=$(sed -n 's:.*<Version>\(.*\)</Version>.*:\1:p' Directory.Build.props)
 
 dotnet pack src/Caterpillar.Core -c Release -o "$out" --nologo -v quiet

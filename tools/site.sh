@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Makes the manual a site with search and the reference of the library. Needs the .NET SDK and Node.
-#   tools/site.sh FOLDER     writes FOLDER/index.html and all other pages
+#   tools/site.sh FOLDER     writes FOLDER/index.html and all other pages, and looks up their links
 set -eu
 cd "$(dirname "$0")/.."
 [ $# = 1 ] || { echo "usage: $0 FOLDER" >&2; exit 2; }
@@ -21,3 +21,4 @@ npm install --silent --no-fund --no-audit
 mkdir -p "$work/docs/.vitepress" && cp config.mjs "$work/docs/.vitepress/"
 ln -s "$work/site/node_modules" "$work/node_modules"
 npx vitepress build "$work/docs" --outDir "$out"
+node links.mjs "$out"

@@ -1,6 +1,6 @@
 // Prepares the pages of the manual for the site: files outside of docs are copied beside them, and braces of templates stay text.
 //   node pages.mjs REPOSITORY DOCS
-import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
+import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { dirname, join, relative, resolve } from "node:path";
 
 const [repository, docs] = process.argv.slice(2);
@@ -17,10 +17,13 @@ for (const page of pages) {
     const copy = join(docs, "public", "files", path);
     mkdirSync(dirname(copy), { recursive: true });
     copyFileSync(target, copy);
-    return `[${label}](/files/${path})`;
+    // As an element: a link of Markdown would get the ending .html.
+    return `<a href="/files/${path}" target="_self">${label}</a>`;
   });
   // Vue would take them for expressions and elements.
   text = text.split(/(```[\s\S]*?```|`[^`\n]*`)/).map((part, i) => (i % 2 ? part : part.replace(/\{\{/g, "&#123;&#123;").replace(/<(?=[A-Z])/g, "&lt;"))).join("");
   text = text.replace(/`([^`\n]*\{\{[^`\n]*)`/g, (_, code) => `<code v-pre>${code.replace(/&/g, "&amp;").replace(/</g, "&lt;")}</code>`);
-  writeFileSync(file, text);
+  text = text.replace(/\]\(([^):]*)README\.md/g, "]($1index.md");
+  rmSync(file);
+  writeFileSync(file.replace(/README\.md$/, "index.md"), text);
 }
