@@ -55,6 +55,12 @@ public class DecodeTests : CliFixture
             Is.SupersetOf(new[] { "x=30", "y=25", "z=0.2", "e=1", "deposited_e=1", "speed_mm_s=50", "length_mm=15" }));
         Assert.That(rows.Select(r => r.Split(',').Length), Is.All.EqualTo(columns.Length));
         Assert.That(Run("decode", "a.gcode", "a.gcode", "--csv").Text.Split('\n')[1], Does.StartWith("a.gcode,0,"));
+        // A quarter of a circle about (20, 10), clockwise.
+        var code = Encoding.ASCII.GetBytes("G28\nM83\nG1 X10 Y10 Z0.2 F3000\nG2 X20 Y20 I10 J0 E1\n");
+        var arc = Run(code, ["decode", "-", "--csv"]).Text.TrimEnd('\n').Split('\n').Last().Split(',');
+        Assert.That(arc.Length, Is.EqualTo(columns.Length));
+        Assert.That(arc.Zip(columns, (v, k) => k + "=" + v),
+            Is.SupersetOf(new[] { "arc_center_x=20", "arc_center_y=10", "arc_center_z=0.2", "arc_sweep_deg=-90", "length_mm=15.707963" }));
     }
 
     [Test]

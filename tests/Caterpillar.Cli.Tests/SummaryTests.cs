@@ -1,6 +1,9 @@
 using System;
 using System.IO;
 using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Machines;
+using Newtonsoft.Json.Linq;
 using NUnit.Framework;
 
 namespace Caterpillar.Cli.Tests;
@@ -57,6 +60,26 @@ public class SummaryTests : CliFixture
         Assert.That(PrintSummary.Duration(3599), Is.EqualTo("59 min 59 s"));
         Assert.That(PrintSummary.Duration(7259), Is.EqualTo("2 h 1 min"));
         Assert.That(PrintSummary.Duration(double.PositiveInfinity), Is.EqualTo("more than 30 years"));
+    }
+
+    [Test]
+    public void Several_kinds_of_findings_are_counted_and_six_of_them_named()
+    {
+        static Diagnostic Found(int kind, int count = 1, Severity severity = Severity.Warning)
+            => new(severity, CheckCodes.All[kind].Code, "It is.", Count: count) { Share = count / 8.0 };
+        string Name(int kind) => CheckCodes.All[kind].Code;
+        Assert.That(FindingSummary.Of([]), Is.Null);
+        Assert.That(FindingSummary.Of([Found(0, 9)]), Is.Null);
+        Assert.That(FindingSummary.Of([Found(0), Found(1, 9, Severity.Note), new(Severity.Error, "file.other", "It is.")]), Is.Null);
+        Assert.That(FindingSummary.Of([Found(0, 2), Found(1, 3), Found(2, 1, Severity.Error)]),
+            Is.EqualTo($"6 findings of 3 kinds: {Name(2)} 1, {Name(1)} 3, {Name(0)} 2."));
+        Assert.That(FindingSummary.Of([Found(0), Found(1)]), Is.EqualTo($"2 findings of 2 kinds: {Name(0)} 1, {Name(1)} 1."));
+        Assert.That(FindingSummary.Of(Enumerable.Range(0, 6).Select(i => Found(i))), Does.EndWith($"{Name(5)} 1."));
+        Assert.That(FindingSummary.Of(Enumerable.Range(0, 8).Select(i => Found(i, 8 - i))),
+            Does.StartWith("36 findings of 8 kinds").And.EndsWith("and 2 more kinds."));
+        var json = FindingSummary.ToJson([Found(0, 3), Found(1) with { Share = 0 }]);
+        Assert.That((double?)json[0]["share"], Is.EqualTo(0.375));
+        Assert.That((double?)json[1]["share"], Is.Null);
     }
 
     [Test]

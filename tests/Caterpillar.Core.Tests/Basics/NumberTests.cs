@@ -1,5 +1,6 @@
 using System;
 using System.Globalization;
+using System.Numerics;
 using System.Text;
 using Caterpillar.Basics;
 using NUnit.Framework;
@@ -95,6 +96,48 @@ public class NumberTests
     [TestCase("0.000000000000000000000000000000000000012345678901234567890123456789", 1.2345678901234567890123456789e-38)]
     [TestCase("123456789012345678901234567890", 123456789012345678901234567890.0)]
     public void Numbers_are_read_correctly_rounded(string text, double expected)
+    {
+        Assert.That(NumberReader.TryParse(text, out var value), Is.True);
+        Assert.That(value, Is.EqualTo(expected));
+    }
+
+    [Test]
+    public void Numbers_of_hundreds_of_digits_are_read_correctly_rounded()
+    {
+        double Read(string text)
+        {
+            Assert.That(NumberReader.TryParse(text, out var value), Is.True, text);
+            return value;
+        }
+        var zeros = new string('0', 900);
+        Assert.That(Read("1" + zeros + "e-900"), Is.EqualTo(1));
+        Assert.That(Read("0." + zeros + "25e901"), Is.EqualTo(2.5));
+        Assert.That(Read("1" + zeros + "1e-890"), Is.EqualTo(1e11));
+        Assert.That(Read(new string('3', 450) + "e-450"), Is.EqualTo(1.0 / 3));
+        Assert.That(Read("." + new string('9', 900)), Is.EqualTo(1));
+        // Half of the last place above 2^53: even without more, up with a digit far to the right.
+        Assert.That(Read("9007199254740993." + zeros), Is.EqualTo(9007199254740992));
+        Assert.That(Read("9007199254740993." + zeros + "1"), Is.EqualTo(9007199254740994));
+        Assert.That(Read("9007199254740995." + zeros), Is.EqualTo(9007199254740996));
+    }
+
+    [Test]
+    public void What_rounds_beyond_the_largest_number_is_rejected()
+    {
+        // Halfway between the largest number, which is odd, and the next power of 2.
+        var half = BigInteger.Pow(2, 1024) - BigInteger.Pow(2, 970);
+        Assert.That(NumberReader.TryParse(half.ToString(CultureInfo.InvariantCulture), out _), Is.False);
+        Assert.That(NumberReader.TryParse((half - 1).ToString(CultureInfo.InvariantCulture), out var value), Is.True);
+        Assert.That(value, Is.EqualTo(double.MaxValue));
+    }
+
+    [TestCase("1.99999999999999999", 2)]
+    [TestCase("0.99999999999999999999", 1)]
+    [TestCase("8.9999999999999999999e15", 9e15)]
+    [TestCase("2.22507385850720138309e-308", 2.2250738585072014e-308)]
+    [TestCase("2.4703282292062327e-324", 0)]
+    [TestCase("2.4703282292062328e-324", double.Epsilon)]
+    public void A_number_that_rounds_up_to_a_power_of_two_is_that_power(string text, double expected)
     {
         Assert.That(NumberReader.TryParse(text, out var value), Is.True);
         Assert.That(value, Is.EqualTo(expected));

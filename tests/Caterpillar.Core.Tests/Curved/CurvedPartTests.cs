@@ -219,6 +219,11 @@ public class CurvedPartTests
         Assert.That(plan.Covers(x, y), Is.EqualTo(x is >= 0 and <= 10 && y is >= 0 and <= 10));
         Assert.That(plan.Covers(10.01, 5), Is.True, "By rounding.");
         Assert.That(plan.Covers(10.03, 5), Is.False);
+        foreach (var (dx, dy) in new[] { (-1, 0), (0, 1), (0, -1), (1, 1), (-1, -1), (1, -1) })
+        {
+            Assert.That(plan.Covers(5 + 5.01 * dx, 5 + 5.01 * dy), Is.True, $"{dx}, {dy}");
+            Assert.That(plan.Covers(5 + 5.03 * dx, 5 + 5.03 * dy), Is.False, $"{dx}, {dy}");
+        }
         Assert.That(PlanSurface.OnBed(mesh.Moved(new Vec3(0, 0, -2))).Height(x, y), Is.EqualTo(plan.Covers(x, y) ? Math.Max(0, height - 2) : 0).Within(1e-6));
     }
 

@@ -65,8 +65,13 @@ public class LayerFieldTests
         Assert.That(field.Height(-8, 0, 1), Is.EqualTo(1).Within(1e-12));
         Assert.That(field.Height(-8, 0, 7), Is.EqualTo(Roof(-8, 0)).Within(1e-12));
         Assert.That(field.Height(-8, 0, 6.5), Is.EqualTo(Roof(-8, 0) - 0.5).Within(1e-12));
-        // Half of the change at half of the zone.
+        // Half of the change at half of the zone, and half of the slope; a quarter at a quarter.
         Assert.That(field.Height(-8, 0, 3), Is.EqualTo(3 - (7 - Roof(-8, 0)) / 2).Within(1e-12));
+        foreach (var (value, share) in new[] { (0.5, 0.0), (1, 0), (2, 0.25), (3, 0.5), (5, 1), (6, 1) })
+        {
+            var normal = field.Normal(new Vec3(-8, 0, field.Height(-8, 0, value)));
+            Assert.That(normal.X / normal.Z, Is.EqualTo(-0.1 * share).Within(1e-9), $"at {value}");
+        }
     }
 
     [Test]
@@ -132,6 +137,19 @@ public class LayerFieldTests
         // Where layers leave through the bed and the top their last extrusions are wedges.
         Assert.That(layers.Sum(CurvedSolids.Volume), Is.EqualTo(block.Volume).Within(2).Percent);
         foreach (var p in layers.SelectMany(CurvedSolids.Points)) Assert.That(Math.Abs(p.X), Is.LessThan(10));
+    }
+
+    // Folded from 4 to 6 mm, or above 8 mm, of a part of 10 mm at its middle.
+    [TestCase("x * ((z - 5) ^ 2 - 1)", "z", true)]
+    [TestCase("x * ((z - 5) ^ 2 + 1)", "z", false)]
+    [TestCase("x", "z - (z - 3) ^ 2 / 10", true)]
+    [TestCase("x", "z - (z - 5) ^ 2 / 20", false)]
+    public void A_deformation_may_fold_the_part_nowhere(string x, string z, bool isFolded)
+    {
+        var field = LayerField.Deformed(x, "y", z).OrThrow();
+        var problems = new DiagnosticList();
+        field.FitTo(PartColumns.Of([Solids.Block(-5, -5, 0, 5, 5, 10)]), CurvedSolids.Massive, problems);
+        Assert.That(problems.ToList().Select(d => d.Code).Distinct(), Is.EqualTo(isFolded ? new[] { "curved.folded_deformation" } : []));
     }
 
     [Test]

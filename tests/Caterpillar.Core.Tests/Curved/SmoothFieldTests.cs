@@ -146,6 +146,42 @@ public class SmoothFieldTests
     }
 
     [Test]
+    public void Samples_of_a_top_go_on_beyond_its_edges_by_one_node_on_all_sides()
+    {
+        // A roof of 4 × 2 mm that rises by 0.25, on nodes 0.5 mm apart that begin 1 mm outside of it.
+        var grid = new SlopeGrid(new Vec3(-1, -1), 0.5, 13, 9);
+        var part = CurvedSolids.Between(CurvedSolids.Plan(0.01, 0.01, 3.99, 1.99), 1, (_, _) => 0, (x, _) => 3 + 0.25 * x);
+        var samples = new TopSamples([part], grid, 0.5);
+        var tops = Enumerable.Range(0, samples.All.Count).Where(i => samples.All[i].Visible).ToArray();
+        Assert.That(tops, Has.Length.EqualTo(7 * 3), "the nodes inside");
+        Assert.That(tops.Select(samples.PieceOf).Distinct().Count(), Is.EqualTo(1));
+        var edges = samples.WithEdges(tops).ToArray();
+        Assert.That(edges.Select(e => e.Node).Distinct().Count(), Is.EqualTo(edges.Length));
+        Assert.That(edges, Has.Length.EqualTo(9 * 5));
+        foreach (var (node, height) in edges) Assert.That(height, Is.EqualTo(3 + 0.25 * grid.At(node).X).Within(1e-9));
+        Assert.That(edges.Min(e => grid.At(e.Node).X), Is.Zero);
+        Assert.That(edges.Max(e => grid.At(e.Node).X), Is.EqualTo(4));
+        // Its bottom is level, unseen, and a piece of its own.
+        var bottoms = Enumerable.Range(0, samples.All.Count).Except(tops).ToArray();
+        Assert.That(bottoms.Select(i => (samples.All[i].Height, samples.All[i].Slope)).Distinct(), Is.EqualTo(new[] { (0.0, 0.0) }));
+        Assert.That(bottoms.Select(samples.PieceOf).Intersect(tops.Select(samples.PieceOf)), Is.Empty);
+    }
+
+    [TestCase(1, 0, 0)]
+    [TestCase(0, 1, 90)]
+    [TestCase(1, 1, 45)]
+    public void Solid_infill_runs_down_the_slope_of_a_smooth_top(double byX, double byY, double degrees)
+    {
+        var models = new[] { new NamedMesh("roof", Roof((x, y) => 4 + 0.05 * (byX * x + byY * y))) };
+        var field = LayerField.Smooth(models, Setup).OrThrow();
+        var layers = CurvedSlicer.Slice(models, field, Setup).OrThrow().Layers;
+        var top = layers[layers.Count - 1].Steps.Select(s => s.Path).Where(p => p.Role == Role.TopSurface)
+            .SelectMany(p => p.Points.Zip(p.Points.Skip(1), (a, b) => b - a)).Where(d => d.LengthXY > 3).ToArray();
+        Assert.That(top, Is.Not.Empty);
+        foreach (var d in top) Assert.That(Math.Abs(Vec3.Cross(d.WithZ(0).Unit(), new Vec3(Angle.Cos(degrees), Angle.Sin(degrees))).Z), Is.LessThan(0.02));
+    }
+
+    [Test]
     public void Steep_tops_and_nothing_at_all_have_level_layers()
     {
         Assert.That(Smooth(Roof((x, _) => 1 + x)).Diagnostics.Single().Code, Is.EqualTo("curved.smooth_level"));

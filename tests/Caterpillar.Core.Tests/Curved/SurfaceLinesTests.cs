@@ -65,6 +65,19 @@ public class SurfaceLinesTests
         }
     }
 
+    // Lines go round a bend of up to 60 degrees from one step to the next. A steeper one ends them.
+    [TestCase(50, true)]
+    [TestCase(58, true)]
+    [TestCase(63, false)]
+    [TestCase(80, false)]
+    public void Lines_follow_bends_and_end_at_corners(double degrees, bool goesOn)
+    {
+        var (sin, cos) = Angle.SinCos(degrees);
+        var lines = SurfaceLines.Along(PlanSurface.Level(1), Plan, p => p.X < 0 ? Vec3.UnitX : new Vec3(cos, sin), 2);
+        Assert.That(lines.Any(l => l.Points.Any(p => p.X < -5) && l.Points.Any(p => p.X > 1)), Is.EqualTo(goesOn));
+        Assert.That(lines.SelectMany(l => l.Points), Is.All.Matches<Vec3>(p => p.Z == 1));
+    }
+
     [Test]
     public void Infill_of_curved_layers_follows_the_lines()
     {

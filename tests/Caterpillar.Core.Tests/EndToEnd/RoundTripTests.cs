@@ -90,8 +90,7 @@ public class RoundTripTests
     public void Open_meshes_give_diagnostics_and_what_can_be_printed_comes_back(string mesh)
     {
         var setup = Setup("generic", ExtrusionMode.Relative);
-        var models = ModelPlacement.OnBed(MeshReader.Read(TestData.Shared("meshes/" + mesh)).Value!, setup.Printer.BuildBounds.Center);
-        var sliced = PlanarSlicer.Slice(models, setup.Settings);
+        var sliced = PlanarSlicer.Slice(ModelPlacement.OnBed(Small(mesh, setup), setup.Printer.BuildBounds.Center), setup.Settings);
         Assert.That(sliced.Diagnostics, Is.Not.Empty);
         if (sliced.Value is null) return;
         var planned = Planner.Plan(sliced.Value.ToSteps(), setup).Value!;
@@ -112,13 +111,18 @@ public class RoundTripTests
         };
     }
 
-    private static Toolpath Plan(string mesh, PrintSetup setup)
+    // At most 40 nozzles high and 80 wide, as few layers are as good as more.
+    private static NamedMesh[] Small(string mesh, PrintSetup setup)
     {
         var models = MeshReader.Read(TestData.Shared("meshes/" + mesh)).Value!;
-        var center = setup.Printer.BuildBounds.Center;
-        // The large scans are printed at half their size, as many layers are as good as more.
-        if (mesh is "igea.ply" or "homer.stl") models = models.Select(m => new NamedMesh(m.Name, m.Mesh.Scaled(0.3))).ToArray();
-        var sliced = PlanarSlicer.Slice(ModelPlacement.OnBed(models, center), setup.Settings);
+        var size = models.Aggregate(Bounds.Empty, (box, m) => box.Include(m.Mesh.Bounds)).Size;
+        var scale = Math.Min(1, setup.Printer.NozzleDiameter * Math.Min(40 / size.Z, 80 / Math.Max(size.X, size.Y)));
+        return models.Select(m => new NamedMesh(m.Name, m.Mesh.Scaled(scale))).ToArray();
+    }
+
+    private static Toolpath Plan(string mesh, PrintSetup setup)
+    {
+        var sliced = PlanarSlicer.Slice(ModelPlacement.OnBed(Small(mesh, setup), setup.Printer.BuildBounds.Center), setup.Settings);
         if (sliced.Value is null) Assert.Ignore($"{mesh} is too thin for a nozzle of {setup.Printer.NozzleDiameter} mm.");
         var planned = Planner.Plan(sliced.Value!.ToSteps(), setup);
         Assert.That(planned.Diagnostics.Where(d => d.Severity == Severity.Error), Is.Empty);

@@ -60,6 +60,10 @@ internal sealed class LSystemTests
     }
 
     [Test]
+    public void Of_several_rules_that_fit_the_first_has_its_own_names_of_the_values()
+        => Assert.That(Word(1, "F(1, 2)", "F(x, y) -> A(x, y)", "F(y, x) -> B(x, y)"), Is.EqualTo("A(1,2)"));
+
+    [Test]
     public void Weights_share_out_the_choices_and_the_seed_repeats_them()
     {
         var system = System(new string('F', 10_000), "0.2 F -> A", "0.5 F -> B", "0.3 F -> C");

@@ -30,6 +30,22 @@ internal sealed class TurtleDetailTests
         => Assert.That(Error(text).Message, Does.Contain(message));
 
     [Test]
+    public void A_color_is_three_numbers_or_a_text_and_ends_without_a_value()
+    {
+        var paths = Run("forward 1\ncolor 255 0 16\nforward 1\ncolor \"#0000ff\"\nforward 1\ncolor\nforward 1").ToSteps().OfType<PathStep>();
+        Assert.That(paths.Select(p => p.Path.Color), Is.EqualTo(new int?[] { null, 0xFF0010, 0x0000FF, null }));
+        Assert.That(Error("color 1 2").Message, Is.EqualTo("A color needs three numbers."));
+    }
+
+    [Test]
+    public void Repeated_no_times_commands_do_nothing()
+    {
+        TurtleCommand Forward(double length) => TurtleCommand.Of(TurtleAction.Forward, length);
+        var program = TurtleProgram.FromCommands([Forward(1), TurtleCommand.Repeat(0, [Forward(10)]), TurtleCommand.Repeat(2, []), TurtleCommand.Repeat(1, [Forward(5)])]);
+        Assert.That(program.Run().OrThrow().Position, Is.EqualTo(new Vec3(6, 0)));
+    }
+
+    [Test]
     public void The_greatest_speed_and_temperature_are_taken()
         => Assert.That(Run("speed 1000000; travel_rate 60000000; hotend 10000").TravelSpeed, Is.EqualTo(1e6));
 

@@ -76,6 +76,8 @@ public sealed class SlicerTests
         Assert.That(Walls(), Is.EqualTo(new[] { 1, 1, 1 }));
         canvas.Feed("Part Settings", settings with { WallCount = 2 });
         Assert.That(Walls(), Is.EqualTo(new[] { 2, 2, 2 }), "the last ones are those of all that follow");
+        canvas.Feed("Part Settings", settings with { WallCount = 3 }, settings with { WallCount = 2 });
+        Assert.That(Walls(), Is.EqualTo(new[] { 3, 2, 2 }), "the second ones, too");
         canvas.Feed("Part Settings", settings, settings with { WallCount = 4 }, settings with { WallCount = 3 }, settings with { WallCount = 2 });
         Assert.That(Walls(), Is.EqualTo(new[] { 1, 3, 2 }), "beside the solids, one of which is null");
         Assert.That(canvas.Warnings, Has.None.Contains("Part Settings"));
@@ -153,6 +155,22 @@ public sealed class SlicerTests
         var wrong = Shapes.Box();
         wrong.Faces.AddFace(new Rg.MeshFace(0, 1, 2000));
         Assert.That(Slice(wrong).Errors, Has.One.Contains("refers to a vertex that does not exist"));
+    }
+
+    [TestCase(-1, 1, 2, 3)]
+    [TestCase(0, -1, 2, 3)]
+    [TestCase(0, 1, -1, 3)]
+    [TestCase(0, 1, 2, -1)]
+    [TestCase(4, 1, 2, 3)]
+    [TestCase(0, 1, 2, 4)]
+    public void Each_corner_of_a_face_must_be_a_vertex(int a, int b, int c, int d)
+    {
+        var mesh = new Rg.Mesh();
+        foreach (var (x, y) in new[] { (0, 0), (4, 0), (4, 3), (0, 3) }) mesh.Vertices.Add(x, y, 0);
+        mesh.Faces.AddFace(new Rg.MeshFace(0, 1, 2, 3));
+        Assert.That(() => RhinoMesh.ToTriangles(mesh, DocumentUnits.Current), Throws.Nothing);
+        mesh.Faces.AddFace(new Rg.MeshFace(a, b, c, d));
+        Assert.That(() => RhinoMesh.ToTriangles(mesh, DocumentUnits.Current), Throws.InstanceOf<InputProblem>().With.Message.StartsWith("Face 1 of a mesh"));
     }
 
     [Test]

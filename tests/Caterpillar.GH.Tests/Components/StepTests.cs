@@ -1,9 +1,12 @@
 using System.Linq;
+using Caterpillar.Basics;
 using Caterpillar.Geometry;
+using Caterpillar.GH.Base;
 using Caterpillar.GH.Components.GCode;
 using Caterpillar.GH.Components.Path;
 using Caterpillar.GH.Goos;
 using Caterpillar.GH.Tests.Host;
+using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
 using Rhino;
@@ -85,6 +88,28 @@ public sealed class StepTests
         Assert.That(Order().Select(x => x < 90), Is.Not.EqualTo(new[] { true, true, false, false }), "Layer by layer.");
         canvas.Feed("Sort", "None");
         Assert.That(Order(), Is.EqualTo(new[] { 50.0, 50, 100, 100 }));
+    }
+
+    [Test]
+    public void A_list_of_steps_is_the_same_while_planning_sees_no_difference()
+    {
+        var path = new PrintPath([new Vec3(1, 2, 0.2), new Vec3(9, 2, 0.2)], new Bead(0.08, 0.2, 40));
+        var (a, b) = (new StepGroup(1), new StepGroup(2));
+        PathStep Made(PrintPath? other = null, StepGroup? group = null) => new(other ?? path, group ?? a);
+        var step = Made();
+        Assert.That((StepList.Same(step, step), StepList.Same(step, Made())), Is.EqualTo((true, true)));
+        Step[] others =
+        [
+            Made(group: b), new PathStep(path), new PathStep(path, a) { KeepStart = true }, new PathStep(path, a) { Joined = true },
+            new PathStep(path, a) { Region = Region.Rectangle(0, 0, 1, 1) }, new PathStep(path, a) { Source = new SourceLocation(Line: 3) },
+            Made(new PrintPath(path.Points, new Bead(0.08, 0.2, 40))), new EventStep(new PauseEvent()),
+        ];
+        foreach (var other in others) Assert.That((StepList.Same(step, other), StepList.Same(other, step)), Is.EqualTo((false, false)), other.ToString());
+        var list = new StepList([new StepGoo(step)], new PrintSetup());
+        Assert.That(list.Has([new StepGoo(Made())]), Is.True);
+        Assert.That(list.Has([]), Is.False);
+        Assert.That(list.Has([new StepGoo(step), new StepGoo(step)]), Is.False);
+        Assert.That(list.Has([new StepGoo(others[0])]), Is.False);
     }
 
     [Test]

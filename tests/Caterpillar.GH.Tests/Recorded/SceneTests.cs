@@ -3,7 +3,9 @@ using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Components.Simulate;
+using Caterpillar.GH.Conversion;
 using Caterpillar.GH.Goos;
+using Caterpillar.GH.Preview;
 using Caterpillar.GH.Tests.Host;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
@@ -82,6 +84,28 @@ public sealed class SceneTests
         Assert.That(meshes.Sum(m => m.Vertices.Count), Is.EqualTo(20 * 16), "Two rings of eight for each of twenty extrusions.");
         Assert.That(meshes.All(m => m.VertexColors.Count == m.Vertices.Count), Is.True);
         Assert.That(canvas.Component.ClippingBox.Max.Z, Is.EqualTo(0.6).Within(1e-9));
+    }
+
+    [Test]
+    public void Speeds_that_differ_in_their_last_digits_have_one_color_and_others_sixteen()
+    {
+        var toolpath = Planned(4).Value;
+        var parts = new SceneParts(toolpath, DocumentUnits.Current, default);
+        PreviewColors Of(params double[] values)
+        {
+            // Of travels and of what has no value, nothing is shown.
+            var all = Enumerable.Repeat(double.NegativeInfinity, toolpath.Count).ToArray();
+            values.CopyTo(all, 0);
+            return PreviewColors.Of(all, parts, new ShownLayers(null, null), PreviewColor.Speed);
+        }
+        var same = Of(40, 40 * (1 + 1e-12), 40);
+        Assert.That((same.Colors.Count, same.Texts.Single()), Is.EqualTo((1, "40 to 40 mm/s")));
+        Assert.That(Enumerable.Range(0, 4).Select(same.BandOf), Is.EqualTo(new[] { 0, 0, 0, PreviewColors.Hidden }));
+        var several = Of(40, 41, 48, 56);
+        Assert.That((several.Colors.Count, several.Texts[0], several.Texts[15]), Is.EqualTo((16, "40 to 41 mm/s", "55 to 56 mm/s")));
+        Assert.That(Enumerable.Range(0, 4).Select(several.BandOf), Is.EqualTo(new[] { 0, 1, 8, 15 }));
+        Assert.That(Of(double.NaN, 40).BandOf(0), Is.Zero);
+        Assert.That(Of().Colors, Has.Count.EqualTo(1));
     }
 
     [Test]

@@ -46,6 +46,24 @@ public sealed class ShapeTests
         Assert.That((mesh.Min.X, mesh.Max.Z), Is.EqualTo((90.0, 37.0)));
     }
 
+    [Test]
+    public void Rings_close_and_the_profile_runs_up_one_side_and_down_the_other()
+    {
+        var lines = Head().At(Frame.World, Frame.World);
+        // Each ring is walked in steps of 15 degrees, from X on: its last line ends where its first one begins.
+        var ring = lines.Where(l => l.From.Z == 0 && l.To.Z == 0).Take(24).ToArray();
+        for (var k = 0; k < 24; k++)
+        {
+            Assert.That(ring[k].To.DistanceTo(ring[(k + 1) % 24].From), Is.LessThan(1e-12));
+            Assert.That(ring[k].Length, Is.EqualTo(2 * System.Math.Sin(System.Math.PI / 24)).Within(1e-9));
+        }
+        Assert.That(ring[0].From, Is.EqualTo(new Rg.Point3d(1, 0, 0)));
+        Assert.That(ring[0].To.Y, Is.GreaterThan(0));
+        var profile = (Rg.PolylineCurve)Head().ProfileAt(Frame.World)!;
+        Assert.That(Enumerable.Range(0, profile.PointCount).Select(i => (profile.Point(i).X, profile.Point(i).Z)),
+            Is.EqualTo(new[] { (0.0, 0.0), (1, 0), (5, 10), (-5, 10), (-1, 0), (0, 0) }));
+    }
+
     private static PrintedLines Lines(int count)
         => new(count, (i, lines) =>
         {

@@ -167,16 +167,9 @@ public static class NumberReader
         var half = BigInteger.One << (drop - 1);
         var order = rest.CompareTo(half);
         if (order > 0 || (order == 0 && (!remainder.IsZero || !kept.IsEven))) kept += 1;
-        var fraction = (long)kept;
-        if (bits == 53 && fraction == 1L << 53)
-        {
-            fraction >>= 1;
-            exponent++;
-        }
         if (exponent > 1023) return double.PositiveInfinity;
-        // A subnormal that rounds up to 2^52 becomes the smallest normal number by the same bits.
-        var raw = exponent >= -1022 ? ((long)(exponent + 1023) << 52) | (fraction & ((1L << 52) - 1)) : fraction;
-        return BitConverter.Int64BitsToDouble(raw);
+        // The highest bit counts as 1 of the exponent. What is rounded up to a power of 2 carries: into the exponent, infinity or the smallest normal number.
+        return BitConverter.Int64BitsToDouble(exponent >= -1022 ? ((long)(exponent + 1022) << 52) + (long)kept : (long)kept);
     }
 
     private static int BitLength(BigInteger value)

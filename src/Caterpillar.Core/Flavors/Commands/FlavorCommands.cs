@@ -36,7 +36,7 @@ internal sealed class FlavorCommands
         if (length == 0) return null;
         if (Find(text, length) is { } command) return command;
         // T and O with any number, $ with anything.
-        if ((text.IsCode || text[0] == '$') && length > 1 && Find(text, 1) is { } first) return first;
+        if ((text.IsCode || text[0] == '$') && Find(text, 1) is { } first) return first;
         if (text.IsCode) return null;
         foreach (var prefix in _prefixes.Value)
         {

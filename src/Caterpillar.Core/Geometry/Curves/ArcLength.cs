@@ -61,7 +61,7 @@ internal sealed class ArcLength
         var u = low + (high - low) * share;
         for (var i = 0; i < 60; i++)
         {
-            var miss = Within(span, leaf, u) - target;
+            var miss = Integral(span, leaf.From, u) - target;
             if (Math.Abs(miss) <= 1e-12 * (1 + leaf.Length)) break;
             if (miss > 0) high = u;
             else low = u;
@@ -71,9 +71,6 @@ internal sealed class ArcLength
         }
         return u;
     }
-
-    private static double Within(CurveSpan span, Leaf leaf, double u)
-        => span.IsEven ? leaf.Length * (u - leaf.From) / (leaf.To - leaf.From) : Integral(span, leaf.From, u);
 
     private void Refine(int span, double a, double b, double whole, int depth)
     {

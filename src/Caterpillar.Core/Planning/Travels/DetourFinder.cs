@@ -52,7 +52,6 @@ internal sealed class DetourFinder(Deposit deposit, HeadCorridor head)
             {
                 for (var dy = -1; dy <= 1; dy++)
                 {
-                    if (dx == 0 && dy == 0) continue;
                     Reach(start, end, maxLength, (x, y), (x + dx, y + dy), node.Length + (dx != 0 && dy != 0 ? Math.Sqrt(2) : 1) * _step);
                 }
             }

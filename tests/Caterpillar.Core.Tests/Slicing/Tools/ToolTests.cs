@@ -213,6 +213,15 @@ public class ToolTests
         => Assert.That(new PrintSetup().With(value).Diagnostics.Select(d => d.Message), Is.EqualTo(new[] { message }));
 
     [Test]
+    public void Changes_of_tools_are_heights_with_tools()
+    {
+        var settings = new PrintSetup().With("tool_changes_mm=0.5,1; 7.25,0").OrThrow().Settings;
+        Assert.That(settings.ToolChanges, Is.EqualTo(new[] { new ToolChange(0.5, 1), new ToolChange(7.25, 0) }));
+        Assert.That(new PrintSetup().With("tool_changes_mm=5,0.5; 6,1").Diagnostics, Is.Not.Empty);
+        Assert.That(new PrintSetup().With("tool_changes_mm=5,1; 5,2").Diagnostics, Is.Not.Empty);
+    }
+
+    [Test]
     public void A_tool_that_the_printer_lacks_is_an_error()
     {
         var steps = Slice(Settings with { WallTool = 1 }, Block).SelectMany(l => l.Steps).ToArray<Step>();
