@@ -132,10 +132,13 @@ public class PlanningTests
 
     [Test]
     public void Extruding_in_place_has_the_speeds_of_the_printer_unless_it_states_its_own()
-        => Assert.That(Moves([Line(0, 0, 10, 0, 0), new ExtrudeEvent(-6), new ExtrudeEvent(10), new ExtrudeEvent(-2, 9), new ExtrudeEvent(0, 9)]), Is.EqualTo(new[]
+    {
+        Step[] steps = [Line(0, 0, 10, 0, 0), new ExtrudeEvent(-6), new ExtrudeEvent(10), new ExtrudeEvent(-2, 9), new ExtrudeEvent(0, 9)];
+        Assert.That(Moves(steps), Is.EqualTo(new[]
         {
             "Print 10,0,0 2.5 50", "Retract 10,0,0 -3 40", "Deretract 10,0,0 3 30", "Prime 10,0,0 2 30", "Retract 10,0,0 -1 9",
         }));
+    }
 
     [Test]
     public void Over_an_object_the_head_rises_before_it_goes_to_the_first_place_that_is_drawn()
@@ -145,7 +148,8 @@ public class PlanningTests
         var toolpath = Plan(steps, Rules, options).Toolpath;
         Assert.That(toolpath.Events.First().Event, Is.EqualTo(new RawEvent("G0 Z8.5 F600")));
         Assert.That(Text(toolpath), Is.EqualTo(new[] { "Travel 5,5,8.5 0 150", "Travel 5,5,0.2 0 10", "Travel 7,5,0.2 0 90", "Print 20,5,0.2 3.25 50" }));
-        Assert.That(Text(Plan(steps, Rules, new PlanOptions()).Toolpath), Is.EqualTo(new[] { "Travel 5,5,0.2 0 90", "Travel 7,5,0.2 0 90", "Print 20,5,0.2 3.25 50" }));
+        Assert.That(Text(Plan(steps, Rules, new PlanOptions()).Toolpath),
+            Is.EqualTo(new[] { "Travel 5,5,0.2 0 90", "Travel 7,5,0.2 0 90", "Print 20,5,0.2 3.25 50" }));
     }
 
     [Test]

@@ -41,7 +41,8 @@ internal sealed class TurtleDetailTests
     public void Repeated_no_times_commands_do_nothing()
     {
         TurtleCommand Forward(double length) => TurtleCommand.Of(TurtleAction.Forward, length);
-        var program = TurtleProgram.FromCommands([Forward(1), TurtleCommand.Repeat(0, [Forward(10)]), TurtleCommand.Repeat(2, []), TurtleCommand.Repeat(1, [Forward(5)])]);
+        var (never, once) = (TurtleCommand.Repeat(0, [Forward(10)]), TurtleCommand.Repeat(1, [Forward(5)]));
+        var program = TurtleProgram.FromCommands([Forward(1), never, TurtleCommand.Repeat(2, []), once]);
         Assert.That(program.Run().OrThrow().Position, Is.EqualTo(new Vec3(6, 0)));
     }
 
