@@ -38,8 +38,8 @@ public class RoleAndRangeTests
         Assert.That((Own.AccelerationOf(role, false, 2000), Own.AccelerationOf(role, true, 2000)), Is.EqualTo((acceleration, first)));
         Assert.That((Own.JerkOf(role, false, 9), Own.JerkOf(role, true, 9)), Is.EqualTo((jerk, firstJerk)));
         // The least value is a value, too.
-        var least = Own with { SolidInfillAcceleration = 0.5, TopSurfaceJerk = 0.5 };
-        Assert.That(least.AccelerationOf(Role.SolidInfill, false, 2000) + least.JerkOf(Role.TopSurface, false, 9), Is.EqualTo(1));
+        var least = Own with { SolidInfillAcceleration = 1, TopSurfaceAcceleration = 1 };
+        Assert.That((least.AccelerationOf(Role.SolidInfill, false, 2000), least.AccelerationOf(Role.TopSurface, false, 2000)), Is.EqualTo((1, 1)));
         var plain = new PrintSettings();
         Assert.That((plain.AccelerationOf(role, true, 2000), plain.JerkOf(role, true, 9)), Is.EqualTo((2000.0, 9.0)));
     }
