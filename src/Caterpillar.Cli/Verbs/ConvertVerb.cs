@@ -47,6 +47,8 @@ internal sealed class ConvertVerb : Verb
             Flavor = CommonOptions.FlavorOf(arguments.GetValue(_from)), Memory = session.Memory,
             FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter"),
         };
+        if (target is { Flavor: null, Volumetric: null } && output != "-" && !BinaryGCode.IsName(output) && IsUnedited(arguments))
+            return ChangeNotation(file, output, reading, target, session);
         var decoding = session.Decode(file, reading with { KeepsText = true });
         var job = new FileJob(decoding, reading) { Code = _edits.Code(arguments), Target = target };
         job = _edits.Half(Edited(job, arguments, session), arguments, session);
@@ -61,6 +63,22 @@ internal sealed class ConvertVerb : Verb
     }
 
     public override bool ReplacesInput(ParseResult arguments) => arguments.GetValue(_inPlace);
+
+    // Nothing of it has to be kept.
+    private static int ChangeNotation(string file, string output, DecodeOptions reading, ConvertOptions target, Session session)
+    {
+        DecodedGCode? decoding = null;
+        CountingStream? counted = null;
+        session.Write(output, stream => decoding = session.ValueOrFail(GCodeConverter.WhileDecoding(
+            options => session.Decode(file, options), reading, target, counted = new CountingStream(stream))));
+        session.Made(() => PrintFigures.Of(decoding!, decoding!.Toolpath), counted!.Lines, counted.Bytes, print => $"{Session.NameOfOutput(output)}: "
+            + $"notation converted; {PrintSummary.Of(print)}; {NumberFormatter.Format(counted.Lines)} lines, {PrintSummary.Size(counted.Bytes)}");
+        return ExitCode.Done;
+    }
+
+    private bool IsUnedited(ParseResult arguments)
+        => arguments.GetValue(_arcs) != "fit" && arguments.GetValue(_reason) is null && !_setup.IsGiven(arguments)
+            && _edits.All.All(o => arguments.GetResult(o) is null or { Implicit: true });
 
     private static string Changes(string edits, FileJob job)
     {

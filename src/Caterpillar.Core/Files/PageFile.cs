@@ -1,8 +1,8 @@
 namespace Caterpillar.Files;
 
 /// <summary>
-/// Keeps data of any length in parts: the latest in memory, up to a number of bytes, the others in a temporary file, which is deleted as soon as nothing uses
-/// it any more. Thread-safe.
+/// Keeps data of any length in parts: all in memory, or, if that is too much, the latest up to a quarter of it, and the others in a temporary file, which is
+/// deleted as soon as nothing uses it any more. Thread-safe.
 /// </summary>
 /// <param name="memory">Bytes in memory.</param>
 /// <param name="size">The bytes of a part.</param>
@@ -17,6 +17,7 @@ internal sealed class PageFile<T>(long memory, Func<T, long> size, Action<Binary
     private const int Least = 2;
     private readonly Queue<Page<T>> _inMemory = new();
     private long _bytes;
+    private bool _isTooMuch;
     private BinaryWriter? _writer;
     private BinaryReader? _reader;
 
@@ -47,7 +48,9 @@ internal sealed class PageFile<T>(long memory, Func<T, long> size, Action<Binary
         page.InMemory = value;
         _inMemory.Enqueue(page);
         _bytes += size(value);
-        while (_bytes > memory && _inMemory.Count > Least)
+        // Whoever reads one part after the other meets none in memory, however many there are.
+        _isTooMuch |= _bytes > memory;
+        while (_bytes > (_isTooMuch ? memory / 4 : memory) && _inMemory.Count > Least)
         {
             var oldest = _inMemory.Dequeue();
             _bytes -= size(oldest.InMemory!);

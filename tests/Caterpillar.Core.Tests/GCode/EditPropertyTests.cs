@@ -197,11 +197,11 @@ public class EditPropertyTests
     private static Toolpath Cut(Toolpath toolpath, Random random) => new MoveRemover(toolpath, Removed(toolpath, random)).Run();
 
     // Runs of moves.
-    private static bool[] Removed(Toolpath toolpath, Random random)
+    private static MoveSet Removed(Toolpath toolpath, Random random)
     {
-        var removed = new bool[toolpath.Count];
+        var removed = new MoveSet(toolpath.Count);
         var on = false;
-        for (var i = 0; i < removed.Length; i++)
+        for (var i = 0; i < toolpath.Count; i++)
         {
             if (random.Next(4) == 0) on = random.Next(3) == 0;
             removed[i] = on;

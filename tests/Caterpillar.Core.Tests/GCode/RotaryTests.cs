@@ -6,6 +6,7 @@ using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
+using Caterpillar.Tests.Toolpaths;
 using NUnit.Framework;
 
 namespace Caterpillar.Tests.GCode;
@@ -78,7 +79,7 @@ public class RotaryTests
     {
         const string Text = "M83\nG90\nG1 X1 Y1 E1 F600\nG1 X5 E1 A30\nG91\nG1 X2 E1 A5\nG1 X2 E1 A5\nG90\nG1 X11 E1\nG1 X15 E1 A50\n";
         var decoding = Decode(Text, "marlin2");
-        var cut = new MoveRemover(decoding.Toolpath, decoding.Toolpath.Moves().Select(m => m.Source == 6).ToArray()).Run();
+        var cut = new MoveRemover(decoding.Toolpath, decoding.Toolpath.Moves().Select(m => m.Source == 6).ToMoveSet()).Run();
         var written = GCodeEditor.ToDocument(decoding, cut).Value!;
         var back = Decode(written.ToBytes(), "marlin2").Toolpath;
         var kept = cut.Moves().Where(m => m.Source >= 0).Select(m => Turns(cut)[m.Index].A);

@@ -7,6 +7,7 @@ using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
+using Caterpillar.Tests.Toolpaths;
 using NUnit.Framework;
 
 namespace Caterpillar.Tests.GCode;
@@ -72,7 +73,7 @@ public class SpliceStateTests
     public void Roles_and_layers_that_began_in_cut_lines_apply_after_them()
     {
         const string Text = "M83\nG1 X1 Y1 Z1 F600\n;LAYER:3\n;TYPE:FILL\nG1 X5 E1\nG1 X9 E1\n";
-        var edited = Edit(Text, t => new MoveRemover(t, t.Moves().Select(m => m.Index == 1).ToArray()).Run());
+        var edited = Edit(Text, t => new MoveRemover(t, t.Moves().Select(m => m.Index == 1).ToMoveSet()).Run());
         Assert.That(edited, Is.EqualTo("M83\nG1 X1 Y1 Z1 F600\n;LAYER:3\n;TYPE:FILL\nG1 X5\nG1 X9 E1\n"));
     }
 

@@ -49,14 +49,14 @@ public class MappedMoveTests
             + "\n;TYPE:Sparse infill\nG1 X0 E1\n;TYPE:Outer wall\n"
             + "G1 X-5 E1\nG0 X50\n";
         var toolpath = Decode(before);
-        bool[] Mapped(MoveFilter filter) => MappedMoves.Of(toolpath, filter);
+        bool[] Mapped(MoveFilter filter) => MappedMoves.Of(toolpath, filter).ToArray(toolpath.Count);
         Assert.That(toolpath.Moves().Select(m => m.Role == Role.OuterWall && m.Kind == MoveKind.Print), Is.EqualTo(
             new[] { false, true, false, false, false, true, false, true, false }));
         // All walls: kinds in between are not of the role, so only extrusions and the moves in place at their ends.
         Assert.That(Mapped(new MoveFilter { Kinds = [MoveKind.Print], Roles = [Role.OuterWall] }),
             Is.EqualTo(new[] { false, true, true, false, true, true, false, true, false }));
         Assert.That(Mapped(new MoveFilter()), Is.EqualTo(new[] { false, true, true, true, true, true, true, true, false }));
-        Assert.That(MappedMoves.All(toolpath), Is.All.True);
+        Assert.That(MappedMoves.All(toolpath).ToArray(toolpath.Count), Is.All.True);
     }
 
     [Test]

@@ -32,10 +32,13 @@ public sealed record DecodeOptions
     /// <summary>Whether the text of a stream is kept, so that it can be edited.</summary>
     internal bool KeepsText { get; init; }
 
+    /// <summary>Called before a stream is decoded, with what is known of it: its flavor and first lines. Returns who takes its chunks, too.</summary>
+    internal Func<DecodedGCode, Action<ChunkParser, Checkpoint>>? Follow { get; init; }
+
     internal int BlockSize => Take is null && KeepsMoves ? ToolpathBlock.Capacity : ToolpathBlock.FollowedSize;
 
     /// <summary>Number of bytes per chunk.</summary>
-    internal int ChunkSize => KeepsText ? GCodeChunk.Target : Take is null && KeepsMoves ? 1024 * 1024 : 64 * 1024;
+    internal int ChunkSize => KeepsText || Follow is not null ? GCodeChunk.Target : Take is null && KeepsMoves ? 1024 * 1024 : 64 * 1024;
 
     internal int Degree => Threads > 0 ? Threads : Math.Max(Environment.ProcessorCount, 1);
 }

@@ -96,8 +96,10 @@ public static class GCodeDecoder
             head.AddRange(text is null ? GCodeDocument.Kept(Rest(), [], options.Memory) : Rest());
         var searched = new List<GCodeChunk>(head);
         if (tail is not null) searched.Add(tail);
+        // The style of the file is that of its first lines.
+        while (options.Follow is not null && head.Sum(c => c.CountLines()) < LineStyle.Sample && chunks.MoveNext()) head.Add(chunks.Current);
         Func<GCodeDocument>? document = text is null ? null : () => new GCodeDocument(text.ToArray(), name, source.Notes());
-        return Run(new DecodeInput(All(), searched, axis, name, document, source.Done, source.Notes), options, progress, cancel);
+        return Run(new DecodeInput(All(), searched, axis, name, document, source.Done, source.Notes, head.ToArray()), options, progress, cancel);
     }
 
     private static Result<DecodedGCode> Run(DecodeInput input, DecodeOptions options, IProgress<double>? progress, CancellationToken cancel)
@@ -114,6 +116,11 @@ public static class GCodeDecoder
         var lines = 0;
         var mark = false;
         var checkpoints = input.Document is not null ? new List<Checkpoint>() : null;
+        var follow = options.Follow?.Invoke(
+            new DecodedGCode(new Toolpath([], [], [], [new ToolpathTool(null)], null, MoveSource.Lines), new DecodeReport(interpreter), rules)
+            {
+                Document = new GCodeDocument(input.First!, name), Rule = options.Rule, Axis = axis,
+            });
         long bytes = 0;
         ChunkPipeline.Run(
             input.Chunks,
@@ -125,6 +132,7 @@ public static class GCodeDecoder
                 var parser = parsed.Value;
                 if (lines == 0) mark = TextEncoding.MarkLength(parser.Chunk!) > 0;
                 checkpoints?.Add(new Checkpoint(lines, interpreter.Save(), interpreter.LastEvents.Count));
+                follow?.Invoke(parser, new Checkpoint(lines, interpreter.Save(), 0));
                 interpreter.Run(parser, lines);
                 lines = GCodeDocument.AddLines(lines, parser.Count);
                 bytes = done;
@@ -169,8 +177,8 @@ public static class GCodeDecoder
     }
 
     // What is decoded: the chunks of a text, those in which the flavor is looked for, the document if the text is kept, the part that is done after a number of
-    // bytes (less than 0 if unknown), and what its source knows of it in the end.
+    // bytes (less than 0 if unknown), what its source knows of it in the end, and the first chunks of a stream.
     private sealed record DecodeInput(
         IEnumerable<GCodeChunk> Chunks, IReadOnlyList<GCodeChunk> Searched, ExtrusionAxis Axis, string Name, Func<GCodeDocument>? Document,
-        Func<long, double> Share, Func<IReadOnlyList<Diagnostic>> Notes);
+        Func<long, double> Share, Func<IReadOnlyList<Diagnostic>> Notes, GCodeChunk[]? First = null);
 }

@@ -5,8 +5,7 @@ internal sealed class DocumentStream : WriteStream
 {
     private readonly PageFile<byte[]> _file = GCodeDocument.FileFor(MemoryLimit.Default);
     private readonly List<GCodeChunk> _chunks = [];
-    private byte[] _buffer = new byte[GCodeChunk.Target];
-    private int _count;
+    private readonly MemoryStream _text = new();
 
     /// <summary>The document that is written, unless there are errors.</summary>
     public static Result<GCodeDocument> Collect(Func<Stream, IReadOnlyList<Diagnostic>> write, string? name)
@@ -19,32 +18,23 @@ internal sealed class DocumentStream : WriteStream
     /// <summary>Returns the document. Do not write afterwards.</summary>
     public GCodeDocument ToDocument(string name)
     {
-        if (_count > 0) Add(_count);
+        Add((int)_text.Length);
         return new GCodeDocument(_chunks.ToArray(), name);
     }
 
     public override void Write(byte[] buffer, int offset, int count)
     {
-        while (count > 0)
-        {
-            if (_count == _buffer.Length) Seal();
-            var part = Math.Min(count, _buffer.Length - _count);
-            Buffer.BlockCopy(buffer, offset, _buffer, _count, part);
-            _count += part;
-            offset += part;
-            count -= part;
-        }
+        _text.Write(buffer, offset, count);
+        if (_text.Length >= GCodeChunk.Target) Add(ChunkReader.LastLineEnd(_text.GetBuffer(), (int)_text.Length));
     }
 
-    // What follows the last line end goes into the next buffer; a longer line makes it longer.
-    private void Seal()
+    // What follows the last line end is left for the next chunk.
+    private void Add(int count)
     {
-        var (before, cut) = (_buffer, ChunkReader.LastLineEnd(_buffer, _count));
-        if (cut > 0) Add(cut);
-        _count -= cut;
-        _buffer = new byte[(int)Math.Min(Math.Max(GCodeChunk.Target, _count * 2L), ChunkReader.LongestLine * 2L - 64)];
-        Buffer.BlockCopy(before, cut, _buffer, 0, _count);
+        if (count == 0) return;
+        var text = _text.ToArray();
+        _text.SetLength(0);
+        _text.Write(text, count, text.Length - count);
+        _chunks.Add(new GCodeChunk(text, 0, count).In(_file));
     }
-
-    private void Add(int count) => _chunks.Add(new GCodeChunk(_buffer, 0, count).In(_file));
 }

@@ -15,16 +15,44 @@ internal static class GCodeConverter
     {
         if (decoding.Document is null) throw new ArgumentException(GCodeEditor.NoDocument, nameof(decoding));
         var problems = new DiagnosticList();
-        var target = ConvertTarget.Of(decoding, options, problems);
-        if (target is null) return problems.ToList();
-        if (options.DecimalsXyz is { } decimals && LayerRounding.Check(decoding.Toolpath, decimals, new SourceLocation(decoding.Document.Name)) is { } rounded)
-            return [.. problems.ToList(), rounded];
-        using var splicer = new Splicer(decoding, decoding.Toolpath, SplicePlan.Of(decoding, decoding.Toolpath), stream, target,
-            (code ?? new EditOptions()) with { Cuts = [], Threads = options.Threads });
+        using var splicer = Begin(decoding, options, code, stream, problems);
+        if (splicer is null) return problems.ToList();
+        if (Rounded(decoding, options) is { } rounded) return [.. problems.ToList(), rounded];
         splicer.Run(progress, cancel);
         problems.AddRange(splicer.Diagnostics.ToList());
         return problems.ToList();
     }
+
+    /// <summary>
+    /// Converts a file to another notation of its own flavor while it is decoded, so that its text is parsed once and not kept. If there are errors, discard
+    /// the output.
+    /// </summary>
+    public static Result<DecodedGCode> WhileDecoding(
+        Func<DecodeOptions, DecodedGCode> decode, DecodeOptions reading, ConvertOptions options, Stream stream)
+    {
+        var problems = new DiagnosticList();
+        Splicer? splicer = null;
+        try
+        {
+            var decoding = decode(reading with { Follow = known => (splicer = Begin(known, options, null, stream, problems)!).Write });
+            splicer!.Finish();
+            problems.AddRange(splicer.Diagnostics.ToList());
+            var rounded = Rounded(decoding, options);
+            return rounded is null ? new Result<DecodedGCode>(decoding, problems.ToList()) : new Result<DecodedGCode>(null, [rounded]);
+        }
+        finally
+        {
+            splicer?.Dispose();
+        }
+    }
+
+    private static Splicer? Begin(DecodedGCode decoding, ConvertOptions options, EditOptions? code, Stream stream, DiagnosticList problems)
+        => ConvertTarget.Of(decoding, options, problems) is not { } target ? null
+            : new Splicer(decoding, decoding.Toolpath, SplicePlan.Of(decoding, decoding.Toolpath), stream, target,
+                (code ?? new EditOptions()) with { Cuts = [], Threads = options.Threads });
+
+    private static Diagnostic? Rounded(DecodedGCode decoding, ConvertOptions options)
+        => options.DecimalsXyz is { } decimals ? LayerRounding.Check(decoding.Toolpath, decimals, new SourceLocation(decoding.Report.File)) : null;
 
     /// <inheritdoc cref="Convert" path="/summary"/>
     public static Result<GCodeDocument> ToDocument(DecodedGCode decoding, ConvertOptions options, EditOptions? code = null,

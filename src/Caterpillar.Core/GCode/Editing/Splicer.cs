@@ -24,6 +24,7 @@ internal sealed class Splicer : IDisposable
     private readonly int _threads;
     private readonly SplicedOutput _output;
     private bool _synced = true;
+    private int _next;
 
     /// <summary>Prepares to write a decoded file with the moves of an edited toolpath, or for a target.</summary>
     public Splicer(DecodedGCode decoding, Toolpath edited, SplicePlan plan, Stream stream, ConvertTarget? target = null, EditOptions? options = null)
@@ -55,7 +56,6 @@ internal sealed class Splicer : IDisposable
     public void Run(IProgress<double>? progress, CancellationToken cancel)
     {
         var chunks = _context.Decoding.Document!.Chunks;
-        var next = 0;
         ChunkPipeline.Run(
             chunks,
             _context.Decoding.Axis.Letter,
@@ -63,19 +63,28 @@ internal sealed class Splicer : IDisposable
             i => _context.Target is not null || _plan.IsDirty(i),
             (parsed, _) =>
             {
-                WriteChunk(next++, parsed);
-                progress?.Report((double)next / chunks.Count);
+                Write(chunks[_next], _context.Decoding.Checkpoints[_next], parsed);
+                progress?.Report((double)_next / chunks.Count);
             },
             cancel);
+        Finish();
+    }
+
+    /// <summary>Writes what becomes of the next chunk, of which a conversion needs only the state before the first.</summary>
+    public void Write(ChunkParser parsed, Checkpoint before) => Write(parsed.Chunk!, before, new Lazy<ChunkParser>(() => parsed));
+
+    /// <summary>Writes what comes after the last chunk.</summary>
+    public void Finish()
+    {
         WriteEnd();
         _output.Finish();
     }
 
     public void Dispose() => _output.Dispose();
 
-    private void WriteChunk(int i, Lazy<ChunkParser> parsed)
+    private void Write(GCodeChunk chunk, Checkpoint before, Lazy<ChunkParser> parsed)
     {
-        var chunk = _context.Decoding.Document!.Chunks[i];
+        var i = _next++;
         var checkpoints = _context.Decoding.Checkpoints;
         var edits = _context.Target is null;
         _context.Text.Begin(chunk.Text, chunk.Start);
@@ -85,7 +94,6 @@ internal sealed class Splicer : IDisposable
             _context.Text.Copy(chunk.Text, chunk.Start, chunk.End);
             return;
         }
-        var before = checkpoints[i];
         if (edits) _tasks.SkipTo(before.Line + 1);
         _tasks.StartAt(before.Events);
         if (_synced)

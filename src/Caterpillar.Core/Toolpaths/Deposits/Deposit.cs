@@ -171,6 +171,8 @@ internal sealed class Deposit
     {
         var best = least - Rounding ?? double.NegativeInfinity;
         if (_bins.IsEmpty || !_bins.MayHold(point.X, point.Y)) return best;
+        // A cell is never too low.
+        if (radius == 0 && _cells[Index(point.X), Index(point.Y)].Top <= best) return best;
         var (lastRow, lastColumn) = (BinOf(point.Y + radius), BinOf(point.X + radius));
         for (var row = BinOf(point.Y - radius); row <= lastRow; row++)
         {

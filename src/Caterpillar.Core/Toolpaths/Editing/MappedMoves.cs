@@ -3,11 +3,11 @@ namespace Caterpillar.Toolpaths;
 /// <summary>Finds the moves that are mapped together with the selected moves.</summary>
 internal static class MappedMoves
 {
-    public static bool[] All(Toolpath toolpath)
+    public static MoveSet All(Toolpath toolpath)
     {
-        var all = Enumerable.Repeat(true, toolpath.Count).ToArray();
-        var inPlace = new bool[toolpath.Count];
+        var (all, inPlace) = (new MoveSet(toolpath.Count), new MoveSet(toolpath.Count));
         for (var block = 0; block < toolpath.Blocks.Count; block++) InPlace(toolpath, block, inPlace);
+        for (var i = 0; i < toolpath.Count; i++) all[i] = true;
         Unmap(toolpath, all, inPlace);
         return all;
     }
@@ -16,53 +16,48 @@ internal static class MappedMoves
     /// The selected extrusions, the selected moves between them, and the moves in place at their ends. Travel moves to the first extrusion or away from
     /// the last one have one end elsewhere: a travel move from or to the home position does not change.
     /// </summary>
-    public static bool[] Of(Toolpath toolpath, MoveFilter filter)
+    public static MoveSet Of(Toolpath toolpath, MoveFilter filter)
     {
-        var chosen = MoveChoice.Of(filter, toolpath);
-        var inPlace = new bool[toolpath.Count];
-        var extrusions = new bool[toolpath.Count];
+        var choice = new MoveChoice(filter, toolpath);
+        var (mapped, inPlace) = (new MoveSet(toolpath.Count), new MoveSet(toolpath.Count));
+        // The last selected extrusion after which all moves are selected.
+        var last = -1;
         for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
             var columns = toolpath.Blocks[block].Columns;
             var first = toolpath.FirstOf(block);
             InPlace(toolpath, block, inPlace);
             for (var i = 0; i < columns.Count; i++)
-                extrusions[first + i] = columns.Kind[i] is MoveKind.Print or MoveKind.Wipe or MoveKind.MovingDeretract;
+            {
+                var chosen = choice.Has(columns, i);
+                if (!chosen) last = -1;
+                if (!chosen || columns.Kind[i] is not (MoveKind.Print or MoveKind.Wipe or MoveKind.MovingDeretract)) continue;
+                for (var k = last < 0 ? first + i : last + 1; k <= first + i; k++) mapped[k] = true;
+                last = first + i;
+            }
         }
-        var mapped = new bool[toolpath.Count];
-        var last = -1;
-        for (var i = 0; i < mapped.Length; i++)
-        {
-            if (!chosen[i]) last = -1;
-            if (!chosen[i] || !extrusions[i]) continue;
-            for (var k = last < 0 ? i : last + 1; k <= i; k++) mapped[k] = true;
-            last = i;
-        }
-        for (var i = 1; i < mapped.Length; i++) mapped[i] |= inPlace[i] && mapped[i - 1];
-        for (var i = mapped.Length - 2; i >= 0; i--) mapped[i] |= inPlace[i] && mapped[i + 1];
+        for (var i = 1; i < toolpath.Count; i++) mapped[i] |= inPlace[i] && mapped[i - 1];
+        for (var i = toolpath.Count - 2; i >= 0; i--) mapped[i] |= inPlace[i] && mapped[i + 1];
         Unmap(toolpath, mapped, inPlace);
         return mapped;
     }
 
     // Homing moves, which go to the switches, and moves in place without a travel to the extrusion that follows.
-    private static void Unmap(Toolpath toolpath, bool[] mapped, bool[] inPlace)
+    private static void Unmap(Toolpath toolpath, MoveSet mapped, MoveSet inPlace)
     {
-        var stays = false;
-        for (var block = 0; block < toolpath.Blocks.Count; block++)
+        foreach (var what in toolpath.Events)
         {
-            var columns = toolpath.Blocks[block].Columns;
-            var first = toolpath.FirstOf(block);
-            for (var i = 0; i < columns.Count; i++)
-            {
-                var move = first + i;
-                var homes = columns.Kind[i] == MoveKind.Travel && toolpath.HomeOf(toolpath[move]) is not null;
-                if (homes || (stays && inPlace[move])) mapped[move] = false;
-                stays = !mapped[move] && (columns.Kind[i] == MoveKind.Print || homes || inPlace[move]);
-            }
+            if (what.Event is HomeEvent && what.Move < toolpath.Count && Homes(what.Move)) mapped[what.Move] = false;
         }
+        for (var i = inPlace.Find(true, 1, toolpath.Count); i < toolpath.Count; i = inPlace.Find(true, i + 1, toolpath.Count))
+        {
+            if (mapped[i] && !mapped[i - 1] && (inPlace[i - 1] || toolpath[i - 1].Kind == MoveKind.Print || Homes(i - 1))) mapped[i] = false;
+        }
+
+        bool Homes(int move) => toolpath.HomeOf(toolpath[move]) is not null;
     }
 
-    private static void InPlace(Toolpath toolpath, int block, bool[] inPlace)
+    private static void InPlace(Toolpath toolpath, int block, MoveSet inPlace)
     {
         var columns = toolpath.Blocks[block].Columns;
         var first = toolpath.FirstOf(block);

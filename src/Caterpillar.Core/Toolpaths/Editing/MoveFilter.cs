@@ -50,10 +50,16 @@ public sealed record MoveFilter
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         var box = Bounds.Empty;
-        var chosen = MoveChoice.Of(this, toolpath);
-        foreach (var move in toolpath.Moves())
+        var chosen = new MoveChoice(this, toolpath);
+        for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
-            if (chosen[move.Index]) box = box.Include(move.Bounds);
+            var (c, end) = (toolpath.Blocks[block].Columns, toolpath.StartOf(block));
+            for (var i = 0; i < c.Count; i++)
+            {
+                var start = end;
+                end = new Vec3(c.X[i], c.Y[i], c.Z[i]);
+                if (chosen.Has(c, i)) box = box.Include(c.TryGetArc(i, out var arc) ? arc.Bounds(start, end) : Bounds.Empty.Include(start).Include(end));
+            }
         }
         return box;
     }

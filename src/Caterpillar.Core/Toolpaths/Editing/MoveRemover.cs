@@ -5,8 +5,8 @@ namespace Caterpillar.Toolpaths;
 /// Events and homing moves stay. A dwell is removed with its event. Blocks without cuts are shared.
 /// </summary>
 /// <param name="toolpath">The toolpath.</param>
-/// <param name="removed">Whether each move is removed.</param>
-internal sealed class MoveRemover(Toolpath toolpath, bool[] removed)
+/// <param name="removed">The moves to remove.</param>
+internal sealed class MoveRemover(Toolpath toolpath, MoveSet removed)
 {
     private const double NoChange = 1e-9;
     private const int RoomForRepairs = 64;
@@ -29,7 +29,7 @@ internal sealed class MoveRemover(Toolpath toolpath, bool[] removed)
             cancel.ThrowIfCancellationRequested();
             var first = toolpath.FirstOf(block);
             var columns = toolpath.Blocks[block].Columns;
-            if (toolpath.StartOf(block) == _position && IsBalanced() && Array.IndexOf(removed, true, first, columns.Count) < 0)
+            if (toolpath.StartOf(block) == _position && IsBalanced() && removed.Find(true, first, first + columns.Count) == first + columns.Count)
             {
                 for (var i = 0; i < columns.Count; i++)
                 {

@@ -11,12 +11,12 @@ public static class ToolpathEdits
     public static Toolpath ScaleSpeed(this Toolpath toolpath, MoveFilter filter, double factor, CancellationToken cancel = default)
     {
         if (!(factor > 0) || double.IsInfinity(factor)) throw new ArgumentOutOfRangeException(nameof(factor), factor, "Must be positive and finite.");
-        return Change(toolpath, filter, (columns, chosen, first) =>
+        return Change(toolpath, filter, (columns, chosen) =>
         {
             var speed = columns.Speed = (double[])columns.Speed.Clone();
             for (var i = 0; i < columns.Count; i++)
             {
-                if (chosen[first + i]) speed[i] *= factor;
+                if (chosen.Has(columns, i)) speed[i] *= factor;
             }
         }, cancel);
     }
@@ -26,13 +26,13 @@ public static class ToolpathEdits
     public static Toolpath ScaleFlow(this Toolpath toolpath, MoveFilter filter, double factor, CancellationToken cancel = default)
     {
         if (!(factor >= 0) || double.IsInfinity(factor)) throw new ArgumentOutOfRangeException(nameof(factor), factor, "The flow factor must be 0 or more.");
-        return Change(toolpath, filter, (columns, chosen, first) =>
+        return Change(toolpath, filter, (columns, chosen) =>
         {
             var e = columns.E = (double[])columns.E.Clone();
             var amounts = columns.Deposited = (double[])columns.Deposited.Clone();
             for (var i = 0; i < columns.Count; i++)
             {
-                if (!chosen[first + i] || columns.Kind[i] is not (MoveKind.Print or MoveKind.Prime)) continue;
+                if (!chosen.Has(columns, i) || columns.Kind[i] is not (MoveKind.Print or MoveKind.Prime)) continue;
                 var deposited = amounts[i] * factor;
                 e[i] += deposited - amounts[i];
                 amounts[i] = deposited;
@@ -50,7 +50,7 @@ public static class ToolpathEdits
         if (filter is null) throw new ArgumentNullException(nameof(filter));
         var removed = MoveChoice.Of(filter, toolpath);
         var end = PrintCut.EndOfPrint(toolpath);
-        if (end > 0) Array.Clear(removed, end, removed.Length - end);
+        for (var i = end; i < toolpath.Count && end > 0; i++) removed[i] = false;
         return new MoveRemover(toolpath, removed).Run(cancel);
     }
 
@@ -60,7 +60,7 @@ public static class ToolpathEdits
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (filter is null) throw new ArgumentNullException(nameof(filter));
         var removed = MoveChoice.Of(filter, toolpath);
-        for (var i = 0; i < removed.Length; i++) removed[i] = !removed[i];
+        for (var i = 0; i < toolpath.Count; i++) removed[i] = !removed[i];
         return new MoveRemover(toolpath, removed).Run(cancel);
     }
 
@@ -119,21 +119,23 @@ public static class ToolpathEdits
         => what is DwellEvent ? move.Kind == MoveKind.Dwell : toolpath.HomeOf(move) is not null;
 
     // Changes the columns of each block that has chosen moves. They are shared: what changes is replaced first.
-    private static Toolpath Change(Toolpath toolpath, MoveFilter filter, Action<ToolpathColumns, bool[], int> change, CancellationToken cancel)
+    private static Toolpath Change(Toolpath toolpath, MoveFilter filter, Action<ToolpathColumns, MoveChoice> change, CancellationToken cancel)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         if (filter is null) throw new ArgumentNullException(nameof(filter));
-        var chosen = MoveChoice.Of(filter, toolpath);
-        var blocks = toolpath.Blocks.ToArray();
-        for (var block = 0; block < blocks.Length; block++)
+        var chosen = new MoveChoice(filter, toolpath);
+        return toolpath.With(toolpath.Blocks.Select(block =>
         {
             cancel.ThrowIfCancellationRequested();
-            var first = toolpath.FirstOf(block);
-            if (Array.IndexOf(chosen, true, first, blocks[block].Count) < 0) continue;
-            var columns = blocks[block].Columns.Share();
-            change(columns, chosen, first);
-            blocks[block] = new ToolpathBlock(columns, blocks[block].File);
+            return block.Edited(Changed) ?? block;
+        }));
+
+        ToolpathColumns? Changed(ToolpathColumns columns)
+        {
+            if (!Enumerable.Range(0, columns.Count).Any(i => chosen.Has(columns, i))) return null;
+            var changed = columns.Share();
+            change(changed, chosen);
+            return changed;
         }
-        return toolpath.With(blocks);
     }
 }

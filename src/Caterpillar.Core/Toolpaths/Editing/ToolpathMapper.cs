@@ -5,10 +5,10 @@ namespace Caterpillar.Toolpaths;
 /// ends at its new start. Moves in place happen at the new position of the head.
 /// </summary>
 /// <param name="toolpath">The toolpath.</param>
-/// <param name="mapped">For each move, whether its end is mapped.</param>
+/// <param name="mapped">The moves whose ends are mapped.</param>
 /// <param name="map">The map.</param>
 /// <param name="tolerance">Tolerance of arcs that become chords, mm.</param>
-internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap map, double tolerance)
+internal sealed class ToolpathMapper(Toolpath toolpath, MoveSet mapped, RunMap map, double tolerance)
 {
     private const int LongestLocalRun = 2048;
     private readonly List<ToolpathBlock> _blocks = [];
@@ -29,15 +29,7 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
             cancel.ThrowIfCancellationRequested();
             var first = toolpath.FirstOf(block);
             var count = toolpath.Blocks[block].Count;
-            if (_run is null && _position == toolpath.StartOf(block) && !IsTouched(first, count))
-            {
-                Events(first + count, first);
-                _blocks.Add(toolpath.Blocks[block]);
-                _made += count;
-                _position = toolpath[first + count - 1].End;
-                continue;
-            }
-            if (MapBlock(block, first, count)) continue;
+            if (AddWhole(block, first, count)) continue;
             _editor = BlockEditor.After(toolpath, block);
             for (var i = first; i < first + count; i++)
             {
@@ -51,25 +43,27 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
         return toolpath.With(_blocks, _events);
     }
 
-    // A block without any move that stays, at once.
-    private bool MapBlock(int block, int first, int count)
+    // A block of which no move changes, or none stays, at once.
+    private bool AddWhole(int block, int first, int count)
     {
-        if (!map.IsLocal || Array.IndexOf(mapped, false, first, count) >= 0) return false;
-        var columns = toolpath.Blocks[block].Columns;
-        if (map.MapBlock(columns, toolpath.StartOf(block), _position) is not { } image) return false;
+        var source = toolpath.Blocks[block];
+        var (start, position, image) = (toolpath.StartOf(block), _position, map);
+        var whole = _run is null && position == start && !IsTouched(first, count) ? source
+            : map.IsLocal && mapped.Find(false, first, first + count) == first + count ? source.Edited(c => image.MapBlock(c, start, position)) : null;
+        if (whole is null) return false;
         Events(first + count, first);
-        _blocks.Add(new ToolpathBlock(image, toolpath.Blocks[block].File));
+        _blocks.Add(whole);
         _made += count;
-        _position = new Vec3(image.X[count - 1], image.Y[count - 1], image.Z[count - 1]);
+        _position = new Vec3(whole.Columns.X[count - 1], whole.Columns.Y[count - 1], whole.Columns.Z[count - 1]);
         _run = null;
         return true;
     }
 
     // The last move of a block may lead to an extrusion of the next.
-    private bool IsTouched(int first, int count) => Array.IndexOf(mapped, true, first, count) >= 0 || LeadsToRun(toolpath[first + count - 1]);
+    private bool IsTouched(int first, int count) => mapped.Find(true, first, first + count) < first + count || LeadsToRun(toolpath[first + count - 1]);
 
     private bool LeadsToRun(Move move)
-        => !mapped[move.Index] && move.Index + 1 < mapped.Length && mapped[move.Index + 1] && move.Kind != MoveKind.Print && !move.IsInPlace;
+        => !mapped[move.Index] && move.Index + 1 < toolpath.Count && mapped[move.Index + 1] && move.Kind != MoveKind.Print && !move.IsInPlace;
 
     private void Step(Move move)
     {
@@ -98,7 +92,7 @@ internal sealed class ToolpathMapper(Toolpath toolpath, bool[] mapped, RunMap ma
     private MoveRun RunFrom(int first)
     {
         var run = new MoveRun(toolpath, toolpath[first].Start);
-        var last = map.IsLocal ? Math.Min(first + LongestLocalRun, mapped.Length) : mapped.Length;
+        var last = map.IsLocal ? Math.Min(first + LongestLocalRun, toolpath.Count) : toolpath.Count;
         for (var i = first; i < last && mapped[i]; i++) map.Divide(toolpath[i], run);
         map.Map(run);
         _piece = 0;

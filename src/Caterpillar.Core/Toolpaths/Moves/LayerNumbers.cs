@@ -17,16 +17,10 @@ public static class LayerNumbers
     {
         var prints = new bool[toolpath.Layers.Count];
         var moves = new bool[toolpath.Layers.Count];
-        foreach (var block in toolpath.Blocks)
+        foreach (var (layer, isPrinted) in toolpath.Blocks.SelectMany(b => b.Summary.Layers))
         {
-            var c = block.Columns;
-            for (var i = 0; i < c.Count; i++)
-            {
-                var layer = c.Layer[i];
-                if (layer < 0 || prints[layer]) continue;
-                moves[layer] = true;
-                prints[layer] = c.Kind[i] == MoveKind.Print;
-            }
+            moves[layer] = true;
+            prints[layer] |= isPrinted;
         }
         var used = Array.IndexOf(prints, true) >= 0 ? prints : moves;
         return [.. toolpath.Layers.Where((_, i) => used[i])];

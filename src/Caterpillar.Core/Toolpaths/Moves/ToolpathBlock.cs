@@ -14,9 +14,12 @@ public sealed class ToolpathBlock
     /// <summary>Memory of a move in bytes, with its share of arcs and lists.</summary>
     public const int BytesPerMove = 72;
 
-    private const long BytesInMemory = 160L << 20;
+    private const long BytesInMemory = 192L << 20;
     private readonly ToolpathColumns? _columns;
     private readonly Page<ToolpathColumns>? _page;
+    private readonly ToolpathBlock? _source;
+    private readonly Func<ToolpathColumns, ToolpathColumns?>? _edit;
+    private BlockSummary? _summary;
 
     /// <param name="columns">The columns. The block owns them.</param>
     /// <param name="file">Keeps them; null = in memory.</param>
@@ -28,6 +31,14 @@ public sealed class ToolpathBlock
         else _page = file.Add(columns);
     }
 
+    // Nothing but the edit is kept; it is repeated when its source was read again.
+    private ToolpathBlock(ToolpathBlock source, ToolpathColumns columns, Func<ToolpathColumns, ToolpathColumns?> edit)
+    {
+        (Count, File, HasTurns) = (source.Count, source.File, source.HasTurns);
+        (_source, _edit) = (source, edit);
+        if (File is null) _columns = columns;
+    }
+
     /// <summary>Number of moves.</summary>
     public int Count { get; }
 
@@ -36,7 +47,20 @@ public sealed class ToolpathBlock
 
     internal bool HasTurns { get; }
 
-    internal ToolpathColumns Columns => _columns ?? _page!.Value;
+    internal ToolpathColumns Columns => _columns ?? _page?.Value ?? _source!.Columns.ImageFor(this, _edit!);
+
+    /// <summary>Its lines and layers.</summary>
+    internal BlockSummary Summary => _source?.Summary ?? (_summary ??= new BlockSummary(Columns));
+
+    /// <summary>A block with the same lines, layers and kinds, and other columns. Null where the edit gives none.</summary>
+    internal ToolpathBlock? Edited(Func<ToolpathColumns, ToolpathColumns?> edit)
+    {
+        var source = Columns;
+        if (edit(source) is not { } columns) return null;
+        var block = new ToolpathBlock(this, columns, edit);
+        if (File is not null) source.ImageFor(block, _ => columns);
+        return block;
+    }
 
     /// <summary>A file for blocks. The latest are in memory, up to a quarter of a limit.</summary>
     internal static PageFile<ToolpathColumns> FileFor(MemoryLimit limit)
@@ -81,7 +105,14 @@ internal sealed class ToolpathColumns(int capacity)
     public int[] ArcMoves = [];
     public Arc[] Arcs = [];
 
+    // Blocks that are edits of this one, while both are used.
+    private ConditionalWeakTable<ToolpathBlock, ToolpathColumns>? _images;
+
     public int Capacity => X.Length;
+
+    /// <summary>The columns of an edited block, which are made once and kept as long as these.</summary>
+    public ToolpathColumns ImageFor(ToolpathBlock block, Func<ToolpathColumns, ToolpathColumns?> edit)
+        => LazyInitializer.EnsureInitialized(ref _images)!.GetValue(block, _ => edit(this)!);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public bool TryGetArc(int move, out Arc arc)
@@ -99,7 +130,12 @@ internal sealed class ToolpathColumns(int capacity)
     }
 
     /// <summary>A copy that shares the columns. Those to be changed before it becomes a block are replaced.</summary>
-    public ToolpathColumns Share() => (ToolpathColumns)MemberwiseClone();
+    public ToolpathColumns Share()
+    {
+        var copy = (ToolpathColumns)MemberwiseClone();
+        copy._images = null;
+        return copy;
+    }
 
     /// <summary>A copy with its own columns, to be changed before it becomes a block. With too little capacity for all, of the first moves.</summary>
     public ToolpathColumns Copy(int capacity)

@@ -9,8 +9,6 @@ internal sealed record ToolpathDifference(int Shifted, int Speeds, int Amounts)
     /// <exception cref="ArgumentException">The toolpaths have different numbers of moves.</exception>
     public static ToolpathDifference Of(Toolpath before, Toolpath after)
     {
-        if (before is null) throw new ArgumentNullException(nameof(before));
-        if (after is null) throw new ArgumentNullException(nameof(after));
         if (before.Count != after.Count) throw new ArgumentException("The toolpaths must have the same number of moves.", nameof(after));
         int shifted = 0, speeds = 0, amounts = 0;
         int block = 0, other = 0, i = 0, k = 0;

@@ -29,6 +29,7 @@ public sealed record ToolpathTotals(
         Bounds part = Bounds.Empty, others = Bounds.Empty, blobs = Bounds.Empty, allBounds = Bounds.Empty, partBlobs = Bounds.Empty;
         // Whether the last move has printed, and the part: its end is in their box.
         bool follows = false, wasPart = false;
+        (int Tool, double? PerE) last = (-1, null);
         for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
             var c = toolpath.Blocks[block].Columns;
@@ -40,11 +41,12 @@ public sealed record ToolpathTotals(
                 var turns = c.TryGetArc(i, out var arc);
                 var length = turns ? arc.Length(start, end) : start.DistanceTo(end);
                 deposited += c.Deposited[i];
-                if (c.Deposited[i] != 0) volume += toolpath.VolumePerE(c.Tool[i]) * c.Deposited[i];
+                if (c.Tool[i] != last.Tool) last = (c.Tool[i], toolpath.VolumePerE(c.Tool[i]));
+                if (c.Deposited[i] != 0) volume += last.PerE * c.Deposited[i];
                 if (c.Kind[i] is MoveKind.Retract or MoveKind.Wipe) retractions++;
                 if (c.Kind[i] == MoveKind.Prime) blobs = blobs.Include(end);
                 if (c.Kind[i] == MoveKind.Prime && c.Role[i] != Role.Purge) partBlobs = partBlobs.Include(end);
-                if (length > 0) allBounds = allBounds.Include(end);
+                if (length > 0 && !allBounds.Contains(end)) allBounds = allBounds.Include(end);
                 if (c.Kind[i] == MoveKind.Print)
                 {
                     prints++;
@@ -52,13 +54,13 @@ public sealed record ToolpathTotals(
                     var isPart = c.Role[i] is not (Role.Skirt or Role.Purge or Role.PrimeTower);
                     ref var box = ref isPart ? ref part : ref others;
                     if (!follows || isPart != wasPart) box = box.Include(start);
-                    box = box.Include(end);
+                    if (!box.Contains(end)) box = box.Include(end);
                     if (turns) box = box.Include(arc.Bounds(start, end));
                     (follows, wasPart) = (true, isPart);
                     continue;
                 }
                 follows = false;
-                inPlace += c.Deposited[i] * toolpath.VolumePerE(c.Tool[i]).GetValueOrDefault();
+                inPlace += c.Deposited[i] * last.PerE.GetValueOrDefault();
                 if (!(length > 0)) continue;
                 travels++;
                 travel += length;

@@ -11,14 +11,14 @@ internal sealed class CommentScale
 
     private readonly Toolpath _before;
     private readonly Toolpath _after;
-    private readonly ExtrusionCursor _old;
-    private readonly ExtrusionCursor _new;
+    private readonly MoveCursor _old;
+    private readonly MoveCursor _new;
     private bool _afterChange;
 
     public CommentScale(Toolpath before, Toolpath after)
     {
         (_before, _after) = (before, after);
-        (_old, _new) = (new ExtrusionCursor(before), new ExtrusionCursor(after));
+        (_old, _new) = (new MoveCursor(before), new MoveCursor(after));
         IsActive = !ReferenceEquals(before, after) && before.Layers.Count == after.Layers.Count;
         for (var i = 0; IsActive && i < before.Layers.Count; i++) ChangesLayers |= before.Layers[i] != after.Layers[i];
     }
@@ -43,7 +43,7 @@ internal sealed class CommentScale
     {
         var bare = _afterChange;
         _afterChange = text is ";BEFORE_LAYER_CHANGE" or ";AFTER_LAYER_CHANGE";
-        if (_old.After(number) is not { } extrusion) return text;
+        if (ExtrusionAfter(number, _old, _before) is not { } extrusion) return text;
         var layer = extrusion.Layer >= 0 ? (Before: _before.Layers[extrusion.Layer], After: _after.Layers[extrusion.Layer]) : default;
         if (layer.Before is not null && !IsSame(layer.Before, layer.After))
         {
@@ -61,6 +61,12 @@ internal sealed class CommentScale
         return factor == 1 ? text : Replace(text, Patterns.Width, w => w * factor);
     }
 
+    private static Move? ExtrusionAfter(int line, MoveCursor moves, Toolpath toolpath)
+    {
+        while (moves.Valid && (moves.Columns.Kind[moves.Index] != MoveKind.Print || moves.Source <= line)) moves.Next();
+        return moves.Valid ? toolpath[moves.Number] : null;
+    }
+
     // Most edits keep most heights, and most comments have none: patterns are slow.
     private static bool Has(string text, string word) => text.IndexOf(word, StringComparison.Ordinal) >= 0;
 
@@ -74,7 +80,7 @@ internal sealed class CommentScale
     // From the areas of the extrusion before and after; 1 where only its material was changed.
     private double WidthFactor(Move before, int number, double height)
     {
-        if (_new.After(number) is not { } after || after.Source != before.Source) return 1;
+        if (ExtrusionAfter(number, _new, _after) is not { } after || after.Source != before.Source) return 1;
         double was = before.Length, now = after.Length;
         if (!(was > 0 && now > 0 && before.Deposited > 0 && after.Deposited > 0)) return 1;
         if (Math.Abs(now / was - 1) <= NoChange && Math.Abs(height - 1) <= NoChange && !ChangesLayers) return 1;

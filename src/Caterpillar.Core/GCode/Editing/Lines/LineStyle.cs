@@ -3,7 +3,8 @@ namespace Caterpillar.GCode;
 /// <summary>The style of a file: decimals, spaces, case, line ends. New and changed lines follow it.</summary>
 internal sealed class LineStyle
 {
-    private const int Sample = 20000;
+    /// <summary>Number of lines that show the style.</summary>
+    public const int Sample = 20000;
 
     public int DecimalsXyz { get; private set; } = 3;
 

@@ -5,6 +5,9 @@ internal sealed class SplicePlan(Checkpoint[] checkpoints)
 {
     private readonly Checkpoint[] _checkpoints = checkpoints;
     private readonly bool[] _dirty = new bool[checkpoints.Length];
+
+    // The lines of the chunk that was marked last.
+    private (int After, int Last) _marked;
     private readonly Dictionary<PrinterEvent, int> _indices = new(ReferenceComparer.Instance);
 
     /// <summary>False if the moves are not in the order of their lines.</summary>
@@ -51,11 +54,6 @@ internal sealed class SplicePlan(Checkpoint[] checkpoints)
     private void Compare(Toolpath before, Toolpath after)
     {
         InOrder = IsAscending(after);
-        if (InOrder && HaveSameLines(before, after))
-        {
-            for (var block = 0; block < after.Blocks.Count; block++) Compare(before.Blocks[block].Columns, after.Blocks[block].Columns);
-            return;
-        }
         var kept = new HashSet<ToolpathBlock>(after.Blocks);
         kept.IntersectWith(before.Blocks);
         var o = new MoveCursor(before, kept);
@@ -96,56 +94,13 @@ internal sealed class SplicePlan(Checkpoint[] checkpoints)
         if (inserted) Mark(last == int.MinValue ? 1 : last);
     }
 
-    // The moves of one block, which have the same lines: after a change, those of the same chunk need no second look.
-    private void Compare(ToolpathColumns before, ToolpathColumns after)
-    {
-        if (ReferenceEquals(before, after)) return;
-        for (var i = 0; i < after.Count; i++)
-        {
-            if (MoveCursor.Same(before, i, after, i)) continue;
-            var chunk = Mark(after.Source[i]);
-            if (chunk + 1 >= _checkpoints.Length) return;
-            // To the last move of the chunk.
-            var next = _checkpoints[chunk + 1].Line;
-            var found = Array.BinarySearch(after.Source, i, after.Count - i, next + 1);
-            i = Math.Max(i, (found >= 0 ? FirstOf(after.Source, found) : ~found) - 1);
-        }
-    }
-
-    private static int FirstOf(int[] sources, int at)
-    {
-        while (at > 0 && sources[at - 1] == sources[at]) at--;
-        return at;
-    }
-
-    // Block by block the same moves, none of them put in.
-    private static bool HaveSameLines(Toolpath before, Toolpath after)
-    {
-        if (before.Blocks.Count != after.Blocks.Count) return false;
-        for (var block = 0; block < after.Blocks.Count; block++)
-        {
-            var (c, d) = (before.Blocks[block].Columns, after.Blocks[block].Columns);
-            if (c.Count != d.Count) return false;
-            for (var i = 0; i < c.Count; i++)
-            {
-                if (c.Source[i] != d.Source[i] || d.Source[i] < 0) return false;
-            }
-        }
-        return true;
-    }
-
     private static bool IsAscending(Toolpath toolpath)
     {
         var last = int.MinValue;
-        foreach (var block in toolpath.Blocks)
+        foreach (var lines in toolpath.Blocks.Select(b => b.Summary))
         {
-            var sources = block.Columns.Source;
-            for (var i = 0; i < block.Count; i++)
-            {
-                if (sources[i] < 0) continue;
-                if (sources[i] < last) return false;
-                last = sources[i];
-            }
+            if (!lines.Ascends || lines.First < last) return false;
+            last = Math.Max(last, lines.Last);
         }
         return true;
     }
@@ -161,11 +116,13 @@ internal sealed class SplicePlan(Checkpoint[] checkpoints)
         if (_dirty.Length > 0) _dirty[_dirty.Length - 1] = true;
     }
 
-    private int Mark(int line)
+    private void Mark(int line)
     {
+        if (line > _marked.After && line <= _marked.Last) return;
         var chunk = Search.First(1, _checkpoints.Length, (_checkpoints, line), static (s, i) => s._checkpoints[i].Line >= s.line) - 1;
-        if (chunk < _dirty.Length) _dirty[chunk] = true;
-        return chunk;
+        if (chunk >= _dirty.Length) return;
+        _dirty[chunk] = true;
+        _marked = (_checkpoints[chunk].Line, chunk + 1 < _checkpoints.Length ? _checkpoints[chunk + 1].Line : int.MaxValue);
     }
 
     private sealed class ReferenceComparer : IEqualityComparer<PrinterEvent>
