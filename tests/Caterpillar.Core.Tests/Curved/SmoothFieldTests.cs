@@ -145,6 +145,17 @@ public class SmoothFieldTests
         Assert.That(top.Max(p => Math.Abs(p.Z - 4 - 0.1 * p.X)), Is.LessThan(0.02));
     }
 
+    // Nozzle of 0.4 mm, lines of 0.45 mm. A wall of 0.4 mm rises by 0.08 mm across a slope of 0.2; on steeper ones it has its least width.
+    [TestCase(0.1, 0, 0)]
+    [TestCase(0.2, 0, 0.4)]
+    [TestCase(0.4, 0, 0.35)]
+    [TestCase(0.4, 0.5, 0.5)]
+    public void Outer_walls_across_steeper_tops_are_narrower_unless_their_width_is_set(double slope, double set, double width)
+    {
+        var field = Smooth(Roof((x, _) => 4 + slope * x)).Value!;
+        Assert.That(field.Suited(Setup.Settings with { OuterWallLineWidth = set }).OuterWallLineWidth, Is.EqualTo(width).Within(1e-9));
+    }
+
     [Test]
     public void Samples_of_a_top_go_on_beyond_its_edges_by_one_node_on_all_sides()
     {

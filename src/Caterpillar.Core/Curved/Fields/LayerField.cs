@@ -59,8 +59,8 @@ public abstract class LayerField
     /// <summary>Whether the field moves points in plan, too.</summary>
     internal virtual bool BendsPlan => false;
 
-    /// <summary>Direction of solid infill that suits the layers, degrees. Null = that of the settings.</summary>
-    internal virtual double? SolidAngle => null;
+    /// <summary>The settings as they suit the layers.</summary>
+    internal virtual PrintSettings Suited(PrintSettings settings) => settings;
 
     /// <summary>A mesh bent until layers are flat, if the field was made from this mesh. Otherwise null, and it is bent point by point.</summary>
     internal virtual TriMesh? FlatMesh(TriMesh mesh) => null;

@@ -14,17 +14,22 @@ internal sealed class SmoothField : LayerField
 
     // Degrees: more than what steps between nodes add to a slope, and what beads and the tip of the nozzle need where a slope begins.
     private const double Margin = 1.5;
+
+    // Of the layer height: as much may outer walls differ from a slope that they run across, if they are as wide as this share of the nozzle at least.
+    private const double WallStep = 0.4;
+    private const double NarrowestWall = 0.875;
     private readonly SlopeGrid _grid;
     private readonly LayerRules _rules;
     private readonly int _layers;
+    private readonly double _angle;
+    private readonly double _wall;
 
     // Of the layers from the bed up, node by node.
     private readonly double[] _heights;
 
-    public SmoothField(SlopeGrid grid, LayerRules rules, IReadOnlyList<FixedLayer> given, int layers, double angle)
+    public SmoothField(SlopeGrid grid, LayerRules rules, IReadOnlyList<FixedLayer> given, int layers, double angle, double wall)
     {
-        SolidAngle = angle;
-        (_grid, _rules, _layers) = (grid, rules, layers);
+        (_grid, _rules, _layers, _angle, _wall) = (grid, rules, layers, angle, wall);
         _heights = new double[grid.Count * (layers + 1)];
         double[] upper = new double[layers + 1], lower = new double[layers + 1];
         for (var node = 0; node < grid.Count; node++)
@@ -55,8 +60,6 @@ internal sealed class SmoothField : LayerField
 
     public override bool StartsLevel => true;
 
-    internal override double? SolidAngle { get; }
-
     /// <summary>The field for parts on the bed, or level layers where no top slopes gently.</summary>
     public static Result<LayerField> For(IReadOnlyList<NamedMesh> models, PrintSetup setup, CancellationToken cancel)
     {
@@ -85,8 +88,9 @@ internal sealed class SmoothField : LayerField
             rules = rules.With(share);
             break;
         }
+        var wall = Math.Max(NarrowestWall * setup.Printer.NozzleDiameter, WallStep * settings.LayerHeight / plan.Steepest);
         var layers = Math.Max(given[given.Count - 1].Number, 1 + rules.Fewest(bounds.Max.Z)) + 1;
-        return new Result<LayerField>(new SmoothField(grid, rules, given, layers, plan.Angle), problems.ToList());
+        return new Result<LayerField>(new SmoothField(grid, rules, given, layers, plan.Angle, wall), problems.ToList());
     }
 
     public override double Value(Vec3 point)
@@ -122,6 +126,14 @@ internal sealed class SmoothField : LayerField
     {
         const double Step = 0.01;
         return 2 * Step / (Value(point + new Vec3(0, 0, Step)) - Value(point - new Vec3(0, 0, Step)));
+    }
+
+    // Walls across a slope are steps themselves.
+    internal override PrintSettings Suited(PrintSettings settings)
+    {
+        settings = settings with { OnlyOneWallTop = true };
+        if (settings.SolidInfillAngle == new PrintSettings().SolidInfillAngle) settings = settings with { SolidInfillAngle = _angle };
+        return settings.OuterWallLineWidth == 0 && _wall < settings.LineWidth ? settings with { OuterWallLineWidth = _wall } : settings;
     }
 
     private double HeightAt((int Node, double U, double V) place, double value)

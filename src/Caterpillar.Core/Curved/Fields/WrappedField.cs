@@ -13,8 +13,6 @@ internal abstract class WrappedField(LayerField inner) : LayerField
 
     internal override bool BendsPlan => Inner.BendsPlan;
 
-    internal override double? SolidAngle => Inner.SolidAngle;
-
     public override double Value(Vec3 point) => Inner.Value(point);
 
     public override double Height(double x, double y, double value) => Inner.Height(x, y, value);
@@ -28,6 +26,8 @@ internal abstract class WrappedField(LayerField inner) : LayerField
     internal override double Span(Vec3 step) => Inner.Span(step);
 
     internal override (double First, double Second) Heights(double x, double y, double first, double second) => Inner.Heights(x, y, first, second);
+
+    internal override PrintSettings Suited(PrintSettings settings) => Inner.Suited(settings);
 
     internal override void Check(DiagnosticList problems) => Inner.Check(problems);
 }

@@ -105,23 +105,14 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
             End(step);
             return;
         }
-        if (step.Path.Role is not (Role.Skirt or Role.Brim) && !m.Covered)
+        var isUncovered = !m.Covered && step.Path.Role is not (Role.Skirt or Role.Brim);
+        var isSteep = slope > rules.MaxSlope && !(isUncovered && rules.Partial);
+        if (isUncovered) Report.Uncovered.Note(length, 1, m.Part);
+        if (isSteep) Report.Steep.Note(length, slope, m.Part);
+        if (rules.Partial && (isUncovered || isSteep))
         {
-            Report.Uncovered.Note(length, 1, m.Part);
-            if (rules.Partial)
-            {
-                End(step);
-                return;
-            }
-        }
-        if (slope > rules.MaxSlope)
-        {
-            Report.Steep.Note(length, slope, m.Part);
-            if (rules.Partial)
-            {
-                End(step);
-                return;
-            }
+            End(step);
+            return;
         }
         var layers = rules.MinGap > 0 && gap * normal.Z < rules.MinGap && neighbors is not null && _layer is not null
             ? neighbors.LayersFor(_layer, m.Flat, (int)Math.Ceiling(rules.MinGap / (gap * normal.Z) - 1e-9)) : 1;

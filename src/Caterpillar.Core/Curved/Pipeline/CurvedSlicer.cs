@@ -45,7 +45,6 @@ public static class CurvedSlicer
         if (!problems.HasErrors) CheckDefined(field, part, problems);
         if (problems.HasErrors) return new Result<CurvedResult>(null, problems.ToList());
 
-        var angle = field.SolidAngle;
         field = StretchedField.Of(field, part);
         var flat = new List<SliceModel>();
         for (var i = 0; i < models.Count; i++)
@@ -59,9 +58,9 @@ public static class CurvedSlicer
                     + "curved_tolerance_mm.", new SourceLocation(models[i].Mesh.Name));
                 return new Result<CurvedResult>(null, problems.ToList());
             }
-            flat.Add(new SliceModel(new NamedMesh(models[i].Mesh.Name, mesh), OnField(models[i].Settings, field, angle)));
+            flat.Add(new SliceModel(new NamedMesh(models[i].Mesh.Name, mesh), OnField(models[i].Settings, field)));
         }
-        var common = OnField(setup.Settings, field, angle);
+        var common = OnField(setup.Settings, field);
         if (setup.Settings.RaftLayers > 0 || setup.Settings.PurgeTower || (!field.StartsLevel && setup.Settings.HasSkirtOrBrim))
             problems.Add(Severity.Note, "curved.no_skirt",
                 "Curved layers have no raft and no purge tower. If they do not start level, they have no skirt or brim either.");
@@ -164,15 +163,9 @@ public static class CurvedSlicer
     }
 
     // Bent arcs are none.
-    private static PrintSettings OnField(PrintSettings settings, LayerField field, double? angle)
+    private static PrintSettings OnField(PrintSettings settings, LayerField field)
     {
-        settings = settings with { RaftLayers = 0, ArcFittingTolerance = 0 };
-        if (angle is { } degrees)
-        {
-            // Walls across a slope would be steps themselves.
-            settings = settings with { OnlyOneWallTop = true };
-            if (settings.SolidInfillAngle == new PrintSettings().SolidInfillAngle) settings = settings with { SolidInfillAngle = degrees };
-        }
+        settings = field.Suited(settings with { RaftLayers = 0, ArcFittingTolerance = 0 });
         return field.StartsLevel ? settings : settings.WithoutSkirtAndBrim;
     }
 
