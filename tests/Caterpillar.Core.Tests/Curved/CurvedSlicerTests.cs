@@ -182,6 +182,22 @@ public class CurvedSlicerTests
         Assert.That(heights.Min(), least == 0 ? Is.GreaterThan(0.06) : Is.LessThan(0.05));
     }
 
+    // Layers of 0.05 mm between thick ones, in groups of two. The first group begins with a thick layer, which is not printed again; the last one of the
+    // second case ends with one, which is printed with the thin one below it.
+    [TestCase(5, 5, new[] { 0.05, 0.1, 0.2 })]
+    [TestCase(1, 4, new[] { 0.05, 0.1, 0.2, 0.25 })]
+    public void Thin_layers_next_to_thick_ones_are_printed_once(int first, int count, double[] heights)
+    {
+        double from = 0.2 * first, to = from + 0.05 * count;
+        var field = LayerField.Of(p => p.Z < from ? p.Z : p.Z < to ? from + 4 * (p.Z - from) : p.Z + 0.15 * count);
+        var part = CurvedSolids.Between(CurvedSolids.Plan(0, 0, 20, 12), 1, (_, _) => 0, (_, _) => to + 1);
+        var setup = new PrintSetup { Settings = CurvedSolids.Massive with { LayerHeight = 0.2, FirstLayerHeight = 0.2, CurvedMinGap = 0.08 } };
+        var paths = CurvedSlicer.Slice([new NamedMesh("part", part)], field, setup).OrThrow().Layers.SelectMany(l => l.Steps).Select(s => s.Path).ToArray();
+        var beads = paths.SelectMany(p => Enumerable.Range(0, p.SegmentCount).Select(k => (p.BeadOf(k).Height, Volume: p.BeadOf(k).Area * p.LengthOf(k))));
+        Assert.That(beads.Select(b => Math.Round(b.Height, 3)).Distinct().OrderBy(h => h), Is.EqualTo(heights));
+        Assert.That(beads.Sum(b => b.Volume), Is.EqualTo(20 * 12 * (to + 1)).Within(2).Percent);
+    }
+
     private static Move[] Prints(Toolpath toolpath) => toolpath.Moves().Where(m => m.Kind == MoveKind.Print).ToArray();
 
     [Test]

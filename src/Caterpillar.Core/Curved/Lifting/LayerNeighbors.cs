@@ -15,19 +15,14 @@ internal sealed class LayerNeighbors
     }
 
     /// <summary>
-    /// How many layers an extrusion prints at once, itself the uppermost; 0 where a layer above prints this one with its own. Layers are grouped by powers of
-    /// two, so that groups of different places end together; a group also ends below the surface of the part.
+    /// Whether a layer, so many below a given one, is left to those above it where it is too thin. Layers are grouped by powers of two, so that groups of
+    /// different places end together; a group also ends below the surface of the part.
     /// </summary>
-    public int LayersFor(Layer layer, Vec3 flat, int wanted)
+    public bool IsLeft(Layer layer, int below, Vec3 flat, int wanted)
     {
         var group = 1;
         while (group < wanted && group < 64) group *= 2;
-        var above = (group - 1 - layer.Index % group) % group;
-        // Printed by the last layer of the group, or the last one before that which is there.
-        if (above > 0 && Covers(layer, 1, flat)) return 0;
-        var count = 1;
-        while (count <= layer.Index % group && Covers(layer, -count, flat)) count++;
-        return count;
+        return (layer.Index - below + 1) % group != 0 && Covers(layer, 1 - below, flat) && (below == 0 || Covers(layer, -below, flat));
     }
 
     /// <summary>True if no part is below a place of a layer.</summary>

@@ -114,14 +114,15 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
             End(step);
             return;
         }
-        var layers = rules.MinGap > 0 && gap * normal.Z < rules.MinGap && neighbors is not null && _layer is not null
-            ? neighbors.LayersFor(_layer, m.Flat, (int)Math.Ceiling(rules.MinGap / (gap * normal.Z) - 1e-9)) : 1;
-        if (layers == 0)
+        if (IsLeft(gap * normal.Z, m.Flat, 0))
         {
             Report.Thin.Note(length, gap, m.Part);
             End(step);
             return;
         }
+        // What is left of the layers below is printed with this one.
+        var layers = 1;
+        while (IsLeft(At(m.Flat.WithZ(m.Flat.Z - layers * thickness), thickness).Gap * normal.Z, m.Flat, layers)) layers++;
         if (layers > 1)
         {
             thickness *= layers;
@@ -131,6 +132,9 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
         var area = bead.Area / (bead.Height > 0 ? bead.Height : 1) * gap * m.Area * a.Flat.DistanceTo(b.Flat) / length;
         _extrusion.Add(a.Part, b.Part, new Bead(area, bead.Height > 0 ? gap * normal.Z : 0, bead.Speed), keepsStart: a.Flat == _segmentStart);
     }
+
+    private bool IsLeft(double gap, Vec3 flat, int below) => gap < rules.MinGap && neighbors is not null && _layer is not null
+        && neighbors.IsLeft(_layer, below, flat, (int)Math.Min(64, Math.Ceiling(rules.MinGap / gap - 1e-9)));
 
     private void End(PathStep step)
     {
