@@ -126,6 +126,12 @@ public class LayerFieldTests
         Assert.That(plan.Height(15, 25), Is.EqualTo(7).Within(1e-12));
         Assert.That(plan.Height(20, 30), Is.EqualTo(5 + 4 * 0.4375).Within(1e-12));
         Assert.That(plan.Covers(9, 30), Is.False);
+        // Details are dots, and no finer than a tenth of a millimeter.
+        Assert.That(plan.Detail, Is.EqualTo(10));
+        Assert.That(PlanSurface.HeightMap(new GrayImage(4, 1, new double[4]), new Bounds(Vec3.Zero, new Vec3(1, 1, 1))).Detail, Is.EqualTo(0.25));
+        Assert.That(PlanSurface.HeightMap(new GrayImage(1, 40, new double[40]), new Bounds(Vec3.Zero, new Vec3(1, 1, 1))).Detail, Is.EqualTo(0.1));
+        foreach (var (x, y) in new[] { (0, 1), (1, 0) })
+            Assert.That(() => PlanSurface.HeightMap(new GrayImage(1, 1, [0]), new Bounds(Vec3.Zero, new Vec3(x, y, 1))), Throws.ArgumentException);
     }
 
     [Test]

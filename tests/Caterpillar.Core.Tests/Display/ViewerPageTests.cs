@@ -140,6 +140,17 @@ public class ViewerPageTests
     }
 
     [Test]
+    public void A_script_has_the_title_and_the_page_as_texts_of_ASCII()
+    {
+        using var memory = new MemoryStream();
+        ViewerPage.WriteScript(new ViewerContent("Vase “a”"), memory);
+        var script = Encoding.UTF8.GetString(memory.ToArray());
+        Assert.That(script.All(c => c < 128), Is.True);
+        Assert.That(script, Does.Contain("\"Vase \\u201ca\\u201d\""));
+        Assert.That(Regex.Matches(script, "</html>").Count, Is.EqualTo(1));
+    }
+
+    [Test]
     public void Nothing_at_all_still_makes_a_page() => Assert.That(Page(new ViewerContent("")), Does.Contain("</html>"));
 
     [Test]

@@ -64,6 +64,9 @@ internal sealed class FormulaTests
     [TestCase("log(8, 2)", 3)]
     [TestCase("hypot(3, 4)", 5)]
     [TestCase("smoothstep(0, 2, 1)", 0.5)]
+    [TestCase("smoothstep(2, 4, 2.5)", 0.15625)]
+    [TestCase("smoothstep(0, 2, 3)", 1)]
+    [TestCase("smoothstep(0, 2, -3)", 0)]
     [TestCase("deg(pi)", 180)]
     public void Functions_have_their_values(string text, double expected) => Assert.That(Value(text), Is.EqualTo(expected).Within(1e-15));
 

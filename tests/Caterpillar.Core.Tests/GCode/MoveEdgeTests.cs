@@ -45,6 +45,16 @@ public class MoveEdgeTests
         Assert.That(report.PrintBounds, Is.EqualTo(new Bounds(new Vec3(1, 1, 1), new Vec3(19, 15, 1))));
     }
 
+    // After a retraction of 1 mm, 1.5 mm: by balance, 0.5 mm of it are printed in place.
+    [TestCase(ExtrusionRule.Balance, 0.5)]
+    [TestCase(ExtrusionRule.Rising, 0)]
+    public void What_a_deretraction_prints_depends_on_the_rule(ExtrusionRule rule, double deposited)
+    {
+        var text = Encoding.ASCII.GetBytes("M83\nG1 X10 E1 F600\nG1 E-1\nG1 E1.5\nG1 X20 E1\n");
+        var toolpath = GCodeDecoder.Decode(text, new DecodeOptions { Flavor = FlavorTable.Marlin2, Rule = rule }).Value!.Toolpath;
+        Assert.That(toolpath.Moves().Where(m => m.Kind == MoveKind.Deretract).Select(m => (m.E, m.Deposited)), Is.EqualTo(new[] { (1.5, deposited) }));
+    }
+
     [TestCase(0.2004, 1)]
     [TestCase(0.2006, 2)]
     public void Heights_are_told_apart_by_micrometers(double z, int heights)

@@ -78,6 +78,30 @@ public class SetupTests
     }
 
     [Test]
+    public void Percents_are_of_the_speed_of_the_profile_or_factors()
+    {
+        var setup = new PrintSetup { Settings = new PrintSettings { OuterWallSpeed = 30, PrintSpeed = 60 } };
+        var changed = setup.With("outer_wall_speed_mm_s=50%", "flow_ratio=95%", "infill_density_percent=15%").OrThrow();
+        Assert.That((changed.Settings.OuterWallSpeed, changed.Material.FlowRatio, changed.Settings.InfillDensityPercent), Is.EqualTo((15.0, 0.95, 15.0)));
+        Assert.That(setup.With("layer_height_mm=50%").Diagnostics, Is.Not.Empty);
+        Assert.That(setup.With("outer_wall_speed_mm_s=half%").Diagnostics, Is.Not.Empty);
+    }
+
+    // Corners of a bed; one whose middle is within a tenth of its size from the origin has its origin in the middle.
+    [TestCase("0x0,220x0,220x200,0x200", BedOrigin.Corner, 220, 200)]
+    [TestCase("-110x-100,110x-100,110x100,-110x100", BedOrigin.Center, 220, 200)]
+    [TestCase("-90x-100,130x-100,130x100,-90x100", BedOrigin.Center, 180, 200)]
+    [TestCase("-110x-119,110x-119,110x81,-110x81", BedOrigin.Center, 220, 162)]
+    [TestCase("-87x-100,133x-100,133x100,-87x100", BedOrigin.Corner, 133, 100)]
+    [TestCase("-110x-79,110x-79,110x121,-110x121", BedOrigin.Corner, 110, 121)]
+    public void The_origin_of_a_bed_is_found_from_its_corners(string points, BedOrigin origin, double width, double depth)
+    {
+        var bed = BedOutline.Read(points)!;
+        Assert.That((bed.Origin, bed.Shape, bed.Size), Is.EqualTo((origin, BedShape.Rectangle, new Vec3(width, depth))));
+        Assert.That(BedOutline.Read(points.Split(',')[0]), Is.Null);
+    }
+
+    [Test]
     public void The_least_adaptive_height_may_not_exceed_the_greatest()
     {
         var setup = new PrintSetup().With("adaptive_min_height_mm=0.3", "adaptive_max_height_mm=0.1").Value!;

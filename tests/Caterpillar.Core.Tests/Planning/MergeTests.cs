@@ -42,6 +42,16 @@ public sealed class MergeTests
     }
 
     [Test]
+    public void A_tool_that_the_printer_lacks_is_an_error()
+    {
+        var builder = Line(0);
+        builder.Add(new Vec3(20, 0, 0.2), 1, 1, 40, MoveKind.Print, Role.Infill, -1, 1, 0);
+        var merged = Planner.Merge([builder.Build([new ToolpathTool(Unit), new ToolpathTool(Unit)])], Setup);
+        Assert.That(merged.Diagnostics.Single().Code, Is.EqualTo("plan.unknown_tool"));
+        Assert.That(merged.Diagnostics.Single().Message, Does.StartWith("A toolpath uses tool 1, but the printer has "));
+    }
+
+    [Test]
     public void E_of_another_filament_becomes_that_of_the_setup()
     {
         // Twice the volume per mm of filament: half the volume per mm here takes two.

@@ -141,6 +141,14 @@ public class PlanningTests
     }
 
     [Test]
+    public void What_is_primed_in_place_is_retracted_before_the_first_travel()
+        => Assert.That(Moves([new ExtrudeEvent(4), Line(20, 0, 30, 0, 0)]), Is.EqualTo(new[]
+        {
+            "Prime 0,0,0 2 30", "Retract 0,0,0 -1 40", "Travel 0,0,0.5 0 10", "Travel 20,0,0.5 0 150", "Travel 20,0,0 0 10", "Deretract 20,0,0 1 30",
+            "Print 30,0,0 2.5 50",
+        }));
+
+    [Test]
     public void Over_an_object_the_head_rises_before_it_goes_to_the_first_place_that_is_drawn()
     {
         var options = new PlanOptions { Obstacle = MeshMaker.Box(40, 0, 0, 60, 20, 8) };

@@ -53,7 +53,7 @@ public class DepositSlopeTests
     {
         var random = new Random(3);
         var found = new int[2];
-        for (var round = 0; round < 1500; round++)
+        for (var round = Rounds.Of(400, 1500); round > 0; round--)
         {
             Vec3 p = Point(random, 2, 2), q = Point(random, 2, 2), a = Point(random, 2, 2), b = Point(random, 2, 2);
             var half = 0.1 + 0.3 * random.NextDouble();
@@ -66,7 +66,7 @@ public class DepositSlopeTests
             if (Depth(p, q, half, a, b, 0.02, hitsOnly, 0) < -0.05) Assert.That(contact, Is.EqualTo(HeadContact.None), $"round {round}: {depth}");
             found[contact == HeadContact.None ? 0 : 1]++;
         }
-        Assert.That(found, Is.All.GreaterThan(200));
+        Assert.That(found, Is.All.GreaterThan(50));
     }
 
     // Extrusions 3 mm wide up a slope of 50°, and a tip that follows 0.5 mm above them: the round end of one must not lie on the one below it.

@@ -85,6 +85,8 @@ public class TraceDetailTests
         Assert.That(inward[0].Start.DistanceTo(outward[8].End), Is.LessThan(1e-12));
         Assert.That(inward[8].End.DistanceTo(Middle), Is.LessThan(1e-12));
         Assert.That(outward[4].End.DistanceTo(Middle + new Vec3(0, 1.25)), Is.LessThan(1e-12));
+        // Both go round counterclockwise: after 1.25 of its turns, the inward one is half a turn beyond X.
+        Assert.That(inward[4].End.DistanceTo(Middle + new Vec3(-1, 0)), Is.LessThan(1e-12));
     }
 
     [Test]

@@ -38,6 +38,14 @@ internal sealed class TurtleDetailTests
     }
 
     [Test]
+    public void A_bead_without_a_speed_keeps_the_speed()
+    {
+        var turtle = new Turtle().SetSpeed(30).SetBead(new Bead(0.1)).Forward(5).SetBead(new Bead(0.2, speed: 7)).Forward(5).SetBead(new Bead(0.3)).Forward(5);
+        var beads = turtle.ToSteps().OfType<PathStep>().SelectMany(p => Enumerable.Range(0, p.Path.SegmentCount).Select(p.Path.BeadOf));
+        Assert.That(beads.Select(b => (b.Area, b.Speed)), Is.EqualTo(new[] { (0.1, 30.0), (0.2, 7), (0.3, 7) }));
+    }
+
+    [Test]
     public void Repeated_no_times_commands_do_nothing()
     {
         TurtleCommand Forward(double length) => TurtleCommand.Of(TurtleAction.Forward, length);

@@ -154,7 +154,7 @@ internal sealed class LightningForest(double reach)
     private int Branch(Vec3 from, Vec3 to, int node)
     {
         var last = node >= 0 ? node : Add(from, -1);
-        var pieces = Math.Max(1, (int)Math.Ceiling(from.DistanceTo(to) / _step));
+        var pieces = (int)Math.Ceiling(from.DistanceTo(to) / _step);
         for (var i = 1; i <= pieces; i++) last = Add(Vec3.Lerp(from, to, (double)i / pieces), last);
         return last;
     }
