@@ -63,6 +63,8 @@ public class SimulateTests : CliFixture
         var run = Run("simulate", "a.gcode", "--at", moment);
         Assert.That(run.Code, Is.EqualTo(ExitCode.BadInput));
         Assert.That(run.Messages, Does.Contain(moment).And.Contain("which has 4 moves and layers 0 to 1."));
+        Assert.That(Run("simulate", "a.gcode", "--at", "move:4").Code, Is.Zero, "the end");
+        Assert.That(Run("simulate", "a.gcode", "--at", "move:5").Code, Is.EqualTo(ExitCode.BadInput));
         File.WriteAllText("a.gcode", "G28\nG1 X10 Y10 Z9.5 F3000\nG1 X20\n");
         Assert.That(Run("simulate", "a.gcode", "--at", "layer:9").Messages, Does.Contain("moves and no layers."));
     }

@@ -145,6 +145,17 @@ public class LayerFieldTests
         foreach (var p in layers.SelectMany(CurvedSolids.Points)) Assert.That(Math.Abs(p.X), Is.LessThan(10));
     }
 
+    // Around a cylinder of 10 mm that goes on below its middle: beside its middle, layers are upright.
+    [TestCase(-1, true)]
+    [TestCase(1, false)]
+    public void Layers_around_a_surface_are_refused_where_they_overhang(double bottom, bool overhangs)
+    {
+        var problems = new DiagnosticList();
+        var field = LayerField.Offset(CurvedSolids.Sheet(10, -30, 210, 20, 96));
+        field.FitTo(PartColumns.Of([Solids.Block(11, 2, bottom, 14, 6, 5)]), CurvedSolids.Massive, problems);
+        Assert.That(problems.ToList().Select(d => d.Code), Is.EqualTo(overhangs ? new[] { "curved.overhanging_layers" } : []));
+    }
+
     // Folded from 4 to 6 mm, or above 8 mm, of a part of 10 mm at its middle.
     [TestCase("x * ((z - 5) ^ 2 - 1)", "z", true)]
     [TestCase("x * ((z - 5) ^ 2 + 1)", "z", false)]

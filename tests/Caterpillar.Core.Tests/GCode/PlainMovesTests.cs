@@ -18,7 +18,7 @@ public class PlainMovesTests
     public void Files_are_converted_alike(string file)
     {
         var decoded = GCodeDecoder.Decode(GCodeFiles.Document(file)).Value!;
-        foreach (var options in Rounds.InTurn(Conversions(), GCodeFiles.NumberOf(file), 2)) Compare(decoded, options);
+        foreach (var options in Rounds.InTurn(Conversions(), GCodeFiles.NumberOf(file), 1)) Compare(decoded, options);
     }
 
     [Category("Arithmetic")]
@@ -26,7 +26,7 @@ public class PlainMovesTests
     public void Files_are_edited_alike(string file)
     {
         var decoded = GCodeDecoder.Decode(GCodeFiles.Document(file)).Value!;
-        foreach (var edit in Rounds.InTurn(Edits, GCodeFiles.NumberOf(file), 2)) Compare(decoded, edit(decoded.Toolpath));
+        foreach (var edit in Rounds.InTurn(Edits, GCodeFiles.NumberOf(file), 1)) Compare(decoded, edit(decoded.Toolpath));
     }
 
     [Test]

@@ -140,6 +140,12 @@ public class PlanningTests
         }));
     }
 
+    [TestCase(1.999, false)]
+    [TestCase(2, true)]
+    public void A_travel_is_retracted_from_its_least_length_on(double length, bool isRetracted)
+        => Assert.That(Moves([Line(0, 0, 10, 0, 0), Line(10 + length, 0, 30, 0, 0)]).Any(m => m.StartsWith("Retract", StringComparison.Ordinal)),
+            Is.EqualTo(isRetracted));
+
     [Test]
     public void What_is_primed_in_place_is_retracted_before_the_first_travel()
         => Assert.That(Moves([new ExtrudeEvent(4), Line(20, 0, 30, 0, 0)]), Is.EqualTo(new[]

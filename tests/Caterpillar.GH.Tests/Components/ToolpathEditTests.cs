@@ -107,6 +107,16 @@ public sealed class ToolpathEditTests
         Assert.That(canvas.One<Toolpath>("Toolpath").Moves().Last().Tool, Is.EqualTo(1));
         Assert.That(canvas.Feed("Value", 1.5).Solve().Errors, Has.One.Contains("a tool number from 0 to 99"));
         Assert.That(canvas.Feed("Kind", "Fan").Feed("Value", 2).Solve().Errors, Has.One.Contains("from 0 to 1"));
+        foreach (var (kind, value, expected) in new (string, double, PrinterEvent)[]
+        {
+            ("Nozzle Temperature", 600, new NozzleTemperatureEvent(600, true)), ("Bed Temperature", 300, new BedTemperatureEvent(300, true)),
+            ("Fan", 1, new FanEvent(1)), ("Dwell", 1e6, new DwellEvent(1e6)),
+        })
+        {
+            var toolpath = canvas.Feed("Kind", kind).Feed("Value", value).Solve().One<Toolpath>("Toolpath");
+            Assert.That(toolpath.Events.Select(e => e.Event), Has.Member(expected));
+            Assert.That(canvas.Feed("Value", value + 0.01).Solve().Errors, Is.Not.Empty, kind);
+        }
         var raw = canvas.Feed("Kind", "Raw Line").Feed("Text", "M117 nuts").Solve();
         Assert.That(Written(raw.Output("Toolpath").VolatileData.get_Branch(0)[0]), Is.EqualTo(File.Replace("G1 X20 Y20 Z0.4", "M117 nuts\nG1 X20 Y20 Z0.4")));
     }

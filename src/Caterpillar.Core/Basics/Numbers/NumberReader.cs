@@ -114,7 +114,7 @@ public static class NumberReader
         var number = BigInteger.Zero;
         ulong chunk = 0;
         ulong chunkPower = 1;
-        var magnitude = 0;
+        var hasMore = false;
         var used = 0;
         for (var i = from; i < to; i++)
         {
@@ -123,7 +123,7 @@ public static class NumberReader
             if (used >= 800)
             {
                 scale++;
-                if (text[i] != '0') magnitude = 1;
+                hasMore |= text[i] != '0';
                 continue;
             }
             chunk = chunk * 10 + (uint)(text[i] - '0');
@@ -135,7 +135,7 @@ public static class NumberReader
             chunkPower = 1;
         }
         number = number * chunkPower + chunk;
-        if (magnitude != 0)
+        if (hasMore)
         {
             number = number * 10 + 1;
             scale--;
