@@ -176,6 +176,7 @@ internal sealed class LSystemTests
     {
         var error = LSystem.Parse(axiom, [rule]).Diagnostics.Single();
         Assert.That((error.Source!.Line, error.Source.Column, error.Code), Is.EqualTo(((int?)line, (int?)column, code)), error.Message);
+        Assert.That(error.Source.Key, Is.EqualTo(line == 0 ? "axiom" : "rule 1"));
     }
 
     [Test]
