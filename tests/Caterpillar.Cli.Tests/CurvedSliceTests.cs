@@ -214,6 +214,10 @@ public class CurvedSliceTests : CliFixture
         Assert.That(run.Code, Is.Zero, run.Messages);
         Assert.That(File.ReadAllText("square.gcode"), Does.Contain("Z8"));
         Assert.That(Run("curves", "lines.csv", "--squeeze", "0.1").Code, Is.EqualTo(2));
+        run = Run("curves", "lines.csv", "--onto", "scan.stl", "--in-place");
+        Assert.That(run.Messages, Does.Contain("collision.nozzle"), "the lines stay below the top of the object");
+        Assert.That(Run("curves", "lines.csv", "--in-place").Messages, Does.Contain("--in-place needs --onto"));
+        Assert.That(Run("curves", "lines.csv", "--onto", "scan.stl", "--in-place", "--partial").Code, Is.EqualTo(2));
     }
 
     // How much extrusions rise along X and along Y.

@@ -13,7 +13,12 @@ internal sealed class OntoOptions(string does = OntoOptions.Drawn)
 
     private readonly Described<bool> _partial = new("--partial", "Skip parts that are beyond the surface or too steep, instead of refusing the print.");
 
+    private readonly Described<bool> _inPlace = new("--in-place", "With --onto: leave paths where they are drawn, for example on the side of the object.");
+
     public Option[] All => [_onto, _squeeze, _partial];
+
+    /// <summary>For drawings, which may lie on the side of the object, too.</summary>
+    public Option[] OfDrawings => [.. All, _inPlace];
 
     public bool IsGiven(ParseResult arguments) => arguments.GetValue(_onto) is not null;
 
@@ -26,6 +31,8 @@ internal sealed class OntoOptions(string does = OntoOptions.Drawn)
         var squeeze = arguments.GetValue(_squeeze);
         if (squeeze is not (>= 0 and < 10)) throw CliException.Usage("--squeeze needs a distance of 0 to 10 mm.");
         if (alone && !IsGiven(arguments) && (squeeze > 0 || arguments.GetValue(_partial))) throw CliException.Usage("--squeeze and --partial need --onto.");
+        if (arguments.GetValue(_inPlace) && (!IsGiven(arguments) || squeeze > 0 || arguments.GetValue(_partial)))
+            throw CliException.Usage("--in-place needs --onto, and cannot be combined with --squeeze or --partial.");
         if (!alone && squeeze > 0) throw CliException.Usage("--squeeze cannot be combined with --surface, --field or --deform.");
     }
 
@@ -37,7 +44,7 @@ internal sealed class OntoOptions(string does = OntoOptions.Drawn)
     /// <exception cref="CliException">It cannot be read, is tilted, or overlaps that of another copy.</exception>
     public PrintJobOptions Of(ParseResult arguments, IReadOnlyList<Affine> placed, PrintJobOptions options, Session session)
     {
-        options = options with { Squeeze = arguments.GetValue(_squeeze), Partial = arguments.GetValue(_partial) };
+        options = options with { Squeeze = arguments.GetValue(_squeeze), Partial = arguments.GetValue(_partial), InPlace = arguments.GetValue(_inPlace) };
         if (arguments.GetValue(_onto) is not { } file) return options;
         if (placed.Any(map => !map.IsUpright)) throw CliException.Usage("--onto: the object on the bed cannot be rotated about X and Y with the model.");
         var mesh = Meshes.ReadAsOne(file, session);

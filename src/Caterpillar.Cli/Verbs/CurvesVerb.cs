@@ -41,7 +41,7 @@ internal sealed class CurvesVerb : Verb
         _sort.AcceptOnlyFromAmong("none", "orient", "nearest", "layer", "z", "tour");
         Arguments.Add(_file);
         Add([.. _write.All, .. _extrusion.All, .. _division.All, _sort, _move, _layers, _map, _plan, _json, _maxSize]);
-        Add([.. _onto.All, .. _tilt.All, .. _setup.All]);
+        Add([.. _onto.OfDrawings, .. _tilt.All, .. _setup.All]);
         AllowBatches();
     }
 

@@ -28,7 +28,7 @@ internal sealed class TurtleVerb : Verb
     {
         _script.Arity = ArgumentArity.ZeroOrOne;
         Arguments.Add(_script);
-        Add([.. _write.All, _values, _seed, _plan, _folders, _commands, .. _onto.All, .. _setup.All]);
+        Add([.. _write.All, _values, _seed, _plan, _folders, _commands, .. _onto.OfDrawings, .. _setup.All]);
         AllowBatches();
     }
 

@@ -197,14 +197,15 @@ public sealed class PrintJob : IDisposable
         if (steps is null) throw new ArgumentNullException(nameof(steps));
         if (setup is null) throw new ArgumentNullException(nameof(setup));
         IReadOnlyList<Diagnostic> found = [];
-        if (options.Onto is { } below)
+        if (options.Onto is { } below && !options.InPlace)
         {
             var surface = PlanSurface.Of(below);
             var projected = SurfaceProjection.Project(steps, surface, setup, options.Squeeze, options.Partial, progress.Part(0, 0.5), cancel);
             if (projected.Value is null) return new Result<PrintJob>(null, projected.Diagnostics);
-            (steps, found, setup) = (projected.Value, projected.Diagnostics, OverObjects(setup) with { PrintedOn = below });
+            (steps, found) = (projected.Value, projected.Diagnostics);
             progress = progress.Part(0.5, 1);
         }
+        if (options.Onto is not null) setup = OverObjects(setup) with { PrintedOn = options.Onto };
         var plan = Planner.PlanWithReport(steps, setup, options.Planning, progress, cancel);
         return After(found, Planned(plan, setup, options, layers, null, null, cancel));
     }

@@ -18,6 +18,9 @@ public sealed record PrintJobOptions
     /// <summary>Object on the bed to print onto. Heights above the bed become heights above its surface. Null = none.</summary>
     public TriMesh? Onto { get; init; }
 
+    /// <summary>Leaves drawings where they are instead of moving them onto the surface of the object, for prints on its side.</summary>
+    public bool InPlace { get; init; }
+
     /// <summary>Distance by which the first extrusions are pressed into the object, mm.</summary>
     public double Squeeze { get; init; }
 

@@ -1,6 +1,6 @@
 namespace Caterpillar.Checks;
 
-/// <summary>Tells planning which printing moves the collision check would refuse, for a tool that leans.</summary>
+/// <summary>Tells planning which moves the collision check would refuse, for a tool that leans.</summary>
 internal sealed class LeanGuard
 {
     private readonly PrintSetup _setup;
@@ -21,10 +21,11 @@ internal sealed class LeanGuard
         _boxes = setup.Printer.HeadBoxes.Count + setup.Printer.Gantry.Count;
     }
 
-    /// <summary>True if the head would hit what was printed before, the object, the bed or clips.</summary>
+    /// <summary>True if the head would hit what was printed before, the object, the bed or clips, or if a travel leaves the build volume.</summary>
     public bool Refuses(Move move, HeadMove head)
     {
-        var tolerance = Math.Max(CollisionCheck.Flush, HeightOf(move) / 2);
+        if (move.Kind == MoveKind.Travel && (!_setup.Printer.CanReach(head.To, 0) || !_kinematics.IsWithin(head.ToTurns))) return true;
+        var tolerance = move.Kind == MoveKind.Print ? Math.Max(CollisionCheck.Flush, HeightOf(move) / 2) : CollisionCheck.Flush;
         if (_head.Meets(_strands, head, tolerance, out _) == HeadContact.Hits) return true;
         for (var i = 0; i < _boxes; i++)
         {

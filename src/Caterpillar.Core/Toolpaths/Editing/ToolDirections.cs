@@ -9,8 +9,7 @@ namespace Caterpillar.Toolpaths;
 /// <param name="tool">The direction from the tip to the head at a point in mm, of any length.</param>
 public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
 {
-    // Distance from the print over which the tool becomes upright at the end, mm, and its speed there, mm/s and degrees/s.
-    private const double LeavesBy = 5;
+    // Speed of a turn and of leaving the print at the end, mm/s and degrees/s.
     private const double Leaving = 20;
     private const int MostParts = 1024;
 
@@ -24,7 +23,8 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
     public double MaxChange { get; init; } = 10;
 
     /// <summary>
-    /// True for a move that must not be made so, mm and degrees: the beads that have it lean less, down to upright. Beads that were found good are told to it.
+    /// True for a move that must not be made so, mm and degrees: the beads that have it lean less, down to upright, and travels take a detour. Beads that were
+    /// found good are told to it.
     /// </summary>
     internal Func<Move, HeadMove, bool>? Refuses { get; init; }
 
@@ -40,6 +40,9 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
         var words = new Vec3[straight.Count];
         // Words before beads to which no travel leads.
         var turnsFirst = new Dictionary<int, Vec3>();
+        var travels = new LeaningTravels(kinematics, head => Refuses is not null && Refuses(new Move { Kind = MoveKind.Travel, Layer = -1 }, head));
+        // What becomes of moves of travels that would hit something.
+        var replaced = new Dictionary<int, IReadOnlyList<(Vec3 End, Vec3 Words, double Speed)>>();
         var last = Vec3.Zero;
         for (var first = 0; first < words.Length;)
         {
@@ -57,6 +60,8 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
             {
                 var start = Allowed(straight, words, bead, end, last);
                 if (!Travel(straight, words, first, bead, last, start)) turnsFirst[bead] = start;
+                else Detour(straight, words, first, bead, travels, replaced);
+                for (var i = bead; i < end; i++) Printed?.Invoke(straight[i], HeadAt(straight, words, i, i > bead ? words[i - 1] : start));
                 last = words[end - 1];
             }
             first = end;
@@ -66,9 +71,12 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
         {
             // Without a travel to a bead the tool turns before it.
             if (turnsFirst.TryGetValue(next, out var before)) Turn(builder, builder.Position, before, piece);
-            builder.Add(piece);
-            builder.SetRotary(words[next].X, words[next].Y, words[next].Z);
-            if (++next == words.Length) StandUp(builder, words[next - 1], piece);
+            foreach (var (end, turned, speed) in replaced.TryGetValue(next, out var moves) ? moves : [(piece.End, words[next], piece.Speed)])
+            {
+                builder.Add(piece with { End = end, Speed = speed });
+                builder.SetRotary(turned.X, turned.Y, turned.Z);
+            }
+            if (++next == words.Length) StandUp(builder, words[next - 1], piece, travels);
         }, null, cancel);
     }
 
@@ -94,18 +102,39 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
         foreach (var share in Refuses is null ? Whole : Shares)
         {
             start = Follow(path, [.. aims.Select(a => Capped(a, most * share))], words, bead, end, last);
-            isRefused = Refuses is not null && Moves().Any(m => Refuses(m.Move, m.Head));
+            isRefused = false;
+            for (var i = bead; i < end && Refuses is not null && !isRefused; i++)
+                isRefused = Refuses(path[i], HeadAt(path, words, i, i > bead ? words[i - 1] : start));
             if (!isRefused) break;
         }
-        if (isRefused) start = Follow(path, aims, words, bead, end, last);
-        foreach (var (move, head) in Moves()) Printed?.Invoke(move, head);
-        return start;
-
-        IEnumerable<(Move Move, HeadMove Head)> Moves()
-        {
-            for (var i = bead; i < end; i++) yield return (path[i], new HeadMove(path[i].Start, i > bead ? words[i - 1] : start, path[i].End, words[i]));
-        }
+        return isRefused ? Follow(path, aims, words, bead, end, last) : start;
     }
+
+    private static HeadMove HeadAt(Toolpath path, Vec3[] words, int move, Vec3 before) => new(path[move].Start, before, path[move].End, words[move]);
+
+    // Other moves for a travel to a bead, if the planned ones hit something.
+    private static void Detour(
+        Toolpath path, Vec3[] words, int first, int bead, LeaningTravels travels, Dictionary<int, IReadOnlyList<(Vec3 End, Vec3 Words, double Speed)>> replaced)
+    {
+        int begin = first, end = bead;
+        while (begin < end && !IsTravel(path[begin])) begin++;
+        while (begin < end && !IsTravel(path[end - 1])) end--;
+        var planned = new List<HeadMove>();
+        double speed = 0;
+        for (var i = begin; i < end; i++)
+        {
+            if (path[i].IsInPlace) continue;
+            if (!IsTravel(path[i])) return;
+            planned.Add(HeadAt(path, words, i, i > 0 ? words[i - 1] : Vec3.Zero));
+            speed = Math.Max(speed, path[i].Speed);
+        }
+        if (travels.Find(planned) is not { } moves) return;
+        var last = moves[moves.Count - 1];
+        for (var i = begin; i < end; i++) replaced[i] = path[i].IsInPlace ? [(last.To, last.ToTurns, path[i].Speed)] : [];
+        replaced[begin] = [.. moves.Select(m => (m.To, m.ToTurns, speed))];
+    }
+
+    private static bool IsTravel(in Move move) => move.Kind == MoveKind.Travel && !move.IsInPlace && move.E == 0;
 
     // The directions at the start of a bead and at the ends of its moves, that change by no more than they may.
     private Vec3[] Aims(Toolpath path, int bead, int end)
@@ -183,15 +212,13 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
     }
 
     // Away from the print, then upright.
-    private void StandUp(ToolpathBuilder builder, Vec3 words, in Move last)
+    private void StandUp(ToolpathBuilder builder, Vec3 words, in Move last, LeaningTravels travels)
     {
         if (kinematics.Direction(words) == Vec3.UnitZ && !kinematics.Axes.Any(a => a.TurnsWork && a.Of(words) % 360 != 0)) return;
-        var direction = kinematics.Direction(words);
-        Turn(builder, builder.Position + direction * LeavesBy, words, last);
         var upright = words;
         foreach (var axis in kinematics.Axes)
             upright = axis.With(upright, axis.About == PathAxis.Z ? 360 * Math.Floor(axis.Of(words) / 360 + 0.5) : 0);
-        if (!kinematics.IsPolar) Turn(builder, builder.Position, upright, last);
+        foreach (var head in travels.StandUp(builder.Position, words, kinematics.IsPolar ? words : upright)) Turn(builder, head.To, head.ToTurns, last);
     }
 
     // On a polar machine the platform follows the tip: moves are divided so that even turns keep the tip on its path.

@@ -1,0 +1,91 @@
+namespace Caterpillar.Toolpaths;
+
+/// <summary>
+/// Travels for a tool that leans: away from a bead along the tool, across, and along the tool to the next bead. On the side of an object a travel that only
+/// rises would drag the nozzle along.
+/// </summary>
+/// <param name="kinematics">The axes of the machine.</param>
+/// <param name="refuses">True for a move at which the head would hit something.</param>
+internal sealed class LeaningTravels(Kinematics kinematics, Func<HeadMove, bool> refuses)
+{
+    // Cosine of the lean from which rising is no way to leave a bead.
+    private const double Steep = 0.7;
+
+    // How far away from the beads is tried, mm.
+    private static readonly double[] Distances = [1, 2, 5, 10, 20, 40, 80];
+
+    /// <summary>
+    /// The moves of a travel that hits nothing, as near to the beads as possible. Null to keep the planned ones: they hit nothing, and are the shortest or the
+    /// tool leans little; or all hit something.
+    /// </summary>
+    public IReadOnlyList<HeadMove>? Find(IReadOnlyList<HeadMove> planned)
+    {
+        if (planned.Count == 0) return null;
+        var (first, last) = (planned[0], planned[planned.Count - 1]);
+        double most = 0;
+        if (planned.Any(refuses)) most = double.PositiveInfinity;
+        else if (LeansMuch(first.FromTurns) && LeansMuch(last.ToTurns)) most = Length(planned);
+        return Candidates(first.From, first.FromTurns, last.To, last.ToTurns, planned.Max(m => m.To.Z))
+            .FirstOrDefault(moves => Length(moves) < most && !moves.Any(refuses));
+    }
+
+    /// <summary>The moves from the last bead to where the tool can stand up without hitting anything; the shortest if there are none.</summary>
+    /// <param name="from">End of the bead, mm.</param>
+    /// <param name="words">Its rotary words.</param>
+    /// <param name="upright">Those of the upright tool.</param>
+    public IReadOnlyList<HeadMove> StandUp(Vec3 from, Vec3 words, Vec3 upright)
+    {
+        var tries = Distances.Where(d => d >= 5).Select(Leaves).ToArray();
+        return tries.FirstOrDefault(moves => !moves.Any(refuses)) ?? tries[0];
+
+        HeadMove[] Leaves(double distance)
+        {
+            var away = from + kinematics.Direction(words) * distance;
+            var leaves = new HeadMove(from, words, away, words);
+            return words == upright ? [leaves] : [leaves, new HeadMove(away, words, away, upright)];
+        }
+    }
+
+    private IEnumerable<IReadOnlyList<HeadMove>> Candidates(Vec3 from, Vec3 fromTurns, Vec3 to, Vec3 toTurns, double top)
+    {
+        foreach (var distance in Distances)
+        {
+            var (away, near) = Ends(distance);
+            yield return Moves([(away, fromTurns), (near, toTurns), (to, toTurns)]);
+        }
+        // Over the top, with the tool upright.
+        foreach (var distance in Distances)
+        {
+            var (away, near) = Ends(distance);
+            var height = Math.Max(top, Math.Max(away.Z, near.Z));
+            yield return Moves(
+            [
+                (away, fromTurns), (away.WithZ(height), Upright(fromTurns)), (near.WithZ(height), Upright(toTurns)), (near, toTurns), (to, toTurns),
+            ]);
+        }
+
+        (Vec3 Away, Vec3 Near) Ends(double distance) => (from + kinematics.Direction(fromTurns) * distance, to + kinematics.Direction(toTurns) * distance);
+
+        HeadMove[] Moves((Vec3 Place, Vec3 Turns)[] ends)
+        {
+            var (at, turns) = (from, fromTurns);
+            var moves = new HeadMove[ends.Length];
+            for (var i = 0; i < moves.Length; i++)
+            {
+                moves[i] = new HeadMove(at, turns, ends[i].Place, ends[i].Turns);
+                (at, turns) = ends[i];
+            }
+            return moves;
+        }
+    }
+
+    private bool LeansMuch(Vec3 words) => kinematics.Direction(words).Z < Steep;
+
+    private static double Length(IEnumerable<HeadMove> moves) => moves.Sum(m => m.From.DistanceTo(m.To));
+
+    private Vec3 Upright(Vec3 words)
+    {
+        foreach (var axis in kinematics.Axes.Where(a => a.About != PathAxis.Z)) words = axis.With(words, 0);
+        return words;
+    }
+}

@@ -1,0 +1,120 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Caterpillar.Basics;
+using Caterpillar.Checks;
+using Caterpillar.Geometry;
+using Caterpillar.Jobs;
+using Caterpillar.Machines;
+using Caterpillar.Simulation;
+using Caterpillar.Tests.Slicing;
+using Caterpillar.Toolpaths;
+using NUnit.Framework;
+
+namespace Caterpillar.Tests.Jobs;
+
+/// <summary>Lines on the side of a cone, printed by a head that leans by 84 degrees.</summary>
+[Category("Arithmetic")]
+public class SidePrintTests
+{
+    private static readonly Vec3 Place = new(150, 150, 0);
+    private static readonly TriMesh Cone = Solids.Cone(0, 30, 100, 20).Transformed(Affine.Move(Place));
+    private static readonly PrintSetup Setup = new ProfileLibrary().Setup("five_axis_head").OrThrow();
+
+    [Test]
+    public void Separate_lines_around_an_object_are_printed_from_its_side_without_touching_it()
+    {
+        using var job = PrintJob.Draw(Lines().ToSteps(), Setup, Options).OrThrow();
+        var findings = PrintCheck.Run(job.Toolpath, job.Setup);
+        Assert.That(findings.Where(f => f.Severity != Severity.Note), Is.Empty);
+        Assert.That(job.Toolpath.Moves().Where(m => m.Kind == MoveKind.Print).Sum(m => m.Length), Is.EqualTo(Lines().Sum(p => p.Length)).Within(1e-6));
+    }
+
+    [Test]
+    public void Travels_along_the_side_leave_and_come_along_the_tool()
+    {
+        using var job = PrintJob.Draw(Lines().ToSteps(), Setup, Options).OrThrow();
+        var moves = job.Toolpath.Moves().ToArray();
+        var lines = 0;
+        for (var i = 1; i < moves.Length; i++)
+        {
+            if (moves[i].Kind != MoveKind.Travel || moves[i - 1].Kind == MoveKind.Travel || moves[i].IsInPlace) continue;
+            // The bead before, over what happens in place.
+            var bead = i - 1;
+            while (bead > 0 && moves[bead].Kind != MoveKind.Print) bead--;
+            if (bead == 0) continue;
+            var away = moves[i].End - moves[i].Start;
+            Assert.That(away.Unit().DistanceTo(Out(moves[i].Start)), Is.LessThan(0.02), $"move {i}");
+            lines++;
+        }
+        Assert.That(lines, Is.GreaterThanOrEqualTo(Lines().Length - 1));
+    }
+
+    [Test]
+    public void Without_an_aim_the_upright_head_is_refused_on_the_side()
+    {
+        using var job = PrintJob.Draw(Lines().ToSteps(), Setup, Options with { Tilt = null }).OrThrow();
+        Assert.That(PrintCheck.Run(job.Toolpath, job.Setup).Where(f => f.Severity == Severity.Error).Select(f => f.Code), Does.Contain("collision.nozzle"));
+    }
+
+    [Test]
+    public void A_travel_stays_as_planned_where_it_hits_nothing_and_the_tool_leans_little()
+    {
+        var lean = new Vec3(0, 20, 0);
+        var planned = new HeadMove[] { new(new(0, 0, 1), lean, new(0, 0, 9), lean), new(new(0, 0, 9), lean, new(30, 0, 1), default) };
+        Assert.That(new LeaningTravels(Setup.Printer.Kinematics!, _ => false).Find(planned), Is.Null);
+        Assert.That(new LeaningTravels(Setup.Printer.Kinematics!, _ => true).Find(planned), Is.Null, "nothing is better");
+    }
+
+    [Test]
+    public void A_travel_goes_as_far_away_as_it_must()
+    {
+        // The tool lies level along +X: B 90.
+        var level = new Vec3(0, 90, 0);
+        var planned = new HeadMove[] { new(new(1, 0, 50), level, new(1, 0, 80), level), new(new(1, 0, 80), level, new(1, 6, 50), level) };
+        var travels = new LeaningTravels(Setup.Printer.Kinematics!, head => head.To.X is > 1 and < 5 || head.From.X is > 1 and < 5);
+        var found = travels.Find(planned)!;
+        Vec3[] ends = [new(6, 0, 50), new(6, 6, 50), new(1, 6, 50)];
+        Assert.That(found.Select(m => m.To.DistanceTo(ends[Array.IndexOf(found.ToArray(), m)])), Is.All.LessThan(1e-9));
+        Assert.That(found.Select(m => m.ToTurns), Is.All.EqualTo(level));
+    }
+
+    [Test]
+    public void Where_all_straight_travels_hit_the_tool_stands_up_and_goes_over_the_top()
+    {
+        var level = new Vec3(0, 90, 0);
+        var planned = new HeadMove[] { new(new(1, 0, 50), level, new(1, 0, 80), level), new(new(1, 0, 80), level, new(-1, 0, 50), new(0, 90, 180)) };
+        var found = new LeaningTravels(Setup.Printer.Kinematics!, head => head.From.X * head.To.X < 0 && Math.Min(head.From.Z, head.To.Z) < 80).Find(planned)!;
+        Assert.That(found, Has.Count.EqualTo(5));
+        Assert.That(found[1].To.DistanceTo(new Vec3(2, 0, 80)), Is.LessThan(1e-9));
+        Assert.That(Setup.Printer.Kinematics!.Direction(found[1].ToTurns), Is.EqualTo(Vec3.UnitZ));
+        Assert.That(found[4].To, Is.EqualTo(planned[1].To));
+    }
+
+    private static PrintJobOptions Options => new() { Onto = Cone, InPlace = true, Tilt = new ToolAim(Out) };
+
+    // Out of the cone, a tenth upward.
+    private static Vec3 Out(Vec3 p) => new Vec3(p.X - Place.X, p.Y - Place.Y, 3).Unit();
+
+    // Three rows of four lines, 0.1 mm outside of the cone, on half of its side.
+    private static PrintPath[] Lines()
+    {
+        var lines = new List<PrintPath>();
+        for (var row = 0; row < 3; row++)
+        {
+            for (var part = 0; part < 4; part++)
+            {
+                var (z, begin) = (60.0 + 4 * row, part * 45.0);
+                var points = Enumerable.Range(0, 13).Select(k => At(begin + 2.5 * k, 30.1 - z / 10, z)).ToArray();
+                lines.Add(new PrintPath(points, new Bead(0.08, 0.2, 30)));
+            }
+        }
+        return [.. lines];
+    }
+
+    private static Vec3 At(double degrees, double radius, double z)
+    {
+        var (sin, cos) = Angle.SinCos(degrees);
+        return Place + new Vec3(radius * cos, radius * sin, z);
+    }
+}
