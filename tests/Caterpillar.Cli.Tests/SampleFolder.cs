@@ -22,6 +22,8 @@ internal static class SampleFolder
         foreach (var name in new[] { "hat", "branching" }) File.WriteAllText(name + ".stl", Box(8, 6, 4));
         // Start code does not go there.
         File.WriteAllText("scan.stl", boxAt(8, 6, 4, 100));
+        File.WriteAllText("vessel.stl", boxAt(60, 60, 100, 120));
+        File.WriteAllText("side.csv", "curve,x,y,z\n0,130,119.9,60\n0,145,119.9,60\n1,155,119.9,60\n1,170,119.9,60\n");
         File.WriteAllText("logo.stl", boxAt(5, 4, 0.8, 101));
         Directory.CreateDirectory("models");
         File.WriteAllText("models/a.stl", Box(8, 8, 1));

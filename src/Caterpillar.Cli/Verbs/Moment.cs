@@ -12,7 +12,7 @@ internal sealed partial class Moment(string text, Func<Timeline, MachineState?> 
         if (After(plain, "line:") is { } line && Numbers.Whole(line) is >= 1 and var number) return new(plain, t => t.AtSource(number));
         if (After(plain, "move:") is { } move && Numbers.Whole(move) is >= 0 and var index)
             return new(plain, t => index <= t.Toolpath.Count ? t.AtMove(index) : null);
-        if (After(plain, "layer:") is { } layer && Numbers.Whole(layer) is >= 0 and var wanted) return new(plain, t => AtLayer(t, wanted));
+        if (After(plain, "layer:") is { } layer && Numbers.Whole(layer) is >= 0 and var wanted) return new(plain, t => t.AtLayerNumber(wanted));
         if (After(plain, "z:") is { } height && NumberReader.TryParse(height, out var z)) return new(plain, t => t.AtHeight(z));
         if (Seconds(plain) is { } seconds) return new(plain, t => t.At(seconds));
         throw new CliException(ExitCode.Usage, $"--at needs a moment, not \"{text}\": 42%, a time such as 90s or 1h12m30s, line:N, move:N, layer:N or z:MM.");
@@ -28,9 +28,6 @@ internal sealed partial class Moment(string text, Func<Timeline, MachineState?> 
         return Figures.Count(moves, "move") + " and " + (layers.Count == 0 ? "no layers"
             : $"layers {NumberFormatter.Format(layers.Min(l => l.Index))} to {NumberFormatter.Format(layers.Max(l => l.Index))}");
     }
-
-    private static MachineState? AtLayer(Timeline timeline, int index)
-        => timeline.Toolpath.Layers.Select((layer, i) => layer.Index == index ? timeline.AtLayer(i) : null).FirstOrDefault(state => state is not null);
 
     private static string? After(string text, string start) => text.StartsWith(start, StringComparison.OrdinalIgnoreCase) ? text[start.Length..] : null;
 

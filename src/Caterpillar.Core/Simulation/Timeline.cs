@@ -99,6 +99,10 @@ public sealed class Timeline
         return move < Toolpath.Count ? AtMove(move) : null;
     }
 
+    /// <summary>The state at the start of the first layer with this number that has moves; null if there is none.</summary>
+    public MachineState? AtLayerNumber(int number)
+        => Toolpath.Layers.Select((layer, i) => layer.Index == number ? AtLayer(i) : null).FirstOrDefault(state => state is not null);
+
     /// <summary>The state when an extrusion first reaches a height (mm) or begins above it; null if none does.</summary>
     public MachineState? AtHeight(double z)
     {

@@ -14,7 +14,7 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
     private const int MostParts = 1024;
 
     // Shares of the lean that are tried.
-    private static readonly double[] Whole = [1], Shares = [1, 0.75, 0.5, 0.25, 0];
+    private static readonly double[] Shares = [1, 0.75, 0.5, 0.25, 0];
 
     /// <summary>Maximum lean of the tool from vertical, degrees; steeper directions are limited to it.</summary>
     public double MaxTilt { get; init; } = 180;
@@ -26,10 +26,10 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
     /// True for a move that must not be made so, mm and degrees: the beads that have it lean less, down to upright, and travels take a detour. Beads that were
     /// found good are told to it.
     /// </summary>
-    internal Func<Move, HeadMove, bool>? Refuses { get; init; }
+    internal Func<Move, HeadMove, bool> Refuses { get; init; } = (_, _) => false;
 
     /// <inheritdoc cref="Refuses"/>
-    internal Action<Move, HeadMove>? Printed { get; init; }
+    internal Action<Move, HeadMove> Printed { get; init; } = (_, _) => { };
 
     /// <summary>The toolpath with rotary words. Arcs become chords.</summary>
     public Toolpath Apply(Toolpath toolpath, IProgress<double>? progress = null, CancellationToken cancel = default)
@@ -40,7 +40,7 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
         var words = new Vec3[straight.Count];
         // Words before beads to which no travel leads.
         var turnsFirst = new Dictionary<int, Vec3>();
-        var travels = new LeaningTravels(kinematics, head => Refuses is not null && Refuses(new Move { Kind = MoveKind.Travel, Layer = -1 }, head));
+        var travels = new LeaningTravels(kinematics, head => Refuses(new Move { Kind = MoveKind.Travel, Layer = -1 }, head));
         // What becomes of moves of travels that would hit something.
         var replaced = new Dictionary<int, IReadOnlyList<(Vec3 End, Vec3 Words, double Speed)>>();
         var last = Vec3.Zero;
@@ -61,7 +61,7 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
                 var start = Allowed(straight, words, bead, end, last);
                 if (!Travel(straight, words, first, bead, last, start)) turnsFirst[bead] = start;
                 else Detour(straight, words, first, bead, travels, replaced);
-                for (var i = bead; i < end; i++) Printed?.Invoke(straight[i], HeadAt(straight, words, i, i > bead ? words[i - 1] : start));
+                foreach (var (move, head) in Heads(straight, words, bead, end, start)) Printed(move, head);
                 last = words[end - 1];
             }
             first = end;
@@ -97,20 +97,19 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
     {
         var aims = Aims(path, bead, end);
         var most = aims.Max(a => Angle.Atan2(a.LengthXY, a.Z));
-        var start = last;
-        var isRefused = true;
-        foreach (var share in Refuses is null ? Whole : Shares)
+        foreach (var share in Shares)
         {
-            start = Follow(path, [.. aims.Select(a => Capped(a, most * share))], words, bead, end, last);
-            isRefused = false;
-            for (var i = bead; i < end && Refuses is not null && !isRefused; i++)
-                isRefused = Refuses(path[i], HeadAt(path, words, i, i > bead ? words[i - 1] : start));
-            if (!isRefused) break;
+            var start = Follow(path, [.. aims.Select(a => Capped(a, most * share))], words, bead, end, last);
+            if (!Heads(path, words, bead, end, start).Any(h => Refuses(h.Move, h.Head))) return start;
         }
-        return isRefused ? Follow(path, aims, words, bead, end, last) : start;
+        return Follow(path, aims, words, bead, end, last);
     }
 
-    private static HeadMove HeadAt(Toolpath path, Vec3[] words, int move, Vec3 before) => new(path[move].Start, before, path[move].End, words[move]);
+    // The moves of a part of the path, with the head from one end to the other.
+    private static IEnumerable<(Move Move, HeadMove Head)> Heads(Toolpath path, Vec3[] words, int first, int end, Vec3 before)
+    {
+        for (var i = first; i < end; before = words[i++]) yield return (path[i], new HeadMove(path[i].Start, before, path[i].End, words[i]));
+    }
 
     // Other moves for a travel to a bead, if the planned ones hit something.
     private static void Detour(
@@ -119,16 +118,9 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
         int begin = first, end = bead;
         while (begin < end && !IsTravel(path[begin])) begin++;
         while (begin < end && !IsTravel(path[end - 1])) end--;
-        var planned = new List<HeadMove>();
-        double speed = 0;
-        for (var i = begin; i < end; i++)
-        {
-            if (path[i].IsInPlace) continue;
-            if (!IsTravel(path[i])) return;
-            planned.Add(HeadAt(path, words, i, i > 0 ? words[i - 1] : Vec3.Zero));
-            speed = Math.Max(speed, path[i].Speed);
-        }
-        if (travels.Find(planned) is not { } moves) return;
+        var planned = Heads(path, words, begin, end, begin > 0 ? words[begin - 1] : Vec3.Zero).Where(h => !h.Move.IsInPlace).ToArray();
+        if (planned.Any(h => !IsTravel(h.Move)) || travels.Find([.. planned.Select(h => h.Head)]) is not { } moves) return;
+        var speed = planned.Max(h => h.Move.Speed);
         var last = moves[moves.Count - 1];
         for (var i = begin; i < end; i++) replaced[i] = path[i].IsInPlace ? [(last.To, last.ToTurns, path[i].Speed)] : [];
         replaced[begin] = [.. moves.Select(m => (m.To, m.ToTurns, speed))];

@@ -86,8 +86,7 @@ public sealed class SimulateComponent() : CaterpillarComponent(
     private static MachineState? AtNumber(Timeline timeline, double position, PositionBy by)
     {
         var number = (int)Math.Floor(Math.Max(Math.Min(position, int.MaxValue), -1));
-        if (by == PositionBy.Line) return number >= 0 ? timeline.AtSource(number) : null;
-        return timeline.Toolpath.Layers.Select((layer, i) => layer.Index == number ? timeline.AtLayer(i) : null).FirstOrDefault(state => state is not null);
+        return by != PositionBy.Line ? timeline.AtLayerNumber(number) : number >= 0 ? timeline.AtSource(number) : null;
     }
 
     private static Rg.Curve? Current(Timeline timeline, MachineState state, DocumentUnits units)
