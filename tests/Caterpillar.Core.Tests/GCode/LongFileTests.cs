@@ -72,6 +72,20 @@ public class LongFileTests
             Assert.That(Written(new FileJob(parts) { Target = target }), Is.EqualTo(Written(new FileJob(whole) { Target = target })), target.ToString());
     }
 
+    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Chosen))]
+    public void A_notation_changes_while_a_file_is_decoded_as_it_does_afterwards(string file)
+    {
+        var bytes = GCodeFiles.Bytes(file);
+        ConvertOptions[] targets = [new() { RelativeE = true }, new() { DecimalsXyz = 2, DecimalsE = 3 }, new() { RelativeE = false, ExpandArcs = true }];
+        var target = targets[GCodeFiles.NumberOf(file) % targets.Length];
+        using var stream = new MemoryStream();
+        var converted = GCodeConverter.WhileDecoding(
+            options => GCodeDecoder.DecodeStream(new MemoryStream(bytes), options).Value!, new DecodeOptions(), target, stream);
+        var expected = Written(new FileJob(GCodeDecoder.Decode(bytes).Value!) { Target = target });
+        Assert.That(converted.Value is null, Is.EqualTo(expected is null));
+        if (expected is not null) Assert.That(stream.ToArray().SequenceEqual(expected), Is.True);
+    }
+
     [TestCase("cu_overlap_bfb_M101.gcode")]
     [TestCase("s3r_nested_smoothie_volE_fwr.gcode")]
     public void Checks_find_the_same(string file)

@@ -80,10 +80,11 @@ internal sealed class PrintedSoFar
     public double GapAcross(Vec3 p, Vec3 half, double most, double limit, int before)
     {
         const int Places = 8;
-        var (sum, floor) = (0.0, FloorUnder(p));
+        // Nothing that is lower counts.
+        var (sum, floor, lowest) = (0.0, FloorUnder(p), p.Z - most - 1e-6);
         for (var k = 0; k < Places; k++)
         {
-            var top = Deposit.TopUnder(p + half * ((2 * k + 1.0) / Places - 1), limit, 0, before);
+            var top = Deposit.TopUnder(p + half * ((2 * k + 1.0) / Places - 1), limit, 0, before, null, lowest);
             sum += Math.Min(most, Math.Max(0, p.Z - Math.Max(top, floor)));
         }
         return sum / Places;

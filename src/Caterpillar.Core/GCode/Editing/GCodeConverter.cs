@@ -32,9 +32,23 @@ internal static class GCodeConverter
     {
         var problems = new DiagnosticList();
         Splicer? splicer = null;
+        // Of one chunk, while the next is decoded.
+        var work = Task.CompletedTask;
         try
         {
-            var decoding = decode(reading with { Follow = known => (splicer = Begin(known, options, null, stream, problems)!).Write });
+            var decoding = decode(reading with
+            {
+                Follow = known =>
+                {
+                    splicer = Begin(known, options, null, stream, problems)!;
+                    return (parsed, before) =>
+                    {
+                        work.GetAwaiter().GetResult();
+                        work = Task.Run(() => splicer.Write(parsed, before));
+                    };
+                },
+            });
+            work.GetAwaiter().GetResult();
             splicer!.Finish();
             problems.AddRange(splicer.Diagnostics.ToList());
             var rounded = Rounded(decoding, options);
@@ -42,6 +56,7 @@ internal static class GCodeConverter
         }
         finally
         {
+            OwnThread.Wait(work);
             splicer?.Dispose();
         }
     }

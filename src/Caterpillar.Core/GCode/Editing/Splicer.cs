@@ -30,8 +30,8 @@ internal sealed class Splicer : IDisposable
     public Splicer(DecodedGCode decoding, Toolpath edited, SplicePlan plan, Stream stream, ConvertTarget? target = null, EditOptions? options = null)
     {
         options ??= new EditOptions();
-        _threads = decoding.Document!.Chunks.Count < FewChunks ? 1 : options.Threads > 0 ? options.Threads : Environment.ProcessorCount;
-        var style = LineStyle.Of(decoding.Document).With(target?.Options.DecimalsXyz, target?.Options.DecimalsE, target?.Options.DecimalsF);
+        _threads = decoding.Checkpoints.Length is > 0 and < FewChunks ? 1 : options.Threads > 0 ? options.Threads : Environment.ProcessorCount;
+        var style = LineStyle.Of(decoding.Document!).With(target?.Options.DecimalsXyz, target?.Options.DecimalsE, target?.Options.DecimalsF);
         _output = new SplicedOutput(stream, style, _threads > 1);
         _context = new SpliceContext(decoding, target, style, new SplicedText(_output, style));
         _plan = plan;

@@ -165,11 +165,13 @@ internal sealed class Deposit
 
     /// <summary>
     /// Highest top, mm, not above <paramref name="limit"/>, within <paramref name="radius"/> mm of a point, seen from above, of extrusions with a tag below
-    /// <paramref name="before"/>. Negative infinity = nothing. With <paramref name="least"/>, any top from there on is enough, and a lower result = nothing.
+    /// <paramref name="before"/>. A result not above <paramref name="floor"/> = nothing. With <paramref name="least"/>, any top from there on is enough, and a
+    /// lower result = nothing.
     /// </summary>
-    public double TopUnder(Vec3 point, double limit, double radius = 0, int before = int.MaxValue, double? least = null)
+    public double TopUnder(Vec3 point, double limit, double radius = 0, int before = int.MaxValue, double? least = null,
+        double floor = double.NegativeInfinity)
     {
-        var best = least - Rounding ?? double.NegativeInfinity;
+        var best = least - Rounding ?? floor;
         if (_bins.IsEmpty || !_bins.MayHold(point.X, point.Y)) return best;
         // A cell is never too low.
         if (radius == 0 && _cells[Index(point.X), Index(point.Y)].Top <= best) return best;

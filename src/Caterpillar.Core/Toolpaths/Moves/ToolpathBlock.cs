@@ -32,12 +32,8 @@ public sealed class ToolpathBlock
     }
 
     // Nothing but the edit is kept; it is repeated when its source was read again.
-    private ToolpathBlock(ToolpathBlock source, ToolpathColumns columns, Func<ToolpathColumns, ToolpathColumns?> edit)
-    {
-        (Count, File, HasTurns) = (source.Count, source.File, source.HasTurns);
-        (_source, _edit) = (source, edit);
-        if (File is null) _columns = columns;
-    }
+    private ToolpathBlock(ToolpathBlock source, ToolpathColumns? columns, Func<ToolpathColumns, ToolpathColumns?> edit)
+        => (Count, File, HasTurns, _source, _columns, _edit) = (source.Count, source.File, source.HasTurns, source, columns, edit);
 
     /// <summary>Number of moves.</summary>
     public int Count { get; }
@@ -57,7 +53,7 @@ public sealed class ToolpathBlock
     {
         var source = Columns;
         if (edit(source) is not { } columns) return null;
-        var block = new ToolpathBlock(this, columns, edit);
+        var block = new ToolpathBlock(this, File is null ? columns : null, edit);
         if (File is not null) source.ImageFor(block, _ => columns);
         return block;
     }

@@ -19,12 +19,13 @@ internal static class ChunkPipeline
         // Whoever needs a chunk first parses it: another thread, or this one.
         var ahead = new Queue<(GCodeChunk Chunk, ChunkParser Parser, Lazy<ChunkParser> Parsed)>();
         var mostAhead = threads > 1 ? 2 * threads : 1;
-        var idle = new Stack<ChunkParser>();
+        // The last one is not used yet: others may still read what it has found.
+        var idle = new Queue<ChunkParser>();
         long done = 0;
         var number = 0;
         foreach (var chunk in chunks)
         {
-            var parser = idle.Count > 0 ? idle.Pop() : new ChunkParser(extruder);
+            var parser = idle.Count > 1 ? idle.Dequeue() : new ChunkParser(extruder);
             // The first chunk may have a byte order mark.
             var start = chunk.Start + (number == 0 ? TextEncoding.MarkLength(chunk) : 0);
             var parsed = new Lazy<ChunkParser>(() =>
@@ -45,7 +46,7 @@ internal static class ChunkPipeline
             var (chunk, parser, parsed) = ahead.Dequeue();
             done += chunk.Length;
             consume(parsed, done);
-            idle.Push(parser);
+            idle.Enqueue(parser);
         }
     }
 }
