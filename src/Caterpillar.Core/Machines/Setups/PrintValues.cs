@@ -50,19 +50,21 @@ internal static class PrintValues
     private static Dictionary<string, double> Measure(Toolpath toolpath, PrintSetup setup)
     {
         var numbers = new Dictionary<string, double>(StringComparer.Ordinal);
-        var bounds = Bounds.Empty;
+        var bounds = MoveFilter.Prints.BoundsIn(toolpath);
         double volume = 0, filament = 0, mass = 0, cost = 0;
         var tools = Enumerable.Range(0, Math.Max(toolpath.Tools.Count, 1)).Select(setup.OfTool).Select(s => (s.Material, s.Extrusion.FilamentPerE)).ToArray();
-        foreach (var move in toolpath.Moves())
+        foreach (var c in toolpath.Blocks.Select(b => b.Columns))
         {
-            if (move.Kind == MoveKind.Print) bounds = bounds.Include(move.Bounds);
-            if (move.Deposited == 0) continue;
-            var (material, length) = tools[Math.Min(move.Tool, tools.Length - 1)];
-            var added = toolpath.VolumeOf(move) ?? 0;
-            volume += added;
-            filament += move.Deposited * length;
-            mass += added / 1000 * material.Density;
-            cost += added / 1_000_000 * material.Density * material.CostPerKg;
+            for (var i = 0; i < c.Count; i++)
+            {
+                if (c.Deposited[i] == 0) continue;
+                var (material, length) = tools[Math.Min(c.Tool[i], tools.Length - 1)];
+                var added = toolpath.VolumePerE(c.Tool[i]) * c.Deposited[i] ?? 0;
+                volume += added;
+                filament += c.Deposited[i] * length;
+                mass += added / 1000 * material.Density;
+                cost += added / 1_000_000 * material.Density * material.CostPerKg;
+            }
         }
         numbers["layer_count"] = toolpath.CountLayers();
         numbers["print_min_x_mm"] = bounds.Min.X;

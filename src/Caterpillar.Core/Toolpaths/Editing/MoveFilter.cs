@@ -58,7 +58,9 @@ public sealed record MoveFilter
             {
                 var start = end;
                 end = new Vec3(c.X[i], c.Y[i], c.Z[i]);
-                if (chosen.Has(c, i)) box = box.Include(c.TryGetArc(i, out var arc) ? arc.Bounds(start, end) : Bounds.Empty.Include(start).Include(end));
+                if (!chosen.Has(c, i)) continue;
+                if (c.TryGetArc(i, out var arc)) box = box.Include(arc.Bounds(start, end));
+                else if (!box.Contains(start) || !box.Contains(end)) box = box.Include(start).Include(end);
             }
         }
         return box;
