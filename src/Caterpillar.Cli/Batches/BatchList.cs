@@ -16,9 +16,7 @@ internal sealed class BatchList(Verb verb, ParseResult parsed, Session session)
         var inputs = Inputs();
         var output = verb.Options.FirstOrDefault(o => o.Name == "--output") is Option<string?> option ? parsed.GetValue(option) : null;
         if (output == "-")
-        {
             throw new CliException(ExitCode.Usage, "Several outputs cannot go to standard output. Give a pattern, such as -o 'out/{name}" + verb.Ending + "'.");
-        }
         var pattern = verb.Ending is { } ending && !verb.ReplacesInput(parsed) ? new OutputPattern(output, ending, table) : null;
         var shared = _options.Shared(parsed, verb).ToArray();
         var jobs = new List<BatchJob>();

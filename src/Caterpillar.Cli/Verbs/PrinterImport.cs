@@ -30,9 +30,7 @@ internal static class PrinterImport
             : $"printers: {Number(imported.Printers.Count)}")
             + $"; materials: {Number(imported.Materials.Count)}, settings: {Number(imported.Settings.Count)}");
         if (imported.Start is { } start)
-        {
             session.Messages.WriteLine($"After the header, the nozzle is at X {Number(start.X)}, Y {Number(start.Y)}, Z {Number(start.Z)} mm.");
-        }
 
         // On standard output there is only the printer.
         void Put(string kind, string name, string json, string? file = null)

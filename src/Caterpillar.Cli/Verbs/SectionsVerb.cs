@@ -81,9 +81,7 @@ internal sealed class SectionsVerb : Verb
     {
         var count = top > 0 ? Math.Ceiling(top / every - 0.5) : 0;
         if (count > MaxHeights)
-        {
             throw new CliException(ExitCode.Usage, $"--every {NumberFormatter.Format(every, 9)} gives more than {NumberFormatter.Format(MaxHeights)} planes.");
-        }
         return Enumerable.Range(0, (int)Math.Max(0, count)).Select(i => (i + 0.5) * every).ToArray();
     }
 

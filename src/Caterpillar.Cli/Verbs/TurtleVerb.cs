@@ -75,9 +75,7 @@ internal sealed class TurtleVerb : Verb
         {
             var cut = text.IndexOf('=');
             if (cut < 1 || !NumberReader.TryParse(text[(cut + 1)..].Trim(), out var value))
-            {
                 throw new CliException(ExitCode.Usage, $"--var {text}: expected NAME=NUMBER.");
-            }
             if (!variables.TryAdd(text[..cut].Trim(), value)) throw new CliException(ExitCode.Usage, $"--var {text}: this parameter already has a value.");
         }
         return variables;

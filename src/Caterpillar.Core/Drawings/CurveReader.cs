@@ -30,9 +30,7 @@ public static class CurveReader
         var source = new CurveSource(plain, name, options, diagnostics, progress, cancel);
         ReaderOf(plain, name)(source);
         if (!diagnostics.HasErrors && source.Curves.Count == 0)
-        {
             diagnostics.Add(Severity.Error, "curves.empty", "The file has no curves.", new SourceLocation(name));
-        }
         progress?.Report(1);
         return new Result<IReadOnlyList<UserCurve>>(diagnostics.HasErrors ? null : source.Curves, diagnostics.ToList());
     }

@@ -185,9 +185,7 @@ internal sealed class FormulaParser(List<Token> tokens, int at, IFormulaScope sc
         if (name.Text == "tau") return new FormulaNode(2 * System.Math.PI);
         if (FormulaFunctions.Knows(name.Text)) throw new FormulaException("formula.syntax", $"The function '{name.Text}' needs '('.", name);
         if (scope.IsArray(name.Text))
-        {
             throw new FormulaException("formula.syntax", $"'{name.Text}' is an array. Use {name.Text}[index].", name);
-        }
         var function = Next.Is("(") && !Next.SpaceBefore;
         var known = function ? scope.Functions.Concat(FormulaFunctions.Names) : scope.Names.Concat(["pi", "tau"]).Concat(FormulaFunctions.Names);
         throw new FormulaException("formula.unknown",

@@ -22,9 +22,7 @@ public static class ToolpathDeformation
         if (filter is null) throw new ArgumentNullException(nameof(filter));
         if (deformation is null) throw new ArgumentNullException(nameof(deformation));
         if (!(tolerance > 0) || double.IsInfinity(tolerance))
-        {
             throw new ArgumentOutOfRangeException(nameof(tolerance), tolerance, "The tolerance must be positive.");
-        }
         var map = new DeformationRunMap(deformation, tolerance);
         var mapped = new ToolpathMapper(toolpath, MappedMoves.Of(toolpath, filter), map, tolerance).Run(toolpath.Start ?? Vec3.Zero, cancel);
         return map.Problem is { } problem ? new Result<Toolpath>(null, [problem]) : new Result<Toolpath>(mapped, []);

@@ -191,9 +191,7 @@ public sealed class Trace
     {
         if (stringsPerTurn < 3) throw new ArgumentOutOfRangeException(nameof(stringsPerTurn), "A turn needs at least three strings.");
         if (turns * stringsPerTurn > 100_000_000)
-        {
             throw new ArgumentOutOfRangeException(nameof(turns), "The part has more than 100 million strings. Increase the pitch.");
-        }
         Move(at(0));
         // A last string as short as rounding errors is dropped.
         var whole = (int)Math.Floor(turns * stringsPerTurn + 1e-9);

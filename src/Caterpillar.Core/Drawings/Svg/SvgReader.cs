@@ -160,9 +160,7 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
         {
             box = SvgValues.Numbers(text);
             if (box is not { Length: 4 } || !(box[2] > 0 && box[3] > 0))
-            {
                 return xml.Fail<Affine?>("viewBox", "A viewBox needs four numbers, the last two positive.");
-            }
         }
         var across = _viewport?.Width ?? Extent("width", box is null ? (isRoot ? 0 : width) : box[2], width, isRoot);
         var up = _viewport?.Height ?? Extent("height", box is null ? (isRoot ? 0 : height) : box[3], height, isRoot);
@@ -195,9 +193,7 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
     {
         const double S = 1 / SvgValues.PixelsPerMm;
         if (_pageHeight == 0)
-        {
             source.Diagnostics.Add(Severity.Note, "curves.svg_page", "The file has no page height. Curves stay below the X axis, as drawn.", xml.Here());
-        }
         return new Affine(new Vec3(S, 0), new Vec3(0, -S), Vec3.UnitZ, new Vec3(0, _pageHeight * S));
     }
 

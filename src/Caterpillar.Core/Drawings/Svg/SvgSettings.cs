@@ -15,9 +15,7 @@ internal sealed record SvgSettings(double?[] Values, double Z, int Tool, int? La
         {
             if (xml.Attribute(names[i]) is not { } text) continue;
             if (Value(text, CurveColumns.Whole(CurveColumn.Area + i, options)) is not (>= 0 and var value))
-            {
                 return xml.Fail<SvgSettings>(names[i], "Settings of an extrusion must be numbers of 0 or more, or percentages with a known reference.");
-            }
             values[i] = value;
         }
         var (z, tool, layer) = (Z, Tool, Layer);

@@ -127,9 +127,7 @@ internal sealed class CsvCurves(CurveSource source)
     {
         var columns = _columns!;
         if (cells != columns.Length)
-        {
             return Fail("curves.csv", $"The row has {NumberFormatter.Format(cells)} cells instead of {NumberFormatter.Format(columns.Length)}.", _starts[0]);
-        }
         var key = Array.IndexOf(columns, CurveColumn.Key);
         if (key >= 0 && !SameKey(_starts[key], _ends[key])) EndCurve();
         if (_points.Count == 0)

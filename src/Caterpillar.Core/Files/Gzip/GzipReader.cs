@@ -65,9 +65,7 @@ internal sealed class GzipReader(Stream packed, bool leaveOpen = false) : ReadSt
                 return read;
             }
             if (!_input.SkipTrailer(_sum, _length))
-            {
                 throw new InvalidDataException(_input.RanDry ? CutOff : "It is damaged or cut off: the checksum at its end is missing or wrong.");
-            }
             _member!.Dispose();
             _member = null;
         }

@@ -26,9 +26,7 @@ internal static class CrackSnap
         diagnostics.Add(Severity.Warning, "mesh.snapped",
             $"A vertex on a naked edge was moved by up to {NumberFormatter.Format(snap, 9)} mm to close a crack.", source, moved);
         if (builder.Degenerate > 0)
-        {
             diagnostics.Add(Severity.Note, "mesh.degenerate_faces", "A face with two equal vertices is ignored.", source, builder.Degenerate);
-        }
         return closed;
     }
 

@@ -64,13 +64,9 @@ internal static class MeshCleaning
     {
         var topology = mesh.Topology;
         if (topology.OpenEdges > 0)
-        {
             diagnostics.Add(Severity.Note, "mesh.naked_edges", "The mesh is open: an edge has only one face (naked edge).", source, topology.OpenEdges);
-        }
         if (topology.NonManifoldEdges > 0)
-        {
             diagnostics.Add(Severity.Note, "mesh.non_manifold_edges", "An edge has more than two faces.", source, topology.NonManifoldEdges);
-        }
         if (topology.WindingConflicts > 0)
         {
             const string Message = "The normals of two neighboring faces disagree: one face is inside out.";

@@ -13,9 +13,7 @@ internal static class MeshOrientation
         var turned = turn.Count(t => t);
         var result = turned > 0 ? Flipped(mesh, turn) : mesh;
         if (turned > 0)
-        {
             diagnostics.Add(Severity.Warning, "mesh.flipped_faces", "A face was inside out relative to its neighbors and was flipped.", source, turned);
-        }
         if (!result.IsWatertight || result.Volume >= 0) return result;
         diagnostics.Add(Severity.Warning, "mesh.inside_out", "The mesh was inside out. All faces were flipped.", source);
         return Flipped(result, null);

@@ -18,9 +18,7 @@ internal static class ContourMeasure
             foreach (var p in contour.Raw)
             {
                 if (!(Math.Abs(p.X) <= 1e150 && Math.Abs(p.Y) <= 1e150))
-                {
                     throw new ArgumentException("Coordinates of contours must be finite numbers.", nameof(contours));
-                }
                 bounds = bounds.Include(new Vec3(p.X, p.Y));
             }
         }

@@ -29,9 +29,7 @@ internal static class JsonFlat
                 entries.Add(new JsonEntry(key, Value(reader), line, column));
             }
             if (reader.TokenType != JsonToken.EndObject)
-            {
                 throw new JsonReaderException("The object is not closed.", reader.Path, reader.LineNumber, reader.LinePosition, null);
-            }
             if (Next(reader)) throw new JsonReaderException("Text after the object.", reader.Path, reader.LineNumber, reader.LinePosition, null);
             return entries;
         }

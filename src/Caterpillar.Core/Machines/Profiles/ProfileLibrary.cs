@@ -88,9 +88,7 @@ public sealed class ProfileLibrary
             if (!chain.Contains(source.File)) return Read(kind, source, chain);
         }
         if (chain.Count > 0 && Sources(kind, name).Any())
-        {
             return new("profile.circular_inheritance", $"The {kind.Noun} \"{name}\" inherits itself. Change its inherits.", new SourceLocation(chain[0]));
-        }
         var names = Names(kind);
         var near = SpellingSuggestion.Nearest(name, names);
         return new Result<T>(

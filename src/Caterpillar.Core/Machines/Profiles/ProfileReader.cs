@@ -51,9 +51,7 @@ public static class ProfileReader
         }
         var found = parent?.Invoke(wanted);
         if (found?.Value is null)
-        {
             diagnostics.Add(new Diagnostic(Severity.Error, "profile.no_parent", $"The inherited {kind.Noun} \"{wanted}\" is missing or has errors.", place));
-        }
         if (found is not null) diagnostics.AddRange(found.Diagnostics);
         return found?.Value is { } value ? kind.Named(value, name) : kind.Empty(name);
     }

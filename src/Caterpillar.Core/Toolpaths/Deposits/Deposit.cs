@@ -88,9 +88,7 @@ internal sealed class Deposit
     {
         if (!from.IsFinite || !to.IsFinite) throw new ArgumentOutOfRangeException(nameof(from), "The ends of an extrusion must be finite.");
         if (!(halfWidth >= 0) || double.IsInfinity(halfWidth))
-        {
             throw new ArgumentOutOfRangeException(nameof(halfWidth), "The width of an extrusion must be finite and not negative.");
-        }
         var extrusion = new Extrusion
         {
             Ax = from.X, Ay = from.Y, Az = from.Z, Bx = to.X, By = to.Y, Bz = to.Z, Half = halfWidth, Tag = tag, IsJoined = isJoined,

@@ -30,9 +30,7 @@ public sealed class PrintPath
     {
         if (arcs is not null && Array.TrueForAll(arcs, a => a is null)) arcs = null;
         if (points.Length < (closed && arcs is null ? 3 : 2))
-        {
             throw new ArgumentException("A path needs at least two vertices, a closed path at least three.", nameof(points));
-        }
         foreach (var p in points)
         {
             if (!p.IsFinite) throw new ArgumentException("A vertex is not finite.", nameof(points));
@@ -41,9 +39,7 @@ public sealed class PrintPath
         if (perSegment && beads.Length != segments)
             throw new ArgumentException($"A path of {segments} segments needs {segments} beads, not {beads.Length}.", nameof(beads));
         if (arcs is not null && arcs.Length != segments)
-        {
             throw new ArgumentException($"A path of {segments} segments needs {segments} arcs or nulls, not {arcs.Length}.", nameof(arcs));
-        }
         if (arcs is not null && Array.Exists(arcs, a => a is { Plane: not ArcPlane.XY }))
             throw new ArgumentException("Arcs of a path must be in the XY plane.", nameof(arcs));
         _points = points;

@@ -86,9 +86,7 @@ internal sealed class LSystemRule
             var symbol = text[i];
             if (letters.Count > 0 && symbol is '<' or '>' or ':') return i;
             if (letters.Count > 0 && symbol is '[' or ']')
-            {
                 throw new FormulaException("lsystem.rule", "A context must not contain brackets. It follows the branch.", line, i + 1);
-            }
             var names = System.Array.Empty<string>();
             if (++i < end && text[i] == '(')
             {

@@ -231,9 +231,7 @@ internal sealed class ScriptCompiler
             texts.AddRange(template.Texts.Skip(1));
         }
         if (!EndsStatement(Next) && Next.Kind != TokenKind.Name)
-        {
             throw Error("turtle.values", $"Found {Next}, expected a text, a value or the end of the line.", Next);
-        }
         if (first && !EndsStatement(Next) && !_names.BeginsStatement(Next)) _values.Value("print", Usage);
         _flow.Emit(new Instruction(ScriptOp.Print, token) { Text = new TextTemplate(texts, values) });
     }

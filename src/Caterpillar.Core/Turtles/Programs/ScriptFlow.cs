@@ -141,9 +141,7 @@ internal sealed class ScriptFlow(ScriptCursor cursor, ScriptValues values, Scrip
     {
         var body = _code.Count;
         if (variable >= 0)
-        {
             Emit(new Instruction(ScriptOp.Set, token) { Slot = variable, Local = start.Local, Arguments = [new Argument(LoopValue(start), token)] });
-        }
         _breaks.Push(new Leaving(_shapings.Count));
         block();
         next.Target = body;

@@ -212,9 +212,7 @@ internal sealed class ScriptMachine
     {
         _cancel.ThrowIfCancellationRequested();
         if (_steps > _limits.MaxSteps)
-        {
             throw Error(_current, "turtle.too_many_steps", $"The program was stopped after {Text(_limits.MaxSteps)} steps. Is there an endless loop?");
-        }
         Weigh();
         _pulse = Math.Min(_steps + Pulse, Math.Min(_limits.MaxSteps, long.MaxValue - 1) + 1);
     }

@@ -51,9 +51,7 @@ internal sealed class ScriptNames
     public FormulaException Unknown(Token token)
     {
         if (Scope.Variable(token.Text, token) is not null)
-        {
             return Error("turtle.syntax", $"'{token.Text}' is a variable. Expected a command or '{token.Text} = …'.", token);
-        }
         var names = Procedures.Keys.Concat(TurtleCommands.Names)
             .Concat(Keywords.Where(k => k is not ("to" or "step" or "else" or "keep" or "and" or "or" or "not")));
         return Error("turtle.unknown", $"Unknown command '{token.Text}'.{SpellingSuggestion.Hint(token.Text, names)}", token);
@@ -108,9 +106,7 @@ internal sealed class ScriptNames
         var name = tokens[at];
         NewName(name, "procedure");
         if (TurtleCommands.Find(name.Text) is not null)
-        {
             throw Error("turtle.name", $"'{name.Text}' is already a command. Choose another name for the procedure.", name);
-        }
         if (Procedures.ContainsKey(name.Text)) throw Error("turtle.name", $"The procedure '{name.Text}' is defined twice.", name);
         var parameters = new List<string>();
         for (var i = at + 1; tokens[i].Kind == TokenKind.Name || tokens[i].Is(","); i++)

@@ -31,9 +31,7 @@ public sealed class DeformToolpathComponent() : ChosenPortsComponent(
         var frame = request.Frame;
         var deformation = run.Require(request.Compile());
         if (frame != Frame.World)
-        {
             deformation = Deformation.Cartesian(p => frame.ToLocal(p)).Then(deformation).Then(Deformation.Cartesian(p => frame.ToWorld(p)));
-        }
         var result = run.Work("Deforming", [goo.Value, filter, .. request.Key],
             (_, cancel) => goo.Value.Deform(filter, deformation, request.Tolerance, cancel));
         run.Set(0, goo.With(run.Require(result)));

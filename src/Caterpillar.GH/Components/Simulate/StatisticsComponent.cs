@@ -47,9 +47,7 @@ public sealed class StatisticsComponent() : CaterpillarComponent(
         yield return $"{N(s.PrintLength / 1000, 2)} m printed, {N(s.TravelLength / 1000, 2)} m traveled, {N(s.Retractions, 0)} retractions, {N(s.Moves, 0)} "
             + $"moves";
         if (s.GreatestFlow is { } flow)
-        {
             yield return $"Maximum flow {N(flow, 2)} mm³/s in move {N(s.GreatestFlowMove, 0)}, maximum speed {N(s.GreatestSpeed, 1)} mm/s";
-        }
         foreach (var role in s.Roles) yield return $"{role.Role}: {N(role.Time, 1)} s, {N(role.Length / 1000, 2)} m";
     }
 

@@ -75,9 +75,7 @@ public sealed class PlanarSlicerComponent() : SlicerComponent(
         var geometry = run.List<IGH_GeometricGoo>(3);
         var settings = run.List<SettingsGoo>(4);
         if (geometry.Count == 0 && settings.Count > 0)
-        {
             run.Report(GH_RuntimeMessageLevel.Warning, "Modifier Settings have no effect without Modifiers.");
-        }
         if (geometry.Count == 0) return [];
         if (settings.Count == 0) throw run.Missing(4);
         return geometry.Select((g, i) =>

@@ -64,9 +64,7 @@ public static class MeshReader
             for (var i = 0; i < meshes.Count; i++) meshes[i] = new NamedMesh(meshes[i].Name, meshes[i].Mesh.Transformed(map));
         }
         if (good && meshes.All(m => m.Mesh.TriangleCount == 0))
-        {
             diagnostics.Add(Severity.Error, "mesh.empty", "The file has no faces.", new SourceLocation(name));
-        }
         progress?.Report(1);
         var value = good && !diagnostics.HasErrors ? meshes.Where(m => m.Mesh.TriangleCount > 0).ToArray() : null;
         return new Result<IReadOnlyList<NamedMesh>>(value, diagnostics.ToList());

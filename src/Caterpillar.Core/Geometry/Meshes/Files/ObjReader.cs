@@ -86,9 +86,7 @@ internal sealed class ObjReader(MeshSource source)
             count++;
         }
         if (count < 3)
-        {
             source.Note(Severity.Warning, "mesh.incomplete_faces", "A face with fewer than three vertices is ignored.", source.PlaceInText(faceAt));
-        }
         return true;
     }
 

@@ -58,9 +58,7 @@ internal sealed class PlyHeader
                     break;
                 case "format":
                     if (words.Length < 2 || !header.SetFormat(words[1]))
-                    {
                         return Wrong(source, at, "Unknown PLY format. Use ascii, binary_little_endian or binary_big_endian.");
-                    }
                     format = true;
                     break;
                 case "element":

@@ -97,9 +97,7 @@ internal sealed class PlyReader(MeshSource source, PlyHeader header)
             {
                 if (!_data.Read(property.Type, out var index)) return _data.Wrong("the faces");
                 if (!(index >= 0 && index < _ids.Length) || index != Math.Floor(index))
-                {
                     return _data.Error("mesh.index", "A face uses a vertex that does not exist.");
-                }
                 _polygon[k] = _ids[(int)index];
             }
             if (corners < 3) shorts++;
@@ -108,9 +106,7 @@ internal sealed class PlyReader(MeshSource source, PlyHeader header)
             if (!SkipProperties(element, list + 1, element.Properties.Count)) return false;
         }
         if (shorts > 0)
-        {
             source.Note(Severity.Warning, "mesh.incomplete_faces", "A face with fewer than three vertices is ignored.", count: shorts);
-        }
         return true;
     }
 

@@ -95,9 +95,7 @@ internal sealed class StlTextReader(MeshSource source)
         if (_facetAt < 0) return Fail("A vertex is outside a facet.", word);
         if (_corners == 3) return Fail("A facet has more than three vertices.", word);
         if (!_cursor.ReadPoint(withinLine: false, out var x, out var y, out var z))
-        {
             return _cursor.AtEnd ? Fail("The file ends inside a vertex.", source.Length, "mesh.truncated") : Fail("A coordinate is not a number.", _cursor.At);
-        }
         (_a, _b, _c) = (_b, _c, _builder.AddVertex(x, y, z));
         _corners++;
         return true;

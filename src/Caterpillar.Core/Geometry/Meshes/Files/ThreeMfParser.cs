@@ -131,13 +131,9 @@ internal sealed class ThreeMfParser(MeshSource source, string part, XmlReader xm
             }
         }
         if (builder.NotFinite > 0)
-        {
             source.Note(Severity.Warning, "mesh.not_finite", "A triangle with a coordinate beyond 1e9 is ignored.", Place(), builder.NotFinite);
-        }
         if (builder.Degenerate > 0)
-        {
             source.Note(Severity.Note, "mesh.degenerate_faces", "A triangle with two equal vertices is ignored.", Place(), builder.Degenerate);
-        }
         var mesh = item.Mesh = builder.ToMesh();
         foreach (var (triangle, isSeam, digits) in painted)
         {

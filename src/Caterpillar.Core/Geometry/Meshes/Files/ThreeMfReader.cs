@@ -112,9 +112,7 @@ internal sealed class ThreeMfReader(MeshSource source, ZipArchive archive)
         using var xml = XmlReader.Create(stream, ThreeMfParser.Settings(Math.Min(int.MaxValue - 1024, GzipReader.Limit(source.Length))));
         _project = ThreeMfProject.Read(xml);
         if (_project.Plates.Count > 1)
-        {
             source.Note(Severity.Warning, "mesh.plates", $"The project has {NumberFormatter.Format(_project.Plates.Count)} plates. Only the first is read.");
-        }
     }
 
     private bool Collect(string part, ThreeMfUse use, Affine outer, int depth, List<(ThreeMfObject Object, int Id, Affine Map)> parts)
@@ -136,9 +134,7 @@ internal sealed class ThreeMfReader(MeshSource source, ZipArchive archive)
         {
             _triangles += mesh.TriangleCount;
             if (_triangles > MaxTriangles)
-            {
                 return source.Fail("mesh.too_large", $"The items have more than {NumberFormatter.Format(MaxTriangles)} triangles in total.", place);
-            }
             source.Afford(_triangles, _uses);
             parts.Add((item, use.ObjectId, map));
         }
