@@ -91,9 +91,9 @@ public static class DeformationText
 
     private static double Evaluate(Formula formula, FormulaSet set, Vec3 p)
     {
-        var context = set.Rent();
+        var context = set.Context;
         Fill(context.Values, p);
-        return set.Evaluate(formula, context);
+        return formula.Evaluate(context);
     }
 
     private static void Fill(double[] values, Vec3 p)
@@ -113,10 +113,10 @@ public static class DeformationText
         if (formula is null) return null;
         return (value, p) =>
         {
-            var context = set.Rent();
+            var context = set.Context;
             Fill(context.Values, p);
             context.Values[4] = value;
-            return set.Evaluate(formula, context);
+            return formula.Evaluate(context);
         };
     }
 }

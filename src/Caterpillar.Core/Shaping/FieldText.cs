@@ -23,7 +23,7 @@ public static class FieldText
         return new Result<Field>(
             place =>
             {
-                var context = set.Rent();
+                var context = set.Context;
                 var values = context.Values;
                 var d = place.Position - axis;
                 values[0] = place.Position.X;
@@ -34,7 +34,7 @@ public static class FieldText
                 values[5] = place.Distance;
                 values[6] = place.Length > 0 ? place.Distance / place.Length : 0;
                 values[7] = place.Path;
-                return set.Evaluate(formula, context);
+                return formula.Evaluate(context);
             },
             set.Problems);
     }

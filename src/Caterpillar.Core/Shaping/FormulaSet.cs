@@ -4,7 +4,7 @@ namespace Caterpillar.Shaping;
 internal sealed class FormulaSet(string[] variables, SourceLocation? source)
 {
     private readonly SourceLocation _source = source ?? new SourceLocation();
-    private readonly SpareContext _contexts = new SpareContext(variables.Length);
+    private readonly ThreadLocal<FormulaContext> _contexts = new(() => new FormulaContext(new double[variables.Length]));
 
     /// <summary>One for each wrong formula.</summary>
     public List<Diagnostic> Problems { get; } = [];
@@ -30,14 +30,6 @@ internal sealed class FormulaSet(string[] variables, SourceLocation? source)
         return null;
     }
 
-    /// <summary>A context with values to set; no other thread uses it until it is returned.</summary>
-    public FormulaContext Rent() => _contexts.Rent();
-
-    /// <summary>The value of a formula; the context is returned.</summary>
-    public double Evaluate(Formula formula, FormulaContext context)
-    {
-        var value = formula.Evaluate(context);
-        _contexts.Return(context);
-        return value;
-    }
+    /// <summary>The context of this thread, with values to set.</summary>
+    public FormulaContext Context => _contexts.Value!;
 }

@@ -51,14 +51,14 @@ public class CurvedPartTests
     [TestCase(2, 3)]
     [TestCase(3, 5)]
     public void A_stretched_axis_keeps_one_position_and_goes_on_beyond_its_ends(double at, double stretched)
-        => Assert.That(new AxisStretch(0, 1, [1, 2, 2], kept: 1).To(at), Is.EqualTo(stretched).Within(1e-12));
+        => Assert.That(new AxisStretch(0, 1, [1, 2, 2], kept: 1).At(at).To, Is.EqualTo(stretched).Within(1e-12));
 
     [TestCase(-5, 1)]
     [TestCase(0.5, 1.5)]
     [TestCase(1, 2)]
     [TestCase(9, 2)]
     public void The_growth_of_lengths_along_an_axis_is_linear_between_nodes(double at, double stretch)
-        => Assert.That(new AxisStretch(0, 1, [1, 2, 2], kept: 1).Stretch(at), Is.EqualTo(stretch).Within(1e-12));
+        => Assert.That(new AxisStretch(0, 1, [1, 2, 2], kept: 1).At(at).Stretch, Is.EqualTo(stretch).Within(1e-12));
 
     [Test]
     public void The_height_of_a_value_is_found_in_few_steps_or_there_is_none()
@@ -367,7 +367,7 @@ public class CurvedPartTests
         {
             var (u, v) = samples.Axes(level);
             foreach (var at in new[] { -3.0, 0, 4.4, 9, 30 })
-                Assert.That((u.Stretch(at), v.Stretch(at)), Is.EqualTo((most, 1.0)).Within(1e-6));
+                Assert.That((u.At(at).Stretch, v.At(at).Stretch), Is.EqualTo((most, 1.0)).Within(1e-6));
         }
         Assert.That(SlopeSamples.Of(LayerField.Of(_ => 1.0), PartColumns.Of([MeshMaker.Box(0, 0, 0, 10, 10, 6)]), 5, 3), Is.Null);
     }

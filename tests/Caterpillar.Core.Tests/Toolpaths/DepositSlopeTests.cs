@@ -98,15 +98,15 @@ public class DepositSlopeTests
             var head = new HeadShape(Enumerable.Range(0, count).Select(i => (r += 0.1 + 3 * random.NextDouble(), i == 0 ? 0 : h += random.Next(4))).ToArray());
             var excess = 0.01 + 12 * random.NextDouble() * random.NextDouble();
             var half = 0.4 * random.NextDouble();
-            var (start, slope, addsHalf) = head.LineAbove(excess, lenient);
+            var line = head.LineAbove(excess, lenient);
             var least = double.PositiveInfinity;
             for (var i = 1; i <= 500; i++)
             {
                 var e = excess * i / 500;
-                least = Math.Min(least, start + slope * e + (addsHalf ? half : 0) - head.AxisReach(e, half, lenient));
+                least = Math.Min(least, line.At(e, half) - head.AxisReach(e, half, lenient));
             }
             Assert.That(least, Is.GreaterThan(-1e-9), $"round {round}");
-            if (!lenient) Assert.That(least, Is.LessThan(0.1 + 6 * excess / 500 * slope), $"round {round}: it touches the reach");
+            if (!lenient) Assert.That(least, Is.LessThan(0.1 + 6 * excess / 500 * line.Slope), $"round {round}: it touches the reach");
         }
     }
 
@@ -134,10 +134,16 @@ public class DepositSlopeTests
     public void The_lowest_height_near_a_square_is_that_of_the_path_within_reach(double x, double y, double distance, double lowest)
     {
         var (a, b) = (new Vec3(0, 0, 10), new Vec3(10, 0, 0));
-        Assert.That(new HeadQuery(a, b, 0, Head, false).LowestNear(x, y, 0.5, distance), Is.EqualTo(lowest).Within(1e-12));
-        Assert.That(new HeadQuery(b, a, 0, Head, false).LowestNear(x, y, 0.5, distance), Is.EqualTo(lowest).Within(1e-12));
-        Assert.That(new HeadQuery(b, b, 0, Head, false).LowestNear(x, y, 0.5, distance), Is.Zero);
-        Assert.That(new HeadQuery(a, new Vec3(0, 0.02, 7), 0, Head, false).LowestNear(x, y, 0.5, distance), Is.EqualTo(7), "straight up");
+        Assert.That(Lowest(a, b), Is.EqualTo(lowest).Within(1e-12));
+        Assert.That(Lowest(b, a), Is.EqualTo(lowest).Within(1e-12));
+        Assert.That(Lowest(b, b), Is.Zero);
+        Assert.That(Lowest(a, new Vec3(0, 0.02, 7)), Is.EqualTo(7), "straight up");
+
+        double Lowest(Vec3 from, Vec3 to)
+        {
+            var near = new HeadQuery(from, to, 0, Head, false).Near(x, y, 0.5, distance, out _);
+            return Math.Min(near.From.Z, near.To.Z);
+        }
     }
 
     // Along X from 0 to 10, and along a diagonal.
@@ -152,8 +158,10 @@ public class DepositSlopeTests
     public void Squares_are_at_least_so_far_from_a_path(double x, double y, double endX, double endY, double distance)
     {
         var (a, b) = (new Vec3(0, 0, 10), new Vec3(endX, endY, 0));
-        Assert.That(new HeadQuery(a, b, 0, Head, false).DistanceTo(x, y, 0.5), Is.EqualTo(distance).Within(1e-12));
-        Assert.That(new HeadQuery(b, a, 0, Head, false).DistanceTo(x, y, 0.5), Is.EqualTo(distance).Within(1e-12));
+        new HeadQuery(a, b, 0, Head, false).Near(x, y, 0.5, 1, out var away);
+        Assert.That(away, Is.EqualTo(distance).Within(1e-12));
+        new HeadQuery(b, a, 0, Head, false).Near(x, y, 0.5, 1, out away);
+        Assert.That(away, Is.EqualTo(distance).Within(1e-12));
     }
 
     [Test]

@@ -125,19 +125,12 @@ internal sealed class PrintedSoFar
     public HeadContact MeetsLast(int count, Vec3 a, Vec3 b, double tolerance, bool hitsOnly, out int move)
     {
         move = -1;
-        var excess = TopOfLast(count) - Math.Min(a.Z, b.Z) - tolerance;
-        if (!(excess > 0)) return HeadContact.None;
+        if (!(TopOfLast(count) > Math.Min(a.Z, b.Z) + tolerance)) return HeadContact.None;
         var query = new HeadQuery(a, b, tolerance, Head, hitsOnly);
-        query.Aim(excess);
         for (var i = _oldest - count; i < _oldest; i++)
         {
             ref var piece = ref _fresh[i];
-            var extrusion = new Extrusion
-            {
-                Ax = piece.From.X, Ay = piece.From.Y, Az = piece.From.Z, Bx = piece.To.X, By = piece.To.Y, Bz = piece.To.Z, Half = piece.Half,
-                IsJoined = IsJoined(i, i),
-            };
-            if (!query.Meets(extrusion)) continue;
+            if (!query.Meets(Extrusion.Of(piece.From, piece.To, piece.Half, -1, IsJoined(i, i)))) continue;
             move = piece.Move;
             return HeadContact.Hits;
         }

@@ -21,26 +21,17 @@ internal sealed class AxisStretch
         _stretch = stretch;
         _at = new double[stretch.Length];
         for (var i = 1; i < _at.Length; i++) _at[i] = _at[i - 1] + step * (stretch[i - 1] + stretch[i]) / 2;
-        var shift = kept - To(kept);
+        var shift = kept - At(kept).To;
         for (var i = 0; i < _at.Length; i++) _at[i] += shift;
     }
 
-    /// <summary>The stretched position.</summary>
-    public double To(double u)
+    /// <summary>The stretched position, and how much lengths grow there.</summary>
+    public (double To, double Stretch) At(double u)
     {
-        var t = (u - _from) / _step;
-        if (t <= 0) return _at[0] + (u - _from) * _stretch[0];
-        var i = (int)Math.Min(t, _at.Length - 1);
+        var i = (int)Math.Min(Math.Max((u - _from) / _step, 0), _at.Length - 1);
         var d = u - _from - i * _step;
-        if (i == _at.Length - 1) return _at[i] + d * _stretch[i];
-        return _at[i] + d * (_stretch[i] + (_stretch[i + 1] - _stretch[i]) * d / (2 * _step));
-    }
-
-    /// <summary>How much lengths grow at a position.</summary>
-    public double Stretch(double u)
-    {
-        var t = Math.Min(Math.Max((u - _from) / _step, 0), _at.Length - 1);
-        var i = (int)Math.Min(t, _at.Length - 2);
-        return _stretch[i] + (_stretch[i + 1] - _stretch[i]) * (t - i);
+        if (d < 0 || i == _at.Length - 1) return (_at[i] + d * _stretch[i], _stretch[i]);
+        var more = (_stretch[i + 1] - _stretch[i]) * d / _step;
+        return (_at[i] + d * (_stretch[i] + more / 2), _stretch[i] + more);
     }
 }

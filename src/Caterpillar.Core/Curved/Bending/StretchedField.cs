@@ -63,7 +63,7 @@ internal sealed class StretchedField(LayerField inner, SlopeSamples samples) : W
         var lifted = Inner.Lift(place, thickness);
         var (u, v) = Turned(place);
         var (i, t) = LevelAt(flat.Z);
-        var grown = Lerp(_axes[i].U.Stretch(u), _axes[i + 1].U.Stretch(u), t) * Lerp(_axes[i].V.Stretch(v), _axes[i + 1].V.Stretch(v), t);
+        var grown = At(_axes[i].U, _axes[i + 1].U, t, u).Stretch * At(_axes[i].V, _axes[i + 1].V, t, v).Stretch;
         return lifted with { Area = lifted.Area / grown };
     }
 
@@ -71,7 +71,7 @@ internal sealed class StretchedField(LayerField inner, SlopeSamples samples) : W
     {
         var (u, v) = Turned(place);
         var (i, t) = LevelAt(place.Z);
-        return Back(Lerp(_axes[i].U.To(u), _axes[i + 1].U.To(u), t), Lerp(_axes[i].V.To(v), _axes[i + 1].V.To(v), t), place.Z);
+        return Back(At(_axes[i].U, _axes[i + 1].U, t, u).To, At(_axes[i].V, _axes[i + 1].V, t, v).To, place.Z);
     }
 
     private (double U, double V) Turned(Vec3 p) => (p.X * _cos + p.Y * _sin, p.Y * _cos - p.X * _sin);
@@ -91,12 +91,17 @@ internal sealed class StretchedField(LayerField inner, SlopeSamples samples) : W
         var u = stretched;
         for (var i = 0; i < 30; i++)
         {
-            var rest = Lerp(a.To(u), b.To(u), t) - stretched;
-            u -= rest / Lerp(a.Stretch(u), b.Stretch(u), t);
-            if (Math.Abs(rest) < 1e-11) break;
+            var (to, stretch) = At(a, b, t, u);
+            u -= (to - stretched) / stretch;
+            // The next rest is about the square of this one.
+            if (Math.Abs(to - stretched) < 1e-6) break;
         }
         return u;
     }
 
-    private static double Lerp(double a, double b, double t) => a + (b - a) * t;
+    private static (double To, double Stretch) At(AxisStretch a, AxisStretch b, double t, double u)
+    {
+        var (low, high) = (a.At(u), b.At(u));
+        return (low.To + (high.To - low.To) * t, low.Stretch + (high.Stretch - low.Stretch) * t);
+    }
 }

@@ -14,36 +14,14 @@ internal sealed class DeformedField(Func<Vec3, Vec3> bend) : LayerField
 
     public override Vec3 ToFlat(Vec3 point) => bend(point);
 
-    public override Vec3 ToPart(Vec3 flat)
-    {
-        var point = flat;
-        var rest = bend(point) - flat;
-        for (var i = 0; i < 50 && rest.Length > 1e-10; i++)
-        {
-            if (!rest.IsFinite) return new Vec3(double.NaN, double.NaN, double.NaN);
-            var step = Solve(Slopes(point), rest);
-            // Half steps where a whole one leads away.
-            var share = 1.0;
-            Vec3 next, nextRest;
-            do
-            {
-                next = point - step * share;
-                nextRest = bend(next) - flat;
-                share /= 2;
-            }
-            while (!(nextRest.Length < rest.Length) && share > 1e-3);
-            if (!(nextRest.Length < rest.Length)) break;
-            (point, rest) = (next, nextRest);
-        }
-        return rest.Length < 1e-6 ? point : new Vec3(double.NaN, double.NaN, double.NaN);
-    }
+    public override Vec3 ToPart(Vec3 flat) => Find(flat, flat, null).Part;
 
     public override double Height(double x, double y, double value) => ToPart(new Vec3(x, y, value)).Z;
 
     internal override LiftedPoint Lift(Vec3 flat, double thickness)
     {
-        var part = ToPart(flat);
-        var slopes = Slopes(ToPart(flat.WithZ(flat.Z - thickness / 2)));
+        var (part, near) = Find(flat, flat, null);
+        var slopes = Slopes(Find(flat.WithZ(flat.Z - thickness / 2), part, near).Part);
         var volume = thickness / Vec3.Dot(slopes.X, Vec3.Cross(slopes.Y, slopes.Z));
         var vertical = thickness / slopes.Z.Z;
         return new LiftedPoint(part, vertical, volume / vertical);
@@ -64,6 +42,32 @@ internal sealed class DeformedField(Func<Vec3, Vec3> bend) : LayerField
             }
         }
         return Anchored(this, part, settings);
+    }
+
+    // Slopes that are known nearby serve as long as they lead on fast.
+    private (Vec3 Part, (Vec3 X, Vec3 Y, Vec3 Z)? Slopes) Find(Vec3 flat, Vec3 point, (Vec3 X, Vec3 Y, Vec3 Z)? slopes)
+    {
+        var rest = bend(point) - flat;
+        for (var i = 0; i < 50 && rest.Length > 1e-10; i++)
+        {
+            if (!rest.IsFinite) break;
+            var (isNew, before) = (slopes is null, rest.Length);
+            var step = Solve(slopes ??= Slopes(point), rest);
+            // Half steps where a whole one leads away.
+            var share = 1.0;
+            Vec3 next, nextRest;
+            do
+            {
+                next = point - step * share;
+                nextRest = bend(next) - flat;
+                share /= 2;
+            }
+            while (!(nextRest.Length < rest.Length) && share > 1e-3);
+            if (isNew && !(nextRest.Length < before)) break;
+            if (nextRest.Length < before) (point, rest) = (next, nextRest);
+            if (!(rest.Length < before / 20)) slopes = null;
+        }
+        return (rest.Length < 1e-6 ? point : new Vec3(double.NaN, double.NaN, double.NaN), slopes);
     }
 
     // Derivatives of the bent point by x, y and z.

@@ -7,7 +7,8 @@ internal sealed class FieldFormula(Formula formula)
     public const double Detail = 2;
 
     private static readonly string[] Variables = ["x", "y", "z", "r", "theta"];
-    private readonly SpareContext _contexts = new(Variables.Length);
+    private readonly ThreadLocal<FormulaContext> _contexts = new(() => new FormulaContext(new double[Variables.Length]));
+    private readonly bool _usesAngle = formula.Text.IndexOf("theta", StringComparison.Ordinal) >= 0;
 
     public bool IsConstant => formula.IsConstant;
 
@@ -23,15 +24,13 @@ internal sealed class FieldFormula(Formula formula)
 
     public double At(double x, double y, double z)
     {
-        var context = _contexts.Rent();
+        var context = _contexts.Value!;
         var values = context.Values;
         values[0] = x;
         values[1] = y;
         values[2] = z;
         values[3] = Math.Sqrt(x * x + y * y);
-        values[4] = Angle.Atan2(y, x);
-        var value = formula.Evaluate(context);
-        _contexts.Return(context);
-        return value;
+        if (_usesAngle) values[4] = Angle.Atan2(y, x);
+        return formula.Evaluate(context);
     }
 }

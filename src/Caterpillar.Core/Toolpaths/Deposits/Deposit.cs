@@ -89,10 +89,7 @@ internal sealed class Deposit
         if (!from.IsFinite || !to.IsFinite) throw new ArgumentOutOfRangeException(nameof(from), "The ends of an extrusion must be finite.");
         if (!(halfWidth >= 0) || double.IsInfinity(halfWidth))
             throw new ArgumentOutOfRangeException(nameof(halfWidth), "The width of an extrusion must be finite and not negative.");
-        var extrusion = new Extrusion
-        {
-            Ax = from.X, Ay = from.Y, Az = from.Z, Bx = to.X, By = to.Y, Bz = to.Z, Half = halfWidth, Tag = tag, IsJoined = isJoined,
-        };
+        var extrusion = Extrusion.Of(from, to, halfWidth, tag, isJoined);
         Highest = Math.Max(Highest, extrusion.Top);
         var edge = DepositBins.Most * _bins.Side;
         _last = -1;
@@ -107,8 +104,7 @@ internal sealed class Deposit
             {
                 return;
             }
-            var (a, b) = (Vec3.Lerp(from, to, low), Vec3.Lerp(from, to, high));
-            extrusion = extrusion with { Ax = a.X, Ay = a.Y, Az = a.Z, Bx = b.X, By = b.Y, Bz = b.Z };
+            extrusion = Extrusion.Of(Vec3.Lerp(from, to, low), Vec3.Lerp(from, to, high), halfWidth, tag, isJoined);
             Draw(_store.Add(extrusion), extrusion);
             return;
         }
@@ -284,7 +280,7 @@ internal sealed class Deposit
         for (var block = (bin.Count - 1) >> DepositBin.BlockBits; block >= 0; block--)
         {
             var first = block << DepositBin.BlockBits;
-            if (first + DepositBin.Block <= bin.Count && !(bin.BlockTops[block] > best)) continue;
+            if (first + DepositBin.Block <= bin.Count && !(bin.Blocks[block].Top > best)) continue;
             for (var i = Math.Min(first + DepositBin.Block, bin.Count) - 1; i >= first; i--)
             {
                 if (!(bin.Entries[i].Top > best) || (bin.Entries[i].IsLevel && bin.Entries[i].Top > limit)) continue;

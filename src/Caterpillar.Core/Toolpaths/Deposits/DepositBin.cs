@@ -5,7 +5,7 @@ internal sealed class DepositBin
 {
     public const int Bits = 3;
     public const int Side = 1 << Bits;
-    public const int BlockBits = 4;
+    public const int BlockBits = 3;
     public const int Block = 1 << BlockBits;
     private const int FirstCompaction = 32;
 
@@ -15,8 +15,8 @@ internal sealed class DepositBin
     /// <summary>The extrusions, in the order in which they were added.</summary>
     public DepositEntry[] Entries = new DepositEntry[4];
 
-    /// <summary>The highest top of each full block of <see cref="Block"/> extrusions: layers far below are skipped by blocks.</summary>
-    public double[] BlockTops = [];
+    /// <summary>Bounds of each full block of <see cref="Block"/> extrusions: layers below are skipped by blocks.</summary>
+    public DepositBlock[] Blocks = [];
 
     public int Count;
 
@@ -37,14 +37,13 @@ internal sealed class DepositBin
         if (extrusion == _last)
         {
             ref var last = ref Entries[Count - 1];
-            if (top > last.Top) Put(Count - 1, new DepositEntry { Extrusion = extrusion, Top = top });
-            else last.IsLevel &= isLevel && top == last.Top;
+            Put(Count - 1, new() { Extrusion = extrusion, Top = Math.Max(top, last.Top), IsLevel = last.IsLevel && isLevel && top == last.Top }, store);
             return;
         }
         if (Count == _compactAt) Compact(store, keepDepth);
         if (Count == Entries.Length) Array.Resize(ref Entries, Count * 2);
         store.Use(extrusion);
-        Put(Count++, new DepositEntry { Extrusion = extrusion, Top = top, IsLevel = isLevel });
+        Put(Count++, new DepositEntry { Extrusion = extrusion, Top = top, IsLevel = isLevel }, store);
         _last = extrusion;
     }
 
@@ -56,7 +55,7 @@ internal sealed class DepositBin
             var entry = Entries[i];
             if (entry.Top >= Top - keepDepth)
             {
-                Put(kept++, entry);
+                Put(kept++, entry, store);
                 continue;
             }
             Dropped = Math.Max(Dropped, entry.Top);
@@ -67,15 +66,13 @@ internal sealed class DepositBin
         _compactAt = Math.Max(FirstCompaction, kept * 2);
     }
 
-    private void Put(int at, in DepositEntry entry)
+    private void Put(int at, in DepositEntry entry, ExtrusionStore store)
     {
         Entries[at] = entry;
         if ((at & (Block - 1)) < Block - 1) return;
         var block = at >> BlockBits;
-        if (block >= BlockTops.Length) Array.Resize(ref BlockTops, Math.Max(2, block * 2));
-        var top = entry.Top;
-        for (var i = at - Block + 1; i < at; i++) top = Math.Max(top, Entries[i].Top);
-        BlockTops[block] = top;
+        if (block >= Blocks.Length) Array.Resize(ref Blocks, Math.Max(2, block * 2));
+        Blocks[block] = new DepositBlock(Entries.AsSpan(at - Block + 1, Block), store, block > 0 ? Blocks[block - 1].TopSoFar : double.NegativeInfinity);
     }
 }
 

@@ -13,6 +13,7 @@ internal sealed class DepositContacts(DepositBins bins, DepositCells cells, Extr
         var z = Math.Min(a.Z, b.Z) + query.Tolerance;
         var most = head.Reach(highest - z);
         if (most < 0 || bins.IsEmpty) return HeadContact.None;
+        store.BeginQuery();
         var wide = bins.SquareSide;
         var lastRow = DepositBins.SquareOf(bins.Row(Math.Max(a.Y, b.Y) + most));
         for (var tall = DepositBins.SquareOf(bins.Row(Math.Min(a.Y, b.Y) - most)); tall <= lastRow; tall++)
@@ -77,29 +78,36 @@ internal sealed class DepositContacts(DepositBins bins, DepositCells cells, Extr
                 if (bins[column, row] is not { } bin || !(bin.Top > z)) continue;
                 // All of the bin is at least so far away: only what is higher than the underside of the head there can be touched.
                 double x = (column + 0.5) * side, y = (row + 0.5) * side;
-                var above = query.Head.HeightAt(query.DistanceTo(x, y, side / 2));
+                var near = query.Near(x, y, side / 2, query.Head.Reach(bin.Top - z), out var away);
+                var above = query.Head.HeightAt(away);
                 if (!(bin.Top > z + above)) continue;
-                var low = query.LowestNear(x, y, side / 2, query.Head.Reach(bin.Top - z)) + query.Tolerance;
-                if (bin.Top > low + above && MeetsBin(bin, column, row, low + above, low, ref query, ref tag)) return true;
+                var low = Math.Min(near.From.Z, near.To.Z) + query.Tolerance;
+                if (bin.Top > low + above && MeetsBin(bin, column, row, low + above, low, near, ref query, ref tag)) return true;
             }
         }
         return false;
     }
 
-    private bool MeetsBin(DepositBin bin, int column, int row, double z, double low, ref HeadQuery query, ref int tag)
+    private bool MeetsBin(DepositBin bin, int column, int row, double z, double low, (Vec3 From, Vec3 To) near, ref HeadQuery query, ref int tag)
     {
         // Nothing in the bin is touched farther away.
         var reach = query.Head.Reach(bin.Top - low);
-        query.Aim(bin.Top - low);
+        var line = query.Head.LineAbove(bin.Top - low, query.HitsOnly);
         for (var block = (bin.Count - 1) >> DepositBin.BlockBits; block >= 0; block--)
         {
             var first = block << DepositBin.BlockBits;
-            if (first + DepositBin.Block <= bin.Count && !(bin.BlockTops[block] > z)) continue;
+            if (first + DepositBin.Block <= bin.Count)
+            {
+                ref var bounds = ref bin.Blocks[block];
+                if (!(bounds.TopSoFar > z)) break;
+                if (!(bounds.Top > z && query.MayMeet(bounds, near, line))) continue;
+            }
             for (var i = Math.Min(first + DepositBin.Block, bin.Count) - 1; i >= first; i--)
             {
                 if (!(bin.Entries[i].Top > z)) continue;
                 ref var extrusion = ref store[bin.Entries[i].Extrusion];
-                if (extrusion.IsBeyond(query.From, query.To, reach + extrusion.Half)) continue;
+                // All of it is looked at, once for all bins.
+                if (extrusion.IsBeyond(query.From, query.To, reach + extrusion.Half) || !store.IsNew(bin.Entries[i].Extrusion)) continue;
                 var hits = query.Meets(extrusion);
                 if (hits || (query.Digs && tag < 0)) tag = extrusion.Tag;
                 if (hits) return true;
@@ -109,7 +117,8 @@ internal sealed class DepositContacts(DepositBins bins, DepositCells cells, Extr
         for (var i = 0; i < DepositBin.Cells; i++)
         {
             var top = Math.Min(cells.InBin(column, row, i).Top, bin.Dropped);
-            if (!(top > z) || !query.Meets(Extrusion.At(DepositCells.Center(column, row, i, cell), top, cell * 0.7072))) continue;
+            var center = DepositCells.Center(column, row, i, cell).WithZ(top);
+            if (!(top > z) || !query.Meets(Extrusion.Of(center, center, cell * 0.7072))) continue;
             tag = -1;
             return true;
         }
@@ -119,12 +128,12 @@ internal sealed class DepositContacts(DepositBins bins, DepositCells cells, Extr
     private bool MeetsBoxIn(DepositBin bin, int column, int row, in BoxQuery query, out int tag)
     {
         tag = -1;
-        if (!query.Passes(new Vec3((column + 0.5) * bins.Side, (row + 0.5) * bins.Side), bins.Side / 2)) return false;
-        var z = query.Lowest;
+        var z = query.LowestOver(new Vec3((column + 0.5) * bins.Side, (row + 0.5) * bins.Side), bins.Side / 2);
+        if (!(bin.Top > z)) return false;
         for (var i = 0; i < DepositBin.Cells; i++)
         {
             var top = cells.InBin(column, row, i).Top;
-            if (!(top > z) || !query.Meets(DepositCells.Center(column, row, i, cell), top, cell)) continue;
+            if (!(top > z) || !(top > query.LowestOver(DepositCells.Center(column, row, i, cell), cell / 2))) continue;
             for (var k = bin.Count - 1; k >= 0 && tag < 0; k--)
             {
                 if (bin.Entries[k].Top > z) tag = store[bin.Entries[k].Extrusion].Tag;

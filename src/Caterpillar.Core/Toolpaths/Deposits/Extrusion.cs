@@ -18,12 +18,15 @@ internal struct Extrusion
 
     public readonly double Top => Math.Max(Az, Bz);
 
+    public readonly Vec3 A => new(Ax, Ay, Az);
+
+    public readonly Vec3 B => new(Bx, By, Bz);
+
     /// <summary>True if it goes up or down, so that its ends are not as high as what is before them.</summary>
     public readonly bool IsSloped => (Bz - Az) * (Bz - Az) > LevelRise * LevelRise * ((Bx - Ax) * (Bx - Ax) + (By - Ay) * (By - Ay));
 
-    /// <summary>A disc.</summary>
-    public static Extrusion At(Vec3 center, double top, double half)
-        => new() { Ax = center.X, Ay = center.Y, Az = top, Bx = center.X, By = center.Y, Bz = top, Half = half };
+    public static Extrusion Of(Vec3 a, Vec3 b, double half, int tag = -1, bool isJoined = false)
+        => new() { Ax = a.X, Ay = a.Y, Az = a.Z, Bx = b.X, By = b.Y, Bz = b.Z, Half = half, Tag = tag, IsJoined = isJoined };
 
     /// <summary>Highest top of the part whose footprint comes within a distance of a segment, seen from above. Negative infinity = none.</summary>
     public readonly double TopWithin(Vec3 a, Vec3 b, double distance)
@@ -31,23 +34,6 @@ internal struct Extrusion
         var reach = distance + Half;
         if (!StadiumClip.TryClip(Ax, Ay, Bx - Ax, By - Ay, a, b, reach, out var from, out var to)) return double.NegativeInfinity;
         return Math.Max(Az + (Bz - Az) * from, to >= 1 ? Bz : Az + (Bz - Az) * to);
-    }
-
-    /// <summary>True if its part within some distance of a segment, seen from above, touches a head at height <paramref name="z"/>.</summary>
-    public readonly bool Meets(in Vec3 a, in Vec3 b, double z, HeadShape head, bool lenient)
-    {
-        var excess = Top - z;
-        // What is highest may be farther off: the part within its reach decides, and so on. The reach only shrinks.
-        for (var i = 0; i < 32; i++)
-        {
-            var reach = head.AxisReach(excess, Half, lenient);
-            if (!(reach >= 0) || IsBeyond(a, b, reach)) return false;
-            var top = TopWithin(a, b, reach - Half) - z;
-            if (top >= excess - 1e-9) return true;
-            if (double.IsNegativeInfinity(top)) return false;
-            excess = top;
-        }
-        return true;
     }
 
     /// <summary>True if the rectangles of its axis and a segment are farther apart, which is faster than clipping.</summary>
@@ -135,6 +121,10 @@ internal sealed class ExtrusionStore
 
     // Number of bins that refer to each; 0 if it is free.
     private int[] _users = [];
+
+    // Number of the query that has last seen each.
+    private int[] _seen = [];
+    private int _query;
     private int[] _free = new int[64];
     private int _freeCount;
     private int _next;
@@ -151,10 +141,22 @@ internal sealed class ExtrusionStore
         {
             Array.Resize(ref _chunks, Math.Max(4, _chunks.Length * 2));
             Array.Resize(ref _users, _chunks.Length << ChunkBits);
+            Array.Resize(ref _seen, _users.Length);
         }
         _chunks[index >> ChunkBits] ??= new Extrusion[1 << ChunkBits];
         this[index] = extrusion;
         return index;
+    }
+
+    /// <summary>A new query has seen none of them.</summary>
+    public void BeginQuery() => _query++;
+
+    /// <summary>Whether the query has not seen an extrusion before.</summary>
+    public bool IsNew(int index)
+    {
+        if (_seen[index] == _query) return false;
+        _seen[index] = _query;
+        return true;
     }
 
     /// <summary>Counts one more bin with an extrusion.</summary>

@@ -2,12 +2,11 @@ namespace Caterpillar.Toolpaths;
 
 /// <summary>
 /// A collision query for a head that moves straight from one point to another, also up or down. It records whether the head digs into something. It misses no
-/// extrusion. A rise of less than 0.02 mm counts as level.
+/// extrusion.
 /// </summary>
 internal struct HeadQuery
 {
-    // Rise of a piece that counts as level, and length of one that counts as straight up, mm.
-    private const double Level = 0.02;
+    // Length of a path that counts as straight up, mm.
     private const double Upright = 0.03;
 
     // mm; far more than rounding.
@@ -30,10 +29,6 @@ internal struct HeadQuery
     private readonly double _spread;
     private readonly bool _isUpright;
 
-    // What is farther from the line of the path than (start + slope * height above it) / shrink is out of reach.
-    private double _excess, _start, _slope, _shrink;
-    private bool _addsHalf;
-
     public HeadQuery(Vec3 from, Vec3 to, double tolerance, HeadShape head, bool hitsOnly)
     {
         (From, To, Tolerance, Head, HitsOnly) = (from, to, tolerance, head, hitsOnly);
@@ -45,67 +40,68 @@ internal struct HeadQuery
         if (!_isUpright) _rise = (to.Z - from.Z) / _length;
     }
 
-    /// <summary>Prepares for extrusions up to this many mm above the lowest tip.</summary>
-    public void Aim(double excess)
-    {
-        _excess = excess;
-        (_start, _slope, _addsHalf) = Head.LineAbove(excess, HitsOnly);
-        var cut = _slope * _rise;
-        _shrink = _isUpright || cut * cut >= 1 ? 0 : Math.Sqrt(1 - cut * cut);
-    }
-
-    /// <summary>
-    /// True if an extrusion is clearly out of reach of the infinite line of the path. The sideways reach of the head grows with the height of the extrusion
-    /// above the slope of the path.
-    /// </summary>
-    public readonly bool IsPassed(in Extrusion extrusion)
-    {
-        if (!(_shrink > 0)) return false;
-        double ax = extrusion.Ax - From.X, ay = extrusion.Ay - From.Y, bx = extrusion.Bx - From.X, by = extrusion.By - From.Y;
-        double aside = ay * _ux - ax * _uy, bside = by * _ux - bx * _uy;
-        var level = From.Z + Tolerance;
-        double a = extrusion.Az - level - _rise * (ax * _ux + ay * _uy), b = extrusion.Bz - level - _rise * (bx * _ux + by * _uy);
-        var start = _addsHalf ? _start + extrusion.Half : _start;
-        if (Math.Max(a, b) <= -Math.Abs(_rise) * (start + _slope * _excess) - Same) return true;
-        if (Math.Abs(aside) * _shrink <= start + _slope * a + Same || Math.Abs(bside) * _shrink <= start + _slope * b + Same) return false;
-        // It crosses the line.
-        return aside > 0 == bside > 0 || start + _slope * (a + (b - a) * aside / (aside - bside)) < -Same;
-    }
-
     /// <summary>True if the head hits. Digging is recorded.</summary>
     public bool Meets(in Extrusion extrusion)
     {
-        if (IsPassed(extrusion)) return false;
+        var most = extrusion.Top - Math.Min(From.Z, To.Z) - Tolerance;
+        if (!(most > 0) || IsPassed(extrusion, Head.LineAbove(most, HitsOnly), out var excess)) return false;
+        // Near the path, it may be less high above it.
+        if (excess < most && IsPassed(extrusion, Head.LineAbove(excess, HitsOnly), out _)) return false;
         if (!HitsOnly && !Touches(extrusion, From, To, false)) return false;
         if (Touches(extrusion, From, To, true) && (!extrusion.IsSloped || TouchesSloped(extrusion))) return true;
         if (HitsOnly) return false;
         Digs = HitsOnly = true;
-        Aim(_excess);
         return false;
     }
 
-    /// <summary>Minimum distance of a square from the path, seen from above, mm. Negative if they may overlap.</summary>
-    public readonly double DistanceTo(double x, double y, double half)
+    /// <summary>Whether extrusions as high above the tip as a line is right may be met from a part of the path.</summary>
+    public readonly bool MayMeet(in DepositBlock block, in (Vec3 From, Vec3 To) part, in ReachLine line)
+    {
+        if (block.Rise == 0 || line.Slope * block.Rise >= 1) return true;
+        var above = Math.Max(block.Above(part.From), block.Above(part.To)) - Tolerance;
+        var excess = (above + block.Rise * line.At(0, block.Half)) / (1 - line.Slope * block.Rise);
+        // Lower ones have a lower line.
+        return excess > Same ? excess > 0.7 * line.Most || MayMeet(block, part, Head.LineAbove(excess, HitsOnly)) : excess > -Same;
+    }
+
+    /// <summary>The part of the path within some distance of a square, seen from above, and its distance in mm, negative if they may overlap.</summary>
+    public readonly (Vec3 From, Vec3 To) Near(double x, double y, double half, double distance, out double away)
     {
         x -= From.X;
         y -= From.Y;
-        var along = x * _ux + y * _uy;
-        return Math.Max(Math.Abs(y * _ux - x * _uy), Math.Max(-along, along - _length)) - half * _spread;
+        double along = x * _ux + y * _uy, around = half * _spread, far = distance + around;
+        away = Math.Max(Math.Abs(y * _ux - x * _uy), Math.Max(-along, along - _length)) - around;
+        return _isUpright ? (From, To) : (Vec3.Lerp(From, To, Share(along - far)), Vec3.Lerp(From, To, Share(along + far)));
     }
 
-    /// <summary>Minimum height of the tip within some distance of such a square, mm.</summary>
-    public readonly double LowestNear(double x, double y, double half, double distance)
+    // True if an extrusion is clearly out of reach of the infinite line of the path. The sideways reach of the head grows with the height of the extrusion
+    // above the slope of the path. Also the height of the extrusion above the tip, at most, mm.
+    private readonly bool IsPassed(in Extrusion extrusion, in ReachLine line, out double excess)
     {
-        if (_rise == 0) return Math.Min(From.Z, To.Z);
-        var along = (x - From.X) * _ux + (y - From.Y) * _uy;
-        var far = distance + half * _spread;
-        return From.Z + _rise * Math.Min(_length, Math.Max(0, _rise > 0 ? along - far : along + far));
+        excess = line.Most;
+        var cut = line.Slope * _rise;
+        if (_isUpright || cut * cut >= 1) return false;
+        // What is farther from the line of the path than (reach / shrink) is out of reach.
+        var shrink = Math.Sqrt(1 - cut * cut);
+        double ax = extrusion.Ax - From.X, ay = extrusion.Ay - From.Y, bx = extrusion.Bx - From.X, by = extrusion.By - From.Y;
+        double aside = ay * _ux - ax * _uy, bside = by * _ux - bx * _uy;
+        var level = From.Z + Tolerance;
+        double a = extrusion.Az - level - _rise * (ax * _ux + ay * _uy), b = extrusion.Bz - level - _rise * (bx * _ux + by * _uy);
+        excess = Math.Max(a, b) + Math.Abs(_rise) * line.At(excess, extrusion.Half) + Same;
+        if (excess <= 0) return true;
+        double reachA = line.At(a, extrusion.Half) + Same, reachB = line.At(b, extrusion.Half) + Same;
+        if (Math.Abs(aside) * shrink <= reachA || Math.Abs(bside) * shrink <= reachB) return false;
+        // It crosses the line.
+        return aside > 0 == bside > 0 || reachA + (reachB - reachA) * aside / (aside - bside) < 0;
     }
+
+    // 0 to 1.
+    private readonly double Share(double along) => Math.Min(1, Math.Max(0, along / _length));
 
     // An extrusion that goes up or down is level across itself. Where the path is over it, or beside it, the nearest of its points count; then its round ends.
     private readonly bool TouchesSloped(in Extrusion extrusion)
     {
-        Vec3 a = From, b = To, first = new(extrusion.Ax, extrusion.Ay, extrusion.Az), last = new(extrusion.Bx, extrusion.By, extrusion.Bz);
+        Vec3 a = From, b = To, first = extrusion.A, last = extrusion.B;
         var half = extrusion.Half;
         var along = (last - first).WithZ(0);
         if (!(along.Length > Upright)) return true;
@@ -128,23 +124,19 @@ internal struct HeadQuery
     {
         double low = 0, high = 1, start = Vec3.Dot((From - end).WithZ(0), outward), step = Vec3.Dot((To - From).WithZ(0), outward);
         return FlatSegment.Slab(start, step, 0, double.PositiveInfinity, ref low, ref high)
-            && Touches(Extrusion.At(end, end.Z, half), Vec3.Lerp(From, To, low), Vec3.Lerp(From, To, high), true);
+            && Touches(Extrusion.Of(end, end, half), Vec3.Lerp(From, To, low), Vec3.Lerp(From, To, high), true);
     }
 
     private readonly bool Touches(in Extrusion extrusion, Vec3 a, Vec3 b, bool lenient)
     {
-        var low = Math.Min(a.Z, b.Z) + Tolerance;
-        if (Math.Abs(a.Z - b.Z) <= Level || (b - a).LengthXY <= Upright) return extrusion.Meets(a, b, low, Head, lenient);
-        var reach = Head.AxisReach(extrusion.Top - low, extrusion.Half, lenient);
-        if (!(reach >= 0) || extrusion.IsBeyond(a, b, reach)) return false;
-        var (start, slope, addsHalf) = Head.LineAbove(extrusion.Top - low, lenient);
-        if (addsHalf) start += extrusion.Half;
-        var pass = new SlopePass(extrusion, a, b, Tolerance, slope);
-        if (pass.Least > start + Same) return false;
-        if (pass.Distance <= Head.AxisReach(pass.Excess + Same, extrusion.Half, lenient)) return true;
-        // The reach is below the line there: shorter pieces have lower lines.
-        var middle = Vec3.Lerp(a, b, 0.5);
-        return Touches(extrusion, a, middle, lenient) || Touches(extrusion, middle, b, lenient);
+        var most = extrusion.Top - Math.Min(a.Z, b.Z) - Tolerance;
+        for (double least = 0, end; least < most; least = end)
+        {
+            var (start, slope, until) = Head.PieceAbove(least, extrusion.Half, lenient);
+            end = Math.Max(until, least + Same);
+            if (new SlopePass(extrusion, a, b, Tolerance, slope, least, end + Same).Least <= start + Same) return true;
+        }
+        return false;
     }
 }
 

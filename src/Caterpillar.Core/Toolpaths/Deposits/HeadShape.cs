@@ -60,30 +60,51 @@ internal sealed class HeadShape
     }
 
     /// <summary>
-    /// Reach from the axis of the head to the axis of an extrusion with half its width. If lenient, an extrusion next to the axis that rises by less than 45°
-    /// does not count if only the flat of the tip digs into it.
+    /// The reach from the axis of the head to the axis of an extrusion with half its width, above some height, as far as it is linear: its value for an excess
+    /// of 0, its slope, and the excess at which it ends. If lenient, an extrusion next to the axis that rises by less than 45° does not count if only the flat
+    /// of the tip digs into it.
     /// </summary>
-    internal double AxisReach(double excess, double half, bool lenient)
+    internal (double Start, double Slope, double End) PieceAbove(double excess, double half, bool lenient)
     {
-        var reach = Reach(excess);
-        if (reach < 0) return -1;
-        if (!lenient || reach > 3 * FlatRadius) return reach + half;
-        var inner = Reach(excess - FlatRadius);
-        return Math.Min(reach + half, Math.Max(excess, inner < 0 ? 0 : inner + half));
+        var (start, slope, end) = ConeAbove(excess);
+        var wide = slope > 0 ? (3 * FlatRadius - start) / slope : start > 3 * FlatRadius ? 0 : double.PositiveInfinity;
+        start += half;
+        if (!lenient || wide <= excess) return (start, slope, end);
+        end = Math.Min(end, wide);
+        if (excess < FlatRadius) return (0, 1, Math.Min(end, FlatRadius));
+        var inner = ConeAbove(excess - FlatRadius);
+        inner.Start += half - inner.Slope * FlatRadius;
+        end = Math.Min(Math.Min(end, inner.End + FlatRadius), Math.Min(Equal(start, slope), Equal(inner.Start, inner.Slope)));
+        var middle = double.IsInfinity(end) ? excess + 1 : (excess + end) / 2;
+        if (inner.Start + inner.Slope * middle > middle) return (inner.Start, inner.Slope, end);
+        return start + slope * middle < middle ? (start, slope, end) : (0, 1, end);
+
+        // Where a line is as far out as it is high.
+        double Equal(double from, double gain) => from / (1 - gain) is var at && at > excess ? at : double.PositiveInfinity;
     }
 
-    /// <summary>
-    /// A linear upper bound of <see cref="AxisReach"/> up to some height: its value for an excess of 0, its slope, and whether to add half the width of the
-    /// extrusion.
-    /// </summary>
-    internal (double Start, double Slope, bool AddsHalf) LineAbove(double excess, bool lenient)
+    /// <summary>A linear upper bound of this reach up to some height.</summary>
+    internal ReachLine LineAbove(double excess, bool lenient)
     {
         lenient &= Reach(excess) <= 3 * FlatRadius;
-        if (lenient && excess <= FlatRadius) return (0, 1, false);
+        if (lenient && excess <= FlatRadius) return new(0, 1, false, excess);
         var shift = lenient ? FlatRadius : 0;
         var slope = lenient ? 1 : (Reach(excess) - FlatRadius) / excess;
         var start = Reach(excess - shift) - slope * excess;
         for (var i = 0; i < _radii.Length && _heights[i] + shift < excess; i++) start = Math.Max(start, _radii[i] - slope * (_heights[i] + shift));
-        return (start, slope, true);
+        return new(start, slope, true, excess);
     }
+
+    private (double Start, double Slope, double End) ConeAbove(double excess)
+    {
+        var i = _radii.Length - 1;
+        while (_heights[i] > excess) i--;
+        return (_radii[i] - _slopes[i] * _heights[i], _slopes[i], i + 1 < _radii.Length ? _heights[i + 1] : double.PositiveInfinity);
+    }
+}
+
+/// <summary>A linear bound of the reach of a head: its value at 0, its slope, whether to add half the width of an extrusion, and up to what excess.</summary>
+internal readonly record struct ReachLine(double Start, double Slope, bool AddsHalf, double Most)
+{
+    public double At(double excess, double half) => Start + Slope * excess + (AddsHalf ? half : 0);
 }

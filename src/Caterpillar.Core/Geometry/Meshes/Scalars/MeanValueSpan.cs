@@ -55,7 +55,9 @@ internal sealed class MeanValueSpan
                 // The tangent of half the angle under which the edge is seen.
                 double cross = ax * by - ay * bx, dot = a * b + ax * bx + ay * by;
                 if (dot <= 1e-12 * a * b) return (az * b + bz * a) / (a + b);
-                var (tangent, perB) = (cross / dot, 1 / b);
+                // One division for both.
+                var shared = 1 / (dot * b);
+                var (tangent, perB) = (cross * b * shared, dot * shared);
                 sum += tangent * (perA * az + perB * bz);
                 weights += tangent * (perA + perB);
                 (ax, ay, az, a, perA) = (bx, by, bz, b, perB);
