@@ -76,7 +76,8 @@ public static class ToolpathImage
         var floor = options.Strokes ? Lowest(toolpath) : double.NegativeInfinity;
         var ranges = Ranges(toolpath, options, floor);
         if (ranges.Box.IsEmpty) return canvas.Finish();
-        canvas.Fit(options.Region.IsEmpty ? ranges.Box : Above(options.Region, ranges.Box));
+        var (region, box) = (options.Region, ranges.Box);
+        canvas.Fit(region.IsEmpty ? box : new Bounds(region.Min.WithZ(box.Min.Z), region.Max.WithZ(box.Max.Z)));
         foreach (var move in toolpath.Moves())
         {
             if ((move.Index & 0xFFFF) == 0)
@@ -180,9 +181,6 @@ public static class ToolpathImage
         var width = bead.Width(BeadShape.Stadium);
         return (width, bead.Height > 0 ? Math.Min(width, bead.Height) : width);
     }
-
-    private static Bounds Above(Bounds region, Bounds box)
-        => new(region.Min.WithZ(box.Min.Z), region.Max.WithZ(box.Max.Z));
 
     private readonly record struct ColorRanges(Bounds Box, double Slow, double Fast, int FirstLayer, int LastLayer);
 }

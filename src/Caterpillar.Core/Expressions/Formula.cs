@@ -27,7 +27,6 @@ internal sealed class Formula(string text, string[] variables, FormulaNode node,
     /// <param name="source">Origin of the text. Diagnostics have its file and key, and line and column of the text.</param>
     public static Result<Formula> Compile(string text, IReadOnlyList<string>? variables = null, SourceLocation? source = null)
     {
-        if (text is null) throw new ArgumentNullException(nameof(text));
         var names = (variables ?? []).ToArray();
         try
         {
@@ -51,7 +50,6 @@ internal sealed class Formula(string text, string[] variables, FormulaNode node,
     /// <exception cref="ArgumentException">Fewer values than variables.</exception>
     public double Evaluate(FormulaContext context)
     {
-        if (context is null) throw new ArgumentNullException(nameof(context));
         if (context.Values.Length < Variables.Count) throw new ArgumentException("Fewer values than variables.", nameof(context));
         return _evaluate(context);
     }

@@ -14,7 +14,6 @@ internal sealed class FieldFormula(Formula formula)
 
     public static Result<FieldFormula> Compile(string text, SourceLocation? source)
     {
-        if (text is null) throw new ArgumentNullException(nameof(text));
         var compiled = Formula.Compile(text, Variables, source);
         if (compiled.Value is not { } own) return new Result<FieldFormula>(null, compiled.Diagnostics);
         if (!own.UsesRandom) return new Result<FieldFormula>(new FieldFormula(own), compiled.Diagnostics);

@@ -58,7 +58,7 @@ public static class FileSetup
             var equals = line.IndexOf(" =", StringComparison.Ordinal);
             if (!line.StartsWith("; ", StringComparison.Ordinal) || equals < 0)
                 return new("setup.damaged", $"The setup in the comments of the file is damaged: expected \"; key = value\" or \"{End}\".", place);
-            var (key, value) = (line.Substring(2, equals - 2), Utf8(line.Substring(equals + 2)).Trim());
+            var (key, value) = (line.Substring(2, equals - 2), Encoding.UTF8.GetString(TextEncoding.Encode(line.Substring(equals + 2))).Trim());
             if (Array.IndexOf(Names, key) >= 0 || key.StartsWith(Names[1] + "[", StringComparison.Ordinal)) names[key] = value;
             else values.Add((key + "=" + Words.Replaced(value, Break, "\n"), place with { Key = key }));
         }
@@ -96,6 +96,4 @@ public static class FileSetup
         return names.Length == 0 ? null
             : SetupValues.Apply(new PrintSetup(printer, new Material(), new PrintSettings()), values.Select(p => p.Key + "=" + p.Value)).Value;
     }
-
-    private static string Utf8(string latin1) => Encoding.UTF8.GetString(TextEncoding.Encode(latin1));
 }

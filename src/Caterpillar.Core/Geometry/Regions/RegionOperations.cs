@@ -64,7 +64,6 @@ internal static class RegionOperations
 
     private static Region Combine(Region region, Region other, InsideRule rule, byte operand, RegionEngine engine)
     {
-        if (other is null) throw new ArgumentNullException(nameof(other));
         if (region.IsEmpty || other.IsEmpty)
         {
             if (rule == InsideRule.Intersection) return Region.Empty;

@@ -99,7 +99,7 @@ internal sealed class MotionPlanner
             // Whatever waits in the run comes before this move.
             _out.Begin(first + i, _out.Count + _count);
             var homes = false;
-            if (first + i >= NextEvent())
+            if (_nextEvent < _toolpath.Events.Count && first + i >= _toolpath.Events[_nextEvent].Move)
             {
                 Events(first + i);
                 homes = _toolpath.HomeOf(_toolpath[first + i]) is not null;
@@ -133,8 +133,6 @@ internal sealed class MotionPlanner
             _out.Forget(next);
         }
     }
-
-    private int NextEvent() => _nextEvent < _toolpath.Events.Count ? _toolpath.Events[_nextEvent].Move : int.MaxValue;
 
     private void Events(int move)
     {

@@ -18,7 +18,7 @@ public static class ModelArranger
         var known = new Dictionary<TriMesh, Footprint>();
         var footprints = models.Select(m => known.TryGetValue(m.Mesh, out var same) ? same : known[m.Mesh] = Footprint.Of(m.Mesh)).ToArray();
         var order = Enumerable.Range(0, models.Count).Where(i => models[i].Mesh.TriangleCount > 0)
-            .OrderByDescending(i => Area(footprints[i].Box)).ThenBy(i => i).ToArray();
+            .OrderByDescending(i => footprints[i].Box.Size.X * footprints[i].Box.Size.Y).ThenBy(i => i).ToArray();
         var search = new PlaceSearch(printer, options, cancel);
         var placed = search.FromTheMiddle(footprints, order);
         if (placed.Count(p => p is not null) < order.Length)
@@ -44,6 +44,4 @@ public static class ModelArranger
         var shift = to.Box.Min - from.Box.Min;
         return model.Moved(new Vec3(shift.X, shift.Y, -model.Mesh.Bounds.Min.Z));
     }
-
-    private static double Area(Bounds box) => box.Size.X * box.Size.Y;
 }

@@ -54,7 +54,7 @@ internal sealed class IslandWalls
         List<GridPoint[]> air = [], strips = [];
         foreach (var piece in ThinParts.Thick(inside.Subtract(below, _engine), spacing / 4, _engine).Islands)
         {
-            var strip = Moved(piece, anchor).Intersect(inside, _engine);
+            var strip = piece.Offset(anchor, JoinStyle.Miter, 2, ArcTolerance, _engine).Intersect(inside, _engine);
             // Nothing carries it, or it is a bridge.
             if (strip.Intersect(below, _engine).IsEmpty) continue;
             if (_rules.Settings.Bridges && BridgeFinder.Find(strip, below, _rules.SolidWidth) is not null) continue;
@@ -79,8 +79,6 @@ internal sealed class IslandWalls
         walls.Reverse();
         return (walls, inside.Subtract(near.Subtract(rest, _engine), _engine));
     }
-
-    private Region Moved(Region region, double distance) => region.Offset(distance, JoinStyle.Miter, 2, ArcTolerance, _engine);
 
     // What the layer above (1) or below (-1) covers; the first stage of it may come later.
     private Region Neighbor(int offset)

@@ -76,10 +76,8 @@ internal static class WallSteps
         {
             var line = layer.OpenLines[i];
             if (line.Count < 2 || line.Length < width) continue;
-            var path = PrintPath.Own(Lifted(line.Raw, layer.Plan.Top), [bead], closed: false).With(Role.OuterWall, layer.Layer);
+            var path = PrintPath.Own(Array.ConvertAll(line.Raw, p => p.WithZ(layer.Plan.Top)), [bead], closed: false).With(Role.OuterWall, layer.Layer);
             steps.Add(new PathStep(layer.Rules.Own(path), new StepGroup(layer.Number, layer.Islands.Length, StepRank.Walls)));
         }
     }
-
-    private static Vec3[] Lifted(Vec3[] contour, double z) => Array.ConvertAll(contour, p => p.WithZ(z));
 }

@@ -6,13 +6,13 @@ internal sealed class LayerCooling(PrintSettings settings)
     private int _quick;
     private double _first;
 
-    /// <summary>Slows down the layers of one height, in place. False if they stay below the time even at the minimum speed.</summary>
-    public bool Apply(IList<SlicedLayer> layers)
+    /// <summary>Slows down the layers of one height, in place.</summary>
+    public void Apply(IList<SlicedLayer> layers)
     {
         double Speed(PrintPath path, int segment)
             => path.BeadOf(segment).Speed is > 0 and var own ? own : settings.SpeedOf(path.Role, path.Layer is { Index: 0 });
 
-        if (!(settings.MinLayerTime > 0) || LastsLongEnough(layers, settings.MinLayerTime, Speed)) return true;
+        if (!(settings.MinLayerTime > 0) || LastsLongEnough(layers, settings.MinLayerTime, Speed)) return;
         var paths = new List<PrintPath>();
         foreach (var layer in layers)
         {
@@ -27,7 +27,6 @@ internal sealed class LayerCooling(PrintSettings settings)
             layers[i] = layers[i] with { Steps = steps };
         }
         if (!reached && _quick++ == 0) _first = layers[0].Layer.Z;
-        return reached;
     }
 
     /// <summary>Reports layers below the minimum layer time.</summary>

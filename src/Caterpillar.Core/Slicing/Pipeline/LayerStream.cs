@@ -61,7 +61,7 @@ internal sealed class LayerStream
         int fills = next.Filled - reached.Filled, all = fills + next.Outlined - reached.Outlined;
         // One by one, for some take many times as long as others.
         var each = Partitioner.Create(Enumerable.Range(0, all), EnumerablePartitionerOptions.NoBuffering);
-        void Work() => Parallel.ForEach(each, _options, Take, (i, _, tools) =>
+        void Work() => Parallel.ForEach(each, _options, () => _tools.TryTake(out var tools) ? tools : new LayerTools(), (i, _, tools) =>
         {
             if (i < fills) done[reached.Filled + i] = FillStage.Run(_layers[reached.Filled + i], tools);
             else OutlineStage.Run(_layers[reached.Outlined + i - fills], tools.Engine);
@@ -78,8 +78,6 @@ internal sealed class LayerStream
         var at = layer.Index - layer.Rules.Settings.CombineInfillLayers;
         if (at >= 0) layer.Body.Layers[at].Islands = [];
     }
-
-    private LayerTools Take() => _tools.TryTake(out var tools) ? tools : new LayerTools();
 
     private static int LastNeeded(LayerWork layer) => layer.Body.Layers[FillStage.LastNeeded(layer)].Order;
 

@@ -24,7 +24,7 @@ internal static class ToolTurns
     public static List<ToolTurn[]> Of(IReadOnlyList<SlicedLayer[]> levels)
     {
         var turns = new List<ToolTurn[]>(levels.Count);
-        var tools = levels.Select(ToolsOf).ToArray();
+        var tools = levels.Select(level => new SortedSet<int>(level.SelectMany(l => l.Steps).Select(s => s.Path.Tool))).ToArray();
         var last = 0;
         for (var i = 0; i < levels.Count; i++)
         {
@@ -51,8 +51,6 @@ internal static class ToolTurns
         }
         return layers.ToArray();
     }
-
-    private static SortedSet<int> ToolsOf(SlicedLayer[] level) => new(level.SelectMany(l => l.Steps).Select(s => s.Path.Tool));
 
     private static int[] Order(SortedSet<int> tools, int last, SortedSet<int> next)
     {

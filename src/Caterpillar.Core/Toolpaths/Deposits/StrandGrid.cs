@@ -147,8 +147,6 @@ internal sealed class StrandGrid
 
     private static int Index(double x, double side) => (int)Math.Floor(x / side);
 
-    private static (int, int, int) Place(Vec3 p, double side) => (Index(p.X, side), Index(p.Y, side), Index(p.Z, side));
-
     // The end of a box along a direction.
     private static double Highest(in Bounds box, Vec3 direction)
         => Math.Max(box.Min.X * direction.X, box.Max.X * direction.X) + Math.Max(box.Min.Y * direction.Y, box.Max.Y * direction.Y)
@@ -160,7 +158,7 @@ internal sealed class StrandGrid
         var boxes = _boxes;
         foreach (var side in Sides)
         {
-            var box = Find(boxes, Place(middle, side));
+            var box = Find(boxes, (Index(middle.X, side), Index(middle.Y, side), Index(middle.Z, side)));
             box.Bounds = box.Bounds.Include(strand.Bounds);
             boxes = box.Parts;
             if (side == Small) box.Add(strand);

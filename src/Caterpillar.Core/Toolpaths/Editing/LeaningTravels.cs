@@ -25,8 +25,23 @@ internal sealed class LeaningTravels(Kinematics kinematics, Func<HeadMove, bool>
         double most = 0;
         if (planned.Any(refuses)) most = double.PositiveInfinity;
         else if (LeansMuch(first.FromTurns) && LeansMuch(last.ToTurns)) most = Length(planned);
-        return Candidates(first.From, first.FromTurns, last.To, last.ToTurns, planned.Max(m => m.To.Z))
+        var top = planned.Max(m => m.To.Z);
+        return Distances.Select(d => Moves(d, null)).Concat(Distances.Select(d => Moves(d, top)))
             .FirstOrDefault(moves => Length(moves) < most && !moves.Any(refuses));
+
+        // Straight across, or with the tool upright over a height.
+        HeadMove[] Moves(double distance, double? over)
+        {
+            var away = first.From + kinematics.Direction(first.FromTurns) * distance;
+            var near = last.To + kinematics.Direction(last.ToTurns) * distance;
+            List<(Vec3 Place, Vec3 Turns)> ends = [(first.From, first.FromTurns), (away, first.FromTurns), (near, last.ToTurns), (last.To, last.ToTurns)];
+            if (over is { } height)
+            {
+                height = Math.Max(height, Math.Max(away.Z, near.Z));
+                ends.InsertRange(2, [(away.WithZ(height), Upright(first.FromTurns)), (near.WithZ(height), Upright(last.ToTurns))]);
+            }
+            return [.. ends.Skip(1).Select((end, i) => new HeadMove(ends[i].Place, ends[i].Turns, end.Place, end.Turns))];
+        }
     }
 
     /// <summary>The moves from the last bead to where the tool can stand up without hitting anything; the shortest if there are none.</summary>
@@ -43,39 +58,6 @@ internal sealed class LeaningTravels(Kinematics kinematics, Func<HeadMove, bool>
             var away = from + kinematics.Direction(words) * distance;
             var leaves = new HeadMove(from, words, away, words);
             return words == upright ? [leaves] : [leaves, new HeadMove(away, words, away, upright)];
-        }
-    }
-
-    private IEnumerable<IReadOnlyList<HeadMove>> Candidates(Vec3 from, Vec3 fromTurns, Vec3 to, Vec3 toTurns, double top)
-    {
-        foreach (var distance in Distances)
-        {
-            var (away, near) = Ends(distance);
-            yield return Moves([(away, fromTurns), (near, toTurns), (to, toTurns)]);
-        }
-        // Over the top, with the tool upright.
-        foreach (var distance in Distances)
-        {
-            var (away, near) = Ends(distance);
-            var height = Math.Max(top, Math.Max(away.Z, near.Z));
-            yield return Moves(
-            [
-                (away, fromTurns), (away.WithZ(height), Upright(fromTurns)), (near.WithZ(height), Upright(toTurns)), (near, toTurns), (to, toTurns),
-            ]);
-        }
-
-        (Vec3 Away, Vec3 Near) Ends(double distance) => (from + kinematics.Direction(fromTurns) * distance, to + kinematics.Direction(toTurns) * distance);
-
-        HeadMove[] Moves((Vec3 Place, Vec3 Turns)[] ends)
-        {
-            var (at, turns) = (from, fromTurns);
-            var moves = new HeadMove[ends.Length];
-            for (var i = 0; i < moves.Length; i++)
-            {
-                moves[i] = new HeadMove(at, turns, ends[i].Place, ends[i].Turns);
-                (at, turns) = ends[i];
-            }
-            return moves;
         }
     }
 

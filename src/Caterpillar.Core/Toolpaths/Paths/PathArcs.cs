@@ -10,7 +10,7 @@ public static class PathArcs
     public static PrintPath Fit(PrintPath path, double tolerance = 0.02)
     {
         if (path is null) throw new ArgumentNullException(nameof(path));
-        var vertices = Vertices(path);
+        Vec3[] vertices = path.IsClosed ? [.. path.RawPoints, path.Start] : path.RawPoints;
         var fitter = new ArcFitter(vertices, tolerance);
         var points = new List<Vec3> { vertices[0] };
         var beads = new List<Bead>();
@@ -69,8 +69,6 @@ public static class PathArcs
         }
         return Build(path, points, beads, null);
     }
-
-    private static Vec3[] Vertices(PrintPath path) => path.IsClosed ? [.. path.RawPoints, path.Start] : path.RawPoints;
 
     private static PrintPath Build(PrintPath path, List<Vec3> points, List<Bead> beads, List<Arc?>? arcs)
     {

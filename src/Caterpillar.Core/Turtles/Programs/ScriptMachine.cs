@@ -175,7 +175,7 @@ internal sealed class ScriptMachine
                     if (!StartFor(at)) pc = at.Target;
                     break;
                 case ScriptOp.RepeatNext or ScriptOp.ForNext:
-                    if (NextTurn(Slot(at))) pc = at.Target;
+                    if (++_context.Values[Slot(at)] < _context.Values[Slot(at) + 1]) pc = at.Target;
                     break;
                 case ScriptOp.Call:
                     Call(at, pc);
@@ -400,8 +400,6 @@ internal sealed class ScriptMachine
         _context.Values[slot + 3] = step;
         return true;
     }
-
-    private bool NextTurn(int slot) => ++_context.Values[slot] < _context.Values[slot + 1];
 
     private string TextOf(TextTemplate template)
     {

@@ -19,8 +19,6 @@ internal static class MeshSections
         TriMesh mesh, IReadOnlyList<double> heights, SectionOptions? options = null,
         IProgress<double>? progress = null, CancellationToken cancel = default)
     {
-        if (mesh is null) throw new ArgumentNullException(nameof(mesh));
-        if (heights is null) throw new ArgumentNullException(nameof(heights));
         options ??= new SectionOptions();
         var (ascending, order) = Sorted(heights);
         var sections = new Section[ascending.Length];
