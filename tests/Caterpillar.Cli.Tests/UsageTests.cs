@@ -11,7 +11,7 @@ public class UsageTests : CliFixture
     {
         var run = Run();
         Assert.That((run.Code, run.Text), Is.EqualTo((2, "")));
-        Assert.That(run.Messages, Does.Contain("caterpillar --help"));
+        Assert.That(run.Messages, Does.Contain("The command is missing.").And.Contain("caterpillar --help"));
     }
 
     [TestCase("slic", "part.stl")]

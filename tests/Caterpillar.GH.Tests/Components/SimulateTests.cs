@@ -182,6 +182,8 @@ public sealed class SimulateTests
         Assert.That(good.Errors, Is.Empty);
         Assert.That((good.One<bool>("OK"), good.One<Toolpath>("Checked Toolpath").Count), Is.EqualTo((true, TwoLayers().Value.Count)));
         var bad = new Canvas<CheckComponent>().Feed("Toolpath", Planned(Line(210, 50, 0))).Solve();
+        Assert.That(good.Component.Message, Is.EqualTo("OK"));
+        Assert.That(bad.Component.Message, Does.Match(@"^\d+ errors$"));
         Assert.That(bad.One<bool>("OK"), Is.False);
         Assert.That(bad.All("Checked Toolpath"), Is.EqualTo(new object?[] { null }));
         Assert.That(bad.Errors, Has.Some.Contains("bed.outside"));

@@ -38,6 +38,15 @@ public sealed class ToolpathEditTests
     }
 
     [Test]
+    public void Branches_have_the_numbers_of_the_layers_of_the_file()
+    {
+        var text = "G28\nG90\nM83\n;LAYER:3\n;TYPE:WALL-OUTER\nG1 X10 Y10 Z0.8 F3000\nG1 X20 E0.5\n;LAYER:4\nG1 X20 Y20 Z1 F3000\nG1 X10 E0.5\n";
+        var goo = new Canvas<DecodeGCodeComponent>().Feed("G-code", text).Solve().Output("Toolpath").VolatileData.get_Branch(0)[0];
+        var paths = new Canvas<DeconstructToolpathComponent>().Feed("Toolpath", goo).Solve().Paths("Points");
+        Assert.That(paths.Where(p => p.EndsWith(";3}", StringComparison.Ordinal) || p.EndsWith(";4}", StringComparison.Ordinal)).Count(), Is.EqualTo(2));
+    }
+
+    [Test]
     public void Null_and_wrong_toolpaths_stop_only_their_item()
     {
         var apart = new Canvas<DeconstructToolpathComponent>().FeedTree("Toolpath", [null], [Decoded(), "G28"]).Solve();

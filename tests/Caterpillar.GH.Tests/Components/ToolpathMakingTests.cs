@@ -38,6 +38,7 @@ public sealed class ToolpathMakingTests
         Assert.That(back.Moves().Select(m => (m.End, m.E, m.Deposited, m.Speed, m.Kind, m.Role)),
             Is.EqualTo(whole.Moves().Select(m => (m.End, m.E, m.Deposited, m.Speed, m.Kind, m.Role))));
         Assert.That(back.Layers.Select(l => (l.Index, l.Z, Math.Round(l.Thickness, 9))), Is.EqualTo(new[] { (0, 0.2, 0.2), (1, 0.4, 0.2) }));
+        Assert.That(back.Moves().Select(m => (m.Tool, m.Source)).Distinct(), Is.EqualTo(new[] { (0, -1) }), "It comes from no line and no step.");
     }
 
     [Test]

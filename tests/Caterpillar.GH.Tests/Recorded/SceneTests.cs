@@ -103,6 +103,9 @@ public sealed class SceneTests
         Assert.That(Enumerable.Range(0, 4).Select(same.BandOf), Is.EqualTo(new[] { 0, 0, 0, PreviewColors.Hidden }));
         var several = Of(40, 41, 48, 56);
         Assert.That((several.Colors.Count, several.Texts[0], several.Texts[15]), Is.EqualTo((16, "40 to 41 mm/s", "55 to 56 mm/s")));
+        Assert.That(several.Colors.Distinct().Count(), Is.EqualTo(16));
+        foreach (var (band, share) in new[] { (0, 0.0), (3, 0.2), (15, 1) })
+            Assert.That(several.Colors[band], Is.EqualTo(RhinoGeometry.ToColor(Caterpillar.Display.Palette.At(share))));
         Assert.That(Enumerable.Range(0, 4).Select(several.BandOf), Is.EqualTo(new[] { 0, 1, 8, 15 }));
         Assert.That(Of(double.NaN, 40).BandOf(0), Is.Zero);
         Assert.That(Of().Colors, Has.Count.EqualTo(1));
