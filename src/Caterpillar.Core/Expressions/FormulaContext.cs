@@ -21,4 +21,11 @@ internal sealed class FormulaContext(double[] values, SeededRandom? random = nul
     public object? Host { get; set; }
 
     public double[]?[] Arrays { get; set; } = [];
+
+    /// <summary>A context with so many variables for each thread that asks.</summary>
+    public static Func<FormulaContext> OfThread(int variables)
+    {
+        var contexts = new ThreadLocal<FormulaContext>(() => new FormulaContext(new double[variables]));
+        return () => contexts.Value!;
+    }
 }

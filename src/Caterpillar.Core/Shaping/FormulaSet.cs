@@ -4,7 +4,7 @@ namespace Caterpillar.Shaping;
 internal sealed class FormulaSet(string[] variables, SourceLocation? source)
 {
     private readonly SourceLocation _source = source ?? new SourceLocation();
-    private readonly ThreadLocal<FormulaContext> _contexts = new(() => new FormulaContext(new double[variables.Length]));
+    private readonly Func<FormulaContext> _context = FormulaContext.OfThread(variables.Length);
 
     /// <summary>One for each wrong formula.</summary>
     public List<Diagnostic> Problems { get; } = [];
@@ -31,5 +31,5 @@ internal sealed class FormulaSet(string[] variables, SourceLocation? source)
     }
 
     /// <summary>The context of this thread, with values to set.</summary>
-    public FormulaContext Context => _contexts.Value!;
+    public FormulaContext Context => _context();
 }

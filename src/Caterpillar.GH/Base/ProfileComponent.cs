@@ -1,5 +1,3 @@
-using System.Diagnostics.CodeAnalysis;
-
 namespace Caterpillar.GH.Base;
 
 /// <summary>A component that reads profiles. It is solved again when a profile of the user changes.</summary>

@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Slicing;

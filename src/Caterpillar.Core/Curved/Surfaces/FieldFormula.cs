@@ -7,7 +7,7 @@ internal sealed class FieldFormula(Formula formula)
     public const double Detail = 2;
 
     private static readonly string[] Variables = ["x", "y", "z", "r", "theta"];
-    private readonly ThreadLocal<FormulaContext> _contexts = new(() => new FormulaContext(new double[Variables.Length]));
+    private readonly Func<FormulaContext> _context = FormulaContext.OfThread(Variables.Length);
     private readonly bool _usesAngle = formula.Text.IndexOf("theta", StringComparison.Ordinal) >= 0;
 
     public bool IsConstant => formula.IsConstant;
@@ -23,7 +23,7 @@ internal sealed class FieldFormula(Formula formula)
 
     public double At(double x, double y, double z)
     {
-        var context = _contexts.Value!;
+        var context = _context();
         var values = context.Values;
         values[0] = x;
         values[1] = y;

@@ -72,7 +72,7 @@ internal sealed class DepositBin
         if ((at & (Block - 1)) < Block - 1) return;
         var block = at >> BlockBits;
         if (block >= Blocks.Length) Array.Resize(ref Blocks, Math.Max(2, block * 2));
-        Blocks[block] = new DepositBlock(Entries.AsSpan(at - Block + 1, Block), store, block > 0 ? Blocks[block - 1].TopSoFar : double.NegativeInfinity);
+        Blocks[block] = new DepositBlock(Entries, at - Block + 1, store, block > 0 ? Blocks[block - 1].TopSoFar : double.NegativeInfinity);
     }
 }
 

@@ -15,37 +15,39 @@ internal readonly struct DepositBlock
     // The height of the plane at the origin, and how it rises along X and Y.
     private readonly double _height, _riseX, _riseY;
 
-    public DepositBlock(ReadOnlySpan<DepositEntry> entries, ExtrusionStore store, double topBefore)
+    public DepositBlock(DepositEntry[] entries, int first, ExtrusionStore store, double topBefore)
     {
+        const int Ends = 2 * DepositBin.Block;
         var isLevel = true;
-        Top = entries[0].Top;
-        foreach (ref readonly var entry in entries)
+        Top = entries[first].Top;
+        for (var i = first; i < first + DepositBin.Block; i++)
         {
-            isLevel &= entry.IsLevel && entry.Top == entries[0].Top;
-            Top = Math.Max(Top, entry.Top);
+            isLevel &= entries[i].IsLevel && entries[i].Top == entries[first].Top;
+            Top = Math.Max(Top, entries[i].Top);
         }
         TopSoFar = Math.Max(Top, topBefore);
         if (isLevel) return;
         var center = Vec3.Zero;
-        foreach (ref readonly var entry in entries)
+        for (var i = 0; i < Ends; i++)
         {
-            ref var extrusion = ref store[entry.Extrusion];
-            center += (extrusion.A + extrusion.B) / (2 * entries.Length);
-            Half = Math.Max(Half, extrusion.Half);
+            center += End(i) / Ends;
+            Half = Math.Max(Half, store[entries[first + i / 2].Extrusion].Half);
         }
         // Least squares; level across a line on which all points lie.
         double xx = 1e-6, xy = 0, yy = 1e-6, xz = 0, yz = 0;
-        for (var i = 0; i < 2 * entries.Length; i++)
+        for (var i = 0; i < Ends; i++)
         {
-            var d = End(entries, store, i) - center;
+            var d = End(i) - center;
             (xx, xy, yy, xz, yz) = (xx + d.X * d.X, xy + d.X * d.Y, yy + d.Y * d.Y, xz + d.X * d.Z, yz + d.Y * d.Z);
         }
         var determinant = xx * yy - xy * xy;
         (_riseX, _riseY) = ((yy * xz - xy * yz) / determinant, (xx * yz - xy * xz) / determinant);
         Rise = Math.Sqrt(_riseX * _riseX + _riseY * _riseY);
         var most = double.NegativeInfinity;
-        for (var i = 0; i < 2 * entries.Length; i++) most = Math.Max(most, -Above(End(entries, store, i)));
+        for (var i = 0; i < Ends; i++) most = Math.Max(most, -Above(End(i)));
         _height = most;
+
+        Vec3 End(int i) => i % 2 == 0 ? store[entries[first + i / 2].Extrusion].A : store[entries[first + i / 2].Extrusion].B;
     }
 
     /// <summary>How much the plane rises for each mm; 0 = all extrusions are equally high.</summary>
@@ -53,7 +55,4 @@ internal readonly struct DepositBlock
 
     /// <summary>Height of the plane above a point, mm.</summary>
     public double Above(Vec3 p) => _height + _riseX * p.X + _riseY * p.Y - p.Z;
-
-    private static Vec3 End(ReadOnlySpan<DepositEntry> entries, ExtrusionStore store, int i)
-        => i % 2 == 0 ? store[entries[i / 2].Extrusion].A : store[entries[i / 2].Extrusion].B;
 }
