@@ -8,7 +8,7 @@ internal sealed class FieldFormula(Formula formula)
 
     private static readonly string[] Variables = ["x", "y", "z", "r", "theta"];
     private readonly Func<FormulaContext> _context = FormulaContext.OfThread(Variables.Length);
-    private readonly bool _usesAngle = formula.Text.IndexOf("theta", StringComparison.Ordinal) >= 0;
+    private readonly bool _usesAngle = formula.Text.IndexOf("theta", StringComparison.OrdinalIgnoreCase) >= 0;
 
     public bool IsConstant => formula.IsConstant;
 
