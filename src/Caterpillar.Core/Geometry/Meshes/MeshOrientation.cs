@@ -59,14 +59,12 @@ internal static class MeshOrientation
                     body.Add(other / 3);
                 }
             }
-            var isInsideOut = IsInsideOut(body, turn);
+            // As most of the triangles were: a cavity stays a cavity, and BodyOrientation looks at what is wrong as a whole.
+            var isInsideOut = 2 * body.Count(t => turn[t]) > body.Count;
             foreach (var t in body) turn[t] = conflicts && turn[t] != isInsideOut;
         }
         return turn;
     }
-
-    // As most of the triangles were: a cavity stays a cavity, and BodyOrientation looks at what is wrong as a whole.
-    private static bool IsInsideOut(List<int> body, bool[] turn) => 2 * body.Count(t => turn[t]) > body.Count;
 
     // For each half-edge the other one of an edge with exactly two triangles, else −1.
     private static int[] Neighbors(TriMesh mesh)

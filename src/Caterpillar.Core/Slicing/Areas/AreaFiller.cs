@@ -42,7 +42,9 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
         var rank = _settings.InfillFirst ? StepRank.EarlyInfill : StepRank.Infill;
         if (rules.IsSolid && thickness == rules.Thickness)
         {
-            Solid(area, Role.SolidInfill, Closing(_settings.InfillPattern), angle, rank);
+            // Trees leave most of an area open.
+            var closing = _settings.InfillPattern == InfillPattern.Lightning ? InfillPattern.Lines : _settings.InfillPattern;
+            Solid(area, Role.SolidInfill, closing, angle, rank);
             return;
         }
         var thick = thickness == rules.Thickness ? rules : rules with { Walls = WallRules.Of(_settings, thickness, rules.First), Thickness = thickness };
@@ -67,9 +69,6 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
         var flow = rows ? share : Balance(lines, area.Area * rules.Thickness, bead) * share;
         Add(lines, bead.WithArea(bead.Area * flow), role, rank);
     }
-
-    // Trees leave most of an area open.
-    private static InfillPattern Closing(InfillPattern pattern) => pattern == InfillPattern.Lightning ? InfillPattern.Lines : pattern;
 
     // Narrow pieces are filled along their outline: lines across them would be short, and all corners. Returns the others.
     private Region NarrowParts(Region area, int rank)

@@ -20,9 +20,9 @@ internal static class IdleSettings
             "alternate_extra_wall", "extra_walls_on_overhangs", "small_loop_speed_mm_s", "fuzzy_skin_thickness_mm", "scarf_seam_length_mm",
             "arc_fitting_tolerance_mm", "seam_enforcers_mm"),
         new(Severity.Warning, "with layer_height_formula", "The formula sets the layer height", s => s.LayerFormula.Length > 0, "adaptive_layers"),
-        new(Severity.Warning, "with top_layers=0 and top_thickness_mm=0", "The print has no solid top layers", s => !s.SpiralVase && !HasTop(s), "ironing"),
-        new(Severity.Warning, "with infill_density_percent=0 and infill_spacing_mm=0", "The print has no infill", s => !s.SpiralVase && !HasInfill(s),
-            "infill_pattern", "combine_infill_layers", "infill_anchor_mm", "infill_anchor_max_mm"),
+        new(Severity.Warning, "with top_layers=0 and top_thickness_mm=0", "The print has no solid top layers", s => s is { SpiralVase: false, TopLayers: <= 0, TopThickness: <= 0 }, "ironing"),
+        new(Severity.Warning, "with infill_density_percent=0 and infill_spacing_mm=0", "The print has no infill",
+            s => s is { SpiralVase: false, InfillDensityPercent: <= 0, InfillSpacing: <= 0 }, "infill_pattern", "combine_infill_layers", "infill_anchor_mm", "infill_anchor_max_mm"),
         new(Severity.Note, "with infill_pattern=curves", "Curves are printed as they are", s => s.InfillPattern == InfillPattern.Curves,
             "infill_anchor_mm", "infill_anchor_max_mm"),
         new(Severity.Note, "with infill_spacing_mm", "The spacing sets the density", s => s.InfillSpacing > 0, "infill_density_percent"),
@@ -83,10 +83,6 @@ internal static class IdleSettings
 
     private static PrintSettings[] Asking(ProfileKey<PrintSettings> key, PrintSettings[] all)
         => Array.FindAll(all, s => !key.IsSame(s, Usual) && key.Get(s) is not (0.0 or false));
-
-    private static bool HasTop(PrintSettings s) => s.TopLayers > 0 || s.TopThickness > 0;
-
-    private static bool HasInfill(PrintSettings s) => s.InfillDensityPercent > 0 || s.InfillSpacing > 0;
 
     private static Rule Unless(string condition, Func<PrintSettings, bool> isOff, params string[] keys)
         => new(Severity.Note, "unless " + condition, "", isOff, keys);

@@ -37,13 +37,13 @@ internal sealed class DepositBin
         if (extrusion == _last)
         {
             ref var last = ref Entries[Count - 1];
-            Put(Count - 1, new() { Extrusion = extrusion, Top = Math.Max(top, last.Top), IsLevel = last.IsLevel && isLevel && top == last.Top }, store);
+            Put(Count - 1, new() { Extrusion = extrusion, Top = Math.Max(top, last.Top), IsLevel = last.IsLevel && isLevel && top == last.Top });
             return;
         }
         if (Count == _compactAt) Compact(store, keepDepth);
         if (Count == Entries.Length) Array.Resize(ref Entries, Count * 2);
         store.Use(extrusion);
-        Put(Count++, new DepositEntry { Extrusion = extrusion, Top = top, IsLevel = isLevel }, store);
+        Put(Count++, new DepositEntry { Extrusion = extrusion, Top = top, IsLevel = isLevel });
         _last = extrusion;
     }
 
@@ -55,7 +55,7 @@ internal sealed class DepositBin
             var entry = Entries[i];
             if (entry.Top >= Top - keepDepth)
             {
-                Put(kept++, entry, store);
+                Put(kept++, entry);
                 continue;
             }
             Dropped = Math.Max(Dropped, entry.Top);
@@ -66,13 +66,13 @@ internal sealed class DepositBin
         _compactAt = Math.Max(FirstCompaction, kept * 2);
     }
 
-    private void Put(int at, in DepositEntry entry, ExtrusionStore store)
+    private void Put(int at, in DepositEntry entry)
     {
         Entries[at] = entry;
         if ((at & (Block - 1)) < Block - 1) return;
         var block = at >> BlockBits;
         if (block >= Blocks.Length) Array.Resize(ref Blocks, Math.Max(2, block * 2));
-        Blocks[block] = new DepositBlock(Entries, at - Block + 1, store, block > 0 ? Blocks[block - 1].TopSoFar : double.NegativeInfinity);
+        Blocks[block] = new DepositBlock(Entries, at - Block + 1, block > 0 ? Blocks[block - 1].TopSoFar : double.NegativeInfinity);
     }
 }
 

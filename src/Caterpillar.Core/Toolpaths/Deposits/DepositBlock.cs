@@ -15,17 +15,21 @@ internal readonly struct DepositBlock
     // The height of the plane at the origin, and how it rises along X and Y.
     private readonly double _height, _riseX, _riseY;
 
-    public DepositBlock(DepositEntry[] entries, int first, ExtrusionStore store, double topBefore)
+    private readonly bool _hasPlane;
+
+    public DepositBlock(DepositEntry[] entries, int first, double topBefore)
+    {
+        Top = entries[first].Top;
+        for (var i = first + 1; i < first + DepositBin.Block; i++) Top = Math.Max(Top, entries[i].Top);
+        TopSoFar = Math.Max(Top, topBefore);
+    }
+
+    private DepositBlock(in DepositBlock tops, DepositEntry[] entries, int first, ExtrusionStore store)
     {
         const int Ends = 2 * DepositBin.Block;
+        (Top, TopSoFar, _hasPlane) = (tops.Top, tops.TopSoFar, true);
         var isLevel = true;
-        Top = entries[first].Top;
-        for (var i = first; i < first + DepositBin.Block; i++)
-        {
-            isLevel &= entries[i].IsLevel && entries[i].Top == entries[first].Top;
-            Top = Math.Max(Top, entries[i].Top);
-        }
-        TopSoFar = Math.Max(Top, topBefore);
+        for (var i = first; i < first + DepositBin.Block; i++) isLevel &= entries[i].IsLevel && entries[i].Top == Top;
         if (isLevel) return;
         var center = Vec3.Zero;
         for (var i = 0; i < Ends; i++)
@@ -49,6 +53,10 @@ internal readonly struct DepositBlock
 
         Vec3 End(int i) => i % 2 == 0 ? store[entries[first + i / 2].Extrusion].A : store[entries[first + i / 2].Extrusion].B;
     }
+
+    /// <summary>The same with its plane, which few blocks need.</summary>
+    public DepositBlock WithPlane(DepositEntry[] entries, int first, ExtrusionStore store)
+        => _hasPlane ? this : new DepositBlock(this, entries, first, store);
 
     /// <summary>How much the plane rises for each mm; 0 = all extrusions are equally high.</summary>
     public double Rise { get; }
