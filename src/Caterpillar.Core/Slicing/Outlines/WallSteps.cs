@@ -8,7 +8,9 @@ internal static class WallSteps
         var settings = island.Rules.Settings;
         var below = layer.BelowHanging(island.Region);
         var overhangs = below is null || settings.OverhangClasses.Count == 0 ? null : new OverhangSplitter(island.Rules, below, engine);
-        var air = below is null ? null : new LineClipper(Held(below, island.Rules, engine).Index, outside: true);
+        // Where an extrusion touches the layer below at all: half of its width farther than its center line may lie.
+        var held = below?.Offset(island.Rules.Walls.OuterWidth / 2, JoinStyle.Miter, 2, 0.01, engine);
+        var air = held is null ? null : new LineClipper(held.Index, outside: true);
         var group = new StepGroup(layer.Number, number, StepRank.Walls);
         foreach (var wall in island.OverAir)
         {
@@ -45,10 +47,6 @@ internal static class WallSteps
             for (var i = 0; i < paths.Length; i++) steps.Add(new PathStep(paths[i], group) { Region = island.Region, Joined = i > 0 });
         }
     }
-
-    // Where an extrusion touches the layer below at all: half of its width farther than its center line may lie.
-    private static Region Held(Region below, SliceRules rules, RegionEngine engine)
-        => below.Offset(rules.Walls.OuterWidth / 2, JoinStyle.Miter, 2, 0.01, engine);
 
     private static PrintPath Path(LayerWork layer, SliceRules rules, WallPath wall, int number)
     {

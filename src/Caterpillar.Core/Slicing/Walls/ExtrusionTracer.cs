@@ -90,7 +90,9 @@ internal sealed class ExtrusionTracer(double step, double limit, double thinnest
             }
             else
             {
-                if (open is not null) open.End = gap ? ExtrusionEnd.Outline : state == State.Thin && Ends(open) ? ExtrusionEnd.Thin : ExtrusionEnd.Junction;
+                // Thin where it ran out in thinness, rather than at a step.
+                var isThin = state == State.Thin && open?.Radii[open.Count - 1] < thinnest;
+                if (open is not null) open.End = gap ? ExtrusionEnd.Outline : isThin ? ExtrusionEnd.Thin : ExtrusionEnd.Junction;
                 open = null;
             }
             gap = false;
@@ -110,9 +112,6 @@ internal sealed class ExtrusionTracer(double step, double limit, double thinnest
         open.End = head.End;
         extrusions.RemoveAt(before);
     }
-
-    // It ran out in thinness, rather than at a step.
-    private bool Ends(MedialExtrusion extrusion) => extrusion.Radii[extrusion.Count - 1] < thinnest;
 
     private State StateOf(SegmentGrid grid, in BoundarySample sample, double[] first)
     {
