@@ -14,7 +14,6 @@ internal readonly struct DepositBlock
 
     // The height of the plane at the origin, and how it rises along X and Y.
     private readonly double _height, _riseX, _riseY;
-
     private readonly bool _hasPlane;
 
     public DepositBlock(DepositEntry[] entries, int first, double topBefore)

@@ -100,7 +100,9 @@ internal sealed class DepositContacts(DepositBins bins, DepositCells cells, Extr
             {
                 ref var bounds = ref bin.Blocks[block];
                 if (!(bounds.TopSoFar > z)) break;
-                if (!(bounds.Top > z && query.MayMeet(bounds = bounds.WithPlane(bin.Entries, first, store), near, line))) continue;
+                if (!(bounds.Top > z)) continue;
+                bounds = bounds.WithPlane(bin.Entries, first, store);
+                if (!query.MayMeet(bounds, near, line)) continue;
             }
             for (var i = Math.Min(first + DepositBin.Block, bin.Count) - 1; i >= first; i--)
             {

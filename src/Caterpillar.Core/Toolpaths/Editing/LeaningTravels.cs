@@ -8,7 +8,7 @@ namespace Caterpillar.Toolpaths;
 /// <param name="refuses">True for a move at which the head would hit something.</param>
 internal sealed class LeaningTravels(Kinematics kinematics, Func<HeadMove, bool> refuses)
 {
-    // Cosine of the lean from which rising is no way to leave a bead.
+    // Cosine of the lean beyond which a tool must not leave a bead by rising.
     private const double Steep = 0.7;
 
     // How far away from the beads is tried, mm.
@@ -46,8 +46,8 @@ internal sealed class LeaningTravels(Kinematics kinematics, Func<HeadMove, bool>
 
     /// <summary>The moves from the last bead to where the tool can stand up without hitting anything; the shortest if there are none.</summary>
     /// <param name="from">End of the bead, mm.</param>
-    /// <param name="words">Its rotary words.</param>
-    /// <param name="upright">Those of the upright tool.</param>
+    /// <param name="words">The rotary words there, degrees.</param>
+    /// <param name="upright">The rotary words at which the tool stands upright, degrees.</param>
     public IReadOnlyList<HeadMove> StandUp(Vec3 from, Vec3 words, Vec3 upright)
     {
         var tries = Distances.Where(d => d >= 5).Select(Leaves).ToArray();

@@ -1,8 +1,8 @@
 namespace Caterpillar.GCode;
 
 /// <summary>
-/// Writes the parts of a spliced file to a stream, one at a time, beside the splicing if asked. Everything is written after <see cref="Finish"/>. An error of
-/// the stream is thrown by the next <see cref="Write"/> or by <see cref="Finish"/>.
+/// Writes the parts of a spliced file to a stream, one at a time, in the background if requested. Everything is written after <see cref="Finish"/>. An error
+/// of the stream is thrown by the next <see cref="Write"/> or by <see cref="Finish"/>.
 /// </summary>
 internal sealed class SplicedOutput(Stream target, LineStyle style, bool hasThread) : IDisposable
 {
