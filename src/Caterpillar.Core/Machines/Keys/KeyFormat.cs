@@ -19,8 +19,11 @@ internal abstract class KeyFormat(KeyKind kind, string expected)
     /// <summary>Reads text after <c>key=</c>; null if it has another type.</summary>
     public abstract object? Parse(string text);
 
-    /// <summary>Reads a raw value; false if it has another type.</summary>
-    public abstract bool Reads(object raw, out object? value);
+    /// <summary>Whether a raw value has the type.</summary>
+    public abstract bool Fits(object raw);
+
+    /// <summary>The value of a raw value that fits.</summary>
+    public abstract object? ValueOf(object raw);
 
     /// <summary>The raw value.</summary>
     public abstract object Written(object? value);
@@ -44,19 +47,15 @@ internal abstract class KeyFormat(KeyKind kind, string expected)
 /// <inheritdoc/>
 internal abstract class KeyFormat<TValue>(KeyKind kind, string expected) : KeyFormat(kind, expected)
 {
-    public abstract bool TryRead(object raw, out TValue? value);
+    /// <inheritdoc cref="KeyFormat.ValueOf"/>
+    public abstract TValue Read(object raw);
 
     public abstract object Write(TValue value);
 
     /// <inheritdoc cref="KeyFormat.ProblemOf"/>
     public abstract string? Problem(TValue value);
 
-    public sealed override bool Reads(object raw, out object? value)
-    {
-        var reads = TryRead(raw, out var typed);
-        value = typed;
-        return reads;
-    }
+    public sealed override object? ValueOf(object raw) => Read(raw);
 
     public sealed override object Written(object? value) => Write((TValue)value!);
 
@@ -80,12 +79,9 @@ internal class TextsFormat<TItem>(
     public override object? Parse(string text)
         => text.Trim().Length == 0 ? Array.Empty<object>() : text.Split(',', '\n').Select(t => (object)t.Trim()).ToArray();
 
-    public override bool TryRead(object raw, out ValueList<TItem>? value)
-    {
-        var items = raw is IReadOnlyList<object> list && list.All(i => i is string) ? list.Select(i => item((string)i)).ToArray() : null;
-        value = items is null || items.Any(i => i is null) ? null : new ValueList<TItem>(items!);
-        return value is not null;
-    }
+    public override bool Fits(object raw) => raw is IReadOnlyList<object> list && list.All(i => i is string text && item(text) is not null);
+
+    public override ValueList<TItem> Read(object raw) => new(((IReadOnlyList<object>)raw).Select(i => item((string)i)!));
 
     public override object Write(ValueList<TItem> value) => value.Select(v => (object)v!.ToString()!).ToArray();
 

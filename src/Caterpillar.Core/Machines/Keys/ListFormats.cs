@@ -10,12 +10,9 @@ internal sealed class NumbersFormat<TValue>(string[] parts, double min, double m
 
     public override object? Parse(string text) => RawValues.ParseNumbers(text);
 
-    public override bool TryRead(object raw, out TValue? value)
-    {
-        var numbers = RawValues.Numbers(raw, parts.Length);
-        value = numbers is null ? default : make(numbers);
-        return numbers is not null;
-    }
+    public override bool Fits(object raw) => RawValues.Numbers(raw, parts.Length) is not null;
+
+    public override TValue Read(object raw) => make(RawValues.Numbers(raw, parts.Length)!);
 
     public override object Write(TValue value) => RawValues.List(take(value));
 
@@ -52,19 +49,9 @@ internal sealed class RowsFormat<TItem>(
 
     public override object? Parse(string text) => RawValues.ParseRows(text);
 
-    public override bool TryRead(object raw, out ValueList<TItem>? value)
-    {
-        value = null;
-        if (raw is not IReadOnlyList<object> list) return false;
-        var items = new TItem[list.Count];
-        for (var i = 0; i < items.Length; i++)
-        {
-            if (RawValues.Numbers(list[i], parts.Length) is not { } numbers || make(numbers) is not { } item) return false;
-            items[i] = item;
-        }
-        value = new ValueList<TItem>(items);
-        return true;
-    }
+    public override bool Fits(object raw) => raw is IReadOnlyList<object> rows && rows.All(row => Item(row) is not null);
+
+    public override ValueList<TItem> Read(object raw) => new(((IReadOnlyList<object>)raw).Select(row => Item(row)!.Value));
 
     public override object Write(ValueList<TItem> value) => value.Select(i => RawValues.List(take(i))).ToArray();
 
@@ -73,4 +60,6 @@ internal sealed class RowsFormat<TItem>(
         if (value.Count < Fewest || value.Count > most) return "must have " + Range;
         return value.SelectMany(take).All(n => n >= min && n <= max) ? check?.Invoke(value) : "must have numbers of " + RawValues.Range(min, max);
     }
+
+    private TItem? Item(object row) => RawValues.Numbers(row, parts.Length) is { } numbers ? make(numbers) : null;
 }

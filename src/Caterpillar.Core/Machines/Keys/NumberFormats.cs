@@ -14,11 +14,9 @@ internal class NumberFormat(double min, double max, double leastAboveZero = 0, s
 
     public override object? Parse(string text) => NumberReader.TryParse(text.Trim(), out var value) ? value : null;
 
-    public override bool TryRead(object raw, out double value)
-    {
-        value = raw is double number ? number : 0;
-        return raw is double;
-    }
+    public override bool Fits(object raw) => raw is double;
+
+    public override double Read(object raw) => (double)raw;
 
     public override object Write(double value) => value;
 
@@ -42,11 +40,9 @@ internal sealed class OptionalNumberFormat(double min, double max) : KeyFormat<d
 
     public override object? Parse(string text) => text.Trim().Length == 0 ? "" : _number.Parse(text);
 
-    public override bool TryRead(object raw, out double? value)
-    {
-        value = raw as double?;
-        return raw is double or "";
-    }
+    public override bool Fits(object raw) => raw is double or "";
+
+    public override double? Read(object raw) => raw as double?;
 
     public override object Write(double? value) => value is { } number ? number : "";
 
@@ -60,20 +56,19 @@ internal sealed class NozzleSizeFormat() : NumberFormat(0, 1000, 0.001, "a numbe
 {
     public override IReadOnlyList<KeyValuePair<string, object>> Schema => OrText(0, 1000, "^[0-9.]+ ?%$");
 
-    public override object? Parse(string text) => TryRead(text.Trim(), out _) ? text.Trim() : base.Parse(text);
+    public override object? Parse(string text) => Percent(text.Trim()) is null ? base.Parse(text) : text.Trim();
 
-    public override bool TryRead(object raw, out double value)
-    {
-        value = raw is double size ? size < 0 ? double.NaN : size : 0;
-        if (raw is not string text || !text.EndsWith("%", StringComparison.Ordinal)) return raw is double;
-        var isPercent = NumberReader.TryParse(text.Substring(0, text.Length - 1).Trim(), out var percent) && percent > 0;
-        value = -percent / 100;
-        return isPercent;
-    }
+    public override bool Fits(object raw) => raw is double || Percent(raw) is not null;
+
+    public override double Read(object raw) => Percent(raw) is { } percent ? -percent / 100 : (double)raw < 0 ? double.NaN : (double)raw;
 
     public override object Write(double value) => value < 0 ? NumberFormatter.Format(-value * 100, 6) + "%" : value;
 
     public override string? Problem(double value) => value is >= -10 and < 0 ? null : value < 0 ? "must be at most 1000%" : base.Problem(value);
+
+    private static double? Percent(object raw)
+        => raw is string text && text.EndsWith("%", StringComparison.Ordinal)
+            && NumberReader.TryParse(text.Substring(0, text.Length - 1).Trim(), out var percent) && percent > 0 ? percent : null;
 }
 
 /// <summary>An integer in a range.</summary>
@@ -85,12 +80,9 @@ internal sealed class IntegerFormat(int min, int max) : KeyFormat<int>(KeyKind.I
 
     public override object? Parse(string text) => NumberReader.TryParse(text.Trim(), out var value) ? value : null;
 
-    public override bool TryRead(object raw, out int value)
-    {
-        var whole = raw is double number && number == Math.Floor(number) && Math.Abs(number) <= int.MaxValue;
-        value = whole ? (int)(double)raw : 0;
-        return whole;
-    }
+    public override bool Fits(object raw) => raw is double number && number == Math.Floor(number) && Math.Abs(number) <= int.MaxValue;
+
+    public override int Read(object raw) => (int)(double)raw;
 
     public override object Write(int value) => (double)value;
 

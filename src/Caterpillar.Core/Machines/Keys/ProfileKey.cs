@@ -96,15 +96,15 @@ internal sealed class ProfileKey<TProfile>(string name, KeyFormat format, Proper
     public bool IsSame(TProfile one, TProfile other) => Equals(property.GetValue(one), property.GetValue(other));
 
     internal override string? Problem(object raw)
-        => format.Reads(raw, out var value) ? format.ProblemOf(value) : "needs " + format.Expected + ", not " + KeyFormat.Describe(raw);
+        => format.Fits(raw) ? format.ProblemOf(format.ValueOf(raw)) : "needs " + format.Expected + ", not " + KeyFormat.Describe(raw);
 
     /// <summary>The profile with another value, or null and the problem.</summary>
     public TProfile? Set(TProfile profile, object raw, out string? problem)
     {
         problem = Problem(raw);
-        if (problem is not null || !format.Reads(raw, out var value)) return null;
+        if (problem is not null) return null;
         var changed = copy(profile);
-        property.SetValue(changed, value);
+        property.SetValue(changed, format.ValueOf(raw));
         return changed;
     }
 }

@@ -14,11 +14,9 @@ internal sealed class BooleanFormat() : KeyFormat<bool>(KeyKind.Boolean, "true o
         _ => null,
     };
 
-    public override bool TryRead(object raw, out bool value)
-    {
-        value = raw is true;
-        return raw is bool;
-    }
+    public override bool Fits(object raw) => raw is bool;
+
+    public override bool Read(object raw) => (bool)raw;
 
     public override object Write(bool value) => value;
 
@@ -34,11 +32,9 @@ internal class TextFormat(string expected = "text") : KeyFormat<string>(KeyKind.
 
     public override object? Parse(string text) => text.Trim();
 
-    public override bool TryRead(object raw, out string? value)
-    {
-        value = raw as string;
-        return value is not null;
-    }
+    public override bool Fits(object raw) => raw is string;
+
+    public override string Read(object raw) => (string)raw;
 
     public override object Write(string value) => value;
 
@@ -75,12 +71,9 @@ internal sealed class ChoiceFormat(params (string Word, object Value)[] choices)
 
     public override object? Parse(string text) => text.Trim();
 
-    public override bool TryRead(object raw, out object? value)
-    {
-        var choice = Array.Find(choices, c => raw is string word && word == c.Word);
-        value = choice.Value;
-        return choice.Word is not null;
-    }
+    public override bool Fits(object raw) => choices.Any(c => c.Word.Equals(raw));
+
+    public override object Read(object raw) => choices.First(c => c.Word.Equals(raw)).Value;
 
     public override object Write(object value) => choices.First(c => Equals(c.Value, value)).Word;
 
@@ -92,7 +85,7 @@ internal sealed class LinesFormat(Func<ValueList<string>, Diagnostic?> check)
     : TextsFormat<string>("a list of lines", "a list of lines of text", line => line, lines => ProblemOf(lines, check))
 {
     /// <summary>The code of the first error of the template, or null.</summary>
-    public string? ErrorCode(object raw) => TryRead(raw, out var lines) ? check(lines!)?.Code : null;
+    public string? ErrorCode(object raw) => Fits(raw) ? check(Read(raw))?.Code : null;
 
     public override object? Parse(string text)
         => text.Length == 0 ? Array.Empty<object>() : text.Split(["\r\n", "\n", "\\n"], StringSplitOptions.None).Cast<object>().ToArray();
