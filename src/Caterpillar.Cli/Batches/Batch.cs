@@ -65,7 +65,7 @@ internal sealed class Batch
     {
         var parsed = verb.Parse(BatchCall.Words(verb, job, 1));
         var problems = parsed.Errors.Count > 0 || UsageMessages.UnknownOption(parsed) is not null ? UsageMessages.Of(parsed, verb).ToArray() : [];
-        if (problems.Length > 0) throw new CliException(ExitCode.Usage, string.Join("\n", problems) + $"\nSee: caterpillar {verb.Name} --help");
+        if (problems.Length > 0) throw CliException.Usage(string.Join("\n", problems) + $"\nSee: caterpillar {verb.Name} --help");
         FileGuard.Check(verb, parsed);
     }
 
@@ -165,9 +165,8 @@ internal sealed class Batch
     private BatchSummary? Earlier()
     {
         if (!_parsed.GetValue(_verb.Batch!.Resume)) return null;
-        if (SummaryFile is not { } file || file == "-")
-            throw new CliException(ExitCode.Usage, "--resume needs the summary of the earlier run. Give --summary FILE.csv.");
-        if (_verb.ReplacesInput(_parsed)) throw new CliException(ExitCode.Usage, "--resume cannot be combined with --in-place. Use --output.");
+        if (SummaryFile is not { } file || file == "-") throw CliException.Usage("--resume needs the summary of the earlier run. Give --summary FILE.csv.");
+        if (_verb.ReplacesInput(_parsed)) throw CliException.Usage("--resume cannot be combined with --in-place. Use --output.");
         if (File.Exists(file)) _summary.ReadEarlier(File.ReadAllText(file), file);
         return _summary;
     }

@@ -11,7 +11,7 @@ internal static class FilePattern
 
     private static IReadOnlyList<string> Matches(string pattern)
     {
-        if (pattern is "-" or "") throw new CliException(ExitCode.Usage, "--each needs file names or patterns.");
+        if (pattern is "-" or "") throw CliException.Usage("--each needs file names or patterns.");
         if (File.Exists(pattern)) return [pattern];
         if (Directory.Exists(pattern))
             throw new CliException(ExitCode.BadInput, $"{pattern} is a folder. Give the files in it, such as '{pattern.TrimEnd('/', '\\')}/*'.");

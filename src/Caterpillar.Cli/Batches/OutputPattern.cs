@@ -17,7 +17,7 @@ internal sealed partial class OutputPattern
         foreach (var part in Parts().Matches(_pattern).Select(m => m.Groups[1].Value))
         {
             if (!known.Contains(part))
-                throw new CliException(ExitCode.Usage,
+                throw CliException.Usage(
                     $"--output {_pattern}: unknown placeholder {{{part}}}. Placeholders: {string.Join(", ", known.Select(k => $"{{{k}}}"))}.");
         }
     }

@@ -36,14 +36,14 @@ internal sealed class BatchOptions
     public void RefuseAlone(ParseResult parsed)
     {
         if (Array.Find<Option>([Summary, Resume, Jobs, Part], o => IsGiven(parsed, o)) is { } option)
-            throw new CliException(ExitCode.Usage, $"{option.Name} needs --each or --table.");
+            throw CliException.Usage($"{option.Name} needs --each or --table.");
     }
 
     /// <exception cref="CliException"><c>--jobs</c> is out of range.</exception>
     public int Workers(ParseResult parsed, int calls)
     {
         if (parsed.GetValue(Jobs) is not { } given) return Math.Max(1, Math.Min(Environment.ProcessorCount, calls));
-        if (given is < 1 or > 1024) throw new CliException(ExitCode.Usage, "--jobs needs a number from 1 to 1024.");
+        if (given is < 1 or > 1024) throw CliException.Usage("--jobs needs a number from 1 to 1024.");
         return Math.Max(1, Math.Min(given, calls));
     }
 
@@ -56,7 +56,7 @@ internal sealed class BatchOptions
         if (words.Length != 2 || !NumberReader.TryParseInt(words[0], out var part) || !NumberReader.TryParseInt(words[1], out var parts)
             || part < 0 || part > parts || parts == 0)
         {
-            throw new CliException(ExitCode.Usage, $"--part needs I/N, such as 3/20, not \"{text}\".");
+            throw CliException.Usage($"--part needs I/N, such as 3/20, not \"{text}\".");
         }
         return jobs.Where((_, i) => (i + 1) % parts == part % parts).ToArray();
     }

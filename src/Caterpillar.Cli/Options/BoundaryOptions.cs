@@ -22,7 +22,7 @@ internal sealed class BoundaryOptions
         if (!IsGiven(arguments)) return session.ValueOrFail(MeshBoundaries.Find(mesh, session.Cancel));
         var from = arguments.GetValue(_from) is { } file ? Shape(file, placed, session) : null;
         var to = (arguments.GetValue(_to) ?? []).Select(f => Shape(f, placed, session)).ToArray();
-        if (to.Length == 0) throw new CliException(ExitCode.Usage, "--from needs --to.");
+        if (to.Length == 0) throw CliException.Usage("--from needs --to.");
         return session.ValueOrFail(MeshBoundaries.Near(mesh, from, to, 0, session.Cancel));
     }
 
@@ -31,7 +31,7 @@ internal sealed class BoundaryOptions
         if (file.StartsWith("edge:", StringComparison.Ordinal))
         {
             return BoundaryShape.OpenEdge(NumberReader.TryParse(file[5..], out var number) && number is >= 1 and < 1e6 && number % 1 == 0 ? (int)number
-                : throw new CliException(ExitCode.Usage, "edge:N needs a number from 1."));
+                : throw CliException.Usage("edge:N needs a number from 1."));
         }
         if (file.EndsWith(".json", StringComparison.OrdinalIgnoreCase) && Vertices(session.ReadBytes(file)) is { } vertices) return BoundaryShape.Of(vertices);
         if (!CurveEndings.Any(e => file.EndsWith(e, StringComparison.OrdinalIgnoreCase)))

@@ -40,7 +40,7 @@ internal sealed class DivisionOptions
             EqualDivision = !arguments.GetValue(_full),
             KeepArcs = arguments.GetValue(_arcs),
         };
-        if (division.MaxLength > 0 && division.MinLength > division.MaxLength) throw new CliException(ExitCode.Usage, "--min-length is above --max-length.");
+        if (division.MaxLength > 0 && division.MinLength > division.MaxLength) throw CliException.Usage("--min-length is above --max-length.");
         return plain with { Subdivision = division, FitArcs = Value(_fit), MergeTolerance = Value(_merge) };
     }
 }

@@ -34,6 +34,6 @@ internal sealed class GeneralOptions
         var bytes = isSize ? count * unit.Bytes : 0;
         return bytes is >= LeastMemory and < 1L << 60
             ? new MemoryLimit((long)bytes)
-            : throw new CliException(ExitCode.Usage, $"--memory-limit needs a size of at least 64 MB, such as 500MB, 4GB or 75%, not \"{text}\".");
+            : throw CliException.Usage($"--memory-limit needs a size of at least 64 MB, such as 500MB, 4GB or 75%, not \"{text}\".");
     }
 }

@@ -46,7 +46,7 @@ internal sealed class InfillAlong
             return SurfaceLines.Along(surface, plan, p => placed.ApplyDirection(Direction(back.Apply(p))), spacing, session.Cancel);
         }
         if (!File.Exists(text))
-            throw new CliException(ExitCode.Usage, $"--infill-along {text}: expected curvature, across, both, two formulas \"DX; DY\", or a file of curves.");
+            throw CliException.Usage($"--infill-along {text}: expected curvature, across, both, two formulas \"DX; DY\", or a file of curves.");
         var curves = Curves.ReadPolylines(text, placed, session);
         return SurfaceLines.AlongCurves(surface, plan, curves.Where(c => c.Count > 1).ToArray(), spacing, session.Cancel);
     }

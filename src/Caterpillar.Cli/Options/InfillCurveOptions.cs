@@ -30,7 +30,7 @@ internal sealed class InfillCurveOptions
     {
         if (curves is null || model.Settings.InfillPattern != InfillPattern.Curves) return model;
         var map = model.Mesh.Placed;
-        if (!map.IsUpright) throw new CliException(ExitCode.Usage, "--infill-curves cannot be rotated about X and Y with the model.");
+        if (!map.IsUpright) throw CliException.Usage("--infill-curves cannot be rotated about X and Y with the model.");
         var points = InfillPoint.Of(curves.Select(c => new Polyline(c.Points.Select(v => map.Apply(v)), c.IsClosed)));
         return new SliceModel(model.Mesh, model.Settings with { InfillCurves = points });
     }

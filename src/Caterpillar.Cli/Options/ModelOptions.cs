@@ -32,7 +32,7 @@ internal sealed class ModelOptions
     public void Check(ParseResult arguments)
     {
         var copies = arguments.GetValue(_copies);
-        if (copies is < 1 or > 10_000) throw new CliException(ExitCode.Usage, "--copies needs a number from 1 to 10000.");
+        if (copies is < 1 or > 10_000) throw CliException.Usage("--copies needs a number from 1 to 10000.");
         var arrange = arguments.GetValue(_arrange) || copies > 1;
         string[] given =
         [
@@ -40,7 +40,7 @@ internal sealed class ModelOptions
             .. arguments.GetValue(_center) is null ? (string[])[] : ["--center"],
             .. arguments.GetValue(_keepPosition) ? ["--keep-position"] : (string[])[],
         ];
-        if (given.Length > 1) throw new CliException(ExitCode.Usage, $"{given[0]} cannot be combined with {given[1]}: both place the models.");
+        if (given.Length > 1) throw CliException.Usage($"{given[0]} cannot be combined with {given[1]}: both place the models.");
         _ = Placing(arguments);
         _ = UnitOf(arguments);
     }
@@ -67,7 +67,7 @@ internal sealed class ModelOptions
         if (isPart.Contains(false) && MovesApart(arguments) is { } option)
         {
             var name = models[isPart.ToList().IndexOf(false)].Name;
-            throw new CliException(ExitCode.Usage, $"{option} would move {name}, which is not printed, away from its part. Place the models with --center.");
+            throw CliException.Usage($"{option} would move {name}, which is not printed, away from its part. Place the models with --center.");
         }
         var placed = Placing(arguments).Place(models, setup, isPart, session.Cancel);
         session.Print(placed.Diagnostics);
@@ -100,7 +100,7 @@ internal sealed class ModelOptions
             (false, [var x, var y, var z]) => placing with { Scale = new Vec3(x, y, z) },
             (true, [var longest]) => placing with { LongestSide = longest },
             (true, [var x, var y, var z]) => placing with { Size = new Vec3(x, y, z) },
-            _ => throw new CliException(ExitCode.Usage, "--scale needs a factor or a length, or three of them: X,Y,Z."),
+            _ => throw CliException.Usage("--scale needs a factor or a length, or three of them: X,Y,Z."),
         };
     }
 
@@ -108,16 +108,16 @@ internal sealed class ModelOptions
     {
         [var z] => new Vec3(0, 0, z),
         [var x, var y, var z] => new Vec3(x, y, z),
-        _ => throw new CliException(ExitCode.Usage, "--rotate needs degrees about Z, or three angles: X,Y,Z."),
+        _ => throw CliException.Usage("--rotate needs degrees about Z, or three angles: X,Y,Z."),
     };
 
     private static Vec3 Center(string text)
     {
-        if (Numbers.List(text, "--center").Length != 2) throw new CliException(ExitCode.Usage, "--center needs X,Y in mm.");
+        if (Numbers.List(text, "--center").Length != 2) throw CliException.Usage("--center needs X,Y in mm.");
         return Numbers.Vector(text, "--center");
     }
 
     private double Spacing(ParseResult arguments)
         => NumberReader.TryParse(arguments.GetValue(_spacing), out var spacing) && spacing is >= 0 and < 1e6 ? spacing
-            : throw new CliException(ExitCode.Usage, "--spacing needs a distance of 0 mm or more.");
+            : throw CliException.Usage("--spacing needs a distance of 0 mm or more.");
 }

@@ -18,12 +18,12 @@ internal sealed class ModelSettingOptions
             // The name may hold a colon, keys hold none.
             var equals = text.IndexOf('=');
             var colon = equals < 0 ? -1 : text.LastIndexOf(':', equals);
-            if (colon < 1) throw new CliException(ExitCode.Usage, $"--for needs MODEL:KEY=VALUE, not \"{text}\".");
+            if (colon < 1) throw CliException.Usage($"--for needs MODEL:KEY=VALUE, not \"{text}\".");
             var model = text[..colon];
             var values = Values(text[(colon + 1)..]);
             var with = session.ValueOrFail(setup.With(values), ExitCode.Usage);
             if (with.Printer != setup.Printer || with.Material != setup.Material || !with.ToolMaterials.Equals(setup.ToolMaterials))
-                throw new CliException(ExitCode.Usage, $"--for {text}: only print settings can differ between models. Use --set for printer and material.");
+                throw CliException.Usage($"--for {text}: only print settings can differ between models. Use --set for printer and material.");
             parts.Add((model, values));
         }
         return new ModelSettings(setup, parts);
@@ -61,7 +61,7 @@ internal sealed class ModelSettings(PrintSetup setup, IReadOnlyList<(string Mode
             }
             if (found) continue;
             var names = string.Join(", ", files.Concat(models.Select(m => m.Name)).Distinct().Take(10));
-            throw new CliException(ExitCode.Usage, $"--for: model {name} not found. Models: {names}.");
+            throw CliException.Usage($"--for: model {name} not found. Models: {names}.");
         }
         return settings;
     }

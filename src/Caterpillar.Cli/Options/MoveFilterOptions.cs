@@ -26,12 +26,11 @@ internal sealed class MoveFilterOptions
         foreach (var name in objects ?? [])
         {
             if (toolpath.Layers.All(l => l.Object != name))
-                throw new CliException(ExitCode.Usage, $"--object: \"{name}\" not found. Objects: "
+                throw CliException.Usage($"--object: \"{name}\" not found. Objects: "
                     + string.Join(", ", toolpath.Layers.Select(l => $"\"{l.Object}\"").Distinct().Take(20)) + ".");
         }
-        if (arguments.GetValue(_first) > arguments.GetValue(_last))
-            throw new CliException(ExitCode.Usage, "--first-layer must not be above --last-layer.");
-        if (arguments.GetValue(_tool) < 0) throw new CliException(ExitCode.Usage, "--tool needs 0 or more.");
+        if (arguments.GetValue(_first) > arguments.GetValue(_last)) throw CliException.Usage("--first-layer must not be above --last-layer.");
+        if (arguments.GetValue(_tool) < 0) throw CliException.Usage("--tool needs 0 or more.");
         return new MoveFilter
         {
             FirstLayer = arguments.GetValue(_first),
@@ -46,14 +45,14 @@ internal sealed class MoveFilterOptions
     private static Bounds BoxOf(string text)
     {
         var v = Numbers.List(text, "--box");
-        if (v.Length != 6) throw new CliException(ExitCode.Usage, "--box needs two corners: X,Y,Z,X,Y,Z in mm.");
+        if (v.Length != 6) throw CliException.Usage("--box needs two corners: X,Y,Z,X,Y,Z in mm.");
         return Bounds.Empty.Include(new Vec3(v[0], v[1], v[2])).Include(new Vec3(v[3], v[4], v[5]));
     }
 
     private static Role RoleOf(string name)
         => Enum.TryParse<Role>(name.Replace("-", "").Replace("_", "").Replace(" ", ""), true, out var role) && Enum.IsDefined(role)
             ? role
-            : throw new CliException(ExitCode.Usage, $"Unknown role \"{name}\".{SpellingSuggestion.Hint(name, Shown)} Roles: {string.Join(", ", Shown)}.");
+            : throw CliException.Usage($"Unknown role \"{name}\".{SpellingSuggestion.Hint(name, Shown)} Roles: {string.Join(", ", Shown)}.");
 
     // As shown in tables and images. Identifiers work as well.
     private static IEnumerable<string> Shown => Enum.GetNames<Role>().Select(Words.Spaced);

@@ -12,8 +12,8 @@ internal static class Numbers
     public static Vec3 Vector(string text, string option)
     {
         var numbers = List(text, option);
-        if (numbers.Length is not (2 or 3)) throw new CliException(ExitCode.Usage, option + " needs X,Y or X,Y,Z in mm.");
-        if (numbers.Any(n => System.Math.Abs(n) > Farthest)) throw new CliException(ExitCode.Usage, option + " needs coordinates up to 1 km.");
+        if (numbers.Length is not (2 or 3)) throw CliException.Usage(option + " needs X,Y or X,Y,Z in mm.");
+        if (numbers.Any(n => System.Math.Abs(n) > Farthest)) throw CliException.Usage(option + " needs coordinates up to 1 km.");
         return new Vec3(numbers[0], numbers[1], numbers.Length > 2 ? numbers[2] : 0);
     }
 
@@ -22,7 +22,7 @@ internal static class Numbers
     {
         [var all] => new Vec3(all, all, all),
         [var x, var y, var z] => new Vec3(x, y, z),
-        _ => throw new CliException(ExitCode.Usage, "--scale needs a factor, or three of them: X,Y,Z."),
+        _ => throw CliException.Usage("--scale needs a factor, or three of them: X,Y,Z."),
     };
 
     /// <summary>The length of a unit in mm, from a number or a name; 1 if there is none.</summary>
@@ -38,7 +38,7 @@ internal static class Numbers
             "ft" => 304.8,
             var other => Number(other, "--unit"),
         };
-        return unit is > 0 and < 1e6 ? unit : throw new CliException(ExitCode.Usage, "--unit needs um, mm, cm, m, in, ft or a length above 0 in mm.");
+        return unit is > 0 and < 1e6 ? unit : throw CliException.Usage("--unit needs um, mm, cm, m, in, ft or a length above 0 in mm.");
     }
 
     /// <summary>A factor, or a percentage: <c>0.5</c> and <c>50%</c> are the same.</summary>
@@ -51,29 +51,29 @@ internal static class Numbers
     /// <summary>The same for speed and flow, where 70 is meant as 70 %.</summary>
     public static double Ratio(string text, string option, double least)
         => Factor(text, option, least) is <= 10 and var ratio ? ratio
-            : throw new CliException(ExitCode.Usage, option + " needs a factor up to 10, or a percentage such as 70%.");
+            : throw CliException.Usage(option + " needs a factor up to 10, or a percentage such as 70%.");
 
     public static double Factor(double value, string option, double least)
         => value >= least && value < 1e6 ? value
-            : throw new CliException(ExitCode.Usage, option
+            : throw CliException.Usage(option
                 + (least > 0 ? " needs a factor above 0 and below a million." : " needs a factor from 0 to a million."));
 
     /// <summary>A diameter in mm, or null.</summary>
     public static double? Diameter(double? value, string option)
-        => value is null or (>= 0.01 and <= 1000) ? value : throw new CliException(ExitCode.Usage, option + " needs a diameter of 0.01 to 1000 mm.");
+        => value is null or (>= 0.01 and <= 1000) ? value : throw CliException.Usage(option + " needs a diameter of 0.01 to 1000 mm.");
 
     /// <summary><c>N=TEXT</c>.</summary>
     public static (int Number, string Text) Pair(string text, string option)
     {
         var at = text.IndexOf('=');
         return at > 0 && Whole(text[..at]) is { } number ? (number, text[(at + 1)..])
-            : throw new CliException(ExitCode.Usage, $"{option} needs N=…, not \"{text}\".");
+            : throw CliException.Usage($"{option} needs N=…, not \"{text}\".");
     }
 
     /// <summary>A number, at least this.</summary>
     public static double AtLeast(string text, string option, double least)
         => NumberReader.TryParse(text.Trim(), out var value) && value >= least ? value
-            : throw new CliException(ExitCode.Usage, $"{option} needs a number{(least >= 0 ? " of 0 or more" : "")}, not \"{text}\".");
+            : throw CliException.Usage($"{option} needs a number{(least >= 0 ? " of 0 or more" : "")}, not \"{text}\".");
 
     /// <summary>The same, or null.</summary>
     public static double? MaybeAtLeast(string? text, string option, double least) => text is null ? null : AtLeast(text, option, least);
@@ -87,5 +87,5 @@ internal static class Numbers
 
     private static double Number(string text, string option)
         => NumberReader.TryParse(text.Trim(), out var value)
-            && double.IsFinite(value) ? value : throw new CliException(ExitCode.Usage, $"{option} needs a number, not \"{text}\".");
+            && double.IsFinite(value) ? value : throw CliException.Usage($"{option} needs a number, not \"{text}\".");
 }

@@ -42,18 +42,18 @@ internal sealed class ToolpathEditOptions
             Scale = arguments.GetValue(_scale) is { } scales ? Numbers.Scale(scales) : null,
             Move = arguments.GetValue(_move) is { } vector ? Numbers.Vector(vector, "--move") : null,
             Rotate = arguments.GetValue(_turn) is not { } turn || double.IsFinite(turn) ? arguments.GetValue(_turn)
-                : throw new CliException(ExitCode.Usage, "--rotate needs an angle in degrees."),
+                : throw CliException.Usage("--rotate needs an angle in degrees."),
             Deform = Deformation(arguments, session),
             PauseAtLayers = arguments.GetValue(_pauses) ?? [],
             Remove = arguments.GetValue(_remove),
             Tolerance = tolerance,
         };
         var plain = arguments.GetValue(_plainPause);
-        if (plain && edits.PauseAtLayers.Count == 0) throw new CliException(ExitCode.Usage, "--plain-pause needs --pause-at-layer.");
+        if (plain && edits.PauseAtLayers.Count == 0) throw CliException.Usage("--plain-pause needs --pause-at-layer.");
         if (edits.PauseAtLayers.Count > 0 && !plain) edits = edits with { Pause = pause() };
         edits = edits with { AtLayers = [.. (arguments.GetValue(_tools) ?? []).Select(Tool), .. (arguments.GetValue(_lines) ?? []).Select(Line)] };
         return !edits.Remove || _filter.IsGiven(arguments) ? edits
-            : throw new CliException(ExitCode.Usage, "--remove needs a selection: --first-layer, --last-layer, --role, --object, --tool or --box.");
+            : throw CliException.Usage("--remove needs a selection: --first-layer, --last-layer, --role, --object, --tool or --box.");
     }
 
     /// <summary>The part of the print that is kept.</summary>
@@ -69,20 +69,20 @@ internal sealed class ToolpathEditOptions
         => new() { Start = Lines(arguments.GetValue(_start), "--start-gcode"), End = Lines(arguments.GetValue(_end), "--end-gcode") };
 
     private static string[]? Lines(string? file, string option) => file is null ? null
-        : file.Trim().Length > 0 ? File.ReadAllLines(file) : throw new CliException(ExitCode.Usage, $"{option} needs a file name.");
+        : file.Trim().Length > 0 ? File.ReadAllLines(file) : throw CliException.Usage($"{option} needs a file name.");
 
     private static (int Layer, PrinterEvent What) Tool(string text)
     {
         var (layer, tool) = Numbers.Pair(text, "--tool-at-layer");
         return Numbers.Whole(tool) is >= 0 and < 100 and var number ? (layer, new ToolEvent(number))
-            : throw new CliException(ExitCode.Usage, $"--tool-at-layer needs a tool number from 0 to 99, not \"{tool}\".");
+            : throw CliException.Usage($"--tool-at-layer needs a tool number from 0 to 99, not \"{tool}\".");
     }
 
     private static (int Layer, PrinterEvent What) Line(string text)
     {
         var (layer, line) = Numbers.Pair(text, "--gcode-at-layer");
         return line.Trim().Length > 0 && !line.AsSpan().ContainsAny('\r', '\n') ? (layer, new RawEvent(line))
-            : throw new CliException(ExitCode.Usage, "--gcode-at-layer needs one line of G-code: N=LINE.");
+            : throw CliException.Usage("--gcode-at-layer needs one line of G-code: N=LINE.");
     }
 
     // Null without deformation.
@@ -90,8 +90,8 @@ internal sealed class ToolpathEditOptions
     {
         var axis = arguments.GetValue(_axis);
         if (arguments.GetValue(_deform) is not { } formulas)
-            return axis is null ? null : throw new CliException(ExitCode.Usage, "--axis needs --deform.");
-        if (formulas.Trim().Length == 0) throw new CliException(ExitCode.Usage, "--deform needs formulas, for example \"x + 0.1*z, y, z\".");
+            return axis is null ? null : throw CliException.Usage("--axis needs --deform.");
+        if (formulas.Trim().Length == 0) throw CliException.Usage("--deform needs formulas, for example \"x + 0.1*z, y, z\".");
         var system = axis is null ? DeformationSystem.Cartesian : DeformationSystem.Cylindrical;
         var at = axis is null or "center" ? (Vec3?)null : Numbers.Vector(axis, "--axis");
         return middle => session.ValueOrFail(DeformationText.Compile(

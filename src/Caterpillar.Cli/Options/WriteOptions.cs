@@ -21,13 +21,13 @@ internal sealed class WriteOptions
     /// <summary>The output file: as given, or named after an input (standard output for standard input).</summary>
     public string FileFor(ParseResult arguments, string input)
     {
-        if (arguments.GetValue(_output) is { } given) return given.Length > 0 ? given : throw new CliException(ExitCode.Usage, "--output needs a file name.");
+        if (arguments.GetValue(_output) is { } given) return given.Length > 0 ? given : throw CliException.Usage("--output needs a file name.");
         if (input == "-") return "-";
         var name = Path.GetFileName(input);
         if (name.EndsWith(".gz", StringComparison.OrdinalIgnoreCase)) name = Path.GetFileNameWithoutExtension(name);
         var file = Path.GetFileNameWithoutExtension(name) + ".gcode";
         return Path.GetFullPath(file) != Path.GetFullPath(input) ? file
-            : throw new CliException(ExitCode.Usage, $"The output would replace the input {input}. Give another name with -o.");
+            : throw CliException.Usage($"The output would replace the input {input}. Give another name with -o.");
     }
 
     /// <summary>Checks and writes a print and prints a summary. Files larger than <paramref name="maxBytes"/> are not written.</summary>

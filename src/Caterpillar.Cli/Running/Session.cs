@@ -207,7 +207,7 @@ internal sealed class Session(Func<Stream> input, Func<Stream> output, TextWrite
 
     private static void NoFolder(string file)
     {
-        if (string.IsNullOrWhiteSpace(file)) throw new CliException(ExitCode.Usage, "A file name is empty.");
+        if (string.IsNullOrWhiteSpace(file)) throw CliException.Usage("A file name is empty.");
         if (Directory.Exists(file)) throw new CliException(ExitCode.BadInput, $"{file} is a folder, not a file.");
     }
 

@@ -21,7 +21,7 @@ internal static class FileGuard
         {
             CheckName(output, verb.Writes);
             if (inputs.FirstOrDefault(input => IsSame(input, output)) is { } input)
-                throw new CliException(ExitCode.Usage, $"{Output} {output} would replace the input {input}. Give another name.");
+                throw CliException.Usage($"{Output} {output} would replace the input {input}. Give another name.");
         }
     }
 
@@ -42,13 +42,13 @@ internal static class FileGuard
     {
         if (!Kinds.Values.Any(k => k.Reader == verb && k.Kind != "G-code") || !Kinds.TryGetValue(Path.GetExtension(file), out var named)) return;
         if (named.Reader is "" || named.Reader == verb) return;
-        throw new CliException(ExitCode.Usage, $"{file} is {named.Kind}. To print it, use \"caterpillar {named.Reader}\".");
+        throw CliException.Usage($"{file} is {named.Kind}. To print it, use \"caterpillar {named.Reader}\".");
     }
 
     private static void CheckName(string output, string[] kinds)
     {
         if (kinds.Length == 0 || !Kinds.TryGetValue(Path.GetExtension(output), out var named) || kinds.Contains(named.Kind)) return;
-        throw new CliException(ExitCode.Usage,
+        throw CliException.Usage(
             $"{Output} {output}: the extension {Path.GetExtension(output)} means {named.Kind}, but the output is {kinds[0]}. Give another name.");
     }
 

@@ -95,11 +95,11 @@ internal sealed class ConvertVerb : Verb
     private string Output(string file, ParseResult arguments)
     {
         var output = arguments.GetValue(_out);
-        if (!arguments.GetValue(_inPlace)) return output ?? throw new CliException(ExitCode.Usage, "The output is missing. Give --output FILE or --in-place.");
-        if (output is not null) throw new CliException(ExitCode.Usage, "--in-place cannot be combined with --output.");
-        if (file == "-") throw new CliException(ExitCode.Usage, "--in-place needs a file, not standard input.");
+        if (!arguments.GetValue(_inPlace)) return output ?? throw CliException.Usage("The output is missing. Give --output FILE or --in-place.");
+        if (output is not null) throw CliException.Usage("--in-place cannot be combined with --output.");
+        if (file == "-") throw CliException.Usage("--in-place needs a file, not standard input.");
         return !file.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? file
-            : throw new CliException(ExitCode.Usage, $"--in-place cannot write gzip files such as {file}. Use --output.");
+            : throw CliException.Usage($"--in-place cannot write gzip files such as {file}. Use --output.");
     }
 
     private FileJob Edited(FileJob job, ParseResult arguments, Session session)
@@ -110,7 +110,7 @@ internal sealed class ConvertVerb : Verb
         // A missing layer is an error of the command line.
         if (edited.Diagnostics.FirstOrDefault(d => d.Code == "toolpath.no_layer") is not { } none) return session.ValueOrFail(edited);
         session.Print(edited.Diagnostics.Where(d => d != none));
-        throw new CliException(ExitCode.Usage, none.Message);
+        throw CliException.Usage(none.Message);
     }
 
     // Checked only if a printer is given, since the printer of the file is unknown, except that a moved print must fit on the bed.
@@ -119,7 +119,7 @@ internal sealed class ConvertVerb : Verb
         var reason = arguments.GetValue(_reason);
         var isChecked = _setup.IsGiven(arguments);
         if (!isChecked && !job.IsMoved && reason is not null)
-            throw new CliException(ExitCode.Usage, "--override needs --printer. Without it, only moved prints are checked.");
+            throw CliException.Usage("--override needs --printer. Without it, only moved prints are checked.");
         var setup = isChecked ? _setup.Resolve(arguments, session) : null;
         WrittenGCode? written = null;
         session.Write(output, (stream, _) =>
@@ -152,7 +152,7 @@ internal sealed class ConvertVerb : Verb
             ChordTolerance = Tolerance(arguments),
             Millimeters = arguments.GetValue(_millimeters),
             RetractionLength = arguments.GetValue(_retraction) is >= 0 and <= 1000 and var retraction ? retraction
-                : throw new CliException(ExitCode.Usage, "--retraction needs a length of 0 to 1000."),
+                : throw CliException.Usage("--retraction needs a length of 0 to 1000."),
             DecimalsXyz = decimals[0],
             DecimalsE = decimals[1],
             DecimalsF = decimals[2],
@@ -166,13 +166,13 @@ internal sealed class ConvertVerb : Verb
         var decimals = new int?[3];
         if (arguments.GetValue(_decimals) is not { } text) return decimals;
         var parts = text.Split(',');
-        if (parts.Length > 3) throw new CliException(ExitCode.Usage, "--decimals needs at most three numbers: for X, Y and Z, for E and for F.");
+        if (parts.Length > 3) throw CliException.Usage("--decimals needs at most three numbers: for X, Y and Z, for E and for F.");
         for (var i = 0; i < parts.Length; i++)
         {
             if (!NumberReader.TryParseInt(parts[i].Trim(), out var count)
                 || count is < 0 or > 9)
             {
-                throw new CliException(ExitCode.Usage, "--decimals needs whole numbers from 0 to 9, such as 3,5,0.");
+                throw CliException.Usage("--decimals needs whole numbers from 0 to 9, such as 3,5,0.");
             }
             decimals[i] = count;
         }
@@ -181,5 +181,5 @@ internal sealed class ConvertVerb : Verb
 
     private double Tolerance(ParseResult arguments)
         => arguments.GetValue(_tolerance) is > 0 and < 1000 and var tolerance ? tolerance
-            : throw new CliException(ExitCode.Usage, "--tolerance needs a length above 0 and below 1000 mm.");
+            : throw CliException.Usage("--tolerance needs a length above 0 and below 1000 mm.");
 }

@@ -50,7 +50,7 @@ internal sealed class CurvesVerb : Verb
         var file = arguments.GetValue(_file)!;
         var target = _write.FileFor(arguments, file);
         var json = arguments.GetValue(_json);
-        if (json && target == "-") throw new CliException(ExitCode.Usage, "--json cannot be combined with G-code on standard output. Give -o FILE.");
+        if (json && target == "-") throw CliException.Usage("--json cannot be combined with G-code on standard output. Give -o FILE.");
         var limit = Numbers.MaybeAtLeast(arguments.GetValue(_maxSize), "--max-size", 0) * 1e6 ?? double.PositiveInfinity;
         _onto.Check(arguments);
         _tilt.Check(arguments, false);
@@ -101,7 +101,7 @@ internal sealed class CurvesVerb : Verb
         else
         {
             var numbers = text.Split(',').Select(w => Numbers.AtLeast(w, "--move", double.NegativeInfinity)).ToArray();
-            if (numbers.Length is not (2 or 3)) throw new CliException(ExitCode.Usage, "--move needs X,Y or X,Y,Z in mm, or center.");
+            if (numbers.Length is not (2 or 3)) throw CliException.Usage("--move needs X,Y or X,Y,Z in mm, or center.");
             shift = new Vec3(numbers[0], numbers[1], numbers.Length > 2 ? numbers[2] : 0);
         }
         var map = Affine.Move(shift);
@@ -110,8 +110,8 @@ internal sealed class CurvesVerb : Verb
 
     private int LayersOf(ParseResult arguments)
         => arguments.GetValue(_layers) is not { } layers ? 0 : layers is >= 1 and <= 100_000 ? layers
-            : throw new CliException(ExitCode.Usage, "--layers needs a whole number from 1 to 100000.");
+            : throw CliException.Usage("--layers needs a whole number from 1 to 100000.");
 
     private static AxisMapping Mapping(string text) => AxisMapping.Parse(text)
-        ?? throw new CliException(ExitCode.Usage, $"--map {text}: expected AXIS=WORD*SCALE, such as X=A*2.86 (degrees per mm) or Y=Y*0.5.");
+        ?? throw CliException.Usage($"--map {text}: expected AXIS=WORD*SCALE, such as X=A*2.86 (degrees per mm) or Y=Y*0.5.");
 }

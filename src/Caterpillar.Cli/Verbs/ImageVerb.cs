@@ -35,7 +35,7 @@ internal sealed class ImageVerb : Verb
     {
         var file = arguments.GetValue(_file)!;
         var width = arguments.GetValue(_width);
-        if (width is < 16 or > 8000) throw new CliException(ExitCode.Usage, "--width needs 16 to 8000 pixels.");
+        if (width is < 16 or > 8000) throw CliException.Usage("--width needs 16 to 8000 pixels.");
         var view = arguments.GetValue(_view) is { } named ? ViewOf(named) : (View?)null;
         var decoding = session.Decode(file, new DecodeOptions { Memory = session.Memory });
         var toolpath = decoding.Unrolled();
@@ -80,7 +80,7 @@ internal sealed class ImageVerb : Verb
         var v = Numbers.List(text, "--region");
         return v.Length == 4 && v[0] < v[2] && v[1] < v[3]
             ? new Bounds(new Vec3(v[0], v[1]), new Vec3(v[2], v[3]))
-            : throw new CliException(ExitCode.Usage, "--region needs X0,Y0,X1,Y1 in mm: the lowest corner, then the highest.");
+            : throw CliException.Usage("--region needs X0,Y0,X1,Y1 in mm: the lowest corner, then the highest.");
     }
 
     private static View ViewOf(string text)
@@ -93,6 +93,6 @@ internal sealed class ImageVerb : Verb
         {
             return new View(azimuth, elevation);
         }
-        throw new CliException(ExitCode.Usage, $"--view {text}: expected top, front, or azimuth,elevation in degrees.");
+        throw CliException.Usage($"--view {text}: expected top, front, or azimuth,elevation in degrees.");
     }
 }

@@ -15,7 +15,7 @@ internal sealed partial class Moment(string text, Func<Timeline, MachineState?> 
         if (After(plain, "layer:") is { } layer && Numbers.Whole(layer) is >= 0 and var wanted) return new(plain, t => t.AtLayerNumber(wanted));
         if (After(plain, "z:") is { } height && NumberReader.TryParse(height, out var z)) return new(plain, t => t.AtHeight(z));
         if (Seconds(plain) is { } seconds) return new(plain, t => t.At(seconds));
-        throw new CliException(ExitCode.Usage, $"--at needs a moment, not \"{text}\": 42%, a time such as 90s or 1h12m30s, line:N, move:N, layer:N or z:MM.");
+        throw CliException.Usage($"--at needs a moment, not \"{text}\": 42%, a time such as 90s or 1h12m30s, line:N, move:N, layer:N or z:MM.");
     }
 
     /// <exception cref="CliException">The print has no such moment (bad input).</exception>

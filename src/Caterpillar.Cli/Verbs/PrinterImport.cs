@@ -19,7 +19,7 @@ internal static class PrinterImport
         var isFile = output == "-" || output.EndsWith(".json", StringComparison.OrdinalIgnoreCase);
         if (isFile && imported.Printers.Count != 1)
         {
-            throw new CliException(ExitCode.Usage, $"The file has {Number(imported.Printers.Count)} printers, {Number(imported.Materials.Count)} materials and "
+            throw CliException.Usage($"The file has {Number(imported.Printers.Count)} printers, {Number(imported.Materials.Count)} materials and "
                 + $"{Number(imported.Settings.Count)} settings. Give a folder for them: -o FOLDER.");
         }
         var folder = output == "-" ? null : isFile ? Path.GetDirectoryName(output) : output;

@@ -66,22 +66,22 @@ internal sealed class SectionsVerb : Verb
     {
         var text = arguments.GetValue(_heights);
         if (text is null) return null;
-        if (arguments.GetValue(_every) is not null) throw new CliException(ExitCode.Usage, "--heights cannot be combined with --every.");
+        if (arguments.GetValue(_every) is not null) throw CliException.Usage("--heights cannot be combined with --every.");
         return text.Split(',').Select(word => Numbers.AtLeast(word.Trim(), "--heights", double.NegativeInfinity)).ToArray();
     }
 
     private double Every(ParseResult arguments)
     {
-        var text = arguments.GetValue(_every) ?? throw new CliException(ExitCode.Usage, "The planes are missing. Give --heights 0.1,0.3 or --every 0.2.");
+        var text = arguments.GetValue(_every) ?? throw CliException.Usage("The planes are missing. Give --heights 0.1,0.3 or --every 0.2.");
         var every = Numbers.AtLeast(text, "--every", 0);
-        return every > 0 ? every : throw new CliException(ExitCode.Usage, "--every must be above 0.");
+        return every > 0 ? every : throw CliException.Usage("--every must be above 0.");
     }
 
     private static double[] Middles(double top, double every)
     {
         var count = top > 0 ? Math.Ceiling(top / every - 0.5) : 0;
         if (count > MaxHeights)
-            throw new CliException(ExitCode.Usage, $"--every {NumberFormatter.Format(every, 9)} gives more than {NumberFormatter.Format(MaxHeights)} planes.");
+            throw CliException.Usage($"--every {NumberFormatter.Format(every, 9)} gives more than {NumberFormatter.Format(MaxHeights)} planes.");
         return Enumerable.Range(0, (int)Math.Max(0, count)).Select(i => (i + 0.5) * every).ToArray();
     }
 

@@ -32,7 +32,7 @@ internal sealed class SliceVerb : Verb
         var files = arguments.GetValue(_models)!;
         var output = _write.FileFor(arguments, files[0]);
         var json = arguments.GetValue(_json);
-        if (json && output == "-") throw new CliException(ExitCode.Usage, "--json cannot be combined with G-code on standard output. Give -o FILE.");
+        if (json && output == "-") throw CliException.Usage("--json cannot be combined with G-code on standard output. Give -o FILE.");
         _placing.Check(arguments);
         _curved.Check(arguments);
         _tilt.Check(arguments, _curved.HasField(arguments));

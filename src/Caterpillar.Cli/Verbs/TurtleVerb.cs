@@ -40,7 +40,7 @@ internal sealed class TurtleVerb : Verb
                 TurtleCommands.All.Select(c => new[] { c.Usage, c.Help, string.Join(" ", c.Aliases) }).ToList()));
             return ExitCode.Done;
         }
-        var file = arguments.GetValue(_script) ?? throw new CliException(ExitCode.Usage, "The turtle program is missing. See: caterpillar turtle --help");
+        var file = arguments.GetValue(_script) ?? throw CliException.Usage("The turtle program is missing. See: caterpillar turtle --help");
         _onto.Check(arguments);
         var target = _write.FileFor(arguments, file);
         var variables = Variables(arguments.GetValue(_values) ?? []);
@@ -64,7 +64,7 @@ internal sealed class TurtleVerb : Verb
 
     private static ScriptFiles Files(string script, string[] more)
     {
-        foreach (var folder in more.Where(f => !Directory.Exists(f))) throw new CliException(ExitCode.Usage, $"--include {folder}: folder not found.");
+        foreach (var folder in more.Where(f => !Directory.Exists(f))) throw CliException.Usage($"--include {folder}: folder not found.");
         return new ScriptFiles([script == "-" ? "." : Path.GetDirectoryName(Path.GetFullPath(script))!, .. more]);
     }
 
@@ -74,9 +74,8 @@ internal sealed class TurtleVerb : Verb
         foreach (var text in values)
         {
             var cut = text.IndexOf('=');
-            if (cut < 1 || !NumberReader.TryParse(text[(cut + 1)..].Trim(), out var value))
-                throw new CliException(ExitCode.Usage, $"--var {text}: expected NAME=NUMBER.");
-            if (!variables.TryAdd(text[..cut].Trim(), value)) throw new CliException(ExitCode.Usage, $"--var {text}: this parameter already has a value.");
+            if (cut < 1 || !NumberReader.TryParse(text[(cut + 1)..].Trim(), out var value)) throw CliException.Usage($"--var {text}: expected NAME=NUMBER.");
+            if (!variables.TryAdd(text[..cut].Trim(), value)) throw CliException.Usage($"--var {text}: this parameter already has a value.");
         }
         return variables;
     }

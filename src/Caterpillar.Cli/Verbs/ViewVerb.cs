@@ -45,8 +45,7 @@ internal sealed class ViewVerb : Verb
         var source = new ViewSource(_setup, arguments, !arguments.GetValue(_noGCode), design => GCodeOf(design, arguments, session), session);
         if (arguments.GetResult(_serve) is not null) return Serve(file, source, arguments, session);
         var output = arguments.GetValue(_out) ?? Path.GetFileNameWithoutExtension(file == "-" ? "view" : file) + ".html";
-        if (arguments.GetValue(_open) && (output == "-" || ViewerPage.IsScript(output)))
-            throw new CliException(ExitCode.Usage, "--open needs a page. Give -o FILE.html.");
+        if (arguments.GetValue(_open) && (output == "-" || ViewerPage.IsScript(output))) throw CliException.Usage("--open needs a page. Give -o FILE.html.");
         var content = source.Read(file);
         var bytes = Page(content, session, ViewerPage.IsScript(output));
         session.Write(output, stream => stream.Write(bytes));
@@ -84,7 +83,7 @@ internal sealed class ViewVerb : Verb
     private int Serve(string file, ViewSource source, ParseResult arguments, Session session)
     {
         var port = arguments.GetValue(_serve) ?? 8417;
-        if (port is < 1 or > 65535) throw new CliException(ExitCode.Usage, "--serve needs a port from 1 to 65535.");
+        if (port is < 1 or > 65535) throw CliException.Usage("--serve needs a port from 1 to 65535.");
         using var server = Started(port);
         session.Grace = TimeSpan.FromSeconds(5);
         var read = File.GetLastWriteTimeUtc(file);
