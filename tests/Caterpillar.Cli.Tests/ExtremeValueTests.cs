@@ -67,7 +67,7 @@ public partial class ExtremeValueTests : CliFixture
         Assert.That(string.Join("\n", wrong), Is.Empty);
     }
 
-    private static IEnumerable<string> Keys() => ProfileKeys.Printer.Concat(ProfileKeys.Material).Concat(ProfileKeys.Settings).Select(k => k.Name);
+    private static IEnumerable<string> Keys() => ProfileKeys.All.Select(k => k.Name);
 
     [TestCaseSource(nameof(Keys))]
     public void Every_key_takes_or_refuses_every_value(string key)

@@ -26,9 +26,9 @@ internal static class NameManual
             A name after ≈ has the same purpose, but another unit or other values. [Profiles](profiles.md) describes all keys and their ranges.
 
             """);
-        Table(text, "Printer", ProfileKeys.Printer);
-        Table(text, "Material", ProfileKeys.Material);
-        Table(text, "Settings", ProfileKeys.Settings);
+        Table(text, "Printer", ProfileKeys.Of<Printer>());
+        Table(text, "Material", ProfileKeys.Of<Material>());
+        Table(text, "Settings", ProfileKeys.Of<PrintSettings>());
         return text.ToString();
     }
 

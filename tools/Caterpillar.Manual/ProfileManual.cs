@@ -54,9 +54,9 @@ internal static class ProfileManual
 
 
             """);
-        Keys(text, docs, "Printer", ProfileKeys.Printer, library.PrinterNames);
-        Keys(text, docs, "Material", ProfileKeys.Material, library.MaterialNames);
-        Keys(text, docs, "Settings", ProfileKeys.Settings, library.SettingsNames);
+        Keys(text, docs, "Printer", ProfileKeys.Of<Printer>(), library.Names<Printer>());
+        Keys(text, docs, "Material", ProfileKeys.Of<Material>(), library.Names<Material>());
+        Keys(text, docs, "Settings", ProfileKeys.Of<PrintSettings>(), library.Names<PrintSettings>());
         text.Append(
             """
             ## Templates

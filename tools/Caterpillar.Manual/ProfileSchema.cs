@@ -10,13 +10,13 @@ namespace Caterpillar.Manual;
 internal sealed class ProfileSchema(SettingDocs docs)
 {
     /// <summary>JSON Schema of printers.</summary>
-    public string Printer => Of(ProfileKinds.Printer.Noun, ProfileKeys.Printer);
+    public string Printer => Of(ProfileKinds.Printer.Noun, ProfileKeys.Of<Printer>());
 
     /// <summary>JSON Schema of materials.</summary>
-    public string Material => Of(ProfileKinds.Material.Noun, ProfileKeys.Material);
+    public string Material => Of(ProfileKinds.Material.Noun, ProfileKeys.Of<Material>());
 
     /// <summary>JSON Schema of print settings.</summary>
-    public string Settings => Of(ProfileKinds.Settings.Noun, ProfileKeys.Settings);
+    public string Settings => Of(ProfileKinds.Settings.Noun, ProfileKeys.Of<PrintSettings>());
 
     private string Of(string noun, IEnumerable<ProfileKey> keys)
     {

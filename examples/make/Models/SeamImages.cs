@@ -44,7 +44,8 @@ internal static class SeamImages
         var steps = new List<Step>(paths);
         foreach (var (at, layer) in starts)
         {
-            var knob = new PrintPath([at - new Vec3(0.05, 0), at + new Vec3(0.05, 0)], [new Bead(0.45, 0.4)]).With(Role.Bridge, sliced.Layers[layer].Layer);
+            var knob = new PrintPath([at - new Vec3(0.05, 0), at + new Vec3(0.05, 0)], [new Bead(0.45, 0.4)])
+                with { Role = Role.Bridge, Layer = sliced.Layers[layer].Layer };
             steps.Add(new PathStep(knob));
         }
         var toolpath = Planner.Plan(steps, setup).Value ?? throw new InvalidOperationException(name);

@@ -16,7 +16,7 @@ internal sealed class BatchList(Verb verb, ParseResult parsed, Session session)
         var inputs = Inputs();
         var output = verb.Options.FirstOrDefault(o => o.Name == "--output") is Option<string?> option ? parsed.GetValue(option) : null;
         if (output == "-")
-            throw new CliException(ExitCode.Usage, "Several outputs cannot go to standard output. Give a pattern, such as -o 'out/{name}" + verb.Ending + "'.");
+            throw CliException.Usage("Several outputs cannot go to standard output. Give a pattern, such as -o 'out/{name}" + verb.Ending + "'.");
         var pattern = verb.Ending is { } ending && !verb.ReplacesInput(parsed) ? new OutputPattern(output, ending, table) : null;
         var shared = _options.Shared(parsed, verb).ToArray();
         var jobs = new List<BatchJob>();
@@ -38,7 +38,7 @@ internal sealed class BatchList(Verb verb, ParseResult parsed, Session session)
     {
         var named = parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(a => a.Tokens).Select(t => t.Value).ToArray();
         if (parsed.GetResult(_options.Each) is not { Implicit: false }) return [named];
-        if (named.Length > 0) throw new CliException(ExitCode.Usage, $"{named[0]} cannot be combined with --each. Put it after --each.");
+        if (named.Length > 0) throw CliException.Usage($"{named[0]} cannot be combined with --each. Put it after --each.");
         return FilePattern.Files(parsed.GetValue(_options.Each) ?? []).Select(f => new[] { f }).ToArray();
     }
 
@@ -49,10 +49,9 @@ internal sealed class BatchList(Verb verb, ParseResult parsed, Session session)
         foreach (var column in table.Columns.Where(c => c != "name"))
         {
             if (column.StartsWith("--", StringComparison.Ordinal) && verb.Options.All(o => o.Name != column.Split(' ')[0]))
-                throw new CliException(ExitCode.Usage, $"{file}: {verb.Name} has no option {column}. Rename the column.");
+                throw CliException.Usage($"{file}: {verb.Name} has no option {column}. Rename the column.");
             if (!column.StartsWith('-') && Option(column) is null)
-                throw new CliException(ExitCode.Usage,
-                    $"{file}: {verb.Name} has no settings, so column \"{column}\" must be an option, such as --{column}.");
+                throw CliException.Usage($"{file}: {verb.Name} has no settings, so column \"{column}\" must be an option, such as --{column}.");
         }
         return table;
     }
@@ -73,7 +72,7 @@ internal sealed class BatchList(Verb verb, ParseResult parsed, Session session)
     // A parameter of a turtle program, or a key of the profiles.
     private string? Option(string column)
     {
-        var isKey = ProfileKeys.Printer.Concat(ProfileKeys.Material).Concat(ProfileKeys.Settings).Any(k => k.Name == column);
+        var isKey = ProfileKeys.All.Any(k => k.Name == column);
         string[] order = isKey ? ["--set", "--var"] : ["--var", "--set"];
         return order.FirstOrDefault(name => verb.Options.Any(o => o.Name == name));
     }
@@ -90,14 +89,14 @@ internal sealed class BatchList(Verb verb, ParseResult parsed, Session session)
         {
             if (!writers.TryAdd(Path.GetFullPath(job.Output!), job))
             {
-                throw new CliException(ExitCode.Usage, $"--output {pattern}: two outputs would be named {job.Output}. "
+                throw CliException.Usage($"--output {pattern}: two outputs would be named {job.Output}. "
                     + (job.Cells.Count > 0 ? "Add {row} or a column." : "Add {name} or {folder}."));
             }
         }
         foreach (var input in jobs.SelectMany(j => j.Inputs))
         {
             if (writers.ContainsKey(Path.GetFullPath(input)))
-                throw new CliException(ExitCode.Usage, $"--output {pattern} would replace the input {input}. Give another name.");
+                throw CliException.Usage($"--output {pattern} would replace the input {input}. Give another name.");
         }
     }
 }

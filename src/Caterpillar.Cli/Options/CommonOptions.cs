@@ -45,7 +45,7 @@ internal static class CommonOptions
     public static Described<string?> Flavor(string name, string description)
     {
         var option = new Described<string?>(name, description, "FLAVOR");
-        option.CompletionSources.Add(_ => FlavorTable.All.Select(d => new CompletionItem(d.Name)));
+        option.CompletionSources.Add(_ => FlavorTable.All.Select(d => d.Name));
         return option;
     }
 

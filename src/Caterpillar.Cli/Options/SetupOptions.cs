@@ -11,11 +11,10 @@ internal sealed class SetupOptions
     {
         Printer = new Described<string?>("--printer",
             "Printer profile: name (listed by \"caterpillar printers\") or JSON file. " + otherwise, "NAME|FILE", "-p");
-        Printer.CompletionSources.Add(_ => new ProfileLibrary().PrinterNames.Select(n => new CompletionItem(n)));
-        Material.CompletionSources.Add(_ => new ProfileLibrary().MaterialNames.Select(n => new CompletionItem(n)));
-        Settings.CompletionSources.Add(_ => new ProfileLibrary().SettingsNames.Select(n => new CompletionItem(n)));
-        Set.CompletionSources.Add(_ => ProfileKeys.Printer.Concat(ProfileKeys.Material).Concat(ProfileKeys.Settings)
-            .Select(k => new CompletionItem(k.Name + "=")));
+        Printer.CompletionSources.Add(_ => new ProfileLibrary().Names<Printer>());
+        Material.CompletionSources.Add(_ => new ProfileLibrary().Names<Material>());
+        Settings.CompletionSources.Add(_ => new ProfileLibrary().Names<PrintSettings>());
+        Set.CompletionSources.Add(_ => ProfileKeys.All.Select(k => k.Name + "="));
     }
 
     public Described<string?> Printer { get; }

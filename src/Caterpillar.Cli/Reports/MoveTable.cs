@@ -28,7 +28,7 @@ internal sealed class MoveTable(Stream stream)
                 if ((++count & 0xFFFF) == 0) cancel.ThrowIfCancellationRequested();
                 table.Text(prefix);
                 table.Row(toolpath, move);
-                if (turns) table.Turns(toolpath.TurnsOf(move.Index), axes);
+                if (turns) table.Turns(toolpath.WordsAt(move.Index), axes);
             }
         }
         table.Text("\n");
@@ -72,13 +72,10 @@ internal sealed class MoveTable(Stream stream)
     }
 
     // The words, and where the tool points; upright where a file has none yet.
-    private void Turns((double A, double B, double C)? turns, Kinematics? axes)
+    private void Turns(Vec3 words, Kinematics? axes)
     {
-        var (a, b, c) = turns ?? default;
-        Number(a);
-        Number(b);
-        Number(c);
-        if (axes is not null) Point(axes.Direction(new Vec3(a, b, c)));
+        Point(words);
+        if (axes is not null) Point(axes.Direction(words));
         else Text(",,,");
     }
 

@@ -43,7 +43,7 @@ internal static class SlicerWords
     // A key with or without its unit.
     private static string? KeyOf(string word)
     {
-        var known = ProfileKeys.Settings.Concat(ProfileKeys.Material).Concat(ProfileKeys.Printer).Select(k => k.Name).Where(k => k != "title").ToArray();
+        var known = ProfileKeys.All.Select(k => k.Name).Where(k => k != "title").ToArray();
         return known.Contains(word) ? word : KeyAdvice.OtherUnit(word, known);
     }
 }

@@ -26,7 +26,7 @@ internal sealed class PrintersVerb : Verb
     public PrintersVerb()
         : base("printers", "List, show or create profiles of printers, materials and settings.", ["JSON", "a table"])
     {
-        _name.CompletionSources.Add(_ => new ProfileLibrary().PrinterNames.Select(n => new CompletionItem(n)));
+        _name.CompletionSources.Add(_ => new ProfileLibrary().Names<Printer>());
         Arguments.Add(_name);
         Add([_keys, _import, _like, _output]);
     }
@@ -37,7 +37,7 @@ internal sealed class PrintersVerb : Verb
         var output = arguments.GetValue(_output)!;
         if (arguments.GetValue(_import) is { Length: > 0 } files)
             PrinterImport.Run(files, name, arguments.GetValue(_like), output, session);
-        else if (arguments.GetValue(_like) is not null) throw new CliException(ExitCode.Usage, "--base needs --import.");
+        else if (arguments.GetValue(_like) is not null) throw CliException.Usage("--base needs --import.");
         else if (arguments.GetValue(_keys)) session.WriteText(output, WriteKeys);
         else if (name is not null) Show(name, output, session);
         else return List(output, session);
@@ -50,7 +50,7 @@ internal sealed class PrintersVerb : Verb
         var profiles = session.Profiles;
         var good = true;
         var rows = new List<string[]> { new[] { "PRINTER", "BUILD VOLUME", "NOZZLE", "FLAVOR", "" } };
-        foreach (var name in profiles.PrinterNames)
+        foreach (var name in profiles.Names<Printer>())
         {
             if (Read(profiles.Printer(name)) is not { } printer) continue;
             var size = printer.BuildVolume;
@@ -59,7 +59,7 @@ internal sealed class PrintersVerb : Verb
         }
         rows.Add([]);
         rows.Add(["MATERIAL", "NOZZLE, BED", "FILAMENT", "", ""]);
-        foreach (var name in profiles.MaterialNames)
+        foreach (var name in profiles.Names<Material>())
         {
             if (Read(profiles.Material(name)) is not { } material) continue;
             rows.Add([name, $"{Number(material.NozzleTemperature)}, {Number(material.BedTemperature)} °C", Number(material.FilamentDiameter) + " mm", "",
@@ -67,7 +67,7 @@ internal sealed class PrintersVerb : Verb
         }
         rows.Add([]);
         rows.Add(["SETTINGS", "LAYER, LINE", "SPEED", "", ""]);
-        foreach (var name in profiles.SettingsNames)
+        foreach (var name in profiles.Names<PrintSettings>())
         {
             if (Read(profiles.Settings(name)) is not { } settings) continue;
             var (given, usual) = (settings.AsGiven, settings.NozzleDiameter);
@@ -89,38 +89,31 @@ internal sealed class PrintersVerb : Verb
 
     private static void WriteKeys(TextWriter text)
     {
-        var rows = new List<string[]>();
-        foreach (var (title, keys) in new[] { ("PRINTER", ProfileKeys.Printer), ("MATERIAL", ProfileKeys.Material), ("SETTINGS", ProfileKeys.Settings) })
-        {
-            if (rows.Count > 0) rows.Add([]);
-            rows.Add([title, ""]);
-            rows.AddRange(keys.Select(k => new[] { k.Name, k.Summary + " (" + k.Range + ")" }));
-        }
-        TextTable.Write(text, rows);
+        TextTable.Write(text,
+            [.. Rows("PRINTER", ProfileKeys.Of<Printer>()), [], .. Rows("MATERIAL", ProfileKeys.Of<Material>()), [],
+            .. Rows("SETTINGS", ProfileKeys.Of<PrintSettings>())]);
+
+        static IEnumerable<string[]> Rows(string title, IReadOnlyList<ProfileKey> keys)
+            => keys.Select(k => new[] { k.Name, k.Summary + " (" + k.Range + ")" }).Prepend([title, ""]);
     }
 
     private static void Show(string name, string output, Session session)
     {
         var profiles = session.Profiles;
-        if (name.StartsWith("material/", System.StringComparison.Ordinal)) Material(name["material/".Length..]);
-        else if (name.StartsWith("settings/", System.StringComparison.Ordinal)) Settings(name["settings/".Length..]);
-        else if (profiles.PrinterNames.Contains(name)) Printer(name);
-        else if (profiles.MaterialNames.Contains(name)) Material(name);
-        else if (profiles.SettingsNames.Contains(name)) Settings(name);
-        else Printer(name);
+        if (name.StartsWith("material/", StringComparison.Ordinal)) Show<Material>(name["material/".Length..]);
+        else if (name.StartsWith("settings/", StringComparison.Ordinal)) Show<PrintSettings>(name["settings/".Length..]);
+        else if (profiles.Names<Printer>().Contains(name)) Show<Printer>(name);
+        else if (profiles.Names<Material>().Contains(name)) Show<Material>(name);
+        else if (profiles.Names<PrintSettings>().Contains(name)) Show<PrintSettings>(name);
+        else Show<Printer>(name);
 
-        void Printer(string which) => Out(profiles.Printer(which), ProfileWriter.Write, p => p.Title, which);
-        void Material(string which) => Out(profiles.Material(which), ProfileWriter.Write, m => m.Title, which);
-        void Settings(string which) => Out(profiles.Settings(which), ProfileWriter.Write, s => s.Title, which);
-        void Out<T>(Result<T> read, System.Func<T, string> write, System.Func<T, string> title, string which)
+        void Show<T>(string which)
             where T : class
         {
-            var profile = session.ValueOrFail(read, Code(which));
-            session.WriteText(output, text => text.Write(write(profile)));
-            if (output != "-") session.Say(() => $"{output}: {title(profile)}");
+            var profile = session.ValueOrFail(profiles.Find<T>(which), File.Exists(which) ? ExitCode.BadInput : ExitCode.Usage);
+            session.WriteText(output, text => text.Write(ProfileWriter.Write(profile)));
+            if (output != "-") session.Say(() => $"{output}: {profile}");
         }
-
-        int Code(string which) => File.Exists(which) ? ExitCode.BadInput : ExitCode.Usage;
     }
 
     private static string Number(double value) => NumberFormatter.Format(value, 3);

@@ -20,14 +20,9 @@ public static class CurvePaths
         for (var i = 0; i < steps.Length; i++)
         {
             steps[i] = made.Value[i];
-            if (made.Value[i] is not PathStep { Path: var path }) continue;
-            StepGroup? group = options?.Sorting switch
-            {
-                CurveSorting.WithinLayers => new StepGroup(path.Layer?.Index ?? -1),
-                CurveSorting.All => new StepGroup(0),
-                _ => null,
-            };
-            if (group is not null) steps[i] = new PathStep(path, group) { Source = made.Value[i].Source };
+            if (made.Value[i] is not PathStep step) continue;
+            if (options?.Sorting == CurveSorting.WithinLayers) steps[i] = step with { Group = new StepGroup(step.Path.Layer?.Index ?? -1) };
+            if (options?.Sorting == CurveSorting.All) steps[i] = step with { Group = new StepGroup(0) };
         }
         return new Result<IReadOnlyList<Step>>(steps, made.Diagnostics);
     }

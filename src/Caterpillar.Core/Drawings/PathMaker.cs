@@ -34,7 +34,7 @@ internal sealed class PathMaker(CurveOptions options, DiagnosticList diagnostics
             diagnostics.Add(Severity.Warning, "curves.below_bed", $"A curve goes below the bed, to Z {NumberFormatter.Format(path.Bounds.Min.Z, 3)} mm.",
                 source);
         if (curve.Role == Role.Unspecified && curve.Layer is null && curve.Tool == 0 && curve.Name.Length == 0 && curve.Overrides is null) return path;
-        return path.With(curve.Role, curve.Layer, curve.Tool, curve.Name, curve.Overrides);
+        return path with { Role = curve.Role, Layer = curve.Layer, Tool = curve.Tool, Name = curve.Name, Overrides = curve.Overrides };
     }
 
     private PrintPath? Uniform(Curve curve, Bead bead)

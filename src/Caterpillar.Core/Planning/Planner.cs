@@ -78,25 +78,14 @@ public static class Planner
                 Math.Sqrt(Math.Pow(Math.Max(Math.Abs(b.Min.X), Math.Abs(b.Max.X)), 2) + Math.Pow(Math.Max(Math.Abs(b.Min.Y), Math.Abs(b.Max.Y)), 2)), b.Min.Z)))
             .ToArray();
         ToolRules[] tools = [.. Enumerable.Range(0, printer.ToolCount).Select(tool => ToolRulesOf(setup.OfTool(tool), policy))];
-        return new PlanRules(policy, settings, tools, printer.ZHopSpeed)
+        return new PlanRules(policy, settings, printer, tools)
         {
-            SharedNozzle = printer.SharedNozzle,
-            MaxSpeed = printer.MaxSpeed,
-            Rounded = Math.Pow(10, -printer.DecimalsXyz),
-            Lift = settings.ZHopType switch { ZHopType.AbovePrint => LiftRule.Highest, ZHopType.AbovePath => LiftRule.Corridor, _ => LiftRule.None },
             Clearance = setup.ZHop,
             Head = heads.Length > 0 ? new HeadCorridor(heads) : new HeadCorridor(printer.NozzleDiameter),
             Outline = new HeadShape(printer.HeadOutline.Select(p => (p.Radius, p.Height))),
-            // The gantry is as wide as the machine.
-            HeadBoxes = new([.. printer.HeadBoxes, .. printer.Gantry.Select(b => new Bounds(b.Min with { X = -Everywhere }, b.Max with { X = Everywhere }))]),
-            Reach = printer.BuildBounds,
+            HeadBoxes = new([.. printer.HeadBoxes, .. printer.Beams(Everywhere)]),
             WipeDistance = setup.WipeDistance,
-            CanWipe = !printer.FirmwareRetraction,
-            BedTemperature = material.BedTemperature > 0 ? material.BedTemperature : null,
-            FirstLayerBedTemperature = material.FirstLayerBedTemperature > 0 && material.BedTemperature > 0 ? material.FirstLayerBedTemperature : null,
-            Acceleration = printer.PrintAcceleration,
             Motion = motion is { MostAcceleration: null, MostJerk: null } ? null : motion,
-            SeparateAccelerations = printer.Flavor.SeparateAccelerations,
             FirmwareRetraction = motion is not null && printer.FirmwareRetraction && (material.RetractionLength ?? material.RetractionSpeed) is not null
                 ? new RetractionEvent(material.RetractionLength, material.RetractionSpeed, null, null) : null,
         };

@@ -34,7 +34,7 @@ internal sealed class StepPlanner
         _counts = counts;
         _emitter = new MoveEmitter(rules, options, take, counts);
         if (returns) _returnPath = new ReturnPath(rules);
-        if (returns || (rules.Lift == LiftRule.Corridor && !rules.AddsNothing)) _deposit = new Deposit(rules.Cell);
+        if (returns || (rules.Settings.ZHopType == ZHopType.AbovePath && !rules.AddsNothing)) _deposit = new Deposit(rules.Cell);
         var obstacle = rules.AddsNothing ? null : options.Obstacle;
         if (obstacle is not null)
         {
@@ -43,7 +43,7 @@ internal sealed class StepPlanner
             _emitter.Reached(obstacle.Bounds.Max.Z);
         }
         _travel = new TravelPlanner(rules, _emitter, counts, _deposit) { RisesFirst = obstacle is not null };
-        _feed = new SlopedFeed(rules.AddsNothing ? null : rules.MaxSpeed, rules.Rounded);
+        _feed = new SlopedFeed(rules.AddsNothing ? null : rules.Printer.MaxSpeed, rules.Rounded);
         _printer = new PathPrinter(rules, _emitter, counts, _deposit, _slowed, _feed);
         _overrides = new OverrideState(rules, _emitter);
         if (rules.Motion is not null) _emitter.BeforeTravel = _overrides.Travel;
@@ -140,12 +140,12 @@ internal sealed class StepPlanner
         _travel.RetractFor(double.PositiveInfinity);
         var at = _emitter.Position;
         var up = at.WithZ(Math.Max(at.Z, _emitter.Highest) + _rules.Clearance);
-        if (up.Z <= _rules.Reach.Max.Z) _emitter.Travel(up, _rules.ZHopSpeed);
+        if (up.Z <= _rules.Printer.BuildBounds.Max.Z) _emitter.Travel(up, _rules.Printer.ZHopSpeed);
         if (_rules.Settings.LayerTimeWait == LayerTimeWait.NextTo)
         {
             var box = clock.BoxOf(last);
             double left = box.Min.X - Aside, right = box.Max.X + Aside;
-            var x = left >= _rules.Reach.Min.X ? left : right <= _rules.Reach.Max.X ? right : at.X;
+            var x = left >= _rules.Printer.BuildBounds.Min.X ? left : right <= _rules.Printer.BuildBounds.Max.X ? right : at.X;
             _emitter.Travel(_emitter.Position with { X = x }, _rules.Settings.TravelSpeed);
         }
         _counts.Waits++;

@@ -17,8 +17,8 @@ internal sealed class ToolpathMerger
     public ToolpathMerger(PlanRules rules, double top)
     {
         // Over everything, as what lies on the straight line is not known.
-        var settings = rules.Settings with { ZHopMinTravel = 0, RetractionMinTravel = 0 };
-        rules = rules with { Lift = LiftRule.Highest, Settings = settings, WipeDistance = 0 };
+        var settings = rules.Settings with { ZHopType = ZHopType.AbovePrint, ZHopMinTravel = 0, RetractionMinTravel = 0 };
+        rules = rules with { Settings = settings, WipeDistance = 0 };
         var counts = new PlanReport();
         _emitter = new MoveEmitter(rules, new PlanOptions(), null, counts);
         _travel = new TravelPlanner(rules, _emitter, counts, null);

@@ -47,7 +47,7 @@ public sealed record Cooling
     private double SpeedOf(PrintPath path, int segment) => path.BeadOf(segment).Speed is > 0 and var speed ? speed : ReferenceSpeed;
 
     private PrintPath ByLength(PrintPath path)
-        => path.WithBeads(i => path.BeadOf(i).WithSpeed(Math.Min(SpeedOf(path, i), Math.Max(path.LengthOf(i) + 1, MinPrintSpeed))));
+        => path.WithBeads(i => path.BeadOf(i) with { Speed = Math.Min(SpeedOf(path, i), Math.Max(path.LengthOf(i) + 1, MinPrintSpeed)) });
 
     // Speeds at the minimum cannot drop further, so the others have to drop more: repeated until no other hits the minimum.
     private void Stretch(PrintPath[] paths, int[] layer, DiagnosticList problems)

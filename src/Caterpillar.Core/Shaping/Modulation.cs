@@ -91,7 +91,7 @@ public sealed record Modulation(ModulationMode Mode, Field Field, double Low, do
             greatest = Math.Max(greatest, factor);
             if (Mode == ModulationMode.Flow)
             {
-                beads[i] = beads[i].WithArea(beads[i].Area * factor);
+                beads[i] = beads[i] with { Area = beads[i].Area * factor };
                 continue;
             }
             var speed = beads[i].Speed > 0 ? beads[i].Speed : ReferenceSpeed;

@@ -157,7 +157,7 @@ internal sealed class StepRecorder
         var path = PrintPath.Own(_points.ToArray(), _beads.ToArray(), closed: false);
         var tags = _tags!;
         var known = _lines.Count > 0 && _lines.Count == _points.Count - 1;
-        return new PathStep(path.With(tags.Role, tags.Layer, tags.Tool, tags.Name).WithColor(tags.Color))
+        return new PathStep(path with { Role = tags.Role, Layer = tags.Layer, Tool = tags.Tool, Name = tags.Name, Color = tags.Color })
         {
             Source = known ? Place(_lines[0]) : null,
             Lines = known ? _lines.ToArray() : null,

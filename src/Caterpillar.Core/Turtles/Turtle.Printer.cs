@@ -53,7 +53,7 @@ public sealed partial class Turtle
         => With(Bead.FromWidth(width, height, flow, Speed, shape ?? _options.Shape));
 
     /// <summary>Sets the bead. A bead without a speed keeps the current speed.</summary>
-    public Turtle SetBead(Bead bead) => With(bead.Speed > 0 ? bead : bead.WithSpeed(Speed));
+    public Turtle SetBead(Bead bead) => With(bead.Speed > 0 ? bead : bead with { Speed = Speed });
 
     /// <summary>Sets the print speed in mm/min, as in G-code (ExtruderTurtle). The "mm/s" in its paper is an error.</summary>
     public Turtle SetRate(double mmPerMinute) => SetSpeed(mmPerMinute / 60);
@@ -62,7 +62,7 @@ public sealed partial class Turtle
     public Turtle SetSpeed(double mmPerSecond)
     {
         if (mmPerSecond > MaxSpeed) throw new ArgumentOutOfRangeException(nameof(mmPerSecond), "The speed must be at most 1000000 mm/s.");
-        return With(Bead.WithSpeed(Positive(mmPerSecond, "The speed must be above 0.")));
+        return With(Bead with { Speed = Positive(mmPerSecond, "The speed must be above 0.") });
     }
 
     /// <summary>Sets the travel speed in mm/s; 0 = print speed.</summary>

@@ -17,7 +17,7 @@ internal sealed class PathList(IReadOnlyList<PrintPathGoo> goos)
         {
             var (one, other) = (Goos[i], others[i]);
             if (ReferenceEquals(other, one)) continue;
-            var same = ReferenceEquals(other.Value, Paths[i]) && StepList.Same(other.ToStep(), one.ToStep()) && Equals(other.Setup, one.Setup);
+            var same = ReferenceEquals(other.Value, Paths[i]) && other.ToStep() == one.ToStep() && Equals(other.Setup, one.Setup);
             if (!same) return false;
         }
         return true;

@@ -42,7 +42,7 @@ public sealed class PrintPathGoo : DrawnGoo<PrintPath>
     public PathStep StepFor(PrintSetup setup) => _drawn is not null && Drawn(_drawn, setup.Settings) is { } path ? new PathStep(path) : ToStep();
 
     /// <summary>The same with another path, without the region of its layer.</summary>
-    public PrintPathGoo With(PrintPath path) => ReferenceEquals(path, Value) ? this : new PrintPathGoo(ToStep().With(path, null), Setup);
+    public PrintPathGoo With(PrintPath path) => ReferenceEquals(path, Value) ? this : new PrintPathGoo(ToStep() with { Path = path, Region = null }, Setup);
 
     public override bool CastFrom(object source)
     {

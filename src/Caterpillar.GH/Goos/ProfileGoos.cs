@@ -10,8 +10,6 @@ public sealed class PrinterGoo : ProfileGoo<Printer>
     protected override string Describe(Printer value)
         => $"Printer ({value.Title}, {NumberFormatter.Format(value.BuildVolume.X, 1)} × {NumberFormatter.Format(value.BuildVolume.Y, 1)} × "
             + $"{NumberFormatter.Format(value.BuildVolume.Z, 1)} mm, {value.Flavor.Title})";
-
-    private protected override ProfileKind<Printer> Kind => ProfileKinds.Printer;
 }
 
 /// <summary>A material on a wire. At a port for materials, text is the name of a profile.</summary>
@@ -23,8 +21,6 @@ public sealed class MaterialGoo : ProfileGoo<Material>
 
     protected override string Describe(Material value)
         => $"Material ({value.Title}, {NumberFormatter.Format(value.FilamentDiameter, 3)} mm, {NumberFormatter.Format(value.NozzleTemperature, 1)} °C)";
-
-    private protected override ProfileKind<Material> Kind => ProfileKinds.Material;
 }
 
 /// <summary>Print settings on a wire. At a port for settings, text is the name of a profile.</summary>
@@ -37,8 +33,6 @@ public sealed class SettingsGoo : ProfileGoo<PrintSettings>
     protected override string Describe(PrintSettings value)
         => $"Print Settings ({value.Title}, layers of {NumberFormatter.Format(value.LayerHeight, 3)} mm, lines of "
             + $"{NumberFormatter.Format(value.LineWidth, 3)} mm, {NumberFormatter.Format(value.PrintSpeed, 1)} mm/s)";
-
-    private protected override ProfileKind<PrintSettings> Kind => ProfileKinds.Settings;
 }
 
 /// <summary>
@@ -49,13 +43,11 @@ public abstract class ProfileGoo<T> : ValueGoo<T>, IReadsText
 {
     public string? Problem { get; private set; }
 
-    private protected abstract ProfileKind<T> Kind { get; }
-
     public override bool CastFrom(object source)
     {
         if (base.CastFrom(source)) return true;
         if (Wrapped.Text(source) is not { } name) return false;
-        var found = ProfileImport.HasSetup(name) ? Profiles.OfFile<T>(name) : Kind.Find(Profiles.Library, name);
+        var found = ProfileImport.HasSetup(name) ? Profiles.OfFile<T>(name) : Profiles.Library.Find<T>(name);
         Problem = TextProblem.Of(found);
         Value = found.Value!;
         return Value is not null;
@@ -65,8 +57,8 @@ public abstract class ProfileGoo<T> : ValueGoo<T>, IReadsText
     {
         if (Value is null) return true;
         writer.SetInt32("Version", StoredText.Version);
-        writer.SetString("Name", StoredText.Pack(Kind.NameOf(Value)));
-        writer.SetString("Profile", StoredText.Pack(Kind.Write(Value)));
+        writer.SetString("Name", StoredText.Pack(Profiles.NameOf(Value)));
+        writer.SetString("Profile", StoredText.Pack(ProfileWriter.Write(Value)));
         return true;
     }
 
@@ -75,7 +67,7 @@ public abstract class ProfileGoo<T> : ValueGoo<T>, IReadsText
         string name = "", json = "";
         if (!reader.TryGetString("Profile", ref json)) return true;
         reader.TryGetString("Name", ref name);
-        Value = Kind.Read(StoredText.Unpack(json), StoredText.Unpack(name)).Value!;
+        Value = ProfileReader.Read<T>(StoredText.Unpack(json), "definition", StoredText.Unpack(name)).Value!;
         return Value is not null;
     }
 }

@@ -132,19 +132,19 @@ public abstract class ProfileChoiceParam<T> : Param_Integer
 }
 
 /// <summary>A choice among the installed printers.</summary>
-public sealed class PrinterChoiceParam() : ProfileChoiceParam<PrinterGoo>("Printer", ProfileKinds.Printer.Names)
+public sealed class PrinterChoiceParam() : ProfileChoiceParam<PrinterGoo>("Printer", l => l.Names<Printer>())
 {
     public override Guid ComponentGuid => new("2a9d1f60-52c3-4f7e-9b0b-6a5c0f1d7e21");
 }
 
 /// <summary>A choice among the installed materials.</summary>
-public sealed class MaterialChoiceParam() : ProfileChoiceParam<MaterialGoo>("Material", ProfileKinds.Material.Names)
+public sealed class MaterialChoiceParam() : ProfileChoiceParam<MaterialGoo>("Material", l => l.Names<Material>())
 {
     public override Guid ComponentGuid => new("7b4c8e03-91da-4e25-8d6f-3f2b9a0c5d22");
 }
 
 /// <summary>A choice among the installed print settings.</summary>
-public sealed class SettingsChoiceParam() : ProfileChoiceParam<SettingsGoo>("Settings", ProfileKinds.Settings.Names)
+public sealed class SettingsChoiceParam() : ProfileChoiceParam<SettingsGoo>("Settings", l => l.Names<PrintSettings>())
 {
     public override Guid ComponentGuid => new("c15e7d92-08ab-4b3d-a6f4-8d0e1b7c4f23");
 }

@@ -25,6 +25,14 @@ internal static class Profiles
         return new Result<PrintSetup>(findings.Any(f => f.Severity == Severity.Error) ? null : setup, [.. problems, .. findings]);
     }
 
+    /// <summary>The name of a printer, a material or settings.</summary>
+    public static string NameOf(object profile) => profile switch
+    {
+        Printer printer => printer.Name,
+        Material material => material.Name,
+        _ => ((PrintSettings)profile).Name,
+    };
+
     /// <summary>The printer, the material or the settings of a G-code file.</summary>
     public static Result<T> OfFile<T>(string file)
         where T : class

@@ -65,5 +65,5 @@ public class NoFalseAlarmTests
         Assert.That(written.Diagnostics.Where(d => d.Severity != Severity.Note), Is.Empty);
     }
 
-    private static string[] Printers() => new ProfileLibrary().PrinterNames.ToArray();
+    private static string[] Printers() => new ProfileLibrary().Names<Printer>().ToArray();
 }

@@ -176,7 +176,7 @@ public sealed class PrintPipelineTests
     {
         using var pipeline = new PrintPipeline(Plain);
         pipeline.Add([Extrusion(0, 10, 10, 20)]);
-        pipeline.Add([(Step)Extrusion(1, 10, 10, 20).Path.With(tool: 3)]);
+        pipeline.Add([(Step)(Extrusion(1, 10, 10, 20).Path with { Tool = 3 })]);
         var plan = pipeline.Finish();
         Assert.That(plan.Value, Is.Null);
         Assert.That(plan.Diagnostics.Single().Code, Is.EqualTo("plan.unknown_tool"));
@@ -198,7 +198,7 @@ public sealed class PrintPipelineTests
                 points.Add(new Vec3(i % 2 == 0 ? 22 : 20, 20.2 + 0.2 * i, z));
             }
             var place = new Layer(layer, z, 0.2, "comb");
-            var steps = new List<Step> { new PathStep(new PrintPath(points, new Bead(SmallPrint.Area, 0.2)).With(Role.Infill, place),
+            var steps = new List<Step> { new PathStep(new PrintPath(points, new Bead(SmallPrint.Area, 0.2)) with { Role = Role.Infill, Layer = place },
                 new StepGroup(layer, 1)) };
             if (layer % 9 == 4) steps.Add(Extrusion(layer, 100, 20, 112));
             if (doubled && layer > 10 && layer % 9 == 4) steps.AddRange([Extrusion(layer, 60, 60, 120, 2), Extrusion(layer, 60, 60, 120, 3)]);
@@ -212,7 +212,7 @@ public sealed class PrintPipelineTests
     {
         var z = 0.2 * (layer + 1);
         var path = new PrintPath([new Vec3(x, y, z), new Vec3(to, y, z)], new Bead(SmallPrint.Area, 0.2))
-            .With(Role.OuterWall, new Layer(layer, z, 0.2, "comb"));
+            with { Role = Role.OuterWall, Layer = new Layer(layer, z, 0.2, "comb") };
         return new PathStep(path, new StepGroup(layer, 0, rank));
     }
 

@@ -16,7 +16,7 @@ public class ProfileCheckTests
 {
     private static readonly ProfileLibrary Library = new();
 
-    public static IEnumerable<string> Printers() => Library.PrinterNames;
+    public static IEnumerable<string> Printers() => Library.Names<Printer>();
 
     [TestCaseSource(nameof(Printers))]
     public void A_small_print_passes_on_every_shipped_printer(string name)

@@ -129,7 +129,7 @@ internal sealed class SmallPrint
     private SmallPrint Add(Vec3 end, double volume, MoveKind kind, Role role = Role.Unspecified, double speed = 50, int tool = 0)
     {
         _builder.Add(end, volume / FilamentArea, volume / FilamentArea, speed, kind, role, _layer, tool, _step++);
-        if (_turns is { } turns) _builder.SetRotary(turns.X, turns.Y, turns.Z);
+        if (_turns is { } turns) _builder.SetRotary(turns);
         return this;
     }
 }

@@ -85,9 +85,9 @@ public class CurvedDiagnosticTests
     {
         // The outline rises 6 mm over 3.5 mm, then 6 mm over 16 mm; seen from the edge of the tip.
         var printer = new Printer();
-        Assert.That(HeadSlope.Limit(printer, 100, 100), Is.EqualTo(Angle.Atan2(12, 19.5)).Within(1e-9));
-        Assert.That(HeadSlope.Limit(printer, 100, 6), Is.EqualTo(Angle.Atan2(6, 4)).Within(1e-9), "Layers of little height do not reach the block.");
-        Assert.That(HeadSlope.Limit(printer, 4, 100), Is.EqualTo(Angle.Atan2(6, 4)).Within(1e-9), "Nor do small parts.");
+        Assert.That(HeadSlope.OfHead(printer, 100, 100), Is.EqualTo(Angle.Atan2(12, 19.5)).Within(1e-9));
+        Assert.That(HeadSlope.OfHead(printer, 100, 6), Is.EqualTo(Angle.Atan2(6, 4)).Within(1e-9), "Layers of little height do not reach the block.");
+        Assert.That(HeadSlope.OfHead(printer, 4, 100), Is.EqualTo(Angle.Atan2(6, 4)).Within(1e-9), "Nor do small parts.");
     }
 
     [Test]

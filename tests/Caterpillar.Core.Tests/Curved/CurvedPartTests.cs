@@ -24,7 +24,7 @@ public class CurvedPartTests
     public void A_head_touches_slopes_with_the_end_of_its_outline_or_where_the_part_ends(double span, double rise, double degrees)
     {
         var printer = new Printer { HeadOutline = new([new(0.5, 0), new(0.6, 2), new(6.6, 8)]), HeadBoxes = new([]) };
-        Assert.That(HeadSlope.Limit(printer, span, rise), Is.EqualTo(degrees).Within(1e-6));
+        Assert.That(HeadSlope.OfHead(printer, span, rise), Is.EqualTo(degrees).Within(1e-6));
     }
 
     [TestCase(-10, -10, 10, 10, 100, 100, 19.471221)]
@@ -40,7 +40,7 @@ public class CurvedPartTests
         double x0, double y0, double x1, double y1, double span, double rise, double degrees)
     {
         var box = new Bounds(new Vec3(x0, y0, 5), new Vec3(x1, y1, 30));
-        Assert.That(HeadSlope.Limit(new Printer { HeadOutline = new([new(0.5, 0)]), HeadBoxes = new([box]) }, span, rise), Is.EqualTo(degrees).Within(1e-6));
+        Assert.That(HeadSlope.OfHead(new Printer { HeadOutline = new([new(0.5, 0)]), HeadBoxes = new([box]) }, span, rise), Is.EqualTo(degrees).Within(1e-6));
     }
 
     [TestCase(0.5, 0.125)]

@@ -23,7 +23,7 @@ public class RoundTripTests
     private static IEnumerable<TestCaseData> Cases()
     {
         var library = new ProfileLibrary();
-        var profiles = library.PrinterNames.Where(name => library.Printer(name).Value!.ExtrusionUnit != ExtrusionUnit.None).ToArray();
+        var profiles = library.Names<Printer>().Where(name => library.Printer(name).Value!.ExtrusionUnit != ExtrusionUnit.None).ToArray();
         // Every profile sees a model with islands and holes; Mono is slow, so the large ones stay with the generic printer.
         var prints = Closed.Select(mesh => (Mesh: mesh, Profile: "generic"))
             .Concat(profiles.Where(p => p != "generic").SelectMany(p => new[] { (Mesh: "plate_holes.stl", Profile: p), (Mesh: "torus.obj", Profile: p) }));
@@ -64,7 +64,7 @@ public class RoundTripTests
         var runs = 0;
         foreach (var mesh in Closed)
         {
-            foreach (var profile in library.PrinterNames.Where(name => library.Printer(name).Value!.ExtrusionUnit != ExtrusionUnit.None))
+            foreach (var profile in library.Names<Printer>().Where(name => library.Printer(name).Value!.ExtrusionUnit != ExtrusionUnit.None))
             {
                 foreach (var mode in new[] { ExtrusionMode.Relative, ExtrusionMode.Absolute })
                 {

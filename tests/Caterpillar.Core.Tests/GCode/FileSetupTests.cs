@@ -16,7 +16,7 @@ public class FileSetupTests
 {
     private static readonly ProfileLibrary Library = new();
 
-    public static string[] Printers => [.. Library.PrinterNames];
+    public static string[] Printers => [.. Library.Names<Printer>()];
 
     [TestCaseSource(nameof(Printers))]
     public void A_setup_comes_back_from_its_comments(string printer)

@@ -136,8 +136,9 @@ public class LongFileTests
     private static void AssertSame(Toolpath a, Toolpath b)
     {
         Assert.That((b.Count, b.HasTurns, b.Start), Is.EqualTo((a.Count, a.HasTurns, a.Start)));
-        Func<ToolpathColumns, double[]?>[] numbers = [c => c.X, c => c.Y, c => c.Z, c => c.E, c => c.Deposited, c => c.Speed, c => c.A, c => c.B, c => c.C];
+        Func<ToolpathColumns, double[]?>[] numbers = [c => c.X, c => c.Y, c => c.Z, c => c.E, c => c.Deposited, c => c.Speed];
         foreach (var column in numbers) AssertSame(a, b, (c, i) => column(c) is { } values ? BitConverter.DoubleToInt64Bits(values[i]) : 0);
+        AssertSame(a, b, (c, i) => c.Turns?[i]);
         AssertSame(a, b, (c, i) => c.Kind[i]);
         AssertSame(a, b, (c, i) => c.Role[i]);
         AssertSame(a, b, (c, i) => c.Tool[i]);

@@ -28,7 +28,7 @@ public class RotaryTests
     {
         var decoding = Decode("G1 X1 Y1 A1 F600\nG1 X5 A2 C7\n", "cnc");
         Assert.That(decoding.Report.ExtrusionAxis, Is.EqualTo("A"));
-        Assert.That(decoding.Toolpath.Blocks[0].Columns.A, Is.Null);
+        Assert.That(decoding.Toolpath.Blocks[0].Columns.Turns, Is.Null);
         var pen = Decode("G1 X1 Y1 A1 F600\nG1 X5 A2 C7\n", "grbl");
         Assert.That(pen.Report.ExtrusionAxis, Is.EqualTo("none"));
         Assert.That(Turns(pen.Toolpath), Is.EqualTo(new[] { (1.0, 0.0, 0.0), (2, 0, 7) }));
@@ -36,7 +36,7 @@ public class RotaryTests
 
     [Test]
     public void Files_without_such_words_have_no_columns()
-        => Assert.That(Decode("M83\nG1 X1 Y1 E1 F600\nG1 X5 E1\n", "marlin2").Toolpath.Blocks[0].Columns.A, Is.Null);
+        => Assert.That(Decode("M83\nG1 X1 Y1 E1 F600\nG1 X5 E1\n", "marlin2").Toolpath.Blocks[0].Columns.Turns, Is.Null);
 
     [Test]
     public void What_the_writer_turns_comes_back()
@@ -50,7 +50,7 @@ public class RotaryTests
             if (i > 10 && random.Next(3) == 0) a = Math.Floor(random.NextDouble() * 360_000) / 1000;
             if (i > 10 && random.Next(9) == 0) c -= 90;
             builder.Add(new Vec3(1 + i % 100, i / 1000, 0.3), random.Next(5) == 0 ? 0 : 0.1, 0.1, 30, MoveKind.Print, Role.Unspecified, -1, 0, i);
-            builder.SetRotary(a, 0, c);
+            builder.SetRotary(new Vec3(a, 0, c));
         }
         var toolpath = builder.Build([new ToolpathTool(null)]);
         var back = Decode(NewFile.Of(toolpath), "marlin2").Toolpath;
@@ -64,9 +64,9 @@ public class RotaryTests
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         builder.Add(new Vec3(10, 0, 0), 0, 0, 30, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
-        builder.SetRotary(0, 0, 0);
+        builder.SetRotary(Vec3.Zero);
         builder.Add(new Vec3(-10, 0, 0), 1, 1, 30, MoveKind.Print, Role.Unspecified, -1, 0, 0, new Arc(Vec3.Zero, 180));
-        builder.SetRotary(90, 0, 0);
+        builder.SetRotary(new Vec3(90, 0, 0));
         var format = new GCodeFormat { Flavor = arcs ? FlavorTable.Marlin2 : NewFile.WithoutArcs(FlavorTable.Marlin2) };
         var back = Decode(NewFile.Of(builder.Build([new ToolpathTool(null)]), format), "marlin2").Toolpath;
         var turns = Turns(back).Select(t => t.A).ToArray();
@@ -91,7 +91,7 @@ public class RotaryTests
 
     private static (double A, double B, double C)[] Turns(Toolpath toolpath)
         => toolpath.Blocks.SelectMany(b => Enumerable.Range(0, b.Count)
-            .Select(i => b.Columns.A is null ? default : (b.Columns.A[i], b.Columns.B![i], b.Columns.C![i]))).ToArray();
+            .Select(i => { var (x, y, z) = b.Columns.TurnsAt(i, Vec3.Zero); return (x, y, z); })).ToArray();
 
     private static DecodedGCode Decode(string text, string flavor) => Decode(Encoding.ASCII.GetBytes(text), flavor);
 

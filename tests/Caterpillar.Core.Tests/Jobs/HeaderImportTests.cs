@@ -208,7 +208,7 @@ public class HeaderImportTests
     public void The_profile_survives_its_file_and_prints()
     {
         var found = Import(Ender, Footer, out _);
-        var file = ProfileReader.ReadPrinter(ProfileWriter.Write(found.Printers[0]), "ender.json", found.Printers[0].Name);
+        var file = ProfileReader.Read<Printer>(ProfileWriter.Write(found.Printers[0]), "ender.json", found.Printers[0].Name);
         Assert.That(file.Diagnostics, Is.Empty);
         Assert.That(file.Value, Is.EqualTo(found.Printers[0]));
         var setup = new PrintSetup(found.Printers[0], found.Materials[0], new PrintSettings());

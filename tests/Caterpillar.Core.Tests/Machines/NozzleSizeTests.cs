@@ -61,7 +61,7 @@ public class NozzleSizeTests
     public void A_written_profile_still_follows_the_nozzle()
     {
         var setup = new PrintSetup(new Printer { NozzleDiameter = 0.8 }, new Material(), new PrintSettings());
-        var again = ProfileReader.ReadSettings(ProfileWriter.Write(setup.Settings), "again.json", "standard").OrThrow();
+        var again = ProfileReader.Read<PrintSettings>(ProfileWriter.Write(setup.Settings), "again.json", "standard").OrThrow();
         Assert.That(again, Is.EqualTo(new PrintSettings()));
         Assert.That((setup with { Settings = again, Printer = new Printer { NozzleDiameter = 1.2 } }).Settings.LineWidth, Is.EqualTo(1.35));
     }

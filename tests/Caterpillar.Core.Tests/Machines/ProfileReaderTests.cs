@@ -13,7 +13,7 @@ public class ProfileReaderTests
     [Test]
     public void Values_are_read_by_their_keys()
     {
-        var printer = ProfileReader.ReadPrinter(
+        var printer = ProfileReader.Read<Printer>(
             """
             {
               // comments are welcome
@@ -101,7 +101,7 @@ public class ProfileReaderTests
     [TestCase("""{ "start_gcode": ["G28", "M104 S{temperature}"] }""", "start_gcode")]
     public void Bad_lists_and_templates_are_errors(string json, string key)
     {
-        var result = ProfileReader.ReadPrinter(json, "p.json", "p");
+        var result = ProfileReader.Read<Printer>(json, "p.json", "p");
         Assert.That(result.Value, Is.Null);
         Assert.That(result.Diagnostics.Single().Source!.Key, Is.EqualTo(key));
     }
@@ -109,7 +109,7 @@ public class ProfileReaderTests
     [Test]
     public void An_error_in_a_template_states_its_position()
         => Assert.That(
-            ProfileReader.ReadPrinter("""{ "start_gcode": ["G28", "M104 S{temperature}"] }""", "p.json", "p").Diagnostics.Single().Message,
+            ProfileReader.Read<Printer>("""{ "start_gcode": ["G28", "M104 S{temperature}"] }""", "p.json", "p").Diagnostics.Single().Message,
             Does.Contain("line 2:8").And.Contain("temperature"));
 
     [Test]
@@ -117,11 +117,11 @@ public class ProfileReaderTests
     {
         var printer = new Printer { Name = "x", RetractionLength = 0.123456789012345,
             HeadBoxes = new ValueList<Bounds>(new Bounds(Vec3.Zero, new Vec3(1, 2, 3))), StartGCode = new ValueList<string>("M117 \"ü\" \\ {{") };
-        Assert.That(ProfileReader.ReadPrinter(ProfileWriter.Write(printer), "f", "x").Value, Is.EqualTo(printer));
+        Assert.That(ProfileReader.Read<Printer>(ProfileWriter.Write(printer), "f", "x").Value, Is.EqualTo(printer));
         var material = new Material { Name = "m", FilamentDiameter = 2.85, CostPerKg = 1e-7 };
-        Assert.That(ProfileReader.ReadMaterial(ProfileWriter.Write(material), "f", "m").Value, Is.EqualTo(material));
+        Assert.That(ProfileReader.Read<Material>(ProfileWriter.Write(material), "f", "m").Value, Is.EqualTo(material));
         var settings = new PrintSettings { Name = "s", ZHopType = ZHopType.AbovePath, DeretractDuringDescent = true };
-        Assert.That(ProfileReader.ReadSettings(ProfileWriter.Write(settings), "f", "s").Value, Is.EqualTo(settings));
+        Assert.That(ProfileReader.Read<PrintSettings>(ProfileWriter.Write(settings), "f", "s").Value, Is.EqualTo(settings));
     }
 
     [Test]
@@ -135,14 +135,14 @@ public class ProfileReaderTests
             var chars = text.ToCharArray();
             for (var k = random.Next(1, 6); k > 0; k--) chars[random.Next(chars.Length)] = "{}[]\",:0-9e.tfn\\ /*\n\0ü"[random.Next(22)];
             var changed = new string(chars, 0, random.Next(8) == 0 ? random.Next(chars.Length) : chars.Length);
-            var result = ProfileReader.ReadPrinter(changed, "f", "n");
+            var result = ProfileReader.Read<Printer>(changed, "f", "n");
             Assert.That(result.Value is null, Is.EqualTo(result.HasErrors), changed);
         }
     }
 
     private static Diagnostic[] Settings(string json)
     {
-        var result = ProfileReader.ReadSettings(json, "s.json", "s");
+        var result = ProfileReader.Read<PrintSettings>(json, "s.json", "s");
         Assert.That(result.Value, Is.Null);
         return result.Diagnostics.ToArray();
     }

@@ -51,7 +51,7 @@ public class ProfileSchemaTests
     public void The_schema_refuses_what_the_reader_refuses(string json)
     {
         Assert.That(Problems(JObject.Parse(json), JObject.Parse(Schema("printer")), ""), Is.Not.Empty);
-        Assert.That(ProfileReader.ReadPrinter(json, "f", "n").Value, Is.Null);
+        Assert.That(ProfileReader.Read<Printer>(json, "f", "n").Value, Is.Null);
     }
 
     [Test]
@@ -68,7 +68,7 @@ public class ProfileSchemaTests
     [Test]
     public void Keys_are_snake_case_and_unique_over_the_three_kinds()
     {
-        var keys = ProfileKeys.Printer.Concat(ProfileKeys.Material).Concat(ProfileKeys.Settings).Select(k => k.Name).ToArray();
+        var keys = ProfileKeys.All.Select(k => k.Name).ToArray();
         Assert.That(keys, Is.All.Match("^[a-z][a-z0-9]*(_[a-z0-9]+)*$"));
         Assert.That(keys.Where(k => k != "title"), Is.Unique);
         Assert.That(keys.Count(k => k == "title"), Is.EqualTo(3));
@@ -82,7 +82,7 @@ public class ProfileSchemaTests
             ["mm3_s"] = "mm³/s", ["mm_s2"] = "mm/s²", ["mm_s"] = "mm/s", ["mm2"] = "mm²", ["mm3"] = "mm³", ["mm"] = "mm", ["g_cm3"] = "g/cm³",
             ["deg"] = "Degrees", ["percent"] = "%", ["c"] = "°C", ["s"] = "s",
         };
-        foreach (var key in ProfileKeys.Printer.Concat(ProfileKeys.Material).Concat(ProfileKeys.Settings))
+        foreach (var key in ProfileKeys.All)
         {
             Assert.That(key.Summary, Is.EqualTo(Docs[key].Sentence).And.EndsWith("."), key.Name);
             if (key.Name.EndsWith("_c_s", StringComparison.Ordinal)) Assert.That(Docs[key].Value, Is.EqualTo("°C/s."));
@@ -93,9 +93,9 @@ public class ProfileSchemaTests
     [Test]
     public void Every_property_of_the_records_has_its_key()
     {
-        Assert.That(Properties(typeof(Printer)), Is.EqualTo(ProfileKeys.Printer.Count));
-        Assert.That(Properties(typeof(Material)), Is.EqualTo(ProfileKeys.Material.Count));
-        Assert.That(Properties(typeof(PrintSettings)), Is.EqualTo(ProfileKeys.Settings.Count));
+        Assert.That(Properties(typeof(Printer)), Is.EqualTo(ProfileKeys.Of<Printer>().Count));
+        Assert.That(Properties(typeof(Material)), Is.EqualTo(ProfileKeys.Of<Material>().Count));
+        Assert.That(Properties(typeof(PrintSettings)), Is.EqualTo(ProfileKeys.Of<PrintSettings>().Count));
 
         // All but the name, which is that of the file.
         static int Properties(Type type) => type.GetProperties().Count(p => p.CanWrite && p.Name != "Name");

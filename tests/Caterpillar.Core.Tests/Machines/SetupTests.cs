@@ -117,8 +117,8 @@ public class SetupTests
         File.WriteAllText(Path.Combine(_folder, "mine.json"), """{ "inherits": "ender3", "title": "Mine" }""");
         File.WriteAllText(Path.Combine(_folder, "materials", "wood.json"), """{ "inherits": "pla", "nozzle_temperature_c": 190 }""");
         var library = new ProfileLibrary(_folder);
-        Assert.That(library.PrinterNames, Is.SupersetOf(new[] { "ender3", "generic", "mine" }));
-        Assert.That(library.PrinterNames, Is.Unique.And.Ordered.Using<string>(StringComparer.Ordinal));
+        Assert.That(library.Names<Printer>(), Is.SupersetOf(new[] { "ender3", "generic", "mine" }));
+        Assert.That(library.Names<Printer>(), Is.Unique.And.Ordered.Using<string>(StringComparer.Ordinal));
         var mine = library.Printer("mine").Value!;
         Assert.That((mine.Name, mine.Title, mine.NozzleDiameter, mine.Flavor), Is.EqualTo(("mine", "Mine", 0.6, FlavorTable.Marlin1)));
         Assert.That(mine.StartGCode, Is.Not.Empty);
@@ -187,7 +187,7 @@ public class SetupTests
         }));
         Assert.That(setup.Settings.LayerRanges.Single(), Is.EqualTo(new LayerRange(0, 1, 0.001)));
         // Every whole number at the top of its range.
-        foreach (var key in ProfileKeys.Settings.Where(k => k.Kind == KeyKind.Integer && k.Range.Contains(" to ")))
+        foreach (var key in ProfileKeys.Of<PrintSettings>().Where(k => k.Kind == KeyKind.Integer && k.Range.Contains(" to ")))
             Assert.That(new PrintSetup().With($"{key.Name}={key.Range.Split(' ').Last()}").Diagnostics, Is.Empty, key.Name + ": " + key.Range);
     }
 

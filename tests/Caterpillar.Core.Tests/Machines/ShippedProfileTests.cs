@@ -12,18 +12,18 @@ public class ShippedProfileTests
 {
     private static readonly ProfileLibrary Library = new();
 
-    public static IEnumerable<string> Printers => Library.PrinterNames;
+    public static IEnumerable<string> Printers => Library.Names<Printer>();
 
     [Test]
     public void All_of_them_exist()
     {
-        Assert.That(Library.PrinterNames, Is.SupersetOf(new[]
+        Assert.That(Library.Names<Printer>(), Is.SupersetOf(new[]
         {
             "ender3", "five_axis_head", "five_axis_table", "generic", "klipper_256", "lutum", "pen_plotter", "potter_super", "prusa_mk3s", "rrf_delta",
             "wasp_2040_clay",
         }));
-        Assert.That(Library.MaterialNames, Is.SupersetOf(new[] { "abs", "clay", "clay_285", "pen", "petg", "pla", "tpu" }));
-        Assert.That(Library.SettingsNames, Is.SupersetOf(new[] { "clay", "fine", "pen", "standard" }));
+        Assert.That(Library.Names<Material>(), Is.SupersetOf(new[] { "abs", "clay", "clay_285", "pen", "petg", "pla", "tpu" }));
+        Assert.That(Library.Names<PrintSettings>(), Is.SupersetOf(new[] { "clay", "fine", "pen", "standard" }));
     }
 
     [TestCaseSource(nameof(Printers))]
@@ -37,8 +37,8 @@ public class ShippedProfileTests
     [Test]
     public void Every_material_and_every_settings_can_be_read()
     {
-        foreach (var name in Library.MaterialNames) Assert.That(Library.Material(name).Diagnostics, Is.Empty, name);
-        foreach (var name in Library.SettingsNames) Assert.That(Library.Settings(name).Diagnostics, Is.Empty, name);
+        foreach (var name in Library.Names<Material>()) Assert.That(Library.Material(name).Diagnostics, Is.Empty, name);
+        foreach (var name in Library.Names<PrintSettings>()) Assert.That(Library.Settings(name).Diagnostics, Is.Empty, name);
     }
 
     [Test]
@@ -54,7 +54,7 @@ public class ShippedProfileTests
     [TestCaseSource(nameof(Printers))]
     public void Its_templates_render_with_every_material(string name)
     {
-        foreach (var material in Library.MaterialNames) Assert.That(Lines(name, material), Is.Not.Empty);
+        foreach (var material in Library.Names<Material>()) Assert.That(Lines(name, material), Is.Not.Empty);
     }
 
     [TestCaseSource(nameof(Printers))]

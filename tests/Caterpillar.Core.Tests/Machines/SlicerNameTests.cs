@@ -53,7 +53,7 @@ public class SlicerNameTests
     [Test]
     public void Profiles_get_the_same_answer_and_the_kind_of_the_key()
     {
-        var found = ProfileReader.ReadSettings("""{ "wall_loops": 3, "sparse_infill_density": ["15%"], "filament_flow_ratio": 0.95 }""", "s.json", "s");
+        var found = ProfileReader.Read<PrintSettings>("""{ "wall_loops": 3, "sparse_infill_density": ["15%"], "filament_flow_ratio": 0.95 }""", "s.json", "s");
         Assert.That(found.Diagnostics.Select(d => d.Message), Is.EqualTo(new[]
         {
             "wall_loops (OrcaSlicer) is wall_count here: wall_count=3.",
@@ -111,7 +111,7 @@ public class SlicerNameTests
     [Test]
     public void The_keys_and_words_stay()
     {
-        var names = new[] { ("printer", ProfileKeys.Printer), ("material", ProfileKeys.Material), ("settings", ProfileKeys.Settings) }
+        var names = new[] { ("printer", ProfileKeys.Of<Printer>()), ("material", ProfileKeys.Of<Material>()), ("settings", ProfileKeys.Of<PrintSettings>()) }
             .SelectMany(kind => kind.Item2.SelectMany(k => k.Kind == KeyKind.Choice
                 ? ((object[])k.Format.Schema.Single(s => s.Key == "enum").Value).Select(word => $"{kind.Item1} {k.Name}={word}")
                 : [$"{kind.Item1} {k.Name}: {k.Kind.ToString().ToLowerInvariant()}"])).ToArray();

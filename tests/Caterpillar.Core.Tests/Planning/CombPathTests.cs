@@ -145,7 +145,7 @@ public class CombPathTests
         {
             Region = Region.Rectangle(0, 0, 20, 6 + z),
         };
-        var rules = PlanningTests.Rules with { ZHopSpeed = 10, Settings = PlanningTests.Rules.Settings with { Comb = true, TravelSpeed = 150 } };
+        var rules = PlanningTests.Rules with { Settings = PlanningTests.Rules.Settings with { Comb = true, TravelSpeed = 150 } };
         Toolpath Plan(double x) => PlanRun.Run([Line(1, 0.2), Line(x, 0.4)], rules, new PlanOptions { Start = Vec3.Zero }, null, default).Value!.Toolpath;
         // From x = 3 to 4 and 0.2 mm up: √1.04 mm in 0.02 s; over 12 mm the speed of travels is slow enough.
         Assert.That(Rising(Plan(4)).Speed, Is.EqualTo(Math.Sqrt(1.04) / 0.02).Within(1e-9));

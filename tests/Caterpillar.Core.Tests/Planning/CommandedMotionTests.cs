@@ -34,13 +34,13 @@ public class CommandedMotionTests
     private static PathStep Square(Role role, double side, Layer layer, int group)
     {
         Vec3[] corners = [new(50, 50, layer.Z), new(50 + side, 50, layer.Z), new(50 + side, 50 + side, layer.Z), new(50, 50 + side, layer.Z)];
-        return new PathStep(new PrintPath(corners, new Bead(0.08, 0.2), closed: true).With(role, layer), new StepGroup(group));
+        return new PathStep(new PrintPath(corners, new Bead(0.08, 0.2), closed: true) with { Role = role, Layer = layer }, new StepGroup(group));
     }
 
     // An inner wall of 18 mm and an outer one of 20 mm, from one corner; then a line elsewhere.
     private static Toolpath TwoRoles(PrintSetup setup)
     {
-        var line = new PrintPath([new(100, 50, 0.4), new(140, 50, 0.4)], new Bead(0.08, 0.2)).With(Role.Infill, Second);
+        var line = new PrintPath([new(100, 50, 0.4), new(140, 50, 0.4)], new Bead(0.08, 0.2)) with { Role = Role.Infill, Layer = Second };
         Step[] steps = [Square(Role.InnerWall, 18, Second, 0), Square(Role.OuterWall, 20, Second, 1), new PathStep(line, new StepGroup(2))];
         return Planner.Plan(steps, setup, new PlanOptions { Start = new Vec3(20, 50, 0.4) }).Value!;
     }
@@ -173,7 +173,7 @@ public class CommandedMotionTests
         Step[] steps =
         [
             new EventStep(new AccelerationEvent(250)), new PathStep(path, new StepGroup(0)),
-            new PathStep(path.With(Role.OuterWall, Second, overrides: new PathOverrides(Acceleration: 150)), new StepGroup(1)),
+            new PathStep(path with { Role = Role.OuterWall, Layer = Second, Overrides = new PathOverrides(Acceleration: 150) }, new StepGroup(1)),
         ];
         var setup = new PrintSetup(Rigid, new Material(), Settings);
         var events = Planner.Plan(steps, setup, new PlanOptions { Start = new Vec3(20, 50, 0.4) }).Value!.Events.Select(e => e.Event);

@@ -1,7 +1,8 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
+using System;
 using Caterpillar.Geometry;
+using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
@@ -12,7 +13,7 @@ public class CorridorTests
 {
     private static readonly PlanRules Rules = PlanningTests.Rules with
     {
-        Lift = LiftRule.Corridor, Head = new HeadCorridor(0.4), Settings = PlanningTests.Rules.Settings with { RetractionMinTravel = 1000 },
+        Head = new HeadCorridor(0.4), Settings = PlanningTests.Rules.Settings with { ZHopType = ZHopType.AbovePath, RetractionMinTravel = 1000 },
     };
 
     [Test]
@@ -69,7 +70,7 @@ public class CorridorTests
         // A U of 30 x 20 mm: its arms are 10 mm wide.
         var u = Region.From(new Polyline([new Vec3(0, 0), new Vec3(30, 0), new Vec3(30, 20), new Vec3(20, 20), new Vec3(20, 10), new Vec3(10, 10),
             new Vec3(10, 20), new Vec3(0, 20)], closed: true));
-        var rules = Rules with { Lift = LiftRule.Highest, Settings = Rules.Settings with { RetractionMinTravel = 2, Comb = true } };
+        var rules = Rules with { Settings = Rules.Settings with { ZHopType = ZHopType.AbovePrint, RetractionMinTravel = 2, Comb = true } };
         PathStep In(Region? region, PrintPath path) => new(path) { Region = region };
         Step[] steps =
         [

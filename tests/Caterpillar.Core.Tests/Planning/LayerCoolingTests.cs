@@ -15,7 +15,7 @@ public class LayerCoolingTests
     private static Step[] Lines(params double[] lengths) => lengths.Select((length, i) =>
     {
         var layer = new Layer(i, 0.2 * (i + 1), 0.2);
-        var path = new PrintPath([new(20, 50, layer.Z), new(20 + length, 50, layer.Z)], new Bead(0.08, 0.2)).With(Role.InnerWall, layer);
+        var path = new PrintPath([new(20, 50, layer.Z), new(20 + length, 50, layer.Z)], new Bead(0.08, 0.2)) with { Role = Role.InnerWall, Layer = layer };
         return (Step)new PathStep(path, new StepGroup(i));
     }).ToArray();
 
@@ -87,7 +87,7 @@ public class LayerCoolingTests
         var layer = new Layer(1, 9, 0.2);
         // Slopes of 3 in 5, nearly the same, 3 in 5 again, 1 in 10 and level.
         Vec3[] points = [new(20, 50), new(24, 50, 3), new(28, 50, 5.99), new(32, 50, 8.99), new(42, 50, 9.99), new(62, 50, 9.99)];
-        var path = new PrintPath(points, new Bead(0.08, 0.2)).With(Role.InnerWall, layer);
+        var path = new PrintPath(points, new Bead(0.08, 0.2)) with { Role = Role.InnerWall, Layer = layer };
         Step[] Steps() => [new PathStep(path, new StepGroup(1))];
         var result = Plan(Steps(), setup);
         var speeds = result.Value!.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => m.Speed).ToArray();

@@ -21,7 +21,8 @@ public class MaterialTests
     {
         var layers = new[] { new Layer(0, 0.2, 0.2), new Layer(1, 0.4, 0.2) };
         return layers.SelectMany(layer => new[] { 50.0, 90 }.Select(y => (Step)new PathStep(
-            new PrintPath([new(50, y, layer.Z), new(80, y, layer.Z)], new Bead(0.08, 0.2)).With(Role.InnerWall, layer), new StepGroup(layer.Index)))).ToArray();
+            new PrintPath([new(50, y, layer.Z), new(80, y, layer.Z)], new Bead(0.08, 0.2)) with { Role = Role.InnerWall, Layer = layer },
+            new StepGroup(layer.Index)))).ToArray();
     }
 
     private static Toolpath Plan(PrintSetup setup) => Planner.Plan(Lines(), setup, new PlanOptions { Start = new Vec3(0, 0, 5) }).Value!;
@@ -94,7 +95,7 @@ public class MaterialTests
     public void The_bed_is_hotter_for_the_first_layer()
     {
         var library = new ProfileLibrary();
-        foreach (var printer in library.PrinterNames)
+        foreach (var printer in library.Names<Printer>())
         {
             var setup = library.Setup(printer, values: ["first_layer_bed_temperature_c=70", "bed_temperature_c=60"]).OrThrow();
             if (setup.Printer.MaxBedTemperature == 0) continue;
@@ -135,7 +136,7 @@ public class MaterialTests
     {
         var material = new PrintSetup().With("material_retraction_length_mm=3").OrThrow().With(value).OrThrow().Material;
         Assert.That(material.RetractionLength, Is.EqualTo(expected));
-        Assert.That(ProfileReader.ReadMaterial(ProfileWriter.Write(material), "m.json", material.Name).OrThrow(), Is.EqualTo(material));
+        Assert.That(ProfileReader.Read<Material>(ProfileWriter.Write(material), "m.json", material.Name).OrThrow(), Is.EqualTo(material));
         var template = PrintTemplate.Parse(["{material_retraction_length_mm}"]).OrThrow();
         Assert.That(template.Render(PrintValues.Of(new PrintSetup { Material = material })).OrThrow().Single(),
             Is.EqualTo(NumberFormatter.Shortest(expected ?? 0.8)), "templates get what applies");

@@ -70,12 +70,12 @@ public sealed class MergeTests
         builder.AddEvent(new DwellEvent(2));
         builder.Add(new Vec3(30, 0, 0.8), 0, 0, 0, MoveKind.Dwell, Role.Unspecified, layer, 0, 0);
         builder.Add(new Vec3(30, 20, 0.8), 1, 1, 40, MoveKind.Print, Role.OuterWall, layer, 0, 0, new Arc(new Vec3(30, 10, 0.8), 180));
-        builder.SetRotary(0, 15, 90);
+        builder.SetRotary(new Vec3(0, 15, 90));
         builder.AddEvent(new PauseEvent("look"));
         var merged = Merged(Line(0).Build([new ToolpathTool(Unit)]), builder.Build([new ToolpathTool(Unit)]));
         var arc = merged[merged.Count - 1];
         Assert.That((arc.Arc!.Value.Sweep, arc.Role, merged.NumberOfLayer(arc), merged.TurnsOf(arc.Index)),
-            Is.EqualTo((180.0, Role.OuterWall, (int?)3, ((double, double, double)?)(0, 15, 90))));
+            Is.EqualTo((180.0, Role.OuterWall, (int?)3, (Vec3?)new Vec3(0, 15, 90))));
         var dwell = merged.Moves().Single(m => m.Kind == MoveKind.Dwell);
         Assert.That(dwell.Index, Is.EqualTo(arc.Index - 1));
         Assert.That(merged.Events.Select(e => (e.Move, e.Event)), Is.EqualTo(new (int, PrinterEvent)[]

@@ -1,8 +1,9 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
+using System;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
+using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
@@ -108,7 +109,7 @@ public class PlanPropertyTests
         {
             var top = double.NegativeInfinity;
             foreach (var move in PlanningTests.Plan(steps.Where(s => s is PathStep).ToList(),
-                rules with { Lift = LiftRule.Highest, Settings = rules.Settings with { ZHopMinTravel = 0, CoastingDistance = 0 } }).Toolpath.Moves())
+                rules with { Settings = rules.Settings with { ZHopType = ZHopType.AbovePrint, ZHopMinTravel = 0, CoastingDistance = 0 } }).Toolpath.Moves())
             {
                 if (move.Kind == MoveKind.Print) top = Math.Max(top, Math.Max(move.Start.Z, move.End.Z));
                 if (move.Kind == MoveKind.Travel && (move.End - move.Start).LengthXY > 1e-9)
@@ -152,7 +153,7 @@ public class PlanPropertyTests
             var steps = new List<Step>();
             foreach (var path in SortingTests.Random(random.Next(1, 40), random))
             {
-                var settled = path.With(role: random.Next(2) == 0 ? Role.OuterWall : Role.Infill, tool: random.Next(10) == 0 ? 1 : 0)
+                var settled = (path with { Role = random.Next(2) == 0 ? Role.OuterWall : Role.Infill, Tool = random.Next(10) == 0 ? 1 : 0 })
                     .WithBeads(_ => new Bead(0.05 + random.NextDouble(), 0.2));
                 if (random.Next(15) == 0) steps.Add(new TravelStep(new Vec3(random.Next(100), random.Next(100), 5)));
                 if (random.Next(15) == 0) steps.Add(new FanEvent(random.NextDouble()));
@@ -161,10 +162,10 @@ public class PlanPropertyTests
             var rules = PlanningTests.Rules with
             {
                 Tools = [new ToolRules(2.405, 0.8, 40, 30, random.Next(2) * 0.1), new ToolRules(1, 2, 20, 10, 0)],
-                Lift = (LiftRule)random.Next(2),
                 WipeDistance = random.Next(2) * 2,
                 Settings = PlanningTests.Rules.Settings with
                 {
+                    ZHopType = random.Next(2) == 0 ? ZHopType.None : ZHopType.AbovePrint,
                     StartDistance = random.Next(2), CoastingDistance = random.Next(2), DeretractDuringDescent = random.Next(2) == 0,
                 },
             };

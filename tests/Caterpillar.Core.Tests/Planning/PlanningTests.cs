@@ -18,12 +18,13 @@ public class PlanningTests
     internal static readonly PlanRules Rules = new(PlanPolicy.Printer, new PrintSettings
     {
         PrintSpeed = 50, OuterWallSpeed = 0, InfillSpeed = 80, FirstLayerSpeed = 0, TravelSpeed = 150, ZHopMinTravel = 2, RetractionMinTravel = 2,
-        Comb = false, AvoidCrossingMaxDetour = 0, SeamGap = 0,
-    }, [new ToolRules(2, 1, 40, 30, 0)], 10)
+        Comb = false, AvoidCrossingMaxDetour = 0, SeamGap = 0, ZHopType = ZHopType.AbovePrint,
+    }, new Printer { MaxSpeed = new(10_000, 10_000, 10_000, 10_000) }, [new ToolRules(2, 1, 40, 30, 0)])
     {
-        Lift = LiftRule.Highest,
         Clearance = 0.5,
     };
+
+    private static readonly PlanRules NeverLifted = Rules with { Settings = Rules.Settings with { ZHopType = ZHopType.None } };
 
     private static readonly PlanOptions From0 = new() { Start = Vec3.Zero };
 
@@ -73,7 +74,7 @@ public class PlanningTests
     [Test]
     public void Without_a_lift_travels_are_straight()
     {
-        Assert.That(Moves([Line(0, 0, 10, 0, 3), Line(20, 0, 30, 0, 1)], Rules with { Lift = LiftRule.None }), Is.EqualTo(new[]
+        Assert.That(Moves([Line(0, 0, 10, 0, 3), Line(20, 0, 30, 0, 1)], NeverLifted), Is.EqualTo(new[]
         {
             "Travel 0,0,3 0 10", "Print 10,0,3 2.5 50", "Retract 10,0,3 -1 40", "Travel 20,0,1 0 150", "Deretract 20,0,1 1 30", "Print 30,0,1 2.5 50",
         }));
@@ -85,7 +86,7 @@ public class PlanningTests
         var plan = Plan([Line(5, 5, 10, 5, 0.2)], Rules, new PlanOptions());
         Assert.That(Text(plan.Toolpath), Is.EqualTo(new[] { "Travel 5,5,0.7 0 150", "Travel 5,5,0.2 0 10", "Print 10,5,0.2 1.25 50" }));
         Assert.That(plan.Toolpath.Start, Is.Null);
-        plan = Plan([Line(5, 5, 10, 5, 0.2)], Rules with { Lift = LiftRule.None }, new PlanOptions());
+        plan = Plan([Line(5, 5, 10, 5, 0.2)], NeverLifted, new PlanOptions());
         Assert.That(Text(plan.Toolpath), Is.EqualTo(new[] { "Travel 5,5,0.2 0 150", "Print 10,5,0.2 1.25 50" }));
     }
 
@@ -201,8 +202,8 @@ public class PlanningTests
         var hot = new PathOverrides(NozzleTemperature: 230, Fan: 0);
         Step[] steps =
         [
-            Line(0, 0, 10, 0, 0), Line(10, 0, 20, 0, 0).With(overrides: hot), Line(20, 0, 30, 0, 0).With(overrides: hot), Line(30, 0, 40, 0, 0),
-            new FanEvent(0.5), Line(40, 0, 50, 0, 0).With(overrides: hot), Line(50, 0, 60, 0, 0),
+            Line(0, 0, 10, 0, 0), Line(10, 0, 20, 0, 0) with { Overrides = hot }, Line(20, 0, 30, 0, 0) with { Overrides = hot }, Line(30, 0, 40, 0, 0),
+            new FanEvent(0.5), Line(40, 0, 50, 0, 0) with { Overrides = hot }, Line(50, 0, 60, 0, 0),
         ];
         var material = new Material { NozzleTemperature = 200, FanOffLayers = 0 };
         var toolpath = Plan(steps, Rules with { Tools = [Rules.Tools[0] with { Material = material }] }).Toolpath;
@@ -227,8 +228,8 @@ public class PlanningTests
     [Test]
     public void A_tool_change_retracts_and_each_tool_has_its_own_balance_and_factor()
     {
-        var rules = Rules with { Tools = [new ToolRules(2, 1, 40, 30, 0), new ToolRules(1, 4, 20, 10, 0)], Lift = LiftRule.None };
-        Step[] steps = [Line(0, 0, 10, 0, 0), Line(10, 0, 20, 0, 0).With(tool: 1), Line(20, 0, 30, 0, 0), Line(30, 0, 40, 0, 0).With(tool: 1)];
+        var rules = Rules with { Tools = [new ToolRules(2, 1, 40, 30, 0), new ToolRules(1, 4, 20, 10, 0)], Settings = NeverLifted.Settings };
+        Step[] steps = [Line(0, 0, 10, 0, 0), Line(10, 0, 20, 0, 0) with { Tool = 1 }, Line(20, 0, 30, 0, 0), Line(30, 0, 40, 0, 0) with { Tool = 1 }];
         var plan = Plan(steps, rules);
         Assert.That(Text(plan.Toolpath), Is.EqualTo(new[]
         {
@@ -237,7 +238,7 @@ public class PlanningTests
         }));
         Assert.That(plan.Toolpath.Events.Select(e => (e.Move, ((ToolEvent)e.Event).Tool)), Is.EqualTo(new[] { (2, 1), (4, 0), (7, 1) }));
         Assert.That(plan.Report.ToolChanges, Is.EqualTo(3));
-        var wrong = PlanRun.Run([Line(0, 0, 1, 0, 0).With(tool: 2)], rules, From0, null, default);
+        var wrong = PlanRun.Run([Line(0, 0, 1, 0, 0) with { Tool = 2 }], rules, From0, null, default);
         Assert.That(wrong.Value, Is.Null);
         Assert.That(wrong.Diagnostics.Single().ToString(),
             Is.EqualTo("step 0: error plan.unknown_tool: Step uses tool 2, but the printer has only tools 0 to 1."));
@@ -246,7 +247,7 @@ public class PlanningTests
     [Test]
     public void A_wipe_goes_back_along_an_open_path_and_on_along_a_loop_while_retracting()
     {
-        var rules = Rules with { WipeDistance = 3, Lift = LiftRule.None };
+        var rules = NeverLifted with { WipeDistance = 3 };
         var bent = new PrintPath([new Vec3(0, 0), new Vec3(10, 0), new Vec3(10, 1)], new Bead(0.5));
         Assert.That(Moves([bent, Line(30, 0, 40, 0, 0)], rules).Skip(2).Take(3),
             Is.EqualTo(new[] { "Wipe 10,0,0 -0.33333 120", "Wipe 8,0,0 -0.66667 120", "Travel 30,0,0 0 150" }));
@@ -298,7 +299,7 @@ public class PlanningTests
         var moves = Moves([slope, Line(40, 30, 0, 30, 0)], rules);
         Assert.That(moves.Any(m => m.StartsWith("Print 40,0,4 ")), Is.True);
         Assert.That(moves.Any(m => m.StartsWith("Wipe")), Is.False);
-        var loop = new PrintPath([new Vec3(0, 0), new Vec3(30, 0), new Vec3(30, 30, 4)], new Bead(0.5), true).With(Role.OuterWall);
+        var loop = new PrintPath([new Vec3(0, 0), new Vec3(30, 0), new Vec3(30, 30, 4)], new Bead(0.5), true) with { Role = Role.OuterWall };
         Assert.That(Moves([loop], rules with { Settings = rules.Settings with { SeamGap = 0.5 } }).Last(), Does.StartWith("Print 0,0,0 "));
     }
 
@@ -306,7 +307,7 @@ public class PlanningTests
     public void Coasting_leaves_nine_tenths_of_the_wall_of_a_small_hole()
     {
         // The clay profile coasts 3 mm; the wall of the hole is 4 mm long.
-        var hole = new PrintPath([new Vec3(0, 0), new Vec3(1, 0), new Vec3(1, 1), new Vec3(0, 1)], new Bead(0.5), true).With(Role.OuterWall);
+        var hole = new PrintPath([new Vec3(0, 0), new Vec3(1, 0), new Vec3(1, 1), new Vec3(0, 1)], new Bead(0.5), true) with { Role = Role.OuterWall };
         var moves = Moves([hole], Rules with { Settings = Rules.Settings with { CoastingDistance = 3 } });
         Assert.That(moves,
             Is.EqualTo(new[] { "Print 1,0,0 0.25 50", "Print 1,1,0 0.25 50", "Print 0,1,0 0.25 50", "Print 0,0.4,0 0.15 50", "Travel 0,0,0 0 50" }));
@@ -318,7 +319,7 @@ public class PlanningTests
         var rules = Rules with { Settings = Rules.Settings with { SeamGap = 0.5 } };
         PrintPath Square(double side, Role role, bool closed = true) => new PrintPath(
             closed ? [new Vec3(0, 0), new Vec3(side, 0), new Vec3(side, side), new Vec3(0, side)]
-                : [new Vec3(0, 0), new Vec3(side, 0), new Vec3(side, side), new Vec3(0, side), new Vec3(0, 0)], new Bead(0.5), closed).With(role);
+                : [new Vec3(0, 0), new Vec3(side, 0), new Vec3(side, side), new Vec3(0, side), new Vec3(0, 0)], new Bead(0.5), closed) with { Role = role };
         foreach (var role in new[] { Role.OuterWall, Role.InnerWall })
         {
             Assert.That(Moves([Square(10, role)], rules).Skip(3), Is.EqualTo(new[] { "Print 0,0.5,0 2.375 50", "Travel 0,0,0 0 50" }));

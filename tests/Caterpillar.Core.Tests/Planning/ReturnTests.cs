@@ -1,8 +1,9 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
+using System;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
+using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
@@ -11,7 +12,10 @@ namespace Caterpillar.Tests.Planning;
 
 public class ReturnTests
 {
-    private static readonly PlanRules Rules = PlanningTests.Rules with { Lift = LiftRule.Corridor, Head = new HeadCorridor(0.3) };
+    private static readonly PlanRules Rules = PlanningTests.Rules with
+    {
+        Settings = PlanningTests.Rules.Settings with { ZHopType = ZHopType.AbovePath }, Head = new HeadCorridor(0.3),
+    };
 
     [Test]
     public void A_return_goes_over_the_top_with_retraction()
@@ -87,13 +91,13 @@ public class ReturnTests
     [Test]
     public void A_tree_is_drawn_without_a_travel_through_its_branches()
     {
-        foreach (var lift in new[] { LiftRule.Highest, LiftRule.Corridor, LiftRule.None })
+        foreach (var lift in new[] { ZHopType.AbovePrint, ZHopType.AbovePath, ZHopType.None })
         {
             foreach (var rise in new[] { 0.0, 0.5, 3 })
             {
                 var steps = new List<Step>();
                 Grow(steps, new Vec3(0, 0, 0), new Vec3(0, 20, rise), 7);
-                var plan = PlanningTests.Plan(steps, Rules with { Lift = lift });
+                var plan = PlanningTests.Plan(steps, Rules with { Settings = Rules.Settings with { ZHopType = lift } });
                 Assert.That(plan.Report.BlockedReturns, Is.Zero);
                 Assert.That(plan.Report.ReturnsOver + plan.Report.ReturnsAlong, Is.EqualTo(steps.Count / 2));
                 CorridorTests.AssertClear(plan.Toolpath, 1e-6);

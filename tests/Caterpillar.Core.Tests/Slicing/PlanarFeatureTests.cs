@@ -203,7 +203,7 @@ public class PlanarFeatureTests
         // 10 mm at an own speed of 1 mm/s and 20 mm at 40 mm/s: 30 s are 1 mm/s for all.
         var layer = new Layer(1, 0.4, 0.2);
         Step Line(double length, double speed) => new PathStep(
-            new PrintPath([Vec3.Zero, new Vec3(length, 0)], new Bead(0.08, 0.2, speed)).With(Role.InnerWall, layer), new StepGroup(1));
+            new PrintPath([Vec3.Zero, new Vec3(length, 0)], new Bead(0.08, 0.2, speed)) with { Role = Role.InnerWall, Layer = layer }, new StepGroup(1));
         SlicedLayer[] layers = [new(layer, Region.Empty, [(PathStep)Line(10, 1), (PathStep)Line(20, 40)])];
         var cooling = new LayerCooling(Bare with { MinLayerTime = 30, MinPrintSpeed = least });
         cooling.Apply(layers);

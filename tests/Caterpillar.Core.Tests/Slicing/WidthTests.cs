@@ -134,7 +134,7 @@ public class WidthTests
         Assert.That((large.Settings.OuterWallLineWidth, large.Settings.LineWidth), Is.EqualTo((0.96, 0.88)).Within(1e-12));
         var json = ProfileWriter.Write(large.Settings);
         Assert.That(json, Does.Contain("\"outer_wall_line_width_mm\": \"120%\"").And.Contain("\"line_width_mm\": \"110%\""));
-        var again = ProfileReader.ReadSettings(json, "again.json", "standard").OrThrow();
+        var again = ProfileReader.Read<PrintSettings>(json, "again.json", "standard").OrThrow();
         Assert.That((setup with { Settings = again }).Settings.OuterWallLineWidth, Is.EqualTo(0.48).Within(1e-12));
         Assert.That(large.Values().Single(v => v.Key == "outer_wall_line_width_mm").Value, Is.EqualTo("0.96"), "what applies");
     }

@@ -22,8 +22,8 @@ public class AxisMappingTests
         var drawn = Toolpath();
         var mapped = mapping.Apply(drawn);
         var around = 20 / (40 * Math.PI) * 360;
-        Assert.That(mapped.Blocks[0].Columns.A, Is.Not.Null);
-        Assert.That(mapped.Blocks[0].Columns.A![1], Is.EqualTo(around).Within(1e-12));
+        Assert.That(mapped.Blocks[0].Columns.Turns, Is.Not.Null);
+        Assert.That(mapped.Blocks[0].Columns.Turns![1].X, Is.EqualTo(around).Within(1e-12));
         Assert.That(mapped[1].End, Is.EqualTo(new Vec3(5, 0, 1)));
         // Only the platform turns: degrees per second over the same two seconds.
         Assert.That(mapped[1].Speed, Is.EqualTo(around / 2).Within(1e-12));
@@ -131,7 +131,7 @@ public class AxisMappingTests
         Assert.That(mapped.Count, Is.GreaterThan(10));
         Assert.That(mapped.Moves().Max(m => m.End.Y), Is.EqualTo(2.5).Within(0.01));
         Assert.That(mapped.Moves().Sum(m => m.E), Is.EqualTo(2).Within(1e-12));
-        Assert.That(mapped.Blocks[0].Columns.A, Is.Null);
+        Assert.That(mapped.Blocks[0].Columns.Turns, Is.Null);
     }
 
     [Test]

@@ -52,7 +52,7 @@ public class BeadTests
     public void A_bead_is_shown_with_what_is_known_of_it(double area, double height, double speed, string text)
     {
         Assert.That(new Bead(area, height, speed).ToString(), Is.EqualTo(text));
-        Assert.That(new Bead(area, height, speed).WithArea(0.5), Is.EqualTo(new Bead(0.5, height, speed)));
-        Assert.That(new Bead(area, height, speed).WithSpeed(0.5), Is.EqualTo(new Bead(area, height, 0.5)));
+        Assert.That(new Bead(area, height, speed) with { Area = 0.5 }, Is.EqualTo(new Bead(0.5, height, speed)));
+        Assert.That(new Bead(area, height, speed) with { Speed = 0.5 }, Is.EqualTo(new Bead(area, height, 0.5)));
     }
 }

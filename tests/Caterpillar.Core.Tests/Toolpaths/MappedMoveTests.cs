@@ -138,7 +138,7 @@ public class MappedMoveTests
         var mapped = new AxisMapping(from, to, 3, 9).Apply(builder.Build([new ToolpathTool(5)]));
         var value = new[] { 1, 2, 4 }[word];
         var columns = mapped.Blocks[0].Columns;
-        var turns = new[] { columns.A![0], columns.B![0], columns.C![0] };
+        var turns = new[] { columns.Turns![0].X, columns.Turns[0].Y, columns.Turns[0].Z };
         Assert.That(turns, Is.EqualTo(Enumerable.Range(0, 3).Select(i => i == word ? 3.0 * value : 0)));
         Assert.That(mapped[0].End, Is.EqualTo(new Vec3(word == 0 ? 9 : 1, word == 1 ? 9 : 2, word == 2 ? 9 : 4)));
         Assert.That((mapped[1].Speed, mapped.Layers.Count, mapped.Tools[0].VolumePerE), Is.EqualTo((7.0, 1, (double?)5)));

@@ -16,7 +16,7 @@ public sealed class MappingTests
     public void A_turned_and_scaled_path_keeps_its_arcs_and_its_beads()
     {
         var map = Affine.Rotate(Vec3.UnitZ, 90).Then(Affine.Scale(2)).Then(Affine.Move(new Vec3(1, 2, 3)));
-        var image = HalfCircle().With(layer: new Layer(4, 1, 0.2)).Transformed(map);
+        var image = (HalfCircle() with { Layer = new Layer(4, 1, 0.2) }).Transformed(map);
         Assert.That(image.Points.Select(p => (p - new Vec3(1, 2, 5)).ToString()), Is.EqualTo(new[] { "(0, 20, 0)", "(0, -20, 0)", "(0, -40, 0)" }));
         Assert.That(image.ArcOf(0)!.Value.Sweep, Is.EqualTo(180));
         Assert.That(image.Length, Is.EqualTo(2 * HalfCircle().Length).Within(1e-9));

@@ -184,13 +184,11 @@ public class MoveRemovalTests
         for (var i = 0; i < 6; i++)
         {
             builder.Add(new Vec3(i + 1, 0), 1, 1, 10, MoveKind.Print, i is 2 or 3 ? Role.Support : Role.Infill, -1, 0, i);
-            builder.SetRotary(i, 10 * i, 100 * i);
+            builder.SetRotary(new Vec3(i, 10 * i, 100 * i));
         }
         var columns = builder.Build([new ToolpathTool(1)]).Remove(new MoveFilter { Roles = [Role.Support] }).Blocks.Single().Columns;
         // The travel across the cut keeps what was set before it.
-        Assert.That(columns.A!.Take(5), Is.EqualTo(new[] { 0.0, 1, 1, 4, 5 }));
-        Assert.That(columns.B!.Take(5), Is.EqualTo(new[] { 0.0, 10, 10, 40, 50 }));
-        Assert.That(columns.C!.Take(5), Is.EqualTo(new[] { 0.0, 100, 100, 400, 500 }));
+        Assert.That(columns.Turns!.Take(5), Is.EqualTo(new[] { 0, 1, 1, 4, 5 }.Select(i => new Vec3(i, 10 * i, 100 * i))));
     }
 
     [Test]

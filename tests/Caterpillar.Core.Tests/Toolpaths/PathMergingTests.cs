@@ -43,8 +43,8 @@ public class PathMergingTests
     {
         var a = Path(Thin, (0, 0), (1, 0));
         var b = Path(Thin, (1, 0), (2, 0));
-        Assert.That(PathMerging.Merge([a, b.With(tool: 1)]), Has.Count.EqualTo(2));
-        Assert.That(PathMerging.Merge([a, b.With(role: Role.Infill)]), Has.Count.EqualTo(2));
+        Assert.That(PathMerging.Merge([a, b with { Tool = 1 }]), Has.Count.EqualTo(2));
+        Assert.That(PathMerging.Merge([a, b with { Role = Role.Infill }]), Has.Count.EqualTo(2));
         var loop = new PrintPath([new(1, 0), new(2, 0), new(2, 2)], Thin, closed: true);
         Assert.That(PathMerging.Merge([a, loop]), Has.Count.EqualTo(2));
         Assert.That(PathMerging.Merge([]), Is.Empty);

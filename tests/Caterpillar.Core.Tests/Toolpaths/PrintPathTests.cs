@@ -75,10 +75,10 @@ public class PrintPathTests
     {
         var layer = new Layer(1, 2);
         var path = new PrintPath(Square, Beads[0]) { Role = Role.Brim, Layer = layer, Tool = 3, Name = "a", Color = 5, Overrides = new(200) };
-        var other = path.With(name: "b");
+        var other = path with { Name = "b" };
         Assert.That((other.Role, other.Layer, other.Tool, other.Name, other.Color, other.Overrides),
             Is.EqualTo((Role.Brim, layer, 3, "b", (int?)5, new PathOverrides(200))));
-        Assert.That(path.With(Role.Raft, new Layer(2, 3), 4, null, new(210)).WithColor(null),
+        Assert.That(path with { Role = Role.Raft, Layer = new Layer(2, 3), Tool = 4, Overrides = new PathOverrides(210), Color = null },
             Has.Property("Role").EqualTo(Role.Raft).And.Property("Tool").EqualTo(4).And.Property("Name").EqualTo("a").And.Property("Color").Null);
         Assert.That(path.WithBeads(i => Beads[i]).BeadOf(2), Is.EqualTo(Beads[2]));
     }
@@ -100,9 +100,9 @@ public class PrintPathTests
     {
         Assert.That(PathMerging.Merge([Line(1, 2), Line(2, 3), Line(0, 1)], reverse: true), Has.Count.EqualTo(2));
         Assert.That(PathMerging.Merge([Line(0, 1), Line(1, 2), Line(1, 5)], reverse: true), Has.Count.EqualTo(2), "the second has its place");
-        var named = Line(1, 2).With(name: "x", overrides: new(200));
+        var named = Line(1, 2) with { Name = "x", Overrides = new PathOverrides(200) };
         Assert.That(PathMerging.Merge([Line(0, 1), named]), Has.Count.EqualTo(2));
-        Assert.That(PathMerging.Merge([Line(0, 1).With(layer: new Layer(1, 1)), Line(1, 2).With(layer: new Layer(2, 1))]), Has.Count.EqualTo(2));
+        Assert.That(PathMerging.Merge([Line(0, 1) with { Layer = new Layer(1, 1) }, Line(1, 2) with { Layer = new Layer(2, 1) }]), Has.Count.EqualTo(2));
         // There and back is no loop; three segments are.
         Assert.That(PathMerging.Merge([Line(0, 1), Line(1, 0)]).Single().IsClosed, Is.False);
         PrintPath Corner(params Vec3[] points) => new(points, Beads[0]);
@@ -117,9 +117,9 @@ public class PrintPathTests
     {
         var path = new PrintPath(Square, Beads[0]);
         var step = new PathStep(path, new StepGroup(1, 2, 3)) { KeepStart = true, Joined = true, Source = new SourceLocation("f"), Lines = [1, 2, 3] };
-        var same = step.With(path.Reversed());
+        var same = step with { Path = path.Reversed() };
         Assert.That((same.Group, same.KeepStart, same.Joined, same.Source, same.Lines), Is.EqualTo((step.Group, true, true, step.Source, step.Lines)));
-        Assert.That(step.With(new PrintPath(Square.Take(3), Beads[0])).Lines, Is.Null, "lines are those of its segments");
+        Assert.That((step with { Path = new PrintPath(Square.Take(3), Beads[0]) }).Lines, Is.Null, "lines are those of its segments");
         Assert.That(() => new TravelStep([]), Throws.ArgumentException);
         Assert.That(() => new TravelStep(new Vec3(double.NaN, 0)), Throws.ArgumentException);
         Assert.That(() => new TravelStep([Vec3.Zero, new Vec3(double.NaN, 0)]), Throws.ArgumentException);

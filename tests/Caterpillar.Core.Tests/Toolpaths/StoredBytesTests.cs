@@ -29,7 +29,7 @@ internal sealed class StoredBytesTests
     {
         Step[] steps =
         [
-            Full.With(Path.With(tool: 0)), new NozzleTemperatureEvent(210, true),
+            Full with { Path = Path with { Tool = 0 } }, new NozzleTemperatureEvent(210, true),
             new PrintPath([new Vec3(0, 0, 0.4), new Vec3(30, 0, 0.4)], new Bead(0.08, 0.2, 40)), new CommentEvent("x"), new EventStep(new DwellEvent(2)),
         ];
         return Planner.Plan(steps, new PrintSetup()).Value!;

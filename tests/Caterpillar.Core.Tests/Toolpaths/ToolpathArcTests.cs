@@ -75,7 +75,7 @@ public class ToolpathArcTests
         foreach (var m in Circle(null).Moves())
         {
             turned.Add(m.End, m.E, m.Deposited, m.Speed, m.Kind, m.Role, m.Layer, m.Tool, m.Source);
-            turned.SetRotary(m.Index, 0, 0);
+            turned.SetRotary(new Vec3(m.Index, 0, 0));
         }
         Assert.That(turned.Build([]).FitArcs().Moves().Any(m => m.Arc is not null), Is.False);
     }

@@ -23,7 +23,7 @@ public class ToolpathBlockTests
             Assert.That(builder.Position, Is.EqualTo(move.Start));
             builder.Line = move.Index % 2 == 0 ? move.Index + 1 : 0;
             builder.Add(move.End, move.E, move.Deposited, move.Speed, move.Kind, move.Role, move.Layer, move.Tool, move.Source, move.Arc);
-            builder.SetRotary(move.Index, move.Index + 0.1, move.Index + 0.2);
+            builder.SetRotary(new Vec3(move.Index, move.Index + 0.1, move.Index + 0.2));
         }
         var toolpath = builder.Build([new ToolpathTool(1)]);
         Assert.That(toolpath.Count, Is.EqualTo(1500));
@@ -32,7 +32,7 @@ public class ToolpathBlockTests
         for (var i = 0; i < 1500; i++)
         {
             Assert.That(toolpath[i], Is.EqualTo(expected[i]));
-            Assert.That((columns.A![i], columns.B![i], columns.C![i]), Is.EqualTo((i, i + 0.1, i + 0.2)));
+            Assert.That(columns.Turns![i], Is.EqualTo(new Vec3(i, i + 0.1, i + 0.2)));
             Assert.That(columns.Line![i], Is.EqualTo(i % 2 == 0 ? i + 1 : 0));
         }
     }
@@ -77,10 +77,10 @@ public class ToolpathBlockTests
         builder.Add(Vec3.UnitX, 0, 0, 1, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
         builder.Line = 5;
         builder.Add(Vec3.UnitY, 0, 0, 1, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
-        builder.SetRotary(1, 2, 3);
+        builder.SetRotary(new Vec3(1, 2, 3));
         var columns = builder.Build([]).Blocks[0].Columns;
-        Assert.That((columns.A![0], columns.B![0], columns.C![0], columns.Line![0]), Is.EqualTo((0.0, 0.0, 0.0, 0)));
-        Assert.That((columns.A[1], columns.B[1], columns.C[1], columns.Line[1]), Is.EqualTo((1.0, 2.0, 3.0, 5)));
+        Assert.That((columns.Turns![0], columns.Line![0]), Is.EqualTo((Vec3.Zero, 0)));
+        Assert.That((columns.Turns[1], columns.Line[1]), Is.EqualTo((new Vec3(1, 2, 3), 5)));
     }
 
     // Ten extrusions of one step, each of another line of the script, in two layers.

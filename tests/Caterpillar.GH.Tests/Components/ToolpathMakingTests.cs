@@ -168,9 +168,9 @@ public sealed class ToolpathMakingTests
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         builder.Add(new Vec3(10, 0, 5), 0, 0, 50, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
-        builder.SetRotary(0, 90, 0);
+        builder.SetRotary(new Vec3(0, 90, 0));
         builder.Add(new Vec3(10, 0, 9), 0, 0, 50, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
-        builder.SetRotary(0, 90, 0);
+        builder.SetRotary(new Vec3(0, 90, 0));
         var canvas = new Canvas<ToolpathFramesComponent>().Feed("Toolpath", new ToolpathGoo(builder.Build([new ToolpathTool(2.4)]))).Solve();
         var planes = canvas.All("Planes").Cast<Rg.Plane>().ToArray();
         // The tool lies along X: of the first motion only Z is across it.

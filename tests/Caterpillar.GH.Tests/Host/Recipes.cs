@@ -21,7 +21,7 @@ internal static class Recipes
     private static readonly PrintPath Path = new([new Vec3(50, 50, 0.2), new Vec3(80, 50, 0.2), new Vec3(80, 70, 0.2)], new Bead(0.08, 0.2, 40));
 
     private static readonly Lazy<ToolpathGoo> Planned = new(() => new ToolpathGoo(
-        Planner.Plan([Path.With(layer: new Layer(0, 0.2, 0.2))], new PrintSetup()).Value!, new PrintSetup()));
+        Planner.Plan([Path with { Layer = new Layer(0, 0.2, 0.2) }], new PrintSetup()).Value!, new PrintSetup()));
 
     private static readonly Lazy<string> Header = new(() =>
     {

@@ -35,7 +35,7 @@ public sealed class ManyPaths
         {
             var (x, y) = (i % 400 * 0.5, i / 400 * 0.5);
             data.PersistentData.Append(new PrintPathGoo(new PrintPath([new Vec3(x, y, 0.2), new Vec3(x + 0.4, y, 0.2)], bead)
-                .With(layer: new Layer(0, 0.2, 0.2))), new GH_Path(0));
+                with { Layer = new Layer(0, 0.2, 0.2) }), new GH_Path(0));
         }
         _document.AddObject(data, false);
         _document.AddObject(_source, false);

@@ -90,7 +90,7 @@ public sealed class PreviewTests
         Assert.That(param.RuntimeMessages(GH_RuntimeMessageLevel.Remark),
             Has.One.EqualTo("The preview shows one line in 2, because there are too many lines."));
         var quarter = Path(Thinning.MostLines / 4 + 2);
-        var layers = Enumerable.Range(0, 8).Select(i => (object)quarter.With(layer: new Caterpillar.Toolpaths.Layer(i, 0.2 * i, 0.2))).ToArray();
+        var layers = Enumerable.Range(0, 8).Select(i => (object)(quarter with { Layer = new Caterpillar.Toolpaths.Layer(i, 0.2 * i, 0.2) })).ToArray();
         Assert.That(Drawn(layers), Is.EqualTo(3 * quarter.SegmentCount), "Layers 0, 3 and 6.");
         Assert.That(param.RuntimeMessages(GH_RuntimeMessageLevel.Remark), Has.One.Contains("one layer in 3"));
     }
@@ -143,7 +143,7 @@ public sealed class PreviewTests
     public void A_toolpath_is_baked_as_extrusions_on_layers_with_their_facts()
     {
         using var document = new InDocument();
-        var path = Path().With(role: Role.OuterWall, layer: new Caterpillar.Toolpaths.Layer(3, 1, 0.2, "Vase"));
+        var path = Path() with { Role = Role.OuterWall, Layer = new Caterpillar.Toolpaths.Layer(3, 1, 0.2, "Vase") };
         var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", path, Path(5)).Feed("Setup", "generic").Solve();
         var ids = new List<Guid>();
         plan.Component.BakeGeometry(document.Document, null!, ids);

@@ -35,11 +35,7 @@ internal sealed class CollisionCheck
         _printed = printed;
         _findings = findings;
         foreach (var box in printer.HeadBoxes) _boxes.Add((box, CheckCodes.HeadHits));
-        foreach (var beam in printer.Gantry)
-        {
-            var box = new Bounds(new Vec3(-Everywhere, beam.Min.Y, beam.Min.Z), new Vec3(Everywhere, beam.Max.Y, beam.Max.Z));
-            _boxes.Add((box, CheckCodes.GantryHits));
-        }
+        foreach (var box in printer.Beams(Everywhere)) _boxes.Add((box, CheckCodes.GantryHits));
         foreach (var (box, _) in _boxes) _lowest = Math.Min(_lowest, box.Min.Z);
         _clips = Stand(printer.Clips);
         if (printer.Kinematics is { } kinematics) _leaning = HeadOf(printer, kinematics);
@@ -47,7 +43,7 @@ internal sealed class CollisionCheck
 
     /// <summary>The head of a machine with rotary axes: the boxes of the head, then the beams as far as they reach over a part that turns.</summary>
     public static LeaningHead HeadOf(Printer printer, Kinematics kinematics) => new(kinematics, PrintedSoFar.Outline(printer),
-        [.. printer.HeadBoxes, .. printer.Gantry.Select(b => new Bounds(new Vec3(-Wide, b.Min.Y, b.Min.Z), new Vec3(Wide, b.Max.Y, b.Max.Z)))]);
+        [.. printer.HeadBoxes, .. printer.Beams(Wide)]);
 
     /// <summary>Checks a straight move with the height of its extrusion in mm; 0 = no extrusion.</summary>
     public void Check(in CheckedMove move, double height)

@@ -35,7 +35,7 @@ internal static class PrintableNumbers
         if (Outside(c.X[i], c.Y[i], c.Z[i], largest) is { } place) return ("The end point", place);
         if (!(Math.Abs(c.E[i]) < largest)) return ("E", c.E[i]);
         if (!(Math.Abs(c.Speed[i]) < largest)) return ("The speed", c.Speed[i]);
-        return c.A is not null && Outside(c.A[i], c.B![i], c.C![i], largest) is { } turn ? ("A rotary axis", turn) : null;
+        return c.Turns?[i] is var (u, v, w) && Outside(u, v, w, largest) is { } turn ? ("A rotary axis", turn) : null;
     }
 
     private static double? Outside(double a, double b, double c, double largest)

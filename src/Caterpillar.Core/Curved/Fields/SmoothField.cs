@@ -68,7 +68,7 @@ internal sealed class SmoothField : LayerField
         var settings = setup.Settings;
         var level = Vertical(PlanSurface.Level(0));
         if (bounds.IsEmpty) return new Result<LayerField>(level, []);
-        var limit = settings.CurvedMaxSlope > 0 ? settings.CurvedMaxSlope : HeadSlope.Limit(setup.Printer, bounds.Size.LengthXY, bounds.Size.Z);
+        var limit = HeadSlope.Limit(setup, bounds.Size.LengthXY, bounds.Size.Z);
         var (sin, cos) = Angle.SinCos(Math.Min(SteepestTop, Math.Max(0, limit - Margin)));
         var slope = sin / cos;
         // Thickness is measured across the layer.

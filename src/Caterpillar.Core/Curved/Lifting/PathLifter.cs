@@ -44,7 +44,7 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
         if (_pieces.Count == 0 && path.IsClosed && _extrusion.Points.Count > 3)
         {
             _extrusion.Points.RemoveAt(_extrusion.Points.Count - 1);
-            _pieces.Add(step.With(path.WithGeometry(_extrusion.Points, _extrusion.Beads, closed: true)));
+            _pieces.Add(step with { Path = path.WithGeometry(_extrusion.Points, _extrusion.Beads, closed: true) });
         }
         else
         {
@@ -138,7 +138,7 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
 
     private void End(PathStep step)
     {
-        if (_extrusion.Points.Count > 1) _pieces.Add(step.With(step.Path.WithGeometry(_extrusion.Points, _extrusion.Beads, closed: false)));
+        if (_extrusion.Points.Count > 1) _pieces.Add(step with { Path = step.Path.WithGeometry(_extrusion.Points, _extrusion.Beads, closed: false) });
         _extrusion.Clear();
     }
 
@@ -148,7 +148,7 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
         if (_pieces.Count < 2) return;
         var joined = PathMerging.Merge([_pieces[_pieces.Count - 1].Path, _pieces[0].Path], 1e-9);
         if (joined.Count > 1) return;
-        _pieces[0] = step.With(joined[0]);
+        _pieces[0] = step with { Path = joined[0] };
         _pieces.RemoveAt(_pieces.Count - 1);
     }
 

@@ -34,13 +34,9 @@ internal sealed class PatchClearance(Printer printer, double cell, double slack)
         if (!(rise > 0)) return false;
         if (rise > _shape.HeightAt(Math.Sqrt(x * x + y * y) - slack)) return true;
         if (!(rise > _boxes)) return false;
-        foreach (var box in printer.HeadBoxes)
+        foreach (var box in printer.HeadBoxes.Concat(printer.Beams(double.PositiveInfinity)))
         {
             if (rise > box.Min.Z && x > box.Min.X - slack && x < box.Max.X + slack && y > box.Min.Y - slack && y < box.Max.Y + slack) return true;
-        }
-        foreach (var beam in printer.Gantry)
-        {
-            if (rise > beam.Min.Z && y > beam.Min.Y - slack && y < beam.Max.Y + slack) return true;
         }
         return false;
     }

@@ -157,8 +157,11 @@ internal static class PatchOrder
             var steps = own.SelectMany(p => p.Steps).Select(Moved).ToArray();
             result.Add(source with { Layer = layer, Region = region, Steps = steps });
 
-            PathStep Moved(PathStep s) => s.With(
-                s.Path.With(layer: layer), s.Region is null ? null : region, s.Group is { } group ? group with { Layer = result.Count } : null);
+            PathStep Moved(PathStep s) => s with
+            {
+                Path = s.Path with { Layer = layer }, Region = s.Region is null ? null : region,
+                Group = s.Group is { } group ? group with { Layer = result.Count } : null,
+            };
         }
         return result.ToArray();
     }

@@ -78,7 +78,7 @@ public static class CurvedSlicer
             least = Math.Max(least, limits.Thickest(result.Layers.Select(l => l.Layer)) / setup.Settings.CurvedMaxGapRatio);
         // A tool that tilts sees the slope from its own axis; overhanging layers cannot be printed by any.
         var rise = RiseOf(result, field);
-        var slope = setup.Settings.CurvedMaxSlope > 0 ? setup.Settings.CurvedMaxSlope : HeadSlope.Limit(setup.Printer, part.Bounds.Size.LengthXY, rise);
+        var slope = HeadSlope.Limit(setup, part.Bounds.Size.LengthXY, rise);
         var ceiling = Math.Min(89.9, slope + options.MaxTilt);
         var rules = new LiftRules(setup.Settings, least, ceiling, options.Onto ?? PlanSurface.Level(0), options.Partial)
         {
@@ -136,7 +136,7 @@ public static class CurvedSlicer
         => steps.TrueForAll(s => Array.TrueForAll(s.Path.RawPoints, p => Math.Abs(p.Z - steps[0].Path.Start.Z) <= 1e-6));
 
     private static List<PathStep> Within(List<PathStep> steps, Region region)
-        => steps.ConvertAll(s => s.Region is null || ReferenceEquals(s.Region, region) ? s : s.With(s.Path, region));
+        => steps.ConvertAll(s => s.Region is null || ReferenceEquals(s.Region, region) ? s : s with { Region = region });
 
     // Level travels inside the part would run through curved layers; steps that are joined may have lost pieces between them.
     private static List<PathStep> WithoutRegions(List<PathStep> steps)

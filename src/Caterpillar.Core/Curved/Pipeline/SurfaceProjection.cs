@@ -30,7 +30,7 @@ public static class SurfaceProjection
         var settings = setup.Settings;
         var field = new VerticalField(onto.Moved(new Vec3(0, 0, -squeeze)), null);
         var (span, rise) = Extent(steps, onto);
-        var steepest = settings.CurvedMaxSlope > 0 ? settings.CurvedMaxSlope : HeadSlope.Limit(setup.Printer, span, rise);
+        var steepest = HeadSlope.Limit(setup, span, rise);
         var rules = new LiftRules(settings, 0, steepest, null, partial)
         {
             FindsEdge = true, TipReach = setup.Printer.HeadOutline[0].Radius + settings.LineWidth / 2,

@@ -3,11 +3,18 @@ namespace Caterpillar.Curved;
 /// <summary>Maximum slope of layers that a print head can print without touching the part uphill.</summary>
 internal static class HeadSlope
 {
-    /// <summary>Degrees.</summary>
+    /// <summary>The limit of the settings, or else of the head, degrees.</summary>
+    /// <param name="setup">The settings, and the printer.</param>
+    /// <param name="span">As in <see cref="OfHead"/>.</param>
+    /// <param name="rise">As in <see cref="OfHead"/>.</param>
+    public static double Limit(PrintSetup setup, double span, double rise)
+        => setup.Settings.CurvedMaxSlope > 0 ? setup.Settings.CurvedMaxSlope : OfHead(setup.Printer, span, rise);
+
+    /// <summary>The limit of a head, degrees.</summary>
     /// <param name="printer">The outline and boxes of its head.</param>
     /// <param name="span">Length of the part in plan, mm: farther out nothing is touched.</param>
     /// <param name="rise">Height between the lowest and the highest point of a layer, mm: parts of the head higher up touch nothing.</param>
-    public static double Limit(Printer printer, double span, double rise)
+    public static double OfHead(Printer printer, double span, double rise)
     {
         var tip = printer.HeadOutline[0].Radius;
         var limit = 90.0;

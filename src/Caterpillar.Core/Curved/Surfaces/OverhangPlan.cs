@@ -50,8 +50,7 @@ internal sealed class OverhangPlan : PlanSurface
                 "No part touches the bed, so layers cannot descend from it to the overhangs.")]);
         }
         const double Steep = 45;
-        var head = setup.Settings.CurvedMaxSlope > 0 ? setup.Settings.CurvedMaxSlope
-            : HeadSlope.Limit(setup.Printer, bounds.Size.LengthXY, bounds.Size.Z);
+        var head = HeadSlope.Limit(setup, bounds.Size.LengthXY, bounds.Size.Z);
         // A degree less than the limit: what is computed reaches it.
         var angle = degrees ?? AngleFor(models.Select(m => m.Mesh), foot, 2 * first, Steep, Math.Max(0, head - 1));
         return new Result<PlanSurface>(new OverhangPlan(foot, bounds, angle), []);

@@ -13,11 +13,11 @@ internal sealed class RotaryWords(LineBuffer output, int decimals, byte extruder
     public void Aim(ToolpathColumns c, int i)
     {
         Turns = false;
-        if (c.A is null) return;
+        if (c.Turns is null) return;
+        var words = c.Turns[i];
         for (var axis = 0; axis < 3; axis++)
         {
-            var column = axis == 0 ? c.A : axis == 1 ? c.B! : c.C!;
-            _next[axis] = NumberFormatter.ToUnits(column[i], decimals);
+            _next[axis] = NumberFormatter.ToUnits(axis == 0 ? words.X : axis == 1 ? words.Y : words.Z, decimals);
             if ('A' + axis == extruder) _next[axis] = _turns[axis];
             // An axis that never leaves zero is not there.
             else if (_turns[axis] == long.MinValue && _next[axis] == 0) _next[axis] = long.MinValue;

@@ -18,26 +18,50 @@ public sealed class ProfileLibrary
 
     private ProfileLibrary(string[] folders) => _folders = folders;
 
-    /// <summary>Names of all printers, sorted.</summary>
-    public IReadOnlyList<string> PrinterNames => Names(ProfileKinds.Printer);
-
-    /// <summary>Names of all materials, sorted.</summary>
-    public IReadOnlyList<string> MaterialNames => Names(ProfileKinds.Material);
-
-    /// <summary>Names of all print settings, sorted.</summary>
-    public IReadOnlyList<string> SettingsNames => Names(ProfileKinds.Settings);
+    /// <summary>Names of all profiles of a kind, sorted.</summary>
+    /// <typeparam name="T"><see cref="Machines.Printer"/>, <see cref="Machines.Material"/> or <see cref="PrintSettings"/>.</typeparam>
+    public IReadOnlyList<string> Names<T>()
+        where T : class
+    {
+        var kind = ProfileKinds.Of<T>();
+        var names = new SortedSet<string>(StringComparer.Ordinal);
+        foreach (var (path, _) in Resources())
+        {
+            if (!path.StartsWith(kind.Folder, StringComparison.Ordinal) || path.IndexOf('/', kind.Folder.Length) >= 0) continue;
+            names.Add(path.Substring(kind.Folder.Length, path.Length - kind.Folder.Length - ".json".Length));
+        }
+        foreach (var folder in _folders.Select(f => Path.Combine(f, kind.Folder)).Where(Directory.Exists))
+            names.UnionWith(Directory.GetFiles(folder, "*.json").Select(f => Path.GetFileNameWithoutExtension(f)));
+        return names.ToArray();
+    }
 
     /// <summary>A printer by its name, or from a file (a name with a folder or with <c>.json</c>).</summary>
     /// <exception cref="IOException">An existing file cannot be read.</exception>
-    public Result<Printer> Printer(string nameOrFile) => Find(ProfileKinds.Printer, nameOrFile);
+    public Result<Printer> Printer(string nameOrFile) => Find<Printer>(nameOrFile);
 
     /// <summary>A material by its name, or from a file.</summary>
     /// <inheritdoc cref="Printer" path="/exception"/>
-    public Result<Material> Material(string nameOrFile) => Find(ProfileKinds.Material, nameOrFile);
+    public Result<Material> Material(string nameOrFile) => Find<Material>(nameOrFile);
 
     /// <summary>Print settings by their name, or from a file.</summary>
     /// <inheritdoc cref="Printer" path="/exception"/>
-    public Result<PrintSettings> Settings(string nameOrFile) => Find(ProfileKinds.Settings, nameOrFile);
+    public Result<PrintSettings> Settings(string nameOrFile) => Find<PrintSettings>(nameOrFile);
+
+    /// <summary>A profile by its name, or from a file.</summary>
+    /// <inheritdoc cref="Names" path="/typeparam"/>
+    /// <inheritdoc cref="Printer" path="/exception"/>
+    public Result<T> Find<T>(string nameOrFile)
+        where T : class
+    {
+        if (nameOrFile is null) throw new ArgumentNullException(nameof(nameOrFile));
+        var kind = ProfileKinds.Of<T>();
+        if (!IsFile(nameOrFile)) return Named(kind, nameOrFile, []);
+        if (!File.Exists(nameOrFile))
+            return new("profile.not_found", $"File {nameOrFile} not found.", new SourceLocation(nameOrFile));
+        if (new FileInfo(nameOrFile).Length > LargestFile)
+            return new("profile.not_an_object", "The file has more than 16 MB. It is not a profile.", new SourceLocation(nameOrFile));
+        return Read(kind, new Source(nameOrFile, Path.GetFileNameWithoutExtension(nameOrFile), () => File.ReadAllText(nameOrFile)), []);
+    }
 
     /// <summary>
     /// A complete setup. Material and settings default to the printer's <c>default_material</c> and <c>default_settings</c>, which for the file of a printer
@@ -67,18 +91,6 @@ public sealed class ProfileLibrary
         return new Result<PrintSetup>(findings.Any(d => d.Severity == Severity.Error) ? null : setup.Value, diagnostics);
     }
 
-    private Result<T> Find<T>(ProfileKind<T> kind, string nameOrFile)
-        where T : class
-    {
-        if (nameOrFile is null) throw new ArgumentNullException(nameof(nameOrFile));
-        if (!IsFile(nameOrFile)) return Named(kind, nameOrFile, []);
-        if (!File.Exists(nameOrFile))
-            return new("profile.not_found", $"File {nameOrFile} not found.", new SourceLocation(nameOrFile));
-        if (new FileInfo(nameOrFile).Length > LargestFile)
-            return new("profile.not_an_object", "The file has more than 16 MB. It is not a profile.", new SourceLocation(nameOrFile));
-        return Read(kind, new Source(nameOrFile, Path.GetFileNameWithoutExtension(nameOrFile), () => File.ReadAllText(nameOrFile)), []);
-    }
-
     private Result<T> Named<T>(ProfileKind<T> kind, string name, IReadOnlyList<string> chain)
         where T : class
     {
@@ -89,7 +101,7 @@ public sealed class ProfileLibrary
         }
         if (chain.Count > 0 && Sources(kind, name).Any())
             return new("profile.circular_inheritance", $"The {kind.Noun} \"{name}\" inherits itself. Change its inherits.", new SourceLocation(chain[0]));
-        var names = Names(kind);
+        var names = Names<T>();
         var near = SpellingSuggestion.Nearest(name, names);
         return new Result<T>(
             "profile.not_found", $"{char.ToUpperInvariant(kind.Noun[0])}{kind.Noun.Substring(1)} \"{name}\" not found. "
@@ -98,7 +110,7 @@ public sealed class ProfileLibrary
 
     private Result<T> Read<T>(ProfileKind<T> kind, Source source, IReadOnlyList<string> chain)
         where T : class
-        => ProfileReader.Read(kind, source.Read(), source.File, source.Name, parent => Named(kind, parent, [.. chain, source.File]));
+        => ProfileReader.Read<T>(source.Read(), source.File, source.Name, parent => Named(kind, parent, [.. chain, source.File]));
 
     private IEnumerable<Source> Sources<T>(ProfileKind<T> kind, string name)
         where T : class
@@ -108,20 +120,6 @@ public sealed class ProfileLibrary
             yield return new Source(file, name, () => File.ReadAllText(file));
         var resource = Resources().FirstOrDefault(r => r.Path == kind.Folder + name + ".json").Resource;
         if (resource is not null) yield return new Source("printers/" + kind.Folder + name + ".json", name, () => EmbeddedText.Read(resource));
-    }
-
-    private IReadOnlyList<string> Names<T>(ProfileKind<T> kind)
-        where T : class
-    {
-        var names = new SortedSet<string>(StringComparer.Ordinal);
-        foreach (var (path, _) in Resources())
-        {
-            if (!path.StartsWith(kind.Folder, StringComparison.Ordinal) || path.IndexOf('/', kind.Folder.Length) >= 0) continue;
-            names.Add(path.Substring(kind.Folder.Length, path.Length - kind.Folder.Length - ".json".Length));
-        }
-        foreach (var folder in _folders.Select(f => Path.Combine(f, kind.Folder)).Where(Directory.Exists))
-            names.UnionWith(Directory.GetFiles(folder, "*.json").Select(f => Path.GetFileNameWithoutExtension(f)));
-        return names.ToArray();
     }
 
     private static bool IsFile(string name) => name.IndexOfAny(['/', '\\']) >= 0 || name.EndsWith(".json", StringComparison.OrdinalIgnoreCase);

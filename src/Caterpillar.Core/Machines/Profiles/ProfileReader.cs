@@ -6,21 +6,13 @@ namespace Caterpillar.Machines;
 /// </summary>
 public static class ProfileReader
 {
-    /// <summary>Reads a printer. <paramref name="parent"/> finds the profile that it inherits.</summary>
-    public static Result<Printer> ReadPrinter(string json, string file, string name, Func<string, Result<Printer>>? parent = null)
-        => Read(ProfileKinds.Printer, json, file, name, parent);
-
-    /// <summary>Reads a material. <paramref name="parent"/> finds the profile that it inherits.</summary>
-    public static Result<Material> ReadMaterial(string json, string file, string name, Func<string, Result<Material>>? parent = null)
-        => Read(ProfileKinds.Material, json, file, name, parent);
-
-    /// <summary>Reads print settings. <paramref name="parent"/> finds the profile that they inherit.</summary>
-    public static Result<PrintSettings> ReadSettings(string json, string file, string name, Func<string, Result<PrintSettings>>? parent = null)
-        => Read(ProfileKinds.Settings, json, file, name, parent);
-
-    internal static Result<T> Read<T>(ProfileKind<T> kind, string json, string file, string name, Func<string, Result<T>>? parent)
+    /// <summary>
+    /// Reads a <see cref="Printer"/>, a <see cref="Material"/> or <see cref="PrintSettings"/>. <paramref name="parent"/> finds the profile that it inherits.
+    /// </summary>
+    public static Result<T> Read<T>(string json, string file, string name, Func<string, Result<T>>? parent = null)
         where T : class
     {
+        var kind = ProfileKinds.Of<T>();
         if (json is null) throw new ArgumentNullException(nameof(json));
         var diagnostics = new List<Diagnostic>();
         var entries = JsonFlat.Read(json, file, diagnostics);

@@ -20,6 +20,9 @@ public sealed partial record Printer
     /// <value>mm.</value> <remarks>X is ignored.</remarks>
     public ValueList<Bounds> Gantry { get; init => field = Keys.Check(value); } = ValueList<Bounds>.Empty;
 
+    /// <summary>The beams of the gantry as boxes that reach so far to both sides, mm.</summary>
+    internal IEnumerable<Bounds> Beams(double reach) => Gantry.Select(b => new Bounds(b.Min with { X = -reach }, b.Max with { X = reach }));
+
     /// <summary>Boxes around bed clips and other obstacles on the bed, in machine coordinates.</summary> <value>mm.</value>
     public ValueList<Bounds> Clips { get; init => field = Keys.Check(value); } = ValueList<Bounds>.Empty;
 

@@ -10,6 +10,8 @@ internal sealed class ProfileKind<T>(string noun, string folder, IReadOnlyList<P
     /// <summary><c>printer</c>, <c>material</c> or <c>settings</c>.</summary>
     public string Noun => noun;
 
+    public string Plural => noun == "settings" ? noun : noun + "s";
+
     /// <summary>Folder under <c>printers/</c>, with a trailing slash.</summary>
     public string Folder => folder;
 
@@ -33,7 +35,7 @@ internal sealed class ProfileKind<T>(string noun, string folder, IReadOnlyList<P
     {
         if (Find(key) is not { } found)
         {
-            diagnostics.Add(UnknownKey.Problem(Noun == "settings" ? Noun : Noun + "s", key, raw, Keys.Select(k => k.Name).Concat(["inherits"]), place));
+            diagnostics.Add(UnknownKey.Problem(Plural, key, raw, Keys.Select(k => k.Name).Concat(["inherits"]), place));
             return profile;
         }
         if (raw is null)
@@ -65,6 +67,11 @@ internal static class ProfileKinds
     public static readonly ProfileKind<PrintSettings> Settings = new("settings", "settings/",
         KeyTable.Read<PrintSettings>("PrintSettings.tsv", typeof(PrintSettings).GetProperties(), OwnFormats.Settings, s => s with { }),
         () => new PrintSettings(), (s, name) => s with { Name = name });
+
+    /// <summary>The kind of the profiles of a type: a printer, a material or print settings.</summary>
+    public static ProfileKind<T> Of<T>()
+        where T : class
+        => new object[] { Printer, Material, Settings }.OfType<ProfileKind<T>>().Single();
 
     /// <summary>The kind of profile that has a key, for messages.</summary>
     public static string? KindOf(string key)

@@ -59,7 +59,7 @@ internal static class SetupValues
             return setup with { Material = Own(setup.Material, 0), ToolMaterials = new(setup.ToolMaterials.Select((m, i) => Own(m, i + 1))) };
         }
         if (Changed(ProfileKinds.Printer, setup.Printer) is { } printer) return setup with { Printer = printer };
-        var known = ProfileKeys.Settings.Concat(ProfileKeys.Material).Concat(ProfileKeys.Printer).Select(k => k.Name).Where(k => k != "title");
+        var known = ProfileKeys.All.Select(k => k.Name).Where(k => k != "title");
         diagnostics.Add(UnknownKey.Problem("printers, materials or settings", key, text, known, place));
         return setup;
 

@@ -166,7 +166,7 @@ internal sealed class MoveEmitter
     }
 
     /// <summary>A move of another toolpath, whose E may have another unit or another diameter of the filament.</summary>
-    public void Copy(Move move, Layer? layer, double? volumePerE, (double A, double B, double C)? turns)
+    public void Copy(Move move, Layer? layer, double? volumePerE, Vec3? turns)
     {
         EnterLayer(layer);
         Tool = move.Tool;
@@ -175,7 +175,7 @@ internal sealed class MoveEmitter
         _retracted[Tool] = left > BalanceEpsilon ? left : 0;
         if (move.Kind == MoveKind.Print) Reached(Math.Max(move.Start.Z, move.End.Z));
         _builder.Add(move.End, scale * move.E, scale * move.Deposited, move.Speed, move.Kind, move.Role, _layerIndex, Tool, Source, move.Arc);
-        if (turns is { } t) _builder.SetRotary(t.A, t.B, t.C);
+        if (turns is { } words) _builder.SetRotary(words);
         IsPlaced = true;
     }
 

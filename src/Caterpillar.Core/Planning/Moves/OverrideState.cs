@@ -16,7 +16,7 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
     private double? _bed, _bedNow = rules.FirstLayerBedTemperature ?? rules.BedTemperature;
 
     // What the firmware has is not known exactly: accelerations and jerk that are commanded at all are so from the first path on.
-    private double? _acceleration, _accelerationNow = rules.Motion?.MostAcceleration is null ? rules.Acceleration : null;
+    private double? _acceleration, _accelerationNow = rules.Motion?.MostAcceleration is null ? rules.Printer.PrintAcceleration : null;
     private double? _travelNow, _jerkNow;
 
     private readonly bool _layered = !rules.AddsNothing
@@ -46,7 +46,7 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
     public void SwitchTool(int tool, PrintPath? next)
     {
         var last = emitter.Tool;
-        if (!rules.SharedNozzle && rules.Tools[last].Material?.StandbyTemperature is > 0 and var standby && standby < _temperatureNow[last])
+        if (!rules.Printer.SharedNozzle && rules.Tools[last].Material?.StandbyTemperature is > 0 and var standby && standby < _temperatureNow[last])
             Heat(last, standby, false);
         emitter.SwitchTool(tool);
         if (Usual(tool, next is null ? -1 : LayerOf(next)) is { } celsius && celsius != _temperatureNow[Nozzle(tool)]) Heat(tool, celsius, true);
@@ -55,7 +55,7 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
     /// <summary>Turns off all nozzles but the current one, which the end code turns off.</summary>
     public void End()
     {
-        for (var tool = 0; tool < _temperatureNow.Length && !rules.SharedNozzle; tool++)
+        for (var tool = 0; tool < _temperatureNow.Length && !rules.Printer.SharedNozzle; tool++)
         {
             if (tool != emitter.Tool && _temperatureNow[tool] > 0) Heat(tool, 0, false);
         }
@@ -76,7 +76,7 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
         if (rules.FirstLayerBedTemperature is not null && Differs(null, usual, ref _bedNow) is { } bed) emitter.Event(new BedTemperatureEvent(bed));
         usual = _fan ?? (layer >= 0 && layer < emitter.ToolRules.Material?.FanOffLayers ? 0 : FanFor(layerTime));
         if (Differs(wanted?.Fan, usual, ref _fanNow) is { } fan) emitter.Event(new FanEvent(fan));
-        usual = _acceleration ?? rules.Motion?.Acceleration(path.Role, layer == 0) ?? rules.Acceleration;
+        usual = _acceleration ?? rules.Motion?.Acceleration(path.Role, layer == 0) ?? rules.Printer.PrintAcceleration;
         if (Differs(wanted?.Acceleration, usual, ref _accelerationNow) is { } acceleration)
             emitter.Event(IsSeparate ? new LimitEvent(MotionLimit.PrintAcceleration, acceleration) : new AccelerationEvent(acceleration));
         Jerk(rules.Motion?.Jerk(path.Role, layer == 0));
@@ -91,14 +91,14 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
         else if (!IsSeparate && Differs(null, travel, ref _accelerationNow) is not null) emitter.Event(new AccelerationEvent(travel));
     }
 
-    private bool IsSeparate => rules.SeparateAccelerations && rules.Motion?.MostAcceleration is not null;
+    private bool IsSeparate => rules.Printer.Flavor.SeparateAccelerations && rules.Motion?.MostAcceleration is not null;
 
     private void Jerk(double? value)
     {
         if (value is not null && Differs(null, value, ref _jerkNow) is { } jerk) emitter.Event(new LimitEvent(rules.Motion!.JerkLimit!.Value, jerk));
     }
 
-    private int Nozzle(int tool) => rules.SharedNozzle ? 0 : tool;
+    private int Nozzle(int tool) => rules.Printer.SharedNozzle ? 0 : tool;
 
     private double? Usual(int tool, int layer) => _temperature[tool] ?? rules.Tools[tool].Temperature(layer == 0);
 
@@ -107,7 +107,7 @@ internal sealed class OverrideState(PlanRules rules, MoveEmitter emitter)
     private void Heat(int tool, double celsius, bool wait)
     {
         _temperatureNow[Nozzle(tool)] = celsius;
-        emitter.Event(new NozzleTemperatureEvent(celsius, wait, rules.SharedNozzle ? null : tool));
+        emitter.Event(new NozzleTemperatureEvent(celsius, wait, rules.Printer.SharedNozzle ? null : tool));
     }
 
     // Quick layers get more of the fan, the quickest all of it.

@@ -1,13 +1,5 @@
 namespace Caterpillar.Planning;
 
-/// <summary>How the height of a travel is determined.</summary>
-internal enum LiftRule : byte
-{
-    None,
-    Highest,
-    Corridor,
-}
-
 /// <summary>A tool as planning needs it. Amounts of E are in its own unit.</summary>
 /// <param name="VolumePerE">mm³ per unit of E; null for a tool without E.</param>
 /// <param name="RetractE">E of a retraction; 0 = off.</param>
@@ -37,20 +29,15 @@ internal sealed record ToolRules(double? VolumePerE, double RetractE, double Ret
     public double FilamentLength(double e) => e * LengthPerE;
 }
 
-/// <summary>The settings, and what planning needs of printer and material, resolved. Lengths in mm, speeds in mm/s.</summary>
+/// <summary>Settings and printer, and what planning needs of both and of the material, resolved. Lengths in mm, speeds in mm/s.</summary>
 /// <param name="Policy">What planning adds.</param>
 /// <param name="Settings">The settings.</param>
+/// <param name="Printer">The printer.</param>
 /// <param name="Tools">The tools, by their number.</param>
-/// <param name="ZHopSpeed">Speed of moves straight up and down.</param>
-internal sealed record PlanRules(PlanPolicy Policy, PrintSettings Settings, ToolRules[] Tools, double ZHopSpeed)
+internal sealed record PlanRules(PlanPolicy Policy, PrintSettings Settings, Printer Printer, ToolRules[] Tools)
 {
-    /// <summary>Maximum speed of each axis; null = unknown.</summary>
-    public AxisValues? MaxSpeed { get; init; }
-
     /// <summary>The last decimal of coordinates in the file.</summary>
-    public double Rounded { get; init; } = 1e-3;
-
-    public LiftRule Lift { get; init; }
+    public double Rounded => Math.Pow(10, -Printer.DecimalsXyz);
 
     /// <summary>Height of a travel above what it passes.</summary>
     public double Clearance { get; init; }
@@ -70,31 +57,20 @@ internal sealed record PlanRules(PlanPolicy Policy, PrintSettings Settings, Tool
     /// <summary>True if the machine waits after layers shorter than the minimum layer time.</summary>
     public bool Waits => !AddsNothing && Settings.LayerTimeWait != LayerTimeWait.None;
 
-    /// <summary>True if all tools heat and feed the same nozzle.</summary>
-    public bool SharedNozzle { get; init; }
-
-    /// <summary>The space that the nozzle can reach.</summary>
-    public Bounds Reach { get; init; } = Bounds.Empty;
-
     public double WipeDistance { get; init; }
 
     /// <summary>False for firmware retraction, which cannot be spread over a move.</summary>
-    public bool CanWipe { get; init; } = true;
+    public bool CanWipe => !Printer.FirmwareRetraction;
 
-    /// <summary>The value without overrides; null if the settings do not state it.</summary>
-    public double? BedTemperature { get; init; }
+    /// <summary>The value without overrides; null if the material does not state it.</summary>
+    public double? BedTemperature => Tools[0].Material is { BedTemperature: > 0 and var celsius } ? celsius : null;
 
     /// <summary>The same in the first layer, if it differs.</summary>
-    public double? FirstLayerBedTemperature { get; init; }
-
-    /// <inheritdoc cref="BedTemperature"/>
-    public double? Acceleration { get; init; }
+    public double? FirstLayerBedTemperature
+        => Tools[0].Material is { BedTemperature: > 0, FirstLayerBedTemperature: > 0 and var celsius } ? celsius : null;
 
     /// <summary>Accelerations and jerk by role; null = none is commanded.</summary>
     public CommandedMotion? Motion { get; init; }
-
-    /// <summary>True if travel moves have their own command for their acceleration.</summary>
-    public bool SeparateAccelerations { get; init; }
 
     /// <summary>Settings of the firmware retraction; null = those of the firmware.</summary>
     public RetractionEvent? FirmwareRetraction { get; init; }

@@ -17,6 +17,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     private readonly DetourFinder? _detours = deposit is not null && rules.Settings.Detour ? new DetourFinder(deposit, rules.Head) : null;
     private readonly CombPath _around = new(rules.Settings.LineWidth);
     private readonly PrintSettings _settings = rules.Settings;
+    private readonly Printer _printer = rules.Printer;
     private PrintPath? _last;
 
     /// <summary>The first travel goes up, above an object on the bed, before it goes anywhere else.</summary>
@@ -77,9 +78,9 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
         }
         if (!emitter.IsPlaced)
         {
-            var top = RisesFirst ? Math.Max(start.Z, emitter.Highest) + Clearance : rules.Lift == LiftRule.None ? start.Z : start.Z + Clearance;
+            var top = RisesFirst ? Math.Max(start.Z, emitter.Highest) + Clearance : _settings.ZHopType == ZHopType.None ? start.Z : start.Z + Clearance;
             // Where the start code leaves the head is not known: a line of its own moves Z alone.
-            if (RisesFirst) emitter.Event(new RawEvent($"G0 Z{NumberFormatter.Format(top, 3)} F{NumberFormatter.Format(rules.ZHopSpeed * 60, 0)}"));
+            if (RisesFirst) emitter.Event(new RawEvent($"G0 Z{NumberFormatter.Format(top, 3)} F{NumberFormatter.Format(_printer.ZHopSpeed * 60, 0)}"));
             emitter.Travel(start.WithZ(top), _settings.TravelSpeed);
             Down(start);
             return;
@@ -121,7 +122,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     private void Rise(Vec3 to)
     {
         var rise = Math.Abs(to.Z - emitter.Position.Z);
-        emitter.Travel(to, rise > 0 ? Math.Min(_settings.TravelSpeed, rules.ZHopSpeed * emitter.Position.DistanceTo(to) / rise) : _settings.TravelSpeed);
+        emitter.Travel(to, rise > 0 ? Math.Min(_settings.TravelSpeed, _printer.ZHopSpeed * emitter.Position.DistanceTo(to) / rise) : _settings.TravelSpeed);
     }
 
     private bool IsFree(Vec3 from, Vec3 to)
@@ -146,7 +147,7 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
             Down(to);
             return;
         }
-        if (rules.Lift == LiftRule.None && !safely)
+        if (_settings.ZHopType == ZHopType.None && !safely)
         {
             counts.SkippedZHops++;
             emitter.Travel(to, _settings.TravelSpeed);
@@ -160,9 +161,9 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
             return;
         }
         if (z <= level) counts.SkippedZHops++;
-        else if (rules.Lift == LiftRule.Highest) counts.ZHops++;
+        else if (_settings.ZHopType == ZHopType.AbovePrint) counts.ZHops++;
         else counts.LocalZHops++;
-        if (z > from.Z) emitter.Travel(from.WithZ(z), rules.ZHopSpeed);
+        if (z > from.Z) emitter.Travel(from.WithZ(z), _printer.ZHopSpeed);
         emitter.Travel(to.WithZ(z), _settings.TravelSpeed);
         Down(to);
     }
@@ -172,12 +173,12 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     {
         var from = emitter.Position;
         var z = HeightOver(from, to, Math.Max(from.Z, to.Z), true);
-        return (z - from.Z + z - to.Z) / rules.ZHopSpeed + (to - from).LengthXY / _settings.TravelSpeed;
+        return (z - from.Z + z - to.Z) / _printer.ZHopSpeed + (to - from).LengthXY / _settings.TravelSpeed;
     }
 
     private double HeightOver(Vec3 from, Vec3 to, double level, bool safely)
     {
-        if (rules.Lift == LiftRule.Highest)
+        if (_settings.ZHopType == ZHopType.AbovePrint)
         {
             if (safely || from.DistanceTo(to) > _settings.ZHopMinTravel) return Math.Max(level, emitter.Highest) + Clearance;
             // Short travels along a slope pass over what is higher next to them.
@@ -192,10 +193,10 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
     private bool TryDetour(Vec3 from, Vec3 to, double rise)
     {
         if (_detours is null) return false;
-        var longest = from.DistanceTo(to) + 2 * rise / rules.ZHopSpeed * _settings.TravelSpeed;
+        var longest = from.DistanceTo(to) + 2 * rise / _printer.ZHopSpeed * _settings.TravelSpeed;
         if (_detours.Find(from, to, longest) is not { } detour) return false;
         counts.Detours++;
-        emitter.Travel(from, rules.ZHopSpeed);
+        emitter.Travel(from, _printer.ZHopSpeed);
         foreach (var point in detour) emitter.Travel(point, _settings.TravelSpeed);
         return true;
     }
@@ -205,12 +206,12 @@ internal sealed class TravelPlanner(PlanRules rules, MoveEmitter emitter, PlanRe
         var length = emitter.IsPlaced ? emitter.Position.DistanceTo(to) : 0;
         if (rules.AddsNothing || !_settings.DeretractDuringDescent || !rules.CanWipe || emitter.Retracted <= 0 || !(to.Z < emitter.Position.Z))
         {
-            emitter.Travel(to, rules.ZHopSpeed);
+            emitter.Travel(to, _printer.ZHopSpeed);
             return;
         }
         // Slow enough for the filament to keep up.
         var tool = emitter.ToolRules;
-        emitter.Restore(to, Math.Min(rules.ZHopSpeed, length * tool.DeretractionSpeed / tool.FilamentLength(emitter.Retracted)));
+        emitter.Restore(to, Math.Min(_printer.ZHopSpeed, length * tool.DeretractionSpeed / tool.FilamentLength(emitter.Retracted)));
         Extra();
     }
 

@@ -58,7 +58,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
         if (role == Role.SolidInfill && pattern == InfillPattern.Lines) area = NarrowParts(area, rank);
         if (area.IsEmpty) return;
         var width = role == Role.TopSurface ? rules.TopWidth : rules.SolidWidth;
-        var bead = overInfill ? rules.Bead(width).WithSpeed(_settings.InfillBridgeSpeed) : rules.Bead(width);
+        var bead = overInfill ? rules.Bead(width) with { Speed = _settings.InfillBridgeSpeed } : rules.Bead(width);
         var share = overInfill ? _settings.InfillBridgeFlowRatio : role == Role.Bridge ? _settings.BridgeFlowRatio : 1;
         var request = Request(area, pattern, rules.Pitch(width), width, angle, solid: true);
         var isInside = role == Role.SolidInfill && !rules.IsSolid;
@@ -67,7 +67,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
         // Rows between walls know what each of them has to fill.
         var rows = pattern is InfillPattern.Lines or InfillPattern.Monotonic && _settings.WallCount > 0;
         var flow = rows ? share : Balance(lines, area.Area * rules.Thickness, bead) * share;
-        Add(lines, bead.WithArea(bead.Area * flow), role, rank);
+        Add(lines, bead with { Area = bead.Area * flow }, role, rank);
     }
 
     // Narrow pieces are filled along their outline: lines across them would be short, and all corners. Returns the others.
@@ -87,7 +87,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
         if (walls.Corners == JoinStyle.Round) pieces = Pointed(Pointed(pieces, round), -round).Intersect(pieces, tools.Engine);
         foreach (var wall in new WallBuilder(walls, tools.Engine).Fill(pieces, first: 1).Paths)
         {
-            var path = wall.ToPath(layer.Plan.Top, walls).With(Role.SolidInfill, layer.Layer);
+            var path = wall.ToPath(layer.Plan.Top, walls) with { Role = Role.SolidInfill, Layer = layer.Layer };
             steps.Add(new PathStep(rules.Own(path), group) { Region = island.Region });
         }
         return Region.Own(wide.ToArray());
@@ -155,9 +155,9 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
             else
             {
                 beads = new Bead[line.Flow.Length];
-                for (var i = 0; i < beads.Length; i++) beads[i] = bead.WithArea(bead.Area * line.Flow[i]);
+                for (var i = 0; i < beads.Length; i++) beads[i] = bead with { Area = bead.Area * line.Flow[i] };
             }
-            var path = PrintPath.Own(line.Points, beads, line.Closed).With(role, layer.Layer, overrides: fan);
+            var path = PrintPath.Own(line.Points, beads, line.Closed) with { Role = role, Layer = layer.Layer, Overrides = fan };
             steps.Add(new PathStep(rules.Own(path), new StepGroup(layer.Number, number, keep ? rank++ : rank)) { Region = island.Region, KeepStart = keep });
         }
     }

@@ -51,6 +51,7 @@ internal static class Adhesion
         }
 
         // One rank for each loop keeps their order.
-        void Add(PrintPath path, Role role) => steps.Add(new PathStep(path.With(role, layer, first.Steps[0].Path.Tool), new StepGroup(0, -1, steps.Count)));
+        void Add(PrintPath path, Role role)
+            => steps.Add(new PathStep(path with { Role = role, Layer = layer, Tool = first.Steps[0].Path.Tool }, new StepGroup(0, -1, steps.Count)));
     }
 }

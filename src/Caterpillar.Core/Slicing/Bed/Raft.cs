@@ -33,7 +33,8 @@ internal static class Raft
                 foreach (var line in tools.Infill.Fill(request))
                 {
                     if (line.Points.Length < 2) continue;
-                    var path = PrintPath.Own(line.Points, [rules.Bead(rules.Width)], line.Closed).With(Role.Raft, layer, settings.ToolOf(Role.Raft));
+                    var path = PrintPath.Own(line.Points, [rules.Bead(rules.Width)], line.Closed)
+                        with { Role = Role.Raft, Layer = layer, Tool = settings.ToolOf(Role.Raft) };
                     steps.Add(new PathStep(path, new StepGroup(i, k)) { Region = islands[k] });
                 }
             }

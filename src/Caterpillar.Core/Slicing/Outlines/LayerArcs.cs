@@ -14,7 +14,7 @@ internal static class LayerArcs
         foreach (var step in layer.Steps)
         {
             var isAround = step.Path.Role is Role.Support or Role.SupportInterface or Role.Skirt or Role.Brim or Role.Raft;
-            steps.Add(isAround == ofPart ? step : step.With(PathArcs.Fit(step.Path, tolerance)));
+            steps.Add(isAround == ofPart ? step : step with { Path = PathArcs.Fit(step.Path, tolerance) });
         }
         return layer with { Steps = steps };
     }

@@ -53,9 +53,9 @@ internal sealed class OverhangSplitter(SliceRules rules, Region below, RegionEng
         if (supported < all / 2)
         {
             var usual = _settings.SpeedOf(path.Role);
-            split = split.WithBeads(i => split.BeadOf(i).Speed > 0 ? split.BeadOf(i) : split.BeadOf(i).WithSpeed(usual)).With(Role.OverhangWall);
+            split = split.WithBeads(i => split.BeadOf(i) is { Speed: 0 } own ? own with { Speed = usual } : split.BeadOf(i)) with { Role = Role.OverhangWall };
         }
-        return Fan(lengths, all) is { } fan ? split.With(overrides: new PathOverrides(Fan: fan)) : split;
+        return Fan(lengths, all) is { } fan ? (split with { Overrides = new PathOverrides(Fan: fan) }) : split;
     }
 
     private Bead Changed(Bead bead, OverhangClass kind, PrintPath path)

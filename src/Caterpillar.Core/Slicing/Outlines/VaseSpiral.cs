@@ -77,10 +77,10 @@ internal sealed class VaseSpiral(bool isAlone)
         for (var i = 0; i < beads.Length; i++)
         {
             var length = points[i + 1].DistanceTo(points[i]);
-            beads[i] = bead.WithArea(bead.Area * flow((at + length / 2) / all));
+            beads[i] = bead with { Area = bead.Area * flow((at + length / 2) / all) };
             at += length;
         }
-        var path = work.Rules.Own(PrintPath.Own(points, beads, closed: false).With(Role.OuterWall, work.Layer));
+        var path = work.Rules.Own(PrintPath.Own(points, beads, closed: false) with { Role = Role.OuterWall, Layer = work.Layer });
         return new PathStep(path, new StepGroup(work.Number, 0, StepRank.Walls)) { KeepStart = true, GoesOn = goesOn, Region = work.Region };
     }
 

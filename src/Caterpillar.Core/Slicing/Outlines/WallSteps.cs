@@ -14,7 +14,7 @@ internal static class WallSteps
         var group = new StepGroup(layer.Number, number, StepRank.Walls);
         foreach (var wall in island.OverAir)
         {
-            var path = wall.ToPath(layer.Plan.Top, island.Rules.Walls).With(Role.InnerWall, layer.Layer);
+            var path = wall.ToPath(layer.Plan.Top, island.Rules.Walls) with { Role = Role.InnerWall, Layer = layer.Layer };
             var rank = Math.Max(StepRank.OverAir, StepRank.Walls - wall.Index);
             steps.Add(new PathStep(island.Rules.Own(overhangs?.Split(path) ?? path), group with { Rank = rank }) { Region = island.Region });
         }
@@ -54,7 +54,7 @@ internal static class WallSteps
         if (settings.FuzzySkinThickness > 0 && wall is { Index: 0, Closed: true } && layer.Index > 0) wall = FuzzySkinThickness.Apply(wall, settings,
             layer.Number, number);
         var role = wall.Index == 0 ? Role.OuterWall : wall.IsExtrusion ? Role.GapFill : Role.InnerWall;
-        return wall.ToPath(layer.Plan.Top, rules.Walls).With(role, layer.Layer);
+        return wall.ToPath(layer.Plan.Top, rules.Walls) with { Role = role, Layer = layer.Layer };
     }
 
     // Around small holes and pins there is little time to cool, and much acceleration.
@@ -62,7 +62,7 @@ internal static class WallSteps
     {
         var most = settings.SmallLoopSpeed;
         if (most == 0 || path.Length > 2 * Math.PI * settings.SmallLoopRadius || most >= settings.SpeedOf(path.Role, path.Layer!.Index == 0)) return path;
-        return path.WithBeads(i => path.BeadOf(i).Speed is > 0 and var own && own <= most ? path.BeadOf(i) : path.BeadOf(i).WithSpeed(most));
+        return path.WithBeads(i => path.BeadOf(i).Speed is > 0 and var own && own <= most ? path.BeadOf(i) : path.BeadOf(i) with { Speed = most });
     }
 
     /// <summary>Contours that do not close, as single walls.</summary>
@@ -74,7 +74,8 @@ internal static class WallSteps
         {
             var line = layer.OpenLines[i];
             if (line.Count < 2 || line.Length < width) continue;
-            var path = PrintPath.Own(Array.ConvertAll(line.Raw, p => p.WithZ(layer.Plan.Top)), [bead], closed: false).With(Role.OuterWall, layer.Layer);
+            var path = PrintPath.Own(Array.ConvertAll(line.Raw, p => p.WithZ(layer.Plan.Top)), [bead], closed: false)
+                with { Role = Role.OuterWall, Layer = layer.Layer };
             steps.Add(new PathStep(layer.Rules.Own(path), new StepGroup(layer.Number, layer.Islands.Length, StepRank.Walls)));
         }
     }

@@ -23,7 +23,7 @@ internal sealed class LayerCooling(PrintSettings settings)
         for (var i = 0; i < layers.Count; i++)
         {
             var steps = new List<PathStep>(layers[i].Steps.Count);
-            foreach (var step in layers[i].Steps) steps.Add(step.With(slowed[next++]));
+            foreach (var step in layers[i].Steps) steps.Add(step with { Path = slowed[next++] });
             layers[i] = layers[i] with { Steps = steps };
         }
         if (!reached && _quick++ == 0) _first = layers[0].Layer.Z;

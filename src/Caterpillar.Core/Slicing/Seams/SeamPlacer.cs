@@ -45,7 +45,7 @@ internal sealed class SeamPlacer(Body body)
                 if (k != chain.Outer && chain.SupportOf(k) is { } support) start = support.Near(path.RawPoints, start);
                 path = start.Start(path);
                 if (k == chain.Outer && work.Index > 0) path = ScarfSeam.Apply(path, work.Plan.Thickness, settings);
-                steps[k] = new PathStep(path, steps[k].Group) { KeepStart = true, Joined = steps[k].Joined, Region = steps[k].Region };
+                steps[k] = steps[k] with { Path = path, KeepStart = true };
             }
         }
         return layer with { Steps = steps };

@@ -117,7 +117,7 @@ internal sealed class SupportFiller(SupportLevel level, PrintSettings settings, 
 
     private void Add(PrintPath path, Piece piece, Role role, int rank)
     {
-        path = path.With(role, level.Work.Layer, settings.ToolOf(role, _rules.Top));
+        path = path with { Role = role, Layer = level.Work.Layer, Tool = settings.ToolOf(role, _rules.Top) };
         _steps.Add(new PathStep(path, new StepGroup(level.Work.Number, piece.Number, rank)) { Region = piece.Region });
     }
 

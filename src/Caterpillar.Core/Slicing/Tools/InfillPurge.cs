@@ -28,7 +28,7 @@ internal static class InfillPurge
         {
             var moved = from.Layers[i].Steps.Where(IsFree).ToArray();
             if (moved.Length == 0) continue;
-            taken.Add(from.Layers[i] with { Steps = Array.ConvertAll(moved, s => s.With(s.Path.With(tool: turn.Tool))) });
+            taken.Add(from.Layers[i] with { Steps = Array.ConvertAll(moved, s => s with { Path = s.Path with { Tool = turn.Tool } }) });
             from.Layers[i] = from.Layers[i] with { Steps = from.Layers[i].Steps.Except(moved).ToArray() };
         }
         from.Layers.RemoveAll(l => l.Steps.Count == 0);

@@ -78,7 +78,7 @@ internal sealed class PurgeTower(Bounds box, double brim)
             if (isLast && rear - y > pitch) Add(Array.ConvertAll(Zigzag(gaps + 1, left, (right - left) / gaps, y, rear), p => new Vec3(p.Y, p.X)), false);
             if (isLast) Add(Rectangle(-half), true);
             var region = Region.From([new Polyline(Rectangle(0), true)]);
-            var steps = paths.Select((p, i) => new PathStep(p.With(Role.PrimeTower, storey.Layer, turn.Tool), new StepGroup(0, 0, i))
+            var steps = paths.Select((p, i) => new PathStep(p with { Role = Role.PrimeTower, Layer = storey.Layer, Tool = turn.Tool }, new StepGroup(0, 0, i))
             {
                 KeepStart = true, Region = region,
             });

@@ -47,7 +47,7 @@ internal static class ToolTurns
         foreach (var layer in turns.SelectMany(t => t.Layers))
         {
             var at = number++;
-            layers.Add(layer with { Steps = [.. layer.Steps.Select(s => s.With(s.Path, s.Region, s.Group!.Value with { Layer = at }))] });
+            layers.Add(layer with { Steps = [.. layer.Steps.Select(s => s with { Group = s.Group!.Value with { Layer = at } })] });
         }
         return layers.ToArray();
     }

@@ -76,7 +76,7 @@ internal sealed record SliceRules(PrintSettings Settings, WallRules Walls, doubl
     /// <summary>A path with the tool and the flow of these settings, and with their speed if it differs from the print.</summary>
     public PrintPath Own(PrintPath path)
     {
-        if (Settings.ToolOf(path.Role, Top) is var tool && tool != path.Tool) path = path.With(tool: tool);
+        if (Settings.ToolOf(path.Role, Top) is var tool && tool != path.Tool) path = path with { Tool = tool };
         var first = path.Layer is { Index: 0 };
         var speed = ReferenceEquals(Settings, Common) ? 0 : Settings.SpeedOf(path.Role, first);
         if (speed == Common.SpeedOf(path.Role, first)) speed = 0;

@@ -80,7 +80,7 @@ public sealed record AxisMapping(PathAxis From, OutputAxis To, double Scale, dou
             turn = newTurn;
             if (!IsRotary && !turns) return;
             var own = toolpath.TurnsOf(piece.Index) ?? default;
-            builder.SetRotary(To == OutputAxis.A ? turn : own.A, To == OutputAxis.B ? turn : own.B, To == OutputAxis.C ? turn : own.C);
+            builder.SetRotary(new Vec3(To == OutputAxis.A ? turn : own.X, To == OutputAxis.B ? turn : own.Y, To == OutputAxis.C ? turn : own.Z));
         }
     }
 

@@ -10,7 +10,7 @@ internal sealed class BlockEditor(int size, PageFile<ToolpathColumns>? file)
     public static BlockEditor After(Toolpath toolpath, int block, int size = ToolpathBuilder.FirstSize)
     {
         var editor = new BlockEditor(size, block < toolpath.Blocks.Count ? toolpath.Blocks[block].File : null);
-        if (block > 0 && toolpath.Blocks[block - 1].Columns is { A: not null } before) editor.Take(before, before.Count - 1);
+        if (block > 0 && toolpath.Blocks[block - 1].Columns is { Turns: not null } before) editor.Take(before, before.Count - 1);
         return editor;
     }
 
@@ -24,14 +24,14 @@ internal sealed class BlockEditor(int size, PageFile<ToolpathColumns>? file)
     public void Add(ToolpathColumns columns, int from, int to)
     {
         if (from >= to) return;
-        var turns = _turns is not null && columns.A is null;
+        var turns = _turns is not null && columns.Turns is null;
         for (var i = from; turns && i < to; i++)
         {
             _builder.Add(columns, i, i + 1);
             Turn();
         }
         if (!turns) _builder.Add(columns, from, to);
-        if (columns.A is not null) Take(columns, to - 1);
+        if (columns.Turns is not null) Take(columns, to - 1);
     }
 
     /// <summary>The moves added from now on come from the script line of this move.</summary>
@@ -40,7 +40,7 @@ internal sealed class BlockEditor(int size, PageFile<ToolpathColumns>? file)
     /// <summary>Sets the rotary axes of the last move from a move of these columns.</summary>
     public void Turn(ToolpathColumns columns, int i)
     {
-        if (columns.A is null || _builder.Count == 0) return;
+        if (columns.Turns is null || _builder.Count == 0) return;
         Take(columns, i);
         Turn();
     }
@@ -51,6 +51,6 @@ internal sealed class BlockEditor(int size, PageFile<ToolpathColumns>? file)
 
     private void Turn()
     {
-        if (_turns is var (a, b, c)) _builder.SetRotary(a, b, c);
+        if (_turns is { } turns) _builder.SetRotary(turns);
     }
 }

@@ -42,7 +42,7 @@ internal static class MachinePositions
             if (piece.Index != whole)
             {
                 (whole, from) = (piece.Index, to);
-                to = toolpath.TurnsOf(piece.Index) is { } own ? new Vec3(own.A, own.B, own.C) : to;
+                to = toolpath.TurnsOf(piece.Index) ?? to;
                 var move = toolpath[piece.Index];
                 (done, parts) = (0, 1.0 / StraightPieces.Count(move));
             }
@@ -61,7 +61,7 @@ internal static class MachinePositions
                 var speed = along > 0 ? piece.Speed * path / along : piece.Speed;
                 if (Least(next - at, (end - turns) / count) is > 0 and var time) speed = Math.Min(speed, Math.Max(path - Rounding, path / 2) / time);
                 builder.Add(piece with { End = next, E = piece.E / count, Deposited = piece.Deposited / count, Speed = speed });
-                builder.SetRotary(words.X, words.Y, words.Z);
+                builder.SetRotary(words);
                 at = next;
             }
             turns = end;

@@ -17,7 +17,7 @@ public static class Mapping
         var segments = Enumerable.Range(0, straight.SegmentCount).ToArray();
         var mapped = straight.WithGeometry(straight.Points.Select(map.Apply), segments.Select(straight.BeadOf), path.IsClosed,
             segments.Select(i => straight.ArcOf(i) is { } arc ? Image(arc, map) : (Arc?)null));
-        return path.Layer is { } layer ? mapped.With(layer: Image(layer, map)) : mapped;
+        return path.Layer is { } layer ? (mapped with { Layer = Image(layer, map) }) : mapped;
     }
 
     /// <summary>The transformed toolpath. Extrusions are scaled with their cross-sections. Retractions, primes and speeds do not change.</summary>

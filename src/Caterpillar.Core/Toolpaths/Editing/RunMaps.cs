@@ -41,7 +41,7 @@ internal sealed class AffineRunMap(Affine map, double tolerance) : RunMap
     // The same for straight moves, column by column. Where lengths stay, amounts do.
     public override ToolpathColumns? MapBlock(ToolpathColumns block, Vec3 start, Vec3 position)
     {
-        if (block.Arcs.Length > 0 || block.A is not null) return null;
+        if (block.Arcs.Length > 0 || block.Turns is not null) return null;
         var from = map.Apply(start);
         var newAmounts = _scales || position != from;
         var image = block.WithGeometry(newAmounts);

@@ -28,7 +28,7 @@ internal static class SlowDown
             slowed[i] = path.WithBeads(s =>
             {
                 var speed = speedOf(path, s);
-                return path.BeadOf(s).WithSpeed(Math.Min(speed, Math.Max(speed * factor, least)));
+                return path.BeadOf(s) with { Speed = Math.Min(speed, Math.Max(speed * factor, least)) };
             });
             time += TimeOf(slowed[i], speedOf);
         }

@@ -74,7 +74,7 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
             foreach (var (end, turned, speed) in replaced.TryGetValue(next, out var moves) ? moves : [(piece.End, words[next], piece.Speed)])
             {
                 builder.Add(piece with { End = end, Speed = speed });
-                builder.SetRotary(turned.X, turned.Y, turned.Z);
+                builder.SetRotary(turned);
             }
             if (++next == words.Length) StandUp(builder, words[next - 1], piece, travels);
         }, null, cancel);
@@ -200,7 +200,7 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
     private static void Turn(ToolpathBuilder builder, Vec3 at, Vec3 words, in Move like)
     {
         builder.Add(like with { End = at, E = 0, Deposited = 0, Kind = MoveKind.Travel, Speed = Leaving });
-        builder.SetRotary(words.X, words.Y, words.Z);
+        builder.SetRotary(words);
     }
 
     // Away from the print, then upright.

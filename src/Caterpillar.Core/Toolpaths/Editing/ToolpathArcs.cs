@@ -81,5 +81,5 @@ internal static class ToolpathArcs
     }
 
     private static bool IsStraightPrint(ToolpathColumns c, int i)
-        => c.Kind[i] == MoveKind.Print && c.E[i] == c.Deposited[i] && c.A is null && !c.TryGetArc(i, out _);
+        => c.Kind[i] == MoveKind.Print && c.E[i] == c.Deposited[i] && c.Turns is null && !c.TryGetArc(i, out _);
 }

@@ -38,9 +38,8 @@ public sealed class Kinematics(IReadOnlyList<RotaryAxis> axes, bool isPolar = fa
     public static Kinematics? Guess(Toolpath toolpath)
     {
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
-        bool Turns(Func<ToolpathColumns, double[]?> axis)
-            => toolpath.Blocks.Any(b => b.HasTurns && axis(b.Columns) is { } angles && Array.Exists(angles, a => a != 0));
-        var (hasA, hasB) = (Turns(c => c.A), Turns(c => c.B));
+        bool Has(Predicate<Vec3> turn) => toolpath.Blocks.Any(b => b.HasTurns && Array.Exists(b.Columns.Turns!, turn));
+        var (hasA, hasB) = (Has(turn => turn.X != 0), Has(turn => turn.Y != 0));
         if (!toolpath.HasTurns || (hasA && hasB)) return null;
         var tilt = hasA ? new RotaryAxis(RotaryWord.A, false, PathAxis.X, Vec3.Zero) : new RotaryAxis(RotaryWord.B, false, PathAxis.Y, Vec3.Zero);
         return new Kinematics([new RotaryAxis(RotaryWord.C, false, PathAxis.Z, Vec3.Zero), tilt]);

@@ -6,7 +6,7 @@ internal static class RotaryColumns
     /// <summary>The words A, B and C at the end of a move, degrees; those before where a block has none.</summary>
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static Vec3 TurnsAt(this ToolpathColumns columns, int i, Vec3 before)
-        => columns.A is null ? before : new Vec3(columns.A[i], columns.B![i], columns.C![i]);
+        => columns.Turns is null ? before : columns.Turns[i];
 
     /// <summary>
     /// The toolpath with each position mapped, given the rotary words there. A move that only turns the machine prints or travels like others where it turns
@@ -38,7 +38,7 @@ internal static class RotaryColumns
                 }
                 (last, lastTurn) = (at, turn);
             }
-            if (!keepsTurns) (columns.A, columns.B, columns.C) = (null, null, null);
+            if (!keepsTurns) columns.Turns = null;
             blocks.Add(new ToolpathBlock(columns, toolpath.Blocks[block].File));
         }
         Vec3? first = toolpath.Start is { } known ? map(known, Vec3.Zero) : null;

@@ -94,15 +94,11 @@ internal sealed class BlockCollector(int blockSize, int firstSize, PageFile<Tool
         {
             if (_turnMoves[0] >= first + _blocks[block].Count) continue;
             var columns = _blocks[block].Columns.Share();
-            columns.A = new double[columns.Capacity];
-            columns.B = new double[columns.Capacity];
-            columns.C = new double[columns.Capacity];
+            columns.Turns = new Vec3[columns.Capacity];
             for (var i = 0; i < columns.Count; i++)
             {
                 while (next < _turnMoves.Count && _turnMoves[next] <= first + i) now = _turns[next++];
-                columns.A[i] = now.X;
-                columns.B[i] = now.Y;
-                columns.C[i] = now.Z;
+                columns.Turns[i] = now;
             }
             Replace(block, columns);
         }

@@ -17,10 +17,10 @@ internal static class ColumnBytes
         WriteRuns(w, c.Count, i => (long)c.Source[i] - (i > 0 ? c.Source[i - 1] : 0));
         w.Write(c.Line is not null);
         if (c.Line is { } lines) WriteRuns(w, c.Count, i => lines[i]);
-        foreach (var column in new[] { c.A, c.B, c.C })
+        foreach (var axis in new Func<Vec3, double>[] { turn => turn.X, turn => turn.Y, turn => turn.Z })
         {
-            w.Write(column is not null);
-            if (column is not null) WriteAll(w, column, c.Count);
+            w.Write(c.Turns is not null);
+            if (c.Turns is { } turns) WriteAll(w, turns.Take(c.Count).Select(axis).ToArray(), c.Count);
         }
         w.WriteList(c.ArcMoves, w.Write);
         w.WriteList(c.Arcs, w.Write);
@@ -53,8 +53,8 @@ internal static class ColumnBytes
             var lines = c.Line = new int[count];
             ReadRuns(r, count, (from, to, value) => Buffers.Fill(lines, from, to, checked((int)value)));
         }
-        double[]? Turns() => r.ReadBoolean() ? ReadAll(r, new double[count]) : null;
-        (c.A, c.B, c.C) = (Turns(), Turns(), Turns());
+        double[]? Axis() => r.ReadBoolean() ? ReadAll(r, new double[count]) : null;
+        if ((Axis(), Axis(), Axis()) is ({ } x, { } y, { } z)) c.Turns = x.Select((angle, i) => new Vec3(angle, y[i], z[i])).ToArray();
         (c.ArcMoves, c.Arcs) = (r.ReadList(r.ReadInt32).ToArray(), r.ReadList(r.ReadArc).ToArray());
         return c.Arcs.Length == c.ArcMoves.Length ? c : throw new InvalidDataException();
     }

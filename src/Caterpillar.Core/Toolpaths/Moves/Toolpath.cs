@@ -95,18 +95,18 @@ public sealed class Toolpath
     /// <summary>True if moves have rotary words (A, B, C).</summary>
     public bool HasTurns => Array.Exists(_blocks, b => b.HasTurns);
 
-    /// <summary>The same as a vector; zero where there are none, and before the first move.</summary>
-    internal Vec3 WordsAt(int move) => move >= 0 && TurnsOf(move) is var (a, b, c) ? new Vec3(a, b, c) : Vec3.Zero;
-
-    /// <summary>Rotary words at the end of a move, degrees. Null if neither the move nor the moves around it have any.</summary>
+    /// <summary>Rotary words A, B and C at the end of a move, degrees. Null if neither the move nor the moves around it have any.</summary>
     /// <exception cref="ArgumentOutOfRangeException">The toolpath has no move with this number.</exception>
-    public (double A, double B, double C)? TurnsOf(int move)
+    public Vec3? TurnsOf(int move)
     {
         if (move < 0 || move >= Count) throw new ArgumentOutOfRangeException(nameof(move));
         var block = BlockOf(move);
         var (c, i) = (_blocks[block].Columns, move - _firsts[block]);
-        return c.A is null && c.B is null && c.C is null ? null : (c.A?[i] ?? 0, c.B?[i] ?? 0, c.C?[i] ?? 0);
+        return c.Turns?[i];
     }
+
+    /// <summary>The same; zero where there are none, and before the first move.</summary>
+    internal Vec3 WordsAt(int move) => move >= 0 && TurnsOf(move) is { } words ? words : Vec3.Zero;
 
     /// <summary>All moves in order. The columns of the blocks are faster.</summary>
     public IEnumerable<Move> Moves()

@@ -26,7 +26,7 @@ public sealed class ToolpathBlock
     internal ToolpathBlock(ToolpathColumns columns, PageFile<ToolpathColumns>? file = null)
     {
         (Count, File) = (columns.Count, file);
-        HasTurns = columns.A is not null || columns.B is not null || columns.C is not null;
+        HasTurns = columns.Turns is not null;
         if (file is null) _columns = columns;
         else _page = file.Add(columns);
     }
@@ -92,10 +92,8 @@ internal sealed class ToolpathColumns(int capacity)
     // Line of the script, from 1; 0 if unknown. Null if no move of the block has one.
     public int[]? Line;
 
-    // Rotary axes in degrees at the end of the move, if some move of the block has them.
-    public double[]? A;
-    public double[]? B;
-    public double[]? C;
+    // Rotary axes A, B and C in degrees at the end of the move, if some move of the block has them.
+    public Vec3[]? Turns;
 
     // Moves of the block that are arcs, ascending, and their geometry.
     public int[] ArcMoves = [];
@@ -160,9 +158,7 @@ internal sealed class ToolpathColumns(int capacity)
         Array.Copy(other.Layer, from, Layer, Count, count);
         Array.Copy(other.Source, from, Source, Count, count);
         Line = Appended(Line, other.Line, from, count);
-        A = Appended(A, other.A, from, count);
-        B = Appended(B, other.B, from, count);
-        C = Appended(C, other.C, from, count);
+        Turns = Appended(Turns, other.Turns, from, count);
         Count += count;
     }
 

@@ -97,16 +97,12 @@ public sealed class ToolpathBuilder
         Position = new Vec3(columns.X[to - 1], columns.Y[to - 1], columns.Z[to - 1]);
     }
 
-    /// <summary>Sets the rotary axes of the last move added, in degrees.</summary>
-    public void SetRotary(double a, double b, double c)
+    /// <summary>Sets the rotary axes A, B and C of the last move added, in degrees.</summary>
+    public void SetRotary(Vec3 turns)
     {
         var columns = _moves.Columns;
-        columns.A ??= new double[columns.Capacity];
-        columns.B ??= new double[columns.Capacity];
-        columns.C ??= new double[columns.Capacity];
-        columns.A[columns.Count - 1] = a;
-        columns.B[columns.Count - 1] = b;
-        columns.C[columns.Count - 1] = c;
+        columns.Turns ??= new Vec3[columns.Capacity];
+        columns.Turns[columns.Count - 1] = turns;
     }
 
     /// <summary>Returns the toolpath. Do not use the builder afterwards.</summary>

@@ -66,12 +66,6 @@ public readonly record struct Bead
 
     private double Round() => 2 * Math.Sqrt(Area / Math.PI);
 
-    /// <summary>The same bead with another area, mm².</summary>
-    public Bead WithArea(double area) => new(area, Height, Speed);
-
-    /// <summary>The same bead with another speed, mm/s.</summary>
-    public Bead WithSpeed(double speed) => new(Area, Height, speed);
-
     public override string ToString()
     {
         var text = NumberFormatter.Format(Area, 4) + " mm²";

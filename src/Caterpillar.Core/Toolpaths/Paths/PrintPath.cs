@@ -4,7 +4,7 @@ namespace Caterpillar.Toolpaths;
 /// A path that is printed without a stop: vertices in mm, and a bead for each segment. Segments are straight, or arcs in the XY plane with linear Z. A closed
 /// path does not repeat its first vertex and has a segment back to it. Immutable.
 /// </summary>
-public sealed class PrintPath
+public sealed record PrintPath
 {
     private readonly Vec3[] _points;
     private readonly Bead[] _beads;
@@ -46,20 +46,6 @@ public sealed class PrintPath
         _beads = beads;
         _arcs = arcs;
         IsClosed = closed;
-    }
-
-    private PrintPath(PrintPath other)
-    {
-        _points = other._points;
-        _beads = other._beads;
-        _arcs = other._arcs;
-        IsClosed = other.IsClosed;
-        Role = other.Role;
-        Layer = other.Layer;
-        Tool = other.Tool;
-        Name = other.Name;
-        Color = other.Color;
-        Overrides = other.Overrides;
     }
 
     /// <summary>The vertices, mm. A closed path does not repeat the first one at its end.</summary>
@@ -184,19 +170,6 @@ public sealed class PrintPath
     public PrintPath WithGeometry(IEnumerable<Vec3> points, IEnumerable<Bead> beads, bool closed, IEnumerable<Arc?>? arcs = null)
         => Settings(new PrintPath(points, beads, closed, arcs));
 
-    public PrintPath With(Role? role = null, Layer? layer = null, int? tool = null, string? name = null, PathOverrides? overrides = null)
-        => new(this)
-        {
-            Role = role ?? Role,
-            Layer = layer ?? Layer,
-            Tool = tool ?? Tool,
-            Name = name ?? Name,
-            Overrides = overrides ?? Overrides,
-        };
-
-    /// <summary>The same path with another color, 0xRRGGBB. Null = none.</summary>
-    public PrintPath WithColor(int? color) => new(this) { Color = color };
-
     /// <summary>Takes ownership of the arrays without a copy, for code that has just made them.</summary>
     internal static PrintPath Own(Vec3[] points, Bead[] beads, bool closed, Arc?[]? arcs = null) => new(points, beads, closed, arcs, beads.Length != 1);
 
@@ -208,10 +181,14 @@ public sealed class PrintPath
     /// <summary>The bead of all segments. Null if each segment has its own.</summary>
     internal Bead? OnlyBead => _beads.Length == 1 ? _beads[0] : null;
 
+    public bool Equals(PrintPath? other) => ReferenceEquals(this, other);
+
+    public override int GetHashCode() => RuntimeHelpers.GetHashCode(this);
+
     private PrintPath With(Vec3[] points, Bead[] beads, Arc?[]? arcs) => Settings(new PrintPath(points, beads, IsClosed, arcs, beads.Length != 1));
 
     private PrintPath Settings(PrintPath geometry)
-        => new(geometry) { Role = Role, Layer = Layer, Tool = Tool, Name = Name, Color = Color, Overrides = Overrides };
+        => geometry with { Role = Role, Layer = Layer, Tool = Tool, Name = Name, Color = Color, Overrides = Overrides };
 
     private static T[] Rotated<T>(T[] items, int first)
     {

@@ -1,7 +1,7 @@
 namespace Caterpillar.Toolpaths;
 
 /// <summary>One entry of a design: a path to print, a drawn travel move, or an event. Every source produces an ordered list of steps.</summary>
-public abstract class Step
+public abstract record Step
 {
     private protected Step()
     {
@@ -26,20 +26,16 @@ public abstract class Step
 public readonly record struct StepGroup(int Layer, int Island = 0, int Rank = 0);
 
 /// <summary>A path to print.</summary>
-public sealed class PathStep : Step
+public sealed record PathStep : Step
 {
     /// <summary>A path and the group within which it may be sorted.</summary>
-    public PathStep(PrintPath path, StepGroup? group = null)
-    {
-        Path = path ?? throw new ArgumentNullException(nameof(path));
-        Group = group;
-    }
+    public PathStep(PrintPath path, StepGroup? group = null) => (Path, Group) = (path, group);
 
     /// <summary>The path.</summary>
-    public PrintPath Path { get; }
+    public PrintPath Path { get; init => field = value ?? throw new ArgumentNullException(nameof(value)); }
 
     /// <summary>Group for sorting. Null = the path keeps its position.</summary>
-    public StepGroup? Group { get; }
+    public StepGroup? Group { get; init; }
 
     /// <summary>True if start and direction of the path are fixed (a selected seam). Sorting may only change its position in the order.</summary>
     public bool KeepStart { get; init; }
@@ -53,21 +49,8 @@ public sealed class PathStep : Step
     /// <summary>Region of the layer, seen from above. Travel moves inside it stay over the part. Null if unknown.</summary>
     public Region? Region { get; init; }
 
-    /// <summary>Line of each segment in the script of <see cref="Step.Source"/>, from 1. Null if unknown.</summary>
-    internal int[]? Lines { get; init; }
-
-    /// <summary>The same step with another path.</summary>
-    public PathStep With(PrintPath path) => With(path, Region);
-
-    /// <summary>The same step with another path and region.</summary>
-    public PathStep With(PrintPath path, Region? region) => With(path, region, Group);
-
-    internal PathStep With(PrintPath path, Region? region, StepGroup? group)
-        => new(path, group)
-        {
-            KeepStart = KeepStart, Joined = Joined, GoesOn = GoesOn, Region = region, Source = Source,
-            Lines = path.SegmentCount == Lines?.Length ? Lines : null,
-        };
+    /// <summary>Line of each segment in the script of <see cref="Step.Source"/>, from 1. Null if unknown, as after a change of the segments.</summary>
+    internal int[]? Lines { get => field?.Length == Path.SegmentCount ? field : null; init; }
 }
 
 /// <summary>Intent of a drawn travel move.</summary>
@@ -81,7 +64,7 @@ public enum TravelIntent : byte
 }
 
 /// <summary>A drawn travel move from the current position through these points, mm.</summary>
-public sealed class TravelStep : Step
+public sealed record TravelStep : Step
 {
     private readonly Vec3[] _points;
 
@@ -111,7 +94,7 @@ public sealed class TravelStep : Step
 }
 
 /// <summary>An event at this position. Sorting never crosses it.</summary>
-public sealed class EventStep : Step
+public sealed record EventStep : Step
 {
     /// <summary>An event at its position in the order.</summary>
     public EventStep(PrinterEvent what) => Event = what ?? throw new ArgumentNullException(nameof(what));

@@ -30,7 +30,7 @@ internal sealed class Shaper(ShapingRules rules, FormulaContext context, Frame f
         {
             result[i] = steps[i] switch
             {
-                PathStep path => path.With(isLocal ? shaped.Value[next++].Transformed(toWorld) : shaped.Value[next++]),
+                PathStep path => path with { Path = isLocal ? shaped.Value[next++].Transformed(toWorld) : shaped.Value[next++] },
                 TravelStep travel when deformation is not null => Moved(travel, deformation),
                 _ => steps[i],
             };

@@ -12,7 +12,7 @@ internal sealed class ToolpathFrames
         foreach (var (move, path) in new LayerBranches(toolpath, root).Moves())
         {
             if ((move.Index & 0xFFF) == 0) cancel.ThrowIfCancellationRequested();
-            var tool = axes is not null && toolpath.TurnsOf(move.Index) is { } turns ? axes.Direction(new Vec3(turns.A, turns.B, turns.C)) : Vec3.UnitZ;
+            var tool = axes is not null && toolpath.TurnsOf(move.Index) is { } turns ? axes.Direction(turns) : Vec3.UnitZ;
             var flow = move.Length > 0 && toolpath.VolumeOf(move) is { } volume ? volume / move.Length * move.Speed : 0;
             Planes.Append(new GH_Plane(RhinoGeometry.ToPlane(FrameAt(move, tool), units)), path);
             Speeds.Append(new GH_Number(move.Speed), path);

@@ -9,11 +9,17 @@ public abstract class KeyPortsComponent<T> : ProfileComponent, IGH_VariableParam
 {
     private const string NewName = "key";
     private const int DelayMilliseconds = 5;
+    private readonly string _usual;
     private readonly int _fixed;
 
-    private protected KeyPortsComponent(string name, string nickname, string description)
+    /// <param name="name">Name of the component.</param>
+    /// <param name="nickname">Its nickname.</param>
+    /// <param name="description">What it does.</param>
+    /// <param name="usual">Name of the profile that is used if none is connected.</param>
+    private protected KeyPortsComponent(string name, string nickname, string description, string usual)
         : base(name, nickname, description, GH_Exposure.secondary)
     {
+        _usual = usual;
         _fixed = Params.Input.Count;
         Params.ParameterNickNameChanged += (_, e) =>
         {
@@ -23,8 +29,6 @@ public abstract class KeyPortsComponent<T> : ProfileComponent, IGH_VariableParam
             else Follow();
         };
     }
-
-    private protected abstract ProfileKind<T> Kind { get; }
 
     /// <summary>The usual ports.</summary>
     private protected abstract IReadOnlyList<UsualKey> Usual { get; }
@@ -55,14 +59,14 @@ public abstract class KeyPortsComponent<T> : ProfileComponent, IGH_VariableParam
     }
 
     /// <summary>The connected profile, or the usual one.</summary>
-    private protected T Profile(Run run) => run.Maybe<T>(0) ?? run.Require(Kind.Find(Profiles.Library, Kind.Usual));
+    private protected T Profile(Run run) => run.Maybe<T>(0) ?? run.Require(Profiles.Library.Find<T>(_usual));
 
     /// <summary>Declares the usual ports.</summary>
     private protected void UsualPorts(InputPorts ports)
     {
         foreach (var usual in Usual)
         {
-            var key = Kind.Keys.First(k => k.Name == usual.Key);
+            var key = ProfileKeys.Of<T>().First(k => k.Name == usual.Key);
             ports.Add(KeyPort.Make(key, isUsual: true), usual.Name, usual.Nick, KeyPort.Sentence(key));
         }
     }
@@ -94,7 +98,7 @@ public abstract class KeyPortsComponent<T> : ProfileComponent, IGH_VariableParam
     // A port that has no value yet may have no key yet.
     private void Explain(Run run, IGH_Param port, int input)
     {
-        var problem = ProfileKeys.Unknown(Kind.Plural, Kind.Keys, port.NickName);
+        var problem = ProfileKeys.Unknown<T>(port.NickName);
         if (run.Maybe<string>(input) is not null) throw new InputProblem(problem.Message);
         run.Report(GH_RuntimeMessageLevel.Warning, $"{problem.Message} Rename the port.");
     }
@@ -103,7 +107,7 @@ public abstract class KeyPortsComponent<T> : ProfileComponent, IGH_VariableParam
     {
         var port = Params.Input[input];
         var name = input < _fixed ? Usual.First(u => u.Name == port.Name).Key : port.NickName.Trim();
-        return name == "title" ? null : Kind.Keys.FirstOrDefault(k => k.Name == name);
+        return name == "title" ? null : ProfileKeys.Of<T>().FirstOrDefault(k => k.Name == name);
     }
 
     // Gives ports that were renamed the type of their key. The wires stay.

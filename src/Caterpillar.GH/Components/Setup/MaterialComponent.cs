@@ -2,11 +2,9 @@ namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>A material from a profile, with some values of its own.</summary>
 public sealed class MaterialComponent() : KeyPortsComponent<Material>(
-    "Material", "Material", "Loads a material from a profile or a file, and changes its values. Zoom in and press + for more of them.")
+    "Material", "Material", "Loads a material from a profile or a file, and changes its values. Zoom in and press + for more of them.", "pla")
 {
     public override Guid ComponentGuid => new("b38a4d05-4122-429f-8b49-c7313ba87d9d");
-
-    private protected override ProfileKind<Material> Kind => ProfileKinds.Material;
 
     private protected override IReadOnlyList<UsualKey> Usual =>
     [

@@ -2,11 +2,9 @@ namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>Print settings from a profile, with some values of their own.</summary>
 public sealed class PrintSettingsComponent() : KeyPortsComponent<PrintSettings>(
-    "Print Settings", "Settings", "Loads print settings from a profile or a file, and changes their values. Zoom in and press + for more of them.")
+    "Print Settings", "Settings", "Loads print settings from a profile or a file, and changes their values. Zoom in and press + for more of them.", "standard")
 {
     public override Guid ComponentGuid => new("eb1bc290-3166-4963-b83d-d36f484b35cb");
-
-    private protected override ProfileKind<PrintSettings> Kind => ProfileKinds.Settings;
 
     private protected override IReadOnlyList<UsualKey> Usual =>
     [

@@ -2,14 +2,13 @@ namespace Caterpillar.GH.Components.Setup;
 
 /// <summary>A printer from a profile, with its own bed, head and values.</summary>
 public sealed class PrinterComponent() : KeyPortsComponent<Printer>(
-    "Printer", "Printer", "Loads a printer from a profile or a file, and changes its bed, print head or other values. Zoom in and press + for more of them.")
+    "Printer", "Printer", "Loads a printer from a profile or a file, and changes its bed, print head or other values. Zoom in and press + for more of them.",
+    "generic")
 {
     // mm; a bed that begins this close to the origin begins there.
     private const double OriginTolerance = 0.001;
 
     public override Guid ComponentGuid => new("7974af61-1fa1-4de7-9ff5-cbf83ddab480");
-
-    private protected override ProfileKind<Printer> Kind => ProfileKinds.Printer;
 
     private protected override IReadOnlyList<UsualKey> Usual =>
     [

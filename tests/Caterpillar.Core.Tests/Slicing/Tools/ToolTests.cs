@@ -141,7 +141,7 @@ public class ToolTests
             ToolMaterials = new(new Material { FilamentDiameter = 2.85, FlowRatio = 0.9 }),
         };
         var path = new PrintPath([Vec3.Zero, new Vec3(100, 0, 0.2)], new Bead(0.08, 0.2));
-        var toolpath = Planner.Plan([path, path.With(tool: 1)], setup).Value!;
+        var toolpath = Planner.Plan([path, path with { Tool = 1 }], setup).Value!;
         var e = toolpath.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => m.E).ToArray();
         var volume = 0.08 * path.Length;
         Assert.That(e[0], Is.EqualTo(volume / (Math.PI / 4 * 1.75 * 1.75)).Within(1e-9));
@@ -160,7 +160,7 @@ public class ToolTests
             ToolMaterials = new(new Material { NozzleTemperature = 240, FanOffLayers = 1000 }),
         };
         PrintPath Path(int layer, int tool)
-            => new PrintPath([new Vec3(0, 0, 1), new Vec3(10, 0, 1)], new Bead(0.08, 0.2)).With(layer: new Layer(layer, 1, 0.2, ""), tool: tool);
+            => new PrintPath([new Vec3(0, 0, 1), new Vec3(10, 0, 1)], new Bead(0.08, 0.2)) with { Layer = new Layer(layer, 1, 0.2, ""), Tool = tool };
         var toolpath = Planner.Plan([Path(0, 0), Path(0, 1), Path(1, 1), Path(1, 0)], setup).Value!;
         PrinterEvent[] expected =
         [
@@ -180,7 +180,7 @@ public class ToolTests
             ToolMaterials = new(new Material { NozzleTemperature = 240, FanOffLayers = 1000 }),
         };
         var path = new PrintPath([new Vec3(0, 0, 1), new Vec3(10, 0, 1)], new Bead(0.08, 0.2));
-        var toolpath = Planner.Plan([path, path.With(tool: 1), path.With(tool: 1), path], setup).Value!;
+        var toolpath = Planner.Plan([path, path with { Tool = 1 }, path with { Tool = 1 }, path], setup).Value!;
         PrinterEvent[] expected = [new ToolEvent(1), new NozzleTemperatureEvent(240, true), new ToolEvent(0), new NozzleTemperatureEvent(200, true)];
         Assert.That(toolpath.Events.Select(e => e.Event), Is.EqualTo(expected));
     }

@@ -77,7 +77,7 @@ internal sealed class MotionCommands(Machine machine, ExtruderWords extruder, Mo
         if (!_readsTurns || !HasTurnWord(line)) return;
         var before = _state.Rotary.Machine;
         var written = TurnsOf(line, _state.Rotary.Written, false);
-        _state.Rotary = new RotaryPosition(written, new Turns(before.A - written.A, before.B - written.B, before.C - written.C));
+        _state.Rotary = new RotaryPosition(written, before - written);
     }
 
     /// <summary>True if a word of the line names a position, so that it may repeat the last motion.</summary>
@@ -157,8 +157,8 @@ internal sealed class MotionCommands(Machine machine, ExtruderWords extruder, Mo
 
     private static bool HasTurnWord(ParsedLine line) => line.Find('A') >= 0 || line.Find('B') >= 0 || line.Find('C') >= 0;
 
-    private static Turns TurnsOf(ParsedLine line, Turns from, bool relative)
-        => new(Turn(line, 'A', from.A, relative), Turn(line, 'B', from.B, relative), Turn(line, 'C', from.C, relative));
+    private static Vec3 TurnsOf(ParsedLine line, Vec3 from, bool relative)
+        => new(Turn(line, 'A', from.X, relative), Turn(line, 'B', from.Y, relative), Turn(line, 'C', from.Z, relative));
 
     private static double Turn(ParsedLine line, char letter, double from, bool relative)
         => !line.TryGet(letter, out var word) || !IsAngle(word) ? from

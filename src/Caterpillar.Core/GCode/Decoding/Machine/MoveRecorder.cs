@@ -149,7 +149,7 @@ internal sealed partial class MoveRecorder(Machine machine, ExtrusionRule rule)
     }
 
     /// <summary>Turns the rotary axes with the last move.</summary>
-    public void Turn(Turns turns) => _moves.Turn(new Vec3(turns.A, turns.B, turns.C));
+    public void Turn(Vec3 turns) => _moves.Turn(turns);
 
     /// <summary>Ends the current extrusion.</summary>
     public void BreakExtrusion() => _afterPrint = false;

@@ -121,13 +121,13 @@ internal sealed class LineRewriter(LineStyle style, FlavorRules rules, Extrusion
     }
 
     // Rotary axes; where A, B and C extrude there are none.
-    private void Turn(byte[] text, Turns target, InterpreterState state)
+    private void Turn(byte[] text, Vec3 target, InterpreterState state)
     {
         var (now, shift) = (state.Rotary.Written, state.Rotary.Shift);
-        if (target == default && now == default && shift == default) return;
-        Axis(text, 'A', target.A - shift.A, now.A, 1, state.Modes.Relative);
-        Axis(text, 'B', target.B - shift.B, now.B, 1, state.Modes.Relative);
-        Axis(text, 'C', target.C - shift.C, now.C, 1, state.Modes.Relative);
+        if (target == Vec3.Zero && now == Vec3.Zero && shift == Vec3.Zero) return;
+        Axis(text, 'A', target.X - shift.X, now.X, 1, state.Modes.Relative);
+        Axis(text, 'B', target.Y - shift.Y, now.Y, 1, state.Modes.Relative);
+        Axis(text, 'C', target.Z - shift.Z, now.Z, 1, state.Modes.Relative);
     }
 
     private void Centers(TargetMove move, InterpreterState state, double unit)

@@ -204,7 +204,7 @@ internal sealed class MoveWriter(SpliceContext context, MoveConversion conversio
         var c = _written.LastMoves;
         var carried = context.Target is null ? 0 : Carried;
         var turns = _written.State.Rotary.Machine;
-        return EndsRight(move) && (move.Turns == turns || move.Turns.IsNear(turns)) && Math.Abs(c.E[0] - move.E - carried) <= ToleranceE
+        return EndsRight(move) && move.Turns.DistanceTo(turns) <= SpliceContext.NoChange && Math.Abs(c.E[0] - move.E - carried) <= ToleranceE
             && (!(move.Speed > 0) || Math.Abs(c.Speed[0] - move.Speed) <= 1e-9 * move.Speed)
             && (!_written.PrintsWithoutE || c.Kind[0] == MoveKind.Print == (move.Kind == MoveKind.Print));
     }

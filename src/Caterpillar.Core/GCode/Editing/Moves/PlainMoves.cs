@@ -132,7 +132,7 @@ internal sealed class PlainMoves
             wanted.Z += head.ShiftZ;
             return true;
         }
-        if (!_tasks.HasSingleMove(number, out var c, out var i) || c.Tool[i] != _written.Tool || c.A is not null || c.TryGetArc(i, out _)) return false;
+        if (!_tasks.HasSingleMove(number, out var c, out var i) || c.Tool[i] != _written.Tool || c.Turns is not null || c.TryGetArc(i, out _)) return false;
         (wanted.X, wanted.Y, wanted.Z, wanted.E, wanted.Speed) = (c.X[i], c.Y[i], c.Z[i], c.E[i], c.Speed[i]);
         return true;
     }

@@ -60,7 +60,7 @@ internal sealed class MoveCursor
     public static bool Same(ToolpathColumns c, int i, ToolpathColumns d, int j)
         => c.X[i] == d.X[j] && c.Y[i] == d.Y[j] && c.Z[i] == d.Z[j] && c.E[i] == d.E[j] && c.Speed[i] == d.Speed[j] && c.Kind[i] == d.Kind[j]
             && c.Tool[i] == d.Tool[j]
-            && ((c.A is null && d.A is null && c.Arcs.Length == 0 && d.Arcs.Length == 0) || new TargetMove(c, i) == new TargetMove(d, j));
+            && ((c.Turns is null && d.Turns is null && c.Arcs.Length == 0 && d.Arcs.Length == 0) || new TargetMove(c, i) == new TargetMove(d, j));
 
     private void NextBlock()
     {
