@@ -32,7 +32,7 @@ internal sealed class ToolpathEditOptions
 
     /// <summary>The edits of a toolpath.</summary>
     /// <exception cref="CliException">An option is invalid.</exception>
-    public FileEdits Of(Toolpath toolpath, double tolerance, Func<Pause> pause, ParseResult arguments, Session session)
+    public FileEdits Of(Toolpath toolpath, double tolerance, Func<PrintSetup> pausing, ParseResult arguments, Session session)
     {
         var edits = new FileEdits
         {
@@ -50,7 +50,7 @@ internal sealed class ToolpathEditOptions
         };
         var plain = arguments.GetValue(_plainPause);
         if (plain && edits.PauseAtLayers.Count == 0) throw CliException.Usage("--plain-pause needs --pause-at-layer.");
-        if (edits.PauseAtLayers.Count > 0 && !plain) edits = edits with { Pause = pause() };
+        if (edits.PauseAtLayers.Count > 0 && !plain) edits = edits with { PauseFor = pausing() };
         edits = edits with { AtLayers = [.. (arguments.GetValue(_tools) ?? []).Select(Tool), .. (arguments.GetValue(_lines) ?? []).Select(Line)] };
         return !edits.Remove || _filter.IsGiven(arguments) ? edits
             : throw CliException.Usage("--remove needs a selection: --first-layer, --last-layer, --role, --object, --tool or --box.");

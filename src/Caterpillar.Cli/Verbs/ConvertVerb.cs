@@ -105,7 +105,7 @@ internal sealed class ConvertVerb : Verb
     private FileJob Edited(FileJob job, ParseResult arguments, Session session)
     {
         var tolerance = Tolerance(arguments);
-        var edits = _edits.Of(job.Toolpath, tolerance, () => Pause(arguments, session), arguments, session);
+        var edits = _edits.Of(job.Toolpath, tolerance, () => Pausing(arguments, session), arguments, session);
         var edited = job.Edit(arguments.GetValue(_arcs) == "fit" ? edits with { FitArcs = tolerance } : edits);
         // A missing layer is an error of the command line.
         if (edited.Diagnostics.FirstOrDefault(d => d.Code == "toolpath.no_layer") is not { } none) return session.ValueOrFail(edited);
@@ -132,10 +132,11 @@ internal sealed class ConvertVerb : Verb
     }
 
     // The maximum height is known only of a given printer.
-    private Pause Pause(ParseResult arguments, Session session)
+    private PrintSetup Pausing(ParseResult arguments, Session session)
     {
-        var pause = PauseMoves.Of(_setup.Resolve(arguments, session));
-        return _setup.IsGiven(arguments) ? pause : pause with { MaxHeight = double.PositiveInfinity };
+        const double Unlimited = 100_000;
+        var setup = _setup.Resolve(arguments, session);
+        return _setup.IsGiven(arguments) ? setup : setup with { Printer = setup.Printer with { BuildVolume = setup.Printer.BuildVolume.WithZ(Unlimited) } };
     }
 
     // Null if nothing is to be converted.

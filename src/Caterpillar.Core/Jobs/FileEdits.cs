@@ -29,8 +29,8 @@ public sealed record FileEdits
     /// <summary>Layers before which the print pauses, by number.</summary>
     public IReadOnlyList<int> PauseAtLayers { get; init; } = [];
 
-    /// <summary>Moves and commands of a pause.</summary>
-    public Pause Pause { get; init; } = Pause.Plain;
+    /// <summary>The setup whose printer says how it pauses: lift, park position, retraction and command. Null = only the pause command of the flavor.</summary>
+    public PrintSetup? PauseFor { get; init; }
 
     /// <summary>Events (tool, temperature, line of G-code) before layers, by number.</summary>
     public IReadOnlyList<(int Layer, PrinterEvent What)> AtLayers { get; init; } = [];
@@ -107,7 +107,7 @@ public sealed record FileEdits
     private IEnumerable<Func<Toolpath, Result<Toolpath>>> Changes(MoveFilter filter, MoveFilter extrusions)
     {
         if (Deform is not null) yield return toolpath => toolpath.Deform(filter, Deform(Foot(toolpath, extrusions)), Tolerance);
-        foreach (var layer in PauseAtLayers) yield return toolpath => toolpath.PauseAtLayer(layer, Pause);
+        foreach (var layer in PauseAtLayers) yield return toolpath => toolpath.PauseAtLayer(layer, PauseFor);
         foreach (var (layer, what) in AtLayers) yield return toolpath => toolpath.InsertAtLayer(layer, what);
     }
 

@@ -51,7 +51,7 @@ public sealed record FileJob
         if (edits is null) throw new ArgumentNullException(nameof(edits));
         if (edits.Cut(Toolpath) is { } lower)
         {
-            var rest = new FileEdits { PauseAtLayers = edits.PauseAtLayers, Pause = edits.Pause, AtLayers = edits.AtLayers, FitArcs = edits.FitArcs };
+            var rest = new FileEdits { PauseAtLayers = edits.PauseAtLayers, PauseFor = edits.PauseFor, AtLayers = edits.AtLayers, FitArcs = edits.FitArcs };
             var inserted = rest.Apply(Toolpath);
             return inserted.Value is { } all ? (this with { Toolpath = all }).KeepBelow(lower) : new Result<FileJob>(null, inserted.Diagnostics);
         }

@@ -3,6 +3,7 @@ using System.Text;
 using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
+using Caterpillar.Jobs;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
@@ -13,7 +14,9 @@ namespace Caterpillar.Tests.GCode;
 public class PauseTests
 {
     private const string Print = "G90\nM83\n;LAYER:0\nG0 X10 Y20 Z0.2 F6000\nG1 X30 E1 F1200\n;LAYER:1\nM106 S255\nG0 Z0.4 F600\nG1 X10 E1 F1200\n";
-    private static readonly Pause Lifted = new() { Lift = 5, Retraction = 2, Prime = 0.1, TravelSpeed = 100, ZHopSpeed = 10, RetractionSpeed = 30 };
+    private static readonly Printer Machine = new() { PauseLift = 5, PauseRetraction = 2, PausePrime = 0.1, ZHopSpeed = 10, RetractionSpeed = 30 };
+    private static readonly PrintSetup Lifted = new(Machine, new Material(), new PrintSettings { TravelSpeed = 100 });
+    private static readonly PrintSetup Unprimed = Lifted with { Printer = Machine with { PausePrime = 0 } };
 
     [Test]
     public void The_head_leaves_the_part_and_comes_back()
@@ -23,7 +26,7 @@ public class PauseTests
     [Test]
     public void What_is_primed_after_a_pause_is_deposited_and_the_rest_restored()
     {
-        var moves = Decode(Print).PauseAtLayer(1, Lifted with { FilamentArea = 3 }).Value!.Moves().Where(m => m.Source < 0).ToArray();
+        var moves = Decode(Print).PauseAtLayer(1, Lifted).Value!.Moves().Where(m => m.Source < 0).ToArray();
         Assert.That(moves.Select(m => (m.Kind, m.E, m.Deposited)), Is.EqualTo(new[]
         {
             (MoveKind.Retract, -2.0, 0.0), (MoveKind.Travel, 0, 0), (MoveKind.Travel, 0, 0), (MoveKind.Travel, 0, 0), (MoveKind.Travel, 0, 0),
@@ -31,8 +34,6 @@ public class PauseTests
         }));
         var pen = Decode("G90\n;LAYER:0\nG0 X1 Z1 F6000\nG1 X9\n;LAYER:1\nG1 X1 Z2\n").PauseAtLayer(1, Lifted).Value!;
         Assert.That(pen.Moves().Select(m => m.E), Is.All.Zero, "without E nothing is retracted");
-        Assert.That((Pause.Plain.TravelSpeed, Pause.Plain.ZHopSpeed, Pause.Plain.RetractionSpeed, Pause.Plain.Lift, Pause.Plain.FilamentArea),
-            Is.EqualTo((100.0, 10.0, 35.0, 0.0, 1.0)));
     }
 
     [Test]
@@ -45,12 +46,13 @@ public class PauseTests
 
     [Test]
     public void A_plain_pause_is_the_command_alone()
-        => Assert.That(Written(Print, 1, Pause.Plain), Is.EqualTo(Print.Replace("G0 Z0.4", "M0\nG0 Z0.4")));
+        => Assert.That(Written(Print, 1, null), Is.EqualTo(Print.Replace("G0 Z0.4", "M0\nG0 Z0.4")));
 
     [Test]
     public void Place_height_and_command_can_be_chosen()
     {
-        var text = Written(Print, 1, Lifted with { Park = new Vec3(-7, 99, 0), MaxHeight = 3, Command = "M25" });
+        var chosen = Machine with { PausePark = new(new Vec3(-7, 99, 0)), BuildVolume = new Vec3(200, 200, 3), PauseGCode = new("M25") };
+        var text = Written(Print, 1, Lifted with { Printer = chosen });
         Assert.That(text, Does.Contain("G0 Z3 F600\nG0 X-7 Y99 F6000\nM25\nG0 X30 Y20\nG0 Z0.2"));
     }
 
@@ -58,7 +60,7 @@ public class PauseTests
     public void Absolute_E_goes_on_as_it_was()
     {
         var text = "M82\n;LAYER:0\nG0 X10 Y20 Z0.2 F6000\nG1 X30 E1 F1200\n;LAYER:1\nG0 Z0.4 F600\nG1 X10 E2 F1200\n";
-        var toolpath = Decode(Written(text, 1, Lifted with { Prime = 0 }));
+        var toolpath = Decode(Written(text, 1, Unprimed));
         Assert.That(toolpath.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => m.E), Is.EqualTo(new[] { 1.0, 1.0 }).Within(1e-9));
         Assert.That(toolpath.Events.Count(e => e.Event is PauseEvent), Is.EqualTo(1));
         var pause = toolpath.Events.Single(e => e.Event is PauseEvent).Move;
@@ -69,19 +71,11 @@ public class PauseTests
     public void Files_of_slicers_print_the_same_around_it([Values("cu_plate_marlin_absE.gcode", "ps_plate_smoothie_volE_fwr.gcode")] string file)
     {
         var decoded = GCodeDecoder.Decode(GCodeFiles.Document(file)).Value!;
-        var edited = decoded.Toolpath.PauseAtLayer(3, Lifted with { Prime = 0 }).Value!;
+        var edited = decoded.Toolpath.PauseAtLayer(3, Unprimed).Value!;
         var back = GCodeDecoder.Decode(GCodeEditor.ToDocument(decoded, edited).Value!, new DecodeOptions { Flavor = decoded.Flavor }).Value!.Toolpath;
         (Vec3, Vec3)[] Extrusions(Toolpath t) => t.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => (m.Start, m.End)).ToArray();
         Assert.That(Extrusions(back), Is.EqualTo(Extrusions(decoded.Toolpath)));
         Assert.That(back.Moves().Sum(m => m.Deposited), Is.EqualTo(decoded.Toolpath.Moves().Sum(m => m.Deposited)).Within(1e-3));
-    }
-
-    [Test]
-    public void The_keys_of_the_printer_say_how()
-    {
-        var pause = PauseMoves.Of(new PrintSetup(new Printer { PauseLift = 7, PausePark = new(new Vec3(1, 2, 0)), PauseGCode = new("M600") }, new Material(),
-            new PrintSettings()));
-        Assert.That((pause.Lift, pause.Park, pause.Retraction, pause.Command), Is.EqualTo((7, new Vec3(1, 2, 0), 2, "M600")));
     }
 
     [Test]
@@ -95,7 +89,7 @@ public class PauseTests
         foreach (var layer in new[] { 0, 1 })
         {
             Assert.That(Decode(text).PauseAtLayer(layer, Lifted).Diagnostics.Single().Code, Is.EqualTo("toolpath.no_layer"));
-            Assert.That(Decode(text).PauseAtLayer(layer, Pause.Plain).Diagnostics.Single().Code, Is.EqualTo("toolpath.no_layer"));
+            Assert.That(Decode(text).PauseAtLayer(layer, null).Diagnostics.Single().Code, Is.EqualTo("toolpath.no_layer"));
         }
     }
 
@@ -106,7 +100,7 @@ public class PauseTests
     public void A_file_without_E_pauses_where_the_layer_begins(int layer, string first)
     {
         const string Cut = "G90\n;LAYER:0\nG0 X10 Y20 Z0.2 F6000\nG1 X30 F1200\n;LAYER:1\nG0 Z0.4 F600\nG1 X10 F1200\n;LAYER:2\nG0 Z0.6\nG1 X30\n";
-        Assert.That(Written(Cut, layer, Pause.Plain), Is.EqualTo(Cut.Replace(first, "M0\n" + first)));
+        Assert.That(Written(Cut, layer, null), Is.EqualTo(Cut.Replace(first, "M0\n" + first)));
         var lines = Written(Cut, layer, Lifted).Split('\n');
         Assert.That(System.Array.IndexOf(lines, "M0"), Is.InRange(System.Array.IndexOf(lines, $";LAYER:{layer}"),
             layer < 2 ? System.Array.IndexOf(lines, $";LAYER:{layer + 1}") : lines.Length));
@@ -122,9 +116,9 @@ public class PauseTests
         Assert.That(text, Does.Contain("G0 Z8 F600\n"), "5 mm above Z 3");
     }
 
-    private static string Written(string text, int layer, Pause pause)
+    private static string Written(string text, int layer, PrintSetup? setup)
     {
         var decoded = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text), new DecodeOptions { Flavor = FlavorTable.Marlin2 }).Value!;
-        return Encoding.ASCII.GetString(GCodeEditor.ToDocument(decoded, decoded.Toolpath.PauseAtLayer(layer, pause).Value!).Value!.ToBytes());
+        return Encoding.ASCII.GetString(GCodeEditor.ToDocument(decoded, decoded.Toolpath.PauseAtLayer(layer, setup).Value!).Value!.ToBytes());
     }
 }

@@ -6,6 +6,7 @@ using Caterpillar.Basics;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Jobs;
+using Caterpillar.Machines;
 using Caterpillar.Tests.GCode;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
@@ -88,8 +89,8 @@ public class EditSafetyTests
         yield return ($"from layer {top} removed", Edit(job, new FileEdits { Remove = true, Filter = new MoveFilter { FirstLayer = top } }), true);
         var edits = new FileEdits { Speed = 0.5 + random.NextDouble(), Flow = 0.9, Move = new Vec3(random.Next(9), 2), Rotate = random.Next(360) };
         yield return ("moved", Edit(job, edits), false);
-        var pause = new Pause { Lift = 5, Retraction = 1 };
-        yield return ("paused", Edit(job, new FileEdits { PauseAtLayers = [Layer()], Pause = pause, AtLayers = [(Layer(), new FanEvent(1))] }), false);
+        var pausing = new PrintSetup() { Printer = new Printer { PauseLift = 5, PauseRetraction = 1 } };
+        yield return ("paused", Edit(job, new FileEdits { PauseAtLayers = [Layer()], PauseFor = pausing, AtLayers = [(Layer(), new FanEvent(1))] }), false);
         var objects = job.Toolpath.Layers.Select(l => l.Object).Distinct().ToArray();
         if (objects.Length < 2) yield break;
         var filter = new MoveFilter { Objects = [objects[random.Next(objects.Length)]] };

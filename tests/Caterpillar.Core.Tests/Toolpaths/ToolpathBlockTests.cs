@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Geometry;
+using Caterpillar.Jobs;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
 
@@ -103,7 +104,7 @@ public class ToolpathBlockTests
         var infill = new MoveFilter { Roles = new HashSet<Role> { Role.Infill } };
         Assert.That(Lines(toolpath.Remove(infill)), Is.EqualTo(all.Where(l => l != 25)));
         Assert.That(Lines(toolpath.Deform(infill, p => p + new Vec3(0, 0, 1))), Is.Ordered.And.SupersetOf(all).And.SubsetOf(all));
-        Assert.That(Lines(toolpath.PauseAtLayer(1, new Pause()).OrThrow()), Is.EqualTo(all));
+        Assert.That(Lines(toolpath.PauseAtLayer(1, null).OrThrow()), Is.EqualTo(all));
         var fitted = toolpath.FitArcs(evenness: 0.5);
         Assert.That(fitted.Count, Is.LessThan(10));
         Assert.That(Lines(fitted), Is.Ordered.And.SubsetOf(all));
