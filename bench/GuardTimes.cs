@@ -34,7 +34,7 @@ internal sealed class GuardTimes
 
     private GuardTimes()
     {
-        _format = SetupFormat.Of(_setup, _plan).Value ?? new GCodeFormat();
+        _format = SetupFormat.Of(_setup, _plan).Value ?? new GCodeFormat(_setup.Printer);
         using var memory = new MemoryStream();
         new GCodeWriter(_plan, _format) { Written = _lines }.WriteAll(memory);
         _text = memory.ToArray();

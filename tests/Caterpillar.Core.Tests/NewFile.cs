@@ -3,6 +3,7 @@ using System.Text;
 using System.Text.RegularExpressions;
 using Caterpillar.Flavors;
 using Caterpillar.GCode;
+using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 
 namespace Caterpillar.Tests;
@@ -10,10 +11,15 @@ namespace Caterpillar.Tests;
 /// <summary>A toolpath as a new file.</summary>
 internal static class NewFile
 {
+    /// <summary>The usual printer, whose files name objects in comments.</summary>
+    public static readonly Printer Machine = new() { ObjectLabels = false };
+
+    public static ExtrusionMode Mode(bool relative) => relative ? ExtrusionMode.Relative : ExtrusionMode.Absolute;
+
     public static byte[] Of(Toolpath toolpath, GCodeFormat? format = null)
     {
         using var memory = new MemoryStream();
-        new GCodeWriter(toolpath, format).WriteAll(memory);
+        new GCodeWriter(toolpath, format ?? new GCodeFormat(Machine)).WriteAll(memory);
         return memory.ToArray();
     }
 

@@ -55,7 +55,7 @@ public class MoveRunTests
         Array.Copy(read.E, planned.E, Count);
         Values(planned)[move] = 0;
         var allowed = column == "E"
-            ? NumberFormatter.FromUnits(1, format.DecimalsE) * 1.01 + 1e-8 : 0.5 * NumberFormatter.FromUnits(1, format.DecimalsXyz) + 1e-7;
+            ? NumberFormatter.FromUnits(1, format.Printer.DecimalsE) * 1.01 + 1e-8 : 0.5 * NumberFormatter.FromUnits(1, format.Printer.DecimalsXyz) + 1e-7;
         foreach (var sign in new[] { 1, -1 })
         {
             Values(read)[move] = sign * allowed;

@@ -139,7 +139,7 @@ public class ReadBackTests
     {
         foreach (var flavor in FlavorTable.All.Where(d => d.Name != "bfb"))
         {
-            var setup = SmallPrint.Setup(p => p with { Flavor = flavor, ExtrusionMode = relative ? ExtrusionMode.Relative : ExtrusionMode.Absolute });
+            var setup = SmallPrint.Setup(p => p with { Flavor = flavor, ExtrusionMode = NewFile.Mode(relative) });
             var print = new SmallPrint().Print(30, 10, 0.2).Print(30, 30, 0.2).Go(30, 30, 5).Go(60, 60, 0.2)
                 .Arc(80, 60, 0.2, new Vec3(70, 60), 180, SmallPrint.Area)
                 .Event(new FanEvent(1)).Print(100, 60, 0.2).Event(new CommentEvent("on")).Prime(0.1).Print(100, 100.12345, 0.3);

@@ -113,7 +113,8 @@ public class FuzzTests
         if (run % 64 == 0) Reshape(decoding, random);
         if (!SameBytes(GCodeEditor.ToDocument(decoding, decoding.Toolpath).Value!.ToBytes(),
             bytes)) throw new InvalidOperationException("unedited file changed");
-        NewFile.Of(decoding.Toolpath, new GCodeFormat { RelativeE = random.Next(2) == 0, DecimalsXyz = 3, DecimalsE = 3 });
+        var printer = NewFile.Machine with { ExtrusionMode = NewFile.Mode(random.Next(2) == 0), DecimalsXyz = 3, DecimalsE = 3 };
+        NewFile.Of(decoding.Toolpath, new GCodeFormat(printer));
         GCodeEditor.ToDocument(decoding, decoding.Toolpath.ScaleSpeed(new MoveFilter(), 0.5).ScaleFlow(new MoveFilter(), 1.1));
         GCodeEditor.ToDocument(decoding, decoding.Toolpath.Remove(new MoveFilter { Kinds = [(MoveKind)random.Next(8)] }));
         GCodeConverter.ToDocument(decoding,

@@ -234,7 +234,7 @@ public class MoveEdgeTests
         var builder = new ToolpathBuilder(MoveSource.Steps, null);
         builder.Add(new Vec3(5, 0, 1), 0, 0, 50, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
         builder.Add(end, 1, 1, 10, MoveKind.Print, Role.Unspecified, -1, 0, 0, arc);
-        var text = NewFile.Plain(builder.Build([new ToolpathTool(1)]), new GCodeFormat { Flavor = FlavorTable.Find(flavor)! });
+        var text = NewFile.Plain(builder.Build([new ToolpathTool(1)]), new GCodeFormat(NewFile.Machine with { Flavor = FlavorTable.Find(flavor)! }));
         return text.Split(['\n'], StringSplitOptions.RemoveEmptyEntries);
     }
 

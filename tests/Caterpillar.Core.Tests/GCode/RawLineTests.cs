@@ -21,7 +21,7 @@ public class RawLineTests
     [TestCase("G4 P100")]
     [TestCase("not a command of this firmware")]
     public void A_harmless_line_adds_nothing(string raw)
-        => Assert.That(After(raw, new GCodeFormat()), Is.EqualTo(Extrusions));
+        => Assert.That(After(raw, new GCodeFormat(NewFile.Machine)), Is.EqualTo(Extrusions));
 
     [TestCase("G91", "G90|M83|G1 X30 E1|G1 X40 E1")]
     [TestCase("M82", "G90|M83|G1 X30 E1|G1 X40 E1")]
@@ -32,12 +32,13 @@ public class RawLineTests
     [TestCase("T1", "T0|G0 X20 Y0 Z0.2 F6000|G1 X30 E1 F1200|G1 X40 E1")]
     [TestCase("T0", "G0 X20 Y0 Z0.2 F6000|G1 X30 E1 F1200|G1 X40 E1")]
     public void The_state_that_a_line_may_change_is_stated_again(string raw, string expected)
-        => Assert.That(string.Join("|", After(raw, new GCodeFormat())), Is.EqualTo(expected));
+        => Assert.That(string.Join("|", After(raw, new GCodeFormat(NewFile.Machine))), Is.EqualTo(expected));
 
     [TestCase("SET_FAN_SPEED FAN=a SPEED=1", "G1 X30 E1|G1 X40 E1")]
     [TestCase("PARK", "G17|G90|M83|G0 X20 Y0 Z0.2 F6000|G1 X30 E1 F1200|G1 X40 E1")]
     public void A_macro_of_Klipper_may_do_anything(string raw, string expected)
-        => Assert.That(string.Join("|", After(raw, new GCodeFormat { Flavor = FlavorTable.Klipper })).Replace("G21|", ""), Is.EqualTo(expected));
+        => Assert.That(string.Join("|", After(raw, new GCodeFormat(NewFile.Machine with { Flavor = FlavorTable.Klipper }))).Replace("G21|", ""),
+            Is.EqualTo(expected));
 
     [TestCase("G91\nG1 Z5\nG90")]
     [TestCase("G20\nG1 X1")]
@@ -50,8 +51,8 @@ public class RawLineTests
     {
         foreach (var relative in new[] { true, false })
         {
-            var plain = Decode(Path(null), new GCodeFormat { RelativeE = relative });
-            var mixed = Decode(Path(raw), new GCodeFormat { RelativeE = relative });
+            var plain = Decode(Path(null), new GCodeFormat(NewFile.Machine with { ExtrusionMode = NewFile.Mode(relative) }));
+            var mixed = Decode(Path(raw), new GCodeFormat(NewFile.Machine with { ExtrusionMode = NewFile.Mode(relative) }));
             (Vec3, Vec3, double, int)[] Printed(Toolpath t) => t.Moves().Where(m => m.Kind == MoveKind.Print && m.Role == Role.OuterWall)
                 .Select(m => (m.Start, m.End, System.Math.Round(m.E, 6), m.Tool)).ToArray();
             // What the raw line itself extrudes is the only addition.
@@ -62,14 +63,14 @@ public class RawLineTests
     [Test]
     public void After_start_code_in_inches_and_with_another_tool_the_print_is_in_mm_with_its_own()
     {
-        var text = Encoding.ASCII.GetString(NewFile.Of(Path(null), new GCodeFormat { Start = ["G20", "T1"] }));
+        var text = Encoding.ASCII.GetString(NewFile.Of(Path(null), new GCodeFormat(NewFile.Machine) { Start = ["G20", "T1"] }));
         Assert.That(text, Does.Contain("T1\nG21\nG90\nM83\nT0\n"));
     }
 
     [Test]
     public void Lines_of_layers_follow_the_same_rules()
     {
-        var format = new GCodeFormat { LayerLines = _ => ["G91", "G1 Z1", "G90", "M117 layer"] };
+        var format = new GCodeFormat(NewFile.Machine) { LayerLines = _ => ["G91", "G1 Z1", "G90", "M117 layer"] };
         var text = NewFile.Plain(Path(null), format);
         Assert.That(text, Does.EndWith("M117 layer\nG90\nM83\nG0 X20 Y0 Z0.2 F6000\nG1 X30 E1 F1200\nG1 X40 E1\n"));
     }

@@ -19,7 +19,7 @@ public class RelativeOutputTests
         builder.Add(new Vec3(10.3333, 20, 0.2), 1, 1, 20, MoveKind.Print, Role.OuterWall, -1, 0, 0);
         builder.Add(new Vec3(10.6666, 20, 0.2), 1, 1, 20, MoveKind.Print, Role.OuterWall, -1, 0, 0);
         builder.Add(new Vec3(11, 19, 0.2), 1, 1, 20, MoveKind.Print, Role.OuterWall, -1, 0, 0);
-        var format = new GCodeFormat { RelativeXyz = true, End = ["G1 X0"] };
+        var format = new GCodeFormat(NewFile.Machine with { RelativeXyz = true }) { End = ["G1 X0"] };
         Assert.That(NewFile.Plain(builder.Build([new ToolpathTool(2.4)]), format), Is.EqualTo(
             "G90\nM83\nG0 X10 Y20 Z0.2 F6000\nG91\nM83\nG1 X0.333 E1 F1200\nG1 X0.334 E1\nG1 X0.333 Y-1 E1\nG90\nM83\nG1 X0\n"));
     }
@@ -44,9 +44,9 @@ public class RelativeOutputTests
                 at = builder.Position;
             }
             var toolpath = builder.Build([new ToolpathTool(2.4)]);
-            var format = new GCodeFormat { Flavor = arcs ? flavor : NewFile.WithoutArcs(flavor), DecimalsXyz = decimals };
+            var format = new GCodeFormat(NewFile.Machine with { Flavor = arcs ? flavor : NewFile.WithoutArcs(flavor), DecimalsXyz = decimals });
             var absolute = Read(toolpath, format);
-            var relative = Read(toolpath, format with { RelativeXyz = true });
+            var relative = Read(toolpath, format with { Printer = format.Printer with { RelativeXyz = true } });
             if (!arcs || flavor.ArcsInRelativeMode) Assert.That(relative.Count, Is.EqualTo(absolute.Count), flavor.Name);
             var (last, other) = (absolute[absolute.Count - 1], relative[relative.Count - 1]);
             Assert.That(last.End.DistanceTo(other.End), Is.LessThan(1e-9), flavor.Name);

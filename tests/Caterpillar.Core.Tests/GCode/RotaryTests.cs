@@ -67,7 +67,7 @@ public class RotaryTests
         builder.SetRotary(Vec3.Zero);
         builder.Add(new Vec3(-10, 0, 0), 1, 1, 30, MoveKind.Print, Role.Unspecified, -1, 0, 0, new Arc(Vec3.Zero, 180));
         builder.SetRotary(new Vec3(90, 0, 0));
-        var format = new GCodeFormat { Flavor = arcs ? FlavorTable.Marlin2 : NewFile.WithoutArcs(FlavorTable.Marlin2) };
+        var format = new GCodeFormat(NewFile.Machine with { Flavor = arcs ? FlavorTable.Marlin2 : NewFile.WithoutArcs(FlavorTable.Marlin2) });
         var back = Decode(NewFile.Of(builder.Build([new ToolpathTool(null)]), format), "marlin2").Toolpath;
         var turns = Turns(back).Select(t => t.A).ToArray();
         Assert.That(turns[turns.Length - 1], Is.EqualTo(90));

@@ -41,7 +41,8 @@ internal static class RoundTrips
     /// <summary>An edited toolpath of a file, in its flavor.</summary>
     public static string? Written(DecodedGCode decoding, Toolpath toolpath, bool relative)
     {
-        var format = new GCodeFormat { Flavor = decoding.Flavor, RelativeE = relative, HasE = decoding.Axis != ExtrusionAxis.None };
+        var unit = decoding.Axis != ExtrusionAxis.None ? ExtrusionUnit.Mm : ExtrusionUnit.None;
+        var format = new GCodeFormat(NewFile.Machine with { Flavor = decoding.Flavor, ExtrusionMode = NewFile.Mode(relative), ExtrusionUnit = unit });
         if (format.LacksAmounts(toolpath)) return decoding.Axis == ExtrusionAxis.Switched ? null : "lacks amounts";
         var back = Decode(GCodeDocument.FromBytes(NewFile.Of(toolpath, format)), decoding.Flavor);
         return SameMoves.Difference(toolpath, back.Toolpath,

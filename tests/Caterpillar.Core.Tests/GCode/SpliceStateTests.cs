@@ -105,7 +105,7 @@ public class SpliceStateTests
     {
         const string Text = "M108 S10\nM103\nG1 X1 Y1 Z1 F600\nM101\nG1 X5\nG1 X9\nM103\nG1 X20\nM101\nG1 X30\nM103\n";
         var toolpath = Decode(Text, "bfb").Toolpath;
-        Assert.That(NewFile.Plain(toolpath, new GCodeFormat { Flavor = FlavorTable.Find("bfb")! }), Is.EqualTo(
+        Assert.That(NewFile.Plain(toolpath, new GCodeFormat(NewFile.Machine with { Flavor = FlavorTable.Find("bfb")! })), Is.EqualTo(
             "G90\nG0 X1 Y1 Z1 F600\nM101\nG1 X5\nG1 X9\nM103\nG0 X20\nM101\nG1 X30\nM103\n"));
         Assert.That(SetupFormat.Of(new PrintSetup(), toolpath).Diagnostics.Select(d => d.Code), Does.Contain("gcode.no_e_values"));
         Assert.That(GCodeConverter.ToDocument(Decode(Text, "bfb"), new ConvertOptions { Flavor = FlavorTable.Marlin2 }).Diagnostics.Single().Code,

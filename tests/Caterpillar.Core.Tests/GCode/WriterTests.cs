@@ -24,11 +24,12 @@ public class WriterTests
         builder.Add(new Vec3(20, 30, 0.2), -0.8, 0, 40, MoveKind.Retract, Role.Unspecified, -1, 0, 0);
         builder.Add(new Vec3(20, 30, 0.2), 0, 0, 40, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
         var toolpath = builder.Build(Filament);
-        Assert.That(Text(toolpath, new GCodeFormat()), Is.EqualTo(
+        Assert.That(Text(toolpath, new GCodeFormat(NewFile.Machine)), Is.EqualTo(
             "G90\nM83\nG0 X10 Y20 Z0.2 F9000\nG1 X20 E0.5 F1800\nG1 Y30 E0.25\nG1 E-0.8 F2400\n"));
-        Assert.That(Text(toolpath, new GCodeFormat { RelativeE = false }), Is.EqualTo(
+        Assert.That(Text(toolpath, new GCodeFormat(NewFile.Machine with { ExtrusionMode = ExtrusionMode.Absolute })), Is.EqualTo(
             "G90\nM82\nG92 E0\nG0 X10 Y20 Z0.2 F9000\nG1 X20 E0.5 F1800\nG1 Y30 E0.75\nG1 E-0.05 F2400\n"));
-        Assert.That(Text(toolpath, new GCodeFormat { HasE = false }), Is.EqualTo("G90\nG0 X10 Y20 Z0.2 F9000\nG1 X20 F1800\nG1 Y30\n"));
+        Assert.That(Text(toolpath, new GCodeFormat(NewFile.Machine with { ExtrusionUnit = ExtrusionUnit.None })),
+            Is.EqualTo("G90\nG0 X10 Y20 Z0.2 F9000\nG1 X20 F1800\nG1 Y30\n"));
     }
 
     [Test]
@@ -75,7 +76,7 @@ public class WriterTests
         builder.Add(new Vec3(1, 0, 0.3), 0, 0, 100, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
         foreach (var what in events) builder.AddEvent(what);
         builder.Add(new Vec3(9, 0, 0.3), 1, 1, 30, MoveKind.Print, Role.Unspecified, -1, 0, 0);
-        var text = Text(builder.Build(Filament), new GCodeFormat());
+        var text = Text(builder.Build(Filament), new GCodeFormat(NewFile.Machine));
         Assert.That(text, Does.Contain("G28\nM104 S215\nM109 T1 S210.5\nM190 S60\nM106 S255\nM107\nM204 S800\nM0\nG4 P1500\nG1 X9 Y0 Z0.3 E1 F1800"));
         var back = Decode(Encoding.ASCII.GetBytes(text)).Toolpath;
         Assert.That(back.Events.Select(e => e.Event), Is.EqualTo(events));
@@ -90,7 +91,7 @@ public class WriterTests
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
         builder.Add(new Vec3(10, 0, 0), 0, 0, 100, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
         builder.Add(new Vec3(10, 0, flavor == "klipper" ? 1 : 0), 1, 1, 30, MoveKind.Print, Role.Unspecified, -1, 0, 0, new Arc(Vec3.Zero, 720));
-        var format = new GCodeFormat { Flavor = FlavorTable.Find(flavor)! };
+        var format = new GCodeFormat(NewFile.Machine with { Flavor = FlavorTable.Find(flavor)! });
         Assert.That(Text(builder.Build(Filament), format), Does.Contain(expected));
         var back = GCodeDecoder.Decode(NewFile.Of(builder.Build(Filament), format), new DecodeOptions { Flavor = format.Flavor }).Value!;
         Assert.That(back.Report.Counters.PrintLengthXY, Is.EqualTo(40 * Math.PI).Within(1e-6));

@@ -46,7 +46,7 @@ public class CommandedMotionTests
     }
 
     private static string Text(Toolpath toolpath, FlavorRules flavor)
-        => Encoding.ASCII.GetString(NewFile.Of(toolpath, new GCodeFormat { Flavor = flavor }));
+        => Encoding.ASCII.GetString(NewFile.Of(toolpath, new GCodeFormat(NewFile.Machine with { Flavor = flavor })));
 
     private static string[] Lines(PrintSetup setup, params string[] commands)
         => Text(TwoRoles(setup), setup.Printer.Flavor).Split('\n').Where(l => commands.Any(c => l.StartsWith(c, StringComparison.Ordinal))).ToArray();

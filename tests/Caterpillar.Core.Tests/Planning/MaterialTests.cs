@@ -60,7 +60,7 @@ public class MaterialTests
         var printer = new Printer { Flavor = FlavorTable.Find("reprapfirmware")!, ToolOffsets = new(Vec3.Zero, new Vec3(20, 0)) };
         Step[] steps = [.. Lines(), new EventStep(new ToolEvent(1)), .. Lines(), new EventStep(new ToolEvent(0))];
         var toolpath = Planner.Plan(steps, new PrintSetup(printer, new Material { PressureAdvance = 0.05 }, new PrintSettings())).Value!;
-        var text = Encoding.ASCII.GetString(NewFile.Of(toolpath, new GCodeFormat { Flavor = printer.Flavor })).Split('\n');
+        var text = Encoding.ASCII.GetString(NewFile.Of(toolpath, new GCodeFormat(NewFile.Machine with { Flavor = printer.Flavor }))).Split('\n');
         Assert.That(text.Where(l => l.StartsWith("M572", StringComparison.Ordinal) || l.StartsWith("T", StringComparison.Ordinal)),
             Is.EqualTo(new[] { "M572 D0 S0.05", "T1", "M572 D1 S0.05", "T0", "M572 D0 S0.05" }));
     }

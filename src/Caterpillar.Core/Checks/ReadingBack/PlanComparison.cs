@@ -49,8 +49,8 @@ internal sealed class PlanComparison
         _lines = lines;
         _findings = findings;
         // Half of the last decimal, and rounding.
-        _allowed = 0.5 * NumberFormatter.FromUnits(1, format.DecimalsXyz) + 1e-7;
-        _allowedE = format.ExtruderLetter == 0 ? double.PositiveInfinity : NumberFormatter.FromUnits(1, format.DecimalsE) * 1.01 + 1e-8;
+        _allowed = 0.5 * NumberFormatter.FromUnits(1, format.Printer.DecimalsXyz) + 1e-7;
+        _allowedE = format.ExtruderLetter == 0 ? double.PositiveInfinity : NumberFormatter.FromUnits(1, format.Printer.DecimalsE) * 1.01 + 1e-8;
     }
 
     /// <summary>Codes of its findings.</summary>

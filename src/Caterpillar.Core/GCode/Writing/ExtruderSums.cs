@@ -18,7 +18,7 @@ internal sealed class ExtruderSums
 
     public ExtruderSums(GCodeFormat format, LineBuffer output)
     {
-        (_rules, _out, _decimals) = (format.Flavor, output, format.DecimalsE);
+        (_rules, _out, _decimals) = (format.Flavor, output, format.Printer.DecimalsE);
         Letter = format.ExtruderLetter;
         _relative = format.WritesRelative;
         _sums.Add(0, _sum);

@@ -1,34 +1,17 @@
 namespace Caterpillar.GCode;
 
 /// <summary>The format of written G-code.</summary>
-internal sealed record GCodeFormat
+/// <param name="Printer">Its flavor, the mode of its E, and decimals.</param>
+internal sealed record GCodeFormat(Printer Printer)
 {
     /// <summary>The G-code flavor.</summary>
-    public FlavorRules Flavor { get; init; } = FlavorTable.Marlin2;
-
-    /// <summary>Relative E (M83) or absolute E (M82).</summary>
-    public bool RelativeE { get; init; } = true;
+    public FlavorRules Flavor => Printer.Flavor;
 
     /// <summary>
     /// Relative X, Y and Z (G91): differences of the rounded positions, so that rounding errors do not add up. E is then relative, too. Templates and moves
     /// from an unknown position are absolute.
     /// </summary>
-    public bool RelativeXyz { get; init; }
-
-    /// <summary>Decimals of X, Y and Z.</summary>
-    public int DecimalsXyz { get; init; } = 3;
-
-    /// <summary>Decimals of E.</summary>
-    public int DecimalsE { get; init; } = 5;
-
-    /// <summary>Decimals of F.</summary>
-    public int DecimalsF { get; init; }
-
-    /// <summary>Firmware retraction: G10 and G11 for retractions and deretractions in place, if the flavor has them.</summary>
-    public bool FirmwareRetraction { get; init; }
-
-    /// <summary>Write E. False for pens, brushes and bare hot tools.</summary>
-    public bool HasE { get; init; } = true;
+    public bool RelativeXyz => Printer.RelativeXyz;
 
     /// <summary>Comments at the beginning of the file, without <c>;</c>.</summary>
     public IReadOnlyList<string> Header { get; init; } = [];
@@ -36,8 +19,10 @@ internal sealed record GCodeFormat
     /// <summary>Lines after the header that only the whole print tells: its time, images and objects.</summary>
     public IReadOnlyList<string> Facts { get; init; } = [];
 
-    /// <summary>Mark objects with the commands of the flavor. Otherwise comments name them.</summary>
-    public bool LabelsObjects { get; init; }
+    /// <summary>
+    /// Mark objects with the commands of the flavor. Otherwise comments name them: relative moves that a firmware skips would shift all that follow.
+    /// </summary>
+    public bool LabelsObjects => Printer.ObjectLabels && !RelativeXyz;
 
     /// <summary>Start G-code.</summary>
     public IReadOnlyList<string> Start { get; init; } = [];
@@ -75,5 +60,8 @@ internal sealed record GCodeFormat
     }
 
     /// <summary>True if E is written as relative. Without M83, E is an axis like the others and is absolute.</summary>
-    internal bool WritesRelative => RelativeXyz || (RelativeE && Flavor.RelativeE != RelativeERule.OnlyG90G91);
+    internal bool WritesRelative => RelativeXyz || (Printer.ExtrusionMode == ExtrusionMode.Relative && Flavor.RelativeE != RelativeERule.OnlyG90G91);
+
+    // False for pens, brushes and bare hot tools.
+    private bool HasE => Printer.ExtrusionUnit != ExtrusionUnit.None;
 }

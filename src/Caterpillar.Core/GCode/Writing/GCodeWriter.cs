@@ -32,7 +32,7 @@ internal sealed class GCodeWriter
     public GCodeWriter(Toolpath toolpath, GCodeFormat? format = null)
     {
         _toolpath = toolpath ?? throw new ArgumentNullException(nameof(toolpath));
-        _format = format ?? new GCodeFormat();
+        _format = format ?? new GCodeFormat(new Printer());
         _rules = _format.Flavor;
         _out = new LineBuffer();
         _motion = new MotionLines(_format, _out);
@@ -152,7 +152,7 @@ internal sealed class GCodeWriter
                 return;
             case MoveKind.Retract:
             case MoveKind.Deretract:
-                if (_rules.FirmwareRetraction && (_format.FirmwareRetraction || c.E[i] == 0))
+                if (_rules.FirmwareRetraction && (_format.Printer.FirmwareRetraction || c.E[i] == 0))
                 {
                     _out.Command((byte)'G', kind == MoveKind.Retract ? 10 : 11);
                     _out.EndLine();

@@ -22,7 +22,7 @@ internal sealed class MotionLines
 
     public MotionLines(GCodeFormat format, LineBuffer output)
     {
-        (_format, _rules, _out, _decimals) = (format, format.Flavor, output, format.DecimalsXyz);
+        (_format, _rules, _out, _decimals) = (format, format.Flavor, output, format.Printer.DecimalsXyz);
         Extruder = new ExtruderSums(format, output);
         Rotary = new RotaryWords(output, _decimals, Extruder.Letter);
     }
@@ -186,10 +186,10 @@ internal sealed class MotionLines
     private void Feed(double speed)
     {
         if (!(speed > 0)) return;
-        var units = NumberFormatter.ToUnits(speed * 60, _format.DecimalsF);
+        var units = NumberFormatter.ToUnits(speed * 60, _format.Printer.DecimalsF);
         if (units == _f || units == 0) return;
         _f = units;
-        _out.Word((byte)'F', units, _format.DecimalsF);
+        _out.Word((byte)'F', units, _format.Printer.DecimalsF);
     }
 
     private void Modal(int code)

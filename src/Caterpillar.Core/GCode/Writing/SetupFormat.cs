@@ -43,18 +43,8 @@ internal static class SetupFormat
         // Layer and tool templates are tried once with the values of the first, so that an error is found before anything is written.
         if (layers is not null && first is not null) problems.AddRange(layers.Render(OfLayer(values, first)).Diagnostics);
         if (tools is not null) problems.AddRange(tools.Render(OfTools(values, 0, 0)).Diagnostics);
-        return new GCodeFormat
+        return new GCodeFormat(printer)
         {
-            Flavor = printer.Flavor,
-            RelativeE = printer.ExtrusionMode == ExtrusionMode.Relative,
-            RelativeXyz = printer.RelativeXyz,
-            DecimalsXyz = printer.DecimalsXyz,
-            DecimalsE = printer.DecimalsE,
-            DecimalsF = printer.DecimalsF,
-            FirmwareRetraction = printer.FirmwareRetraction,
-            HasE = printer.ExtrusionUnit != ExtrusionUnit.None,
-            // Relative moves that a firmware skips would shift all that follow.
-            LabelsObjects = printer.ObjectLabels && !printer.RelativeXyz,
             Header = Header(setup),
             Start = start,
             End = end,
