@@ -72,5 +72,8 @@ public readonly record struct Bounds
         for (var k = 0; k < 8; k++) yield return new Vec3((k & 1) == 0 ? Min.X : Max.X, (k & 2) == 0 ? Min.Y : Max.Y, (k & 4) == 0 ? Min.Z : Max.Z);
     }
 
+    /// <summary>Greatest distance from the Z axis.</summary>
+    internal double ReachXY => Corners().Max(corner => corner.LengthXY);
+
     public override string ToString() => _any ? $"{Min} to {Max}" : "empty";
 }

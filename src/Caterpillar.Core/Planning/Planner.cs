@@ -74,9 +74,7 @@ public static class Planner
         var (printer, material, settings) = (setup.Printer, setup.Material, setup.Settings);
         var motion = policy == PlanPolicy.AsDrawn ? null : new CommandedMotion(setup);
         var heads = HeadCorridor.Rings(printer.HeadOutline.Select(p => (p.Radius, p.Height)))
-            .Concat(printer.HeadBoxes.Select(b => (
-                Math.Sqrt(Math.Pow(Math.Max(Math.Abs(b.Min.X), Math.Abs(b.Max.X)), 2) + Math.Pow(Math.Max(Math.Abs(b.Min.Y), Math.Abs(b.Max.Y)), 2)), b.Min.Z)))
-            .ToArray();
+            .Concat(printer.HeadBoxes.Select(b => (b.ReachXY, b.Min.Z))).ToArray();
         ToolRules[] tools = [.. Enumerable.Range(0, printer.ToolCount).Select(tool => ToolRulesOf(setup.OfTool(tool), policy))];
         return new PlanRules(policy, settings, printer, tools)
         {

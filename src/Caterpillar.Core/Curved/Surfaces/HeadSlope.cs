@@ -27,8 +27,7 @@ internal static class HeadSlope
         foreach (var box in printer.HeadBoxes)
         {
             var near = new Vec3(Math.Max(0, Math.Max(box.Min.X, -box.Max.X)), Math.Max(0, Math.Max(box.Min.Y, -box.Max.Y))).LengthXY;
-            var far = Math.Sqrt(Math.Max(box.Min.X * box.Min.X, box.Max.X * box.Max.X) + Math.Max(box.Min.Y * box.Min.Y, box.Max.Y * box.Max.Y));
-            if (near < span && box.Min.Z < rise) limit = Math.Min(limit, Angle.Atan2(Math.Min(box.Min.Z, rise), Math.Min(far, span)));
+            if (near < span && box.Min.Z < rise) limit = Math.Min(limit, Angle.Atan2(Math.Min(box.Min.Z, rise), Math.Min(box.ReachXY, span)));
         }
         return limit;
 

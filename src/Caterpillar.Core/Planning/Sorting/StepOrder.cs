@@ -150,13 +150,8 @@ internal sealed class StepOrder(IReadOnlyList<Step> steps, SortOptions options, 
     private void SortGroup(int from, int to)
     {
         // Paths that stay together are one item; heads are where they begin.
-        var heads = new List<int>();
-        for (var i = from; i < to; i++)
-        {
-            if (i == from || !PathAt(i).Joined) heads.Add(i);
-        }
-        heads.Add(to);
-        var items = new SortItem[heads.Count - 1];
+        int[] heads = [.. Enumerable.Range(from, to - from).Where(i => i == from || !PathAt(i).Joined), to];
+        var items = new SortItem[heads.Length - 1];
         for (var i = 0; i < items.Length; i++)
         {
             var last = heads[i + 1] - 1;

@@ -20,13 +20,6 @@ internal static class HeadClearance
                 distance = Math.Max(distance, outline[i - 1].Radius + part * (outline[i].Radius - outline[i - 1].Radius));
             }
         }
-        foreach (var box in printer.HeadBoxes)
-        {
-            if (box.Min.Z >= height) continue;
-            var x = Math.Max(Math.Abs(box.Min.X), Math.Abs(box.Max.X));
-            var y = Math.Max(Math.Abs(box.Min.Y), Math.Abs(box.Max.Y));
-            distance = Math.Max(distance, Math.Sqrt(x * x + y * y));
-        }
-        return distance;
+        return printer.HeadBoxes.Where(box => box.Min.Z < height).Select(box => box.ReachXY).Prepend(distance).Max();
     }
 }

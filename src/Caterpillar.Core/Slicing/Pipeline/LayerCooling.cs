@@ -13,11 +13,7 @@ internal sealed class LayerCooling(PrintSettings settings)
             => path.BeadOf(segment).Speed is > 0 and var own ? own : settings.SpeedOf(path.Role, path.Layer is { Index: 0 });
 
         if (!(settings.MinLayerTime > 0) || LastsLongEnough(layers, settings.MinLayerTime, Speed)) return;
-        var paths = new List<PrintPath>();
-        foreach (var layer in layers)
-        {
-            foreach (var step in layer.Steps) paths.Add(step.Path);
-        }
+        var paths = layers.SelectMany(layer => layer.Steps).Select(step => step.Path).ToArray();
         var slowed = SlowDown.To(paths, Speed, settings.MinLayerTime, settings.MinPrintSpeed, out var reached);
         var next = 0;
         for (var i = 0; i < layers.Count; i++)

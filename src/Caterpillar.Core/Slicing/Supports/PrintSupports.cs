@@ -98,8 +98,7 @@ internal sealed class PrintSupports : IDisposable
 
     private void Fill(List<SupportStack> stacks, LayerWork[] works, ParallelOptions options)
     {
-        var places = new Dictionary<LayerWork, int>();
-        for (var i = 0; i < works.Length; i++) places.Add(works[i], i);
+        var places = Enumerable.Range(0, works.Length).ToDictionary(i => works[i]);
         var levels = stacks
             .SelectMany(s => s.Levels.Where(l => !l.Pieces.IsEmpty).Select(l => (Layer: places[l.Work], Level: l, s.Settings)))
             .OrderBy(l => l.Layer).ToArray();

@@ -12,8 +12,7 @@ internal sealed class TreeShape(List<TreeNode>[] nodes, TreeSpace space)
     public void Smooth(Predicate<TreeNode> isFixed)
     {
         var all = nodes.SelectMany(n => n).ToArray();
-        var numbers = new Dictionary<TreeNode, int>();
-        for (var i = 0; i < all.Length; i++) numbers.Add(all[i], i);
+        var numbers = Enumerable.Range(0, all.Length).ToDictionary(i => all[i]);
         var below = Array.ConvertAll(all, n => n.Below is { } b ? numbers[b] : -1);
         var start = Array.ConvertAll(all, n => n.Place);
         var room = Array.ConvertAll(all, n => isFixed(n) || (n.Below is null && n.Level > 0) ? 0 : space.Room(n.Level, n.Place));

@@ -123,14 +123,8 @@ internal sealed class OtherLines(SpliceContext context, MoveConversion conversio
 
     // The modes of a line except its unit.
     private List<string> OtherModes()
-    {
-        var modes = new List<string>();
-        for (var i = 0; i < _line.Count; i++)
-        {
-            if (context.IsMode(i) && _line.Values[i] is not (20 or 21)) modes.Add("G" + NumberFormatter.Format(_line.Values[i], 1));
-        }
-        return modes;
-    }
+        => [.. Enumerable.Range(0, _line.Count).Where(i => context.IsMode(i) && _line.Values[i] is not (20 or 21))
+            .Select(i => "G" + NumberFormatter.Format(_line.Values[i], 1))];
 
     // G92: an extruder of another letter, a bare one that the target takes otherwise, inches, volumes.
     private string[]? Rename(ConvertTarget target, string comment)

@@ -36,8 +36,7 @@ internal sealed class SplicePlan(Checkpoint[] checkpoints)
     public static SplicePlan Of(DecodedGCode decoding, Toolpath edited)
     {
         var plan = new SplicePlan(decoding.Checkpoints);
-        var known = new HashSet<PrinterEvent>(ReferenceComparer.Instance);
-        foreach (var old in decoding.Toolpath.Events) known.Add(old.Event);
+        var known = new HashSet<PrinterEvent>(decoding.Toolpath.Events.Select(old => old.Event), ReferenceComparer.Instance);
         plan.Events = edited.Events;
         plan.IsNew = new bool[edited.Events.Count];
         for (var i = 0; i < plan.IsNew.Length; i++)
