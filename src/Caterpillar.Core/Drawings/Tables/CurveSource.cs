@@ -1,32 +1,16 @@
 namespace Caterpillar.Drawings;
 
-/// <summary>The bytes of a curve file while it is read, the curves found so far, and the diagnostics.</summary>
+/// <summary>The curves of a file that is being read.</summary>
 internal sealed class CurveSource(
     byte[] bytes, string name, CurveReadOptions options, DiagnosticList diagnostics, IProgress<double>? progress, CancellationToken cancel)
+    : FileSource(bytes, name, diagnostics, progress, cancel)
 {
-    public byte[] Bytes { get; } = bytes;
-
-    public string Name { get; } = name;
-
     public CurveReadOptions Options { get; } = options;
 
-    public DiagnosticList Diagnostics { get; } = diagnostics;
-
+    /// <summary>Those found so far.</summary>
     public List<UserCurve> Curves { get; } = [];
 
-    public void Pulse(long done, long all)
-    {
-        cancel.ThrowIfCancellationRequested();
-        if (all > 0) progress?.Report(Math.Min(1, (double)done / all));
-    }
-
     public SourceLocation Place(int line, int? column = null, string? key = null) => new(Name, line, column, key);
-
-    public bool Fail(string code, string message, SourceLocation place)
-    {
-        Diagnostics.Add(Severity.Error, code, message, place);
-        return false;
-    }
 
     /// <summary>A curve of fewer than two different points.</summary>
     public void TooShort(SourceLocation place)

@@ -1,8 +1,9 @@
 namespace Caterpillar.Geometry;
 
-/// <summary>The bytes of a mesh file while it is read, with its name for messages, and the diagnostics.</summary>
+/// <summary>A mesh file that is being read.</summary>
 internal sealed class MeshSource(
     byte[] bytes, string name, DiagnosticList diagnostics, MeshReadOptions options, IProgress<double>? progress, CancellationToken cancel)
+    : FileSource(bytes, name, diagnostics, progress, cancel)
 {
     // What a triangle, its half of a vertex and their neighbors take until the mesh is clean.
     private const double BytesPerTriangle = 160;
@@ -10,25 +11,10 @@ internal sealed class MeshSource(
     // What a mesh takes besides.
     private const double BytesPerMesh = 1500;
 
-    public byte[] Bytes { get; } = bytes;
-
     public int Length => Bytes.Length;
-
-    public string Name { get; } = name;
-
-    public DiagnosticList Diagnostics { get; } = diagnostics;
-
-    public CancellationToken Cancel { get; } = cancel;
 
     /// <summary>Threads to use.</summary>
     public int Threads { get; } = options.Threads > 0 ? options.Threads : Environment.ProcessorCount;
-
-    /// <summary>Reports progress and stops when canceled; to be called regularly.</summary>
-    public void Pulse(long done, long all)
-    {
-        Cancel.ThrowIfCancellationRequested();
-        if (all > 0) progress?.Report(Math.Min(1, (double)done / all));
-    }
 
     /// <summary>Stops where the meshes, with so many triangles in all, would take too much memory.</summary>
     /// <exception cref="DiagnosticException">They would.</exception>
@@ -39,13 +25,6 @@ internal sealed class MeshSource(
         var of = triangles > 0 ? $" of {NumberFormatter.Format(triangles)} triangles" : "";
         var items = meshes > 1 ? $"{NumberFormatter.Format(meshes)} meshes{of}" : $"A mesh{of}";
         options.Memory.Check(bytes, items, new SourceLocation(Name));
-    }
-
-    /// <summary>An error, of the whole file if it has no place. False, like the next two, for the caller to return.</summary>
-    public bool Fail(string code, string message, SourceLocation? place = null)
-    {
-        Diagnostics.Add(Severity.Error, code, message, place ?? new SourceLocation(Name));
-        return false;
     }
 
     /// <summary>An error at a byte of a text file; the location is given as line and column.</summary>
