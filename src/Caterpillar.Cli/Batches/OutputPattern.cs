@@ -27,9 +27,7 @@ internal sealed partial class OutputPattern
     /// <param name="table">The table, or null.</param>
     public string For(string input, int row, CsvTable? table)
     {
-        var name = Path.GetFileName(input);
-        if (name.EndsWith(".gz", StringComparison.OrdinalIgnoreCase)) name = Path.GetFileNameWithoutExtension(name);
-        name = Path.GetFileNameWithoutExtension(name);
+        var name = Path.GetFileNameWithoutExtension(GzipReader.PlainName(input));
         var values = new Dictionary<string, string>(StringComparer.Ordinal)
         {
             ["input"] = name, ["name"] = name, ["folder"] = Path.GetDirectoryName(input) is { Length: > 0 } folder ? folder : ".",

@@ -23,9 +23,7 @@ internal sealed class WriteOptions
     {
         if (arguments.GetValue(_output) is { } given) return given.Length > 0 ? given : throw CliException.Usage("--output needs a file name.");
         if (input == "-") return "-";
-        var name = Path.GetFileName(input);
-        if (name.EndsWith(".gz", StringComparison.OrdinalIgnoreCase)) name = Path.GetFileNameWithoutExtension(name);
-        var file = Path.GetFileNameWithoutExtension(name) + ".gcode";
+        var file = Path.GetFileNameWithoutExtension(GzipReader.PlainName(input)) + ".gcode";
         return Path.GetFullPath(file) != Path.GetFullPath(input) ? file
             : throw CliException.Usage($"The output would replace the input {input}. Give another name with -o.");
     }

@@ -20,8 +20,7 @@ internal sealed class ViewSource(SetupOptions setup, ParseResult arguments, bool
     };
 
     /// <summary>The extension of a file in capitals, without .gz.</summary>
-    public static string Ending(string file)
-        => Path.GetExtension(file.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? file[..^3] : file).ToUpperInvariant();
+    public static string Ending(string file) => Path.GetExtension(GzipReader.PlainName(file)).ToUpperInvariant();
 
     private static string Title(string file) => file == "-" ? "Standard input" : Path.GetFileName(file);
 

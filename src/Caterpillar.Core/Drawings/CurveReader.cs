@@ -37,7 +37,7 @@ public static class CurveReader
 
     private static Action<CurveSource> ReaderOf(byte[] bytes, string name)
     {
-        var plain = name.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? name.Substring(0, name.Length - 3) : name;
+        var plain = GzipReader.PlainName(name);
         if (Ends(plain, ".svg") || Ends(plain, ".svgz")) return SvgReader.Read;
         if (Ends(plain, ".json")) return JsonCurves.Read;
         if (Ends(plain, ".obj")) return ObjCurves.Read;

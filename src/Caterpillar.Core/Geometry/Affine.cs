@@ -42,6 +42,10 @@ public readonly record struct Affine(Vec3 XAxis, Vec3 YAxis, Vec3 ZAxis, Vec3 Sh
     /// <summary>The transform from frame coordinates to world coordinates.</summary>
     public static Affine FromFrame(Frame frame) => new(frame.X, frame.Y, frame.Z, frame.Origin);
 
+    /// <summary>The transform from world coordinates to frame coordinates.</summary>
+    public static Affine ToFrame(Frame frame) => new(new Vec3(frame.X.X, frame.Y.X, frame.Z.X), new Vec3(frame.X.Y, frame.Y.Y, frame.Z.Y),
+        new Vec3(frame.X.Z, frame.Y.Z, frame.Z.Z), frame.ToLocal(Vec3.Zero));
+
     /// <summary>The image of a point.</summary>
     public Vec3 Apply(Vec3 p) => XAxis * p.X + YAxis * p.Y + ZAxis * p.Z + Shift;
 

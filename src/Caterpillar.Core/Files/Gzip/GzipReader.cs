@@ -34,6 +34,9 @@ internal sealed class GzipReader(Stream packed, bool leaveOpen = false) : ReadSt
     /// <summary>True for the first bytes of a gzip file.</summary>
     public static bool IsPacked(byte[] head, int count) => count >= 2 && head[0] == 0x1F && head[1] == 0x8B;
 
+    /// <summary>The name of a file without <c>.gz</c>.</summary>
+    public static string PlainName(string name) => name.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? name.Substring(0, name.Length - 3) : name;
+
     /// <summary>The stream itself, or its decompressed content if it begins like gzip.</summary>
     /// <exception cref="IOException">The stream cannot be read.</exception>
     public static Stream Open(Stream stream, bool leaveOpen = false)

@@ -20,7 +20,7 @@ public static class FileSetup
     public static bool IsName(string file)
     {
         if (file is null) throw new ArgumentNullException(nameof(file));
-        var name = file.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? file.Substring(0, file.Length - 3) : file;
+        var name = GzipReader.PlainName(file);
         return BinaryGCode.IsName(name) || Array.Exists([".gcode", ".gco", ".gc", ".g", ".nc"], e => name.EndsWith(e, StringComparison.OrdinalIgnoreCase));
     }
 

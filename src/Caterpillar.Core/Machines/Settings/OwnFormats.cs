@@ -45,17 +45,19 @@ internal static class OwnFormats
     public static readonly IReadOnlyDictionary<string, KeyFormat> Settings = new Dictionary<string, KeyFormat>(StringComparer.Ordinal)
     {
         ["LayerRanges"] = new RowsFormat<LayerRange>(
-            ["from", "to", "layer height"], 1000, 0, Far, LayerRange.Of, r => [r.From, r.To, r.Thickness], LayerRange.Problem),
+            ["from", "to", "layer height"], 1000, 0, Far, n => new LayerRange(n[0], n[1], n[2]), r => [r.From, r.To, r.Thickness], LayerRange.Problem),
         ["LayerFormula"] = new FormulaFormat("z"),
         ["OverhangClasses"] = new RowsFormat<OverhangClass>(
-            ["percent", "speed", "fan", "flow"], 20, 0, 10_000, OverhangClass.Of, c => [c.Percent, c.Speed, c.MinFanSpeedPercent, c.Flow],
-            OverhangClass.Problem),
+            ["percent", "speed", "fan", "flow"], 20, 0, 10_000, n => new OverhangClass(n[0], n[1], n[2], n[3]),
+            c => [c.Percent, c.Speed, c.MinFanSpeedPercent, c.Flow], OverhangClass.Problem),
         ["InfillFormula"] = new FormulaFormat("x", "y", "z", "layer", "spacing", "width"),
         ["InfillCurves"] = new RowsFormat<InfillPoint>(["curve", "x", "y"], 1_000_000, -Far, Far, InfillPoint.Of, p => [p.Curve, p.X, p.Y]),
-        ["BrimEars"] = new RowsFormat<BrimEar>(["x", "y", "diameter"], 10_000, -Far, Far, BrimEar.Of, e => [e.X, e.Y, e.Diameter], BrimEar.Problem),
+        ["BrimEars"] = new RowsFormat<BrimEar>(["x", "y", "diameter"], 10_000, -Far, Far, n => new BrimEar(n[0], n[1], n[2]),
+            e => [e.X, e.Y, e.Diameter], BrimEar.Problem),
         ["SeamPoint"] = new NumbersFormat<Vec3>(["x", "y"], -Far, Far, n => new Vec3(n[0], n[1]), v => [v.X, v.Y]),
         ["SeamEnforcers"] = new RowsFormat<SeamMark>(
-            ["x", "y", "z", "radius"], 10_000, -Far, Far, SeamMark.Of, m => [m.Place.X, m.Place.Y, m.Place.Z, m.Radius], SeamMark.Problem),
+            ["x", "y", "z", "radius"], 10_000, -Far, Far, n => new SeamMark(new Vec3(n[0], n[1], n[2]), n[3]),
+            m => [m.Place.X, m.Place.Y, m.Place.Z, m.Radius], SeamMark.Problem),
         ["PurgeTowerPlace"] = new RowsFormat<Vec3>(["x", "y"], 1, -Far, Far, n => new Vec3(n[0], n[1]), v => [v.X, v.Y]),
         ["ToolChanges"] = new RowsFormat<ToolChange>(["from", "tool"], 1000, 0, 10_000, ToolChange.Of, c => [c.From, c.Tool], ToolChange.Problem),
     };

@@ -6,7 +6,5 @@ namespace Caterpillar.Machines;
 /// <param name="Diameter">mm.</param>
 public readonly record struct BrimEar(double X, double Y, double Diameter)
 {
-    internal static BrimEar? Of(double[] n) => new BrimEar(n[0], n[1], n[2]);
-
     internal static string? Problem(ValueList<BrimEar> ears) => ears.All(e => e.Diameter is > 0 and <= 1000) ? null : "must have diameters above 0, up to 1000";
 }

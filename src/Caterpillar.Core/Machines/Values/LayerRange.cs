@@ -3,8 +3,6 @@ namespace Caterpillar.Machines;
 /// <summary>A height range in mm with its own layer height.</summary>
 public readonly record struct LayerRange(double From, double To, double Thickness)
 {
-    internal static LayerRange? Of(double[] n) => new LayerRange(n[0], n[1], n[2]);
-
     internal static string? Problem(ValueList<LayerRange> ranges)
     {
         for (var i = 0; i < ranges.Count; i++)
@@ -32,8 +30,6 @@ public readonly record struct OverhangClass(double Percent, double Speed, double
 {
     /// <summary>The defaults: slower if the center line overhangs, slower still if the whole width does.</summary>
     public static ValueList<OverhangClass> Usual { get; } = new(new OverhangClass(50, 30, 100, 1), new OverhangClass(100, 20, 100, 1));
-
-    internal static OverhangClass? Of(double[] n) => new OverhangClass(n[0], n[1], n[2], n[3]);
 
     internal static string? Problem(ValueList<OverhangClass> classes)
     {

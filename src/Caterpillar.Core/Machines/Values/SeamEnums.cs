@@ -51,7 +51,5 @@ public enum OverhangWallOrder : byte
 /// <param name="Radius">mm.</param>
 public readonly record struct SeamMark(Vec3 Place, double Radius)
 {
-    internal static SeamMark? Of(double[] n) => new SeamMark(new Vec3(n[0], n[1], n[2]), n[3]);
-
     internal static string? Problem(ValueList<SeamMark> marks) => marks.All(m => m.Radius > 0) ? null : "must have radii above 0";
 }

@@ -2,7 +2,7 @@ namespace Caterpillar.Toolpaths;
 
 /// <summary>
 /// A path that is printed without a stop: vertices in mm, and a bead for each segment. Segments are straight, or arcs in the XY plane with linear Z. A closed
-/// path does not repeat its first vertex and has a segment back to it. Immutable.
+/// path does not repeat its first vertex and has a segment back to it. Immutable, and equal only to itself.
 /// </summary>
 public sealed record PrintPath
 {

@@ -12,7 +12,7 @@ internal sealed class Shaper(ShapingRules rules, FormulaContext context, Frame f
     public Result<IReadOnlyList<Step>> Apply(IReadOnlyList<Step> steps, CancellationToken cancel)
     {
         var isLocal = rules.Kind is ShapingKind.Deform or ShapingKind.Modulate;
-        var toLocal = isLocal ? Inverse() : Affine.Identity;
+        var toLocal = isLocal ? Affine.ToFrame(frame) : Affine.Identity;
         var toWorld = isLocal ? Affine.FromFrame(frame) : Affine.Identity;
         var paths = steps.OfType<PathStep>().Select(s => isLocal ? s.Path.Transformed(toLocal) : s.Path).ToList();
         var deformation = rules.Kind == ShapingKind.Deform ? Deformation() : null;
@@ -145,9 +145,6 @@ internal sealed class Shaper(ShapingRules rules, FormulaContext context, Frame f
         return value >= low && value <= high ? value : throw new FormulaException("turtle.value",
             $"'{name}' must be a number from {NumberFormatter.Format(low, 3)} to {NumberFormatter.Format(high, 3)}.", formula.At);
     }
-
-    private Affine Inverse() => new(new Vec3(frame.X.X, frame.Y.X, frame.Z.X), new Vec3(frame.X.Y, frame.Y.Y, frame.Z.Y),
-        new Vec3(frame.X.Z, frame.Y.Z, frame.Z.Z), frame.ToLocal(Vec3.Zero));
 
     private FormulaException Error(string code, string message) => new(code, message, rules.At);
 }

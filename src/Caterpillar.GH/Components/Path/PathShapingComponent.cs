@@ -22,12 +22,7 @@ public abstract class PathShapingComponent(string name, string nickname, string 
 
     /// <summary>Paths in the coordinates of a frame. Unchanged for the world frame.</summary>
     private protected static PrintPath[] ToLocal(IEnumerable<PrintPath> paths, Frame frame)
-    {
-        if (frame == Frame.World) return paths.ToArray();
-        var map = new Affine(new Vec3(frame.X.X, frame.Y.X, frame.Z.X), new Vec3(frame.X.Y, frame.Y.Y, frame.Z.Y), new Vec3(frame.X.Z, frame.Y.Z, frame.Z.Z),
-            frame.ToLocal(Vec3.Zero));
-        return paths.Select(p => p.Transformed(map)).ToArray();
-    }
+        => frame == Frame.World ? paths.ToArray() : paths.Select(p => p.Transformed(Affine.ToFrame(frame))).ToArray();
 
     private protected static PrintPath ToWorld(PrintPath path, Frame frame) => frame == Frame.World ? path : path.Transformed(Affine.FromFrame(frame));
 

@@ -47,7 +47,7 @@ public static class MeshReader
     internal static string PlainName(string name)
     {
         var slash = name.LastIndexOfAny(['/', '\\']);
-        var plain = WithoutGz(name.Substring(slash + 1));
+        var plain = GzipReader.PlainName(name.Substring(slash + 1));
         var dot = plain.LastIndexOf('.');
         return dot > 0 ? plain.Substring(0, dot) : plain;
     }
@@ -73,7 +73,7 @@ public static class MeshReader
     private static bool ReadPlain(MeshSource source, List<NamedMesh> meshes)
     {
         var bytes = source.Bytes;
-        var ending = Path.GetExtension(WithoutGz(source.Name).Replace('\\', '/').Split('/').Last()).ToUpperInvariant();
+        var ending = Path.GetExtension(GzipReader.PlainName(source.Name).Replace('\\', '/').Split('/').Last()).ToUpperInvariant();
         if (IsThreeMf(bytes)) return ThreeMfReader.Read(source, meshes);
         if (StartsWith(bytes, "ply\n") || StartsWith(bytes, "ply\r")) return PlyReader.Read(source, meshes);
         switch (ending)
@@ -107,8 +107,6 @@ public static class MeshReader
         }
         return false;
     }
-
-    private static string WithoutGz(string name) => name.EndsWith(".gz", StringComparison.OrdinalIgnoreCase) ? name.Substring(0, name.Length - 3) : name;
 
     private static bool StartsWith(byte[] bytes, string text) => bytes.Take(text.Length).SequenceEqual(text.Select(c => (byte)c));
 }
