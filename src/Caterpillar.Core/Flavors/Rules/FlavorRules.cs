@@ -49,13 +49,7 @@ public sealed partial class FlavorRules(IReadOnlyDictionary<string, string> word
 
     /// <summary>True if one of the names is this letter with this number (<c>G28</c>, <c>G92.1</c>).</summary>
     internal static bool Names(IReadOnlyList<string> names, char letter, double number)
-    {
-        foreach (var name in names)
-        {
-            if (name[0] == letter && NumberReader.TryParse(name.Substring(1), out var value) && value == number) return true;
-        }
-        return false;
-    }
+        => names.Any(name => name[0] == letter && NumberReader.TryParse(name.Substring(1), out var value) && value == number);
 
     public override string ToString() => Title;
 }

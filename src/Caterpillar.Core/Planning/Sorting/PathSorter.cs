@@ -49,7 +49,7 @@ public static class PathSorter
                 return NearestOrder.Orient(items, options.Start);
             default:
                 var order = NearestOrder.Find(items, options.Start, cancel);
-                return options.Rule == SortRule.Tour ? TourImprover.Improve(items, order, options.Start, options.Passes, cancel) : order;
+                return options.Rule == SortRule.Tour ? TourImprover.Improve(items, order, options.Start, cancel) : order;
         }
     }
 

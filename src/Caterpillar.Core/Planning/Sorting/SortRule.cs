@@ -27,8 +27,7 @@ public enum SortRule : byte
 /// <param name="Reverse">Allow open paths to be printed from their other end.</param>
 /// <param name="Rotate">Allow closed paths to start at any vertex.</param>
 /// <param name="Start">Position of the head before the first path, mm; null = any, and the first path stays first.</param>
-/// <param name="Passes">Maximum number of passes of exchanges over all paths for <see cref="SortRule.Tour"/>.</param>
-public sealed record SortOptions(SortRule Rule = SortRule.Nearest, bool Reverse = true, bool Rotate = true, Vec3? Start = null, int Passes = 8);
+public sealed record SortOptions(SortRule Rule = SortRule.Nearest, bool Reverse = true, bool Rotate = true, Vec3? Start = null);
 
 /// <summary>The placement of a path in an order.</summary>
 /// <param name="Index">Its index in the input.</param>

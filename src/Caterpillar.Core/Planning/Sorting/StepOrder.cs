@@ -95,7 +95,7 @@ internal sealed class StepOrder(IReadOnlyList<Step> steps, SortOptions options, 
             starts[n] = _count;
             SortIsland(sorted[n]);
         }
-        if (options.Rule == SortRule.Tour && islands.Count - leads >= 3 && options.Passes >= 1) Exchange(sorted, starts, leads, at);
+        if (options.Rule == SortRule.Tour && islands.Count - leads >= 3) Exchange(sorted, starts, leads, at);
     }
 
     private void SortIsland((int From, int To) island)
@@ -120,7 +120,7 @@ internal sealed class StepOrder(IReadOnlyList<Step> steps, SortOptions options, 
             items[i] = new SortItem(_ordered[starts[leads + i]].Path!, false, false, _ordered[end - 1].Path!);
         }
         var start = leads == 0 ? at : _ordered[starts[leads] - 1].Path!.End;
-        var places = TourImprover.Improve(items, NearestOrder.AsGiven(items.Length), start, options.Passes, cancel);
+        var places = TourImprover.Improve(items, NearestOrder.AsGiven(items.Length), start, cancel);
         var same = true;
         for (var i = 0; i < places.Length; i++) same &= places[i].Index == i;
         if (same) return;

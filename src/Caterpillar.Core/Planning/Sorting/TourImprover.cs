@@ -8,6 +8,7 @@ namespace Caterpillar.Planning;
 internal sealed class TourImprover
 {
     private const int Neighbors = 6;
+    private const int MostPasses = 8;
     private const double MinGain = 1e-7;
     private readonly SortItem[] _items;
     private readonly PathPlacement[] _order;
@@ -35,11 +36,11 @@ internal sealed class TourImprover
         for (var i = 0; i < _fresh.Length; i++) _fresh[i] = true;
     }
 
-    public static PathPlacement[] Improve(SortItem[] items, PathPlacement[] order, Vec3? start, int passes, CancellationToken cancel)
+    public static PathPlacement[] Improve(SortItem[] items, PathPlacement[] order, Vec3? start, CancellationToken cancel)
     {
-        if (order.Length < 3 || passes < 1) return order;
+        if (order.Length < 3) return order;
         var tour = new TourImprover(items, (PathPlacement[])order.Clone(), start);
-        for (var pass = 0; pass < passes && tour.Pass(cancel); pass++)
+        for (var pass = 0; pass < MostPasses && tour.Pass(cancel); pass++)
         {
         }
         tour.RotateLoops();

@@ -13,6 +13,9 @@ public sealed class Kinematics(IReadOnlyList<RotaryAxis> axes, bool isPolar = fa
 
     // Where the turn is free: sine of a tilt, or mm.
     private const double Pole = 1e-12;
+
+    // Degrees: a hair beyond the end of an axis.
+    private const double Rounding = 1e-9;
     private readonly RotaryAxis[] _head = [.. axes.Where(a => !a.TurnsWork)];
     private readonly RotaryAxis[] _work = [.. axes.Where(a => a.TurnsWork)];
     private readonly RotaryAxis? _turn = axes.FirstOrDefault(a => a.About == PathAxis.Z);
@@ -120,14 +123,12 @@ public sealed class Kinematics(IReadOnlyList<RotaryAxis> axes, bool isPolar = fa
     /// <summary>The same words up to full turns, nearest to others, and within the limits where they can be.</summary>
     public Vec3 NearestTurns(Vec3 words, Vec3 last, out bool isWithin)
     {
-        isWithin = true;
         foreach (var axis in Axes)
         {
             var word = axis.Of(words);
             word += 360 * Math.Floor((axis.Of(last) - word) / 360 + 0.5);
-            // A hair beyond the end of an axis is rounding.
-            if (word > axis.Max + Pole * 1e3) word -= 360 * Math.Ceiling((word - axis.Max) / 360);
-            else if (word < axis.Min - Pole * 1e3) word += 360 * Math.Ceiling((axis.Min - word) / 360);
+            if (word > axis.Max + Rounding) word -= 360 * Math.Ceiling((word - axis.Max) / 360);
+            else if (word < axis.Min - Rounding) word += 360 * Math.Ceiling((axis.Min - word) / 360);
             words = axis.With(words, word);
         }
         isWithin = IsWithin(words);
@@ -135,14 +136,7 @@ public sealed class Kinematics(IReadOnlyList<RotaryAxis> axes, bool isPolar = fa
     }
 
     /// <summary>True if all words are within the limits of their axes.</summary>
-    public bool IsWithin(Vec3 words, double tolerance = 1e-9)
-    {
-        foreach (var axis in Axes)
-        {
-            if (!(axis.Of(words) >= axis.Min - tolerance && axis.Of(words) <= axis.Max + tolerance)) return false;
-        }
-        return true;
-    }
+    public bool IsWithin(Vec3 words) => Axes.All(axis => axis.Of(words) >= axis.Min - Rounding && axis.Of(words) <= axis.Max + Rounding);
 
     /// <summary>The largest and the sum of the times (or of the degrees) in which the axes go from one position to another.</summary>
     internal (double Largest, double Sum) Change(Vec3 from, Vec3 to)
