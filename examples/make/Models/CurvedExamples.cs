@@ -6,6 +6,7 @@ using Caterpillar.Checks;
 using Caterpillar.Curved;
 using Caterpillar.Display;
 using Caterpillar.Geometry;
+using Caterpillar.Jobs;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Slicing;
@@ -39,6 +40,7 @@ internal static class CurvedExamples
         ("overhang", Overhang, ColorBy.Layer, new View(-60, -12)),
         ("steps", () => Mound(smooth: false), ColorBy.Role, new View(-60, 35)),
         ("smooth", () => Mound(smooth: true), ColorBy.Role, new View(-60, 35)),
+        ("surface", Surface, ColorBy.Layer, new View(-60, 30)),
         ("vase", VaseOnSaddle, ColorBy.Layer, new View(-50, 16)),
     ];
 
@@ -128,6 +130,44 @@ internal static class CurvedExamples
         var setup = Plain with { Settings = Plain.Settings with { SpiralVase = true, BottomLayers = 1 } };
         var plan = new Bounds(Middle - new Vec3(24, 24), Middle + new Vec3(24, 24));
         return Sliced(bent, LayerField.Vertical(surface), setup, new CurvedOptions { Onto = surface }, CurvedPlate.Make(plan, (_, _) => 0, Saddle));
+    }
+
+    /// <summary>A lobed surface whose rim turns over, as single walls along it, by a head that leans.</summary>
+    public static CurvedExample Surface()
+    {
+        const int Rings = 60, Around = 90;
+        var points = new List<Vec3>();
+        var corners = new List<int>();
+        for (var ring = 0; ring <= Rings; ring++)
+        {
+            // A stem, then an arc that turns outward.
+            var length = 60.0 * ring / Rings;
+            var turn = Math.Max(0, length - 32) * 4.3;
+            var (radius, z) = (22 - 14 * Angle.Cos(turn), Math.Min(length, 32) + 14 * Angle.Sin(turn));
+            for (var k = 0; k < Around; k++)
+            {
+                var angle = 360.0 * k / Around;
+                var r = radius * (1 + 0.12 * ring / Rings * Angle.Cos(6 * angle));
+                points.Add(Middle + new Vec3(r * Angle.Cos(angle), r * Angle.Sin(angle), z));
+                if (ring == Rings) continue;
+                int a = ring * Around + k, b = ring * Around + (k + 1) % Around;
+                corners.AddRange([a, b, b + Around, a, b + Around, a + Around]);
+            }
+        }
+        var shell = new NamedMesh("shell", TriMesh.Create(points, corners));
+        var setup = Plain with
+        {
+            Printer = Plain.Printer with
+            {
+                RotaryAxes = new([RotaryAxis.Parse("C head z speed 120")!, RotaryAxis.Parse("B head y at 0 0 60 from -110 to 110 speed 90")!]),
+                HeadOutline = new([new HeadPoint(0.8, 0), new HeadPoint(3, 8), new HeadPoint(4, 30), new HeadPoint(12, 50)]),
+            },
+            Settings = Plain.Settings with { OpenContours = OpenContours.Surface, BrimWidth = 5 },
+        };
+        using var job = PrintJob.Slice([new SliceModel(shell, setup.Settings)], LayerField.Harmonic(MeshBoundaries.Find(shell.Mesh).OrThrow()), setup,
+            new PrintJobOptions { Tilt = new ToolAim() }).OrThrow();
+        SafeWriter.ToDocument(job.Toolpath, job.Setup).OrThrow();
+        return new CurvedExample(job.Toolpath, job.Setup);
     }
 
     private static PrintSetup Steep(double degrees) => Plain with { Settings = Plain.Settings with { CurvedMaxSlope = degrees } };

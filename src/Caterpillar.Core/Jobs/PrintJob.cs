@@ -227,8 +227,8 @@ public sealed class PrintJob : IDisposable
     {
         if (planned.Value is not { } plan) return new Result<PrintJob>(null, planned.Diagnostics);
         var toolpath = plan.Toolpath;
-        toolpath = options.Tilt is { } aim && setup.Printer.Kinematics is not null && (aim.Direction ?? (field is null ? null : field.Normal)) is { } direction
-            ? TiltedTool.Apply(toolpath, setup, aim with { Direction = direction }, null, cancel)
+        var aim = options.Tilt is { Direction: null, MaxTilt: var most } && field is not null ? TiltedTool.Along(field, most) : options.Tilt;
+        toolpath = aim?.Direction is not null && setup.Printer.Kinematics is not null ? TiltedTool.Apply(toolpath, setup, aim, null, cancel)
             : setup.Printer.Turned(toolpath, cancel);
         return new Result<PrintJob>(
             new PrintJob(plan, toolpath, setup, layers, ReferenceEquals(toolpath, plan.Toolpath) ? overlap : null), planned.Diagnostics);

@@ -106,6 +106,28 @@ public class LeaningHeadTests
         Assert.That(found.Single().Source!.Step, Is.EqualTo(print.Planted.Single().Move));
     }
 
+    [TestCase(0.15)]
+    [TestCase(0.3)]
+    [TestCase(1.5)]
+    public void A_wall_that_leans_rests_on_what_is_below_it_along_the_tool(double height)
+    {
+        // A nozzle of 3 mm; walls are thinner than the layers of the settings, each on the one before and the first on the bed.
+        var setup = Leaning with
+        {
+            Printer = Leaning.Printer with { NozzleDiameter = 3 }, Settings = Leaning.Settings with { LayerHeight = 1.5, FirstLayerHeight = 1.5 },
+        };
+        var along = new Vec3(Angle.Sin(50), 0, Angle.Cos(50)) * height;
+        var print = new SmallPrint(100, 100, 50).Turns(0, 50, 0).Go(100, 100, 50);
+        for (var i = 1; i <= 3; i++)
+        {
+            var at = new Vec3(100, 100) + along * i;
+            print.InLayer(new Layer(i, 1.5 * i, 1.5)).Go(at.X, 100, at.Z).Print(at.X, 140, at.Z, 3.4 * height).Go(at.X, 140, 50).Go(100, 100, 50);
+        }
+        Assert.That(SmallPrint.Find(print.Build(), setup, CheckCodes.Unsupported), Is.Empty);
+        var floating = new SmallPrint(100, 100, 50).Turns(0, 50, 0).InLayer(new Layer(0, 1.5, 1.5)).Go(100, 100, 8).Print(100, 140, 8, 3.4 * height);
+        Assert.That(SmallPrint.Find(floating.Build(), setup, CheckCodes.InAir), Is.Not.Empty);
+    }
+
     [Test]
     public void A_word_beyond_its_axis_is_an_error()
     {

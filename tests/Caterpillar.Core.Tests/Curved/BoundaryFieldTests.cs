@@ -144,7 +144,7 @@ public class BoundaryFieldTests
         var mushroom = CurvedSolids.Lathe(32, (4, 0), (4, 10), (14, 6), (14, 12));
         var folded = CurvedSolids.Try(LayerField.Harmonic(Ends(mushroom)), CurvedSolids.Massive, null, mushroom);
         Assert.That(folded.Diagnostics.Single(d => d.Severity == Severity.Error).Code, Is.EqualTo("curved.overhanging_layers"));
-        Assert.That(folded.Diagnostics.Single(d => d.Severity == Severity.Error).Message, Does.Contain("rotate the model"));
+        Assert.That(folded.Diagnostics.Single(d => d.Severity == Severity.Error).Message, Does.Contain("Rotate the model"));
     }
 
     private static TriMesh OpenTube(Vec3[] low, Vec3[] high)

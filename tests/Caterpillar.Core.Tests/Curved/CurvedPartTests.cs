@@ -272,9 +272,10 @@ public class CurvedPartTests
         var box = MeshMaker.Box(0, 0, 0, 10, 20, 4);
         var slope = new SurfaceSlope(box, box.Vertices.Select(p => 2 * p.Z).ToArray());
         Assert.That(slope.Thickness(0.5), Is.EqualTo(0.5).Within(1e-12));
-        Assert.That(slope.Falling(out _), Is.Zero);
+        Assert.That(slope.Falling(0, out _), Is.Zero);
         var falling = new SurfaceSlope(box, box.Vertices.Select(p => -p.Z).ToArray());
-        Assert.That(falling.Falling(out var place), Is.EqualTo(1).Within(1e-12));
+        Assert.That(falling.Falling(0, out var place), Is.EqualTo(1).Within(1e-12));
+        Assert.That(falling.Falling(89, out _), Is.EqualTo(1), "Straight down.");
         Assert.That(place.X, Is.EqualTo(0).Or.EqualTo(10), "On one of the largest faces.");
         Assert.That(new SurfaceSlope(box, new double[8]).Thickness(0.5), Is.EqualTo(1));
         var towers = TwoTowers();

@@ -161,11 +161,24 @@ public class SmallSolverTests
         var box = MeshMaker.Box(0, 0, 0, 10, 20, 4);
         var curves = new LevelCurves(box, box.Vertices.Select(p => p.Z / 4).ToArray(), [0.1, level]).Trace(1, 0.001);
         Assert.That(curves, Has.Count.EqualTo(1));
-        Assert.That(curves[0].Select(p => p.Z), Is.All.EqualTo(height).Within(1e-9));
-        Assert.That(new Polyline(curves[0], closed: true).SignedAreaXY, Is.EqualTo(200).Within(1e-6), "Counterclockwise.");
-        Assert.That(curves[0], Has.Length.LessThanOrEqualTo(5), "Straight lines need no points between their ends.");
+        Assert.That(curves[0].IsClosed, Is.True);
+        Assert.That(curves[0].Points.Select(p => p.Z), Is.All.EqualTo(height).Within(1e-9));
+        Assert.That(curves[0].SignedAreaXY, Is.EqualTo(200).Within(1e-6), "Counterclockwise.");
+        Assert.That(curves[0].Points, Has.Count.LessThanOrEqualTo(5), "Straight lines need no points between their ends.");
         var none = new LevelCurves(box, new double[8], [0.5]);
         Assert.That(none.Trace(0, 0.001), Is.Empty);
+    }
+
+    [Test]
+    public void Level_curves_end_where_they_are_not_wanted()
+    {
+        var box = MeshMaker.Box(0, 0, 0, 10, 20, 4);
+        var heights = box.Vertices.Select(p => p.Z).ToArray();
+        bool InFront(int corner, int level) => Enumerable.Range(corner, 3).All(c => box.Vertices[box.RawTriangles[c]].Y == 0);
+        var line = new LevelCurves(box, heights, [1], InFront).Trace(0, 0.001).Single();
+        Assert.That(line.IsClosed, Is.False);
+        Assert.That(line.Points, Is.EqualTo(new[] { new Vec3(0, 0, 1), new Vec3(10, 0, 1) }).Using<Vec3>((p, q) => p.DistanceTo(q) < 1e-9));
+        Assert.That(new LevelCurves(box, heights, [1], (_, _) => false).Trace(0, 0.001), Is.Empty);
     }
 
     [Test]

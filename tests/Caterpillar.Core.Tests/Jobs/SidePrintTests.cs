@@ -6,6 +6,7 @@ using Caterpillar.Checks;
 using Caterpillar.Geometry;
 using Caterpillar.Jobs;
 using Caterpillar.Machines;
+using Caterpillar.Planning;
 using Caterpillar.Simulation;
 using Caterpillar.Tests.Slicing;
 using Caterpillar.Toolpaths;
@@ -48,6 +49,29 @@ public class SidePrintTests
             lines++;
         }
         Assert.That(lines, Is.GreaterThanOrEqualTo(Lines().Length - 1));
+    }
+
+    [Test]
+    public void A_line_leans_less_only_where_the_head_would_hit_something()
+    {
+        // Past a post toward which the head leans.
+        var post = TriMesh.Box(new Bounds(new Vec3(170, 148, 0), new Vec3(174, 152, 120)));
+        var leans = Leans(post, [new Vec3(150, 90, 20), new Vec3(150, 210, 20)], new ToolAim(_ => new Vec3(Angle.Sin(60), 0, Angle.Cos(60))));
+        Assert.That(leans.Where(l => Math.Abs(l.Place.Y - 150) > 35).Select(l => l.Lean), Is.All.EqualTo(60).Within(1e-3));
+        Assert.That(leans.Where(l => Math.Abs(l.Place.Y - 150) < 2).Select(l => l.Lean), Is.All.LessThan(31));
+    }
+
+    [Test]
+    public void A_thin_wall_is_printed_from_one_of_its_sides_if_there_is_no_other_way()
+    {
+        // A post ahead, and a roof over both.
+        var between = TriMesh.Merge([
+            TriMesh.Box(new Bounds(new Vec3(170, 149, 0), new Vec3(172, 151, 200))), TriMesh.Box(new Bounds(new Vec3(120, 120, 70), new Vec3(200, 180, 72))),
+        ]);
+        Vec3[] line = [new(150, 149.5, 50), new(150, 150.5, 50)];
+        var aim = new ToolAim(_ => Vec3.UnitX);
+        Assert.That(Leans(between, line, aim).Select(l => l.Tool.Y), Is.All.EqualTo(0).Within(1e-9), "Nothing else is known.");
+        Assert.That(Leans(between, line, aim with { Side = _ => Vec3.UnitY }).Select(l => l.Tool.Y), Is.All.EqualTo(-Angle.Sin(40)).Within(1e-9));
     }
 
     [Test]
@@ -116,5 +140,18 @@ public class SidePrintTests
     {
         var (sin, cos) = Angle.SinCos(degrees);
         return Place + new Vec3(radius * cos, radius * sin, z);
+    }
+
+    // How the tool leans at the ends of the moves of a line on an object, in pieces of 2 mm.
+    private static List<(Vec3 Place, double Lean, Vec3 Tool)> Leans(TriMesh on, Vec3[] line, ToolAim aim)
+    {
+        var parts = (int)Math.Ceiling(line[0].DistanceTo(line[1]) / 2);
+        var points = Enumerable.Range(0, parts + 1).Select(i => Vec3.Lerp(line[0], line[1], (double)i / parts));
+        var setup = Setup with { PrintedOn = on };
+        var plan = Planner.Plan([new PathStep(new PrintPath(points, new Bead(0.08, 0.2)))], setup, new PlanOptions { Policy = PlanPolicy.AsDrawn }).OrThrow();
+        var leaning = TiltedTool.Apply(plan, setup, aim);
+        var kinematics = Setup.Printer.Kinematics!;
+        return leaning.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => (m.End, kinematics.Direction(leaning.WordsAt(m.Index))))
+            .Select(m => (m.Item1, Angle.Atan2(m.Item2.LengthXY, m.Item2.Z), m.Item2)).ToList();
     }
 }

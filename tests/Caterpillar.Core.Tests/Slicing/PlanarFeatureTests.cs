@@ -160,6 +160,19 @@ public class PlanarFeatureTests
     }
 
     [Test]
+    public void The_surface_alone_is_one_wall_on_all_contours()
+    {
+        var layers = Solids.Slice(Bare with { OpenContours = OpenContours.Surface }, Solids.Block(0, 0, 0, 20, 10, 2));
+        Assert.That(layers, Has.Count.EqualTo(10));
+        foreach (var layer in layers)
+        {
+            var wall = Solids.Paths(layer).Single();
+            Assert.That((wall.IsClosed, wall.Length), Is.EqualTo((true, 60.0)).Within(1e-9));
+            Assert.That(wall.Bounds.Size.X, Is.EqualTo(20).Within(1e-9), "Along the contour, not inside of it.");
+        }
+    }
+
+    [Test]
     public void Infill_of_three_layers_is_printed_at_once()
     {
         var settings = new PrintSettings { CombineInfillLayers = 3, MinLayerTime = 0, TopLayers = 0, BottomLayers = 0 };

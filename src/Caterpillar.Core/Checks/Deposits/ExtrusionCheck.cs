@@ -56,7 +56,7 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
         // Layers much thicker or thinner than their extrusions say nothing about them: files without comments about layers, drawings.
         var known = area >= 0.5 * move.Thickness * move.Thickness && area <= FitCheck.Widest * _printer.NozzleDiameter * move.Thickness;
         if (_kinematics is not null && _kinematics.Direction(move.EndTurns) is var tool && tool != Vec3.UnitZ)
-            return Leaning(move, tool, known ? move.Thickness : 0);
+            return Leaning(move, tool, known ? move.Thickness : 0, area);
         // Where nothing is looked for, others still need the heights.
         if (known && !_isAsked) return (move.Thickness, move.Thickness);
         var nominal = known ? move.Thickness : _usualHeight;
@@ -89,8 +89,7 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
             }
             if (isHeld || move.Role == Role.Purge) Land(move);
             else Fly(move.Index, step);
-            if (gap == p.Z - floor && gap <= reach
-                && move.Role is not (Role.Skirt or Role.Purge)) _standing += step * area / Math.Max(gap, nominal / 2);
+            if (gap == p.Z - floor) Stand(move, gap, reach, step * area, nominal);
         }
         _highest = Math.Max(_highest, Math.Max(move.Start.Z, move.End.Z));
         var height = known ? move.Thickness : Math.Max(0, Math.Min(gap, nominal));
@@ -106,24 +105,31 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
     }
 
     // Of a tool that leans: what lies below it along the tool holds it.
-    private (double Nominal, double Filled) Leaning(in CheckedMove move, Vec3 tool, double thickness)
+    private (double Nominal, double Filled) Leaning(in CheckedMove move, Vec3 tool, double thickness, double area)
     {
         var nominal = thickness > 0 ? thickness : _usualHeight;
         var reach = 2 * Math.Max(nominal, _printer.NozzleDiameter / 2) + Touch;
-        // What is about as high is next to it.
-        var beside = 0.3 * nominal;
+        // What is about as high is next to it. The extrusion may be much thinner than its layer.
+        var beside = 0.3 * Math.Min(nominal, area / _printer.NozzleDiameter);
         var count = (int)Math.Min(Math.Ceiling(move.Length / SampleStep), MostSamples);
         var height = nominal;
         for (var k = 0; k < count; k++)
         {
             var p = Vec3.Lerp(move.Start, move.End, (k + 0.5) / count);
-            var gap = beside + printed.Strands!.Below(p - tool * beside, tool, reach - beside, exactly: !(thickness > 0));
-            if (gap <= reach || move.Role == Role.Purge) Land(move);
+            var below = printed.Strands!.Below(p - tool * beside, tool, reach - beside, exactly: !(thickness > 0));
+            if (below <= reach - beside || move.Role == Role.Purge) Land(move);
             else Fly(move.Index, move.Length / count);
-            if (!(thickness > 0)) height = Math.Min(height, gap);
+            Stand(move, p.Z - printed.FloorUnder(p), nominal, move.Length / count * area, nominal);
+            if (!(thickness > 0)) height = Math.Min(height, beside + below);
         }
         _highest = Math.Max(_highest, Math.Max(move.Start.Z, move.End.Z));
         return (height, height);
+    }
+
+    // The area on the bed or the object of a volume at a height above it.
+    private void Stand(in CheckedMove move, double height, double most, double volume, double nominal)
+    {
+        if (height <= most && move.Role is not (Role.Skirt or Role.Purge)) _standing += volume / Math.Max(height, nominal / 2);
     }
 
     /// <summary>Material in place.</summary>

@@ -9,6 +9,7 @@ internal sealed class LeanGuard
     private readonly LeaningHead _head;
     private readonly StrandGrid _strands;
     private readonly int _boxes;
+    private readonly double _lag;
 
     /// <param name="setup">The printer and what is printed on.</param>
     /// <param name="kinematics">Its axes.</param>
@@ -19,29 +20,59 @@ internal sealed class LeanGuard
         _strands = PrintedSoFar.Around(setup);
         _head = CollisionCheck.HeadOf(setup.Printer, kinematics);
         _boxes = setup.Printer.HeadBoxes.Count + setup.Printer.Gantry.Count;
+        _lag = PrintedSoFar.LagOf(setup.Printer);
     }
 
     /// <summary>True if the head would hit what was printed before, the object, the bed or clips, or if a travel leaves the build volume.</summary>
     public bool Refuses(Move move, HeadMove head)
     {
         if (move.Kind == MoveKind.Travel && (!_setup.Printer.CanReach(head.To, 0) || !_kinematics.IsWithin(head.ToTurns))) return true;
+        return Hits(_strands, move, head);
+    }
+
+    /// <summary>The moves of a bead, by their place in it, at which the head would hit what was printed before, also by the bead itself.</summary>
+    public IReadOnlyList<int> RefusedIn(IEnumerable<(Move Move, HeadMove Head)> bead)
+    {
+        var refused = new List<int>();
+        var own = new StrandGrid();
+        var fresh = new Queue<(Move Move, HeadMove Head, double End)>();
+        var (length, i) = (0.0, 0);
+        foreach (var (move, head) in bead)
+        {
+            while (fresh.Count > 0 && fresh.Peek().End + _lag <= length)
+            {
+                var printed = fresh.Dequeue();
+                Add(own, printed.Move, printed.Head);
+            }
+            if (Refuses(move, head) || Hits(own, move, head)) refused.Add(i);
+            length += move.Length;
+            fresh.Enqueue((move, head, length));
+            i++;
+        }
+        return refused;
+    }
+
+    /// <summary>What a move prints can be hit from now on.</summary>
+    public void Add(Move move, HeadMove head) => Add(_strands, move, head);
+
+    private bool Hits(StrandGrid strands, in Move move, HeadMove head)
+    {
         var tolerance = move.Kind == MoveKind.Print ? Math.Max(CollisionCheck.Flush, HeightOf(move) / 2) : CollisionCheck.Flush;
-        if (_head.Meets(_strands, head, tolerance, out _) == HeadContact.Hits) return true;
+        if (_head.Meets(strands, head, tolerance, out _) == HeadContact.Hits) return true;
         for (var i = 0; i < _boxes; i++)
         {
-            if (_head.MeetsBox(_strands, head, tolerance, i, i >= _setup.Printer.HeadBoxes.Count, out _)) return true;
+            if (_head.MeetsBox(strands, head, tolerance, i, i >= _setup.Printer.HeadBoxes.Count, out _)) return true;
         }
         return false;
     }
 
-    /// <summary>What a move prints can be hit from now on.</summary>
-    public void Add(Move move, HeadMove head)
+    private void Add(StrandGrid strands, in Move move, HeadMove head)
     {
         if (!(move.Length > 0) || !(_toolpath.VolumePerE(move.Tool) * move.Deposited > 0)) return;
         var area = _toolpath.VolumePerE(move.Tool)!.Value * move.Deposited / move.Length;
         var width = new Bead(area, HeightOf(move)).Width(_setup.Settings.BeadShape);
         var half = Math.Min(width, PrintedSoFar.Widest * _setup.Printer.NozzleDiameter) / 2;
-        _strands.Add(head.From, head.To, half, _kinematics.Direction(Vec3.Lerp(head.FromTurns, head.ToTurns, 0.5)), move.Index);
+        strands.Add(head.From, head.To, half, _kinematics.Direction(Vec3.Lerp(head.FromTurns, head.ToTurns, 0.5)), move.Index);
     }
 
     private double HeightOf(in Move move)

@@ -8,7 +8,11 @@ public sealed class MeshBoundaries
 {
     private const int MostTriangles = 400_000;
 
-    private MeshBoundaries(TriMesh original, TriMesh mesh, int[] lower, int[] upper) => (Original, Mesh, Lower, Upper) = (original, mesh, lower, upper);
+    private MeshBoundaries(TriMesh original, TriMesh mesh, int[] lower, int[] upper)
+    {
+        (Original, Mesh, Lower, Upper) = (original, mesh, lower, upper);
+        StartLevel = lower.Max(v => mesh.RawVertices[v].Z) - lower.Min(v => mesh.RawVertices[v].Z) < 1e-3;
+    }
 
     /// <summary>The mesh with its long edges divided.</summary>
     internal TriMesh Mesh { get; }
@@ -18,6 +22,9 @@ public sealed class MeshBoundaries
 
     /// <summary>Vertices of <see cref="Mesh"/> on the boundaries where layers end.</summary>
     internal IReadOnlyList<int> Upper { get; }
+
+    /// <summary>True if the lower boundary is level.</summary>
+    internal bool StartLevel { get; }
 
     /// <summary>The mesh as it was given.</summary>
     internal TriMesh Original { get; }
@@ -32,7 +39,7 @@ public sealed class MeshBoundaries
     public static Result<MeshBoundaries> Find(TriMesh mesh, CancellationToken cancel = default)
     {
         if (mesh is null) throw new ArgumentNullException(nameof(mesh));
-        var fine = MeshRefiner.Refine(mesh, Edge(mesh), MostTriangles, cancel).Mesh;
+        var fine = Fine(mesh, cancel);
         var (lower, upper) = mesh.NakedEdgeCount > 0 ? BoundaryFinder.OpenEdges(fine) : BoundaryFinder.SmoothFaces(fine);
         return Checked(mesh, fine, lower, upper, mesh.NakedEdgeCount > 0
             ? "An open mesh needs naked edges at its bottom and at its top." : "A closed mesh needs a face with sharp edges at its top.");
@@ -77,6 +84,13 @@ public sealed class MeshBoundaries
         if (lower.Count == 0 || upper.Count == 0) return Missing("Each boundary needs vertices.");
         return Near(mesh, BoundaryShape.Of(lower), [BoundaryShape.Of(upper)]);
     }
+
+    /// <summary>True for the mesh of the boundaries, or one with the same triangles.</summary>
+    internal bool IsOf(TriMesh mesh) => ReferenceEquals(Original, mesh) || (Original.RawVertices.AsEnumerable().SequenceEqual(mesh.RawVertices)
+        && Original.RawTriangles.AsEnumerable().SequenceEqual(mesh.RawTriangles));
+
+    /// <summary>A mesh with its long edges divided.</summary>
+    internal static TriMesh Fine(TriMesh mesh, CancellationToken cancel = default) => MeshRefiner.Refine(mesh, Edge(mesh), MostTriangles, cancel).Mesh;
 
     private static double Edge(TriMesh mesh) => Math.Min(2, Math.Max(0.5, mesh.Bounds.Size.Length / 80));
 

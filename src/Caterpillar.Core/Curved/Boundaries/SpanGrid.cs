@@ -33,7 +33,7 @@ internal sealed class SpanGrid(Bounds bounds, double cell, double[] levels)
         var edge = 1e-6 * levels[levels.Length - 1];
         for (var i = 0; i < inside.Length; i++) inside[i] = Math.Min(Math.Max(inside[i], edge), levels[levels.Length - 1] - edge);
         var curves = new LevelCurves(mesh, values, inside);
-        Parallel.For(0, levels.Length, i => grid._heights[i] = grid.Spanned(curves.Trace(i, 0.002)));
+        Parallel.For(0, levels.Length, i => grid._heights[i] = grid.Spanned(curves.Trace(i, 0.002).Where(c => c.Count > 2).Select(c => c.Raw).ToList()));
         for (var i = 0; i < levels.Length; i++)
         {
             // A level without curves lies on the one below.

@@ -14,8 +14,7 @@ internal sealed class BoundaryField(MeshBoundaries boundaries, double[] values, 
 
     public override double Detail => 1;
 
-    public override bool StartsLevel { get; }
-        = boundaries.Lower.Max(v => boundaries.Mesh.RawVertices[v].Z) - boundaries.Lower.Min(v => boundaries.Mesh.RawVertices[v].Z) < 1e-3;
+    public override bool StartsLevel => boundaries.StartLevel;
 
     /// <summary>A field of values from 0 at the lower boundary to 1 at the upper one.</summary>
     public static LayerField Of(MeshBoundaries boundaries, double[] shares)
@@ -60,29 +59,28 @@ internal sealed class BoundaryField(MeshBoundaries boundaries, double[] values, 
 
     internal override TriMesh? FlatMesh(TriMesh mesh)
     {
-        var (own, fine) = (boundaries.Original, boundaries.Mesh);
-        if (!ReferenceEquals(own, mesh) && !(own.RawVertices.AsEnumerable().SequenceEqual(mesh.RawVertices)
-            && own.RawTriangles.AsEnumerable().SequenceEqual(mesh.RawTriangles)))
-            return null;
-        return TriMesh.Own(fine.RawVertices.Select((p, i) => p.WithZ(values[i])).ToArray(), fine.RawTriangles);
+        if (!boundaries.IsOf(mesh)) return null;
+        return TriMesh.Own(boundaries.Mesh.RawVertices.Select((p, i) => p.WithZ(values[i])).ToArray(), boundaries.Mesh.RawTriangles);
     }
 
     internal override LayerField FitTo(PartColumns part, PrintSettings settings, DiagnosticList problems)
     {
-        var slope = new SurfaceSlope(boundaries.Mesh, values);
-        if (slope.Falling(out var place) is > 0.01 and var share)
+        var first = settings.FirstLayerHeight;
+        var layers = Math.Max(1, (int)Math.Ceiling((height - first) / settings.LayerHeight - 1e-6));
+        var whole = first + layers * settings.LayerHeight;
+        var fitted = Array.ConvertAll(values, v => v * whole / height);
+        if (settings.OpenContours == OpenContours.Surface) return new SheetField(boundaries, fitted, [0, .. Even(first, whole, layers)]);
+        if (new SurfaceSlope(boundaries.Mesh, values).Falling(0, out var place) is > 0.01 and var share)
         {
             // Small places where branches meet do little harm.
             var most = share > 0.05;
             problems.Add(most ? Severity.Error : Severity.Warning, "curved.overhanging_layers",
                 $"Layers overhang or fold back on {NumberFormatter.Format(share * 100, 1)} % of the part's surface, most at {place}. "
-                + (most ? "Layers must rise everywhere, even if the tool tilts: rotate the model or choose other ends." : "They cannot be printed well."));
+                + (most ? "Solid layers must rise everywhere. Rotate the model, choose other ends, or print its surface as single walls with a tool that tilts "
+                    + "(open_contours=surface)." : "They cannot be printed well."));
             if (most) return this;
         }
-        var first = settings.FirstLayerHeight;
-        var layers = Math.Max(1, (int)Math.Ceiling((height - first) / settings.LayerHeight - 1e-6));
-        var whole = first + layers * settings.LayerHeight;
-        return new BoundaryField(boundaries, Array.ConvertAll(values, v => v * whole / height), whole, () => [0, .. Even(first, whole, layers)]);
+        return new BoundaryField(boundaries, fitted, whole, () => [0, .. Even(first, whole, layers)]);
     }
 
     private static double[] Even(double from, double to, int parts)

@@ -14,6 +14,8 @@ internal sealed class CopiedField : WrappedField
         _shifts = copies.Select(c => c.Placed.Shift - copies[0].Placed.Shift).ToArray();
     }
 
+    internal override Func<Vec3, Vec3>? Side => Inner.Side is { } side ? point => side(point - ShiftAt(point.X, point.Y)) : null;
+
     internal override double Spread(Vec3 point) => Inner.Spread(point - ShiftAt(point.X, point.Y));
 
     internal override LayerField ForPartial() => new CopiedField(Inner.ForPartial(), _copies);
@@ -25,6 +27,12 @@ internal sealed class CopiedField : WrappedField
     {
         var copy = _copies.ToList().FindIndex(c => ReferenceEquals(c.Mesh, mesh));
         return copy < 0 ? null : Inner.FlatMesh(_copies[0].Mesh)?.Moved(_shifts[copy]);
+    }
+
+    internal override (SheetField Field, Vec3 Shift)? SheetOf(TriMesh mesh)
+    {
+        var copy = _copies.ToList().FindIndex(c => ReferenceEquals(c.Mesh, mesh));
+        return copy >= 0 && Inner.SheetOf(_copies[0].Mesh) is var (field, _) ? (field, _shifts[copy]) : null;
     }
 
     public override double Value(Vec3 point) => Inner.Value(point - ShiftAt(point.X, point.Y));

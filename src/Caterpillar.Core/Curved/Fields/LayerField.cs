@@ -34,6 +34,9 @@ public abstract class LayerField
             ToFlat(point + x).Z - ToFlat(point - x).Z, ToFlat(point + y).Z - ToFlat(point - y).Z, ToFlat(point + z).Z - ToFlat(point - z).Z).Unit();
     }
 
+    /// <summary>The normal of the wall at a point, if the layers are thin walls; else null.</summary>
+    internal virtual Func<Vec3, Vec3>? Side => null;
+
     /// <summary>Maps a point of the part to the bent part with flat layers: x, y and the value of the field, mm.</summary>
     public virtual Vec3 ToFlat(Vec3 point) => point.WithZ(Value(point));
 
@@ -64,6 +67,9 @@ public abstract class LayerField
 
     /// <summary>A mesh bent until layers are flat, if the field was made from this mesh. Otherwise null, and it is bent point by point.</summary>
     internal virtual TriMesh? FlatMesh(TriMesh mesh) => null;
+
+    /// <summary>The field on a surface that is printed as single walls, and how far the surface was moved from there, mm. Null for solids.</summary>
+    internal virtual (SheetField Field, Vec3 Shift)? SheetOf(TriMesh mesh) => null;
 
     /// <summary>Reports problems of the surfaces of the field.</summary>
     internal virtual void Check(DiagnosticList problems)

@@ -12,10 +12,10 @@ internal static class PatchOrder
     /// <summary>The layers in the order in which they are printed; some in pieces, each of which is a layer of its own.</summary>
     public static SlicedLayer[] Arrange(SlicedLayer[] layers, Printer printer, DiagnosticList problems)
     {
-        var several = layers.Any(l => !l.Support.IsEmpty || l.Region.Contours.Count(c => c.SignedAreaXY > 0) > 1)
+        var several = layers.Any(l => !l.Support.IsEmpty || (l.Region.IsEmpty ? l.Steps.Count : l.Region.Contours.Count(c => c.SignedAreaXY > 0)) > 1)
             || layers.Select(l => l.Layer.Object).Distinct().Count() > 1;
         if (!several) return layers;
-        var size = layers.Aggregate(Bounds.Empty, (b, l) => b.Include(l.Region.Bounds)).Size;
+        var size = layers.SelectMany(l => l.Steps).Aggregate(Bounds.Empty, (b, s) => b.Include(s.Path.Bounds)).Size;
         var cell = Math.Max(1, size.LengthXY / 300);
         var found = new IReadOnlyList<LayerPatch>[layers.Length];
         Parallel.For(0, layers.Length, i => found[i] = LayerPatch.Of(layers[i], i, cell));

@@ -42,6 +42,11 @@ public static class CurvedSlicer
         if (!problems.HasErrors) CheckCover(field, part, options, problems);
         if (problems.HasErrors) return new Result<CurvedResult>(null, problems.ToList());
         field = field.FitTo(part, setup.Settings, problems);
+        if (setup.Settings.RaftLayers > 0 || setup.Settings.PurgeTower || (!field.StartsLevel && setup.Settings.HasSkirtOrBrim))
+            problems.Add(Severity.Note, "curved.no_skirt",
+                "Curved layers have no raft and no purge tower. If they do not start level, they have no skirt or brim either.");
+        if (!problems.HasErrors && field.SheetOf(models[0].Mesh.Mesh) is (var sheet, _))
+            return Sheets(models, field, sheet, part, setup, options, problems, progress, cancel);
         if (!problems.HasErrors) CheckDefined(field, part, problems);
         if (problems.HasErrors) return new Result<CurvedResult>(null, problems.ToList());
 
@@ -61,9 +66,6 @@ public static class CurvedSlicer
             flat.Add(new SliceModel(new NamedMesh(models[i].Mesh.Name, mesh), OnField(models[i].Settings, field)));
         }
         var common = OnField(setup.Settings, field);
-        if (setup.Settings.RaftLayers > 0 || setup.Settings.PurgeTower || (!field.StartsLevel && setup.Settings.HasSkirtOrBrim))
-            problems.Add(Severity.Note, "curved.no_skirt",
-                "Curved layers have no raft and no purge tower. If they do not start level, they have no skirt or brim either.");
         var limits = new GapLimits(field, part, setup.Settings, LayerRules.GreatestGap(setup));
         var sliced = PlanarSlicer.SliceEach(flat, common, new SliceOptions
         {
@@ -76,11 +78,37 @@ public static class CurvedSlicer
         // Thinner places are printed several layers at once.
         if (setup.Settings.CurvedMaxGapRatio > 0)
             least = Math.Max(least, limits.Thickest(result.Layers.Select(l => l.Layer)) / setup.Settings.CurvedMaxGapRatio);
+        var rules = Rules(setup, options, part, least, RiseOf(result, field));
+        var layers = Lifted(result.Layers, field, rules, options.Threads, problems, progress.Part(0.75, 1), cancel);
+        if (layers.Length == 0 && !problems.HasErrors)
+            problems.Add(Severity.Error, "slice.empty", "Nothing to print: no part of the models is above the surface and within the plan.");
+        if (problems.HasErrors) return new Result<CurvedResult>(null, problems.ToList());
+        return new Result<CurvedResult>(new CurvedResult(PatchOrder.Arrange(layers, setup.Printer, problems), field), problems.ToList());
+    }
+
+    // Surfaces as single walls.
+    private static Result<CurvedResult> Sheets(
+        IReadOnlyList<SliceModel> models, LayerField field, SheetField sheet, PartColumns part, PrintSetup setup, CurvedOptions options,
+        DiagnosticList problems, IProgress<double>? progress, CancellationToken cancel)
+    {
+        var rules = Rules(setup, options, part, LayerRules.LeastGap(setup), sheet.Rise());
+        // Layers, and points of walls about 1 mm apart, until they are planned.
+        var bytes = (4000.0 * sheet.Levels.Length + 120 * sheet.WallLength) * models.Count;
+        if (options.Memory.Refuse(bytes, "The walls of the surface", null, "Increase the layer height.") is { } tooMuch)
+            return new Result<CurvedResult>(null, [tooMuch]);
+        sheet.CheckTool(options.MaxTilt, options.Partial, problems);
+        var layers = new SheetSlicer(field, setup, rules, options).Slice(models, problems, progress, cancel);
+        if (layers.Length == 0 && !problems.HasErrors)
+            problems.Add(Severity.Error, "slice.empty", "Nothing to print: no part of the surface is above the bed.");
+        if (problems.HasErrors) return new Result<CurvedResult>(null, problems.ToList());
+        return new Result<CurvedResult>(new CurvedResult(PatchOrder.Arrange(layers, setup.Printer, problems), field), problems.ToList());
+    }
+
+    private static LiftRules Rules(PrintSetup setup, CurvedOptions options, PartColumns part, double least, double rise)
+    {
         // A tool that tilts sees the slope from its own axis; overhanging layers cannot be printed by any.
-        var rise = RiseOf(result, field);
         var slope = HeadSlope.Limit(setup, part.Bounds.Size.LengthXY, rise);
-        var ceiling = Math.Min(89.9, slope + options.MaxTilt);
-        var rules = new LiftRules(setup.Settings, least, ceiling, options.Onto ?? PlanSurface.Level(0), options.Partial)
+        return new LiftRules(setup.Settings, least, Math.Min(89.9, slope + options.MaxTilt), options.Onto ?? PlanSurface.Level(0), options.Partial)
         {
             // Without a partial print it was looked for in the whole part.
             FindsEdge = options.Partial,
@@ -88,11 +116,6 @@ public static class CurvedSlicer
             TipReach = setup.Printer.HeadOutline[0].Radius + setup.Settings.LineWidth / 2,
             MaxFill = options.Onto is null ? 0 : LayerRules.GreatestGap(setup),
         };
-        var layers = Lifted(result.Layers, field, rules, options.Threads, problems, progress.Part(0.75, 1), cancel);
-        if (layers.Length == 0 && !problems.HasErrors)
-            problems.Add(Severity.Error, "slice.empty", "Nothing to print: no part of the models is above the surface and within the plan.");
-        if (problems.HasErrors) return new Result<CurvedResult>(null, problems.ToList());
-        return new Result<CurvedResult>(new CurvedResult(PatchOrder.Arrange(layers, setup.Printer, problems), field), problems.ToList());
     }
 
     // The layers back in the part; without those of which nothing is printed.

@@ -89,7 +89,7 @@ internal sealed class MeshDistance
         else if (noC) normal = Edge(i, j, out rim);
         else normal = Vec3.Cross(b - a, c - a);
         var distance = p.DistanceTo(q);
-        return new NearestOnMesh(q, Vec3.Dot(p - q, normal) < 0 ? -distance : distance, normal.Unit(), rim);
+        return new NearestOnMesh(q, Vec3.Dot(p - q, normal) < 0 ? -distance : distance, normal.Unit(), rim, triangle, new Vec3(u, v, w));
     }
 
     private Vec3 Corner(int vertex, out bool rim)
@@ -177,4 +177,6 @@ internal sealed class MeshDistance
 /// <param name="Distance">mm; negative on the side away from the normals.</param>
 /// <param name="Normal">Unit normal of the mesh there.</param>
 /// <param name="OnRim">True if the point is on a naked edge.</param>
-internal readonly record struct NearestOnMesh(Vec3 Point, double Distance, Vec3 Normal, bool OnRim);
+/// <param name="Triangle">Its triangle.</param>
+/// <param name="Weights">Barycentric coordinates in the triangle.</param>
+internal readonly record struct NearestOnMesh(Vec3 Point, double Distance, Vec3 Normal, bool OnRim, int Triangle, Vec3 Weights);

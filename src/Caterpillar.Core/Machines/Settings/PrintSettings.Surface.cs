@@ -9,7 +9,7 @@ public sealed partial record PrintSettings
     /// <summary>Minimum flow at the start of the first turn and the end of the last turn of a spiral vase.</summary> <value>%.</value>
     public double SpiralVaseMinFlowPercent { get; init => field = Keys.Check(value); } = 20;
 
-    /// <summary>Ignore contours that do not close, or print them as single walls.</summary>
+    /// <summary>Ignore contours that do not close, print them as single walls, or print all contours as single walls, on the surface of the model.</summary>
     public OpenContours OpenContours { get; init; }
 
     /// <summary>Fuzzy skin: maximum random offset of outer walls; 0 = off.</summary> <value>mm.</value>

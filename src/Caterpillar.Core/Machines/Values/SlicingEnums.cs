@@ -34,6 +34,9 @@ public enum OpenContours : byte
 
     /// <summary>Printed as single walls.</summary>
     Walls,
+
+    /// <summary>All contours, closed ones too, are single walls on the surface of the mesh.</summary>
+    Surface,
 }
 
 /// <summary>What the printer does if a layer takes too little time to cool.</summary>

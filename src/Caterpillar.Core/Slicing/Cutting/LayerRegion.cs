@@ -11,7 +11,12 @@ internal static class LayerRegion
             if (layer.Section is not { } section) return;
             layer.Section = null;
             var settings = layer.Rules.Settings;
-            if (settings.OpenContours == OpenContours.Walls) layer.OpenLines = section.OpenLines;
+            if (settings.OpenContours != OpenContours.Ignore) layer.OpenLines = section.OpenLines;
+            if (settings.OpenContours == OpenContours.Surface)
+            {
+                layer.OpenLines = [.. section.OpenLines, .. section.Loops];
+                section = section with { Loops = [] };
+            }
             var region = Region.From(section.Loops, FillRule.NonZero, false, engine);
             // What simplifying cuts off stays open where there is nothing but walls.
             var tolerance = IsAllWalls(region, layer.Rules.Walls) ? settings.Resolution / 2 : settings.Resolution;

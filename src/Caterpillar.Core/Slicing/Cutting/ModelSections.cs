@@ -10,7 +10,7 @@ internal static class ModelSections
         IProgress<double>? progress, CancellationToken cancel)
     {
         // Open meshes that are printed as single walls have no inside that could be repaired or lost.
-        if (settings.OpenContours == OpenContours.Walls)
+        if (settings.OpenContours != OpenContours.Ignore)
             return MeshSections.At(model.Mesh, heights, new SectionOptions { Threads = threads }, progress, cancel).Value!;
         var repaired = settings.RepairMeshes ? MeshRepair.ToSolid(model.Mesh, cancel) : RepairedMesh.Unchanged(model.Mesh);
         var options = new SectionOptions { Threads = threads, GapMm = settings.SliceGapClosing };

@@ -65,7 +65,7 @@ internal static class WallSteps
         return path.WithBeads(i => path.BeadOf(i).Speed is > 0 and var own && own <= most ? path.BeadOf(i) : path.BeadOf(i) with { Speed = most });
     }
 
-    /// <summary>Contours that do not close, as single walls.</summary>
+    /// <summary>Contours that are printed as single walls.</summary>
     public static void AddOpen(LayerWork layer, List<PathStep> steps)
     {
         var width = layer.Rules.Walls.OuterWidth;
@@ -74,7 +74,7 @@ internal static class WallSteps
         {
             var line = layer.OpenLines[i];
             if (line.Count < 2 || line.Length < width) continue;
-            var path = PrintPath.Own(Array.ConvertAll(line.Raw, p => p.WithZ(layer.Plan.Top)), [bead], closed: false)
+            var path = PrintPath.Own(Array.ConvertAll(line.Raw, p => p.WithZ(layer.Plan.Top)), [bead], line.IsClosed)
                 with { Role = Role.OuterWall, Layer = layer.Layer };
             steps.Add(new PathStep(layer.Rules.Own(path), new StepGroup(layer.Number, layer.Islands.Length, StepRank.Walls)));
         }

@@ -142,7 +142,7 @@ internal sealed class LayerFinish(
     private void Begin()
     {
         var low = _low ?? _level;
-        var parts = low.Select(l => l.Region);
+        var parts = low.Select(l => WallArea.Of(l, settings.BeadShape)).ToArray();
         var covered = Region.Union(parts.Concat(low.Select(l => l.Support)));
         _low = null;
         if (settings.RaftLayers == 0)

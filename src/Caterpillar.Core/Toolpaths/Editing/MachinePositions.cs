@@ -59,24 +59,32 @@ internal static class MachinePositions
                 if (moved < Still) (next, moved) = (at, 0);
                 var (along, path) = (RotaryColumns.Share(piece.Length / count, degrees), RotaryColumns.Share(moved, degrees));
                 var speed = along > 0 ? piece.Speed * path / along : piece.Speed;
-                if (Least(next - at, (end - turns) / count) is > 0 and var time) speed = Math.Min(speed, Math.Max(path - Rounding, path / 2) / time);
+                speed = Held(speed, path, Least(kinematics, next - at, (end - turns) / count, most));
                 builder.Add(piece with { End = next, E = piece.E / count, Deposited = piece.Deposited / count, Speed = speed });
                 builder.SetRotary(words);
                 at = next;
             }
             turns = end;
-
-            // The time that the slowest axis needs, s.
-            double Least(Vec3 slides, Vec3 words)
-            {
-                var time = Math.Max(Needs(slides.X, most.X), Math.Max(Needs(slides.Y, most.Y), Needs(slides.Z, most.Z)));
-                foreach (var axis in kinematics.Axes) time = Math.Max(time, Needs(axis.Of(words), axis.MaxSpeed));
-                return time;
-            }
-
-            static double Needs(double distance, double speed) => distance == 0 ? 0 : (Math.Abs(distance) + Rounding) / speed;
         }
     }
+
+    /// <summary>The time that the slowest axis needs, s.</summary>
+    /// <param name="kinematics">The rotary axes.</param>
+    /// <param name="slides">Move of the slides, mm.</param>
+    /// <param name="words">Change of the rotary words, degrees.</param>
+    /// <param name="most">Maximum speeds of the slides, mm/s.</param>
+    public static double Least(Kinematics kinematics, Vec3 slides, Vec3 words, Vec3 most)
+    {
+        var time = Math.Max(Needs(slides.X, most.X), Math.Max(Needs(slides.Y, most.Y), Needs(slides.Z, most.Z)));
+        foreach (var axis in kinematics.Axes) time = Math.Max(time, Needs(axis.Of(words), axis.MaxSpeed));
+        return time;
+    }
+
+    /// <summary>The speed of a move of a length that takes at least a time in s.</summary>
+    public static double Held(double speed, double length, double time)
+        => time > 0 ? Math.Min(speed, Math.Max(length - Rounding, length / 2) / time) : speed;
+
+    private static double Needs(double distance, double speed) => distance == 0 ? 0 : (Math.Abs(distance) + Rounding) / speed;
 
     /// <summary>The toolpath in the frame of the part, of one of the slides that was read.</summary>
     public static Toolpath ToPart(Toolpath toolpath, Kinematics kinematics, CancellationToken cancel)

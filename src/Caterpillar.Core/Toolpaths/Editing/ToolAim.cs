@@ -5,6 +5,9 @@ namespace Caterpillar.Toolpaths;
 /// <param name="MaxTilt">Maximum lean from vertical, degrees, above 0 and at most 180. Steeper directions are limited to it.</param>
 public sealed record ToolAim(Func<Vec3, Vec3>? Direction = null, double MaxTilt = 90)
 {
+    /// <summary>Direction across thin walls, such as their normal: where the tool would hit something it leans to one of both sides. Null = none.</summary>
+    public Func<Vec3, Vec3>? Side { get; init; }
+
     private static readonly string[] Variables = ["x", "y", "z"];
 
     /// <summary>The tip points away from the nearest place of curves, mm, where the head is; or from them, if they push the head away.</summary>

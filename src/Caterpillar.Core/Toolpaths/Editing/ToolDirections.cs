@@ -13,8 +13,10 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
     private const double Leaving = 20;
     private const int MostParts = 1024;
 
-    // Shares of the lean that are tried.
-    private static readonly double[] Shares = [1, 0.75, 0.5, 0.25, 0];
+    // Steps in which the tool leans less where something is hit, as shares of the lean; along a bead so far from there, mm, it leans less, too.
+    private const double ShareStep = 0.25;
+    private const double Near = 10;
+    private const int MostTries = 16;
 
     /// <summary>Maximum lean of the tool from vertical, degrees; steeper directions are limited to it.</summary>
     public double MaxTilt { get; init; } = 180;
@@ -22,18 +24,26 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
     /// <summary>Maximum change of the direction along a bead, degrees/mm: sharper turns begin before the place that asks for them and end after it.</summary>
     public double MaxChange { get; init; } = 10;
 
-    /// <summary>
-    /// True for a move that must not be made so, mm and degrees: the beads that have it lean less, down to upright, and travels take a detour. Beads that were
-    /// found good are told to it.
-    /// </summary>
+    /// <summary>Maximum speeds of the slides, mm/s, for files that state the tip: moves are as slow as all axes need. Null for others.</summary>
+    internal Vec3? SlideSpeeds { get; init; }
+
+    /// <summary>True for a travel that must not be made so, mm and degrees: it takes a detour.</summary>
     internal Func<Move, HeadMove, bool> Refuses { get; init; } = (_, _) => false;
 
-    /// <inheritdoc cref="Refuses"/>
+    /// <summary>The moves of a bead, by their place in it, that must not be made so: there it leans less, down to upright.</summary>
+    internal Func<IEnumerable<(Move Move, HeadMove Head)>, IReadOnlyList<int>> RefusedIn { get; init; } = _ => [];
+
+    /// <summary>Is told of the moves of each bead.</summary>
     internal Action<Move, HeadMove> Printed { get; init; } = (_, _) => { };
 
     /// <summary>The toolpath with rotary words. Arcs become chords.</summary>
     public Toolpath Apply(Toolpath toolpath, IProgress<double>? progress = null, CancellationToken cancel = default)
+        => Apply(toolpath, progress, cancel, out _);
+
+    // Also counts the beads for which no lean was found.
+    internal Toolpath Apply(Toolpath toolpath, IProgress<double>? progress, CancellationToken cancel, out int refused)
     {
+        refused = 0;
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
         var straight = kinematics.IsPolar ? Divided(toolpath, progress, cancel)
             : StraightPieces.Rebuilt(toolpath, toolpath.Start, (builder, piece) => builder.Add(piece), progress, cancel);
@@ -58,7 +68,7 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
             }
             else
             {
-                var start = Allowed(straight, words, bead, end, last);
+                var start = Allowed(straight, words, bead, end, last, ref refused);
                 if (!Travel(straight, words, first, bead, last, start)) turnsFirst[bead] = start;
                 else Detour(straight, words, first, bead, travels, replaced);
                 foreach (var (move, head) in Heads(straight, words, bead, end, start)) Printed(move, head);
@@ -67,17 +77,27 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
             first = end;
         }
         var next = 0;
+        last = Vec3.Zero;
         return StraightPieces.Rebuilt(straight, straight.Start, (builder, piece) =>
         {
             // Without a travel to a bead the tool turns before it.
-            if (turnsFirst.TryGetValue(next, out var before)) Turn(builder, builder.Position, before, piece);
+            if (turnsFirst.TryGetValue(next, out var before)) Turn(builder, builder.Position, last = before, piece);
             foreach (var (end, turned, speed) in replaced.TryGetValue(next, out var moves) ? moves : [(piece.End, words[next], piece.Speed)])
             {
-                builder.Add(piece with { End = end, Speed = speed });
+                builder.Add(piece with { End = end, Speed = Held(builder.Position, end, last, turned, speed) });
                 builder.SetRotary(turned);
+                last = turned;
             }
             if (++next == words.Length) StandUp(builder, words[next - 1], piece, travels);
         }, null, cancel);
+    }
+
+    private double Held(Vec3 from, Vec3 to, Vec3 before, Vec3 after, double speed)
+    {
+        if (SlideSpeeds is not { } most || before == after) return speed;
+        var slides = kinematics.Machine(to, after) - kinematics.Machine(from, before);
+        var length = RotaryColumns.Share(from.DistanceTo(to), before.DistanceTo(after));
+        return MachinePositions.Held(speed, length, MachinePositions.Least(kinematics, slides, after - before, most));
     }
 
     private Vec3 Lean(Vec3 p) => Capped(tool(p).Unit(), MaxTilt);
@@ -92,18 +112,48 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
 
     private Vec3 At(Vec3 p, Vec3 last) => kinematics.Nearest(p, Lean(p), last);
 
-    // The words of a bead that nothing refuses, with as much of the lean as possible; those with all of it where there are none.
-    private Vec3 Allowed(Toolpath path, Vec3[] words, int bead, int end, Vec3 last)
+    // The words of a bead that nothing refuses, with as much of the lean as possible everywhere; those with all of it where there are none.
+    private Vec3 Allowed(Toolpath path, Vec3[] words, int bead, int end, Vec3 last, ref int refusedBeads)
     {
-        var aims = Aims(path, bead, end);
-        var most = aims.Max(a => Angle.Atan2(a.LengthXY, a.Z));
-        foreach (var share in Shares)
+        var less = new double[end - bead + 1];
+        for (var tries = 0; tries < MostTries; tries++)
         {
-            var start = Follow(path, [.. aims.Select(a => Capped(a, most * share))], words, bead, end, last);
-            if (!Heads(path, words, bead, end, start).Any(h => Refuses(h.Move, h.Head))) return start;
+            var start = Follow(path, Aims(path, bead, end, less), words, bead, end, last);
+            var refused = new HashSet<int>(RefusedIn(Heads(path, words, bead, end, start)));
+            if (!CanTravelTo(path[bead].Start, start)) refused.Add(0);
+            if (!CanTravelTo(path[end - 1].End, words[end - 1])) refused.Add(end - bead - 1);
+            if (refused.Count == 0) return start;
+            if (!LeanLess(path, bead, less, refused)) break;
         }
-        return Follow(path, aims, words, bead, end, last);
+        refusedBeads++;
+        return Follow(path, Aims(path, bead, end, new double[less.Length]), words, bead, end, last);
     }
+
+    // False if the tool is upright already.
+    private static bool LeanLess(Toolpath path, int bead, double[] less, IEnumerable<int> refused)
+    {
+        var before = (double[])less.Clone();
+        foreach (var move in refused)
+        {
+            var share = Math.Max(before[move], before[move + 1]) + ShareStep;
+            if (share > 1) return false;
+            double away = 0;
+            for (var i = move; i >= 0 && away <= Near; i--)
+            {
+                less[i] = Math.Max(less[i], share);
+                if (i > 0) away += path[bead + i - 1].Length;
+            }
+            away = 0;
+            for (var i = move + 1; i < less.Length && away <= Near; i++)
+            {
+                less[i] = Math.Max(less[i], share);
+                if (i + 1 < less.Length) away += path[bead + i].Length;
+            }
+        }
+        return true;
+    }
+
+    private bool CanTravelTo(Vec3 place, Vec3 turns) => !Refuses(new Move { Kind = MoveKind.Travel, Layer = -1 }, new HeadMove(place, turns, place, turns));
 
     // The moves of a part of the path, with the head from one end to the other.
     private static IEnumerable<(Move Move, HeadMove Head)> Heads(Toolpath path, Vec3[] words, int first, int end, Vec3 before)
@@ -129,11 +179,15 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
     private static bool IsTravel(in Move move) => move.Kind == MoveKind.Travel && !move.IsInPlace && move.E == 0;
 
     // The directions at the start of a bead and at the ends of its moves, that change by no more than they may.
-    private Vec3[] Aims(Toolpath path, int bead, int end)
+    private Vec3[] Aims(Toolpath path, int bead, int end, double[] less)
     {
         var aims = new Vec3[end - bead + 1];
         aims[0] = Lean(path[bead].Start);
         for (var i = bead; i < end; i++) aims[i - bead + 1] = Lean(path[i].End);
+        for (var i = 0; i < aims.Length; i++)
+        {
+            if (less[i] > 0) aims[i] = Capped(aims[i], (1 - less[i]) * Angle.Atan2(aims[i].LengthXY, aims[i].Z));
+        }
         var (onward, back) = ((Vec3[])aims.Clone(), (Vec3[])aims.Clone());
         for (var i = 1; i < aims.Length; i++) onward[i] = Toward(onward[i - 1], aims[i], path[bead + i - 1].Length * MaxChange);
         for (var i = aims.Length - 2; i >= 0; i--) back[i] = Toward(back[i + 1], aims[i], path[bead + i].Length * MaxChange);

@@ -57,7 +57,7 @@ public sealed class TiltToolComponent() : ChosenPortsComponent(
             case TiltAim.LayerNormals:
                 var recipe = run.Get<FieldRecipe>(run["Field"]);
                 var field = recipe.Made ?? throw new InputProblem("Field depends on the solids. Connect the output Field of Curved Slicer.");
-                return (new ToolAim(field.Normal), recipe);
+                return (TiltedTool.Along(field), recipe);
             case TiltAim.Formula:
                 var texts = run.Some<GH_String>(run["Expressions"]).Select(t => t.Value.Trim()).ToArray();
                 if (texts.Length != 3) throw new InputProblem("Formula needs three expressions: the x, y and z of the direction.");

@@ -12,7 +12,8 @@ internal sealed class LevelCurves
     /// <param name="mesh">The mesh.</param>
     /// <param name="values">One for each vertex.</param>
     /// <param name="levels">Ascending.</param>
-    public LevelCurves(TriMesh mesh, double[] values, double[] levels)
+    /// <param name="isWanted">Of a triangle, by its first corner, and a level: whether the curve is needed there. Null = everywhere.</param>
+    public LevelCurves(TriMesh mesh, double[] values, double[] levels, Func<int, int, bool>? isWanted = null)
     {
         _mesh = mesh;
         _values = values;
@@ -27,7 +28,10 @@ internal sealed class LevelCurves
             if (!(high > low)) continue;
             var first = Array.BinarySearch(levels, low);
             first = first < 0 ? ~first : first + 1;
-            for (var i = first; i < levels.Length && levels[i] <= high; i++) _crossed[i].Add(t);
+            for (var i = first; i < levels.Length && levels[i] <= high; i++)
+            {
+                if (isWanted is null || isWanted(t, i)) _crossed[i].Add(t);
+            }
         }
     }
 
@@ -37,23 +41,24 @@ internal sealed class LevelCurves
     /// </summary>
     /// <param name="level">Its number.</param>
     /// <param name="tolerance">How far the curves may lie off the exact ones, mm.</param>
-    public List<Vec3[]> Trace(int level, double tolerance)
+    public List<Polyline> Trace(int level, double tolerance)
     {
         var corners = _mesh.RawTriangles;
         var partner = _mesh.Topology.Partner;
-        var visited = new HashSet<int>();
-        var result = new List<Vec3[]>();
+        var left = new HashSet<int>(_crossed[level]);
+        var result = new List<Polyline>();
         // Open ones from their beginning first.
         foreach (var t in _crossed[level])
         {
-            if (partner[HalfEdge(t, level, rising: false)] < 0) Follow(t);
+            var before = partner[HalfEdge(t, level, rising: false)];
+            if (before < 0 || !left.Contains(before - before % 3)) Follow(t);
         }
         foreach (var t in _crossed[level]) Follow(t);
         return result;
 
         void Follow(int t)
         {
-            if (!visited.Add(t)) return;
+            if (!left.Remove(t)) return;
             var line = new List<Vec3> { Crossing(HalfEdge(t, level, rising: false), level) };
             while (true)
             {
@@ -62,9 +67,10 @@ internal sealed class LevelCurves
                 var next = partner[rising];
                 if (next < 0) break;
                 t = next - next % 3;
-                if (!visited.Add(t)) break;
+                if (!left.Remove(t)) break;
             }
-            if (line.Count > 3) result.Add(Thinned(line, tolerance));
+            var thinned = Thinned(line, tolerance);
+            if (thinned.Count > (thinned.IsClosed ? 2 : 1)) result.Add(thinned);
         }
 
         int HalfEdge(int t, int at, bool rising)
@@ -87,11 +93,11 @@ internal sealed class LevelCurves
         return Vec3.Lerp(_mesh.RawVertices[a], _mesh.RawVertices[b], (_levels[level] - _values[a]) / (_values[b] - _values[a]));
     }
 
-    private static Vec3[] Thinned(List<Vec3> line, double tolerance)
+    private static Polyline Thinned(List<Vec3> line, double tolerance)
     {
         var kept = LineThinner.Thin(line, tolerance);
-        // Closed ones end at their first point.
-        if (line[line.Count - 1].DistanceTo(line[0]) > 1e-9) kept.Add(line[line.Count - 1]);
-        return kept.ToArray();
+        var closed = line[line.Count - 1].DistanceTo(line[0]) <= 1e-9;
+        if (!closed) kept.Add(line[line.Count - 1]);
+        return Polyline.Own(kept.ToArray(), closed);
     }
 }
