@@ -230,10 +230,19 @@ def main(program, examples, samples, folder):
     line('X of two tubes, `--field geodesic`', own('cross'), '--field', 'geodesic')
     line('twisted prism, `--field "z - 0.02 * r * sin(2 * theta)"`', own('screw'), '--field', 'z - 0.02 * r * sin(2 * theta)')
     slender = ['--set', 'head_outline_mm=[[2.5,0],[14,28],[22,300]]']
-    for name, head in (('vase', []), ('Y_shape', slender), ('Y_shape', []), ('costa_surface', slender)) if samples else ():
-        ends = [word for end, file in (('--from', 'LOW'), ('--to', 'HIGH')) for word in (end, os.path.join(samples, '%s_%s.json' % (name, file)))]
+    surface = ['--set', 'open_contours=surface']
+    tilting = [*slender, '--set', 'rotary_axes=["C head z speed 120", "B head y at 0 0 60 from -135 to 135 speed 90"]']
+    for name, head in (('vase', []), ('Y_shape', slender), ('Y_shape', [])) if samples else ():
         title = '%s of compas_slicer, `--field harmonic`%s' % (name, ', slender nozzle' if head else '')
-        line(title, os.path.join(samples, name + '.obj'), '--field', 'harmonic', *ends, common=['-p', 'potter_super', *head])
+        line(title, os.path.join(samples, name + '.obj'), '--field', 'harmonic', *ends(samples, name), common=['-p', 'potter_super', *head])
+    for name in ('vase', 'Y_shape', 'costa_surface') if samples else ():
+        title = '%s as a surface, `--tilt normal`, slender nozzle' % name
+        line(title, os.path.join(samples, name + '.obj'), '--field', 'harmonic', *ends(samples, name), '--tilt', 'normal',
+             common=['-p', 'potter_super', *tilting, *surface], copies=0)
+
+
+def ends(samples, name):
+    return [word for end, file in (('--from', 'LOW'), ('--to', 'HIGH')) for word in (end, os.path.join(samples, '%s_%s.json' % (name, file)))]
 
 
 if __name__ == '__main__':

@@ -23,6 +23,7 @@ internal static class SampleFolder
         // Start code does not go there.
         File.WriteAllText("scan.stl", boxAt(8, 6, 4, 100));
         File.WriteAllText("vessel.stl", boxAt(60, 60, 100, 120));
+        File.WriteAllText("shell.obj", Tube());
         File.WriteAllText("side.csv", "curve,x,y,z\n0,130,119.9,60\n0,145,119.9,60\n1,155,119.9,60\n1,170,119.9,60\n");
         File.WriteAllText("logo.stl", boxAt(5, 4, 0.8, 101));
         Directory.CreateDirectory("models");
@@ -41,6 +42,16 @@ internal static class SampleFolder
         File.Copy("part.gcode", "print.gcode");
         run(["slice", Path.Combine(TestData.Repository, "examples", "models", "bracket.stl"), "-o", "bracket.gcode"]);
         CopyExamples();
+    }
+
+    // Open at both ends.
+    private static string Tube()
+    {
+        const int Sides = 12;
+        var points = Enumerable.Range(0, 2 * Sides).Select(i => (Radius: i < Sides ? 8 : 10, Angle: 2 * Math.PI * i / Sides, Z: i < Sides ? 0 : 6))
+            .Select(p => FormattableString.Invariant($"v {p.Radius * Math.Cos(p.Angle):F4} {p.Radius * Math.Sin(p.Angle):F4} {p.Z}"));
+        var faces = Enumerable.Range(1, Sides).Select(i => (A: i, B: i % Sides + 1)).Select(f => $"f {f.A} {f.B} {f.B + Sides} {f.A + Sides}");
+        return string.Join("\n", points.Concat(faces)) + "\n";
     }
 
     // Settings of other slicers.

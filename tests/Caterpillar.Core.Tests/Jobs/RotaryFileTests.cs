@@ -19,6 +19,15 @@ public class RotaryFileTests
 {
     private const double Height = 0.2;
 
+    [TestCase("C head z from -360 to 360, B head y at 0 0 60")]
+    [TestCase("[\"C head z from -360 to 360\", \"B head y at 0 0 60\"]")]
+    public void Axes_are_given_on_one_line_with_or_without_brackets(string text)
+    {
+        var printer = new ProfileLibrary().Setup("generic", values: ["rotary_axes=" + text]).OrThrow().Printer;
+        Assert.That(printer.RotaryAxes.Select(a => (a.Word, a.Max, a.Point.Z)),
+            Is.EqualTo(new[] { (RotaryWord.C, 360, 0), (RotaryWord.B, double.PositiveInfinity, 60) }));
+    }
+
     [TestCase("five_axis_head", "machine")]
     [TestCase("five_axis_table", "machine")]
     [TestCase("five_axis_head", "tip")]

@@ -77,7 +77,8 @@ internal class TextsFormat<TItem>(
     public override IReadOnlyList<KeyValuePair<string, object>> Schema => [new("type", "array"), new("items", SchemaOfItem)];
 
     public override object? Parse(string text)
-        => text.Trim().Length == 0 ? Array.Empty<object>() : text.Split(',', '\n').Select(t => (object)t.Trim()).ToArray();
+        => text.Trim().Length == 0 ? Array.Empty<object>()
+            : RawValues.Unbracketed(text).Split(',', '\n').Select(t => (object)t.Trim().Trim('"')).ToArray();
 
     public override bool Fits(object raw) => raw is IReadOnlyList<object> list && list.All(i => i is string text && item(text) is not null);
 

@@ -13,9 +13,7 @@ internal static class RawValues
     /// <summary>Numbers separated by commas, spaces or x, with or without brackets; null if one is not a number.</summary>
     public static object? ParseNumbers(string text)
     {
-        text = text.Trim();
-        if (IsBracketed(text)) text = text.Substring(1, text.Length - 2);
-        var numbers = text.Split([',', ' ', 'x', '×'], StringSplitOptions.RemoveEmptyEntries)
+        var numbers = Unbracketed(text).Split([',', ' ', 'x', '×'], StringSplitOptions.RemoveEmptyEntries)
             .Select(part => NumberReader.TryParse(part, out var number) ? (object)number : null).ToArray();
         return numbers.Contains(null) ? null : numbers;
     }
@@ -45,6 +43,13 @@ internal static class RawValues
         IReadOnlyList<object> list => "[" + string.Join(", ", list.Select(Text)) + "]",
         _ => (string)raw,
     };
+
+    /// <summary>A text without the brackets around it, if it has any.</summary>
+    public static string Unbracketed(string text)
+    {
+        text = text.Trim();
+        return IsBracketed(text) ? text.Substring(1, text.Length - 2) : text;
+    }
 
     private static bool IsBracketed(string text) => text.Length >= 2 && text[0] == '[' && text[text.Length - 1] == ']';
 }
