@@ -116,46 +116,6 @@ public class CurvedSliceTests : CliFixture
         Assert.That(missed.Messages, Does.Contain("curved.no_boundary"));
     }
 
-    // The surface bends along x alone.
-    [TestCase("1; 0", true, false)]
-    [TestCase("0; 1", false, true)]
-    [TestCase("curvature", true, false)]
-    [TestCase("across", false, true)]
-    [TestCase("both", true, true)]
-    [TestCase("lines.csv", false, true)]
-    public void Infill_runs_along_directions_of_the_surface(string along, bool byX, bool byY)
-    {
-        File.WriteAllText("part.stl", Box(20, 12, 3));
-        File.WriteAllText("lines.csv", "x,y,z\n10,0,0\n10,12,0\n");
-        var run = Run("slice", "part.stl", "--surface", "x * x / 400", "--infill-along", along, "--set", "infill_density_percent=20", "--set",
-            "layer_height_mm=0.3",
-            "--set", "top_layers=0", "--set", "bottom_layers=0", "--override", "a test");
-        Assert.That(run.Code, Is.Zero, run.Messages);
-        var rows = Run("decode", "part.gcode", "--csv").Text.Split('\n').Where(l => l.Length > 0).Select(l => l.Split(',')).ToArray();
-        int kind = rows[0].ToList().IndexOf("kind"), role = rows[0].ToList().IndexOf("role"), x = rows[0].ToList().IndexOf("x"),
-            y = rows[0].ToList().IndexOf("y");
-        var (alongX, alongY) = (0.0, 0.0);
-        for (var i = 2; i < rows.Length; i++)
-        {
-            if (rows[i][kind] != "print" || rows[i][role] != "infill") continue;
-            alongX += System.Math.Abs(Number(rows[i][x]) - Number(rows[i - 1][x]));
-            alongY += System.Math.Abs(Number(rows[i][y]) - Number(rows[i - 1][y]));
-        }
-        Assert.That(alongX > 0.25 * alongY, Is.EqualTo(byX), $"{alongX} and {alongY} mm");
-        Assert.That(alongY > 0.25 * alongX, Is.EqualTo(byY), $"{alongX} and {alongY} mm");
-
-        static double Number(string text) => double.Parse(text, System.Globalization.CultureInfo.InvariantCulture);
-    }
-
-    [Test]
-    public void Directions_of_the_infill_need_a_surface_and_a_meaning()
-    {
-        File.WriteAllText("part.stl", Box(20, 10, 3));
-        Assert.That(Run("slice", "part.stl", "--field", "z", "--infill-along", "both").Code, Is.EqualTo(2));
-        Assert.That(Run("slice", "part.stl", "--surface", "0.1 * x", "--infill-along", "sideways").Code, Is.EqualTo(2));
-        Assert.That(Run("slice", "part.stl", "--surface", "0.1 * x", "--infill-along", "1; y +").Code, Is.EqualTo(2));
-    }
-
     [Test]
     public void The_tool_tilts_along_the_layers_where_asked()
     {

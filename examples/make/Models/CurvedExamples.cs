@@ -36,7 +36,6 @@ internal static class CurvedExamples
         ("between", Between, ColorBy.Layer, new View(-60, 22)),
         ("terrain", TerrainPattern, ColorBy.Role, new View(-70, 40)),
         ("branching", Branches, ColorBy.Layer, new View(-60, 14)),
-        ("ribs", Ribs, ColorBy.Role, new View(-60, 40)),
         ("overhang", Overhang, ColorBy.Layer, new View(-60, -12)),
         ("steps", () => Mound(smooth: false), ColorBy.Role, new View(-60, 35)),
         ("smooth", () => Mound(smooth: true), ColorBy.Role, new View(-60, 35)),
@@ -87,19 +86,6 @@ internal static class CurvedExamples
         var setup = Plain with { Settings =
             Plain.Settings with { LayerHeight = 0.8, FirstLayerHeight = 0.8, LineWidth = 1, CurvedMaxGap = 1.2, InfillDensityPercent = 10 } };
         return Sliced(part, LayerField.Harmonic(MeshBoundaries.Find(part).OrThrow()), setup);
-    }
-
-    /// <summary>A shell over a saddle. Its ribs follow both principal curvatures.</summary>
-    public static CurvedExample Ribs()
-    {
-        static double Saddle(double x, double y) => 9 + ((x - 110) * (x - 110) - (y - 110) * (y - 110) / 2) / 130 + (x - 110) * (y - 110) / 220;
-        var plan = new Bounds(Middle - new Vec3(30, 24), Middle + new Vec3(30, 24));
-        var surface = PlanSurface.Of(Saddle, 4);
-        var part = CurvedPlate.Make(plan, Saddle, (x, y) => Saddle(x, y) + 3);
-        var lines = SurfaceLines.AlongCurvature(surface, plan, 5).Concat(SurfaceLines.AlongCurvature(surface, plan, 5, across: true)).ToArray();
-        var setup = Plain with { Settings = Plain.Settings with { InfillDensityPercent = 20, TopLayers = 0, BottomLayers = 2 } };
-        return Sliced(part, LayerField.Vertical(surface), setup, new CurvedOptions { InfillLines = _ => lines, Onto = surface },
-            CurvedPlate.Make(plan, (_, _) => 0, Saddle));
     }
 
     /// <summary>A hat with a brim that overhangs by 70 degrees, in layers supported by the layers before them.</summary>

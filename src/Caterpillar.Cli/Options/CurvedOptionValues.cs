@@ -28,9 +28,8 @@ internal sealed class CurvedOptionValues
             + "model's footprint on the bed. X;Y;Z: formulas for the bent point.", "cone=DEG|overhangs[=DEG]|X;Y;Z");
 
     private readonly BoundaryOptions _boundaries = new();
-    private readonly InfillAlong _along = new();
 
-    public Option[] All => [_surface, _field, _blend, _deform, .. Onto.All, .. _boundaries.All, .. _along.All];
+    public Option[] All => [_surface, _field, _blend, _deform, .. Onto.All, .. _boundaries.All];
 
     public bool IsGiven(ParseResult arguments) => HasField(arguments) || Onto.IsGiven(arguments);
 
@@ -39,7 +38,7 @@ internal sealed class CurvedOptionValues
         => arguments.GetValue(_surface) is { Length: > 0 } || arguments.GetValue(_field) is not null || arguments.GetValue(_deform) is not null;
 
     /// <summary>False for options that do not follow copies of a model.</summary>
-    public bool CanBeCopied(ParseResult arguments) => !_along.IsGiven(arguments) && arguments.GetValue(_deform)?.Contains(';') != true;
+    public bool CanBeCopied(ParseResult arguments) => arguments.GetValue(_deform)?.Contains(';') != true;
 
     /// <summary>Finds wrong usage before files are read.</summary>
     /// <exception cref="CliException">Options do not go together.</exception>
@@ -59,7 +58,6 @@ internal sealed class CurvedOptionValues
         if (!ends && kind is not ("vertical" or "normal" or "between") && surfaces.Length > 0)
             throw CliException.Usage($"--field {(kind == "smooth" ? kind : "with a formula")} cannot be combined with --surface.");
         if (kind is "vertical" or "normal" && surfaces.Length > 1) throw CliException.Usage("Several surfaces need --field between.");
-        if (_along.IsGiven(arguments) && surfaces.Length == 0) throw CliException.Usage("--infill-along needs --surface.");
         if (arguments.GetValue(_blend) is { } blend)
         {
             if (kind != "vertical" || surfaces.Length == 0) throw CliException.Usage("--blend needs --surface and --field vertical.");
@@ -68,15 +66,13 @@ internal sealed class CurvedOptionValues
         Onto.Check(arguments, !HasField(arguments));
     }
 
-    /// <summary>The field of the layers, and the uppermost surface that it follows, if any.</summary>
+    /// <summary>The field of the layers.</summary>
     /// <param name="arguments">The command line.</param>
     /// <param name="models">The models at their print positions.</param>
     /// <param name="setup">The printer, whose head limits overhangs.</param>
     /// <param name="session">Reads files.</param>
-    public LayerField Field(
-        ParseResult arguments, IReadOnlyList<NamedMesh> models, PrintSetup setup, Session session, out PlanSurface? surface)
+    public LayerField Field(ParseResult arguments, IReadOnlyList<NamedMesh> models, PrintSetup setup, Session session)
     {
-        surface = null;
         var placed = models[0].Placed;
         if (arguments.GetValue(_deform) is { } deform) return Deformed(deform, models, setup, session);
         var surfaces = arguments.GetValue(_surface) ?? [];
@@ -90,17 +86,13 @@ internal sealed class CurvedOptionValues
         switch (kind)
         {
             case "vertical":
-                surface = Surface(surfaces[0], models, session);
-                return LayerField.Vertical(surface, arguments.GetValue(_blend) is { } blend ? Blend(blend) : null);
+                return LayerField.Vertical(Surface(surfaces[0], models, session), arguments.GetValue(_blend) is { } blend ? Blend(blend) : null);
             case "normal":
-                var mesh = Meshes.ReadAsOne(surfaces[0], session).Transformed(placed);
-                surface = PlanSurface.Of(mesh);
-                return LayerField.Offset(mesh);
+                return LayerField.Offset(Meshes.ReadAsOne(surfaces[0], session).Transformed(placed));
             case "between":
                 var plans = surfaces.Select(s => Surface(s, models, session)).ToList();
                 // One surface: from the bottom of the models up to it.
                 if (plans.Count == 1) plans.Insert(0, PlanSurface.Level(models.Min(m => m.Mesh.Bounds.Min.Z)));
-                surface = plans[^1];
                 return LayerField.Between(plans.ToArray());
             case "smooth":
                 return session.ValueOrFail(LayerField.Smooth(models, setup, session.Cancel));
@@ -108,12 +100,6 @@ internal sealed class CurvedOptionValues
                 return session.ValueOrFail(LayerField.Formula(formula, placed, new SourceLocation(Key: "--field")), ExitCode.Usage);
         }
     }
-
-    /// <summary>Infill lines along directions of a surface, instead of the infill pattern; null = pattern.</summary>
-    /// <inheritdoc cref="Field" path="/param"/>
-    public IReadOnlyList<Polyline>? InfillLines(
-        ParseResult arguments, PlanSurface? surface, IReadOnlyList<NamedMesh> models, PrintSetup setup, Session session)
-        => surface is null ? null : _along.Lines(arguments, surface, models, setup, session);
 
     // Between surfaces, or between ends of the model itself.
     private static bool IsBetweenEnds(string kind, string[] surfaces) => kind is "harmonic" or "geodesic" || (kind == "between" && surfaces.Length == 0);

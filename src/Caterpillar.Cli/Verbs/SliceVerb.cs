@@ -63,7 +63,7 @@ internal sealed class SliceVerb : Verb
     {
         var placed = models.Select(m => m.Mesh.Placed).Distinct().ToArray();
         if (placed.Length > 1 && originals > 1) throw Problem("several models cannot be arranged: the surface would not follow them.");
-        if (placed.Length > 1 && !_curved.CanBeCopied(arguments)) throw Problem("formulas for --deform and --infill-along do not follow copies.");
+        if (placed.Length > 1 && !_curved.CanBeCopied(arguments)) throw Problem("formulas for --deform do not follow copies.");
         options = _curved.Onto.Of(arguments, placed, options, session);
         if (!_curved.HasField(arguments)) return session.Run("Slicing", progress => PrintJob.Slice(models, setup, options, progress, session.Cancel));
         // Together with an object the model is already where it belongs.
@@ -71,9 +71,7 @@ internal sealed class SliceVerb : Verb
             models = [.. models.Select(m => new SliceModel(m.Mesh.Moved(new Vec3(0, 0, -m.Mesh.Placed.Shift.Z)), m.Settings))];
         var meshes = models.Select(m => m.Mesh).ToArray();
         var first = placed.Length == 1 ? meshes : [meshes[0]];
-        var field = _curved.Field(arguments, first, setup, session, out var surface);
-        var lines = _curved.InfillLines(arguments, surface, first, setup, session);
-        options = options with { InfillLines = lines is null ? null : _ => lines };
+        var field = _curved.Field(arguments, first, setup, session);
         if (placed.Length > 1) field = field.ForCopies(meshes);
         return session.Run("Slicing", progress => PrintJob.Slice(models, field, setup, options, progress, session.Cancel));
 
