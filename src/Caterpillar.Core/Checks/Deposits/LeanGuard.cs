@@ -30,15 +30,22 @@ internal sealed class LeanGuard
         return Hits(_strands, move, head);
     }
 
-    /// <summary>The moves of a bead, by their place in it, at which the head would hit what was printed before, also by the bead itself.</summary>
+    /// <summary>
+    /// The moves of a bead, by their place in it, at which the head would hit what was printed before, also by the bead itself; and those at its ends where a
+    /// travel would.
+    /// </summary>
     public IReadOnlyList<int> RefusedIn(IEnumerable<(Move Move, HeadMove Head)> bead)
     {
         var refused = new List<int>();
         var own = new StrandGrid();
         var fresh = new Queue<(Move Move, HeadMove Head, double End)>();
         var (length, i) = (0.0, 0);
+        var travel = new Move { Kind = MoveKind.Travel, Layer = -1 };
+        HeadMove end = default;
         foreach (var (move, head) in bead)
         {
+            if (i == 0 && Refuses(travel, head.Part(0, 0))) refused.Add(0);
+            end = head.Part(1, 1);
             while (fresh.Count > 0 && fresh.Peek().End + _lag <= length)
             {
                 var printed = fresh.Dequeue();
@@ -49,6 +56,7 @@ internal sealed class LeanGuard
             fresh.Enqueue((move, head, length));
             i++;
         }
+        if (i > 0 && (Refuses(travel, end) || Hits(own, travel, end))) refused.Add(i - 1);
         return refused;
     }
 

@@ -30,7 +30,10 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
     /// <summary>True for a travel that must not be made so, mm and degrees: it takes a detour.</summary>
     internal Func<Move, HeadMove, bool> Refuses { get; init; } = (_, _) => false;
 
-    /// <summary>The moves of a bead, by their place in it, that must not be made so: there it leans less, down to upright.</summary>
+    /// <summary>
+    /// The moves of a bead, by their place in it, that must not be made so, and those from whose ends it cannot be left or come to: there it leans less, down to
+    /// upright.
+    /// </summary>
     internal Func<IEnumerable<(Move Move, HeadMove Head)>, IReadOnlyList<int>> RefusedIn { get; init; } = _ => [];
 
     /// <summary>Is told of the moves of each bead.</summary>
@@ -119,9 +122,7 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
         for (var tries = 0; tries < MostTries; tries++)
         {
             var start = Follow(path, Aims(path, bead, end, less), words, bead, end, last);
-            var refused = new HashSet<int>(RefusedIn(Heads(path, words, bead, end, start)));
-            if (!CanTravelTo(path[bead].Start, start)) refused.Add(0);
-            if (!CanTravelTo(path[end - 1].End, words[end - 1])) refused.Add(end - bead - 1);
+            var refused = RefusedIn(Heads(path, words, bead, end, start));
             if (refused.Count == 0) return start;
             if (!LeanLess(path, bead, less, refused)) break;
         }
@@ -152,8 +153,6 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
         }
         return true;
     }
-
-    private bool CanTravelTo(Vec3 place, Vec3 turns) => !Refuses(new Move { Kind = MoveKind.Travel, Layer = -1 }, new HeadMove(place, turns, place, turns));
 
     // The moves of a part of the path, with the head from one end to the other.
     private static IEnumerable<(Move Move, HeadMove Head)> Heads(Toolpath path, Vec3[] words, int first, int end, Vec3 before)
