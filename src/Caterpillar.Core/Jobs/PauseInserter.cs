@@ -19,7 +19,7 @@ internal static class PauseInserter
     {
         var block = toolpath.BlockOf(before.Index);
         var columns = toolpath.Blocks[block].Columns;
-        var editor = BlockEditor.After(toolpath, block);
+        var editor = BlockEditor.At(toolpath, toolpath.FirstOf(block));
         var at = before.Index - toolpath.FirstOf(block);
         editor.Add(columns, 0, at);
         editor.From(columns, at);

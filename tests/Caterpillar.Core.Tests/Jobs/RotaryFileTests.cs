@@ -75,6 +75,38 @@ public class RotaryFileTests
         Assert.That(time.Duration, Is.GreaterThan(Timeline.Of(job.Toolpath, upright).Duration), "rotary axes are slower than the tip");
     }
 
+    // More lines than a block of moves holds; the tool is turned every 700 lines, not near the end of the block.
+    [Test]
+    public void Rotary_words_of_a_long_file_stay_with_their_extrusions()
+    {
+        var text = new System.Text.StringBuilder("G90\nM83\n;LAYER:0\nG1 Z0.2 F3000\n");
+        for (var i = 0; i < 66_000; i++)
+        {
+            if (i == 65_900) text.Append(";LAYER:1\nG1 Z0.4\n");
+            text.Append("G1 X").Append(i % 200 + 1).Append(" Y").Append(i / 200 % 200);
+            text.Append(i % 700 == 0 ? $" B{i / 700} C{-i / 700}" : "").Append(" E0.02\n");
+        }
+        var job = new FileJob(GCodeDecoder.Decode(GCodeDocument.FromText(text.ToString())).OrThrow());
+        Assert.That(job.Toolpath.Blocks, Has.Count.EqualTo(2));
+        Assert.That(job.Toolpath.WordsAt(job.Toolpath.Count - 1), Is.EqualTo(new Vec3(0, 94, -94)));
+        var words = Words(job.Toolpath);
+        Assert.That(words, Has.Length.EqualTo(66_000));
+        FileEdits[] edits =
+        [
+            new() { Move = new Vec3(5, 2), PauseAtLayers = [1], Pause = new Pause { Lift = 5 } },
+            new() { Remove = true, Filter = new MoveFilter { LastLayer = 0 } },
+        ];
+        foreach (var edit in edits)
+        {
+            using var stream = new System.IO.MemoryStream();
+            job.Edit(edit).OrThrow().Write(stream, "edited.gcode", null).OrThrow();
+            var written = Words(GCodeDecoder.Decode(GCodeDocument.FromBytes(stream.ToArray())).OrThrow().Toolpath);
+            Assert.That(written.SequenceEqual(edit.Remove ? words.Skip(65_900) : words), Is.True, edit.ToString());
+        }
+
+        static Vec3[] Words(Toolpath toolpath) => [.. toolpath.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => toolpath.WordsAt(m.Index))];
+    }
+
     [Test]
     public void A_polar_machine_turns_the_platform_under_the_nozzle()
     {

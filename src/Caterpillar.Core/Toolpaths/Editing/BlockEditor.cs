@@ -6,11 +6,11 @@ internal sealed class BlockEditor(int size, PageFile<ToolpathColumns>? file)
     private readonly ToolpathBuilder _builder = new(MoveSource.Lines, null) { Moves = new(ToolpathBlock.Capacity, size, file) };
     private Vec3? _turns;
 
-    /// <summary>An editor for a block of a toolpath, with room for so many moves at first.</summary>
-    public static BlockEditor After(Toolpath toolpath, int block, int size = ToolpathBuilder.FirstSize)
+    /// <summary>An editor for moves of a toolpath from this one on, with room for so many at first.</summary>
+    public static BlockEditor At(Toolpath toolpath, int move, int size = ToolpathBuilder.FirstSize)
     {
-        var editor = new BlockEditor(size, block < toolpath.Blocks.Count ? toolpath.Blocks[block].File : null);
-        if (block > 0 && toolpath.Blocks[block - 1].Columns is { Turns: not null } before) editor.Take(before, before.Count - 1);
+        var editor = new BlockEditor(size, toolpath.Blocks[toolpath.BlockOf(move)].File);
+        if (move > 0) editor._turns = toolpath.TurnsOf(move - 1);
         return editor;
     }
 

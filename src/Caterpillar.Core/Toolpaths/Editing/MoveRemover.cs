@@ -45,7 +45,7 @@ internal sealed class MoveRemover(Toolpath toolpath, MoveSet removed)
             }
             var size = RoomForRepairs;
             for (var i = 0; i < columns.Count; i++) size += removed[first + i] ? 0 : 1;
-            _editor = BlockEditor.After(toolpath, block, size);
+            _editor = BlockEditor.At(toolpath, first, size);
             for (var i = 0; i < columns.Count; i++)
             {
                 // Events before such a move come with the next one.

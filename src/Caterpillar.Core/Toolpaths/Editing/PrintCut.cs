@@ -88,7 +88,7 @@ internal sealed class PrintCut
         var end = _toolpath[_printEnd - 1].End;
         var height = Math.Max(SafeHeight, end.Z);
         var block = _toolpath.BlockOf(_lowerEnd - 1);
-        var editor = BlockEditor.After(_toolpath, block);
+        var editor = BlockEditor.At(_toolpath, _toolpath.FirstOf(block));
         editor.Add(_toolpath.Blocks[block].Columns, 0, _lowerEnd - _toolpath.FirstOf(block));
         void Add(Vec3 to, double e, double speed, MoveKind kind) => editor.Add(to, e, 0, speed, kind, Role.Unspecified, last.Layer, last.Tool, -1, null);
         // Where the end code retracts, once is enough.
@@ -111,7 +111,7 @@ internal sealed class PrintCut
         var first = First;
         var line = Lines.Upper;
         var block = _toolpath.BlockOf(_upper);
-        var editor = BlockEditor.After(_toolpath, block);
+        var editor = BlockEditor.At(_toolpath, _upper);
         void Add(Vec3 to, double e, double speed, MoveKind kind) => editor.Add(to, e, 0, speed, kind, Role.Unspecified, first.Layer, first.Tool, -1, null);
         Add(first.Start.WithZ(Math.Max(SafeHeight, first.Start.Z)), 0, _travelSpeed, MoveKind.Travel);
         Add(first.Start, 0, ZSpeed, MoveKind.Travel);

@@ -30,7 +30,7 @@ internal sealed class ToolpathMapper(Toolpath toolpath, MoveSet mapped, RunMap m
             var first = toolpath.FirstOf(block);
             var count = toolpath.Blocks[block].Count;
             if (AddWhole(block, first, count)) continue;
-            _editor = BlockEditor.After(toolpath, block);
+            _editor = BlockEditor.At(toolpath, first);
             for (var i = first; i < first + count; i++)
             {
                 _editor.From(toolpath.Blocks[block].Columns, i - first);
