@@ -31,5 +31,5 @@ internal static class BakeLayers
         return Math.Max(parent, 0);
     }
 
-    private static string Safe(string name) => string.Join(":", name.Split([Separator], StringSplitOptions.None));
+    private static string Safe(string name) => string.Join(":", name.Split([':'], StringSplitOptions.RemoveEmptyEntries));
 }
