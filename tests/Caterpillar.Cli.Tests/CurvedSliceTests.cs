@@ -1,5 +1,10 @@
+using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Text;
+using Caterpillar.Basics;
+using Caterpillar.Geometry;
 using NUnit.Framework;
 
 namespace Caterpillar.Cli.Tests;
@@ -115,6 +120,57 @@ public class CurvedSliceTests : CliFixture
         Assert.That((missed.Code, missed.Messages), Is.EqualTo((1, missed.Messages)));
         Assert.That(missed.Messages, Does.Contain("curved.no_boundary"));
     }
+
+    [TestCase("[0, 1, 2, 3]", "[4, 5, 6, 7]", "")]
+    [TestCase("[0, 1, 2, 3]", "[4, 5, 6, 8]", "boundary 1 touches no vertex")]
+    [TestCase("[0, -1]", "[4, 5, 6, 7]", "The boundaries touch no vertex of the part.")]
+    [TestCase("[0, 1, 2, 3]", "[0, 3]", "meet")]
+    [TestCase("[0, 1, 2, 3]", "[4.5]", "curves.")]
+    [TestCase("[0, 1, 2, 3]", "[]", "curves.")]
+    [TestCase("[0, 1, 2, 3]", "[4, 99999999999999999999]", "curves.")]
+    public void Boundaries_may_be_lists_of_vertices(string from, string to, string message)
+    {
+        File.WriteAllText("part.stl", Box(10, 10, 4));
+        File.WriteAllText("from.json", from);
+        File.WriteAllText("to.JSON", to);
+        var run = Run("slice", "part.stl", "--field", "geodesic", "--from", "from.json", "--to", "to.JSON", "-o", "given.gcode");
+        Assert.That(run.Code, Is.EqualTo(message.Length == 0 ? 0 : 1), run.Messages);
+        Assert.That(run.Messages, Does.Contain(message));
+        if (message.Length > 0) return;
+        // Both ends of the box are what is found without them.
+        Run("slice", "part.stl", "--field", "geodesic", "-o", "found.gcode");
+        Assert.That(Code("given.gcode"), Is.EqualTo(Code("found.gcode")));
+    }
+
+    [TestCase("edge:1", "edge:2", 0, "")]
+    [TestCase("edge:1", "edge:3", 1, "boundary 1 touches no vertex")]
+    [TestCase("edge:2", "edge:2", 1, "meet")]
+    [TestCase("edge:0", "edge:2", 2, "edge:N needs a number from 1.")]
+    [TestCase("edge:1", "edge:1.5", 2, "edge:N needs a number from 1.")]
+    [TestCase("edge:1", "edge:", 2, "edge:N needs a number from 1.")]
+    public void Boundaries_may_be_open_edges_from_the_longest(string from, string to, int code, string message)
+    {
+        // A tube that is wider below.
+        var text = new StringBuilder("solid tube\n");
+        for (var i = 0; i < 16; i++)
+        {
+            Vec3 At(int k, double radius, double z) => new(radius * Angle.Cos(22.5 * k), radius * Angle.Sin(22.5 * k), z);
+            foreach (var face in new[] { new[] { At(i, 6, 0), At(i + 1, 6, 0), At(i + 1, 5, 4) }, [At(i, 6, 0), At(i + 1, 5, 4), At(i, 5, 4)] })
+            {
+                var corners = string.Concat(face.Select(p => FormattableString.Invariant($"vertex {p.X:R} {p.Y:R} {p.Z:R}\n")));
+                text.Append("facet normal 0 0 0\nouter loop\n").Append(corners).Append("endloop\nendfacet\n");
+            }
+        }
+        File.WriteAllText("tube.stl", text.Append("endsolid tube\n").ToString());
+        var run = Run("slice", "tube.stl", "--field", "geodesic", "--from", from, "--to", to, "-o", "given.gcode");
+        Assert.That(run.Code, Is.EqualTo(code), run.Messages);
+        Assert.That(run.Messages, Does.Contain(message));
+        if (code != 0) return;
+        Run("slice", "tube.stl", "--field", "geodesic", "-o", "found.gcode");
+        Assert.That(Code("given.gcode"), Is.EqualTo(Code("found.gcode")));
+    }
+
+    private static IEnumerable<string> Code(string file) => File.ReadLines(file).Where(l => l.StartsWith('G'));
 
     [Test]
     public void The_tool_tilts_along_the_layers_where_asked()

@@ -10,7 +10,7 @@ internal sealed record CsvTable(IReadOnlyList<string> Columns, IReadOnlyList<IRe
     public static CsvTable Parse(string text, string file)
     {
         if (text.StartsWith('\uFEFF')) text = text[1..];
-        var firstLine = text.Split('\n').FirstOrDefault(l => l.Trim().Length > 0 && l[0] != '#') ?? "";
+        var firstLine = text.Split('\n').FirstOrDefault(l => l.Trim() is { Length: > 0 } row && row[0] != '#') ?? "";
         var separator = new[] { ',', ';', '\t' }.MaxBy(c => firstLine.Count(d => d == c));
         IReadOnlyList<string>? columns = null;
         var rows = new List<IReadOnlyList<string>>();
