@@ -96,6 +96,43 @@ public class LeaningHeadTests
         Assert.That(found.Single().Message, Does.Contain("hits the bed"));
     }
 
+    // The tool leans by 30° toward a wall of 20 mm at y = 100. The lowest corner of a box that is 10 mm wide and begins 20 mm above the tip is then 14.33 mm
+    // in front of the tip and 14.82 mm above it.
+    [TestCase(114.33, 4.9, true)]
+    [TestCase(114.33, 5.4, false)]
+    [TestCase(113.3, 4.5, true)]
+    [TestCase(113.3, 5.4, false)]
+    [TestCase(115.1, 4.9, false)]
+    public void Boxes_of_the_head_lean_with_it(double y, double z, bool hits)
+    {
+        var box = new Bounds(new Vec3(-5, -5, 20), new Vec3(5, 5, 60));
+        var setup = Leaning with { Printer = Leaning.Printer with { HeadOutline = Thin, HeadBoxes = new(box) } };
+        var found = SmallPrint.Find(BesideWall(y, z), setup, "collision.");
+        Assert.That(found.Select(d => d.Code), Is.EqualTo(hits ? new[] { CheckCodes.HeadHits } : []));
+        if (hits) Assert.That(found[0].Message, Does.StartWith("The print head of the leaning tool hits an earlier extrusion"));
+    }
+
+    // What carries the head does not lean: it stands 30 mm back from the tip, and 60 mm · (1 - cos 30°) = 8.04 mm lower than above an upright one.
+    [TestCase(130, 7.9, true)]
+    [TestCase(130, 8.3, false)]
+    [TestCase(127.3, 7.9, true)]
+    [TestCase(126.5, 7.9, false)]
+    [TestCase(132.7, 7.9, true)]
+    [TestCase(133.5, 7.9, false)]
+    public void The_gantry_of_a_leaning_head_stands_upright(double y, double z, bool hits)
+    {
+        var beam = new Bounds(new Vec3(0, -3, 20), new Vec3(0, 3, 60));
+        var setup = Leaning with { Printer = Leaning.Printer with { HeadOutline = Thin, Gantry = new(beam) } };
+        var found = SmallPrint.Find(BesideWall(y, z), setup, "collision.");
+        Assert.That(found.Select(d => d.Code), Is.EqualTo(hits ? new[] { CheckCodes.GantryHits } : []));
+        if (hits) Assert.That(found[0].Message, Does.StartWith("The gantry of the leaning tool hits an earlier extrusion"));
+    }
+
+    private static ValueList<HeadPoint> Thin => new(new HeadPoint(0.5, 0), new(1, 6));
+
+    private static Toolpath BesideWall(double y, double z)
+        => new SmallPrint().Wall(80, 120, 100, 20).Go(100, y, 200).Turns(0, 30, -90).Go(100, y, 200).Go(100, y, z).Go(100, y, 200).Build();
+
     [Test]
     public void A_turn_in_place_sweeps_the_head()
     {

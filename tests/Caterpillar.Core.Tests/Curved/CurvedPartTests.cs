@@ -344,7 +344,7 @@ public class CurvedPartTests
     public void Details_against_overhangs_are_four_cells()
     {
         Assert.That(Descending.Value.Detail, Is.EqualTo(1));
-        Assert.That(new OverhangPlan(Region.Rectangle(10, 10, 20, 20), new Bounds(Vec3.Zero, new Vec3(9, 400, 10)), 45).Detail, Is.EqualTo(4));
+        Assert.That(new OverhangPlan(Region.Rectangle(1, 10, 8, 20), new Bounds(Vec3.Zero, new Vec3(9, 400, 10)), 45).Detail, Is.EqualTo(4));
     }
 
     private static readonly Lazy<OverhangPlan> Descending = new(() => Against(45));

@@ -59,8 +59,11 @@ public class SmoothFieldTests
         }
         Assert.That(field.Value(new Vec3(3, 3, 0)), Is.Zero);
         Assert.That(field.StartsLevel, Is.True);
-        // All layers share what is to be bent: 3.8 mm in 24 layers at the low end, 5.8 mm at the high one.
-        Assert.That(field.Height(0, 5, 3) - field.Height(0, 5, 2.8), Is.InRange(0.15, 0.2 + 1e-9));
+        // Layers share what is to be bent: 3.8 mm in 24 layers at the low end, 5.8 mm at the high one, for which 0.45 of their freedom is enough.
+        Assert.That(field.Height(0, 5, 3) - field.Height(0, 5, 2.8), Is.EqualTo(0.2 - 0.45 * (0.2 - 0.08 / Angle.Cos(28.6))).Within(1e-9));
+        Assert.That(field.Height(20, 5, 5) - field.Height(20, 5, 4.8), Is.EqualTo(0.2 + 0.45 * 0.1).Within(1e-9));
+        // Beyond the nodes around the part, they turn back no faster than they must.
+        Assert.That(field.Height(-0.6, 5, 5), Is.EqualTo(3.98 + 1.05 * 0.1 * 0.4).Within(1e-9));
         Assert.That(field.Normal(new Vec3(10, 5, 5)).X / field.Normal(new Vec3(10, 5, 5)).Z, Is.EqualTo(-0.1).Within(1e-9));
     }
 
@@ -127,6 +130,18 @@ public class SmoothFieldTests
         // Most of the higher half is in one layer.
         var value = smooth.Value!.Value(new Vec3(14, 5, 7.3));
         for (var x = 9.5; x <= 18.9; x += 0.3) Assert.That(smooth.Value.Value(new Vec3(x, 5, 0.3 + 0.5 * x)), Is.EqualTo(value).Within(1e-6));
+    }
+
+    // Thickness is measured across layers, which slope by 1.5° less than they may, and by 45° at most.
+    [TestCase(30.1, 0, 0.091)]
+    [TestCase(80, 0, 0.113)]
+    [TestCase(30.1, 2, 0.171)]
+    [TestCase(30.1, 3, 0.114)]
+    public void Layers_are_as_thin_as_their_slope_and_the_ratio_of_gaps_allow(double slope, double ratio, double least)
+    {
+        var setup = Setup with { Settings = Setup.Settings with { CurvedMaxSlope = slope, CurvedMaxGapRatio = ratio } };
+        var note = LayerField.Smooth([new NamedMesh("slope", Roof((x, _) => 0.25 + 0.05 * x))], setup).Diagnostics.Single();
+        Assert.That(note.Message, Does.EndWith($"there layers would be thinner than {NumberFormatter.Format(least, 3)} mm, thicker than 0.3 mm or too steep."));
     }
 
     [Test]

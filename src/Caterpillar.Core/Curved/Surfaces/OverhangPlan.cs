@@ -129,7 +129,6 @@ internal sealed class OverhangPlan : PlanSurface
 
     private void Offer(int i, int j, int edge, List<(Vec3 A, Vec3 B)> edges, int[] nearest)
     {
-        if (i < 0 || j < 0 || i >= _grid.Columns || j >= _grid.Rows) return;
         var (a, b) = edges[edge];
         var node = j * _grid.Columns + i;
         var distance = Math.Sqrt(FlatSegment.SquareDistance(_grid.At(node), a, b));
