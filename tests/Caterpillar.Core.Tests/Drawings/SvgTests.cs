@@ -87,6 +87,19 @@ public class SvgTests
         Assert.That(One("<path d=\"M10 50a0 5 0 0 1 10 0\"/>").Curve, Is.InstanceOf<PolylineCurve>());
     }
 
+    [TestCase(-5, 5)]
+    [TestCase(5, -5)]
+    [TestCase(-5, -5)]
+    [TestCase(-30, 15)]
+    [TestCase(30, -15)]
+    public void Radii_of_arcs_have_no_sign(double rx, double ry)
+    {
+        var curve = One($"<path d=\"M10 50 a{rx} {ry} 0 0 1 {2 * Math.Abs(rx)} 0\"/>").Curve;
+        Near(CurveMaker.Middle(curve), Up(10 + Math.Abs(rx), 50 - Math.Abs(ry)));
+        Near(curve.End, Up(10 + 2 * Math.Abs(rx), 50));
+        Assert.That(curve is ArcCurve { Radius: > 0 }, Is.EqualTo(Math.Abs(rx) == Math.Abs(ry)));
+    }
+
     [Test]
     public void A_command_after_closing_starts_at_the_first_point()
     {

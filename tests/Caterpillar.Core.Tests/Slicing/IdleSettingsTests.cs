@@ -32,6 +32,10 @@ public class IdleSettingsTests
     [TestCase("infill_density_percent=0", "combine_infill_layers=3",
         "combine_infill_layers has no effect with infill_density_percent=0 and infill_spacing_mm=0")]
     [TestCase("infill_density_percent=0", "infill_pattern=gyroid", "infill_pattern has no effect with infill_density_percent=0 and infill_spacing_mm=0")]
+    [TestCase("infill_pattern=curves infill_curves_mm=0,-9,0;0,9,0", "infill_anchor_max_mm=2",
+        "infill_anchor_max_mm has no effect with infill_pattern=curves. Curves are printed as they are.")]
+    [TestCase("", "infill_curves_mm=0,-9,0;0,9,0", "infill_curves_mm has no effect unless infill_pattern=curves.")]
+    [TestCase("open_contours=walls", "slice_gap_closing_mm=3", "slice_gap_closing_mm has no effect with open_contours=walls. Open contours are printed as")]
     [TestCase("infill_spacing_mm=3", "infill_density_percent=50", "infill_density_percent has no effect with infill_spacing_mm. The spacing sets the density.")]
     [TestCase("", "adaptive_cusp_height_mm=0.05", "adaptive_cusp_height_mm has no effect unless adaptive_layers=true.")]
     [TestCase("", "ironing_spacing_mm=0.2", "ironing_spacing_mm has no effect unless ironing=true.")]
@@ -53,6 +57,10 @@ public class IdleSettingsTests
     [TestCase("min_layer_time_s=0", "min_print_speed_mm_s=15", "min_print_speed_mm_s has no effect unless min_layer_time_s is above 0.")]
     [TestCase("", "skirt_distance_mm=9", "skirt_distance_mm has no effect unless skirt_loops is above 0.")]
     [TestCase("", "brim_type=outer_and_inner", "brim_type has no effect unless brim_width_mm is above 0.")]
+    [TestCase("brim_type=ears", "brim_gap_mm=0.2", "brim_gap_mm has no effect unless brim_width_mm is above 0.")]
+    [TestCase("print_sequence=by_object", "purge_tower=true", "purge_tower has no effect with print_sequence=by_object. The head would hit a tower")]
+    [TestCase("", "purge_tower_width_mm=30", "purge_tower_width_mm has no effect unless purge_tower=true.")]
+    [TestCase("", "purge_volume_mm3=30", "purge_volume_mm3 has no effect unless purge_tower=true or purge_into_infill=true.")]
     [TestCase("", "raft_layer_height_mm=0.5", "raft_layer_height_mm has no effect unless raft_layers is above 0.")]
     [TestCase("", "support_angle_deg=30", "support_angle_deg has no effect unless support=grid or support=tree.")]
     [TestCase("support=grid", "tree_tip_distance_mm=1", "tree_tip_distance_mm has no effect unless support=tree.")]
@@ -67,6 +75,18 @@ public class IdleSettingsTests
         Assert.That(named, Has.One.StartsWith(message));
         var bottom = message.Contains("above the bottom") ? with.BottomLayers : 0;
         Assert.That(Describe(with, bottom), Is.EqualTo(Describe(without, bottom)));
+    }
+
+    [TestCase("wall_count=1 alternate_extra_wall=true", "only_one_wall_top=true")]
+    [TestCase("brim_ears_mm=3,3,4", "brim_gap_mm=0.2")]
+    [TestCase("purge_into_infill=true", "purge_volume_mm3=30")]
+    [TestCase("top_layers=0 top_thickness_mm=1", "ironing=true")]
+    [TestCase("infill_density_percent=0 infill_spacing_mm=3", "infill_pattern=gyroid")]
+    [TestCase("spiral_vase=true", "wall_count=0")]
+    [TestCase("infill_pattern=curves infill_curves_mm=0,-9,0;0,9,0", "infill_anchor_mm=0")]
+    public void Settings_with_an_effect_are_not_named(string first, string used)
+    {
+        Assert.That(PlanarSlicer.Slice([Cup], Settings(first, used)).Diagnostics.Where(d => d.Code == "slice.no_effect"), Is.Empty);
     }
 
     [Test]

@@ -88,6 +88,26 @@ public class PolyholeTests
         Assert.That(Regions(disk, Plain)[0].Area, Is.EqualTo(disk.Area).Within(0.5));
     }
 
+    // A hole of 48 corners, some of which are missing: a side of 37.5 degrees belongs to a circle, one of 52.5 degrees is a flat, wherever it begins.
+    [Test]
+    public void A_long_side_is_a_flat_wherever_the_hole_begins()
+    {
+        for (var first = 0; first < 48; first += 5)
+        {
+            int Corners(int missing)
+            {
+                var kept = Enumerable.Range(missing, 48 - missing).Select(i => Circle(6)[(i + first) % 48]).ToArray();
+                return Regions(Plate(kept), Plain with { HoleToPolyholeTwisted = false })[0].Contours.Single(c => c.SignedAreaXY < 0).Count;
+            }
+            Assert.That((Corners(4), Corners(6)), Is.EqualTo((12, 42)), $"from corner {first}");
+        }
+    }
+
+    [TestCase(8, 8)]
+    [TestCase(9, 10)]
+    public void A_hole_of_eight_corners_is_meant_to_have_them(int corners, int sides)
+        => Assert.That(Regions(Plate(Circle(5, corners)), Plain)[0].Contours.Single(c => c.SignedAreaXY < 0).Count, Is.EqualTo(sides));
+
     [Test]
     public void A_pin_inside_a_hole_stays_and_a_hole_near_an_edge_opens_it()
     {

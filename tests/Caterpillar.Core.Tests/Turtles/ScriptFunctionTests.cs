@@ -57,6 +57,14 @@ internal sealed class ScriptFunctionTests
     [TestCase("def f x [ if x > 1 [ return 1 ] ]\nforward f(0)", 2, 9, "turtle.no_result", "'f' ended without")]
     [TestCase("def f a b [ return a ]\nforward f(1)", 2, 9, "formula.arguments", "takes 2 values, not 1")]
     [TestCase("def f a [ return a / 0 ]\nforward f(1)", 1, 18, "turtle.not_finite", "infinite")]
+    [TestCase("def f x [ return x ]\nforward 1\nforward f(1) / 0", 3, 9, "turtle.not_finite", "infinite")]
+    [TestCase("def f x [ return x ]\nleft 10 * f(1); forward sqrt(0 - f(4))", 2, 25, "turtle.not_finite", "not a number")]
+    [TestCase("def f x [\n return x\n]\nif f(1) [\n  arc f(2) f(0) / f(0)\n]", 5, 12, "turtle.not_finite", "not a number")]
+    [TestCase("def f x [ return x ]\narray a 3\na[f(3)] = 1", 3, 1, "turtle.index", "0 to 2")]
+    [TestCase("def f x [ return x ]\nseed f(0.5)", 2, 6, "turtle.value", "Found 0.5, expected an integer from -1000000000 to 1000000000.")]
+    [TestCase("def f x [ return x ]\nfor i = f(1) to 3 step f(0) [ forward 1 ]", 2, 24, "turtle.value", "must not be 0")]
+    [TestCase("def f x [ return x ]\nforward f(1)\nhotend f(0 - 400)", 3, 1, "turtle.value", "'hotend'")]
+    [TestCase("def f x [ return x ]\nforward f(f(1 / 0))", 2, 11, "turtle.not_finite", "A value for 'f' is not finite.")]
     [TestCase("return 5", 1, 1, "turtle.syntax", "only allowed in a procedure")]
     [TestCase("def f n [ return f(n + 1) ]\nforward f(0)", 1, 18, "turtle.recursion", "1000 levels")]
     [TestCase("def side [ return 1 ]\nforward sid()", 2, 9, "formula.unknown", "Did you mean 'side'?")]
@@ -129,6 +137,7 @@ internal sealed class ScriptFunctionTests
     [TestCase("include \"lib/wrong.turtle\"", "design/lib/wrong.turtle", 3, 9, "formula.unknown", "Unknown variable 'nothing'")]
     [TestCase("include \"lib/late.turtle\"\nlate", "design/lib/late.turtle", 2, 10, "turtle.not_finite", "infinite")]
     [TestCase("include \"lib/late.turtle\"\nforward value()", "design/lib/late.turtle", 4, 27, "turtle.not_finite", "infinite")]
+    [TestCase("include \"lib/late.turtle\"\n\nforward one() / 0", "design/main.turtle", 3, 9, "turtle.not_finite", "infinite")]
     [TestCase("include \"lib\"", "design/main.turtle", 1, 9, "turtle.file", "is a folder")]
     [TestCase("include \"\"", "design/main.turtle", 1, 9, "turtle.file", "not found")]
     [TestCase("repeat 2 [ include \"lib/late.turtle\" ]", "design/main.turtle", 1, 12, "turtle.syntax", "inside a block")]
@@ -142,7 +151,7 @@ internal sealed class ScriptFunctionTests
         Write("secret.turtle", "forward 1");
         Write("design/lib/circle.turtle", "forward 1\ninclude \"circle.turtle\"");
         Write("design/lib/wrong.turtle", "\n\nforward nothing");
-        Write("design/lib/late.turtle", "def late [\n forward 1 / 0 ]\n\ndef value [ let q = 1 + 5 / (1 - 1); return q ]");
+        Write("design/lib/late.turtle", "def late [\n forward 1 / 0 ]\n\ndef value [ let q = 1 + 5 / (1 - 1); return q ]\ndef one [ return 1 ]");
         WriteMap();
         var script = Compile(text);
         var error = (script.Value is null ? script.Diagnostics : script.Value.Run().Diagnostics).Single(d => d.Severity == Severity.Error);

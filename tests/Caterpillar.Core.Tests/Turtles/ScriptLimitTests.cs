@@ -24,6 +24,51 @@ internal sealed class ScriptLimitTests
         Assert.That(error.Message, Does.Contain(message.Replace("50000000", "2000000")));
     }
 
+    // Commands, the numbers of an array in blocks of 64, the beginning and each turn of a loop, and the end of the program.
+    [TestCase("forward 1\nforward 1\nforward 1", 4)]
+    [TestCase("array a 640", 12)]
+    [TestCase("array a 639", 11)]
+    [TestCase("repeat 3 [ forward 1 ]", 8)]
+    public void A_program_is_stopped_after_its_last_step(string text, int steps)
+    {
+        var script = TurtleScript.Compile(text, "p").OrThrow();
+        Assert.That(script.Run(limits: new TurtleLimits { MaxSteps = steps }).Diagnostics, Is.Empty);
+        var error = script.Run(limits: new TurtleLimits { MaxSteps = steps - 1 }).Diagnostics.Single();
+        Assert.That((error.Code, error.Message), Is.EqualTo(("turtle.too_many_steps",
+            $"The program was stopped after {steps - 1} steps. Is there an endless loop?")));
+    }
+
+    [TestCase("forward 1\nforward 1\nforward 1\n forward 1", 3, "p:4:2: error turtle.too_many_moves: The program was stopped after 3 moves.")]
+    [TestCase("lsystem 2 \"F\" \"F -> FF\"", 3, "p:1:1: error turtle.too_many_moves: The program was stopped after 3 moves.")]
+    [TestCase("lsystem 2 \"F\" \"F -> FF\"", 4, "")]
+    [TestCase("forward 1\nforward 1\nforward 1\n forward 1", 4, "")]
+    public void A_move_more_than_allowed_is_told_with_its_place(string text, int moves, string message)
+    {
+        var run = TurtleScript.Compile(text, "p").OrThrow().Run(limits: new TurtleLimits { MaxMoves = moves });
+        Assert.That(string.Join("\n", run.Diagnostics), Is.EqualTo(message));
+    }
+
+    [TestCase("def f n [ if n > 1 [ f n - 1 ] ]\nf {0}", 5, 1, 22)]
+    [TestCase("def f n [ return n > 1 ? f(n - 1) : 1 ]\nforward f({0})", 5, 1, 26)]
+    public void Calls_may_be_as_deep_as_allowed(string text, int depth, int line, int column)
+    {
+        Diagnostic[] Run(int levels) => [.. TurtleScript.Compile(text.Replace("{0}", levels.ToString()), "p").OrThrow()
+            .Run(limits: new TurtleLimits { MaxDepth = depth }).Diagnostics];
+        Assert.That(Run(depth), Is.Empty);
+        var error = Run(depth + 1).Single();
+        Assert.That((error.Code, error.Source!.Line, error.Source.Column), Is.EqualTo(("turtle.recursion", (int?)line, (int?)column)));
+        Assert.That(error.Message, Does.Contain($"nested {depth} levels deep"));
+    }
+
+    [Test]
+    public void Functions_of_formulas_are_a_thousand_levels_deep_at_most()
+    {
+        Diagnostic[] Run(int levels)
+            => [.. TurtleScript.Compile("def f n [ return n > 1 ? f(n - 1) : 1 ]\nforward f(" + levels + ")", "p").OrThrow().Run().Diagnostics];
+        Assert.That(Run(1000), Is.Empty);
+        Assert.That(Run(1001).Single().Code, Is.EqualTo("turtle.recursion"));
+    }
+
     [TestCase("repeat 1000000 [ push ]")]
     [TestCase("array a 10000000")]
     [TestCase("repeat 100 [ circle 10 100000 ]")]
