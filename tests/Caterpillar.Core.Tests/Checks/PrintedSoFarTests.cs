@@ -124,6 +124,19 @@ public class PrintedSoFarTests
         Assert.That(new PrintedSoFar(SmallPrint.Setup()).FloorUnder(new Vec3(x, 5, z)), Is.Zero);
     }
 
+    // 1 mm above the extrusion, at most 1.5 mm beside it.
+    [Test]
+    public void A_mean_gap_is_exact_unless_it_is_clearly_below_the_least_that_is_asked_for()
+    {
+        var printed = Printed(10, 0.4);
+        printed.Advance(0);
+        double Mean(double least) => printed.GapAcross(new Vec3(5, 0, 2), new Vec3(0, 0.8), 1.5, 2, int.MaxValue, least);
+        var exact = Mean(0);
+        Assert.That(exact, Is.GreaterThan(1).And.LessThan(1.5));
+        Assert.That((Mean(exact), Mean(1.0005 * exact)), Is.EqualTo((exact, exact)));
+        Assert.That(Mean(1.4), Is.LessThan(exact));
+    }
+
     private static PrintedSoFar Printed(double length, double area = 0.1)
     {
         var printed = new PrintedSoFar(SmallPrint.Setup());

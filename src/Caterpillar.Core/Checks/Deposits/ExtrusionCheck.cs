@@ -199,13 +199,14 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
     // The width in which it has room.
     private double WidthOver(Vec3 middle, Vec3 along, double area, double least)
     {
-        var (width, most) = (area / Round(area), PrintedSoFar.Widest * _printer.NozzleDiameter);
+        var round = Round(area);
+        var (width, most) = (area / round, PrintedSoFar.Widest * _printer.NozzleDiameter);
         var across = along.LengthXY > 0 ? new Vec3(-along.Y, along.X) / along.LengthXY : Vec3.Zero;
-        while (width < most && printed.GapAcross(middle, across * (width / 2), Round(area), middle.Z - least / 2, int.MaxValue) * width < area)
-        {
-            width *= Wider;
-        }
+        while (width < most && Mean(width) * width < area) width *= Wider;
         return Math.Min(width, most);
+
+        // The mean gap; one that is clearly too small need not be exact.
+        double Mean(double over) => printed.GapAcross(middle, across * (over / 2), round, middle.Z - least / 2, int.MaxValue, area / over);
     }
 
     private void Fly(int move, double step)

@@ -80,12 +80,14 @@ internal sealed class PrintedSoFar
     /// <param name="most">No gap is larger, mm.</param>
     /// <param name="limit">What is higher is beside the path, mm.</param>
     /// <param name="before">Later extrusions do not count.</param>
-    public double GapAcross(Vec3 p, Vec3 half, double most, double limit, int before)
+    /// <param name="least">A mean clearly below it may come out too small, mm.</param>
+    public double GapAcross(Vec3 p, Vec3 half, double most, double limit, int before, double least = 0)
     {
         const int Places = 8;
+        const double Clearly = 0.999;
         // Nothing that is lower counts.
         var (sum, floor, lowest) = (0.0, FloorUnder(p), p.Z - most - 1e-6);
-        for (var k = 0; k < Places; k++)
+        for (var k = 0; k < Places && sum + (Places - k) * most >= Clearly * least * Places; k++)
         {
             var top = Deposit.TopUnder(p + half * ((2 * k + 1.0) / Places - 1), limit, 0, before, null, lowest);
             sum += Math.Min(most, Math.Max(0, p.Z - Math.Max(top, floor)));

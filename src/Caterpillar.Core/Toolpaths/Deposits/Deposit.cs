@@ -277,20 +277,13 @@ internal sealed class Deposit
     // The last ones are the highest as a rule: the others are skipped by their tops.
     private double TopUnderIn(DepositBin bin, Vec3 point, double limit, double radius, int before, double best, double enough)
     {
-        for (var block = (bin.Count - 1) >> DepositBin.BlockBits; block >= 0; block--)
+        for (var i = bin.Count - 1; i >= 0 && best < enough && !bin.AllBelow(i, best); i--)
         {
-            var first = block << DepositBin.BlockBits;
-            if (first + DepositBin.Block <= bin.Count && !(bin.Blocks[block].Top > best)) continue;
-            for (var i = Math.Min(first + DepositBin.Block, bin.Count) - 1; i >= first; i--)
-            {
-                if (!(bin.Entries[i].Top > best) || (bin.Entries[i].IsLevel && bin.Entries[i].Top > limit)) continue;
-                ref var extrusion = ref _store[bin.Entries[i].Extrusion];
-                if (extrusion.Tag >= before) continue;
-                var top = extrusion.TopAt(point, radius);
-                if (!(top <= limit && top > best)) continue;
-                best = top;
-                if (best >= enough) return best;
-            }
+            if (!(bin.Entries[i].Top > best) || (bin.Entries[i].IsLevel && bin.Entries[i].Top > limit)) continue;
+            ref var extrusion = ref _store[bin.Entries[i].Extrusion];
+            if (extrusion.Tag >= before) continue;
+            var top = extrusion.TopAt(point, radius);
+            if (top <= limit && top > best) best = top;
         }
         return best;
     }

@@ -47,6 +47,9 @@ internal sealed class DepositBin
         _last = extrusion;
     }
 
+    /// <summary>True for the last entry of a block if it and all entries before it are at most so high.</summary>
+    public bool AllBelow(int entry, double top) => (entry & (Block - 1)) == Block - 1 && !(Blocks[entry >> BlockBits].TopSoFar > top);
+
     private void Compact(ExtrusionStore store, double keepDepth)
     {
         var kept = 0;
