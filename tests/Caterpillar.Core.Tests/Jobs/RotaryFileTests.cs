@@ -93,7 +93,7 @@ public class RotaryFileTests
         Assert.That(words, Has.Length.EqualTo(66_000));
         FileEdits[] edits =
         [
-            new() { Move = new Vec3(5, 2), PauseAtLayers = [1], Pause = new Pause { Lift = 5 } },
+            new() { Move = new Vec3(5, 2), PauseAtLayers = [1], PauseFor = new PrintSetup { Printer = new Printer { PauseLift = 5 } } },
             new() { Remove = true, Filter = new MoveFilter { LastLayer = 0 } },
         ];
         foreach (var edit in edits)

@@ -1,6 +1,8 @@
 using System.Collections.Generic;
 using System.Linq;
 using Caterpillar.Geometry;
+using Caterpillar.Jobs;
+using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
 
@@ -11,6 +13,7 @@ namespace Caterpillar.Tests.Toolpaths;
 public class RotaryBlockTests
 {
     private static readonly Vec3 Leaning = new(30, 40, 50);
+    private static readonly PrintSetup Lifting = new() { Printer = new Printer { PauseLift = 2 } };
 
     // A whole block whose last move turns the tool, then a block of six moves without words: two in the first layer, and of the others every second is support.
     private static readonly Toolpath TwoBlocks = Printed(ToolpathBlock.Capacity + 6, i => i < ToolpathBlock.Capacity + 2 ? 0 : 1,
@@ -26,7 +29,7 @@ public class RotaryBlockTests
         {
             builder.Add(new Vec3(i % 2 * 10, i % 3, 0.2 * (layer(i) + 1)), 1, 1, 20, MoveKind.Print,
                 i >= ToolpathBlock.Capacity && i % 2 == 1 ? Role.Support : Role.Infill, layer(i), 0, i);
-            if (words(i) is { } turns) builder.SetRotary(turns.X, turns.Y, turns.Z);
+            if (words(i) is { } turns) builder.SetRotary(turns);
         }
         return builder.Build([new ToolpathTool(2.4)]);
     }
@@ -37,7 +40,7 @@ public class RotaryBlockTests
     [Test]
     public void What_is_added_to_a_block_keeps_the_tool_as_the_block_before_has_left_it()
     {
-        Toolpath[] edited = [TwoBlocks.PauseAtLayer(1, new Pause { Lift = 2 }).Value!, TwoBlocks.Remove(Support),
+        Toolpath[] edited = [TwoBlocks.PauseAtLayer(1, Lifting).Value!, TwoBlocks.Remove(Support),
             TwoBlocks.Deform(Support, p => p + Vec3.UnitY), PrintCut.At(TwoBlocks, 0.2).Value!.Lower()];
         foreach (var toolpath in edited)
         {
@@ -62,6 +65,6 @@ public class RotaryBlockTests
     public void Without_rotary_words_none_are_made()
     {
         var plain = Printed(9, i => i / 3, _ => null);
-        Assert.That(PrintCut.At(plain, 0.2).Value!.Upper().HasTurns || plain.PauseAtLayer(1, new Pause { Lift = 2 }).Value!.HasTurns, Is.False);
+        Assert.That(PrintCut.At(plain, 0.2).Value!.Upper().HasTurns || plain.PauseAtLayer(1, Lifting).Value!.HasTurns, Is.False);
     }
 }
