@@ -10,7 +10,7 @@ internal static class PatchOrder
     private const int MostPatches = 20_000;
 
     /// <summary>The layers in the order in which they are printed; some in pieces, each of which is a layer of its own.</summary>
-    public static SlicedLayer[] Arrange(SlicedLayer[] layers, Printer printer, DiagnosticList problems)
+    public static SlicedLayer[] Arrange(SlicedLayer[] layers, Printer printer, DiagnosticList problems, bool tilts = false)
     {
         var several = layers.Any(l => !l.Support.IsEmpty || (l.Region.IsEmpty ? l.Steps.Count : l.Region.Contours.Count(c => c.SignedAreaXY > 0)) > 1)
             || layers.Select(l => l.Layer.Object).Distinct().Count() > 1;
@@ -34,6 +34,8 @@ internal static class PatchOrder
                 + $"{NumberFormatter.Format(patches.Length)} pieces are out of layer order, so that the print head hits no printed part.");
             return Pieces(layers, patches, order, cell);
         }
+        // A head that leans may still pass.
+        if (tilts) return layers;
         var exact = new PatchClearance(printer, cell, 0);
         if (Blocked(patches, isBelow, exact, inOrder: true) is { } hits)
         {

@@ -83,7 +83,7 @@ public static class CurvedSlicer
         if (layers.Length == 0 && !problems.HasErrors)
             problems.Add(Severity.Error, "slice.empty", "Nothing to print: no part of the models is above the surface and within the plan.");
         if (problems.HasErrors) return new Result<CurvedResult>(null, problems.ToList());
-        return new Result<CurvedResult>(new CurvedResult(PatchOrder.Arrange(layers, setup.Printer, problems), field), problems.ToList());
+        return new Result<CurvedResult>(new CurvedResult(PatchOrder.Arrange(layers, setup.Printer, problems, options.MaxTilt > 0), field), problems.ToList());
     }
 
     // Surfaces as single walls.
@@ -101,7 +101,7 @@ public static class CurvedSlicer
         if (layers.Length == 0 && !problems.HasErrors)
             problems.Add(Severity.Error, "slice.empty", "Nothing to print: no part of the surface is above the bed.");
         if (problems.HasErrors) return new Result<CurvedResult>(null, problems.ToList());
-        return new Result<CurvedResult>(new CurvedResult(PatchOrder.Arrange(layers, setup.Printer, problems), field), problems.ToList());
+        return new Result<CurvedResult>(new CurvedResult(PatchOrder.Arrange(layers, setup.Printer, problems, options.MaxTilt > 0), field), problems.ToList());
     }
 
     private static LiftRules Rules(PrintSetup setup, CurvedOptions options, PartColumns part, double least, double rise)

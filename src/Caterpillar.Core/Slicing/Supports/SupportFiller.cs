@@ -35,7 +35,8 @@ internal sealed class SupportFiller(SupportLevel level, PrintSettings settings, 
     /// <summary>The steps that print the supports.</summary>
     public List<PathStep> Fill()
     {
-        _reach = level.Pieces.Offset(Threads, JoinStyle.Square, 2, Threads / 10, _engine).Subtract(level.Forbidden, _engine);
+        var coarse = level.Pieces.Simplified(Threads / 50, _engine);
+        _reach = coarse.Offset(Threads, JoinStyle.Round, 2, Threads / 10, _engine).Subtract(level.Forbidden, _engine);
         var (islands, reaches) = (level.Pieces.Islands, _reach.Islands.ToList());
         for (var i = 0; i < islands.Count; i++)
         {
