@@ -50,8 +50,8 @@ public class SheetTests
     private static TriMesh Cap() => Tube((share, angle) => Round(14 - 8 * Angle.Cos(135 * share), angle, 8 * Angle.Sin(135 * share)), 40);
 
     // A stem whose end turns over outside, high enough for a head that leans down.
-    private static TriMesh Flower() => Tube((share, angle) => share < 0.7 ? Round(5, angle, 40 * share)
-        : Round(9 - 4 * Angle.Cos(400 * (share - 0.7)), angle, 28 + 4 * Angle.Sin(400 * (share - 0.7))), 60, 36);
+    private static TriMesh Flower() => Tube((share, angle) => share < 0.7 ? Round(3, angle, 35 * share)
+        : Round(6 - 3 * Angle.Cos(400 * (share - 0.7)), angle, 24.5 + 3 * Angle.Sin(400 * (share - 0.7))), 50, 24);
 
     // Ends in a slanted rim: walls are far apart on one side.
     private static TriMesh Slanted(double rise) => Tube((share, angle) => Round(10, angle, share * (12 + rise * Angle.Cos(angle))));

@@ -31,8 +31,8 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
     internal Func<Move, HeadMove, bool> Refuses { get; init; } = (_, _) => false;
 
     /// <summary>
-    /// The moves of a bead, by their place in it, that must not be made so, and those at its ends from which no travel can leave or to which none can come: there
-    /// it leans less, down to upright.
+    /// The moves of a bead, by their place in it, that must not be made so, and those at its ends that no travel can leave or reach: there it leans less, down
+    /// to upright.
     /// </summary>
     internal Func<IEnumerable<(Move Move, HeadMove Head)>, IReadOnlyList<int>> RefusedIn { get; init; } = _ => [];
 
