@@ -190,6 +190,16 @@ public class SheetTests
     }
 
     [Test]
+    public void A_closed_part_with_vertices_inside_its_flat_ends_is_one_wall_around_it()
+    {
+        var part = CurvedSolids.Between(new Bounds(new Vec3(90, 90), new Vec3(110, 102)), 10, (_, _) => 0, (_, _) => 3);
+        var paths = Paths(Try(part).OrThrow());
+        Assert.That(paths, Has.Length.EqualTo(15));
+        Assert.That(Covered(paths), Is.EqualTo(64 * 3).Within(1).Percent);
+        Assert.That(Try(part).Value!.Field.Normal(new Vec3(100, 96, 0)).IsFinite, Is.True);
+    }
+
+    [Test]
     public void Walls_below_the_bed_are_left_out_and_told()
     {
         var result = Try(Tube((share, angle) => Round(10, angle, 4 * share - 1)));

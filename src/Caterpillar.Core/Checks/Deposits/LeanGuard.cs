@@ -41,11 +41,9 @@ internal sealed class LeanGuard
         var fresh = new Queue<(Move Move, HeadMove Head, double End)>();
         var (length, i) = (0.0, 0);
         var travel = new Move { Kind = MoveKind.Travel, Layer = -1 };
-        HeadMove end = default;
         foreach (var (move, head) in bead)
         {
             if (i == 0 && Refuses(travel, head.Part(0, 0))) refused.Add(0);
-            end = head.Part(1, 1);
             while (fresh.Count > 0 && fresh.Peek().End + _lag <= length)
             {
                 var printed = fresh.Dequeue();
@@ -56,7 +54,7 @@ internal sealed class LeanGuard
             fresh.Enqueue((move, head, length));
             i++;
         }
-        if (i > 0 && (Refuses(travel, end) || Hits(own, travel, end))) refused.Add(i - 1);
+        if (fresh.Count > 0 && fresh.Last().Head.Part(1, 1) is var end && (Refuses(travel, end) || Hits(own, travel, end))) refused.Add(i - 1);
         return refused;
     }
 

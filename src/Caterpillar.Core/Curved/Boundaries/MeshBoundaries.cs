@@ -8,11 +8,7 @@ public sealed class MeshBoundaries
 {
     private const int MostTriangles = 400_000;
 
-    private MeshBoundaries(TriMesh original, TriMesh mesh, int[] lower, int[] upper)
-    {
-        (Original, Mesh, Lower, Upper) = (original, mesh, lower, upper);
-        StartLevel = lower.Max(v => mesh.RawVertices[v].Z) - lower.Min(v => mesh.RawVertices[v].Z) < 1e-3;
-    }
+    private MeshBoundaries(TriMesh original, TriMesh mesh, int[] lower, int[] upper) => (Original, Mesh, Lower, Upper) = (original, mesh, lower, upper);
 
     /// <summary>The mesh with its long edges divided.</summary>
     internal TriMesh Mesh { get; }
@@ -24,7 +20,7 @@ public sealed class MeshBoundaries
     internal IReadOnlyList<int> Upper { get; }
 
     /// <summary>True if the lower boundary is level.</summary>
-    internal bool StartLevel { get; }
+    internal bool StartLevel => Lower.Max(v => Mesh.RawVertices[v].Z) - Lower.Min(v => Mesh.RawVertices[v].Z) < 1e-3;
 
     /// <summary>The mesh as it was given.</summary>
     internal TriMesh Original { get; }

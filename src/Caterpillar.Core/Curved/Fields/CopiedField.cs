@@ -32,7 +32,7 @@ internal sealed class CopiedField : WrappedField
     internal override (SheetField Field, Vec3 Shift)? SheetOf(TriMesh mesh)
     {
         var copy = _copies.ToList().FindIndex(c => ReferenceEquals(c.Mesh, mesh));
-        return copy >= 0 && Inner.SheetOf(_copies[0].Mesh) is var (field, _) ? (field, _shifts[copy]) : null;
+        return copy < 0 ? Inner.SheetOf(mesh) : Inner.SheetOf(_copies[0].Mesh) is var (field, _) ? (field, _shifts[copy]) : null;
     }
 
     public override double Value(Vec3 point) => Inner.Value(point - ShiftAt(point.X, point.Y));

@@ -8,6 +8,9 @@ internal sealed class SheetField : LayerField
 {
     private readonly MeshDistance _nearest;
 
+    // Corners of the faces on which values rise, without those that are boundaries.
+    private readonly int[] _corners;
+
     // Of each vertex: the gradient along the surface, and how fast values change; around folds gradients turn, and their mean is shorter.
     private readonly Vec3[] _gradients;
     private readonly double[] _slopes;
@@ -23,10 +26,10 @@ internal sealed class SheetField : LayerField
     private SheetField(TriMesh mesh, double[] values, double[] levels)
     {
         (Mesh, Values, Levels) = (mesh, values, levels);
-        _nearest = new MeshDistance(Mesh);
         _gradients = new Vec3[values.Length];
         _slopes = new double[values.Length];
         var areas = new double[values.Length];
+        var corners = new List<int>();
         for (var t = 0; t < Mesh.RawTriangles.Length; t += 3)
         {
             if (SurfaceSlope.Gradient(Mesh, values, t, out var area) is not { } gradient) continue;
@@ -34,12 +37,15 @@ internal sealed class SheetField : LayerField
             for (var k = 0; k < 3; k++)
             {
                 var vertex = Mesh.RawTriangles[t + k];
+                corners.Add(vertex);
                 _gradients[vertex] += gradient * area;
                 _slopes[vertex] += gradient.Length * area;
                 areas[vertex] += area;
             }
         }
         for (var i = 0; i < areas.Length; i++) _slopes[i] /= areas[i];
+        _corners = corners.ToArray();
+        _nearest = new MeshDistance(TriMesh.Own(Mesh.RawVertices, _corners));
     }
 
     public override bool StartsLevel => _boundaries?.StartLevel == true;
@@ -74,7 +80,7 @@ internal sealed class SheetField : LayerField
     {
         var place = _nearest.Nearest(point);
         var corner = 3 * place.Triangle;
-        var (a, b, c) = (Mesh.RawTriangles[corner], Mesh.RawTriangles[corner + 1], Mesh.RawTriangles[corner + 2]);
+        var (a, b, c) = (_corners[corner], _corners[corner + 1], _corners[corner + 2]);
         var direction = _gradients[a].Unit() * place.Weights.X + _gradients[b].Unit() * place.Weights.Y + _gradients[c].Unit() * place.Weights.Z;
         return (direction.Unit(), Mixed(place, _slopes));
     }
@@ -108,7 +114,6 @@ internal sealed class SheetField : LayerField
     private double Mixed(NearestOnMesh place, double[] values)
     {
         var corner = 3 * place.Triangle;
-        return values[Mesh.RawTriangles[corner]] * place.Weights.X + values[Mesh.RawTriangles[corner + 1]] * place.Weights.Y
-            + values[Mesh.RawTriangles[corner + 2]] * place.Weights.Z;
+        return values[_corners[corner]] * place.Weights.X + values[_corners[corner + 1]] * place.Weights.Y + values[_corners[corner + 2]] * place.Weights.Z;
     }
 }

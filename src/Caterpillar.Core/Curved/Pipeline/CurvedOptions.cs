@@ -13,9 +13,8 @@ public sealed record CurvedOptions
     public PlanSurface? Onto { get; init; }
 
     /// <summary>
-    /// Returns the lines that replace the infill pattern in a layer. The argument is the value of the field at the
-    /// top of the layer, mm. Only x and y of the lines count, mm. They are printed at the height of the layer, in sparse infill only. Called from any thread.
-    /// Null = the pattern in the settings.
+    /// Returns the lines that replace the infill pattern in a layer, of which x and y count, mm. The argument is the value of the field at the top of the
+    /// layer, mm. They are printed at the height of the layer, in sparse infill only. Called from any thread. Null = the pattern in the settings.
     /// </summary>
     public Func<double, IReadOnlyList<Polyline>>? InfillLines { get; init; }
 

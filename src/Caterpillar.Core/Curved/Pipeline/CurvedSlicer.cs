@@ -45,7 +45,7 @@ public static class CurvedSlicer
         if (setup.Settings.RaftLayers > 0 || setup.Settings.PurgeTower || (!field.StartsLevel && setup.Settings.HasSkirtOrBrim))
             problems.Add(Severity.Note, "curved.no_skirt",
                 "Curved layers have no raft and no purge tower. If they do not start level, they have no skirt or brim either.");
-        if (!problems.HasErrors && field.SheetOf(models[0].Mesh.Mesh) is (var sheet, _))
+        if (!problems.HasErrors && models.Count > 0 && field.SheetOf(models[0].Mesh.Mesh) is (var sheet, _))
             return Sheets(models, field, sheet, part, setup, options, problems, progress, cancel);
         if (!problems.HasErrors) CheckDefined(field, part, problems);
         if (problems.HasErrors) return new Result<CurvedResult>(null, problems.ToList());
