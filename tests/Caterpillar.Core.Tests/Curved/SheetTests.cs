@@ -148,6 +148,15 @@ public class SheetTests
     }
 
     [Test]
+    public void The_second_of_two_surfaces_is_looked_at_too()
+    {
+        var (tube, cap) = (Tube((share, angle) => Round(4, angle, 3 * share)), Cap().Moved(new Vec3(40, 0)));
+        var both = LayerField.Harmonic(MeshBoundaries.Find(TriMesh.Merge([tube, cap])).OrThrow());
+        var found = CurvedSlicer.Slice([new NamedMesh("tube", tube), new NamedMesh("cap", cap)], both, Setup).Diagnostics;
+        Assert.That(found.Where(d => d.Severity == Severity.Error).Select(d => d.Code), Does.Contain("curved.overhanging_layers"));
+    }
+
+    [Test]
     public void A_surface_that_turns_over_is_written_for_a_tilting_head_without_a_finding()
     {
         var setup = new ProfileLibrary().Setup("five_axis_head", values: [.. Keys, "layer_height_mm=0.3", "brim_width_mm=3"]).OrThrow();

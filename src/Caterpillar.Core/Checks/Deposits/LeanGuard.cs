@@ -17,10 +17,10 @@ internal sealed class LeanGuard
     public LeanGuard(PrintSetup setup, Kinematics kinematics, Toolpath toolpath)
     {
         (_setup, _kinematics, _toolpath) = (setup, kinematics, toolpath);
-        _strands = PrintedSoFar.Around(setup);
+        var printed = new PrintedSoFar(setup);
+        (_strands, _lag) = (printed.Strands!, printed.Lag);
         _head = CollisionCheck.HeadOf(setup.Printer, kinematics);
         _boxes = setup.Printer.HeadBoxes.Count + setup.Printer.Gantry.Count;
-        _lag = PrintedSoFar.LagOf(setup.Printer);
     }
 
     /// <summary>True if the head would hit what was printed before, the object, the bed or clips, or if a travel leaves the build volume.</summary>

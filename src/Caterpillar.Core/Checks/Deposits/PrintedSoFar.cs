@@ -33,7 +33,7 @@ internal sealed class PrintedSoFar
         _widest = Widest * printer.NozzleDiameter;
         Deposit = new Deposit(CellOf(printer), KeepDepth * CellOf(printer));
         if (_kinematics is not null) Strands = Around(setup);
-        Lag = LagOf(printer);
+        Lag = Head.FlatRadius + printer.NozzleDiameter + 2 * Deposit.Cell;
     }
 
     public Deposit Deposit { get; }
@@ -57,9 +57,6 @@ internal sealed class PrintedSoFar
 
     /// <summary>Length of such a piece, mm.</summary>
     public double FreshPiece => Lag / FreshPieces;
-
-    /// <inheritdoc cref="Lag"/>
-    public static double LagOf(Printer printer) => new HeadShape(Outline(printer)).FlatRadius + printer.NozzleDiameter + 2 * CellOf(printer);
 
     /// <summary>Side of the cells for a printer, mm.</summary>
     public static double CellOf(Printer printer) => Math.Max(0.25, printer.NozzleDiameter / 4);
@@ -168,7 +165,7 @@ internal sealed class PrintedSoFar
     }
 
     /// <summary>What stands still around the print: the object, the bed and its clips.</summary>
-    public static StrandGrid Around(PrintSetup setup)
+    private static StrandGrid Around(PrintSetup setup)
     {
         var strands = new StrandGrid();
         if (setup.PrintedOn is { } mesh) Add(mesh, ObjectTag);

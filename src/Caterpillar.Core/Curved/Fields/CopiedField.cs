@@ -29,6 +29,8 @@ internal sealed class CopiedField : WrappedField
         return copy < 0 ? null : Inner.FlatMesh(_copies[0].Mesh)?.Moved(_shifts[copy]);
     }
 
+    internal override SheetField? Sheet => Inner.Sheet;
+
     internal override (SheetField Field, Vec3 Shift)? SheetOf(TriMesh mesh)
     {
         var copy = _copies.ToList().FindIndex(c => ReferenceEquals(c.Mesh, mesh));

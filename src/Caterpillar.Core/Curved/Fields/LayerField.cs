@@ -68,7 +68,10 @@ public abstract class LayerField
     /// <summary>A mesh bent until layers are flat, if the field was made from this mesh. Otherwise null, and it is bent point by point.</summary>
     internal virtual TriMesh? FlatMesh(TriMesh mesh) => null;
 
-    /// <summary>The field on a surface that is printed as single walls, and how far the surface was moved from there, mm. Null for solids.</summary>
+    /// <summary>The field on all of the surface that is printed as single walls; null for solids.</summary>
+    internal virtual SheetField? Sheet => null;
+
+    /// <summary>The field on the surface of one model, and how far the model was moved from there, mm. Null for solids.</summary>
     internal virtual (SheetField Field, Vec3 Shift)? SheetOf(TriMesh mesh) => null;
 
     /// <summary>Reports problems of the surfaces of the field.</summary>

@@ -62,6 +62,8 @@ internal sealed class SheetField : LayerField
     /// <summary>How fast values change at each vertex, per mm.</summary>
     public IReadOnlyList<double> Slopes => _slopes;
 
+    internal override SheetField Sheet => this;
+
     internal override Func<Vec3, Vec3> Side => point => _nearest.Nearest(point).Normal;
 
     public override double Value(Vec3 point) => Mixed(_nearest.Nearest(point), Values);

@@ -45,8 +45,7 @@ public static class CurvedSlicer
         if (setup.Settings.RaftLayers > 0 || setup.Settings.PurgeTower || (!field.StartsLevel && setup.Settings.HasSkirtOrBrim))
             problems.Add(Severity.Note, "curved.no_skirt",
                 "Curved layers have no raft and no purge tower. If they do not start level, they have no skirt or brim either.");
-        if (!problems.HasErrors && models.Count > 0 && field.SheetOf(models[0].Mesh.Mesh) is (var sheet, _))
-            return Sheets(models, field, sheet, part, setup, options, problems, progress, cancel);
+        if (!problems.HasErrors && field.Sheet is { } sheet) return Sheets(models, field, sheet, part, setup, options, problems, progress, cancel);
         if (!problems.HasErrors) CheckDefined(field, part, problems);
         if (problems.HasErrors) return new Result<CurvedResult>(null, problems.ToList());
 
@@ -80,10 +79,7 @@ public static class CurvedSlicer
             least = Math.Max(least, limits.Thickest(result.Layers.Select(l => l.Layer)) / setup.Settings.CurvedMaxGapRatio);
         var rules = Rules(setup, options, part, least, RiseOf(result, field));
         var layers = Lifted(result.Layers, field, rules, options.Threads, problems, progress.Part(0.75, 1), cancel);
-        if (layers.Length == 0 && !problems.HasErrors)
-            problems.Add(Severity.Error, "slice.empty", "Nothing to print: no part of the models is above the surface and within the plan.");
-        if (problems.HasErrors) return new Result<CurvedResult>(null, problems.ToList());
-        return new Result<CurvedResult>(new CurvedResult(PatchOrder.Arrange(layers, setup.Printer, problems, options.MaxTilt > 0), field), problems.ToList());
+        return Arranged(layers, field, setup, options, "no part of the models is above the surface and within the plan", problems);
     }
 
     // Surfaces as single walls.
@@ -98,8 +94,13 @@ public static class CurvedSlicer
             return new Result<CurvedResult>(null, [tooMuch]);
         sheet.CheckTool(options.MaxTilt, options.Partial, problems);
         var layers = new SheetSlicer(field, setup, rules, options).Slice(models, problems, progress, cancel);
-        if (layers.Length == 0 && !problems.HasErrors)
-            problems.Add(Severity.Error, "slice.empty", "Nothing to print: no part of the surface is above the bed.");
+        return Arranged(layers, field, setup, options, "no part of the surface is above the bed", problems);
+    }
+
+    private static Result<CurvedResult> Arranged(
+        SlicedLayer[] layers, LayerField field, PrintSetup setup, CurvedOptions options, string nothing, DiagnosticList problems)
+    {
+        if (layers.Length == 0 && !problems.HasErrors) problems.Add(Severity.Error, "slice.empty", $"Nothing to print: {nothing}.");
         if (problems.HasErrors) return new Result<CurvedResult>(null, problems.ToList());
         return new Result<CurvedResult>(new CurvedResult(PatchOrder.Arrange(layers, setup.Printer, problems, options.MaxTilt > 0), field), problems.ToList());
     }

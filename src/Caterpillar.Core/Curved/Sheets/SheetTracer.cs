@@ -1,6 +1,6 @@
 namespace Caterpillar.Curved;
 
-/// <summary>Makes the paths of one layer of a surface from its walls. One thread.</summary>
+/// <summary>Makes the paths of one layer of a surface from its walls. For one layer.</summary>
 /// <param name="walls">The walls of the surface.</param>
 /// <param name="rules">Limits of the paths.</param>
 /// <param name="slicing">Width and flow of the walls.</param>
@@ -17,7 +17,6 @@ internal sealed class SheetTracer(SheetWalls walls, LiftRules rules, SliceRules 
     /// <summary>The paths of a level, from 1.</summary>
     public IReadOnlyList<PrintPath> Trace(int level)
     {
-        _paths.Clear();
         foreach (var (points, isClosed) in walls.Curves(level, rules.Tolerance / 2)) Follow(points, isClosed, level);
         return _paths.ToArray();
     }

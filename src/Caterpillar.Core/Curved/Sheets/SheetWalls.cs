@@ -29,14 +29,9 @@ internal sealed class SheetWalls
         var inside = (double[])_levels.Clone();
         inside[inside.Length - 1] -= 1e-6 * _usual;
         var strides = field.Slopes.Select(Stride).ToArray();
-        _curves = new LevelCurves(field.Mesh, field.Values, inside, (corner, level) =>
-        {
-            for (var k = 0; k < 3; k++)
-            {
-                if (level % strides[field.Mesh.RawTriangles[corner + k]] == 0) return true;
-            }
-            return false;
-        });
+        var corners = field.Mesh.RawTriangles;
+        _curves = new LevelCurves(field.Mesh, field.Values, inside, (t, level)
+            => level % strides[corners[t]] == 0 || level % strides[corners[t + 1]] == 0 || level % strides[corners[t + 2]] == 0);
     }
 
     /// <summary>Number of levels. Level 0 is the lower boundary.</summary>
