@@ -4,8 +4,13 @@ using System.IO;
 using System.Linq;
 using Caterpillar.Basics;
 using Caterpillar.Checks;
+using Caterpillar.Curved;
+using Caterpillar.Display;
+using Caterpillar.Drawings;
+using Caterpillar.Flavors;
 using Caterpillar.GCode;
 using Caterpillar.Geometry;
+using Caterpillar.Jobs;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Slicing;
@@ -62,6 +67,46 @@ public class ProgressTests
         AssertAscending(guarded, 3);
         SafeWriter.ToDocument(decoding, edited, Setup, code: new EditOptions { End = ["M84"] }, reason: "tested by hand", progress: replaced).OrThrow();
         AssertAscending(replaced, 3);
+    }
+
+    [Test]
+    public void Of_the_report_of_sections()
+    {
+        var reported = new Reported();
+        SectionReport.Of("block", Solids.Block(0, 0, 0, 20, 20, 12), [.. Enumerable.Range(1, 100).Select(i => 0.1 * i)], null, reported).OrThrow();
+        AssertAscending(reported, 3);
+    }
+
+    [Test]
+    public void Of_every_job()
+    {
+        var (curved, drawn, converted) = (new Reported(), new Reported(), new Reported());
+        var block = new SliceModel(new NamedMesh("block", Solids.Block(100, 100, 0, 110, 110, 3)), Setup.Settings);
+        PrintJob.Slice([block], LayerField.Of(p => p.Z), Setup, null, curved).OrThrow();
+        AssertAscending(curved, 8);
+        var (read, onto) = (new Reported(), new Reported());
+        PrintJob.Slice(Path.Combine(TestData.Repository, "examples", "models", "bracket.stl"), Setup, null, read).OrThrow().Dispose();
+        AssertAscending(read, 8);
+        PrintJob.Slice([block], Setup, new PrintJobOptions { Onto = Solids.Block(90, 90, 0, 120, 120, 5) }, onto).OrThrow().Dispose();
+        AssertAscending(onto, 8);
+        var curves = Enumerable.Range(0, 600).Select(i => new UserCurve(new PolylineCurve([new Vec3(0, i), new Vec3(9, i)]))).ToArray();
+        CurvePaths.ToSteps(curves, null, drawn).OrThrow();
+        AssertAscending(drawn, 4);
+        var file = GCodeDecoder.Decode(SafeWriter.ToDocument(Planned.Value, Setup).OrThrow()).OrThrow();
+        using var memory = new MemoryStream();
+        var conversion = new FileJob(file) { Target = new ConvertOptions { Flavor = FlavorTable.Marlin2, RelativeE = false } };
+        conversion.Write(memory, "a.gcode", Setup, null, converted).OrThrow();
+        AssertAscending(converted, 3);
+    }
+
+    [Test]
+    public void Of_shares_of_what_is_merged_or_shown()
+    {
+        var (merged, shown) = (new Reported(), new Reported());
+        var toolpath = Planner.Merge([Planned.Value, Planned.Value, Planned.Value], Setup, merged).OrThrow();
+        Assert.That(merged.Values, Is.EqualTo(new[] { 0, 1 / 3.0, 2 / 3.0 }));
+        ViewerPage.Write(new ViewerContent("a") { Toolpath = toolpath }, Stream.Null, shown);
+        Assert.That(shown.Values, Is.Not.Empty.And.Ordered.And.All.InRange(0.0, 1.0));
     }
 
     private static void AssertAscending(Reported reported, int least)

@@ -141,7 +141,8 @@ public static class CurvedSlicer
             var region = field is StretchedField stretched ? stretched.ToPlan(flat[i].Region, flat[i].Layer.Z) : flat[i].Region;
             layers[i] = flat[i] with { Region = region, Steps = IsLevel(steps) ? Within(steps, region) : WithoutRegions(steps) };
             reports[i] = lifter.Report;
-            progress?.Report((double)Interlocked.Increment(ref done) / layers.Length);
+            // In turn, so that what is reported ascends.
+            lock (layers) progress?.Report((double)++done / layers.Length);
         });
         var report = new LiftReport();
         foreach (var layer in reports) report.Add(layer);

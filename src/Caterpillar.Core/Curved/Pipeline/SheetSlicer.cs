@@ -52,7 +52,8 @@ internal sealed class SheetSlicer(LayerField field, PrintSetup setup, LiftRules 
             var tracer = new SheetTracer(walls, rules, SheetWalls.IsFirst(i + 1) ? first : usual, shift);
             paths[i] = tracer.Trace(i + 1);
             reports[i] = tracer.Report;
-            progress?.Report((double)Interlocked.Increment(ref done) / paths.Length);
+            // In turn, so that what is reported ascends.
+            lock (paths) progress?.Report((double)++done / paths.Length);
         });
         foreach (var report in reports) _report.Add(report);
         var layers = new List<SlicedLayer>();
