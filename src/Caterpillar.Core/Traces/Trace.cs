@@ -194,12 +194,11 @@ public sealed class Trace
             throw new ArgumentOutOfRangeException(nameof(turns), "The part has more than 100 million strings. Increase the pitch.");
         Move(at(0));
         // A last string as short as rounding errors is dropped.
-        var whole = (int)Math.Floor(turns * stringsPerTurn + 1e-9);
-        var rest = turns * stringsPerTurn - whole > 1e-9;
-        for (var i = 1; i <= whole + (rest ? 1 : 0); i++)
+        var strings = (int)Math.Ceiling(turns * stringsPerTurn - 1e-9);
+        for (var i = 1; i <= strings; i++)
         {
             var from = (i - 1.0) / stringsPerTurn;
-            var to = i > whole || (i == whole && !rest) ? turns : (double)i / stringsPerTurn;
+            var to = i == strings ? turns : (double)i / stringsPerTurn;
             var middle = (from + to) / 2;
             Draw(at(to), Area * (ramp?.At(middle, turns - middle) ?? 1));
         }

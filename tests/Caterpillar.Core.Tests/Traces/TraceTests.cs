@@ -141,20 +141,21 @@ public class TraceTests
     [Test]
     public void A_filled_cylinder_goes_out_in_one_layer_and_back_in_the_next()
     {
-        var strings = new Trace(0.2).Cylinder(new Vec3(50, 50, 0.3), radius: 4, height: 0.9, verticalPitch: 0.3, horizontalPitch: 1, stringsPerTurn: 12)
+        var strings = new Trace(0.2).Cylinder(new Vec3(50, 50, 0.3), radius: 4, height: 1.2, verticalPitch: 0.3, horizontalPitch: 1, stringsPerTurn: 12)
             .Strings;
-        Assert.That(strings.Select(s => Math.Round(s.End.Z, 9)).Distinct(), Is.EqualTo(new[] { 0.3, 0.6, 0.9 }));
+        Assert.That(strings.Select(s => Math.Round(s.End.Z, 9)).Distinct(), Is.EqualTo(new[] { 0.3, 0.6, 0.9, 1.2 }));
         double Radius(Vec3 p) => (p - new Vec3(50, 50, p.Z)).Length;
         Assert.That(Radius(strings[0].Start), Is.Zero.Within(1e-9));
-        // Layers of 48 strings, and one up between them: the first ends at the edge, the second in the middle, the third at the edge again.
-        Assert.That(strings, Has.Count.EqualTo(3 * 48 + 2));
-        Assert.That(new[] { 47, 48 + 48, 48 + 49 + 48 }.Select(i => Math.Round(Radius(strings[i].End), 9)), Is.EqualTo(new[] { 4.0, 0, 4 }));
+        // Layers of 48 strings, and one up between them: they end at the edge and in the middle by turns.
+        Assert.That(strings, Has.Count.EqualTo(4 * 48 + 3));
+        Assert.That(new[] { 0, 1, 2, 3 }.Select(i => Math.Round(Radius(strings[49 * i + 47].End), 9)), Is.EqualTo(new[] { 4.0, 0, 4, 0 }));
         Assert.That(strings.Zip(strings.Skip(1), (a, b) => a.End == b.Start), Is.All.True, "One extrusion.");
     }
 
     [TestCase(0, 5)]
     [TestCase(30, 5)]
     [TestCase(2, 2)]
+    [TestCase(0.5, 0.5)]
     public void A_filled_cylinder_goes_up_at_a_speed_of_Z_axes(double speed, double up)
     {
         var strings = new Trace(0.2).SetSpeed(speed).Cylinder(new Vec3(50, 50, 0.3), 4, 0.6, 0.3, 1).Strings;

@@ -33,8 +33,7 @@ internal readonly record struct CurveSpan(Vec3 Start, Vec3 End, BezierSpan? Bezi
     public double Curvature(double u)
     {
         if (Arc is not null) return 1 / Arc.Radius;
-        if (Bezier is null) return 0;
-        var (first, second) = Bezier.Derivatives(u);
+        var (first, second) = Derivatives(u);
         var speed = first.Length;
         return speed > 0 ? Vec3.Cross(first, second).Length / (speed * speed * speed) : double.PositiveInfinity;
     }

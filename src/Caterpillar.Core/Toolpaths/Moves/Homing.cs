@@ -9,7 +9,7 @@ internal static class Homing
     /// <summary>The homing event that a move of a toolpath belongs to, or null.</summary>
     public static HomeEvent? HomeOf(this Toolpath toolpath, Move move)
     {
-        if (move.Kind != MoveKind.Travel || move.E != 0 || toolpath.Events.Count == 0) return null;
+        if (move.Kind != MoveKind.Travel || move.E != 0) return null;
         for (var i = toolpath.FirstEventOf(move.Index); i < toolpath.Events.Count && toolpath.Events[i].Move == move.Index; i++)
         {
             if (toolpath.Events[i].Event is HomeEvent home && move.End == home.Home(move.Start)) return home;

@@ -101,8 +101,7 @@ internal sealed class GeodesicDistance
     {
         const int Farthest = 6;
         var points = _mesh.RawVertices;
-        double toP = (points[p] - points[v]).Length, toQ = (points[q] - points[v]).Length, edge = (points[p] - points[q]).Length;
-        if (!(edge > 0)) return;
+        double toP = (points[p] - points[v]).Length, toQ = (points[q] - points[v]).Length;
         // v at 0, p on the x axis.
         var cos = Vec3.Dot(points[p] - points[v], points[q] - points[v]) / (toP * toQ);
         var sin = Math.Sqrt(Math.Max(0, 1 - cos * cos));
