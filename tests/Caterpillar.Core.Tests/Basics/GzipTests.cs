@@ -164,6 +164,19 @@ public class GzipTests
         }
     }
 
+    [Test]
+    public void A_stream_that_is_closed_closes_what_it_reads()
+    {
+        foreach (var bytes in new byte[][] { [65, 66, 67], [0x1F, 0x8B, 8, 0] })
+        {
+            foreach (var source in new MemoryStream[] { new(bytes), new Unseekable(bytes) })
+            {
+                GzipReader.Open(source).Dispose();
+                Assert.That(source.CanRead, Is.False);
+            }
+        }
+    }
+
     // An empty member that is flushed twice.
     private static byte[] Flushed() => Join([0x1F, 0x8B, 8, 0, 0, 0, 0, 0, 0, 255, 0, 0, 0, 0xFF, 0xFF, 0, 0, 0, 0xFF, 0xFF, 3, 0], new byte[8]);
 
@@ -184,6 +197,11 @@ public class GzipTests
     }
 
     private static byte[] Join(params IEnumerable<byte>[] parts) => parts.SelectMany(p => p).ToArray();
+
+    private sealed class Unseekable(byte[] bytes) : MemoryStream(bytes)
+    {
+        public override bool CanSeek => false;
+    }
 
     private sealed class Slow(byte[] bytes, Random random) : ReadStream
     {

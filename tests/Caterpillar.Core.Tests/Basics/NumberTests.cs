@@ -21,9 +21,13 @@ public class NumberTests
     [TestCase(-0.5, 0, "-1")]
     [TestCase(2.5, 0, "3")]
     [TestCase(0.05, 5, "0.05")]
+    [TestCase(0.123456785, 8, "0.12345679")]
+    [TestCase(-1234.5, 8, "-1234.5")]
     [TestCase(100, 0, "100")]
     [TestCase(1e20, 3, "100000000000000000000")]
     [TestCase(123e18, 5, "123000000000000000000")]
+    [TestCase(4503599627370495.5, 5, "4503599627370495.5")]
+    [TestCase(-2251799813685247.75, 5, "-2251799813685247.75")]
     public void Numbers_are_written_without_exponent_minus_zero_or_trailing_zeros(double value, int decimals, string expected)
     {
         Assert.That(NumberFormatter.Format(value, decimals), Is.EqualTo(expected));

@@ -36,6 +36,9 @@ public class SmallHelperTests
     [Test]
     public void Waiting_ends_with_the_work_or_when_it_is_canceled()
     {
+        var work = OwnThread.Run(() => Thread.Sleep(20));
+        OwnThread.WaitOr(work, default);
+        Assert.That(work.IsCompleted, Is.True);
         var never = new TaskCompletionSource<int>();
         Assert.That(() => OwnThread.WaitOr(never.Task, new CancellationToken(true)), Throws.InstanceOf<OperationCanceledException>());
         Assert.That(() => OwnThread.WaitOr(Task.FromResult(1), new CancellationToken(true)), Throws.Nothing);

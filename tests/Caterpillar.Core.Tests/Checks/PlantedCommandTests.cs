@@ -169,6 +169,8 @@ public class PlantedCommandTests
         Assert.That(Codes("MY_START=heats", "MY_END"), Is.EqualTo(new[] { CheckCodes.NoHoming }));
         Assert.That(Codes("MY_START=homes", "MY_END"), Is.EqualTo(new[] { CheckCodes.NoHeating }));
         Assert.That(Codes(), Is.EqualTo(new[] { CheckCodes.UnknownCommand }));
+        var both = PrintCheck.Run(SmallPrint.Decode(Encoding.ASCII.GetBytes(text), setup), setup).Single();
+        Assert.That(both.Count, Is.EqualTo(2), "one finding for both");
     }
 
     // A macro may leave the head anywhere: the file must home, or state each axis, before it prints.

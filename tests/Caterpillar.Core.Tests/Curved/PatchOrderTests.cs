@@ -38,6 +38,8 @@ public class PatchOrderTests
         foreach (var layer in sliced.Value.Layers)
         {
             Assert.That(layer.Steps.All(s => layer.Region.Contains(s.Path.Start.X, s.Path.Start.Y)), "a piece covers what it prints");
+            Assert.That(layer.Region.Contours.Select(c => c.Points[0].X < 15).Distinct(),
+                Is.EquivalentTo(layer.Steps.Select(s => s.Path.Start.X < 15).Distinct()), "and nothing else");
         }
         // 40 layers in order are 40 changes from one tower to the other at least.
         var sides = sliced.Value.ToSteps().OfType<PathStep>().Select(s => s.Path.Start.X < 15).ToArray();

@@ -62,6 +62,16 @@ public class SheetTests
 
     private static PrintPath[] Paths(CurvedResult result) => result.Layers.SelectMany(l => l.Steps).Select(s => s.Path).ToArray();
 
+    [Test]
+    public void Walls_that_take_less_than_the_layer_time_at_the_slowest_are_noted()
+    {
+        var tube = Tube((share, angle) => Round(4, angle, 2 * share));
+        Assert.That(Try(tube).Diagnostics.Select(d => d.Code), Has.None.EqualTo("slice.layer_time"));
+        var slow = Try(tube, 0, Setup with { Settings = Setup.Settings with { MinLayerTime = 60 } });
+        Assert.That(slow.Diagnostics.Single(d => d.Code == "slice.layer_time").Count, Is.EqualTo(slow.Value!.Layers.Count));
+        Assert.That(Paths(slow.Value).Select(p => p.BeadOf(0).Speed), Is.All.EqualTo(Setup.Settings.MinPrintSpeed).Within(1e-9));
+    }
+
     // What the walls cover of the surface.
     private static double Covered(IEnumerable<PrintPath> paths)
         => paths.Sum(p => Enumerable.Range(0, p.SegmentCount).Sum(i => p.LengthOf(i) * p.BeadOf(i).Height));

@@ -60,9 +60,31 @@ public sealed class ExtrusionMeshTests
         var box = Bounds.Of(mesh.Vertices);
         Assert.That(box.Max.Z, Is.EqualTo(z).Within(1e-9));
         Assert.That(box.Size.DistanceTo(new Vec3(width, width, height)), Is.LessThan(1e-3));
-        Assert.That(mesh.Moves, Is.All.Zero, "not for start code");
+        Assert.That(mesh.Moves, Has.Count.EqualTo(mesh.Vertices.Count).And.All.Zero, "not for start code");
         Assert.That(IsClosed(mesh), Is.True);
         Assert.That(Volume(mesh), Is.InRange(7, 12));
+    }
+
+    [Test]
+    public void Without_a_height_an_extrusion_is_as_high_as_it_is_wide()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, new Vec3(10, 10, 5));
+        builder.Add(new Vec3(20, 10, 5), 2.5, 2.5, 2, MoveKind.Print, Role.Unspecified, -1, 0, 0);
+        var box = Bounds.Of(ExtrusionMesh.Of(builder.Build([new ToolpathTool(1)]), 0, 1).Vertices);
+        Assert.That(box.Size.DistanceTo(new Vec3(10, 0.5, 0.5)), Is.LessThan(1e-9));
+    }
+
+    // Rings of eight corners: one for each point, and one more where a tube ends and the next begins.
+    [TestCase(60, 3)]
+    [TestCase(80, 4)]
+    public void A_tube_is_bent_unless_the_corner_is_sharp(double degrees, int rings)
+    {
+        var (sin, cos) = Caterpillar.Basics.Angle.SinCos(degrees);
+        var path = new PrintPath([new Vec3(50, 50, 0.2), new Vec3(60, 50, 0.2), new Vec3(60 + 10 * cos, 50 + 10 * sin, 0.2)], Bead.FromWidth(0.6, 0.2));
+        var mesh = Of(path);
+        Assert.That(mesh.Vertices, Has.Count.EqualTo(8 * rings));
+        Assert.That(mesh.Moves.Distinct().Count(), Is.EqualTo(2), "each vertex knows its move");
+        Assert.That(IsClosed(mesh), Is.True);
     }
 
     [Test]

@@ -44,6 +44,21 @@ public class ImageTests
     }
 
     [Test]
+    public void The_usual_image_is_four_to_three()
+    {
+        var image = ToolpathImage.Draw(Line(Vec3.Zero, new Vec3(10, 0, 0)));
+        Assert.That((image.Width, image.Height), Is.EqualTo((960, 720)));
+    }
+
+    [Test]
+    public void From_the_front_and_from_above_two_axes_are_those_of_the_image()
+    {
+        var point = new Vec3(1, 2, 3);
+        Assert.That(View.Front.Project(point).DistanceTo(new Vec3(1, 3, -2)), Is.LessThan(1e-12));
+        Assert.That(View.Top.Project(point).DistanceTo(new Vec3(1, 2, 3)), Is.LessThan(1e-12));
+    }
+
+    [Test]
     public void A_region_fills_the_image()
     {
         // 2 mm of 10 mm fill 184 of 200 pixels, so a bead 1.13 mm wide takes 104 rows.

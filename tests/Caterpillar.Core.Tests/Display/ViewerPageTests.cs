@@ -5,6 +5,7 @@ using System.IO.Compression;
 using System.Linq;
 using System.Text;
 using System.Text.RegularExpressions;
+using System.Threading;
 using Caterpillar.Basics;
 using Caterpillar.Display;
 using Caterpillar.GCode;
@@ -13,6 +14,7 @@ using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using FsCheck;
 using FsCheck.Fluent;
+using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 using NUnit.Framework;
 
@@ -102,6 +104,25 @@ public class ViewerPageTests
         Assert.That(page, Does.Contain("<title>&lt;b&gt;&amp;&#123;&#123;x</title>"));
         Assert.That(Regex.IsMatch(page, @"\{\{[a-z]+\}\}"), Is.False);
         Assert.That(Encoding.ASCII.GetString(Unzip(Part(page, "gcodeData"))), Is.EqualTo(Code));
+    }
+
+    [Test]
+    public void A_script_holds_the_whole_page_and_its_style()
+    {
+        var content = new ViewerContent("a") { GCode = Encoding.ASCII.GetBytes(Code) };
+        using var script = new MemoryStream();
+        ViewerPage.WriteScript(content, script);
+        var page = Page(content);
+        Assert.That(page, Does.StartWith("<!DOCTYPE html>").And.Match(@"<style>\s*[^<\s]"));
+        Assert.That(Encoding.ASCII.GetString(script.ToArray()), Does.Contain(JsonConvert.ToString(page, '"', StringEscapeHandling.EscapeNonAscii)));
+    }
+
+    [Test]
+    public void Writing_can_be_canceled()
+    {
+        var moves = new ViewerContent("a") { Toolpath = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(Code)).Value!.Toolpath };
+        foreach (var content in new[] { moves, new ViewerContent("a") { GCode = Encoding.ASCII.GetBytes(Code) } })
+            Assert.That(() => ViewerPage.Write(content, Stream.Null, cancel: new CancellationToken(true)), Throws.InstanceOf<OperationCanceledException>());
     }
 
     [Test]

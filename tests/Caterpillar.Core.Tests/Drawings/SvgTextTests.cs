@@ -34,6 +34,13 @@ public class SvgTextTests
         => Near(Box(Line + content), x0, y0, x1, y1);
 
     [Test]
+    public void After_a_text_the_drawing_goes_on()
+    {
+        var curves = Read("<text x=\"10\" y=\"20\">I<tspan>I</tspan></text><path d=\"M50 60h5v2\"/>").Value!;
+        Near(curves[curves.Count - 1].Curve.Bounds, 50, 60, 55, 62);
+    }
+
+    [Test]
     public void A_symbol_fills_the_box_of_its_use()
     {
         const string Symbol = "<symbol id=\"s\" viewBox=\"0 0 10 10\"><path d=\"M0 0 L10 10\"/></symbol>";

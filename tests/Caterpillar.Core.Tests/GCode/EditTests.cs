@@ -41,6 +41,13 @@ public class EditTests
     }
 
     [Test]
+    public void An_arc_in_inches_keeps_its_center_in_every_plane()
+    {
+        const string Arc = "G20\nG90\nM83\nG18\nG1 X1 Y1 Z0.1 F60\nG3 X1 Z0.5 I0.1 K0.2 E0.1\n";
+        Assert.That(Edit(Arc, t => t.Transform(Affine.Move(new Vec3(25.4, 0)))), Is.EqualTo(Arc.Replace("X1", "X2")));
+    }
+
+    [Test]
     public void Flow_in_absolute_E_is_bridged_by_G92()
     {
         var edited = Edit(Small, t => t.ScaleFlow(new MoveFilter { FirstLayer = 1, LastLayer = 1 }, 2));

@@ -187,6 +187,16 @@ public class MoveEdgeTests
     }
 
     [Test]
+    public void A_speed_on_a_line_of_its_own_is_no_unknown_command()
+    {
+        foreach (var flavor in FlavorTable.All)
+        {
+            var bytes = Encoding.ASCII.GetBytes("G1 X1 F600\nF1200\nG1 X9\n");
+            Assert.That(GCodeDecoder.Decode(bytes, new DecodeOptions { Flavor = flavor }).Value!.Used, Is.Empty, flavor.Name);
+        }
+    }
+
+    [Test]
     public void Events_are_written_as_the_firmware_reads_them()
     {
         string[] Lines(PrinterEvent what, string flavor = "marlin2") => EventText.Lines(what, FlavorTable.Find(flavor)!).ToArray();

@@ -37,6 +37,14 @@ public class PauseTests
     }
 
     [Test]
+    public void Where_E_is_a_volume_so_is_what_is_retracted_and_primed()
+    {
+        var area = ExtrusionModel.FilamentAreaOf(1.75);
+        Assert.That(Decode("M200 D1.75\n" + Print).PauseAtLayer(1, Lifted).Value!.Moves().Where(m => m.Source < 0 && m.E != 0).Select(m => m.E),
+            Is.EqualTo(new[] { -2 * area, 2.1 * area }).Within(1e-9));
+    }
+
+    [Test]
     public void A_dwell_at_the_beginning_of_the_layer_stays_with_its_move()
     {
         var paused = Decode("G90\nM83\n;LAYER:0\nG0 X1 Z1 F6000\nG1 X9 E1\n;LAYER:1\nG4 P500\nG1 X1 E1\n").PauseAtLayer(1, Lifted).Value!;

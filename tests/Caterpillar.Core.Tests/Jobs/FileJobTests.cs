@@ -1,3 +1,4 @@
+using System;
 using System.IO;
 using System.Linq;
 using Caterpillar.Checks;
@@ -54,6 +55,17 @@ public class FileJobTests
         // As the guarded editor writes it.
         var edited = SafeWriter.ToDocument(job.File, job.Toolpath, new PrintSetup(), "a longer bed").OrThrow();
         Assert.That(File.ReadAllBytes(folder.File("a.gcode")), Is.EqualTo(edited.ToBytes()));
+    }
+
+    [Test]
+    public void The_reason_stands_above_all_moves_of_a_converted_file()
+    {
+        var job = Job.Edit(new FileEdits { Move = new Vec3(300, 0) }).OrThrow() with { Target = new ConvertOptions { RelativeE = false } };
+        using var stream = new MemoryStream();
+        job.Write(stream, "a.gcode", new PrintSetup(), "a longer bed").OrThrow();
+        var lines = System.Text.Encoding.ASCII.GetString(stream.ToArray()).Split('\n');
+        int First(string text) => Array.FindIndex(lines, l => l.Contains(text));
+        Assert.That(First("Reason: a longer bed"), Is.InRange(0, First("G1 X350")));
     }
 
     [Test]

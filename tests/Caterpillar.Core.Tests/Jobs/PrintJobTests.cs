@@ -9,6 +9,7 @@ using Caterpillar.Machines;
 using Caterpillar.Planning;
 using Caterpillar.Slicing;
 using Caterpillar.Tests.Library;
+using Caterpillar.Tests.Slicing;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
 
@@ -82,6 +83,19 @@ public class PrintJobTests
         var job = PrintJob.Draw([Line], Setup, new PrintJobOptions { Onto = plate }).OrThrow();
         Assert.That(job.Setup.PrintedOn, Is.SameAs(plate));
         Assert.That(job.Toolpath.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => m.End.Z), Is.All.EqualTo(5.2).Within(1e-6));
+    }
+
+    [Test]
+    public void A_model_on_an_object_has_no_raft_or_tower()
+    {
+        var plate = TriMesh.Create([new Vec3(40, 40, 5), new Vec3(100, 40, 5), new Vec3(100, 100, 5), new Vec3(40, 100, 5)], [0, 1, 2, 0, 2, 3]);
+        var settings = Setup.Settings with { RaftLayers = 2, PurgeTower = true };
+        var model = new SliceModel(new NamedMesh("block", Solids.Block(60, 60, 0, 70, 70, 1)), settings);
+        using var job = PrintJob.Slice([model], Setup with { Settings = settings }, new PrintJobOptions { Onto = plate }).OrThrow();
+        var prints = job.Toolpath.Moves().Where(m => m.Kind == MoveKind.Print).ToArray();
+        Assert.That(prints.Min(m => m.End.Z), Is.EqualTo(5 + settings.FirstLayerHeight).Within(1e-6));
+        Assert.That(prints.Max(m => m.End.Z), Is.EqualTo(6).Within(1e-6));
+        Assert.That(prints.Select(m => m.Role), Has.None.AnyOf(Role.Raft, Role.PrimeTower, Role.Skirt));
     }
 
     [Test]

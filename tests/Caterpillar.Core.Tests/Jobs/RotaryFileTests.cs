@@ -7,6 +7,7 @@ using Caterpillar.GCode;
 using Caterpillar.Geometry;
 using Caterpillar.Jobs;
 using Caterpillar.Machines;
+using Caterpillar.Planning;
 using Caterpillar.Simulation;
 using Caterpillar.Toolpaths;
 using NUnit.Framework;
@@ -113,6 +114,9 @@ public class RotaryFileTests
         var setup = new PrintSetup().With("rotary_axes=C work z speed 360", "rotary_positions=polar", "origin=center", "start_gcode=", "end_gcode=").OrThrow();
         var square = new PrintPath([new(20, 20, 0.2), new(-20, 20, 0.2), new(-20, -20, 0.2), new(20, -20, 0.2)], new Bead(0.08, 0.2, 30), closed: true);
         using var job = PrintJob.Draw([square], setup).OrThrow();
+        var plain = Planner.Plan([square], setup, new PlanOptions { Policy = PlanPolicy.AsDrawn }).OrThrow();
+        using var drawn = PrintJob.Draw([square], setup, new PrintJobOptions { Policy = PlanPolicy.AsDrawn }).OrThrow();
+        Assert.That(PrintStatistics.Of(plain, setup).Duration, Is.EqualTo(Timeline.Of(drawn.Toolpath, setup).Duration).Within(1e-6), "also of a plain path");
         var document = SafeWriter.ToDocument(job.Toolpath, setup).OrThrow();
         var text = System.Text.Encoding.ASCII.GetString(document.ToBytes());
         Assert.That(text, Does.Not.Match(@"\nG1[^;]* Y-?[1-9]"), "no Y");

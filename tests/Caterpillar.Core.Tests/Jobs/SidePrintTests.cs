@@ -115,6 +115,19 @@ public class SidePrintTests
         Assert.That(found[4].To, Is.EqualTo(planned[1].To));
     }
 
+    // The first place that is free, 5 mm away or more, along the tool; there it turns upright.
+    [TestCase(0, 5)]
+    [TestCase(7, 10)]
+    [TestCase(500, 5)]
+    public void A_leaning_tool_stands_up_where_it_is_free(double blocked, double away)
+    {
+        var kinematics = Setup.Printer.Kinematics!;
+        var (from, words) = (new Vec3(100, 100, 20), new Vec3(0, 60, 0));
+        var moves = new LeaningTravels(kinematics, head => head.To.DistanceTo(from) < blocked).StandUp(from, words, Vec3.Zero);
+        Assert.That(moves.Select(m => (m.FromTurns, m.ToTurns)), Is.EqualTo(new[] { (words, words), (words, Vec3.Zero) }));
+        Assert.That(moves.Select(m => (m.To - from - kinematics.Direction(words) * away).Length), Is.All.LessThan(1e-9));
+    }
+
     private static PrintJobOptions Options => new() { Onto = Cone, InPlace = true, Tilt = new ToolAim(Out) };
 
     // Out of the cone, a tenth upward.

@@ -61,6 +61,14 @@ public class ProfileReaderTests
         Assert.That(errors[2].Message, Does.Contain("a key of materials"));
     }
 
+    [TestCase("\"0.2 mm\"", "the text \"0.2 mm\"")]
+    [TestCase("true", "true")]
+    [TestCase("false", "false")]
+    [TestCase("[0.2]", "a list of 1 value")]
+    [TestCase("[0.2, 0.3]", "a list of 2 values")]
+    public void A_value_of_a_wrong_type_is_named(string value, string name)
+        => Assert.That(Settings($"{{ \"layer_height_mm\": {value} }}").Single().Message, Does.EndWith($", not {name}."));
+
     [TestCase("""{ "layer_height_mm": "0.2 mm" }""", "profile.wrong_type", "layer_height_mm")]
     [TestCase("""{ "layer_height_mm": [0.2] }""", "profile.wrong_type", "layer_height_mm")]
     [TestCase("""{ "layer_height_mm": null }""", "profile.wrong_type", "layer_height_mm")]

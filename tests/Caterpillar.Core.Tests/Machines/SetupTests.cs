@@ -150,8 +150,10 @@ public class SetupTests
     public void Unknown_profiles_suggest_similar_ones()
     {
         var library = new ProfileLibrary();
-        Assert.That(library.Setup("ender4").Diagnostics.Single().Message, Does.Contain("ender3"));
-        Assert.That(library.Setup(material: "plaa").Diagnostics.Single().Message, Does.Contain("pla"));
+        Assert.That(library.Setup("ender4").Diagnostics.Single().Message, Does.EndWith("Did you mean ender3?"));
+        Assert.That(library.Setup(material: "plaa").Diagnostics.Single().Message, Is.EqualTo("Material \"plaa\" not found. Did you mean pla?"));
+        Assert.That(library.Setup(material: "unobtainium").Diagnostics.Single().Message,
+            Does.StartWith("Material \"unobtainium\" not found. Available: ").And.Contain(", pla,"));
         Assert.That(library.Printer(Path.Combine(_folder, "none.json")).Diagnostics.Single().Code, Is.EqualTo("profile.not_found"));
         Assert.That(library.Printer("../generic").Value, Is.Null);
     }

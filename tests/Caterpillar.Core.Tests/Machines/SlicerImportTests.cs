@@ -142,7 +142,7 @@ public class SlicerImportTests
                   "default_filament_profile": ["PETG"] }
                 """);
             Put("Acme/process/Fine.json", """
-                { "type": "process", "name": "Fine", "line_width": "110%", "wall_loops": "3", "wall_sequence": "outer wall/inner wall", "enable_support": "1",
+                { "type": "process", "name": "Fine", "line_width": "110%", "wall_loops": 3, "wall_sequence": "outer wall/inner wall", "enable_support": true,
                   "support_type": "tree(auto)", "support_threshold_angle": "30", "sparse_infill_density": "12%" }
                 """);
             Put("Other.json", "{}");
@@ -228,12 +228,21 @@ public class SlicerImportTests
         Assert.That(made.Diagnostics.Select(d => d.Code), Does.Contain("import.template"));
     }
 
+    [TestCase("\"G28\\nM117 \\\"hi\\\"\"", new[] { "G28", "M117 \"hi\"" })]
+    [TestCase("\"G28", new[] { "G28" })]
+    [TestCase("G28\\nG29", new[] { "G28", "G29" })]
+    public void A_template_may_stand_in_quotes(string template, string[] lines)
+        => Assert.That(Read($"[printer:A]\nend_gcode = {template}\n").OrThrow().Printers.Single().EndGCode, Is.EqualTo(lines));
+
     [Test]
     public void A_default_that_a_bundle_lacks_is_reported()
     {
-        var made = Read("[printer:A]\nperimeters = 2\ndefault_print_profile = \"Fine\"\n");
-        Assert.That(made.Diagnostics.Single(d => d.Code == "import.no_parent").Message,
-            Is.EqualTo("A: default_print_profile \"Fine\" not found. The printer has our defaults."));
+        var made = Read("[printer:A]\nperimeters = 2\ndefault_print_profile = \"Fine\"\ndefault_filament_profile = \"Gold\"\n");
+        Assert.That(made.Diagnostics.Where(d => d.Code == "import.no_parent").Select(d => d.Message), Is.EqualTo(new[]
+        {
+            "A: default_print_profile \"Fine\" not found. The printer has our defaults.",
+            "A: default_filament_profile \"Gold\" not found. The printer has our defaults.",
+        }));
     }
 
     [Test]

@@ -216,6 +216,17 @@ public class PlanningTests
         }));
     }
 
+    [TestCase(200, false)]
+    [TestCase(0, true)]
+    public void A_value_that_cannot_be_reverted_is_noted(double usual, bool noted)
+    {
+        var tool = Rules.Tools[0] with { Material = new Material { NozzleTemperature = usual } };
+        Step[] steps = [Line(0, 0, 10, 0, 0) with { Overrides = new PathOverrides(NozzleTemperature: 230) }, Line(10, 0, 20, 0, 0)];
+        var plan = PlanRun.Run(steps, Rules with { Tools = [tool] }, From0, null, default);
+        Assert.That(plan.Diagnostics.Any(d => d.Code == "plan.override_kept"), Is.EqualTo(noted));
+        Assert.That(plan.Value!.Toolpath.Events.Count(e => e.Event is NozzleTemperatureEvent), Is.EqualTo(noted ? 1 : 2));
+    }
+
     [Test]
     public void Events_are_attached_to_the_move_that_follows_them()
     {
@@ -252,6 +263,12 @@ public class PlanningTests
         Assert.That(Moves([bent, Line(30, 0, 40, 0, 0)], rules).Skip(2).Take(3),
             Is.EqualTo(new[] { "Wipe 10,0,0 -0.33333 120", "Wipe 8,0,0 -0.66667 120", "Travel 30,0,0 0 150" }));
         var loop = new PrintPath([new Vec3(0, 0), new Vec3(2, 0), new Vec3(2, 9)], new Bead(0.5), closed: true);
+        var circle = new PrintPath([new Vec3(10, 0), new Vec3(-10, 0)], [new Bead(1), new Bead(1)], closed: true,
+            arcs: [new Arc(Vec3.Zero, 180), new Arc(Vec3.Zero, 180)]);
+        var onward = WipePath.Along(circle, 3);
+        Assert.That(onward.Select(p => p.Length), Is.All.EqualTo(10).Within(0.05), "around");
+        Assert.That((onward[0], onward.Zip(onward.Skip(1), (a, b) => b.Y > a.Y).All(up => up)), Is.EqualTo((new Vec3(10, 0), true)));
+        Assert.That(onward.Zip(onward.Skip(1), (a, b) => a.DistanceTo(b)).Sum(), Is.EqualTo(3).Within(1e-9));
         Assert.That(Moves([loop, Line(30, 0, 40, 0, 0)], rules).Skip(3).Take(2), Is.EqualTo(new[] { "Wipe 2,0,0 -0.66667 120", "Wipe 2,1,0 -0.33333 120" }));
     }
 

@@ -41,6 +41,15 @@ public class SortingTests
     }
 
     [Test]
+    public void A_loop_between_two_paths_starts_at_its_first_vertex_with_the_shortest_way_from_one_to_the_other()
+    {
+        var loop = new SortItem(Loop(4, 9, 4, 3, 16, 3, 16, 9), true, true);
+        Assert.That(loop.Between(7, new Vec3(0, 0), new Vec3(10, 0)), Is.EqualTo(new PathPlacement(7, false, 1)));
+        Assert.That(loop.Between(7, new Vec3(10, 0), new Vec3(20, 0)), Is.EqualTo(new PathPlacement(7, false, 2)));
+        Assert.That(loop.Between(7, new Vec3(10, 20), new Vec3(10, 20)), Is.EqualTo(new PathPlacement(7)), "of equals the first");
+    }
+
+    [Test]
     public void Loops_of_many_vertices_still_start_at_the_nearest()
     {
         var circle = new PrintPath(Enumerable.Range(0, 1000).Select(i => new Vec3(100 + 50 * Math.Cos(i * 0.00628), 50 * Math.Sin(i * 0.00628))), Bead,

@@ -23,6 +23,14 @@ public class ImageReaderTests
         Assert.That(image[4, 3], Is.EqualTo(0.2126).Within(1e-12));
     }
 
+    [Test]
+    public void What_follows_the_end_of_a_png_is_not_read()
+    {
+        var image = ImageReader.Read([.. PngWriter.ToBytes(new RasterImage(5, 4, new Rgb(255, 255, 255))), .. Enumerable.Repeat((byte)'x', 40)], "a.png");
+        Assert.That(image.Diagnostics, Is.Empty);
+        Assert.That((image.Value!.Width, image.Value[4, 3]), Is.EqualTo((5, 1.0)));
+    }
+
     [TestCaseSource(nameof(ForeignImages))]
     public void Images_of_other_writers_are_read(string base64, double[] expected)
     {

@@ -47,6 +47,13 @@ public class LayFlatTests
     }
 
     [Test]
+    public void A_tetrahedron_lies_on_its_largest_face()
+    {
+        Vec3[] corners = [Vec3.Zero, new Vec3(10, 0), new Vec3(0, 10), new Vec3(0, 0, 10)];
+        GoesDown(TriMesh.Create(corners, [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3]), new Vec3(1, 1, 1).Unit());
+    }
+
+    [Test]
     public void Many_triangles_of_one_face_count_together_and_those_around_a_cylinder_do_not()
     {
         // The end has 78 mm², each of 48 strips 4 mm², all of them 188 mm².

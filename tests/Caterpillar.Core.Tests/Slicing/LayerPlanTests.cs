@@ -56,6 +56,9 @@ public class LayerPlanTests
         Assert.That(layers.Where(l => l.Top > 3.1).Select(l => l.Thickness), Is.All.LessThan(slope + 1e-3));
         Assert.That(layers.Where(l => l.Top > 3.4 && l.Top < 7.5).Select(l => l.Thickness), Is.All.GreaterThan(slope - 0.003));
         Assert.That(layers.Last().Top, Is.EqualTo(8.05).Within(1e-3));
+        var post = Plan(settings, TriMesh.Merge([Solids.Cone(0, 20, 3, 11), Solids.Cone(3, 10, 9, 10)]));
+        Assert.That(post.Where(l => l.Top > 0.3 && l.Top < 2.5).Select(l => l.Thickness), Is.All.LessThan(0.12));
+        Assert.That(post.Where(l => l.Top > 3.5 && l.Top < 8.4).Select(l => l.Thickness), Is.All.EqualTo(0.3).Within(1e-9), "what is below does not count");
     }
 
     [Test]

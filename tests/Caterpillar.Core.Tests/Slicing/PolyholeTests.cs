@@ -84,6 +84,9 @@ public class PolyholeTests
             var (with, without) = (Regions(Plate(hole), Plain), Regions(Plate(hole), Plain with { HoleToPolyhole = false }));
             Assert.That(with.Select(r => r.Area), Is.EqualTo(without.Select(r => r.Area)));
         }
+        // Beside a round one too.
+        var both = Regions(Plate(Circle(4, x: 8), Circle(8, 6)), Plain)[0];
+        Assert.That(both.Contours.Where(c => c.SignedAreaXY < 0).Select(c => c.Count), Is.EquivalentTo(new[] { 8, 6 }));
         var disk = Region.From(new Polyline(Circle(20), closed: true));
         Assert.That(Regions(disk, Plain)[0].Area, Is.EqualTo(disk.Area).Within(0.5));
     }

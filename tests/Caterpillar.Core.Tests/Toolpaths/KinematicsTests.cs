@@ -153,6 +153,7 @@ public class KinematicsTests
     [TestCase("B head w")]
     [TestCase("B head y at 1 2")]
     [TestCase("B head y from 10 to -10")]
+    [TestCase("B head y from 10 to 10")]
     [TestCase("B head y speed 0")]
     [TestCase("B head y quickly 4")]
     public void Another_text_is_no_axis(string text) => Assert.That(RotaryAxis.Parse(text), Is.Null);
@@ -166,6 +167,25 @@ public class KinematicsTests
         Assert.That(Problem("B work y", "C work z"), Is.Null);
         Assert.That(Problem("B head y", "B work z"), Does.Contain("twice"));
         Assert.That(Problem("A head x", "B head y"), Does.Contain("one axis about z and one"));
+    }
+
+    [Test]
+    public void Of_rotary_words_alone_the_usual_machine_is_guessed()
+    {
+        static Kinematics? Guess(params Vec3[] words)
+        {
+            var builder = new ToolpathBuilder(MoveSource.Lines, Vec3.Zero);
+            foreach (var turns in words)
+            {
+                builder.Add(new Vec3(1, 0), 0, 0, 10, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
+                if (turns != Vec3.Zero) builder.SetRotary(turns);
+            }
+            return Kinematics.Guess(builder.Build([]));
+        }
+        Assert.That(Guess(new Vec3(10, 0, 0), new Vec3(0, 0, 20))!.Axes.Select(a => a.Word), Is.EqualTo(new[] { RotaryWord.C, RotaryWord.A }));
+        Assert.That(Guess(new Vec3(0, 10, 0))!.Axes.Select(a => a.Word), Is.EqualTo(new[] { RotaryWord.C, RotaryWord.B }));
+        Assert.That(Guess(new Vec3(10, 10, 0)), Is.Null, "both tilt");
+        Assert.That(Guess(Vec3.Zero), Is.Null, "nothing turns");
     }
 
     internal static (JToken Machine, Kinematics Kinematics) Machine(string id)

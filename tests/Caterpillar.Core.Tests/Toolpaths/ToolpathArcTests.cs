@@ -57,6 +57,16 @@ public class ToolpathArcTests
     }
 
     [Test]
+    public void An_arc_may_be_the_first_move()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Lines, new Vec3(10, 0));
+        foreach (var m in Circle(null).Moves().Where(m => m.Kind == MoveKind.Print))
+            builder.Add(m.End, m.E, m.Deposited, m.Speed, m.Kind, m.Role, -1, 0, m.Source);
+        var arc = builder.Build([]).FitArcs().Moves().Single();
+        Assert.That((arc.Start, arc.Arc!.Value.Sweep), Is.EqualTo((new Vec3(10, 0), 100.0)).Within(1e-9));
+    }
+
+    [Test]
     public void An_event_among_extrusions_ends_an_arc()
     {
         var after = Circle(null, (11, new FanEvent(1))).FitArcs();

@@ -50,6 +50,18 @@ public class ToolpathSumTests
     }
 
     [Test]
+    public void A_part_that_begins_where_the_skirt_ends_reaches_to_there()
+    {
+        var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);
+        builder.Add(new Vec3(10, 0), 1, 1, 1, MoveKind.Print, Role.Skirt, -1, 0, 0);
+        builder.Add(new Vec3(4, 3), 1, 1, 1, MoveKind.Print, Role.OuterWall, -1, 0, 0);
+        Assert.That(ToolpathTotals.Of(builder.Build([])).PartBounds, Is.EqualTo(new Bounds(new Vec3(4, 0), new Vec3(10, 3))));
+        builder.Add(new Vec3(30, 5), 0, 0, 1, MoveKind.Travel, Role.Unspecified, -1, 0, 0);
+        builder.Add(new Vec3(20, 5), 1, 1, 1, MoveKind.Print, Role.OuterWall, -1, 0, 0);
+        Assert.That(ToolpathTotals.Of(builder.Build([])).PartBounds, Is.EqualTo(new Bounds(new Vec3(4, 0), new Vec3(30, 5))), "and after a travel too");
+    }
+
+    [Test]
     public void Areas_and_widths_are_means_over_the_length_of_each_role()
     {
         var builder = new ToolpathBuilder(MoveSource.Steps, Vec3.Zero);

@@ -194,7 +194,9 @@ internal sealed class LSystemTests
         var other = new Turtle();
         Draw("F(3)+(45)F(2)|F(2)", other, 10, 90);
         Assert.That(other.Position.DistanceTo(new Vec3(3, 0)), Is.LessThan(1e-12));
-        Assert.That(Draw("F]", new Turtle(), 1, 90).Single().Code, Is.EqualTo("lsystem.bracket"));
+        var unpushed = Draw("F]", new Turtle(), 1, 90).Single();
+        Assert.That((unpushed.Code, unpushed.Source!.Column), Is.EqualTo(("lsystem.bracket", (int?)2)));
+        Assert.That(unpushed.Message, Does.StartWith("Letter 2 (']')"));
         Assert.That(Draw("[F", new Turtle(), 1, 90).Single().Message, Does.Contain("without a closing"));
     }
 

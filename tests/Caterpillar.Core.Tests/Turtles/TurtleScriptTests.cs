@@ -108,6 +108,7 @@ internal sealed class TurtleScriptTests
         Assert.That(X("def f [ forward 1; stop ]\nrepeat 3 [ f ]\nforward 5"), Is.EqualTo(1), "stop ends the program");
         Assert.That(X("forward 1; return; forward 5"), Is.EqualTo(1));
         Assert.That(X("def two a, b [ forward a * 10 + b ]\ntwo 1 2\ntwo 3, 4"), Is.EqualTo(46));
+        Assert.That(X("def two a, b [ forward a * 10 + b ]\ntwo((1 + 2) * 2, max(3, 4))\ntwo (1 + 1) 1"), Is.EqualTo(64 + 21));
     }
 
     [Test]

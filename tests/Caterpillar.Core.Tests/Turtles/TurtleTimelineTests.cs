@@ -44,6 +44,7 @@ internal sealed class TurtleTimelineTests
         Assert.That(new TurtleTimeline([]).At(1).Move, Is.EqualTo(-1));
         var still = new TurtleTimeline([new EventStep(new ExtrudeEvent(2))]);
         Assert.That(still.PoseAt(0.3).Origin, Is.EqualTo(Vec3.Zero));
+        Assert.That(still.At(0.3).Done, Is.EqualTo(1), "what takes no way is done");
         Assert.That(still.Moves.Count(m => m.Prints), Is.Zero);
     }
 }

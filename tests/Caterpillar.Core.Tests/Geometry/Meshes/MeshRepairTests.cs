@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
 using Caterpillar.Geometry;
+using Caterpillar.Tests.Slicing;
 using NUnit.Framework;
 
 namespace Caterpillar.Tests.Geometry.Meshes;
@@ -46,6 +47,17 @@ public class MeshRepairTests
         Assert.That((repaired.Mesh.IsWatertight, repaired.Holes.Count), Is.EqualTo((true, 1)));
         Assert.That(repaired.Mesh.Volume, Is.EqualTo(1000).Within(1e-9));
         Assert.That(repaired.Holes[0].Width, Is.EqualTo(Math.Sqrt(200)).Within(1e-12));
+    }
+
+    [Test]
+    public void A_hole_in_the_shape_of_a_star_is_filled_flat()
+    {
+        var star = Solids.Circle(10, 14).Select((p, i) => i % 2 == 0 ? p : 0.5 * p).ToArray();
+        var prism = Solids.Loft(0, star, 4, star);
+        var top = Enumerable.Range(0, prism.TriangleCount).Where(t => prism.Normal(t).Z > 0.5).ToArray();
+        var repaired = MeshRepair.ToSolid(Without(prism, top));
+        Assert.That((repaired.Mesh.IsWatertight, repaired.Holes.Count), Is.EqualTo((true, 1)));
+        Assert.That(repaired.Holes[0].Area, Is.EqualTo(prism.Volume / 4).Within(1e-9));
     }
 
     [Test]

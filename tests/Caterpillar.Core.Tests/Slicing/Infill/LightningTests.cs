@@ -91,6 +91,16 @@ public class LightningTests
     }
 
     [Test]
+    public void The_nearest_node_is_found_on_the_farther_side_too()
+    {
+        Vec3[] places = [new Vec3(-10, 10), new Vec3(12, 0), new Vec3(-30, -30)];
+        var cells = new NodeCells(1);
+        for (var i = 0; i < 2; i++) cells.Add(places[i], i);
+        Assert.That((cells.Nearest(Vec3.Zero, places, 50, out var distance), distance), Is.EqualTo((1, 12.0)));
+        Assert.That(cells.Nearest(Vec3.Zero, places, 11, out _), Is.EqualTo(-1), "none within the limit");
+    }
+
+    [Test]
     public void Growing_trees_stops_when_it_is_canceled()
     {
         Assert.That(() => Lightning.Grow([Holed], [Holed], Spacing, [0.2], new CancellationToken(true)), Throws.InstanceOf<OperationCanceledException>());
