@@ -52,6 +52,15 @@ public class BatchTests : CliFixture
     }
 
     [Test]
+    public void A_column_that_is_no_option_or_key_is_named()
+    {
+        File.WriteAllText("values.csv", "name,wall_count,wals\na,1,2\n");
+        var run = Run("slice", "models/a.stl", "--table", "values.csv", "-o", "{name}.gcode");
+        Assert.That(run.Code, Is.Not.Zero);
+        Assert.That(run.Messages, Does.Contain("profile.unknown_key").And.Contain("wals is not a key of printers, materials or settings"));
+    }
+
+    [Test]
     public void Each_row_of_a_table_becomes_the_file_that_a_single_call_writes()
     {
         File.WriteAllText("values.csv", "name,layers,side,travel_speed_mm_s,--seed\nlow,1,15,90,\n\"high, wide\",4,30,120,7\ndefault,,,,\n");

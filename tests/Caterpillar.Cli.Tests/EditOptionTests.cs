@@ -55,6 +55,17 @@ public class EditOptionTests : CliFixture
     }
 
     [Test]
+    public void The_halves_of_a_print_share_its_layers()
+    {
+        Assert.That(Run("convert", "l.gcode", "-o", "lower.gcode", "--keep-below", "0.2").Code, Is.Zero);
+        Assert.That(File.ReadAllText("lower.gcode"), Does.Contain("G1 X20 E1 F1200\n").And.Not.Contain("G1 X10 E1\n"));
+        File.WriteAllText("start.txt", "G28 X Y\nM109 S200\n");
+        var upper = Run("convert", "l.gcode", "-o", "upper.gcode", "--keep-above", "0.2", "--start-gcode", "start.txt");
+        Assert.That(upper.Code, Is.Zero, upper.Messages);
+        Assert.That(File.ReadAllText("upper.gcode"), Does.Contain("G1 X10 E1").And.Not.Contain("G1 X20 E1"));
+    }
+
+    [Test]
     public void What_is_selected_is_no_warning()
         => Assert.That(Run("convert", "l.gcode", "-o", "m.gcode", "--flow", "2", "--first-layer", "1").Messages, Does.Not.Contain("nothing_selected"));
 

@@ -84,6 +84,9 @@ public class ModelOptionTests : CliFixture
         var own = Run(["slice", "part.stl", "lid.stl", "--arrange", "--json", "--for", "lid.stl:layer_height_mm=0.1,first_layer_height_mm=0.1", .. Walls]);
         Assert.That(Layers(plain), Is.EqualTo(20));
         Assert.That(Layers(own), Is.EqualTo(30), own.Messages);
+        // A value may hold commas.
+        var ears = Run(["slice", "part.stl", "lid.stl", "--arrange", "--json", "--for", "lid.stl:brim_ears_mm=90,90,15,layer_height_mm=0.1", .. Walls]);
+        Assert.That((ears.Code, Layers(ears)), Is.EqualTo((0, 29)), ears.Messages);
     }
 
     [Test]

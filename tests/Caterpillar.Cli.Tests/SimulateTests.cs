@@ -39,6 +39,7 @@ public class SimulateTests : CliFixture
         File.WriteAllText("a.gcode", Program);
         var text = Run(["simulate", "a.gcode", "--at", "move:1", .. Limits]).Text;
         Assert.That(text, Does.Contain("Print, Solid infill").And.Contain("100, 0, 0 mm, tool 0").And.Contain("1 of 4").And.Contain("line 6"));
+        Assert.That(Run(["simulate", "a.gcode", "--at", "0.55", .. Limits]).Text, Does.Contain("0 of 4 (50 % done)"));
         Assert.That(Run(["simulate", "a.gcode", "--at", "100%", .. Limits]).Text, Does.Contain("all 4 done").And.Contain("0 s left"));
     }
 

@@ -39,6 +39,7 @@ public class TurtleTests : CliFixture
         byte[] random = Encoding.UTF8.GetBytes("start 50 50 0.2\nrepeat 3 [ forward random(1, 9) ]");
         Assert.That(Run(random, ["turtle", "-", "--seed", "3"]).Output,
             Is.EqualTo(Run(random, ["turtle", "-", "--seed", "3"]).Output).And.Not.EqualTo(Run(random, ["turtle", "-"]).Output));
+        Assert.That(Run(random, ["turtle", "-"]).Output, Is.EqualTo(Run(random, ["turtle", "-", "--seed", "0"]).Output));
     }
 
     [Test]

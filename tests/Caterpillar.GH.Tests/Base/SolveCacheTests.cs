@@ -42,6 +42,16 @@ public sealed class SolveCacheTests
     }
 
     [Test]
+    public void What_is_cleared_is_made_again_also_within_a_solve()
+    {
+        var cache = new SolveCache();
+        cache.Begin();
+        var first = cache.Get<object>([1], _ => new object());
+        cache.Clear();
+        Assert.That(cache.Get<object>([1], _ => new object()), Is.Not.SameAs(first));
+    }
+
+    [Test]
     public void Results_of_two_types_under_one_key_are_told_apart()
     {
         var cache = new SolveCache();

@@ -89,6 +89,16 @@ public sealed class SlicerTests
     }
 
     [Test]
+    public void Part_settings_without_sizes_follow_the_nozzle()
+    {
+        var setup = new PrintSetup(new Printer { NozzleDiameter = 0.8 }, new Material(), new PrintSettings());
+        var canvas = new Canvas<PlanarSlicerComponent>().Feed("Setup", setup).Feed("Geometry", Shapes.Box(0, 0, 20, 4))
+            .Feed("Part Settings", new PrintSettings { WallCount = 1 }).Solve();
+        Assert.That(canvas.All("Walls").Cast<PrintPath>().Select(p => p.BeadOf(0).Width(setup.Settings.BeadShape)),
+            Is.All.EqualTo(setup.Settings.LineWidth).Within(1e-6).And.All.GreaterThan(0.8));
+    }
+
+    [Test]
     public void Infill_follows_curves_in_document_units()
     {
         using var _ = new InDocument(UnitSystem.Centimeters);

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Drawing;
 using System.Linq;
+using Caterpillar.Basics;
 using Caterpillar.Geometry;
 using Caterpillar.GH.Components.GCode;
 using Caterpillar.GH.Components.Slice;
@@ -155,6 +156,7 @@ public sealed class PreviewTests
         var wall = items[0].Attributes;
         Assert.That(((Rg.Curve)items[0].Geometry).GetLength(), Is.EqualTo(path.Length).Within(1e-9));
         Assert.That(wall.GetUserString("caterpillar.layer"), Is.EqualTo("3"));
+        Assert.That(wall.GetUserString("caterpillar.length_mm"), Is.EqualTo(NumberFormatter.Format(path.Length, 3)));
         Assert.That(wall.GetUserString("caterpillar.step"), Is.EqualTo("0"));
         Assert.That(double.Parse(wall.GetUserString("caterpillar.e"), System.Globalization.CultureInfo.InvariantCulture), Is.GreaterThan(0));
         Assert.That((wall.ColorSource, wall.PlotWeightSource), Is.EqualTo((ObjectColorSource.ColorFromObject, ObjectPlotWeightSource.PlotWeightFromObject)));
