@@ -4,7 +4,7 @@ namespace Caterpillar.Checks;
 internal sealed class FileCheck(Toolpath toolpath, CheckScope scope, Findings findings) : MoveCheck
 {
     private bool _homes;
-    private bool _reported;
+    private bool _hasPrinted;
     private bool _hasX = toolpath.Start is not null, _hasY = toolpath.Start is not null, _hasZ = toolpath.Start is not null;
 
     public override IReadOnlyList<string> Codes => [CheckCodes.NoHoming, CheckCodes.UnknownPosition];
@@ -23,13 +23,13 @@ internal sealed class FileCheck(Toolpath toolpath, CheckScope scope, Findings fi
         _hasX |= move.End.X != move.Start.X;
         _hasY |= move.End.Y != move.Start.Y;
         _hasZ |= move.End.Z != move.Start.Z;
-        if (move.Kind == MoveKind.Print && move.E > 0 && move.Length > 0) Printed(move);
+        if (!_hasPrinted && move.Kind == MoveKind.Print && move.E > 0 && move.Length > 0) PrintsFirst(move);
     }
 
-    private void Printed(in CheckedMove move)
+    private void PrintsFirst(in CheckedMove move)
     {
-        if (_reported || !scope.IsWholeFile || scope.Homes) return;
-        _reported = true;
+        _hasPrinted = true;
+        if (!scope.IsWholeFile || scope.Homes) return;
         if (!_homes) findings.Add(CheckCodes.NoHoming, move.Index, () => "The file prints without homing first. Add G28 to the start G-code.");
         if (_hasX && _hasY && _hasZ) return;
         var axes = string.Join(", ", new[] { _hasX ? "" : "X", _hasY ? "" : "Y", _hasZ ? "" : "Z" }.Where(a => a.Length > 0));

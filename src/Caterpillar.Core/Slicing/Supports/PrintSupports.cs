@@ -11,6 +11,7 @@ internal sealed class PrintSupports : IDisposable
     private readonly CancellationToken _cancel;
     private readonly CancellationTokenSource _stop;
     private readonly BlockingCollection<Filled[]> _filled = [];
+    private readonly ConcurrentBag<LayerTools> _tools = [];
     private readonly Task _work;
 
     // What is filled and waits for its layers, and the number of layers from the lowest on that have their supports.
@@ -105,12 +106,12 @@ internal sealed class PrintSupports : IDisposable
         for (var first = 0; first < levels.Length; first += Block)
         {
             var filled = new Filled[Math.Min(Block, levels.Length - first)];
-            Parallel.For(0, filled.Length, options, () => new LayerTools(), (i, _, tools) =>
+            Parallel.For(0, filled.Length, options, () => _tools.TryTake(out var tools) ? tools : new LayerTools(), (i, _, tools) =>
             {
                 var (layer, level, settings) = levels[first + i];
                 filled[i] = new Filled(layer, level.Pieces, new SupportFiller(level, settings, tools).Fill());
                 return tools;
-            }, _ => { });
+            }, _tools.Add);
             _filled.Add(filled);
         }
     }

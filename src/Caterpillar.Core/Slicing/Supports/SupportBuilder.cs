@@ -54,9 +54,8 @@ internal sealed class SupportBuilder(SupportStack stack, ParallelOptions options
         var (level, below) = (_levels[i], _levels[i - 1].Part);
         var reach = _settings.SupportAngle < 90 ? Math.Min(1000, level.Thickness * Angle.Sin(_settings.SupportAngle) / Angle.Cos(_settings.SupportAngle))
             : 1000;
-        if (reach < 1000 && below.Surrounds(level.Part)) return;
-        if (below.IsEmpty && reach < 1000) level.Overhang = level.Part;
-        else if (reach < 1000) level.Overhang = WithoutBridges(LeaningOut(level.Part, below, reach, engine), level.Part, below, engine);
+        if (reach == 1000 || below.Surrounds(level.Part)) return;
+        level.Overhang = below.IsEmpty ? level.Part : WithoutBridges(LeaningOut(level.Part, below, reach, engine), level.Part, below, engine);
     });
 
     private void Apply(Region[]? blockers, Region[]? enforcers) => RegionEngine.ForEach(1, _levels.Length, options, (i, engine) =>
