@@ -1,6 +1,6 @@
 namespace Caterpillar.Basics;
 
-/// <summary>Uninitialized memory.</summary>
+/// <summary>Arrays that are written before they are read, and used again.</summary>
 internal static class Buffers
 {
     /// <summary>An array with arbitrary content, to be written before it is read. Faster than an array of zeros.</summary>
@@ -10,6 +10,12 @@ internal static class Buffers
 #else
         => new T[length];
 #endif
+
+    /// <summary>Makes an array at least so long, with what it holds. The first time it becomes no longer.</summary>
+    public static void Reserve<T>(ref T[] array, int length)
+    {
+        if (array.Length < length) Array.Resize(ref array, Math.Max(length, 2 * array.Length));
+    }
 
     /// <summary>Sets a part of an array.</summary>
     public static void Fill<T>(T[] array, int from, int to, T value)

@@ -188,7 +188,8 @@ public class SmallSolverTests
         var contour = Enumerable.Range(0, 40).Select(_ => new GridPoint(random.Next(-4000, 4000), random.Next(-4000, 4000))).ToArray();
         var hole = Enumerable.Range(0, 5).Select(_ => new GridPoint(random.Next(-900, 900), random.Next(-900, 900))).ToArray();
         var within = Bounds.Of([.. contour.Concat(hole).Select(Grid.ToMm)]);
-        var grid = new SegmentGrid([contour, hole], within, within.Size.X / 15);
+        var grid = new SegmentGrid();
+        grid.Take([contour, hole], within, within.Size.X / 15);
         Assert.That((grid.ContourStart[2], grid.Next[39], grid.Previous[0], grid.Next[44], grid.Previous[40], grid.Contour[39], grid.Contour[40]),
             Is.EqualTo((45, 0, 39, 40, 44, 0, 1)));
         for (var i = 0; i < 45; i++)

@@ -33,8 +33,7 @@ internal static class RegionMeeting
 
     private static bool Segments(in Segment s, in Segment t)
     {
-        if (Math.Max(s.Ax, s.Bx) < Math.Min(t.Ax, t.Bx) || Math.Max(t.Ax, t.Bx) < Math.Min(s.Ax, s.Bx)) return false;
-        if (Math.Max(s.Ay, s.By) < Math.Min(t.Ay, t.By) || Math.Max(t.Ay, t.By) < Math.Min(s.Ay, s.By)) return false;
+        if (!GridBox.Overlap(GridBox.Of(s), GridBox.Of(t))) return false;
         long a = s.Side(t.Ax, t.Ay), b = s.Side(t.Bx, t.By);
         if ((a > 0 && b > 0) || (a < 0 && b < 0)) return false;
         long c = t.Side(s.Ax, s.Ay), d = t.Side(s.Bx, s.By);

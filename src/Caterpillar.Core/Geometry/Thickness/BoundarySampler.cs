@@ -30,55 +30,73 @@ internal sealed class BoundarySampler
     // Below this turn (cosine), 15°, a vertex is a point of a smooth curve.
     private const double SmoothDot = 0.966;
 
-    private readonly SegmentGrid _grid;
-    private readonly ThicknessProbe _probe;
-    private readonly double _step;
-    private readonly double _limit;
-    private readonly bool[]? _wanted;
-    private readonly List<BoundarySample> _corners = [];
-    private readonly int[] _cornerStart;
-    private readonly int[] _touchStart;
-    private readonly BoundarySample[] _touches;
+    /// <summary>The edges of the region.</summary>
+    public readonly SegmentGrid Edges = new();
 
-    /// <param name="grid">The edges.</param>
+    private readonly ThicknessProbe _probe;
+    private readonly List<BoundarySample> _corners = [];
+    private readonly List<int> _near = [];
+    private double _step;
+    private double _limit;
+    private bool _all;
+    private bool[] _wanted = [];
+    private int[] _cornerStart = [];
+    private int[] _touchStart = [];
+    private int[] _filled = [];
+    private BoundarySample[] _touches = [];
+
+    public BoundarySampler() => _probe = new ThicknessProbe(Edges);
+
+    /// <summary>Takes a region instead of the one before, whose memory is used again.</summary>
+    /// <param name="region">The region.</param>
+    /// <param name="strips">Its parts whose edges need discs; the ends of other edges have infinite ones. Null for all of it.</param>
     /// <param name="step">Distance of neighbors at uneven thickness, mm.</param>
     /// <param name="limit">Discs of this radius and above are infinite, mm.</param>
-    /// <param name="wanted">Edges that need discs; the ends of the others have infinite ones. Null for all.</param>
-    public BoundarySampler(SegmentGrid grid, double step, double limit, bool[]? wanted)
+    public void Aim(Region region, Region? strips, double step, double limit)
     {
-        (_grid, _step, _limit, _wanted) = (grid, step, limit, wanted);
-        _probe = new ThicknessProbe(grid);
-        var n = grid.Points.Length;
-        _cornerStart = new int[n + 1];
-        for (var edge = 0; edge < n; edge++)
+        Edges.Take(region.Paths, strips?.Bounds.Grow(2 * limit) ?? region.Bounds, limit);
+        (_step, _limit, _all) = (step, limit, strips is null);
+        if (strips is not null) Want(strips);
+        _corners.Clear();
+        Buffers.Reserve(ref _cornerStart, Edges.Count + 1);
+        for (var edge = 0; edge < Edges.Count; edge++)
         {
-            Corner(grid.Previous[edge], edge);
+            Corner(Edges.Previous[edge], edge);
             _cornerStart[edge + 1] = _corners.Count;
         }
-        (_touchStart, _touches) = Touches();
+        FindTouches();
     }
 
     /// <summary>Samples a contour once around, into a list that is cleared first.</summary>
     public void Take(int contour, List<BoundarySample> samples)
     {
         samples.Clear();
-        for (var edge = _grid.ContourStart[contour]; edge < _grid.ContourStart[contour + 1]; edge++)
+        for (var edge = Edges.ContourStart[contour]; edge < Edges.ContourStart[contour + 1]; edge++)
         {
             for (var i = _cornerStart[edge]; i < _cornerStart[edge + 1]; i++) samples.Add(_corners[i]);
-            if (_wanted is null || _wanted[edge])
-            {
-                if (_grid.Length[edge] > 0.25 * _step) Along(edge, samples);
-            }
+            if ((_all || _wanted[edge]) && Edges.Length[edge] > 0.25 * _step) Along(edge, samples);
+        }
+    }
+
+    private void Want(Region strips)
+    {
+        Buffers.Reserve(ref _wanted, Edges.Count);
+        Array.Clear(_wanted, 0, Edges.Count);
+        foreach (var strip in strips.Islands)
+        {
+            var box = strip.Bounds;
+            Edges.Near(box.Min.X - 1e-3, box.Min.Y - 1e-3, box.Max.X + 1e-3, box.Max.Y + 1e-3, _near);
+            foreach (var i in _near) _wanted[i] = true;
         }
     }
 
     private void Along(int edge, List<BoundarySample> samples)
     {
         // A smooth vertex has its sample already; one on the edge as near would turn over when it is moved.
-        int before = _grid.Previous[edge], next = _grid.Next[edge];
+        int before = Edges.Previous[edge], next = Edges.Next[edge];
         bool smoothStart = Smooth(before, edge), smoothEnd = Smooth(edge, next);
-        var ends = Ends / _grid.Length[edge];
-        var from = smoothStart ? _corners[_cornerStart[edge]] with { Normal = _grid.Normal[edge] } : Sample(edge, ends);
+        var ends = Ends / Edges.Length[edge];
+        var from = smoothStart ? _corners[_cornerStart[edge]] with { Normal = Edges.Normal[edge] } : Sample(edge, ends);
         if (!smoothStart) samples.Add(from);
         for (var i = _touchStart[edge]; i < _touchStart[edge + 1]; i++)
         {
@@ -88,7 +106,7 @@ internal sealed class BoundarySampler
             samples.Add(touch);
             from = touch;
         }
-        var to = smoothEnd ? _corners[_cornerStart[next]] with { Normal = _grid.Normal[edge], Edge = edge, Along = 1 } : Sample(edge, 1 - ends);
+        var to = smoothEnd ? _corners[_cornerStart[next]] with { Normal = Edges.Normal[edge], Edge = edge, Along = 1 } : Sample(edge, 1 - ends);
         Stretch(from, to, samples);
         if (!smoothEnd) samples.Add(to);
     }
@@ -97,7 +115,7 @@ internal sealed class BoundarySampler
     private void Stretch(in BoundarySample from, in BoundarySample to, List<BoundarySample> samples)
     {
         if (Linear(from.Disc, to.Disc)) return;
-        var count = Math.Max(1, (int)Math.Ceiling((to.Along - from.Along) * _grid.Length[from.Edge] / Longest));
+        var count = Math.Max(1, (int)Math.Ceiling((to.Along - from.Along) * Edges.Length[from.Edge] / Longest));
         var a = from;
         for (var k = 1; k <= count; k++)
         {
@@ -114,20 +132,20 @@ internal sealed class BoundarySampler
         if (double.IsInfinity(a.Radius) || double.IsInfinity(b.Radius)) return double.IsInfinity(a.Radius) && double.IsInfinity(b.Radius);
         if (a.Radius <= 0 || b.Radius <= 0) return false;
         if (a.Edge == b.Edge) return a.Along > 0 || b.Along > 0;
-        return (a.Along == 0 && _grid.Next[b.Edge] == a.Edge) || (b.Along == 0 && _grid.Next[a.Edge] == b.Edge);
+        return (a.Along == 0 && Edges.Next[b.Edge] == a.Edge) || (b.Along == 0 && Edges.Next[a.Edge] == b.Edge);
     }
 
-    private bool Smooth(int before, int edge) => Vec3.Dot(_grid.Normal[before], _grid.Normal[edge]) > SmoothDot;
+    private bool Smooth(int before, int edge) => Vec3.Dot(Edges.Normal[before], Edges.Normal[edge]) > SmoothDot;
 
     private BoundarySample Sample(int edge, double along)
     {
-        var p = _grid.Points[edge] + (_grid.Points[_grid.Next[edge]] - _grid.Points[edge]) * along;
-        return new BoundarySample(p, _grid.Normal[edge], edge, along, _probe.At(p, _grid.Normal[edge], edge, edge, _limit));
+        var p = Edges.Points[edge] + (Edges.Points[Edges.Next[edge]] - Edges.Points[edge]) * along;
+        return new BoundarySample(p, Edges.Normal[edge], edge, along, _probe.At(p, Edges.Normal[edge], edge, edge, _limit));
     }
 
     private void Between(in BoundarySample from, in BoundarySample to, List<BoundarySample> samples)
     {
-        if ((to.Along - from.Along) * _grid.Length[from.Edge] <= _step) return;
+        if ((to.Along - from.Along) * Edges.Length[from.Edge] <= _step) return;
         var middle = Sample(from.Edge, (from.Along + to.Along) / 2);
         var straight = Even(from.Disc, middle.Disc, to.Disc);
         if (!straight) Between(from, middle, samples);
@@ -144,8 +162,8 @@ internal sealed class BoundarySampler
 
     private void Corner(int before, int edge)
     {
-        var probed = _wanted is null || _wanted[edge] || _wanted[before];
-        Vec3 v = _grid.Points[edge], m = _grid.Normal[before], n = _grid.Normal[edge];
+        var probed = _all || _wanted[edge] || _wanted[before];
+        Vec3 v = Edges.Points[edge], m = Edges.Normal[before], n = Edges.Normal[edge];
         var dot = m.X * n.X + m.Y * n.Y;
         var cross = m.X * n.Y - m.Y * n.X;
         var wide = new InnerDisc(double.PositiveInfinity, v, edge, 0, 1);
@@ -177,17 +195,19 @@ internal sealed class BoundarySampler
     }
 
     // The places where discs of vertices touch the insides of edges, by edge and along it.
-    private (int[] Start, BoundarySample[] Touches) Touches()
+    private void FindTouches()
     {
-        var n = _grid.Points.Length;
-        var start = new int[n + 1];
+        var n = Edges.Count;
+        Buffers.Reserve(ref _touchStart, n + 1);
+        Buffers.Reserve(ref _filled, n);
+        Array.Clear(_touchStart, 0, n + 1);
+        Array.Clear(_filled, 0, n);
         foreach (var corner in _corners)
         {
-            if (Touch(corner)) start[corner.Disc.Edge + 1]++;
+            if (Touch(corner)) _touchStart[corner.Disc.Edge + 1]++;
         }
-        for (var i = 0; i < n; i++) start[i + 1] += start[i];
-        var touches = new BoundarySample[start[n]];
-        var filled = new int[n];
+        for (var i = 0; i < n; i++) _touchStart[i + 1] += _touchStart[i];
+        Buffers.Reserve(ref _touches, _touchStart[n]);
         for (var v = 0; v < n; v++)
         {
             for (var i = _cornerStart[v]; i < _cornerStart[v + 1]; i++)
@@ -196,15 +216,14 @@ internal sealed class BoundarySampler
                 if (!Touch(corner)) continue;
                 var disc = corner.Disc;
                 var touch = new BoundarySample(
-                    disc.Contact, _grid.Normal[disc.Edge], disc.Edge, disc.Along, new InnerDisc(disc.Radius, corner.Point, v, 0, disc.Opposite));
-                var at = start[disc.Edge] + filled[disc.Edge]++;
-                for (; at > start[disc.Edge] && touches[at - 1].Along > touch.Along; at--) touches[at] = touches[at - 1];
-                touches[at] = touch;
+                    disc.Contact, Edges.Normal[disc.Edge], disc.Edge, disc.Along, new InnerDisc(disc.Radius, corner.Point, v, 0, disc.Opposite));
+                var at = _touchStart[disc.Edge] + _filled[disc.Edge]++;
+                for (; at > _touchStart[disc.Edge] && _touches[at - 1].Along > touch.Along; at--) _touches[at] = _touches[at - 1];
+                _touches[at] = touch;
             }
         }
-        return (start, touches);
     }
 
     private bool Touch(in BoundarySample corner)
-        => corner.Disc.Radius > 0 && !double.IsInfinity(corner.Disc.Radius) && corner.Disc.Along > 0 && (_wanted is null || _wanted[corner.Disc.Edge]);
+        => corner.Disc.Radius > 0 && !double.IsInfinity(corner.Disc.Radius) && corner.Disc.Along > 0 && (_all || _wanted[corner.Disc.Edge]);
 }

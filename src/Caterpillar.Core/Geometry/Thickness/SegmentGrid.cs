@@ -5,31 +5,51 @@ namespace Caterpillar.Geometry;
 /// </summary>
 internal sealed class SegmentGrid
 {
-    private readonly double _cell;
-    private readonly double _minX;
-    private readonly double _minY;
-    private readonly int _columns;
-    private readonly int _rows;
-    private readonly int[] _cellStart;
-    private readonly int[] _cellItems;
-    private readonly int[] _stamp;
+    /// <summary>Contour c has the edges from ContourStart[c] up to ContourStart[c + 1].</summary>
+    public int[] ContourStart = [];
+
+    /// <summary>Edge i goes from Points[i] to Points[Next[i]].</summary>
+    public Vec3[] Points = [];
+    public int[] Next = [];
+    public int[] Previous = [];
+    public int[] Contour = [];
+
+    /// <summary>Unit normals, to the inside.</summary>
+    public Vec3[] Normal = [];
+    public double[] Length = [];
+
+    private double _cell;
+    private double _minX;
+    private double _minY;
+    private int _columns;
+    private int _rows;
+    private int[] _cellStart = [];
+    private int[] _cellItems = [];
+    private int[] _stamp = [];
     private int _now;
 
+    public int Contours { get; private set; }
+
+    /// <summary>Number of edges.</summary>
+    public int Count { get; private set; }
+
+    /// <summary>Takes the contours of a region instead of those before; the arrays are used again, and may be longer.</summary>
     /// <param name="paths">Contours on the grid of regions.</param>
     /// <param name="within">Edges out of this box (mm) are left out of the cells.</param>
     /// <param name="cell">Size of a cell, mm.</param>
-    public SegmentGrid(GridPoint[][] paths, Bounds within, double cell)
+    public void Take(GridPoint[][] paths, Bounds within, double cell)
     {
-        ContourStart = new int[paths.Length + 1];
-        for (var c = 0; c < paths.Length; c++) ContourStart[c + 1] = ContourStart[c] + paths[c].Length;
-        var n = ContourStart[paths.Length];
-        Points = new Vec3[n];
-        Next = new int[n];
-        Previous = new int[n];
-        Contour = new int[n];
-        Normal = new Vec3[n];
-        Length = new double[n];
-        _stamp = new int[n];
+        Contours = paths.Length;
+        Buffers.Reserve(ref ContourStart, Contours + 1);
+        for (var c = 0; c < Contours; c++) ContourStart[c + 1] = ContourStart[c] + paths[c].Length;
+        var n = Count = ContourStart[Contours];
+        Buffers.Reserve(ref Points, n);
+        Buffers.Reserve(ref Next, n);
+        Buffers.Reserve(ref Previous, n);
+        Buffers.Reserve(ref Contour, n);
+        Buffers.Reserve(ref Normal, n);
+        Buffers.Reserve(ref Length, n);
+        Buffers.Reserve(ref _stamp, n);
         for (var c = 0; c < paths.Length; c++)
         {
             int start = ContourStart[c], end = ContourStart[c + 1];
@@ -53,36 +73,17 @@ internal sealed class SegmentGrid
         _cell = Math.Max(cell, Math.Sqrt(within.Size.X * within.Size.Y / (16.0 * n + 1024)));
         _columns = Math.Max(1, (int)(within.Size.X / _cell) + 1);
         _rows = Math.Max(1, (int)(within.Size.Y / _cell) + 1);
-        _cellStart = new int[_columns * _rows + 1];
-        for (var pass = 0; pass < 2; pass++)
-        {
-            for (var i = 0; i < n; i++) EachCell(i, pass);
-            if (pass == 1) break;
-            for (var c = 0; c < _columns * _rows; c++) _cellStart[c + 1] += _cellStart[c];
-            _cellItems = new int[_cellStart[_columns * _rows]];
-        }
+        var cells = _columns * _rows;
+        Buffers.Reserve(ref _cellStart, cells + 1);
+        Array.Clear(_cellStart, 0, cells + 1);
+        for (var i = 0; i < n; i++) EachCell(i, 0);
+        for (var c = 0; c < cells; c++) _cellStart[c + 1] += _cellStart[c];
+        Buffers.Reserve(ref _cellItems, _cellStart[cells]);
+        for (var i = 0; i < n; i++) EachCell(i, 1);
         // Filling moved every start to the end of its cell, which is the start of the next.
-        Array.Copy(_cellStart, 0, _cellStart, 1, _columns * _rows);
+        Array.Copy(_cellStart, 0, _cellStart, 1, cells);
         _cellStart[0] = 0;
-        _cellItems ??= [];
     }
-
-    /// <summary>Contour c has the edges from ContourStart[c] up to ContourStart[c + 1].</summary>
-    public int[] ContourStart { get; }
-
-    /// <summary>Edge i goes from Points[i] to Points[Next[i]].</summary>
-    public Vec3[] Points { get; }
-
-    public int[] Next { get; }
-
-    public int[] Previous { get; }
-
-    public int[] Contour { get; }
-
-    /// <summary>Unit normals, to the inside.</summary>
-    public Vec3[] Normal { get; }
-
-    public double[] Length { get; }
 
     /// <summary>The edges whose cells a box meets, each once, in order of cells.</summary>
     public void Near(double minX, double minY, double maxX, double maxY, List<int> found)

@@ -36,11 +36,13 @@ internal sealed class MotionColumns
 
     public void Add(in Trapezoid t)
     {
-        if (Count - _gone == EndTime.Length) Grow();
         _time += t.Duration;
         var i = Count++ - _gone;
+        Buffers.Reserve(ref EndTime, i + 1);
         EndTime[i] = _time;
-        if (HasSpeeds) _speeds[i] = new Speeds(t.Start, t.Peak, t.End, t.Acceleration);
+        if (!HasSpeeds) return;
+        Buffers.Reserve(ref _speeds, i + 1);
+        _speeds[i] = new Speeds(t.Start, t.Peak, t.End, t.Acceleration);
     }
 
     /// <summary>The next move, or the end, with its first trapezoid.</summary>
@@ -93,12 +95,6 @@ internal sealed class MotionColumns
     public Trapezoid this[int i] => new(_speeds[i].Start, _speeds[i].Peak, _speeds[i].End, _speeds[i].Acceleration, EndTime[i] - StartTime(i));
 
     private int FirstOf(int move) => First[move - _goneMoves];
-
-    private void Grow()
-    {
-        Array.Resize(ref EndTime, checked(2 * EndTime.Length));
-        Array.Resize(ref _speeds, 2 * _speeds.Length);
-    }
 
     // The speeds of a trapezoid.
     private readonly record struct Speeds(double Start, double Peak, double End, double Acceleration);

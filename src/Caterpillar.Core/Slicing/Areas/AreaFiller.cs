@@ -85,7 +85,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
         var round = 1.4 * (walls.OuterSpacing / 2 + (walls.Count - 1) * rules.Walls.InnerSpacing);
         var pieces = Region.Own(narrow.ToArray());
         if (walls.Corners == JoinStyle.Round) pieces = Pointed(Pointed(pieces, round), -round).Intersect(pieces, tools.Engine);
-        foreach (var wall in new WallBuilder(walls, tools.Engine).Fill(pieces, first: 1).Paths)
+        foreach (var wall in new WallBuilder(walls, tools.Engine, tools.Strips).Fill(pieces, first: 1).Paths)
         {
             var path = wall.ToPath(layer.Plan.Top, walls) with { Role = Role.SolidInfill, Layer = layer.Layer };
             steps.Add(new PathStep(rules.Own(path), group) { Region = island.Region });

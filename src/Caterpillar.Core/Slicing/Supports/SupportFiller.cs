@@ -21,7 +21,7 @@ internal sealed class SupportFiller(SupportLevel level, PrintSettings settings, 
     private readonly double _width = level.Work.Rules.SupportWidth;
 
     // Where a support is thin, a single extrusion: two walls would lie in each other's place.
-    private readonly WallBuilder _walls = new(Walls(level.Work.Rules), tools.Engine);
+    private readonly WallBuilder _walls = new(Walls(level.Work.Rules), tools.Engine, tools.Strips);
     private readonly List<PathStep> _steps = [];
 
     // Where the nozzle goes from support to support without retraction: threads do no harm there.

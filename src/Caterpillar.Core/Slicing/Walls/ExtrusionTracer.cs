@@ -4,41 +4,44 @@ namespace Caterpillar.Slicing;
 /// The medial axis of thin places as single extrusions. Going along a contour, the centers of the discs go along the axis, past both sides of every branch.
 /// Each disc touches two places; the one that comes first in the order of the contours owns its center, so that each branch comes once.
 /// </summary>
-internal sealed class ExtrusionTracer(double step, double limit, double thinnest)
+internal sealed class ExtrusionTracer(BoundarySampler sampler, double step, double limit, double thinnest)
 {
     // Sides that open by more than this (cosine of the angle between contacts) are a corner and no strip.
     private const double Corner = -0.26;
+
+    // Of each contour; used again for the next piece.
+    private readonly List<List<BoundarySample>> _samples = [];
 
     private enum State : byte { Unknown, Owned, Elsewhere, Thin }
 
     public List<MedialExtrusion> Trace(Region piece)
     {
-        var grid = new SegmentGrid(piece.Paths, piece.Bounds, limit);
-        var sampler = new BoundarySampler(grid, step, limit, null);
-        var contours = grid.ContourStart.Length - 1;
-        var samples = new List<BoundarySample>[contours];
+        sampler.Aim(piece, null, step, limit);
+        var grid = sampler.Edges;
+        var contours = grid.Contours;
+        while (_samples.Count < contours) _samples.Add([]);
         var first = new double[contours];
         var start = new int[contours];
         for (var c = 0; c < contours; c++)
         {
-            samples[c] = [];
-            sampler.Take(c, samples[c]);
+            var samples = _samples[c];
+            sampler.Take(c, samples);
             // Begins at a corner, which is an end of the axis: from there the branches nest.
-            start[c] = Math.Max(0, samples[c].FindIndex(s => s.Disc.Radius == 0 || s.Disc.Opposite > Corner));
-            first[c] = samples[c].Count == 0 ? 0 : samples[c][start[c]].Edge + samples[c][start[c]].Along;
+            start[c] = Math.Max(0, samples.FindIndex(s => s.Disc.Radius == 0 || s.Disc.Opposite > Corner));
+            first[c] = samples.Count == 0 ? 0 : samples[start[c]].Edge + samples[start[c]].Along;
         }
         var extrusions = new List<MedialExtrusion>();
-        for (var c = 0; c < contours; c++) Runs(grid, samples[c], start[c], first, extrusions);
-        if (extrusions.Count == 0) Dot(samples, extrusions);
+        for (var c = 0; c < contours; c++) Runs(grid, _samples[c], start[c], first, extrusions);
+        if (extrusions.Count == 0) Dot(contours, extrusions);
         return extrusions;
     }
 
     // A piece that is as wide as long has no strip: one dot at its thickest.
-    private void Dot(List<BoundarySample>[] samples, List<MedialExtrusion> extrusions)
+    private void Dot(int contours, List<MedialExtrusion> extrusions)
     {
         var largest = 0.0;
         var center = Vec3.Zero;
-        foreach (var contour in samples)
+        foreach (var contour in _samples.Take(contours))
         {
             foreach (var sample in contour)
             {

@@ -15,6 +15,9 @@ internal sealed class VaryingOffset(RegionEngine engine)
     // Where strips meet they are wider than along themselves. Of that a side takes so much: its beads lie partly in those of the others there.
     private const double Share = 0.5;
 
+    /// <summary>Measures thickness.</summary>
+    public BoundarySampler Sampler { get; } = new();
+
     private readonly List<BoundarySample> _samples = [];
     private readonly List<List<Item>> _contours = [];
     private readonly Dictionary<GridPoint, double> _distances = [];
@@ -45,12 +48,11 @@ internal sealed class VaryingOffset(RegionEngine engine)
     {
         _region = region;
         _least = least;
-        var grid = new SegmentGrid(region.Paths, strips.Bounds.Grow(2 * limit), limit);
-        var sampler = new BoundarySampler(grid, Math.Min(0.25, limit / 2), limit, Near(grid, strips));
-        _used = grid.ContourStart.Length - 1;
-        for (var c = 0; c + 1 < grid.ContourStart.Length; c++)
+        Sampler.Aim(region, strips, Math.Min(0.25, limit / 2), limit);
+        _used = Sampler.Edges.Contours;
+        for (var c = 0; c < _used; c++)
         {
-            sampler.Take(c, _samples);
+            Sampler.Take(c, _samples);
             if (_contours.Count == c) _contours.Add([]);
             var items = _contours[c];
             items.Clear();
@@ -83,19 +85,6 @@ internal sealed class VaryingOffset(RegionEngine engine)
     /// <param name="more">Added in strips, so that both sides take all, mm.</param>
     public Region Inner(double more)
         => Region.Own(Run(2, more)).Intersect(_region.Offset(-1.8 * _least, JoinStyle.Miter, 2, 0.005, engine), engine);
-
-    private static bool[] Near(SegmentGrid grid, Region strips)
-    {
-        var wanted = new bool[grid.Points.Length];
-        var found = new List<int>();
-        foreach (var strip in strips.Islands)
-        {
-            var box = strip.Bounds;
-            grid.Near(box.Min.X - 1e-3, box.Min.Y - 1e-3, box.Max.X + 1e-3, box.Max.Y + 1e-3, found);
-            foreach (var i in found) wanted[i] = true;
-        }
-        return wanted;
-    }
 
     // Where the disc touches a neighbor nothing is known of the strip, and a short thick place in a strip is none: straight between what is known.
     private static void Bridge(List<Item> items, double nominal, double shortest)

@@ -1,14 +1,17 @@
 namespace Caterpillar.Slicing;
 
 /// <summary>Lays walls along the contours of regions. One thread at a time.</summary>
-internal sealed class WallBuilder(WallRules rules, RegionEngine engine)
+/// <param name="rules">What they are to be like.</param>
+/// <param name="engine">Clips.</param>
+/// <param name="offset">Offsets strips; kept by whoever builds walls again and again.</param>
+internal sealed class WallBuilder(WallRules rules, RegionEngine engine, VaryingOffset? offset = null)
 {
     private const double ArcTolerance = 0.005;
 
     // mm², as much as a dot of one line's width; the tip of a sharp corner is no thin place.
     private const double SmallestReported = 0.15;
 
-    private readonly VaryingOffset _offset = new(engine);
+    private readonly VaryingOffset _offset = offset ?? new(engine);
 
     /// <summary>The walls along all contours of a region, and the area left for infill.</summary>
     public WallResult Build(Region island)

@@ -18,6 +18,7 @@ internal sealed class WallLevel
     private readonly WallRules _rules;
     private readonly RegionEngine _engine;
     private readonly VaryingOffset _offset;
+    private readonly ExtrusionTracer _tracer;
     private readonly double _spacing;
     private readonly double _least;
 
@@ -40,6 +41,7 @@ internal sealed class WallLevel
         var most = Math.Max(rules.Spacing(rules.MaxWidth), _spacing);
         _single = Math.Min(1.5 * _spacing, most);
         _double = Math.Min(2 * _spacing + Math.Max(rules.Spacing(next) / 2, _least), 2 * most);
+        _tracer = new ExtrusionTracer(offset.Sampler, Math.Min(0.15, _single / 4), 0.75 * _single, _least / 2);
     }
 
     private double SmallestThin => 0.05 * _spacing * _spacing;
@@ -90,7 +92,7 @@ internal sealed class WallLevel
     /// <summary>The single extrusions of a thin piece.</summary>
     public void Trace(Region piece, int index, WallOutput output)
     {
-        var extrusions = new ExtrusionTracer(Math.Min(0.15, _single / 4), 0.75 * _single, _least / 2).Trace(piece);
+        var extrusions = _tracer.Trace(piece);
         new ExtrusionFinisher(piece).Finish(extrusions);
         output.Extrusions(extrusions, index, _least);
     }

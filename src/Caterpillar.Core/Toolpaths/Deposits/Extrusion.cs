@@ -137,12 +137,9 @@ internal sealed class ExtrusionStore
     public int Add(in Extrusion extrusion)
     {
         var index = _freeCount > 0 ? _free[--_freeCount] : _next++;
-        if (index >> ChunkBits >= _chunks.Length)
-        {
-            Array.Resize(ref _chunks, Math.Max(4, _chunks.Length * 2));
-            Array.Resize(ref _users, _chunks.Length << ChunkBits);
-            Array.Resize(ref _seen, _users.Length);
-        }
+        Buffers.Reserve(ref _chunks, (index >> ChunkBits) + 1);
+        Buffers.Reserve(ref _users, index + 1);
+        Buffers.Reserve(ref _seen, index + 1);
         _chunks[index >> ChunkBits] ??= new Extrusion[1 << ChunkBits];
         this[index] = extrusion;
         return index;

@@ -21,11 +21,8 @@ internal sealed class ScriptFrames(FormulaContext context, int globals, int maxD
         var start = context.Base + _size;
         _frames.Add(new Frame(back, context.Base, _size, words));
         var values = context.Values;
-        if (start + procedure.FrameSize > values.Length)
-        {
-            Array.Resize(ref values, 2 * (start + procedure.FrameSize));
-            context.Values = values;
-        }
+        Buffers.Reserve(ref values, start + procedure.FrameSize);
+        context.Values = values;
         given.CopyTo(values, start);
         for (var i = start + given.Length; i < start + procedure.FrameSize; i++) values[i] = double.NaN;
         context.Base = start;

@@ -65,13 +65,10 @@ internal sealed class Arrangement
     {
         var source = _added++;
         if (count < 2) return;
-        if (Segments.Length < Count + count) Array.Resize(ref Segments, Math.Max(Count + count, 2 * Segments.Length));
-        if (ContourStart.Length < Contours + 2)
-        {
-            Array.Resize(ref ContourStart, 2 * ContourStart.Length);
-            Array.Resize(ref Operand, 2 * Operand.Length);
-            Array.Resize(ref Source, 2 * Source.Length);
-        }
+        Buffers.Reserve(ref Segments, Count + count);
+        Buffers.Reserve(ref ContourStart, Contours + 2);
+        Buffers.Reserve(ref Operand, Contours + 1);
+        Buffers.Reserve(ref Source, Contours + 1);
         var n = Count;
         var a = points[start + count - 1];
         for (var i = start; i < start + count; i++)

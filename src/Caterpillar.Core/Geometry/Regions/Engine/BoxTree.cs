@@ -8,43 +8,40 @@ internal sealed class BoxTree
 {
     private const int LeafSize = 6;
 
-    public GridBox[] Boxes = new GridBox[64];
-    public bool[] Fresh = new bool[64];
+    public GridBox[] Boxes = [];
+    public bool[] Fresh = [];
 
     /// <summary>
     /// Not 0 for nodes whose segments follow each other in one contour and all go to the right (1), left (2), up (4) or down (8): they can't cross each other.
     /// </summary>
-    public byte[] Monotone = new byte[64];
+    public byte[] Monotone = [];
 
-    public int[] LeafStart = new int[32];
-    public int[] LeafContour = new int[32];
-    public readonly int[] LevelStart = new int[33];
-    public readonly int[] LevelCount = new int[33];
+    public int[] LeafStart = [];
+    public int[] LeafContour = [];
+    public int[] LevelStart = [];
+    public int[] LevelCount = [];
     public int Levels;
 
     /// <summary>Contour c has the segments from contourStart[c] up to contourStart[c + 1]. Fresh marks nodes that hold a segment marked so.</summary>
     public void Build(Segment[] segments, bool[]? fresh, int[] contourStart, int contours)
     {
         var leaves = 0;
-        for (var c = 0; c < contours; c++)
+        for (var c = 0; c < contours; c++) leaves += Parts(contourStart[c + 1] - contourStart[c]);
+        Levels = 0;
+        if (leaves == 0) return;
+        Reserve(leaves);
+        for (int c = 0, leaf = 0; c < contours; c++)
         {
             var first = contourStart[c];
             var count = contourStart[c + 1] - first;
-            var parts = (count + LeafSize - 1) / LeafSize;
-            Need(ref LeafStart, leaves + parts + 1);
-            Need(ref LeafContour, leaves + parts + 1);
+            var parts = Parts(count);
             for (var p = 0; p < parts; p++)
             {
-                LeafContour[leaves] = c;
-                LeafStart[leaves++] = first + (int)((long)count * p / parts);
+                LeafContour[leaf] = c;
+                LeafStart[leaf++] = first + (int)((long)count * p / parts);
             }
         }
-        Levels = 0;
-        if (leaves == 0) return;
         LeafStart[leaves] = contourStart[contours];
-        Need(ref Boxes, 2 * leaves + 32);
-        Need(ref Fresh, 2 * leaves + 32);
-        Need(ref Monotone, 2 * leaves + 32);
         for (var leaf = 0; leaf < leaves; leaf++)
         {
             var (i, end) = (LeafStart[leaf], LeafStart[leaf + 1]);
@@ -134,8 +131,19 @@ internal sealed class BoxTree
         Levels++;
     }
 
-    private static void Need<T>(ref T[] array, int length)
+    private static int Parts(int segments) => (segments + LeafSize - 1) / LeafSize;
+
+    // No more than is needed the first time: most regions that are asked something are small.
+    private void Reserve(int leaves)
     {
-        if (array.Length < length) Array.Resize(ref array, Math.Max(length, array.Length * 2));
+        int nodes = leaves, levels = 1;
+        for (var n = leaves; n > 1; levels++) nodes += n = (n + 1) / 2;
+        Buffers.Reserve(ref LeafStart, leaves + 1);
+        Buffers.Reserve(ref LeafContour, leaves);
+        Buffers.Reserve(ref Boxes, nodes);
+        Buffers.Reserve(ref Fresh, nodes);
+        Buffers.Reserve(ref Monotone, nodes);
+        Buffers.Reserve(ref LevelStart, levels);
+        Buffers.Reserve(ref LevelCount, levels);
     }
 }

@@ -12,11 +12,8 @@ internal sealed class ContourOrder
 
     public void Apply(ref Segment[] segments, ref int[] start, ref byte[] operand, ref int[] source, int contours)
     {
-        if (_keys.Length < contours)
-        {
-            _keys = new long[2 * contours];
-            _order = new int[2 * contours];
-        }
+        Buffers.Reserve(ref _keys, contours);
+        Buffers.Reserve(ref _order, contours);
         if (_start.Length < start.Length) _start = new int[start.Length];
         if (_operand.Length < operand.Length) _operand = new byte[operand.Length];
         if (_source.Length < source.Length) _source = new int[source.Length];

@@ -7,24 +7,24 @@ internal sealed class OffsetCorners
     private const double ShortestTrimmed = 4;
 
     private double _d;
-    private double[] _length = new double[64];
-    private double[] _before = new double[64];
-    private double[] _after = new double[64];
-    private double[] _x = new double[64];
-    private double[] _y = new double[64];
-    private int[] _previous = new int[64];
-    private int[] _next = new int[64];
+    private double[] _length = [];
+    private double[] _before = [];
+    private double[] _after = [];
+    private double[] _x = [];
+    private double[] _y = [];
+    private int[] _previous = [];
+    private int[] _next = [];
 
     /// <summary>Unit normals of the edges, to the right; edge i starts at vertex i.</summary>
-    public double[] Nx { get; private set; } = new double[64];
+    public double[] Nx = [];
 
-    public double[] Ny { get; private set; } = new double[64];
+    public double[] Ny = [];
 
     /// <summary>
     /// Kind of the corner at the start of an edge: 0 a join, 1 a cut of the two moved edges that meet there, 2 the same but with edges dropped in between
     /// (<see cref="Crossing"/>), 3 back through the vertex.
     /// </summary>
-    public byte[] Kind { get; private set; } = new byte[64];
+    public byte[] Kind = [];
 
     /// <summary>The edge whose end is at the corner before an edge: the previous one or, if edges were dropped, an earlier one.</summary>
     public int Previous(int edge) => _previous[edge];
@@ -168,17 +168,15 @@ internal sealed class OffsetCorners
 
     private void Reserve(int n)
     {
-        if (_length.Length >= n) return;
-        n = Math.Max(n, 2 * _length.Length);
-        _length = new double[n];
-        _before = new double[n];
-        _after = new double[n];
-        _x = new double[n];
-        _y = new double[n];
-        _previous = new int[n];
-        _next = new int[n];
-        Nx = new double[n];
-        Ny = new double[n];
-        Kind = new byte[n];
+        Buffers.Reserve(ref _length, n);
+        Buffers.Reserve(ref _before, n);
+        Buffers.Reserve(ref _after, n);
+        Buffers.Reserve(ref _x, n);
+        Buffers.Reserve(ref _y, n);
+        Buffers.Reserve(ref _previous, n);
+        Buffers.Reserve(ref _next, n);
+        Buffers.Reserve(ref Nx, n);
+        Buffers.Reserve(ref Ny, n);
+        Buffers.Reserve(ref Kind, n);
     }
 }

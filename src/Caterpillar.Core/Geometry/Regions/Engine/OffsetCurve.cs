@@ -23,7 +23,7 @@ internal sealed class OffsetCurve
     /// <summary>How far, in grid units, the curve may be from the path.</summary>
     public double Reach { get; private set; }
 
-    public GridPoint[] Points { get; private set; } = new GridPoint[256];
+    public GridPoint[] Points = [];
 
     public int Count { get; private set; }
 
@@ -70,12 +70,7 @@ internal sealed class OffsetCurve
 
     private void Corner(GridPoint v, int before, int i)
     {
-        if (Points.Length < Count + _arcSteps + 4)
-        {
-            var points = Points;
-            Array.Resize(ref points, Math.Max(2 * Count, Count + _arcSteps + 4));
-            Points = points;
-        }
+        Buffers.Reserve(ref Points, Count + _arcSteps + 4);
         double mx = _corners.Nx[before], my = _corners.Ny[before], nx = _corners.Nx[i], ny = _corners.Ny[i];
         var kind = _corners.Kind[i];
         var dot = mx * nx + my * ny;

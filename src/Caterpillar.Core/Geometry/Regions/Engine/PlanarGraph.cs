@@ -74,20 +74,19 @@ internal sealed class PlanarGraph
 
     private void Reserve()
     {
-        if (Tail.Length >= Edges) return;
-        var n = Math.Max(Edges, 2 * Tail.Length);
-        Tail = new int[n];
-        Head = new int[n];
-        Dead = new bool[n];
-        HalfStart = new int[n + 1];
-        Half = new int[2 * n];
-        _firstStep = new int[n];
-        _secondStep = new int[n];
-        _firstRight = new int[n];
-        _secondRight = new int[n];
-        _known = new bool[n];
-        _seen = new bool[n];
-        _fill = new int[n];
+        var n = Edges;
+        Buffers.Reserve(ref Tail, n);
+        Buffers.Reserve(ref Head, n);
+        Buffers.Reserve(ref Dead, n);
+        Buffers.Reserve(ref HalfStart, n + 1);
+        Buffers.Reserve(ref Half, 2 * n);
+        Buffers.Reserve(ref _firstStep, n);
+        Buffers.Reserve(ref _secondStep, n);
+        Buffers.Reserve(ref _firstRight, n);
+        Buffers.Reserve(ref _secondRight, n);
+        Buffers.Reserve(ref _known, n);
+        Buffers.Reserve(ref _seen, n);
+        Buffers.Reserve(ref _fill, n);
     }
 
     private void Link()
@@ -168,7 +167,7 @@ internal sealed class PlanarGraph
     private void Turn(int v, int from, int first, int second, ref int depth)
     {
         int start = HalfStart[v], end = HalfStart[v + 1], count = end - start;
-        if (_stack.Length < depth + count) Array.Resize(ref _stack, Math.Max(depth + count, 2 * _stack.Length));
+        Buffers.Reserve(ref _stack, depth + count);
         for (int k = 0, i = from; k < count; k++, i++)
         {
             if (i >= end) i = start;

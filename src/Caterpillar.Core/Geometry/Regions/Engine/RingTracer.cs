@@ -13,14 +13,10 @@ internal sealed class RingTracer
 
     public void Trace(PlanarGraph graph, InsideRule rule, List<GridPoint[]> rings)
     {
-        if (_side.Length < graph.Edges)
-        {
-            var n = Math.Max(graph.Edges, 2 * _side.Length);
-            _side = new sbyte[n];
-            _place = new int[n];
-            _degree = new int[n];
-            _path = new int[n + 1];
-        }
+        Buffers.Reserve(ref _side, graph.Edges);
+        Buffers.Reserve(ref _place, graph.Edges);
+        Buffers.Reserve(ref _degree, graph.Edges);
+        Buffers.Reserve(ref _path, graph.Edges + 1);
         for (var v = 0; v < graph.Vertices.Count; v++)
         {
             _place[v] = -1;

@@ -15,7 +15,7 @@ internal sealed class SegmentSplitter
 
     public void Clear(int segments)
     {
-        if (_head.Length < segments) _head = new int[Math.Max(segments, 2 * _head.Length)];
+        Buffers.Reserve(ref _head, segments);
         Array.Clear(_head, 0, segments);
         Count = 0;
     }
@@ -26,11 +26,8 @@ internal sealed class SegmentSplitter
     public bool Add(int segment, int x, int y, in Segment s)
     {
         if ((x == s.Ax && y == s.Ay) || (x == s.Bx && y == s.By)) return false;
-        if (Count == _points.Length)
-        {
-            Array.Resize(ref _points, 2 * Count);
-            Array.Resize(ref _next, 2 * Count);
-        }
+        Buffers.Reserve(ref _points, Count + 1);
+        Buffers.Reserve(ref _next, Count + 1);
         _points[Count] = new GridPoint(x, y);
         _next[Count++] = _head[segment];
         _head[segment] = Count;
@@ -40,8 +37,8 @@ internal sealed class SegmentSplitter
     /// <summary>Cuts. Returns the new number of segments and moves the contours' starts; only the parts of cut segments are fresh.</summary>
     public int Apply(ref Segment[] segments, ref bool[] fresh, int count, int[] contourStart, int contours)
     {
-        if (_spare.Length < count + Count) _spare = new Segment[Math.Max(count + Count, 2 * _spare.Length)];
-        if (_spareFresh.Length < _spare.Length) _spareFresh = new bool[_spare.Length];
+        Buffers.Reserve(ref _spare, count + Count);
+        Buffers.Reserve(ref _spareFresh, _spare.Length);
         var n = 0;
         var i = 0;
         for (var c = 0; c < contours; c++)
@@ -94,11 +91,8 @@ internal sealed class SegmentSplitter
         var count = 0;
         for (var r = head; r != 0; r = _next[r - 1])
         {
-            if (count == _keys.Length)
-            {
-                Array.Resize(ref _keys, 2 * count);
-                Array.Resize(ref _sorted, 2 * count);
-            }
+            Buffers.Reserve(ref _keys, count + 1);
+            Buffers.Reserve(ref _sorted, count + 1);
             var p = _points[r - 1];
             _keys[count] = dx * ((long)p.X - s.Ax) + dy * ((long)p.Y - s.Ay);
             _sorted[count++] = p;

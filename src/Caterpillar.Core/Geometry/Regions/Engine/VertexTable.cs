@@ -17,7 +17,7 @@ internal sealed class VertexTable
         if (_slots.Length < size) _slots = new int[size];
         else Array.Clear(_slots, 0, size);
         _mask = size - 1;
-        if (Points.Length < expected) Points = new GridPoint[Math.Max(expected, 2 * Points.Length)];
+        Buffers.Reserve(ref Points, expected);
         Count = 0;
     }
 
