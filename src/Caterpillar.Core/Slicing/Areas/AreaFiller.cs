@@ -83,7 +83,7 @@ internal sealed class AreaFiller(LayerWork layer, IslandWork island, SliceRules 
         var walls = rules.Walls with { InnerWidth = rules.SolidWidth };
         // The corners that walls have rounded are sharp again, so that rounds from both sides meet everywhere. Chords lie inside their arc.
         var round = 1.4 * (walls.OuterSpacing / 2 + (walls.Count - 1) * rules.Walls.InnerSpacing);
-        var pieces = Region.Own(narrow.ToArray());
+        var pieces = Region.Own(narrow.ToArray()).Simplified(walls.InnerTolerance, tools.Engine);
         if (walls.Corners == JoinStyle.Round) pieces = Pointed(Pointed(pieces, round), -round).Intersect(pieces, tools.Engine);
         foreach (var wall in new WallBuilder(walls, tools.Engine, tools.Strips).Fill(pieces, first: 1).Paths)
         {
