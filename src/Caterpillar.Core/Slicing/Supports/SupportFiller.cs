@@ -35,8 +35,10 @@ internal sealed class SupportFiller(SupportLevel level, PrintSettings settings, 
     /// <summary>The steps that print the supports.</summary>
     public List<PathStep> Fill()
     {
-        var coarse = level.Pieces.Simplified(Threads / 50, _engine);
-        _reach = coarse.Offset(Threads, JoinStyle.Round, 2, Threads / 10, _engine).Subtract(level.Forbidden, _engine);
+        // Grown by a part of it, nothing is so small any more that a coarse outline loses it.
+        var near = level.Pieces.Simplified(Threads / 50, _engine).Offset(Threads / 5, JoinStyle.Round, 2, Threads / 50, _engine);
+        var coarse = near.Simplified(Threads / 20, _engine);
+        _reach = coarse.Offset(Threads - Threads / 5, JoinStyle.Round, 2, Threads / 10, _engine).Subtract(level.Forbidden, _engine);
         var (islands, reaches) = (level.Pieces.Islands, _reach.Islands.ToList());
         for (var i = 0; i < islands.Count; i++)
         {
