@@ -188,8 +188,10 @@ public class SmallSolverTests
         var contour = Enumerable.Range(0, 40).Select(_ => new GridPoint(random.Next(-4000, 4000), random.Next(-4000, 4000))).ToArray();
         var hole = Enumerable.Range(0, 5).Select(_ => new GridPoint(random.Next(-900, 900), random.Next(-900, 900))).ToArray();
         var within = Bounds.Of([.. contour.Concat(hole).Select(Grid.ToMm)]);
-        var grid = new SegmentGrid();
+        var (grid, fresh) = (new SegmentGrid(), new SegmentGrid());
+        grid.Take([hole, contour], within, within.Size.X / 20);
         grid.Take([contour, hole], within, within.Size.X / 15);
+        fresh.Take([contour, hole], within, within.Size.X / 15);
         Assert.That((grid.ContourStart[2], grid.Next[39], grid.Previous[0], grid.Next[44], grid.Previous[40], grid.Contour[39], grid.Contour[40]),
             Is.EqualTo((45, 0, 39, 40, 44, 0, 1)));
         for (var i = 0; i < 45; i++)
@@ -198,12 +200,13 @@ public class SmallSolverTests
             Assert.That((grid.Length[i], grid.Normal[i].X * d.X + grid.Normal[i].Y * d.Y), Is.EqualTo((d.Length, 0.0)).Within(1e-9));
             Assert.That(grid.Normal[i].X * -d.Y + grid.Normal[i].Y * d.X, Is.EqualTo(d.Length).Within(1e-9), "To the left.");
         }
-        var (found, reach) = (new List<int>(), within.Size.X / 100);
+        var (found, same, reach) = (new List<int>(), new List<int>(), within.Size.X / 100);
         for (var k = 0; k < 60; k++)
         {
             var at = within.Min + new Vec3(random.NextDouble() * within.Size.X, random.NextDouble() * within.Size.Y);
             grid.Near(at.X - reach, at.Y - reach, at.X + reach, at.Y + reach, found);
-            Assert.That(found, Is.Unique);
+            fresh.Near(at.X - reach, at.Y - reach, at.X + reach, at.Y + reach, same);
+            Assert.That(found, Is.Unique.And.EqualTo(same), "Nothing is left of what was taken before.");
             for (var i = 0; i < 45; i++)
                 if (at.WithZ(0).DistanceToSegment(grid.Points[i], grid.Points[grid.Next[i]]) < reach) Assert.That(found, Does.Contain(i));
         }
