@@ -85,11 +85,14 @@ def gap_error(move, cells):
         return None
     spacing = (beside[1][0] + beside[-1][0]) / 2
     height = area / spacing
-    below = [(q, other.layer) for q, other in near if math.dist(q[:2], p[:2]) < 0.25 and other.layer < move.layer and q[2] < p[2] - 0.3 * height]
-    if not below or spacing > 1:
+    # The layer below is the one with the least gap: on a slope, a lower one may have a higher point nearby. Across a bend it cannot be told.
+    near_below = {other.layer for q, other in near if math.dist(q[:2], p[:2]) < 0.25 and other.layer < move.layer and abs(q[2] - p[2]) < 2 * height + 0.1}
+    if not near_below or spacing > 1:
         return None
-    layer = max(below, key=lambda s: s[0][2])[1]
-    gap = gap_over([q for q, other in near if other.layer == layer and math.dist(q[:2], p[:2]) < 1], p)
+    gaps = [gap_over([q for q, other in near if other.layer == layer and math.dist(q[:2], p[:2]) < 1], p) for layer in near_below]
+    if None in gaps:
+        return None
+    gap = min((gap for gap in gaps if gap > 0.3 * height), default=None)
     return height / gap - 1 if gap else None
 
 
