@@ -11,6 +11,7 @@ using NUnit.Framework;
 namespace Caterpillar.Tests.Turtles;
 
 /// <summary>Returns from branches, resolved by planning, checked against every extrusion by brute force.</summary>
+[Category("Arithmetic")]
 internal sealed class SafeReturnTests
 {
     private const string Tree =
@@ -25,7 +26,7 @@ internal sealed class SafeReturnTests
 
     [TestCase("z_hop_type=above_print")]
     [TestCase("z_hop_type=above_path")]
-    public void Travel_of_a_climbing_tree_never_goes_through_a_extrusion(string setting)
+    public void Travel_of_a_climbing_tree_never_goes_through_an_extrusion(string setting)
     {
         var moves = Plan(Tree, setting).Moves().ToArray();
         var worst = Worst(moves);

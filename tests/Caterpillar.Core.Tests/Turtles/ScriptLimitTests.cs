@@ -13,7 +13,7 @@ internal sealed class ScriptLimitTests
 {
     private static readonly TurtleLimits Small = new() { Memory = new MemoryLimit(20 << 20) };
 
-    [TestCase("\nrepeat 10000000 [ push ]", "turtle.too_many_states", 2, "1000000 pushed states")]
+    [TestCase("\nrepeat 10000000 [ push ]", "turtle.too_many_states", 2, "1000000 pushed states", Category = "Arithmetic")]
     [TestCase("array a 10000000\nrepeat 40000000 [ array a 10000000 ]", "turtle.too_many_steps", 2, "50000000 steps")]
     [TestCase("repeat 1000000 [ array a 6400000 ]", "turtle.too_many_steps", 1, "50000000 steps")]
     public void Programs_without_end_are_stopped_within_a_second_or_two(string text, string code, int line, string message)
@@ -111,6 +111,7 @@ internal sealed class ScriptLimitTests
     }
 
     [Test]
+    [Category("Arithmetic")]
     public void Whatever_a_program_says_errors_are_short_sentences_with_a_place()
     {
         var random = new Random(5);
