@@ -45,6 +45,14 @@ public class EditOptionTests : CliFixture
         Assert.That(File.ReadAllText("m.gcode"), Is.EqualTo(Program));
     }
 
+    [Test]
+    public void A_missing_layer_hides_no_other_problem()
+    {
+        var run = Run("convert", "l.gcode", "-o", "m.gcode", "--flow", "2", "--role", "Ironing", "--gcode-at-layer", "99=M300");
+        Assert.That(run.Code, Is.EqualTo(2));
+        Assert.That(run.Messages, Does.Contain("warning edit.nothing_selected").And.Contain("Layer 99 not found."));
+    }
+
     [TestCase("0.5")]
     [TestCase("50%")]
     [TestCase(" 50 %")]

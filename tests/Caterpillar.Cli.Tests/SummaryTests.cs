@@ -25,6 +25,7 @@ public class SummaryTests : CliFixture
     }
 
     [TestCase("part.gcode: 10 layers, 20 × 10 × 2 mm, 164 mm of filament (0.49 g), about", "slice", "part.stl")]
+    [TestCase("part.gcode: 10 layers, 20 × 10 × 2 mm, 0.4 cm³ (0.49 g), about", "slice", "part.stl", "--set", "filament_diameter_mm=10")]
     [TestCase("s.gcode: ", "turtle", "s.turtle")]
     [TestCase("c.gcode: ", "curves", "c.csv")]
     [TestCase("o.gcode: speed of 2 moves changed; 1 layer, 10.5 × 10.5 × 0.2 mm, 0.7 mm of filament (0.00221 g)", "convert", "l.gcode", "-o", "o.gcode",

@@ -66,6 +66,8 @@ public class TurtleTests : CliFixture
     [TestCase("turtle", "square.turtle", "--var", "side=x")]
     [TestCase("turtle", "square.turtle", "--var", "side=1", "--var", "side=2")]
     [TestCase("turtle", "square.turtle", "--plan", "wild")]
+    [TestCase("turtle", "square.turtle", "--squeeze", "0.1")]
+    [TestCase("turtle", "square.turtle", "--in-place")]
     [TestCase("turtle", "square.turtle", "--printer", "nobody")]
     public void Wrong_values_are_wrong_usage(params string[] words)
     {

@@ -31,8 +31,8 @@ internal sealed class ToolpathMerger
     {
         for (var i = 0; i < toolpaths.Count && !_diagnostics.HasErrors; i++)
         {
-            progress?.Report((double)i / toolpaths.Count);
             Add(toolpaths[i], cancel);
+            progress?.Report((i + 1.0) / toolpaths.Count);
         }
         return new Result<Toolpath>(_diagnostics.HasErrors ? null : _emitter.Build(null), _diagnostics.ToList());
     }

@@ -59,8 +59,9 @@ public sealed class Deformation
         for (var i = 0; i < paths.Count; i++)
         {
             cancel.ThrowIfCancellationRequested();
-            progress?.Report((double)i / paths.Count);
-            if (Apply(paths[i], tolerance, i, problems, cancel) is not { } path) continue;
+            var path = Apply(paths[i], tolerance, i, problems, cancel);
+            progress?.Report((i + 1.0) / paths.Count);
+            if (path is null) continue;
             mapped.Add(path);
             segments += path.SegmentCount;
             if (segments <= PathDivision.MaxSegments) continue;

@@ -57,8 +57,8 @@ public sealed record GapBead
         for (var i = 0; i < paths.Count; i++)
         {
             cancel.ThrowIfCancellationRequested();
-            progress?.Report((double)i / paths.Count);
             if (Fill(paths[i], i, probe, problems) is { } path) shaped.Add(path);
+            progress?.Report((i + 1.0) / paths.Count);
         }
         return new Result<IReadOnlyList<PrintPath>>(problems.HasErrors ? null : shaped, problems.ToList());
     }

@@ -51,18 +51,17 @@ public sealed record Modulation(ModulationMode Mode, Field Field, double Low, do
         double least = double.MaxValue, greatest = 0;
         if (Resolution > 0 && !(paths.Sum(p => p.Length) / Resolution <= PathDivision.MaxSegments))
         {
-            problems.Add(Severity.Error, "shape.too_fine",
+            return new Result<IReadOnlyList<PrintPath>>("shape.too_fine",
                 $"The paths would have more than {NumberFormatter.Format(PathDivision.MaxSegments)} segments in total. Use a coarser resolution.");
-            return new Result<IReadOnlyList<PrintPath>>(null, problems.ToList());
         }
         for (var i = 0; i < paths.Count; i++)
         {
             cancel.ThrowIfCancellationRequested();
-            progress?.Report((double)i / paths.Count);
             var path = Mode is ModulationMode.Speed or ModulationMode.Flow
                 ? Scale(paths[i], i, problems, ref least, ref greatest, cancel)
                 : Displace(paths[i], i, problems, cancel);
             if (path is not null) modulated.Add(path);
+            progress?.Report((i + 1.0) / paths.Count);
         }
         if (greatest > 0 && least < MinRatio * greatest * (1 - 1e-12))
         {

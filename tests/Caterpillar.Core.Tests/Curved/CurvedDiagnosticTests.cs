@@ -143,6 +143,16 @@ public class CurvedDiagnosticTests
         }
     }
 
+    [TestCase(2)]
+    [TestCase(6)]
+    public void A_vertical_face_of_a_plan_is_found_however_high_it_is(double height)
+    {
+        var boss = CurvedSolids.Lathe(24, (10, 0), (10, 4), (5, 4), (5, 4 + height));
+        var problems = new DiagnosticList();
+        LayerField.Vertical(PlanSurface.Of(boss)).FitTo(PartColumns.Of([boss]), CurvedSolids.Massive, problems);
+        Assert.That(problems.ToList().Single().Message, Does.StartWith($"The plan has a step of {NumberFormatter.Format(height, 2)} mm at ("));
+    }
+
     [Test]
     public void A_formula_that_is_no_formula_tells_the_column()
     {

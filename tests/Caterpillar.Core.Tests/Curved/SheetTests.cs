@@ -21,21 +21,22 @@ public class SheetTests
     private static readonly PrintSetup Setup = new ProfileLibrary().Setup("generic", values: Keys).OrThrow();
     private static readonly double Least = LayerRules.LeastGap(Setup), Most = LayerRules.GreatestGap(Setup);
 
-    // From ring to ring: where a surface is at a share of its length and an angle in degrees.
-    private static TriMesh Tube(Func<double, double, Vec3> at, int rings = 20, int sides = 72)
+    // From ring to ring: where a surface is at a share of its length and an angle in degrees. With less than a full turn it is open on one side.
+    private static TriMesh Tube(Func<double, double, Vec3> at, int rings = 20, int sides = 72, double turn = 360)
     {
+        var row = turn < 360 ? sides + 1 : sides;
         var points = new List<Vec3>();
         var corners = new List<int>();
         for (var i = 0; i <= rings; i++)
         {
-            for (var k = 0; k < sides; k++) points.Add(at((double)i / rings, 360.0 * k / sides));
+            for (var k = 0; k < row; k++) points.Add(at((double)i / rings, turn * k / sides));
         }
         for (var i = 0; i < rings; i++)
         {
             for (var k = 0; k < sides; k++)
             {
-                int a = i * sides + k, b = i * sides + (k + 1) % sides;
-                corners.AddRange([a, b, b + sides, a, b + sides, a + sides]);
+                int a = i * row + k, b = i * row + (k + 1) % row;
+                corners.AddRange([a, b, b + row, a, b + row, a + row]);
             }
         }
         return TriMesh.Create(points, corners);
@@ -145,6 +146,18 @@ public class SheetTests
                 .Min(p => Enumerable.Range(0, p.SegmentCount).Min(k => middle.DistanceToSegment(p.Points[k], p.EndOf(k))));
             Assert.That(path.BeadOf(i).Height, Is.EqualTo(below).Within(8).Percent.Or.EqualTo(below).Within(0.015), $"path {at} at {middle}");
         }
+    }
+
+    [Test]
+    public void Walls_between_two_walls_of_an_open_surface_do_not_cross_their_gap()
+    {
+        // Half of a tube, high at both ends and low in the middle, where only every few walls are printed.
+        var sheet = Tube((share, angle) => Round(10, angle, share * (9 + 6 * Angle.Cos(2 * angle))), sides: 36, turn: 180);
+        int[] Row(int ring) => [.. Enumerable.Range(37 * ring, 37)];
+        var ends = MeshBoundaries.Near(sheet, BoundaryShape.Of(Row(0)), [BoundaryShape.Of(Row(20))], 0).OrThrow();
+        var paths = Paths(CurvedSlicer.Slice([new NamedMesh("sheet", sheet)], LayerField.Harmonic(ends), Setup, new CurvedOptions { MaxTilt = 70 }).OrThrow());
+        Assert.That(paths.SelectMany(p => Enumerable.Range(0, p.SegmentCount).Select(p.LengthOf)).Max(), Is.LessThan(5));
+        Assert.That(Covered(paths), Is.EqualTo(Area(sheet)).Within(1.5).Percent);
     }
 
     [Test]

@@ -13,6 +13,7 @@ using Caterpillar.Geometry;
 using Caterpillar.Jobs;
 using Caterpillar.Machines;
 using Caterpillar.Planning;
+using Caterpillar.Shaping;
 using Caterpillar.Slicing;
 using Caterpillar.Tests.Slicing;
 using Caterpillar.Toolpaths;
@@ -104,9 +105,21 @@ public class ProgressTests
     {
         var (merged, shown) = (new Reported(), new Reported());
         var toolpath = Planner.Merge([Planned.Value, Planned.Value, Planned.Value], Setup, merged).OrThrow();
-        Assert.That(merged.Values, Is.EqualTo(new[] { 0, 1 / 3.0, 2 / 3.0 }));
+        Assert.That(merged.Values, Is.EqualTo(new[] { 1 / 3.0, 2 / 3.0, 1 }));
         ViewerPage.Write(new ViewerContent("a") { Toolpath = toolpath }, Stream.Null, shown);
         Assert.That(shown.Values, Is.Not.Empty.And.Ordered.And.All.InRange(0.0, 1.0));
+    }
+
+    [Test]
+    public void Of_paths_that_are_shaped()
+    {
+        PrintPath[] paths = [.. Enumerable.Range(0, 4).Select(i => new PrintPath([new Vec3(0, i, 0.2), new Vec3(9, i, 0.2)], new Bead(0.1, 0.2)))];
+        var (deformed, modulated, filled, projected) = (new Reported(), new Reported(), new Reported(), new Reported());
+        Deformation.Cartesian(p => p * 2).Apply(paths, 0, deformed).OrThrow();
+        new Modulation(ModulationMode.Flow, _ => 1, 1, 0.8).Apply(paths, modulated).OrThrow();
+        new GapBead().Apply(paths, filled).OrThrow();
+        SurfaceProjection.Project([.. paths.Select(p => new PathStep(p))], PlanSurface.Level(0), Setup, progress: projected).OrThrow();
+        foreach (var reported in new[] { deformed, modulated, filled, projected }) Assert.That(reported.Values, Is.EqualTo(new[] { 0.25, 0.5, 0.75, 1 }));
     }
 
     private static void AssertAscending(Reported reported, int least)

@@ -44,6 +44,35 @@ public class SpliceStateTests
     }
 
     [Test]
+    public void Each_tool_keeps_its_position_of_E_far_down_in_a_file()
+    {
+        // Longer than what is read at once.
+        var comments = string.Concat(Enumerable.Repeat("; " + new string('-', 97) + "\n", 3000));
+        var before = "G90\nM82\nG1 X1 Y1 Z0.2 F600\n;LAYER:0\nG1 X5 E100\nT1\nG1 X9 E50\n" + comments + ";LAYER:1\n";
+        var decoding = Decode(before + "G1 X20 E51\nT0\nG1 X30 E101\n", "repetier");
+        Assert.That(decoding.Toolpath.Moves().Select(m => m.E), Is.EqualTo(new[] { 0.0, 100, 50, 1, 1 }));
+        var slower = decoding.Toolpath.ScaleSpeed(new MoveFilter { FirstLayer = 1 }, 0.5);
+        Assert.That(Said(GCodeEditor.ToDocument(decoding, slower).Value!.ToBytes()), Is.EqualTo(before + "G1 X20 E51 F300\nT0\nG1 X30 E101\n"));
+    }
+
+    [Test]
+    public void A_line_without_a_command_that_repeated_an_arc_gets_one_where_it_becomes_straight()
+    {
+        var decoding = Decode("M83\nG1 X0 Y0 Z0.2 F600\n;LAYER:0\nG3 X10 Y10 I0 J10 E1\n;LAYER:1\nX0 Y20 I-10 J0 E1\n", "smoothie");
+        var higher = decoding.Toolpath.Transform(new MoveFilter { FirstLayer = 1 }, Affine.Scale(1, 1.01, 1), 100);
+        Assert.That(Said(GCodeEditor.ToDocument(decoding, higher).Value!.ToBytes()), Does.Contain("\nG3 X10 Y10 I0 J10 E1\n").And.Contain("\nG1 X0 Y20.2 E"));
+    }
+
+    [Test]
+    public void Relative_moves_stay_relative_after_a_start_code_that_is_left_out()
+    {
+        const string Layers = ";LAYER:0\nG1 X5 Y5 Z0.2 E1 F600\nG1 X5 E1\n;LAYER:1\nG1 Z0.2\nG1 X-5 E1\n";
+        var decoding = Decode("G28\nG91\nM83\n" + Layers);
+        var edited = GCodeEditor.ToDocument(decoding, decoding.Toolpath, new EditOptions { Start = [] });
+        Assert.That(Said(edited.Value!.ToBytes()), Is.EqualTo("G91\n" + Layers));
+    }
+
+    [Test]
     public void Modes_units_and_names_in_cut_lines_apply_after_them()
     {
         const string Text = "G21\nM83\nG1 X10 Y10 Z1 F600\n;LAYER:0\nG1 X50 E1\n;LAYER:1\nG20\nG91\nG1 X1 E1\nG92 X0\nM82\nG92 E7\n;LAYER:2\nG1 X1 E0.1 "

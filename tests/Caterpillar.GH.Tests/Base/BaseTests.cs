@@ -22,6 +22,15 @@ public sealed class BaseTests
     public void TearDown() => GH_Document.EscapeKey = () => false;
 
     [Test]
+    public void Diagnostics_tell_what_was_found_before_an_input_was_wrong()
+    {
+        var canvas = new Canvas<NotingComponent>().Feed("Value", -1.0).Solve();
+        Assert.That(canvas.Errors.Single(), Does.Contain("Value"));
+        Assert.That(canvas.All("Result"), Is.EqualTo(new object?[] { null }));
+        Assert.That(canvas.All("Diagnostics").Single(), Does.Contain("test.found"));
+    }
+
+    [Test]
     public void Long_work_runs_elsewhere_and_shows_its_progress()
     {
         StatusBar.Log.Clear();

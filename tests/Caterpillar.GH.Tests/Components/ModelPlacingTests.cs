@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using System.IO.Compression;
 using System.Linq;
 using Caterpillar.GH.Components.Design;
 using Caterpillar.GH.Components.GCode;
@@ -160,6 +161,34 @@ public sealed class ModelPlacingTests
         var inches = BoxOf(canvas.Feed("Unit", 25.4).Solve().All("Meshes").Single()).Diagonal;
         Assert.That(inches.X / plain.X, Is.EqualTo(25.4).Within(1e-4));
         Assert.That(canvas.Feed("Unit", 0.0).Solve().Errors, Is.Not.Empty);
+    }
+
+    [Test]
+    public void Modifiers_of_a_project_are_apart_from_its_parts()
+    {
+        const string Mesh = "<mesh><vertices><vertex x=\"0\" y=\"0\" z=\"0\"/><vertex x=\"3\" y=\"0\" z=\"0\"/><vertex x=\"0\" y=\"3\" z=\"0\"/>"
+            + "<vertex x=\"0\" y=\"0\" z=\"3\"/></vertices><triangles><triangle v1=\"0\" v2=\"2\" v3=\"1\"/><triangle v1=\"0\" v2=\"1\" v3=\"3\"/>"
+            + "<triangle v1=\"1\" v2=\"2\" v3=\"3\"/><triangle v1=\"0\" v2=\"3\" v3=\"2\"/></triangles></mesh>";
+        const string Model = "<model unit=\"millimeter\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\"><resources>"
+            + "<object id=\"1\">" + Mesh + "</object><object id=\"2\">" + Mesh + "</object><object id=\"5\"><components><component objectid=\"1\"/>"
+            + "<component objectid=\"2\" transform=\"1 0 0 0 1 0 0 0 1 40 0 0\"/></components></object></resources>"
+            + "<build><item objectid=\"5\"/></build></model>";
+        const string Config = "<config><object id=\"5\"><part id=\"1\" subtype=\"normal_part\"/><part id=\"2\" subtype=\"modifier_part\">"
+            + "<metadata key=\"wall_loops\" value=\"5\"/></part></object></config>";
+        var file = Path.Combine(Path.GetTempPath(), "caterpillar-" + Guid.NewGuid().ToString("N") + ".3mf");
+        using (var zip = new ZipArchive(File.Create(file), ZipArchiveMode.Create))
+        {
+            foreach (var (path, text) in new[] { ("3D/3dmodel.model", Model), ("Metadata/model_settings.config", Config) })
+            {
+                using var writer = new StreamWriter(zip.CreateEntry(path).Open());
+                writer.Write(text);
+            }
+        }
+        var canvas = new Canvas<ReadModelComponent>().Feed("File", file).Solve();
+        File.Delete(file);
+        Assert.That(BoxOf(canvas.All("Meshes").Single()).Min.X, Is.Zero);
+        Assert.That(BoxOf(canvas.All("Modifiers").Single()).Min.X, Is.EqualTo(40));
+        Assert.That(canvas.One<PrintSettings>("Modifier Settings").WallCount, Is.EqualTo(5));
     }
 
     [Test]

@@ -82,6 +82,14 @@ public sealed class VertexNumberTests
     }
 
     [Test]
+    public void A_bead_without_a_height_gets_that_of_the_settings_where_widths_are_given()
+    {
+        var area = 0.6 * 0.2 + Math.PI / 4 * 0.04;
+        var canvas = Drawn(Corner).Feed("Bead", Bead(0.1, 0)).Feed("Widths", 0.8).Solve();
+        Assert.That(Beads(canvas), Is.EqualTo(new[] { (Round(area), 0.2, 0.0), (Round(area), 0.2, 0.0) }));
+    }
+
+    [Test]
     public void Numbers_for_each_vertex_change_evenly_or_in_steps()
     {
         var steps = Drawn(Corner).Feed("Bead", Bead(0.1, 0.2)).Feed("Speeds", 10.0, 20.0, 40.0).Feed("Interpolation", "Steps").Solve();

@@ -40,7 +40,6 @@ public static class SurfaceProjection
         for (var i = 0; i < steps.Count; i++)
         {
             cancel.ThrowIfCancellationRequested();
-            progress?.Report((double)i / steps.Count);
             switch (steps[i])
             {
                 // Level combing does not know the surface; pieces that are left out join nothing.
@@ -48,6 +47,7 @@ public static class SurfaceProjection
                 case TravelStep travel: result.Add(new TravelStep(Over(travel.Points, field), travel.Speed, travel.Intent)); break;
                 case var other: result.Add(other); break;
             }
+            progress?.Report((i + 1.0) / steps.Count);
         }
         LiftFindings.Add(lifter.Report, rules, [result.OfType<PathStep>()], problems);
         return new Result<IReadOnlyList<Step>>(problems.HasErrors ? null : result, problems.ToList());

@@ -13,9 +13,9 @@ public class ModesOfETests
         prusa: Marlin_main.cpp, process_commands, case 90, 91 (X, Y, Z of axis_relative_modes), M82, M83 (E of it)
         bambu: GCodeProcessor.cpp, process_G1 (absolute_position), process_G90, process_G91, process_M82, process_M83
         klipper: gcode_move.py, cmd_G1: absolute_coord and absolute_extrude
-        reprapfirmware: GCodes2.cpp, case 90, 91 (axesRelative), M82, M83 (drivesRelative); GCodes.cpp, LoadExtrusionAndFeedrateFromGCode
+        reprapfirmware: GCodes2.cpp, case 90, 91 (axesRelative), M82, M83 (drivesRelative), 120, 121; GCodes.cpp, LoadExtrusionAndFeedrateFromGCode
         repetier: Printer.cpp, setDestinationStepsFromGCode: relativeCoordinateMode || relativeExtruderCoordinateMode
-        smoothie: Robot.cpp, on_gcode_received, case 90, 91 (absolute_mode and e_absolute_mode), M82, M83 (e_absolute_mode)
+        smoothie: Robot.cpp, on_gcode_received, case 90, 91 (absolute_mode and e_absolute_mode), M82, M83 (e_absolute_mode); push_state, pop_state
         sailfish: gpx.c, calculate_target_position: relativeCoordinates || extruderIsRelative
         cnc: interp_find.cc, find_ends: the distance mode holds for A too; interp_convert.cc knows no M82, M83
         ultigcode: Marlin_main.cpp, get_coordinates: axis_relative_modes[i] || relative_mode
@@ -43,6 +43,7 @@ public class ModesOfETests
         M83;G90;M83     | 2  2  2  2  2  2  2  2  2  2  1  2  0  0
         G91;M83;G90;M82 | 1  1  1  1  1  1  1  1  1  1  1  1  0  0
         M83;G91;G90     | 2  1  2  2  2  2  2  2  1  2  1  2  0  0
+        M83;M120;M82;M121 | 1  1  1  1  1  1  2  1  2  1  1  1  0  0
         """;
 
     private static System.Collections.Generic.IEnumerable<TestCaseData> SumCases() => ProgramTable.Cases(Sums, Sources);
