@@ -94,7 +94,7 @@ run() {
   local dll=${rest%%|*} filter=${rest#*|}
   mkdir "$log/$1.tmp"
   case "$dll" in artifacts/real/*) while [ ! -f "$log/real.code" ]; do sleep 0.2; done ;; esac
-  TMPDIR="$log/$1.tmp" MONO_GC_PARAMS=nursery-size=64m nice -n $(($1 > 0 ? 5 : 0)) \
+  TMPDIR="$log/$1.tmp" MONO_GC_PARAMS=nursery-size=8m nice -n $(($1 > 0 ? 5 : 0)) \
     dotnet test "$dll" ${filter:+--filter "$filter"} --nologo -v quiet --logger "console;verbosity=minimal" >"$log/$1.log" 2>&1 </dev/null
   echo "$? $((SECONDS - started))" >"$log/$1.done"
 }
