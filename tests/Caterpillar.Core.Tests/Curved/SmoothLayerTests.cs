@@ -52,15 +52,15 @@ public class SmoothLayerTests
     [TestCase(4, 0.5, 0, new[] { 0.2, 0.3, 0.4, 0.5, 0.8, 1.1, 1.4 })]
     [TestCase(4, 0.5, 1, new[] { 0.2, 0.4, 0.5, 0.6, 0.9, 1.2, 1.4 })]
     [TestCase(4, 0.5, 2, new[] { 0.2, 0.4, 0.6, 0.7, 1, 1.2, 1.4 })]
-    public void A_layer_at_a_given_height_moves_the_others_no_more_than_it_must(int layer, double height, double beside, double[] heights)
+    public void A_layer_at_a_given_height_moves_the_others_no_more_than_it_must(int layer, double height, double distance, double[] heights)
     {
         var field = Bent(layer, height);
         for (var k = 0; k < heights.Length; k++)
         {
             var level = 0.2 * (k + 1);
-            Assert.That(field.Height(2 + beside, 2, level), Is.EqualTo(heights[k]).Within(1e-9), $"layer {k + 1}");
-            Assert.That(field.Value(new Vec3(2, 2 - beside, heights[k])), Is.EqualTo(level).Within(1e-9), $"layer {k + 1}");
-            var (first, second) = field.Heights(2 - beside, 2, level, level + 5);
+            Assert.That(field.Height(2 + distance, 2, level), Is.EqualTo(heights[k]).Within(1e-9), $"layer {k + 1}");
+            Assert.That(field.Value(new Vec3(2, 2 - distance, heights[k])), Is.EqualTo(level).Within(1e-9), $"layer {k + 1}");
+            var (first, second) = field.Heights(2 - distance, 2, level, level + 5);
             Assert.That((first, second), Is.EqualTo((heights[k], heights[6] + level + 5 - 1.4)).Within(1e-9));
         }
     }
