@@ -14,7 +14,7 @@ internal static class Faults
     private const int Samples = 40;
 
     public static IReadOnlyList<string> Of(Layout layout)
-        => [.. Overlaps(layout), .. Backward(layout), .. Hidden(layout), .. Frames(layout)];
+        => [.. Overlaps(layout), .. Backward(layout), .. Hidden(layout), .. Struck(layout), .. Frames(layout)];
 
     private static IEnumerable<string> Overlaps(Layout layout)
     {
@@ -40,11 +40,22 @@ internal static class Faults
         }
     }
 
+    private static IEnumerable<string> Struck(Layout layout)
+    {
+        foreach (var wire in layout.Wires)
+        {
+            foreach (var frame in layout.Frames.Where(f => Crosses(wire, f.Name)))
+                yield return $"The wire from {NameOf(wire.From)} to {NameOf(wire.To)} runs across the name of {frame.Group.NickName}.";
+        }
+    }
+
     /// <summary>Whether a wire comes nearer to an object that is none of its ends than the margin, in pixels.</summary>
     public static bool Hides(Placed other, Wire wire, double margin = 0)
+        => !ReferenceEquals(other, wire.From) && !ReferenceEquals(other, wire.To) && Crosses(wire, other.Box.Grown(margin));
+
+    /// <summary>Whether a wire runs through a box.</summary>
+    public static bool Crosses(Wire wire, Box box)
     {
-        if (ReferenceEquals(other, wire.From) || ReferenceEquals(other, wire.To)) return false;
-        var box = other.Box.Grown(margin);
         if (box.Right < wire.Start.X || box.X > wire.End.X) return false;
         if (box.Bottom < Math.Min(wire.Start.Y, wire.End.Y) || box.Y > Math.Max(wire.Start.Y, wire.End.Y)) return false;
         for (var i = 1; i < Samples; i++)

@@ -28,8 +28,11 @@ internal sealed record Frame(Group Group, Box Box)
     public const double Margin = 12;
     public const double Caption = 24;
 
+    /// <summary>Where its name stands, above it.</summary>
+    public Box Name => new(Box.X, Box.Y - Caption, Letters.Width(Group.NickName) * 1.5, Caption);
+
     /// <summary>Frame and name together.</summary>
-    public Box Whole => new(Box.X, Box.Y - Caption, Math.Max(Box.Width, Letters.Width(Group.NickName) * 1.5), Box.Height + Caption);
+    public Box Whole => Box.With(Name);
 }
 
 /// <summary>Where everything of a definition stands on the canvas.</summary>

@@ -95,6 +95,19 @@ public sealed class CanvasTests
     }
 
     [Test]
+    public void Wires_across_the_name_of_a_group_are_found()
+    {
+        var start = Capsule(0, 0, 1, "From");
+        var named = Capsule(200, 70, 1, "Named");
+        var to = Capsule(400, 0, 1, "To") with { Inputs = [new Port(Guid.NewGuid(), "I", 0, [start.Id])] };
+        start = start with { Outputs = [new Port(start.Id, "O", 0, [])] };
+        IReadOnlyList<string> Of(double height)
+            => Faults.Of(Layout.Of(new Definition([start, named with { Pivot = new Spot(200, height) }, to], [new Group("Here", "#ffffff", [named.Id])])));
+        Assert.That(Of(45), Has.Some.EqualTo("The wire from From to To runs across the name of Here."));
+        Assert.That(Of(70), Has.None.Contains("across"));
+    }
+
+    [Test]
     public void Objects_outside_of_groups_and_groups_that_meet_or_lack_a_name_are_found()
     {
         Item a = Capsule(0, 0, 1, "A"), b = Capsule(60, 0, 1, "B"), c = Capsule(300, 0, 1, "C");

@@ -34,15 +34,15 @@ internal sealed class Block(string name)
 
     public double Wanted { get; set; }
 
-    /// <summary>Where the name stands, as an object that wires should not cross.</summary>
-    public Placed Title { get; private set; } = new(null!, default, default, [], []);
+    /// <summary>Where the name stands, which wires should not cross.</summary>
+    public Box Title { get; private set; }
 
     /// <summary>The colored frame.</summary>
     public Box Area
     {
         get
         {
-            var left = Title.Box.X;
+            var left = Title.X;
             return new Box(left, Top - Frame.Margin, Nodes.Max(n => n.X + n.Shape.Box.Width) + Frame.Margin - left, Height + 2 * Frame.Margin);
         }
     }
@@ -71,8 +71,8 @@ internal sealed class Block(string name)
     }
 
     public void SetTitle()
-        => Title = Title with { Box = new Box(_columns[0].Where(n => n.Passing is null).Min(n => n.X) - Frame.Margin,
-            Top - Frame.Margin - Frame.Caption, Letters.Width(Name) * 1.5, Frame.Caption) };
+        => Title = new Box(_columns[0].Where(n => n.Passing is null).Min(n => n.X) - Frame.Margin,
+            Top - Frame.Margin - Frame.Caption, Letters.Width(Name) * 1.5, Frame.Caption);
 
     /// <summary>Brings all objects as near to their wires as their order allows; at first wires may pass where they like.</summary>
     public void Settle(int sweeps, bool first)

@@ -107,7 +107,7 @@ internal sealed class Search(Arrangement all)
             }
             foreach (var block in all.Blocks)
             {
-                if (Faults.Hides(block.Title, wire)) cost += Crossing;
+                if (Faults.Crosses(wire, block.Title)) cost += Crossing;
             }
         }
         for (var i = 0; i < wires.Count; i++)

@@ -27,6 +27,9 @@ internal sealed class Tightening(Arrangement all, Func<double> cost)
     private const double Struck = 600;
     private const double NameHeight = 14;
 
+    // A wire across the name of a stage.
+    private const double Crossing = 1500;
+
     // A wire across a stage that it has no end in.
     private const double Strange = 300;
 
@@ -42,11 +45,11 @@ internal sealed class Tightening(Arrangement all, Func<double> cost)
         .Select(n => n.In.Where(l => l.Inside && l.From.IsSource && l.From.Column == n.Column - 1).Select(l => l.From).Distinct().OrderBy(f => f.Top).ToList())
         .Where(s => s.Count > 1).ToArray();
 
-    /// <summary>Leaves the arrangement at the best heights found; one without much empty space stays as it is.</summary>
+    /// <summary>Leaves the arrangement at the best heights found; one without much empty space or a wire across a name stays as it is.</summary>
     public void Run()
     {
-        if (all.Blocks.Max(Band) < Empty && !_sources.Any(s => Gaps(s) > Empty)) return;
         var now = Cost();
+        if (all.Blocks.Max(Band) < Empty && !_sources.Any(s => Gaps(s) > Empty) && !all.Links.Exists(CrossesName)) return;
         var best = (Cost: now, Heights: Heights());
         for (var trial = 0; trial < Trials; trial++)
         {
@@ -67,13 +70,21 @@ internal sealed class Tightening(Arrangement all, Func<double> cost)
     }
 
     private double Cost()
-        => cost() + Tall * all.Blocks.Sum(b => b.Height) + Torn * _sources.Sum(Gaps) + all.Links.Sum(l => Struck * NamesUnder(l) + Strange * StagesUnder(l));
+        => cost() + Tall * all.Blocks.Sum(b => b.Height) + Torn * _sources.Sum(Gaps) + Crossing * all.Links.Count(CrossesName)
+            + all.Links.Sum(l => Struck * NamesUnder(l) + Strange * StagesUnder(l));
+
+    // The name stands on the frame, which the search believes to begin above the names of components.
+    private bool CrossesName(Link link)
+    {
+        var wire = new Wire(link.From.Now, link.Output, link.To.Now, link.Input);
+        return all.Blocks.Exists(b => Faults.Crosses(wire, b.Title with { Y = b.Nodes.Min(n => n.Now.Box.Y) - Frame.Margin - Frame.Caption }));
+    }
 
     // The stages that a wire runs across without an end in them.
     private int StagesUnder(Link link)
     {
         var wire = new Wire(link.From.Now, link.Output, link.To.Now, link.Input);
-        return all.Blocks.Count(b => b != link.From.Block && b != link.To.Block && Faults.Hides(b.Title with { Box = b.Area }, wire));
+        return all.Blocks.Count(b => b != link.From.Block && b != link.To.Block && Faults.Crosses(wire, b.Area));
     }
 
     // The names of components that a wire runs across.
