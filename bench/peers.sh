@@ -44,8 +44,8 @@ slice() {
   "$caterpillar" slice "$1" "${set[@]}" "${@:3}" --override "bench" -o "$out/caterpillar.gcode"
 }
 unchecked() {
-  slice "$1" "$2" --set check_severities=extrusion.unsupported=off,extrusion.duplicate=off,extrusion.squeezed=off,extrusion.width=off,extrusion.height=off,extrusion.gap=off,first_layer.area=off,\
-collision.nozzle=off,collision.travel=off,collision.head=off,collision.gantry=off,collision.clip=off,collision.slope=off
+  slice "$1" "$2" --set check_severities=extrusion.unsupported=off,extrusion.duplicate=off,extrusion.squeezed=off,extrusion.width=off,extrusion.height=off,extrusion.gap=off,extrusion.blob=off,nozzle.too_low=off,\
+first_layer.area=off,first_layer.in_air=off,collision.nozzle=off,collision.travel=off,collision.head=off,collision.gantry=off,collision.clip=off,collision.slope=off
 }
 cura() {
   case $2 in
