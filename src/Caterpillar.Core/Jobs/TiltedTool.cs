@@ -32,18 +32,20 @@ public static class TiltedTool
         var direction = aim.Direction ?? throw new ArgumentException("Without a field the aim must have a direction.", nameof(aim));
         var speeds = new Vec3(setup.Printer.MaxSpeed.X, setup.Printer.MaxSpeed.Y, setup.Printer.MaxSpeed.Z);
         var (best, fewest) = (toolpath, int.MaxValue);
-        foreach (var aside in aim.Side is null ? [0] : Asides)
+        double[] asides = aim.Side is null ? [0] : Asides;
+        for (var i = 0; i < asides.Length && fewest > 0; i++)
         {
+            var aside = asides[i];
             var guard = new LeanGuard(setup, kinematics, toolpath);
             var directions = new ToolDirections(kinematics, aside == 0 ? direction : p => Turned(direction(p), aim.Side!(p), aside))
             {
                 MaxTilt = aim.MaxTilt, SlideSpeeds = setup.Printer.RotaryPositions == RotaryPositions.Tip ? speeds : null,
                 Refuses = guard.Refuses, RefusedIn = guard.RefusedIn, Printed = guard.Add,
             };
-            var leaning = directions.Apply(toolpath, progress, cancel, out var refused);
+            var leaning = directions.Apply(toolpath, progress.Part((double)i / asides.Length, (i + 1.0) / asides.Length), cancel, out var refused);
             if (refused < fewest) (best, fewest) = (leaning, refused);
-            if (fewest == 0) break;
         }
+        progress?.Report(1);
         return best;
     }
 

@@ -128,6 +128,19 @@ public class SidePrintTests
         Assert.That(moves.Select(m => (m.To - from - kinematics.Direction(words) * away).Length), Is.All.LessThan(1e-9));
     }
 
+    [TestCase(false)]
+    [TestCase(true)]
+    public void Progress_ascends_to_1_whatever_number_of_leans_is_tried(bool isBuried)
+    {
+        var setup = Setup with { PrintedOn = isBuried ? Solids.Block(0, 0, 0, 200, 200, 90) : null };
+        var plan = Planner.Plan(Lines().ToSteps(), setup, new PlanOptions { Policy = PlanPolicy.AsDrawn }).OrThrow();
+        var reported = new List<double>();
+        TiltedTool.Apply(plan, setup, new ToolAim(Out) { Side = p => Vec3.Cross(Out(p), Vec3.UnitZ) }, new Progress(reported));
+        Assert.That(reported, Has.Count.AtLeast(isBuried ? 36 : 12).And.Ordered.And.All.InRange(0.0, 1.0));
+        Assert.That(reported.Last(), Is.EqualTo(1));
+        Assert.That(reported.Any(r => r is > 0.5 and < 0.95), Is.EqualTo(isBuried));
+    }
+
     private static PrintJobOptions Options => new() { Onto = Cone, InPlace = true, Tilt = new ToolAim(Out) };
 
     // Out of the cone, a tenth upward.
@@ -166,5 +179,10 @@ public class SidePrintTests
         var kinematics = Setup.Printer.Kinematics!;
         return leaning.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => (m.End, kinematics.Direction(leaning.WordsAt(m.Index))))
             .Select(m => (m.Item1, Angle.Atan2(m.Item2.LengthXY, m.Item2.Z), m.Item2)).ToList();
+    }
+
+    private sealed class Progress(List<double> reported) : IProgress<double>
+    {
+        public void Report(double value) => reported.Add(value);
     }
 }

@@ -48,8 +48,9 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
     {
         refused = 0;
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
-        var straight = kinematics.IsPolar ? Divided(toolpath, progress, cancel)
-            : StraightPieces.Rebuilt(toolpath, toolpath.Start, (builder, piece) => builder.Add(piece), progress, cancel);
+        var divided = progress.Part(0, 0.1);
+        var straight = kinematics.IsPolar ? Divided(toolpath, divided, cancel)
+            : StraightPieces.Rebuilt(toolpath, toolpath.Start, (builder, piece) => builder.Add(piece), divided, cancel);
         var words = new Vec3[straight.Count];
         // Words before beads to which no travel leads.
         var turnsFirst = new Dictionary<int, Vec3>();
@@ -78,6 +79,7 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
                 last = words[end - 1];
             }
             first = end;
+            progress?.Report(0.1 + 0.9 * end / words.Length);
         }
         var next = 0;
         last = Vec3.Zero;
