@@ -79,7 +79,7 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
                 last = words[end - 1];
             }
             first = end;
-            progress?.Report(0.1 + 0.9 * end / words.Length);
+            progress?.Report(0.1 + 0.9 * ((double)end / words.Length));
         }
         var next = 0;
         last = Vec3.Zero;
