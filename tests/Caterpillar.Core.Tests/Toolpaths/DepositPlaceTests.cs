@@ -36,7 +36,7 @@ public class DepositPlaceTests
         var deposit = new Deposit();
         deposit.Add(new Vec3(30, 50, 1), new Vec3(40, 50, 1), 0.2, 3);
         var (sin, cos) = Angle.SinCos(degrees);
-        var overlap = deposit.Overlap(new Vec3(30 + x, 50 + y, z), new Vec3(7 * cos, 7 * sin), half, 0.2, default, 0, out var tag);
+        var overlap = deposit.Overlaps.At(new Vec3(30 + x, 50 + y, z), new Vec3(7 * cos, 7 * sin), half, 0.2, default, 0, out var tag);
         Assert.That(overlap, Is.EqualTo(runs ? DepositOverlap.Parallel : DepositOverlap.None));
         Assert.That(tag, Is.EqualTo(runs ? 3 : -1));
     }
@@ -76,9 +76,10 @@ public class DepositPlaceTests
         var deposit = new Deposit();
         deposit.Add(new Vec3(0, 0, 1), new Vec3(10, 0, 1), 0.2, 3);
         deposit.Add(new Vec3(0, 0, z), new Vec3(10, 0, z), 0.2, 4);
-        Assert.That(deposit.Overlap(new Vec3(5, 0, 1), Vec3.UnitX, 0.2, 0.2, default, 0, out _),
+        Assert.That(deposit.Overlaps.At(new Vec3(5, 0, 1), Vec3.UnitX, 0.2, 0.2, default, 0, out _),
             Is.EqualTo(found ? DepositOverlap.Parallel : DepositOverlap.None));
-        Assert.That(deposit.Overlap(new Vec3(5, 0, 1), Vec3.UnitZ, 0.2, 0.2, default, 0, out _), Is.EqualTo(DepositOverlap.None), "straight up runs nowhere");
+        Assert.That(deposit.Overlaps.At(new Vec3(5, 0, 1), Vec3.UnitZ, 0.2, 0.2, default, 0, out _), Is.EqualTo(DepositOverlap.None),
+            "straight up runs nowhere");
     }
 
     [TestCase(127, true)]
@@ -88,7 +89,7 @@ public class DepositPlaceTests
         var deposit = new Deposit();
         deposit.Add(new Vec3(0, 0, 1), new Vec3(1, 0, 1), 0.2, 3);
         for (var i = 0; i < after; i++) deposit.Add(new Vec3(0.5, 0.1, 1), new Vec3(0.5, 1, 1), 0.2, 4);
-        Assert.That(deposit.Overlap(new Vec3(0.5, 0, 1), Vec3.UnitX, 0.2, 0.2, default, 0, out _),
+        Assert.That(deposit.Overlaps.At(new Vec3(0.5, 0, 1), Vec3.UnitX, 0.2, 0.2, default, 0, out _),
             Is.EqualTo(found ? DepositOverlap.Parallel : DepositOverlap.None));
     }
 
@@ -97,9 +98,9 @@ public class DepositPlaceTests
     {
         var deposit = new Deposit();
         deposit.Add(new Vec3(0, 0, 1), new Vec3(10, 0, 2), 0.2, 3);
-        Assert.That(deposit.Overlap(new Vec3(5, 0, 1.55), Vec3.UnitX, 0.2, 0.2, default, 0, out _), Is.EqualTo(DepositOverlap.Parallel));
-        Assert.That(deposit.Overlap(new Vec3(5, 0, 1.65), Vec3.UnitX, 0.2, 0.2, default, 0, out _), Is.EqualTo(DepositOverlap.None));
-        Assert.That(deposit.Overlap(new Vec3(5, 0, 1.35), Vec3.UnitX, 0.2, 0.2, default, 0, out _), Is.EqualTo(DepositOverlap.None));
+        Assert.That(deposit.Overlaps.At(new Vec3(5, 0, 1.55), Vec3.UnitX, 0.2, 0.2, default, 0, out _), Is.EqualTo(DepositOverlap.Parallel));
+        Assert.That(deposit.Overlaps.At(new Vec3(5, 0, 1.65), Vec3.UnitX, 0.2, 0.2, default, 0, out _), Is.EqualTo(DepositOverlap.None));
+        Assert.That(deposit.Overlaps.At(new Vec3(5, 0, 1.35), Vec3.UnitX, 0.2, 0.2, default, 0, out _), Is.EqualTo(DepositOverlap.None));
     }
 
     [Test]

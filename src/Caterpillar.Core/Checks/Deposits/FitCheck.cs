@@ -142,7 +142,7 @@ internal sealed class FitCheck
         for (var k = 0; k < count; k++)
         {
             var p = Vec3.Lerp(move.Start, move.End, (k + 0.5) / count);
-            var overlap = _printed.Deposit.Overlap(p, along, half, thickness, gaps, solid, out var other);
+            var overlap = _printed.Deposit.Overlaps.At(p, along, half, thickness, gaps, solid, out var other);
             var step = total / count;
             if (overlap == DepositOverlap.None)
             {
