@@ -105,8 +105,10 @@ public class PatchClearanceTests
         var patches = Patches([[new(0.5, 0.5, 1), new(2.5, 0.5, 3)], [new(3.5, 1.5, 2), new(3.6, 1.5, 5)], [new(-0.5, -5.5, 0), new(-0.5, -5.4, 0)],
             [new(0.5, -5.5, 7), new(0.5, -5.4, 7)], [new(5.5, 0.5, 4), new(5.5, 0.6, 4)]]);
         Assert.That(patches.Select(p => p.Steps.Count), Is.EqualTo(new[] { 2, 2, 1 }));
-        Assert.That(patches.Select(p => (p.Layer, p.Low, p.Top, p.Left, p.Right, p.Bottom, p.Over)),
-            Is.EqualTo(new[] { (3, 1.0, 5.0, 0, 3, 0, 1), (3, 0, 7, -1, 0, -6, -6), (3, 4, 4, 5, 5, 0, 0) }));
+        Assert.That(patches.Select(p => (p.Layer, p.Box)), Is.EqualTo(new[]
+        {
+            (3, new Bounds(new(0, 0, 1), new(3, 1, 5))), (3, new Bounds(new(-1, -6, 0), new(0, -6, 7))), (3, new Bounds(new(5, 0, 4), new(5, 0, 4))),
+        }));
         var cells = patches[0].Cells.Select(c => (c.Column, c.Row, Low: System.Math.Round(c.Low, 9), Top: System.Math.Round(c.Top, 9)));
         Assert.That(cells, Is.EqualTo(new[] { (0, 0, 1.0, 1.0), (1, 0, 1.5, 2.0), (2, 0, 2.5, 3.0), (3, 1, 2.0, 5.0) }));
     }

@@ -9,9 +9,7 @@ internal sealed class LayerPatch
     private LayerPatch(int layer, List<PathStep> steps, PatchCell[] cells)
     {
         (Layer, Steps, Cells) = (layer, steps, cells);
-        (Low, Top) = (cells.Min(c => c.Low), cells.Max(c => c.Top));
-        (Left, Right) = (cells.Min(c => c.Column), cells.Max(c => c.Column));
-        (Bottom, Over) = (cells.Min(c => c.Row), cells.Max(c => c.Row));
+        Box = Bounds.Of(cells.SelectMany(c => new[] { new Vec3(c.Column, c.Row, c.Low), new Vec3(c.Column, c.Row, c.Top) }));
     }
 
     /// <summary>Its place among the layers.</summary>
@@ -21,20 +19,8 @@ internal sealed class LayerPatch
 
     public PatchCell[] Cells { get; }
 
-    /// <summary>Lowest point, mm.</summary>
-    public double Low { get; }
-
-    /// <summary>Highest point, mm.</summary>
-    public double Top { get; }
-
-    /// <summary>First and last column and row of its cells.</summary>
-    public int Left { get; }
-
-    public int Right { get; }
-
-    public int Bottom { get; }
-
-    public int Over { get; }
+    /// <summary>Its columns, its rows, and its heights, mm.</summary>
+    public Bounds Box { get; }
 
     /// <summary>The patches of a layer, in the order of their first paths. Paths in cells that touch are of one patch.</summary>
     /// <param name="layer">The layer.</param>

@@ -16,11 +16,12 @@ internal sealed class PatchClearance(Printer printer, double cell, double slack)
     /// <summary>True if the print head hits one printed patch while it prints another.</summary>
     public bool IsBlocked(LayerPatch printed, LayerPatch next)
     {
-        var rise = printed.Top - next.Low;
+        var low = next.Box.Min.Z;
+        var rise = printed.Box.Max.Z - low;
         if (!(rise > Math.Min(_boxes, _shape.HeightAt(Distance(printed, next))) + Flush)) return false;
         foreach (var from in printed.Cells)
         {
-            if (!(from.Top - next.Low > Flush)) continue;
+            if (!(from.Top - low > Flush)) continue;
             foreach (var to in next.Cells)
             {
                 if (Meets((from.Column - to.Column) * cell, (from.Row - to.Row) * cell, from.Top - to.Low - Flush)) return true;
@@ -44,7 +45,7 @@ internal sealed class PatchClearance(Printer printer, double cell, double slack)
     // At least, between the boxes of two patches.
     private double Distance(LayerPatch a, LayerPatch b)
     {
-        double x = Math.Max(0, Math.Max(a.Left - b.Right, b.Left - a.Right)) * cell, y = Math.Max(0, Math.Max(a.Bottom - b.Over, b.Bottom - a.Over)) * cell;
-        return Math.Sqrt(x * x + y * y) - slack;
+        double x = Math.Max(a.Box.Min.X - b.Box.Max.X, b.Box.Min.X - a.Box.Max.X), y = Math.Max(a.Box.Min.Y - b.Box.Max.Y, b.Box.Min.Y - a.Box.Max.Y);
+        return new Vec3(Math.Max(0, x), Math.Max(0, y)).LengthXY * cell - slack;
     }
 }

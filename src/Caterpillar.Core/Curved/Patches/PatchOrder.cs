@@ -39,8 +39,9 @@ internal static class PatchOrder
         var exact = new PatchClearance(printer, cell, 0);
         if (Blocked(patches, isBelow, exact, inOrder: true) is { } hits)
         {
-            var first = Array.FindIndex(hits, h => h.Count > 0);
-            var pair = Pair(patches, isBelow, exact) ?? (first, hits[first][0]);
+            var pairs = hits.SelectMany((late, early) => late.Select(k => (A: early, B: k))).ToList();
+            var both = pairs.FindIndex(p => exact.IsBlocked(patches[p.B], patches[p.A]));
+            var pair = pairs[Math.Max(0, both)];
             problems.Add(Severity.Warning, "curved.blocked_pieces", $"No collision-free order of layer pieces found: {Place(layers, patches[pair.A])} and "
                 + $"{Place(layers, patches[pair.B])} block each other. They are printed in layer order.");
         }
@@ -126,19 +127,6 @@ internal static class PatchOrder
         return order.Count == patches.Length ? order.ToArray() : null;
     }
 
-    private static (int A, int B)? Pair(LayerPatch[] patches, Func<int, int, bool> isBelow, PatchClearance clearance)
-    {
-        for (var i = 0; i < patches.Length; i++)
-        {
-            for (var k = i + 1; k < patches.Length; k++)
-            {
-                if (isBelow(i, k) || isBelow(k, i)) continue;
-                if (clearance.IsBlocked(patches[i], patches[k]) && clearance.IsBlocked(patches[k], patches[i])) return (i, k);
-            }
-        }
-        return null;
-    }
-
     // Patches of one layer that follow each other stay together.
     private static SlicedLayer[] Pieces(SlicedLayer[] layers, LayerPatch[] patches, int[] order, double cell)
     {
@@ -172,14 +160,7 @@ internal static class PatchOrder
     private static bool Touches(Vec3 p, HashSet<(int, int)> cells, double cell)
     {
         int column = (int)Math.Floor(p.X / cell), row = (int)Math.Floor(p.Y / cell);
-        for (var dy = -1; dy <= 1; dy++)
-        {
-            for (var dx = -1; dx <= 1; dx++)
-            {
-                if (cells.Contains((column + dx, row + dy))) return true;
-            }
-        }
-        return false;
+        return Enumerable.Range(0, 9).Any(i => cells.Contains((column + i % 3 - 1, row + i / 3 - 1)));
     }
 
     private static string Place(SlicedLayer[] layers, LayerPatch patch)
