@@ -44,9 +44,12 @@ internal struct HeadQuery
     public bool Meets(in Extrusion extrusion)
     {
         var most = extrusion.Top - Math.Min(From.Z, To.Z) - Tolerance;
-        if (!(most > 0) || IsPassed(extrusion, Head.LineAbove(most, HitsOnly), out var excess)) return false;
-        // Near the path, it may be less high above it.
-        if (excess < most && IsPassed(extrusion, Head.LineAbove(excess, HitsOnly), out _)) return false;
+        if (!(most > 0)) return false;
+        // Near the path, it may be less high above it; what is less high is met only nearer to the path.
+        for (double before = double.PositiveInfinity, excess; most < 0.8 * before; (before, most) = (most, excess))
+        {
+            if (IsPassed(extrusion, Head.LineAbove(most, HitsOnly), out excess)) return false;
+        }
         if (!HitsOnly && !Touches(extrusion, From, To, false)) return false;
         if (Touches(extrusion, From, To, true) && (!extrusion.IsSloped || TouchesSloped(extrusion))) return true;
         if (HitsOnly) return false;
@@ -88,6 +91,9 @@ internal struct HeadQuery
         var level = From.Z + Tolerance;
         double a = extrusion.Az - level - _rise * (ax * _ux + ay * _uy), b = extrusion.Bz - level - _rise * (bx * _ux + by * _uy);
         excess = Math.Max(a, b) + Math.Abs(_rise) * line.At(excess, extrusion.Half) + Same;
+        // It and the path lie in parallel planes.
+        double across = (b - a) / (bside - aside), gradient = Math.Sqrt(across * across + _rise * _rise), grown = 1 - line.Slope * gradient;
+        if (grown > 0) excess = Math.Min(excess, (a - across * aside + gradient * line.At(0, extrusion.Half)) / grown + Same);
         if (excess <= 0) return true;
         double reachA = line.At(a, extrusion.Half) + Same, reachB = line.At(b, extrusion.Half) + Same;
         if (Math.Abs(aside) * shrink <= reachA || Math.Abs(bside) * shrink <= reachB) return false;
