@@ -51,14 +51,42 @@ public class CurvedPartTests
     [TestCase(2, 3)]
     [TestCase(3, 5)]
     public void A_stretched_axis_keeps_one_position_and_goes_on_beyond_its_ends(double at, double stretched)
-        => Assert.That(new AxisStretch(0, 1, [1, 2, 2], kept: 1).At(at).To, Is.EqualTo(stretched).Within(1e-12));
+        => Assert.That(new AxisStretch(0, 1, [1, 2, 2], kept: 1).At(at), Is.EqualTo(stretched).Within(1e-12));
 
     [TestCase(-5, 1)]
     [TestCase(0.5, 1.5)]
     [TestCase(1, 2)]
     [TestCase(9, 2)]
     public void The_growth_of_lengths_along_an_axis_is_linear_between_nodes(double at, double stretch)
-        => Assert.That(new AxisStretch(0, 1, [1, 2, 2], kept: 1).At(at).Stretch, Is.EqualTo(stretch).Within(1e-12));
+    {
+        var axis = new AxisStretch(0, 1, [1, 2, 2], kept: 1);
+        Assert.That(AxisStretch.Inverse(axis, axis, 0.5, axis.At(at)), Is.EqualTo((at, stretch)).Using<(double, double)>(
+            (p, q) => Math.Abs(p.Item1 - q.Item1) + Math.Abs(p.Item2 - q.Item2) < 1e-12));
+    }
+
+    [Test]
+    public void Moves_along_a_parabola_are_as_long_as_the_tolerance_allows()
+    {
+        var field = LayerField.Vertical(PlanSurface.Of((x, _) => x * x / 100, 1));
+        var path = new PrintPath([new Vec3(-20, 0, 1), new Vec3(20, 0, 1)], [new Bead(0.08, 0.2)], false);
+        var rules = new LiftRules(new PrintSettings { CurvedTolerance = 0.01 }, 0, 60, null, false);
+        var points = new PathLifter(field, rules, null).Lift(new PathStep(path)).Single().Path.Points;
+        var sags = points.Zip(points.Skip(1), (a, b) => (b.X - a.X) * (b.X - a.X) / 400).ToArray();
+        Assert.That(sags, Has.All.LessThan(0.01));
+        // At three quarters of the tolerance, in the middle where the chord is level, 1.73 mm.
+        Assert.That(sags, Has.Length.LessThan(28).And.Length.GreaterThan(20));
+    }
+
+    [Test]
+    public void Positions_between_two_stretches_are_found_again_everywhere()
+    {
+        AxisStretch low = new(-2, 0.5, [1, 1.2, 1.7, 1.1, 1], kept: -1), high = new(-2, 0.5, [2, 1, 1, 1.4, 3], kept: -1);
+        for (var u = -3.0; u <= 1; u += 0.01)
+        {
+            var stretched = low.At(u) * 0.7 + high.At(u) * 0.3;
+            Assert.That(AxisStretch.Inverse(low, high, 0.3, stretched).From, Is.EqualTo(u).Within(1e-9));
+        }
+    }
 
     [Test]
     public void The_height_of_a_value_is_found_in_few_steps_or_there_is_none()
@@ -368,7 +396,7 @@ public class CurvedPartTests
         {
             var (u, v) = samples.Axes(level);
             foreach (var at in new[] { -3.0, 0, 4.4, 9, 30 })
-                Assert.That((u.At(at).Stretch, v.At(at).Stretch), Is.EqualTo((most, 1.0)).Within(1e-6));
+                Assert.That((u.At(at + 1) - u.At(at), v.At(at + 1) - v.At(at)), Is.EqualTo((most, 1.0)).Within(1e-6));
         }
         Assert.That(SlopeSamples.Of(LayerField.Of(_ => 1.0), PartColumns.Of([MeshMaker.Box(0, 0, 0, 10, 10, 6)]), 5, 3), Is.Null);
     }

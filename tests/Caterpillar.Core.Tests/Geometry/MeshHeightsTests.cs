@@ -23,6 +23,14 @@ public class MeshHeightsTests
     }
 
     [Test]
+    public void Without_faces_that_face_down_a_box_has_its_top_alone()
+    {
+        var heights = new MeshHeights(Box(), onlyUp: true);
+        Assert.That(heights.TopUnder(1, 1), Is.EqualTo(3));
+        Assert.That(heights.TopUnder(1, 1, 2.9), Is.EqualTo(double.NegativeInfinity));
+    }
+
+    [Test]
     public void Heights_equal_a_look_at_every_triangle()
     {
         var random = new Random(61);

@@ -11,6 +11,9 @@ internal sealed class BentPieces(LayerField field, double tolerance, IReadOnlyLi
     private static readonly double[] Shares = [0.5, 0.27, 0.81];
     private static readonly (double U, double V)[] Inner = [(1.0 / 3, 1.0 / 3), (0.2, 0.2), (0.6, 0.2), (0.2, 0.6)];
     private const int MostSamples = 4096;
+
+    // Of the tolerance, where no other place has to be looked at.
+    private const double Clear = 0.125;
     private readonly IReadOnlyList<double> _creases = field.Creases;
 
     /// <summary>Where an edge must be divided; null if it matches.</summary>
@@ -18,6 +21,7 @@ internal sealed class BentPieces(LayerField field, double tolerance, IReadOnlyLi
     {
         // Shorter ones would not be seen in print.
         if (part[a].DistanceTo(part[b]) < tolerance) return null;
+        if (IsShort(a, b) && !IsOff(a, b, 0.5, Clear)) return null;
         foreach (var t in Shares)
         {
             if (IsOff(a, b, t)) return Middle(a, b);
@@ -50,6 +54,7 @@ internal sealed class BentPieces(LayerField field, double tolerance, IReadOnlyLi
         // Narrow ones have no inside that could differ from their edges.
         var area = Vec3.Cross(part[b] - part[a], part[c] - part[a]);
         if (area.LengthSquared < 16 * tolerance * tolerance * ab) return true;
+        if (IsShort(a, b) && !IsOff(a, b, c, 1.0 / 3, 1.0 / 3, Clear)) return true;
         foreach (var (u, v) in Inner)
         {
             if (IsOff(a, b, c, u, v)) return false;
@@ -75,21 +80,24 @@ internal sealed class BentPieces(LayerField field, double tolerance, IReadOnlyLi
         return count > 1 ? (int)Math.Min(MostSamples, Math.Ceiling(count)) : 0;
     }
 
-    private bool IsOff(int a, int b, double t)
-        => IsOff(Vec3.Lerp(part[a], part[b], t), Vec3.Lerp(flat[a], flat[b], t));
+    // Within a detail of the field, the middle tells.
+    private bool IsShort(int a, int b) => field.Span(part[b] - part[a]) < field.Detail;
 
-    private bool IsOff(int a, int b, int c, double u, double v)
+    private bool IsOff(int a, int b, double t, double share = 1)
+        => IsOff(Vec3.Lerp(part[a], part[b], t), Vec3.Lerp(flat[a], flat[b], t), share * tolerance);
+
+    private bool IsOff(int a, int b, int c, double u, double v, double share = 1)
     {
         var w = 1 - u - v;
-        return IsOff(part[a] * u + part[b] * v + part[c] * w, flat[a] * u + flat[b] * v + flat[c] * w);
+        return IsOff(part[a] * u + part[b] * v + part[c] * w, flat[a] * u + flat[b] * v + flat[c] * w, share * tolerance);
     }
 
     // Where layers are thin, what is much for the field is little in the part.
-    private bool IsOff(Vec3 place, Vec3 straight)
+    private bool IsOff(Vec3 place, Vec3 straight, double most)
     {
         var off = field.ToFlat(place) - straight;
-        if (!(off.LengthSquared > tolerance * tolerance)) return false;
-        return off.LengthXY > tolerance || Math.Abs(off.Z) * Math.Min(1, field.Spread(place)) > tolerance;
+        if (!(off.LengthSquared > most * most)) return false;
+        return off.LengthXY > most || Math.Abs(off.Z) * Math.Min(1, field.Spread(place)) > most;
     }
 
     private Vec3 MiddleOf(int a, int b)

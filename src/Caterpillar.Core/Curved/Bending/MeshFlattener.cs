@@ -11,8 +11,8 @@ internal sealed class MeshFlattener
     private readonly ParallelOptions _options;
     private readonly List<Vec3> _part;
     private readonly List<Vec3> _flat;
-    private readonly Dictionary<long, int> _numbers = [];
-    private readonly List<Edge> _edges = [];
+    private readonly Dictionary<long, int> _numbers;
+    private readonly List<Edge> _edges;
     private readonly List<(int A, int B, int C)> _split = [];
     private List<Face> _faces;
 
@@ -27,7 +27,9 @@ internal sealed class MeshFlattener
         Parallel.For(0, bent.Length, options, i => bent[i] = field.ToFlat(mesh.RawVertices[i]));
         _flat = new List<Vec3>(bent);
         _pieces = new BentPieces(field, tolerance, _part, _flat);
-        _faces = new List<Face>(mesh.TriangleCount);
+        // As many edges as a closed mesh has.
+        var edges = mesh.TriangleCount * 3 / 2;
+        (_numbers, _edges, _faces) = (new Dictionary<long, int>(edges), new List<Edge>(edges), new List<Face>(mesh.TriangleCount));
         var triangles = mesh.RawTriangles;
         for (var t = 0; t < triangles.Length; t += 3) _faces.Add(FaceOf(triangles[t], triangles[t + 1], triangles[t + 2]));
     }

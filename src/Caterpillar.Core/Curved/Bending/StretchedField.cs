@@ -37,12 +37,7 @@ internal sealed class StretchedField(LayerField inner, SlopeSamples samples) : W
     }
 
     /// <summary>The place in plan of a point among flat layers; its height stays the value of the field.</summary>
-    public Vec3 ToPlan(Vec3 flat)
-    {
-        var (u, v) = Turned(flat);
-        var (i, t) = LevelAt(flat.Z);
-        return Back(Inverse(_axes[i].U, _axes[i + 1].U, t, u), Inverse(_axes[i].V, _axes[i + 1].V, t, v), flat.Z);
-    }
+    public Vec3 ToPlan(Vec3 flat) => Unstretched(flat).Place;
 
     /// <summary>What a region among flat layers covers in plan.</summary>
     public Region ToPlan(Region region, double value)
@@ -59,19 +54,26 @@ internal sealed class StretchedField(LayerField inner, SlopeSamples samples) : W
 
     internal override LiftedPoint Lift(Vec3 flat, double thickness)
     {
-        var place = ToPlan(flat);
+        var (place, growth) = Unstretched(flat);
         var lifted = Inner.Lift(place, thickness);
-        var (u, v) = Turned(place);
-        var (i, t) = LevelAt(flat.Z);
-        var grown = At(_axes[i].U, _axes[i + 1].U, t, u).Stretch * At(_axes[i].V, _axes[i + 1].V, t, v).Stretch;
-        return lifted with { Area = lifted.Area / grown };
+        return lifted with { Area = lifted.Area / growth };
     }
 
     private Vec3 Stretched(Vec3 place)
     {
         var (u, v) = Turned(place);
         var (i, t) = LevelAt(place.Z);
-        return Back(At(_axes[i].U, _axes[i + 1].U, t, u).To, At(_axes[i].V, _axes[i + 1].V, t, v).To, place.Z);
+        return Back(At(_axes[i].U, _axes[i + 1].U, t, u), At(_axes[i].V, _axes[i + 1].V, t, v), place.Z);
+    }
+
+    // The place in plan, and the growth of areas there.
+    private (Vec3 Place, double Growth) Unstretched(Vec3 flat)
+    {
+        var (u, v) = Turned(flat);
+        var (i, t) = LevelAt(flat.Z);
+        var (fromU, stretchU) = AxisStretch.Inverse(_axes[i].U, _axes[i + 1].U, t, u);
+        var (fromV, stretchV) = AxisStretch.Inverse(_axes[i].V, _axes[i + 1].V, t, v);
+        return (Back(fromU, fromV, flat.Z), stretchU * stretchV);
     }
 
     private (double U, double V) Turned(Vec3 p) => (p.X * _cos + p.Y * _sin, p.Y * _cos - p.X * _sin);
@@ -85,23 +87,9 @@ internal sealed class StretchedField(LayerField inner, SlopeSamples samples) : W
         return (i, t - i);
     }
 
-    // Newton's rule: the slope of the stretched positions changes little.
-    private static double Inverse(AxisStretch a, AxisStretch b, double t, double stretched)
+    private static double At(AxisStretch a, AxisStretch b, double t, double u)
     {
-        var u = stretched;
-        for (var i = 0; i < 30; i++)
-        {
-            var (to, stretch) = At(a, b, t, u);
-            u -= (to - stretched) / stretch;
-            // The next rest is about the square of this one.
-            if (Math.Abs(to - stretched) < 1e-6) break;
-        }
-        return u;
-    }
-
-    private static (double To, double Stretch) At(AxisStretch a, AxisStretch b, double t, double u)
-    {
-        var (low, high) = (a.At(u), b.At(u));
-        return (low.To + (high.To - low.To) * t, low.Stretch + (high.Stretch - low.Stretch) * t);
+        var low = a.At(u);
+        return low + (b.At(u) - low) * t;
     }
 }

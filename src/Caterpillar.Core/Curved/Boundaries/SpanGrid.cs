@@ -6,13 +6,11 @@ namespace Caterpillar.Curved;
 /// </summary>
 internal sealed class SpanGrid(Bounds bounds, double cell, double[] levels)
 {
-    // Nodes around the outlines that are found exactly; farther out the nearest of them counts.
+    // Nodes around the part; next to outlines heights are found exactly, farther out the nearest of them counts.
     private const int Margin = 3;
 
-    private readonly double _x = bounds.Min.X - Margin * cell;
-    private readonly double _y = bounds.Min.Y - Margin * cell;
-    private readonly int _columns = (int)Math.Ceiling(bounds.Size.X / cell) + 2 * Margin + 1;
-    private readonly int _rows = (int)Math.Ceiling(bounds.Size.Y / cell) + 2 * Margin + 1;
+    private readonly SlopeGrid _nodes = new(bounds.Min - new Vec3(Margin * cell, Margin * cell), cell,
+        (int)Math.Ceiling(bounds.Size.X / cell) + 2 * Margin + 1, (int)Math.Ceiling(bounds.Size.Y / cell) + 2 * Margin + 1);
 
     // For each level, row by row.
     private readonly double[][] _heights = new double[levels.Length][];
@@ -33,7 +31,7 @@ internal sealed class SpanGrid(Bounds bounds, double cell, double[] levels)
         var edge = 1e-6 * levels[levels.Length - 1];
         for (var i = 0; i < inside.Length; i++) inside[i] = Math.Min(Math.Max(inside[i], edge), levels[levels.Length - 1] - edge);
         var curves = new LevelCurves(mesh, values, inside);
-        Parallel.For(0, levels.Length, i => grid._heights[i] = grid.Spanned(curves.Trace(i, 0.002).Where(c => c.Count > 2).Select(c => c.Raw).ToList()));
+        Parallel.For(0, levels.Length, i => grid._heights[i] = grid.Spanned(curves.Trace(i, 0.004).Where(c => c.Count > 2).Select(c => c.Raw).ToList()));
         for (var i = 0; i < levels.Length; i++)
         {
             // A level without curves lies on the one below.
@@ -46,18 +44,18 @@ internal sealed class SpanGrid(Bounds bounds, double cell, double[] levels)
     /// <summary>The height of a level over a place, mm.</summary>
     public double Height(double x, double y, double level)
     {
-        var (node, u, v) = Locate(x, y);
+        var place = _nodes.Locate(x, y);
         var i = Below(level);
-        double low = At(i, node, u, v), high = At(i + 1, node, u, v);
+        double low = _nodes.Between(_heights[i], place), high = _nodes.Between(_heights[i + 1], place);
         return low + (high - low) * (level - levels[i]) / (levels[i + 1] - levels[i]);
     }
 
     /// <summary>The level at a place in space.</summary>
     public double Level(Vec3 p)
     {
-        var (node, u, v) = Locate(p.X, p.Y);
-        var low = Search.First(1, levels.Length - 1, (Grid: this, node, u, v, p.Z), static (s, i) => s.Grid.At(i, s.node, s.u, s.v) > s.Z) - 1;
-        double from = At(low, node, u, v), to = At(low + 1, node, u, v);
+        var place = _nodes.Locate(p.X, p.Y);
+        var low = Search.First(1, levels.Length - 1, (_nodes, _heights, place, p.Z), static (s, i) => s._nodes.Between(s._heights[i], s.place) > s.Z) - 1;
+        double from = _nodes.Between(_heights[low], place), to = _nodes.Between(_heights[low + 1], place);
         return levels[low] + (levels[low + 1] - levels[low]) * (p.Z - from) / (to - from);
     }
 
@@ -67,47 +65,48 @@ internal sealed class SpanGrid(Bounds bounds, double cell, double[] levels)
         return Math.Min(Math.Max(i < 0 ? ~i - 1 : i, 0), levels.Length - 2);
     }
 
-    private (int Node, double U, double V) Locate(double x, double y)
-    {
-        double u = Math.Min(Math.Max((x - _x) / Cell, 0), _columns - 1.000001), v = Math.Min(Math.Max((y - _y) / Cell, 0), _rows - 1.000001);
-        int column = (int)u, row = (int)v;
-        return (row * _columns + column, u - column, v - row);
-    }
-
-    private double At(int level, int node, double u, double v)
-    {
-        var z = _heights[level];
-        double low = z[node] + (z[node + 1] - z[node]) * u, high = z[node + _columns] + (z[node + _columns + 1] - z[node + _columns]) * u;
-        return low + (high - low) * v;
-    }
-
-    private double[] Flat(double height) => Enumerable.Repeat(height, _columns * _rows).ToArray();
+    private double[] Flat(double height) => Enumerable.Repeat(height, _nodes.Count).ToArray();
 
     private double[] Spanned(List<Vec3[]> curves)
     {
         if (curves.Count == 0) return [];
         var result = Flat(double.NaN);
         var spans = SpanIslands.Of(curves);
-        foreach (var (_, bounds) in spans)
+        var near = Near(curves);
+        MeanValueSpan? span = null;
+        for (var n = 0; n < result.Length; n++)
         {
-            var (left, right) = Range(bounds.Min.X - _x, bounds.Max.X - _x, _columns);
-            var (bottom, top) = Range(bounds.Min.Y - _y, bounds.Max.Y - _y, _rows);
-            for (var j = bottom; j <= top; j++)
-            {
-                for (var i = left; i <= right; i++)
-                {
-                    if (!double.IsNaN(result[j * _columns + i])) continue;
-                    double x = _x + i * Cell, y = _y + j * Cell;
-                    result[j * _columns + i] = SpanIslands.Nearest(spans, x, y).Height(x, y);
-                }
-            }
+            var (x, y, _) = _nodes.At(n);
+            // No outline is between others: they are on the same side as the node before.
+            if (near[n]) span = SpanIslands.Nearest(spans, x, y);
+            else if (n % _nodes.Columns == 0 || near[n - 1]) span = SpanIslands.Around(spans, x, y);
+            if (span is not null) result[n] = span.Height(x, y);
         }
         Spread(result);
         return result;
     }
 
-    private (int From, int To) Range(double low, double high, int count)
-        => (Math.Max(0, (int)Math.Floor(low / Cell) - Margin), Math.Min(count - 1, (int)Math.Ceiling(high / Cell) + Margin));
+    // The nodes of the cells that outlines cross, and of those around them.
+    private bool[] Near(List<Vec3[]> curves)
+    {
+        var near = new bool[_nodes.Count];
+        foreach (var curve in curves)
+        {
+            for (var k = 0; k < curve.Length; k++)
+            {
+                Vec3 a = curve[k], b = curve[(k + 1) % curve.Length];
+                var parts = Math.Max(1, Math.Ceiling((b - a).LengthXY / Cell));
+                for (var i = 0; i < parts; i++) Mark(Vec3.Lerp(a, b, i / parts));
+            }
+        }
+        return near;
+
+        void Mark(Vec3 place)
+        {
+            var corner = _nodes.Locate(place.X, place.Y).Node - _nodes.Columns - 1;
+            for (var i = 0; i < 16; i++) near[corner + (i >> 2) * _nodes.Columns + (i & 3)] = true;
+        }
+    }
 
     // Nodes without a height take that of their neighbors, from the known ones outward.
     private void Spread(double[] heights)
@@ -122,11 +121,11 @@ internal sealed class SpanGrid(Bounds bounds, double cell, double[] levels)
             var next = new List<int>();
             foreach (var n in front)
             {
-                int column = n % _columns, row = n / _columns;
+                int column = n % _nodes.Columns, row = n / _nodes.Columns;
                 if (column > 0) Take(n, n - 1);
-                if (column + 1 < _columns) Take(n, n + 1);
-                if (row > 0) Take(n, n - _columns);
-                if (row + 1 < _rows) Take(n, n + _columns);
+                if (column + 1 < _nodes.Columns) Take(n, n + 1);
+                if (row > 0) Take(n, n - _nodes.Columns);
+                if (row + 1 < _nodes.Rows) Take(n, n + _nodes.Columns);
             }
             front = next;
 

@@ -26,11 +26,13 @@ internal sealed class JoinedExtrusion(double tolerance, double share)
         _passed.Clear();
     }
 
-    /// <summary>A piece that begins where the one before ended.</summary>
-    public void Add(Vec3 from, Vec3 to, Bead bead, bool keepsStart)
+    /// <summary>A piece that begins where the one before ended, with points that it passes between its ends, mm.</summary>
+    public void Add(Vec3 from, Vec3 to, Bead bead, bool keepsStart, params IEnumerable<Vec3> between)
     {
         var length = from.DistanceTo(to);
         if (Points.Count == 0) Points.Add(from);
+        var passed = _passed.Count;
+        _passed.AddRange(between);
         if (!keepsStart && Beads.Count > 0 && Fits(to, bead))
         {
             _passed.Add(from);
@@ -40,7 +42,7 @@ internal sealed class JoinedExtrusion(double tolerance, double share)
             Beads[Beads.Count - 1] = new Bead(_volume / Points[Points.Count - 2].DistanceTo(to), _heights / _length, bead.Speed);
             return;
         }
-        _passed.Clear();
+        _passed.RemoveRange(0, passed);
         (_least, _most, _volume, _heights, _length) = (bead.Area, bead.Area, bead.Area * length, bead.Height * length, length);
         Points.Add(to);
         Beads.Add(bead);

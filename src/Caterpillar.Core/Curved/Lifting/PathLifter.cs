@@ -1,16 +1,27 @@
 namespace Caterpillar.Curved;
 
 /// <summary>
-/// Brings paths of flat layers back into the part: divided until chords and gaps are exact enough, each piece with a bead of the volume that lies between its
+/// Brings paths of flat layers back into the part: divided into moves as long as chords and gaps allow, each with a bead of the volume that lies between its
 /// layer and what is below. One thread.
 /// </summary>
 internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbors? neighbors)
 {
-    private const int MaxDepth = 12;
-    private readonly JoinedExtrusion _extrusion = new(rules.Tolerance / 2, rules.GapShare);
+    // Of what the tolerances allow: how long moves are planned.
+    private const double Aim = 0.95;
+
+    // Of the tolerance; the rest is left to the bent mesh.
+    private const double Share = 0.75;
+    private readonly double _tolerance = Share * rules.Tolerance;
+    private readonly JoinedExtrusion _extrusion = new(Share * rules.Tolerance, rules.GapShare);
     private readonly List<PathStep> _pieces = [];
+
+    // Of a move, at even distances from its start to its end, an odd number.
+    private readonly List<Sample> _samples = [];
+    private readonly List<Vec3> _between = [];
     private Layer? _layer;
-    private Vec3 _segmentStart;
+
+    // As far as moves may reach, from what was found so far, mm.
+    private double _reach = double.PositiveInfinity;
 
     /// <summary>Problems found on all paths so far.</summary>
     public LiftReport Report { get; } = new();
@@ -22,25 +33,7 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
         _pieces.Clear();
         _extrusion.Clear();
         _layer = path.Layer;
-        for (var i = 0; i < path.SegmentCount; i++)
-        {
-            Vec3 from = path.RawPoints[i], to = path.EndOf(i);
-            var bead = path.BeadOf(i);
-            var span = field.Span(to - from);
-            var arc = path.ArcOf(i);
-            var parts = double.IsInfinity(field.Detail) ? 1 : (int)Math.Min(100_000, Math.Max(1, Math.Ceiling(span / field.Detail)));
-            if (arc is { } turn)
-                parts = Math.Max(turn.ChordCount(from, rules.Tolerance / 2),
-                    (int)Math.Min(100_000, Math.Ceiling(path.LengthOf(i) / Math.Min(field.Detail, 1e6))));
-            var a = At(from, bead.Height);
-            _segmentStart = from;
-            for (var k = 1; k <= parts; k++)
-            {
-                var b = At(Arc.PointAt(arc, from, to, (double)k / parts), bead.Height);
-                Divide(a, b, bead, 0, step);
-                a = b;
-            }
-        }
+        for (var i = 0; i < path.SegmentCount; i++) Lift(step, i);
         if (_pieces.Count == 0 && path.IsClosed && _extrusion.Points.Count > 3)
         {
             _extrusion.Points.RemoveAt(_extrusion.Points.Count - 1);
@@ -53,6 +46,66 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
         }
         return _pieces.ToArray();
     }
+
+    private void Lift(PathStep step, int segment)
+    {
+        var path = step.Path;
+        var length = path.LengthOf(segment);
+        var start = At(path, segment, 0);
+        for (double done = 0, end; done < 1;)
+        {
+            var moves = Math.Ceiling((1 - done) * length / _reach - 1e-9);
+            end = moves > 1 ? done + (1 - done) / moves : 1;
+            var used = Sampled(path, segment, start, done, end);
+            var share = length * (end - done);
+            var best = share * Aim / Math.Sqrt(used);
+            if (used > 1 && share > 4 * _tolerance)
+            {
+                _reach = Math.Max(best, share / 10);
+                continue;
+            }
+            // Far beyond the move, nothing is known.
+            _reach = best < 4 * share ? Math.Max(best, 2 * _tolerance) : Math.Max(_reach, 4 * share);
+            start = _samples[_samples.Count - 1];
+            Add(path.BeadOf(segment), step, done == 0);
+            done = end;
+        }
+    }
+
+    // Samples of a move, and what it uses of the tolerances, which grows with the square of its length; infinite where they cannot be kept.
+    private double Sampled(PrintPath path, int segment, Sample start, double from, double to)
+    {
+        var span = path.ArcOf(segment) is null ? field.Span(path.EndOf(segment) - path.RawPoints[segment]) : path.LengthOf(segment);
+        var details = (to - from) * span / field.Detail;
+        var end = At(path, segment, to);
+        // The middle first, and one more off the middle, where waves may hide.
+        var middle = At(path, segment, (from + to) / 2);
+        var used = Math.Max(Used(start, end, end), Math.Max(Used(start, middle, end), Used(start, At(path, segment, from + 0.23 * (to - from)), end)));
+        var last = used > 1 ? 2 : 2 * (int)Math.Min(50_000, Math.Max(1, Math.Ceiling(details / 2)));
+        _between.Clear();
+        _samples.Clear();
+        _samples.Add(start);
+        for (var i = 1; i < last; i++)
+        {
+            _samples.Add(2 * i == last ? middle : At(path, segment, from + (to - from) * i / last));
+            _between.Add(_samples[i].Part);
+            used = Math.Max(used, Used(start, _samples[i], end));
+        }
+        _samples.Add(end);
+        // Where layers are thin, it is decided for each detail whether they are printed several at once.
+        return _samples.Exists(s => s.Gap < 2 * rules.MinGap) ? Math.Max(used, details * details) : used;
+    }
+
+    private double Used(in Sample a, in Sample m, in Sample b)
+    {
+        if (a.Covered != m.Covered || b.Covered != m.Covered) return double.PositiveInfinity;
+        var off = (2 * m.Gap - a.Gap - b.Gap) / (rules.GapShare * Math.Max(Math.Abs(m.Gap), 1e-6));
+        var used = Math.Max(m.Part.DistanceToSegment(a.Part, b.Part) / _tolerance, off * off);
+        return double.IsNaN(used) ? double.PositiveInfinity : used;
+    }
+
+    private Sample At(PrintPath path, int segment, double share)
+        => At(Arc.PointAt(path.ArcOf(segment), path.RawPoints[segment], path.EndOf(segment), share), path.BeadOf(segment).Height);
 
     private Sample At(Vec3 flat, double thickness)
     {
@@ -68,34 +121,13 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
         return new Sample(flat, lifted.Part, gap, lifted.Area, !rules.FindsEdge || field.Covers(lifted.Part.X, lifted.Part.Y));
     }
 
-    private void Divide(Sample a, Sample b, Bead bead, int depth, PathStep step)
+    // The move of the samples.
+    private void Add(Bead bead, PathStep step, bool isFirst)
     {
-        var m = At(Vec3.Lerp(a.Flat, b.Flat, 0.5), bead.Height);
-        if (depth < MaxDepth && !IsSmooth(a, b, m, bead) && a.Flat.DistanceTo(b.Flat) > 4 * rules.Tolerance)
-        {
-            Divide(a, m, bead, depth + 1, step);
-            Divide(m, b, bead, depth + 1, step);
-            return;
-        }
-        Add(a, b, m, bead, step);
-    }
-
-    private bool IsSmooth(Sample a, Sample b, Sample m, Bead bead)
-    {
-        if (m.Part.DistanceToSegment(a.Part, b.Part) > rules.Tolerance || a.Covered != m.Covered || b.Covered != m.Covered) return false;
-        var limit = rules.GapShare * Math.Max(Math.Abs(m.Gap), 1e-6);
-        if (Math.Abs(a.Gap - b.Gap) > limit || Math.Abs(m.Gap - (a.Gap + b.Gap) / 2) > limit / 2) return false;
-        // A second test off the middle, where waves may hide.
-        var n = At(Vec3.Lerp(a.Flat, b.Flat, 0.23), bead.Height);
-        return n.Part.DistanceToSegment(a.Part, b.Part) <= rules.Tolerance && Math.Abs(n.Gap - m.Gap) <= limit;
-    }
-
-    private void Add(Sample a, Sample b, Sample m, Bead bead, PathStep step)
-    {
+        Sample a = _samples[0], m = _samples[_samples.Count / 2], b = _samples[_samples.Count - 1];
         var length = a.Part.DistanceTo(b.Part);
         if (!(length > 0)) return;
-        var thickness = bead.Height;
-        var gap = (a.Gap + 4 * m.Gap + b.Gap) / 6;
+        var gap = Mean();
         var normal = field.Normal(m.Part);
         var slope = Angle.Atan2(normal.LengthXY, normal.Z);
         // Nothing dips below the bed at an end, either.
@@ -114,27 +146,43 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
             End(step);
             return;
         }
-        if (IsLeft(gap * normal.Z, m.Flat, 0))
+        var layers = LayersAt(m, bead.Height, normal.Z);
+        if (layers == 0)
         {
             Report.Thin.Note(length, gap, m.Part);
             End(step);
             return;
         }
-        // What is left of the layers below is printed with this one.
-        var layers = 1;
-        while (IsLeft(At(m.Flat.WithZ(m.Flat.Z - layers * thickness), thickness).Gap * normal.Z, m.Flat, layers)) layers++;
         if (layers > 1)
         {
-            thickness *= layers;
-            gap = (At(a.Flat, thickness).Gap + 4 * At(m.Flat, thickness).Gap + At(b.Flat, thickness).Gap) / 6;
+            for (var i = 0; i < _samples.Count; i++) _samples[i] = At(_samples[i].Flat, layers * bead.Height);
+            gap = Mean();
         }
         // The area among flat layers that the extrusion covers, times the gap.
         var area = bead.Area / (bead.Height > 0 ? bead.Height : 1) * gap * m.Area * a.Flat.DistanceTo(b.Flat) / length;
-        _extrusion.Add(a.Part, b.Part, new Bead(area, bead.Height > 0 ? gap * normal.Z : 0, bead.Speed), keepsStart: a.Flat == _segmentStart);
+        _extrusion.Add(a.Part, b.Part, new Bead(area, bead.Height > 0 ? gap * normal.Z : 0, bead.Speed), isFirst, _between);
     }
 
-    private bool IsLeft(double gap, Vec3 flat, int below) => gap < rules.MinGap && neighbors is not null && _layer is not null
-        && neighbors.IsLeft(_layer, below, flat, (int)Math.Min(64, Math.Ceiling(rules.MinGap / gap - 1e-9)));
+    // The mean gap of the move, by Simpson's rule.
+    private double Mean()
+    {
+        var (sum, last) = (_samples[0].Gap + _samples[_samples.Count - 1].Gap, _samples.Count - 1);
+        for (var i = 1; i < last; i++) sum += (i % 2 == 0 ? 2 : 4) * _samples[i].Gap;
+        return sum / (3 * last);
+    }
+
+    // How many layers are printed at once at a place: also what is left of those below; 0 if it is left to those above.
+    private int LayersAt(Sample place, double thickness, double normalZ)
+    {
+        if (neighbors is null || _layer is null) return 1;
+        if (IsLeft(place.Gap * normalZ, place.Flat, 0)) return 0;
+        var layers = 1;
+        while (IsLeft(At(place.Flat.WithZ(place.Flat.Z - layers * thickness), thickness).Gap * normalZ, place.Flat, layers)) layers++;
+        return layers;
+    }
+
+    private bool IsLeft(double gap, Vec3 flat, int below) => gap < rules.MinGap
+        && neighbors!.IsLeft(_layer!, below, flat, (int)Math.Min(64, Math.Ceiling(rules.MinGap / gap - 1e-9)));
 
     private void End(PathStep step)
     {

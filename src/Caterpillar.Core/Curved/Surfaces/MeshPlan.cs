@@ -5,7 +5,9 @@ internal sealed class MeshPlan(TriMesh mesh) : PlanSurface
 {
     // mm: a part as large as its plan may reach over its edge by rounding.
     private static readonly double[] Steps = [1e-8, 1e-5, 1e-3, 0.02];
-    private readonly MeshHeights _heights = new(mesh);
+
+    // The highest faces of a solid face up.
+    private readonly MeshHeights _heights = new(mesh, mesh.IsWatertight && mesh.Volume > 0);
 
     // About the length of an edge.
     public override double Detail { get; } = mesh.TriangleCount == 0 ? 1 : Math.Max(0.25, Math.Sqrt(2 * mesh.Area / mesh.TriangleCount));

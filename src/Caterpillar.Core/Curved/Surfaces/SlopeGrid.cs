@@ -38,6 +38,17 @@ internal sealed record SlopeGrid(Vec3 Corner, double Cell, int Columns, int Rows
         return (j * Columns + i, u - i, v - j);
     }
 
+    /// <summary>The value at a place between nodes, linear along both axes.</summary>
+    /// <param name="values">One for each node.</param>
+    /// <param name="place">From <see cref="Locate"/>.</param>
+    public double Between(double[] values, (int Node, double U, double V) place)
+    {
+        int near = place.Node, far = near + Columns;
+        var low = values[near] + (values[near + 1] - values[near]) * place.U;
+        var high = values[far] + (values[far + 1] - values[far]) * place.U;
+        return low + (high - low) * place.V;
+    }
+
     /// <summary>The highest surface below given heights that nowhere rises faster than a slope, mm per mm.</summary>
     public void Lower(double[] heights, double slope)
     {

@@ -18,22 +18,24 @@ internal sealed class MeshHeights
     private readonly int[] _items;
 
     /// <summary>Sorts the triangles of the mesh by their place.</summary>
-    public MeshHeights(TriMesh mesh)
+    /// <param name="mesh">The mesh.</param>
+    /// <param name="onlyUp">Leaves out triangles that face down.</param>
+    public MeshHeights(TriMesh mesh, bool onlyUp = false)
     {
         _mesh = mesh ?? throw new ArgumentNullException(nameof(mesh));
         var size = mesh.Bounds.Size;
         // As many cells as triangles: one or two of them in each.
-        var count = Math.Min(Math.Max(mesh.TriangleCount, 1), MaxCells);
+        var count = Math.Min(Math.Max(onlyUp ? mesh.TriangleCount / 2 : mesh.TriangleCount, 1), MaxCells);
         _cell = Math.Max(Math.Sqrt(size.X * size.Y / count), Math.Max(size.X, size.Y) / 4096);
         if (!(_cell > 0)) _cell = 1;
         _columns = (int)(size.X / _cell) + 1;
         _rows = (int)(size.Y / _cell) + 1;
         _firsts = new int[_columns * _rows + 1];
-        Visit((cell, _) => _firsts[cell + 1]++);
+        Visit(onlyUp, (cell, _) => _firsts[cell + 1]++);
         for (var i = 0; i + 1 < _firsts.Length; i++) _firsts[i + 1] += _firsts[i];
         _items = new int[_firsts[_firsts.Length - 1]];
         var next = (int[])_firsts.Clone();
-        Visit((cell, triangle) => _items[next[cell]++] = triangle);
+        Visit(onlyUp, (cell, triangle) => _items[next[cell]++] = triangle);
     }
 
     /// <summary>
@@ -118,7 +120,7 @@ internal sealed class MeshHeights
         high = Math.Max(high, Math.Max(first, last));
     }
 
-    private void Visit(Action<int, int> visit)
+    private void Visit(bool onlyUp, Action<int, int> visit)
     {
         var min = _mesh.Bounds.Min;
         for (var t = 0; t < _mesh.TriangleCount; t++)
@@ -126,7 +128,8 @@ internal sealed class MeshHeights
             var (a, b, c) = _mesh.Triangle(t);
             Vec3 p = _mesh.RawVertices[a], q = _mesh.RawVertices[b], r = _mesh.RawVertices[c];
             // Upright ones have no height.
-            if ((q.X - p.X) * (r.Y - p.Y) - (q.Y - p.Y) * (r.X - p.X) == 0) continue;
+            var area = (q.X - p.X) * (r.Y - p.Y) - (q.Y - p.Y) * (r.X - p.X);
+            if (area == 0 || (onlyUp && area < 0)) continue;
             var bottom = (int)((Math.Min(p.Y, Math.Min(q.Y, r.Y)) - min.Y) / _cell);
             var top = Math.Min(_rows - 1, (int)((Math.Max(p.Y, Math.Max(q.Y, r.Y)) - min.Y) / _cell));
             for (var row = bottom; row <= top; row++)
