@@ -21,27 +21,28 @@ internal sealed record PrintFigures(
     /// <summary>The figures in the order of <see cref="Names"/>; null = unknown.</summary>
     public IReadOnlyList<double?> Values => [Layers, Size?.X, Size?.Y, Size?.Z, Printed, Volume, Filament, Mass, Seconds];
 
-    /// <summary>Of a decoded file, whose moves may have been edited.</summary>
-    public static PrintFigures Of(DecodedGCode decoding, Toolpath toolpath)
-        => Of(toolpath, Setting(decoding, "filament_diameter"), Setting(decoding, "filament_density"), null);
+    /// <summary>Of a decoded file, whose moves may have been edited, or of which only the sums were kept.</summary>
+    public static PrintFigures Of(DecodedGCode decoding, Toolpath toolpath, ToolpathSums? sums = null)
+        => Of(toolpath, sums?.ToTotals(toolpath.Tools) ?? ToolpathTotals.Of(toolpath), sums is null ? toolpath.CountLayers() : decoding.Report.PrintedLayers,
+            Setting(decoding, "filament_diameter"), Setting(decoding, "filament_density"), null);
 
     /// <summary>Of a plan, or of the whole file with start and end code, but with layers and size of the plan.</summary>
     public static PrintFigures Of(Toolpath toolpath, PrintSetup setup, PrintFigures? planned = null)
     {
-        var figures = Of(toolpath, setup.Material.FilamentDiameter, setup.Material.Density, planned);
+        var (totals, layers) = (ToolpathTotals.Of(toolpath), planned?.Layers ?? toolpath.CountLayers());
+        var figures = Of(toolpath, totals, layers, setup.Material.FilamentDiameter, setup.Material.Density, planned);
         if (setup.ToolMaterials.Count == 0 || figures.Mass is null) return figures;
         var values = PrintValues.Of(setup, toolpath);
         return figures with { Filament = values.Number("filament_used_mm"), Mass = values.Number("material_used_g") };
     }
 
     // Diameter in mm and density in g/cm³; 0 = unknown.
-    private static PrintFigures Of(Toolpath toolpath, double diameter, double density, PrintFigures? planned)
+    private static PrintFigures Of(Toolpath toolpath, ToolpathTotals totals, int layers, double diameter, double density, PrintFigures? planned)
     {
-        var totals = ToolpathTotals.Of(toolpath);
         var (length, volume, box) = (totals.PrintLength, totals.DepositedVolume, totals.PartBounds);
         var isVolume = volume is > 0;
         return new PrintFigures(
-            planned?.Layers ?? toolpath.CountLayers(),
+            layers,
             planned is not null ? planned.Size : box.IsEmpty ? null : SizeOf(box, toolpath, length > 0 ? (volume - totals.InPlaceVolume) / length : null),
             length, totals.DepositedE, volume,
             isVolume && diameter is > 0 and <= ThickestFilament ? volume / (Math.PI / 4 * diameter * diameter) : null,

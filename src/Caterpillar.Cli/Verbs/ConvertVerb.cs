@@ -47,7 +47,7 @@ internal sealed class ConvertVerb : Verb
             Flavor = CommonOptions.FlavorOf(arguments.GetValue(_from)), Memory = session.Memory,
             FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter"),
         };
-        if (target is { Flavor: null, Volumetric: null } && output != "-" && !BinaryGCode.IsName(output) && IsUnedited(arguments))
+        if (target is null or { Flavor: null, Volumetric: null } && output != "-" && !BinaryGCode.IsName(output) && IsUnedited(arguments))
             return ChangeNotation(file, output, reading, target, session);
         var decoding = session.Decode(file, reading with { KeepsText = true });
         var job = new FileJob(decoding, reading) { Code = _edits.Code(arguments), Target = target };
@@ -65,14 +65,16 @@ internal sealed class ConvertVerb : Verb
     public override bool ReplacesInput(ParseResult arguments) => arguments.GetValue(_inPlace);
 
     // Nothing of it has to be kept.
-    private static int ChangeNotation(string file, string output, DecodeOptions reading, ConvertOptions target, Session session)
+    private static int ChangeNotation(string file, string output, DecodeOptions reading, ConvertOptions? target, Session session)
     {
         DecodedGCode? decoding = null;
         CountingStream? counted = null;
+        var sums = new ToolpathSums();
         session.Write(output, stream => decoding = session.ValueOrFail(GCodeConverter.WhileDecoding(
-            options => session.Decode(file, options), reading, target, counted = new CountingStream(stream))));
-        session.Made(() => PrintFigures.Of(decoding!, decoding!.Toolpath), counted!.Lines, counted.Bytes, print => $"{Session.NameOfOutput(output)}: "
-            + $"notation converted; {PrintSummary.Of(print)}; {NumberFormatter.Format(counted.Lines)} lines, {PrintSummary.Size(counted.Bytes)}");
+            options => session.Decode(file, options), reading with { Sums = sums }, target, counted = new CountingStream(stream))));
+        session.Made(() => PrintFigures.Of(decoding!, decoding!.Toolpath, sums), counted!.Lines, counted.Bytes,
+            print => $"{Session.NameOfOutput(output)}: {(target is null ? "nothing changed" : "notation converted")}; "
+                + $"{PrintSummary.Of(print)}; {NumberFormatter.Format(counted.Lines)} lines, {PrintSummary.Size(counted.Bytes)}");
         return ExitCode.Done;
     }
 

@@ -70,7 +70,7 @@ public class RoomTests
     public void The_check_sees_uses_in_method_bodies()
     {
         // Toolpaths certainly calls Geometry from a method body; if the reader missed bodies, this would be absent.
-        Assert.That(OfCore.Value.Any(u => u.From == "Toolpaths" && u.To == "Geometry" && u.Where.Contains("ToolpathTotals::Of")), Is.True);
+        Assert.That(OfCore.Value.Any(u => u.From == "Toolpaths" && u.To == "Geometry" && u.Where.Contains("ToolpathSums::Add")), Is.True);
     }
 
     [Test]

@@ -24,10 +24,11 @@ public sealed record DecodeOptions
     /// </summary>
     internal Action<DecodedBlock>? Take { get; init; }
 
-    /// <summary>False for the report alone. The toolpath is empty then, and memory does not grow with the file.</summary>
+    /// <summary>False for the report alone. The toolpath has no moves then, nobody takes them, and memory does not grow with the file.</summary>
     internal bool KeepsMoves { get; init; } = true;
 
-    internal PageFile<ToolpathColumns>? NewFile() => KeepsMoves ? ToolpathBlock.FileFor(Memory) : null;
+    /// <summary>Adds up all moves, kept or not. Null = nobody.</summary>
+    internal ToolpathSums? Sums { get; init; }
 
     /// <summary>Whether the text of a stream is kept, so that it can be edited.</summary>
     internal bool KeepsText { get; init; }
@@ -35,10 +36,13 @@ public sealed record DecodeOptions
     /// <summary>Called before a stream is decoded, with what is known of it: its flavor and first lines. Returns who takes its chunks, too.</summary>
     internal Func<DecodedGCode, Action<ChunkParser, Checkpoint>>? Follow { get; init; }
 
-    internal int BlockSize => Take is null && KeepsMoves ? ToolpathBlock.Capacity : ToolpathBlock.FollowedSize;
-
     /// <summary>Number of bytes per chunk.</summary>
     internal int ChunkSize => KeepsText || Follow is not null ? GCodeChunk.Target : Take is null && KeepsMoves ? 1024 * 1024 : 64 * 1024;
+
+    /// <summary>Collects moves, with room for some at first.</summary>
+    internal BlockCollector NewBlocks(int firstSize)
+        => KeepsMoves ? new(Take is null ? ToolpathBlock.Capacity : ToolpathBlock.FollowedSize, firstSize, ToolpathBlock.FileFor(Memory), true, Sums)
+            : new(ToolpathBlock.FollowedSize, firstSize, null, false, Sums);
 
     internal int Degree => Threads > 0 ? Threads : Math.Max(Environment.ProcessorCount, 1);
 }

@@ -25,10 +25,14 @@ public sealed record DecodeReport
         Features = machine.Features.ToList();
         Thumbnails = interpreter.Comments.Thumbnails;
         Setup = FileSetup.In(interpreter.Comments.Settings);
+        PrintedLayers = machine.Moves.Layers.CountPrinted();
     }
 
     /// <summary>The sums of decoding.</summary>
     internal DecodeCounters Counters { get; }
+
+    /// <summary>Number of layers that have extrusions, or of all if none has any. Layers of several objects with the same number count once.</summary>
+    internal int PrintedLayers { get; }
 
     /// <summary>Name of the file, or empty.</summary>
     public string File { get; init; } = "";

@@ -109,7 +109,7 @@ public static class GCodeDecoder
         var rules = options.Flavor ?? detected!.Value.Flavor;
         var axis = input.Axis.In(rules);
         var interpreter = new GCodeInterpreter(rules, options.Rule, axis);
-        interpreter.Machine.Moves.Begin(options.BlockSize, options.Take, options.KeepsMoves, options.NewFile());
+        interpreter.Machine.Moves.Begin(options.NewBlocks, options.Take, options.Sums);
         var problems = interpreter.Machine.Diagnostics.List;
         if (axis != input.Axis && (input.Axis == ExtrusionAxis.E || input.Axis == ExtrusionAxis.Switched))
             problems.Add(Severity.Warning, "gcode.no_extruder", rules.Title + " has no extruder on " + input.Axis.Name + ". Extrusion is left out.");

@@ -75,24 +75,8 @@ internal sealed class GCodeInterpreter
             int mask = record.Mask;
             state.Modes.Motion = record.Op;
             if ((mask & ChunkParser.HasF) != 0) _machine.SetFeed(record.F);
-            if (!state.Modes.IsPlain || ((mask & ChunkParser.HasE) != 0 && !(Math.Abs(record.E) < MoveRecorder.LargestE)))
-            {
-                _motion.Line(mask, record.X, record.Y, record.Z, record.E, record.Op);
-                continue;
-            }
-            var e = 0.0;
-            if ((mask & ChunkParser.HasE) != 0)
-            {
-                e = state.Modes.RelativeE ? record.E : record.E - state.Extrusion.E;
-                state.Extrusion.E += e;
-            }
-            moves.Line(
-                (mask & ChunkParser.HasX) != 0 ? record.X : state.Head.X,
-                (mask & ChunkParser.HasY) != 0 ? record.Y : state.Head.Y,
-                (mask & ChunkParser.HasZ) != 0 ? record.Z : state.Head.Z,
-                e,
-                record.Op);
-            i = moves.Extrusions(records, i + 1, count, firstLine) - 1;
+            _motion.Line(mask, record.X, record.Y, record.Z, record.E, record.Op);
+            if (state.Modes.IsPlain) i = moves.Extrusions(records, i + 1, count, firstLine) - 1;
         }
         _machine.Counters.Commands += count - others;
     }

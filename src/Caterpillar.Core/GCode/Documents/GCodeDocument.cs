@@ -95,7 +95,7 @@ public sealed class GCodeDocument
     /// <summary>Writes the document byte for byte.</summary>
     public void WriteTo(Stream stream)
     {
-        foreach (var chunk in _chunks) stream.Write(chunk.Text, chunk.Start, chunk.Length);
+        foreach (var chunk in _chunks) chunk.WriteTo(stream);
     }
 
     /// <summary>Writes the whole file or nothing. Binary G-code if its name ends in .bgcode.</summary>

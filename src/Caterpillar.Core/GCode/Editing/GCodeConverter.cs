@@ -24,11 +24,11 @@ internal static class GCodeConverter
     }
 
     /// <summary>
-    /// Converts a file to another notation of its own flavor while it is decoded, so that its text is parsed once and not kept. If there are errors, discard
-    /// the output.
+    /// Converts a file to another notation of its own flavor, or copies it without options, while it is decoded, so that its text is parsed once, and neither
+    /// text nor moves are kept. If there are errors, discard the output.
     /// </summary>
     public static Result<DecodedGCode> WhileDecoding(
-        Func<DecodeOptions, DecodedGCode> decode, DecodeOptions reading, ConvertOptions options, Stream stream)
+        Func<DecodeOptions, DecodedGCode> decode, DecodeOptions reading, ConvertOptions? options, Stream stream)
     {
         var problems = new DiagnosticList();
         Splicer? splicer = null;
@@ -38,20 +38,22 @@ internal static class GCodeConverter
         {
             var decoding = decode(reading with
             {
+                KeepsMoves = false,
                 Follow = known =>
                 {
-                    splicer = Begin(known, options, null, stream, problems)!;
+                    splicer = options is null ? null : Begin(known, options, null, stream, problems)!;
+                    Action<ChunkParser, Checkpoint> write = splicer is null ? (parsed, _) => parsed.Chunk!.WriteTo(stream) : splicer.Write;
                     return (parsed, before) =>
                     {
                         work.GetAwaiter().GetResult();
-                        work = Task.Run(() => splicer.Write(parsed, before));
+                        work = Task.Run(() => write(parsed, before));
                     };
                 },
             });
             work.GetAwaiter().GetResult();
-            splicer!.Finish();
-            problems.AddRange(splicer.Diagnostics.ToList());
-            var rounded = Rounded(decoding, options);
+            splicer?.Finish();
+            problems.AddRange(splicer?.Diagnostics.ToList() ?? []);
+            var rounded = options is null ? null : Rounded(decoding, options);
             return rounded is null ? new Result<DecodedGCode>(decoding, problems.ToList()) : new Result<DecodedGCode>(null, [rounded]);
         }
         finally

@@ -25,6 +25,8 @@ internal sealed class GCodeChunk
     /// <summary>The same chunk, whose text a file keeps. It has the text for itself.</summary>
     public GCodeChunk In(PageFile<byte[]> file) => new(file.Add(Text), Start, End);
 
+    public void WriteTo(Stream stream) => stream.Write(Text, Start, Length);
+
     /// <summary>Cuts bytes into chunks after line ends.</summary>
     public static void Cut(byte[] bytes, int count, List<GCodeChunk> chunks)
     {

@@ -73,26 +73,11 @@ internal sealed class RawEffects(FlavorRules rules, byte extruder)
 
     private void G(double code)
     {
-        switch (code)
-        {
-            case 4:
-                return;
-            case 17 or 18 or 19:
-                Plane = code != 17;
-                return;
-            case 20 or 21:
-                Unit = code == 20;
-                return;
-            case 90 or 91:
-                Modes = true;
-                return;
-            case 90.1 or 91.1:
-                return;
-            default:
-                if (code == 92 && _line.Count == 1) E = true;
-                Moves();
-                return;
-        }
+        if (code is 17 or 18 or 19) Plane = code != 17;
+        else if (code is 20 or 21) Unit = code == 20;
+        else if (code is 90 or 91) Modes = true;
+        else if (code is not (4 or 90.1 or 91.1)) Moves();
+        E |= code == 92 && _line.Count == 1;
     }
 
     private void Moves()

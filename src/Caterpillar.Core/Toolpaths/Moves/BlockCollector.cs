@@ -5,7 +5,9 @@ namespace Caterpillar.Toolpaths;
 /// <param name="firstSize">Number of moves that there is room for at first.</param>
 /// <param name="file">Keeps the blocks; null = in memory.</param>
 /// <param name="keeps">False to forget each full block.</param>
-internal sealed class BlockCollector(int blockSize, int firstSize, PageFile<ToolpathColumns>? file = null, bool keeps = true)
+/// <param name="sums">Adds up the blocks; null = nobody.</param>
+internal sealed class BlockCollector(
+    int blockSize, int firstSize, PageFile<ToolpathColumns>? file = null, bool keeps = true, ToolpathSums? sums = null)
 {
     private readonly List<ToolpathBlock> _blocks = [];
     private readonly List<int> _arcMoves = [];
@@ -26,7 +28,7 @@ internal sealed class BlockCollector(int blockSize, int firstSize, PageFile<Tool
 
     public bool IsFull => Columns.Count == Columns.Capacity;
 
-    /// <summary>Makes space for more moves. Returns the full block, if any.</summary>
+    /// <summary>Makes space for more moves. Returns the full block if there is one and it is kept.</summary>
     public ToolpathColumns? Grow()
     {
         if (Columns.Capacity < blockSize)
@@ -36,8 +38,27 @@ internal sealed class BlockCollector(int blockSize, int firstSize, PageFile<Tool
         }
         var full = Columns;
         Seal();
-        Columns = new ToolpathColumns(blockSize);
-        return full;
+        Columns = keeps ? new ToolpathColumns(blockSize) : full;
+        if (keeps) return full;
+        full.Count = 0;
+        return null;
+    }
+
+    /// <summary>Adds a move, if there is room, and returns its number in the block.</summary>
+    public int Add(Vec3 end, double e, double deposited, double speed, MoveKind kind, Role role, int layer, short tool, int source)
+    {
+        var c = Columns;
+        var i = c.Count++;
+        (c.X[i], c.Y[i], c.Z[i]) = (end.X, end.Y, end.Z);
+        c.E[i] = e;
+        c.Deposited[i] = deposited;
+        c.Speed[i] = speed;
+        c.Kind[i] = kind;
+        c.Role[i] = role;
+        c.Tool[i] = tool;
+        c.Layer[i] = layer;
+        c.Source[i] = source;
+        return i;
     }
 
     /// <summary>A move of the current block, by its number in it, is an arc.</summary>
@@ -123,6 +144,7 @@ internal sealed class BlockCollector(int blockSize, int firstSize, PageFile<Tool
         _arcMoves.Clear();
         _arcs.Clear();
         if (keeps) _blocks.Add(new ToolpathBlock(Columns, file));
+        sums?.Add(Columns);
         _sealed += Columns.Count;
         Columns = new ToolpathColumns(0);
     }

@@ -58,19 +58,8 @@ public sealed class ToolpathBuilder
     public void Add(Vec3 end, double e, double deposited, double speed, MoveKind kind, Role role, int layer, int tool, int source, Arc? arc = null)
     {
         if (_moves.IsFull) Grow();
+        var i = _moves.Add(end, e, deposited, speed, kind, role, layer, checked((short)tool), source);
         var c = _moves.Columns;
-        var i = c.Count++;
-        c.X[i] = end.X;
-        c.Y[i] = end.Y;
-        c.Z[i] = end.Z;
-        c.E[i] = e;
-        c.Deposited[i] = deposited;
-        c.Speed[i] = speed;
-        c.Kind[i] = kind;
-        c.Role[i] = role;
-        c.Tool[i] = checked((short)tool);
-        c.Layer[i] = layer;
-        c.Source[i] = source;
         if (Line > 0) (c.Line ??= new int[c.Capacity])[i] = Line;
         if (arc is { } geometry) _moves.AddArc(i, geometry);
         Position = end;

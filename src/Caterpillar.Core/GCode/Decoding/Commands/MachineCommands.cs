@@ -14,16 +14,13 @@ internal sealed class MachineCommands(
         if (events.Take(code, line)) return;
         switch (code)
         {
-            case 820:
-            case 830:
+            case 820 or 830:
                 modes.SetRelativeE(code == 830);
                 return;
-            case 1010:
-            case 1030:
+            case 1010 or 1030:
                 _state.Extrusion.IsSwitchedOn = code == 1010;
                 return;
-            case 2010 when _rules.SwitchedTools && line.Count == 1:
-            case 3010 when _rules.SwitchedTools && line.Count == 1:
+            case 2010 or 3010 when _rules.SwitchedTools && line.Count == 1:
                 machine.ChangeTool(code / 1000 - 1);
                 _state.Extrusion.IsSwitchedOn = true;
                 return;

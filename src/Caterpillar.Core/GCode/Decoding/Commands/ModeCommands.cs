@@ -12,9 +12,7 @@ internal sealed class ModeCommands(Machine machine, PositionCommands positions)
         ref var modes = ref machine.State.Modes;
         switch (code)
         {
-            case 170:
-            case 180:
-            case 190:
+            case 170 or 180 or 190:
                 if (_rules.Planes || code == 170) modes.Plane = (ArcPlane)((code - 170) / 10);
                 else machine.Log.Ignore();
                 return true;
@@ -29,14 +27,12 @@ internal sealed class ModeCommands(Machine machine, PositionCommands positions)
                 modes.Inches = false;
                 machine.ModesChanged();
                 return true;
-            case 900:
-            case 910:
+            case 900 or 910:
                 _features.Add(code == 900 ? Feature.G90 : Feature.G91);
                 modes.Relative = modes.LastRelative = code == 910;
                 machine.ModesChanged();
                 return true;
-            case 901:
-            case 911:
+            case 901 or 911:
                 if (_rules.AbsoluteCenters) modes.AbsoluteCenters = code == 901;
                 else if (code == 901) machine.Log.Ignore();
                 return true;

@@ -44,54 +44,28 @@ internal static class CommentReader
     /// <summary>Reads the comment between <paramref name="start"/> (at the <c>;</c>) and <paramref name="end"/>.</summary>
     public static CommentMeaning Read(byte[] text, int start, int end)
     {
-        var none = default(CommentMeaning);
         var at = start + 1;
         while (at < end && text[at] is (byte)' ' or (byte)'\t') at++;
         while (end > at && text[end - 1] <= ' ') end--;
-        if (at == end) return none;
-        switch ((char)text[at])
-        {
-            case 'W':
-                return Is(text, at, end, "WIDTH:") || Is(text, at, end, "WIPE_") ? none : Setting(text, at, end);
-            case 'H':
-                return Is(text, at, end, "HEIGHT:") ? Number(text, at + 7, end, CommentKind.Height) : Setting(text, at, end);
-            case 'Z':
-                if (Is(text, at, end, "Z:")) return Number(text, at + 2, end, CommentKind.Z);
-                return Is(text, at, end, "Z_HEIGHT:") ? Number(text, at + 9, end, CommentKind.Z) : Setting(text, at, end);
-            case 'T':
-                return Is(text, at, end, "TYPE:") ? RoleOf(text, at + 5, end) : Setting(text, at, end);
-            case 'F':
-                return Is(text, at, end, "FEATURE:") ? RoleOf(text, at + 8, end) : Setting(text, at, end);
-            case 'f':
-                return Is(text, at, end, "feature ") && !HasEquals(text, at, end) ? RoleOf(text, at + 8, end) : Setting(text, at, end);
-            case 'L':
-                if (Is(text, at, end, "LAYER:")) return Layer(text, at + 6, end);
-                if (Is(text, at, end, "LAYER_CHANGE")) return new CommentMeaning { Kind = CommentKind.LayerChange };
-                if (Is(text, at, end, "LAYER_HEIGHT:")) return Number(text, at + 13, end, CommentKind.Height);
-                return Is(text, at, end, "LAYER ") || Is(text, at, end, "Layer ") ? Layer(text, at + 6, end) : Setting(text, at, end);
-            case 'l':
-                return Is(text, at, end, "layer ") ? Layer(text, at + 6, end) : Setting(text, at, end);
-            case 'C':
-                return Is(text, at, end, "CHANGE_LAYER") ? new CommentMeaning { Kind = CommentKind.LayerChange } : Setting(text, at, end);
-            case 'B':
-                return Is(text, at, end, "BEGIN_LAYER_OBJECT") ? Kiss(text, at + 18, end) : Setting(text, at, end);
-            case 'M':
-                if (!Is(text, at, end, "MESH:")) return Setting(text, at, end);
-                return Is(text, at, end, "MESH:NONMESH") ? new CommentMeaning { Kind = CommentKind.ObjectEnd } : Named(text, at + 5, end);
-            case 'p':
-                return Is(text, at, end, "printing object ") ? Named(text, at + 16, end) : Setting(text, at, end);
-            case 's':
-                if (Is(text, at, end, "stop printing object")) return new CommentMeaning { Kind = CommentKind.ObjectEnd };
-                return Is(text, at, end, "start printing object, ") ? Named(text, at + 23, end) : Setting(text, at, end);
-            case 't':
-                return Is(text, at, end, "thumbnail") && end - at < 80 && !HasEquals(text, at, end)
-                    ? new CommentMeaning { Kind = CommentKind.Thumbnail, Text = TextEncoding.Decode(text, at, end) }
-                    : Setting(text, at, end);
-            case '\'':
-                return Quoted(text, at + 1, end);
-            default:
-                return Setting(text, at, end);
-        }
+        if (at == end || Begins("WIDTH:") || Begins("WIPE_")) return default;
+        if (Begins("TYPE:")) return RoleOf(text, at + 5, end);
+        if (Begins("FEATURE:") || (Begins("feature ") && !HasEquals(text, at, end))) return RoleOf(text, at + 8, end);
+        if (Begins("HEIGHT:")) return Number(text, at + 7, end, CommentKind.Height);
+        if (Begins("LAYER_HEIGHT:")) return Number(text, at + 13, end, CommentKind.Height);
+        if (Begins("Z:")) return Number(text, at + 2, end, CommentKind.Z);
+        if (Begins("Z_HEIGHT:")) return Number(text, at + 9, end, CommentKind.Z);
+        if (Begins("LAYER_CHANGE") || Begins("CHANGE_LAYER")) return new CommentMeaning { Kind = CommentKind.LayerChange };
+        if (Begins("LAYER:") || Begins("LAYER ") || Begins("Layer ") || Begins("layer ")) return Layer(text, at + 6, end);
+        if (Begins("BEGIN_LAYER_OBJECT")) return Kiss(text, at + 18, end);
+        if (Begins("MESH:NONMESH") || Begins("stop printing object")) return new CommentMeaning { Kind = CommentKind.ObjectEnd };
+        if (Begins("MESH:")) return Named(text, at + 5, end);
+        if (Begins("printing object ")) return Named(text, at + 16, end);
+        if (Begins("start printing object, ")) return Named(text, at + 23, end);
+        if (Begins("thumbnail") && end - at < 80 && !HasEquals(text, at, end))
+            return new CommentMeaning { Kind = CommentKind.Thumbnail, Text = TextEncoding.Decode(text, at, end) };
+        return text[at] == '\'' ? Quoted(text, at + 1, end) : Setting(text, at, end);
+
+        bool Begins(string word) => Is(text, at, end, word);
     }
 
     /// <summary>The role in a whole comment (Simplify3D, and Slic3r after its moves).</summary>

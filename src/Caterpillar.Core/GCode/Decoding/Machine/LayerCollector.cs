@@ -121,6 +121,13 @@ internal sealed class LayerCollector
         return places;
     }
 
+    /// <summary>Number of layers that have extrusions, or of all if none has any, each number once. Call it after <see cref="MergeEmpty"/>.</summary>
+    public int CountPrinted()
+    {
+        var any = _drafts.Exists(d => d.IsPrinted);
+        return _drafts.Where(d => d.IsPrinted == any).Select(d => d.Number).Distinct().Count();
+    }
+
     /// <summary>Thickness of each printed layer, mm. 0 = not printed. Null if the comments so far do not state it.</summary>
     public double[]? Thicknesses()
     {

@@ -16,6 +16,7 @@ internal sealed partial class MoveRecorder(Machine machine, ExtrusionRule rule)
     private readonly DecodeCounters _counters = machine.Counters;
     private BlockCollector _moves = new(ToolpathBlock.Capacity, FirstSize);
     private Action<DecodedBlock>? _take;
+    private ToolpathSums? _sums;
     private readonly List<MoveEvent> _events = [];
     private readonly bool _balance = rule == ExtrusionRule.Balance;
     private readonly bool _switched = machine.Axis == ExtrusionAxis.Switched;
@@ -54,12 +55,9 @@ internal sealed partial class MoveRecorder(Machine machine, ExtrusionRule rule)
         _events.Clear();
     }
 
-    /// <summary>Sets the size of blocks, who takes each full block, and whether and where moves are kept.</summary>
-    public void Begin(int blockSize, Action<DecodedBlock>? take, bool keeps, PageFile<ToolpathColumns>? file)
-    {
-        _take = take;
-        _moves = new BlockCollector(blockSize, FirstSize, file, keeps);
-    }
+    /// <summary>Sets what collects the moves, who takes each full block, and who adds the moves up.</summary>
+    public void Begin(Func<int, BlockCollector> moves, Action<DecodedBlock>? take, ToolpathSums? sums)
+        => (_moves, _take, _sums) = (moves(FirstSize), take, sums);
 
     /// <summary>The finished toolpath.</summary>
     public Toolpath ToToolpath(ToolpathTool[] tools)
@@ -256,19 +254,8 @@ internal sealed partial class MoveRecorder(Machine machine, ExtrusionRule rule)
         head.Y = y;
         head.Z = z;
         if (_moves.IsFull && _moves.Grow() is { } full) _take?.Invoke(Taken(full));
-        var c = _moves.Columns;
-        var i = c.Count++;
-        c.X[i] = x + head.ShiftX;
-        c.Y[i] = y + head.ShiftY;
-        c.Z[i] = z + head.ShiftZ;
-        c.E[i] = e;
-        c.Deposited[i] = deposited;
-        c.Speed[i] = _state.Feed.Speed;
-        c.Kind[i] = kind;
-        c.Role[i] = kind is MoveKind.Print or MoveKind.Prime ? Role : Role.Unspecified;
-        c.Layer[i] = Layers.Current;
-        c.Tool[i] = (short)_state.Tool;
-        c.Source[i] = _diagnostics.Line;
+        _moves.Add(head.Machine, e, deposited, _state.Feed.Speed, kind, kind is MoveKind.Print or MoveKind.Prime ? Role : Role.Unspecified, Layers.Current,
+            (short)_state.Tool, _diagnostics.Line);
     }
 
     private DecodedBlock Taken(ToolpathColumns full)
@@ -285,6 +272,7 @@ internal sealed partial class MoveRecorder(Machine machine, ExtrusionRule rule)
         ref var head = ref _state.Head;
         head.HasMoved = true;
         _start = head.IsKnown ? head.Machine : null;
+        if (_sums is not null) _sums.Position = _start ?? Vec3.Zero;
         head.KnownX = head.KnownY = head.KnownZ = true;
     }
 }

@@ -7,6 +7,9 @@ namespace Caterpillar.GCode;
 internal sealed class LineRewriter(LineStyle style, FlavorRules rules, ExtrusionAxis axis, ExtrusionAxis source, bool rewriteAll)
 {
     private const double NoChange = InterpreterState.NoChange;
+
+    // Of words. Others come before F.
+    private static readonly byte[] UsualOrder = Encoding.ASCII.GetBytes("GXYZIJKRP F");
     private readonly byte _extruder = axis.FirstLetter;
     private readonly List<Edit> _edits = [];
     private ParsedLine _line = new();
@@ -39,20 +42,7 @@ internal sealed class LineRewriter(LineStyle style, FlavorRules rules, Extrusion
         Apply(bytes);
     }
 
-    private static int Rank(byte letter) => letter switch
-    {
-        (byte)'G' => 0,
-        (byte)'X' => 1,
-        (byte)'Y' => 2,
-        (byte)'Z' => 3,
-        (byte)'I' => 5,
-        (byte)'J' => 6,
-        (byte)'K' => 7,
-        (byte)'R' => 8,
-        (byte)'P' => 9,
-        (byte)'F' => 11,
-        _ => 10,
-    };
+    private static int Rank(byte letter) => Array.IndexOf(UsualOrder, letter) is >= 0 and var rank ? rank : UsualOrder.Length - 2;
 
     /// <summary>True if a number has more decimals than the limit.</summary>
     public bool IsTooFine(ParsedLine line, byte[] text)
