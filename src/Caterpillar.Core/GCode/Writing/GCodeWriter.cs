@@ -150,8 +150,7 @@ internal sealed class GCodeWriter
         {
             case MoveKind.Dwell:
                 return;
-            case MoveKind.Retract:
-            case MoveKind.Deretract:
+            case MoveKind.Retract or MoveKind.Deretract:
                 if (_rules.FirmwareRetraction && (_format.Printer.FirmwareRetraction || c.E[i] == 0))
                 {
                     _out.Command((byte)'G', kind == MoveKind.Retract ? 10 : 11);

@@ -5,6 +5,7 @@ internal sealed class AffineRunMap(Affine map, double tolerance) : RunMap
 {
     private readonly bool _keepsArcs = Mapping.KeepsCircles(map);
     private readonly bool _scales = !Mapping.KeepsLengths(map);
+    private readonly bool _lifts = map.XAxis.Z != 0 || map.YAxis.Z != 0 || map.ZAxis.Z != 1 || map.Shift.Z != 0;
     private readonly double _volume = Math.Abs(map.Determinant);
 
     public override bool IsLocal => true;
@@ -44,14 +45,13 @@ internal sealed class AffineRunMap(Affine map, double tolerance) : RunMap
         if (block.Arcs.Length > 0 || block.Turns is not null) return null;
         var from = map.Apply(start);
         var newAmounts = _scales || position != from;
-        var image = block.WithGeometry(newAmounts);
-        var lifts = false;
+        var image = block.WithGeometry(_lifts, newAmounts);
         for (var i = 0; i < block.Count; i++)
         {
             var end = new Vec3(block.X[i], block.Y[i], block.Z[i]);
             var to = map.Apply(end);
-            (image.X[i], image.Y[i], image.Z[i]) = (to.X, to.Y, to.Z);
-            lifts |= to.Z != end.Z;
+            (image.X[i], image.Y[i]) = (to.X, to.Y);
+            if (_lifts) image.Z[i] = to.Z;
             if (!newAmounts) continue;
             var deposited = block.Deposited[i];
             if (block.Kind[i] == MoveKind.Print && start.DistanceTo(end) is > 0 and var length)
@@ -63,7 +63,6 @@ internal sealed class AffineRunMap(Affine map, double tolerance) : RunMap
             image.Deposited[i] = deposited;
             (start, from, position) = (end, to, to);
         }
-        if (!lifts) image.Z = block.Z;
         return image;
     }
 }

@@ -162,12 +162,13 @@ internal sealed class ToolpathColumns(int capacity)
         Count += count;
     }
 
-    /// <summary>Columns with new end points and, if asked for, new amounts to fill in. The rest is shared. For blocks of straight moves.</summary>
-    public ToolpathColumns WithGeometry(bool newAmounts)
+    /// <summary>Columns with new end points and, if asked for, new heights and amounts to fill in. The rest is shared. For blocks of straight moves.</summary>
+    public ToolpathColumns WithGeometry(bool newHeights, bool newAmounts)
     {
         var copy = Share();
-        (copy.X, copy.Y, copy.Z) = (new double[Count], new double[Count], new double[Count]);
-        if (newAmounts) (copy.E, copy.Deposited) = (new double[Count], new double[Count]);
+        (copy.X, copy.Y) = (Buffers.Unfilled<double>(Count), Buffers.Unfilled<double>(Count));
+        if (newHeights) copy.Z = Buffers.Unfilled<double>(Count);
+        if (newAmounts) (copy.E, copy.Deposited) = (Buffers.Unfilled<double>(Count), Buffers.Unfilled<double>(Count));
         return copy;
     }
 

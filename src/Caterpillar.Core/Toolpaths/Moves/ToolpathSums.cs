@@ -15,10 +15,6 @@ internal sealed class ToolpathSums
     private Bounds _partBlobs = Bounds.Empty;
     private Bounds _all = Bounds.Empty;
 
-    // Whether the last move has printed, and the part: its end is in their box.
-    private bool _follows;
-    private bool _wasPart;
-
     /// <summary>Where the next move begins, mm.</summary>
     public Vec3 Position { get; set; }
 
@@ -79,23 +75,16 @@ internal sealed class ToolpathSums
         {
             _prints++;
             _print += length;
-            var isPart = c.Role[i] is not (Role.Skirt or Role.Purge or Role.PrimeTower);
-            ref var box = ref isPart ? ref _part : ref _others;
-            if (!_follows || isPart != _wasPart) box = box.Include(start);
-            if (!box.Contains(end)) box = box.Include(end);
+            ref var box = ref c.Role[i] is Role.Skirt or Role.Purge or Role.PrimeTower ? ref _others : ref _part;
+            if (!box.Contains(start) || !box.Contains(end)) box = box.Include(start).Include(end);
             if (turns) box = box.Include(arc.Bounds(start, end));
-            (_follows, _wasPart) = (true, isPart);
             return true;
         }
-        _follows = false;
         if (kind is MoveKind.Retract or MoveKind.Wipe) _retractions++;
         if (kind == MoveKind.Prime) _blobs = _blobs.Include(end);
         if (kind == MoveKind.Prime && c.Role[i] != Role.Purge) _partBlobs = _partBlobs.Include(end);
-        if (length > 0)
-        {
-            _travels++;
-            _travel += length;
-        }
+        if (length > 0) _travels++;
+        _travel += length;
         return false;
     }
 }

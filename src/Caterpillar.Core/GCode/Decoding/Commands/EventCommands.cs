@@ -19,16 +19,13 @@ internal sealed class EventCommands(Machine machine)
         }
         switch (code)
         {
-            case 1040:
-            case 1090:
+            case 1040 or 1090:
                 if (Temperature(line, out var nozzle)) _moves.AddEvent(new NozzleTemperatureEvent(nozzle, code == 1090, ToolOf(line, 'T')));
                 return true;
-            case 1400:
-            case 1900:
+            case 1400 or 1900:
                 if (Temperature(line, out var bed)) _moves.AddEvent(new BedTemperatureEvent(bed, code == 1900));
                 return true;
-            case 1410:
-            case 1910:
+            case 1410 or 1910:
                 if (Temperature(line, out var chamber)) _moves.AddEvent(new ChamberTemperatureEvent(chamber, code == 1910));
                 return true;
             case 5680 when _rules.ToolTemperatures && line.TryGet('A', out var state) && state == 0:
@@ -37,12 +34,10 @@ internal sealed class EventCommands(Machine machine)
             case 5680 when _rules.ToolTemperatures:
                 TakeToolTemperature(line);
                 return true;
-            case 1060 when _rules.Fan != FanScale.None:
-            case 1070 when _rules.Fan != FanScale.None:
+            case 1060 or 1070 when _rules.Fan != FanScale.None:
                 Fan(line, code == 1060);
                 return true;
-            case 1260 when _rules.ValveIsFan:
-            case 1270 when _rules.ValveIsFan:
+            case 1260 or 1270 when _rules.ValveIsFan:
                 _moves.AddEvent(new FanEvent(code == 1260 && line.Get('S', 1) != 0 ? 1 : 0));
                 return true;
             case 4000 when !FlavorRules.Names(_rules.Dwells, 'M', 400):

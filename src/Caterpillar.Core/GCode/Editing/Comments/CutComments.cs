@@ -33,20 +33,17 @@ internal sealed class CutComments
     {
         switch (kind)
         {
-            case CommentKind.LayerNumber:
-            case CommentKind.LayerChange:
+            case CommentKind.LayerNumber or CommentKind.LayerChange:
                 _layer.Clear();
                 if (line is { } layer) _layer.Add(layer);
                 break;
-            case CommentKind.Z:
-            case CommentKind.Height:
+            case CommentKind.Z or CommentKind.Height:
                 if (line is { } height) _layer.Add(height);
                 break;
             case CommentKind.Role:
                 _role = line;
                 break;
-            case CommentKind.ObjectStart:
-            case CommentKind.ObjectEnd:
+            case CommentKind.ObjectStart or CommentKind.ObjectEnd:
                 _object = line;
                 break;
         }
