@@ -8,7 +8,7 @@ NAME_LOW.json and NAME_HIGH.json, the vertices of their ends. Volume: extrusions
 distance to the layer below, from the lowest to the highest hundredth. Tops: distance between the mesh and the highest extrusion where it slopes by 1 to 45
 degrees, from the lowest to the highest twentieth, in planar slicing and in curved. FOLDER keeps meshes and files. Needs GNU time.
 """
-import math, os, re, struct, subprocess, sys, tempfile
+import json, math, os, re, struct, subprocess, sys, tempfile
 
 from printed_layers import extrusions, gap_errors, share, steps
 
@@ -137,6 +137,9 @@ def shapes(folder):
         outline.append([(x * math.cos(a) - y * math.sin(a), x * math.sin(a) + y * math.cos(a), 0.5 * k) for x, y in square])
     rings(join('screw.obj'), outline)
     cross(join('cross.obj'))
+    heights = [float(line.split()[3]) for line in open(join('cross.obj')) if line.startswith('v ')]
+    for end, z in (('LOW', min(heights)), ('HIGH', max(heights))):
+        json.dump([i for i, height in enumerate(heights) if abs(height - z) < 1e-6], open(join('cross_%s.json' % end), 'w'))
 
 
 def triangles(path):
@@ -226,8 +229,8 @@ def main(program, examples, samples, folder):
     line('bracket, `--deform overhangs`', model('bracket'), '--deform', 'overhangs')
     line('branching Y, `--field harmonic`', model('branching'), '--field', 'harmonic')
     line('branching Y, `--scale 50% --copies 2`', model('branching'), '--field', 'harmonic', '--scale', '50%', '--copies', '2', copies=2)
-    line('X of two tubes, `--field harmonic`', own('cross'), '--field', 'harmonic')
-    line('X of two tubes, `--field geodesic`', own('cross'), '--field', 'geodesic')
+    for field in ('harmonic', 'geodesic'):
+        line('X of two tubes, `--field %s`, its ends as lists' % field, own('cross'), '--field', field, *ends(folder, 'cross'))
     line('twisted prism, `--field "z - 0.02 * r * sin(2 * theta)"`', own('screw'), '--field', 'z - 0.02 * r * sin(2 * theta)')
     slender = ['--set', 'head_outline_mm=[[2.5,0],[14,28],[22,300]]']
     surface = ['--set', 'open_contours=surface']

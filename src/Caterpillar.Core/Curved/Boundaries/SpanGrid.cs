@@ -6,7 +6,7 @@ namespace Caterpillar.Curved;
 /// </summary>
 internal sealed class SpanGrid(Bounds bounds, double cell, double[] levels)
 {
-    // Nodes around the part; next to outlines heights are found exactly, farther out the nearest of them counts.
+    // Nodes around the outlines that are found exactly; farther out the nearest of them counts.
     private const int Margin = 3;
 
     private readonly SlopeGrid _nodes = new(bounds.Min - new Vec3(Margin * cell, Margin * cell), cell,
@@ -72,40 +72,15 @@ internal sealed class SpanGrid(Bounds bounds, double cell, double[] levels)
         if (curves.Count == 0) return [];
         var result = Flat(double.NaN);
         var spans = SpanIslands.Of(curves);
-        var near = Near(curves);
-        MeanValueSpan? span = null;
+        // Also around outlines: what leans out lies there, above the level below.
+        var reached = spans.ConvertAll(s => s.Bounds.Grow((Margin + 1) * Cell));
         for (var n = 0; n < result.Length; n++)
         {
             var (x, y, _) = _nodes.At(n);
-            // No outline is between others: they are on the same side as the node before.
-            if (near[n]) span = SpanIslands.Nearest(spans, x, y);
-            else if (n % _nodes.Columns == 0 || near[n - 1]) span = SpanIslands.Around(spans, x, y);
-            if (span is not null) result[n] = span.Height(x, y);
+            if (reached.Exists(b => b.Contains(new Vec3(x, y, b.Min.Z)))) result[n] = SpanIslands.Nearest(spans, x, y).Height(x, y);
         }
         Spread(result);
         return result;
-    }
-
-    // The nodes of the cells that outlines cross, and of those around them.
-    private bool[] Near(List<Vec3[]> curves)
-    {
-        var near = new bool[_nodes.Count];
-        foreach (var curve in curves)
-        {
-            for (var k = 0; k < curve.Length; k++)
-            {
-                Vec3 a = curve[k], b = curve[(k + 1) % curve.Length];
-                var parts = Math.Max(1, Math.Ceiling((b - a).LengthXY / Cell));
-                for (var i = 0; i < parts; i++) Mark(Vec3.Lerp(a, b, i / parts));
-            }
-        }
-        return near;
-
-        void Mark(Vec3 place)
-        {
-            var corner = _nodes.Locate(place.X, place.Y).Node - _nodes.Columns - 1;
-            for (var i = 0; i < 16; i++) near[corner + (i >> 2) * _nodes.Columns + (i & 3)] = true;
-        }
     }
 
     // Nodes without a height take that of their neighbors, from the known ones outward.
