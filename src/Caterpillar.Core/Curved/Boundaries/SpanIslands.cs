@@ -19,15 +19,11 @@ internal static class SpanIslands
         return members.Select(m => (new MeanValueSpan(m), Bounds.Of(m[0]))).ToList();
     }
 
-    /// <summary>The piece that contains a place, if any.</summary>
-    public static MeanValueSpan? Around(List<(MeanValueSpan Span, Bounds Bounds)> spans, double x, double y)
-        => spans.Find(s => s.Bounds.Contains(new Vec3(x, y, s.Bounds.Min.Z)) && s.Span.Winding(x, y) != 0).Span;
-
     /// <summary>The piece that contains a place, or else the nearest.</summary>
     public static MeanValueSpan Nearest(List<(MeanValueSpan Span, Bounds Bounds)> spans, double x, double y)
     {
         if (spans.Count == 1) return spans[0].Span;
-        if (Around(spans, x, y) is { } around) return around;
+        if (spans.Find(s => s.Bounds.Contains(new Vec3(x, y, s.Bounds.Min.Z)) && s.Span.Winding(x, y) != 0).Span is { } around) return around;
         var (best, least) = (spans[0].Span, double.PositiveInfinity);
         foreach (var (span, _) in spans)
         {

@@ -160,7 +160,14 @@ internal static class PatchOrder
     private static bool Touches(Vec3 p, HashSet<(int, int)> cells, double cell)
     {
         int column = (int)Math.Floor(p.X / cell), row = (int)Math.Floor(p.Y / cell);
-        return Enumerable.Range(0, 9).Any(i => cells.Contains((column + i % 3 - 1, row + i / 3 - 1)));
+        for (var dy = -1; dy <= 1; dy++)
+        {
+            for (var dx = -1; dx <= 1; dx++)
+            {
+                if (cells.Contains((column + dx, row + dy))) return true;
+            }
+        }
+        return false;
     }
 
     private static string Place(SlicedLayer[] layers, LayerPatch patch)

@@ -48,7 +48,7 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
     {
         refused = 0;
         if (toolpath is null) throw new ArgumentNullException(nameof(toolpath));
-        var divided = progress.Part(0, 0.1);
+        var (divided, aimed) = (progress.Part(0, 0.1), progress.Part(0.1, 1));
         var straight = kinematics.IsPolar ? Divided(toolpath, divided, cancel)
             : StraightPieces.Rebuilt(toolpath, toolpath.Start, (builder, piece) => builder.Add(piece), divided, cancel);
         var words = new Vec3[straight.Count];
@@ -79,7 +79,7 @@ public sealed class ToolDirections(Kinematics kinematics, Func<Vec3, Vec3> tool)
                 last = words[end - 1];
             }
             first = end;
-            progress?.Report(0.1 + 0.9 * ((double)end / words.Length));
+            aimed?.Report((double)end / words.Length);
         }
         var next = 0;
         last = Vec3.Zero;

@@ -21,6 +21,9 @@ internal sealed class Link(Node from, int output, Node to, int input)
     public double ToY { get; } = to.Shape.InputAt(input).Y - to.Shape.Box.Y;
 
     public bool Inside => From.Block == To.Block;
+
+    /// <summary>The wire where its objects are tried.</summary>
+    public Wire Now => new(From.Now, Output, To.Now, Input);
 }
 
 /// <summary>An object of a stage, or the room of a wire that passes a column of it.</summary>

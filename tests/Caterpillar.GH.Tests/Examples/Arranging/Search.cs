@@ -10,7 +10,7 @@ internal sealed class Search(Arrangement all)
     private const double Clear = 3;
 
     // A wire across the name of a stage.
-    private const double Crossing = 1500;
+    public const double Crossing = 1500;
     private const int Trials = 4000;
     private const int Starts = 20;
 
@@ -96,7 +96,7 @@ internal sealed class Search(Arrangement all)
     {
         foreach (var node in all.Nodes) node.Now = node.There();
         foreach (var block in all.Blocks) block.SetTitle();
-        var wires = all.Links.ConvertAll(l => new Wire(l.From.Now, l.Output, l.To.Now, l.Input));
+        var wires = all.Links.ConvertAll(l => l.Now);
         double cost = 0;
         foreach (var wire in wires)
         {

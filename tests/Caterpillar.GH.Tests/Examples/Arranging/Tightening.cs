@@ -27,9 +27,6 @@ internal sealed class Tightening(Arrangement all, Func<double> cost)
     private const double Struck = 600;
     private const double NameHeight = 14;
 
-    // A wire across the name of a stage.
-    private const double Crossing = 1500;
-
     // A wire across a stage that it has no end in.
     private const double Strange = 300;
 
@@ -70,27 +67,27 @@ internal sealed class Tightening(Arrangement all, Func<double> cost)
     }
 
     private double Cost()
-        => cost() + Tall * all.Blocks.Sum(b => b.Height) + Torn * _sources.Sum(Gaps) + Crossing * all.Links.Count(CrossesName)
+        => cost() + Tall * all.Blocks.Sum(b => b.Height) + Torn * _sources.Sum(Gaps) + Search.Crossing * all.Links.Count(CrossesName)
             + all.Links.Sum(l => Struck * NamesUnder(l) + Strange * StagesUnder(l));
 
     // The name stands on the frame, which the search believes to begin above the names of components.
     private bool CrossesName(Link link)
     {
-        var wire = new Wire(link.From.Now, link.Output, link.To.Now, link.Input);
+        var wire = link.Now;
         return all.Blocks.Exists(b => Faults.Crosses(wire, b.Title with { Y = b.Nodes.Min(n => n.Now.Box.Y) - Frame.Margin - Frame.Caption }));
     }
 
     // The stages that a wire runs across without an end in them.
     private int StagesUnder(Link link)
     {
-        var wire = new Wire(link.From.Now, link.Output, link.To.Now, link.Input);
+        var wire = link.Now;
         return all.Blocks.Count(b => b != link.From.Block && b != link.To.Block && Faults.Crosses(wire, b.Area));
     }
 
     // The names of components that a wire runs across.
     private int NamesUnder(Link link)
     {
-        var wire = new Wire(link.From.Now, link.Output, link.To.Now, link.Input);
+        var wire = link.Now;
         return all.Nodes.Count(n => n.Item.Look == Look.Component && Faults.Hides(Name(n), wire));
     }
 
