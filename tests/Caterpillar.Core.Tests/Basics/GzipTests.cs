@@ -80,7 +80,7 @@ public class GzipTests
     [Test]
     public void A_file_that_is_cut_off_anywhere_is_an_error()
     {
-        var text = Encoding.ASCII.GetBytes(string.Concat(Enumerable.Range(0, 60).Select(i => $"G1 X{i * 7 % 50} Y{i} E.{i}\n")));
+        var text = Encoding.ASCII.GetBytes(string.Concat(Enumerable.Range(0, 20).Select(i => $"G1 X{i * 7 % 50} Y{i} E.{i}\n")));
         foreach (var packed in new[] { Gzip.Packed(text), Gzip.Stored(text), Gzip.Packed(Empty), Gzip.Stored(Empty),
             Join(Gzip.Packed(text), Gzip.Packed(text)) })
         {
@@ -98,7 +98,7 @@ public class GzipTests
     [Test]
     public void A_changed_byte_is_an_error_or_changes_nothing()
     {
-        var data = Join(Noise(5, 200), new byte[300]);
+        var data = Join(Noise(5, 60), new byte[100]);
         foreach (var packed in new[] { Gzip.Packed(data), Gzip.Stored(data) })
         {
             for (var at = 2; at < packed.Length; at++)

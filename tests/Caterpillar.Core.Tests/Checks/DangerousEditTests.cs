@@ -13,7 +13,7 @@ namespace Caterpillar.Tests.Checks;
 /// <summary>A good file with a single change that makes it dangerous, by a judge that shares no code with the checks.</summary>
 public class DangerousEditTests
 {
-    private static readonly int Wanted = Rounds.Of(quick: 100, full: 300);
+    private static readonly int Wanted = Rounds.Of(quick: 60, full: 300);
     private static readonly int Missed = Rounds.Of(quick: 0, full: 1);
 
     [Test]

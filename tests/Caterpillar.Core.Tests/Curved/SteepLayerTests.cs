@@ -63,9 +63,9 @@ public class SteepLayerTests
     public void A_tube_with_a_steep_end_is_printed_by_a_slender_nozzle_without_a_collision(double tip, double radius, double height, bool passes)
     {
         var rise = Angle.Sin(55.0) / Angle.Cos(55.0);
-        var low = Solids.Circle(14, 48).Select(p => p + new Vec3(100, 100)).ToArray();
+        var low = Solids.Circle(14, 24).Select(p => p + new Vec3(100, 100)).ToArray();
         var high = low.Select(p => p.WithZ(40 + rise * (p.X - 100))).ToArray();
-        var triangles = Enumerable.Range(0, 48).SelectMany(i => new[] { i, (i + 1) % 48, 48 + i, 48 + i, (i + 1) % 48, 48 + (i + 1) % 48 }).ToArray();
+        var triangles = Enumerable.Range(0, 24).SelectMany(i => new[] { i, (i + 1) % 24, 24 + i, 24 + i, (i + 1) % 24, 24 + (i + 1) % 24 }).ToArray();
         var tube = TriMesh.Create([.. low, .. high], triangles);
         var setup = new ProfileLibrary().Setup("potter_super").OrThrow();
         var head = new ValueList<HeadPoint>(new HeadPoint(tip, 0), new HeadPoint(radius, height));

@@ -18,7 +18,11 @@ public class ExampleTests
     private static readonly string[] Models = ["vase", "bracket", "saddle_roof", "terrain"];
 
     private static IEnumerable<TestCaseData> Cases()
-        => Models.SelectMany((model, i) => Rounds.InTurn(["de-DE", "tr-TR", "ar-SA"], i, 1).Select(culture => new TestCaseData(model, culture)));
+        => Models.SelectMany((model, i) => Rounds.InTurn(["de-DE", "tr-TR", "ar-SA"], i, 1).Select(culture => Case(model, culture)));
+
+    // The largest one takes half of the time of all.
+    private static TestCaseData Case(string model, string culture)
+        => model == "vase" ? new TestCaseData(model, culture).SetCategory("Arithmetic") : new TestCaseData(model, culture);
 
     [TestCaseSource(nameof(Cases))]
     public void Example_models_are_sliced_to_the_golden_bytes(string model, string culture)

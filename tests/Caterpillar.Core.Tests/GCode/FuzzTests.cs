@@ -37,7 +37,7 @@ public class FuzzTests
     public void Any_bytes_decode_and_can_be_written_again()
     {
         // A long run: CATERPILLAR_FUZZ=10000000, with another seed in CATERPILLAR_FUZZ_SEED.
-        var runs = Number("CATERPILLAR_FUZZ") ?? Rounds.Of(quick: 8_000, full: 100_000, onMono: 2_500);
+        var runs = Number("CATERPILLAR_FUZZ") ?? Rounds.Of(quick: 8_000, full: 100_000, onMono: 1_500);
         Run(Number("CATERPILLAR_FUZZ_SEED") ?? 20261121, runs);
     }
 

@@ -56,8 +56,8 @@ public class LongFileTests
     }
 
     [TestCase("hand_arcs_helix_planes.gcode")]
-    [TestCase("cu_tube_spiralize.gcode")]
-    [TestCase("ps_overlap_two_tools.gcode")]
+    [TestCase("cu_tube_spiralize.gcode", Category = "Arithmetic")]
+    [TestCase("ps_overlap_two_tools.gcode", Category = "Arithmetic")]
     public void Edits_and_conversions_write_the_same_bytes(string file)
     {
         var bytes = GCodeFiles.Bytes(file);

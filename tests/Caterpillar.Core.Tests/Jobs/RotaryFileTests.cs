@@ -38,7 +38,7 @@ public class RotaryFileTests
         using var job = PrintJob.Draw(Rings(setup.Printer), setup, new PrintJobOptions { Tilt = new ToolAim(p => Normal(p, setup.Printer)) }).OrThrow();
         var written = SafeWriter.ToDocument(job.Toolpath, setup, reason: "a drawing in the air");
         var document = written.Value!;
-        string[] wrong = ["collision", "file.pos", "limit.axis"];
+        string[] wrong = ["collision", "file.pos", "limit.axis", "limit.speed"];
         Assert.That(written.Diagnostics.Where(d => d.Severity != Severity.Note && wrong.Any(w => d.Code.StartsWith(w, StringComparison.Ordinal))), Is.Empty);
         var file = GCodeDecoder.Decode(document).OrThrow();
         var kinematics = setup.Printer.Kinematics!;

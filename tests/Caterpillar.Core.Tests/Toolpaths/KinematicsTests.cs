@@ -95,6 +95,15 @@ public class KinematicsTests
         }
     }
 
+    [TestCase(1, 0.411)]
+    [TestCase(5, 20.1)]
+    [TestCase(0.001, 0.013)]
+    public void A_speed_that_the_axes_hold_is_not_rounded_up_beyond_it_in_the_file(double length, double time)
+    {
+        var written = Math.Round(MachinePositions.Held(1000, length, time) * 60) / 60;
+        Assert.That(written, Is.LessThanOrEqualTo(length / time).And.GreaterThan(0.3 * length / time));
+    }
+
     [TestCaseSource(nameof(Machines))]
     public void Forward_undoes_inverse_for_random_frames(string id)
     {

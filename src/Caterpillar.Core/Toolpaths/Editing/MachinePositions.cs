@@ -22,6 +22,9 @@ internal static class MachinePositions
     // What both ends of a move may be off where they are written, mm or degrees.
     private const double Rounding = 0.001;
 
+    // What a speed may be off where it is written in whole mm/min, mm/s.
+    private const double RoundingF = 0.5 / 60;
+
     /// <summary>The toolpath of the slides, of one in the frame of the part. Arcs become chords; every move keeps its time if all axes can.</summary>
     /// <param name="toolpath">The toolpath on the part.</param>
     /// <param name="kinematics">The rotary axes.</param>
@@ -82,7 +85,11 @@ internal static class MachinePositions
 
     /// <summary>The speed of a move of a length that takes at least a time in s.</summary>
     public static double Held(double speed, double length, double time)
-        => time > 0 ? Math.Min(speed, Math.Max(length - Rounding, length / 2) / time) : speed;
+    {
+        if (!(time > 0)) return speed;
+        var held = Math.Max(length - Rounding, length / 2) / time;
+        return Math.Min(speed, Math.Max(held - RoundingF, held / 2));
+    }
 
     private static double Needs(double distance, double speed) => distance == 0 ? 0 : (Math.Abs(distance) + Rounding) / speed;
 

@@ -103,6 +103,7 @@ public class ThreeMfTests
         Assert.That(read.Diagnostics.Single().Code, Is.EqualTo("mesh.syntax"));
     }
 
+    [Category("Arithmetic")]
     [Test]
     public void Bombs_are_not_decompressed()
     {
