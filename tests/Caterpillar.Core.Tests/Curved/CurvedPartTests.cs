@@ -1,47 +1,17 @@
 using System;
 using System.Linq;
-using Caterpillar.Basics;
 using Caterpillar.Curved;
 using Caterpillar.Geometry;
 using Caterpillar.Machines;
 using Caterpillar.Tests.Geometry.Meshes;
-using Caterpillar.Toolpaths;
 using NUnit.Framework;
 
 namespace Caterpillar.Tests.Curved;
 
-/// <summary>The small parts of curved slicing, each by hand-computed numbers.</summary>
+/// <summary>Fields of curved layers and what they are made of, each by hand-computed numbers.</summary>
 public class CurvedPartTests
 {
     private static readonly PrintSettings Settings = new() { FirstLayerHeight = 0.2, LayerHeight = 0.2 };
-
-    // Nearly straight up from the nozzle for 2 mm, then 45 degrees outward: atan of 8 / 6.6, 5 / 3.6 and 2 / 0.6.
-    [TestCase(100, 100, 50.477369)]
-    [TestCase(3.6, 100, 54.246113)]
-    [TestCase(100, 5, 54.246113)]
-    [TestCase(100, 2, 73.300756)]
-    [TestCase(0.5, 100, 90)]
-    public void A_head_touches_slopes_with_the_end_of_its_outline_or_where_the_part_ends(double span, double rise, double degrees)
-    {
-        var printer = new Printer { HeadOutline = new([new(0.5, 0), new(0.6, 2), new(6.6, 8)]), HeadBoxes = new([]) };
-        Assert.That(HeadSlope.OfHead(printer, span, rise), Is.EqualTo(degrees).Within(1e-6));
-    }
-
-    [TestCase(-10, -10, 10, 10, 100, 100, 19.471221)]
-    [TestCase(-10, -10, 10, 10, 10, 100, 26.565051)]
-    [TestCase(-10, -10, 10, 10, 100, 5, 90)]
-    [TestCase(20, 0, 30, 10, 20, 100, 90)]
-    [TestCase(20, 0, 30, 10, 25, 100, 11.309932)]
-    [TestCase(-30, -10, -20, -5, 20.5, 100, 90)]
-    [TestCase(-30, -10, -20, -5, 25, 100, 11.309932)]
-    [TestCase(-30, -10, -20, -5, 99, 100, 8.984877)]
-    [TestCase(0, -30, 10, -20, 25, 100, 11.309932)]
-    public void A_box_of_the_head_touches_slopes_with_its_farthest_corner_over_the_part(
-        double x0, double y0, double x1, double y1, double span, double rise, double degrees)
-    {
-        var box = new Bounds(new Vec3(x0, y0, 5), new Vec3(x1, y1, 30));
-        Assert.That(HeadSlope.OfHead(new Printer { HeadOutline = new([new(0.5, 0)]), HeadBoxes = new([box]) }, span, rise), Is.EqualTo(degrees).Within(1e-6));
-    }
 
     [TestCase(0.5, 0.125)]
     [TestCase(-1, -1.5)]
@@ -62,19 +32,6 @@ public class CurvedPartTests
         var axis = new AxisStretch(0, 1, [1, 2, 2], kept: 1);
         Assert.That(AxisStretch.Inverse(axis, axis, 0.5, axis.At(at)), Is.EqualTo((at, stretch)).Using<(double, double)>(
             (p, q) => Math.Abs(p.Item1 - q.Item1) + Math.Abs(p.Item2 - q.Item2) < 1e-12));
-    }
-
-    [Test]
-    public void Moves_along_a_parabola_are_as_long_as_the_tolerance_allows()
-    {
-        var field = LayerField.Vertical(PlanSurface.Of((x, _) => x * x / 100, 1));
-        var path = new PrintPath([new Vec3(-20, 0, 1), new Vec3(20, 0, 1)], [new Bead(0.08, 0.2)], false);
-        var rules = new LiftRules(new PrintSettings { CurvedTolerance = 0.01 }, 0, 60, null, false);
-        var points = new PathLifter(field, rules, null).Lift(new PathStep(path)).Single().Path.Points;
-        var sags = points.Zip(points.Skip(1), (a, b) => (b.X - a.X) * (b.X - a.X) / 400).ToArray();
-        Assert.That(sags, Has.All.LessThan(0.01));
-        // At three quarters of the tolerance, in the middle where the chord is level, 1.73 mm.
-        Assert.That(sags, Has.Length.LessThan(28).And.Length.GreaterThan(20));
     }
 
     [Test]
@@ -132,38 +89,6 @@ public class CurvedPartTests
         Assert.That((LayerRules.LeastGap(own), LayerRules.GreatestGap(own)), Is.EqualTo((0.07, 0.4)));
     }
 
-    [Test]
-    public void Heights_on_a_grid_rise_no_faster_than_a_slope_in_all_directions()
-    {
-        var grid = new SlopeGrid(Vec3.Zero, 1, 9, 9);
-        var heights = Enumerable.Repeat(double.PositiveInfinity, 81).ToArray();
-        heights[4 * 9 + 4] = 7;
-        grid.Lower(heights, 0.5);
-        var (diagonal, knight) = (Math.Sqrt(2), Math.Sqrt(5));
-        foreach (var (x, y, length) in new[] { (1, 0, 1.0), (3, 0, 3), (1, 1, diagonal), (2, 2, 2 * diagonal), (2, 1, knight), (3, 1, 1 + knight) })
-        {
-            foreach (var (i, j) in new[] { (x, y), (-x, y), (x, -y), (-x, -y), (y, x), (-y, x), (y, -x), (-y, -x) })
-                Assert.That(heights[(4 + j) * 9 + 4 + i], Is.EqualTo(7 + 0.5 * length).Within(1e-12), $"{i}, {j}");
-        }
-        var over = SlopeGrid.Over(new Bounds(new Vec3(1, 2, 0), new Vec3(11, 22, 5)), 200);
-        Assert.That((over.Cell, over.Columns, over.Rows, over.Count), Is.EqualTo((1.0, 16, 26, 416)));
-        Assert.That((over.At(0), over.At(17)), Is.EqualTo((new Vec3(-1.5, -0.5), new Vec3(-0.5, 0.5))));
-        Assert.That(SlopeGrid.Over(new Bounds(Vec3.Zero, new Vec3(1, 1, 1)), 200).Cell, Is.EqualTo(0.4));
-    }
-
-    [Test]
-    public void A_layer_keeps_the_places_that_go_together()
-    {
-        var grid = new SlopeGrid(Vec3.Zero, 1, 5, 1);
-        var all = FixedLayer.Of(3, [(0, 0), (3, 1)], grid, 0.5);
-        Assert.That((all.Number, all.Places.Count), Is.EqualTo((3, 2)));
-        Assert.That(all.Upper, Is.EqualTo(new[] { 0, 0.5, 1, 1, 1.5 }).Within(1e-12));
-        Assert.That(all.Lower, Is.EqualTo(new[] { 0, 0, 0.5, 1, 0.5 }).Within(1e-12));
-        Assert.That(FixedLayer.Of(3, [(0, 0), (1, 0), (3, 5)], grid, 0.5).Places.Select(p => p.Node), Is.EqualTo(new[] { 0, 1 }));
-        Assert.That(FixedLayer.Of(3, [(0, 0), (2, 5), (3, 5)], grid, 0.5).Places.Select(p => p.Node), Is.EqualTo(new[] { 2, 3 }));
-        Assert.That(FixedLayer.Of(3, [(0, 0), (3, 5)], grid, 0.5).Upper[4], Is.EqualTo(2).Within(1e-12), "As many of both: the lower one stays.");
-    }
-
     [TestCase(0, 5, 0.5, 10, -0.05)]
     [TestCase(0, 10, 1, 10, -0.1)]
     [TestCase(0, 20, 1.5, 20, -0.05)]
@@ -198,74 +123,6 @@ public class CurvedPartTests
         Assert.That(moved.ToFlat(moved.ToPart(new Vec3(1, 2, 3))).DistanceTo(new Vec3(1, 2, 3)), Is.LessThan(1e-9));
         Assert.That(moved.Heights(5, 5, 2, 1).First - moved.Heights(5, 5, 2, 1).Second, Is.EqualTo(1).Within(1e-9));
         if (zeroAt == 0) Assert.That(moved, Is.SameAs(field));
-    }
-
-    [Test]
-    public void A_transformed_surface_has_the_heights_and_slopes_of_its_places()
-    {
-        var plan = PlanSurface.Of((x, _) => 0.1 * x, 5);
-        void Same(Affine map, double x, double y, double height, double byX, double byY, double detail)
-        {
-            var moved = plan.Transformed(map);
-            var slope = moved.Slope(x, y);
-            Assert.That(new[] { moved.Height(x, y), slope.ByX, slope.ByY, moved.Detail }, Is.EqualTo(new[] { height, byX, byY, detail }).Within(1e-6));
-        }
-        Same(Affine.Move(new Vec3(5, 0, 2)), 15, 0, 3, 0.1, 0, 5);
-        Same(Affine.Scale(2, 3, 4), 2, 0, 0.4, 0.2, 0, 10);
-        Same(Affine.Rotate(Vec3.UnitZ, 90), 0, 10, 1, 0, 0.1, 5);
-        Assert.That(plan.Transformed(Affine.Identity), Is.SameAs(plan));
-        Assert.That(() => plan.Transformed(Affine.Rotate(Vec3.UnitX, 10)), Throws.ArgumentException);
-        Assert.That(() => plan.Transformed(Affine.Scale(1, 1, 0)), Throws.ArgumentException);
-        Assert.That(PlanSurface.Level(3).Moved(new Vec3(0, 0, 1)).IsLevel, Is.True);
-        Assert.That(plan.IsLevel, Is.False);
-    }
-
-    [TestCase(45, 4, 6, -5)]
-    [TestCase(-45, 4, 6, 5)]
-    [TestCase(45, 1, 2, 0)]
-    [TestCase(45, -2, -2, -5)]
-    public void A_cone_falls_from_its_axis(double degrees, double x, double y, double height)
-    {
-        Assert.That(PlanSurface.Cone(new Vec3(1, 2), degrees).Height(x, y), Is.EqualTo(height).Within(1e-9));
-        Assert.That(() => PlanSurface.Cone(Vec3.Zero, 80.1), Throws.InstanceOf<ArgumentOutOfRangeException>());
-        Assert.That(() => PlanSurface.Cone(Vec3.Zero, double.NaN), Throws.InstanceOf<ArgumentOutOfRangeException>());
-        Assert.That(() => PlanSurface.Cone(Vec3.Zero, -80), Throws.Nothing);
-    }
-
-    [TestCase(3, 4, 1.5, 0.5)]
-    [TestCase(20, 5, 5, 0.5)]
-    [TestCase(-10, 5, 0, 0.5)]
-    [TestCase(5, 30, 2.5, 0.5)]
-    [TestCase(10, 10, 5, 0.5)]
-    public void Beyond_its_edge_a_mesh_has_the_height_where_one_comes_to_it(double x, double y, double height, double byX)
-    {
-        var mesh = TriMesh.Create([new Vec3(0, 0, 0), new Vec3(10, 0, 5), new Vec3(10, 10, 5), new Vec3(0, 10, 0)], [0, 1, 2, 0, 2, 3]);
-        var plan = PlanSurface.Of(mesh);
-        Assert.That(plan.Height(x, y), Is.EqualTo(height).Within(1e-6));
-        Assert.That(plan.Slope(x, y).ByX, Is.EqualTo(byX).Within(1e-9));
-        Assert.That(plan.Slope(x, y).ByY, Is.Zero.Within(1e-9));
-        Assert.That(plan.Covers(x, y), Is.EqualTo(x is >= 0 and <= 10 && y is >= 0 and <= 10));
-        Assert.That(plan.Covers(10.01, 5), Is.True, "By rounding.");
-        Assert.That(plan.Covers(10.03, 5), Is.False);
-        foreach (var (dx, dy) in new[] { (-1, 0), (0, 1), (0, -1), (1, 1), (-1, -1), (1, -1) })
-        {
-            Assert.That(plan.Covers(5 + 5.01 * dx, 5 + 5.01 * dy), Is.True, $"{dx}, {dy}");
-            Assert.That(plan.Covers(5 + 5.03 * dx, 5 + 5.03 * dy), Is.False, $"{dx}, {dy}");
-        }
-        Assert.That(PlanSurface.OnBed(mesh.Moved(new Vec3(0, 0, -2))).Height(x, y), Is.EqualTo(plan.Covers(x, y) ? Math.Max(0, height - 2) : 0).Within(1e-6));
-    }
-
-    [TestCase("curved.plan_empty", 0, 0, 0)]
-    [TestCase("curved.plan_vertical", 0, 0, 5)]
-    [TestCase("curved.plan_upside_down", 0, 5, 0)]
-    public void A_surface_without_heights_is_reported(string code, double x, double y, double z)
-    {
-        var empty = x + y + z == 0;
-        var mesh = TriMesh.Create(empty ? [] : [Vec3.Zero, new Vec3(x, y, z), new Vec3(9, 0)], empty ? [] : [0, 1, 2]);
-        var problems = new DiagnosticList();
-        PlanSurface.Of(mesh).Check(problems);
-        Assert.That(problems.ToList().Select(d => d.Code), Is.EqualTo(new[] { code }));
-        Assert.That(PlanSurface.Of(mesh).Moved(new Vec3(1, 0)).Height(99, 99), Is.Not.NaN);
     }
 
     private static TriMesh TwoTowers()
@@ -309,95 +166,5 @@ public class CurvedPartTests
         var towers = TwoTowers();
         var two = new SurfaceSlope(towers, towers.Vertices.Select(p => p.X < 15 ? p.Z / 4 : p.Z / 8).ToArray());
         Assert.That((two.Thickness(0.3), two.Thickness(0.4)), Is.EqualTo((4.0, 8.0)).Within(1e-9), "A third is the lower one.");
-    }
-
-    private static JoinedExtrusion Joined(params (double X, double Y, Bead Bead)[] pieces)
-    {
-        var joined = new JoinedExtrusion(0.01, 0.1);
-        var at = Vec3.Zero;
-        foreach (var (x, y, bead) in pieces)
-        {
-            joined.Add(at, new Vec3(x, y), bead, keepsStart: false);
-            at = new Vec3(x, y);
-        }
-        return joined;
-    }
-
-    [Test]
-    public void Pieces_of_an_extrusion_are_joined_where_a_line_does_and_keep_their_volume()
-    {
-        Bead Of(double area, double height = 0.2, double speed = 30) => new(area, height, speed);
-        int Pieces(double x, double y, Bead next) => Joined((1, 0, Of(1)), (x, y, next)).Beads.Count;
-        Assert.That(Pieces(3, 0, Of(1)), Is.EqualTo(1));
-        Assert.That(Pieces(3, 0, Of(1.09)), Is.EqualTo(1));
-        Assert.That(Pieces(3, 0, Of(0.91)), Is.EqualTo(1));
-        Assert.That(Pieces(3, 0, Of(1.2)), Is.EqualTo(2));
-        Assert.That(Pieces(3, 0, Of(0.8)), Is.EqualTo(2));
-        Assert.That(Pieces(3, 0, Of(1, speed: 40)), Is.EqualTo(2));
-        Assert.That(Pieces(3, 0, Of(1, height: 0)), Is.EqualTo(2));
-        Assert.That(Pieces(0.5, 0, Of(1)), Is.EqualTo(2), "Back.");
-        Assert.That(Pieces(2, 0.019, Of(1)), Is.EqualTo(1));
-        Assert.That(Pieces(2, 0.03, Of(1)), Is.EqualTo(2));
-        var mean = Joined((1, 0, Of(1, 0.2)), (4, 0, Of(1.08, 0.3)));
-        Assert.That((mean.Beads[0].Area, mean.Beads[0].Height), Is.EqualTo((1.06, 0.275)).Within(1e-12));
-        Assert.That(mean.Points, Is.EqualTo(new[] { Vec3.Zero, new Vec3(4, 0) }));
-        Assert.That(Joined((1, 0, Of(1)), (2, 0, Of(1.06)), (3, 0, Of(0.94))).Beads, Has.Count.EqualTo(2), "Both ends of the range count.");
-        Assert.That(Joined((1, 0.009, Of(1)), (2, 0.009, Of(1)), (9, -0.02, Of(1))).Beads, Has.Count.EqualTo(2), "All points that were passed count.");
-        Assert.That(Joined([.. Enumerable.Range(1, 60).Select(i => ((double)i, 0.0, Of(1)))]).Beads, Has.Count.EqualTo(2), "49 at most.");
-        var kept = new JoinedExtrusion(0.01, 0.1);
-        kept.Add(Vec3.Zero, new Vec3(1, 0), Of(1), false);
-        kept.Add(new Vec3(1, 0), new Vec3(2, 0), Of(1), true);
-        Assert.That((kept.Points.Count, kept.Beads.Count), Is.EqualTo((3, 2)));
-        kept.Clear();
-        kept.Add(new Vec3(5, 5), new Vec3(6, 5), Of(2), false);
-        Assert.That(kept.Points, Is.EqualTo(new[] { new Vec3(5, 5), new Vec3(6, 5) }));
-    }
-
-    [TestCase(15, 15, 0)]
-    [TestCase(10.5, 19.5, 0)]
-    [TestCase(25, 15, -5)]
-    [TestCase(4, 15, -6)]
-    [TestCase(15, 2, -8)]
-    [TestCase(15, 27, -7)]
-    [TestCase(25, 25, -7.071)]
-    [TestCase(6, 7, -5)]
-    [TestCase(99, 15, -10.37)]
-    public void Against_overhangs_layers_fall_with_the_distance_from_the_foot(double x, double y, double height)
-    {
-        Assert.That(Descending.Value.Height(x, y), Is.EqualTo(height).Within(x > 50 ? 0.7 : 0.03));
-        Assert.That(Flatter.Value.Height(x, y), Is.EqualTo(Descending.Value.Height(x, y) / Math.Sqrt(3)).Within(1e-9));
-    }
-
-    [Test]
-    public void Details_against_overhangs_are_four_cells()
-    {
-        Assert.That(Descending.Value.Detail, Is.EqualTo(1));
-        Assert.That(new OverhangPlan(Region.Rectangle(1, 10, 8, 20), new Bounds(Vec3.Zero, new Vec3(9, 400, 10)), 45).Detail, Is.EqualTo(4));
-    }
-
-    private static readonly Lazy<OverhangPlan> Descending = new(() => Against(45));
-    private static readonly Lazy<OverhangPlan> Flatter = new(() => Against(30));
-
-    private static OverhangPlan Against(double degrees)
-        => new(Region.Rectangle(10, 10, 20, 20), new Bounds(Vec3.Zero, new Vec3(30, 30, 10)), degrees);
-
-    [TestCase(0.5, 0, 1, 0)]
-    [TestCase(0, 0.5, 0, 1)]
-    [TestCase(0.3, 0.3, 0.70710678, 0.70710678)]
-    [TestCase(0.3, -0.3, 0.70710678, -0.70710678)]
-    public void Slopes_of_layers_are_measured_along_and_across_their_main_direction(double byX, double byY, double cos, double sin)
-    {
-        var field = LayerField.Vertical(PlanSurface.Of((x, y) => byX * x + byY * y));
-        var samples = SlopeSamples.Of(field, PartColumns.Of([MeshMaker.Box(0, 0, 0, 10, 10, 6)]), 5, 3)!;
-        Assert.That(new[] { Math.Abs(samples.Cos), samples.Sin * Math.Sign(samples.Cos + 1e-3) }, Is.EqualTo(new[] { cos, sin }).Within(1e-3));
-        var most = Math.Sqrt(1 + byX * byX + byY * byY);
-        Assert.That(samples.Most, Is.EqualTo(most).Within(1e-6));
-        for (var level = 0; level < 3; level++)
-        {
-            var (u, v) = samples.Axes(level);
-            foreach (var at in new[] { -3.0, 0, 4.4, 9, 30 })
-                Assert.That((u.At(at + 1) - u.At(at), v.At(at + 1) - v.At(at)), Is.EqualTo((most, 1.0)).Within(1e-6));
-        }
-        Assert.That(SlopeSamples.Of(LayerField.Of(_ => 1.0), PartColumns.Of([MeshMaker.Box(0, 0, 0, 10, 10, 6)]), 5, 3), Is.Null);
     }
 }
