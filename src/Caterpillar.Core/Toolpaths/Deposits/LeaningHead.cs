@@ -144,11 +144,24 @@ internal sealed class LeaningHead(Kinematics kinematics, IReadOnlyList<(double R
         return false;
     }
 
-    private static ConvexBody[] Frustums(Affine a, Affine b, (double Radius, double Height)[] points)
-        => [.. Enumerable.Range(0, Math.Max(0, points.Length - 1)).Select(i => Hull(a, b, [points[i], points[i + 1]]))];
+    private static ConvexBody[] Frustums(in Affine a, in Affine b, (double Radius, double Height)[] points)
+    {
+        var bodies = new ConvexBody[Math.Max(0, points.Length - 1)];
+        for (var i = 0; i < bodies.Length; i++) bodies[i] = Hull(a, b, [points[i], points[i + 1]]);
+        return bodies;
+    }
 
-    private static ConvexBody Hull(Affine a, Affine b, (double Radius, double Height)[] points)
-        => new([.. points.SelectMany(p => new[] { a, b }, (p, at) => new Disc(at.Shift + at.ZAxis * p.Height, at.ZAxis, p.Radius))]);
+    private static ConvexBody Hull(in Affine a, in Affine b, (double Radius, double Height)[] points)
+    {
+        var discs = new Disc[2 * points.Length];
+        for (var i = 0; i < points.Length; i++)
+        {
+            var (radius, height) = points[i];
+            discs[2 * i] = new Disc(a.Shift + a.ZAxis * height, a.ZAxis, radius);
+            discs[2 * i + 1] = new Disc(b.Shift + b.ZAxis * height, b.ZAxis, radius);
+        }
+        return new ConvexBody(discs);
+    }
 
     private static (double Radius, double Height)[] Whole(IReadOnlyList<(double Radius, double Height)> outline)
         => [.. outline, (outline[outline.Count - 1].Radius, outline[outline.Count - 1].Height + Above)];

@@ -22,7 +22,7 @@ internal sealed class StrandGrid
     private const double Touch = 1e-6;
 
     // Sides of the boxes, of the boxes in them, and of those in these, mm.
-    private static readonly double[] Sides = [16 * Small, 4 * Small, Small];
+    private static readonly double[] Sides = [16 * Small, 4 * Small, Small, Small / 4];
     private readonly Dictionary<(int, int, int), Box> _boxes = [];
     private readonly List<Strand> _near = [];
 
@@ -65,30 +65,10 @@ internal sealed class StrandGrid
     public IReadOnlyList<Strand> Near(ConvexBody body, double distance, Vec3 apart, Func<Bounds, bool>? comes = null)
     {
         _near.Clear();
-        var around = body.Bounds.Grow(distance);
         // What is there mostly lies below the lowest point of a head: most of it is told apart by this alone.
         var low = Vec3.Dot(body.Farthest(-apart), apart) - distance;
-        Visit(_boxes, 0);
+        Visit(_boxes, 0, new Query(body.Bounds.Grow(distance), apart, low, comes));
         return _near;
-
-        void Visit(Dictionary<(int, int, int), Box> boxes, int level)
-        {
-            foreach (var box in Around(boxes, around, Sides[level]))
-            {
-                if (!IsNear(box.Bounds)) continue;
-                if (level + 1 < Sides.Length) Visit(box.Parts, level + 1);
-                foreach (var row in box.Rows)
-                {
-                    if (!IsNear(row.Bounds)) continue;
-                    foreach (var strand in row.Strands)
-                    {
-                        if (IsNear(strand.Bounds)) _near.Add(strand);
-                    }
-                }
-            }
-        }
-
-        bool IsNear(in Bounds bounds) => Overlap(bounds, around) && Highest(bounds, apart) >= low && comes?.Invoke(bounds) != false;
     }
 
     /// <summary>Distance from a point backward along a direction to what is there, mm; infinity for nothing.</summary>
@@ -120,15 +100,16 @@ internal sealed class StrandGrid
         ConvexBody Ray(double length) => new(new Disc(p, direction, 0), new Disc(p - direction * length, direction, 0));
     }
 
-    // The boxes around a place; what is in them may stand out.
-    private IEnumerable<Box> Around(Dictionary<(int, int, int), Box> boxes, Bounds around, double side)
+    // What is in the boxes around a place may stand out of them.
+    private void Visit(Dictionary<(int, int, int), Box> boxes, int level, in Query query)
     {
-        var (low, high) = (around.Grow(_reach).Min, around.Grow(_reach).Max);
+        var side = Sides[level];
+        var (low, high) = (query.Around.Grow(_reach).Min, query.Around.Grow(_reach).Max);
         var count = (high.X - low.X + 2 * side) * (high.Y - low.Y + 2 * side) * (high.Z - low.Z + 2 * side) / (side * side * side);
         if (count > boxes.Count)
         {
-            foreach (var pair in boxes) yield return pair.Value;
-            yield break;
+            foreach (var pair in boxes) Visit(pair.Value, level, query);
+            return;
         }
         for (var x = Index(low.X, side); x <= Index(high.X, side); x++)
         {
@@ -136,21 +117,27 @@ internal sealed class StrandGrid
             {
                 for (var z = Index(low.Z, side); z <= Index(high.Z, side); z++)
                 {
-                    if (boxes.TryGetValue((x, y, z), out var box)) yield return box;
+                    if (boxes.TryGetValue((x, y, z), out var box)) Visit(box, level, query);
                 }
             }
         }
     }
 
-    private static bool Overlap(Bounds a, Bounds b)
-        => a.Min.X <= b.Max.X && b.Min.X <= a.Max.X && a.Min.Y <= b.Max.Y && b.Min.Y <= a.Max.Y && a.Min.Z <= b.Max.Z && b.Min.Z <= a.Max.Z;
+    private void Visit(Box box, int level, in Query query)
+    {
+        if (!query.IsNear(box.Bounds)) return;
+        if (level + 1 < Sides.Length) Visit(box.Parts, level + 1, query);
+        foreach (var row in box.Rows)
+        {
+            if (!query.IsNear(row.Bounds)) continue;
+            foreach (var strand in row.Strands)
+            {
+                if (query.IsNear(strand.Bounds)) _near.Add(strand);
+            }
+        }
+    }
 
     private static int Index(double x, double side) => (int)Math.Floor(x / side);
-
-    // The end of a box along a direction.
-    private static double Highest(in Bounds box, Vec3 direction)
-        => Math.Max(box.Min.X * direction.X, box.Max.X * direction.X) + Math.Max(box.Min.Y * direction.Y, box.Max.Y * direction.Y)
-            + Math.Max(box.Min.Z * direction.Z, box.Max.Z * direction.Z);
 
     private void Put(Strand strand, Vec3 middle)
     {
@@ -161,7 +148,7 @@ internal sealed class StrandGrid
             var box = Find(boxes, (Index(middle.X, side), Index(middle.Y, side), Index(middle.Z, side)));
             box.Bounds = box.Bounds.Include(strand.Bounds);
             boxes = box.Parts;
-            if (side == Small) box.Add(strand);
+            if (side == Sides[Sides.Length - 1]) box.Add(strand);
         }
     }
 
@@ -169,6 +156,21 @@ internal sealed class StrandGrid
     {
         if (!boxes.TryGetValue(place, out var box)) boxes.Add(place, box = new Box());
         return box;
+    }
+
+    // What reaches into a box, and as high along a direction as a height, and where a body comes to.
+    private readonly struct Query(Bounds around, Vec3 apart, double low, Func<Bounds, bool>? comes)
+    {
+        public Bounds Around => around;
+
+        public bool IsNear(in Bounds box)
+            => box.Min.X <= around.Max.X && around.Min.X <= box.Max.X && box.Min.Y <= around.Max.Y && around.Min.Y <= box.Max.Y
+                && box.Min.Z <= around.Max.Z && around.Min.Z <= box.Max.Z && Highest(box) >= low && comes?.Invoke(box) != false;
+
+        // The end of a box along the direction.
+        private double Highest(in Bounds box)
+            => Math.Max(box.Min.X * apart.X, box.Max.X * apart.X) + Math.Max(box.Min.Y * apart.Y, box.Max.Y * apart.Y)
+                + Math.Max(box.Min.Z * apart.Z, box.Max.Z * apart.Z);
     }
 
     private sealed class Box
