@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using Caterpillar.Curved;
 using Caterpillar.Geometry;
@@ -29,10 +30,24 @@ public class LiftedPathTests
         var at = Vec3.Zero;
         foreach (var (x, y, bead) in pieces)
         {
-            joined.Add(at, new Vec3(x, y), bead, keepsStart: false);
+            joined.Add(at, new Vec3(x, y), bead, (bead.Area, bead.Area), keepsStart: false);
             at = new Vec3(x, y);
         }
         return joined;
+    }
+
+    // A layer of a fan, whose gap grows evenly along the line.
+    [TestCase(10)]
+    [TestCase(3)]
+    public void Along_a_move_the_gap_changes_by_no_more_than_its_share(double percent)
+    {
+        var field = LayerField.Between(PlanSurface.Level(0), PlanSurface.Of((x, _) => 5 + 0.125 * x));
+        var path = new PrintPath([new Vec3(0, 5, 0.5), new Vec3(40, 5, 0.5)], [new Bead(0.009, 0.02)], false);
+        var rules = new LiftRules(new PrintSettings { CurvedGapStep = percent }, 0.06, 60, null, false);
+        var points = new PathLifter(field, rules, null).Lift(new PathStep(path)).Single().Path.Points;
+        var changes = points.Zip(points.Skip(1), (a, b) => 1 - a.Z / b.Z).ToArray();
+        Assert.That(changes, Has.All.LessThan(percent / 100));
+        Assert.That(changes, Has.Length.LessThan(1.3 * Math.Log(2) / Math.Log(1 + percent / 100) + 1));
     }
 
     [Test]
@@ -57,11 +72,11 @@ public class LiftedPathTests
         Assert.That(Joined((1, 0.009, Of(1)), (2, 0.009, Of(1)), (9, -0.02, Of(1))).Beads, Has.Count.EqualTo(2), "All points that were passed count.");
         Assert.That(Joined([.. Enumerable.Range(1, 60).Select(i => ((double)i, 0.0, Of(1)))]).Beads, Has.Count.EqualTo(2), "49 at most.");
         var kept = new JoinedExtrusion(0.01, 0.1);
-        kept.Add(Vec3.Zero, new Vec3(1, 0), Of(1), false);
-        kept.Add(new Vec3(1, 0), new Vec3(2, 0), Of(1), true);
+        kept.Add(Vec3.Zero, new Vec3(1, 0), Of(1), (1, 1), false);
+        kept.Add(new Vec3(1, 0), new Vec3(2, 0), Of(1), (1, 1), true);
         Assert.That((kept.Points.Count, kept.Beads.Count), Is.EqualTo((3, 2)));
         kept.Clear();
-        kept.Add(new Vec3(5, 5), new Vec3(6, 5), Of(2), false);
+        kept.Add(new Vec3(5, 5), new Vec3(6, 5), Of(2), (2, 2), false);
         Assert.That(kept.Points, Is.EqualTo(new[] { new Vec3(5, 5), new Vec3(6, 5) }));
     }
 }

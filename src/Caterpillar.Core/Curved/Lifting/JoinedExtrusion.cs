@@ -26,32 +26,38 @@ internal sealed class JoinedExtrusion(double tolerance, double share)
         _passed.Clear();
     }
 
-    /// <summary>A piece that begins where the one before ended, with points that it passes between its ends, mm.</summary>
-    public void Add(Vec3 from, Vec3 to, Bead bead, bool keepsStart, params IEnumerable<Vec3> between)
+    /// <summary>A piece that begins where the one before ended.</summary>
+    /// <param name="from">Its start, mm.</param>
+    /// <param name="to">Its end, mm.</param>
+    /// <param name="bead">Its bead.</param>
+    /// <param name="areas">Least and greatest area that there is room for along it, mm².</param>
+    /// <param name="keepsStart">It is not joined to the piece before.</param>
+    /// <param name="between">Points that it passes between its ends, mm.</param>
+    public void Add(Vec3 from, Vec3 to, Bead bead, (double Least, double Most) areas, bool keepsStart, params IEnumerable<Vec3> between)
     {
         var length = from.DistanceTo(to);
         if (Points.Count == 0) Points.Add(from);
         var passed = _passed.Count;
         _passed.AddRange(between);
-        if (!keepsStart && Beads.Count > 0 && Fits(to, bead))
+        if (!keepsStart && Beads.Count > 0 && Fits(to, bead, areas))
         {
             _passed.Add(from);
-            (_least, _most) = (Math.Min(_least, bead.Area), Math.Max(_most, bead.Area));
+            (_least, _most) = (Math.Min(_least, areas.Least), Math.Max(_most, areas.Most));
             (_volume, _heights, _length) = (_volume + bead.Area * length, _heights + bead.Height * length, _length + length);
             Points[Points.Count - 1] = to;
             Beads[Beads.Count - 1] = new Bead(_volume / Points[Points.Count - 2].DistanceTo(to), _heights / _length, bead.Speed);
             return;
         }
         _passed.RemoveRange(0, passed);
-        (_least, _most, _volume, _heights, _length) = (bead.Area, bead.Area, bead.Area * length, bead.Height * length, length);
+        (_least, _most, _volume, _heights, _length) = (areas.Least, areas.Most, bead.Area * length, bead.Height * length, length);
         Points.Add(to);
         Beads.Add(bead);
     }
 
-    private bool Fits(Vec3 to, Bead bead)
+    private bool Fits(Vec3 to, Bead bead, (double Least, double Most) areas)
     {
         if (_passed.Count >= Longest || bead.Speed != Beads[Beads.Count - 1].Speed) return false;
-        double least = Math.Min(_least, bead.Area), most = Math.Max(_most, bead.Area);
+        double least = Math.Min(_least, areas.Least), most = Math.Max(_most, areas.Most);
         if (most - least > share * most + 1e-12 || bead.Height > 0 != Beads[Beads.Count - 1].Height > 0) return false;
         var start = Points[Points.Count - 2];
         if (start.DistanceTo(to) <= start.DistanceTo(Points[Points.Count - 1])) return false;

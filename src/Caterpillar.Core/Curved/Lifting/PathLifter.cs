@@ -159,8 +159,9 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
             gap = Mean();
         }
         // The area among flat layers that the extrusion covers, times the gap.
-        var area = bead.Area / (bead.Height > 0 ? bead.Height : 1) * gap * m.Area * a.Flat.DistanceTo(b.Flat) / length;
-        _extrusion.Add(a.Part, b.Part, new Bead(area, bead.Height > 0 ? gap * normal.Z : 0, bead.Speed), isFirst, _between);
+        var width = bead.Area / (bead.Height > 0 ? bead.Height : 1) * m.Area * a.Flat.DistanceTo(b.Flat) / length;
+        var areas = (width * _samples.Min(s => s.Gap), width * _samples.Max(s => s.Gap));
+        _extrusion.Add(a.Part, b.Part, new Bead(width * gap, bead.Height > 0 ? gap * normal.Z : 0, bead.Speed), areas, isFirst, _between);
     }
 
     // The mean gap of the move, by Simpson's rule.

@@ -62,7 +62,11 @@ internal sealed class SheetTracer(SheetWalls walls, LiftRules rules, SliceRules 
         if (sunk >= 0) Report.Below.Note(length, sunk, from);
         if (slope > rules.MaxSlope) Report.Steep.Note(length, slope, from);
         if (sunk >= 0 || (slope > rules.MaxSlope && rules.Partial)) End();
-        else _extrusion.Add(from, to, new Bead(_bead.Area / _bead.Height * height, height), keepsStart: false);
+        else
+        {
+            var area = _bead.Area / _bead.Height * height;
+            _extrusion.Add(from, to, new Bead(area, height), (area, area), keepsStart: false);
+        }
     }
 
     private double Sunk(Vec3 point) => rules.Onto!.Height(point.X, point.Y) - point.Z;
