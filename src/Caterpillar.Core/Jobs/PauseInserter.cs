@@ -19,10 +19,10 @@ internal static class PauseInserter
     {
         var block = toolpath.BlockOf(before.Index);
         var columns = toolpath.Blocks[block].Columns;
-        var editor = BlockEditor.At(toolpath, toolpath.FirstOf(block));
+        var editor = ToolpathBuilder.At(toolpath, toolpath.FirstOf(block));
         var at = before.Index - toolpath.FirstOf(block);
         editor.Add(columns, 0, at);
-        editor.From(columns, at);
+        editor.Line = columns.Line?[at] ?? 0;
         var made = Moves(toolpath, before, setup, editor);
         editor.Add(columns, at, columns.Count);
         // The head waits after retracting, rising and parking.
@@ -38,7 +38,7 @@ internal static class PauseInserter
         => e.Move == before.Index && before.Kind != MoveKind.Dwell && toolpath.HomeOf(before) is null;
 
     // As many moves after the pause as before it.
-    private static int Moves(Toolpath toolpath, Move before, PrintSetup setup, BlockEditor editor)
+    private static int Moves(Toolpath toolpath, Move before, PrintSetup setup, ToolpathBuilder editor)
     {
         var (printer, speed) = (setup.Printer, setup.Settings.TravelSpeed);
         var from = before.Start;

@@ -14,7 +14,7 @@ internal sealed class MoveRemover(Toolpath toolpath, MoveSet removed)
     private readonly List<MoveEvent> _events = [];
     private readonly SortedDictionary<int, Balance> _tools = [];
     private (int Tool, Balance? Balance) _last = (-1, null);
-    private BlockEditor? _editor;
+    private ToolpathBuilder? _editor;
     private Vec3 _position = toolpath.Start ?? Vec3.Zero;
     private double _travelSpeed;
     private double _retractSpeed;
@@ -45,7 +45,7 @@ internal sealed class MoveRemover(Toolpath toolpath, MoveSet removed)
             }
             var size = RoomForRepairs;
             for (var i = 0; i < columns.Count; i++) size += removed[first + i] ? 0 : 1;
-            _editor = BlockEditor.At(toolpath, first, size);
+            _editor = ToolpathBuilder.At(toolpath, first, size);
             for (var i = 0; i < columns.Count; i++)
             {
                 // Events before such a move come with the next one.
@@ -77,7 +77,7 @@ internal sealed class MoveRemover(Toolpath toolpath, MoveSet removed)
 
     private void Step(Move move, int block, int i)
     {
-        _editor!.From(toolpath.Blocks[block].Columns, i);
+        _editor!.Line = toolpath.Blocks[block].Columns.Line?[i] ?? 0;
         if (toolpath.HomeOf(move) is { } home)
         {
             Events(move.Index);
@@ -97,7 +97,7 @@ internal sealed class MoveRemover(Toolpath toolpath, MoveSet removed)
         var dwell = move.Kind == MoveKind.Dwell ? TakeDwell(move.Index) : null;
         Events(move.Index);
         Repair(move);
-        if (dwell is not null) _events.Add(new MoveEvent(_made, dwell));
+        if (dwell is { } waits) _events.Add(waits with { Move = _made });
         _editor.Add(toolpath.Blocks[block].Columns, i, i + 1);
         _made++;
         Kept(move);
@@ -179,13 +179,13 @@ internal sealed class MoveRemover(Toolpath toolpath, MoveSet removed)
     }
 
     // The event of a dwell moves with the dwell.
-    private DwellEvent? TakeDwell(int move)
+    private MoveEvent? TakeDwell(int move)
     {
-        DwellEvent? dwell = null;
+        MoveEvent? dwell = null;
         Events(move - 1);
         for (; _nextEvent < toolpath.Events.Count && toolpath.Events[_nextEvent].Move == move; _nextEvent++)
         {
-            if (dwell is null && toolpath.Events[_nextEvent].Event is DwellEvent taken) dwell = taken;
+            if (dwell is null && toolpath.Events[_nextEvent].Event is DwellEvent) dwell = toolpath.Events[_nextEvent];
             else _events.Add(toolpath.Events[_nextEvent] with { Move = _made });
         }
         return dwell;

@@ -88,7 +88,7 @@ internal sealed class PrintCut
         var end = _toolpath[_printEnd - 1].End;
         var height = Math.Max(SafeHeight, end.Z);
         var block = _toolpath.BlockOf(_lowerEnd - 1);
-        var editor = BlockEditor.At(_toolpath, _toolpath.FirstOf(block));
+        var editor = ToolpathBuilder.At(_toolpath, _toolpath.FirstOf(block));
         editor.Add(_toolpath.Blocks[block].Columns, 0, _lowerEnd - _toolpath.FirstOf(block));
         void Add(Vec3 to, double e, double speed, MoveKind kind) => editor.Add(to, e, 0, speed, kind, Role.Unspecified, last.Layer, last.Tool, -1, null);
         // Where the end code retracts, once is enough.
@@ -111,7 +111,7 @@ internal sealed class PrintCut
         var first = First;
         var line = Lines.Upper;
         var block = _toolpath.BlockOf(_upper);
-        var editor = BlockEditor.At(_toolpath, _upper);
+        var editor = ToolpathBuilder.At(_toolpath, _upper);
         void Add(Vec3 to, double e, double speed, MoveKind kind) => editor.Add(to, e, 0, speed, kind, Role.Unspecified, first.Layer, first.Tool, -1, null);
         Add(first.Start.WithZ(Math.Max(SafeHeight, first.Start.Z)), 0, _travelSpeed, MoveKind.Travel);
         Add(first.Start, 0, ZSpeed, MoveKind.Travel);
@@ -123,7 +123,7 @@ internal sealed class PrintCut
     }
 
     // The end code, not below this height up to the first move that homes Z.
-    private void CopyEnd(BlockEditor editor, double height)
+    private void CopyEnd(ToolpathBuilder editor, double height)
     {
         for (var number = _printEnd; number < _toolpath.Count; number++)
         {
@@ -131,7 +131,7 @@ internal sealed class PrintCut
             var block = _toolpath.BlockOf(number);
             var (c, i) = (_toolpath.Blocks[block].Columns, number - _toolpath.FirstOf(block));
             if (_toolpath.HomeOf(move) is { Z: true }) height = double.NegativeInfinity;
-            editor.From(c, i);
+            editor.Line = c.Line?[i] ?? 0;
             editor.Add(move.End.WithZ(Math.Max(move.End.Z, height)), move.E, move.Deposited, move.Speed, move.Kind, move.Role, move.Layer, move.Tool,
                 move.Source, move.Arc);
             editor.Turn(c, i);

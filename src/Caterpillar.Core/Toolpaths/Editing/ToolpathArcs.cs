@@ -23,7 +23,7 @@ internal static class ToolpathArcs
             points[0] = toolpath.StartOf(block);
             for (var i = 0; i < columns.Count; i++) points[i + 1] = new Vec3(columns.X[i], columns.Y[i], columns.Z[i]);
             var fitter = new ArcFitter(points, tolerance);
-            BlockEditor? editor = null;
+            ToolpathBuilder? editor = null;
             var run = 0;
             for (var i = 0; i < columns.Count;)
             {
@@ -34,7 +34,7 @@ internal static class ToolpathArcs
                 {
                     if (editor is null)
                     {
-                        editor = new BlockEditor(columns.Count, toolpath.Blocks[block].File);
+                        editor = ToolpathBuilder.At(toolpath, first, columns.Count);
                         editor.Add(columns, 0, i);
                     }
                     double e = 0, deposited = 0;
@@ -43,7 +43,7 @@ internal static class ToolpathArcs
                         e += columns.E[k];
                         deposited += columns.Deposited[k];
                     }
-                    editor.From(columns, i);
+                    editor.Line = columns.Line?[i] ?? 0;
                     editor.Add(points[fit.End], e, deposited, columns.Speed[i], MoveKind.Print, columns.Role[i], columns.Layer[i], columns.Tool[i],
                         columns.Source[i], fit.Arc);
                     i = fit.End;

@@ -13,7 +13,7 @@ internal sealed class ToolpathMapper(Toolpath toolpath, MoveSet mapped, RunMap m
     private const int LongestLocalRun = 2048;
     private readonly List<ToolpathBlock> _blocks = [];
     private readonly List<MoveEvent> _events = [];
-    private BlockEditor? _editor;
+    private ToolpathBuilder? _editor;
     private MoveRun? _run;
     private int _piece;
     private Vec3 _position;
@@ -30,10 +30,10 @@ internal sealed class ToolpathMapper(Toolpath toolpath, MoveSet mapped, RunMap m
             var first = toolpath.FirstOf(block);
             var count = toolpath.Blocks[block].Count;
             if (AddWhole(block, first, count)) continue;
-            _editor = BlockEditor.At(toolpath, first);
+            _editor = ToolpathBuilder.At(toolpath, first);
             for (var i = first; i < first + count; i++)
             {
-                _editor.From(toolpath.Blocks[block].Columns, i - first);
+                _editor.Line = toolpath.Blocks[block].Columns.Line?[i - first] ?? 0;
                 Step(toolpath[i]);
                 _editor.Turn(toolpath.Blocks[block].Columns, i - first);
             }

@@ -12,36 +12,38 @@ internal sealed class BlockCollector(
     private readonly List<ToolpathBlock> _blocks = [];
     private readonly List<int> _arcMoves = [];
     private readonly List<Arc> _arcs = [];
-    private readonly List<int> _turnMoves = [];
-    private readonly List<Vec3> _turns = [];
     private int _sealed;
 
     public ToolpathColumns Columns { get; private set; } = new(Math.Min(firstSize, blockSize));
+
+    /// <summary>Rotary axes of the moves that are added, in degrees. Null = none.</summary>
+    public Vec3? Turns { private get; set; }
 
     /// <summary>The full blocks.</summary>
     public IReadOnlyList<ToolpathBlock> Blocks => _blocks;
 
     public bool IsInMemory => file is null;
 
+    public bool Keeps => keeps;
+
     /// <summary>Number of moves so far.</summary>
     public int Count => _sealed + Columns.Count;
 
     public bool IsFull => Columns.Count == Columns.Capacity;
 
-    /// <summary>Makes space for more moves. Returns the full block if there is one and it is kept.</summary>
-    public ToolpathColumns? Grow()
+    /// <summary>Makes space for more moves, in another block if somebody takes the current one. Returns that block unless it has grown.</summary>
+    public ToolpathColumns? Grow(bool isTaken = true)
     {
-        if (Columns.Capacity < blockSize)
+        if (IsFull && Columns.Capacity < blockSize)
         {
             Columns = Columns.Copy(Math.Min(Math.Max(Columns.Capacity * 4, firstSize), blockSize));
             return null;
         }
         var full = Columns;
         Seal();
-        Columns = keeps ? new ToolpathColumns(blockSize) : full;
-        if (keeps) return full;
-        full.Count = 0;
-        return null;
+        Columns = keeps || isTaken ? new ToolpathColumns(blockSize) : full;
+        Columns.Count = 0;
+        return full;
     }
 
     /// <summary>Adds a move, if there is room, and returns its number in the block.</summary>
@@ -58,6 +60,7 @@ internal sealed class BlockCollector(
         c.Tool[i] = tool;
         c.Layer[i] = layer;
         c.Source[i] = source;
+        HoldTurns(i, i + 1);
         return i;
     }
 
@@ -68,11 +71,17 @@ internal sealed class BlockCollector(
         _arcs.Add(arc);
     }
 
-    /// <summary>Sets the rotary axes of the last move, in degrees. Other moves do not turn them.</summary>
+    /// <summary>Sets the rotary axes of the last move, in degrees, and of those after it.</summary>
     public void Turn(Vec3 turns)
     {
-        _turnMoves.Add(Count - 1);
-        _turns.Add(turns);
+        Turns = turns;
+        HoldTurns(Columns.Count - 1, Columns.Count);
+    }
+
+    /// <summary>Keeps the rotary axes where they are in some moves of the current block.</summary>
+    public void HoldTurns(int from, int to)
+    {
+        if (Turns is { } turns) Buffers.Fill(Columns.Turns ??= new Vec3[Columns.Capacity], from, to, turns);
     }
 
     /// <summary>Other numbers for the layers of all moves so far.</summary>
@@ -91,8 +100,8 @@ internal sealed class BlockCollector(
         Columns.Count = 0;
         _arcMoves.Clear();
         _arcs.Clear();
-        _turnMoves.Clear();
-        _turns.Clear();
+        Columns.Turns = null;
+        Turns = null;
     }
 
     public IReadOnlyList<ToolpathBlock> ToBlocks()
@@ -102,27 +111,7 @@ internal sealed class BlockCollector(
             if (Columns.Count < Columns.Capacity / 2) Columns = Columns.Copy(Columns.Count);
             Seal();
         }
-        if (_turns.Count > 0) FillTurns();
         return _blocks;
-    }
-
-    // Columns from the block of the first turn on.
-    private void FillTurns()
-    {
-        int next = 0, first = 0;
-        var now = Vec3.Zero;
-        for (var block = 0; block < _blocks.Count; first += _blocks[block++].Count)
-        {
-            if (_turnMoves[0] >= first + _blocks[block].Count) continue;
-            var columns = _blocks[block].Columns.Share();
-            columns.Turns = new Vec3[columns.Capacity];
-            for (var i = 0; i < columns.Count; i++)
-            {
-                while (next < _turnMoves.Count && _turnMoves[next] <= first + i) now = _turns[next++];
-                columns.Turns[i] = now;
-            }
-            Replace(block, columns);
-        }
     }
 
     // In a new column: whoever follows may still read the old one.

@@ -21,6 +21,12 @@ public sealed class ToolpathBuilder
     /// <summary>Start of the first move, mm. Null if unknown.</summary>
     public Vec3? Start { get; }
 
+    /// <summary>A builder for an edited toolpath from a move on, with room for so many at first. Rotary axes stay until a move turns them.</summary>
+    internal static ToolpathBuilder At(Toolpath toolpath, int move, int size = FirstSize) => new(MoveSource.Lines, null)
+    {
+        Moves = new(ToolpathBlock.Capacity, size, toolpath.Blocks[toolpath.BlockOf(move)].File) { Turns = move > 0 ? toolpath.TurnsOf(move - 1) : null },
+    };
+
     /// <summary>Position of the head after the moves so far, mm.</summary>
     public Vec3 Position { get; private set; }
 
@@ -68,9 +74,10 @@ public sealed class ToolpathBuilder
     internal void Add(in Move move)
         => Add(move.End, move.E, move.Deposited, move.Speed, move.Kind, move.Role, move.Layer, move.Tool, move.Source, move.Arc);
 
-    /// <summary>Adds a run of moves of some columns.</summary>
+    /// <summary>Adds a run of moves of some columns, with their rotary axes.</summary>
     internal void Add(ToolpathColumns columns, int from, int to)
     {
+        if (from >= to) return;
         while (from < to)
         {
             if (_moves.IsFull) Grow();
@@ -81,8 +88,10 @@ public sealed class ToolpathBuilder
                 if (columns.TryGetArc(i, out var arc)) _moves.AddArc(c.Count + i - from, arc);
             }
             c.Append(columns, from, count);
+            if (columns.Turns is null) _moves.HoldTurns(c.Count - count, c.Count);
             from += count;
         }
+        Turn(columns, to - 1);
         Position = new Vec3(columns.X[to - 1], columns.Y[to - 1], columns.Z[to - 1]);
     }
 
@@ -93,6 +102,14 @@ public sealed class ToolpathBuilder
         columns.Turns ??= new Vec3[columns.Capacity];
         columns.Turns[columns.Count - 1] = turns;
     }
+
+    /// <summary>Sets the rotary axes of the last move, and of those after it, from a move of some columns.</summary>
+    internal void Turn(ToolpathColumns columns, int move)
+    {
+        if (columns.Turns is { } turns && Count > 0) _moves.Turn(turns[move]);
+    }
+
+    internal IReadOnlyList<ToolpathBlock> ToBlocks() => _moves.ToBlocks();
 
     /// <summary>Returns the toolpath. Do not use the builder afterwards.</summary>
     public Toolpath Build(IEnumerable<ToolpathTool> tools) => Build(tools, null);

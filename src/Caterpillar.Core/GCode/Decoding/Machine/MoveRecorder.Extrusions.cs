@@ -87,5 +87,6 @@ internal sealed partial class MoveRecorder
         Buffers.Fill(c.Tool, from, to, tool);
         Buffers.Fill(c.Kind, from, to, MoveKind.Print);
         Buffers.Fill(c.Role, from, to, role);
+        _moves.HoldTurns(from, to);
     }
 }
