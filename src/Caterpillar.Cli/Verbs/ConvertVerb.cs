@@ -47,8 +47,12 @@ internal sealed class ConvertVerb : Verb
             Flavor = CommonOptions.FlavorOf(arguments.GetValue(_from)), Memory = session.Memory,
             FilamentDiameter = Numbers.Diameter(arguments.GetValue(_diameter), "--filament-diameter"),
         };
-        if (target is null or { Flavor: null, Volumetric: null } && output != "-" && !BinaryGCode.IsName(output) && IsUnedited(arguments))
-            return ChangeNotation(file, output, reading, target, session);
+        if (target is null or { Flavor: null, Volumetric: null } && output != "-" && !BinaryGCode.IsName(output) && IsUnchecked(arguments))
+        {
+            if (_edits.AreNone(arguments)) return WhileDecoding(file, output, reading, target, null, session);
+            if (target is null && Partwise(file, reading, arguments, session) is { } edits)
+                return WhileDecoding(file, output, reading, null, new FollowingEditor(edits.ApplyTo), session);
+        }
         var decoding = session.Decode(file, reading with { KeepsText = true });
         var job = new FileJob(decoding, reading) { Code = _edits.Code(arguments), Target = target };
         job = _edits.Half(Edited(job, arguments, session), arguments, session);
@@ -56,43 +60,62 @@ internal sealed class ConvertVerb : Verb
         var summary = session.Quiet && !session.Collects ? null
             : Task.Run(() => (Edits: EditSummary.Of(decoding.Toolpath, job.Toolpath), Print: PrintFigures.Of(decoding, job.Toolpath)));
         var written = Write(output, job, arguments, session);
-        session.Made(() => summary!.Result.Print, written.Lines, written.Bytes,
-            print => $"{Session.NameOfOutput(output)}: {Changes(summary!.Result.Edits, job)}; "
-                + $"{PrintSummary.Of(print)}; {NumberFormatter.Format(written.Lines)} lines, {PrintSummary.Size(written.Bytes)}");
-        return ExitCode.Done;
+        return Made(output, written, () => summary!.Result.Print, () => Changes(summary!.Result.Edits, job), session);
     }
 
     public override bool ReplacesInput(ParseResult arguments) => arguments.GetValue(_inPlace);
 
     // Nothing of it has to be kept.
-    private static int ChangeNotation(string file, string output, DecodeOptions reading, ConvertOptions? target, Session session)
+    private static int WhileDecoding(string file, string output, DecodeOptions reading, ConvertOptions? target, FollowingEditor? editor, Session session)
     {
         DecodedGCode? decoding = null;
         CountingStream? counted = null;
-        var sums = new ToolpathSums();
-        session.Write(output, stream => decoding = session.ValueOrFail(GCodeConverter.WhileDecoding(
-            options => session.Decode(file, options), reading with { Sums = sums }, target, counted = new CountingStream(stream))));
-        session.Made(() => PrintFigures.Of(decoding!, decoding!.Toolpath, sums), counted!.Lines, counted.Bytes,
-            print => $"{Session.NameOfOutput(output)}: {(target is null ? "nothing changed" : "notation converted")}; "
-                + $"{PrintSummary.Of(print)}; {NumberFormatter.Format(counted.Lines)} lines, {PrintSummary.Size(counted.Bytes)}");
+        var sums = editor?.Sums ?? new ToolpathSums();
+        session.Write(output, stream => decoding = session.ValueOrFail(GCodeConverter.WhileDecoding(options => session.Decode(file, options),
+            reading with { Sums = editor is null ? sums : null }, target, counted = new CountingStream(stream), editor)));
+        IEnumerable<string> changes = editor is not null ? EditSummary.Of(editor.Difference) : target is not null ? ["notation converted"] : [];
+        var written = new WrittenGCode(counted!.Bytes, counted.Lines, 0);
+        return Made(output, written, () => PrintFigures.Of(decoding!, decoding!.Toolpath, sums), () => Listed(changes), session);
+    }
+
+    private static int Made(string output, WrittenGCode written, Func<PrintFigures> print, Func<string> changes, Session session)
+    {
+        session.Made(print, written.Lines, written.Bytes, print => $"{Session.NameOfOutput(output)}: {changes()}; {PrintSummary.Of(print)}; "
+            + $"{NumberFormatter.Format(written.Lines)} lines, {PrintSummary.Size(written.Bytes)}");
         return ExitCode.Done;
     }
 
-    private bool IsUnedited(ParseResult arguments)
-        => arguments.GetValue(_arcs) != "fit" && arguments.GetValue(_reason) is null && !_setup.IsGiven(arguments)
-            && _edits.All.All(o => arguments.GetResult(o) is null or { Implicit: true });
-
-    private static string Changes(string edits, FileJob job)
+    // The edits, if they can be made while the file is decoded. Its first MB, which is read twice, says whether comments mark the layers.
+    private FileEdits? Partwise(string file, DecodeOptions reading, ParseResult arguments, Session session)
     {
-        string[] parts =
+        if (!_edits.AreNone(arguments, true) || !File.Exists(file) || new FileInfo(file).Length == 0) return null;
+        using var stream = session.OpenRead(file);
+        if (GCodeDecoder.DecodeStream(stream, reading with { KeepsMoves = false, MostChunks = 16 }).Value is not { } head) return null;
+        try
+        {
+            var edits = _edits.Of(head.Toolpath, Tolerance(arguments), () => Pausing(arguments, session), arguments, session);
+            return edits.CanFollow(head) ? edits : null;
+        }
+        catch (CliException)
+        {
+            // What the file itself has to say comes first.
+            return null;
+        }
+    }
+
+    private bool IsUnchecked(ParseResult arguments)
+        => arguments.GetValue(_arcs) != "fit" && arguments.GetValue(_reason) is null && !_setup.IsGiven(arguments);
+
+    private static string Changes(IEnumerable<string> edits, FileJob job)
+        => Listed(
         [
-            edits, job.Code.Start is null ? "" : "start G-code replaced", job.Code.End is null ? "" : "end G-code replaced",
+            .. edits, job.Code.Start is null ? "" : "start G-code replaced", job.Code.End is null ? "" : "end G-code replaced",
             job.Flavor != job.File.Flavor ? $"converted from {job.File.Flavor.Title} to {job.Flavor.Title}"
                 : job.Target is not null ? "notation converted" : "",
-        ];
-        var changes = string.Join(", ", parts.Where(p => p.Length > 0));
-        return changes.Length > 0 ? changes : "nothing changed";
-    }
+        ]);
+
+    private static string Listed(IEnumerable<string> changes)
+        => string.Join(", ", changes.Where(c => c.Length > 0)) is { Length: > 0 } listed ? listed : "nothing changed";
 
     private string Output(string file, ParseResult arguments)
     {

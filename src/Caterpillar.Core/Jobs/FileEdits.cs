@@ -46,6 +46,18 @@ public sealed record FileEdits
 
     internal bool Moves => Scale is not null || Rotate is not null || Move is not null || Deform is not null;
 
+    /// <summary>
+    /// True if they can be made while a file is decoded, of which the beginning is known: they act on each extrusion by itself, heights stay, no outlines of
+    /// objects move, and the print does not stand on a part.
+    /// </summary>
+    internal bool CanFollow(DecodedGCode head)
+    {
+        if (head.FirstLayerLine == 0 || head.Axis == ExtrusionAxis.Switched || Filter != new MoveFilter()) return false;
+        if (Scale is not null || Rotate is not null || Deform is not null || PauseAtLayers.Count + AtLayers.Count > 0 || Remove || FitArcs > 0) return false;
+        return Move is not { } shift || (shift.Z == 0 && Flow is null
+            && !head.Ignored.ContainsKey(OutlineFigures.Command) && !head.Settings.ContainsKey(Continuation.Setting));
+    }
+
     /// <summary>The edited toolpath, or the same one without edits.</summary>
     /// <returns>The toolpath, or none if a layer is missing (<c>toolpath.no_layer</c>) or a deformation gives no point; the warnings
     /// <c>edit.nothing_selected</c> and <c>edit.no_e_values</c>, and the note <c>edit.nonuniform_scale</c>.</returns>
@@ -57,8 +69,7 @@ public sealed record FileEdits
         var extrusions = filter with { Kinds = [MoveKind.Print] };
         if (Filter != new MoveFilter() && !toolpath.Moves().Any(m => extrusions.Matches(toolpath, m)))
             found.Add(new Diagnostic(Severity.Warning, "edit.nothing_selected", "The selection has no extrusions in this file, so nothing is edited."));
-        if (Speed is { } speed) toolpath = toolpath.ScaleSpeed(extrusions, speed);
-        if (Flow is { } flow) toolpath = toolpath.ScaleFlow(extrusions, flow);
+        toolpath = WithSpeedAndFlow(toolpath, extrusions);
         if (Scale is { } scale) found.AddRange(ScaleNotes(toolpath, extrusions, scale));
         if (Map(toolpath, extrusions) is { } map) toolpath = toolpath.Transform(filter, map, Tolerance);
         foreach (var change in Changes(filter, extrusions))
@@ -75,6 +86,22 @@ public sealed record FileEdits
                 + $"{NumberFormatter.Format(layer.Z - layer.Thickness, 3)} mm, with nothing below it. To continue on a part that stands there, keep the "
                 + "layers above a height (--keep-above). Otherwise move the print down."));
         return new Result<Toolpath>(toolpath, found);
+    }
+
+    /// <summary>The next part of a print, whose image begins at a position. Null = the first.</summary>
+    internal Toolpath ApplyTo(Toolpath part, Vec3? position)
+    {
+        var filter = new MoveFilter { FirstLayer = int.MinValue };
+        part = WithSpeedAndFlow(part, filter with { Kinds = [MoveKind.Print] });
+        return Move is not { } shift ? part
+            : new ToolpathMapper(part, MappedMoves.Of(part, filter, position is not null), new AffineRunMap(Affine.Move(shift), Tolerance), Tolerance)
+                .Run(position ?? part.Start ?? Vec3.Zero);
+    }
+
+    private Toolpath WithSpeedAndFlow(Toolpath toolpath, MoveFilter extrusions)
+    {
+        if (Speed is { } speed) toolpath = toolpath.ScaleSpeed(extrusions, speed);
+        return Flow is { } flow ? toolpath.ScaleFlow(extrusions, flow) : toolpath;
     }
 
     /// <summary>The height in mm above which all layers, and nothing else, are removed. Null = other edits.</summary>

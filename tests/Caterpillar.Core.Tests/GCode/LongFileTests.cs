@@ -33,6 +33,9 @@ public class LongFileTests
         ["remove"] = new FileEdits { Remove = true, Filter = new MoveFilter { FirstLayer = 3, LastLayer = 4 } },
     };
 
+    private static readonly FileEdits[] Followable =
+        [new() { Speed = 0.9 }, new() { Move = new Vec3(10, -5.25) }, new() { Speed = 1.5, Move = new Vec3(0.125, 300) }, new() { Flow = 1.1, Speed = 2 }];
+
     [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Chosen))]
     public void A_file_has_the_same_moves(string file)
     {
@@ -86,6 +89,43 @@ public class LongFileTests
         if (expected is not null) Assert.That(stream.ToArray().SequenceEqual(expected), Is.True);
     }
 
+    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Chosen))]
+    public void Speeds_and_places_change_while_a_file_is_decoded_as_they_do_afterwards(string file)
+        => AssertFollowed(GCodeFiles.Bytes(file), Followable[GCodeFiles.NumberOf(file) % Followable.Length]);
+
+    [Test]
+    public void The_same_holds_for_random_programs_of_many_blocks()
+    {
+        FlavorRules[] flavors = [.. FlavorTable.All.Where(f => f.ExtruderLetters.Length > 0)];
+        for (var seed = 0; seed < 6; seed++)
+        {
+            var random = new Random(seed);
+            var text = RandomProgram.Text(random, flavors[random.Next(flavors.Length)], 1500);
+            AssertFollowed(Encoding.UTF8.GetBytes(text), Followable[seed % Followable.Length]);
+        }
+    }
+
+    [TestCase("G28\nG1 X5 Y5\nG1 E2\n;LAYER:0\nG1 X9 Y9 F600\nG1 E1\nG1 X1 E1\nG1 E-1\nG28 X Y\nG1 X2\nG1 E1\nG1 X9 E1\nG1 E-1\nG1 Z9\nG1 X0\n")]
+    [TestCase("G1 X1 Y1 E1\n;LAYER:0\nG1 X9 E1\nG2 X5 Y5 I1 J1\nG3 X9 Y1 I1 J1 E1\nG0 X3 A90\nG1 X7 E1\nG1 E-1\nG1 E1\nG2 X1 Y1 I-3 J0\nM84\n")]
+    [TestCase("G1 X1 Y1 Z0.2\n;LAYER:0\nG1 X9\nG1 X1\n;LAYER:1\nG1 Y9 F900\nG4 P1\n")]
+    public void The_same_holds_for_travels_at_both_ends(string text)
+    {
+        foreach (var edits in Followable) AssertFollowed(Encoding.ASCII.GetBytes(text), edits);
+    }
+
+    [TestCase("G1 X1 Y1 E1\n", false)]
+    [TestCase(";LAYER:0\nG1 X1 Y1 E1\n", true)]
+    [TestCase("EXCLUDE_OBJECT_DEFINE NAME=a CENTER=1,1\n;LAYER:0\nG1 X1 Y1 E1\n", false)]
+    [TestCase("; continues_at_z_mm = 5\n;LAYER:0\nG1 X1 Y1 E1\n", false)]
+    public void A_print_is_moved_while_it_is_decoded_where_its_beginning_says_all_that_must_be_known(string text, bool can)
+    {
+        var head = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(text)).Value!;
+        Assert.That(new FileEdits { Move = new Vec3(1, 2) }.CanFollow(head), Is.EqualTo(can));
+        Assert.That(new FileEdits { Move = new Vec3(1, 2, 3) }.CanFollow(head), Is.False);
+        Assert.That(new FileEdits { Speed = 2 }.CanFollow(head), Is.EqualTo(text[0] != 'G'));
+        Assert.That(new FileEdits { Speed = 2, Filter = new MoveFilter { Tool = 0 } }.CanFollow(head), Is.False);
+    }
+
     [TestCase("cu_overlap_bfb_M101.gcode")]
     [TestCase("s3r_nested_smoothie_volE_fwr.gcode")]
     public void Checks_find_the_same(string file)
@@ -109,6 +149,24 @@ public class LongFileTests
             foreach (var size in new[] { 1, 7, 1000, ToolpathBlock.Capacity })
                 Assert.That(JsonConvert.SerializeObject(PrintStatistics.Of(Cut(toolpath, size), setup)), Is.EqualTo(expected), $"{cornering} {size}");
         }
+    }
+
+    private static void AssertFollowed(byte[] bytes, FileEdits edits)
+    {
+        var whole = GCodeDecoder.Decode(bytes).Value!;
+        if (!edits.CanFollow(whole)) return;
+        var edited = edits.Apply(whole.Toolpath).Value!;
+        using var stream = new MemoryStream();
+        var editor = new FollowingEditor(edits.ApplyTo);
+        var followed = GCodeConverter.WhileDecoding(
+            options => GCodeDecoder.DecodeStream(new MemoryStream(bytes), options).Value!, new DecodeOptions(), null, stream, editor);
+        Assert.That(followed.Value!.Toolpath.Count, Is.Zero);
+        Assert.That(Encoding.UTF8.GetString(stream.ToArray()), Is.EqualTo(Encoding.UTF8.GetString(GCodeEditor.ToDocument(whole, edited).Value!.ToBytes())));
+        Assert.That(editor.Difference, Is.EqualTo(ToolpathDifference.Of(whole.Toolpath, edited)));
+        var (totals, expected) = (editor.Sums.ToTotals(edited.Tools), ToolpathTotals.Of(edited));
+        Assert.That((totals.PrintMoves, totals.TravelMoves, totals.PrintBounds), Is.EqualTo((expected.PrintMoves, expected.TravelMoves, expected.PrintBounds)));
+        Assert.That(totals.PrintLength, Is.EqualTo(expected.PrintLength).Within(1e-9).Percent);
+        Assert.That(totals.DepositedE, Is.EqualTo(expected.DepositedE).Within(1e-9).Percent);
     }
 
     private static DecodedGCode InParts(byte[] bytes)

@@ -81,11 +81,11 @@ public class ToolpathMappingTests
     {
         var before = Decode("G90\nM83\n;TYPE:Skirt\nG0 X1 Y1 Z0.2 F6000\nG1 X11 E1 F600\n;TYPE:Perimeter\n;LAYER:0\nG0 X20 Y20\nG1 X24 E1\nG1 Y29 E2\n");
         var faster = before.ScaleSpeed(new MoveFilter { Kinds = [MoveKind.Print] }, 2);
-        Assert.That(ToolpathDifference.Of(before, before), Is.EqualTo(new ToolpathDifference(0, 0, 0)));
-        Assert.That(ToolpathDifference.Of(before, faster), Is.EqualTo(new ToolpathDifference(0, 3, 0)));
+        Assert.That(ToolpathDifference.Of(before, before), Is.EqualTo(new ToolpathDifference(0, 0, 0, 5, 5)));
+        Assert.That(ToolpathDifference.Of(before, faster), Is.EqualTo(new ToolpathDifference(0, 3, 0, 5, 5)));
         Assert.That(ToolpathDifference.Of(before, faster.Transform(Affine.Scale(2, 2, 1)).ScaleFlow(MoveFilter.Prints, 2)),
-            Is.EqualTo(new ToolpathDifference(5, 3, 3)));
-        Assert.That(() => ToolpathDifference.Of(before, Decode("G1 X1\n")), Throws.ArgumentException);
+            Is.EqualTo(new ToolpathDifference(5, 3, 3, 5, 5)));
+        Assert.That(ToolpathDifference.Of(before, Decode("G1 X1\n")), Is.EqualTo(new ToolpathDifference(0, 0, 0, 5, 1)));
         var totals = ToolpathTotals.Of(before);
         Assert.That((totals.PrintLength, totals.DepositedE), Is.EqualTo((23.0, 4.0)));
         Assert.That(totals.DepositedVolume, Is.EqualTo(4 * ExtrusionModel.FilamentAreaOf(1.75)).Within(1e-9));

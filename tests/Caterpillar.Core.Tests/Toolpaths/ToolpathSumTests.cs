@@ -98,17 +98,17 @@ public class ToolpathSumTests
     [TestCase(9e-10, 0)]
     [TestCase(1.1e-9, 1)]
     public void Ends_differ_beyond_a_billionth_of_a_millimeter(double shift, int shifted)
-        => Assert.That(ToolpathDifference.Of(One(0, 10, 1), One(shift, 10, 1)), Is.EqualTo(new ToolpathDifference(shifted, 0, 0)));
+        => Assert.That(ToolpathDifference.Of(One(0, 10, 1), One(shift, 10, 1)), Is.EqualTo(new ToolpathDifference(shifted, 0, 0, 1, 1)));
 
     [TestCase(9e-10, 0)]
     [TestCase(1.1e-9, 1)]
     public void Speeds_differ_beyond_a_billionth(double more, int speeds)
-        => Assert.That(ToolpathDifference.Of(One(0, 1, 1), One(0, 1 + more, 1)), Is.EqualTo(new ToolpathDifference(0, speeds, 0)));
+        => Assert.That(ToolpathDifference.Of(One(0, 1, 1), One(0, 1 + more, 1)), Is.EqualTo(new ToolpathDifference(0, speeds, 0, 1, 1)));
 
     [TestCase(9e-13, 0)]
     [TestCase(1.2e-12, 1)]
     public void Amounts_differ_beyond_the_rounding_of_sums(double more, int amounts)
-        => Assert.That(ToolpathDifference.Of(One(0, 1, 1), One(0, 1, 1 + more)), Is.EqualTo(new ToolpathDifference(0, 0, amounts)));
+        => Assert.That(ToolpathDifference.Of(One(0, 1, 1), One(0, 1, 1 + more)), Is.EqualTo(new ToolpathDifference(0, 0, amounts, 1, 1)));
 
     [Test]
     public void Toolpaths_in_other_blocks_are_compared_move_by_move()
@@ -117,15 +117,15 @@ public class ToolpathSumTests
         var moves = Enumerable.Range(0, 10).ToArray();
         var a = Blocks(moves, 3, 4, 3);
         var b = Blocks(moves, 5, 5);
-        Assert.That(ToolpathDifference.Of(a, b), Is.EqualTo(new ToolpathDifference(0, 0, 0)));
-        Assert.That(ToolpathDifference.Of(b, a), Is.EqualTo(new ToolpathDifference(0, 0, 0)));
+        Assert.That(ToolpathDifference.Of(a, b), Is.EqualTo(new ToolpathDifference(0, 0, 0, 10, 10)));
+        Assert.That(ToolpathDifference.Of(b, a), Is.EqualTo(new ToolpathDifference(0, 0, 0, 10, 10)));
         var c = Blocks([0, 1, 2, 3, 99, 5, 6, 7, 8, 98], 5, 5);
-        Assert.That(ToolpathDifference.Of(a, c), Is.EqualTo(new ToolpathDifference(2, 2, 2)));
+        Assert.That(ToolpathDifference.Of(a, c), Is.EqualTo(new ToolpathDifference(2, 2, 2, 10, 10)));
         var (one, two) = (Blocks([0, 1, 2], 3), Blocks([5, 6], 2));
         var twice = one.With([one.Blocks[0], two.Blocks[0], one.Blocks[0]]);
         var turned = one.With([two.Blocks[0], one.Blocks[0], one.Blocks[0]]);
         // 0 1 2 5 6 0 1 2 against 5 6 0 1 2 0 1 2.
-        Assert.That(ToolpathDifference.Of(twice, turned), Is.EqualTo(new ToolpathDifference(5, 5, 5)));
+        Assert.That(ToolpathDifference.Of(twice, turned), Is.EqualTo(new ToolpathDifference(5, 5, 5, 8, 8)));
     }
 
     private static Toolpath Blocks(int[] numbers, params int[] sizes)

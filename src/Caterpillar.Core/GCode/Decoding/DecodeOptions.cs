@@ -19,12 +19,12 @@ public sealed record DecodeOptions
     public MemoryLimit Memory { get; init; } = MemoryLimit.Default;
 
     /// <summary>
-    /// Called for each full block of moves, but not the last one, on the reading thread. Blocks and chunks are smaller then, so that others can start early and
-    /// the data stays in the cache.
+    /// Called for each full block of moves, and for the last one if moves are not kept, on the reading thread. Blocks and chunks are smaller then, so that
+    /// others can start early and the data stays in the cache.
     /// </summary>
     internal Action<DecodedBlock>? Take { get; init; }
 
-    /// <summary>False for the report alone. The toolpath has no moves then, nobody takes them, and memory does not grow with the file.</summary>
+    /// <summary>False where nobody needs all moves: the toolpath has none. For those who take them, all layers are one, which a comment begins.</summary>
     internal bool KeepsMoves { get; init; } = true;
 
     /// <summary>Adds up all moves, kept or not. Null = nobody.</summary>
@@ -35,6 +35,9 @@ public sealed record DecodeOptions
 
     /// <summary>Called before a stream is decoded, with what is known of it: its flavor and first lines. Returns who takes its chunks, too.</summary>
     internal Func<DecodedGCode, Action<ChunkParser, Checkpoint>>? Follow { get; init; }
+
+    /// <summary>Number of chunks after which decoding ends.</summary>
+    internal int MostChunks { get; init; } = int.MaxValue;
 
     /// <summary>Number of bytes per chunk.</summary>
     internal int ChunkSize => KeepsText || Follow is not null ? GCodeChunk.Target : Take is null && KeepsMoves ? 1024 * 1024 : 64 * 1024;

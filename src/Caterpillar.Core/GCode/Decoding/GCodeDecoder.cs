@@ -63,7 +63,7 @@ public static class GCodeDecoder
     {
         var tail = source.Tail();
         var text = options.KeepsText ? new List<GCodeChunk>() : null;
-        var read = ChunkReader.Read(source.Text, options.ChunkSize, cancel);
+        var read = ChunkReader.Read(source.Text, options.ChunkSize, cancel).Take(options.MostChunks);
         using var chunks = (text is null ? read : GCodeDocument.Kept(read, text, options.Memory)).GetEnumerator();
         var head = new List<GCodeChunk>();
         var seen = 0L;
@@ -110,6 +110,7 @@ public static class GCodeDecoder
         var axis = input.Axis.In(rules);
         var interpreter = new GCodeInterpreter(rules, options.Rule, axis);
         interpreter.Machine.Moves.Begin(options.NewBlocks, options.Take, options.Sums);
+        interpreter.Machine.Moves.Layers.AreAlike = options is { KeepsMoves: false, Take: not null };
         var problems = interpreter.Machine.Diagnostics.List;
         if (axis != input.Axis && (input.Axis == ExtrusionAxis.E || input.Axis == ExtrusionAxis.Switched))
             problems.Add(Severity.Warning, "gcode.no_extruder", rules.Title + " has no extruder on " + input.Axis.Name + ". Extrusion is left out.");
@@ -119,7 +120,7 @@ public static class GCodeDecoder
         var follow = options.Follow?.Invoke(
             new DecodedGCode(new Toolpath([], [], [], [new ToolpathTool(null)], null, MoveSource.Lines), new DecodeReport(interpreter), rules)
             {
-                Document = new GCodeDocument(input.First!, name), Rule = options.Rule, Axis = axis,
+                Document = new GCodeDocument(input.First!, name), Rule = options.Rule, Axis = axis, LastModeLine = int.MaxValue,
             });
         long bytes = 0;
         ChunkPipeline.Run(
@@ -131,8 +132,8 @@ public static class GCodeDecoder
             {
                 var parser = parsed.Value;
                 if (lines == 0) mark = TextEncoding.MarkLength(parser.Chunk!) > 0;
-                checkpoints?.Add(new Checkpoint(lines, interpreter.Save(), interpreter.LastEvents.Count));
-                follow?.Invoke(parser, new Checkpoint(lines, interpreter.Save(), 0));
+                checkpoints?.Add(new Checkpoint(lines, interpreter.Save()));
+                follow?.Invoke(parser, new Checkpoint(lines, interpreter.Save()));
                 interpreter.Run(parser, lines);
                 lines = GCodeDocument.AddLines(lines, parser.Count);
                 bytes = done;

@@ -7,13 +7,11 @@ internal static class GCodeConverter
 {
     /// <summary>Converts a file that was decoded with its document, perhaps with start and end G-code for the target.</summary>
     /// <returns>The diagnostics. If they contain errors, nothing was written.</returns>
-    /// <exception cref="ArgumentException">The file was decoded from a stream, without its document.</exception>
     /// <exception cref="IOException">The stream cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
     public static IReadOnlyList<Diagnostic> Convert(DecodedGCode decoding, ConvertOptions options, EditOptions? code, Stream stream,
         IProgress<double>? progress = null, CancellationToken cancel = default)
     {
-        if (decoding.Document is null) throw new ArgumentException(GCodeEditor.NoDocument, nameof(decoding));
         var problems = new DiagnosticList();
         using var splicer = Begin(decoding, options, code, stream, problems);
         if (splicer is null) return problems.ToList();
@@ -24,32 +22,38 @@ internal static class GCodeConverter
     }
 
     /// <summary>
-    /// Converts a file to another notation of its own flavor, or copies it without options, while it is decoded, so that its text is parsed once, and neither
-    /// text nor moves are kept. If there are errors, discard the output.
+    /// Converts a file to another notation of its own flavor, edits it, or copies it without options, while it is decoded, so that its text is parsed once, and
+    /// neither text nor moves are kept. If there are errors, discard the output.
     /// </summary>
     public static Result<DecodedGCode> WhileDecoding(
-        Func<DecodeOptions, DecodedGCode> decode, DecodeOptions reading, ConvertOptions? options, Stream stream)
+        Func<DecodeOptions, DecodedGCode> decode, DecodeOptions reading, ConvertOptions? options, Stream stream, FollowingEditor? editor = null)
     {
         var problems = new DiagnosticList();
         Splicer? splicer = null;
         // Of one chunk, while the next is decoded.
         var work = Task.CompletedTask;
+        void Later(Action write)
+        {
+            work.GetAwaiter().GetResult();
+            work = Task.Run(write);
+        }
         try
         {
             var decoding = decode(reading with
             {
                 KeepsMoves = false,
+                Take = editor is null ? null : editor.Take,
                 Follow = known =>
                 {
-                    splicer = options is null ? null : Begin(known, options, null, stream, problems)!;
-                    Action<ChunkParser, Checkpoint> write = splicer is null ? (parsed, _) => parsed.Chunk!.WriteTo(stream) : splicer.Write;
-                    return (parsed, before) =>
-                    {
-                        work.GetAwaiter().GetResult();
-                        work = Task.Run(() => write(parsed, before));
-                    };
+                    splicer = editor is not null ? new Splicer(known, known.Toolpath, new SplicePlan(), stream)
+                        : options is null ? null : Begin(known, options, null, stream, problems)!;
+                    Action<ChunkParser, Checkpoint, Toolpath?> write = splicer is null ? (parsed, _, _) => parsed.Chunk!.WriteTo(stream) : splicer.Write;
+                    if (editor is null) return (parsed, before) => Later(() => write(parsed, before, null));
+                    editor.Writer = (parsed, before, moves) => Later(() => write(parsed, before, moves));
+                    return editor.Take;
                 },
             });
+            editor?.Finish();
             work.GetAwaiter().GetResult();
             splicer?.Finish();
             problems.AddRange(splicer?.Diagnostics.ToList() ?? []);
@@ -65,7 +69,7 @@ internal static class GCodeConverter
 
     private static Splicer? Begin(DecodedGCode decoding, ConvertOptions options, EditOptions? code, Stream stream, DiagnosticList problems)
         => ConvertTarget.Of(decoding, options, problems) is not { } target ? null
-            : new Splicer(decoding, decoding.Toolpath, SplicePlan.Of(decoding, decoding.Toolpath), stream, target,
+            : new Splicer(decoding, decoding.Toolpath, new SplicePlan(), stream, target,
                 (code ?? new EditOptions()) with { Cuts = [], Threads = options.Threads });
 
     private static Diagnostic? Rounded(DecodedGCode decoding, ConvertOptions options)

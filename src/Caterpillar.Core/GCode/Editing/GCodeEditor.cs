@@ -31,22 +31,17 @@ public sealed record EditOptions
 /// </summary>
 internal static class GCodeEditor
 {
-    public const string NoDocument = "The decoded file has no document. Decode it from a document or a file, not from a stream.";
-
     /// <summary>Writes the file with the moves of <paramref name="edited"/>: the decoded toolpath after edits that keep the order of its moves.</summary>
     /// <returns>The diagnostics. If they contain errors, nothing was written.</returns>
-    /// <exception cref="ArgumentException">The file was decoded from a stream, without its document.</exception>
     /// <exception cref="IOException">The stream cannot be written.</exception>
     /// <exception cref="OperationCanceledException">Canceled.</exception>
     public static IReadOnlyList<Diagnostic> Write(
         DecodedGCode decoding, Toolpath edited, EditOptions options, Stream stream, IProgress<double>? progress = null, CancellationToken cancel = default)
     {
-        if (decoding.Document is null) throw new ArgumentException(NoDocument, nameof(decoding));
-        var plan = SplicePlan.Of(decoding, edited);
-        if (!plan.InOrder || edited.Source != MoveSource.Lines)
+        if (!SplicePlan.IsInOrder(edited) || edited.Source != MoveSource.Lines)
             return [new Diagnostic(Severity.Error, "gcode.reordered",
                 "The moves are not in the order of the file's lines. Write the toolpath as new G-code instead.")];
-        using var splicer = new Splicer(decoding, edited, plan, stream, options: options);
+        using var splicer = new Splicer(decoding, edited, SplicePlan.Of(decoding, edited), stream, options: options);
         splicer.Run(progress, cancel);
         return splicer.Diagnostics.ToList();
     }

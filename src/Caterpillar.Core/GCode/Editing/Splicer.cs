@@ -43,12 +43,11 @@ internal sealed class Splicer : IDisposable
         _code = new CodeReplacement(_context, options, plan, _figures);
         _outlines = new OutlineFigures(decoding, edited);
         if (_outlines.IsActive) plan.Touch(1, decoding.PrintLines.First);
-        if (_scale.ChangesLayers || _figures.IsActive) plan.Touch(1, int.MaxValue);
+        if (_scale.ChangesLayers || _figures.IsActive || options.RewriteAll) plan.Touch(1, int.MaxValue);
         var conversion = new MoveConversion(_context);
         _moves = new MoveWriter(_context, conversion, options.RewriteAll);
         _plain = new PlainMoves(_context, _tasks, _comments, _moves, options.RewriteAll || options.GeneralPath);
         _others = new OtherLines(_context, conversion, options.Start is not null);
-        if (options.RewriteAll) plan.Touch(1, int.MaxValue);
     }
 
     public DiagnosticList Diagnostics => _context.Diagnostics;
@@ -56,22 +55,22 @@ internal sealed class Splicer : IDisposable
     public void Run(IProgress<double>? progress, CancellationToken cancel)
     {
         var chunks = _context.Decoding.Document!.Chunks;
-        ChunkPipeline.Run(
-            chunks,
-            _context.Decoding.Axis.Letter,
-            _threads,
-            i => _context.Target is not null || _plan.IsDirty(i),
-            (parsed, _) =>
-            {
-                Write(chunks[_next], _context.Decoding.Checkpoints[_next], parsed);
-                progress?.Report((double)_next / chunks.Count);
-            },
-            cancel);
+        void Next(Lazy<ChunkParser> parsed, long done)
+        {
+            Write(chunks[_next], _context.Decoding.Checkpoints[_next], parsed, Changes(_next));
+            progress?.Report((double)_next / chunks.Count);
+        }
+        ChunkPipeline.Run(chunks, _context.Decoding.Axis.Letter, _threads, Changes, Next, cancel);
         Finish();
     }
 
-    /// <summary>Writes what becomes of the next chunk, of which a conversion needs only the state before the first.</summary>
-    public void Write(ChunkParser parsed, Checkpoint before) => Write(parsed.Chunk!, before, new Lazy<ChunkParser>(() => parsed));
+    /// <summary>Writes what becomes of the next chunk. A conversion needs only the state before the first, an edit its edited moves.</summary>
+    public void Write(ChunkParser parsed, Checkpoint before, Toolpath? edited)
+    {
+        if (edited is not null) _tasks.Continue(edited);
+        Write(parsed.Chunk!, before, new Lazy<ChunkParser>(() => parsed), true);
+        parsed.IsHeld = false;
+    }
 
     /// <summary>Writes what comes after the last chunk.</summary>
     public void Finish()
@@ -82,20 +81,25 @@ internal sealed class Splicer : IDisposable
 
     public void Dispose() => _output.Dispose();
 
-    private void Write(GCodeChunk chunk, Checkpoint before, Lazy<ChunkParser> parsed)
+    private bool Changes(int chunk)
+    {
+        var checkpoints = _context.Decoding.Checkpoints;
+        var last = chunk + 1 < checkpoints.Length ? checkpoints[chunk + 1].Line : int.MaxValue;
+        return _context.Target is not null || _plan.Changes(checkpoints[chunk].Line + 1, last);
+    }
+
+    private void Write(GCodeChunk chunk, Checkpoint before, Lazy<ChunkParser> parsed, bool changes)
     {
         var i = _next++;
-        var checkpoints = _context.Decoding.Checkpoints;
         var edits = _context.Target is null;
         _context.Text.Begin(chunk.Text, chunk.Start);
-        if (_synced && edits && !_plan.IsDirty(i) && _context.Text.IsPlain)
+        if (_synced && !changes && _context.Text.IsPlain)
         {
             _comments.Keep();
             _context.Text.Copy(chunk.Text, chunk.Start, chunk.End);
             return;
         }
         if (edits) _tasks.SkipTo(before.Line + 1);
-        _tasks.StartAt(before.Events);
         if (_synced)
         {
             _context.Read.Restore(before.State);
@@ -103,7 +107,7 @@ internal sealed class Splicer : IDisposable
         }
         if (i == 0) Begin(chunk, TextEncoding.MarkLength(chunk));
         WriteLines(parsed.Value, before.Line);
-        _synced = edits && i + 1 < checkpoints.Length && IsInStep(checkpoints[i + 1].Line);
+        _synced = edits && IsInStep(before.Line + parsed.Value.Count);
     }
 
     private void Begin(GCodeChunk chunk, int mark)
@@ -144,12 +148,10 @@ internal sealed class Splicer : IDisposable
         if (_code.Changes) _code.WriteBefore(number);
         _context.Line.Scan(line.Text, line.Start, line.End);
         var moves = _context.Read.ReadLine(_context.Line, line.Text, line.End, out var commands);
-        var events = _context.Read.LastEvents.Count;
         if (_code.CutOf(number) is { } cut) Skip(cut, line);
-        else if (moves > 0 || commands > 0) WriteMotion(line, moves, commands, events);
+        else if (moves > 0 || commands > 0) WriteMotion(line, moves, commands);
         else if (_context.Line.Shape == LineShape.Empty) _comments.Add(Image(line));
-        else WriteOther(line, events);
-        _tasks.SkipEvents(events);
+        else WriteOther(line);
     }
 
     private void Skip(LineCut cut, FileLine line)
@@ -162,14 +164,14 @@ internal sealed class Splicer : IDisposable
 
     private FileLine Image(FileLine line) => _flavor.Image(_figures.Image(_scale.Image(line, _context.Number), _context.Number));
 
-    private void WriteOther(FileLine line, int events)
+    private void WriteOther(FileLine line)
     {
         _comments.Keep();
-        if (events > 0) InsertBeforeEvents(events);
+        InsertBeforeEvents();
         _others.Write(line, _outlines.Image(_figures.Image(line, _context.Number)));
     }
 
-    private void WriteMotion(FileLine line, int moves, int commands, int events)
+    private void WriteMotion(FileLine line, int moves, int commands)
     {
         _tasks.Take(moves);
         var own = _tasks.OwnMoves;
@@ -181,7 +183,7 @@ internal sealed class Splicer : IDisposable
         }
         _comments.WriteCut();
         _comments.Keep();
-        if (own == 0 && events > 0) InsertBeforeEvents(events);
+        if (own == 0) InsertBeforeEvents();
         var tasks = _tasks.Tasks;
         var single = own == 1 && commands > 0 && _context.Line.Shape == LineShape.Code;
         var first = single || own == moves ? tasks.Count - own : tasks.Count;
@@ -206,9 +208,10 @@ internal sealed class Splicer : IDisposable
         if (_context.Line.Shape == LineShape.Code) _context.WriteModes();
     }
 
-    private void InsertBeforeEvents(int events)
+    private void InsertBeforeEvents()
     {
-        _tasks.TakeBeforeEvents(events);
+        if (_context.Read.LastEvents.Count == 0) return;
+        _tasks.TakeBeforeEvents();
         Insert(0, _tasks.Tasks.Count);
         _tasks.Clear();
     }

@@ -14,14 +14,14 @@ internal static class MappedMoves
 
     /// <summary>
     /// The selected extrusions, the selected moves between them, and the moves in place at their ends. Travel moves to the first extrusion or away from
-    /// the last one have one end elsewhere: a travel move from or to the home position does not change.
+    /// the last one have one end elsewhere: a travel move from or to the home position does not change. The first move may follow a selected extrusion.
     /// </summary>
-    public static MoveSet Of(Toolpath toolpath, MoveFilter filter)
+    public static MoveSet Of(Toolpath toolpath, MoveFilter filter, bool follows = false)
     {
         var choice = new MoveChoice(filter, toolpath);
         var (mapped, inPlace) = (new MoveSet(toolpath.Count), new MoveSet(toolpath.Count));
-        // The last selected extrusion after which all moves are selected.
-        var last = -1;
+        // The last selected extrusion after which all moves are selected. −2 = none.
+        var last = follows ? -1 : -2;
         for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
             var columns = toolpath.Blocks[block].Columns;
@@ -30,12 +30,13 @@ internal static class MappedMoves
             for (var i = 0; i < columns.Count; i++)
             {
                 var chosen = choice.Has(columns, i);
-                if (!chosen) last = -1;
+                if (!chosen) last = -2;
                 if (!chosen || columns.Kind[i] is not (MoveKind.Print or MoveKind.Wipe or MoveKind.MovingDeretract)) continue;
-                for (var k = last < 0 ? first + i : last + 1; k <= first + i; k++) mapped[k] = true;
+                for (var k = last < -1 ? first + i : last + 1; k <= first + i; k++) mapped[k] = true;
                 last = first + i;
             }
         }
+        if (follows && toolpath.Count > 0) mapped[0] |= inPlace[0];
         for (var i = 1; i < toolpath.Count; i++) mapped[i] |= inPlace[i] && mapped[i - 1];
         for (var i = toolpath.Count - 2; i >= 0; i--) mapped[i] |= inPlace[i] && mapped[i + 1];
         Unmap(toolpath, mapped, inPlace);

@@ -99,8 +99,7 @@ public sealed class ToolpathBuilder
     public void SetRotary(Vec3 turns)
     {
         var columns = _moves.Columns;
-        columns.Turns ??= new Vec3[columns.Capacity];
-        columns.Turns[columns.Count - 1] = turns;
+        (columns.Turns ??= new Vec3[columns.Capacity])[columns.Count - 1] = turns;
     }
 
     /// <summary>Sets the rotary axes of the last move, and of those after it, from a move of some columns.</summary>

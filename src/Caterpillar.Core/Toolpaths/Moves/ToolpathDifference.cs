@@ -1,15 +1,20 @@
 namespace Caterpillar.Toolpaths;
 
-/// <summary>Counts the moves that an edit changed in a toolpath with the same number of moves.</summary>
+/// <summary>Counts the moves that an edit changed.</summary>
 /// <param name="Shifted">Moves that end elsewhere.</param>
 /// <param name="Speeds">Moves with another speed.</param>
 /// <param name="Amounts">Moves that deposit another amount.</param>
-internal sealed record ToolpathDifference(int Shifted, int Speeds, int Amounts)
+/// <param name="Before">Number of all moves before. If it changed, no others are counted.</param>
+/// <param name="After">Number of all moves afterwards.</param>
+internal sealed record ToolpathDifference(int Shifted, int Speeds, int Amounts, int Before, int After)
 {
-    /// <exception cref="ArgumentException">The toolpaths have different numbers of moves.</exception>
+    /// <summary>The changes in two parts.</summary>
+    public static ToolpathDifference operator +(ToolpathDifference a, ToolpathDifference b)
+        => new(a.Shifted + b.Shifted, a.Speeds + b.Speeds, a.Amounts + b.Amounts, a.Before + b.Before, a.After + b.After);
+
     public static ToolpathDifference Of(Toolpath before, Toolpath after)
     {
-        if (before.Count != after.Count) throw new ArgumentException("The toolpaths must have the same number of moves.", nameof(after));
+        if (before.Count != after.Count) return new ToolpathDifference(0, 0, 0, before.Count, after.Count);
         int shifted = 0, speeds = 0, amounts = 0;
         int block = 0, other = 0, i = 0, k = 0;
         while (block < before.Blocks.Count)
@@ -28,6 +33,6 @@ internal sealed record ToolpathDifference(int Shifted, int Speeds, int Amounts)
             if (i == c.Count) (block, i) = (block + 1, 0);
             if (k == d.Count) (other, k) = (other + 1, 0);
         }
-        return new ToolpathDifference(shifted, speeds, amounts);
+        return new ToolpathDifference(shifted, speeds, amounts, before.Count, after.Count);
     }
 }

@@ -6,6 +6,7 @@ internal sealed class LayerCollector
     private readonly List<Draft> _drafts = [];
     private readonly Dictionary<string, int> _ofMark = new(StringComparer.Ordinal);
     private readonly Dictionary<long, int> _byHeight = [];
+    private int _current = -1;
     private int _number = -1;
     private double _markZ = double.NaN;
     private double _markThickness;
@@ -14,10 +15,13 @@ internal sealed class LayerCollector
     private int _marks;
 
     /// <summary>Layer of the following moves. −1 = none.</summary>
-    public int Current { get; private set; } = -1;
+    public int Current => AreAlike ? Math.Min(_current, 0) : _current;
 
     /// <summary>True if comments mark the layers.</summary>
     public bool Marked { get; private set; }
+
+    /// <summary>True if all layers are one for the moves. Only comments begin them, not heights.</summary>
+    public bool AreAlike { get; set; }
 
     /// <summary>True if the current layer waits for the height of its first flat extrusion.</summary>
     public bool NeedsZ { get; private set; }
@@ -35,9 +39,9 @@ internal sealed class LayerCollector
             Marked = true;
             _drafts.Clear();
             _byHeight.Clear();
-            Current = -1;
+            _current = -1;
         }
-        var again = Current >= 0 && !_used;
+        var again = _current >= 0 && !_used;
         if (!again || (number ?? _number) != _number) _ofMark.Clear();
         _number = number ?? (again ? _number : _number + 1);
         _markZ = double.IsNaN(z) && again ? _markZ : z;
@@ -76,13 +80,13 @@ internal sealed class LayerCollector
         if (!flat)
         {
             // A spiral: the height where the layer ends.
-            _drafts[Current] = _drafts[Current] with { Z = double.IsNaN(_markZ) ? z : _drafts[Current].Z, IsPrinted = true };
+            _drafts[_current] = _drafts[_current] with { Z = double.IsNaN(_markZ) ? z : _drafts[_current].Z, IsPrinted = true };
             return;
         }
         if (double.IsNaN(_markZ)) _markZ = z;
         _previousZ = _markZ;
         NeedsZ = false;
-        _drafts[Current] = _drafts[Current] with { Z = _markZ, IsPrinted = true };
+        _drafts[_current] = _drafts[_current] with { Z = _markZ, IsPrinted = true };
     }
 
     /// <summary>A flat extrusion at another height than the one before, in a file without marks.</summary>
@@ -95,7 +99,7 @@ internal sealed class LayerCollector
             _byHeight.Add(key, layer);
             _drafts.Add(new Draft(layer, z, 0, Object, 0, true));
         }
-        Current = layer;
+        _current = layer;
     }
 
     /// <summary>
@@ -212,7 +216,7 @@ internal sealed class LayerCollector
             _drafts.Add(default);
         }
         _drafts[layer] = new Draft(_number, _markZ, _markThickness, Object, _marks, _drafts[layer].IsPrinted);
-        Current = layer;
+        _current = layer;
         NeedsZ = true;
     }
 

@@ -62,6 +62,10 @@ internal sealed partial class MoveRecorder(Machine machine, ExtrusionRule rule)
     /// <summary>The finished toolpath.</summary>
     public Toolpath ToToolpath(ToolpathTool[] tools)
     {
+        while (_take is not null && !_moves.Keeps && Columns.Count > 0)
+        {
+            if (_moves.Grow() is { } last) _take(Taken(last));
+        }
         if (Layers.MergeEmpty() is { } places) _moves.RenumberLayers(layer => layer >= 0 ? places[layer] : -1);
         return new(_moves.ToBlocks(), Layers.ToLayers(), _events, tools, _start, MoveSource.Lines);
     }
@@ -218,7 +222,7 @@ internal sealed partial class MoveRecorder(Machine machine, ExtrusionRule rule)
         {
             _lastFlatZ = z;
             _counters.FlatAt(z);
-            if (!Layers.Marked) Layers.FlatAt(z + _state.Head.ShiftZ);
+            if (!Layers.Marked && !Layers.AreAlike) Layers.FlatAt(z + _state.Head.ShiftZ);
         }
         if (Layers.NeedsZ) Layers.Printed(z + _state.Head.ShiftZ, flat);
     }
@@ -253,7 +257,7 @@ internal sealed partial class MoveRecorder(Machine machine, ExtrusionRule rule)
         head.X = x;
         head.Y = y;
         head.Z = z;
-        if (_moves.IsFull && _moves.Grow() is { } full) _take?.Invoke(Taken(full));
+        if (_moves.IsFull && _moves.Grow(_take is not null) is { } full) _take?.Invoke(Taken(full));
         _moves.Add(head.Machine, e, deposited, _state.Feed.Speed, kind, kind is MoveKind.Print or MoveKind.Prime ? Role : Role.Unspecified, Layers.Current,
             (short)_state.Tool, _diagnostics.Line);
     }

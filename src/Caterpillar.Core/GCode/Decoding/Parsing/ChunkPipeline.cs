@@ -25,7 +25,7 @@ internal static class ChunkPipeline
         var number = 0;
         foreach (var chunk in chunks)
         {
-            var parser = idle.Count > 1 ? idle.Dequeue() : new ChunkParser(extruder);
+            var parser = idle.Count > 1 && !idle.Peek().IsHeld ? idle.Dequeue() : new ChunkParser(extruder);
             // The first chunk may have a byte order mark.
             var start = chunk.Start + (number == 0 ? TextEncoding.MarkLength(chunk) : 0);
             var parsed = new Lazy<ChunkParser>(() =>

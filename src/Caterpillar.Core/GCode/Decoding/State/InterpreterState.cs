@@ -53,5 +53,5 @@ internal sealed class InterpreterState
             && Retraction == other.Retraction;
 }
 
-/// <summary>The state before a chunk of the document, and the number of lines and events before it.</summary>
-internal readonly record struct Checkpoint(int Line, InterpreterState State, int Events);
+/// <summary>The state before a chunk of the document, and the number of lines before it.</summary>
+internal readonly record struct Checkpoint(int Line, InterpreterState State);

@@ -3,7 +3,7 @@ namespace Caterpillar.GCode;
 /// <summary>Outlines of objects in EXCLUDE_OBJECT_DEFINE after an edit that moves or changes the objects.</summary>
 internal sealed class OutlineFigures
 {
-    private const string Command = "EXCLUDE_OBJECT_DEFINE";
+    public const string Command = "EXCLUDE_OBJECT_DEFINE";
     private static readonly Regex Name = new(@"\sNAME=('[^']*'|""[^""]*""|\S+)", RegexOptions.CultureInvariant | RegexOptions.IgnoreCase);
     private static readonly Regex Place = new(@"\s+(?:CENTER|POLYGON)=\S+", RegexOptions.CultureInvariant | RegexOptions.IgnoreCase);
     private readonly Dictionary<string, IReadOnlyList<Vec3>> _changed = new(StringComparer.OrdinalIgnoreCase);

@@ -1,20 +1,16 @@
 namespace Caterpillar.GCode;
 
-/// <summary>Reads the moves of a toolpath and skips given blocks.</summary>
+/// <summary>Reads the moves of a toolpath.</summary>
 internal sealed class MoveCursor
 {
     private readonly Toolpath _toolpath;
-    private readonly HashSet<ToolpathBlock>? _skip;
     private int _block = -1;
 
-    public MoveCursor(Toolpath toolpath, HashSet<ToolpathBlock>? skip = null)
+    public MoveCursor(Toolpath toolpath)
     {
         _toolpath = toolpath;
-        _skip = skip;
         NextBlock();
     }
-
-    public MoveCursor Clone() => (MoveCursor)MemberwiseClone();
 
     public ToolpathColumns Columns { get; private set; } = null!;
 
@@ -48,25 +44,17 @@ internal sealed class MoveCursor
     public int LeadsTo()
     {
         if (!Valid || Source >= 0) return Valid ? Source : int.MaxValue;
-        var ahead = Clone();
+        var ahead = (MoveCursor)MemberwiseClone();
         while (ahead.Valid && ahead.Source < 0) ahead.Next();
         return ahead.Valid ? ahead.Source : int.MaxValue;
     }
 
     public TargetMove Move() => new(Columns, Index);
 
-    public static bool Same(MoveCursor a, MoveCursor b) => Same(a.Columns, a.Index, b.Columns, b.Index);
-
-    public static bool Same(ToolpathColumns c, int i, ToolpathColumns d, int j)
-        => c.X[i] == d.X[j] && c.Y[i] == d.Y[j] && c.Z[i] == d.Z[j] && c.E[i] == d.E[j] && c.Speed[i] == d.Speed[j] && c.Kind[i] == d.Kind[j]
-            && c.Tool[i] == d.Tool[j]
-            && ((c.Turns is null && d.Turns is null && c.Arcs.Length == 0 && d.Arcs.Length == 0) || new TargetMove(c, i) == new TargetMove(d, j));
-
     private void NextBlock()
     {
         Index = 0;
-        do _block++;
-        while (_block < _toolpath.Blocks.Count && _skip is not null && _skip.Contains(_toolpath.Blocks[_block]));
+        _block++;
         if (Valid) Columns = _toolpath.Blocks[_block].Columns;
     }
 }

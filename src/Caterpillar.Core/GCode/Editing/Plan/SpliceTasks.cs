@@ -6,7 +6,6 @@ namespace Caterpillar.GCode;
 internal sealed class SpliceTasks(SpliceContext context, SplicePlan plan, MoveCursor moves)
 {
     private readonly List<SpliceTask> _tasks = [];
-    private int _eventsRead;
     private int _nextEvent;
 
     // The move before which the next event happens.
@@ -18,13 +17,11 @@ internal sealed class SpliceTasks(SpliceContext context, SplicePlan plan, MoveCu
     /// <summary>The number of tasks that are moves of the line's own.</summary>
     public int OwnMoves { get; private set; }
 
+    /// <summary>Continues with other moves of the edited toolpath.</summary>
+    public void Continue(Toolpath edited) => moves = new MoveCursor(edited);
+
     /// <summary>Skips to the first move of a line or of the lines after it.</summary>
     public void SkipTo(int line) => moves.SkipTo(line);
-
-    /// <summary>Continues at a place in the file with this many events before it.</summary>
-    public void StartAt(int events) => _eventsRead = events;
-
-    public void SkipEvents(int count) => _eventsRead += count;
 
     public void Clear()
     {
@@ -59,8 +56,7 @@ internal sealed class SpliceTasks(SpliceContext context, SplicePlan plan, MoveCu
     {
         columns = null!;
         index = 0;
-        if (!moves.Valid || moves.Source != line) return false;
-        if (_eventMove <= moves.Number) return false;
+        if (!moves.Valid || moves.Source != line || _eventMove <= moves.Number) return false;
         columns = moves.Columns;
         index = moves.Index;
         return index + 1 < columns.Count && columns.Source[index + 1] > line;
@@ -69,15 +65,14 @@ internal sealed class SpliceTasks(SpliceContext context, SplicePlan plan, MoveCu
     /// <summary>Takes the move of <see cref="HasSingleMove"/>.</summary>
     public void TakeSingleMove() => moves.Next();
 
-    /// <summary>Takes the insertions before the events of the current line, given their number.</summary>
-    public void TakeBeforeEvents(int count)
+    /// <summary>Takes the insertions before the events of the current line.</summary>
+    public void TakeBeforeEvents()
     {
         Clear();
         if (context.Target is not null) return;
-        for (var i = 0; i < count; i++)
+        for (var index = _nextEvent; index < plan.Events.Count && plan.Events[index].Source <= context.Number; index++)
         {
-            var index = plan.IndexOf(context.Decoding.Toolpath.Events[_eventsRead + i].Event);
-            if (index < 0) continue;
+            if (plan.Events[index].Source < context.Number) continue;
             for (; moves.Valid && moves.Source < 0 && moves.Number < plan.Events[index].Move; moves.Next())
             {
                 AddEventsBefore(moves.Number);
@@ -112,7 +107,7 @@ internal sealed class SpliceTasks(SpliceContext context, SplicePlan plan, MoveCu
 
     private void AddNextEvent()
     {
-        if (plan.IsNew[_nextEvent]) _tasks.Add(new SpliceTask(plan.Events[_nextEvent].Event, default));
+        if (plan.Events[_nextEvent].Source < 0) _tasks.Add(new SpliceTask(plan.Events[_nextEvent].Event, default));
         _eventMove = EventMove(plan, ++_nextEvent);
     }
 

@@ -1,0 +1,81 @@
+namespace Caterpillar.GCode;
+
+/// <summary>
+/// Edits a file while it is decoded: the moves up to the latest extrusion of a layer, since travel moves lead to the extrusion after them, then the chunks
+/// whose moves are all edited.
+/// </summary>
+/// <param name="edit">Edits the next moves. The last of those before them, if any, ends at a position.</param>
+internal sealed class FollowingEditor(Func<Toolpath, Vec3?, Toolpath> edit)
+{
+    // Their heights do not matter.
+    private static readonly Layer[] Layers = [new(0, 0, 0, "")];
+    private readonly Queue<(ChunkParser Parsed, Checkpoint Before)> _chunks = new();
+    private readonly List<ToolpathBlock> _moves = [];
+    private readonly List<MoveEvent> _events = [];
+    private readonly List<ToolpathBlock> _edited = [];
+    private Vec3? _start, _position;
+    private int _first;
+
+    /// <summary>The sums of the edited moves.</summary>
+    public ToolpathSums Sums { get; } = new();
+
+    /// <summary>What was changed.</summary>
+    public ToolpathDifference Difference { get; private set; } = new(0, 0, 0, 0, 0);
+
+    /// <summary>Writes a chunk, given edited moves, among them its own.</summary>
+    public Action<ChunkParser, Checkpoint, Toolpath>? Writer { private get; set; }
+
+    /// <summary>Takes the next chunk.</summary>
+    public void Take(ChunkParser parsed, Checkpoint before)
+    {
+        parsed.IsHeld = true;
+        _chunks.Enqueue((parsed, before));
+    }
+
+    /// <summary>Takes the next moves.</summary>
+    public void Take(DecodedBlock block)
+    {
+        if (_first == 0) _start = block.Start;
+        _events.AddRange(block.Events);
+        var (c, count) = (block.Columns, block.Columns.Count);
+        while (count > 0 && !(c.Kind[count - 1] == MoveKind.Print && c.Layer[count - 1] >= 0)) count--;
+        if (count > 0)
+        {
+            _moves.Add(new ToolpathBlock(count < c.Count ? c.Copy(count) : c));
+            Edit();
+        }
+        var rest = new ToolpathBuilder(MoveSource.Lines, null);
+        rest.Add(c, count, c.Count);
+        _moves.AddRange(rest.ToBlocks());
+    }
+
+    /// <summary>Edits and writes the rest.</summary>
+    public void Finish()
+    {
+        if (_moves.Count > 0) Edit();
+        while (_chunks.Count > 0) Write();
+    }
+
+    private void Edit()
+    {
+        var toolpath = new Toolpath(_moves, Layers, _events.Select(e => e with { Move = e.Move - _first }), [], _start, MoveSource.Lines);
+        if (_first == 0) Sums.Position = _start ?? Vec3.Zero;
+        var edited = edit(toolpath, _position);
+        foreach (var block in edited.Blocks) Sums.Add(block.Columns);
+        Difference += ToolpathDifference.Of(toolpath, edited);
+        var last = toolpath[toolpath.Count - 1];
+        (_start, _position) = (last.End, Sums.Position);
+        _first += toolpath.Count;
+        _events.RemoveAll(e => e.Move < _first);
+        _edited.AddRange(edited.Blocks);
+        _moves.Clear();
+        while (_chunks.Peek() is var (parsed, before) && before.Line + parsed.Count < last.Source) Write();
+    }
+
+    private void Write()
+    {
+        var (parsed, before) = _chunks.Dequeue();
+        Writer!(parsed, before, new Toolpath(_edited, [], [], [], null, MoveSource.Lines));
+        _edited.RemoveAll(b => b.Columns.Source[b.Count - 1] <= before.Line + parsed.Count);
+    }
+}
