@@ -153,6 +153,18 @@ public class ConvertTests : CliFixture
     }
 
     [Test]
+    public void A_moved_print_stays_on_the_bed_of_the_printer_that_the_file_names()
+    {
+        File.WriteAllText("box.stl", Box(20, 10, 2));
+        Assert.That(Run("slice", "box.stl", "-o", "a.gcode").Code, Is.Zero);
+        var refused = Run("convert", "a.gcode", "-o", "b.gcode", "--move", "0,200");
+        Assert.That((refused.Code, File.Exists("b.gcode")), Is.EqualTo((3, false)));
+        Assert.That(refused.Messages, Does.Contain("error bed.outside: A move goes to").And.Contain("outside the build volume of generic"));
+        Assert.That(Run("convert", "a.gcode", "-o", "b.gcode", "--move", "0,50").Code, Is.Zero);
+        Assert.That(Run("convert", "a.gcode", "-o", "b.gcode", "--move", "0,200", "--override", "a larger bed").Code, Is.Zero);
+    }
+
+    [Test]
     public void A_named_printer_checks_what_is_written()
     {
         File.WriteAllText("a.gcode", File1);

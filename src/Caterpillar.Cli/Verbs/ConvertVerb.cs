@@ -22,7 +22,7 @@ internal sealed class ConvertVerb : Verb
     private readonly Described<string?> _decimals = new("--decimals",
         "Maximum decimals of X, Y and Z, of E and of F, such as 3,5,0. The last ones may be omitted.", "XYZ,E,F");
     private readonly ToolpathEditOptions _edits = new();
-    private readonly SetupOptions _setup = new("Without it, only whether a moved print fits on the bed is checked.");
+    private readonly SetupOptions _setup = new("Without it, only whether a moved print stays on the bed is checked, as far as the file knows it.");
     private readonly Option<string?> _reason = WriteOptions.Override();
 
     public ConvertVerb()
@@ -85,7 +85,7 @@ internal sealed class ConvertVerb : Verb
         return ExitCode.Done;
     }
 
-    // The edits, if they can be made while the file is decoded. Its first MB, which is read twice, says whether comments mark the layers.
+    // The edits, if they can be made while the file is decoded. Its first MB and its end, which are read twice, say whether comments mark the layers.
     private FileEdits? Partwise(string file, DecodeOptions reading, ParseResult arguments, Session session)
     {
         if (!_edits.AreNone(arguments, true) || !File.Exists(file) || new FileInfo(file).Length == 0) return null;
@@ -138,7 +138,7 @@ internal sealed class ConvertVerb : Verb
         throw CliException.Usage(none.Message);
     }
 
-    // Checked only if a printer is given, since the printer of the file is unknown, except that a moved print must fit on the bed.
+    // Checked only if a printer is given, since the printer of the file is unknown, except that a moved print must stay on the bed.
     private WrittenGCode Write(string output, FileJob job, ParseResult arguments, Session session)
     {
         var reason = arguments.GetValue(_reason);

@@ -47,15 +47,16 @@ public sealed record FileEdits
     internal bool Moves => Scale is not null || Rotate is not null || Move is not null || Deform is not null;
 
     /// <summary>
-    /// True if they can be made while a file is decoded, of which the beginning is known: they act on each extrusion by itself, heights stay, no outlines of
-    /// objects move, and the print does not stand on a part.
+    /// True if they can be made while a file is decoded, of which the beginning is known: they act on each extrusion by itself, heights stay, and what
+    /// moves has no outlines of objects, no bed that the file knows, and no part below it.
     /// </summary>
     internal bool CanFollow(DecodedGCode head)
     {
         if (head.FirstLayerLine == 0 || head.Axis == ExtrusionAxis.Switched || Filter != new MoveFilter()) return false;
         if (Scale is not null || Rotate is not null || Deform is not null || PauseAtLayers.Count + AtLayers.Count > 0 || Remove || FitArcs > 0) return false;
         return Move is not { } shift || (shift.Z == 0 && Flow is null
-            && !head.Ignored.ContainsKey(OutlineFigures.Command) && !head.Settings.ContainsKey(Continuation.Setting));
+            && !head.Ignored.ContainsKey(OutlineFigures.Command) && !head.Settings.ContainsKey(Continuation.Setting)
+            && head.Report.Setup.Count == 0);
     }
 
     /// <summary>The edited toolpath, or the same one without edits.</summary>

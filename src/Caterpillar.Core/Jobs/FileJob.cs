@@ -92,7 +92,7 @@ public sealed record FileJob
     /// <summary>Writes the file, whole or not at all.</summary>
     /// <param name="path">The output file; .bgcode = binary. An existing file is replaced.</param>
     /// <param name="setup">The setup to check the result against before it is written; null = for an unknown printer,
-    /// only whether a moved print fits on the bed.</param>
+    /// only whether a moved print stays on the bed, as far as the file knows it.</param>
     /// <param name="reason">Reason to write despite errors of the checks, which the file keeps as a comment; null = refuse.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels. No partial file is left.</param>
@@ -110,7 +110,7 @@ public sealed record FileJob
     /// <summary>Writes the file to a stream. If there is no value, discard the output.</summary>
     /// <param name="stream">The output stream.</param>
     /// <param name="name">The name of the output; .bgcode = binary.</param>
-    /// <param name="setup">The setup to check the result against; null = only whether a moved print fits on the bed.</param>
+    /// <param name="setup">The setup to check the result against; null = only whether a moved print stays on the bed, as far as the file knows it.</param>
     /// <param name="reason">Reason to write despite errors of the checks; null = refuse.</param>
     /// <param name="progress">0 to 1.</param>
     /// <param name="cancel">Cancels.</param>

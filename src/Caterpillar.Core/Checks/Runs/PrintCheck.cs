@@ -55,7 +55,9 @@ public static class PrintCheck
         return Run(toolpath, setup, CheckScope.OfFile(file, setup) with { Before = before?.Used }, progress, cancel);
     }
 
-    /// <summary>Whether the moved print of a file fits on the bed of an unknown printer: findings that the file did not have before.</summary>
+    /// <summary>
+    /// Whether the moved print of a file stays on the bed, and inside the build volume if the file has its setup: findings that it did not have before.
+    /// </summary>
     internal static IReadOnlyList<Diagnostic> OfMoved(DecodedGCode file, Toolpath moved, CancellationToken cancel)
     {
         var found = OnBed(file, moved, cancel);
@@ -68,9 +70,12 @@ public static class PrintCheck
     {
         var setup = new PrintSetup() with { PrintedOn = StandingPart(file) };
         toolpath = WithVolumes(toolpath, setup);
-        var findings = new Findings(setup.Printer, toolpath);
-        CheckRun.Run(toolpath, [new DepositCheck(setup, findings, cancel, isOnlyBed: true)], null, cancel);
-        return [.. findings.ToList().Where(d => d.Code is CheckCodes.TooLow or CheckCodes.Squeezed or CheckCodes.InAir)
+        var own = FileSetup.Of(file.Settings)?.Printer;
+        var findings = new Findings(own ?? setup.Printer, toolpath);
+        var bed = new DepositCheck(setup, findings, cancel, isOnlyBed: true);
+        CheckRun.Run(toolpath, own is { RotaryAxes.Count: 0, AxisMappings.Count: 0 } ? [new PositionCheck(own, findings), bed] : [bed], null, cancel);
+        string[] codes = [CheckCodes.TooLow, CheckCodes.Squeezed, CheckCodes.InAir, CheckCodes.Outside, CheckCodes.Below, CheckCodes.ExcludedArea];
+        return [.. findings.ToList().Where(d => codes.Contains(d.Code))
             .Select(d => d.WithSource(s => s is null ? s : s with { File = file.Report.File }))];
     }
 
