@@ -23,7 +23,7 @@ public sealed partial class Turtle
                 $"The number of segments must be 1 to 1000000, or 0 (automatic), not {NumberFormatter.Format(segments)}.");
         }
         var sweep = Degrees(angle);
-        if (double.IsNaN(sweep) || Math.Abs(sweep) > 3.6e6) throw new ArgumentOutOfRangeException(nameof(angle), "The angle must be at most 10000 turns.");
+        if (!(Math.Abs(sweep) <= 3.6e6)) throw new ArgumentOutOfRangeException(nameof(angle), "The angle must be at most 10000 turns.");
         var start = Pose;
         var count = segments > 0 ? segments : new Arc(Vec3.Zero, sweep).ChordCount(new Vec3(radius, 0), ArcTolerance);
         var side = sweep < 0 ? -1.0 : 1.0;

@@ -124,6 +124,7 @@ public sealed class PrintPipelineTests
     [TestCase("G1 X1\n", "G1 X1\nM73 P5 R3\n", true)]
     [TestCase("G1 X1\n", "; TIME\nG1 X1\n", false)]
     [TestCase("G1 X1\n", "M730 P5\nG1 X1\n", false)]
+    [TestCase("M93 S1\n", "M93 S2\n", false)]
     public void A_digest_tells_every_change_of_a_line_but_progress(string text, string other, bool same)
     {
         static ulong Digest(params string[] parts)

@@ -81,6 +81,30 @@ public class BoundaryFieldTests
     }
 
     [Test]
+    public void A_lower_boundary_that_touches_nothing_is_an_error()
+    {
+        var refused = MeshBoundaries.Near(Solids.Block(0, 0, 0, 10, 10, 5), BoundaryShape.Of([-1]), [BoundaryShape.Of([4, 5, 6, 7])]);
+        Assert.That(refused.Value, Is.Null);
+        Assert.That(refused.Diagnostics.Single().Message, Is.EqualTo("The boundaries touch no vertex of the part."));
+    }
+
+    [Test]
+    public void A_ball_goes_on_smoothly_all_around_and_has_no_end()
+    {
+        var ball = CurvedSolids.Lathe(48, [.. Enumerable.Range(1, 23).Select(i => Angle.SinCos(7.5 * i)).Select(a => (10 * a.Sin, 10 - 10 * a.Cos))]);
+        Assert.That(MeshBoundaries.Find(ball).Diagnostics.Single().Code, Is.EqualTo("curved.no_boundary"));
+    }
+
+    [Test]
+    public void New_vertices_between_two_of_a_boundary_belong_to_it()
+    {
+        var fine = TriMesh.Create([new(0, 0), new(4, 0), new(0, 4), new(2, 0), new(2, 2)], [0, 3, 2, 3, 4, 2, 3, 1, 4]);
+        (int, int)[] parents = [(0, 1), (1, 2)];
+        Assert.That(BoundaryFinder.Between(fine, 3, parents, [0, 1]), Is.EqualTo(new[] { 0, 1, 3 }));
+        Assert.That(BoundaryFinder.Between(fine, 3, parents, [1, 2]), Is.EqualTo(new[] { 1, 2, 4 }));
+    }
+
+    [Test]
     public void Boundaries_are_where_surfaces_and_curves_touch_the_part()
     {
         var block = Solids.Block(0, 0, 0, 20, 20, 10);

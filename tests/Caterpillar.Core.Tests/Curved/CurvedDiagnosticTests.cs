@@ -44,6 +44,17 @@ public class CurvedDiagnosticTests
     }
 
     [Test]
+    public void Layers_that_are_all_beside_the_plan_are_left_out()
+    {
+        // What is higher than 2 mm lies beside the surface.
+        TriMesh[] parts = [Solids.Block(-6, -6, 0, 6, 6, 2), Solids.Block(8, -6, 0, 12, 6, 5)];
+        var field = LayerField.Vertical(PlanSurface.Of(Plane(-20, 7, 0)));
+        var partial = CurvedSolids.Try(field, CurvedSolids.Massive, new CurvedOptions { Partial = true }, parts);
+        Assert.That(partial.Value!.Layers.Select(l => l.Steps.Count), Is.All.GreaterThan(0));
+        Assert.That(partial.Value.Layers.SelectMany(CurvedSolids.Points).Max(p => p.Z), Is.EqualTo(2).Within(0.2));
+    }
+
+    [Test]
     public void A_plan_with_a_hole_or_beside_the_part_is_an_error_that_tells_where()
     {
         // A square frame: the hole is 6 mm wide.
@@ -61,10 +72,11 @@ public class CurvedDiagnosticTests
     public void Layers_steeper_than_the_head_allows_are_an_error_that_tells_the_angle()
     {
         var field = LayerField.Vertical(PlanSurface.Of((x, _) => 0.5 * x));
-        var refused = CurvedSolids.Try(field, CurvedSolids.Massive with { CurvedMaxSlope = 20 }, null, Part);
+        var refused = CurvedSolids.Try(field, CurvedSolids.Massive with { CurvedMaxSlope = 20.16 }, null, Part);
         Assert.That(refused.Value, Is.Null);
         var problem = refused.Diagnostics.Single(d => d.Severity == Severity.Error);
         Assert.That(problem.Code, Is.EqualTo("curved.too_steep"));
+        Assert.That(problem.Message, Does.Match("^[0-9]+ mm of paths are steeper than the 20[.]2 degrees that"));
         Assert.That(problem.Message, Does.Contain("26.6 degrees").And.Contain("within 63.4 degrees of its axis up to 4 mm above the tip"));
         Assert.That(CurvedSolids.Try(field, CurvedSolids.Massive with { CurvedMaxSlope = 27 }, null, Part).Value, Is.Not.Null);
     }
@@ -90,15 +102,22 @@ public class CurvedDiagnosticTests
         Assert.That(HeadSlope.OfHead(printer, 4, 100), Is.EqualTo(Angle.Atan2(6, 4)).Within(1e-9), "Nor do small parts.");
     }
 
-    [Test]
-    public void A_folded_plan_is_an_error_and_one_upside_down_a_warning()
+    // Two triangles face up and two down, two and one, one and two.
+    [TestCase(0, 1, 2, 0, 2, 3, 1, 4, 5, 1, 5, 2)]
+    [TestCase(0, 1, 2, 0, 2, 3, 1, 4, 5)]
+    [TestCase(0, 1, 2, 1, 4, 5, 1, 5, 2)]
+    public void A_folded_plan_is_an_error(params int[] triangles)
     {
-        var folded = TriMesh.Create(
-            [new(-20, -20, 0), new(20, -20, 0), new(20, 20, 0), new(-20, 20, 0), new(-20, -20, 5), new(-20, 20, 5)], [0, 1, 2, 0, 2, 3, 1, 4, 5, 1, 5, 2]);
+        var folded = TriMesh.Create([new(-20, -20, 0), new(20, -20, 0), new(20, 20, 0), new(-20, 20, 0), new(-20, -20, 5), new(-20, 20, 5)], triangles);
         var refused = CurvedSolids.Try(LayerField.Vertical(PlanSurface.Of(folded)), CurvedSolids.Massive, null, Part);
         Assert.That(refused.Value, Is.Null);
         Assert.That(refused.Diagnostics.Select(d => d.Code), Is.EqualTo(new[] { "curved.plan_folded" }));
         Assert.That(refused.Diagnostics[0].Message, Does.EndWith(PlanSurface.Otherwise));
+    }
+
+    [Test]
+    public void A_plan_upside_down_is_a_warning()
+    {
         var over = TriMesh.Create([new(-20, -20, 0), new(20, -20, 2), new(20, 20, 2), new(-20, 20, 0)], [0, 2, 1, 0, 3, 2]);
         foreach (var field in new[] { LayerField.Vertical(PlanSurface.Of(over)), LayerField.Offset(over) })
         {

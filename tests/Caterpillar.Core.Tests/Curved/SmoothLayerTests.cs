@@ -107,6 +107,18 @@ public class SmoothLayerTests
         Assert.That((plan.Steepest, plan.Angle), Is.EqualTo((0.01, angle)).Within(1e-9));
     }
 
+    [TestCase(30)]
+    [TestCase(70)]
+    public void Lines_run_down_or_across_a_slope_whatever_its_direction(double degrees)
+    {
+        var (sin, cos) = Angle.SinCos(degrees);
+        var mesh = CurvedSolids.Between(CurvedSolids.Plan(0, 0, 20, 10), 1, (_, _) => 0, (x, y) => 2 + 0.02 * (cos * x + sin * y));
+        var grid = new SlopeGrid(new Vec3(-0.75, -0.75), 0.5, 43, 23);
+        var plan = new SmoothPlan(new TopSamples([mesh], grid, Rules.Slope), grid, Rules);
+        plan.Run(CancellationToken.None);
+        Assert.That((plan.Angle + 180) % 90, Is.EqualTo(degrees).Within(1e-6));
+    }
+
     // A slope from the bed up: layer 3 is 0.4 to 0.8 mm high and has most of it. Of the rest, layer 2 is at least 0.3 mm high, and stays 0.1 mm below layer 3.
     [Test]
     public void Where_layers_would_be_too_thin_a_slope_is_in_none()

@@ -120,7 +120,20 @@ public sealed class ExtrusionMeshTests
         var mesh = ExtrusionMesh.Of(toolpath, 0, toolpath.Count);
         Assert.That(mesh.Moves.Distinct().Select(m => toolpath[m].Kind), Is.EqualTo(new[] { MoveKind.Print, MoveKind.Print }));
         Assert.That(ExtrusionMesh.Of(toolpath, 0, 0).Quads, Is.Empty);
-        Assert.That(() => ExtrusionMesh.Of(toolpath, 0, toolpath.Count + 1), Throws.InstanceOf<ArgumentOutOfRangeException>());
+        foreach (var (first, end) in new[] { (0, toolpath.Count + 1), (-1, 1), (2, 1) })
+        {
+            Assert.That(() => ExtrusionMesh.Of(toolpath, first, end),
+                Throws.InstanceOf<ArgumentOutOfRangeException>().With.Property("ParamName").EqualTo("first"));
+        }
+    }
+
+    [Test]
+    public void A_gap_as_wide_as_an_extrusion_stays_open()
+    {
+        var bead = Bead.FromWidth(0.6, 0.2, shape: BeadShape.Stadium);
+        var mesh = Of(new PrintPath([new Vec3(0, 0, 0.2), new Vec3(10, 0, 0.2)], bead), new PrintPath([new Vec3(10.6, 0, 0.2), new Vec3(20.6, 0, 0.2)], bead));
+        Assert.That(mesh.Vertices, Has.Count.EqualTo(4 * 8), "Two tubes of two rings.");
+        Assert.That(mesh.Vertices.Any(v => v.X > 10.1 && v.X < 10.5), Is.False);
     }
 
     [Test]

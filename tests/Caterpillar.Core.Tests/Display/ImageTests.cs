@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.IO.Compression;
 using System.Linq;
+using System.Threading;
 using Caterpillar.Display;
 using Caterpillar.Files;
 using Caterpillar.Geometry;
@@ -129,6 +130,11 @@ public class ImageTests
     [Test]
     public void Invalid_sizes_are_rejected()
         => Assert.That(() => new RasterImage(0, 10, default), Throws.InstanceOf<ArgumentOutOfRangeException>());
+
+    [Test]
+    public void Drawing_can_be_canceled()
+        => Assert.That(() => ToolpathImage.Draw(Line(Vec3.Zero, Vec3.UnitX), new ToolpathImageOptions(), cancel: new CancellationToken(true)),
+            Throws.InstanceOf<OperationCanceledException>());
 
     private static Toolpath Line(Vec3 from, Vec3 to)
     {

@@ -52,6 +52,18 @@ public class ViewerPageTests
     }
 
     [Test]
+    public void A_head_that_leans_has_its_axes_in_every_row()
+    {
+        var toolpath = GCodeDecoder.Decode(Encoding.ASCII.GetBytes("G21\nG90\nM83\nG0 X0 Y0 Z10 B0 F6000\nG1 X10 E1 B90 F600\n")).Value!.Toolpath;
+        var printer = new Printer { RotaryAxes = new([RotaryAxis.Parse("B head y")!]) };
+        var page = Page(new ViewerContent("a") { Toolpath = toolpath, Printer = printer });
+        var columns = Columns(page, Head(page));
+        long[] Last(params string[] names) => [.. names.Select(n => columns[n].Last())];
+        Assert.That(Last("zx", "zy", "zz"), Is.EqualTo(new long[] { 10000, 0, 0 }));
+        Assert.That(Last("xx", "xy", "xz"), Is.EqualTo(new long[] { 0, 0, -10000 }));
+    }
+
+    [Test]
     public void Arcs_are_divided_and_stay_on_their_circle()
     {
         var toolpath = GCodeDecoder.Decode(Encoding.ASCII.GetBytes(Code)).Value!.Toolpath;

@@ -57,7 +57,10 @@ public class CurveReaderTests
     [TestCase("1.5", 1.5)]
     [TestCase("50 %", 0.5)]
     public void The_flow_may_be_a_percentage(string text, double flow)
-        => Assert.That(Read($"x,y,flow\n0,0,{text}\n5,0,{text}\n", "c.csv").Value!.Single().Flow, Is.EqualTo(flow));
+    {
+        var curve = Read($"x,y,flow\n0,0,{text}\n5,0,{text}\n", "c.csv").Value!.Single();
+        Assert.That((curve.Flow, curve.Curve.Start, curve.Curve.End), Is.EqualTo((flow, Vec3.Zero, new Vec3(5, 0))), "Without heights a drawing is flat.");
+    }
 
     [Test]
     public void Values_that_change_on_a_closed_curve_lose_the_repeated_end()
@@ -151,6 +154,8 @@ public class CurveReaderTests
         Assert.That(curves[1].Curve.Start, Is.EqualTo(new Vec3(1, 1, 0.5)));
         Assert.That(curves[2].Curve.IsClosed, Is.True);
         Assert.That(read.Diagnostics.Single().Code, Is.EqualTo("curves.faces"));
+        var free = Read("v 0 0 0\nv 1 0 0\ncstype bezier\ns off\nl 1 2\n", "a.obj");
+        Assert.That(free.Diagnostics.Select(d => (d.Code, d.Source!.Line)), Is.EqualTo(new[] { ("curves.unsupported", 3) }));
     }
 
     [TestCase("v 0 0 0\nv 1 0 0\nl 1 3\n", "3:5: error curves.obj")]

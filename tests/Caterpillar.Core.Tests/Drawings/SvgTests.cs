@@ -128,6 +128,17 @@ public class SvgTests
         Assert.That(One("<polygon points=\"0,0 10,0 10,10\"/>").Curve.IsClosed, Is.True);
         Assert.That(One("<polyline points=\"0,0 10,0 10,10\"/>").Curve.IsClosed, Is.False);
         Near(One("<line x1=\"10%\" y1=\"50%\" x2=\"3\" y2=\"4\"/>").Curve.Start, Up(10, 50));
+        Near(One("<svg x=\"30\" y=\"20\" width=\"10\" height=\"10\"><line x1=\"1\" y1=\"2\" x2=\"3\" y2=\"4\"/></svg>").Curve.Start, Up(31, 22));
+    }
+
+    [TestCase("<ellipse rx=\"7\" ry=\"0\"/>")]
+    [TestCase("<ellipse rx=\"0\" ry=\"7\"/>")]
+    [TestCase("<circle r=\"0\"/>")]
+    public void Shapes_without_a_size_are_not_drawn(string shape)
+    {
+        var read = CurveReaderTests.Read(Page(shape + "<line x2=\"9\"/>"), "a.svg");
+        Assert.That(read.Value!.Single().Curve.Length, Is.EqualTo(9).Within(1e-9));
+        Assert.That(read.Diagnostics.Single().Count, Is.EqualTo(1), "Of the one that is not drawn.");
     }
 
     [TestCase("translate(5,7)", 6, 7)]

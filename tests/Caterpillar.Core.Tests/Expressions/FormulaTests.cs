@@ -50,6 +50,8 @@ internal sealed class FormulaTests
     [TestCase("sqrt(2) ^ 2 - 2", 4.440892098500626e-16)]
     [TestCase("min(3, 1, 2)", 1)]
     [TestCase("max(3, 1, 2)", 3)]
+    [TestCase("min(sqrt(-1), 1)", double.NaN)]
+    [TestCase("max(sqrt(-1), 1)", double.NaN)]
     [TestCase("round(2.5)", 3)]
     [TestCase("round(-2.5)", -3)]
     [TestCase("round(0.49999999999999994)", 0)]
@@ -135,9 +137,14 @@ internal sealed class FormulaTests
         Assert.That(new SeededRandom(42).NextDouble(), Is.EqualTo(0.08299378146589231).Within(0), "the numbers never change");
         Assert.That(Value("random(3)"), Is.EqualTo(Value("random(3)")).And.Not.EqualTo(Value("random(4)")));
         Assert.That(Formula.Compile("random(x)", ["x"]).Value!.UsesRandom, Is.False);
-        var dice = Formula.Compile("randint(1, 6)").Value!;
         var cup = new FormulaContext([], new SeededRandom(1));
-        Assert.That(Enumerable.Range(0, 600).Select(_ => dice.Evaluate(cup)).Distinct().OrderBy(d => d), Is.EqualTo(new double[] { 1, 2, 3, 4, 5, 6 }));
+        double[] Thrown(string dice)
+        {
+            var die = Formula.Compile(dice).Value!;
+            return [.. Enumerable.Range(0, 600).Select(_ => die.Evaluate(cup)).Distinct().OrderBy(d => d)];
+        }
+        Assert.That(Thrown("randint(1, 6)"), Is.EqualTo(new double[] { 1, 2, 3, 4, 5, 6 }));
+        Assert.That(Thrown("randint(-3, -1)"), Is.EqualTo(new double[] { -3, -2, -1 }));
     }
 
     [TestCase("1 +", 1, 4, "formula.syntax")]

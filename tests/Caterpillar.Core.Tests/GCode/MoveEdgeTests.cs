@@ -112,6 +112,15 @@ public class MoveEdgeTests
             Does.Contain(first).And.Contain(second == "K0" ? "K-1" : second));
     }
 
+    // From (5, 0, 1) to (5, 0, -1), so that one of the two coordinates is the same.
+    [TestCase(ArcPlane.ZX, 4, 0, 90)]
+    [TestCase(ArcPlane.YZ, 5, -1, -90)]
+    public void An_arc_that_comes_back_to_one_of_its_coordinates_is_no_circle(ArcPlane plane, double x, double y, double sweep)
+    {
+        var written = Written("marlin2", new Vec3(5, 0, -1), new Arc(new Vec3(x, y), sweep, plane));
+        Assert.That(written.Count(l => l.StartsWith("G2 ", StringComparison.Ordinal) || l.StartsWith("G3 ", StringComparison.Ordinal)), Is.EqualTo(1));
+    }
+
     // A short arc whose ends round to one point, and a full circle that does not close.
     [TestCase(0.0004, 0.005, false)]
     [TestCase(0.0, 360.0, true)]

@@ -92,6 +92,15 @@ public class BasicShapeTests
     }
 
     [Test]
+    public void Maps_that_tilt_vertical_lines_or_level_planes_are_not_upright()
+    {
+        Assert.That(Affine.Rotate(Vec3.UnitZ, 30).Then(Affine.Scale(2, 3, 4)).Then(Affine.Move(new Vec3(1, 2, 3))).IsUpright, Is.True);
+        Vec3 x = Vec3.UnitX, y = Vec3.UnitY, z = Vec3.UnitZ;
+        Affine[] tilted = [new(x + z, y, z, Vec3.Zero), new(x, y + z, z, Vec3.Zero), new(x, y, z + x, Vec3.Zero), new(x, y, z + y, Vec3.Zero)];
+        Assert.That(tilted.Select(m => m.IsUpright), Is.All.False);
+    }
+
+    [Test]
     public void Frames_turn_about_their_own_axes()
     {
         var frame = Frame.At(new Vec3(5, 6, 7));

@@ -231,4 +231,13 @@ public class RegionTests
     }
 
     private static bool Fast => !Rounds.OnMono;
+
+    [TestCase(0.5, true)]
+    [TestCase(0.51, false)]
+    public void What_is_within_half_a_unit_of_the_grid_from_a_boundary_lies_on_it(double units, bool isOn)
+    {
+        var square = Region.Rectangle(0, 0, 10, 10);
+        var beside = units / 100_000;
+        Assert.That(new[] { square.Contains(5, -beside), square.Contains(-beside, 5) }, Is.All.EqualTo(isOn));
+    }
 }

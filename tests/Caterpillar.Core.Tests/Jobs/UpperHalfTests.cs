@@ -2,6 +2,7 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using Caterpillar.GCode;
+using Caterpillar.Geometry;
 using Caterpillar.Jobs;
 using NUnit.Framework;
 
@@ -39,6 +40,17 @@ public class UpperHalfTests
     public void What_cannot_go_on_is_an_error(string start, double z, string code)
         => Assert.That(new FileJob(GCodeDecoder.Decode(GCodeDocument.FromText(start + Lower + Upper)).OrThrow()).KeepAbove(z).Diagnostics.Single().Code,
             Is.EqualTo(code));
+
+    [Test]
+    public void The_end_code_of_a_lower_half_stays_above_it()
+    {
+        var end = Upper.Replace("M84\n", "G1 X0 Y0 Z2\nM84\n");
+        var job = new FileJob(GCodeDecoder.Decode(GCodeDocument.FromText("G28\nM109 S200\nM83\n" + Lower + end)).OrThrow()).KeepBelow(0.3).OrThrow();
+        using var stream = new MemoryStream();
+        job.Write(stream, "lower.gcode", null).OrThrow();
+        var read = GCodeDecoder.Decode(GCodeDocument.FromText(Encoding.UTF8.GetString(stream.ToArray()))).OrThrow().Toolpath;
+        foreach (var toolpath in new[] { job.Toolpath, read }) Assert.That(toolpath[toolpath.Count - 1].End, Is.EqualTo(new Vec3(0, 0, 5.2)));
+    }
 
     [Test]
     public void Both_halves_have_the_extrusions_of_the_whole()

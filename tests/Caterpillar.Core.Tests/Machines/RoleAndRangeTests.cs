@@ -208,4 +208,9 @@ public class RoleAndRangeTests
     [TestCase("; only a note", false)]
     [TestCase("", false)]
     public void Sections_and_assignments_make_an_ini_file(string text, bool isIni) => Assert.That(IniPresets.IsIni(text), Is.EqualTo(isIni));
+
+    [TestCase(40)]
+    [TestCase(41)]
+    public void Long_texts_are_cut_in_messages(int length)
+        => Assert.That(KeyFormat.Describe(new string('a', length)), Is.EqualTo("the text \"" + new string('a', 40) + (length > 40 ? "…\"" : "\"")));
 }

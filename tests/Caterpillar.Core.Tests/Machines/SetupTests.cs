@@ -101,6 +101,10 @@ public class SetupTests
         Assert.That(BedOutline.Read(points.Split(',')[0]), Is.Null);
     }
 
+    [TestCase("0x0,220x0,220x0.9,0x0.9")]
+    [TestCase("0x0,0.9x0,0.9x200,0x200")]
+    public void A_bed_as_thin_as_a_line_is_none(string points) => Assert.That(BedOutline.Read(points), Is.Null);
+
     [Test]
     public void The_least_adaptive_height_may_not_exceed_the_greatest()
     {

@@ -36,6 +36,16 @@ public class ObstacleTests
     }
 
     [Test]
+    public void Beside_a_spire_travels_are_as_low_as_the_spire_is_there()
+    {
+        var spire = TriMesh.Create([new(9, 9, 0), new(11, 9, 0), new(11, 11, 0), new(9, 11, 0), new(10.1, 10.1, 20)], [0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4]);
+        var deposit = new Deposit();
+        Obstacle.AddTo(deposit, spire);
+        Assert.That(deposit.TopUnder(new Vec3(10.1, 10.1), 100), Is.EqualTo(20).Within(1e-9));
+        Assert.That(deposit.TopUnder(new Vec3(11, 10.1), 100), Is.InRange(0, 15));
+    }
+
+    [Test]
     public void A_cone_is_several_rings_each_as_low_as_its_inner_edge_and_a_flat_is_one()
     {
         var rings = HeadCorridor.Rings([(0.5, 0), (4.5, 8), (20, 8)]).ToArray();

@@ -66,6 +66,14 @@ public class PlanningTests
     }
 
     [Test]
+    public void Short_travels_along_a_slope_pass_over_what_is_higher_next_to_them()
+    {
+        string[] Over(double z) => Moves([.. new[] { Line(0, 0, 10, 0, 0), Line(10, 1, 0, 1, z) }.Select(p => p with { Layer = new Layer(0, 1, 0.2) })]);
+        Assert.That(Over(0), Does.Contain("Travel 10,1,0 0 150"));
+        Assert.That(Over(0.3), Is.SupersetOf(new[] { "Travel 10,0,0.8 0 10", "Travel 10,1,0.8 0 150", "Travel 10,1,0.3 0 10" }));
+    }
+
+    [Test]
     public void Touching_paths_are_printed_without_a_travel()
     {
         Assert.That(Moves([Line(0, 0, 10, 0, 0), Line(10, 0, 10, 4, 0)]), Is.EqualTo(new[] { "Print 10,0,0 2.5 50", "Print 10,4,0 1 50" }));

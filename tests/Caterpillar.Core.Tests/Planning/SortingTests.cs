@@ -88,6 +88,14 @@ public class SortingTests
         static PrintPath At(int layer, double x) => new([new Vec3(x, 0, layer), new Vec3(x + 0.5, 0, layer)], Bead) { Layer = new Layer(layer, layer) };
     }
 
+    [TestCase(0.00015, 1)]
+    [TestCase(0.00005, 0)]
+    public void Paths_are_as_high_as_others_within_a_ten_thousandth_of_a_millimeter(double z, int first)
+    {
+        PrintPath[] paths = [new([new Vec3(0, 0, z), new Vec3(1, 0, z)], Bead), Line(9, 0, 10, 0)];
+        Assert.That(PathSorter.Order(paths, new SortOptions(SortRule.Z))[0].Index, Is.EqualTo(first));
+    }
+
     [Test]
     public void A_tour_improves_what_nearest_gets_wrong()
     {
@@ -99,6 +107,14 @@ public class SortingTests
         Assert.That(tour, Is.EqualTo(4 + 12).Within(0.1));
 
         static PrintPath Dot(double x) => Line(x, 0, x, 0.001);
+    }
+
+    [Test]
+    public void In_a_tour_a_loop_starts_where_the_way_through_it_is_shortest()
+    {
+        PrintPath[] paths = [Line(0, 0, 10, 0), Loop(12, 0, 20, 5, 12, 10), Line(30, 10, 40, 10)];
+        Assert.That(PathSorter.Order(paths), Is.EqualTo(new[] { new PathPlacement(0), new PathPlacement(1), new PathPlacement(2) }));
+        Assert.That(PathSorter.Order(paths, new SortOptions(SortRule.Tour))[1], Is.EqualTo(new PathPlacement(1, false, 1)));
     }
 
     [Test]

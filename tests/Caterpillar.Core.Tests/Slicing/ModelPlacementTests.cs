@@ -21,6 +21,8 @@ public class ModelPlacementTests
         Assert.That(Box(new[] { Block }.Scaled(new Vec3(2, 1, 3))), Is.EqualTo(new Bounds(new Vec3(8, 20, 5), new Vec3(16, 28, 14))));
         Assert.That(Box(new[] { Block }.ScaledTo(16)).Size, Is.EqualTo(new Vec3(8, 16, 6)));
         Assert.That(Box(new[] { Block }.ScaledTo(new Vec3(1, 2, 12))).Size, Is.EqualTo(new Vec3(1, 2, 12)));
+        var plate = new NamedMesh("plate", MeshMaker.Box(0, 0, 0, 4, 8, 0.5));
+        Assert.That(Box(new[] { plate }.ScaledTo(new Vec3(4, 8, 1))).Size, Is.EqualTo(new Vec3(4, 8, 1)), "thinner than 1 mm");
         Assert.That(Block.Mesh.Bounds.Size, Is.EqualTo(new Vec3(4, 8, 3)), "the input is as it was");
         Assert.That(() => new[] { Block }.Scaled(new Vec3(1, 0, 1)), Throws.InstanceOf<ArgumentOutOfRangeException>());
         Assert.That(() => new[] { Block }.ScaledTo(double.NaN), Throws.InstanceOf<ArgumentOutOfRangeException>());

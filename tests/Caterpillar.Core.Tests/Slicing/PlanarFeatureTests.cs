@@ -184,6 +184,14 @@ public class PlanarFeatureTests
         Assert.That(Length(every) / Length(single), Is.EqualTo(1.0 / 3).Within(0.02));
     }
 
+    [TestCase(0.5, 1)]
+    [TestCase(0, 0)]
+    public void Ironing_needs_some_flow(double percent, int ironed)
+    {
+        var settings = new PrintSettings { Ironing = true, IroningFlowPercent = percent, MinLayerTime = 0 };
+        Assert.That(Solids.Slice(settings, Solids.Block(0, 0, 0, 8, 8, 1)).Count(l => Solids.Paths(l, Role.Ironing).Length > 0), Is.EqualTo(ironed));
+    }
+
     [Test]
     public void Ironing_goes_over_the_top_with_little_material()
     {

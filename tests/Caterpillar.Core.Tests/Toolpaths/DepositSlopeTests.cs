@@ -15,6 +15,13 @@ public class DepositSlopeTests
 
     private static readonly HeadShape Cone = new([(0.5, 0), (10.5, 20)]);
 
+    [TestCase(10, 0)]
+    [TestCase(0, 10)]
+    [TestCase(6, -8)]
+    public void Extrusions_that_rise_or_fall_by_more_than_0_03_mm_for_each_mm_are_sloped(double x, double y)
+        => Assert.That(new[] { 0.31, -0.31, 0.29, -0.29 }.Select(z => Extrusion.Of(Vec3.Zero, new Vec3(x, y, z), 0.2).IsSloped),
+            Is.EqualTo(new[] { true, true, false, false }));
+
     // Beside an extrusion that rises as the tip does, by 1 in 2, and is 1 mm higher: d·√(1 − ¼²) = 0.5 + 0.2 + ½·1; 0.1 lower: 0.5 + 0.2 + ½·0.9.
     [TestCase(1.2393, 0, 1, true)]
     [TestCase(1.2395, 0, 1, false)]

@@ -62,6 +62,14 @@ public class RotaryBlockTests
     }
 
     [Test]
+    public void A_print_with_one_move_in_each_layer_can_be_cut()
+    {
+        var cut = PrintCut.At(Printed(2, i => i, _ => null), 0.2).OrThrow();
+        Assert.That(cut.Lower().Moves().Count(m => m.Kind == MoveKind.Print), Is.EqualTo(1));
+        Assert.That(cut.Upper().Moves().Count(m => m.Kind == MoveKind.Print), Is.EqualTo(1));
+    }
+
+    [Test]
     public void Without_rotary_words_none_are_made()
     {
         var plain = Printed(9, i => i / 3, _ => null);

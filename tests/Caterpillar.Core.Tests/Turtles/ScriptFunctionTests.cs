@@ -146,6 +146,7 @@ internal sealed class ScriptFunctionTests
     [TestCase("image map \"lib/map.png\"\nforward map(1)", "design/main.turtle", 2, 9, "formula.arguments", "takes 2 values, not 1")]
     [TestCase("image map \"lib/map.png\"\nimage map \"lib/map.png\"", "design/main.turtle", 2, 7, "turtle.name", "declared twice")]
     [TestCase("image map", "design/main.turtle", 1, 1, "turtle.values", "image name \"file\"")]
+    [TestCase("image map \"lib/map.png\" smooth 2", "design/main.turtle", 1, 32, "turtle.values", "image name \"file\"")]
     public void Errors_of_files_name_the_file_and_the_line(string text, string file, int line, int column, string code, string message)
     {
         Write("secret.turtle", "forward 1");

@@ -177,4 +177,16 @@ internal sealed class TurtleDetailTests
         Assert.That(turtle.Face(new Vec3(40, 27, 45)).Forward(50).Position.DistanceTo(new Vec3(40, 27, 45)), Is.LessThan(1e-9));
         Assert.That(() => turtle.Face(turtle.Position), Throws.ArgumentException);
     }
+
+    [Test]
+    public void A_drawn_travel_names_the_line_where_it_begins()
+    {
+        var run = TurtleScript.Compile("forward 1\npenup\nforward 5\nforward 2\npendown\nforward 1").OrThrow().Run().OrThrow();
+        Assert.That(run.ToSteps().OfType<TravelStep>().Single().Source!.Line, Is.EqualTo(3));
+    }
+
+    [TestCase(double.NaN)]
+    [TestCase(3.7e6)]
+    public void An_arc_turns_by_a_number_of_degrees(double angle)
+        => Assert.That(() => new Turtle().Arc(10, angle), Throws.InstanceOf<ArgumentOutOfRangeException>().With.Property("ParamName").EqualTo("angle"));
 }

@@ -80,7 +80,7 @@ internal sealed class TurtleScriptTests
     [Test]
     public void Conditions_choose()
     {
-        const string Program = "param x = 0\nif x > 2 [ forward 3 ]\nelse if x > 1 [ forward 2 ] else [ forward 1 ]\nforward 10";
+        const string Program = "param x = 0\nif x > 2 [ forward 3 ]\nelse\nif x > 1 [ forward 2 ] else\n[ forward 1 ]\nforward 10";
         var script = TurtleScript.Compile(Program).Value!;
         double At(double x) => script.Run(variables: new Dictionary<string, double> { ["x"] = x }).Value!.X;
         Assert.That(new[] { At(3), At(2), At(0) }, Is.EqualTo(new[] { 13.0, 12, 11 }));

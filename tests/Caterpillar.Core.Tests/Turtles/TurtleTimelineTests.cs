@@ -41,7 +41,7 @@ internal sealed class TurtleTimelineTests
     public void No_steps_are_a_path_without_length()
     {
         Assert.That(new TurtleTimeline([]).PoseAt(0.5), Is.EqualTo(Frame.World));
-        Assert.That(new TurtleTimeline([]).At(1).Move, Is.EqualTo(-1));
+        Assert.That(new TurtleTimeline([]).At(0.3), Is.EqualTo((-1, 1.0)));
         var still = new TurtleTimeline([new EventStep(new ExtrudeEvent(2))]);
         Assert.That(still.PoseAt(0.3).Origin, Is.EqualTo(Vec3.Zero));
         Assert.That(still.At(0.3).Done, Is.EqualTo(1), "what takes no way is done");

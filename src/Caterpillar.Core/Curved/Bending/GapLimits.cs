@@ -15,11 +15,8 @@ internal sealed class GapLimits(LayerField field, PartColumns part, PrintSetting
             var parts = (int)Math.Min(64, Math.Max(1, Math.Ceiling(Thickest(layer.Top, layer.Thickness, most) / most - 1e-6)));
             for (var i = 1; i <= parts; i++)
             {
-                var top = i == parts ? layer.Top : layer.Top - layer.Thickness * (parts - i) / parts;
-                var thickness = parts == 1 ? layer.Thickness : layer.Thickness / parts;
-                var cut = parts == 1 ? layer.Cut
-                    : settings.SlicingPlane == SlicingPlane.Middle ? top - thickness / 2 : top - thickness + Math.Min(0.01, thickness / 10);
-                result.Add(new PlannedLayer(top, thickness, cut));
+                var top = layer.Top - layer.Thickness * (parts - i) / parts;
+                result.Add(PlannedLayer.Of(top, layer.Thickness / parts, settings.SlicingPlane));
             }
         }
         return result.ToArray();

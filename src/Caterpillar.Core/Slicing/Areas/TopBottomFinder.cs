@@ -34,10 +34,9 @@ internal sealed class TopBottomFinder(LayerWork layer, SliceRules rules, RegionE
         if (ReferenceEquals(sparse, inside)) return Alone(inside);
         bottom = Grown(bottom, inside, IsOverAir ? rules.Settings.BridgeAnchor : rules.Settings.SolidInfillExpansion);
         top = Grown(top, inside, rules.Settings.SolidInfillExpansion).Subtract(bottom, engine);
-        var surfaces = bottom.IsEmpty ? top : top.IsEmpty ? bottom : bottom.Union(top, engine);
-        if (!surfaces.IsEmpty && !sparse.IsEmpty) sparse = sparse.Subtract(surfaces, engine);
-        var rest = surfaces.IsEmpty ? inside : inside.Subtract(surfaces, engine);
-        solid = sparse.IsEmpty ? rest : rest.Subtract(sparse, engine);
+        var surfaces = bottom.Union(top, engine);
+        sparse = sparse.Subtract(surfaces, engine);
+        solid = inside.Subtract(surfaces, engine).Subtract(sparse, engine);
         return Bottom(new IslandAreas { Top = top, Solid = solid, Sparse = sparse }, bottom);
     }
 

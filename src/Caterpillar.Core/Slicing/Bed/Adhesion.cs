@@ -25,7 +25,7 @@ internal static class Adhesion
         // Arcs need points that lie near them.
         var chords = settings.ArcFittingTolerance > 0 ? Math.Min(ArcTolerance, settings.ArcFittingTolerance / 4) : ArcTolerance;
         var ears = BrimEars.Around(parts, covered.Offset(settings.BrimGap + brim * pitch, JoinStyle.Round, arcTolerance: chords), settings, chords);
-        var around = ears.IsEmpty ? covered : Region.Union([covered, ears]);
+        var around = Region.Union([covered, ears]);
         // From the outside in, so that each loop has the next one to lean on.
         for (var loop = settings.SkirtLoops - 1; loop >= 0; loop--)
             Loops(around, reach + settings.SkirtDistance + rules.Width / 2 + loop * pitch, Role.Skirt, outer: true, holes: false);

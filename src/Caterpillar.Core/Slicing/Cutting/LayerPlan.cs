@@ -31,7 +31,7 @@ internal sealed class LayerPlan(TriMesh mesh, PrintSettings settings)
             }
             if (thickness != last) (origin, alike, last) = (bottom, 0, thickness);
             var top = origin + ++alike * thickness;
-            var layer = new PlannedLayer(top, thickness, Cut(top, thickness));
+            var layer = PlannedLayer.Of(top, thickness, settings.SlicingPlane);
             if (!(layer.Cut < _height)) return new(layers.ToArray(), []);
             if (layers.Count == MaxLayers)
                 return new("slice.too_many_layers", "More than a million layers. Increase the layer height.");
@@ -39,9 +39,6 @@ internal sealed class LayerPlan(TriMesh mesh, PrintSettings settings)
             bottom = top;
         }
     }
-
-    private double Cut(double top, double thickness)
-        => settings.SlicingPlane == SlicingPlane.Middle ? top - thickness / 2 : top - thickness + Math.Min(0.01, thickness / 10);
 
     private double ThicknessAt(double z)
     {

@@ -110,6 +110,7 @@ public class MotionTests
 
     [TestCase("G1 X10;X20", "marlin2", "gcode.flavor_modal")]
     [TestCase("G91 G1 X20", "klipper", "gcode.flavor_commands")]
+    [TestCase("G1 X5 G0 Y6", "reprapfirmware", "gcode.flavor_commands")]
     [TestCase("RESTORE_GCODE_STATE NAME=b", "klipper", "gcode.unknown_state")]
     [TestCase("G55;G1 X5", "cnc", "gcode.workspace")]
     public void What_depends_on_the_machine_is_reported(string program, string flavor, string code)

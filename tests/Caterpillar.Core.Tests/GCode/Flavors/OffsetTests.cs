@@ -96,21 +96,21 @@ public class OffsetTests
         Assert.That(moves.Select(m => m.E), Is.EqualTo(new[] { 5.0, 4, 0, 1 }));
     }
 
-    // y = 12 t (1 − t), x = 30 (1 − t) t² + 10 t³. The second difference is √116 mm: √(0.75 · 10.77 / 0.01) = 28.4 chords.
+    // y = 12 t (1 − t), x = 30 (1 − t) t² + 10 t³, and z rises evenly. The second difference is √116 mm: √(0.75 · 10.77 / 0.01) = 28.4 chords.
     [TestCase("marlin2")]
     [TestCase("marlin1")]
     public void A_spline_becomes_chords(string flavor)
     {
-        var moves = ProgramTable.Decode("G1 X1 Y2 Z3 E1;G5 X11 Y2 I0 J4 P0 Q4 E3.9 F600", flavor).Toolpath.Moves().Skip(1).ToArray();
+        var moves = ProgramTable.Decode("G1 X1 Y2 Z3 E1;G5 X11 Y2 Z5 I0 J4 P0 Q4 E3.9 F600", flavor).Toolpath.Moves().Skip(1).ToArray();
         Assert.That(moves, Has.Length.EqualTo(29));
         for (var i = 1; i <= 29; i++)
         {
             var t = i / 29.0;
-            var expected = new Vec3(1 + 30 * (1 - t) * t * t + 10 * t * t * t, 2 + 12 * t * (1 - t), 3);
+            var expected = new Vec3(1 + 30 * (1 - t) * t * t + 10 * t * t * t, 2 + 12 * t * (1 - t), 3 + 2 * t);
             Assert.That(moves[i - 1].End.DistanceTo(expected), Is.LessThan(1e-12));
             Assert.That(moves[i - 1].E, Is.EqualTo(0.1).Within(1e-12));
         }
-        Assert.That(moves[28].End, Is.EqualTo(new Vec3(11, 2, 3)));
+        Assert.That(moves[28].End, Is.EqualTo(new Vec3(11, 2, 5)));
         Assert.That(moves[0].Speed, Is.EqualTo(10));
     }
 

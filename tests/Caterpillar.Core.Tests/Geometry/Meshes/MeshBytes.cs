@@ -96,7 +96,8 @@ internal static class MeshBytes
         {
             var rels = "<?xml version=\"1.0\"?><Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
                 + "<Relationship Target=\"/3D/box.model\" Id=\"rel0\" Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>";
-            foreach (var (path, text) in new[] { ("_rels/.rels", rels), ("3D/box.model", model) }.Concat(more))
+            // The model comes last: it is the one that the package names, not the first.
+            foreach (var (path, text) in more.Concat([("_rels/.rels", rels), ("3D/box.model", model)]))
             {
                 using var stream = zip.CreateEntry(path).Open();
                 var bytes = Text(text);

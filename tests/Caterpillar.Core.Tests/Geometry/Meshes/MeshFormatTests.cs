@@ -45,6 +45,15 @@ public class MeshFormatTests
         Assert.That(MeshReader.Read(MeshBytes.ThreeMf(), "part.3mf").Value!.Single().Name, Is.EqualTo("object 1"));
     }
 
+    [TestCase("\\\n")]
+    [TestCase("\\\r\n")]
+    [TestCase("\\ \t\n")]
+    public void A_backslash_at_the_end_of_a_line_of_OBJ_continues_it(string end)
+    {
+        var text = System.Text.Encoding.ASCII.GetString(MeshBytes.Obj()).Replace("v ", "v " + end + " ");
+        Assert.That(MeshReader.Read(System.Text.Encoding.ASCII.GetBytes(text), "box.obj").OrThrow().Single().Mesh.Volume, Is.EqualTo(MeshBytes.Box.Volume));
+    }
+
     [Test]
     public void Ascii_stl_may_have_any_case_white_space_exponents_and_several_solids()
     {

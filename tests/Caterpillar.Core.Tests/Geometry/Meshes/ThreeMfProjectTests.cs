@@ -80,6 +80,16 @@ public class ThreeMfProjectTests
         Assert.That(found.All(f => Vec3.Cross(f.B - f.A, f.C - f.A).Z > 0), "the children turn as their face");
     }
 
+    [TestCase('1')]
+    [TestCase('2')]
+    [TestCase('3')]
+    public void A_painted_face_that_is_divided_without_end_is_read_to_a_depth(char division)
+    {
+        var found = new List<ThreeMfPaint>();
+        ThreeMfPaint.Read(new string(division, 500_000), false, Vec3.Zero, new Vec3(4, 0, 0), new Vec3(0, 3, 0), found);
+        Assert.That(found, Is.Empty);
+    }
+
     [Test]
     public void Painted_faces_are_bodies_with_closed_sides()
     {
@@ -117,6 +127,8 @@ public class ThreeMfProjectTests
         Assert.That(models.Select(m => m.Settings.SeamEnforcers.Count), Is.EqualTo(new[] { 1, 0, 0 }));
         var seam = read[3].Mesh;
         var center = (seam.Vertices[0] + seam.Vertices[1] + seam.Vertices[2]) / 3 + new Vec3(0, 7, 0);
-        Assert.That(models[0].Settings.SeamEnforcers[0].Place.DistanceTo(center), Is.LessThan(1e-9));
+        var mark = models[0].Settings.SeamEnforcers[0];
+        Assert.That(mark.Place.DistanceTo(center), Is.LessThan(1e-9));
+        Assert.That(mark.Radius, Is.EqualTo(seam.Vertices.Take(3).Max(v => (v + new Vec3(0, 7, 0)).DistanceTo(center))).Within(1e-9), "The whole face.");
     }
 }

@@ -137,4 +137,19 @@ public class TriMeshTests
         for (var v = 0; v < 8; v++) Assert.That(read.Vertices.Min(p => p.DistanceTo(mesh.Vertices[v])), Is.LessThan(2e-7));
         Assert.That(() => StlWriter.ToBytes(mesh, "Solid box"), Throws.ArgumentException);
     }
+
+    [TestCase(0)]
+    [TestCase(1)]
+    [TestCase(2)]
+    public void Coordinates_up_to_the_largest_are_taken_and_no_larger_ones(int axis)
+    {
+        int Added(double value)
+        {
+            var at = new double[3];
+            at[axis] = value;
+            return new MeshBuilder(1, 1).AddVertex(at[0], at[1], at[2]);
+        }
+        Assert.That(new[] { TriMesh.MaxCoordinate, -TriMesh.MaxCoordinate }.Select(Added), Is.All.Zero);
+        Assert.That(new[] { 1.001 * TriMesh.MaxCoordinate, double.NaN }.Select(Added), Is.All.EqualTo(-1));
+    }
 }

@@ -117,7 +117,8 @@ public class SupportTests
         var top = held[held.Length - 1].Support;
         // 9.4 by 20 mm on each side of the post.
         Assert.That(top.Area, Is.EqualTo(2 * 9.4 * 20).Within(3).Percent);
-        Assert.That(Solids.Paths(held[held.Length - 1], Role.SupportInterface), Is.Not.Empty);
+        var lines = Solids.Paths(held[held.Length - 1], Role.SupportInterface).Where(p => !p.IsClosed).Sum(p => p.Length) * Width;
+        Assert.That(lines / top.Area, Is.EqualTo(0.7).Within(0.1), "The roof is filled with lines.");
         Assert.That(held.Count(l => Solids.Paths(l, Role.SupportInterface).Length > 0), Is.EqualTo(2));
     }
 

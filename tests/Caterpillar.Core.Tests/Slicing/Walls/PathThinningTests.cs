@@ -18,6 +18,14 @@ public class PathThinningTests
         Assert.That(widths, Is.EqualTo(new[] { 0.4, 0.44 }));
     }
 
+    [TestCase(0.403, 2)]
+    [TestCase(0.41, 3)]
+    public void A_point_next_to_another_stays_only_where_its_width_is_another(double width, int count)
+    {
+        var (kept, _) = PathThinning.Thin([new(0, 0), new(0.005, 0), new(2, 0)], [0.4, width, width], closed: false, 0.01, 0.005);
+        Assert.That(kept, Has.Length.EqualTo(count));
+    }
+
     [Test]
     public void A_bulge_of_the_width_and_a_corner_stay()
     {

@@ -13,9 +13,6 @@ internal sealed record RepairedMesh(
     TriMesh Mesh, int MovedVertices, double FarthestMove, int DuplicateFaces, int FlippedFaces, IReadOnlyList<FilledHole> Holes,
     int LooseFaces, int FlippedBodies)
 {
-    /// <summary>True if something was changed.</summary>
-    public bool IsChanged => MovedVertices > 0 || DuplicateFaces > 0 || FlippedFaces > 0 || Holes.Count > 0 || LooseFaces > 0 || FlippedBodies > 0;
-
     /// <summary>A mesh to which nothing was done.</summary>
     public static RepairedMesh Unchanged(TriMesh mesh) => new(mesh, 0, 0, 0, 0, [], 0, 0);
 }
