@@ -231,6 +231,11 @@ public class BatchTests : CliFixture
         Assert.That(Files(), Is.EqualTo(before));
     }
 
+    [Test]
+    [Platform("Linux")]
+    public void Patterns_tell_capitals_from_small_letters_where_the_system_does()
+        => Assert.That(Run("slice", "--each", "models/*.STL").Messages, Does.Contain("No file matches models/*.STL."));
+
     [TestCase("No file matches models/*.obj.", "slice", "--each", "models/*.obj")]
     [TestCase("models/none.stl: file not found.", "slice", "--each", "models/none.stl")]
     [TestCase("models is a folder. Give the files in it, such as 'models/*'.", "slice", "--each", "models")]

@@ -11,11 +11,13 @@ namespace Caterpillar.Cli.Tests;
 
 public class CurvedSliceTests : CliFixture
 {
-    [Test]
-    public void A_model_is_sliced_along_a_formula_and_its_moves_change_Z()
+    [TestCase("--surface", "0.1 * x")]
+    [TestCase("--deform", "cone=10")]
+    [TestCase("--deform", "x; y; z + 0.1 * x")]
+    public void A_model_is_sliced_along_a_formula_or_a_cone_and_its_moves_change_Z(string option, string value)
     {
         File.WriteAllText("part.stl", Box(20, 10, 3));
-        var run = Run("slice", "part.stl", "--surface", "0.1 * x", "--set", "layer_height_mm=0.3");
+        var run = Run("slice", "part.stl", option, value, "--set", "layer_height_mm=0.3");
         Assert.That(run.Code, Is.Zero, run.Messages);
         var prints = File.ReadAllLines("part.gcode").Where(l => l.StartsWith("G1 ") && l.Contains(" X") && l.Contains(" Z") && l.Contains(" E"));
         Assert.That(prints.Count(), Is.GreaterThan(200));

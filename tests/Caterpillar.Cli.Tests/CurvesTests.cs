@@ -97,6 +97,17 @@ public class CurvesTests : CliFixture
         Assert.That(run.Text, Does.Not.Contain(" E"));
     }
 
+    // A circle of 20 mm radius has a sagitta of 1.1 mm where a chord turns by 38.2 degrees.
+    [TestCase("--tolerance", "1.1", 10)]
+    [TestCase("--angle", "42", 9)]
+    [TestCase("--distance", "28", 5)]
+    public void Curved_parts_are_divided_as_one_option_asks(string option, string value, int segments)
+    {
+        File.WriteAllText("circle.svg", "<svg width='100mm' height='100mm' viewBox='0 0 100 100'><circle cx='50' cy='50' r='20'/></svg>");
+        Run("curves", "circle.svg", option, value);
+        Assert.That(Prints("circle.gcode"), Has.Length.EqualTo(segments));
+    }
+
     [TestCase("--map", "X=Y*2")]
     [TestCase("--map", "X*2")]
     [TestCase("--width", "thick")]

@@ -53,6 +53,7 @@ public class DecodeTests : CliFixture
         Assert.That(print.Select(r => r[1]), Is.EqualTo(new[] { "5", "6" }));
         Assert.That(print[1].Zip(columns, (v, k) => k + "=" + v),
             Is.SupersetOf(new[] { "x=30", "y=25", "z=0.2", "e=1", "deposited_e=1", "speed_mm_s=50", "length_mm=15" }));
+        Assert.That(rows.Skip(1).Select(r => r.Split(',')[Array.IndexOf(columns, "layer")]), Is.EqualTo(new[] { "-1", "0", "0" }), "Travel is in no layer.");
         Assert.That(rows.Select(r => r.Split(',').Length), Is.All.EqualTo(columns.Length));
         Assert.That(Run("decode", "a.gcode", "a.gcode", "--csv").Text.Split('\n')[1], Does.StartWith("a.gcode,0,"));
         // A quarter of a circle about (20, 10), clockwise.

@@ -46,6 +46,14 @@ public class EditOptionTests : CliFixture
     }
 
     [Test]
+    public void The_first_tool_has_the_number_0()
+    {
+        var run = Run("convert", "l.gcode", "-o", "m.gcode", "--flow", "2", "--tool", "0");
+        Assert.That(run.Code, Is.Zero, run.Messages);
+        Assert.That(File.ReadAllText("m.gcode"), Is.EqualTo(Program.Replace("E1", "E2")));
+    }
+
+    [Test]
     public void A_missing_layer_hides_no_other_problem()
     {
         var run = Run("convert", "l.gcode", "-o", "m.gcode", "--flow", "2", "--role", "Ironing", "--gcode-at-layer", "99=M300");

@@ -1,5 +1,6 @@
 using System.IO;
 using System.Linq;
+using System.Text;
 using System.Text.Json;
 using NUnit.Framework;
 
@@ -39,6 +40,8 @@ public class SimulateTests : CliFixture
         File.WriteAllText("a.gcode", Program);
         var text = Run(["simulate", "a.gcode", "--at", "move:1", .. Limits]).Text;
         Assert.That(text, Does.Contain("Print, Solid infill").And.Contain("100, 0, 0 mm, tool 0").And.Contain("1 of 4").And.Contain("line 6"));
+        var plain = Run(Encoding.ASCII.GetBytes("M83\nG1 X100 F6000\nG1 X200 E5\n"), ["simulate", "-", "--at", "move:1", .. Limits]).Text;
+        Assert.That(plain, Does.Match("Action +Print *\n"), "A role that nobody knows is not named.");
         Assert.That(Run(["simulate", "a.gcode", "--at", "0.55", .. Limits]).Text, Does.Contain("0 of 4 (50 % done)"));
         Assert.That(Run(["simulate", "a.gcode", "--at", "100%", .. Limits]).Text, Does.Contain("all 4 done").And.Contain("0 s left"));
     }

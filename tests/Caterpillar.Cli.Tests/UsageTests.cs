@@ -1,3 +1,4 @@
+using System;
 using System.IO;
 using System.Linq;
 using NUnit.Framework;
@@ -76,6 +77,10 @@ public class UsageTests : CliFixture
         var run = Run("printers");
         Assert.That((run.Code, run.Messages), Is.EqualTo((0, "")));
         foreach (var name in new[] { "generic", "ender3", "potter_super", "petg", "fine", "mine", "My own" }) Assert.That(run.Text, Does.Contain(name));
+        var settings = run.Text.Split('\n').SkipWhile(l => !l.StartsWith("SETTINGS", StringComparison.Ordinal));
+        string Line(string name) => settings.Single(l => l.StartsWith(name + " ", StringComparison.Ordinal));
+        Assert.That(Line("standard"), Does.Contain("0.2, 0.45 mm for a 0.4 mm nozzle"), "They follow from the nozzle.");
+        Assert.That(Line("clay"), Does.Contain("1.5, 3.4 mm").And.Not.Contain("nozzle"));
     }
 
     [Test]

@@ -79,7 +79,7 @@ internal sealed class CurvedOptionValues
         var kind = arguments.GetValue(_field) ?? "vertical";
         if (IsBetweenEnds(kind, surfaces))
         {
-            var part = models.Count == 1 ? models[0].Mesh : TriMesh.Merge(models.Select(m => m.Mesh));
+            var part = TriMesh.Merge(models.Select(m => m.Mesh));
             var ends = _boundaries.Of(arguments, part, placed, session);
             return kind == "geodesic" ? LayerField.Geodesic(ends, session.Cancel) : LayerField.Harmonic(ends, session.Cancel);
         }

@@ -52,7 +52,7 @@ internal sealed class OntoOptions(string does = OntoOptions.Drawn)
         session.Print(objects.Select(o => Place(o, file)).ToArray());
         if (objects.Any(a => objects.Any(b => a != b && a.Bounds.Overlaps(b.Bounds))))
             throw CliException.Usage("--onto: the objects of the copies would overlap. Increase --spacing.");
-        return options with { Onto = objects.Length == 1 ? objects[0] : TriMesh.Merge(objects) };
+        return options with { Onto = TriMesh.Merge(objects) };
     }
 
     /// <summary>The print of a drawing, on the object if one is given.</summary>
