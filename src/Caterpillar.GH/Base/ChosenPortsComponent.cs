@@ -68,7 +68,6 @@ public abstract class ChosenPortsComponent(string name, string nickname, string 
             var name = wanted[i].Param.Name;
             if (i < Params.Input.Count && Params.Input[i].Name == name) continue;
             Params.RegisterInputParam(_hidden.TryGetValue(name, out var port) ? port : wanted[i].Param, i);
-            _hidden.Remove(name);
         }
         Params.OnParametersChanged();
         VariableParameterMaintenance();

@@ -25,7 +25,7 @@ internal static class StoredText
             stream.CopyTo(memory);
             return memory.ToArray();
         }
-        catch (InvalidDataException)
+        catch (Exception damaged) when (damaged is InvalidDataException or IOException)
         {
             return null;
         }

@@ -125,8 +125,7 @@ public abstract class ProfileChoiceParam<T> : Param_Integer
     // Files are relative to the definition.
     private string FileOf(string text)
     {
-        var isFile = text.EndsWith(".json", StringComparison.OrdinalIgnoreCase) && !System.IO.Path.IsPathRooted(text);
-        if (!isFile || OnPingDocument() is not { IsFilePathDefined: true } document) return text;
+        if (!text.EndsWith(".json", StringComparison.OrdinalIgnoreCase) || OnPingDocument() is not { IsFilePathDefined: true } document) return text;
         return System.IO.Path.Combine(System.IO.Path.GetDirectoryName(document.FilePath)!, text);
     }
 }

@@ -51,6 +51,10 @@ public sealed class CurveComponentTests
         Assert.That((path.IsClosed, path.Points.Count), Is.EqualTo((true, 4)));
         Assert.That(path.BeadOf(0).Height, Is.EqualTo(0.2));
 
+        var triangle = new Rg.PolylineCurve(new Rg.Point3d[] { new(0, 0, 0), new(9, 0, 0), new(9, 9, 0), new(0, 0, 0) });
+        path = new Canvas<ConstructPrintPathComponent>().Feed("Curve", triangle).Solve().One<PrintPath>("Print Path");
+        Assert.That((path.IsClosed, path.Points.Count), Is.EqualTo((true, 3)));
+
         var circle = new Rg.ArcCurve(new Rg.Circle(new Rg.Point3d(1, 2, 3), 4));
         var arcs = new Canvas<ConstructPrintPathComponent>().Feed("Curve", circle).Feed("Keep Arc", true).Solve().One<PrintPath>("Print Path");
         Assert.That((arcs.IsClosed, arcs.SegmentCount), Is.EqualTo((true, 2)));

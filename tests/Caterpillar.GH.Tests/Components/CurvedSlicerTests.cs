@@ -264,6 +264,8 @@ public sealed class CurvedSlicerTests
         Assert.That(Make(FieldKind.Vertical, ("Image", ["/nowhere.png"])).Errors, Has.One.Contains("File not found"));
         Assert.That(Make(FieldKind.Vertical, ("Image", ["/nowhere.png"]), ("Low", [3.0])).Errors, Is.Not.Empty);
         Assert.That(Slice("z + ", Shapes.Box()).Errors, Has.Some.StartsWith("Field: ").And.Some.Contains("formula."));
+        var tilted = new Canvas<CurvedSlicerComponent>().Feed("Setup", Quick).Feed("Field", "z").Feed("Geometry", Shapes.Box()).Feed("Max Tilt", 91.0);
+        Assert.That(tilted.Solve().Errors, Has.One.Contains("an angle from 0 to 90 degrees"));
         Assert.That(Slice("sin(x)", Shapes.Box()).Errors, Has.Some.Contains("curved."));
     }
 

@@ -123,8 +123,11 @@ public sealed class ShapingComponentsTests
                 Assert.That(other.One<PrintPath>("Print Paths").IsUniform, Is.False, mapping);
             }
             var flat = new PrintPath([Vec3.Zero, Vec3.UnitX], new Bead(0.2, 0, 30));
-            Assert.That(new Canvas<ModulateComponent>().Feed("Print Paths", flat).Feed("Source", "Image").Feed("Image", file).Solve().Errors.Single(),
-                Does.Contain("too flat"));
+            foreach (var mapping in new[] { "Cylinder", "Plan" })
+            {
+                var refused = new Canvas<ModulateComponent>().Feed("Print Paths", flat).Feed("Source", "Image").Feed("Image", file).Feed("Mapping", mapping);
+                Assert.That(refused.Solve().Errors.Single(), Does.Contain("too flat for the mapping " + mapping));
+            }
             File.WriteAllText(file, "no image");
             Assert.That(new Canvas<ModulateComponent>().Feed("Print Paths", Helix).Feed("Source", "Image").Feed("Image", file).Solve().Errors.Single(),
                 Does.Contain("image.unreadable"));

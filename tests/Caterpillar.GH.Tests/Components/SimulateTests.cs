@@ -74,7 +74,9 @@ public sealed class SimulateTests
             => new Canvas<SimulateComponent>().Feed("Toolpath", goo).Feed("Position", position).Feed("Position Unit", by).Solve();
         Assert.That(At("Seconds", 1.5).One<double>("Time"), Is.EqualTo(1.5).Within(1e-9));
         Assert.That(At("Seconds", 1e6).One<double>("Time"), Is.EqualTo(timeline.Duration));
-        Assert.That(At("Layer Number", 1).One<double>("Time"), Is.EqualTo(timeline.AtLayer(1)!.Value.Time));
+        var second = timeline.AtLayer(1)!.Value.Time;
+        Assert.That(At("Layer Number", 1).One<double>("Time"), Is.EqualTo(second));
+        Assert.That(At("Layer", 0.75).One<double>("Time"), Is.EqualTo((second + timeline.Duration) / 2).Within(1e-9), "Half of the second of two layers.");
         var source = goo.Value[goo.Value.Count - 1].Source;
         Assert.That(At("Line", source).One<double>("Time"), Is.EqualTo(timeline.AtSource(source)!.Value.Time));
         foreach (var (by, position) in new[] { ("Layer Number", 2.0), ("Layer Number", -1), ("Line", 1e12), ("Line", -1) })

@@ -56,6 +56,7 @@ public sealed class ToolpathMakingTests
         }));
         Assert.That(toolpath.Moves().Select(m => m.Deposited), Is.EqualTo(new[] { 0, 1, 0, 0, 0, 0.5, 0 }));
         Assert.That(toolpath.Moves().Select(m => m.Speed), Is.All.EqualTo(20.0));
+        Assert.That(canvas.Component.Message, Is.EqualTo("7 moves"));
     }
 
     [Test]
@@ -86,6 +87,9 @@ public sealed class ToolpathMakingTests
         var canvas = new Canvas<ConstructToolpathComponent>().FeedTree("Points", [P(0, 0)], [P(1, 0)], [P(2, 0)]).FeedTree("E Values", [1.0], [1.0])
             .Feed("Speeds", 20.0).Solve();
         Assert.That(canvas.Errors, Has.One.Contains("E Values has 2 branches, but Points has 3."));
+        canvas = new Canvas<ConstructToolpathComponent>().FeedTree("Points", [P(0, 0), P(1, 0)], [P(2, 0), P(3, 0)]).Feed("E Values", 1.0, 1.0)
+            .Feed("Speeds", 20.0).Solve();
+        Assert.That(canvas.Errors, Has.One.Contains("E Values has 2 values for the 2 points of branch").And.One.Contains("Give one for all"));
         var dwells = new Canvas<ConstructToolpathComponent>().Feed("Points", P(5, 0), P(5, 0)).Feed("E Values", 0.0).Feed("Speeds", 20.0, 0.0)
             .Feed("Kinds", "Travel", "Dwell").Solve();
         Assert.That(dwells.Warnings, Has.One.Contains("1 dwells are left out"));

@@ -1,10 +1,12 @@
 using System.Linq;
 using Caterpillar.GH.Components.Design;
 using Caterpillar.GH.Goos;
+using Caterpillar.GH.Plugin;
 using Caterpillar.GH.Tests.Host;
 using Caterpillar.Machines;
 using Caterpillar.Toolpaths;
 using Caterpillar.Turtles;
+using Grasshopper;
 using Grasshopper.Kernel;
 using NUnit.Framework;
 using Rhino;
@@ -72,6 +74,7 @@ public sealed class TurtleComponentsTests
         Assert.That(Line(new Canvas<TurtleMoveComponent>().Feed("Kind", "Arc").Feed("Angle", -45.0)), Is.EqualTo("arc 10 -45 0 0"));
         Assert.That(Line(new Canvas<TurtleRotateComponent>().Feed("Yaw", 30.0)), Is.EqualTo("yaw 30"));
         Assert.That(Line(new Canvas<TurtleRotateComponent>().Feed("Yaw", 30.0).Feed("Roll", 5.0)), Is.EqualTo("repeat 1 [ yaw 30; roll 5 ]"));
+        Assert.That(Line(new Canvas<TurtleRotateComponent>().Feed("Pitch", 30.0)), Is.EqualTo("pitch 30"));
         Assert.That(Line(new Canvas<TurtleRotateComponent>().Feed("Pitch", 30.0).Feed("Kind", 1)), Is.EqualTo("heading 0 30 0"));
         Assert.That(Line(new Canvas<TurtlePenComponent>().Feed("Down", false)), Is.EqualTo("penup"));
         Assert.That(Line(new Canvas<TurtleExtrusionComponent>()), Is.EqualTo("density 0.05"));
@@ -92,6 +95,19 @@ public sealed class TurtleComponentsTests
         Assert.That((port.AngleParameter, port.UseDegrees), Is.EqualTo((true, true)));
         port.UseDegrees = false;
         Assert.That(Line(canvas), Is.EqualTo("yaw 90"));
+    }
+
+    [Test]
+    public void Ports_of_an_older_file_have_the_descriptions_of_today()
+    {
+        Instances.ComponentServer.Load(typeof(PluginInfo).Assembly);
+        var (old, read) = (new Canvas<TurtleRotateComponent>().Component, new Canvas<TurtleRotateComponent>().Component);
+        var today = old.Params.Input[0].Description;
+        old.Params.Input[0].Description = "Of an older version.";
+        var archive = new GH_IO.Serialization.GH_LooseChunk("test");
+        old.Write(archive);
+        read.Read(archive);
+        Assert.That(read.Params.Input[0].Description, Is.EqualTo(today));
     }
 
     [Test]

@@ -144,7 +144,7 @@ public sealed class PreviewTests
     public void A_toolpath_is_baked_as_extrusions_on_layers_with_their_facts()
     {
         using var document = new InDocument();
-        var path = Path() with { Role = Role.OuterWall, Layer = new Caterpillar.Toolpaths.Layer(3, 1, 0.2, "Vase") };
+        var path = new PrintPath(Path().Points, new Bead(0.0812345, 0.2)) { Role = Role.OuterWall, Layer = new Caterpillar.Toolpaths.Layer(3, 1, 0.2, "Vase") };
         var plan = new Canvas<PlanToolpathComponent>().Feed("Steps", path, Path(5)).Feed("Setup", "generic").Solve();
         var ids = new List<Guid>();
         plan.Component.BakeGeometry(document.Document, null!, ids);
@@ -159,6 +159,8 @@ public sealed class PreviewTests
         Assert.That(wall.GetUserString("caterpillar.length_mm"), Is.EqualTo(NumberFormatter.Format(path.Length, 3)));
         Assert.That(wall.GetUserString("caterpillar.step"), Is.EqualTo("0"));
         Assert.That(double.Parse(wall.GetUserString("caterpillar.e"), System.Globalization.CultureInfo.InvariantCulture), Is.GreaterThan(0));
+        Assert.That(wall.GetUserString("caterpillar.area_mm2"), Is.EqualTo("0.08123"));
+        Assert.That(wall.PlotWeight, Is.EqualTo(path.BeadOf(0).Width(BeadShape.Stadium)));
         Assert.That((wall.ColorSource, wall.PlotWeightSource), Is.EqualTo((ObjectColorSource.ColorFromObject, ObjectPlotWeightSource.PlotWeightFromObject)));
     }
 

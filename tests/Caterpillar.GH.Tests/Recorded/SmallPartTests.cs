@@ -76,11 +76,14 @@ public sealed class SmallPartTests
     }
 
     [TestCase("not packed")]
+    [TestCase(" \"quoted\"")]
     [TestCase("\"")]
     [TestCase("\"open")]
     [TestCase("")]
     public void Text_that_was_not_packed_stays_as_it_is(string text) => Assert.That(StoredText.Unpack(text), Is.EqualTo(text));
 
+    // The runtimes say it differently.
     [Test]
+    [Category("Host")]
     public void Damaged_bytes_are_none() => Assert.That(StoredText.Inflate([7, 1, 2, 3, 4]), Is.Null);
 }

@@ -74,7 +74,7 @@ internal sealed class FieldPorts(Run run, List<Diagnostic> problems)
         if (upper.Length == 0 && lower.Length > 0) throw new InputProblem("Lower Boundaries need Surfaces at which layers end.");
         return new FieldRecipe(kind.ToString(), [.. upper.Select(e => e.Key), "from", .. lower.Select(e => e.Key)], (models, _, _) =>
         {
-            var part = models.Count == 1 ? models[0].Mesh : TriMesh.Merge(models.Select(m => m.Mesh));
+            var part = TriMesh.Merge(models.Select(m => m.Mesh));
             var ends = upper.Length == 0 ? MeshBoundaries.Find(part)
                 : MeshBoundaries.Near(part, lower.Length == 0 ? null : BoundaryShape.Of(lower.Select(e => e.Shape).ToArray()),
                     upper.Select(e => e.Shape).ToArray());
