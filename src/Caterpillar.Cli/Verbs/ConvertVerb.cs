@@ -50,7 +50,7 @@ internal sealed class ConvertVerb : Verb
         if (target is null or { Flavor: null, Volumetric: null } && output != "-" && !BinaryGCode.IsName(output) && IsUnchecked(arguments))
         {
             if (_edits.AreNone(arguments)) return WhileDecoding(file, output, reading, target, null, session);
-            if (target is null && Partwise(file, reading, arguments, session) is { } edits)
+            if (target is null && StreamedEdits(file, reading, arguments, session) is { } edits)
                 return WhileDecoding(file, output, reading, null, new FollowingEditor(edits.ApplyTo), session);
         }
         var decoding = session.Decode(file, reading with { KeepsText = true });
@@ -86,9 +86,9 @@ internal sealed class ConvertVerb : Verb
     }
 
     // The edits, if they can be made while the file is decoded. Its first MB and its end, which are read twice, say whether comments mark the layers.
-    private FileEdits? Partwise(string file, DecodeOptions reading, ParseResult arguments, Session session)
+    private FileEdits? StreamedEdits(string file, DecodeOptions reading, ParseResult arguments, Session session)
     {
-        if (!_edits.AreNone(arguments, true) || !File.Exists(file) || new FileInfo(file).Length == 0) return null;
+        if (!_edits.AreNone(arguments, orPlain: true) || !File.Exists(file) || new FileInfo(file).Length == 0) return null;
         using var stream = session.OpenRead(file);
         if (GCodeDecoder.DecodeStream(stream, reading with { KeepsMoves = false, MostChunks = 16 }).Value is not { } head) return null;
         try

@@ -21,7 +21,7 @@ internal sealed class StrandGrid
     // mm; far less than what is printed.
     private const double Touch = 1e-6;
 
-    // Sides of the boxes, of the boxes in them, and of those in these, mm.
+    // Sides of the boxes, and of the boxes in them down to the smallest, mm.
     private static readonly double[] Sides = [16 * Small, 4 * Small, Small, Small / 4];
     private readonly Dictionary<(int, int, int), Box> _boxes = [];
     private readonly List<Strand> _near = [];
@@ -158,7 +158,7 @@ internal sealed class StrandGrid
         return box;
     }
 
-    // What reaches into a box, and as high along a direction as a height, and where a body comes to.
+    // Matches what reaches into a box, at least to a height along a direction, where a body may come.
     private readonly struct Query(Bounds around, Vec3 apart, double low, Func<Bounds, bool>? comes)
     {
         public Bounds Around => around;
