@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text;
@@ -17,8 +18,9 @@ public sealed class FollowedChecksTests
 {
     private static readonly PrintSetup Setup = SmallPrint.Setup(p => p with { ProgressCommands = false });
 
-    [TestCase(0.2)]
-    [TestCase(0)]
+    private static IEnumerable<double> Thicknesses() => Rounds.Some([0.2, 0], 2);
+
+    [TestCaseSource(nameof(Thicknesses))]
     public void A_print_of_several_blocks_has_the_findings_of_the_whole_file(double thickness)
     {
         var toolpath = Long(thickness);

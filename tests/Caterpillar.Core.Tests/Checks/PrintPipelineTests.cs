@@ -41,7 +41,9 @@ public sealed class PrintPipelineTests
             .SetArgDisplayNames("layers wait");
     }
 
-    [TestCaseSource(nameof(Setups))]
+    private static IEnumerable<TestCaseData> SomeSetups() => Rounds.Some(Setups(), 3);
+
+    [TestCaseSource(nameof(SomeSetups))]
     public void The_file_and_its_findings_are_those_of_a_plan_made_at_once(PrintSetup setup)
     {
         var layers = Print(false);

@@ -89,6 +89,7 @@ public class MemoryLimitTests
     }
 
     [Test]
+    [Category("Arithmetic")]
     public void Long_plans_and_large_images()
     {
         var points = Enumerable.Range(0, 80_000).Select(i => new Vec3(10 + i % 2, 10 + i * 1e-3, 0.2)).ToArray();

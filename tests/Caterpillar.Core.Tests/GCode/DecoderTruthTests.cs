@@ -27,7 +27,7 @@ public class DecoderTruthTests
         }
     }
 
-    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.All))]
+    [TestCaseSource(typeof(GCodeFiles), nameof(GCodeFiles.Chosen))]
     public void With_the_balance_the_filament_used_equals_the_truth(string file)
     {
         var truth = Truth(file);

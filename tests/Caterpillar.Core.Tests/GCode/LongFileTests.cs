@@ -94,6 +94,7 @@ public class LongFileTests
         => AssertFollowed(GCodeFiles.Bytes(file), Followable[GCodeFiles.NumberOf(file) % Followable.Length]);
 
     [Test]
+    [Category("Arithmetic")]
     public void The_same_holds_for_random_programs_of_many_blocks()
     {
         FlavorRules[] flavors = [.. FlavorTable.All.Where(f => f.ExtruderLetters.Length > 0)];

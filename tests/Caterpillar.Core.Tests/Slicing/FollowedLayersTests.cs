@@ -29,7 +29,9 @@ public sealed class FollowedLayersTests
         yield return new TestCaseData(new PrintSettings { PrintSequence = PrintSequence.ByObject }, false).SetArgDisplayNames("one after the other");
     }
 
-    [TestCaseSource(nameof(Kinds))]
+    private static IEnumerable<TestCaseData> SomeKinds() => Rounds.Some(Kinds(), 3);
+
+    [TestCaseSource(nameof(SomeKinds))]
     public void They_come_in_order_and_complete(PrintSettings settings, bool? early)
     {
         var models = Two.Select((m, i) => new SliceModel(new NamedMesh("m" + i, m), settings)).ToArray();

@@ -13,10 +13,10 @@ public class ParallelMeshTests
 {
     private static readonly TriMesh Sphere = MeshMaker.BumpySphere(300, 150);
 
-    [TestCase(1)]
-    [TestCase(2)]
+    [TestCase(1, Category = "Arithmetic")]
+    [TestCase(2, Category = "Arithmetic")]
     [TestCase(3)]
-    [TestCase(8)]
+    [TestCase(8, Category = "Arithmetic")]
     public void Corners_of_a_file_become_the_points_that_they_become_one_by_one(int threads)
     {
         var bytes = StlWriter.ToBytes(Sphere);
