@@ -42,6 +42,15 @@ public class MemoryLimitTests : CliFixture
     }
 
     [Test]
+    public void An_image_that_takes_more_is_refused_before_it_is_drawn()
+    {
+        File.WriteAllText("a.gcode", "G28\nM83\nG1 X10 Y10 Z0.2 F600\nG1 X60 Y10 E2\n");
+        var run = Run("image", "a.gcode", "-o", "a.png", "--width", "8000", "--memory-limit", "64MB");
+        Assert.That((run.Code, Files()), Is.EqualTo((1, new[] { "a.gcode" })), run.Messages);
+        Assert.That(run.Messages, Does.Contain("memory.limit").And.Contain("8000 × 6000 pixels"));
+    }
+
+    [Test]
     public void The_runtime_keeps_the_limit_where_estimates_fail()
     {
         MemoryLimit? kept = null;

@@ -100,7 +100,7 @@ internal sealed class ViewVerb : Verb
                 server.Show(Page(source.Read(file), session));
                 session.Messages.WriteLine($"{file} changed. The page is updated.");
             }
-            catch (Exception bad) when (bad is CliException or IOException)
+            catch (Exception bad) when (bad is CliException or IOException or DiagnosticException)
             {
                 // The last good page stays until the file is corrected.
                 if (bad.Message.Length > 0) session.Messages.WriteLine(bad.Message);
