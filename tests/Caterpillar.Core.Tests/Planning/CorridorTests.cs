@@ -58,6 +58,13 @@ public class CorridorTests
         Assert.That(moves[moves.Count - 1].End, Is.EqualTo(new Vec3(20, 0, 0.2)));
         Assert.That(moves.Sum(m => m.Length), Is.LessThan(14));
         AssertClear(plan.Toolpath, 0.45);
+        // A wall 24 mm long and 1 mm higher: around it are 17 mm more, over it takes as long as 9 mm, at any height.
+        foreach (var z in new[] { 0.2, 60 })
+        {
+            Step[] small = [Line(15, -12, 15, 12, z + 1), Line(0, 0, 10, 0, z), Line(20, 0, 30, 0, z)];
+            var slow = PlanningTests.Plan(small, Rules with { Settings = Rules.Settings with { Detour = true, TravelSpeed = 30 } });
+            Assert.That((slow.Report.Detours, slow.Report.LocalZHops), Is.EqualTo((0, 1)), "at " + z);
+        }
         // A long low wall is passed over.
         Step[] low = [Line(15, -80, 15, 80, 0.4), Line(0, 0, 10, 0, 0.2), Line(20, 0, 30, 0, 0.2)];
         var over = PlanningTests.Plan(low, Rules with { Settings = Rules.Settings with { Detour = true } });

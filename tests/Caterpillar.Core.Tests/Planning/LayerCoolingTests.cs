@@ -55,6 +55,16 @@ public class LayerCoolingTests
         Assert.That(Plan(Lines(50, 25), Setup).Value!.Moves().Any(m => m.Kind == MoveKind.Dwell), Is.False);
     }
 
+    [TestCase(0.8, 1)]
+    [TestCase(0.81, 0.2)]
+    public void The_head_waits_on_the_layer_where_the_build_volume_ends_below_the_clearance(double clearance, double expected)
+    {
+        var printer = new Printer { BuildVolume = new Vec3(220, 220, 1), ZHop = clearance };
+        var setup = Setup with { Printer = printer, Settings = Setup.Settings with { LayerTimeWait = LayerTimeWait.Above } };
+        var dwell = Plan(Lines(50, 200), setup).Value!.Moves().Single(m => m.Kind == MoveKind.Dwell);
+        Assert.That(dwell.Start.Z, Is.EqualTo(expected).Within(1e-9));
+    }
+
     [Test]
     public void The_head_waits_beside_the_part_if_asked_to()
     {

@@ -49,6 +49,11 @@ public sealed class MergeTests
         var merged = Planner.Merge([builder.Build([new ToolpathTool(Unit), new ToolpathTool(Unit)])], Setup);
         Assert.That(merged.Diagnostics.Single().Code, Is.EqualTo("plan.unknown_tool"));
         Assert.That(merged.Diagnostics.Single().Message, Does.StartWith("A toolpath uses tool 1, but the printer has "));
+        // Where it begins with that tool, after another one.
+        var other = new ToolpathBuilder(MoveSource.Steps, null);
+        other.Add(new Vec3(20, 0, 0.2), 1, 1, 40, MoveKind.Print, Role.Infill, -1, 1, 0);
+        var two = Planner.Merge([Line(0).Build([new ToolpathTool(Unit)]), other.Build([new ToolpathTool(Unit), new ToolpathTool(Unit)])], Setup);
+        Assert.That((two.Value, two.Diagnostics.Single().Code), Is.EqualTo(((Toolpath?)null, "plan.unknown_tool")));
     }
 
     [Test]

@@ -78,6 +78,15 @@ public class PlannerTests
     }
 
     [Test]
+    public void Moves_know_the_place_of_their_step_whether_it_has_a_line_or_not()
+    {
+        SourceLocation script = new("a.turtle", Line: 7), curves = new("b.csv");
+        Step[] steps = [new PathStep(Line(0, 0, 0.2, 0)) { Source = script }, new PathStep(Line(0, 20, 0.2, 0)) { Source = curves }];
+        var toolpath = Planner.Plan(steps, new PrintSetup(Printer, new Material(), Settings with { SortPaths = false }), From0).Value!;
+        Assert.That(toolpath.Moves().Where(m => m.Kind == MoveKind.Print).Select(m => toolpath.PlaceOf(m.Index)), Is.EqualTo(new[] { script, curves }));
+    }
+
+    [Test]
     public void Sorting_can_be_switched_off_in_the_settings()
     {
         Step[] steps = [Grouped(0), Grouped(50), Grouped(10)];

@@ -178,13 +178,14 @@ public class SortingTests
         var random = new Random(13);
         for (var round = 0; round < 50; round++)
         {
-            // On a coarse lattice, so that many distances tie.
-            var points = Enumerable.Range(0, random.Next(1, 200)).Select(_ => new Vec3(random.Next(6), random.Next(6), random.Next(2))).ToArray();
+            // On a coarse lattice, so that many distances tie: of two layers, or of many.
+            var layers = round % 2 == 0 ? 2 : 30;
+            var points = Enumerable.Range(0, random.Next(1, 200)).Select(_ => new Vec3(random.Next(6), random.Next(6), random.Next(layers))).ToArray();
             var tree = new EntryTree(points);
             var left = Enumerable.Range(0, points.Length).ToList();
             while (left.Count > 0)
             {
-                var from = new Vec3(random.Next(7), random.Next(7), random.Next(3));
+                var from = new Vec3(random.Next(7), random.Next(7), random.Next(layers + 1));
                 var expected = left.OrderBy(i => (points[i] - from).LengthSquared).ThenBy(i => i).First();
                 Assert.That(tree.Nearest(from), Is.EqualTo(expected));
                 var remove = left[random.Next(left.Count)];
