@@ -196,7 +196,9 @@ public class ExtrusionRuleTests
         Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.Duplicate).Single().Count, Is.EqualTo(2));
     }
 
-    // 0.02 mm² by a nozzle of 0.4 mm are 0.05 mm high: half of that decides.
+    // 0.02 mm² by a nozzle of 0.4 mm are 0.05 mm high: half of that decides. What is less than 0.002 mm lower is of the same height.
+    [TestCase(0.001, 0)]
+    [TestCase(0.003, 1)]
     [TestCase(0.02, 1)]
     [TestCase(0.03, 0)]
     public void Thin_extrusions_above_each_other_are_not_doubled(double above, int found)
