@@ -196,9 +196,16 @@ public class ExtrusionRuleTests
         Assert.That(SmallPrint.Find(print.Build(), Setup, CheckCodes.Duplicate).Single().Count, Is.EqualTo(2));
     }
 
-    // 0.02 mm² by a nozzle of 0.4 mm are 0.05 mm high: half of that decides. What is less than 0.002 mm lower is of the same height.
+    // Where no layers are known, what is at most 0.002 mm lower is of the same height, and only doubled.
     [TestCase(0.001, 0)]
     [TestCase(0.003, 1)]
+    public void An_extrusion_is_too_low_above_one_that_is_lower(double above, int found)
+    {
+        var print = new SmallPrint(50, 50, 0.2).Print(100, 50, 0.2).Go(100, 50, 5).Go(50, 50, 5).Go(50, 50, 0.2 + above).Print(100, 50, 0.2 + above);
+        Assert.That(Count(print, CheckCodes.TooLow), Is.EqualTo(found));
+    }
+
+    // 0.02 mm² by a nozzle of 0.4 mm are 0.05 mm high: half of that decides.
     [TestCase(0.02, 1)]
     [TestCase(0.03, 0)]
     public void Thin_extrusions_above_each_other_are_not_doubled(double above, int found)
