@@ -195,12 +195,8 @@ internal sealed class ConvertVerb : Verb
         if (parts.Length > 3) throw CliException.Usage("--decimals needs at most three numbers: for X, Y and Z, for E and for F.");
         for (var i = 0; i < parts.Length; i++)
         {
-            if (!NumberReader.TryParseInt(parts[i].Trim(), out var count)
-                || count is < 0 or > 9)
-            {
-                throw CliException.Usage("--decimals needs whole numbers from 0 to 9, such as 3,5,0.");
-            }
-            decimals[i] = count;
+            decimals[i] = NumberReader.TryParseInt(parts[i].Trim(), out var count) && count is >= 0 and <= 9 ? count
+                : throw CliException.Usage("--decimals needs whole numbers from 0 to 9, such as 3,5,0.");
         }
         return decimals;
     }

@@ -98,10 +98,9 @@ public static class CurveSubdivider
 
         public void Linear(List<CurveSpan> spans, int first, int end)
         {
-            var corners = new List<Vec3> { _points[_points.Count - 1] };
-            for (var i = first; i < end; i++) corners.Add(spans[i].End);
+            Vec3[] corners = [_points[_points.Count - 1], .. spans.GetRange(first, end - first).Select(s => s.End)];
             var kept = new List<int>();
-            LinearRuns.Keep(corners, 0, corners.Count - 1, options.LinearTolerance, kept);
+            LinearRuns.Keep(corners, 0, corners.Length - 1, options.LinearTolerance, kept);
             foreach (var i in kept) Add(corners[i], true);
         }
 

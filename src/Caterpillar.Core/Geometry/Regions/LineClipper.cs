@@ -49,16 +49,10 @@ internal sealed class LineClipper(RegionIndex index, bool outside, int together 
     /// <summary>True if all of a line is kept.</summary>
     public bool IsWhole(Vec3 a, Vec3 b)
     {
+        var parts = new List<(double From, double To)>();
         Follow([a, b]);
-        Cut(0, a, b);
-        var from = 0.0;
-        foreach (var to in InOrder())
-        {
-            if (to <= from) continue;
-            if (!Keeps(Vec3.Lerp(a, b, (from + to) / 2))) return false;
-            from = to;
-        }
-        return true;
+        Parts(0, parts);
+        return parts.Count == 1 && parts[0] == (0, 1);
     }
 
     private void Cut(int segment, Vec3 a, Vec3 b)

@@ -20,8 +20,8 @@ internal static class MappedMoves
     {
         var choice = new MoveChoice(filter, toolpath);
         var (mapped, inPlace) = (new MoveSet(toolpath.Count), new MoveSet(toolpath.Count));
-        // The last selected extrusion after which all moves are selected. −2 = none.
-        var last = follows ? -1 : -2;
+        // The move after the last selected extrusion, while all moves since then are selected.
+        int? next = follows ? 0 : null;
         for (var block = 0; block < toolpath.Blocks.Count; block++)
         {
             var columns = toolpath.Blocks[block].Columns;
@@ -30,10 +30,10 @@ internal static class MappedMoves
             for (var i = 0; i < columns.Count; i++)
             {
                 var chosen = choice.Has(columns, i);
-                if (!chosen) last = -2;
+                if (!chosen) next = null;
                 if (!chosen || columns.Kind[i] is not (MoveKind.Print or MoveKind.Wipe or MoveKind.MovingDeretract)) continue;
-                for (var k = last < -1 ? first + i : last + 1; k <= first + i; k++) mapped[k] = true;
-                last = first + i;
+                for (var k = next ?? first + i; k <= first + i; k++) mapped[k] = true;
+                next = first + i + 1;
             }
         }
         if (follows && toolpath.Count > 0) mapped[0] |= inPlace[0];

@@ -31,14 +31,17 @@ internal sealed class BlockCollector(
 
     public bool IsFull => Columns.Count == Columns.Capacity;
 
-    /// <summary>Makes space for more moves, in another block if somebody takes the current one. Returns that block unless it has grown.</summary>
+    /// <summary>Makes space for more moves: a smaller block grows, one of full size ends and is returned.</summary>
     public ToolpathColumns? Grow(bool isTaken = true)
     {
-        if (IsFull && Columns.Capacity < blockSize)
-        {
-            Columns = Columns.Copy(Math.Min(Math.Max(Columns.Capacity * 4, firstSize), blockSize));
-            return null;
-        }
+        if (Columns.Capacity == blockSize) return End(isTaken);
+        Columns = Columns.Copy(Math.Min(Math.Max(Columns.Capacity * 4, firstSize), blockSize));
+        return null;
+    }
+
+    /// <summary>Ends the current block and returns it. Its columns are used again if they are neither kept nor taken by somebody.</summary>
+    public ToolpathColumns End(bool isTaken = true)
+    {
         var full = Columns;
         Seal();
         Columns = keeps || isTaken ? new ToolpathColumns(blockSize) : full;

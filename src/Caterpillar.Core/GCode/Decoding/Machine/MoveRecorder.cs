@@ -62,10 +62,7 @@ internal sealed partial class MoveRecorder(Machine machine, ExtrusionRule rule)
     /// <summary>The finished toolpath.</summary>
     public Toolpath ToToolpath(ToolpathTool[] tools)
     {
-        while (_take is not null && !_moves.Keeps && Columns.Count > 0)
-        {
-            if (_moves.Grow() is { } last) _take(Taken(last));
-        }
+        if (_take is not null && !_moves.Keeps && Columns.Count > 0) _take(Taken(_moves.End()));
         if (Layers.MergeEmpty() is { } places) _moves.RenumberLayers(layer => layer >= 0 ? places[layer] : -1);
         return new(_moves.ToBlocks(), Layers.ToLayers(), _events, tools, _start, MoveSource.Lines);
     }
