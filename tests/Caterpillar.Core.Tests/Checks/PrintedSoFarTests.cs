@@ -137,6 +137,28 @@ public class PrintedSoFarTests
         Assert.That(Mean(1.4), Is.LessThan(exact));
     }
 
+    // Crossing extrusions on a slope, of which some are too high to lie below the point.
+    [Test]
+    public void What_is_known_to_lie_below_a_point_does_not_change_the_gap()
+    {
+        var random = new Random(7);
+        for (var round = 0; round < 200; round++)
+        {
+            var printed = new PrintedSoFar(SmallPrint.Setup());
+            for (var i = 0; i < 12; i++) printed.Deposit.Add(Place(), Place(), 0.1 + 0.5 * random.NextDouble(), i);
+            var (p, half) = (new Vec3(1, 1, 1.2), new Vec3(random.NextDouble() - 0.5, 0.6));
+            var top = printed.Deposit.TopUnder(p, 0.9);
+            var known = printed.Deposit.Under;
+            Assert.That(known?.TopAt(p, 0) ?? double.NegativeInfinity, Is.EqualTo(top));
+            var exact = Mean(0, null);
+            Assert.That((Mean(0, known), Mean(exact, known)), Is.EqualTo((exact, exact)));
+            Assert.That(Mean(1.01 * exact, known), Is.LessThan(1.01 * exact));
+
+            Vec3 Place() => new(2 * random.NextDouble(), 2 * random.NextDouble(), 0.6 + random.NextDouble());
+            double Mean(double least, Extrusion? below) => printed.GapAcross(p, half, 0.8, 0.9, int.MaxValue, least, below);
+        }
+    }
+
     private static PrintedSoFar Printed(double length, double area = 0.1)
     {
         var printed = new PrintedSoFar(SmallPrint.Setup());

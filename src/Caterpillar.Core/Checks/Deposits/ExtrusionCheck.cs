@@ -26,7 +26,6 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
     private readonly bool _isAsked = findings.LooksFor(Codes);
     private readonly FitCheck _fit = new(setup, printed, findings);
     private readonly BlobCheck _blobs = new(setup, printed, findings);
-    private readonly BeadShape _shape = setup.Settings.BeadShape;
     private readonly Kinematics? _kinematics = setup.Printer.Kinematics;
     private readonly double _usualHeight = setup.Settings.LargerLayerHeight;
     private Vec3 _start, _end;
@@ -196,17 +195,17 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
         return Math.Min(_gap, Round(area));
     }
 
-    // The width in which it has room.
+    // The width in which it has room above what was found below its middle, and beside it.
     private double WidthOver(Vec3 middle, Vec3 along, double area, double least)
     {
-        var round = Round(area);
+        var (round, below) = (Round(area), printed.Deposit.Under);
         var (width, most) = (area / round, PrintedSoFar.Widest * _printer.NozzleDiameter);
         var across = along.LengthXY > 0 ? new Vec3(-along.Y, along.X) / along.LengthXY : Vec3.Zero;
         while (width < most && Mean(width) * width < area) width *= Wider;
         return Math.Min(width, most);
 
         // The mean gap; one that is clearly too small need not be exact.
-        double Mean(double over) => printed.GapAcross(middle, across * (over / 2), round, middle.Z - least / 2, int.MaxValue, area / over);
+        double Mean(double over) => printed.GapAcross(middle, across * (over / 2), round, middle.Z - least / 2, int.MaxValue, area / over, below);
     }
 
     private void Fly(int move, double step)

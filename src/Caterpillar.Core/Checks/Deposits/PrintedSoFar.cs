@@ -78,18 +78,24 @@ internal sealed class PrintedSoFar
     /// <param name="limit">What is higher is beside the path, mm.</param>
     /// <param name="before">Later extrusions do not count.</param>
     /// <param name="least">A mean clearly below it may come out too small, mm.</param>
-    public double GapAcross(Vec3 p, Vec3 half, double most, double limit, int before, double least = 0)
+    /// <param name="known">An extrusion that counts, as the one below the point: others are looked for only where it leaves room. Null = none.</param>
+    public double GapAcross(Vec3 p, Vec3 half, double most, double limit, int before, double least = 0, Extrusion? known = null)
     {
         const int Places = 8;
         const double Clearly = 0.999;
         // Nothing that is lower counts.
-        var (sum, floor, lowest) = (0.0, FloorUnder(p), p.Z - most - 1e-6);
-        for (var k = 0; k < Places && sum + (Places - k) * most >= Clearly * least * Places; k++)
+        double sum = 0, rest = 0, floor = FloorUnder(p), lowest = p.Z - most - 1e-6;
+        for (var k = 0; k < Places; k++) rest += Gap(Known(k));
+        for (var k = 0; k < Places && sum + rest >= Clearly * least * Places; k++)
         {
-            var top = Deposit.TopUnder(p + half * ((2 * k + 1.0) / Places - 1), limit, 0, before, null, lowest);
-            sum += Math.Min(most, Math.Max(0, p.Z - Math.Max(top, floor)));
+            rest -= Gap(Known(k));
+            sum += Gap(Deposit.TopUnder(Place(k), limit, 0, before, null, Known(k)));
         }
         return sum / Places;
+
+        Vec3 Place(int k) => p + half * ((2 * k + 1.0) / Places - 1);
+        double Known(int k) => known?.TopAt(Place(k), 0) is { } top && top <= limit && top > lowest ? top : lowest;
+        double Gap(double top) => Math.Min(most, Math.Max(0, p.Z - Math.Max(top, floor)));
     }
 
     /// <summary>The motion goes on from here.</summary>

@@ -54,6 +54,9 @@ internal sealed class Deposit
     /// <summary>What is in the place of new extrusions.</summary>
     public DepositOverlaps Overlaps { get; }
 
+    /// <summary>The extrusion that the last call of <see cref="TopUnder"/> has found; null = none.</summary>
+    public Extrusion? Under { get; private set; }
+
     /// <summary>Number of extrusions kept for exact answers.</summary>
     public int ExtrusionCount => _store.Count;
 
@@ -78,12 +81,12 @@ internal sealed class Deposit
         }
     }
 
-    /// <summary>Adds a straight extrusion: the path of the nozzle tip (its top) in mm and half its width in mm.</summary>
+    /// <summary>
+    /// Adds a straight extrusion: the path of the nozzle tip (its top) in mm and half its width in mm. Its tag is 0 or more, −1 = none. It is joined if another
+    /// extrusion goes on downward from its lower end.
+    /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite, or the width is negative.</exception>
-    public void Add(Vec3 from, Vec3 to, double halfWidth) => Add(from, to, halfWidth, -1);
-
-    /// <summary>The same with a tag, 0 or more; joined if another extrusion goes on downward from its lower end.</summary>
-    public void Add(Vec3 from, Vec3 to, double halfWidth, int tag, bool isJoined = false)
+    public void Add(Vec3 from, Vec3 to, double halfWidth, int tag = -1, bool isJoined = false)
     {
         if (!from.IsFinite || !to.IsFinite) throw new ArgumentOutOfRangeException(nameof(from), "The ends of an extrusion must be finite.");
         if (!(halfWidth >= 0) || double.IsInfinity(halfWidth))
@@ -165,6 +168,7 @@ internal sealed class Deposit
         double floor = double.NegativeInfinity)
     {
         var best = least - Rounding ?? floor;
+        Under = null;
         if (_bins.IsEmpty || !_bins.MayHold(point.X, point.Y)) return best;
         // A cell is never too low.
         if (radius == 0 && _cells[Index(point.X), Index(point.Y)].Top <= best) return best;
@@ -227,9 +231,9 @@ internal sealed class Deposit
         {
             if (!(bin.Entries[i].Top > best) || (bin.Entries[i].IsLevel && bin.Entries[i].Top > limit)) continue;
             ref var extrusion = ref _store[bin.Entries[i].Extrusion];
-            if (extrusion.Tag >= before) continue;
+            if (extrusion.Tag >= before || Math.Min(extrusion.Az, extrusion.Bz) > limit) continue;
             var top = extrusion.TopAt(point, radius);
-            if (top <= limit && top > best) best = top;
+            if (top <= limit && top > best) (best, Under) = (top, extrusion);
         }
         return best;
     }
