@@ -6,7 +6,6 @@ namespace Caterpillar.GH.Goos;
 /// </summary>
 public sealed class ToolpathGoo : DrawnGoo<Toolpath>
 {
-    private ToolpathTotals? _totals;
     private Func<Toolpath>? _make;
 
     public ToolpathGoo()
@@ -53,9 +52,7 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
 
     public override string TypeDescription => "All moves of the printer: positions in mm, speeds in mm/s.";
 
-    private ToolpathTotals Totals => _totals ??= ToolpathTotals.Of(Value);
-
-    public override IGH_GeometricGoo DuplicateGeometry() => new ToolpathGoo(this, Value) { _totals = _totals, CheckedWith = CheckedWith };
+    public override IGH_GeometricGoo DuplicateGeometry() => new ToolpathGoo(this, Value) { CheckedWith = CheckedWith };
 
     /// <summary>The same, checked with a setup without an error.</summary>
     public ToolpathGoo Checked(PrintSetup setup) => new(this, Value, setup) { CheckedWith = setup };
@@ -114,9 +111,9 @@ public sealed class ToolpathGoo : DrawnGoo<Toolpath>
     public override string ToString() => Value is null
         ? "No Toolpath"
         : $"Toolpath ({NumberFormatter.Format(Value.Count)} moves, {NumberFormatter.Format(Value.CountLayers())} layers, "
-            + $"{NumberFormatter.Format(Totals.PrintLength / 1000, 2)} m printed)";
+            + $"{NumberFormatter.Format(ToolpathTotals.Of(Value).PrintLength / 1000, 2)} m printed)";
 
-    private protected override Bounds Bounds => Totals.PrintBounds;
+    private protected override Bounds Bounds => ToolpathTotals.Of(Value).PrintBounds;
 
     private protected override int SegmentCount => Value.Count;
 

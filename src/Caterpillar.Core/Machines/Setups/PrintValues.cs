@@ -50,7 +50,7 @@ internal static class PrintValues
     private static Dictionary<string, double> Measure(Toolpath toolpath, PrintSetup setup)
     {
         var numbers = new Dictionary<string, double>(StringComparer.Ordinal);
-        var bounds = MoveFilter.Prints.BoundsIn(toolpath);
+        var bounds = ToolpathTotals.Of(toolpath) is { PrintMoves: > 0 } totals ? totals.PrintBounds : Bounds.Empty;
         double volume = 0, filament = 0, mass = 0, cost = 0;
         var tools = Enumerable.Range(0, Math.Max(toolpath.Tools.Count, 1)).Select(setup.OfTool).Select(s => (s.Material, s.Extrusion.FilamentPerE)).ToArray();
         foreach (var c in toolpath.Blocks.Select(b => b.Columns))

@@ -37,6 +37,7 @@ public sealed class Toolpath
     private readonly MoveEvent[] _events;
     private readonly Layer[] _layers;
     private readonly ToolpathTool[] _tools;
+    private ToolpathTotals? _totals;
 
     internal Toolpath(
         IEnumerable<ToolpathBlock> blocks, IEnumerable<Layer> layers, IEnumerable<MoveEvent> events, IEnumerable<ToolpathTool> tools, Vec3? start,
@@ -80,6 +81,9 @@ public sealed class Toolpath
 
     /// <summary>Place of each step in the design. Empty if unknown, or null for an unknown step.</summary>
     internal IReadOnlyList<SourceLocation?> Places { get; }
+
+    /// <summary>The sums over its moves, which are added up when they are first used.</summary>
+    internal ToolpathTotals Totals => _totals ??= ToolpathSums.Of(this).ToTotals(_tools);
 
     /// <summary>A move by its number.</summary>
     public Move this[int index]

@@ -21,5 +21,5 @@ public sealed record ToolpathTotals(
     internal Bounds PartBounds { get; init; }
 
     /// <summary>The sums of a toolpath.</summary>
-    public static ToolpathTotals Of(Toolpath toolpath) => ToolpathSums.Of(toolpath).ToTotals(toolpath.Tools);
+    public static ToolpathTotals Of(Toolpath toolpath) => toolpath.Totals;
 }
