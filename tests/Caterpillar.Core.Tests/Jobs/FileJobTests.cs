@@ -58,6 +58,15 @@ public class FileJobTests
     }
 
     [Test]
+    public void Of_a_moved_print_that_leaves_its_bed_the_share_of_its_moves_is_told()
+    {
+        var own = SafeWriter.ToDocument(Job.Toolpath, new PrintSetup(), "a test").OrThrow();
+        var moved = new FileJob(GCodeDecoder.Decode(own).OrThrow()).Edit(new FileEdits { Move = new Vec3(300, 0) }).OrThrow();
+        var found = moved.Write(new MemoryStream(), "a.gcode", null).Diagnostics.Single(d => d.Code == "bed.outside");
+        Assert.That(found.Share, Is.EqualTo((double)found.Count / moved.Toolpath.Count).And.GreaterThan(0));
+    }
+
+    [Test]
     public void The_reason_stands_above_all_moves_of_a_converted_file()
     {
         var job = Job.Edit(new FileEdits { Move = new Vec3(300, 0) }).OrThrow() with { Target = new ConvertOptions { RelativeE = false } };

@@ -75,7 +75,7 @@ public static class PrintCheck
         var bed = new DepositCheck(setup, findings, cancel, isOnlyBed: true);
         CheckRun.Run(toolpath, own is { RotaryAxes.Count: 0, AxisMappings.Count: 0 } ? [new PositionCheck(own, findings), bed] : [bed], null, cancel);
         string[] codes = [CheckCodes.TooLow, CheckCodes.Squeezed, CheckCodes.InAir, CheckCodes.Outside, CheckCodes.Below, CheckCodes.ExcludedArea];
-        return [.. findings.ToList().Where(d => codes.Contains(d.Code))
+        return [.. findings.ToList(toolpath.Count).Where(d => codes.Contains(d.Code))
             .Select(d => d.WithSource(s => s is null ? s : s with { File = file.Report.File }))];
     }
 
