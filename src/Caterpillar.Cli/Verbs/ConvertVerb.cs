@@ -85,12 +85,12 @@ internal sealed class ConvertVerb : Verb
         return ExitCode.Done;
     }
 
-    // The edits, if they can be made while the file is decoded. Its first MB and its end, which are read twice, say whether comments mark the layers.
+    // The edits, if they can be made while the file is decoded. Its ends, which are read twice, say whether comments mark the layers.
     private FileEdits? StreamedEdits(string file, DecodeOptions reading, ParseResult arguments, Session session)
     {
         if (!_edits.AreNone(arguments, orPlain: true) || !File.Exists(file) || new FileInfo(file).Length == 0) return null;
         using var stream = session.OpenRead(file);
-        if (GCodeDecoder.DecodeStream(stream, reading with { KeepsMoves = false, MostChunks = 16 }).Value is not { } head) return null;
+        if (GCodeDecoder.DecodeStream(stream, reading with { KeepsMoves = false, OnlyEnds = true }).Value is not { } head) return null;
         try
         {
             var edits = _edits.Of(head.Toolpath, Tolerance(arguments), () => Pausing(arguments, session), arguments, session);

@@ -36,8 +36,8 @@ public sealed record DecodeOptions
     /// <summary>Called before a stream is decoded, with what is known of it: its flavor and first lines. Returns who takes its chunks, too.</summary>
     internal Func<DecodedGCode, Action<ChunkParser, Checkpoint>>? Follow { get; init; }
 
-    /// <summary>Number of chunks after which only the end of a file follows, if it can be read before the rest. Null = the whole file.</summary>
-    internal int? MostChunks { get; init; }
+    /// <summary>True to decode only the first MB of a file and its end, if the end can be read before the rest.</summary>
+    internal bool OnlyEnds { get; init; }
 
     /// <summary>Number of bytes per chunk.</summary>
     internal int ChunkSize => KeepsText || Follow is not null ? GCodeChunk.Target : Take is null && KeepsMoves ? 1024 * 1024 : 64 * 1024;

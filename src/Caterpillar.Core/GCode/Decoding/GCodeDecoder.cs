@@ -64,7 +64,7 @@ public static class GCodeDecoder
         var tail = source.Tail();
         var text = options.KeepsText ? new List<GCodeChunk>() : null;
         var read = ChunkReader.Read(source.Text, options.ChunkSize, cancel);
-        if (tail is not null && options.MostChunks is { } most) read = read.Take(most).Append(tail);
+        if (tail is not null && options.OnlyEnds) read = read.Take((1 << 20) / options.ChunkSize).Append(tail);
         using var chunks = (text is null ? read : GCodeDocument.Kept(read, text, options.Memory)).GetEnumerator();
         var head = new List<GCodeChunk>();
         var seen = 0L;
