@@ -147,8 +147,7 @@ public class PrintedSoFarTests
             var printed = new PrintedSoFar(SmallPrint.Setup());
             for (var i = 0; i < 12; i++) printed.Deposit.Add(Place(), Place(), 0.1 + 0.5 * random.NextDouble(), i);
             var (p, half) = (new Vec3(1, 1, 1.2), new Vec3(random.NextDouble() - 0.5, 0.6));
-            var top = printed.Deposit.TopUnder(p, 0.9);
-            var known = printed.Deposit.Under;
+            var top = printed.Deposit.TopUnder(p, 0.9, out var known);
             Assert.That(known?.TopAt(p, 0) ?? double.NegativeInfinity, Is.EqualTo(top));
             var exact = Mean(0, null);
             Assert.That((Mean(0, known), Mean(exact, known)), Is.EqualTo((exact, exact)));

@@ -190,15 +190,15 @@ internal sealed class ExtrusionCheck(PrintSetup setup, PrintedSoFar printed, Fin
         _sinceGap = 0;
         var middle = Vec3.Lerp(move.Start, move.End, 0.5);
         // What is about as high is next to it.
-        _gap = printed.GapBelow(middle, least / 2);
-        if (area > Wide * _printer.NozzleDiameter * _gap) _gap = area / WidthOver(middle, move.End - move.Start, area, least);
+        _gap = printed.GapBelow(middle, least / 2, out var below);
+        if (area > Wide * _printer.NozzleDiameter * _gap) _gap = area / WidthOver(middle, move.End - move.Start, area, least, below);
         return Math.Min(_gap, Round(area));
     }
 
-    // The width in which it has room above what was found below its middle, and beside it.
-    private double WidthOver(Vec3 middle, Vec3 along, double area, double least)
+    // The width in which it has room above the extrusion below its middle and those beside that.
+    private double WidthOver(Vec3 middle, Vec3 along, double area, double least, Extrusion? below)
     {
-        var (round, below) = (Round(area), printed.Deposit.Under);
+        var round = Round(area);
         var (width, most) = (area / round, PrintedSoFar.Widest * _printer.NozzleDiameter);
         var across = along.LengthXY > 0 ? new Vec3(-along.Y, along.X) / along.LengthXY : Vec3.Zero;
         while (width < most && Mean(width) * width < area) width *= Wider;

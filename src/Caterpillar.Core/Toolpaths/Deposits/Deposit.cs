@@ -54,9 +54,6 @@ internal sealed class Deposit
     /// <summary>What is in the place of new extrusions.</summary>
     public DepositOverlaps Overlaps { get; }
 
-    /// <summary>The extrusion that the last call of <see cref="TopUnder"/> has found; null = none.</summary>
-    public Extrusion? Under { get; private set; }
-
     /// <summary>Number of extrusions kept for exact answers.</summary>
     public int ExtrusionCount => _store.Count;
 
@@ -166,9 +163,14 @@ internal sealed class Deposit
     /// </summary>
     public double TopUnder(Vec3 point, double limit, double radius = 0, int before = int.MaxValue, double? least = null,
         double floor = double.NegativeInfinity)
+        => TopUnder(point, limit, out _, radius, before, least, floor);
+
+    /// <summary>The same with the highest extrusion that was found; dropped ones are none.</summary>
+    public double TopUnder(Vec3 point, double limit, out Extrusion? found, double radius = 0, int before = int.MaxValue, double? least = null,
+        double floor = double.NegativeInfinity)
     {
         var best = least - Rounding ?? floor;
-        Under = null;
+        found = null;
         if (_bins.IsEmpty || !_bins.MayHold(point.X, point.Y)) return best;
         // A cell is never too low.
         if (radius == 0 && _cells[Index(point.X), Index(point.Y)].Top <= best) return best;
@@ -179,7 +181,7 @@ internal sealed class Deposit
             {
                 var bin = _bins[column, row];
                 if (bin is null || bin.Top <= best) continue;
-                best = TopUnderIn(bin, point, limit, radius, before, best, least ?? double.PositiveInfinity);
+                best = TopUnderIn(bin, point, limit, radius, before, best, least ?? double.PositiveInfinity, ref found);
                 if (best >= least) return best;
                 if (bin.Dropped > best) best = DroppedUnder(bin, column, row, point, point, limit, radius, best);
             }
@@ -225,7 +227,8 @@ internal sealed class Deposit
     }
 
     // The last ones are the highest as a rule: the others are skipped by their tops.
-    private double TopUnderIn(DepositBin bin, Vec3 point, double limit, double radius, int before, double best, double enough)
+    private double TopUnderIn(DepositBin bin, Vec3 point, double limit, double radius, int before, double best, double enough,
+        ref Extrusion? found)
     {
         for (var i = bin.Count - 1; i >= 0 && best < enough && !bin.AllBelow(i, best); i--)
         {
@@ -233,7 +236,7 @@ internal sealed class Deposit
             ref var extrusion = ref _store[bin.Entries[i].Extrusion];
             if (extrusion.Tag >= before || Math.Min(extrusion.Az, extrusion.Bz) > limit) continue;
             var top = extrusion.TopAt(point, radius);
-            if (top <= limit && top > best) (best, Under) = (top, extrusion);
+            if (top <= limit && top > best) (best, found) = (top, extrusion);
         }
         return best;
     }
