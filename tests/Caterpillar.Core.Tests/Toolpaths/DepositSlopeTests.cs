@@ -95,7 +95,7 @@ public class DepositSlopeTests
     }
 
     [Test]
-    public void No_reach_is_above_its_line([Values(true, false)] bool lenient)
+    public void No_reach_up_to_a_height_is_longer_than_its_bound_or_deeper_below_a_plane([Values(true, false)] bool lenient)
     {
         var random = new Random(5);
         for (var round = 0; round < 300; round++)
@@ -104,33 +104,30 @@ public class DepositSlopeTests
             var count = random.Next(1, 5);
             var head = new HeadShape(Enumerable.Range(0, count).Select(i => (r += 0.1 + 3 * random.NextDouble(), i == 0 ? 0 : h += random.Next(4))).ToArray());
             var excess = 0.01 + 12 * random.NextDouble() * random.NextDouble();
-            var half = 0.4 * random.NextDouble();
-            var line = head.LineAbove(excess, lenient);
-            var least = double.PositiveInfinity;
-            for (var i = 1; i <= 500; i++)
+            double half = 0.4 * random.NextDouble(), rise = 3 * random.NextDouble(), longest = 0, deepest = double.NegativeInfinity;
+            for (var i = 1; i <= 2000; i++)
             {
-                var e = excess * i / 500;
-                least = Math.Min(least, line.At(e, half) - head.AxisReach(e, half, lenient));
+                var e = excess * i / 2000;
+                var reach = head.AxisReach(e, half, lenient);
+                (longest, deepest) = (Math.Max(longest, reach), Math.Max(deepest, rise * reach - e));
             }
-            Assert.That(least, Is.GreaterThan(-1e-9), $"round {round}");
-            if (!lenient) Assert.That(least, Is.LessThan(0.1 + 6 * excess / 500 * line.Slope), $"round {round}: it touches the reach");
+            Assert.That(head.Reach(excess, half, lenient), Is.GreaterThan(longest - 1e-9), $"round {round}");
+            Assert.That(head.Depth(rise, half, excess, lenient), Is.GreaterThan(deepest - 1e-9), $"round {round}");
+            if (lenient) continue;
+            Assert.That(head.Reach(excess, half, lenient), Is.EqualTo(longest).Within(1e-9), $"round {round}: as long as the longest");
+            Assert.That(head.Depth(rise, half, excess, lenient), Is.EqualTo(deepest).Within(0.2), $"round {round}: as deep as the deepest");
         }
     }
 
-    // excess, start, slope, half a width is added.
-    [TestCase(5, false, 0.5, 0.5, true)]
-    [TestCase(8, false, 0.5, 19.5 / 8, true)]
-    [TestCase(0.5, true, 0, 1, false)]
-    [TestCase(0.75, true, 0, 1, true)]
-    [TestCase(2, true, 0, 1, true)]
-    [TestCase(2.1, true, 0.5, 0.5, true)]
-    public void Lines_above_the_reach_are_tight(double excess, bool lenient, double start, double slope, bool addsHalf)
-    {
-        var line = Head.LineAbove(excess, lenient);
-        Assert.That(line.Start, Is.EqualTo(start).Within(1e-12));
-        Assert.That(line.Slope, Is.EqualTo(slope).Within(1e-12));
-        Assert.That(line.AddsHalf, Is.EqualTo(addsHalf));
-    }
+    // The rise of a plane, how high an extrusion is above the tip at most, and how high the tip may be above the plane.
+    [TestCase(0.5, 5, false, 0.35)]
+    [TestCase(4, 5, false, 7.8)]
+    [TestCase(4, 8, false, 72.8)]
+    [TestCase(0.5, 5, true, 0)]
+    [TestCase(2, 2, true, 2)]
+    [TestCase(4, 5, true, 7.8)]
+    public void The_head_reaches_a_plane_from_as_high_as_its_outline_lies_below_it(double rise, double most, bool lenient, double depth)
+        => Assert.That(new HeadShape([(0.5, 0), (3, 5), (20, 8)]).Depth(rise, 0.2, most, lenient), Is.EqualTo(depth).Within(1e-8));
 
     // Down from 10 to 0 mm in 10 mm; the square has sides of 1 mm.
     [TestCase(5, 3, 1, 3.5)]

@@ -88,12 +88,8 @@ public abstract class LayerField
     /// <summary>A field moved by whole layers, so that 0 stays a border of layers and the part is above 0.</summary>
     internal static LayerField Anchored(LayerField field, PartColumns part, PrintSettings settings)
     {
-        var lowest = double.PositiveInfinity;
-        foreach (var column in part.Columns)
-        {
-            var value = field.Value(new Vec3(column.X, column.Y, column.Low));
-            if (value < lowest) lowest = value;
-        }
+        var values = part.Columns.Select(c => field.Value(new Vec3(c.X, c.Y, c.Low)));
+        var lowest = values.Where(v => !double.IsNaN(v)).DefaultIfEmpty(double.PositiveInfinity).Min();
         if (double.IsInfinity(lowest)) return field;
         const double Rounding = 1e-6;
         var layers = Math.Floor(lowest / settings.LayerHeight + Rounding);

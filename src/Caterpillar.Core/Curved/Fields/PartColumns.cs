@@ -15,15 +15,10 @@ internal sealed class PartColumns(IReadOnlyList<Column> columns, Bounds bounds)
     /// <summary>Samples of meshes: a grid over their plan, and their vertices.</summary>
     public static PartColumns Of(IEnumerable<TriMesh> meshes)
     {
-        var bounds = Bounds.Empty;
         var columns = new List<Column>();
-        foreach (var mesh in meshes)
-        {
-            if (mesh.TriangleCount == 0) continue;
-            bounds = bounds.Include(mesh.Bounds);
-            Sample(mesh, columns);
-        }
-        return new PartColumns(columns, bounds);
+        var solids = meshes.Where(m => m.TriangleCount > 0).ToArray();
+        foreach (var mesh in solids) Sample(mesh, columns);
+        return new PartColumns(columns, solids.Aggregate(Bounds.Empty, (bounds, mesh) => bounds.Include(mesh.Bounds)));
     }
 
     private static void Sample(TriMesh mesh, List<Column> columns)

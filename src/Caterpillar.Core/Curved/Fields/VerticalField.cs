@@ -69,24 +69,19 @@ internal sealed class VerticalField(PlanSurface plan, LayerBlend? blend, double 
         PlanSteps.Check(plan, part, problems);
         if (problems.HasErrors) return this;
         if (blend is not { } zone) return Anchored(this, part, settings);
-        var (low, high) = (double.PositiveInfinity, double.NegativeInfinity);
-        var lowest = Vec3.Zero;
-        foreach (var column in part.Columns)
-        {
-            var height = plan.Height(column.X, column.Y);
-            if (height < low) (low, lowest) = (height, new Vec3(column.X, column.Y, height));
-            high = Math.Max(high, height);
-        }
+        var places = part.Columns.Select(c => new Vec3(c.X, c.Y, plan.Height(c.X, c.Y))).DefaultIfEmpty().ToArray();
+        var lowest = places.Aggregate((low, next) => next.Z < low.Z ? next : low);
+        var high = places.Max(p => p.Z);
         // The plan is the border of two layers; nowhere are layers thicker than the layer height.
         var top = settings.FirstLayerHeight
             + Math.Max(0, Math.Ceiling((high - settings.FirstLayerHeight) / settings.LayerHeight - 1e-6)) * settings.LayerHeight;
         var from = Math.Max(zone.From, settings.FirstLayerHeight);
         var to = Math.Min(zone.To, top);
-        if (!(to - from > top - low))
+        if (!(to - from > top - lowest.Z))
         {
             problems.Add(Severity.Error, "curved.blend_too_short",
                 $"The blend from level layers to the plan between {Text(from)} and {Text(to)} mm is too short: layers would cross. The plan is "
-                + $"{Text(top - low)} mm lower at {lowest} than at its highest point. Make the blend longer than that."
+                + $"{Text(top - lowest.Z)} mm lower at {lowest} than at its highest point. Make the blend longer than that."
                 + PlanSurface.Otherwise);
             return this;
         }

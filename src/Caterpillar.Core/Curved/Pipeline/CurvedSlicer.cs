@@ -168,24 +168,8 @@ public static class CurvedSlicer
         => steps.ConvertAll(s => s.Region is null ? s : new PathStep(s.Path, s.Group) { KeepStart = s.KeepStart });
 
     // The head sees no more of a layer than its rise: found from the samples of the part.
-    private static double RiseOf(SliceResult flat, LayerField field)
-    {
-        var rise = 0.0;
-        foreach (var layer in flat.Layers)
-        {
-            var (low, high) = (double.PositiveInfinity, double.NegativeInfinity);
-            foreach (var contour in layer.Region.Contours)
-            {
-                for (var i = 0; i < contour.Count; i++)
-                {
-                    var z = field.ToPart(contour[i].WithZ(layer.Layer.Z)).Z;
-                    (low, high) = (Math.Min(low, z), Math.Max(high, z));
-                }
-            }
-            rise = Math.Max(rise, high - low);
-        }
-        return rise;
-    }
+    private static double RiseOf(SliceResult flat, LayerField field) => flat.Layers.Select(layer =>
+        Bounds.Of(layer.Region.Contours.SelectMany(c => c.Points, (_, p) => field.ToPart(p.WithZ(layer.Layer.Z)))).Size.Z).DefaultIfEmpty().Max();
 
     // Bent arcs are none.
     private static PrintSettings OnField(PrintSettings settings, LayerField field)
@@ -196,18 +180,12 @@ public static class CurvedSlicer
 
     private static void CheckCover(LayerField field, PartColumns part, CurvedOptions options, DiagnosticList problems)
     {
-        var outside = 0;
-        Column? first = null;
-        foreach (var column in part.Columns)
-        {
-            if (field.Covers(column.X, column.Y)) continue;
-            first ??= column;
-            outside++;
-        }
-        if (first is not { } place) return;
-        var share = 100.0 * outside / part.Columns.Count;
+        var outside = part.Columns.Where(c => !field.Covers(c.X, c.Y)).ToList();
+        if (outside.Count == 0) return;
+        var share = 100.0 * outside.Count / part.Columns.Count;
         problems.Add(options.Partial ? Severity.Warning : Severity.Error, "curved.outside_plan",
-            $"The plan does not cover {NumberFormatter.Format(share, share < 1 ? 2 : 0)} % of the part, first at x {Text(place.X)}, y {Text(place.Y)} mm. "
+            $"The plan does not cover {NumberFormatter.Format(share, share < 1 ? 2 : 0)} % of the part, first at x {Text(outside[0].X)}, "
+            + $"y {Text(outside[0].Y)} mm. "
             + (options.Partial ? "That area is not printed." : "It is too small, next to the part or has a hole."));
     }
 

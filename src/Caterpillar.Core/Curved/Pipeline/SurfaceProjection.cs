@@ -58,19 +58,9 @@ public static class SurfaceProjection
 
     private static (double Span, double Rise) Extent(IReadOnlyList<Step> steps, PlanSurface onto)
     {
-        var bounds = Bounds.Empty;
-        var (low, high) = (double.PositiveInfinity, double.NegativeInfinity);
-        foreach (var step in steps)
-        {
-            if (step is not PathStep { Path: var path }) continue;
-            bounds = bounds.Include(path.Bounds);
-            foreach (var p in path.Points)
-            {
-                var z = onto.Height(p.X, p.Y);
-                (low, high) = (Math.Min(low, z), Math.Max(high, z));
-            }
-        }
-        return (bounds.Size.LengthXY, Math.Max(0, high - low));
+        var paths = steps.OfType<PathStep>().Select(s => s.Path).ToArray();
+        var span = paths.Aggregate(Bounds.Empty, (bounds, path) => bounds.Include(path.Bounds)).Size.LengthXY;
+        return (span, Bounds.Of(paths.SelectMany(path => path.Points, (_, p) => p.WithZ(onto.Height(p.X, p.Y)))).Size.Z);
     }
 
     // Between drawn points the head follows the surface.

@@ -28,6 +28,9 @@ internal sealed class DepositBin
 
     private int _compactAt = FirstCompaction;
 
+    // Blocks before this one have their planes.
+    private int _planes;
+
     // The last one, beside what else is asked for.
     private int _last = -1;
 
@@ -49,6 +52,20 @@ internal sealed class DepositBin
 
     /// <summary>True for the last entry of a block if it and all entries before it are at most so high.</summary>
     public bool AllBelow(int entry, double top) => (entry & (Block - 1)) == Block - 1 && !(Blocks[entry >> BlockBits].TopSoFar > top);
+
+    /// <summary>A full block with its plane, in a bin with its middle and half its side and a cell in mm.</summary>
+    public ref DepositBlock WithPlane(int block, Vec3 center, double distance, ExtrusionStore store)
+    {
+        for (; _planes <= block; _planes++)
+        {
+            var next = Blocks[_planes].WithPlane(_planes > 0 ? Blocks[_planes - 1] : default, Entries, _planes << BlockBits, store);
+            // Blocks of the same layer raise it a little, those of lower ones do not.
+            for (var before = _planes - 1; before >= 0 && !next.IsOver(Blocks[before], center, distance); before--)
+                next = next.Over(Entries, before << BlockBits, store);
+            Blocks[_planes] = next;
+        }
+        return ref Blocks[block];
+    }
 
     private void Compact(ExtrusionStore store, double keepDepth)
     {
@@ -75,6 +92,7 @@ internal sealed class DepositBin
         if ((at & (Block - 1)) < Block - 1) return;
         var block = at >> BlockBits;
         if (block >= Blocks.Length) Array.Resize(ref Blocks, Math.Max(2, block * 2));
+        _planes = Math.Min(_planes, block);
         Blocks[block] = new DepositBlock(Entries, at - Block + 1, block > 0 ? Blocks[block - 1].TopSoFar : double.NegativeInfinity);
     }
 }

@@ -92,17 +92,16 @@ internal sealed class DepositContacts(DepositBins bins, DepositCells cells, Extr
     {
         // Nothing in the bin is touched farther away.
         var reach = query.Head.Reach(bin.Top - low);
-        var line = query.Head.LineAbove(bin.Top - low, query.HitsOnly);
+        var middle = new Vec3((column + 0.5) * bins.Side, (row + 0.5) * bins.Side);
         for (var block = (bin.Count - 1) >> DepositBin.BlockBits; block >= 0; block--)
         {
             var first = block << DepositBin.BlockBits;
             if (first + DepositBin.Block <= bin.Count)
             {
-                ref var bounds = ref bin.Blocks[block];
-                if (!(bounds.TopSoFar > z)) break;
+                if (!(bin.Blocks[block].TopSoFar > z)) break;
+                ref var bounds = ref bin.WithPlane(block, middle, bins.Side / 2 + cell, store);
+                if (!query.MayMeet(bounds, near, bin.Top - low)) break;
                 if (!(bounds.Top > z)) continue;
-                bounds = bounds.WithPlane(bin.Entries, first, store);
-                if (!query.MayMeet(bounds, near, line)) continue;
             }
             for (var i = Math.Min(first + DepositBin.Block, bin.Count) - 1; i >= first; i--)
             {

@@ -9,6 +9,9 @@ internal struct HeadQuery
     // Length of a path that counts as straight up, mm.
     private const double Upright = 0.03;
 
+    // Of planes; steeper ones tell nothing.
+    private const double Steepest = 100;
+
     // mm; far more than rounding.
     private const double Same = 1e-9;
 
@@ -45,11 +48,7 @@ internal struct HeadQuery
     {
         var most = extrusion.Top - Math.Min(From.Z, To.Z) - Tolerance;
         if (!(most > 0)) return false;
-        // Near the path, it may be less high above it; what is less high is met only nearer to the path.
-        for (double before = double.PositiveInfinity, excess; most < 0.8 * before; (before, most) = (most, excess))
-        {
-            if (IsPassed(extrusion, Head.LineAbove(most, HitsOnly), out excess)) return false;
-        }
+        if (IsPassed(extrusion, most)) return false;
         if (!HitsOnly && !Touches(extrusion, From, To, false)) return false;
         if (Touches(extrusion, From, To, true) && (!extrusion.IsSloped || TouchesSloped(extrusion))) return true;
         if (HitsOnly) return false;
@@ -57,15 +56,9 @@ internal struct HeadQuery
         return false;
     }
 
-    /// <summary>Whether extrusions as high above the tip as a line is right may be met from a part of the path.</summary>
-    public readonly bool MayMeet(in DepositBlock block, in (Vec3 From, Vec3 To) part, in ReachLine line)
-    {
-        if (block.Rise == 0 || line.Slope * block.Rise >= 1) return true;
-        var above = Math.Max(block.Above(part.From), block.Above(part.To)) - Tolerance;
-        var excess = (above + block.Rise * line.At(0, block.Half)) / (1 - line.Slope * block.Rise);
-        // Lower ones have a lower line.
-        return excess > Same ? excess > 0.7 * line.Most || MayMeet(block, part, Head.LineAbove(excess, HitsOnly)) : excess > -Same;
-    }
+    /// <summary>Whether extrusions of a block or before it, at most so many mm above the tip, may be met from a part of the path.</summary>
+    public readonly bool MayMeet(in DepositBlock block, in (Vec3 From, Vec3 To) part, double most)
+        => Math.Max(block.Above(part.From), block.Above(part.To)) + Head.Depth(block.Rise, block.Half, most, HitsOnly) > Tolerance - Same;
 
     /// <summary>The part of the path within some distance of a square, seen from above, and its distance in mm, negative if they may overlap.</summary>
     public readonly (Vec3 From, Vec3 To) Near(double x, double y, double half, double distance, out double away)
@@ -77,28 +70,28 @@ internal struct HeadQuery
         return _isUpright ? (From, To) : (Vec3.Lerp(From, To, Share(along - far)), Vec3.Lerp(From, To, Share(along + far)));
     }
 
-    // True if an extrusion is clearly out of reach of the infinite line of the path. The sideways reach of the head grows with the height of the extrusion
-    // above the slope of the path. Also the height of the extrusion above the tip, at most, mm.
-    private readonly bool IsPassed(in Extrusion extrusion, in ReachLine line, out double excess)
+    // True if an extrusion, at most so many mm above the tip, is clearly out of reach of the infinite line of the path.
+    private readonly bool IsPassed(in Extrusion extrusion, double most)
     {
-        excess = line.Most;
-        var cut = line.Slope * _rise;
-        if (_isUpright || cut * cut >= 1) return false;
-        // What is farther from the line of the path than (reach / shrink) is out of reach.
-        var shrink = Math.Sqrt(1 - cut * cut);
+        if (_isUpright) return false;
         double ax = extrusion.Ax - From.X, ay = extrusion.Ay - From.Y, bx = extrusion.Bx - From.X, by = extrusion.By - From.Y;
         double aside = ay * _ux - ax * _uy, bside = by * _ux - bx * _uy;
         var level = From.Z + Tolerance;
+        // Its ends above the slope of the path: it is as high above the tip there, or farther on as much more as the path falls.
         double a = extrusion.Az - level - _rise * (ax * _ux + ay * _uy), b = extrusion.Bz - level - _rise * (bx * _ux + by * _uy);
-        excess = Math.Max(a, b) + Math.Abs(_rise) * line.At(excess, extrusion.Half) + Same;
+        double above = Math.Max(a, b), rise = Math.Abs(_rise);
+        if (above + Head.Depth(rise, extrusion.Half, most, HitsOnly) <= -Same) return true;
+        var reach = Head.Reach(most, extrusion.Half, HitsOnly);
+        most = Math.Min(most, above + rise * reach);
         // It and the path lie in parallel planes.
-        double across = (b - a) / (bside - aside), gradient = Math.Sqrt(across * across + _rise * _rise), grown = 1 - line.Slope * gradient;
-        if (grown > 0) excess = Math.Min(excess, (a - across * aside + gradient * line.At(0, extrusion.Half)) / grown + Same);
-        if (excess <= 0) return true;
-        double reachA = line.At(a, extrusion.Half) + Same, reachB = line.At(b, extrusion.Half) + Same;
-        if (Math.Abs(aside) * shrink <= reachA || Math.Abs(bside) * shrink <= reachB) return false;
-        // It crosses the line.
-        return aside > 0 == bside > 0 || reachA + (reachB - reachA) * aside / (aside - bside) < 0;
+        double across = (b - a) / (bside - aside), gradient = Math.Sqrt(across * across + _rise * _rise), under = a - across * aside;
+        if (gradient < Steepest)
+        {
+            if (under + Head.Depth(gradient, extrusion.Half, most, HitsOnly) <= -Same) return true;
+            most = Math.Min(most, under + gradient * reach);
+        }
+        reach = Head.Reach(most + Same, extrusion.Half, HitsOnly) + Same;
+        return aside > 0 == bside > 0 && Math.Min(Math.Abs(aside), Math.Abs(bside)) > reach;
     }
 
     // 0 to 1.

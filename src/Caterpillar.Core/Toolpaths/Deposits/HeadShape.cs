@@ -83,16 +83,31 @@ internal sealed class HeadShape
         double Equal(double from, double gain) => from / (1 - gain) is var at && at > excess ? at : double.PositiveInfinity;
     }
 
-    /// <summary>A linear upper bound of this reach up to some height.</summary>
-    internal ReachLine LineAbove(double excess, bool lenient)
+    /// <summary>An upper bound of this reach up to some height.</summary>
+    internal double Reach(double excess, double half, bool lenient)
+        => lenient && Reach(excess) <= 3 * FlatRadius ? Math.Max(excess, Reach(excess - FlatRadius) + half) : Reach(excess) + half;
+
+    /// <summary>
+    /// How high the tip may be above a plane that rises by so much for each mm, while the head reaches to the axis of an extrusion on it, mm. Extrusions are at
+    /// most so many mm above the tip, and half of their width is given.
+    /// </summary>
+    internal double Depth(double rise, double half, double most, bool lenient)
     {
-        lenient &= Reach(excess) <= 3 * FlatRadius;
-        if (lenient && excess <= FlatRadius) return new(0, 1, false, excess);
-        var shift = lenient ? FlatRadius : 0;
-        var slope = lenient ? 1 : (Reach(excess) - FlatRadius) / excess;
-        var start = Reach(excess - shift) - slope * excess;
-        for (var i = 0; i < _radii.Length && _heights[i] + shift < excess; i++) start = Math.Max(start, _radii[i] - slope * (_heights[i] + shift));
-        return new(start, slope, true, excess);
+        var wide = lenient ? Math.Min(most, HeightAt(3 * FlatRadius)) : 0;
+        var depth = lenient ? Math.Max(0, (rise - 1) * wide) : double.NegativeInfinity;
+        if (wide > FlatRadius) depth = Math.Max(depth, Depth(rise, 0, wide - FlatRadius) - FlatRadius + rise * half);
+        return most > wide ? Math.Max(depth, Depth(rise, wide, most) + rise * half) : depth;
+    }
+
+    // The same for extrusions without a width, so many mm above the tip: linear between the points of the outline.
+    private double Depth(double rise, double least, double most)
+    {
+        var depth = Math.Max(rise * Reach(least) - least, rise * Reach(most) - most);
+        for (var i = 0; i < _radii.Length && _heights[i] < most; i++)
+        {
+            if (_heights[i] >= least) depth = Math.Max(depth, rise * _radii[i] - _heights[i]);
+        }
+        return depth;
     }
 
     private (double Start, double Slope, double End) ConeAbove(double excess)
@@ -101,10 +116,4 @@ internal sealed class HeadShape
         while (_heights[i] > excess) i--;
         return (_radii[i] - _slopes[i] * _heights[i], _slopes[i], i + 1 < _radii.Length ? _heights[i + 1] : double.PositiveInfinity);
     }
-}
-
-/// <summary>A linear bound of the reach of a head: its value at 0, its slope, whether to add half the width of an extrusion, and up to what excess.</summary>
-internal readonly record struct ReachLine(double Start, double Slope, bool AddsHalf, double Most)
-{
-    public double At(double excess, double half) => Start + Slope * excess + (AddsHalf ? half : 0);
 }
