@@ -26,7 +26,7 @@ public class LiftedPathTests
 
     private static JoinedExtrusion Joined(params (double X, double Y, Bead Bead)[] pieces)
     {
-        var joined = new JoinedExtrusion(0.01, 0.1);
+        var joined = new JoinedExtrusion(0.01, 0.1, 0.1);
         var at = Vec3.Zero;
         foreach (var (x, y, bead) in pieces)
         {
@@ -50,6 +50,19 @@ public class LiftedPathTests
         Assert.That(changes, Has.Length.LessThan(1.3 * Math.Log(2) / Math.Log(1 + percent / 100) + 1));
     }
 
+    // The gap doubles within 0.4 mm of 10.
+    [Test]
+    public void A_sharp_change_of_the_gap_takes_no_shorter_moves_than_half_a_line()
+    {
+        var field = LayerField.Between(PlanSurface.Level(0), PlanSurface.Of((x, _) => 5 + 12.5 * Math.Min(Math.Max(x - 5, 0), 0.4), 0.1));
+        var path = new PrintPath([new Vec3(0, 5, 0.5), new Vec3(10, 5, 0.5)], [new Bead(0.009, 0.02)], false);
+        var lifted = new PathLifter(field, new LiftRules(new PrintSettings(), 0.02, 89, null, false), null).Lift(new PathStep(path)).Single().Path;
+        Assert.That(lifted.SegmentCount, Is.LessThan(16));
+        var volume = Enumerable.Range(0, lifted.SegmentCount).Sum(i => lifted.BeadOf(i).Area * lifted.LengthOf(i));
+        // 0.45 mm wide, with a gap of 0.1 mm, then 0.2 mm.
+        Assert.That(volume, Is.EqualTo(0.009 * 5 * (5 * 1 + 0.4 * 1.5 + 4.6 * 2)).Within(0.5).Percent);
+    }
+
     [Test]
     public void Pieces_of_an_extrusion_are_joined_where_a_line_does_and_keep_their_volume()
     {
@@ -60,6 +73,8 @@ public class LiftedPathTests
         Assert.That(Pieces(3, 0, Of(0.91)), Is.EqualTo(1));
         Assert.That(Pieces(3, 0, Of(1.2)), Is.EqualTo(2));
         Assert.That(Pieces(3, 0, Of(0.8)), Is.EqualTo(2));
+        Assert.That(Joined((0.05, 0, Of(1)), (0.1, 0, Of(2))).Beads.Single().Area, Is.EqualTo(1.5).Within(1e-12), "Short ones have one bead.");
+        Assert.That(Joined((0.05, 0, Of(1)), (0.11, 0, Of(2))).Beads, Has.Count.EqualTo(2));
         Assert.That(Pieces(3, 0, Of(1, speed: 40)), Is.EqualTo(2));
         Assert.That(Pieces(3, 0, Of(1, height: 0)), Is.EqualTo(2));
         Assert.That(Pieces(0.5, 0, Of(1)), Is.EqualTo(2), "Back.");
@@ -71,7 +86,7 @@ public class LiftedPathTests
         Assert.That(Joined((1, 0, Of(1)), (2, 0, Of(1.06)), (3, 0, Of(0.94))).Beads, Has.Count.EqualTo(2), "Both ends of the range count.");
         Assert.That(Joined((1, 0.009, Of(1)), (2, 0.009, Of(1)), (9, -0.02, Of(1))).Beads, Has.Count.EqualTo(2), "All points that were passed count.");
         Assert.That(Joined([.. Enumerable.Range(1, 60).Select(i => ((double)i, 0.0, Of(1)))]).Beads, Has.Count.EqualTo(2), "49 at most.");
-        var kept = new JoinedExtrusion(0.01, 0.1);
+        var kept = new JoinedExtrusion(0.01, 0.1, 0.1);
         kept.Add(Vec3.Zero, new Vec3(1, 0), Of(1), (1, 1), false);
         kept.Add(new Vec3(1, 0), new Vec3(2, 0), Of(1), (1, 1), true);
         Assert.That((kept.Points.Count, kept.Beads.Count), Is.EqualTo((3, 2)));

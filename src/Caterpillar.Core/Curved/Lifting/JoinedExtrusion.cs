@@ -5,7 +5,8 @@ namespace Caterpillar.Curved;
 /// </summary>
 /// <param name="tolerance">Distance of joined points from the line, mm.</param>
 /// <param name="share">Greatest difference of areas and heights that are joined, in parts.</param>
-internal sealed class JoinedExtrusion(double tolerance, double share)
+/// <param name="shortest">Length up to which any of them are joined, mm.</param>
+internal sealed class JoinedExtrusion(double tolerance, double share, double shortest)
 {
     private const int Longest = 48;
     private readonly List<Vec3> _passed = [];
@@ -58,8 +59,9 @@ internal sealed class JoinedExtrusion(double tolerance, double share)
     {
         if (_passed.Count >= Longest || bead.Speed != Beads[Beads.Count - 1].Speed) return false;
         double least = Math.Min(_least, areas.Least), most = Math.Max(_most, areas.Most);
-        if (most - least > share * most + 1e-12 || bead.Height > 0 != Beads[Beads.Count - 1].Height > 0) return false;
         var start = Points[Points.Count - 2];
+        if (most - least > share * most + 1e-12 && start.DistanceTo(to) > shortest) return false;
+        if (bead.Height > 0 != Beads[Beads.Count - 1].Height > 0) return false;
         if (start.DistanceTo(to) <= start.DistanceTo(Points[Points.Count - 1])) return false;
         if (Points[Points.Count - 1].DistanceToSegment(start, to) > tolerance) return false;
         return _passed.TrueForAll(p => p.DistanceToSegment(start, to) <= tolerance);

@@ -14,6 +14,9 @@ internal sealed record LiftRules(PrintSettings Settings, double MinGap, double M
     /// <summary>Change of the gap along one bead, of the gap.</summary>
     public double GapShare { get; } = Settings.CurvedGapStep / 100;
 
+    /// <summary>Length along which one bead fills any gap, mm: within half its width, an extrusion does not follow it.</summary>
+    public double GapLength { get; } = Settings.LineWidth / 2;
+
     /// <summary>Maximum gap above the surface to print on that extrusions fill if no part is below them, mm.</summary>
     public double MaxFill { get; init; }
 

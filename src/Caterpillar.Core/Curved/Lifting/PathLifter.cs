@@ -12,13 +12,17 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
     // Of the tolerance; the rest is left to the bent mesh.
     private const double Share = 0.75;
     private readonly double _tolerance = Share * rules.Tolerance;
-    private readonly JoinedExtrusion _extrusion = new(Share * rules.Tolerance, rules.GapShare);
+    private readonly JoinedExtrusion _extrusion = new(Share * rules.Tolerance, rules.GapShare, rules.GapLength);
     private readonly List<PathStep> _pieces = [];
 
     // Of a move, at even distances from its start to its end, an odd number.
     private readonly List<Sample> _samples = [];
     private readonly List<Vec3> _between = [];
     private Layer? _layer;
+
+    // What the move uses of the tolerances, for its chord and for its gap: it grows with the square of its length. Infinite where it cannot be kept.
+    private double _used;
+    private double _usedByGap;
 
     // As far as moves may reach, from what was found so far, mm.
     private double _reach = double.PositiveInfinity;
@@ -56,10 +60,10 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
         {
             var moves = Math.Ceiling((1 - done) * length / _reach - 1e-9);
             end = moves > 1 ? done + (1 - done) / moves : 1;
-            var used = Sampled(path, segment, start, done, end);
+            TakeSamples(path, segment, start, done, end);
             var share = length * (end - done);
-            var best = share * Aim / Math.Sqrt(used);
-            if (used > 1 && share > 4 * _tolerance)
+            var best = Math.Min(share * Aim / Math.Sqrt(_used), Math.Max(share * Aim / Math.Sqrt(_usedByGap), rules.GapLength));
+            if (best < share * Aim && share > 4 * _tolerance)
             {
                 _reach = Math.Max(best, share / 10);
                 continue;
@@ -72,16 +76,18 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
         }
     }
 
-    // Samples of a move, and what it uses of the tolerances, which grows with the square of its length; infinite where they cannot be kept.
-    private double Sampled(PrintPath path, int segment, Sample start, double from, double to)
+    private void TakeSamples(PrintPath path, int segment, Sample start, double from, double to)
     {
         var span = path.ArcOf(segment) is null ? field.Span(path.EndOf(segment) - path.RawPoints[segment]) : path.LengthOf(segment);
         var details = (to - from) * span / field.Detail;
         var end = At(path, segment, to);
         // The middle first, and one more off the middle, where waves may hide.
         var middle = At(path, segment, (from + to) / 2);
-        var used = Math.Max(Used(start, end, end), Math.Max(Used(start, middle, end), Used(start, At(path, segment, from + 0.23 * (to - from)), end)));
-        var last = used > 1 ? 2 : 2 * (int)Math.Min(50_000, Math.Max(1, Math.Ceiling(details / 2)));
+        (_used, _usedByGap) = (0, 0);
+        Use(start, end, end);
+        Use(start, middle, end);
+        Use(start, At(path, segment, from + 0.23 * (to - from)), end);
+        var last = Math.Max(_used, _usedByGap) > 1 ? 2 : 2 * (int)Math.Min(50_000, Math.Max(1, Math.Ceiling(details / 2)));
         _between.Clear();
         _samples.Clear();
         _samples.Add(start);
@@ -89,19 +95,19 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
         {
             _samples.Add(2 * i == last ? middle : At(path, segment, from + (to - from) * i / last));
             _between.Add(_samples[i].Part);
-            used = Math.Max(used, Used(start, _samples[i], end));
+            Use(start, _samples[i], end);
         }
         _samples.Add(end);
         // Where layers are thin, it is decided for each detail whether they are printed several at once.
-        return _samples.Exists(s => s.Gap < 2 * rules.MinGap) ? Math.Max(used, details * details) : used;
+        if (_samples.Exists(s => s.Gap < 2 * rules.MinGap)) _used = Math.Max(_used, details * details);
     }
 
-    private double Used(in Sample a, in Sample m, in Sample b)
+    private void Use(in Sample a, in Sample m, in Sample b)
     {
-        if (a.Covered != m.Covered || b.Covered != m.Covered) return double.PositiveInfinity;
+        var used = m.Part.DistanceToSegment(a.Part, b.Part) / _tolerance;
         var off = (2 * m.Gap - a.Gap - b.Gap) / (rules.GapShare * Math.Max(Math.Abs(m.Gap), 1e-6));
-        var used = Math.Max(m.Part.DistanceToSegment(a.Part, b.Part) / _tolerance, off * off);
-        return double.IsNaN(used) ? double.PositiveInfinity : used;
+        if (double.IsNaN(used + off) || a.Covered != m.Covered || b.Covered != m.Covered) _used = double.PositiveInfinity;
+        else (_used, _usedByGap) = (Math.Max(_used, used), Math.Max(_usedByGap, off * off));
     }
 
     private Sample At(PrintPath path, int segment, double share)

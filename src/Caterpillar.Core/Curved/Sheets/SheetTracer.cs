@@ -7,7 +7,7 @@ namespace Caterpillar.Curved;
 /// <param name="shift">From the walls to the model, mm.</param>
 internal sealed class SheetTracer(SheetWalls walls, LiftRules rules, SliceRules slicing, Vec3 shift)
 {
-    private readonly JoinedExtrusion _extrusion = new(rules.Tolerance / 2, rules.GapShare);
+    private readonly JoinedExtrusion _extrusion = new(rules.Tolerance / 2, rules.GapShare, rules.GapLength);
     private readonly Bead _bead = slicing.Bead(slicing.Walls.OuterWidth);
     private readonly List<PrintPath> _paths = [];
 
