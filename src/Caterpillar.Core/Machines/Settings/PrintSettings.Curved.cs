@@ -6,7 +6,7 @@ public sealed partial record PrintSettings
     /// <summary>Maximum deviation of curved paths and of the deformed model.</summary> <value>mm.</value>
     public double CurvedTolerance { get; init => field = Keys.Check(value); } = 0.01;
 
-    /// <summary>Maximum change of the gap between curved layers along a move. Moves that exceed it are divided.</summary> <value>% of the gap.</value>
+    /// <summary>Maximum change of the gap between curved layers along a move that is longer than half the line width.</summary> <value>% of the gap.</value>
     public double CurvedGapStep { get; init => field = Keys.Check(value); } = 10;
 
     /// <summary>Minimum thickness of curved layers. Thinner ones are combined; 0 = 0.15 × nozzle diameter, at most half the layer height.</summary>
