@@ -3,5 +3,5 @@
 #   bench/publish.sh FOLDER
 set -eu
 cd "$(dirname "$0")/.."
-dotnet publish src/Caterpillar.Cli -c Release -o "$1" -v quiet --nologo >/dev/null
+dotnet publish src/Caterpillar.Cli -c Release -o "$1" -v quiet --nologo >&2
 echo "$1/Caterpillar.Cli"
