@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds everything and runs the tests: on .NET and, where `mono` is found, on Mono too. About five minutes on two cores.
 #   ./test.sh             run
-#   ./test.sh --full      every test on both runtimes, and all random rounds; analyzers for tests, tools and every framework, and the rules of style
+#   ./test.sh --full      every test on both runtimes, and all random rounds; analyzers for tests, tools and every framework, too
 #   ./test.sh --install   install Mono first (Debian, Ubuntu: apt-get, as root or with sudo)
 # Closes with "N passed, N failed" on a line of its own, both runtimes counted.
 #
