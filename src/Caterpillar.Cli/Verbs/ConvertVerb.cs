@@ -85,7 +85,7 @@ internal sealed class ConvertVerb : Verb
         return ExitCode.Done;
     }
 
-    // The edits, if they can be made while the file is decoded. Its ends, which are read twice, say whether comments mark the layers.
+    // The edits, if they can be made while the file is decoded. Its beginning and end, read twice, show whether comments mark the layers.
     private FileEdits? StreamedEdits(string file, DecodeOptions reading, ParseResult arguments, Session session)
     {
         if (!_edits.AreNone(arguments, orPlain: true) || !File.Exists(file) || new FileInfo(file).Length == 0) return null;

@@ -92,7 +92,7 @@ internal sealed class FitCheck
         else if (width < Thinnest * _printer.NozzleDiameter && move.Role is not (Role.Ironing or Role.GapFill))
         {
             // Ramps of seams run out over each other, thinner and thinner.
-            width = new Bead(area, Math.Min(height, _printed.GapBelow(Vec3.Lerp(move.Start, move.End, 0.5), Flat))).Width(_shape);
+            width = new Bead(area, Math.Min(height, _printed.GapBelow(Vec3.Lerp(move.Start, move.End, 0.5), Flat, out _))).Width(_shape);
             if (width < Thinnest * _printer.NozzleDiameter && _thin.Add(move) is { } at) ReportWidth(at, width);
         }
     }

@@ -64,10 +64,9 @@ internal sealed class PrintedSoFar
     /// <summary>Height of the object or of the bed below a point of a path, mm. Extrusions may be pressed into it a little.</summary>
     public double FloorUnder(Vec3 p) => Object is null ? 0 : Math.Max(0, Math.Min(p.Z, Object.Under(p.X, p.Y, p.Z + CollisionCheck.Flush)));
 
-    /// <summary>Gap of at least <paramref name="least"/> mm between a point of a path and what lies exactly below it, mm.</summary>
-    public double GapBelow(Vec3 p, double least) => GapBelow(p, least, out _);
-
-    /// <summary>The same with the extrusion there; null = none.</summary>
+    /// <summary>
+    /// Gap of at least <paramref name="least"/> mm between a point of a path and what lies exactly below it, mm, and the extrusion there. Null = none.
+    /// </summary>
     public double GapBelow(Vec3 p, double least, out Extrusion? extrusion)
     {
         var below = Math.Max(Deposit.TopUnder(p, p.Z - least, out extrusion), FloorUnder(p));

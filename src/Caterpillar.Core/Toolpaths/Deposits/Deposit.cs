@@ -79,8 +79,8 @@ internal sealed class Deposit
     }
 
     /// <summary>
-    /// Adds a straight extrusion: the path of the nozzle tip (its top) in mm and half its width in mm. Its tag is 0 or more, −1 = none. It is joined if another
-    /// extrusion goes on downward from its lower end.
+    /// Adds a straight extrusion: the path of the nozzle tip (its top) in mm and half its width in mm. Tags are 0 or more, −1 = none. It is joined if another
+    /// extrusion continues downward from its lower end.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">A number is not finite, or the width is negative.</exception>
     public void Add(Vec3 from, Vec3 to, double halfWidth, int tag = -1, bool isJoined = false)
