@@ -1,4 +1,4 @@
-using System.Security.Cryptography;
+using System.IO.Hashing;
 
 namespace Caterpillar.Cli;
 
@@ -9,7 +9,7 @@ internal static class Fingerprint
     /// <param name="job">Its words. If a word is a file name, the contents of the file count too.</param>
     public static string Of(Verb verb, BatchJob job)
     {
-        using var hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+        var hash = new XxHash3();
         Add(hash, typeof(Fingerprint).Assembly.GetName().Version!.ToString());
         Add(hash, verb.Name);
         Add(hash, job.Output ?? "");
@@ -18,14 +18,16 @@ internal static class Fingerprint
             Add(hash, word);
             if (!File.Exists(word)) continue;
             using var file = new FileStream(word, FileMode.Open, FileAccess.Read, FileShare.Read, 1, FileOptions.SequentialScan);
-            hash.AppendData(SHA256.HashData(file));
+            var content = new XxHash3();
+            content.Append(file);
+            hash.Append(content.GetCurrentHash());
         }
-        return Convert.ToHexStringLower(hash.GetHashAndReset().AsSpan(0, 8));
+        return Convert.ToHexStringLower(hash.GetCurrentHash());
     }
 
-    private static void Add(IncrementalHash hash, string word)
+    private static void Add(XxHash3 hash, string word)
     {
-        hash.AppendData(Encoding.UTF8.GetBytes(word));
-        hash.AppendData([0]);
+        hash.Append(Encoding.UTF8.GetBytes(word));
+        hash.Append([0]);
     }
 }

@@ -1,3 +1,4 @@
+using System.Runtime.InteropServices;
 using System.Security.Cryptography;
 
 namespace Caterpillar.Cli;
@@ -92,13 +93,17 @@ internal sealed class DecodeVerb : Verb
         return new Statistics(file, timed.Statistics(file, session), timed.Toolpath, timed.Limits);
     }
 
+    // On Linux it belongs to OpenSSL; where that is missing, the runtime would end the program.
+    private static bool HasSha256
+        => !OperatingSystem.IsLinux() || NativeLibrary.TryLoad("libssl.so.3", out _) || NativeLibrary.TryLoad("libssl.so.1.1", out _);
+
     private sealed record Statistics(string File, PrintStatistics Sums, Toolpath Toolpath, string Limits);
 
     private static (string, DecodedGCode, DecodeReport) Decode(string file, DecodeOptions options, bool hash, Session session)
     {
         var name = Session.NameOf(file);
         using var plain = GzipReader.Open(session.OpenRead(file));
-        using var sum = hash ? SHA256.Create() : null;
+        using var sum = hash && HasSha256 ? SHA256.Create() : null;
         using var stream = sum is null ? plain : new CryptoStream(plain, sum, CryptoStreamMode.Read);
         var result = session.Decode(stream, name, options);
         if (plain is GzipReader { HasTrailingBytes: true }) session.Print([GzipReader.TrailingBytes("gcode.compression", name)]);
