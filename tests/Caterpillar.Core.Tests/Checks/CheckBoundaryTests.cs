@@ -202,6 +202,9 @@ public class CheckBoundaryTests
         const string Code = ";FLAVOR:Griffin\nG28\nM83\nG1 X10 Y10 Z0.2\nG1 X20 E0.5\nM109 S200\nM104 S0\n";
         Assert.That(CountAsDetected(Code, CheckCodes.ColdExtrusion), Is.Zero);
         Assert.That(CountAsDetected(Code.Replace("Griffin", "Marlin"), CheckCodes.ColdExtrusion), Is.EqualTo(1));
+        var never = Code.Replace("M109 S200\nM104 S0\n", "");
+        Assert.That(CountAsDetected(never, CheckCodes.NoHeating), Is.Zero);
+        Assert.That(CountAsDetected(never.Replace("Griffin", "Marlin"), CheckCodes.NoHeating), Is.EqualTo(1));
     }
 
     // A gap of 0.5 mm, and extrusions that go on after it without one.

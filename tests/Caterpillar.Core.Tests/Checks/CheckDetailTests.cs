@@ -52,6 +52,15 @@ public class CheckDetailTests
         Assert.That((found.Message, found.Count, found.Worst?.Message), Is.EqualTo(("first", 2, told ? "second" : null)));
     }
 
+    [TestCase(1, 1)]
+    [TestCase(4, 0.25)]
+    public void A_finding_tells_the_share_of_moves_that_have_it(int moves, double share)
+    {
+        var findings = new Findings(new Printer(), _ => null, _ => null);
+        findings.Add(CheckCodes.Width, 0, () => "only");
+        Assert.That(findings.ToList(moves).Single().Share, Is.EqualTo(share));
+    }
+
     [Test]
     public void Places_name_object_and_layer_where_the_design_states_no_line()
     {

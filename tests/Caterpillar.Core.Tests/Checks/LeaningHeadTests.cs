@@ -96,6 +96,24 @@ public class LeaningHeadTests
         Assert.That(found.Single().Message, Does.Contain("hits the bed"));
     }
 
+    // Where it was after homing nobody knows, but where it goes from there is known.
+    [Test]
+    public void A_head_that_stands_leaning_in_the_bed_hits_it_as_it_turns_upright()
+    {
+        var print = new SmallPrint(100, 100, 50).Event(new HomeEvent()).Turns(0, 60, 0).Go(100, 100, 2).Turns(0, 0, 0).Go(100, 100, 50);
+        Assert.That(SmallPrint.Find(print.Build(), Leaning, CheckCodes.TravelHits).Single().Source!.Move, Is.EqualTo(1));
+    }
+
+    // An extrusion of 1 mm that is fresh at first, and a travel back along it that sinks by 2 mm.
+    [TestCase(-9, 0, 1)]
+    [TestCase(-9, 15, 1)]
+    [TestCase(9, 15, 0)]
+    public void A_leaning_head_that_sinks_into_the_extrusion_it_has_just_printed_is_found(double x, double tilt, int hits)
+    {
+        var print = new SmallPrint(50, 50, 5).Turns(0, tilt, -90).Go(50, 50, 5).Print(51, 50, 5).Go(50 + x, 50, 3);
+        Assert.That(SmallPrint.Find(print.Build(), Leaning, CheckCodes.TravelHits), Has.Length.EqualTo(hits));
+    }
+
     // The tool leans by 30° toward a wall of 20 mm at y = 100. The lowest corner of a box that is 10 mm wide and begins 20 mm above the tip is then 14.33 mm
     // in front of the tip and 14.82 mm above it.
     [TestCase(114.33, 4.9, true)]

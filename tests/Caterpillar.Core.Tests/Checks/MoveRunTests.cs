@@ -68,7 +68,7 @@ public class MoveRunTests
     }
 
     [Test]
-    public void A_run_ends_at_another_tool_and_at_a_move_of_several_lines_and_at_a_line_that_is_not_planned()
+    public void A_run_ends_at_what_a_single_move_has_to_explain()
     {
         var (plan, lines, read) = Written(Print(20).Print(15, 15, 1.5, tool: 1).Print(25, 35, 1.5, tool: 1));
         Assert.That(Passed(plan, lines, read), Is.EqualTo(Count));
@@ -80,6 +80,10 @@ public class MoveRunTests
         (plan, lines, read) = Written(Print(20));
         for (var i = 17; i < read.Count; i++) read.Source[i]++;
         Assert.That(Passed(plan, lines, read), Is.EqualTo(17), "a line after");
+
+        (plan, lines, read) = Written(Print(20));
+        (read.Kind[17], read.E[17], plan.Blocks.Single().Columns.E[17]) = (MoveKind.Retract, 0, 0);
+        Assert.That(Passed(plan, lines, read), Is.EqualTo(17), "a retraction of the firmware, which may lift");
     }
 
     [Test]

@@ -216,6 +216,16 @@ public class PlantedCommandTests
     public void Motors_off_before_the_print_need_homing(string lines, int errors)
         => Assert.That(Check(FlavorTable.Marlin2, lines, "start").Count(d => d.Code == CheckCodes.UnsafeCommand), Is.EqualTo(errors));
 
+    // The first line of the print extrudes.
+    [Test]
+    public void What_follows_the_first_extrusion_is_within_the_print()
+    {
+        var setup = SmallPrint.Setup(p => p with { ProgressCommands = false });
+        var print = new SmallPrint(60, 60, 0.2).Print(80, 60, 0.2).Event(new RawEvent("M84")).Print(80, 80, 0.2);
+        var found = SafeWriter.ToDocument(print.Build(), setup).Diagnostics.Single(d => d.Code == CheckCodes.UnsafeCommand);
+        Assert.That(found.Message, Does.StartWith("M84 within the print"));
+    }
+
     [Test]
     public void A_print_of_dots_is_a_print_and_a_file_with_a_purge_line_alone_is_none()
     {

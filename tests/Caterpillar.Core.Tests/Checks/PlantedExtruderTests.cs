@@ -72,6 +72,21 @@ public class PlantedExtruderTests
     public void Amounts_beyond_reason_are_told(string text, string code, string message)
         => Assert.That(Found(Start + Line + text).Select(d => (d.Code, d.Message)), Is.EqualTo(new[] { (code, message) }));
 
+    // A tenth of a cube of the nozzle, 0.0064 mm³, is 0.0027 mm of filament.
+    [TestCase("0.002", 0)]
+    [TestCase("0.003", 1)]
+    public void The_last_decimals_of_E_may_retract_in_the_middle_of_an_extrusion(string e, int found)
+        => Assert.That(Found(Start + Line + "G1 X20 E-" + e + "\nG1 X60 E1.66\n"), Has.Count.EqualTo(found));
+
+    [Test]
+    public void What_only_makes_up_for_a_retraction_is_found_where_it_begins()
+    {
+        const string Hungry = "G1 X60 E0.9\n";
+        var text = Start + Line + "G1 E-2\nG1 X20\n" + Hungry + "G1 X10 E0.9\nG1 X60 E1\n";
+        var line = text.Substring(0, text.IndexOf(Hungry, StringComparison.Ordinal)).Count(c => c == '\n') + 1;
+        Assert.That(Found(text).Select(d => (d.Code, d.Source!.Line)), Is.EqualTo(new[] { (CheckCodes.Starved, (int?)line) }));
+    }
+
     // 10 mm of 1.75 mm filament, two retractions of the printer, or what was retracted in place before.
     [TestCase(0.8, "", 10.0)]
     [TestCase(7, "", 14.0)]

@@ -66,6 +66,14 @@ public class FileJobTests
         Assert.That(found.Share, Is.EqualTo((double)found.Count / moved.Toolpath.Count).And.GreaterThan(0));
     }
 
+    [TestCase(0, false)]
+    [TestCase(5, true)]
+    public void A_print_that_is_moved_up_from_its_bed_begins_in_the_air(double up, bool found)
+    {
+        var moved = Job.Edit(new FileEdits { Move = new Vec3(1, 0, up) }).OrThrow();
+        Assert.That(moved.Write(new MemoryStream(), "a.gcode", null).Diagnostics.Select(d => d.Code).Contains(CheckCodes.InAir), Is.EqualTo(found));
+    }
+
     [Test]
     public void The_reason_stands_above_all_moves_of_a_converted_file()
     {
