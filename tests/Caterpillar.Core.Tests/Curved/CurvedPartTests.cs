@@ -162,6 +162,9 @@ public class CurvedPartTests
         Assert.That(falling.Falling(0, out var place), Is.EqualTo(1).Within(1e-12));
         Assert.That(falling.Falling(89, out _), Is.EqualTo(1), "Straight down.");
         Assert.That(place.X, Is.EqualTo(0).Or.EqualTo(10), "On one of the largest faces.");
+        var wide = MeshMaker.Box(0, 0, 0, 20, 10, 4);
+        new SurfaceSlope(wide, wide.Vertices.Select(p => -p.Z).ToArray()).Falling(0, out place);
+        Assert.That(place.Y, Is.EqualTo(0).Or.EqualTo(10), "On one of the others.");
         Assert.That(new SurfaceSlope(box, new double[8]).Thickness(0.5), Is.EqualTo(1));
         var towers = TwoTowers();
         var two = new SurfaceSlope(towers, towers.Vertices.Select(p => p.X < 15 ? p.Z / 4 : p.Z / 8).ToArray());

@@ -156,11 +156,13 @@ public class LayerFieldTests
         Assert.That(problems.ToList().Select(d => d.Code), Is.EqualTo(overhangs ? new[] { "curved.overhanging_layers" } : []));
     }
 
-    // Folded from 4 to 6 mm, or above 8 mm, of a part of 10 mm at its middle.
+    // Folded from 4 to 6 mm, or above 8, 9.5 or 12 mm, of a part of 10 mm at its middle.
     [TestCase("x * ((z - 5) ^ 2 - 1)", "z", true)]
     [TestCase("x * ((z - 5) ^ 2 + 1)", "z", false)]
     [TestCase("x", "z - (z - 3) ^ 2 / 10", true)]
     [TestCase("x", "z - (z - 5) ^ 2 / 20", false)]
+    [TestCase("x", "z - z ^ 2 / 19", true)]
+    [TestCase("x", "z - z ^ 2 / 24", false)]
     public void A_deformation_may_fold_the_part_nowhere(string x, string z, bool isFolded)
     {
         var field = LayerField.Deformed(x, "y", z).OrThrow();

@@ -59,6 +59,7 @@ public class PlanSurfaceTests
         Assert.That(plan.Slope(x, y).ByY, Is.Zero.Within(1e-9));
         Assert.That(plan.Covers(x, y), Is.EqualTo(x is >= 0 and <= 10 && y is >= 0 and <= 10));
         Assert.That(plan.Covers(10.01, 5), Is.True, "By rounding.");
+        Assert.That(plan.Height(10 + 1e-9, 5), Is.EqualTo(5).Within(1e-6), "moved no farther than it needs");
         Assert.That(plan.Covers(10.03, 5), Is.False);
         foreach (var (dx, dy) in new[] { (-1, 0), (0, 1), (0, -1), (1, 1), (-1, -1), (1, -1) })
         {
@@ -79,6 +80,7 @@ public class PlanSurfaceTests
         PlanSurface.Of(mesh).Check(problems);
         Assert.That(problems.ToList().Select(d => d.Code), Is.EqualTo(new[] { code }));
         Assert.That(PlanSurface.Of(mesh).Moved(new Vec3(1, 0)).Height(99, 99), Is.Not.NaN);
+        Assert.That(PlanSurface.Of(mesh).Slope(99, 99), Is.EqualTo((0.0, 0.0)), "it is level");
     }
 
     [TestCase(15, 15, 0)]

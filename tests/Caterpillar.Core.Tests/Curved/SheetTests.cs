@@ -254,6 +254,15 @@ public class SheetTests
         Assert.That(Paths(result.Value!).SelectMany(p => p.Points).Min(p => p.Z), Is.InRange(0, 0.2));
     }
 
+    [TestCase(0, true)]
+    [TestCase(0.2, false)]
+    public void A_skirt_goes_around_a_surface_that_begins_level(double tilt, bool expected)
+    {
+        var tube = Tube((share, angle) => Round(10, angle, share * 10 + (1 - share) * tilt * (1 + Angle.Cos(angle))), 4);
+        var layers = Try(tube, 0, Setup with { Settings = Setup.Settings with { SkirtLoops = 1 } }).OrThrow().Layers;
+        Assert.That(layers[0].Steps[0].Path.Role == Role.Skirt, Is.EqualTo(expected));
+    }
+
     [Test]
     public void Walls_that_are_too_steep_for_an_upright_head_are_refused()
     {
@@ -263,12 +272,14 @@ public class SheetTests
         Assert.That(Try(slanted, setup: Setup with { Settings = Setup.Settings with { CurvedMaxSlope = 60 } }).Value, Is.Not.Null);
     }
 
-    [Test]
-    public void Without_enough_memory_a_surface_is_refused_before_it_is_traced()
+    // For its 51 layers alone, and for the 5 m of its walls.
+    [TestCase(200_000)]
+    [TestCase(600_000)]
+    public void Without_enough_memory_a_surface_is_refused_before_it_is_traced(long bytes)
     {
         var cone = Cone();
         var refused = CurvedSlicer.Slice([new NamedMesh("sheet", cone)], LayerField.Harmonic(MeshBoundaries.Find(cone).OrThrow()), Setup,
-            new CurvedOptions { Memory = new MemoryLimit(200_000) });
+            new CurvedOptions { Memory = new MemoryLimit(bytes) });
         Assert.That(refused.Diagnostics.Select(d => d.Code), Does.Contain(MemoryLimit.Code));
     }
 }

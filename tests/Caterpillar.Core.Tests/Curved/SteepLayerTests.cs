@@ -39,6 +39,7 @@ public class SteepLayerTests
         var loop = Loop(slope);
         var parts = UphillPaths.Of(loop).ToArray();
         Assert.That(parts, Has.Length.EqualTo(2));
+        Assert.That(parts[0].Path.Points[12].Y, Is.GreaterThan(9), "the side that the loop begins with");
         foreach (var part in parts)
         {
             Assert.That((part.KeepStart, part.Path.IsClosed, part.Group), Is.EqualTo((true, false, loop.Group)));

@@ -84,6 +84,7 @@ public class MemoryLimitTests
             => PlanarSlicer.SliceEach([new SliceModel(models[0].Mesh, settings)], settings, new SliceOptions { Memory = memory });
         var thin = new PrintSettings { LayerHeight = 0.002, FirstLayerHeight = 0.002, InfillDensityPercent = 0 };
         Refused(Slice(thin, Small), Slice(thin, MemoryLimit.Default));
+        Assert.That(Slice(thin, Small).Diagnostics.Single(d => d.Code == MemoryLimit.Code).Message, Does.Contain("1500 layers"));
         var filled = new PrintSettings { InfillDensityPercent = 90, InfillPattern = InfillPattern.Gyroid };
         Refused(Slice(filled, new MemoryLimit(1 << 20)), Slice(filled, MemoryLimit.Default));
     }

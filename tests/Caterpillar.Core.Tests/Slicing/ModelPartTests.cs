@@ -87,6 +87,15 @@ public class ModelPartTests
         Assert.That(LostLayers.Find([At(0.3, side, open), At(0.5, side, open)], most, CancellationToken.None), Is.Null, "nothing to compare with");
     }
 
+    // A square of 1 mm of which a quarter is left.
+    [TestCase(0.9, true)]
+    [TestCase(0.5, false)]
+    public void A_gap_that_was_closed_may_have_lost_a_small_layer(double gap, bool lost)
+    {
+        Section[] sections = [new(0.1, [Square(1)], []), new(0.3, [Square(0.5)], [], new ClosedGaps(1, gap, gap)), new(0.5, [Square(1)], [])];
+        Assert.That(LostLayers.Find(sections, 5, CancellationToken.None) is not null, Is.EqualTo(lost));
+    }
+
     [Test]
     public void Repairs_are_reported_in_sentences()
     {

@@ -94,6 +94,11 @@ public class PlanarFeatureTests
         Assert.That(Brim(BrimType.InnerOnly).Select(p => p.Length), Is.EqualTo(Enumerable.Range(0, 5).Reverse().Select(k => 4 * (9.6 - 0.8 * k))).Within(1e-3));
         Assert.That(Brim(BrimType.OuterAndInner), Has.Length.EqualTo(10));
         Assert.That(Brim(BrimType.OuterOnly)[0].Length, Is.GreaterThan(Brim(BrimType.OuterOnly)[4].Length));
+        // A skirt goes around the brim where that is outside.
+        double Skirt(double brim, BrimType side)
+            => Solids.Paths(Solids.Slice(Bare with { BrimWidth = brim, BrimType = side, SkirtLoops = 1 }, Ring)[0], Role.Skirt).Single().Bounds.Size.X;
+        Assert.That(Skirt(2, BrimType.InnerOnly), Is.EqualTo(Skirt(0, BrimType.OuterOnly)).Within(1e-9));
+        Assert.That(Skirt(2, BrimType.OuterOnly), Is.EqualTo(Skirt(0, BrimType.OuterOnly) + 4).Within(1e-9));
     }
 
     [Test]
@@ -110,6 +115,18 @@ public class PlanarFeatureTests
         // The open layers have 40 % of the extrusions of the closed one.
         double Length(int i) => Solids.Paths(layers[i], Role.Raft).Sum(p => p.Length);
         Assert.That(Length(1) / Length(2), Is.EqualTo(0.4).Within(0.05));
+        // Each layer crosses the one below.
+        double Along(int i, Vec3 axis)
+            => Solids.Paths(layers[i], Role.Raft).Sum(p => Enumerable.Range(0, p.SegmentCount).Sum(k => Math.Abs(Vec3.Dot(p.EndOf(k) - p.Points[k], axis))));
+        Assert.That(Enumerable.Range(0, 3).Select(i => Along(i, Vec3.UnitX) > Along(i, Vec3.UnitY)), Is.EqualTo(new[] { true, false, true }));
+    }
+
+    [Test]
+    public void What_is_too_thin_for_the_turn_of_a_vase_has_walls()
+    {
+        var settings = Bare with { SpiralVase = true, BottomLayers = 1, BottomThickness = 0, LayerHeight = 0.2 };
+        var layers = Solids.Slice(settings, Solids.Block(0, 0, 0, 10, 10, 1), Solids.Block(0, 4, 1, 10, 4.35, 1.4));
+        Assert.That(layers[layers.Count - 1].Layer.Z, Is.EqualTo(1.4).Within(1e-9));
     }
 
     [Test]

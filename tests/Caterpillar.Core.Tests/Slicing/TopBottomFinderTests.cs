@@ -91,6 +91,8 @@ public class TopBottomFinderTests
         Assert.That((small.Sparse.IsEmpty, small.Solid.Area), Is.EqualTo((true, inside.Area)));
         var hollow = Areas(Stack(Plain with { SolidInfillThresholdArea = 400, InfillDensityPercent = 0 }, (20, Region.Rectangle(0, 0, 20, 20))), 10, inside);
         Assert.That(hollow.Sparse, Is.SameAs(inside));
+        var tiny = Region.Rectangle(5, 5, 5.8, 5.8);
+        Assert.That(Areas(Stack(Plain with { InfillDensityPercent = 0 }, (20, Region.Rectangle(0, 0, 20, 20))), 10, tiny).Sparse, Is.SameAs(tiny));
     }
 
     [Test]

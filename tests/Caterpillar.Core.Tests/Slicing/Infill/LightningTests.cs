@@ -98,6 +98,11 @@ public class LightningTests
         for (var i = 0; i < 2; i++) cells.Add(places[i], i);
         Assert.That((cells.Nearest(Vec3.Zero, places, 50, out var distance), distance), Is.EqualTo((1, 12.0)));
         Assert.That(cells.Nearest(Vec3.Zero, places, 11, out _), Is.EqualTo(-1), "none within the limit");
+        // Left of zero, where the nearer one is a cell farther away along X.
+        Vec3[] right = [new Vec3(0.5, 5.5), new Vec3(1.5, 0.5)];
+        var beside = new NodeCells(1);
+        for (var i = 0; i < 2; i++) beside.Add(right[i], i);
+        Assert.That((beside.Nearest(new Vec3(-4.5, 0.5), right, 50, out distance), distance), Is.EqualTo((1, 6.0)));
     }
 
     [Test]

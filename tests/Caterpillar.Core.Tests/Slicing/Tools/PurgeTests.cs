@@ -135,6 +135,17 @@ public class PurgeTests
     }
 
     [Test]
+    public void The_brim_of_the_tower_is_printed_once()
+    {
+        var options = OnBed with { Printer = ToolTests.TwoNozzles with { ToolOffsets = new(default, default, default) } };
+        int Loops(double brim)
+            => PlanarSlicer.SliceEach([Part(100, 0.5, 0), Part(120, 0.5, 1), Part(140, 0.5, 2)], Settings with { PurgeTowerBrimWidth = brim }, options).Value!
+                .Layers.Where(IsTower).Sum(l => l.Steps.Count(s => s.Path.IsClosed));
+        // Two changes to other tools on the first layer, which is 0.3 mm high; extrusions are 0.45 mm wide.
+        Assert.That(Loops(1.2) - Loops(0), Is.EqualTo(3));
+    }
+
+    [Test]
     public void The_tower_stands_where_the_settings_place_it_if_there_is_room()
     {
         var layers = Slice(Settings with { PurgeTowerPlace = new(new Vec3(20, 150)) }, Part(100, 0.5, 0), Part(120, 0.5, 1));
