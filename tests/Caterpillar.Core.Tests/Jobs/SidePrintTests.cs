@@ -103,6 +103,18 @@ public class SidePrintTests
         Assert.That(found.Select(m => m.ToTurns), Is.All.EqualTo(level));
     }
 
+    // mm in which the head hits something as it stands up: it goes on for no more than twice as far.
+    [TestCase(6)]
+    [TestCase(11)]
+    [TestCase(21)]
+    [TestCase(41)]
+    public void The_tool_stands_up_as_near_to_the_bead_as_it_can(double needed)
+    {
+        var (from, level) = (new Vec3(1, 0, 50), new Vec3(0, 90, 0));
+        var travels = new LeaningTravels(Setup.Printer.Kinematics!, head => head.FromTurns != head.ToTurns && head.To.DistanceTo(from) < needed);
+        Assert.That(travels.StandUp(from, level, Vec3.Zero)[0].To.DistanceTo(from), Is.InRange(needed, 2 * needed));
+    }
+
     [Test]
     public void Where_all_straight_travels_hit_the_tool_stands_up_and_goes_over_the_top()
     {

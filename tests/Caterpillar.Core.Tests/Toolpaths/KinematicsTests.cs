@@ -95,6 +95,16 @@ public class KinematicsTests
         }
     }
 
+    // Both solutions turn one of the axes by 90 degrees; one leaves the other as it is.
+    [Test]
+    public void Of_turns_with_the_same_largest_the_one_with_the_smaller_sum_is_taken()
+    {
+        var kinematics = new Kinematics([RotaryAxis.Parse("C head z")!, RotaryAxis.Parse("B head y at 0 0 60")!]);
+        Assert.That(kinematics.Change(new Vec3(0, 10, 20), new Vec3(0, 40, -30)), Is.EqualTo((50.0, 80.0)));
+        var turns = kinematics.Nearest(Vec3.Zero, new Vec3(Angle.Sin(30), 0, Angle.Cos(30)), new Vec3(0, 60, 90));
+        Assert.That(turns.DistanceTo(new Vec3(0, 30, 0)), Is.LessThan(1e-9));
+    }
+
     [TestCase(1, 0.411)]
     [TestCase(5, 20.1)]
     [TestCase(0.001, 0.013)]
