@@ -68,9 +68,9 @@ internal sealed class LightningForest(double reach)
             cancel.ThrowIfCancellationRequested();
             var node = cells.Nearest(place, _places, Math.Max(reach, WallPreference * distance), out var near);
             if (node >= 0 && near <= reach) continue;
-            // The nearest branch, where it is clearly nearer than the wall and no hole lies between.
+            // The nearest branch, where it is clearly nearer than any wall.
             var first = _places.Count;
-            if (node >= 0 && _area.ContainsLine(_places[node], place)) Branch(_places[node], place, node);
+            if (node >= 0) Branch(_places[node], place, node);
             else Branch(ground, place, -1);
             for (var i = first; i < _places.Count; i++) cells.Add(_places[i], i);
         }
