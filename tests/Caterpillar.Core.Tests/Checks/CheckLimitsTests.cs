@@ -75,12 +75,15 @@ public class CheckLimitsTests
             3,
             found > 0 ? "Extrusions are in the same place as earlier ones (move 0). Remove the duplicates." : null);
 
-    [TestCase(20, 0)]
-    [TestCase(21.5, 1)]
-    public void Twenty_millimeters_of_a_path_may_lie_on_another(double length, int found)
+    [TestCase(20, 1, 0, 0)]
+    [TestCase(21.5, 1, 0, 1)]
+    [TestCase(20, 0, 1, 0)]
+    [TestCase(21.5, 0, 1, 1)]
+    [TestCase(21.5, 0.6, -0.8, 1)]
+    public void Twenty_millimeters_of_a_path_may_lie_on_another(double length, double x, double y, int found)
     {
-        var print = new SmallPrint(50, 50, 0.2).Print(150, 50, 0.2).Go(150, 50, 5).Go(50, 50, 0.2);
-        for (var x = 1; x <= length * 2; x++) print.Print(50 + 0.5 * x, 50, 0.2);
+        var print = new SmallPrint(50, 90, 0.2).Print(50 + 100 * x, 90 + 100 * y, 0.2).Go(80, 80, 5).Go(50, 90, 0.2);
+        for (var k = 1; k <= length * 2; k++) print.Print(50 + 0.5 * k * x, 90 + 0.5 * k * y, 0.2);
         Expect(print.Go(80, 80, 5), CheckCodes.Duplicate, found, 3);
     }
 
