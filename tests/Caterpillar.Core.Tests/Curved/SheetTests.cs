@@ -258,7 +258,7 @@ public class SheetTests
     [TestCase(0.2, false)]
     public void A_skirt_goes_around_a_surface_that_begins_level(double tilt, bool expected)
     {
-        var tube = Tube((share, angle) => Round(10, angle, share * 10 + (1 - share) * tilt * (1 + Angle.Cos(angle))), 4);
+        var tube = Tube((share, angle) => Round(5, angle, share * 2 + (1 - share) * tilt * (1 + Angle.Cos(angle))), 2, 24);
         var layers = Try(tube, 0, Setup with { Settings = Setup.Settings with { SkirtLoops = 1 } }).OrThrow().Layers;
         Assert.That(layers[0].Steps[0].Path.Role == Role.Skirt, Is.EqualTo(expected));
     }
@@ -272,14 +272,13 @@ public class SheetTests
         Assert.That(Try(slanted, setup: Setup with { Settings = Setup.Settings with { CurvedMaxSlope = 60 } }).Value, Is.Not.Null);
     }
 
-    // For its 51 layers alone, and for the 5 m of its walls.
-    [TestCase(200_000)]
-    [TestCase(600_000)]
-    public void Without_enough_memory_a_surface_is_refused_before_it_is_traced(long bytes)
+    // Its layers and the 5 m of its walls count alike.
+    [Test]
+    public void Without_enough_memory_a_surface_is_refused_before_it_is_traced()
     {
         var cone = Cone();
         var refused = CurvedSlicer.Slice([new NamedMesh("sheet", cone)], LayerField.Harmonic(MeshBoundaries.Find(cone).OrThrow()), Setup,
-            new CurvedOptions { Memory = new MemoryLimit(bytes) });
+            new CurvedOptions { Memory = new MemoryLimit(600_000) });
         Assert.That(refused.Diagnostics.Select(d => d.Code), Does.Contain(MemoryLimit.Code));
     }
 }
