@@ -26,7 +26,8 @@ internal sealed class CollisionCheck
     private int? _hit;
     private (Vec3 From, Vec3 To)? _digs;
 
-    // How deep the extrusion of the last move may be in another, mm.
+    // Where the last move ended, and how deep its extrusion may be in another, mm.
+    private Vec3? _end;
     private double _depth;
 
     public CollisionCheck(Printer printer, PrintedSoFar printed, Findings findings)
@@ -48,9 +49,9 @@ internal sealed class CollisionCheck
     public void Check(in CheckedMove move, double height)
     {
         // An extrusion may be printed into another by half its height; from there the nozzle may rise straight up.
-        var rises = height == 0 && move.End.Z > move.Start.Z && move.End.X == move.Start.X && move.End.Y == move.Start.Y;
+        var rises = height == 0 && move.Start == _end && move.End.Z > move.Start.Z && move.End.X == move.Start.X && move.End.Y == move.Start.Y;
         var tolerance = Math.Max(Flush, rises ? _depth : height / 2);
-        _depth = height / 2;
+        (_end, _depth) = (move.End, height / 2);
         // One finding for a move, also for the chords of an arc.
         if (move.Index == _hit) return;
         if (_leaning is not null && (_leans |= move.StartTurns != Vec3.Zero || move.EndTurns != Vec3.Zero))

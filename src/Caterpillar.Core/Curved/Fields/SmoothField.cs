@@ -100,7 +100,7 @@ internal sealed class SmoothField : LayerField
         var k = (int)Math.Min(_layers - 1, Math.Max(0, (point.Z - _rules.First) / _rules.Usual + 1));
         double low = At(place, k), high = At(place, k + 1);
         while (point.Z > high && k < _layers - 1) (k, low, high) = (k + 1, high, At(place, k + 2));
-        while (point.Z < low) (k, low, high) = (k - 1, At(place, k - 1), low);
+        while (point.Z < low && k > 0) (k, low, high) = (k - 1, At(place, k - 1), low);
         var thickness = _rules.Height(k + 1) - _rules.Height(k);
         return point.Z > high ? _rules.Height(k + 1) + point.Z - high : _rules.Height(k) + thickness * (point.Z - low) / (high - low);
     }
