@@ -18,9 +18,8 @@ internal static class Fingerprint
             Add(hash, word);
             if (!File.Exists(word)) continue;
             using var file = new FileStream(word, FileMode.Open, FileAccess.Read, FileShare.Read, 1, FileOptions.SequentialScan);
-            var content = new XxHash3();
-            content.Append(file);
-            hash.Append(content.GetCurrentHash());
+            hash.Append(BitConverter.GetBytes(file.Length));
+            hash.Append(file);
         }
         return Convert.ToHexStringLower(hash.GetCurrentHash());
     }

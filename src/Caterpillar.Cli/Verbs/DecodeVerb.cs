@@ -109,8 +109,7 @@ internal sealed class DecodeVerb : Verb
         if (plain is GzipReader { HasTrailingBytes: true }) session.Print([GzipReader.TrailingBytes("gcode.compression", name)]);
         var decoding = session.GCodeOrFail(result);
         var report = decoding.Report with { File = file == "-" ? "-" : Path.GetFileName(file) };
-        if (sum is null) return (name, decoding, report);
-        stream.CopyTo(Stream.Null);
-        return (name, decoding, report with { Sha256 = Convert.ToHexStringLower(sum.Hash!) });
+        if (sum is not null) stream.CopyTo(Stream.Null);
+        return (name, decoding, report with { Sha256 = sum is null ? "" : Convert.ToHexStringLower(sum.Hash!) });
     }
 }

@@ -28,8 +28,7 @@ internal sealed class SimulateVerb : Verb
         var name = Session.NameOf(file);
         var diameter = _setup.Resolve(arguments, session).Material.FilamentDiameter;
         var options = CommonOptions.Decoding(arguments.GetValue(_flavor), diameter, arguments.GetValue(_threads), session);
-        using var stream = GzipReader.Open(session.OpenRead(file));
-        var decoded = session.GCodeOrFail(session.Decode(stream, name, options));
+        var decoded = session.Decode(file, options);
         var timed = TimedFile.Of(_setup, arguments, decoded, session);
         var timeline = timed.Timeline(name, session);
         var states = moments.Select(m => m.Of(timeline)).ToArray();

@@ -43,9 +43,6 @@ public sealed record ToolpathImageOptions
     /// <summary>Draw the moves at the lowest height of the head as lines, for pens and lasers.</summary>
     public bool Strokes { get; init; }
 
-    /// <summary>Draw the extrusions of start and end G-code.</summary>
-    public bool Purge { get; init; }
-
     /// <summary>The moves to draw, for example some layers. All by default.</summary>
     public MoveFilter Filter { get; init; } = new();
 
@@ -138,7 +135,7 @@ public static class ToolpathImage
     }
 
     private static bool IsShown(Toolpath toolpath, Move move, ToolpathImageOptions options, double floor)
-        => (((IsExtrusion(move, floor) || move.Kind == MoveKind.Prime) && (options.Purge || move.Role != Role.Purge))
+        => (((IsExtrusion(move, floor) || move.Kind == MoveKind.Prime) && move.Role != Role.Purge)
             || (options.Travel && move.Kind is MoveKind.Travel or MoveKind.Wipe or MoveKind.MovingDeretract))
             && options.Filter.Matches(toolpath, move);
 

@@ -65,7 +65,7 @@ public class GoldenImageTests
     public void Colors_show_what_is_asked_for(ColorBy by) => Check(Print, "color_" + by, Small with { ColorBy = by });
 
     [Test]
-    public void From_above_with_travel_and_purge() => Check(Print, "top", Small with { View = View.Top, Travel = true, Purge = true });
+    public void From_above_with_travel() => Check(Print, "top", Small with { View = View.Top, Travel = true });
 
     [Test]
     public void From_the_front() => Check(Print, "front", Small with { View = View.Front });

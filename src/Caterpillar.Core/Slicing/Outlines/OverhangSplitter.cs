@@ -58,9 +58,8 @@ internal sealed class OverhangSplitter(SliceRules rules, Region below, RegionEng
         return Fan(lengths, all) is { } fan ? (split with { Overrides = new PathOverrides(Fan: fan) }) : split;
     }
 
-    // Walls have no speed of their own yet; 0 leaves them the usual one.
     private Bead Changed(Bead bead, OverhangClass kind, PrintPath path)
-        => new(bead.Area * kind.Flow, bead.Height, Math.Min(kind.Speed, _settings.SpeedOf(path.Role)));
+        => new(bead.Area * kind.Flow, bead.Height, kind.Speed > 0 ? Math.Min(kind.Speed, _settings.SpeedOf(path.Role)) : bead.Speed);
 
     // The fan can't follow short pieces: it is set for the whole path where enough of it hangs over.
     private double? Fan(double[] lengths, double all)
