@@ -79,7 +79,7 @@ public static class Planner
         return new PlanRules(policy, settings, printer, tools)
         {
             Clearance = setup.ZHop,
-            Head = heads.Length > 0 ? new HeadCorridor(heads) : new HeadCorridor(printer.NozzleDiameter),
+            Head = new HeadCorridor(heads.Length > 0 ? heads : [(printer.NozzleDiameter, 0)]),
             Outline = new HeadShape(printer.HeadOutline.Select(p => (p.Radius, p.Height))),
             HeadBoxes = new([.. printer.HeadBoxes, .. printer.Beams(Everywhere)]),
             WipeDistance = setup.WipeDistance,

@@ -42,12 +42,14 @@ public class MotionLimitCheckTests
         Assert.That(SmallPrint.Find(wipe, Klipper, CheckCodes.TravelSpeed).Sum(d => d.Count), Is.EqualTo(found));
     }
 
-    [TestCase(79.5, 0)]
-    [TestCase(80.5, 1)]
-    public void An_upright_head_that_could_lean_is_as_fast_as_its_extruder(double speed, int found)
+    [TestCase(0, 79.5, 0)]
+    [TestCase(0, 80.5, 1)]
+    [TestCase(30, 79.5, 0)]
+    [TestCase(30, 80.5, 1)]
+    public void A_head_that_may_lean_is_as_fast_as_its_extruder(double lean, double speed, int found)
     {
         var setup = Marlin with { Printer = Marlin.Printer with { RotaryAxes = new(RotaryAxis.Parse("B head y at 0 0 60 from -110 to 110")!) } };
-        var print = new SmallPrint().Print(30, 10, 0.2, SmallPrint.FilamentArea / 2, Role.Unspecified, speed).Build();
+        var print = new SmallPrint().Turns(lean, 0, 0).Go(10, 10, 0.2).Print(30, 10, 0.2, SmallPrint.FilamentArea / 2, Role.Unspecified, speed).Build();
         Assert.That(SmallPrint.Find(print, setup, CheckCodes.Speed), Has.Length.EqualTo(found));
     }
 

@@ -13,7 +13,7 @@ public class CorridorTests
 {
     private static readonly PlanRules Rules = PlanningTests.Rules with
     {
-        Head = new HeadCorridor(0.4), Settings = PlanningTests.Rules.Settings with { ZHopType = ZHopType.AbovePath, RetractionMinTravel = 1000 },
+        Head = new HeadCorridor([(0.4, 0)]), Settings = PlanningTests.Rules.Settings with { ZHopType = ZHopType.AbovePath, RetractionMinTravel = 1000 },
     };
 
     [Test]
@@ -106,7 +106,7 @@ public class CorridorTests
                 steps.Add(new PrintPath([a, b], new Bead(0.04 + random.NextDouble() * 0.2, 0.3)));
             }
             var settings = Rules.Settings with { Detour = round % 2 == 0 };
-            var plan = PlanningTests.Plan(steps, Rules with { Head = new HeadCorridor(0.1 + random.NextDouble()), Settings = settings },
+            var plan = PlanningTests.Plan(steps, Rules with { Head = new HeadCorridor([(0.1 + random.NextDouble(), 0)]), Settings = settings },
                 new PlanOptions { Start = new Vec3(0, 0, 50) });
             AssertClear(plan.Toolpath, 0.05);
             lifts += plan.Report.LocalZHops;

@@ -14,7 +14,7 @@ public class ReturnTests
 {
     private static readonly PlanRules Rules = PlanningTests.Rules with
     {
-        Settings = PlanningTests.Rules.Settings with { ZHopType = ZHopType.AbovePath }, Head = new HeadCorridor(0.3),
+        Settings = PlanningTests.Rules.Settings with { ZHopType = ZHopType.AbovePath }, Head = new HeadCorridor([(0.3, 0)]),
     };
 
     [Test]

@@ -15,31 +15,33 @@ internal sealed class AxisShares(Printer printer)
     /// <param name="limits">The limits in force.</param>
     public double MaxSpeed(in CheckedMove move, double filament, MachineLimits limits)
     {
-        if (_kinematics is not null && (move.StartTurns != move.EndTurns || (move.EndTurns != Vec3.Zero && move.Length > 0))) return MaxSpeed(move, limits);
-        if (!(move.Length > 0)) return filament == 0 ? double.MaxValue : limits[MotionLimit.SpeedE];
-        var path = move.End - move.Start;
-        var most = path == Vec3.Zero ? Math.Min(limits[MotionLimit.SpeedX], limits[MotionLimit.SpeedY])
-            : Axis(path.Z, move.Length, limits[MotionLimit.SpeedZ], _roundedXyz);
-        if (_isHead) most = Math.Min(most, limits[MotionLimit.Speed]);
-        else if (path != Vec3.Zero)
-            most = Math.Min(most, Math.Min(Axis(path.X, move.Length, limits[MotionLimit.SpeedX], _roundedXyz),
-                Axis(path.Y, move.Length, limits[MotionLimit.SpeedY], _roundedXyz)));
+        var leans = _kinematics is not null && (move.StartTurns != move.EndTurns || (move.EndTurns != Vec3.Zero && move.Length > 0));
+        var along = leans ? RotaryColumns.Share(move.Length, move.StartTurns.DistanceTo(move.EndTurns)) : move.Length;
+        if (!(along > 0)) return filament == 0 ? double.MaxValue : limits[MotionLimit.SpeedE];
+        var most = leans ? Leaning(move, along, limits) : Upright(move, limits);
         // Klipper limits the extruder only where it works alone or pulls back.
-        return filament > 0 && _isHead ? most : Math.Min(most, Axis(filament, move.Length, limits[MotionLimit.SpeedE], _roundedE));
+        return filament > 0 && _isHead ? most : Math.Min(most, Axis(filament, along, limits[MotionLimit.SpeedE], _roundedE));
     }
 
-    // Of a move of a machine with rotary axes: mm/s of the tip, or degrees/s where it stands.
-    private double MaxSpeed(in CheckedMove move, MachineLimits limits)
+    private double Upright(in CheckedMove move, MachineLimits limits)
     {
-        var degrees = move.StartTurns.DistanceTo(move.EndTurns);
-        var along = RotaryColumns.Share(move.Length, degrees);
-        var slides = _kinematics!.Machine(move.End, move.EndTurns) - _kinematics.Machine(move.Start, move.StartTurns);
-        var most = Math.Min(Axis(slides.Z, along, limits[MotionLimit.SpeedZ], _roundedXyz),
-            Math.Min(Axis(slides.X, along, limits[MotionLimit.SpeedX], _roundedXyz), Axis(slides.Y, along, limits[MotionLimit.SpeedY], _roundedXyz)));
+        var path = move.End - move.Start;
+        var most = path == Vec3.Zero ? Math.Min(limits[MotionLimit.SpeedX], limits[MotionLimit.SpeedY])
+            : _isHead ? Axis(path.Z, move.Length, limits[MotionLimit.SpeedZ], _roundedXyz) : Slides(path, move.Length, limits);
+        return _isHead ? Math.Min(most, limits[MotionLimit.Speed]) : most;
+    }
+
+    // mm/s of the tip, or degrees/s where it stands.
+    private double Leaning(in CheckedMove move, double along, MachineLimits limits)
+    {
+        var most = Slides(_kinematics!.Machine(move.End, move.EndTurns) - _kinematics.Machine(move.Start, move.StartTurns), along, limits);
         foreach (var axis in _kinematics.Axes)
             most = Math.Min(most, Axis(axis.Of(move.EndTurns) - axis.Of(move.StartTurns), along, axis.MaxSpeed, _roundedXyz));
         return most;
     }
+
+    private double Slides(Vec3 path, double along, MachineLimits limits) => Math.Min(Axis(path.Z, along, limits[MotionLimit.SpeedZ], _roundedXyz),
+        Math.Min(Axis(path.X, along, limits[MotionLimit.SpeedX], _roundedXyz), Axis(path.Y, along, limits[MotionLimit.SpeedY], _roundedXyz)));
 
     // If an axis moves by a few of the last decimals, its share is not known better. Nor is the length of a move of several axes.
     private static double Axis(double along, double length, double most, double rounded)

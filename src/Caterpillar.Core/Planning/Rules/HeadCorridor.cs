@@ -4,15 +4,10 @@ namespace Caterpillar.Planning;
 /// The space that the head sweeps along a travel: rings around its axis, each with the minimum height of the head above the tip inside it. A print may be as
 /// high as the ring it comes under.
 /// </summary>
-internal sealed class HeadCorridor
+/// <param name="rings">Outer radius and minimum height above the tip, mm; from the tip outward, the first at height 0.</param>
+internal sealed class HeadCorridor(IEnumerable<(double Radius, double Height)> rings)
 {
-    private readonly (double Radius, double Height)[] _rings;
-
-    /// <param name="rings">Outer radius and minimum height above the tip, mm; from the tip outward, the first at height 0.</param>
-    public HeadCorridor(IEnumerable<(double Radius, double Height)> rings) => _rings = new List<(double, double)>(rings).ToArray();
-
-    /// <summary>A tip of a radius with nothing above it.</summary>
-    public HeadCorridor(double radius) => _rings = [(radius, 0)];
+    private readonly (double Radius, double Height)[] _rings = [.. rings];
 
     /// <summary>Radius of the tip, mm.</summary>
     public double TipRadius => _rings[0].Radius;

@@ -43,7 +43,7 @@ internal sealed record PlanRules(PlanPolicy Policy, PrintSettings Settings, Prin
     public double Clearance { get; init; }
 
     /// <summary>The space that the head needs along a travel, for the above_path.</summary>
-    public HeadCorridor Head { get; init; } = new(0.5);
+    public HeadCorridor Head { get; init; } = new([(0.5, 0)]);
 
     /// <summary>The underside of nozzle and head, and boxes around its other parts, as the checks know them.</summary>
     public HeadShape Outline { get; init; } = new([(0.5, 0)]);
