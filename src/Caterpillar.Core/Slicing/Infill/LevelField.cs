@@ -30,6 +30,8 @@ internal sealed class LevelField
     public bool Zero(Vec3 a, double fa, Vec3 b, double fb, out Vec3 zero)
     {
         double low = 0, high = 1, start = fa, end = fb, most = Math.Max(Math.Abs(fa), Math.Abs(fb));
+        // An end may be the pole itself.
+        if (double.IsInfinity(most)) most = Math.Min(Math.Abs(fa), Math.Abs(fb));
         var close = Tolerance / 20 / Math.Max(a.DistanceTo(b), 1e-12);
         var side = 0;
         double t = 0.5, f = 0;

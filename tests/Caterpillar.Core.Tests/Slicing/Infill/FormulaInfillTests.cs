@@ -73,6 +73,17 @@ public class FormulaInfillTests
         Assert.That(half.Points.Min(p => p.X), Is.InRange(0, 0.5));
     }
 
+    // Infinite where the edge begins.
+    [TestCase("1 / x - 1", 2, 1.0)]
+    [TestCase("1 / x - 1", -1, null)]
+    public void A_line_beside_a_pole_is_found_and_the_pole_is_none(string formula, double end, double? expected)
+    {
+        var field = new LevelField(Of(formula));
+        var found = field.Zero(Vec3.Zero, field.At(0, 0), new Vec3(end, 0), field.At(end, 0), out var zero);
+        Assert.That(found, Is.EqualTo(expected is not null));
+        if (expected is { } x) Assert.That(zero.X, Is.EqualTo(x).Within(1e-3));
+    }
+
     [Test]
     public void A_jump_of_the_sign_is_a_line()
         => Assert.That(Fill(Of("x > 2.345 ? 1 : -1")).Single().Points.Select(p => p.X), Is.All.EqualTo(2.345).Within(0.01));
