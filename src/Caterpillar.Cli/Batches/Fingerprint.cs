@@ -9,6 +9,7 @@ internal static class Fingerprint
     /// <param name="job">Its words. If a word is a file name, the contents of the file count too.</param>
     public static string Of(Verb verb, BatchJob job)
     {
+        // Not the runtime's cryptography, which is OpenSSL on Linux.
         var hash = new XxHash3();
         Add(hash, typeof(Fingerprint).Assembly.GetName().Version!.ToString());
         Add(hash, verb.Name);
