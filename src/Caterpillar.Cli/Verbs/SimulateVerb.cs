@@ -25,12 +25,11 @@ internal sealed class SimulateVerb : Verb
     {
         var moments = (arguments.GetValue(_at) is { Length: > 0 } given ? given : ["0%"]).Select(Moment.Parse).ToArray();
         var file = arguments.GetValue(_file)!;
-        var name = Session.NameOf(file);
         var diameter = _setup.Resolve(arguments, session).Material.FilamentDiameter;
         var options = CommonOptions.Decoding(arguments.GetValue(_flavor), diameter, arguments.GetValue(_threads), session);
         var decoded = session.Decode(file, options);
         var timed = TimedFile.Of(_setup, arguments, decoded, session);
-        var timeline = timed.Timeline(name, session);
+        var timeline = timed.Timeline(Session.NameOf(file), session);
         var states = moments.Select(m => m.Of(timeline)).ToArray();
         session.WriteText("-", text =>
         {

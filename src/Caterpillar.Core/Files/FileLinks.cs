@@ -17,7 +17,9 @@ internal static class FileLinks
     public static string Target(string path)
     {
 #if NET8_0_OR_GREATER
-        return new FileInfo(path).LinkTarget is null ? path : File.ResolveLinkTarget(path, returnFinalTarget: true)!.FullName;
+        var target = new FileInfo(path).LinkTarget is null ? path : File.ResolveLinkTarget(path, returnFinalTarget: true)!.FullName;
+        // A pipe at /dev/stdout has no other name.
+        return path.StartsWith("/dev/", StringComparison.Ordinal) && !File.Exists(target) ? path : target;
 #else
         if (!IsUnix || !File.Exists(path)) return path;
         var name = new byte[Encoding.UTF8.GetMaxByteCount(path.Length) + 1];

@@ -70,8 +70,7 @@ internal sealed class LightningForest(double reach)
             if (node >= 0 && near <= reach) continue;
             // The nearest branch, where it is clearly nearer than any wall.
             var first = _places.Count;
-            if (node >= 0) Branch(_places[node], place, node);
-            else Branch(ground, place, -1);
+            Branch(node < 0 ? ground : _places[node], place, node);
             for (var i = first; i < _places.Count; i++) cells.Add(_places[i], i);
         }
     }
