@@ -15,6 +15,7 @@ internal sealed class MeshFlattener
     private readonly List<Edge> _edges;
     private readonly List<(int A, int B, int C)> _split = [];
     private List<Face> _faces;
+    private List<Face> _divided = [];
 
     // Edges before this one have been tested.
     private int _tested;
@@ -79,21 +80,20 @@ internal sealed class MeshFlattener
         while (DivideLongest())
         {
         }
-        var next = new List<Face>(_faces.Count);
+        _divided.Clear();
         foreach (var face in _faces)
         {
             if (IsWhole(face))
             {
-                next.Add(face);
+                _divided.Add(face);
                 continue;
             }
             _split.Clear();
             TriangleSplit.Add(_part, (face.A, face.B, face.C), (_edges[face.AB].Middle, _edges[face.BC].Middle, _edges[face.CA].Middle), _split);
-            foreach (var (a, b, c) in _split) next.Add(FaceOf(a, b, c));
+            foreach (var (a, b, c) in _split) _divided.Add(FaceOf(a, b, c));
         }
-        var divided = next.Count > _faces.Count;
-        _faces = next;
-        return divided;
+        (_faces, _divided) = (_divided, _faces);
+        return _faces.Count > _divided.Count;
     }
 
     private Face FaceOf(int a, int b, int c) => new(a, b, c, EdgeOf(a, b), EdgeOf(b, c), EdgeOf(c, a), false);
