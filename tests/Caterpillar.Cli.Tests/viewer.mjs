@@ -41,7 +41,8 @@ async function colors() {
   const choices = await value("[...document.querySelectorAll('option')].map((o) => o.value).filter((v) => /^[a-z]+$/.test(v))");
   if (choices.length < 5) fault("choices of colors are missing");
   for (const choice of choices) {
-    await show("light&color=" + choice);
+    await value(`document.getElementById("legend").replaceChildren(), document.getElementById("color").value = "${choice}"`);
+    await value("document.getElementById('color').dispatchEvent(new Event('change'))");
     if (!await value("document.querySelector('#legend span') && document.querySelector('#legend [class]') && true")) fault("no legend for " + choice);
   }
 }
