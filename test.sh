@@ -101,8 +101,8 @@ run() {
   echo "$? $((SECONDS - started))" >"$log/$1.done"
 }
 
-# As many lanes at once as there are cores: one more, and all of them take a third longer. One alone where golden files are renewed. What they say comes in the
-# order of the lanes.
+# As many lanes at once as there are cores; with one more, all of them take a third longer. Only one where golden files are renewed. Their output is shown in
+# the order of the lanes.
 slots=$cores
 [ "${CATERPILLAR_RENEW:-}" = 1 ] && slots=1
 failed_lanes=0

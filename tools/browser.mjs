@@ -5,6 +5,9 @@ import { rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
+// How long something may take, ms: a million extrusions are drawn in half a minute.
+const patience = 120_000;
+
 export const wait = (time) => new Promise((done) => setTimeout(done, time));
 
 // The page, once the browser runs. Events of the protocol go to `event`.
@@ -12,6 +15,7 @@ export async function open(chromium, options = [], event = () => {}) {
   const profile = mkdtempSync(join(tmpdir(), "browser-"));
   const browser = spawn(chromium, ["--headless", "--no-sandbox", "--no-first-run", "--disable-background-networking", "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader", "--remote-debugging-port=0", `--user-data-dir=${profile}`, ...options, "about:blank"], { stdio: ["ignore", "ignore", "pipe"] });
+  process.on("exit", () => browser.kill());
   const address = await new Promise((found) => browser.stderr.on("data", (text) => {
     const match = /ws:\/\/\S+/.exec(text);
     if (match) found(match[0]);
@@ -35,7 +39,11 @@ export async function open(chromium, options = [], event = () => {}) {
     send,
     value,
     async until(expression) {
-      while (!await value(expression)) await wait(50);
+      const end = Date.now() + patience;
+      while (!await value(expression)) {
+        if (Date.now() > end) throw new Error("This does not become true: " + expression);
+        await wait(50);
+      }
     },
     async show(url) {
       await send("Page.navigate", { url: "about:blank" });

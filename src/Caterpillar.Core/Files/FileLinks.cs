@@ -18,8 +18,8 @@ internal static class FileLinks
     {
 #if NET8_0_OR_GREATER
         var target = new FileInfo(path).LinkTarget is null ? path : File.ResolveLinkTarget(path, returnFinalTarget: true)!.FullName;
-        // A pipe at /dev/stdout has no other name.
-        return path.StartsWith("/dev/", StringComparison.Ordinal) && !File.Exists(target) ? path : target;
+        // A pipe has no name but that of its link, such as /dev/stdout.
+        return File.Exists(path) && !File.Exists(target) ? path : target;
 #else
         if (!IsUnix || !File.Exists(path)) return path;
         var name = new byte[Encoding.UTF8.GetMaxByteCount(path.Length) + 1];

@@ -15,7 +15,7 @@ internal sealed class MeshFlattener
     private readonly List<Edge> _edges;
     private readonly List<(int A, int B, int C)> _split = [];
     private List<Face> _faces;
-    private List<Face> _divided = [];
+    private List<Face> _next = [];
 
     // Edges before this one have been tested.
     private int _tested;
@@ -80,20 +80,20 @@ internal sealed class MeshFlattener
         while (DivideLongest())
         {
         }
-        _divided.Clear();
+        _next.Clear();
         foreach (var face in _faces)
         {
             if (IsWhole(face))
             {
-                _divided.Add(face);
+                _next.Add(face);
                 continue;
             }
             _split.Clear();
             TriangleSplit.Add(_part, (face.A, face.B, face.C), (_edges[face.AB].Middle, _edges[face.BC].Middle, _edges[face.CA].Middle), _split);
-            foreach (var (a, b, c) in _split) _divided.Add(FaceOf(a, b, c));
+            foreach (var (a, b, c) in _split) _next.Add(FaceOf(a, b, c));
         }
-        (_faces, _divided) = (_divided, _faces);
-        return _faces.Count > _divided.Count;
+        (_faces, _next) = (_next, _faces);
+        return _faces.Count > _next.Count;
     }
 
     private Face FaceOf(int a, int b, int c) => new(a, b, c, EdgeOf(a, b), EdgeOf(b, c), EdgeOf(c, a), false);

@@ -90,8 +90,8 @@ function showLegend(coloring, range, head, total, hidden, toggled) {
   }
   const share = (part, of) => of > 0 ? number(100 * part / of, 0) + " %" : "";
   const cell = (text, title) => element("span", { className: "amount", title }, text);
-  const heads = element("div", { className: "entry heads" }, ...[head.timed ? "Time" : "Length", "", "Material"].map((name) => cell(name, "")));
-  legend.replaceChildren(heads, ...used.map((role) => {
+  const header = element("div", { className: "entry header" }, ...[head.timed ? "Time" : "Length", "", "Material"].map((name) => cell(name, "")));
+  legend.replaceChildren(header, ...used.map((role) => {
     const box = element("input", { type: "checkbox", checked: !hidden.has(role) });
     box.addEventListener("change", () => toggled(role, !box.checked));
     const sum = total.roles.get(role);
