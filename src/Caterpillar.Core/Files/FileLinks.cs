@@ -18,8 +18,8 @@ internal static class FileLinks
     {
 #if NET8_0_OR_GREATER
         var target = new FileInfo(path).LinkTarget is null ? path : File.ResolveLinkTarget(path, returnFinalTarget: true)!.FullName;
-        // A pipe has no name but that of its link, such as /dev/stdout.
-        return File.Exists(path) && !File.Exists(target) ? path : target;
+        // A pipe has no name but that of its link, such as /dev/stdout; other links may lead to a file that is still to be written.
+        return path.StartsWith("/dev/", StringComparison.Ordinal) && !File.Exists(target) ? path : target;
 #else
         if (!IsUnix || !File.Exists(path)) return path;
         var name = new byte[Encoding.UTF8.GetMaxByteCount(path.Length) + 1];
