@@ -34,7 +34,7 @@ internal sealed class StepPlanner
         _counts = counts;
         _emitter = new MoveEmitter(rules, options, take, counts);
         if (returns) _returnPath = new ReturnPath(rules);
-        if (returns || (rules.Settings.ZHopType == ZHopType.AbovePath && !rules.AddsNothing)) _deposit = new Deposit(rules.Cell);
+        if (returns || (rules.Settings.ZHopType == ZHopType.AbovePath && !rules.AddsNothing)) _deposit = new Deposit(rules.Cell, hasCells: false);
         var obstacle = rules.AddsNothing ? null : options.Obstacle;
         if (obstacle is not null)
         {

@@ -92,5 +92,5 @@ public class DepositBlockTests
         Assert.That(new BoxQuery(a, b, 0.1, box).Lowest, Is.EqualTo(4.1).Within(1e-12));
     }
 
-    private static HeadContact Contact(Deposit deposit, Vec3 a, Vec3 b) => deposit.Meets(a, b, 0.1, Head, false, out _);
+    private static HeadContact Contact(Deposit deposit, Vec3 a, Vec3 b) => deposit.Contacts.Meets(a, b, 0.1, Head, false, out _);
 }

@@ -32,9 +32,10 @@ public class DepositContactTests
         deposit.Add(new Vec3(0, 0, 3), new Vec3(10, 0, 3), 0.2, 5);
         var (a, b) = (new Vec3(2, beside, z), new Vec3(6, beside, z));
         var (tag, hitTag) = (0, 0);
-        Assert.That(deposit.Meets(a, b, tolerance, Head, false, out tag).ToString(), Is.EqualTo(contact));
+        Assert.That(deposit.Contacts.Meets(a, b, tolerance, Head, false, out tag).ToString(), Is.EqualTo(contact));
         Assert.That(tag, Is.EqualTo(contact == nameof(HeadContact.None) ? -1 : 5));
-        Assert.That(deposit.Meets(b, a, tolerance, Head, true, out hitTag).ToString(), Is.EqualTo(contact == nameof(HeadContact.Digs) ? "None" : contact));
+        var hit = contact == nameof(HeadContact.Digs) ? "None" : contact;
+        Assert.That(deposit.Contacts.Meets(b, a, tolerance, Head, true, out hitTag).ToString(), Is.EqualTo(hit));
     }
 
     // excess, half a width, reach, reach leniently.
@@ -80,7 +81,7 @@ public class DepositContactTests
             }
             var from = Point(random, 25, 2);
             var to = random.Next(4) == 0 ? from + new Vec3(0, 0, random.Next(-3, 4)) : Point(random, 25, 2);
-            var contact = deposit.Meets(from, to, 0.05, Head, true, out var tag);
+            var contact = deposit.Contacts.Meets(from, to, 0.05, Head, true, out var tag);
             if (contact == HeadContact.None)
             {
                 Assert.That(extrusions.Any(s => Sampled(s, from, to, 0.05, -0.02)), Is.False, $"round {round}");
@@ -122,10 +123,10 @@ public class DepositContactTests
         deposit.Add(new Vec3(0.125, 5.125, 3), new Vec3(9.875, 5.125, 3), 0.1, 7);
         deposit.Add(new Vec3(0.125, 5.125, 1.5), new Vec3(9.875, 5.125, 1.5), 0.1, 8);
         var box = new Bounds(new Vec3(-2, -1, 0.5), new Vec3(2, 1, 10));
-        Assert.That(deposit.MeetsBox(new Vec3(ax, ay, az), new Vec3(bx, by, bz), tolerance, box, out var tag), Is.EqualTo(meets));
+        Assert.That(deposit.Contacts.MeetsBox(new Vec3(ax, ay, az), new Vec3(bx, by, bz), tolerance, box, out var tag), Is.EqualTo(meets));
         Assert.That(tag, Is.EqualTo(meets ? 7 : -1), "the last extrusion that is high enough");
-        Assert.That(deposit.MeetsBox(new Vec3(bx, by, bz), new Vec3(ax, ay, az), tolerance, box, out _), Is.EqualTo(meets), "the other way around");
-        Assert.That(new Deposit().MeetsBox(new Vec3(ax, ay, az), new Vec3(bx, by, bz), tolerance, box, out tag), Is.False);
+        Assert.That(deposit.Contacts.MeetsBox(new Vec3(bx, by, bz), new Vec3(ax, ay, az), tolerance, box, out _), Is.EqualTo(meets), "the other way around");
+        Assert.That(new Deposit().Contacts.MeetsBox(new Vec3(ax, ay, az), new Vec3(bx, by, bz), tolerance, box, out tag), Is.False);
     }
 
     [Test]
@@ -148,7 +149,7 @@ public class DepositContactTests
                 near |= d.Z > 1.1 && d.X > -3.7 && d.X < 2.7 && d.Y > -1.7 && d.Y < 4.7;
                 far |= d.Z > 0.9 && d.X > -4.5 && d.X < 3.5 && d.Y > -2.5 && d.Y < 5.5;
             }
-            var meets = deposit.MeetsBox(a, b, 0, box, out var tag);
+            var meets = deposit.Contacts.MeetsBox(a, b, 0, box, out var tag);
             if (near) Assert.That(meets, Is.True, $"round {round}");
             if (!far) Assert.That(meets, Is.False, $"round {round}");
             if (near) Assert.That(tag, Is.EqualTo(3));

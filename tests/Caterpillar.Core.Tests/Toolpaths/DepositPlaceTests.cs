@@ -156,6 +156,36 @@ public class DepositPlaceTests
         }
     }
 
+    // Over 20 mm, 10 mm up. A cell of 0.5 mm is as high as the extrusion at its middle and 0.7072 · 0.5 mm farther up, but no higher than its end.
+    [TestCase(-0.5, 0.1768)]
+    [TestCase(0.5, 0.5518)]
+    [TestCase(8.5, 4.5518)]
+    [TestCase(19, 9.8018)]
+    [TestCase(19.5, 10)]
+    [TestCase(20.1, 10)]
+    public void Cells_under_a_slope_are_as_high_as_it_is_there(double x, double top)
+    {
+        // The ends lie in two tiles of 32 mm.
+        Vec3 low = new(25, 0, 0), high = new(45, 0, 10);
+        var (up, down) = (new Deposit(0.5), new Deposit(0.5));
+        up.Add(low, high, 0.6);
+        down.Add(high, low, 0.6);
+        foreach (var y in new[] { -0.4, 0.1, 0.4 })
+        {
+            Assert.That(up.CellAt(25 + x, y).Top, Is.EqualTo(top).Within(1e-9));
+            Assert.That(down.CellAt(25 + x, y).Top, Is.EqualTo(top).Within(1e-9));
+        }
+    }
+
+    [Test]
+    public void Cells_under_a_slope_across_the_grid_are_as_high_as_it_is_there()
+    {
+        var deposit = new Deposit(0.5);
+        deposit.Add(new Vec3(0, 0, 0), new Vec3(12, 16, 10), 0.6);
+        // The middle of the cell is at (6.25, 8.25), where 0.5175 of the height is reached.
+        Assert.That(deposit.CellAt(6, 8).Top, Is.EqualTo(5.175 + 0.1768).Within(1e-9));
+    }
+
     [TestCase(1, 1, true)]
     [TestCase(3, 3, true)]
     [TestCase(0.999, 0.999, false)]

@@ -37,8 +37,8 @@ public class DepositSlopeTests
         var deposit = new Deposit();
         deposit.Add(new Vec3(0, 0, above), new Vec3(20, 0, 10 + above), 0.2, 3);
         var (a, b) = (new Vec3(5, beside, 2.5), new Vec3(15, beside, 7.5));
-        Assert.That(deposit.Meets(a, b, tolerance, Cone, false, out var tag) != HeadContact.None, Is.EqualTo(meets));
-        Assert.That(deposit.Meets(b, a, tolerance, Cone, false, out _) != HeadContact.None, Is.EqualTo(meets), "the other way around");
+        Assert.That(deposit.Contacts.Meets(a, b, tolerance, Cone, false, out var tag) != HeadContact.None, Is.EqualTo(meets));
+        Assert.That(deposit.Contacts.Meets(b, a, tolerance, Cone, false, out _) != HeadContact.None, Is.EqualTo(meets), "the other way around");
         Assert.That(tag, Is.EqualTo(meets ? 3 : -1));
     }
 
@@ -51,8 +51,8 @@ public class DepositSlopeTests
     {
         var deposit = new Deposit();
         deposit.Add(new Vec3(5, -5, 3), new Vec3(5, 5, 3), 0.2, 3);
-        Assert.That(deposit.Meets(new Vec3(0, 0, 6), new Vec3(5, 0, z), tolerance, Head, true, out _) == HeadContact.Hits, Is.EqualTo(meets));
-        Assert.That(deposit.Meets(new Vec3(5, 0, z), new Vec3(10, 0, 6), tolerance, Head, true, out _) == HeadContact.Hits, Is.EqualTo(meets));
+        Assert.That(deposit.Contacts.Meets(new Vec3(0, 0, 6), new Vec3(5, 0, z), tolerance, Head, true, out _) == HeadContact.Hits, Is.EqualTo(meets));
+        Assert.That(deposit.Contacts.Meets(new Vec3(5, 0, z), new Vec3(10, 0, 6), tolerance, Head, true, out _) == HeadContact.Hits, Is.EqualTo(meets));
     }
 
     [Test]
@@ -66,7 +66,7 @@ public class DepositSlopeTests
             var half = 0.1 + 0.3 * random.NextDouble();
             var deposit = new Deposit();
             deposit.Add(p, q, half, 0);
-            var contact = deposit.Meets(a, b, 0.05, Head, hitsOnly, out _);
+            var contact = deposit.Contacts.Meets(a, b, 0.05, Head, hitsOnly, out _);
             var depth = Depth(p, q, half, a, b, 0.05, hitsOnly, hitsOnly ? 0 : 1e-9);
             // What is sampled is off by a few hundredths, and the reach jumps where an extrusion begins to be higher.
             if (depth > 0.002) Assert.That(contact, Is.Not.EqualTo(HeadContact.None), $"round {round}: {depth}");
@@ -84,14 +84,14 @@ public class DepositSlopeTests
         var deposit = new Deposit(0.75, 18);
         for (var i = 0; i < 10; i++) deposit.Add(new Vec3(5 * i, 0, 6 * i), new Vec3(5 * i + 5, 0, 6 * i + 6), 1.5, i, joined && i > 0);
         var tip = new HeadShape([(0.5, 0), (14, 30)]);
-        var contact = deposit.Meets(new Vec3(10, 0, 12.5), new Vec3(40, 0, 48.5), 0.25, tip, true, out _);
+        var contact = deposit.Contacts.Meets(new Vec3(10, 0, 12.5), new Vec3(40, 0, 48.5), 0.25, tip, true, out _);
         Assert.That(contact, Is.EqualTo(joined ? HeadContact.None : HeadContact.Hits));
         Assert.That(deposit.TopUnder(new Vec3(14, 0), 100), Is.EqualTo(joined ? 16.8 : 18).Within(1e-9));
         // Its lowest end is free, and is round; beside it lies the edge.
-        Assert.That(deposit.Meets(new Vec3(-1.9, 0, -1), new Vec3(-1.9, 0.1, -1), 0, tip, true, out var tag), Is.EqualTo(HeadContact.Hits));
+        Assert.That(deposit.Contacts.Meets(new Vec3(-1.9, 0, -1), new Vec3(-1.9, 0.1, -1), 0, tip, true, out var tag), Is.EqualTo(HeadContact.Hits));
         Assert.That(tag, Is.Zero);
-        Assert.That(deposit.Meets(new Vec3(-2.6, 0, -1), new Vec3(-2.6, 0.1, -1), 0, tip, true, out _), Is.EqualTo(HeadContact.None));
-        Assert.That(deposit.Meets(new Vec3(20, 1.9, 23), new Vec3(20.1, 1.9, 23.1), 0, tip, true, out _), Is.EqualTo(HeadContact.Hits));
+        Assert.That(deposit.Contacts.Meets(new Vec3(-2.6, 0, -1), new Vec3(-2.6, 0.1, -1), 0, tip, true, out _), Is.EqualTo(HeadContact.None));
+        Assert.That(deposit.Contacts.Meets(new Vec3(20, 1.9, 23), new Vec3(20.1, 1.9, 23.1), 0, tip, true, out _), Is.EqualTo(HeadContact.Hits));
     }
 
     [Test]
@@ -192,8 +192,8 @@ public class DepositSlopeTests
                 double top = whole.TopAlong(p, q, 0.4), expected = pieces.TopAlong(p, q, 0.4);
                 if (top != expected && !(Math.Abs(top - expected) <= 1e-9)) Assert.Fail($"round {round}: {top} instead of {expected} from {p} to {q}");
                 // What rises by less than 0.02 mm counts as level.
-                if (whole.Meets(p, q, 0.02, Head, false, out _) > pieces.Meets(p, q, 0, Head, false, out _)
-                    || pieces.Meets(p, q, 0.02, Head, false, out _) > whole.Meets(p, q, 0, Head, false, out _))
+                if (whole.Contacts.Meets(p, q, 0.02, Head, false, out _) > pieces.Contacts.Meets(p, q, 0, Head, false, out _)
+                    || pieces.Contacts.Meets(p, q, 0.02, Head, false, out _) > whole.Contacts.Meets(p, q, 0, Head, false, out _))
                     Assert.Fail($"round {round}: the head meets more or less from {p} to {q}");
             }
         }
@@ -207,10 +207,10 @@ public class DepositSlopeTests
         deposit.Add(new Vec3(0.2, 1.6, 0.3), new Vec3(40, 1.6, 20), 0.2, 0);
         for (var i = 1; i <= 40; i++) deposit.Add(new Vec3(0.2, 1, 0.5), new Vec3(1.8, 1, 0.5), 0.2, i);
         Assert.That(deposit.ExtrusionCount, Is.EqualTo(41));
-        Assert.That(deposit.Meets(new Vec3(0.3, 0.7, 0.3), new Vec3(1.7, 0.7, 0.3), 0.05, Cone, false, out var tag), Is.EqualTo(HeadContact.Digs));
+        Assert.That(deposit.Contacts.Meets(new Vec3(0.3, 0.7, 0.3), new Vec3(1.7, 0.7, 0.3), 0.05, Cone, false, out var tag), Is.EqualTo(HeadContact.Digs));
         Assert.That(tag, Is.EqualTo(40));
         // At the upper end of the slope the head finds it.
-        Assert.That(deposit.Meets(new Vec3(39, 1.6, 19), new Vec3(39.9, 1.6, 19), 0.05, Cone, false, out tag), Is.EqualTo(HeadContact.Hits));
+        Assert.That(deposit.Contacts.Meets(new Vec3(39, 1.6, 19), new Vec3(39.9, 1.6, 19), 0.05, Cone, false, out tag), Is.EqualTo(HeadContact.Hits));
         Assert.That(tag, Is.Zero);
     }
 
@@ -223,7 +223,7 @@ public class DepositSlopeTests
         deposit.Add(new Vec3(0.2, 1, 0.1), new Vec3(0.4, 1, 0.1), 0.1, 50);
         deposit.GoOn(new Vec3(0.4, 1, 0.1), new Vec3(1.4, 1, 3), 0.1, 50);
         Assert.That(deposit.Highest, Is.EqualTo(3));
-        Assert.That(deposit.Meets(new Vec3(1.4, 1, 2.5), new Vec3(1.5, 1, 2.5), 0, Head, false, out var tag), Is.EqualTo(HeadContact.Hits));
+        Assert.That(deposit.Contacts.Meets(new Vec3(1.4, 1, 2.5), new Vec3(1.5, 1, 2.5), 0, Head, false, out var tag), Is.EqualTo(HeadContact.Hits));
         Assert.That(tag, Is.EqualTo(50));
     }
 

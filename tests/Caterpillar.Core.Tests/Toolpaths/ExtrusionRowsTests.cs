@@ -41,18 +41,6 @@ public class ExtrusionRowsTests
         }
     }
 
-    [TestCase(10, 0, 0.1125)]
-    [TestCase(0, 5, 0.075)]
-    [TestCase(-3, 4, -0.0750)]
-    public void A_cell_lies_along_an_extrusion_by_its_middle(double x, double y, double share)
-    {
-        var rows = new ExtrusionRows(Cell);
-        var extrusion = Extrusion.Of(Vec3.Zero, new Vec3(x, y), 0.2);
-        rows.Aim(extrusion);
-        // Its middle is at (1.125, 0.375).
-        Assert.That(rows.Along(extrusion, 4, 1), Is.EqualTo(share).Within(1e-12));
-    }
-
     [Test]
     public void Long_extrusions_cover_the_same_in_all_rows_between_their_ends()
     {

@@ -133,7 +133,7 @@ internal sealed class CollisionCheck
 
     private bool Meets(Deposit deposit, in CheckedMove move, double tolerance)
     {
-        var contact = deposit.Meets(move.Start, move.End, tolerance, _printed.Head, _digs is not null, out var extrusion);
+        var contact = deposit.Contacts.Meets(move.Start, move.End, tolerance, _printed.Head, _digs is not null, out var extrusion);
         return Nozzle(contact, deposit, move, move.Start, move.End, tolerance, extrusion)
             | Boxes(deposit, deposit.Highest, move, move.Start, move.End, tolerance);
     }
@@ -169,7 +169,7 @@ internal sealed class CollisionCheck
         var low = Math.Min(a.Z, b.Z) + tolerance;
         foreach (var (box, code) in _boxes)
         {
-            if (!(top > low + box.Min.Z) || !deposit.MeetsBox(a, b, tolerance, box, out var tag)) continue;
+            if (!(top > low + box.Min.Z) || !deposit.Contacts.MeetsBox(a, b, tolerance, box, out var tag)) continue;
             hit = true;
             ReportBox(code, deposit, move, a, tag);
         }
@@ -178,16 +178,18 @@ internal sealed class CollisionCheck
 
     private bool Clips(in CheckedMove move, Vec3 a, Vec3 b)
     {
-        var part = _clips.Meets(a, b, 0, _printed.Head, false, out var clip) != HeadContact.None ? "nozzle" : "";
+        var part = _clips.Contacts.Meets(a, b, 0, _printed.Head, false, out var clip) != HeadContact.None ? "nozzle" : "";
         foreach (var (box, code) in _boxes)
         {
-            if (part.Length == 0 && _clips.MeetsBox(a, b, 0, box, out clip)) part = code == CheckCodes.HeadHits ? "print head" : "gantry";
+            if (part.Length == 0 && _clips.Contacts.MeetsBox(a, b, 0, box, out clip)) part = code == CheckCodes.HeadHits ? "print head" : "gantry";
         }
-        if (part.Length == 0) return false;
-        _findings.Add(CheckCodes.ClipHit, move.Index,
-            () => $"The {part} hits bed clip {NumberFormatter.Format(clip + 1)} between {a} and {b}. Move the clip or the print.");
-        return true;
+        if (part.Length > 0) ReportClip(move, a, b, part, clip);
+        return part.Length > 0;
     }
+
+    private void ReportClip(in CheckedMove move, Vec3 a, Vec3 b, string part, int clip)
+        => _findings.Add(CheckCodes.ClipHit, move.Index,
+            () => $"The {part} hits bed clip {NumberFormatter.Format(clip + 1)} between {a} and {b}. Move the clip or the print.");
 
     private void Report(string code, Deposit deposit, in CheckedMove move, Vec3 a, Vec3 b, double tolerance, int extrusion)
         => _findings.AddNaming(code, move.Index, () =>
@@ -219,7 +221,7 @@ internal sealed class CollisionCheck
         while (a.DistanceTo(b) > deposit.Cell)
         {
             var middle = Vec3.Lerp(a, b, 0.5);
-            if (deposit.Meets(a, middle, tolerance, _printed.Head, true, out _) == HeadContact.Hits) b = middle;
+            if (deposit.Contacts.Meets(a, middle, tolerance, _printed.Head, true, out _) == HeadContact.Hits) b = middle;
             else a = middle;
         }
         return new Vec3(Math.Round(a.X, 2), Math.Round(a.Y, 2), Math.Round(a.Z, 2));

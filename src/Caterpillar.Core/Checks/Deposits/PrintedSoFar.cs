@@ -131,7 +131,7 @@ internal sealed class PrintedSoFar
         return top;
     }
 
-    /// <summary>What the head does to these pieces where its tip goes straight from a to b, as <see cref="Deposit.Meets"/> says it of all.</summary>
+    /// <summary>What the head does to these pieces where its tip goes straight from a to b, as <see cref="DepositContacts.Meets"/> says it of all.</summary>
     public HeadContact MeetsLast(int count, Vec3 a, Vec3 b, double tolerance, bool hitsOnly, out int move)
     {
         move = -1;

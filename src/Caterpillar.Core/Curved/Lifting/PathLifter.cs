@@ -166,7 +166,9 @@ internal sealed class PathLifter(LayerField field, LiftRules rules, LayerNeighbo
         }
         // The area among flat layers that the extrusion covers, times the gap.
         var width = bead.Area / (bead.Height > 0 ? bead.Height : 1) * m.Area * a.Flat.DistanceTo(b.Flat) / length;
-        var areas = (width * _samples.Min(s => s.Gap), width * _samples.Max(s => s.Gap));
+        double least = _samples[0].Gap, most = least;
+        foreach (var sample in _samples) (least, most) = (Math.Min(least, sample.Gap), Math.Max(most, sample.Gap));
+        var areas = (width * least, width * most);
         _extrusion.Add(a.Part, b.Part, new Bead(width * gap, bead.Height > 0 ? gap * normal.Z : 0, bead.Speed), areas, isFirst, _between);
     }
 

@@ -9,7 +9,7 @@ internal sealed class LayerPatch
     private LayerPatch(int layer, List<PathStep> steps, PatchCell[] cells)
     {
         (Layer, Steps, Cells) = (layer, steps, cells);
-        Box = Bounds.Of(cells.SelectMany(c => new[] { new Vec3(c.Column, c.Row, c.Low), new Vec3(c.Column, c.Row, c.Top) }));
+        foreach (var c in cells) Box = Box.Include(new Vec3(c.Column, c.Row, c.Low)).Include(new Vec3(c.Column, c.Row, c.Top));
     }
 
     /// <summary>Its place among the layers.</summary>
@@ -28,7 +28,11 @@ internal sealed class LayerPatch
     /// <param name="cell">Side of the cells, mm.</param>
     public static IReadOnlyList<LayerPatch> Of(SlicedLayer layer, int index, double cell)
     {
-        var numbers = new Dictionary<(int Column, int Row), int>();
+        var box = layer.Steps.Aggregate(Bounds.Empty, (b, s) => b.Include(s.Path.Bounds));
+        int left = Index(box.Min.X) - 1, bottom = Index(box.Min.Y) - 1, columns = Index(box.Max.X) - left + 2;
+        // Numbers of cells by row, counted from 1; a column and a row on each side stay empty.
+        var numbers = new int[columns * (Index(box.Max.Y) - bottom + 2)];
+        int[] around = [-columns - 1, -columns, 1 - columns, -1, 1, columns - 1, columns, columns + 1];
         var cells = new List<PatchCell>();
         var sets = new DisjointSets(0);
         var firsts = new int[layer.Steps.Count];
@@ -42,18 +46,10 @@ internal sealed class LayerPatch
                 var parts = Math.Max(1, (int)Math.Ceiling((to - from).LengthXY / (0.5 * cell)));
                 for (var k = 1; k <= parts; k++)
                 {
-                    var next = Enter(Vec3.Lerp(from, to, (double)k / parts));
+                    var next = Enter(k == parts ? to : Vec3.Lerp(from, to, (double)k / parts));
                     sets.Join(before, next);
                     before = next;
                 }
-            }
-        }
-        for (var n = 0; n < cells.Count; n++)
-        {
-            var (column, row) = (cells[n].Column, cells[n].Row);
-            foreach (var (dx, dy) in new[] { (1, 0), (0, 1), (1, 1), (1, -1) })
-            {
-                if (numbers.TryGetValue((column + dx, row + dy), out var other)) sets.Join(n, other);
             }
         }
         var patches = new List<LayerPatch>();
@@ -64,14 +60,22 @@ internal sealed class LayerPatch
         }
         return patches;
 
+        int Index(double x) => (int)Math.Floor(x / cell);
+
         int Enter(Vec3 p)
         {
-            var key = ((int)Math.Floor(p.X / cell), (int)Math.Floor(p.Y / cell));
-            if (!numbers.TryGetValue(key, out var n))
+            int column = Index(p.X), row = Index(p.Y), at = (row - bottom) * columns + column - left;
+            var n = numbers[at] - 1;
+            if (n < 0)
             {
-                numbers.Add(key, n = cells.Count);
-                cells.Add(new PatchCell(key.Item1, key.Item2, p.Z, p.Z));
+                n = cells.Count;
+                numbers[at] = n + 1;
+                cells.Add(new PatchCell(column, row, p.Z, p.Z));
                 sets.Add();
+                foreach (var away in around)
+                {
+                    if (numbers[at + away] > 0) sets.Join(n, numbers[at + away] - 1);
+                }
             }
             var old = cells[n];
             if (p.Z < old.Low || p.Z > old.Top) cells[n] = old with { Low = Math.Min(old.Low, p.Z), Top = Math.Max(old.Top, p.Z) };

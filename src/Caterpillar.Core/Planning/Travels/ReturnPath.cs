@@ -118,11 +118,11 @@ internal sealed class ReturnPath(PlanRules rules)
         var worst = HeadContact.None;
         foreach (var to in path)
         {
-            var contact = _printed.Meets(from, to, Touch, rules.Outline, false, out _);
+            var contact = _printed.Contacts.Meets(from, to, Touch, rules.Outline, false, out _);
             if (contact > worst) worst = contact;
             foreach (var box in rules.HeadBoxes)
             {
-                if (_printed.MeetsBox(from, to, Touch, box, out _)) worst = HeadContact.Hits;
+                if (_printed.Contacts.MeetsBox(from, to, Touch, box, out _)) worst = HeadContact.Hits;
             }
             from = to;
         }

@@ -3,7 +3,7 @@ namespace Caterpillar.Toolpaths;
 /// <summary>
 /// The print so far, seen from above: a height field of square cells, with the extrusions in bins for exact answers. Used for Z-hop, beads from the gap, the
 /// safe return of turtles, support and collisions. It grows with the print. Extrusions far below the top of their bin are dropped. The cells then answer: never
-/// too low, and too wide by less than one cell. Not thread-safe.
+/// too low, and too wide by less than one cell; along a travel, all of the bin counts. Not thread-safe.
 /// </summary>
 internal sealed class Deposit
 {
@@ -16,10 +16,10 @@ internal sealed class Deposit
     private readonly double _cell;
     private readonly double _perCell;
     private readonly double _keepDepth;
+    private readonly bool _hasCells;
     private readonly ExtrusionStore _store = new();
     private readonly DepositCells _cells = new();
     private readonly DepositBins _bins;
-    private readonly DepositContacts _contacts;
 
     // What an extrusion covers: of all, and in the rows of a bin.
     private readonly ExtrusionRows _rowsOf;
@@ -31,8 +31,9 @@ internal sealed class Deposit
 
     /// <param name="cell">Side of a cell, mm, at most half the width of an extrusion.</param>
     /// <param name="keepDepth">Depth below the highest extrusion of a bin at which extrusions are dropped, mm.</param>
+    /// <param name="hasCells">Without cells, only <see cref="TopAlong"/> and <see cref="Highest"/> answer.</param>
     /// <exception cref="ArgumentOutOfRangeException">A length is not positive.</exception>
-    public Deposit(double cell = 0.25, double keepDepth = 10)
+    public Deposit(double cell = 0.25, double keepDepth = 10, bool hasCells = true)
     {
         if (!(cell > 0) || double.IsInfinity(cell)) throw new ArgumentOutOfRangeException(nameof(cell), "The cell size must be positive.");
         if (!(keepDepth > 0)) throw new ArgumentOutOfRangeException(nameof(keepDepth), "The depth must be positive.");
@@ -40,8 +41,9 @@ internal sealed class Deposit
         _perCell = 1 / cell;
         _rowsOf = new ExtrusionRows(cell);
         _keepDepth = keepDepth;
+        _hasCells = hasCells;
         _bins = new DepositBins(cell);
-        _contacts = new DepositContacts(_bins, _cells, _store, cell);
+        Contacts = new DepositContacts(_bins, _cells, _store, cell);
         Overlaps = new DepositOverlaps(_bins, _cells, _store, cell);
     }
 
@@ -50,6 +52,9 @@ internal sealed class Deposit
 
     /// <summary>Highest printed point, mm. Negative infinity before the first extrusion.</summary>
     public double Highest { get; private set; } = double.NegativeInfinity;
+
+    /// <summary>What a head and its boxes touch.</summary>
+    public DepositContacts Contacts { get; }
 
     /// <summary>What is in the place of new extrusions.</summary>
     public DepositOverlaps Overlaps { get; }
@@ -150,7 +155,7 @@ internal sealed class Deposit
                 if (bin is null || bin.Top <= best) continue;
                 var center = new Vec3((column + 0.5) * side, y + side / 2);
                 if (FlatSegment.SquareDistance(center, a, b) > (radius + halfDiagonal) * (radius + halfDiagonal)) continue;
-                best = TopInBin(bin, column, row, a, b, radius, best);
+                best = TopInBin(bin, a, b, radius, best);
             }
         }
         return best;
@@ -183,7 +188,7 @@ internal sealed class Deposit
                 if (bin is null || bin.Top <= best) continue;
                 best = TopUnderIn(bin, point, limit, radius, before, best, least ?? double.PositiveInfinity, ref found);
                 if (best >= least) return best;
-                if (bin.Dropped > best) best = DroppedUnder(bin, column, row, point, point, limit, radius, best);
+                if (bin.Dropped > best) best = DroppedUnder(bin, column, row, point, limit, radius, best);
             }
         }
         return best;
@@ -198,32 +203,6 @@ internal sealed class Deposit
         if (!_bins.MayHold(x, y)) return (_outside, double.NegativeInfinity);
         var cell = _cells[Index(x), Index(y)];
         return (cell.Top, cell.Under);
-    }
-
-    /// <summary>
-    /// The contact of the head with extrusions while its tip moves straight from a to b. Finds every contact. Dropped extrusions count as their cells.
-    /// </summary>
-    /// <param name="a">Start of the segment, mm.</param>
-    /// <param name="b">Its end.</param>
-    /// <param name="tolerance">Maximum depth of contact, mm.</param>
-    /// <param name="head">The underside of the head.</param>
-    /// <param name="hitsOnly">Ignore extrusions that the head only digs into.</param>
-    /// <param name="tag">Tag of the extrusion that it hits or digs into. −1 = no tag.</param>
-    public HeadContact Meets(Vec3 a, Vec3 b, double tolerance, HeadShape head, bool hitsOnly, out int tag)
-    {
-        var query = new HeadQuery(a, b, tolerance, head, hitsOnly);
-        return _contacts.Meets(ref query, Highest, out tag);
-    }
-
-    /// <summary>
-    /// True if a box that moves with its origin from a to b meets a cell more than <paramref name="tolerance"/> above its bottom. The tag is the tag of an
-    /// extrusion there, or −1.
-    /// </summary>
-    public bool MeetsBox(Vec3 a, Vec3 b, double tolerance, Bounds box, out int tag)
-    {
-        tag = -1;
-        var query = new BoxQuery(a, b, tolerance, box);
-        return !_bins.IsEmpty && Highest > query.Lowest && _contacts.MeetsBox(query, out tag);
     }
 
     // The last ones are the highest as a rule: the others are skipped by their tops.
@@ -241,22 +220,22 @@ internal sealed class Deposit
         return best;
     }
 
-    private double TopInBin(DepositBin bin, int column, int row, Vec3 a, Vec3 b, double radius, double best)
+    private double TopInBin(DepositBin bin, Vec3 a, Vec3 b, double radius, double best)
     {
         for (var i = bin.Count - 1; i >= 0; i--)
         {
             if (bin.Entries[i].Top > best) best = Math.Max(best, _store[bin.Entries[i].Extrusion].TopWithin(a, b, radius));
         }
-        return bin.Dropped <= best ? best : DroppedUnder(bin, column, row, a, b, double.PositiveInfinity, radius, best);
+        return Math.Max(best, bin.Dropped);
     }
 
-    private double DroppedUnder(DepositBin bin, int column, int row, Vec3 a, Vec3 b, double limit, double radius, double best)
+    private double DroppedUnder(DepositBin bin, int column, int row, Vec3 point, double limit, double radius, double best)
     {
         var reach = radius + _cell * 0.7072;
         for (var i = 0; i < DepositBin.Cells; i++)
         {
             var top = Math.Min(_cells.InBin(column, row, i).Top, bin.Dropped);
-            if (top > best && top <= limit && FlatSegment.SquareDistance(DepositCells.Center(column, row, i, _cell), a, b) <= reach * reach) best = top;
+            if (top > best && top <= limit && (DepositCells.Center(column, row, i, _cell) - point).LengthXY <= reach) best = top;
         }
         return best;
     }
@@ -285,6 +264,7 @@ internal sealed class Deposit
                 var top = isLevel ? highest : TopInBin(extrusion, column, row >> DepositBin.Bits);
                 _bins.Enter(column, row >> DepositBin.Bits, index, top, isLevel, _store, _keepDepth);
             }
+            if (!_hasCells) continue;
             if (isLevel) _cells.Lay(_spans, row, end, left, right, highest);
             else LaySloped(extrusion, row, end);
         }
@@ -305,14 +285,22 @@ internal sealed class Deposit
     // Each cell as high as the extrusion is there at most.
     private void LaySloped(in Extrusion extrusion, int row, int end)
     {
-        var rise = extrusion.Bz - extrusion.Az;
+        double dx = extrusion.Bx - extrusion.Ax, dy = extrusion.By - extrusion.Ay, inverse = 1 / (dx * dx + dy * dy);
+        double low = extrusion.Az, rise = extrusion.Bz - low, highest = extrusion.Top;
         var spread = Math.Abs(rise) / _rowsOf.Length * _cell * 0.7072;
         for (var i = row; i <= end; i++)
         {
-            for (var column = _spans[i - row].First; column <= _spans[i - row].Last; column++)
+            var across = ((i + 0.5) * _cell - extrusion.Ay) * dy;
+            var (column, last) = _spans[i - row];
+            while (column <= last)
             {
-                var top = extrusion.Az + rise * Math.Min(1, Math.Max(0, _rowsOf.Along(extrusion, column, i))) + spread;
-                _cells.Lay(column, i, Math.Min(extrusion.Top, top));
+                var tile = _cells.TileOf(column, i);
+                for (var stop = Math.Min(last, DepositCells.LastInTile(column)); column <= stop; column++)
+                {
+                    var along = (((column + 0.5) * _cell - extrusion.Ax) * dx + across) * inverse;
+                    along = along < 0 ? 0 : along > 1 ? 1 : along;
+                    tile[DepositCells.At(column, i)].Lay(Math.Min(highest, low + rise * along + spread));
+                }
             }
         }
     }

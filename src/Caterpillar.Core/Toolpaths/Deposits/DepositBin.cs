@@ -13,10 +13,7 @@ internal sealed class DepositBin
     public const int Cells = Side * Side;
 
     /// <summary>The extrusions, in the order in which they were added.</summary>
-    public DepositEntry[] Entries = new DepositEntry[4];
-
-    /// <summary>Bounds of each full block of <see cref="Block"/> extrusions: layers below are skipped by blocks.</summary>
-    public DepositBlock[] Blocks = [];
+    public DepositEntry[] Entries = new DepositEntry[16];
 
     public int Count;
 
@@ -28,8 +25,9 @@ internal sealed class DepositBin
 
     private int _compactAt = FirstCompaction;
 
-    // Blocks before this one have their planes.
-    private int _planes;
+    // Bounds of full blocks, so far as they were asked for, and how many of these have their planes.
+    private DepositBlock[] _blocks = [];
+    private int _known, _planes;
 
     // The last one, beside what else is asked for.
     private int _last = -1;
@@ -51,20 +49,30 @@ internal sealed class DepositBin
     }
 
     /// <summary>True for the last entry of a block if it and all entries before it are at most so high.</summary>
-    public bool AllBelow(int entry, double top) => (entry & (Block - 1)) == Block - 1 && !(Blocks[entry >> BlockBits].TopSoFar > top);
+    public bool AllBelow(int entry, double top) => (entry & (Block - 1)) == Block - 1 && !(BoundsOf(entry >> BlockBits).TopSoFar > top);
+
+    /// <summary>Bounds of a full block of <see cref="Block"/> extrusions: layers below are skipped by blocks.</summary>
+    public ref DepositBlock BoundsOf(int block)
+    {
+        if (block >= _blocks.Length) Array.Resize(ref _blocks, Entries.Length >> BlockBits);
+        for (; _known <= block; _known++)
+            _blocks[_known] = new DepositBlock(Entries, _known << BlockBits, _known > 0 ? _blocks[_known - 1].TopSoFar : double.NegativeInfinity);
+        return ref _blocks[block];
+    }
 
     /// <summary>A full block with its plane, in a bin with its middle and half its side and a cell in mm.</summary>
     public ref DepositBlock WithPlane(int block, Vec3 center, double distance, ExtrusionStore store)
     {
+        ref var bounds = ref BoundsOf(block);
         for (; _planes <= block; _planes++)
         {
-            var next = Blocks[_planes].WithPlane(_planes > 0 ? Blocks[_planes - 1] : default, Entries, _planes << BlockBits, store);
+            var next = _blocks[_planes].WithPlane(_planes > 0 ? _blocks[_planes - 1] : default, Entries, _planes << BlockBits, store);
             // Blocks of the same layer raise it a little, those of lower ones do not.
-            for (var before = _planes - 1; before >= 0 && !next.IsOver(Blocks[before], center, distance); before--)
+            for (var before = _planes - 1; before >= 0 && !next.IsOver(_blocks[before], center, distance); before--)
                 next = next.Over(Entries, before << BlockBits, store);
-            Blocks[_planes] = next;
+            _blocks[_planes] = next;
         }
-        return ref Blocks[block];
+        return ref bounds;
     }
 
     private void Compact(ExtrusionStore store, double keepDepth)
@@ -89,11 +97,8 @@ internal sealed class DepositBin
     private void Put(int at, in DepositEntry entry)
     {
         Entries[at] = entry;
-        if ((at & (Block - 1)) < Block - 1) return;
-        var block = at >> BlockBits;
-        if (block >= Blocks.Length) Array.Resize(ref Blocks, Math.Max(2, block * 2));
-        _planes = Math.Min(_planes, block);
-        Blocks[block] = new DepositBlock(Entries, at - Block + 1, block > 0 ? Blocks[block - 1].TopSoFar : double.NegativeInfinity);
+        _known = Math.Min(_known, at >> BlockBits);
+        _planes = Math.Min(_planes, _known);
     }
 }
 

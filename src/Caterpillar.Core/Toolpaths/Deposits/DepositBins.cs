@@ -22,6 +22,9 @@ internal sealed class DepositBins(double cell)
 
     public bool IsEmpty => _bins.IsEmpty;
 
+    /// <summary>The highest top of all, mm.</summary>
+    public double Highest { get; private set; } = double.NegativeInfinity;
+
     public DepositBin? this[int column, int row] => _bins.Find(column, row);
 
     /// <summary>The column of a place, or the nearest column of the grid.</summary>
@@ -60,6 +63,7 @@ internal sealed class DepositBins(double cell)
     private void Raise(DepositBin bin, int column, int row, double top)
     {
         bin.Top = top;
+        Highest = Math.Max(Highest, top);
         ref var wide = ref _tops[(SquareOf(row) - _topsBottom) * _topsColumns + SquareOf(column) - _topsLeft];
         if (top > wide) wide = top;
     }

@@ -5,14 +5,22 @@ namespace Caterpillar.Toolpaths;
 /// </summary>
 internal sealed class DepositContacts(DepositBins bins, DepositCells cells, ExtrusionStore store, double cell)
 {
-    /// <inheritdoc cref="Deposit.Meets"/>
-    public HeadContact Meets(ref HeadQuery query, double highest, out int tag)
+    /// <summary>
+    /// The contact of the head with extrusions while its tip moves straight from a to b. Finds every contact. Dropped extrusions count as their cells.
+    /// </summary>
+    /// <param name="a">Start of the segment, mm.</param>
+    /// <param name="b">Its end.</param>
+    /// <param name="tolerance">Maximum depth of contact, mm.</param>
+    /// <param name="head">The underside of the head.</param>
+    /// <param name="hitsOnly">Ignore extrusions that the head only digs into.</param>
+    /// <param name="tag">Tag of the extrusion that it hits or digs into. −1 = no tag.</param>
+    public HeadContact Meets(Vec3 a, Vec3 b, double tolerance, HeadShape head, bool hitsOnly, out int tag)
     {
         tag = -1;
-        var (a, b, head) = (query.From, query.To, query.Head);
-        var z = Math.Min(a.Z, b.Z) + query.Tolerance;
-        var most = head.Reach(highest - z);
-        if (most < 0 || bins.IsEmpty) return HeadContact.None;
+        var query = new HeadQuery(a, b, tolerance, head, hitsOnly);
+        var z = Math.Min(a.Z, b.Z) + tolerance;
+        var most = head.Reach(bins.Highest - z);
+        if (most < 0) return HeadContact.None;
         store.BeginQuery();
         var wide = bins.SquareSide;
         var lastRow = DepositBins.SquareOf(bins.Row(Math.Max(a.Y, b.Y) + most));
@@ -33,11 +41,16 @@ internal sealed class DepositContacts(DepositBins bins, DepositCells cells, Extr
         return query.Digs ? HeadContact.Digs : HeadContact.None;
     }
 
-    /// <inheritdoc cref="Deposit.MeetsBox"/>
-    public bool MeetsBox(in BoxQuery query, out int tag)
+    /// <summary>
+    /// True if a box that moves with its origin from a to b meets a cell more than <paramref name="tolerance"/> above its bottom. The tag is the tag of an
+    /// extrusion there, or −1.
+    /// </summary>
+    public bool MeetsBox(Vec3 a, Vec3 b, double tolerance, Bounds box, out int tag)
     {
         tag = -1;
-        var (a, b, box, z) = (query.From, query.To, query.Box, query.Lowest);
+        var query = new BoxQuery(a, b, tolerance, box);
+        var z = query.Lowest;
+        if (!(bins.Highest > z)) return false;
         var firstRow = bins.Row(Math.Min(a.Y, b.Y) + box.Min.Y);
         var lastRow = bins.Row(Math.Max(a.Y, b.Y) + box.Max.Y);
         var first = bins.Column(Math.Min(a.X, b.X) + box.Min.X);
@@ -98,7 +111,7 @@ internal sealed class DepositContacts(DepositBins bins, DepositCells cells, Extr
             var first = block << DepositBin.BlockBits;
             if (first + DepositBin.Block <= bin.Count)
             {
-                if (!(bin.Blocks[block].TopSoFar > z)) break;
+                if (!(bin.BoundsOf(block).TopSoFar > z)) break;
                 ref var bounds = ref bin.WithPlane(block, middle, bins.Side / 2 + cell, store);
                 if (!query.MayMeet(bounds, near, bin.Top - low)) break;
                 if (!(bounds.Top > z)) continue;

@@ -94,8 +94,4 @@ internal sealed class ExtrusionRows(double cell)
         first = Index(_x + left, _perCell);
         last = Index(_x + right, _perCell);
     }
-
-    /// <summary>Position of the middle of a cell along the extrusion, 0 at its start and 1 at its end.</summary>
-    public double Along(in Extrusion extrusion, int column, int row)
-        => (((column + 0.5) * cell - _ax) * (extrusion.Bx - _ax) + ((row + 0.5) * cell - _ay) * (extrusion.By - _ay)) * _inverse;
 }
