@@ -111,6 +111,17 @@ public class LayerCoolingTests
     }
 
     [Test]
+    public void The_least_speed_of_rising_moves_is_that_of_moves_that_the_file_can_show()
+    {
+        var setup = Setup with { Printer = new Printer { MaxSpeed = new(300, 300, 12, 60), MaxFlow = 0 }, Material = Setup.Material with { MaxFlow = 0 } };
+        // The second move is shorter than the last decimal of the file, 0.001 mm.
+        Vec3[] points = [new(20, 50), new(24, 50, 3), new(24.0002, 50, 3.0002), new(44, 50, 3.0002)];
+        var path = new PrintPath(points, new Bead(0.08, 0.2)) with { Role = Role.InnerWall, Layer = new Layer(1, 9, 0.2) };
+        var note = Plan([new PathStep(path, new StepGroup(1))], setup).Diagnostics.Single(d => d.Code == "plan.axis_slowed");
+        Assert.That(note.Message, Does.Contain("at least 20 mm/s"));
+    }
+
+    [Test]
     public void As_drawn_the_speed_stays()
     {
         var setup = Setup with { Printer = new Printer { MaxFlow = 2 } };

@@ -25,7 +25,8 @@ internal sealed class SlopedFeed(AxisValues? most, double rounded)
         }
         if (!(_last <= held && _last >= Even * held)) _last = held;
         _moves++;
-        _least = Math.Min(_least, _last);
+        // Shorter ones vanish in the file.
+        if (length >= rounded) _least = Math.Min(_least, _last);
         _seconds += length / _last - length / wanted;
         return _last;
 
