@@ -27,7 +27,7 @@ internal static class PrintSummary
             : $"{NumberFormatter.Format(minutes / 60)} h {NumberFormatter.Format(minutes % 60)} min";
     }
 
-    private static string Size(Vec3 size) => $"{Number(size.X, 1)} × {Number(size.Y, 1)}{(size.Z > 0 ? " × " + Number(size.Z, 1) : "")} mm";
+    private static string Size(Vec3 size) => $"{Number(size.X, 1)} × {Number(size.Y, 1)}{(size.Z >= 0.05 ? " × " + Number(size.Z, 1) : "")} mm";
 
     private static string Amount(PrintFigures print)
     {

@@ -267,6 +267,32 @@ public class SvgTests
     public void What_a_style_hides_is_not_drawn(string style)
         => Assert.That(One($"<path d=\"M0 0 L5 5\" style=\"{style}\"/><path d=\"M1 1 L2 1\"/>").Curve.Length, Is.EqualTo(1).Within(1e-9));
 
+    [TestCase(".off{display:none}", true)]
+    [TestCase("<![CDATA[.off{fill:red;display:none;}]]>", true)]
+    [TestCase(".st0{fill:none} .st1, .off{visibility:hidden}", true)]
+    [TestCase("/* layers */.off{display:none !important}", true)]
+    [TestCase(".off{display:none} .off{display:inline}", false)]
+    [TestCase(".on{display:none}", false)]
+    [TestCase(".a .off{display:none}", false)]
+    [TestCase(".off", false)]
+    public void What_a_class_of_a_style_sheet_hides_is_not_drawn(string sheet, bool isHidden)
+    {
+        var page = Page($"<defs><style>{sheet}</style></defs><path d=\"M0 0 L5 5\" class=\"st0 off\"/><path d=\"M1 1 L2 1\"/>");
+        var curves = CurveReaderTests.Read(page, "a.svg");
+        Assert.That(curves.Value, Has.Count.EqualTo(isHidden ? 1 : 2));
+        Assert.That(curves.Diagnostics.Select(d => d.Code), isHidden ? Does.Contain("curves.hidden") : Has.None.EqualTo("curves.hidden"));
+    }
+
+    [Test]
+    public void The_attribute_style_counts_more_than_a_class_and_that_more_than_an_attribute()
+    {
+        const string Sheet = "<style>.off{display:none} .on{display:inline}</style>";
+        int Drawn(string attributes) => CurveReaderTests.Read(Page($"{Sheet}<path d=\"M0 0 L5 5\" {attributes}/>"), "a.svg").Value?.Count ?? 0;
+        Assert.That(Drawn("class=\"off\" style=\"display:inline\""), Is.EqualTo(1));
+        Assert.That(Drawn("class=\"on\" display=\"none\""), Is.EqualTo(1));
+        Assert.That(Drawn("class=\"off\" display=\"inline\""), Is.EqualTo(0));
+    }
+
     [Test]
     public void Percentages_are_of_the_width_the_height_or_the_diagonal()
     {

@@ -293,7 +293,7 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
         if (Enter(outer, false, false) is not { } scope) return false;
         var place = xml.Here();
         var cap = FontSize() * CapHeight;
-        var anchor = xml.Attribute("text-anchor") ?? xml.Style("text-anchor") ?? "start";
+        var anchor = xml.Property("text-anchor") ?? "start";
         var (x, y) = (0.0, 0.0);
         Place(scope, ref x, ref y);
         if (Xml.IsEmptyElement) return true;
@@ -325,7 +325,7 @@ internal sealed class SvgReader(CurveSource source, SvgXml xml)
 
     private double FontSize()
     {
-        var text = xml.Attribute("font-size") ?? xml.Style("font-size");
+        var text = xml.Property("font-size");
         return SvgValues.Length(text, UsualSize) is { } size && size <= 1e6 ? size : UsualSize;
     }
 

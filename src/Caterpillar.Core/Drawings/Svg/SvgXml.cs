@@ -10,6 +10,7 @@ internal sealed class SvgXml
     private readonly string _text;
     private readonly int[] _lines;
     private Dictionary<string, XElement>? _named;
+    private Dictionary<string, string>? _classes;
 
     public SvgXml(CurveSource source, string text, XmlReader reader)
     {
@@ -49,24 +50,17 @@ internal sealed class SvgXml
         }
     }
 
-    public bool IsHidden()
-    {
-        if (Attribute("display") == "none" || Attribute("visibility") == "hidden") return true;
-        var style = Attribute("style");
-        if (style is null) return false;
-        var plain = string.Concat(style.Where(c => c > ' '));
-        return plain.IndexOf("display:none", StringComparison.Ordinal) >= 0 || plain.IndexOf("visibility:hidden", StringComparison.Ordinal) >= 0;
-    }
+    public bool IsHidden() => Property("display") == "none" || Property("visibility") == "hidden";
 
-    /// <summary>A property in the attribute "style", or null.</summary>
-    public string? Style(string name)
+    /// <summary>A property of the current element by its attribute "style", its classes in style sheets, or the attribute of this name. Null = none.</summary>
+    public string? Property(string name)
     {
-        foreach (var part in (Attribute("style") ?? "").Split(';'))
+        var value = Declared(Attribute("style"), name);
+        foreach (var one in (Attribute("class") ?? "").Split(' '))
         {
-            var colon = part.IndexOf(':', 0);
-            if (colon > 0 && part.Substring(0, colon).Trim() == name) return part.Substring(colon + 1).Trim();
+            if (value is null && Classes().TryGetValue(one, out var declarations)) value = Declared(declarations, name);
         }
-        return null;
+        return value ?? Attribute(name);
     }
 
     /// <summary>Elements by id. If ids are equal, the first counts.</summary>
@@ -113,6 +107,41 @@ internal sealed class SvgXml
     {
         _source.Fail("curves.svg", message, InAttribute(attribute, 0));
         return default;
+    }
+
+    private static string? Declared(string? declarations, string name)
+    {
+        foreach (var part in (declarations ?? "").Split(';'))
+        {
+            var colon = part.IndexOf(':', 0);
+            if (colon > 0 && part.Substring(0, colon).Trim() == name) return part.Substring(colon + 1).Split('!')[0].Trim();
+        }
+        return null;
+    }
+
+    // What style sheets declare of single classes, the last rules first.
+    private Dictionary<string, string> Classes()
+    {
+        if (_classes is not null) return _classes;
+        _classes = new Dictionary<string, string>(StringComparer.Ordinal);
+        for (int at = _text.IndexOf("<style", StringComparison.Ordinal), end; at >= 0; at = _text.IndexOf("<style", end, StringComparison.Ordinal))
+        {
+            end = _text.IndexOf("</style", at, StringComparison.Ordinal);
+            if (end < 0) break;
+            foreach (var rule in _text.Substring(at, end - at).Split('}'))
+            {
+                var open = rule.IndexOf('{', 0);
+                foreach (var selector in rule.Substring(0, Math.Max(0, open)).Split(','))
+                {
+                    // The first one comes after the tag, others after comments.
+                    var name = selector.Substring(selector.LastIndexOfAny(['>', '[', '/']) + 1).Trim();
+                    if (!name.StartsWith(".", StringComparison.Ordinal)) continue;
+                    _classes.TryGetValue(name.Substring(1), out var earlier);
+                    _classes[name.Substring(1)] = rule.Substring(open + 1) + ";" + earlier;
+                }
+            }
+        }
+        return _classes;
     }
 
     private int LineStart(int line) => line >= 1 && line <= _lines.Length ? _lines[line - 1] : 0;
