@@ -18,24 +18,27 @@ internal static class SlicerWords
     public static string? Advice(string option, string? value, Command verb, IEnumerable<Command> verbs)
     {
         var word = option.TrimStart('-').Replace('-', '_').ToLowerInvariant();
-        var answer = Table.FirstOrDefault(t => t.Words.Split(' ').Contains(word)).Answer;
+        var answer = Table.FirstOrDefault(t => t.Words.Split(' ').Contains(word) && (t.Answer[0] != '*' || Has(verb, t.Answer.Split(' ')[1]))).Answer;
         if (answer is null && SlicerName.Answer(word, value) is { } name) (answer, value) = (ExampleOf(name.Key), value is null ? null : name.Value ?? "VALUE");
         else if (answer is null && KeyOf(word) is { } key) answer = ExampleOf(key);
-        if (answer is null)
+        var others = verbs.Where(v => Has(v, option)).Select(v => v.Name).ToArray();
+        var isKey = answer?.IndexOf('=') > 0 && !answer.Contains(' ');
+        if (others.Length > 0 && (answer is null || (isKey && !Slices(verb)))) return $"It is an option of {string.Join(", ", others)}.";
+        if (answer is null) return null;
+        if (isKey)
         {
-            var others = verbs.Where(v => v.Options.Any(o => o.Name == option)).Select(v => v.Name).ToArray();
-            return others.Length > 0 ? $"It is an option of {string.Join(", ", others)}." : null;
-        }
-        if (answer.IndexOf('=') is > 0 and var equals && !answer.Contains(' '))
-        {
-            var set = value is null ? answer : answer[..(equals + 1)] + value;
-            return verb.Name is "slice" or "turtle" or "curves" ? $"Set the key: --set {set}" : $"Set the key for slicing: caterpillar slice MODEL --set {set}";
+            var set = value is null ? answer : answer[..(answer.IndexOf('=') + 1)] + value;
+            return Slices(verb) ? $"Set the key: --set {set}" : $"Set the key for slicing: caterpillar slice MODEL --set {set}";
         }
         var parts = answer.Split(' ', 2);
-        if (parts[0] == "*") return verb.Options.Any(o => o.Name == parts[1].Split(' ')[0]) ? $"Use {parts[1]}" : null;
+        if (parts[0] == "*") return $"Use {parts[1]}";
         var input = verbs.FirstOrDefault(v => v.Name == parts[0])?.Arguments.FirstOrDefault(a => a.Arity.MinimumNumberOfValues > 0);
         return parts[0] == verb.Name ? $"Use {parts[1]}" : $"Use: caterpillar {parts[0]} {(input is null ? "" : input.Name + " ")}{parts[1]}";
     }
+
+    private static bool Slices(Command verb) => verb.Name is "slice" or "turtle" or "curves";
+
+    private static bool Has(Command verb, string option) => verb.Options.Any(o => !o.Hidden && o.Name == option);
 
     private static string ExampleOf(string key)
         => Table.FirstOrDefault(t => t.Answer.StartsWith(key + "=", StringComparison.Ordinal)).Answer ?? key + "=VALUE";
