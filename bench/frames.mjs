@@ -9,6 +9,12 @@ import { open } from "../tools/browser.mjs";
 const folder = mkdtempSync(join(tmpdir(), "frames-")), file = join(folder, "page.html");
 writeFileSync(file, readFileSync(process.argv[2], "utf8").replace("frames = new Frames(", `const drawWhole = scene.drawWhole;
   globalThis.ends = [];
+  const show = scene.show;
+  globalThis.shown = [];
+  scene.show = function (...values) {
+    show.apply(this, values);
+    shown.push(performance.now());
+  };
   scene.drawWhole = function* (...values) {
     yield* drawWhole.apply(this, values);
     ends.push(performance.now());
@@ -20,6 +26,7 @@ await send("Page.navigate", { url: `file://${file}` });
 await until("document.documentElement.dataset.state === 'ready'");
 console.log(`ready after ${Date.now() - start} ms, ${await value("measured.scene.lists.beads.count")} extrusions`);
 await until("ends.length > 0 && !measured.isFirst && !measured.isQueued && !measured.whole");
+console.log(`images of what is seen from outside, of all, and smooth: ${(await value("shown")).map((t) => t.toFixed(0)).join(", ")} ms after the page was opened`);
 console.log(`images of all extrusions, the last smooth: ${(await value("ends")).map((t) => t.toFixed(0)).join(", ")} ms after the page was opened`);
 const pixel = "const g = f.scene.gl; g.readPixels(0, 0, 1, 1, g.RGBA, g.UNSIGNED_BYTE, new Uint8Array(4));";
 for (const skip of new Set([1, 10, 100, await value("measured.skip")])) {

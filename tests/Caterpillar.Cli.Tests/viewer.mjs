@@ -47,6 +47,17 @@ async function colors() {
   }
 }
 
+// What walls and surfaces hide is drawn after them: inner walls, infill, solid infill and gap fill between the first and the last layer that are shown.
+function inside() {
+  const source = readFileSync(new URL("../../src/Caterpillar.Core/Display/Viewing/Page/scene.js", import.meta.url), "utf8");
+  const isInside = new Function(source + "; return isInside;")();
+  name = "inside";
+  const roles = (layer, hidden = []) => [...Array(18).keys()].filter((role) => isInside(role, layer, 3, 9, new Set(hidden))).join();
+  if (roles(4) !== "2,4,5,9" || roles(8) !== "2,4,5,9") fault("inside are the roles " + roles(4));
+  if (roles(3) || roles(9) || roles(undefined)) fault("something is inside in the first or the last layer, or without layers");
+  if (roles(4, [1])) fault("something is inside where outer walls are hidden");
+}
+
 // The colors of filaments come from the comments of the file, and a change is marked.
 async function filaments() {
   name = "filaments";
@@ -204,6 +215,7 @@ async function names() {
 for (const domain of ["Runtime", "Accessibility"]) await send(domain + ".enable");
 fits();
 await colors();
+inside();
 await filaments();
 await cuts();
 await moments();

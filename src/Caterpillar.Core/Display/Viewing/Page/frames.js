@@ -8,7 +8,7 @@ class Frames {
     this.camera = camera;
     this.state = state;
     // What is large is not drawn whole before it is known to be quick.
-    this.skip = Math.max(Math.floor((scene.lists.beads?.count ?? 0) / firstExtrusions), 1);
+    this.skip = Math.max(Math.floor((scene.lists.outside?.count ?? 0) / firstExtrusions), 1);
     this.isFirst = this.skip > 1;
     this.areSlow = false;
   }

@@ -48,23 +48,30 @@ function inLayers(i) {
 }
 
 function filter() {
-  const beads = [], travels = [], retractions = [], seams = [], above = [];
+  const beads = [], inside = [], outside = [], travels = [], retractions = [], seams = [], above = [];
   let before = -1;
   for (let i = 0; i < moves.rows; i++) {
     const kind = moves.kind[i];
     const role = kind === kinds.print ? moves.role[i] : -1;
     if (inLayers(i)) {
       if (role >= 0) {
-        if (!hidden.has(role)) beads.push(i);
+        if (!hidden.has(role)) {
+          beads.push(i);
+          (isInside(role, ranks[moves.layer[i]], firstLayer, lastLayer, hidden) ? inside : outside).push(i);
+        }
         if (before < 0 && (role === 1 || role === 0)) seams.push(i);
-      } else if (kind === kinds.prime && moves.width[i] > 0 && !hidden.has(moves.role[i])) beads.push(i);
-      else if (kind === kinds.retract) retractions.push(i);
+      } else if (kind === kinds.prime && moves.width[i] > 0 && !hidden.has(moves.role[i])) {
+        beads.push(i);
+        outside.push(i);
+      } else if (kind === kinds.retract) retractions.push(i);
       else if (kind === kinds.travel || kind === kinds.wipe || kind === kinds.movingDeretract) travels.push(i);
     } else if (role === 1 && moves.layer[i] >= 0 && ranks[moves.layer[i]] > lastLayer) above.push(i);
     before = role;
   }
   scene.list("above", Uint32Array.from(above));
   scene.list("beads", Uint32Array.from(beads));
+  scene.list("inside", Uint32Array.from(inside));
+  scene.list("outside", Uint32Array.from(outside));
   scene.list("travels", Uint32Array.from(travels));
   scene.list("retractions", Uint32Array.from(retractions));
   scene.list("seams", Uint32Array.from(seams));

@@ -148,6 +148,15 @@ void main() {
   result = vec4(tint.rgb * (0.45 + 0.6 * max(dot(n, light), dot(-n, light) * 0.5)), tint.a);
 }`;
 
+// Inner walls, infill, solid infill and gap fill, which outer walls and surfaces hide.
+const insideRoles = new Set([2, 4, 5, 9]);
+
+// Whether an extrusion of a layer is hidden by others, of layers from first to last without some roles.
+function isInside(role, layer, first, last, hidden) { return insideRoles.has(role) && !hidden.has(1) && layer > first && layer < last; }
+
+// Extrusions inside of a growing print that are still seen.
+const newest = 10000;
+
 // The plane beyond which nothing is shown: a normal and a distance.
 const uncut = [0, 0, 0, 1];
 
@@ -304,10 +313,10 @@ class Scene {
     return Math.floor(entry.count / skip);
   }
 
-  // The extrusions of some rows of the list of beads, in steps of skip.
-  drawBeads(camera, state, { picking = false, quick = picking, skip = 1, from = 0, to = Infinity } = {}) {
-    if (!this.lists.beads?.count) return;
-    const gl = this.gl, uniforms = this.use(this.beads, camera), count = Math.min(this.rowsOf("beads", uniforms, skip), to);
+  // The extrusions of some rows of a list, in steps of skip.
+  drawBeads(camera, state, { list = "beads", picking = false, quick = picking, skip = 1, from = 0, to = Infinity } = {}) {
+    if (!this.lists[list]?.count) return;
+    const gl = this.gl, uniforms = this.use(this.beads, camera), count = Math.min(this.rowsOf(list, uniforms, skip), to);
     gl.uniform1f(uniforms.unit, this.unit);
     gl.uniform1f(uniforms.part, state.part);
     // Extrusions thinner than a pixel would flicker.
@@ -368,35 +377,57 @@ class Scene {
     gl.drawArrays(gl.TRIANGLES, 0, mesh.count);
   }
 
-  // Quickly: every n-th extrusion, with three sides, without joints, and with edges as they fall.
+  // Quickly: every n-th extrusion that is seen from outside, with three sides, without joints, and with edges as they fall. In a print that grows, the newest
+  // infill is seen, too; where it is cut, all of it is.
   drawQuickly(camera, state, skip) {
     this.resize();
     this.drawBackground(camera, state);
-    this.drawBeads(camera, state, { quick: true, skip });
+    const { count, rows } = this.lists.inside;
+    this.drawBeads(camera, state, { list: "outside", quick: true, skip });
+    if (state.cut !== uncut) this.drawBeads(camera, state, { list: "inside", quick: true, skip });
+    else if (count < rows.length) this.drawBeads(camera, state, { list: "inside", quick: true, from: Math.max(count - newest, 0) });
     this.drawForeground(camera, state);
   }
 
-  // All extrusions, with edges smooth or as they fall, in steps between which others may draw.
+  // All extrusions, with edges smooth or as they fall, in steps between which others may draw. Those that are seen from outside come first: they hide most
+  // others, and with edges as they fall they are shown as soon as they are there.
   *drawWhole(camera, state, extrusions = Infinity, smooth = true) {
     const gl = this.gl;
     this.resize();
-    const { width, height } = this.canvas, { frame } = smooth ? this.smoothTarget() : this.roughTarget();
-    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+    const target = smooth ? this.smoothTarget() : this.roughTarget();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
     this.drawBackground(camera, state);
-    // From above the last come first, so that what they hide takes less time.
-    const pieces = Math.max(Math.ceil((this.lists.beads?.count ?? 0) / extrusions), 1);
-    for (let done = 0; done < pieces; done++) {
-      const from = pieces === 1 ? 0 : (camera.back[2] > 0 ? pieces - 1 - done : done) * extrusions;
-      gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
-      this.drawBeads(camera, state, { quick: !smooth, from, to: from + extrusions });
-      gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-      yield;
+    for (const list of ["outside", "inside"]) {
+      // From above the last come first, so that what they hide takes less time.
+      const pieces = Math.max(Math.ceil((this.lists[list]?.count ?? 0) / extrusions), 1);
+      for (let done = 0; done < pieces; done++) {
+        const from = pieces === 1 ? 0 : (camera.back[2] > 0 ? pieces - 1 - done : done) * extrusions;
+        gl.bindFramebuffer(gl.FRAMEBUFFER, target.frame);
+        this.drawBeads(camera, state, { list, quick: !smooth, from, to: from + extrusions });
+        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+        yield;
+      }
+      if (list === "outside" && !smooth) this.show(this.copy(target), camera, state);
     }
+    this.show(target, camera, state);
+  }
+
+  // Draws what belongs in front of an image in memory, and shows it.
+  show({ frame, width, height }, camera, state) {
+    const gl = this.gl;
     gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
     this.drawForeground(camera, state);
     gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
     gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+  }
+
+  copy({ frame, width, height }) {
+    const gl = this.gl, copied = this.pickTarget();
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, frame);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, copied.frame);
+    gl.blitFramebuffer(0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT, gl.NEAREST);
+    return copied;
   }
 
   drawBackground(camera, state) {
